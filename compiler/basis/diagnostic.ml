@@ -1,0 +1,49 @@
+type severity = Error | Warning
+type label = { at : Span.t; text : string }
+
+type t = {
+  severity : severity;
+  code : string;
+  at : Span.t;
+  message : string;
+  here : string;
+  labels : label list;
+  notes : string list;
+  hints : string list;
+}
+
+let make severity ~code ~at format =
+  Format.kasprintf
+    (fun message ->
+      { severity; code; at; message; here = ""; labels = []; notes = []; hints = [] })
+    format
+
+let error ~code ~at format = make Error ~code ~at format
+let warning ~code ~at format = make Warning ~code ~at format
+let here text t = { t with here = text }
+let label ~at text t = { t with labels = t.labels @ [ { at; text } ] }
+let note text t = { t with notes = t.notes @ [ text ] }
+let hint text t = { t with hints = t.hints @ [ text ] }
+
+type sink = t list ref
+
+let sink () = ref []
+let emit sink t = sink := t :: !sink
+let has_errors sink = List.exists (fun t -> t.severity = Error) !sink
+
+let all sink =
+  let by_place a b =
+    match Span.compare a.at b.at with 0 -> compare a.code b.code | order -> order
+  in
+  let same a b = Span.compare a.at b.at = 0 && String.equal a.code b.code in
+  let rec once = function
+    | a :: b :: rest when same a b -> once (a :: rest)
+    | a :: rest -> a :: once rest
+    | [] -> []
+  in
+  once (List.stable_sort by_place (List.rev !sink))
+
+exception Bug of { stage : string; message : string }
+
+let bug ~stage format =
+  Format.kasprintf (fun message -> raise (Bug { stage; message })) format

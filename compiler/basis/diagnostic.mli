@@ -1,0 +1,50 @@
+(** What the compiler has to say to the programmer, as values.
+
+    A pass builds diagnostics and emits them into a sink, and goes on where it
+    can; {!Render} prints them. The code of each is explained by a page of
+    [compiler/explain/]. Texts are lower case, without a full stop, with names
+    of the program in backticks. *)
+
+type severity = Error | Warning
+
+type label = { at : Span.t; text : string }
+(** Another place that takes part. *)
+
+type t = {
+  severity : severity;
+  code : string;  (** such as [E0401]; warnings start with [W] *)
+  at : Span.t;  (** the one place to look at first *)
+  message : string;
+  here : string;  (** written beside the main place; may be empty *)
+  labels : label list;
+  notes : string list;
+  hints : string list;  (** cures, each likely to be right *)
+}
+
+val error : code:string -> at:Span.t -> ('a, Format.formatter, unit, t) format4 -> 'a
+val warning : code:string -> at:Span.t -> ('a, Format.formatter, unit, t) format4 -> 'a
+
+(** The rest adds to a diagnostic: [error … "…" |> label ~at "…" |> emit sink].
+    The texts are plain strings; use [Printf.sprintf] where they vary. *)
+
+val here : string -> t -> t
+val label : at:Span.t -> string -> t -> t
+val note : string -> t -> t
+val hint : string -> t -> t
+
+type sink
+(** Collects diagnostics. Its only state is what was emitted. *)
+
+val sink : unit -> sink
+val emit : sink -> t -> unit
+
+val has_errors : sink -> bool
+
+val all : sink -> t list
+(** Everything emitted, by place; repeated ones (same code and place) once. *)
+
+exception Bug of { stage : string; message : string }
+(** A broken promise of the compiler's own: never the programmer's fault. *)
+
+val bug : stage:string -> ('a, Format.formatter, unit, 'b) format4 -> 'a
+(** Raises {!Bug}. *)

@@ -1,0 +1,285 @@
+(* Naturals in base 10^4, least significant digit first, no leading zeros:
+   slow and small, which is what a few literals need. *)
+module Natural = struct
+  let base = 10_000
+
+  let normalize digits =
+    let n = ref (Array.length digits) in
+    while !n > 0 && digits.(!n - 1) = 0 do decr n done;
+    if !n = Array.length digits then digits else Array.sub digits 0 !n
+
+  let zero = [||]
+  let is_zero a = Array.length a = 0
+
+  let of_int n =
+    let rec go n = if n = 0 then [] else (n mod base) :: go (n / base) in
+    Array.of_list (go n)
+
+  let compare a b =
+    let la = Array.length a and lb = Array.length b in
+    if la <> lb then compare la lb
+    else
+      let rec go i = if i < 0 then 0 else if a.(i) <> b.(i) then compare a.(i) b.(i) else go (i - 1) in
+      go (la - 1)
+
+  let add a b =
+    let n = 1 + max (Array.length a) (Array.length b) in
+    let digit x i = if i < Array.length x then x.(i) else 0 in
+    let carry = ref 0 in
+    normalize
+      (Array.init n (fun i ->
+           let sum = digit a i + digit b i + !carry in
+           carry := sum / base;
+           sum mod base))
+
+  (* a >= b *)
+  let subtract a b =
+    let borrow = ref 0 in
+    normalize
+      (Array.mapi
+         (fun i d ->
+           let d = d - !borrow - if i < Array.length b then b.(i) else 0 in
+           if d < 0 then (borrow := 1; d + base) else (borrow := 0; d))
+         a)
+
+  let multiply a b =
+    if is_zero a || is_zero b then zero
+    else begin
+      let product = Array.make (Array.length a + Array.length b) 0 in
+      Array.iteri
+        (fun i x ->
+          let carry = ref 0 in
+          Array.iteri
+            (fun j y ->
+              let sum = product.(i + j) + (x * y) + !carry in
+              product.(i + j) <- sum mod base;
+              carry := sum / base)
+            b;
+          let k = ref (i + Array.length b) in
+          while !carry > 0 do
+            let sum = product.(!k) + !carry in
+            product.(!k) <- sum mod base;
+            carry := sum / base;
+            incr k
+          done)
+        a;
+      normalize product
+    end
+
+  let rec power a n =
+    if n = 0 then of_int 1
+    else
+      let half = power a (n / 2) in
+      let square = multiply half half in
+      if n mod 2 = 1 then multiply square a else square
+
+  (* Schoolbook division: one digit of the quotient at a time, each found by
+     bisection. *)
+  let divide a b =
+    let quotient = Array.make (Array.length a) 0 in
+    let rest = ref zero in
+    for i = Array.length a - 1 downto 0 do
+      rest := normalize (Array.append [| a.(i) |] !rest);
+      let low = ref 0 and high = ref (base - 1) in
+      while !low < !high do
+        let middle = (!low + !high + 1) / 2 in
+        if compare (multiply b (of_int middle)) !rest <= 0 then low := middle
+        else high := middle - 1
+      done;
+      quotient.(i) <- !low;
+      rest := subtract !rest (multiply b (of_int !low))
+    done;
+    (normalize quotient, !rest)
+
+  let rec gcd a b = if is_zero b then a else gcd b (snd (divide a b))
+
+  let to_int_opt a =
+    let n = Array.length a in
+    if n > 5 || (n = 5 && a.(4) >= 400) then None
+    else Some (Array.fold_right (fun d n -> (n * base) + d) a 0)
+
+  let of_digits text =
+    let n = String.length text in
+    let groups = (n + 3) / 4 in
+    normalize
+      (Array.init groups (fun i ->
+           let stop = n - (4 * i) in
+           let start = max 0 (stop - 4) in
+           int_of_string ("0u" ^ String.sub text start (stop - start))))
+
+  let to_string a =
+    match Array.length a with
+    | 0 -> "0"
+    | n ->
+        String.concat ""
+          (string_of_int a.(n - 1)
+          :: List.init (n - 1) (fun i -> Printf.sprintf "%04d" a.(n - 2 - i)))
+end
+
+(* sign * numerator / denominator in lowest terms; denominator > 0 *)
+type t = { negative : bool; numerator : int array; denominator : int array }
+
+let reduce negative numerator denominator =
+  if Natural.is_zero numerator then
+    { negative = false; numerator; denominator = Natural.of_int 1 }
+  else
+    let g = Natural.gcd numerator denominator in
+    {
+      negative;
+      numerator = fst (Natural.divide numerator g);
+      denominator = fst (Natural.divide denominator g);
+    }
+
+let of_int n = { negative = n < 0; numerator = Natural.of_int (abs n); denominator = Natural.of_int 1 }
+let zero = of_int 0
+let one = of_int 1
+let ten_to n = Natural.power (Natural.of_int 10) n
+let limit_of_exponent = 400
+
+let is_digits text = String.for_all (function '0' .. '9' -> true | _ -> false) text
+
+let of_decimal text =
+  let mantissa, exponent =
+    match String.index_opt (String.lowercase_ascii text) 'e' with
+    | None -> (text, Some 0)
+    | Some i ->
+        let rest = String.sub text (i + 1) (String.length text - i - 1) in
+        let unsigned =
+          if rest <> "" && (rest.[0] = '+' || rest.[0] = '-') then
+            String.sub rest 1 (String.length rest - 1)
+          else rest
+        in
+        let sign = if rest <> "" && rest.[0] = '-' then -1 else 1 in
+        ( String.sub text 0 i,
+          if unsigned <> "" && is_digits unsigned && String.length unsigned < 6 then
+            Some (sign * int_of_string ("0u" ^ unsigned))
+          else None )
+  in
+  let whole, fraction =
+    match String.index_opt mantissa '.' with
+    | None -> (mantissa, "")
+    | Some i -> (String.sub mantissa 0 i, String.sub mantissa (i + 1) (String.length mantissa - i - 1))
+  in
+  match exponent with
+  | Some exponent
+    when whole <> "" && is_digits whole && is_digits fraction
+         && abs exponent <= limit_of_exponent ->
+      let digits = Natural.of_digits (whole ^ fraction) in
+      let scale = exponent - String.length fraction in
+      Some
+        (if scale >= 0 then reduce false (Natural.multiply digits (ten_to scale)) (Natural.of_int 1)
+        else reduce false digits (ten_to (-scale)))
+  | _ -> None
+
+(* OEIS A000796, the first hundred decimals *)
+let pi =
+  match
+    of_decimal
+      "3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679"
+  with
+  | Some pi -> pi
+  | None -> assert false
+
+let negate t = if Natural.is_zero t.numerator then t else { t with negative = not t.negative }
+
+let multiply a b =
+  reduce (a.negative <> b.negative)
+    (Natural.multiply a.numerator b.numerator)
+    (Natural.multiply a.denominator b.denominator)
+
+let divide a b =
+  if Natural.is_zero b.numerator then invalid_arg "Exact.divide";
+  multiply a { negative = b.negative; numerator = b.denominator; denominator = b.numerator }
+
+let add a b =
+  let left = Natural.multiply a.numerator b.denominator in
+  let right = Natural.multiply b.numerator a.denominator in
+  let denominator = Natural.multiply a.denominator b.denominator in
+  if a.negative = b.negative then reduce a.negative (Natural.add left right) denominator
+  else if Natural.compare left right >= 0 then
+    reduce a.negative (Natural.subtract left right) denominator
+  else reduce b.negative (Natural.subtract right left) denominator
+
+let rec power t n =
+  if n < 0 then divide one (power t (-n))
+  else
+    {
+      negative = t.negative && n mod 2 = 1;
+      numerator = Natural.power t.numerator n;
+      denominator = Natural.power t.denominator n;
+    }
+
+let compare a b =
+  let difference = add a (negate b) in
+  if Natural.is_zero difference.numerator then 0 else if difference.negative then -1 else 1
+
+let equal a b = compare a b = 0
+let is_integer t = Natural.compare t.denominator (Natural.of_int 1) = 0
+
+let to_int32 t =
+  if not (is_integer t) then None
+  else
+    match Natural.to_int_opt t.numerator with
+    | Some n ->
+        let n = if t.negative then -n else n in
+        if n >= -0x8000_0000 && n <= 0x7fff_ffff then Some (Int32.of_int n) else None
+    | None -> None
+
+(* Scale by a power of two until the quotient has at least 64 bits, keep its
+   top bits and whether anything was left over (sticky), and let the rounding
+   to 53 bits (fewer below the normal range) be done once, on an integer. *)
+let to_float t =
+  if Natural.is_zero t.numerator then 0.
+  else begin
+    let two_to n = Natural.power (Natural.of_int 2) n in
+    let quotient shift =
+      if shift >= 0 then Natural.divide (Natural.multiply t.numerator (two_to shift)) t.denominator
+      else Natural.divide t.numerator (Natural.multiply t.denominator (two_to (-shift)))
+    in
+    (* floor(log2 (n/d)) by trial, starting from the sizes in base 10^4 *)
+    let at_least e =
+      (* n/d >= 2^e *)
+      if e >= 0 then Natural.compare t.numerator (Natural.multiply t.denominator (two_to e)) >= 0
+      else Natural.compare (Natural.multiply t.numerator (two_to (-e))) t.denominator >= 0
+    in
+    let guess =
+      int_of_float
+        (13.28771 *. float_of_int (Array.length t.numerator - Array.length t.denominator))
+    in
+    let e = ref (guess - 15) in
+    while at_least (!e + 1) do incr e done;
+    let exponent = !e in
+    (* bits kept: 53, or fewer for subnormal numbers *)
+    let lowest = max (exponent - 52) (-1074) in
+    let q, rest = quotient (1 - lowest) in
+    (* q = floor (n/d * 2^(1-lowest)): one extra bit, and the sticky rest *)
+    let q = match Natural.to_int_opt q with Some q -> q | None -> assert false in
+    let kept = q / 2 and half = q mod 2 = 1 and sticky = not (Natural.is_zero rest) in
+    let rounded = if half && (sticky || kept mod 2 = 1) then kept + 1 else kept in
+    let magnitude = if exponent > 1023 then infinity else ldexp (float_of_int rounded) lowest in
+    if t.negative then -.magnitude else magnitude
+  end
+
+let to_string t =
+  let sign = if t.negative then "-" else "" in
+  if is_integer t then sign ^ Natural.to_string t.numerator
+  else
+    (* finite as a decimal? then scale by the smallest power of ten *)
+    let rec places n =
+      if n > 40 then None
+      else if Natural.is_zero (snd (Natural.divide (ten_to n) t.denominator)) then Some n
+      else places (n + 1)
+    in
+    match places 1 with
+    | None -> sign ^ Natural.to_string t.numerator ^ "/" ^ Natural.to_string t.denominator
+    | Some n ->
+        let digits =
+          Natural.to_string
+            (Natural.multiply t.numerator (fst (Natural.divide (ten_to n) t.denominator)))
+        in
+        let digits =
+          if String.length digits <= n then String.make (n + 1 - String.length digits) '0' ^ digits
+          else digits
+        in
+        let whole = String.length digits - n in
+        sign ^ String.sub digits 0 whole ^ "." ^ String.sub digits whole n

@@ -1,0 +1,102 @@
+(** Core: small, explicitly typed, higher-order. What the reference
+    interpreter runs and what the specializer evaluates.
+
+    No longer there: units, patterns (tests and payloads instead), guards,
+    records as such (data with one constructor), do-notation, arrow commands,
+    anonymous instances: each run of a signal function is an equation of a
+    proc.
+
+    Always true (see {!Lint}): every variable is bound once and in scope;
+    types are closed over the type parameters of their definition; in a proc
+    the order of equations has no meaning, and its [Run]s are the only
+    instances; a [Payload] stands only where its constructor was tested;
+    functions do not call themselves. *)
+
+open Basis
+module Local = Resolve.Ir.Local
+module Global = Resolve.Ir.Global
+
+type ty =
+  | Variable of variable  (** a type or a representation *)
+  | Bool
+  | Int
+  | Float
+  | String
+  | Tuple of ty list  (** none for [()] *)
+  | Function of ty * ty
+  | Signal_function of ty * ty
+  | Data of Global.t * ty list
+
+and variable = { id : int; name : string }
+
+type program = {
+  main_module : string;
+  data : data list;  (** used before users *)
+  definitions : definition list;  (** dependency order *)
+}
+
+and data = {
+  tycon : Global.t;
+  parameters : variable list;
+  constructors : constructor list;
+  span : Span.t;
+}
+
+and constructor = {
+  name : Global.t;
+  record : bool;
+  fields : (string * ty) list;  (** [""] if positional *)
+}
+
+and definition = {
+  name : Global.t;
+  parameters : variable list;
+  ty : ty;
+  body : expr;
+  span : Span.t;
+}
+
+and binder = { local : Local.t; ty : ty }
+
+and expr = { desc : expr_desc; ty : ty; span : Span.t }
+
+and expr_desc =
+  | Local of Local.t * ty list
+      (** the types: for a polymorphic local function *)
+  | Global of Global.t * ty list
+  | Primitive of Primitive.t * ty list
+  | Number of Exact.t  (** of type Int, Float or a representation variable *)
+  | Boolean of bool
+  | String of string
+  | Lambda of binder * expr
+  | Apply of expr * expr
+  | Let of { binder : binder; parameters : variable list; value : expr; body : expr }
+      (** not recursive; polymorphic if it has parameters *)
+  | Tuple of expr list
+  | Component of expr * int  (** of a tuple, from 0 *)
+  | Construct of { data : Global.t; constructor : int; arguments : expr list }
+      (** saturated; Bool has its own constants *)
+  | Is_constructor of expr * int  (** a Bool; the data type is [expr]'s *)
+  | Payload of { value : expr; constructor : int; field : int }
+  | If of expr * expr * expr
+  | Proc of proc
+
+and proc = {
+  name : string;  (** the definition it belongs to: names in the C code *)
+  input : binder;
+  equations : equation list;
+  output : expr;
+}
+
+and equation = {
+  binder : binder;
+  parameters : variable list;  (** polymorphic local functions only *)
+  rhs : rhs;
+  span : Span.t;
+}
+
+and rhs =
+  | Pure of expr
+      (** holds at every instant: a signal, a static value or a local function *)
+  | Run of { signal_function : expr; input : expr }
+      (** an instance of a static signal function *)

@@ -1,0 +1,99 @@
+type t =
+  | Add
+  | Subtract
+  | Multiply
+  | Negate
+  | Absolute
+  | Signum
+  | Divide
+  | Power
+  | Power_literal of int
+  | Elementary of elementary
+  | Div
+  | Mod
+  | To_float
+  | Round
+  | Floor
+  | Ceiling
+  | Truncate
+  | Equal
+  | Not_equal
+  | Less
+  | Less_equal
+  | Greater
+  | Greater_equal
+  | Minimum
+  | Maximum
+  | And
+  | Or
+  | Delay
+  | Time
+  | Integral
+  | Derivative
+  | Reactimate
+
+and elementary = Sqrt | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2
+
+(* name in the library, meaning, number of arguments *)
+let table =
+  [
+    ("+", Add, 2);
+    ("-", Subtract, 2);
+    ("*", Multiply, 2);
+    ("negate", Negate, 1);
+    ("abs", Absolute, 1);
+    ("signum", Signum, 1);
+    ("/", Divide, 2);
+    ("**", Power, 2);
+    ("sqrt", Elementary Sqrt, 1);
+    ("hypot", Elementary Hypot, 2);
+    ("exp", Elementary Exp, 1);
+    ("log", Elementary Log, 1);
+    ("sin", Elementary Sin, 1);
+    ("cos", Elementary Cos, 1);
+    ("tan", Elementary Tan, 1);
+    ("asin", Elementary Asin, 1);
+    ("acos", Elementary Acos, 1);
+    ("atan", Elementary Atan, 1);
+    ("atan2", Elementary Atan2, 2);
+    ("div", Div, 2);
+    ("mod", Mod, 2);
+    ("toFloat", To_float, 1);
+    ("round", Round, 1);
+    ("floor", Floor, 1);
+    ("ceiling", Ceiling, 1);
+    ("truncate", Truncate, 1);
+    ("==", Equal, 2);
+    ("/=", Not_equal, 2);
+    ("<", Less, 2);
+    ("<=", Less_equal, 2);
+    (">", Greater, 2);
+    (">=", Greater_equal, 2);
+    ("min", Minimum, 2);
+    ("max", Maximum, 2);
+    ("&&", And, 2);
+    ("||", Or, 2);
+    (* Of a signal function, the static arguments count, not the signal. *)
+    ("delay", Delay, 1);
+    ("time", Time, 0);
+    ("integral", Integral, 0);
+    ("derivative", Derivative, 0);
+    ("reactimateRobot", Reactimate, 1);
+  ]
+
+let of_name text =
+  List.find_map (fun (name, t, _) -> if String.equal name text then Some t else None) table
+
+let row t = List.find_opt (fun (_, other, _) -> other = t) table
+
+let name t =
+  match (t, row t) with
+  | Power_literal k, _ -> Printf.sprintf "^%d" k
+  | _, Some (name, _, _) -> name
+  | _, None -> Basis.Diagnostic.bug ~stage:"Core.Primitive" "a primitive without a row"
+
+let arity t =
+  match (t, row t) with
+  | Power_literal _, _ -> 1
+  | _, Some (_, _, arity) -> arity
+  | _, None -> Basis.Diagnostic.bug ~stage:"Core.Primitive" "a primitive without a row"

@@ -1,0 +1,68 @@
+(** The one table of what the language has built in.
+
+    A primitive is declared with its type in the standard library
+    ([primitive sin :: Float -> Float]) and has its row here; its meaning is
+    given by {!Specialize} (and by the interpreter). *)
+
+type t =
+  (* on numbers of any representation *)
+  | Add
+  | Subtract
+  | Multiply
+  | Negate
+  | Absolute
+  | Signum
+  (* on Float *)
+  | Divide
+  | Power  (** [**] *)
+  | Power_literal of int  (** [e ^ k]; not declared: the syntax makes it *)
+  | Elementary of elementary
+  (* on Int *)
+  | Div
+  | Mod
+  (* conversions *)
+  | To_float
+  | Round
+  | Floor
+  | Ceiling
+  | Truncate
+  (* structural, on any data without functions *)
+  | Equal
+  | Not_equal
+  | Less
+  | Less_equal
+  | Greater
+  | Greater_equal
+  | Minimum
+  | Maximum
+  (* on Bool *)
+  | And
+  | Or
+  (* signal functions *)
+  | Delay
+  | Time
+  | Integral
+  | Derivative
+  (* programs *)
+  | Reactimate  (** [SF i o -> Program i o] *)
+
+(** Functions of the C library; their results are the C library's bits, so no
+    call of one is folded, except [Sqrt], which IEEE defines. *)
+and elementary =
+  | Sqrt
+  | Hypot
+  | Exp
+  | Log
+  | Sin
+  | Cos
+  | Tan
+  | Asin
+  | Acos
+  | Atan
+  | Atan2
+
+val of_name : string -> t option
+(** By the name in the library's declaration. *)
+
+val name : t -> string
+val arity : t -> int

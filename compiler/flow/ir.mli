@@ -1,0 +1,149 @@
+(** Flow: the program as first-order nodes of equations over signals.
+
+    No longer there: types other than Bool, Int, Float and sums; functions,
+    tuples, records and signal functions as values. A tuple or record is the
+    list of its leaves, in order; a sum value is one leaf.
+
+    Always true (see {!Lint}): a signal has exactly one equation, in the node
+    that owns it; a node's callees come before it in [program.nodes]; all
+    operations are total, so an equation may be computed although nothing
+    needs it, or not at all although something might have; state lives only
+    in [Delay], [Instance] and [Integrate]-like equations. Order of equations
+    has no meaning; they may be mutually recursive ({!Causality} checks). *)
+
+open Basis
+
+type ty =
+  | Bool
+  | Int
+  | Float
+  | Sum of int  (** index into [program.sums] *)
+
+(** Data types with more than one constructor, at closed types. *)
+type sum = {
+  name : string;  (** as the programmer would write the type: [Maybe Float] *)
+  module_ : string;  (** where its data type is declared *)
+  constructors : sum_constructor list;
+}
+
+and sum_constructor = {
+  constructor : string;
+  fields : (string * shape) list;  (** the name is [""] if positional *)
+}
+
+(** How a value of the source language is made of leaves. *)
+and shape =
+  | Leaf of ty
+  | Product of product
+
+and product = {
+  product_name : string;  (** [""] for a tuple, else the record's type *)
+  product_module : string;
+  constructor : string;  (** [""] for a tuple *)
+  record : bool;  (** the constructor's fields have names *)
+  parts : (string * shape) list;
+      (** field names; [""] for components and positional fields *)
+}
+
+type signal = {
+  id : int;  (** unique in the program *)
+  name : string;
+      (** the programmer's name, with a path for leaves ([v], [pose.x]); [""]
+          for what has none *)
+  ty : ty;
+  group : int;
+      (** equal for the leaves that causality judges as one; usually [id] *)
+  span : Span.t;  (** where the programmer wrote it; never a dummy *)
+}
+
+type atom =
+  | Signal of signal
+  | Bool of bool
+  | Int of int32
+  | Float of float
+
+type operator =
+  (* on Int or Float, by the type of the arguments *)
+  | Add
+  | Subtract
+  | Multiply
+  | Negate
+  | Absolute
+  | Signum
+  | Equal
+  | Less
+  | Less_equal
+  | Minimum  (** NaN if either is; else the first of two equal ones *)
+  | Maximum
+  (* Float *)
+  | Divide
+  | Pow  (** the C library's [pow] *)
+  | Elementary of Core.Primitive.elementary
+  (* Int *)
+  | Div
+  | Mod
+  (* conversions, saturating *)
+  | To_float
+  | Round
+  | Floor
+  | Ceiling
+  | Truncate
+  (* Bool *)
+  | Not
+  | And
+  | Or
+
+type equation = { defines : signal; rhs : rhs; span : Span.t }
+
+and rhs =
+  | Copy of atom
+  | Op of operator * atom list
+  | If of { condition : atom; then_ : atom; else_ : atom }
+      (** Any of the branches may be left uncomputed where not needed. *)
+  | Construct of { constructor : int; payload : atom list }
+      (** payload: all leaves of all fields, in order *)
+  | Is_constructor of atom * int
+  | Payload of { value : atom; constructor : int; leaf : int }
+      (** unspecified, but harmless, if [value] has another constructor *)
+  | Delay of { init : atom; next : atom }
+      (** [init] at the first instant, then [next] as it was one instant ago;
+          [init] is static *)
+  | Time  (** seconds of local time *)
+  | Integral of atom
+      (** 0, then adds dt times the argument as it was one instant ago *)
+  | Derivative of atom
+
+(** A private copy of a node's state, or a call if the node has none. *)
+type instance = {
+  node : int;  (** index into [program.nodes] *)
+  name : string;  (** of the state field; unique in the node *)
+  statics : atom list;  (** for the node's [statics] *)
+  inputs : atom list;  (** for the node's [inputs] *)
+  outputs : signal list;  (** defined here; for the node's [outputs] *)
+  span : Span.t;
+}
+
+type node = {
+  name : string;  (** from the source; unique in the program *)
+  origin : string;  (** the definition as the programmer knows it *)
+  kind : kind;
+  statics : signal list;  (** known when the node starts, and fixed *)
+  inputs : signal list;
+  outputs : (string * atom) list;  (** name and value of each leaf *)
+  equations : equation list;
+  instances : instance list;
+  span : Span.t;
+  file : string;
+}
+
+and kind =
+  | Function  (** no state: equations are operations, instances functions *)
+  | Signal_function
+
+type program = {
+  name : string;  (** of the C files *)
+  sums : sum array;
+  nodes : node array;  (** callees before callers; the last is the root *)
+  input : shape;  (** of the root's inputs *)
+  output : shape;
+}

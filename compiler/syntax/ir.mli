@@ -1,0 +1,167 @@
+(** Syntax: a module as the programmer wrote it.
+
+    Always true (see {!Lint}): spans nest; binary operators are already
+    grouped by the fixed table of the language reference, section 11; layout
+    is gone. Names are still text. Patterns were parsed as expressions and
+    then turned into patterns. *)
+
+open Basis
+
+type name = { text : string; span : Span.t }
+
+type qualified = { qualifier : name option; name : name; span : Span.t }
+(** [M.x]; operators have their symbol as text, as in ["+"]. *)
+
+type program = {
+  file : string;
+  header : header option;
+  imports : import list;
+  declarations : declaration list;
+}
+
+and header = { module_name : name; exports : name list option; span : Span.t }
+
+and import = {
+  module_ : name;
+  qualified : bool;
+  alias : name option;
+  items : name list option;
+  span : Span.t;
+}
+
+and declaration = { desc : declaration_desc; doc : string option; span : Span.t }
+(** [doc] is the text of the [-- |] comment before it. *)
+
+and declaration_desc =
+  | Signature of signature
+  | Binding of binding
+  | Type_alias of { name : name; parameters : type_parameters; body : ty }
+  | Data of { name : name; parameters : type_parameters; constructors : constructor list }
+  | Base_unit of name  (** [unit tick] *)
+  | Scaled_unit of { name : name; scale : scale; unit_ : unit_ }
+      (** [unit inch = 0.0254 m]; the scale may be left out: [unit N = kg m/s^2] *)
+  | Primitive of signature
+      (** [primitive sin :: Float -> Float], only in the standard library *)
+
+and scale = {
+  factor : string;  (** decimal text; ["1"] where none is written *)
+  times_pi : bool;  (** [unit deg = pi/180]: factor 1, over 180, times pi *)
+  divided_by : string;  (** decimal text; ["1"] where none is written *)
+}
+
+and signature = { names : name list; ty : qualified_type }
+
+and qualified_type = { context : (qualified * ty) list; ty : ty }
+(** [(Eq a, Ord b) => ty] *)
+
+and type_parameters = { units : name list; types : name list }
+
+and constructor = { name : name; fields : fields; span : Span.t; doc : string option }
+
+and fields =
+  | Positional of ty list
+  | Named of (name * ty) list
+
+(** {1 Bindings} *)
+
+and binding = { left : left; right : right; span : Span.t }
+
+and left =
+  | Name of name  (** [x = …] *)
+  | Function_name of { name : name; parameters : pattern list }  (** at least one *)
+  | Pattern of pattern  (** [(x, y) = …]: tuples, records, [_] *)
+
+and right = { body : body; where : declaration list }
+(** [where] holds only [Signature] and [Binding]. *)
+
+and body =
+  | Plain of expr
+  | Guarded of (expr * expr) list  (** [| guard = expr], at least one *)
+
+(** {1 Expressions} *)
+
+and expr = { desc : expr_desc; span : Span.t }
+
+and expr_desc =
+  | Variable of qualified
+  | Constructor of qualified
+  | Number of number
+  | String of string
+  | Tuple of expr list  (** none for [()], else at least two *)
+  | Apply of expr * expr  (** juxtaposition; also what [f $ x] means *)
+  | Binary of { operator : qualified; left : expr; right : expr }
+      (** also [a `f` b] *)
+  | Negate of expr
+  | Left_section of { left : expr; operator : qualified }  (** [(x +)] *)
+  | Right_section of { operator : qualified; right : expr }  (** [(+ x)] *)
+  | Power of { base : expr; exponent : int }  (** [e ^ k] *)
+  | If of { condition : expr; then_ : expr; else_ : expr }
+  | Case of { scrutinee : expr; branches : branch list }
+  | Let of { bindings : declaration list; body : expr }
+  | Lambda of { parameters : pattern list; body : expr }
+  | Proc of { input : pattern; body : proc_body }
+  | Record of { constructor : qualified; fields : (name * expr) list }
+  | Update of { record : expr; fields : (name * expr) list }
+  | Field of { record : expr; field : name }
+  | Annotated of { expr : expr; ty : qualified_type }
+  | Parenthesized of expr  (** kept for messages and printing *)
+
+and number = {
+  digits : string;  (** as written, without unit and sign *)
+  decimal : bool;  (** has a point or an exponent *)
+  unit_ : unit_ option;
+}
+
+and branch = { pattern : pattern; body : branch_body; where : declaration list; span : Span.t }
+
+and branch_body =
+  | Always of expr
+  | If_guards of (expr * expr) list  (** [| guard -> expr] *)
+
+and proc_body =
+  | Output of { output : expr; equations : declaration list }  (** [proc p -> e where …] *)
+  | Command of command  (** [proc p -> sf -< e] *)
+  | Do of { statements : statement list; result : command }
+
+and command = { signal_function : expr; argument : expr; span : Span.t }
+
+and statement =
+  | Bind of { pattern : pattern; command : command }  (** [p <- sf -< e] *)
+  | Bind_expr of { pattern : pattern; expr : expr; span : Span.t }  (** [p <- e] *)
+  | Let_equations of declaration list
+
+(** {1 Patterns} *)
+
+and pattern = { desc : pattern_desc; span : Span.t }
+
+and pattern_desc =
+  | Any
+  | Bound of name
+  | As of name * pattern
+  | Tuple_of of pattern list  (** none for [()] *)
+  | Constructed of qualified * pattern list
+  | Record_of of qualified * (name * pattern) list
+  | Literal of { negative : bool; number : number }
+
+(** {1 Types and units} *)
+
+and ty = { desc : ty_desc; span : Span.t }
+
+and ty_desc =
+  | Type_variable of name
+  | Type of { name : qualified; units : unit_ list option; arguments : ty list }
+      (** [Scan[m] Bool]; [Float[u]]; [Float] *)
+  | Representation of { name : name; unit_ : unit_ }  (** [n[u]] *)
+  | Function of ty * ty
+  | Tuple_type of ty list
+
+and unit_ = { desc : unit_desc; span : Span.t }
+
+and unit_desc =
+  | One
+  | Unit_name of name  (** a declared unit or a unit variable: see resolve *)
+  | Times of unit_ * unit_
+  | Over of unit_ * unit_
+  | To of unit_ * rational
+
+and rational = { numerator : int; denominator : int }  (** denominator > 0, lowest terms *)

@@ -1,0 +1,146 @@
+(** Typed: the resolved program with the type of everything, and with what
+    only types can decide decided: whether a juxtaposition applies a function
+    or runs a signal function, which record a field belongs to, how a literal
+    is represented, at which types a polymorphic name is used.
+
+    Always true (see {!Lint}): types are closed over the type parameters of
+    the enclosing definition; what nothing decided has its default; levels
+    are as the language reference, section 2, demands: what is run is static,
+    instances stand only where they run at every instant; cases are
+    exhaustive; units agree (and stay in the types only for messages, dumps
+    and documentation). *)
+
+open Basis
+module Local = Resolve.Ir.Local
+module Global = Resolve.Ir.Global
+
+(** {1 Types} *)
+
+type ty =
+  | Variable of variable
+  | Number of representation * unit_
+  | Bool
+  | String
+  | Tuple of ty list  (** none for [()] *)
+  | Function of ty * ty
+  | Signal_function of ty * ty
+  | Data of { tycon : Global.t; units : unit_ list; arguments : ty list }
+      (** also [Program i o], with constructor-less data *)
+
+and variable = { id : int; name : string }
+(** A quantified variable of a type, representation or unit. *)
+
+and representation =
+  | Int
+  | Float
+  | Representation_variable of variable
+
+and unit_ = {
+  base : (Global.t * Syntax.Ir.rational) list;  (** base units; sorted, no zero powers *)
+  variables : (variable * Syntax.Ir.rational) list;  (** likewise *)
+}
+
+and scheme = {
+  types : variable list;  (** quantified; also representations, in [representations] *)
+  representations : variable list;
+  units : variable list;
+  context : (class_ * ty) list;
+  ty : ty;
+}
+
+and class_ = Eq | Ord
+
+(** {1 Programs} *)
+
+type program = {
+  main_module : string;
+  data : data list;  (** used before users *)
+  primitives : (Global.t * scheme) list;
+  definitions : definition list;  (** top level, dependency order *)
+}
+
+and data = {
+  tycon : Global.t;
+  unit_parameters : variable list;
+  type_parameters : variable list;
+  constructors : constructor list;
+  span : Span.t;
+}
+
+and constructor = {
+  constructor : Global.t;
+  index : int;
+  record : bool;
+  fields : (string * ty) list;  (** [""] if positional *)
+}
+
+and definition = {
+  name : Global.t;
+  scheme : scheme;
+  value : expr;  (** parameters have become [Lambda] *)
+  doc : string option;
+  span : Span.t;
+}
+
+(** {1 Expressions} *)
+
+and expr = { desc : expr_desc; ty : ty; span : Span.t }
+
+and expr_desc =
+  | Local of Local.t * instantiation
+  | Global of Global.t * instantiation
+  | Primitive of Global.t * instantiation
+  | Constructor of constructor * Global.t  (** as a function of its fields; its type *)
+  | Number of Exact.t
+      (** the exact value in base units; rounded once, to the representation
+          that the type says (an integer in range if that is [Int] or a
+          variable) *)
+  | String of string
+  | Tuple of expr list
+  | Apply of expr * expr  (** function to argument, pointwise *)
+  | Run of expr * expr  (** an instance of a signal function, on a signal *)
+  | Negate of expr
+  | Power of expr * int
+  | If of expr * expr * expr
+  | Case of expr * branch list
+  | Let of binding list * expr  (** dependency order *)
+  | Lambda of pattern list * expr
+  | Guards of (expr * expr) list * expr option
+      (** first guard that holds; [None]: falls through to the next branch of
+          the enclosing [Case] (only there) *)
+  | Proc of { input : pattern; equations : binding list; output : expr }
+  | Record of constructor * (int * expr) list  (** complete, order as written *)
+  | Update of expr * constructor * (int * expr) list
+  | Field of expr * constructor * int
+
+and instantiation = { types : ty list; representations : representation list }
+(** For the quantified variables of the scheme, in their order; units are
+    erased. *)
+
+and branch = { pattern : pattern; value : expr }
+
+and binding = {
+  pattern : pattern;  (** [Bound] for a plain name or a function *)
+  scheme : scheme;  (** polymorphic only for local functions with a signature *)
+  value : expr;
+  level : level;
+  span : Span.t;
+}
+(** In a proc: an equation, a static value or a local function. *)
+
+and level =
+  | Constant
+  | Static  (** known when the signal function around it starts *)
+  | Signal
+
+(** {1 Patterns} *)
+
+and pattern = { desc : pattern_desc; ty : ty; span : Span.t }
+
+and pattern_desc =
+  | Any
+  | Bound of Local.t
+  | As of Local.t * pattern
+  | Tuple_of of pattern list
+  | Constructed of constructor * pattern list
+  | Literal of Exact.t

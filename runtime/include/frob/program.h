@@ -1,0 +1,71 @@
+/* frob/program.h -- how a host sees a compiled program.
+ *
+ * `frobc` writes, beside NAME.c and NAME.h, a table of this form for hosts
+ * that do not know the program: the trace host (CSV in, CSV out), the
+ * simulator, the robot host. The table and the program are one shared
+ * object; hosts look up the symbol `frob_program`.
+ *
+ * Everything here is constant data. Offsets are in bytes from the start of
+ * the program's input or output struct, at every depth of the tree. */
+#ifndef FROB_PROGRAM_H
+#define FROB_PROGRAM_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum frob_kind {
+    FROB_BOOL,    /* C bool */
+    FROB_INT,     /* int32_t */
+    FROB_FLOAT,   /* double */
+    FROB_PRODUCT, /* tuple, record or () */
+    FROB_SUM      /* uint8_t tag, and slots for the payloads */
+};
+
+struct frob_value;
+
+/* A component of a product, or an argument of a constructor. */
+struct frob_field {
+    const char *name; /* NULL for a tuple component or positional argument */
+    const struct frob_value *value;
+};
+
+struct frob_constructor {
+    const char *name;  /* as in the source: "Just"; NULL for a tuple */
+    int is_record;     /* fields are written {name = value} */
+    size_t count;      /* of fields */
+    const struct frob_field *fields;
+};
+
+/* One value inside the input or output struct. */
+struct frob_value {
+    enum frob_kind kind;
+    size_t offset; /* of the bool, int32_t, double, or the sum's tag */
+    int is_event;  /* a sum that is `Event a`: constructor 0 is NoEvent */
+    size_t count;  /* constructors: 1 for a product, its tag is not stored */
+    const struct frob_constructor *constructors;
+};
+
+struct frob_program {
+    unsigned abi;          /* FROB_PROGRAM_ABI */
+    const char *name;      /* of the program */
+    const char *robot;     /* "pioneer", …; "" for a plain signal function */
+    size_t state_size, input_size, output_size;
+    const struct frob_value *input;
+    const struct frob_value *output;
+    void (*reset)(void *state);
+    void (*step)(void *state, double dt, const void *input, void *output);
+};
+
+#define FROB_PROGRAM_ABI 1u
+
+/* The symbol that hosts look up. */
+#define FROB_PROGRAM_SYMBOL "frob_program"
+
+#ifdef __cplusplus
+}
+#endif
+#endif
