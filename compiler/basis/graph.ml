@@ -1,0 +1,114 @@
+type t = int list array
+
+let components graph =
+  let n = Array.length graph in
+  let unvisited = -1 in
+  let number = Array.make n unvisited in
+  let low = Array.make n 0 in
+  let on_stack = Array.make n false in
+  let stack = ref [] in
+  let visited = ref 0 in
+  let found = ref [] in
+  let rec pop_until v component =
+    match !stack with
+    | w :: rest ->
+        stack := rest;
+        on_stack.(w) <- false;
+        if w = v then w :: component else pop_until v (w :: component)
+    | [] -> component
+  in
+  let enter v =
+    number.(v) <- !visited;
+    low.(v) <- !visited;
+    incr visited;
+    stack := v :: !stack;
+    on_stack.(v) <- true
+  in
+  (* The path from the root of the search: vertices with the edges left. *)
+  let rec search = function
+    | [] -> ()
+    | (v, w :: edges) :: path ->
+        if number.(w) = unvisited then begin
+          enter w;
+          search ((w, graph.(w)) :: (v, edges) :: path)
+        end
+        else begin
+          if on_stack.(w) then low.(v) <- min low.(v) number.(w);
+          search ((v, edges) :: path)
+        end
+    | (v, []) :: path ->
+        if low.(v) = number.(v) then
+          found := List.sort Int.compare (pop_until v []) :: !found;
+        (match path with
+        | (parent, _) :: _ -> low.(parent) <- min low.(parent) low.(v)
+        | [] -> ());
+        search path
+  in
+  for v = 0 to n - 1 do
+    if number.(v) = unvisited then begin
+      enter v;
+      search [ (v, graph.(v)) ]
+    end
+  done;
+  List.rev !found
+
+let is_cyclic graph = function
+  | [] -> false
+  | [ v ] -> List.mem v graph.(v)
+  | _ -> true
+
+(* How many edges a search for a shortest cycle may look at. *)
+let patience = 20_000_000
+
+let rotate_to_smallest cycle =
+  let smallest = List.fold_left min max_int cycle in
+  let rec go before = function
+    | v :: after when v = smallest -> (v :: after) @ List.rev before
+    | v :: after -> go (v :: before) after
+    | [] -> List.rev before
+  in
+  go [] cycle
+
+let shortest_cycle graph component =
+  let n = Array.length graph in
+  let inside = Array.make n false in
+  List.iter (fun v -> inside.(v) <- true) component;
+  let seen_from = Array.make n (-1) in
+  let parent = Array.make n (-1) in
+  let looked_at = ref 0 in
+  (* Breadth first from [root], no deeper than what would beat [bound]. *)
+  let through root bound =
+    let queue = Queue.create () in
+    let rec path_to v path = if v = root then root :: path else path_to parent.(v) (v :: path) in
+    let rec visit v depth = function
+      | [] -> next ()
+      | w :: rest ->
+          incr looked_at;
+          if w = root then Some (path_to v [])
+          else begin
+            if inside.(w) && seen_from.(w) <> root && depth < bound - 1 then begin
+              seen_from.(w) <- root;
+              parent.(w) <- v;
+              Queue.add (w, depth + 1) queue
+            end;
+            visit v depth rest
+          end
+    and next () =
+      match Queue.take_opt queue with
+      | None -> None
+      | Some (v, depth) -> if depth >= bound then None else visit v depth graph.(v)
+    in
+    Queue.add (root, 1) queue;
+    next ()
+  in
+  let shortest, _ =
+    List.fold_left
+      (fun (best, length) root ->
+        if length <= 1 || (!looked_at > patience && best <> []) then (best, length)
+        else
+          match through root length with
+          | Some cycle -> (cycle, List.length cycle)
+          | None -> (best, length))
+      ([], max_int) component
+  in
+  rotate_to_smallest shortest
