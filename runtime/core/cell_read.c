@@ -1,0 +1,273 @@
+/* Text to values: recursive descent, led by the value's type, so the depth is
+ * the type's and not the text's (parentheses are counted, not nested). */
+#include <frob/cell.h>
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct reader {
+    const char *start;
+    const char *at;
+    const char *expected; /* set by the first failure */
+    void *base;
+};
+
+static bool fail(struct reader *r, const char *expected)
+{
+    r->expected = expected;
+    return false;
+}
+
+static void skip_blanks(struct reader *r)
+{
+    while (*r->at == ' ' || *r->at == '\t')
+        r->at++;
+}
+
+static bool accept(struct reader *r, char c)
+{
+    skip_blanks(r);
+    if (*r->at != c)
+        return false;
+    r->at++;
+    return true;
+}
+
+static bool is_name_char(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           c == '_' || c == '\'';
+}
+
+/* The whole word, or nothing is read. */
+static bool accept_word(struct reader *r, const char *word)
+{
+    size_t length = strlen(word);
+    skip_blanks(r);
+    if (strncmp(r->at, word, length) != 0 || is_name_char(r->at[length]))
+        return false;
+    r->at += length;
+    return true;
+}
+
+static char *bytes(const struct reader *r, size_t offset)
+{
+    return (char *)r->base + offset;
+}
+
+static bool read_bool(struct reader *r, bool *result)
+{
+    if (accept_word(r, "true") || accept_word(r, "True"))
+        *result = true;
+    else if (accept_word(r, "false") || accept_word(r, "False"))
+        *result = false;
+    else
+        return fail(r, "`true` or `false`");
+    return true;
+}
+
+static bool read_int(struct reader *r, int32_t *result)
+{
+    static const char expected[] = "an integer from -2147483648 to 2147483647";
+    char *end;
+    long long n;
+    skip_blanks(r);
+    if (!(*r->at == '-' || *r->at == '+' || (*r->at >= '0' && *r->at <= '9')))
+        return fail(r, expected);
+    errno = 0;
+    n = strtoll(r->at, &end, 10);
+    if (end == r->at || errno != 0 || n < INT32_MIN || n > INT32_MAX || *end == '.' ||
+        is_name_char(*end))
+        return fail(r, expected);
+    r->at = end;
+    *result = (int32_t)n;
+    return true;
+}
+
+/* Decimal numbers only: strtod would take hexadecimal ones and `infinity`. */
+static bool read_float(struct reader *r, double *result)
+{
+    static const char expected[] = "a number";
+    const char *digits;
+    char *end;
+    bool negative;
+    skip_blanks(r);
+    negative = *r->at == '-';
+    digits = r->at + (negative || *r->at == '+' ? 1 : 0);
+    if ((digits[0] == 'n' || digits[0] == 'i') && is_name_char(digits[1])) {
+        const char *start = r->at;
+        r->at = digits;
+        if (accept_word(r, "nan"))
+            *result = NAN;
+        else if (accept_word(r, "inf"))
+            *result = negative ? -INFINITY : INFINITY;
+        else {
+            r->at = start;
+            return fail(r, expected);
+        }
+        return true;
+    }
+    if (!(digits[0] >= '0' && digits[0] <= '9') && digits[0] != '.')
+        return fail(r, expected);
+    if (digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X'))
+        return fail(r, expected);
+    *result = strtod(r->at, &end);
+    if (end == r->at || is_name_char(*end))
+        return fail(r, expected);
+    r->at = end;
+    return true;
+}
+
+static bool read_value(struct reader *r, const struct frob_value *value);
+
+static bool read_tuple(struct reader *r, const struct frob_constructor *tuple)
+{
+    if (!accept(r, '('))
+        return fail(r, tuple->count == 0 ? "`()`" : "`(`, the start of a tuple");
+    for (size_t i = 0; i < tuple->count; i++) {
+        if (i > 0 && !accept(r, ','))
+            return fail(r, "`,` and the tuple's next component");
+        if (!read_value(r, tuple->fields[i].value))
+            return false;
+    }
+    return accept(r, ')') || fail(r, "`)`");
+}
+
+/* Fields may come in any order, each once. */
+static bool read_record(struct reader *r, const struct frob_constructor *record)
+{
+    unsigned long long seen = 0;
+    if (!accept(r, '{'))
+        return fail(r, "`{` and the record's fields");
+    for (size_t n = 0; n < record->count; n++) {
+        size_t i;
+        const char *name;
+        if (n > 0 && !accept(r, ','))
+            return fail(r, "`,` and the record's next field");
+        skip_blanks(r);
+        name = r->at;
+        for (i = 0; i < record->count; i++)
+            if (accept_word(r, record->fields[i].name))
+                break;
+        if (i == record->count || (i < 64 && (seen >> i & 1u) != 0)) {
+            r->at = name;
+            return fail(r, "a field of the record, each once");
+        }
+        if (i < 64)
+            seen |= 1ull << i;
+        if (!accept(r, '='))
+            return fail(r, "`=` after the field's name");
+        if (!read_value(r, record->fields[i].value))
+            return false;
+    }
+    return accept(r, '}') || fail(r, "`}`");
+}
+
+static bool read_arguments(struct reader *r, const struct frob_constructor *constructor)
+{
+    if (constructor->is_record)
+        return read_record(r, constructor);
+    for (size_t i = 0; i < constructor->count; i++)
+        if (!read_value(r, constructor->fields[i].value))
+            return false;
+    return true;
+}
+
+/* Zero in every slot that some constructor of the value uses. */
+static void clear(struct reader *r, const struct frob_value *value)
+{
+    char *at = bytes(r, value->offset);
+    switch (value->kind) {
+    case FROB_BOOL:
+        *(bool *)(void *)at = false;
+        break;
+    case FROB_INT:
+        *(int32_t *)(void *)at = 0;
+        break;
+    case FROB_FLOAT:
+        *(double *)(void *)at = 0.0;
+        break;
+    case FROB_SUM:
+        *(uint8_t *)at = 0;
+        /* fall through */
+    case FROB_PRODUCT:
+        for (size_t i = 0; i < value->count; i++)
+            for (size_t j = 0; j < value->constructors[i].count; j++)
+                clear(r, value->constructors[i].fields[j].value);
+        break;
+    }
+}
+
+static bool read_constructor(struct reader *r, const struct frob_value *value)
+{
+    for (size_t i = 0; i < value->count; i++) {
+        if (accept_word(r, value->constructors[i].name)) {
+            if (value->kind == FROB_SUM)
+                *(uint8_t *)bytes(r, value->offset) = (uint8_t)i;
+            return read_arguments(r, &value->constructors[i]);
+        }
+    }
+    return fail(r, "a constructor of the column's type");
+}
+
+static bool read_value(struct reader *r, const struct frob_value *value)
+{
+    /* A tuple's own parenthesis is not one to skip. */
+    bool tuple = value->kind == FROB_PRODUCT && value->constructors[0].name == NULL;
+    int parentheses = 0;
+    bool ok = false;
+    if (!tuple)
+        while (accept(r, '('))
+            parentheses++;
+    switch (value->kind) {
+    case FROB_BOOL:
+        ok = read_bool(r, (bool *)(void *)bytes(r, value->offset));
+        break;
+    case FROB_INT:
+        ok = read_int(r, (int32_t *)(void *)bytes(r, value->offset));
+        break;
+    case FROB_FLOAT:
+        ok = read_float(r, (double *)(void *)bytes(r, value->offset));
+        break;
+    case FROB_PRODUCT:
+        ok = tuple ? read_tuple(r, &value->constructors[0]) : read_constructor(r, value);
+        break;
+    case FROB_SUM:
+        clear(r, value);
+        ok = read_constructor(r, value);
+        break;
+    }
+    for (; ok && parentheses > 0; parentheses--)
+        ok = accept(r, ')') || fail(r, "`)`");
+    return ok;
+}
+
+bool frob_cell_read(const char *cell, const struct frob_value *value, void *base,
+                    struct frob_cell_error *error)
+{
+    struct reader r = { cell, cell, NULL, base };
+    bool ok;
+    skip_blanks(&r);
+    if (value->kind == FROB_SUM && value->is_event) {
+        clear(&r, value);
+        ok = true;
+        if (*r.at != '\0') {
+            *(uint8_t *)bytes(&r, value->offset) = 1;
+            ok = read_value(&r, value->constructors[1].fields[0].value);
+        }
+    } else {
+        ok = read_value(&r, value);
+    }
+    if (ok) {
+        skip_blanks(&r);
+        if (*r.at != '\0')
+            ok = fail(&r, "the end of the cell");
+    }
+    if (!ok) {
+        error->position = (size_t)(r.at - r.start);
+        error->expected = r.expected;
+    }
+    return ok;
+}

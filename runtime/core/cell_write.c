@@ -1,0 +1,141 @@
+/* Values to text. The recursion is as deep as the value's type, which is
+ * fixed when the program is compiled. */
+#include <frob/cell.h>
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+
+/* Where a value stands decides whether it needs parentheses. */
+enum place { ALONE, ARGUMENT };
+
+static const char *bytes(const void *base, size_t offset)
+{
+    return (const char *)base + offset;
+}
+
+static bool add_float(struct frob_text *text, double x)
+{
+    char digits[32];
+    if (isnan(x)) {
+        frob_text_add(text, "nan");
+        return false;
+    }
+    if (isinf(x)) {
+        frob_text_add(text, x < 0 ? "-inf" : "inf");
+        return x < 0;
+    }
+    snprintf(digits, sizeof digits, "%.17g", x);
+    frob_text_add(text, digits);
+    return digits[0] == '-';
+}
+
+static void add_value(struct frob_text *text, const struct frob_value *value,
+                      const void *base, enum place place);
+
+static void add_tuple(struct frob_text *text, const struct frob_constructor *tuple,
+                      const void *base)
+{
+    frob_text_add_char(text, '(');
+    for (size_t i = 0; i < tuple->count; i++) {
+        if (i > 0)
+            frob_text_add(text, ", ");
+        add_value(text, tuple->fields[i].value, base, ALONE);
+    }
+    frob_text_add_char(text, ')');
+}
+
+static void add_record(struct frob_text *text, const struct frob_constructor *record,
+                       const void *base)
+{
+    frob_text_add(text, record->name);
+    frob_text_add(text, " {");
+    for (size_t i = 0; i < record->count; i++) {
+        if (i > 0)
+            frob_text_add(text, ", ");
+        frob_text_add(text, record->fields[i].name);
+        frob_text_add(text, " = ");
+        add_value(text, record->fields[i].value, base, ALONE);
+    }
+    frob_text_add_char(text, '}');
+}
+
+static void add_constructor(struct frob_text *text,
+                            const struct frob_constructor *constructor,
+                            const void *base, enum place place)
+{
+    if (constructor->name == NULL) {
+        add_tuple(text, constructor, base);
+    } else if (constructor->is_record) {
+        add_record(text, constructor, base);
+    } else {
+        bool parentheses = place == ARGUMENT && constructor->count > 0;
+        if (parentheses)
+            frob_text_add_char(text, '(');
+        frob_text_add(text, constructor->name);
+        for (size_t i = 0; i < constructor->count; i++) {
+            frob_text_add_char(text, ' ');
+            add_value(text, constructor->fields[i].value, base, ARGUMENT);
+        }
+        if (parentheses)
+            frob_text_add_char(text, ')');
+    }
+}
+
+/* A negative number needs parentheses where it is an argument. */
+static void add_number(struct frob_text *text, double x, enum place place)
+{
+    char digits[48];
+    struct frob_text number = frob_text_in(digits, sizeof digits);
+    if (add_float(&number, x) && place == ARGUMENT) {
+        frob_text_add_char(text, '(');
+        frob_text_add(text, digits);
+        frob_text_add_char(text, ')');
+    } else {
+        frob_text_add(text, digits);
+    }
+}
+
+static void add_value(struct frob_text *text, const struct frob_value *value,
+                      const void *base, enum place place)
+{
+    const char *at = bytes(base, value->offset);
+    switch (value->kind) {
+    case FROB_BOOL:
+        frob_text_add(text, *(const bool *)(const void *)at ? "true" : "false");
+        break;
+    case FROB_INT: {
+        int32_t n = *(const int32_t *)(const void *)at;
+        char digits[16];
+        bool parentheses = n < 0 && place == ARGUMENT;
+        snprintf(digits, sizeof digits, parentheses ? "(%" PRId32 ")" : "%" PRId32, n);
+        frob_text_add(text, digits);
+        break;
+    }
+    case FROB_FLOAT:
+        add_number(text, *(const double *)(const void *)at, place);
+        break;
+    case FROB_PRODUCT:
+        add_constructor(text, &value->constructors[0], base, place);
+        break;
+    case FROB_SUM: {
+        uint8_t tag = *(const uint8_t *)at;
+        if (tag < value->count)
+            add_constructor(text, &value->constructors[tag], base, place);
+        else
+            frob_text_add(text, "?"); /* only foreign code can make one */
+        break;
+    }
+    }
+}
+
+void frob_cell_write(struct frob_text *text, const struct frob_value *value,
+                     const void *base)
+{
+    if (value->kind == FROB_SUM && value->is_event) {
+        if (*(const uint8_t *)bytes(base, value->offset) == 1)
+            add_value(text, value->constructors[1].fields[0].value, base, ALONE);
+    } else {
+        add_value(text, value, base, ALONE);
+    }
+}

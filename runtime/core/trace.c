@@ -1,0 +1,146 @@
+#include <frob/cell.h>
+#include <frob/trace.h>
+
+#include <stdio.h>
+#include <string.h>
+
+/* Longest path of a column; a longer one is cut (and then not found when the
+ * trace is read, which is reported there). */
+#define PATH_ROOM 1024
+
+static bool has_columns_inside(const struct frob_value *value)
+{
+    const struct frob_constructor *product;
+    if (value->kind != FROB_PRODUCT)
+        return false;
+    product = &value->constructors[0];
+    /* Tuples and records are columns by their parts; other data with one
+     * constructor is a cell. */
+    return product->name == NULL || (product->is_record && product->count > 0);
+}
+
+static void visit_columns(const struct frob_value *value, struct frob_text *path,
+                          frob_column_visitor *visit, void *context)
+{
+    const struct frob_constructor *product;
+    size_t length = path->length;
+    if (!has_columns_inside(value)) {
+        visit(context, path->data, value);
+        return;
+    }
+    product = &value->constructors[0];
+    for (size_t i = 0; i < product->count; i++) {
+        char number[24];
+        snprintf(number, sizeof number, "%lu", (unsigned long)i + 1);
+        frob_text_add_char(path, '.');
+        frob_text_add(path, product->name == NULL ? number : product->fields[i].name);
+        visit_columns(product->fields[i].value, path, visit, context);
+        frob_text_cut(path, length);
+    }
+}
+
+void frob_trace_columns(const struct frob_value *value, const char *root,
+                        frob_column_visitor *visit, void *context)
+{
+    char buffer[PATH_ROOM];
+    struct frob_text path = frob_text_in(buffer, sizeof buffer);
+    frob_text_add(&path, root);
+    visit_columns(value, &path, visit, context);
+}
+
+static void add_name(void *context, const char *name, const struct frob_value *value)
+{
+    struct frob_text *text = (struct frob_text *)context;
+    (void)value;
+    frob_text_add_char(text, ',');
+    frob_text_add(text, name);
+}
+
+void frob_trace_header(struct frob_text *text, const struct frob_program *program,
+                       unsigned parts)
+{
+    frob_text_add(text, "time");
+    if ((parts & FROB_TRACE_IN) != 0)
+        frob_trace_columns(program->input, "in", add_name, text);
+    if ((parts & FROB_TRACE_OUT) != 0)
+        frob_trace_columns(program->output, "out", add_name, text);
+    frob_text_add_char(text, '\n');
+}
+
+struct row {
+    struct frob_text *text;
+    const void *base;
+};
+
+/* No cell holds a quote or a line feed, so only a comma asks for quotes. */
+static void add_cell(void *context, const char *name, const struct frob_value *value)
+{
+    struct row *row = (struct row *)context;
+    struct frob_text *text = row->text;
+    size_t start;
+    (void)name;
+    frob_text_add_char(text, ',');
+    start = text->length;
+    frob_cell_write(text, value, row->base);
+    if (strchr(text->data + start, ',') != NULL) {
+        frob_text_cut(text, start);
+        frob_text_add_char(text, '"');
+        frob_cell_write(text, value, row->base);
+        frob_text_add_char(text, '"');
+    }
+}
+
+void frob_trace_row(struct frob_text *text, const struct frob_program *program,
+                    unsigned parts, int64_t time_ns, const void *in, const void *out)
+{
+    char stamp[40];
+    uint64_t ns = time_ns < 0 ? 0u - (uint64_t)time_ns : (uint64_t)time_ns;
+    struct row row = { text, in };
+    snprintf(stamp, sizeof stamp, "%s%llu.%09llu", time_ns < 0 ? "-" : "",
+             (unsigned long long)(ns / 1000000000u),
+             (unsigned long long)(ns % 1000000000u));
+    frob_text_add(text, stamp);
+    if ((parts & FROB_TRACE_IN) != 0)
+        frob_trace_columns(program->input, "in", add_cell, &row);
+    row.base = out;
+    if ((parts & FROB_TRACE_OUT) != 0)
+        frob_trace_columns(program->output, "out", add_cell, &row);
+    frob_text_add_char(text, '\n');
+}
+
+/* A bound for one cell: every constructor's text counted, as if all stood
+ * there. */
+static size_t cell_room(const struct frob_value *value)
+{
+    size_t room = 32; /* a number, parentheses and separators */
+    if (value->kind == FROB_PRODUCT || value->kind == FROB_SUM) {
+        for (size_t i = 0; i < value->count; i++) {
+            const struct frob_constructor *c = &value->constructors[i];
+            room += c->name == NULL ? 0 : strlen(c->name) + 8;
+            for (size_t j = 0; j < c->count; j++) {
+                const struct frob_field *field = &c->fields[j];
+                room += cell_room(field->value);
+                room += field->name == NULL ? 0 : strlen(field->name) + 8;
+            }
+        }
+    }
+    return room;
+}
+
+static void add_room(void *context, const char *name, const struct frob_value *value)
+{
+    size_t *room = (size_t *)context;
+    size_t cell = cell_room(value);
+    size_t heading = strlen(name);
+    *room += (cell > heading ? cell : heading) + 4;
+}
+
+size_t frob_trace_room(const struct frob_program *program, unsigned parts)
+{
+    size_t room = 64;
+    if ((parts & FROB_TRACE_IN) != 0)
+        frob_trace_columns(program->input, "in", add_room, &room);
+    if ((parts & FROB_TRACE_OUT) != 0)
+        frob_trace_columns(program->output, "out", add_room, &room);
+    return room;
+}

@@ -1,0 +1,11 @@
+/* load.h -- finding the compiled program, as a shared object. */
+#ifndef FROB_HOST_LOAD_H
+#define FROB_HOST_LOAD_H
+
+#include <frob/program.h>
+
+/* Loads a program. NULL on failure, with one line on standard error. The
+ * program stays loaded until the process ends. */
+const struct frob_program *frob_load(const char *path);
+
+#endif

@@ -1,0 +1,325 @@
+/* frob-trace -- runs a compiled program on recorded input: CSV in, CSV out.
+ *
+ *   frob-trace PROGRAM.so IN.csv [OUT.csv]
+ *
+ * `-` for IN.csv is standard input; without OUT.csv the output goes to
+ * standard output. Exit status: 0, or 2 when a file cannot be read or
+ * written or is not a trace of this program. The trace's format is described
+ * in <frob/trace.h>. */
+#include "../common/load.h"
+#include "csv.h"
+
+#include <frob/cell.h>
+#include <frob/trace.h>
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DONE = 0, WRONG_USE = 2 };
+
+/* One column of the program's input. */
+struct column {
+    char *name;
+    const struct frob_value *value;
+    size_t cell; /* its place in the file's rows */
+    bool found;
+};
+
+struct trace {
+    const struct frob_program *program;
+    const char *input_name;
+    struct csv csv;
+    FILE *output;
+    struct column *columns;
+    size_t count, capacity;
+    size_t width; /* cells in the header */
+    bool no_memory;
+};
+
+static void complain(const struct trace *t, size_t cell, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* One line: file, line, column in the line, and what is wrong there. */
+static void complain(const struct trace *t, size_t cell, const char *format, ...)
+{
+    va_list arguments;
+    fprintf(stderr, "error: %s:%lu:%lu: ", t->input_name, t->csv.line,
+            (unsigned long)(cell < t->csv.count ? t->csv.columns[cell] : 1));
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fputc('\n', stderr);
+}
+
+static void add_column(void *context, const char *name, const struct frob_value *value)
+{
+    struct trace *t = (struct trace *)context;
+    if (t->count == t->capacity) {
+        size_t capacity = t->capacity == 0 ? 32 : t->capacity * 2;
+        struct column *columns =
+            (struct column *)realloc(t->columns, capacity * sizeof *columns);
+        if (columns == NULL) {
+            t->no_memory = true;
+            return;
+        }
+        t->columns = columns;
+        t->capacity = capacity;
+    }
+    t->columns[t->count].name = (char *)malloc(strlen(name) + 1);
+    if (t->columns[t->count].name == NULL) {
+        t->no_memory = true;
+        return;
+    }
+    strcpy(t->columns[t->count].name, name);
+    t->columns[t->count].value = value;
+    t->columns[t->count].found = false;
+    t->count++;
+}
+
+/* Reports what csv_next says besides CSV_ROW and CSV_END. */
+static bool readable(const struct trace *t, enum csv_status status)
+{
+    switch (status) {
+    case CSV_ROW:
+    case CSV_END:
+        return true;
+    case CSV_UNREADABLE:
+        complain(t, 0, "cannot read the file: %s", strerror(errno));
+        break;
+    case CSV_UNCLOSED_QUOTE:
+        complain(t, 0, "a quoted cell that starts in this row is never closed");
+        break;
+    case CSV_NUL:
+        complain(t, 0, "a zero byte: this is not a CSV file");
+        break;
+    case CSV_NO_MEMORY:
+        complain(t, 0, "not enough memory for this row");
+        break;
+    }
+    return false;
+}
+
+static bool is_output(const char *name)
+{
+    return strncmp(name, "out", 3) == 0 &&
+           (name[3] == '\0' || name[3] == '.' || name[3] == '[');
+}
+
+static struct column *find_column(struct trace *t, const char *name)
+{
+    for (size_t i = 0; i < t->count; i++)
+        if (strcmp(t->columns[i].name, name) == 0)
+            return &t->columns[i];
+    return NULL;
+}
+
+static bool read_header(struct trace *t)
+{
+    bool ok = true;
+    enum csv_status status = csv_next(&t->csv);
+    if (!readable(t, status))
+        return false;
+    if (status == CSV_END) {
+        complain(t, 0, "the file is empty: its first line must name the columns, `time` first");
+        return false;
+    }
+    t->width = t->csv.count;
+    if (strcmp(csv_cell(&t->csv, 0), "time") != 0) {
+        complain(t, 0, "the first column must be `time`, but it is `%s`", csv_cell(&t->csv, 0));
+        ok = false;
+    }
+    for (size_t i = 1; i < t->csv.count; i++) {
+        const char *name = csv_cell(&t->csv, i);
+        struct column *column = find_column(t, name);
+        if (column != NULL && column->found) {
+            complain(t, i, "column `%s` is there twice", name);
+            ok = false;
+        } else if (column != NULL) {
+            column->found = true;
+            column->cell = i;
+        } else if (!is_output(name)) {
+            complain(t, i, "the program's input has no `%s`", name);
+            ok = false;
+        }
+    }
+    for (size_t i = 0; i < t->count; i++) {
+        if (!t->columns[i].found) {
+            complain(t, t->csv.count, "column `%s` is missing", t->columns[i].name);
+            ok = false;
+        }
+    }
+    return ok;
+}
+
+/* Seconds as whole nanoseconds, exactly, rounded half away from zero; in
+ * decimal arithmetic, for a double has too few digits for a year of them. */
+static bool read_time(const char *text, int64_t *result)
+{
+    char decimal[64];
+    const uint64_t limit = UINT64_C(1000000000000000000); /* 10^9 s */
+    uint64_t ns = 0;
+    bool negative = *text == '-', digits = false;
+    int places = 0;
+    if (strpbrk(text, "eE") != NULL) { /* such as 1e-05: as a plain decimal */
+        char *end;
+        double seconds = strtod(text, &end);
+        if (*end != '\0' || !(seconds > -1e9 && seconds < 1e9))
+            return false;
+        snprintf(decimal, sizeof decimal, "%.12f", seconds);
+        text = decimal;
+        negative = *text == '-';
+    }
+    if (*text == '-' || *text == '+')
+        text++;
+    for (; *text >= '0' && *text <= '9'; text++) {
+        ns = ns * 10 + (uint64_t)(*text - '0');
+        digits = true;
+        if (ns > limit / 1000000000u)
+            return false;
+    }
+    if (*text == '.') {
+        for (text++; *text >= '0' && *text <= '9'; text++) {
+            digits = true;
+            if (places < 9) {
+                ns = ns * 10 + (uint64_t)(*text - '0');
+                places++;
+            } else if (places == 9) {
+                ns += *text >= '5';
+                places++;
+            }
+        }
+    }
+    if (!digits)
+        return false;
+    for (; places < 9; places++)
+        ns *= 10;
+    if (*text != '\0')
+        return false;
+    *result = negative ? -(int64_t)ns : (int64_t)ns;
+    return true;
+}
+
+static bool read_row(const struct trace *t, void *input, int64_t *time)
+{
+    struct frob_cell_error error;
+    if (t->csv.count != t->width) {
+        complain(t, t->csv.count, "this row has %lu cells, the header has %lu",
+                 (unsigned long)t->csv.count, (unsigned long)t->width);
+        return false;
+    }
+    if (!read_time(csv_cell(&t->csv, 0), time)) {
+        complain(t, 0, "`%s` is not a time in seconds", csv_cell(&t->csv, 0));
+        return false;
+    }
+    for (size_t i = 0; i < t->count; i++) {
+        const struct column *column = &t->columns[i];
+        const char *cell = csv_cell(&t->csv, column->cell);
+        if (!frob_cell_read(cell, column->value, input, &error)) {
+            complain(t, column->cell, "column `%s`: expected %s, found `%s`", column->name,
+                     error.expected, cell);
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool flush(const struct trace *t, struct frob_text *text, const char *output_name)
+{
+    if (fwrite(text->data, 1, text->length, t->output) != text->length) {
+        fprintf(stderr, "error: cannot write %s: %s\n", output_name, strerror(errno));
+        return false;
+    }
+    frob_text_clear(text);
+    return true;
+}
+
+/* The instants, one a row. */
+static int run(struct trace *t, const char *output_name)
+{
+    const struct frob_program *program = t->program;
+    size_t room = frob_trace_room(program, FROB_TRACE_OUT);
+    char *buffer = (char *)malloc(room);
+    void *state = calloc(1, program->state_size + 1);
+    void *input = calloc(1, program->input_size + 1);
+    void *output = calloc(1, program->output_size + 1);
+    int64_t before = 0, now = 0;
+    bool first = true, ok = true;
+    if (buffer == NULL || state == NULL || input == NULL || output == NULL) {
+        fprintf(stderr, "error: not enough memory for the program's state\n");
+        ok = false;
+    } else {
+        struct frob_text text = frob_text_in(buffer, room);
+        enum csv_status status = CSV_END;
+        frob_trace_header(&text, program, FROB_TRACE_OUT);
+        ok = flush(t, &text, output_name);
+        program->reset(state);
+        while (ok && (status = csv_next(&t->csv)) == CSV_ROW) {
+            ok = read_row(t, input, &now);
+            if (ok && !first && now < before) {
+                complain(t, 0, "time goes back: `%s` comes after a later time",
+                         csv_cell(&t->csv, 0));
+                ok = false;
+            }
+            if (!ok)
+                break;
+            program->step(state, first ? 0.0 : (double)(now - before) / 1e9, input, output);
+            frob_trace_row(&text, program, FROB_TRACE_OUT, now, NULL, output);
+            ok = flush(t, &text, output_name);
+            before = now;
+            first = false;
+        }
+        ok = ok && readable(t, status);
+    }
+    free(output);
+    free(input);
+    free(state);
+    free(buffer);
+    return ok ? DONE : WRONG_USE;
+}
+
+int main(int argc, char **argv)
+{
+    struct trace t = { 0 };
+    const char *output_name = argc > 3 ? argv[3] : "standard output";
+    FILE *input;
+    int status = WRONG_USE;
+    if (argc < 3 || argc > 4) {
+        fprintf(stderr, "usage: frob-trace PROGRAM.so IN.csv [OUT.csv]\n");
+        return WRONG_USE;
+    }
+    t.program = frob_load(argv[1]);
+    if (t.program == NULL)
+        return WRONG_USE;
+    t.input_name = strcmp(argv[2], "-") == 0 ? "standard input" : argv[2];
+    input = strcmp(argv[2], "-") == 0 ? stdin : fopen(argv[2], "rb");
+    if (input == NULL) {
+        fprintf(stderr, "error: cannot read %s: %s\n", argv[2], strerror(errno));
+        return WRONG_USE;
+    }
+    csv_start(&t.csv, input);
+    frob_trace_columns(t.program->input, "in", add_column, &t);
+    if (t.no_memory) {
+        fprintf(stderr, "error: not enough memory for the columns\n");
+    } else if (read_header(&t)) {
+        t.output = argc > 3 ? fopen(argv[3], "wb") : stdout;
+        if (t.output == NULL) {
+            fprintf(stderr, "error: cannot write %s: %s\n", output_name, strerror(errno));
+        } else {
+            status = run(&t, output_name);
+            if (fflush(t.output) != 0 && status == DONE) {
+                fprintf(stderr, "error: cannot write %s: %s\n", output_name, strerror(errno));
+                status = WRONG_USE;
+            }
+        }
+    }
+    if (t.output != NULL && t.output != stdout && fclose(t.output) != 0 && status == DONE)
+        status = WRONG_USE;
+    for (size_t i = 0; i < t.count; i++)
+        free(t.columns[i].name);
+    free(t.columns);
+    csv_end(&t.csv);
+    fclose(input);
+    return status;
+}

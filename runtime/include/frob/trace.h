@@ -1,0 +1,44 @@
+/* frob/trace.h -- a program's inputs and outputs as the columns and rows of a
+ * CSV trace (quoting as in RFC 4180).
+ *
+ * The first column is `time`, in seconds with nine decimals. Then comes one
+ * column for each scalar, sum or event, named by its path: `in`, `in.1`,
+ * `in.odometry.position.x`, `out.turn`. A `()` has no column. */
+#ifndef FROB_TRACE_H
+#define FROB_TRACE_H
+
+#include <frob/program.h>
+#include <frob/text.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Called for each column of a value, in order. `name` is good for the call. */
+typedef void frob_column_visitor(void *context, const char *name,
+                                 const struct frob_value *value);
+
+/* Visits the columns of a program's input or output; `root` is their first
+ * word, `in` or `out`. */
+void frob_trace_columns(const struct frob_value *value, const char *root,
+                        frob_column_visitor *visit, void *context);
+
+/* What a trace's rows hold besides the time. */
+enum frob_trace_parts { FROB_TRACE_IN = 1, FROB_TRACE_OUT = 2 };
+
+/* Appends the header line, with its line feed. */
+void frob_trace_header(struct frob_text *text, const struct frob_program *program,
+                       unsigned parts);
+
+/* Appends one row, with its line feed. `time_ns` counts from the first
+ * instant's time stamp of choice; in and out may be NULL if not in `parts`. */
+void frob_trace_row(struct frob_text *text, const struct frob_program *program,
+                    unsigned parts, int64_t time_ns, const void *in, const void *out);
+
+/* Room that is enough for the header and for any row, with the NUL. */
+size_t frob_trace_room(const struct frob_program *program, unsigned parts);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
