@@ -63,9 +63,8 @@ let patience = 20_000_000
 let rotate_to_smallest cycle =
   let smallest = List.fold_left min max_int cycle in
   let rec go before = function
-    | v :: after when v = smallest -> (v :: after) @ List.rev before
-    | v :: after -> go (v :: before) after
-    | [] -> List.rev before
+    | v :: after when v <> smallest -> go (v :: before) after
+    | after -> List.rev_append (List.rev after) (List.rev before)
   in
   go [] cycle
 

@@ -1,0 +1,168 @@
+open Basis
+
+(* One step of a loop: [reader] is defined by what reads [read] at [at],
+   through the nodes [via]. *)
+type hop = { reader : Ir.signal; read : Ir.signal; at : Span.t; via : string list }
+
+let origin (program : Ir.program) (instance : Ir.instance) = program.nodes.(instance.node).origin
+
+(* How a definition of vertex [v] reads one of vertex [w]. *)
+let hop program dependencies (node : Dependency.node) (v, w) =
+  let reading definition =
+    let read =
+      List.find_opt
+        (fun s -> node.vertex s = w)
+        (Dependency.reads (fun i -> dependencies.(i)) definition)
+    in
+    match (definition, read) with
+    | _, None | Dependency.Parameter, _ -> None
+    | Equation e, Some read -> Some { reader = e.defines; read; at = e.span; via = [] }
+    | Output (instance, k), Some read ->
+        let reader = List.nth instance.outputs k in
+        Some { reader; read; at = instance.span; via = [ origin program instance ] }
+  in
+  match List.find_map reading node.definitions.(v) with
+  | Some hop -> hop
+  | None -> Diagnostic.bug ~stage:"Flow.Causality" "an edge that no definition makes"
+
+let rotate_to first hops =
+  let rec go before = function
+    | hop :: after when hop != first -> go (hop :: before) after
+    | after -> List.rev_append (List.rev after) (List.rev before)
+  in
+  go [] hops
+
+(* The loop from the earliest signal that the programmer named, with the hops
+   over unnamed ones taken together: the place is where the named one is read. *)
+let named_hops hops =
+  let earlier a b = if Span.compare b.reader.span a.reader.span < 0 then b else a in
+  match List.filter (fun hop -> hop.reader.name <> "") hops with
+  | [] -> None
+  | hop :: rest ->
+      let first = List.fold_left earlier hop rest in
+      let join (joined, current) hop =
+        let via = current.via @ hop.via in
+        if hop.read.name = "" then (joined, { current with via })
+        else
+          let next = { hop with reader = hop.read; via = [] } in
+          ({ current with read = hop.read; at = hop.at; via } :: joined, next)
+      in
+      let hops = rotate_to first hops in
+      let joined, last = List.fold_left join ([], { first with via = [] }) hops in
+      (* A leaf without a name may close the loop in place of [first]'s own. *)
+      let closing = List.nth hops (List.length hops - 1) in
+      let joined =
+        if closing.read.name = "" then { last with read = first.reader; at = closing.at } :: joined
+        else joined
+      in
+      Some (List.rev joined)
+
+let through = function
+  | [] -> ""
+  | via -> ", through " ^ String.concat " and " (List.map (Printf.sprintf "`%s`") via)
+
+let reads hop = Printf.sprintf "reads `%s` here%s" hop.read.name (through hop.via)
+
+(* Can it be written as it stands, or is it a component ([p.1])? *)
+let is_expression name =
+  List.for_all
+    (fun part -> part <> "" && not (part.[0] >= '0' && part.[0] <= '9'))
+    (String.split_on_char '.' name)
+
+let hint first last =
+  let name = last.read.name in
+  let whose =
+    if last.reader.id = last.read.id then Printf.sprintf "let `%s` read its own previous value" name
+    else Printf.sprintf "let `%s` read the previous value of `%s`" last.reader.name first.reader.name
+  in
+  if is_expression name then Printf.sprintf "%s: `delay x0 %s`, where `x0` is the initial value" whose name
+  else whose ^ ", with `delay`"
+
+(* Of a loop too long to read, the beginning and the last hop. *)
+let longest_shown = 12
+
+let shorten hops =
+  let n = List.length hops in
+  if n <= longest_shown then (hops, 0)
+  else (List.filteri (fun i _ -> i < longest_shown - 1 || i = n - 1) hops, n - longest_shown)
+
+let report_named hops =
+  let first = List.hd hops in
+  let last = List.nth hops (List.length hops - 1) in
+  let at = first.reader.span in
+  let label d hop =
+    if Span.compare hop.at at = 0 && d.Diagnostic.here = "" then Diagnostic.here (reads hop) d
+    else Diagnostic.label ~at:hop.at (Printf.sprintf "`%s` %s" hop.reader.name (reads hop)) d
+  in
+  let d =
+    Diagnostic.error ~code:"E0401" ~at "signal `%s` needs its own value in the same instant"
+      first.reader.name
+  in
+  let shown, left_out = shorten hops in
+  let d = List.fold_left label d shown |> Diagnostic.hint (hint first last) in
+  if left_out = 0 then d
+  else
+    Diagnostic.note
+      (Printf.sprintf "the loop goes through %d more signals before `%s`" left_out last.reader.name)
+      d
+
+let report_unnamed hops =
+  let earlier a b = if Span.compare b.at a.at < 0 then b else a in
+  let first = List.fold_left earlier (List.hd hops) hops in
+  let d =
+    Diagnostic.error ~code:"E0401" ~at:first.at "a signal needs its own value in the same instant"
+  in
+  let label d hop =
+    if Span.compare hop.at first.at = 0 then d
+    else Diagnostic.label ~at:hop.at ("the loop goes through here" ^ through hop.via) d
+  in
+  List.fold_left label d (fst (shorten (rotate_to first hops)))
+  |> Diagnostic.here ("its value comes back to it here" ^ through first.via)
+  |> Diagnostic.hint "read the previous value instead, with `delay`"
+
+(* For each node the first instance of it, with the caller's index. *)
+let first_uses (program : Ir.program) =
+  let uses = Array.make (Array.length program.nodes) None in
+  let note caller (instance : Ir.instance) =
+    if Option.is_none uses.(instance.node) then uses.(instance.node) <- Some (caller, instance)
+  in
+  Array.iteri (fun i (caller : Ir.node) -> List.iter (note i) caller.instances) program.nodes;
+  uses
+
+(* Of a loop in a node of another module, the library's say: the place where
+   the program's own module comes to run that node. *)
+let own_use (program : Ir.program) uses index =
+  let own = program.nodes.(Array.length program.nodes - 1).file in
+  let rec outwards i =
+    match uses.(i) with
+    | None -> None
+    | Some (caller, (instance : Ir.instance)) ->
+        if String.equal program.nodes.(caller).file own then Some instance else outwards caller
+  in
+  if String.equal program.nodes.(index).file own then None else outwards index
+
+let report program dependencies uses index component =
+  let node = dependencies.(index) in
+  let cycle = Graph.shortest_cycle node.Dependency.graph component in
+  let next = match cycle with [] -> [] | v :: rest -> List.rev (v :: List.rev rest) in
+  let edges = List.rev (List.rev_map2 (fun v w -> (v, w)) cycle next) in
+  let hops = List.rev (List.rev_map (hop program dependencies node) edges) in
+  let d = match named_hops hops with Some hops -> report_named hops | None -> report_unnamed hops in
+  match own_use program uses index with
+  | None -> d
+  | Some instance ->
+      Diagnostic.label ~at:instance.span
+        (Printf.sprintf "`%s` runs here" (origin program instance))
+        d
+
+let check sink (program : Ir.program) =
+  let dependencies = Dependency.program program in
+  let uses = first_uses program in
+  Array.iteri
+    (fun index (node : Dependency.node) ->
+      List.iter
+        (fun component ->
+          if Graph.is_cyclic node.graph component then
+            Diagnostic.emit sink (report program dependencies uses index component))
+        node.components)
+    dependencies

@@ -1,0 +1,114 @@
+open Basis
+
+type definition =
+  | Parameter
+  | Equation of Ir.equation
+  | Output of Ir.instance * int
+
+module Inputs = Set.Make (Int)
+
+type node = {
+  graph : Graph.t;
+  definitions : definition list array;
+  vertex : Ir.signal -> int;
+  components : int list list;
+  passed : Inputs.t array;
+}
+
+let reads callee = function
+  | Parameter -> []
+  | Equation equation -> Operands.(signals (same_instant equation.rhs))
+  | Output (instance, output) ->
+      let passed = (callee instance.node).passed.(output) in
+      let needed = List.filteri (fun i _ -> Inputs.mem i passed) instance.inputs in
+      Operands.signals (List.rev_append (List.rev instance.statics) needed)
+
+(* Every signal that the node defines with its definition, in source order. *)
+let definitions (node : Ir.node) =
+  let parameters = List.rev_map (fun s -> (s, Parameter)) node.statics in
+  let parameters = List.rev_append (List.rev_map (fun s -> (s, Parameter)) node.inputs) parameters in
+  let equations =
+    List.fold_left
+      (fun all (e : Ir.equation) -> (e.defines, Equation e) :: all)
+      parameters node.equations
+  in
+  let outputs all (instance : Ir.instance) =
+    let add (all, k) s = ((s, Output (instance, k)) :: all, k + 1) in
+    fst (List.fold_left add (all, 0) instance.outputs)
+  in
+  List.rev (List.fold_left outputs equations node.instances)
+
+let of_node callee (node : Ir.node) =
+  let all = definitions node in
+  let vertices = Hashtbl.create 64 in
+  List.iter
+    (fun ((s : Ir.signal), _) ->
+      if not (Hashtbl.mem vertices s.group) then
+        Hashtbl.add vertices s.group (Hashtbl.length vertices))
+    all;
+  let vertex (s : Ir.signal) =
+    match Hashtbl.find_opt vertices s.group with
+    | Some v -> v
+    | None ->
+        Diagnostic.bug ~stage:"Flow.Dependency" "`%s` (%d) is not defined in `%s`" s.name s.id
+          node.name
+  in
+  let n = Hashtbl.length vertices in
+  let defined_by = Array.make n [] in
+  List.iter
+    (fun (s, definition) ->
+      let v = vertex s in
+      defined_by.(v) <- definition :: defined_by.(v))
+    (List.rev all);
+  let edges definitions =
+    let all =
+      List.fold_left
+        (fun all definition -> List.rev_append (List.rev_map vertex (reads callee definition)) all)
+        [] definitions
+    in
+    List.rev all
+  in
+  let graph = Array.map edges defined_by in
+  let components = Graph.components graph in
+  (* The inputs that each vertex needs; components come in evaluation order. *)
+  let needs = Array.make n Inputs.empty in
+  List.iteri
+    (fun i s ->
+      let v = vertex s in
+      needs.(v) <- Inputs.add i needs.(v))
+    node.inputs;
+  let unite component =
+    let all =
+      List.fold_left
+        (fun all v ->
+          List.fold_left
+            (fun all w -> if needs.(w) == all then all else Inputs.union all needs.(w))
+            (Inputs.union all needs.(v)) graph.(v))
+        Inputs.empty component
+    in
+    List.iter (fun v -> needs.(v) <- all) component
+  in
+  List.iter unite components;
+  let passed =
+    List.rev_map
+      (function
+        | _, Ir.Signal s -> needs.(vertex s)
+        | _, (Ir.Bool _ | Ir.Int _ | Ir.Float _) -> Inputs.empty)
+      node.outputs
+  in
+  let passed = Array.of_list (List.rev passed) in
+  { graph; definitions = defined_by; vertex; components; passed }
+
+let program (program : Ir.program) =
+  let done_ = Array.make (Array.length program.nodes) None in
+  let callee i =
+    match done_.(i) with
+    | Some node -> node
+    | None -> Diagnostic.bug ~stage:"Flow.Dependency" "node %d comes after its caller" i
+  in
+  Array.map
+    (fun i ->
+      let node = of_node callee program.nodes.(i) in
+      done_.(i) <- Some node;
+      node)
+    (Array.init (Array.length program.nodes) Fun.id)

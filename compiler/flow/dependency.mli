@@ -1,0 +1,30 @@
+(** Who needs whose value within one instant.
+
+    The unit is the group of leaves that causality judges as one
+    ([signal.group]). An instance is transparent: each of its outputs needs
+    those inputs that its node passes on to that output in the same instant,
+    and the statics. *)
+
+type definition =
+  | Parameter  (** a static or an input of the node *)
+  | Equation of Ir.equation
+  | Output of Ir.instance * int  (** the instance's output of that number *)
+
+module Inputs : Set.S with type elt = int
+
+type node = {
+  graph : Basis.Graph.t;  (** an edge means "needs in the same instant" *)
+  definitions : definition list array;  (** of the leaves of each vertex *)
+  vertex : Ir.signal -> int;  (** for the node's own signals *)
+  components : int list list;  (** of [graph] *)
+  passed : Inputs.t array;
+      (** for each output, the numbers of the inputs it needs *)
+}
+
+val of_node : (int -> node) -> Ir.node -> node
+(** Given the result for the nodes that it instantiates. *)
+
+val program : Ir.program -> node array
+
+val reads : (int -> node) -> definition -> Ir.signal list
+(** What a definition needs in the same instant. *)

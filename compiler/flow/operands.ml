@@ -1,0 +1,38 @@
+open Ir
+
+let all = function
+  | Copy a | Is_constructor (a, _) | Payload { value = a; _ } | Integral a | Derivative a -> [ a ]
+  | Op (_, arguments) -> arguments
+  | If { condition; then_; else_ } -> [ condition; then_; else_ ]
+  | Construct { payload; constructor = _ } -> payload
+  | Delay { init; next } -> [ init; next ]
+  | Time -> []
+
+let same_instant = function
+  | Delay _ | Integral _ -> []
+  | ( Copy _ | Is_constructor _ | Payload _ | Derivative _ | Op _ | If _ | Construct _ | Time ) as rhs
+    ->
+      all rhs
+
+(* A constructor's payload may be long. *)
+let map_list f atoms = List.rev (List.rev_map f atoms)
+
+let map f = function
+  | Copy a -> Copy (f a)
+  | Op (operator, arguments) -> Op (operator, map_list f arguments)
+  | If { condition; then_; else_ } ->
+      let condition = f condition in
+      let then_ = f then_ in
+      If { condition; then_; else_ = f else_ }
+  | Construct { constructor; payload } -> Construct { constructor; payload = map_list f payload }
+  | Is_constructor (a, constructor) -> Is_constructor (f a, constructor)
+  | Payload { value; constructor; leaf } -> Payload { value = f value; constructor; leaf }
+  | Delay { init; next } ->
+      let init = f init in
+      Delay { init; next = f next }
+  | Time -> Time
+  | Integral a -> Integral (f a)
+  | Derivative a -> Derivative (f a)
+
+let signals atoms =
+  List.filter_map (function Signal s -> Some s | Bool _ | Int _ | Float _ -> None) atoms

@@ -1,0 +1,16 @@
+(** What an equation's right side reads. *)
+
+val all : Ir.rhs -> Ir.atom list
+(** All of them, in the order written in {!Ir}; of a [Delay], [init] comes
+    first. *)
+
+val same_instant : Ir.rhs -> Ir.atom list
+(** Those whose value of the same instant is needed: not the arguments of
+    [Delay] (whose [init] is static and read at the start only) and of
+    [Integral]. *)
+
+val map : (Ir.atom -> Ir.atom) -> Ir.rhs -> Ir.rhs
+(** In the order of {!all}. *)
+
+val signals : Ir.atom list -> Ir.signal list
+(** Without the constants. *)

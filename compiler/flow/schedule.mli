@@ -1,0 +1,22 @@
+(** An order in which one step can compute a node's signals.
+
+    Takes for granted that the program is causal and that every instance can
+    run as one call, as {!Inline} leaves it: an item comes after all items
+    whose values of the same instant it needs, and an instance needs all its
+    statics and inputs. Where that leaves a choice, the order is the node's
+    own, instances placed by their spans.
+
+    [Delay] and [Integral] need nothing here: an item of one stands for its
+    value at this instant, which is in the state; what it keeps for the next
+    instant is to be stored after all items. *)
+
+type item =
+  | Equation of Ir.equation
+  | Instance of Ir.instance
+
+val of_node : Ir.node -> item list
+(** Raises {!Basis.Diagnostic.Bug} on a cycle. *)
+
+val loops : Ir.node -> Ir.instance list list
+(** The instances in each cycle of items: those that cannot run as one call.
+    Empty where {!of_node} succeeds. *)

@@ -1,0 +1,41 @@
+(** Flow programs by hand, for tests.
+
+    Lines number themselves: every signal stands on a line of its own, in the
+    order of creation within its node, unless [line] says another. *)
+
+open Flow
+
+type t
+(** A program being built. *)
+
+type node
+(** A node being built. *)
+
+val create : unit -> t
+
+val node : ?kind:Ir.kind -> ?file:string -> t -> string -> (node -> (string * Ir.atom) list) -> int
+(** Adds the node whose outputs the function gives; its index. *)
+
+val static : ?ty:Ir.ty -> node -> string -> Ir.atom
+val input : ?ty:Ir.ty -> node -> string -> Ir.atom
+
+val declare : ?ty:Ir.ty -> ?line:int -> ?group_of:Ir.signal -> node -> string -> Ir.signal
+(** For feedback: a signal that {!define} defines later. *)
+
+val define : node -> Ir.signal -> Ir.rhs -> unit
+
+val let_ : ?ty:Ir.ty -> ?line:int -> node -> string -> Ir.rhs -> Ir.atom
+(** Both at once. *)
+
+val op : ?ty:Ir.ty -> node -> Ir.operator -> Ir.atom list -> Ir.atom
+(** An operation without a name. *)
+
+val call :
+  ?statics:Ir.atom list -> ?line:int -> node -> int -> Ir.atom list -> Ir.signal list -> unit
+(** An instance, with its inputs and the declared signals that it defines. *)
+
+val run : ?statics:Ir.atom list -> node -> int -> Ir.atom list -> string -> Ir.atom
+(** An instance with one output, of that name and of type Float. *)
+
+val program : ?sums:Ir.sum array -> t -> Ir.program
+(** The last node is the root. *)
