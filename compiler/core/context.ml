@@ -1,0 +1,35 @@
+open Basis
+
+type data = { declaration : Ir.data; count : int }
+type t = { mutable last : int; data : (Ir.Global.t, data) Hashtbl.t }
+
+let create data =
+  let table = Hashtbl.create 64 in
+  let add (d : Ir.data) =
+    Hashtbl.replace table d.tycon { declaration = d; count = List.length d.constructors }
+  in
+  List.iter add data;
+  { last = 0; data = table }
+
+let fresh t name span : Ir.Local.t =
+  t.last <- t.last - 1;
+  { id = t.last; name; span }
+
+let data t (tycon : Ir.Global.t) =
+  match Hashtbl.find_opt t.data tycon with
+  | Some d -> d
+  | None ->
+    Diagnostic.bug ~stage:"Core.Context" "`%s.%s` is no data type" tycon.module_ tycon.name
+
+let constructors t tycon = (data t tycon).count
+
+let field_types t (ty : Ir.ty) ~constructor =
+  match ty with
+  | Data (tycon, arguments) ->
+    let d = (data t tycon).declaration in
+    let by = List.combine d.parameters arguments in
+    List.map
+      (fun (_, field) -> Erasure.substitute by field)
+      (List.nth d.constructors constructor).fields
+  | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ ->
+    Diagnostic.bug ~stage:"Core.Context" "the fields of what is no data type"

@@ -1,0 +1,262 @@
+open Basis
+module T = Typing.Ir
+
+type place =
+  | Every_instant of Equations.t
+  | Elsewhere
+
+(* [name] is that of the nearest definition around; [fall] is what to do where
+   a branch's guards all fail. *)
+type env = { ctx : Context.t; place : place; name : string; fall : Ir.expr option }
+
+let bug format = Diagnostic.bug ~stage:"Core.Of_typed" format
+let elsewhere env = { env with place = Elsewhere; fall = None }
+let inside env = if env.fall = None then env else { env with fall = None }
+
+let named (p : T.pattern) env =
+  match p.desc with
+  | Bound local -> { env with name = local.name; fall = None }
+  | Any | As _ | Tuple_of _ | Constructed _ | Literal _ -> inside env
+
+let unary primitive (argument : Ir.expr) span =
+  let ty = argument.ty in
+  let f =
+    Term.make (Ir.Function (ty, ty)) span (Ir.Primitive (primitive, [ ty ]))
+  in
+  Term.apply f argument ty span
+
+let primitive (g : Ir.Global.t) =
+  match Primitive.of_name g.name with
+  | Some p -> p
+  | None -> bug "the library declares an unknown primitive `%s`" g.name
+
+let rec expr env (e : T.expr) : Ir.expr =
+  let make desc = Term.make (Erasure.ty e.ty) e.span desc in
+  match e.desc with
+  | Local (x, i) -> make (Local (x, Erasure.instantiation i))
+  | Global (g, i) -> make (Global (g, Erasure.instantiation i))
+  | Primitive (g, i) -> make (Primitive (primitive g, Erasure.instantiation i))
+  | Number value -> make (Number value)
+  | String text -> make (String text)
+  | Tuple es -> make (Tuple (exprs (inside env) es))
+  | Constructor _ | Apply _ -> application (inside env) e []
+  | Negate operand -> unary Primitive.Negate (expr (inside env) operand) e.span
+  | Power (operand, k) ->
+    unary (Primitive.Power_literal k) (expr (inside env) operand) e.span
+  | If (condition, a, b) ->
+    let condition = expr (inside env) condition in
+    let env = elsewhere env in
+    let a = expr env a in
+    Term.if_ condition a (expr env b) e.span
+  | Case (scrutinee, branches) -> case env e scrutinee branches
+  | Let (bindings, body) -> let_ env bindings body
+  | Guards (guarded, last) -> guards env guarded last e.span
+  | Lambda (patterns, body) -> lambda (elsewhere env) patterns body
+  | Proc { input; equations; output } -> proc env e input equations output
+  | Run (h, input) -> (
+    match env.place with
+    | Elsewhere -> bug "an instance at %a, which not every instant computes" Span.pp e.span
+    | Every_instant equations ->
+      let binder : Ir.binder =
+        { local = Context.fresh env.ctx "" e.span; ty = Erasure.ty e.ty }
+      in
+      run env equations binder h input e.span;
+      Term.variable binder e.span)
+  | Record (c, fields) ->
+    let env = inside env in
+    let values = List.rev (List.rev_map (fun (i, value) -> (i, expr env value)) fields) in
+    let in_order = List.sort (fun (i, _) (j, _) -> Int.compare i j) values in
+    make (construct e.ty c (List.map snd in_order))
+  | Update (record, c, fields) -> update (inside env) e record c fields
+  | Field (record, c, field) ->
+    let value = expr (inside env) record in
+    make (Payload { value; constructor = c.index; field })
+
+and exprs env es = List.rev (List.rev_map (expr env) es)
+
+and construct (ty : T.ty) (c : T.constructor) arguments : Ir.expr_desc =
+  match ty with
+  | Bool -> Boolean (c.index = 1)
+  | Data { tycon; _ } -> Construct { data = tycon; constructor = c.index; arguments }
+  | Variable _ | Number _ | String | Tuple _ | Function _ | Signal_function _ ->
+    bug "`%s` constructs what is no data" c.constructor.name
+
+(* {2 Application} *)
+
+(* [arguments]: of the applications around [e], innermost first, each with the
+   application it makes. *)
+and application env (e : T.expr) arguments =
+  match e.desc with
+  | Apply (f, argument) -> application env f ((argument, e) :: arguments)
+  | Constructor (c, _) -> saturate env e c arguments
+  | _ ->
+    List.fold_left
+      (fun f (argument, (whole : T.expr)) ->
+        Term.apply f (expr env argument) (Erasure.ty whole.ty) whole.span)
+      (expr env e) arguments
+
+(* A constructor as a function becomes one, of the fields still missing. *)
+and saturate env (e : T.expr) (c : T.constructor) arguments =
+  let given = exprs env (List.map fst arguments) in
+  let ty, span =
+    match List.rev arguments with
+    | [] -> (e.ty, e.span)
+    | (_, (whole : T.expr)) :: _ -> (whole.ty, whole.span)
+  in
+  let missing = List.length c.fields - List.length given in
+  let rec parameters n (ty : T.ty) newest =
+    match ty with
+    | Function (a, b) when n > 0 ->
+      let binder : Ir.binder = { local = Context.fresh env.ctx "" span; ty = Erasure.ty a } in
+      parameters (n - 1) b (binder :: newest)
+    | _ when n = 0 -> (ty, newest)
+    | _ -> bug "`%s` has too many arguments" c.constructor.name
+  in
+  let result, newest = parameters missing ty [] in
+  let rest = List.rev_map (fun b -> Term.variable b span) newest in
+  List.fold_left
+    (fun (body : Ir.expr) (b : Ir.binder) ->
+      Term.make (Ir.Function (b.ty, body.ty)) span (Ir.Lambda (b, body)))
+    (Term.make (Erasure.ty result) span (construct result c (given @ rest)))
+    newest
+
+(* {2 Records} *)
+
+and update env (e : T.expr) record c fields =
+  let value = expr env record in
+  let root : Ir.binder = { local = Context.fresh env.ctx "" record.span; ty = value.ty } in
+  let changed = List.rev_map (fun (i, value) -> (i, expr env value)) fields in
+  let argument field ty =
+    match List.assoc_opt field changed with
+    | Some value -> value
+    | None ->
+      Term.make ty e.span
+        (Ir.Payload
+           { value = Term.variable root record.span; constructor = c.index; field })
+  in
+  let types = Context.field_types env.ctx value.ty ~constructor:c.index in
+  Term.let_ root value
+    (Term.make value.ty e.span (construct e.ty c (List.mapi argument types)))
+
+(* {2 Choice} *)
+
+and case env (e : T.expr) scrutinee branches =
+  let value = expr (inside env) scrutinee in
+  let env = elsewhere env in
+  let branch (b : T.branch) : Matching.branch =
+    {
+      pattern = b.pattern;
+      falls = falls b.value;
+      value = (fun ~fall -> expr { env with fall } b.value);
+    }
+  in
+  let match_ root =
+    Matching.case env.ctx ~root e.span (List.rev (List.rev_map branch branches))
+  in
+  match value.desc with
+  | Local _ -> match_ value
+  | _ ->
+    let root : Ir.binder =
+      { local = Context.fresh env.ctx "" scrutinee.span; ty = value.ty }
+    in
+    Term.let_ root value (match_ (Term.variable root scrutinee.span))
+
+and falls (e : T.expr) =
+  match e.desc with
+  | Guards (_, None) -> true
+  | Let (_, body) -> falls body
+  | _ -> false
+
+and guards env guarded last span =
+  let fall = env.fall in
+  let env = elsewhere env in
+  let alternatives =
+    List.rev_map
+      (fun (guard, value) ->
+        let guard = expr env guard in
+        (guard, expr env value))
+      guarded
+  in
+  let last =
+    match (last, fall) with
+    | Some last, _ -> expr env last
+    | None, Some fall -> fall
+    | None, None -> bug "guards at %a that may all fail" Span.pp span
+  in
+  List.fold_left
+    (fun rest (guard, value) -> Term.if_ guard value rest span)
+    last alternatives
+
+(* {2 Binding} *)
+
+and lambda env patterns body =
+  let parameters =
+    List.rev_map (fun (p : T.pattern) -> (p, Matching.binder env.ctx p)) patterns
+  in
+  List.fold_left
+    (fun (body : Ir.expr) ((p : T.pattern), (b : Ir.binder)) ->
+      let body =
+        List.fold_left
+          (fun body (b, value) -> Term.let_ b value body)
+          body
+          (List.rev (Matching.variables p ~root:(Term.variable b p.span)))
+      in
+      Term.make (Ir.Function (b.ty, body.ty)) p.span (Ir.Lambda (b, body)))
+    (expr env body) parameters
+
+and let_ env bindings body =
+  match env.place with
+  | Every_instant equations ->
+    List.iter (equation env equations) bindings;
+    expr env body
+  | Elsewhere ->
+    let bound newest (b : T.binding) =
+      let binder = Matching.binder env.ctx b.pattern in
+      let root = Term.variable binder b.pattern.span in
+      let parts = Matching.variables b.pattern ~root in
+      let value = expr (named b.pattern env) b.value in
+      List.rev_append
+        (List.rev_map (fun (binder, value) -> (binder, [], value)) parts)
+        ((binder, Erasure.parameters b.scheme, value) :: newest)
+    in
+    let newest = List.fold_left bound [] bindings in
+    List.fold_left
+      (fun (body : Ir.expr) (binder, parameters, value) ->
+        Term.make body.ty body.span (Ir.Let { binder; parameters; value; body }))
+      (expr env body) newest
+
+(* {2 Signal functions} *)
+
+and proc env (e : T.expr) input equations output =
+  let binder = Matching.binder env.ctx input in
+  let mine = Equations.create () in
+  Equations.parts mine input ~root:(Term.variable binder input.span) input.span;
+  let env = { env with place = Every_instant mine; fall = None } in
+  List.iter (equation env mine) equations;
+  let output = expr env output in
+  Term.make (Erasure.ty e.ty) e.span
+    (Ir.Proc { name = env.name; input = binder; equations = Equations.all mine; output })
+
+and equation env equations (b : T.binding) =
+  let binder = Matching.binder env.ctx b.pattern in
+  right env equations binder (Erasure.parameters b.scheme) (named b.pattern env) b.value
+    b.span;
+  Equations.parts equations b.pattern
+    ~root:(Term.variable binder b.pattern.span)
+    b.span
+
+(* An instance that is all of a right side needs no variable of its own. *)
+and right env equations binder parameters inner (value : T.expr) span =
+  match value.desc with
+  | Run (h, input) -> run inner equations binder h input span
+  | Let (bindings, body) ->
+    List.iter (equation env equations) bindings;
+    right env equations binder parameters inner body span
+  | _ -> Equations.pure equations binder parameters (expr inner value) span
+
+and run env equations binder h input span =
+  let signal_function = expr (elsewhere env) h in
+  let input = expr (inside env) input in
+  Equations.run equations binder ~signal_function ~input span
+
+let closed ctx ~name e = expr { ctx; place = Elsewhere; name; fall = None } e

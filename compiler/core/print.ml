@@ -1,0 +1,316 @@
+open Basis
+open Ir
+
+(* Strings are put out one by one and not by [fprintf "%a"], which needs much
+   stack: expressions are ten thousand deep. *)
+type context = {
+  out : Format.formatter;
+  main_module : string;
+  data : (Global.t, Ir.data) Hashtbl.t;
+  names : (int, string) Hashtbl.t;  (** of the definition's variables *)
+  uses : (string, int) Hashtbl.t;  (** how many of them have a name *)
+}
+
+let put c text = Format.pp_print_string c.out text
+let cut c = Format.pp_print_cut c.out ()
+let space c = Format.pp_print_space c.out ()
+let close c = Format.pp_close_box c.out ()
+
+let parenthesized c yes f =
+  if yes then (
+    put c "(";
+    f ();
+    put c ")")
+  else f ()
+
+let rec separated c separator f = function
+  | [] -> ()
+  | [ x ] -> f x
+  | x :: rest ->
+    f x;
+    put c separator;
+    space c;
+    separated c separator f rest
+
+let tuple c f parts =
+  Format.pp_open_hvbox c.out 1;
+  put c "(";
+  separated c "," f parts;
+  put c ")";
+  close c
+
+let global c (g : Global.t) =
+  if String.equal g.module_ c.main_module then g.name else g.module_ ^ "." ^ g.name
+
+let operator text =
+  match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> text | _ -> "(" ^ text ^ ")"
+
+let local c (x : Local.t) =
+  match Hashtbl.find_opt c.names x.id with
+  | Some name -> name
+  | None ->
+    let count = 1 + Option.value ~default:0 (Hashtbl.find_opt c.uses x.name) in
+    Hashtbl.replace c.uses x.name count;
+    let name =
+      if count = 1 && x.name <> "" then x.name else x.name ^ "_" ^ string_of_int count
+    in
+    Hashtbl.replace c.names x.id name;
+    name
+
+(* {1 Types} *)
+
+(* 0 anywhere, 1 left of an arrow, 2 argument of a type constructor *)
+let rec type_ c level = function
+  | Variable v -> put c v.name
+  | Bool -> put c "Bool"
+  | Int -> put c "Int"
+  | Float -> put c "Float"
+  | String -> put c "String"
+  | Tuple parts -> tuple c (type_ c 0) parts
+  | Function (a, b) ->
+    parenthesized c (level > 0) (fun () ->
+        type_ c 1 a;
+        put c " -> ";
+        type_ c 0 b)
+  | Signal_function (a, b) -> constructed c level "SF" [ a; b ]
+  | Data (tycon, arguments) -> constructed c level (global c tycon) arguments
+
+and constructed c level name arguments =
+  parenthesized c (level > 1 && arguments <> []) (fun () ->
+      put c name;
+      List.iter
+        (fun t ->
+          put c " ";
+          type_ c 2 t)
+        arguments)
+
+let type_arguments c types =
+  List.iter
+    (fun t ->
+      put c " @";
+      type_ c 2 t)
+    types
+
+let parameters c (vs : variable list) = List.iter (fun (v : variable) -> put c (" @" ^ v.name)) vs
+
+let binder c (b : binder) =
+  put c (local c b.local);
+  put c " : ";
+  type_ c 0 b.ty
+
+(* {1 Expressions} *)
+
+let constructor c (ty : ty) index =
+  let declared =
+    match ty with
+    | Data (tycon, _) -> Hashtbl.find_opt c.data tycon
+    | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ ->
+      None
+  in
+  match declared with
+  | Some d when index < List.length d.constructors -> (List.nth d.constructors index).name.name
+  | Some _ | None -> "#" ^ string_of_int index
+
+(* 0 anywhere, 1 operand or function, 2 argument *)
+let rec expr c level (e : expr) =
+  match e.desc with
+  | Local (x, types) -> name c level (local c x) types
+  | Global (g, types) -> name c level (global c g) types
+  | Primitive (p, types) -> name c level (operator (Primitive.name p)) types
+  | Number value -> number c level value
+  | Boolean b -> put c (if b then "True" else "False")
+  | String text -> put c (Printf.sprintf "%S" text)
+  | Tuple parts -> tuple c (expr c 0) parts
+  | Component (value, index) ->
+    expr c 2 value;
+    put c ("." ^ string_of_int index)
+  | Payload { value; constructor = k; field } ->
+    expr c 2 value;
+    put c (Printf.sprintf ".%s.%d" (constructor c value.ty k) field)
+  | Is_constructor (value, k) ->
+    parenthesized c (level > 0) (fun () ->
+        expr c 2 value;
+        put c (" ? " ^ constructor c value.ty k))
+  | Construct { constructor = k; arguments; data = _ } ->
+    parenthesized c (level > 1 && arguments <> []) (fun () ->
+        Format.pp_open_hovbox c.out 2;
+        put c (constructor c e.ty k);
+        List.iter
+          (fun a ->
+            space c;
+            expr c 2 a)
+          arguments;
+        close c)
+  | Apply ({ desc = Apply ({ desc = Primitive (p, _); _ }, a); _ }, b)
+    when operator (Primitive.name p) <> Primitive.name p ->
+    parenthesized c (level > 0) (fun () ->
+        Format.pp_open_hovbox c.out 0;
+        expr c 1 a;
+        put c (" " ^ Primitive.name p);
+        space c;
+        expr c 1 b;
+        close c)
+  | Apply _ ->
+    parenthesized c (level > 1) (fun () ->
+        Format.pp_open_hovbox c.out 2;
+        application c e [];
+        close c)
+  | Lambda (b, body) ->
+    parenthesized c (level > 0) (fun () ->
+        Format.pp_open_hovbox c.out 2;
+        put c "\\(";
+        binder c b;
+        put c ") ->";
+        space c;
+        expr c 0 body;
+        close c)
+  | If (condition, a, b) ->
+    parenthesized c (level > 0) (fun () ->
+        Format.pp_open_hvbox c.out 0;
+        put c "if ";
+        expr c 0 condition;
+        space c;
+        put c "then ";
+        expr c 0 a;
+        space c;
+        put c "else ";
+        expr c 0 b;
+        close c)
+  | Let _ ->
+    parenthesized c (level > 0) (fun () ->
+        Format.pp_open_vbox c.out 0;
+        lets c e;
+        close c)
+  | Proc p -> parenthesized c (level > 0) (fun () -> proc c p)
+
+and name c level text types =
+  parenthesized c (level > 1 && types <> []) (fun () ->
+      put c text;
+      type_arguments c types)
+
+and number c level value =
+  let text = Exact.to_string value in
+  parenthesized c (level > 0 && text.[0] = '-') (fun () -> put c text)
+
+and application c (e : expr) arguments =
+  match e.desc with
+  | Apply (f, a) -> application c f (a :: arguments)
+  | _ ->
+    expr c 1 e;
+    List.iter
+      (fun a ->
+        space c;
+        expr c 2 a)
+      arguments
+
+(* A chain of bindings is as long as a program: no recursion but the tail's. *)
+and lets c (e : expr) =
+  match e.desc with
+  | Let { binder = b; parameters = vs; value; body } ->
+    Format.pp_open_hovbox c.out 2;
+    put c "let ";
+    binder c b;
+    parameters c vs;
+    put c " =";
+    space c;
+    expr c 0 value;
+    put c " in";
+    close c;
+    cut c;
+    lets c body
+  | _ -> expr c 0 e
+
+and proc c p =
+  Format.pp_open_vbox c.out 2;
+  put c (Printf.sprintf "proc %s (" p.name);
+  binder c p.input;
+  put c ") where";
+  List.iter
+    (fun eq ->
+      cut c;
+      equation c eq)
+    p.equations;
+  cut c;
+  Format.pp_open_hovbox c.out 2;
+  put c "->";
+  space c;
+  expr c 0 p.output;
+  close c;
+  close c
+
+and equation c eq =
+  Format.pp_open_hovbox c.out 2;
+  binder c eq.binder;
+  parameters c eq.parameters;
+  (match eq.rhs with
+  | Pure value ->
+    put c " =";
+    space c;
+    expr c 0 value
+  | Run { signal_function; input } ->
+    put c " <-";
+    space c;
+    expr c 1 signal_function;
+    space c;
+    put c "-< ";
+    expr c 0 input);
+  close c
+
+(* {1 Programs} *)
+
+let data c (d : data) =
+  Format.pp_open_hvbox c.out 2;
+  put c ("data " ^ d.tycon.name);
+  List.iter (fun (v : variable) -> put c (" " ^ v.name)) d.parameters;
+  List.iteri
+    (fun i (k : constructor) ->
+      space c;
+      put c ((if i = 0 then "= " else "| ") ^ k.name.name);
+      List.iter
+        (fun (field, t) ->
+          put c " ";
+          if field <> "" then put c (field ^ ":");
+          type_ c 2 t)
+        k.fields)
+    d.constructors;
+  close c;
+  cut c
+
+let definition c (d : definition) =
+  Hashtbl.reset c.names;
+  Hashtbl.reset c.uses;
+  cut c;
+  put c (operator d.name.name);
+  parameters c d.parameters;
+  put c " :: ";
+  type_ c 0 d.ty;
+  cut c;
+  Format.pp_open_vbox c.out 2;
+  put c (operator d.name.name ^ " =");
+  cut c;
+  expr c 0 d.body;
+  close c;
+  cut c
+
+let context out main_module =
+  {
+    out;
+    main_module;
+    data = Hashtbl.create 64;
+    names = Hashtbl.create 64;
+    uses = Hashtbl.create 64;
+  }
+
+let program out (p : program) =
+  let c = context out p.main_module in
+  List.iter (fun (d : data) -> Hashtbl.replace c.data d.tycon d) p.data;
+  Format.pp_open_vbox out 0;
+  put c ("module " ^ p.main_module);
+  cut c;
+  let own (g : Global.t) = String.equal g.module_ p.main_module in
+  List.iter (fun (d : Ir.data) -> if own d.tycon then data c d) p.data;
+  List.iter (fun (d : definition) -> if own d.name then definition c d) p.definitions;
+  close c;
+  Format.pp_print_flush out ()
+
+let ty out t = type_ (context out "Prelude") 0 t

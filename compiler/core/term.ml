@@ -1,0 +1,37 @@
+open Ir
+
+let make ty span desc = { desc; ty; span }
+let variable (binder : binder) span = make binder.ty span (Local (binder.local, []))
+let boolean b span = make Bool span (Boolean b)
+let apply f a ty span = make ty span (Apply (f, a))
+
+let not_ (e : expr) =
+  match e.desc with
+  | If (a, { desc = Boolean false; _ }, { desc = Boolean true; _ }) -> a
+  | Boolean b -> boolean (not b) e.span
+  | _ -> make Bool e.span (If (e, boolean false e.span, boolean true e.span))
+
+let conjunction (a : expr) b = make Bool a.span (If (a, b, boolean false a.span))
+
+let if_ (condition : expr) (then_ : expr) else_ span =
+  match condition.desc with
+  | If (a, { desc = Boolean false; _ }, { desc = Boolean true; _ }) ->
+    make then_.ty span (If (a, else_, then_))
+  | _ -> make then_.ty span (If (condition, then_, else_))
+
+let equal (a : expr) (b : expr) =
+  let partial = Function (a.ty, Bool) in
+  let equal = make (Function (a.ty, partial)) a.span (Primitive (Primitive.Equal, [ a.ty ])) in
+  apply (apply equal a partial a.span) b Bool a.span
+
+let let_ binder value (body : expr) =
+  make body.ty body.span (Let { binder; parameters = []; value; body })
+
+let rec is_trivial (e : expr) =
+  match e.desc with
+  | Local _ | Global _ | Primitive _ | Number _ | Boolean _ | String _ | Tuple [] -> true
+  | Apply (f, { desc = Tuple []; _ }) -> is_trivial f
+  | Construct { arguments = []; _ } -> true
+  | Construct _ | Lambda _ | Apply _ | Let _ | Tuple _ | Component _ | Is_constructor _
+  | Payload _ | If _ | Proc _ ->
+    false
