@@ -1,0 +1,44 @@
+(** Typed programs by hand, for tests of what comes after inference. *)
+
+open Typing.Ir
+
+val float : ty
+val local : int -> string -> Local.t
+
+(** {1 Expressions} *)
+
+val var : Local.t -> ty -> expr
+val number : int -> expr
+val boolean : bool -> expr
+val tuple : expr list -> expr
+val primitive : string -> ty -> expr
+
+val apply : expr -> expr -> expr
+(** Applies or runs, by the type of the first. *)
+
+val plus : expr -> expr -> expr
+val delay : expr -> expr -> expr
+(** [delay x0 s], run. *)
+
+val case : expr -> (pattern * expr) list -> expr
+val guards : (expr * expr) list -> expr option -> expr
+val let_ : binding list -> expr -> expr
+val lambda : pattern list -> expr -> expr
+val proc : pattern -> binding list -> expr -> expr
+val make : expr_desc -> ty -> expr
+
+(** {1 Patterns and bindings} *)
+
+val any : ty -> pattern
+val bound : Local.t -> ty -> pattern
+val pair : pattern -> pattern -> pattern
+val construct : constructor -> ty -> pattern list -> pattern
+val binding : pattern -> expr -> binding
+
+(** {1 Data: [Maybe], of the main module} *)
+
+val maybe : data
+val nothing : constructor
+val just : constructor
+val maybe_of : ty -> ty
+val program : (string * expr) list -> program
