@@ -3,7 +3,9 @@
 open Trees
 
 let dump definitions =
-  Format.asprintf "%a" Core.Print.program (Core.Of_typed.program (program definitions))
+  let core = Core.Of_typed.program (program definitions) in
+  Core.Lint.program core;
+  Format.asprintf "%a" Core.Print.program core
 
 let check expected definitions =
   Alcotest.(check string)

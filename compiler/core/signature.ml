@@ -1,0 +1,32 @@
+open Ir
+
+let function_ arguments result = List.fold_right (fun a b -> Function (a, b)) arguments result
+let unary a = function_ [ a ] a
+let binary a = function_ [ a; a ] a
+let comparison a = function_ [ a; a ] Bool
+
+let of_primitive (p : Primitive.t) types =
+  match (p, types) with
+  | (Add | Subtract | Multiply | Minimum | Maximum), [ a ] -> Some (binary a)
+  | (Negate | Absolute | Signum | Power_literal _), [ a ] -> Some (unary a)
+  | (Equal | Not_equal | Less | Less_equal | Greater | Greater_equal), [ a ] ->
+    Some (comparison a)
+  | (Divide | Power | Elementary (Hypot | Atan2)), [] -> Some (binary Float)
+  | Elementary (Sqrt | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan), [] ->
+    Some (unary Float)
+  | (Div | Mod), [] -> Some (binary Int)
+  | To_float, [] -> Some (Function (Int, Float))
+  | (Round | Floor | Ceiling | Truncate), [] -> Some (Function (Float, Int))
+  | (And | Or), [] -> Some (binary Bool)
+  | Delay, [ a ] -> Some (Function (a, Signal_function (a, a)))
+  | Time, [ a ] -> Some (Signal_function (a, Float))
+  | (Integral | Derivative), [] -> Some (Signal_function (Float, Float))
+  | Reactimate, [ i; o ] ->
+    let program : Global.t = { module_ = "Prelude"; name = "Program" } in
+    Some (Function (Signal_function (i, o), Data (program, [ i; o ])))
+  | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power
+      | Power_literal _ | Elementary _ | Div | Mod | To_float | Round | Floor | Ceiling
+      | Truncate | Equal | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum
+      | Maximum | And | Or | Delay | Time | Integral | Derivative | Reactimate ),
+      _ ) ->
+    None

@@ -1,0 +1,4 @@
+(** The types of the primitives, after erasure of units. *)
+
+val of_primitive : Primitive.t -> Ir.ty list -> Ir.ty option
+(** At these type arguments; [None] if they are not as many as it takes. *)
