@@ -20,7 +20,7 @@ let boolean b =
 
 let types es = List.map (fun (e : expr) -> e.ty) es
 let tuple es = make (Tuple es) (Tuple (types es))
-let primitive name ty = make (Primitive (prelude name, none)) ty
+let primitive name instantiation ty = make (Primitive (prelude name, instantiation)) ty
 
 let apply (f : expr) a =
   match f.ty with
@@ -29,13 +29,14 @@ let apply (f : expr) a =
   | Variable _ | Number _ | Bool | String | Tuple _ | Data _ -> invalid_arg "apply"
 
 let plus (a : expr) b =
-  apply (apply (primitive "+" (Function (a.ty, Function (a.ty, a.ty)))) a) b
+  let on_float = { types = []; representations = [ Float ] } in
+  apply (apply (primitive "+" on_float (Function (a.ty, Function (a.ty, a.ty)))) a) b
 
 let delay (initial : expr) s =
   let ty = initial.ty in
   let delay =
-    make
-      (Primitive (prelude "delay", { types = [ ty ]; representations = [] }))
+    primitive "delay"
+      { types = [ ty ]; representations = [] }
       (Function (ty, Signal_function (ty, ty)))
   in
   apply (apply delay initial) s

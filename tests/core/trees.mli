@@ -11,7 +11,7 @@ val var : Local.t -> ty -> expr
 val number : int -> expr
 val boolean : bool -> expr
 val tuple : expr list -> expr
-val primitive : string -> ty -> expr
+val primitive : string -> instantiation -> ty -> expr
 
 val apply : expr -> expr -> expr
 (** Applies or runs, by the type of the first. *)
