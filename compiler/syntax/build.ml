@@ -1,0 +1,189 @@
+open Basis
+
+type location = Lexing.position * Lexing.position
+
+let position (p : Lexing.position) : Span.position =
+  { line = p.pos_lnum; column = p.pos_cnum - p.pos_bol + 1 }
+
+let span ((start, stop) : location) =
+  Span.make ~file:start.pos_fname ~start:(position start) ~stop:(position stop)
+
+let name location text : Ir.name = { text; span = span location }
+let unqualified (name : Ir.name) : Ir.qualified = { qualifier = None; name; span = name.span }
+
+(* The first [n] bytes of a span within one line, and what follows a byte. *)
+let take n (span : Span.t) =
+  { span with stop = { span.start with column = span.start.column + n } }
+
+let drop n (span : Span.t) =
+  { span with start = { span.start with column = span.start.column + n } }
+
+let qualified location (qualifier, text) : Ir.qualified =
+  let span = span location in
+  let length = String.length qualifier in
+  {
+    qualifier = Some { text = qualifier; span = take length span };
+    name = { text; span = drop (length + 1) span };
+    span;
+  }
+
+let field location text : Ir.name = { text; span = drop 1 (span location) }
+
+(* Types *)
+
+let context (t : Ir.ty) =
+  let one (t : Ir.ty) =
+    match t.desc with
+    | Type { name; units = None; arguments = [ argument ] } -> (name, argument)
+    | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ ->
+        Reject.at ~code:"E0110" t.span ~hint:"as in `(Eq a, Ord b) => …`"
+          "before `=>` stand classes, each with one type"
+  in
+  match t.desc with
+  | Tuple_type ts -> List.map one ts
+  | Type _ | Type_variable _ | Representation _ | Function _ -> [ one t ]
+
+(* Units *)
+
+let one span : Ir.unit_ = { desc = One; span }
+
+let times left (right : Ir.unit_) ~over : Ir.unit_ =
+  match left with
+  | None when over ->
+      { desc = Over (one { right.span with stop = right.span.start }, right); span = right.span }
+  | None -> right
+  | Some (left : Ir.unit_) ->
+      {
+        desc = (if over then Over (left, right) else Times (left, right));
+        span = Span.merge left.span right.span;
+      }
+
+let product factors =
+  let measure (f : Surface.factor) =
+    match f.factor with
+    | Measure unit_ -> unit_
+    | Amount { digits = "1"; decimal = false } -> one f.span
+    | Amount { digits; _ } ->
+        Reject.at ~code:"E0119" f.span
+          ~hint:"a power is written `m^2`; a scaled unit is declared, as in `unit inch = 0.0254 m`"
+          "the number `%s` cannot be part of a unit, only `1` can" digits
+  in
+  let multiply left (f : Surface.factor) = Some (times left (measure f) ~over:f.over) in
+  match List.fold_left multiply None (List.rev factors) with
+  | Some unit_ -> unit_
+  | None -> Diagnostic.bug ~stage:"Syntax.Build" "a unit without factors"
+
+let rec gcd a b = if b = 0 then a else gcd b (a mod b)
+
+let exponent location ~negative numerator ~over : Ir.rational =
+  let small digits =
+    match int_of_string_opt ("0u" ^ digits) with
+    | Some n when n <= 1000 -> n
+    | Some _ | None ->
+        Reject.at ~code:"E0119" (span location) "the exponent of a unit is a whole number up to 1000, or a quotient of two"
+  in
+  let numerator = small numerator and denominator = small over in
+  if denominator = 0 then
+    Reject.at ~code:"E0119" (span location) "the exponent of a unit is divided by zero";
+  let divisor = gcd numerator denominator in
+  let numerator = numerator / divisor in
+  { numerator = (if negative then -numerator else numerator); denominator = denominator / divisor }
+
+let scaled_unit ~(name : Ir.name) factors : Ir.declaration_desc =
+  let reject span =
+    Reject.at ~code:"E0119" span
+      ~hint:"as in `unit inch = 0.0254 m` or `unit deg = pi/180`"
+      "the scale of a unit is one number, perhaps with `pi`, over one number"
+  in
+  let add ((scale : Ir.scale), factor_seen, unit_) (f : Surface.factor) =
+    match f.factor with
+    | Amount { digits; _ } when f.over ->
+        if scale.divided_by <> "1" then reject f.span
+        else ({ scale with divided_by = digits }, factor_seen, unit_)
+    | Amount { digits; _ } ->
+        if factor_seen then reject f.span else ({ scale with factor = digits }, true, unit_)
+    | Measure { desc = Unit_name { text = "pi"; _ }; _ } ->
+        if f.over || scale.times_pi then reject f.span
+        else ({ scale with times_pi = true }, factor_seen, unit_)
+    | Measure measure -> (scale, factor_seen, Some (times unit_ measure ~over:f.over))
+  in
+  let start : Ir.scale = { factor = "1"; times_pi = false; divided_by = "1" } in
+  let scale, _, unit_ = List.fold_left add (start, false, None) (List.rev factors) in
+  let unit_ =
+    match (unit_, factors) with
+    | Some unit_, _ -> unit_
+    | None, last :: _ -> one last.span
+    | None, [] -> one name.span
+  in
+  Scaled_unit { name; scale; unit_ }
+
+(* Statements *)
+
+let last_statement_hint = "end with the output, as in `returnA -< x`"
+
+let do_body location statements : Ir.proc_body =
+  (* [rec] has no effect: its statements join the others. *)
+  let rec flatten done_ work : Surface.statement list =
+    match work with
+    | [] -> done_
+    | [] :: rest -> flatten done_ rest
+    | (Surface.Rec inner :: statements) :: rest -> flatten done_ (inner :: statements :: rest)
+    | (((Arrow_bind _ | Command_bind _ | Bare_command _ | Bare_expression _ | Let _) as s)
+      :: statements)
+      :: rest ->
+        flatten (s :: done_) (statements :: rest)
+  in
+  let statement (s : Surface.statement) : Ir.statement =
+    match s with
+    | Arrow_bind { left; right } ->
+        Bind_expr
+          { pattern = Term.to_pattern left; expr = right; span = Span.merge left.span right.span }
+    | Command_bind { left; command } -> Bind { pattern = Term.to_pattern left; command }
+    | Bare_command command ->
+        let before = { command.span with stop = command.span.start } in
+        Bind { pattern = { desc = Any; span = before }; command }
+    | Let declarations -> Let_equations declarations
+    | Bare_expression { span; _ } ->
+        Reject.at ~code:"E0116" span
+          ~hint:"bind its value with `x <- …`, or run it with `sf -< x`"
+          "this expression is not a statement of a `proc`"
+    | Rec _ -> Diagnostic.bug ~stage:"Syntax.Build" "a `rec` that was not flattened"
+  in
+  match flatten [] [ statements ] with
+  | Bare_command result :: before -> Do { statements = List.rev_map statement before; result }
+  | Bare_expression { span; _ } :: _ ->
+      Reject.at ~code:"E0116" span ~hint:"write `returnA -< …` if this is the value"
+        "the last statement of a `do` gives the output, and needs `-<`"
+  | (Arrow_bind { left = { span; _ }; _ } | Command_bind { left = { span; _ }; _ }) :: _ ->
+      Reject.at ~code:"E0116" span ~hint:last_statement_hint
+        "the last statement of a `do` gives the output, so it cannot bind a name"
+  | Let _ :: _ ->
+      Reject.at ~code:"E0116" (span location) ~hint:last_statement_hint
+        "the last statement of this `do` is a `let`, so it has no output"
+  | Rec _ :: _ -> Diagnostic.bug ~stage:"Syntax.Build" "a `rec` that was not flattened"
+  | [] ->
+      Reject.at ~code:"E0116" (span location) ~hint:last_statement_hint
+        "this `do` is empty, so it has no output"
+
+(* Clauses *)
+
+let second_clause (first : Ir.declaration) (second : Ir.declaration) =
+  match (first.desc, second.desc) with
+  | ( Binding { left = Function_name { name = a; _ }; _ },
+      Binding { left = Function_name { name = b; _ }; _ } )
+    when String.equal a.text b.text ->
+      Some
+        (Diagnostic.error ~code:"E0115" ~at:b.span "`%s` is defined by several clauses" b.text
+        |> Diagnostic.label ~at:a.span "the first"
+        |> Diagnostic.hint "write one clause, with a `case` on the parameter")
+  | _ -> None
+
+let declarations list =
+  let rec check = function
+    | first :: (second :: _ as rest) ->
+        Option.iter Reject.diagnostic (second_clause first second);
+        check rest
+    | [ _ ] | [] -> ()
+  in
+  check list;
+  list

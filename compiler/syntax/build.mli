@@ -1,0 +1,37 @@
+(** What the grammar's actions are made of: spans and small conversions. *)
+
+open Basis
+
+type location = Lexing.position * Lexing.position
+(** [$loc] *)
+
+val span : location -> Span.t
+val name : location -> string -> Ir.name
+
+val unqualified : Ir.name -> Ir.qualified
+
+val qualified : location -> string * string -> Ir.qualified
+(** [M.x] in one token. *)
+
+val field : location -> string -> Ir.name
+(** The name in a [.field] token. *)
+
+val context : Ir.ty -> (Ir.qualified * Ir.ty) list
+(** What stands before [=>], read as a type. *)
+
+val product : Surface.factor list -> Ir.unit_
+(** A unit, its factors last one first (at least one). *)
+
+val exponent : location -> negative:bool -> string -> over:string -> Ir.rational
+
+val scaled_unit : name:Ir.name -> Surface.factor list -> Ir.declaration_desc
+(** The right side of a [unit] declaration, its factors last one first. *)
+
+val do_body : location -> Surface.statement list -> Ir.proc_body
+
+val declarations : Ir.declaration list -> Ir.declaration list
+(** A block as it is; rejects several clauses of one function. *)
+
+val second_clause : Ir.declaration -> Ir.declaration -> Diagnostic.t option
+(** What to say if the second, right after the first, is one more clause of
+    the same function. *)

@@ -1,0 +1,282 @@
+open Grammar
+
+type block = Top | Let | Where | Do | Of | Rec
+type opener = Block of block | Paren | Bracket | Brace | If | Then | Case
+type context = (opener * Lexer.token) list
+
+type token = {
+  token : Grammar.token;
+  start : Lexing.position;
+  stop : Lexing.position;
+  made : bool;
+  context : context Lazy.t;
+  last : bool;
+}
+
+(* What a closing token would find below an entry, itself included; brackets
+   hide what is open around them. *)
+type reach = { bracket : opener option; let_ : bool; if_ : bool; then_ : bool; case : bool }
+
+type entry = {
+  opener : opener;
+  by : Lexer.token;
+  column : int;  (** of the innermost block, this one or below *)
+  reach : reach;
+  depth : int;
+}
+
+type t = {
+  lexer : Lexer.t;
+  mutable stack : entry list;  (** never empty once the first token is read: [Block Top] is last *)
+  mutable opening : (block * Lexer.token) option;  (** the next token opens this block *)
+  mutable header : bool;  (** between [module] and its [where] *)
+  mutable data : bool;  (** within a [data] declaration *)
+  mutable item_start : bool;  (** nothing yet of the innermost block's item *)
+  mutable doc : string option;  (** waits for the constructor after [|] or [=] *)
+  mutable before : Lexing.position;  (** where the last token of the text ended *)
+  ready : token Queue.t;
+}
+
+exception Too_deep of Lexer.token
+
+let deepest = 10_000
+
+let create lexer =
+  {
+    lexer; stack = []; opening = None; header = false; data = false; item_start = true; doc = None;
+    before = Lexing.dummy_pos; ready = Queue.create ();
+  }
+
+let context stack = lazy (List.map (fun entry -> (entry.opener, entry.by)) stack)
+
+let nothing = { bracket = None; let_ = false; if_ = false; then_ = false; case = false }
+
+let push t opener by ~column =
+  let below, depth =
+    match t.stack with [] -> (nothing, 0) | entry :: _ -> (entry.reach, entry.depth)
+  in
+  if depth >= deepest then raise (Too_deep by);
+  let reach =
+    match opener with
+    | Paren | Bracket | Brace -> { nothing with bracket = Some opener }
+    | Block Let -> { below with let_ = true }
+    | If -> { below with if_ = true }
+    | Then -> { below with then_ = true }
+    | Case -> { below with case = true }
+    | Block (Top | Where | Do | Of | Rec) -> below
+  in
+  t.stack <- { opener; by; column; reach; depth = depth + 1 } :: t.stack
+
+let block_column t = match t.stack with [] -> 0 | entry :: _ -> entry.column
+let reach t = match t.stack with [] -> nothing | entry :: _ -> entry.reach
+
+let emit t token ~stack =
+  Queue.add
+    { token; start = t.before; stop = t.before; made = true; context = context stack; last = false }
+    t.ready
+
+(* Pops one entry; a block is closed by it. *)
+let pop t =
+  match t.stack with
+  | [] -> ()
+  | entry :: rest ->
+      (match entry.opener with
+      | Block _ -> emit t CLOSE ~stack:t.stack
+      | Paren | Bracket | Brace | If | Then | Case -> ());
+      t.stack <- rest
+
+let rec pop_until t found =
+  match t.stack with
+  | entry :: _ when not (found entry.opener) -> pop t; pop_until t found
+  | _ -> ()
+
+let is_block = function
+  | Block _ -> true
+  | Paren | Bracket | Brace | If | Then | Case -> false
+
+let is_bracket = function
+  | Paren | Bracket | Brace -> true
+  | Block _ | If | Then | Case -> false
+
+(* A new item of the innermost block; what is still open in the old one (and
+   is no block) stays without its partner. *)
+let separate t =
+  let stack = t.stack in
+  t.stack <-
+    (let rec blocks = function
+       | entry :: rest when not (is_block entry.opener) -> blocks rest
+       | stack -> stack
+     in
+     blocks stack);
+  t.item_start <- true;
+  match t.stack with
+  | { opener = Block Top; _ } :: _ -> t.data <- false; emit t END ~stack
+  | _ -> emit t SEMICOLON ~stack
+
+let rec at_top = function
+  | [] -> true
+  | { opener = Block Top; _ } :: _ -> true
+  | { opener = Block _; _ } :: _ -> false
+  | _ :: rest -> at_top rest
+
+(* The rule for the first token of a line. *)
+let rec line_starts t column =
+  if at_top t.stack then begin if column <= block_column t then separate t end
+  else if column = block_column t then separate t
+  else if column < block_column t then begin
+    pop_until t is_block;
+    pop t;
+    line_starts t column
+  end
+
+(* Does this token close something, and what? *)
+let partner t (token : Grammar.token) : (opener -> bool) option =
+  let reach = reach t in
+  let if_ found test = if found then Some test else None in
+  match token with
+  | IN -> if_ reach.let_ (fun opener -> opener = Block Let)
+  | THEN -> if_ reach.if_ (fun opener -> opener = If)
+  | ELSE -> if_ reach.then_ (fun opener -> opener = Then)
+  | OF -> if_ reach.case (fun opener -> opener = Case)
+  | COMMA -> if_ (reach.bracket <> None) is_bracket
+  | RPAREN -> if_ (reach.bracket = Some Paren) is_bracket
+  | RBRACKET -> if_ (reach.bracket = Some Bracket) is_bracket
+  | RBRACE -> if_ (reach.bracket = Some Brace) is_bracket
+  | _ -> None
+
+(* A [where] at the column of a block's items closes that block, and the
+   statements of a [do] have none, so it closes that too. *)
+let rec where_closes t (token : Lexer.token) =
+  match t.stack with
+  | { opener = Block (Do | Rec); _ } :: _ -> pop t; where_closes t token
+  | _ when token.first && (not (at_top t.stack)) && token.column <= block_column t ->
+      pop_until t is_block;
+      pop t;
+      where_closes t token
+  | _ -> ()
+
+let pass t (token : Lexer.token) ~last =
+  Queue.add
+    { token = token.token; start = token.start; stop = token.stop; made = false;
+      context = context t.stack; last }
+    t.ready
+
+let emit_doc t (token : Lexer.token) =
+  let of_item =
+    match (t.stack, token.token) with
+    | _, (MODULE | IMPORT | END) -> false
+    | { opener = Block (Top | Let | Where); _ } :: _, _ -> t.item_start
+    | _ -> false
+  in
+  let doc = match token.doc with None -> t.doc | Some _ as doc -> doc in
+  let of_constructor = t.data && t.doc <> None in
+  t.doc <- None;
+  match (doc, token.token) with
+  | Some _, (BAR | EQUAL) when t.data -> t.doc <- doc
+  | Some text, _ when of_item || of_constructor ->
+      Queue.add
+        { token = DOC text; start = token.start; stop = token.start; made = true;
+          context = context t.stack; last = false }
+        t.ready
+  | _ -> ()
+
+(* What the token opens, once it has been passed on. *)
+let opens t (token : Lexer.token) =
+  let column = block_column t in
+  match token.token with
+  | LPAREN -> push t Paren token ~column
+  | UNIT_BRACKET | LBRACKET -> push t Bracket token ~column
+  | LBRACE -> push t Brace token ~column
+  | IF -> push t If token ~column
+  | THEN -> push t Then token ~column
+  | CASE -> push t Case token ~column
+  | LET -> t.opening <- Some (Let, token)
+  | WHERE when t.header ->
+      t.header <- false;
+      t.stack <- [];
+      t.opening <- Some (Top, token)
+  | WHERE -> t.opening <- Some (Where, token)
+  | DO -> t.opening <- Some (Do, token)
+  | OF -> t.opening <- Some (Of, token)
+  | REC -> t.opening <- Some (Rec, token)
+  | _ -> ()
+
+let ordinary t (token : Lexer.token) =
+  (match partner t token.token with
+  | Some found ->
+      pop_until t found;
+      if token.token <> COMMA then pop t
+  | None -> (
+      match token.token with
+      | WHERE when not t.header ->
+          where_closes t token;
+          if token.first && at_top t.stack && token.column <= block_column t then separate t
+      | SEMICOLON -> separate t
+      | _ -> if token.first then line_starts t token.column));
+  if token.token <> SEMICOLON then begin
+    emit_doc t token;
+    (match token.token with
+    | MODULE when t.item_start && at_top t.stack -> t.header <- true
+    | DATA when t.item_start && at_top t.stack -> t.data <- true
+    | _ -> ());
+    t.item_start <- false;
+    pass t token ~last:false;
+    opens t token
+  end
+
+let finish t (token : Lexer.token) =
+  let rec close () =
+    match t.stack with
+    | [] | [ { opener = Block Top; _ } ] -> ()
+    | { opener = Block _; _ } :: _ -> pop t; close ()
+    | _ when at_top t.stack -> ()
+    | _ -> pop t; close ()
+  in
+  (match t.opening with
+  | Some (Top, _) -> emit t END ~stack:t.stack
+  | Some _ -> emit t OPEN ~stack:t.stack; emit t CLOSE ~stack:t.stack
+  | None -> ());
+  t.opening <- None;
+  close ();
+  pass t { token with start = t.before; stop = t.before } ~last:true
+
+(* The token after [where] and the like opens the block, if it stands further
+   right than the block around it; else the block is empty. *)
+let opened t block by (token : Lexer.token) =
+  t.opening <- None;
+  match block with
+  | Top ->
+      (* the end of the header *)
+      emit t END ~stack:t.stack;
+      push t (Block Top) by ~column:token.column;
+      t.item_start <- true;
+      ordinary t { token with first = false }
+  | Let | Where | Do | Of | Rec ->
+      emit t OPEN ~stack:t.stack;
+      if token.column > block_column t then begin
+        push t (Block block) by ~column:token.column;
+        t.item_start <- true;
+        ordinary t { token with first = false }
+      end
+      else begin
+        emit t CLOSE ~stack:t.stack;
+        ordinary t token
+      end
+
+let advance t =
+  let token = Lexer.next t.lexer in
+  if t.before == Lexing.dummy_pos then t.before <- token.start;
+  if t.stack = [] && t.opening = None && not t.header then begin
+    push t (Block Top) token ~column:token.column;
+    t.item_start <- true
+  end;
+  (match (token.token, t.opening) with
+  | END, _ -> finish t token
+  | _, Some (block, by) -> opened t block by token
+  | _, None -> ordinary t token);
+  t.before <- token.stop
+
+let rec next t =
+  match Queue.take_opt t.ready with
+  | Some token -> token
+  | None -> advance t; next t

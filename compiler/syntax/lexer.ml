@@ -1,0 +1,342 @@
+open Basis
+open Grammar
+
+type token = {
+  token : Grammar.token;
+  start : Lexing.position;
+  stop : Lexing.position;
+  column : int;
+  first : bool;
+  doc : string option;
+}
+
+type t = {
+  sink : Diagnostic.sink;
+  file : string;
+  text : string;
+  mutable at : int;
+  mutable line : int;
+  mutable line_start : int;  (** offset *)
+  mutable extra : int;  (** bytes of this line before [at] that start no character *)
+  mutable fresh : bool;  (** no token yet on this line *)
+  mutable doc : string list;  (** lines, last one first *)
+  mutable doc_line : int;  (** of the last of them *)
+  mutable bad_line : int;  (** the last line with an unexpected character *)
+}
+
+let byte_order_mark = "\xef\xbb\xbf"
+
+let create sink ~file text =
+  let marked =
+    String.length text >= 3 && String.equal (String.sub text 0 3) byte_order_mark
+  in
+  let at = if marked then 3 else 0 in
+  {
+    sink; file; text; at; line = 1; line_start = 0; extra = (if marked then 3 else 0);
+    fresh = true; doc = []; doc_line = 0; bad_line = 0;
+  }
+
+(* Past the end there are NULs, which no rule below takes for anything. *)
+let peek t offset =
+  let i = t.at + offset in
+  if i < String.length t.text then String.unsafe_get t.text i else '\000'
+
+let at_end t = t.at >= String.length t.text
+
+let position t : Lexing.position =
+  { pos_fname = t.file; pos_lnum = t.line; pos_bol = t.line_start; pos_cnum = t.at }
+
+(* Steps over one byte within a line. *)
+let step t =
+  if Utf8.is_continuation t.text.[t.at] then t.extra <- t.extra + 1;
+  t.at <- t.at + 1
+
+let newline t =
+  t.at <- t.at + 1;
+  t.line <- t.line + 1;
+  t.line_start <- t.at;
+  t.extra <- 0;
+  t.fresh <- true
+
+let report t ~code ~start ?hint message =
+  let at = Build.span (start, position t) in
+  let d = Diagnostic.error ~code ~at "%s" message in
+  Diagnostic.emit t.sink (match hint with None -> d | Some hint -> Diagnostic.hint hint d)
+
+let is_digit c = c >= '0' && c <= '9'
+let is_lower c = (c >= 'a' && c <= 'z') || c = '_'
+let is_upper c = c >= 'A' && c <= 'Z'
+let is_name c = is_lower c || is_upper c || is_digit c || c = '\''
+
+(* {1 Comments} *)
+
+let skip_line t = while (not (at_end t)) && peek t 0 <> '\n' do step t done
+
+let line_comment t =
+  let fresh = t.fresh in
+  let start = t.at + 2 in
+  skip_line t;
+  let stop = if t.text.[t.at - 1] = '\r' then t.at - 1 else t.at in
+  let text = String.sub t.text start (max 0 (stop - start)) in
+  let without_blank s =
+    if s <> "" && s.[0] = ' ' then String.sub s 1 (String.length s - 1) else s
+  in
+  let text = without_blank text in
+  if fresh then
+    if text <> "" && text.[0] = '|' then begin
+      t.doc <- [ without_blank (String.sub text 1 (String.length text - 1)) ];
+      t.doc_line <- t.line
+    end
+    else if t.doc <> [] && t.doc_line = t.line - 1 then begin
+      t.doc <- text :: t.doc;
+      t.doc_line <- t.line
+    end
+
+let nested_comment t =
+  let start = position t in
+  t.at <- t.at + 2;
+  let opener_stop = position t in
+  let rec go depth =
+    if depth > 0 then
+      if at_end t then
+        Diagnostic.emit t.sink
+          (Diagnostic.error ~code:"E0104" ~at:(Build.span (start, opener_stop))
+             "this comment is never closed"
+          |> Diagnostic.hint "comments nest: each `{-` needs its own `-}`")
+      else
+        match (peek t 0, peek t 1) with
+        | '{', '-' -> t.at <- t.at + 2; go (depth + 1)
+        | '-', '}' -> t.at <- t.at + 2; go (depth - 1)
+        | '\n', _ -> newline t; go depth
+        | _ -> step t; go depth
+  in
+  go 1
+
+let rec skip_blanks t =
+  match (peek t 0, peek t 1) with
+  | (' ' | '\t'), _ -> t.at <- t.at + 1; skip_blanks t
+  | '\n', _ -> newline t; skip_blanks t
+  | '\r', '\n' -> t.at <- t.at + 1; skip_blanks t
+  | '-', '-' -> line_comment t; skip_blanks t
+  | '{', '-' -> nested_comment t; skip_blanks t
+  | _ -> ()
+
+(* {1 Names and numbers} *)
+
+let reserved = function
+  | "let" -> Some LET
+  | "in" -> Some IN
+  | "where" -> Some WHERE
+  | "do" -> Some DO
+  | "of" -> Some OF
+  | "case" -> Some CASE
+  | "if" -> Some IF
+  | "then" -> Some THEN
+  | "else" -> Some ELSE
+  | "proc" -> Some PROC
+  | "rec" -> Some REC
+  | "module" -> Some MODULE
+  | "import" -> Some IMPORT
+  | "qualified" -> Some QUALIFIED
+  | "as" -> Some AS
+  | "data" -> Some DATA
+  | "type" -> Some TYPE
+  | "unit" -> Some UNIT
+  | "primitive" -> Some PRIMITIVE
+  | "_" -> Some UNDERSCORE
+  | ("class" | "instance" | "foreign" | "deriving") as word -> Some (RESERVED word)
+  | _ -> None
+
+let take_name t =
+  let start = t.at in
+  while is_name (peek t 0) do t.at <- t.at + 1 done;
+  String.sub t.text start (t.at - start)
+
+(* Is this `.` tight on both sides and before a lower-case name? *)
+let selects t =
+  is_lower (peek t 1)
+  && t.at > 0
+  && (match t.text.[t.at - 1] with
+     | ')' | ']' | '}' | '"' -> true
+     | c -> is_name c)
+  &&
+  let word_start = t.at + 1 in
+  let rec stop i = if i < String.length t.text && is_name t.text.[i] then stop (i + 1) else i in
+  match reserved (String.sub t.text word_start (stop word_start - word_start)) with
+  | None | Some (QUALIFIED | AS) -> true
+  | Some _ -> false
+
+let lower t =
+  let word = take_name t in
+  match reserved word with Some token -> token | None -> LOWER word
+
+let upper t =
+  let word = take_name t in
+  if peek t 0 <> '.' then UPPER word
+  else if is_upper (peek t 1) then begin
+    t.at <- t.at + 1;
+    QUALIFIED_UPPER (word, take_name t)
+  end
+  else if selects t then begin
+    t.at <- t.at + 1;
+    QUALIFIED_LOWER (word, take_name t)
+  end
+  else UPPER word
+
+let digits t = while is_digit (peek t 0) do t.at <- t.at + 1 done
+
+let number t =
+  let start = position t in
+  let first = t.at in
+  digits t;
+  let point = peek t 0 = '.' && is_digit (peek t 1) in
+  if point then begin t.at <- t.at + 1; digits t end;
+  let exponent =
+    match (peek t 0, peek t 1) with
+    | ('e' | 'E'), ('+' | '-') -> if is_digit (peek t 2) then 2 else 0
+    | ('e' | 'E'), c -> if is_digit c then 1 else 0
+    | _ -> 0
+  in
+  if exponent > 0 then begin t.at <- t.at + exponent; digits t end;
+  let text = String.sub t.text first (t.at - first) in
+  if is_name (peek t 0) then begin
+    let rest = take_name t in
+    report t ~code:"E0105" ~start
+      ~hint:(Printf.sprintf "a unit stands in brackets: `%s[%s]`" text rest)
+      (Printf.sprintf "the number `%s` is directly followed by `%s`" text rest);
+    BAD
+  end
+  else NUMBER (text, point || exponent > 0)
+
+let string t =
+  let start = position t in
+  let text = Buffer.create 16 in
+  t.at <- t.at + 1;
+  let rec go token =
+    match peek t 0 with
+    | '"' -> t.at <- t.at + 1; token
+    | _ when at_end t || peek t 0 = '\n' ->
+        report t ~code:"E0104" ~start "this text is not closed on its line";
+        BAD
+    | '\\' ->
+        let from = position t in
+        t.at <- t.at + 1;
+        let escape c = t.at <- t.at + 1; Buffer.add_char text c; go token in
+        (match peek t 0 with
+        | '"' -> escape '"'
+        | '\\' -> escape '\\'
+        | 'n' -> escape '\n'
+        | 't' -> escape '\t'
+        | _ ->
+            if (not (at_end t)) && peek t 0 <> '\n' then step t;
+            report t ~code:"E0105" ~start:from ~hint:"there are `\\\"`, `\\\\`, `\\n` and `\\t`"
+              "unknown escape in a text";
+            go BAD)
+    | c -> step t; Buffer.add_char text c; go token
+  in
+  match go (STRING "") with STRING _ -> STRING (Buffer.contents text) | token -> token
+
+(* {1 Symbols} *)
+
+let unexpected t =
+  let start = position t in
+  let length = Utf8.length_at t.text t.at in
+  let character = String.sub t.text t.at length in
+  let shown =
+    if character >= " " && character <> "\x7f" then Printf.sprintf "`%s`" character
+    else Printf.sprintf "with code %d" (Char.code character.[0])
+  in
+  for _ = 1 to length do step t done;
+  let hint =
+    match character with
+    | "'" -> Some "an infix name stands in backticks, as in ``x `mod` 2``"
+    | "%" -> Some "the remainder is ``x `mod` y``"
+    | "\u{2212}" | "\u{2013}" -> Some "the minus sign is `-`"
+    | "\u{2192}" -> Some "the arrow is `->`"
+    | "\u{2264}" -> Some "write `<=`"
+    | "\u{2265}" -> Some "write `>=`"
+    | "\u{2260}" -> Some "write `/=`"
+    | "\u{201c}" | "\u{201d}" -> Some "a text stands in `\"`"
+    | "\u{2018}" | "\u{2019}" -> Some "a prime is `'`, and an infix name stands in backticks"
+    | _ when length > 1 -> Some "names are made of `a`–`z`, `A`–`Z`, digits, `_` and primes"
+    | _ -> None
+  in
+  (* one a line: the rest of the line is likely to be of the same kind *)
+  if t.bad_line <> t.line then report t ~code:"E0103" ~start ?hint (Printf.sprintf "unexpected character %s" shown);
+  t.bad_line <- t.line;
+  BAD
+
+let punctuation = function
+  | "(" -> LPAREN
+  | ")" -> RPAREN
+  | "{" -> LBRACE
+  | "}" -> RBRACE
+  | "]" -> RBRACKET
+  | "," -> COMMA
+  | ";" -> SEMICOLON
+  | "`" -> BACKTICK
+  | "@" -> AT
+  | "\\" -> BACKSLASH
+  | "=" -> EQUAL
+  | "|" -> BAR
+  | "->" -> ARROW
+  | "<-" -> LEFT_ARROW
+  | "-<" -> TAIL
+  | "=>" -> DOUBLE_ARROW
+  | "::" -> DOUBLE_COLON
+  | "-" -> MINUS
+  | "/" -> SLASH
+  | "*" -> STAR
+  | "^" -> CARET
+  | operator -> OPERATOR operator
+
+let is_symbol =
+  let known = Hashtbl.create 64 in
+  List.iter (fun s -> Hashtbl.replace known s ())
+    ([ "("; ")"; "{"; "}"; "]"; ","; ";"; "`"; "@"; "\\"; "="; "|"; "->"; "<-"; "-<"; "=>"; "::" ]
+    @ Operators.symbols);
+  Hashtbl.mem known
+
+let symbol t =
+  let rec longest n =
+    if n = 0 then None
+    else if t.at + n <= String.length t.text && is_symbol (String.sub t.text t.at n) then Some n
+    else longest (n - 1)
+  in
+  match longest 3 with
+  | Some n ->
+      let text = String.sub t.text t.at n in
+      t.at <- t.at + n;
+      punctuation text
+  | None -> unexpected t
+
+let bracket t =
+  let tight = t.at > 0 && is_name t.text.[t.at - 1] in
+  t.at <- t.at + 1;
+  if tight then UNIT_BRACKET else LBRACKET
+
+let next t =
+  skip_blanks t;
+  let start = position t in
+  let column = t.at - t.line_start + 1 - t.extra in
+  let first = t.fresh in
+  let doc =
+    match t.doc with [] -> None | lines -> Some (String.concat "\n" (List.rev lines))
+  in
+  t.doc <- [];
+  t.fresh <- false;
+  let token =
+    if at_end t then END
+    else
+      match peek t 0 with
+      | c when is_lower c -> lower t
+      | c when is_upper c -> upper t
+      | c when is_digit c -> number t
+      | '"' -> string t
+      | '[' -> bracket t
+      | '.' when selects t ->
+          t.at <- t.at + 1;
+          FIELD (take_name t)
+      | _ -> symbol t
+  in
+  { token; start; stop = position t; column; first; doc }

@@ -1,0 +1,161 @@
+open Basis
+open Surface
+
+type side = Left | Right | Neither
+
+let table =
+  [
+    (9, Right, [ "." ]);
+    (9, Left, [ "!" ]);
+    (8, Right, [ "^"; "**" ]);
+    (7, Left, [ "*"; "/"; "*^" ]);
+    (6, Left, [ "+"; "-"; "^+^"; "^-^" ]);
+    (4, Neither, [ "=="; "/="; "<"; "<="; ">"; ">=" ]);
+    (3, Right, [ "&&"; "***"; "&&&" ]);
+    (2, Right, [ "||" ]);
+    (1, Right, [ ">>>"; "<<<" ]);
+    (0, Right, [ "$" ]);
+  ]
+
+let symbols = List.concat_map (fun (_, _, symbols) -> symbols) table
+
+(* A name in backticks binds like [!], but [div] and [mod] like [*]. *)
+let precedence (operator : Ir.qualified) =
+  match operator.name.text with
+  | "div" | "mod" -> (7, Left)
+  | text -> (
+      match List.find_opt (fun (_, _, symbols) -> List.mem text symbols) table with
+      | Some (level, side, _) -> (level, side)
+      | None -> (9, Left))
+
+let minus_level = 6
+
+type pending =
+  | Binary of { left : term; operator : Ir.qualified; level : int; side : side }
+  | Unary of Span.t
+
+let shown (operator : Ir.qualified) = operator.name.text
+
+let literal_exponent (operator : Ir.qualified) (right : term) =
+  let reject span =
+    Reject.at ~code:"E0117" span
+      ~hint:"for other exponents there is `**`, on numbers without a unit"
+      "the exponent of `%s` must be a whole number written out" (shown operator)
+  in
+  let rec read negative (t : term) =
+    match t.desc with
+    | Parenthesized t -> read negative t
+    | Negated t when not negative -> read true t
+    | Number { digits; decimal = false; unit_ = None } -> (
+        match int_of_string_opt ("0u" ^ digits) with
+        | Some n when n <= 0x7fff_ffff -> if negative then -n else n
+        | Some _ | None -> reject right.span)
+    | Number _ | Negated _ | Expression _ | Wildcard | As _ | Variable _ | Constructor _
+    | Tuple _ | Application _ | Braces _ ->
+        reject right.span
+  in
+  read false right
+
+let apply (left : term) (operator : Ir.qualified) (right : term) : term =
+  let span = Span.merge left.span right.span in
+  let desc : Ir.expr_desc =
+    match operator with
+    | { qualifier = None; name = { text = "^"; _ }; _ } ->
+        let exponent = literal_exponent operator right in
+        Power { base = Term.to_expr left; exponent }
+    | { qualifier = None; name = { text = "$"; _ }; _ } ->
+        Apply (Term.to_expr left, Term.to_expr right)
+    | _ -> Binary { operator; left = Term.to_expr left; right = Term.to_expr right }
+  in
+  { desc = Expression desc; span }
+
+let negate span (operand : term) : term = { desc = Negated operand; span = Span.merge span operand.span }
+
+let reject_two (first : Ir.qualified) (second : Ir.qualified) =
+  Reject.diagnostic
+    (Diagnostic.error ~code:"E0113" ~at:second.span
+       "`%s` and `%s` do not combine without parentheses" (shown first) (shown second)
+    |> Diagnostic.label ~at:first.span "after this one"
+    |> Diagnostic.hint "put parentheses around the part that comes first")
+
+let reject_minus (operator : Ir.qualified) at =
+  Reject.diagnostic
+    (Diagnostic.error ~code:"E0113" ~at "a minus sign directly after `%s` needs parentheses"
+       (shown operator)
+    |> Diagnostic.hint "write `(-x)`")
+
+(* Operator precedence parsing with an explicit stack. [reduce] applies what
+   binds its left neighbour tighter than an operator of [level] would. *)
+let rec reduce stack operand level side next =
+  match stack with
+  | Binary b :: rest ->
+      if b.level > level || (b.level = level && b.side = Left && side = Left) then
+        reduce rest (apply b.left b.operator operand) level side next
+      else if b.level = level && not (b.side = Right && side = Right) then
+        reject_two b.operator next
+      else (stack, operand)
+  | Unary at :: rest ->
+      if minus_level > level || (minus_level = level && side = Left) then
+        reduce rest (negate at operand) level side next
+      else (stack, operand)
+  | [] -> (stack, operand)
+
+let push stack = function
+  | Minus at ->
+      (match stack with
+      | Binary b :: _ when b.level >= minus_level -> reject_minus b.operator at
+      | Unary first :: _ ->
+          Reject.diagnostic
+            (Diagnostic.error ~code:"E0113" ~at "two minus signs in a row need parentheses"
+            |> Diagnostic.label ~at:first "the first")
+      | Binary _ :: _ | [] -> ());
+      Unary at :: stack
+  | Operand { operand; operator } ->
+      let level, side = precedence operator in
+      let stack, left = reduce stack operand level side operator in
+      Binary { left; operator; level; side } :: stack
+
+let rec finish stack operand =
+  match stack with
+  | [] -> operand
+  | Binary b :: rest -> finish rest (apply b.left b.operator operand)
+  | Unary at :: rest -> finish rest (negate at operand)
+
+let group steps last =
+  match steps with
+  | [] -> last
+  | _ -> finish (List.fold_left push [] (List.rev steps)) last
+
+(* What is left on the stack before the end are the outermost operators of the
+   operand; the bottom one binds loosest. *)
+let loosest stack =
+  match List.rev stack with
+  | [] -> None
+  | Binary b :: _ -> Some (b.level, b.side, Some b.operator)
+  | Unary _ :: _ -> Some (minus_level, Left, None)
+
+let reject_section (operator : Ir.qualified) inner =
+  let inside = match inner with Some inner -> shown inner | None -> "-" in
+  Reject.at ~code:"E0113" operator.span
+    ~hint:"put parentheses around the operand of the section"
+    "in this section `%s` would take only a part of what `%s` makes" (shown operator) inside
+
+let check_section (operator : Ir.qualified) wanted stack =
+  let level, side = precedence operator in
+  match loosest stack with
+  | None -> ()
+  | Some (inner_level, inner_side, inner) ->
+      if inner_level < level || (inner_level = level && not (side = wanted && inner_side = wanted))
+      then reject_section operator inner
+
+let section ~span desc : term = { desc = Expression desc; span }
+
+let left_section ~span steps last operator =
+  let stack = List.fold_left push [] (List.rev steps) in
+  check_section operator Left stack;
+  section ~span (Left_section { left = Term.to_expr (finish stack last); operator })
+
+let right_section ~span operator steps last =
+  let stack = List.fold_left push [] (List.rev steps) in
+  check_section operator Right stack;
+  section ~span (Right_section { operator; right = Term.to_expr (finish stack last) })

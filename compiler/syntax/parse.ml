@@ -1,0 +1,144 @@
+open Basis
+module Automaton = Grammar.MenhirInterpreter
+
+(* After so many broken items the file is hardly a Frob program. *)
+let most_errors = 50
+
+type reader = { layout : Layout.t; sink : Diagnostic.sink; text : string }
+
+(* To the end of the item that this token belongs to. *)
+let rec skip reader (token : Layout.token) =
+  match token.token with END -> token.last | _ -> skip reader (Layout.next reader.layout)
+
+type outcome = Item of Surface.item | Failed
+
+let item reader =
+  let token = ref (Layout.next reader.layout) in
+  let start = !token.start in
+  let supply () =
+    let t = !token in
+    (t.token, t.start, t.stop)
+  in
+  let rec run before checkpoint =
+    match checkpoint with
+    | Automaton.InputNeeded _ -> (
+        match (!token).token with
+        | BAD -> (Failed, skip reader !token)
+        | _ -> run before (Automaton.offer checkpoint (supply ())))
+    | Automaton.Shifting _ | Automaton.AboutToReduce _ -> (
+        match Automaton.resume checkpoint with
+        | checkpoint -> advance before checkpoint
+        | exception Reject.Rejected d ->
+            Diagnostic.emit reader.sink d;
+            (Failed, skip reader !token))
+    | Automaton.HandlingError env ->
+        let state = Automaton.current_state_number env in
+        Syntax_error.report reader.sink ~text:reader.text ~state ~before !token;
+        (Failed, skip reader !token)
+    | Automaton.Accepted item -> (Item item, (!token).last)
+    | Automaton.Rejected -> (Failed, skip reader !token)
+  (* a token that was shifted makes room for the next *)
+  and advance before checkpoint =
+    match checkpoint with
+    | Automaton.InputNeeded _ ->
+        let shifted = !token in
+        if shifted.token = END then run before checkpoint
+        else begin
+          token := Layout.next reader.layout;
+          run (Some shifted) checkpoint
+        end
+    | Automaton.Shifting _ | Automaton.AboutToReduce _ | Automaton.HandlingError _
+    | Automaton.Accepted _ | Automaton.Rejected ->
+        run before checkpoint
+  in
+  run None (Grammar.Incremental.item start)
+
+let misplaced sink code span message hint =
+  Diagnostic.emit sink (Diagnostic.error ~code ~at:span "%s" message |> Diagnostic.hint hint)
+
+(* Puts the items in their places; all lists last one first. *)
+let rec collect reader (program : Ir.program) errors =
+  if errors >= most_errors then program
+  else
+    let outcome, last = item reader in
+    let program, errors =
+      match outcome with
+      | Failed -> (program, errors + 1)
+      | Item Nothing -> (program, errors)
+      | Item (Header header) ->
+          if program.header <> None || program.imports <> [] || program.declarations <> [] then
+            misplaced reader.sink "E0118" header.span "`module` stands at the very beginning of a file"
+              "move it to the first line, or leave it out";
+          ({ program with header = Some header }, errors)
+      | Item (Import import) ->
+          if program.declarations <> [] then
+            misplaced reader.sink "E0118" import.span "an `import` stands before all definitions"
+              "move it up";
+          ({ program with imports = import :: program.imports }, errors)
+      | Item (Declaration d) -> (
+          match program.declarations with
+          | previous :: _ when Build.second_clause previous d <> None ->
+              Option.iter (Diagnostic.emit reader.sink) (Build.second_clause previous d);
+              (program, errors)
+          | declarations -> ({ program with declarations = d :: declarations }, errors))
+    in
+    if last then program else collect reader program errors
+
+let read sink ~file text =
+  let layout = Layout.create (Lexer.create sink ~file text) in
+  let empty : Ir.program = { file; header = None; imports = []; declarations = [] } in
+  match collect { layout; sink; text } empty 0 with
+  | program ->
+      Some
+        {
+          program with
+          imports = List.rev program.imports;
+          declarations = List.rev program.declarations;
+        }
+  | exception Layout.Too_deep token ->
+      Diagnostic.emit sink
+        (Diagnostic.error ~code:"E0106" ~at:(Build.span (token.start, token.stop))
+           "this is nested more than %d levels deep" Layout.deepest
+        |> Diagnostic.hint "give the inner parts names of their own");
+      None
+
+(* The span of one byte (or of [length]) at an offset. *)
+let span_at ~file text offset length =
+  let line = ref 1 and line_start = ref 0 in
+  String.iteri
+    (fun i c -> if i < offset && c = '\n' then begin incr line; line_start := i + 1 end)
+    text;
+  let column = offset - !line_start + 1 in
+  Span.make ~file
+    ~start:{ line = !line; column }
+    ~stop:{ line = !line; column = column + length }
+
+let check_tabs sink ~file text =
+  match String.index_opt text '\t' with
+  | None -> ()
+  | Some offset ->
+      let count = ref 0 in
+      String.iter (fun c -> if c = '\t' then incr count) text;
+      let more = if !count = 1 then "" else Printf.sprintf " (%d in this file)" !count in
+      Diagnostic.emit sink
+        (Diagnostic.error ~code:"E0102" ~at:(span_at ~file text offset 1)
+           "a tab: indentation counts, so only spaces are allowed%s" more
+        |> Diagnostic.hint "let the editor write spaces for tabs")
+
+let program sink ~file text =
+  match Utf8.first_error text with
+  | Some offset ->
+      Diagnostic.emit sink
+        (Diagnostic.error ~code:"E0101" ~at:(span_at ~file text offset 1)
+           "this file is not valid UTF-8: byte %d cannot stand here" (Char.code text.[offset])
+        |> Diagnostic.hint "is this a text file? save it as UTF-8");
+      None
+  | None -> (
+      (* a sink of this file's own, to know whether this file is at fault *)
+      let own = Diagnostic.sink () in
+      check_tabs own ~file text;
+      let program = read own ~file text in
+      List.iter (Diagnostic.emit sink) (Diagnostic.all own);
+      match program with
+      | Some program when not (Diagnostic.has_errors own) -> Some program
+      | Some _ | None -> None)

@@ -1,0 +1,51 @@
+(** Surface: what the grammar builds on the way to {!Ir}.
+
+    A pattern and an expression can start alike, and only a later [=], [<-] or
+    [->] tells them apart. So the grammar reads both as a {!term}, and
+    {!Term} turns it into the one or the other. *)
+
+open Basis
+
+type term = { desc : term_desc; span : Span.t }
+
+and term_desc =
+  | Expression of Ir.expr_desc  (** cannot be a pattern *)
+  | Wildcard
+  | As of Ir.name * term
+  | Variable of Ir.qualified
+  | Constructor of Ir.qualified
+  | Number of Ir.number
+  | Negated of term
+  | Tuple of term list  (** none, or at least two *)
+  | Parenthesized of term
+  | Application of { head : term; arguments : term list }  (** at least one *)
+  | Braces of { before : term; fields : (Ir.name * term) list }
+      (** a record made or matched ([before] is a constructor), or updated *)
+
+(** One step of [a + - b * c] before its last operand. *)
+type step =
+  | Operand of { operand : term; operator : Ir.qualified }
+  | Minus of Span.t
+
+(** A statement of a [do] as written. *)
+type statement =
+  | Arrow_bind of { left : term; right : Ir.expr }  (** [p <- e] *)
+  | Command_bind of { left : term; command : Ir.command }  (** [p <- sf -< e] *)
+  | Bare_command of Ir.command
+  | Bare_expression of term
+  | Let of Ir.declaration list
+  | Rec of statement list
+
+(** A factor of a unit, or of the right side of a [unit] declaration. *)
+type factor = { factor : factor_desc; over : bool;  (** after [/] *) span : Span.t }
+
+and factor_desc =
+  | Amount of { digits : string; decimal : bool }
+  | Measure of Ir.unit_
+
+(** What stands between two separators at the top of a file. *)
+type item =
+  | Header of Ir.header
+  | Import of Ir.import
+  | Declaration of Ir.declaration
+  | Nothing

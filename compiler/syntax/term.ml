@@ -1,0 +1,122 @@
+open Basis
+open Surface
+
+let map f list = List.rev (List.rev_map f list)
+
+let rec to_expr (t : term) : Ir.expr =
+  let make desc : Ir.expr = { desc; span = t.span } in
+  match t.desc with
+  | Expression desc -> make desc
+  | Variable x -> make (Variable x)
+  | Constructor c -> make (Constructor c)
+  | Number n -> make (Number n)
+  | Negated t -> make (Negate (to_expr t))
+  | Tuple ts -> make (Tuple (map to_expr ts))
+  | Parenthesized t -> make (Parenthesized (to_expr t))
+  | Application { head; arguments } ->
+      let apply (f : Ir.expr) argument : Ir.expr =
+        let argument = to_expr argument in
+        { desc = Apply (f, argument); span = Span.merge f.span argument.span }
+      in
+      List.fold_left apply (to_expr head) arguments
+  | Braces { before; fields } -> (
+      let fields = map (fun (name, t) -> (name, to_expr t)) fields in
+      match before.desc with
+      | Constructor constructor -> make (Record { constructor; fields })
+      | Expression _ | Wildcard | As _ | Variable _ | Number _ | Negated _ | Tuple _
+      | Parenthesized _ | Application _ | Braces _ ->
+          make (Update { record = to_expr before; fields }))
+  | Wildcard ->
+      Reject.at ~code:"E0114" t.span "`_` is a pattern that matches anything; it has no value"
+  | As (x, _) ->
+      Reject.at ~code:"E0114" t.span "`%s@…` is a pattern and cannot stand in an expression" x.text
+
+let no_pattern span what =
+  Reject.at ~code:"E0114" span "%s cannot be part of a pattern" what
+
+let unqualified (x : Ir.qualified) =
+  match x.qualifier with
+  | None -> x.name
+  | Some q ->
+      Reject.at ~code:"E0114" x.span "a pattern binds new names; `%s.%s` is one of another module"
+        q.text x.name.text
+
+let is_operator (x : Ir.name) =
+  match x.text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
+
+let rec to_pattern (t : term) : Ir.pattern =
+  let make desc : Ir.pattern = { desc; span = t.span } in
+  match t.desc with
+  | Wildcard -> make Any
+  | Variable x ->
+      let name = unqualified x in
+      if is_operator name then
+        Reject.at ~code:"E0114" t.span "a pattern cannot bind the operator `%s`" name.text;
+      make (Bound name)
+  | As (x, t) -> make (As (x, to_pattern t))
+  | Constructor c -> make (Constructed (c, []))
+  | Number number -> make (Literal { negative = false; number })
+  | Negated { desc = Number number; _ } -> make (Literal { negative = true; number })
+  | Tuple ts -> make (Tuple_of (map to_pattern ts))
+  | Parenthesized t -> { (to_pattern t) with span = t.span }
+  | Application { head = { desc = Constructor c; _ }; arguments } ->
+      make (Constructed (c, map to_pattern arguments))
+  | Application { head; _ } ->
+      Reject.at ~code:"E0114" head.span
+        ~hint:"a pattern that takes a value apart starts with a constructor, as in `Just x`"
+        "a function cannot be applied in a pattern"
+  | Braces { before = { desc = Constructor c; _ }; fields } ->
+      make (Record_of (c, map (fun (name, t) -> (name, to_pattern t)) fields))
+  | Braces { before; _ } ->
+      Reject.at ~code:"E0114" before.span
+        ~hint:"a record pattern starts with a constructor, as in `Pose { heading = h }`"
+        "this cannot stand before the braces of a pattern"
+  | Negated t -> no_pattern t.span "a minus sign before anything but a number"
+  | Expression desc -> no_expression t.span desc
+
+and no_expression span (desc : Ir.expr_desc) =
+  match desc with
+  | Binary { operator; _ } ->
+      Reject.at ~code:"E0114" operator.span "the operator `%s` cannot be part of a pattern"
+        operator.name.text
+  | Power _ -> no_pattern span "a power"
+  | String _ -> no_pattern span "a text"
+  | If _ -> no_pattern span "an `if`"
+  | Case _ -> no_pattern span "a `case`"
+  | Let _ -> no_pattern span "a `let`"
+  | Lambda _ -> no_pattern span "a function"
+  | Proc _ -> no_pattern span "a `proc`"
+  | Field _ -> no_pattern span "the selection of a field"
+  | Annotated _ ->
+      Reject.at ~code:"E0114" span
+        ~hint:"give the definition a signature of its own"
+        "a type cannot be part of a pattern"
+  | Left_section _ | Right_section _ -> no_pattern span "an operator"
+  | Apply _ | Update _ | Variable _ | Constructor _ | Number _ | Tuple _ | Negate _ | Record _
+  | Parenthesized _ ->
+      no_pattern span "this expression"
+
+let rec to_left (t : term) : Ir.left =
+  match t.desc with
+  | Variable x -> Name (unqualified x)
+  | Parenthesized inner -> to_left_inside inner
+  | Application { head = { desc = Variable x; _ }; arguments } ->
+      Function_name { name = unqualified x; parameters = map to_pattern arguments }
+  | Expression (Binary { operator; _ }) ->
+      Reject.at ~code:"E0114" operator.span
+        ~hint:"a function of two arguments can be used infix, in backticks"
+        "the left side of a definition cannot use `%s`: programs define no operators"
+        operator.name.text
+  | Application { head = { desc = Parenthesized _; _ } as head; _ } ->
+      Reject.at ~code:"E0114" head.span ~hint:"leave out the parentheses: `f x y = …`"
+        "the left side of a definition starts with the name it defines"
+  | Application _ | Expression _ | Wildcard | As _ | Constructor _ | Number _ | Negated _
+  | Tuple _ | Braces _ ->
+      Pattern (to_pattern t)
+
+and to_left_inside (t : term) : Ir.left =
+  match t.desc with
+  | Variable _ -> to_left t
+  | Application _ | Parenthesized _ | Expression _ | Wildcard | As _ | Constructor _ | Number _
+  | Negated _ | Tuple _ | Braces _ ->
+      Pattern (to_pattern t)
