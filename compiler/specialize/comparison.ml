@@ -1,0 +1,147 @@
+open Basis
+module Ir = Flow.Ir
+
+type position = { types : Types.table; node : Node.t; span : Span.t }
+
+let define p target rhs = Node.define p.node target ~span:p.span Bool rhs
+let operate p target operator atoms = define p target (Op (operator, atoms))
+
+let not_ p target (a : Ir.atom) : Ir.atom =
+  match a with
+  | Bool a -> Bool (not a)
+  | Signal _ | Int _ | Float _ -> operate p target Not [ a ]
+
+let and_ p target (a : Ir.atom) (b : Ir.atom) : Ir.atom =
+  match (a, b) with
+  | Bool false, _ | _, Bool false -> Bool false
+  | Bool true, other | other, Bool true -> other
+  | (Signal _ | Int _ | Float _), _ -> operate p target And [ a; b ]
+
+let or_ p target (a : Ir.atom) (b : Ir.atom) : Ir.atom =
+  match (a, b) with
+  | Bool true, _ | _, Bool true -> Bool true
+  | Bool false, other | other, Bool false -> other
+  | (Signal _ | Int _ | Float _), _ -> operate p target Or [ a; b ]
+
+let if_ p target condition (then_ : Ir.atom) (else_ : Ir.atom) : Ir.atom =
+  match (condition : Ir.atom) with
+  | Bool true -> then_
+  | Bool false -> else_
+  | Signal _ | Int _ | Float _ -> define p target (If { condition; then_; else_ })
+
+let has p ty value index =
+  Leaves.is_constructor p.types p.node Unnamed ~span:p.span ty value index
+
+let fields p ty value constructor parts =
+  List.mapi
+    (fun field (part : Types.part) ->
+      ( part.ty,
+        Leaves.payload p.types p.node Unnamed ~span:p.span ty value ~constructor ~field ))
+    parts
+
+(* The fields of two values that both have this constructor. *)
+let field_pairs p ty a b constructor parts =
+  List.map2
+    (fun (ty, a) (_, b) -> (ty, a, b))
+    (fields p ty a constructor parts)
+    (fields p ty b constructor parts)
+
+let part_pairs parts a b =
+  List.mapi
+    (fun i (part : Types.part) -> (part.ty, Leaves.component a i, Leaves.component b i))
+    parts
+
+let numbers p ty a b =
+  [ Leaves.atom p.types p.node ~span:p.span ty a; Leaves.atom p.types p.node ~span:p.span ty b ]
+
+let refuse ty =
+  Diagnostic.bug ~stage:"Specialize.Comparison" "values of type %s are compared"
+    (Types.to_string ty)
+
+let rec equal p target ty a b : Ir.atom =
+  match ((Types.layout p.types ty).kind, ty) with
+  | Scalar, Bool -> (
+      match numbers p ty a b with
+      | [ a; b ] -> if_ p target a b (not_ p Node.Unnamed b)
+      | _ -> refuse ty)
+  | Scalar, _ -> operate p target Equal (numbers p ty a b)
+  | Product parts, _ -> equal_parts p target (part_pairs parts a b)
+  | Sum constructors, _ ->
+      (* By the constructor of [a]; the last one needs no test. *)
+      let rec from index =
+        let both =
+          lazy
+            (let payload =
+               equal_parts p Node.Unnamed (field_pairs p ty a b index constructors.(index))
+             in
+             and_ p Node.Unnamed (has p ty b index) payload)
+        in
+        if index = Array.length constructors - 1 then Lazy.force both
+        else
+          let target = if index = 0 then target else Node.Unnamed in
+          let test = has p ty a index in
+          let then_ = Lazy.force both in
+          if_ p target test then_ (from (index + 1))
+      in
+      from 0
+  | Opaque, _ -> refuse ty
+
+and equal_parts p target pairs : Ir.atom =
+  match pairs with
+  | [] -> Bool true
+  | [ (ty, a, b) ] -> equal p target ty a b
+  | (ty, a, b) :: others ->
+      let first = equal p Node.Unnamed ty a b in
+      and_ p target first (equal_parts p Node.Unnamed others)
+
+(* What [<] and [<=] differ in: numbers, and products whose parts are equal. *)
+type order = { of_scalars : Ir.operator; of_equals : bool }
+
+let strict = { of_scalars = Less; of_equals = false }
+let weak = { of_scalars = Less_equal; of_equals = true }
+
+let rec ordered p order target ty a b : Ir.atom =
+  match ((Types.layout p.types ty).kind, ty) with
+  | Scalar, Bool -> (
+      match numbers p ty a b with
+      | [ a; b ] ->
+          if order.of_equals then or_ p target (not_ p Node.Unnamed a) b
+          else and_ p target (not_ p Node.Unnamed a) b
+      | _ -> refuse ty)
+  | Scalar, _ -> operate p target order.of_scalars (numbers p ty a b)
+  | Product parts, _ -> ordered_parts p order target (part_pairs parts a b)
+  | Sum constructors, _ ->
+      (* Where [a] has constructor [index] and none before: [b] is less if it
+         has one of those before. *)
+      let last = Array.length constructors - 1 in
+      let rec from index b_before =
+        let pairs = field_pairs p ty a b index constructors.(index) in
+        let same = ordered_parts p order Node.Unnamed pairs in
+        let b_has = has p ty b index in
+        let here =
+          if index = last then and_ p Node.Unnamed b_has same
+          else
+            if_ p Node.Unnamed b_has same (not_ p Node.Unnamed b_before)
+        in
+        if index = last then here
+        else
+          let target = if index = 0 then target else Node.Unnamed in
+          let test = has p ty a index in
+          let later = from (index + 1) (or_ p Node.Unnamed b_before b_has) in
+          if_ p target test here later
+      in
+      from 0 (Bool false)
+  | Opaque, _ -> refuse ty
+
+and ordered_parts p order target pairs : Ir.atom =
+  match pairs with
+  | [] -> Bool order.of_equals
+  | [ (ty, a, b) ] -> ordered p order target ty a b
+  | (ty, a, b) :: others ->
+      let less = ordered p strict Node.Unnamed ty a b in
+      let equal = equal p Node.Unnamed ty a b in
+      let rest = ordered_parts p order Node.Unnamed others in
+      or_ p target less (and_ p Node.Unnamed equal rest)
+
+let less p target ty a b = ordered p strict target ty a b
+let less_equal p target ty a b = ordered p weak target ty a b

@@ -1,0 +1,21 @@
+(** Equality and order of data, by its structure.
+
+    Products compare their parts in order; sums compare constructors in the
+    order of their declaration, then payloads. All comes down to [==] and [<]
+    of numbers, so with NaN inside, a product is neither equal to, less than
+    nor greater than another whose other parts do not decide. *)
+
+open Basis
+
+type position = { types : Types.table; node : Node.t; span : Span.t }
+(** Where the equations go. *)
+
+val equal : position -> Node.target -> Core.Ir.ty -> Value.t -> Value.t -> Flow.Ir.atom
+val less : position -> Node.target -> Core.Ir.ty -> Value.t -> Value.t -> Flow.Ir.atom
+val less_equal : position -> Node.target -> Core.Ir.ty -> Value.t -> Value.t -> Flow.Ir.atom
+
+(** {1 Operations on Bool, with what is known folded} *)
+
+val not_ : position -> Node.target -> Flow.Ir.atom -> Flow.Ir.atom
+val and_ : position -> Node.target -> Flow.Ir.atom -> Flow.Ir.atom -> Flow.Ir.atom
+val or_ : position -> Node.target -> Flow.Ir.atom -> Flow.Ir.atom -> Flow.Ir.atom

@@ -1,0 +1,62 @@
+(** What one specialization of a program carries along. *)
+
+open Basis
+
+type options = {
+  limit : int;  (** how often one definition may be specialized *)
+  depth : int;  (** how deeply calls may nest *)
+}
+
+val default : options
+
+(** {1 The calls that led to a place} *)
+
+type trail
+
+val start : trail
+val entering : name:string -> span:Span.t -> trail -> trail
+
+(** {1 The context} *)
+
+type definition = { core : Core.Ir.definition; code : int  (** a number that is no local's *) }
+
+type specialization = {
+  callee : callee;
+  result : Value.t;  (** in terms of the node's own signals *)
+  outputs : Flow.Ir.atom list;  (** the holes of the result *)
+}
+
+and callee =
+  | Node of int
+  | Nothing of Flow.Ir.signal list
+      (** a node without equations; its statics and inputs *)
+
+type t = {
+  sink : Diagnostic.sink;
+  options : options;
+  types : Types.table;
+  free : Free.table;
+  keys : Skeleton.table;
+  fresh : unit -> int;
+  definitions : (string * string, definition) Hashtbl.t;
+  names : Names.t;  (** of nodes *)
+  globals : (int, Value.t) Hashtbl.t;  (** values of definitions without signals *)
+  specializations : (int, specialization) Hashtbl.t;  (** by {!Skeleton.key} *)
+  counts : (string, int) Hashtbl.t;  (** specializations of a definition *)
+  mutable nodes : Flow.Ir.node list;  (** the last one first *)
+  mutable node_count : int;
+}
+
+val create : Diagnostic.sink -> options -> Core.Ir.program -> t
+
+exception Stopped
+(** An error was reported that leaves nothing to go on with. *)
+
+val check_depth : t -> trail -> unit
+(** Reports calls that nest too deeply. May raise {!Stopped}. *)
+
+val count : t -> trail -> name:string -> span:Span.t -> unit
+(** One more specialization of the definition, which may be one too many. May
+    raise {!Stopped}. *)
+
+val add_node : t -> Flow.Ir.node -> int

@@ -1,0 +1,22 @@
+(** From Core to Flow: runs everything that is static.
+
+    A symbolic evaluator. What is known while compiling (functions, signal
+    functions, types) is simply evaluated; an operation on numbers becomes an
+    equation of the node under construction; a call of a function with a
+    first-order result, and a run of a signal function, become an instance of
+    a node made for that code and the functions it gets (see {!Skeleton}).
+    Core without recursion always comes to an end.
+
+    After it no functions, signal functions, tuples and records are left. *)
+
+open Basis
+
+val program :
+  ?options:Context.options ->
+  Diagnostic.sink ->
+  name:string ->
+  entry:Core.Ir.Global.t ->
+  Core.Ir.program ->
+  Flow.Ir.program option
+(** [name]: of the C files. The entry is a closed signal function or program;
+    [None] if errors were reported. *)

@@ -1,0 +1,66 @@
+open Basis
+module Set = Variables.Set
+module Ir = Core.Ir
+
+type table = { free : (int, Set.t) Hashtbl.t; used : (int, unit) Hashtbl.t }
+
+let table () = { free = Hashtbl.create 256; used = Hashtbl.create 256 }
+
+(* What stays free around a parameter, having noted whether it is used. *)
+let bind table (binder : Ir.binder) body =
+  let id = binder.local.id in
+  if Set.mem id body then Hashtbl.replace table.used id ();
+  let free = Set.remove id body in
+  Hashtbl.replace table.free id free;
+  free
+
+let rec free table (e : Ir.expr) =
+  match e.desc with
+  | Local (local, _) -> Set.singleton local.id
+  | Global _ | Primitive _ | Number _ | Boolean _ | String _ -> Set.empty
+  | Lambda (binder, body) -> bind table binder (free table body)
+  | Apply (f, argument) -> Set.union (free table f) (free table argument)
+  | Let { binder; parameters; value; body } ->
+      let in_value = named table binder parameters (free table value) in
+      Set.union in_value (Set.remove binder.local.id (free table body))
+  | Tuple parts | Construct { arguments = parts; _ } ->
+      List.fold_left (fun set part -> Set.union set (free table part)) Set.empty parts
+  | Component (e, _) | Is_constructor (e, _) | Payload { value = e; _ } -> free table e
+  | If (condition, then_, else_) ->
+      Set.union (free table condition) (Set.union (free table then_) (free table else_))
+  | Proc proc -> free_of_proc table proc
+
+and named table (binder : Ir.binder) parameters in_value =
+  if parameters <> [] then Hashtbl.replace table.free binder.local.id in_value;
+  in_value
+
+and free_of_proc table (proc : Ir.proc) =
+  let of_equation (eq : Ir.equation) =
+    let in_rhs =
+      match eq.rhs with
+      | Pure e -> free table e
+      | Run { signal_function; input } ->
+          Set.union (free table signal_function) (free table input)
+    in
+    named table eq.binder eq.parameters in_rhs
+  in
+  let all =
+    List.fold_left
+      (fun set eq -> Set.union set (of_equation eq))
+      (free table proc.output) proc.equations
+  in
+  let unbound =
+    List.fold_left
+      (fun set (eq : Ir.equation) -> Set.remove eq.binder.local.id set)
+      all proc.equations
+  in
+  bind table proc.input unbound
+
+let expr table e = ignore (free table e)
+
+let of_code table id =
+  match Hashtbl.find_opt table.free id with
+  | Some set -> set
+  | None -> Diagnostic.bug ~stage:"Specialize.Free" "no code is named by %d" id
+
+let uses_binder table id = Hashtbl.mem table.used id

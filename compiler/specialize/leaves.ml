@@ -1,0 +1,173 @@
+open Basis
+module Ir = Flow.Ir
+
+let bug format = Diagnostic.bug ~stage:"Specialize.Leaves" format
+
+(* An atom's type is not written on constants. *)
+let rec atoms table node ~span ty value =
+  List.rev (add_atoms table node ~span ty value [])
+
+(* The leaves in front of [rest], the last one first. *)
+and add_atoms table node ~span ty (value : Value.t) rest =
+  let layout = Types.layout table ty in
+  match (value, layout.kind) with
+  | Atom atom, (Scalar | Sum _) -> atom :: rest
+  | Product values, Product parts ->
+      List.fold_left2
+        (fun rest (part : Types.part) value -> add_atoms table node ~span part.ty value rest)
+        rest parts values
+  | Constructed { constructor; arguments }, Sum fields ->
+      let payload =
+        List.fold_left2
+          (fun rest (part : Types.part) value -> add_atoms table node ~span part.ty value rest)
+          [] fields.(constructor) arguments
+      in
+      construct_leaf node ~span layout constructor (List.rev payload) :: rest
+  | Unspecified, (Scalar | Product _ | Sum _) -> List.rev_append (zeros table node ~span ty) rest
+  | ( ( Atom _ | Text _ | Product _ | Constructed _ | Function _ | Signal_function _
+      | Primitive _ | Choice _ | Program _ | Unspecified ),
+      (Scalar | Product _ | Sum _ | Opaque) ) ->
+      bug "a value of type %s has no leaves" (Types.to_string ty)
+
+and construct_leaf node ~span (layout : Types.layout) constructor payload =
+  match layout.leaves with
+  | [ { leaf; _ } ] -> Node.define node Unnamed ~span leaf (Construct { constructor; payload })
+  | [] | _ :: _ :: _ -> bug "a sum is not one leaf"
+
+(* Some value of a type whose value does not matter. *)
+and zeros table node ~span ty : Ir.atom list =
+  let layout = Types.layout table ty in
+  match (layout.kind, layout.leaves) with
+  | Scalar, [ { leaf = Bool; _ } ] -> [ Bool false ]
+  | Scalar, [ { leaf = Int; _ } ] -> [ Int 0l ]
+  | Scalar, [ { leaf = Float; _ } ] -> [ Float 0. ]
+  | Product parts, _ -> zeros_of_parts table node ~span parts
+  | Sum fields, _ ->
+      [ construct_leaf node ~span layout 0 (zeros_of_parts table node ~span fields.(0)) ]
+  | (Scalar | Opaque), _ -> bug "the type %s has no zero" (Types.to_string ty)
+
+and zeros_of_parts table node ~span parts =
+  List.concat_map (fun (part : Types.part) -> zeros table node ~span part.ty) parts
+
+let atom table node ~span ty value =
+  match atoms table node ~span ty value with
+  | [ atom ] -> atom
+  | [] | _ :: _ :: _ -> bug "a value of type %s is not one leaf" (Types.to_string ty)
+
+let value table ty atoms =
+  let rec take ty atoms : Value.t * Ir.atom list =
+    match ((Types.layout table ty).kind, atoms) with
+    | (Scalar | Sum _), atom :: others -> (Atom atom, others)
+    | Product parts, _ ->
+        let values, others =
+          List.fold_left
+            (fun (values, atoms) (part : Types.part) ->
+              let value, others = take part.ty atoms in
+              (value :: values, others))
+            ([], atoms) parts
+        in
+        (Product (List.rev values), others)
+    | (Scalar | Sum _), [] | Opaque, _ ->
+        bug "a value of type %s cannot be made of leaves" (Types.to_string ty)
+  in
+  fst (take ty atoms)
+
+let rec component (value : Value.t) index : Value.t =
+  match value with
+  | Product values -> List.nth values index
+  | Choice { condition; then_; else_ } ->
+      Choice { condition; then_ = component then_ index; else_ = component else_ index }
+  | Unspecified -> Unspecified
+  | Atom _ | Text _ | Constructed _ | Function _ | Signal_function _ | Primitive _ | Program _ ->
+      bug "component %d of what is no product" index
+
+let construct table ty constructor arguments : Value.t =
+  match (Types.layout table ty).kind with
+  | Product _ -> Product arguments
+  | Sum _ -> Constructed { constructor; arguments }
+  | Scalar | Opaque -> bug "%s has no constructors" (Types.to_string ty)
+
+let rec is_constructor table node target ~span ty (value : Value.t) index : Ir.atom =
+  match value with
+  | Product _ -> Bool true
+  | Constructed { constructor; _ } -> Bool (constructor = index)
+  | Atom atom -> Node.define node target ~span Bool (Is_constructor (atom, index))
+  | Choice { condition; then_; else_ } -> (
+      let test value = is_constructor table node Node.Unnamed ~span ty value index in
+      match (test then_, test else_) with
+      | Bool a, Bool b when a = b -> Bool a
+      | then_, else_ -> Node.define node target ~span Bool (If { condition; then_; else_ }))
+  | Unspecified -> Bool false
+  | Text _ | Function _ | Signal_function _ | Primitive _ | Program _ ->
+      bug "a constructor is asked of a %s" (Types.to_string ty)
+
+(* Zeros of different sign are equal but not the same. *)
+let same (a : Ir.atom) (b : Ir.atom) =
+  match (a, b) with
+  | Signal a, Signal b -> a.id = b.id
+  | Bool a, Bool b -> Bool.equal a b
+  | Int a, Int b -> Int32.equal a b
+  | Float a, Float b -> Int64.equal (Int64.bits_of_float a) (Int64.bits_of_float b)
+  | (Signal _ | Bool _ | Int _ | Float _), _ -> false
+
+let rec select table node target ~span ty condition (a : Value.t) (b : Value.t) : Value.t =
+  let layout = Types.layout table ty in
+  if a == b then a
+  else if layout.first_order then
+    let choose target (leaf : Types.leaf) (a, b) : Ir.atom =
+      if same a b then a
+      else Node.define node target ~span leaf.leaf (If { condition; then_ = a; else_ = b })
+    in
+    let pairs =
+      List.combine (atoms table node ~span ty a) (atoms table node ~span ty b)
+    in
+    let chosen =
+      List.map2
+        (fun (target, leaf) pair -> choose target leaf pair)
+        (List.combine (Node.leaves target layout.leaves) layout.leaves)
+        pairs
+    in
+    value table ty chosen
+  else
+    match (layout.kind, a, b) with
+    | _, Unspecified, other | _, other, Unspecified -> other
+    | Product parts, _, _ ->
+        let targets = Node.parts target table parts in
+        let choose i (part : Types.part) target =
+          select table node target ~span part.ty condition (component a i) (component b i)
+        in
+        Product (List.mapi (fun i (part, target) -> choose i part target) (List.combine parts targets))
+    | (Scalar | Sum _ | Opaque), _, _ -> Choice { condition; then_ = a; else_ = b }
+
+let rec payload table node target ~span ty (value : Value.t) ~constructor ~field : Value.t =
+  let layout = Types.layout table ty in
+  match (value, layout.kind) with
+  | Product values, _ -> List.nth values field
+  | Constructed known, _ ->
+      if known.constructor = constructor then List.nth known.arguments field else Unspecified
+  | Atom atom, Sum fields -> payload_of_leaf table node target ~span fields.(constructor) atom ~constructor ~field
+  | Choice { condition; then_; else_ }, Sum fields ->
+      let part = List.nth fields.(constructor) field in
+      let of_branch value = payload table node Node.Unnamed ~span ty value ~constructor ~field in
+      select table node target ~span part.ty condition (of_branch then_) (of_branch else_)
+  | Unspecified, _ -> Unspecified
+  | ( (Atom _ | Text _ | Function _ | Signal_function _ | Primitive _ | Choice _ | Program _),
+      (Scalar | Product _ | Sum _ | Opaque) ) ->
+      bug "a payload is asked of a %s" (Types.to_string ty)
+
+and payload_of_leaf table node target ~span fields atom ~constructor ~field =
+  let count (part : Types.part) = List.length (Types.layout table part.ty).leaves in
+  let rec find first index fields =
+    match fields with
+    | [] -> bug "constructor %d has no field %d" constructor field
+    | (part : Types.part) :: _ when index = 0 -> (first, part)
+    | part :: others -> find (first + count part) (index - 1) others
+  in
+  let first, part = find 0 field fields in
+  let leaves = (Types.layout table part.ty).leaves in
+  let extract i (target, (leaf : Types.leaf)) =
+    Node.define node target ~span leaf.leaf
+      (Payload { value = atom; constructor; leaf = first + i })
+  in
+  value table part.ty
+    (List.mapi extract (List.combine (Node.leaves target leaves) leaves))

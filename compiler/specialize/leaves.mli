@@ -1,0 +1,47 @@
+(** Between values and the atoms of a node. *)
+
+open Basis
+
+val atoms : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Flow.Ir.atom list
+(** The leaves of a value of a closed first-order type; known constructors
+    become equations. *)
+
+val atom : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Flow.Ir.atom
+(** Of a type with a single leaf. *)
+
+val value : Types.table -> Core.Ir.ty -> Flow.Ir.atom list -> Value.t
+(** The value with these leaves. *)
+
+val component : Value.t -> int -> Value.t
+(** Of a tuple or of data with one constructor. *)
+
+val construct :
+  Types.table -> Core.Ir.ty -> int -> Value.t list -> Value.t
+(** A constructor's value, by the data type. *)
+
+val is_constructor :
+  Types.table -> Node.t -> Node.target -> span:Span.t -> Core.Ir.ty -> Value.t -> int -> Flow.Ir.atom
+(** Does a value of the data type have this constructor? *)
+
+val payload :
+  Types.table ->
+  Node.t ->
+  Node.target ->
+  span:Span.t ->
+  Core.Ir.ty ->
+  Value.t ->
+  constructor:int ->
+  field:int ->
+  Value.t
+
+val select :
+  Types.table ->
+  Node.t ->
+  Node.target ->
+  span:Span.t ->
+  Core.Ir.ty ->
+  Flow.Ir.atom ->
+  Value.t ->
+  Value.t ->
+  Value.t
+(** The first value of the type where the condition holds, else the second. *)

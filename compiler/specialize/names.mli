@@ -1,0 +1,7 @@
+(** Names that must differ: the first user of a name has it as it is, later
+    ones get [_2], [_3]… *)
+
+type t
+
+val create : unit -> t
+val unique : t -> string -> string

@@ -1,0 +1,97 @@
+module Ir = Flow.Ir
+
+type t = {
+  fresh : unit -> int;
+  mutable equations : Ir.equation list;  (* the last one first *)
+  mutable instances : Ir.instance list;  (* likewise *)
+  mutable size : int;
+  promised : (int, unit) Hashtbl.t;  (* signals that have no equation yet *)
+  instance_names : Names.t;
+  globals : (int, Value.t) Hashtbl.t;
+}
+
+type target =
+  | Unnamed
+  | Named of string
+  | Defines of Ir.signal list
+
+let create ~fresh =
+  {
+    fresh;
+    equations = [];
+    instances = [];
+    size = 0;
+    promised = Hashtbl.create 8;
+    instance_names = Names.create ();
+    globals = Hashtbl.create 8;
+  }
+
+let rec split count taken rest =
+  match rest with
+  | first :: others when count > 0 -> split (count - 1) (first :: taken) others
+  | [] | _ :: _ -> (List.rev taken, rest)
+
+let parts target table (parts : Types.part list) =
+  match target with
+  | Unnamed -> List.map (fun _ -> Unnamed) parts
+  | Named name -> List.map (fun (p : Types.part) -> Named (Types.join name p.part)) parts
+  | Defines signals ->
+      let take (signals, targets) (p : Types.part) =
+        let count = List.length (Types.layout table p.ty).leaves in
+        let own, others = split count [] signals in
+        (others, Defines own :: targets)
+      in
+      let _, targets = List.fold_left take (signals, []) parts in
+      List.rev targets
+
+let leaves target (leaves : Types.leaf list) =
+  match target with
+  | Unnamed -> List.map (fun _ -> Unnamed) leaves
+  | Named name -> List.map (fun (l : Types.leaf) -> Named (Types.join name l.path)) leaves
+  | Defines signals -> List.map (fun signal -> Defines [ signal ]) signals
+
+let signal t ~name ~span ty : Ir.signal =
+  let id = t.fresh () in
+  { id; name; ty; group = id; span }
+
+let promise t ~name ~span leaves =
+  List.map
+    (fun (leaf : Types.leaf) ->
+      let signal = signal t ~name:(Types.join name leaf.path) ~span leaf.leaf in
+      Hashtbl.replace t.promised signal.id ();
+      signal)
+    leaves
+
+(* The one signal that a leaf's target stands for. *)
+let target_signal t target ~span ty =
+  match target with
+  | Defines [ signal ] ->
+      Hashtbl.remove t.promised signal.Ir.id;
+      signal
+  | Named name -> signal t ~name ~span ty
+  | Unnamed | Defines ([] | _ :: _ :: _) -> signal t ~name:"" ~span ty
+
+let define t target ~span ty rhs =
+  let signal = target_signal t target ~span ty in
+  t.equations <- { defines = signal; rhs; span } :: t.equations;
+  t.size <- t.size + 1;
+  Ir.Signal signal
+
+let settle t ~span signals atoms =
+  List.iter2
+    (fun (signal : Ir.signal) atom ->
+      if Hashtbl.mem t.promised signal.id then
+        ignore (define t (Defines [ signal ]) ~span signal.ty (Copy atom)))
+    signals atoms
+
+let call t targets ~callee ~node ~span ~statics ~inputs tys =
+  let outputs = List.map2 (fun target ty -> target_signal t target ~span ty) targets tys in
+  let name = Names.unique t.instance_names callee in
+  t.instances <- { node; name; statics; inputs; outputs; span } :: t.instances;
+  t.size <- t.size + 1;
+  List.map (fun signal -> Ir.Signal signal) outputs
+
+let size t = t.size
+let equations t = List.rev t.equations
+let instances t = List.rev t.instances
+let globals t = t.globals

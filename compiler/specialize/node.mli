@@ -1,0 +1,54 @@
+(** A Flow node under construction. *)
+
+open Basis
+
+type t
+
+val create : fresh:(unit -> int) -> t
+(** [fresh] gives numbers that are unique in the program. *)
+
+(** Where the result of an expression goes. *)
+type target =
+  | Unnamed
+  | Named of string  (** the programmer's name for the value *)
+  | Defines of Flow.Ir.signal list
+      (** these signals, one for each leaf; an expression's evaluation uses
+          them for its result or not at all, see {!settle} *)
+
+val parts : target -> Types.table -> Types.part list -> target list
+(** Of a tuple's or record's target, those of its parts. *)
+
+val leaves : target -> Types.leaf list -> target list
+
+val signal : t -> name:string -> span:Span.t -> Flow.Ir.ty -> Flow.Ir.signal
+
+val promise : t -> name:string -> span:Span.t -> Types.leaf list -> Flow.Ir.signal list
+(** Signals that can be read before their equations are there. *)
+
+val settle : t -> span:Span.t -> Flow.Ir.signal list -> Flow.Ir.atom list -> unit
+(** Keeps a promise: those signals that evaluation has not defined by itself
+    become copies of the values. *)
+
+val define : t -> target -> span:Span.t -> Flow.Ir.ty -> Flow.Ir.rhs -> Flow.Ir.atom
+(** One more equation; the target is one leaf's. *)
+
+val call :
+  t ->
+  target list ->
+  callee:string ->
+  node:int ->
+  span:Span.t ->
+  statics:Flow.Ir.atom list ->
+  inputs:Flow.Ir.atom list ->
+  Flow.Ir.ty list ->
+  Flow.Ir.atom list
+(** One more instance; a target and a type for each output, which it returns. *)
+
+val size : t -> int
+(** Of equations and instances. *)
+
+val equations : t -> Flow.Ir.equation list
+val instances : t -> Flow.Ir.instance list
+
+val globals : t -> (int, Value.t) Hashtbl.t
+(** Values of definitions that are made of signals of this node. *)

@@ -1,0 +1,91 @@
+open Basis
+module Ir = Flow.Ir
+
+type position = Comparison.position
+
+let apply (p : position) target (primitive : Core.Primitive.t) ~result
+    (arguments : Value.argument list) : Value.t =
+  let bug () =
+    Diagnostic.bug ~stage:"Specialize.Operation" "`%s` on %d arguments"
+      (Core.Primitive.name primitive)
+      (List.length arguments)
+  in
+  let atom (a : Value.argument) = Leaves.atom p.types p.node ~span:p.span a.ty a.value in
+  let leaf : Ir.ty =
+    match (Types.layout p.types result).leaves with
+    | [ { leaf; _ } ] -> leaf
+    | [] | _ :: _ :: _ -> Bool (* of structural [min] and [max], which do not use it *)
+  in
+  let define target rhs = Node.define p.node target ~span:p.span leaf rhs in
+  let operate operator : Value.t =
+    Atom (define target (Op (operator, List.map atom arguments)))
+  in
+  let one : Ir.atom = match leaf with Int -> Int 1l | Bool | Float | Sum _ -> Float 1. in
+  let times target a b = define target (Op (Multiply, [ a; b ])) in
+  (* The halves are unnamed: only the whole is what the programmer wrote. *)
+  let rec power target x k : Ir.atom =
+    if k = 0 then one
+    else if k < 0 then define target (Op (Divide, [ one; power Node.Unnamed x (-k) ]))
+    else if k = 1 then x
+    else if k mod 2 = 0 then
+      let half = power Node.Unnamed x (k / 2) in
+      times target half half
+    else times target x (power Node.Unnamed x (k - 1))
+  in
+  let compare comparison = function
+    | [ (a : Value.argument); (b : Value.argument) ] ->
+        Value.Atom (comparison p target a.ty a.value b.value)
+    | _ -> bug ()
+  in
+  (* [min a b] is [if b < a then b else a], so the first of two equal ones. *)
+  let extreme operator ~wins =
+    match (arguments, result) with
+    | _, (Int | Float) -> operate operator
+    | [ a; b ], _ ->
+        let second = wins b a in
+        Leaves.select p.types p.node target ~span:p.span result second b.value a.value
+    | _, _ -> bug ()
+  in
+  let less (a : Value.argument) (b : Value.argument) =
+    Comparison.less p Node.Unnamed result a.value b.value
+  in
+  match primitive with
+  | Add -> operate Add
+  | Subtract -> operate Subtract
+  | Multiply -> operate Multiply
+  | Negate -> operate Negate
+  | Absolute -> operate Absolute
+  | Signum -> operate Signum
+  | Divide -> operate Divide
+  | Power -> operate Pow
+  | Power_literal k -> (
+      match arguments with [ x ] -> Atom (power target (atom x) k) | _ -> bug ())
+  | Elementary e -> operate (Elementary e)
+  | Div -> operate Div
+  | Mod -> operate Mod
+  | To_float -> operate To_float
+  | Round -> operate Round
+  | Floor -> operate Floor
+  | Ceiling -> operate Ceiling
+  | Truncate -> operate Truncate
+  | Equal -> compare Comparison.equal arguments
+  | Not_equal ->
+      let unequal p target ty a b =
+        Comparison.(not_ p target (equal p Node.Unnamed ty a b))
+      in
+      compare unequal arguments
+  | Less -> compare Comparison.less arguments
+  | Less_equal -> compare Comparison.less_equal arguments
+  | Greater -> compare Comparison.less (List.rev arguments)
+  | Greater_equal -> compare Comparison.less_equal (List.rev arguments)
+  | Minimum -> extreme Minimum ~wins:less
+  | Maximum -> extreme Maximum ~wins:(fun b a -> less a b)
+  | And | Or -> (
+      match List.map atom arguments with
+      | [ a; b ] ->
+          Atom
+            (match primitive with
+            | And -> Comparison.and_ p target a b
+            | _ -> Comparison.or_ p target a b)
+      | _ -> bug ())
+  | Delay | Time | Integral | Derivative | Reactimate -> bug ()

@@ -1,0 +1,263 @@
+open Basis
+
+let bug format = Diagnostic.bug ~stage:"Specialize.Skeleton" format
+
+type table = {
+  types : Types.table;
+  fresh : unit -> int;
+  steps : (int * int, int) Hashtbl.t;  (* a key and one more number: the next key *)
+  texts : (string, int) Hashtbl.t;
+  closed : (int, int option) Hashtbl.t;
+      (* by closure identity: the key of what it has captured if without holes *)
+}
+
+let table types ~fresh =
+  {
+    types;
+    fresh;
+    steps = Hashtbl.create 1024;
+    texts = Hashtbl.create 16;
+    closed = Hashtbl.create 256;
+  }
+
+let forced (entry : Value.entry) =
+  match entry.contents with
+  | Known value -> value
+  | Suspended evaluate ->
+      entry.contents <- Being_evaluated;
+      let value = evaluate () in
+      entry.contents <- Known value;
+      value
+  | Being_evaluated -> bug "`%s` needs its own value" entry.local.name
+  | Polymorphic _ -> bug "`%s` has no type arguments" entry.local.name
+
+let code_id : Value.code -> int = function
+  | Lambda (binder, _) | Generic (binder, _, _) -> binder.local.id
+  | Proc proc -> proc.input.local.id
+
+type hole = { atom : Flow.Ir.atom; name : string; span : Span.t; ty : Flow.Ir.ty }
+
+type walk = {
+  table : table;
+  node : Node.t;
+  mutable state : int;
+  mutable holes : hole list;  (* the last one first *)
+  seen : (int, int) Hashtbl.t;  (* closures with holes, in the order met *)
+}
+
+let walk table node = { table; node; state = 0; holes = []; seen = Hashtbl.create 8 }
+
+(* A trie of all sequences of numbers: its nodes are the keys. *)
+let add_number w number =
+  let step = (w.state, number) in
+  match Hashtbl.find_opt w.table.steps step with
+  | Some next -> w.state <- next
+  | None ->
+      let next = Hashtbl.length w.table.steps + 1 in
+      Hashtbl.add w.table.steps step next;
+      w.state <- next
+
+let key w = w.state
+
+let text_number table text =
+  match Hashtbl.find_opt table.texts text with
+  | Some number -> number
+  | None ->
+      let number = Hashtbl.length table.texts in
+      Hashtbl.add table.texts text number;
+      number
+
+(* The first number says what kind of value follows and, with the type, how
+   many numbers belong to it; so no two values have the same sequence. *)
+let tag_leaves = 0
+and tag_text = 1
+and tag_product = 2
+and tag_constructed = 3
+and tag_closed = 4
+and tag_open = 5
+and tag_again = 6
+and tag_primitive = 7
+and tag_choice = 8
+and tag_program = 9
+and tag_unspecified = 10
+
+let type_id w ty = (Types.layout w.table.types ty).id
+
+let leaf_types (atom : Flow.Ir.atom) : Flow.Ir.ty =
+  match atom with Signal s -> s.ty | Bool _ -> Bool | Int _ -> Int | Float _ -> Float
+
+let rec add w ~name ~span ty (value : Value.t) =
+  let layout = Types.layout w.table.types ty in
+  if layout.first_order then add_leaves w ~name ~span ty layout value
+  else
+    match value with
+    | Text text ->
+        add_number w tag_text;
+        add_number w (text_number w.table text)
+    | Product values -> (
+        add_number w tag_product;
+        match layout.kind with
+        | Product parts -> List.iter2 (add_part w ~name ~span) parts values
+        | Scalar | Sum _ | Opaque -> bug "a product of type %s" (Types.to_string ty))
+    | Constructed { constructor; arguments } -> (
+        add_number w tag_constructed;
+        add_number w constructor;
+        match layout.kind with
+        | Sum fields -> List.iter2 (add_part w ~name ~span) fields.(constructor) arguments
+        | Scalar | Product _ | Opaque -> bug "a constructor of type %s" (Types.to_string ty))
+    | Function closure | Signal_function closure -> add_closure w closure
+    | Primitive { primitive; types; arguments } ->
+        add_number w tag_primitive;
+        add_number w (text_number w.table (Core.Primitive.name primitive));
+        add_number w (List.length types);
+        List.iter (fun ty -> add_number w (type_id w ty)) types;
+        add_number w (List.length arguments);
+        List.iter (fun (a : Value.argument) -> add w ~name ~span a.ty a.value) arguments
+    | Choice { condition; then_; else_ } ->
+        add_number w tag_choice;
+        add_hole w ~name ~span condition;
+        add w ~name ~span ty then_;
+        add w ~name ~span ty else_
+    | Program signal_function ->
+        add_number w tag_program;
+        add w ~name ~span ty signal_function
+    | Unspecified -> add_number w tag_unspecified
+    | Atom _ -> bug "an atom of type %s" (Types.to_string ty)
+
+and add_part w ~name ~span (part : Types.part) value =
+  add w ~name:(Types.join name part.part) ~span part.ty value
+
+and add_hole w ~name ~span atom =
+  w.holes <- { atom; name; span; ty = leaf_types atom } :: w.holes
+
+and add_leaves w ~name ~span ty layout value =
+  add_number w tag_leaves;
+  add_number w layout.id;
+  List.iter2
+    (fun (leaf : Types.leaf) atom ->
+      let name = if String.equal name "" then "" else Types.join name leaf.path in
+      w.holes <- { atom; name; span; ty = leaf.leaf } :: w.holes)
+    layout.leaves
+    (Leaves.atoms w.table.types w.node ~span ty value)
+
+and add_closure w closure =
+  match closed_key w closure with
+  | Some key ->
+      add_number w tag_closed;
+      add_number w (code_id closure.code);
+      add_number w key
+  | None -> (
+      match Hashtbl.find_opt w.seen closure.identity with
+      | Some order ->
+          add_number w tag_again;
+          add_number w order
+      | None ->
+          Hashtbl.add w.seen closure.identity (Hashtbl.length w.seen);
+          add_number w tag_open;
+          add_number w (code_id closure.code);
+          add_captured w closure)
+
+and add_captured w (closure : Value.closure) =
+  Variables.iter (fun _ ty -> add_number w (type_id w ty)) closure.types;
+  Variables.iter
+    (fun _ (entry : Value.entry) ->
+      match entry.contents with
+      | Polymorphic generic -> add_closure w generic
+      | Known _ | Suspended _ | Being_evaluated ->
+          add w ~name:entry.local.name ~span:entry.local.span entry.local_ty (forced entry))
+    closure.captured
+
+and closed_key w closure =
+  match Hashtbl.find_opt w.table.closed closure.identity with
+  | Some known -> known
+  | None ->
+      let key =
+        if Variables.for_all (fun _ entry -> is_closed w entry) closure.captured then (
+          let own = walk w.table w.node in
+          add_captured own closure;
+          if own.holes = [] then Some own.state else None)
+        else None
+      in
+      Hashtbl.add w.table.closed closure.identity key;
+      key
+
+(* Quickly no, or perhaps. *)
+and is_closed w (entry : Value.entry) =
+  match entry.contents with
+  | Polymorphic generic -> closed_key w generic <> None
+  | Known _ | Suspended _ | Being_evaluated -> (
+      match (Types.layout w.table.types entry.local_ty).leaves with
+      | _ :: _ -> false
+      | [] -> (
+          match forced entry with
+          | Function closure | Signal_function closure -> closed_key w closure <> None
+          | Atom _ | Text _ | Product _ | Constructed _ | Primitive _ | Choice _ | Program _
+          | Unspecified ->
+              true))
+
+let take_holes w =
+  let holes = List.rev w.holes in
+  w.holes <- [];
+  holes
+
+type copy = {
+  keys : table;
+  mutable atoms : Flow.Ir.atom list;
+  copied : (int, Value.closure) Hashtbl.t;
+}
+
+let copy keys atoms = { keys; atoms; copied = Hashtbl.create 8 }
+
+let next_atom c =
+  match c.atoms with
+  | atom :: others ->
+      c.atoms <- others;
+      atom
+  | [] -> bug "more holes than atoms"
+
+let rec value c ty (original : Value.t) : Value.t =
+  let layout = Types.layout c.keys.types ty in
+  if layout.first_order then
+    Leaves.value c.keys.types ty (List.map (fun _ -> next_atom c) layout.leaves)
+  else
+    match (original, layout.kind) with
+    | (Text _ | Unspecified), _ -> original
+    | Product values, Product parts ->
+        Product (List.map2 (fun (part : Types.part) v -> value c part.ty v) parts values)
+    | Constructed { constructor; arguments }, Sum fields ->
+        let argument (part : Types.part) v = value c part.ty v in
+        Constructed
+          { constructor; arguments = List.map2 argument fields.(constructor) arguments }
+    | Function closure, _ -> Function (copy_closure c closure)
+    | Signal_function closure, _ -> Signal_function (copy_closure c closure)
+    | Primitive { primitive; types; arguments }, _ ->
+        let argument (a : Value.argument) = { a with value = value c a.ty a.value } in
+        Primitive { primitive; types; arguments = List.map argument arguments }
+    | Choice { then_; else_; condition = _ }, _ ->
+        let condition = next_atom c in
+        let then_ = value c ty then_ in
+        Choice { condition; then_; else_ = value c ty else_ }
+    | Program signal_function, _ -> Program (value c ty signal_function)
+    | (Atom _ | Product _ | Constructed _), _ ->
+        bug "a value that is not of type %s" (Types.to_string ty)
+
+and copy_closure c (closure : Value.closure) : Value.closure =
+  match Hashtbl.find_opt c.keys.closed closure.identity with
+  | Some (Some _) -> closure
+  | Some None | None -> (
+      match Hashtbl.find_opt c.copied closure.identity with
+      | Some copied -> copied
+      | None ->
+          let captured = captured c closure in
+          let copied = { closure with identity = c.keys.fresh (); captured } in
+          Hashtbl.add c.copied closure.identity copied;
+          copied)
+
+and captured c (closure : Value.closure) =
+  Variables.map
+    (fun (entry : Value.entry) : Value.entry ->
+      match entry.contents with
+      | Polymorphic generic -> { entry with contents = Polymorphic (copy_closure c generic) }
+      | Known _ | Suspended _ | Being_evaluated ->
+          { entry with contents = Known (value c entry.local_ty (forced entry)) })
+    closure.captured

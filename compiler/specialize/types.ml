@@ -1,0 +1,193 @@
+open Basis
+module Ir = Core.Ir
+
+type layout = { id : int; kind : kind; first_order : bool; leaves : leaf list }
+
+and kind =
+  | Scalar
+  | Product of part list
+  | Sum of part list array
+  | Opaque
+
+and part = { part : string; ty : Ir.ty }
+and leaf = { path : string; leaf : Flow.Ir.ty }
+
+type table = {
+  data : (string * string, Ir.data) Hashtbl.t;
+  layouts : (Ir.ty, layout) Hashtbl.t;
+  mutable sums : Flow.Ir.sum list;  (* the last one first *)
+  mutable sum_count : int;
+}
+
+let data_key (tycon : Ir.Global.t) = (tycon.module_, tycon.name)
+
+let table data =
+  let by_name = Hashtbl.create 64 in
+  List.iter (fun (d : Ir.data) -> Hashtbl.replace by_name (data_key d.tycon) d) data;
+  { data = by_name; layouts = Hashtbl.create 64; sums = []; sum_count = 0 }
+
+let rec close substitution (ty : Ir.ty) : Ir.ty =
+  if Variables.is_empty substitution then ty
+  else
+    match ty with
+    | Variable v -> (
+        match Variables.find_opt v.id substitution with Some closed -> closed | None -> ty)
+    | Bool | Int | Float | String | Tuple [] | Data (_, []) -> ty
+    | Tuple parts -> Tuple (List.map (close substitution) parts)
+    | Function (a, b) -> Function (close substitution a, close substitution b)
+    | Signal_function (a, b) ->
+        Signal_function (close substitution a, close substitution b)
+    | Data (tycon, arguments) -> Data (tycon, List.map (close substitution) arguments)
+
+let to_string ty =
+  let rec arrow (ty : Ir.ty) =
+    match ty with
+    | Function (a, b) -> applied a ^ " -> " ^ arrow b
+    | Variable _ | Bool | Int | Float | String | Tuple _ | Signal_function _ | Data _ ->
+        applied ty
+  and applied (ty : Ir.ty) =
+    match ty with
+    | Signal_function (a, b) -> Printf.sprintf "SF %s %s" (atomic a) (atomic b)
+    | Data (tycon, (_ :: _ as arguments)) ->
+        String.concat " " (tycon.name :: List.map atomic arguments)
+    | Function _ -> "(" ^ arrow ty ^ ")"
+    | Variable _ | Bool | Int | Float | String | Tuple _ | Data (_, []) -> atomic ty
+  and atomic (ty : Ir.ty) =
+    match ty with
+    | Variable v -> v.name
+    | Bool -> "Bool"
+    | Int -> "Int"
+    | Float -> "Float"
+    | String -> "String"
+    | Tuple parts -> "(" ^ String.concat ", " (List.map arrow parts) ^ ")"
+    | Data (tycon, []) -> tycon.name
+    | Function _ -> "(" ^ arrow ty ^ ")"
+    | Signal_function _ | Data (_, _ :: _) -> "(" ^ applied ty ^ ")"
+  in
+  arrow ty
+
+let join name path =
+  match (name, path) with "", other | other, "" -> other | _, _ -> name ^ "." ^ path
+
+(* The constructors of a data type, with its arguments for its parameters;
+   none for a built-in type such as [Program]. *)
+let constructors table tycon arguments =
+  match Hashtbl.find_opt table.data (data_key tycon) with
+  | None -> []
+  | Some data ->
+      let bind substitution (v : Ir.variable) ty = Variables.add v.id ty substitution in
+      let substitution = List.fold_left2 bind Variables.empty data.parameters arguments in
+      List.map
+        (fun (c : Ir.constructor) ->
+          { c with fields = List.map (fun (name, ty) -> (name, close substitution ty)) c.fields })
+        data.constructors
+
+let positional tys = List.mapi (fun i ty -> { part = string_of_int (i + 1); ty }) tys
+
+let parts_of_fields fields =
+  List.mapi
+    (fun i (name, ty) ->
+      { part = (if String.equal name "" then string_of_int (i + 1) else name); ty })
+    fields
+
+let rec layout table (ty : Ir.ty) =
+  match Hashtbl.find_opt table.layouts ty with
+  | Some known -> known
+  | None ->
+      let kind, first_order, leaves = analyse table ty in
+      let layout = { id = Hashtbl.length table.layouts; kind; first_order; leaves } in
+      Hashtbl.add table.layouts ty layout;
+      layout
+
+and analyse table (ty : Ir.ty) =
+  match ty with
+  | Bool -> (Scalar, true, [ { path = ""; leaf = Bool } ])
+  | Int -> (Scalar, true, [ { path = ""; leaf = Int } ])
+  | Float -> (Scalar, true, [ { path = ""; leaf = Float } ])
+  | String | Function _ | Signal_function _ -> (Opaque, false, [])
+  | Variable v ->
+      Diagnostic.bug ~stage:"Specialize.Types" "the type variable `%s` has no type" v.name
+  | Tuple tys -> product table (positional tys)
+  | Data (tycon, arguments) -> (
+      match constructors table tycon arguments with
+      | [] -> (Opaque, false, [])
+      | [ only ] -> product table (parts_of_fields only.fields)
+      | several ->
+          let fields =
+            List.map (fun (c : Ir.constructor) -> parts_of_fields c.fields) several
+          in
+          let first_order = List.for_all (List.for_all (is_first_order table)) fields in
+          let leaves =
+            if first_order then [ { path = ""; leaf = intern_sum table ty tycon several } ]
+            else []
+          in
+          (Sum (Array.of_list fields), first_order, leaves))
+
+and is_first_order table part = (layout table part.ty).first_order
+
+and product table parts =
+  let first_order = List.for_all (is_first_order table) parts in
+  let leaves_of part =
+    List.rev_map
+      (fun leaf -> { leaf with path = join part.part leaf.path })
+      (layout table part.ty).leaves
+  in
+  let leaves =
+    if first_order then
+      List.rev (List.fold_left (fun leaves part -> leaves_of part @ leaves) [] parts)
+    else []
+  in
+  (Product parts, first_order, leaves)
+
+and intern_sum table ty (tycon : Ir.Global.t) constructors : Flow.Ir.ty =
+  let sum_constructor (c : Ir.constructor) : Flow.Ir.sum_constructor =
+    {
+      constructor = c.name.name;
+      fields = List.map (fun (name, ty) -> (name, shape table ty)) c.fields;
+    }
+  in
+  let sum : Flow.Ir.sum =
+    {
+      name = to_string ty;
+      module_ = tycon.module_;
+      constructors = List.map sum_constructor constructors;
+    }
+  in
+  let index = table.sum_count in
+  table.sums <- sum :: table.sums;
+  table.sum_count <- index + 1;
+  Sum index
+
+and shape table (ty : Ir.ty) : Flow.Ir.shape =
+  match ty with
+  | Tuple parts ->
+      Product
+        {
+          product_name = "";
+          product_module = "";
+          constructor = "";
+          record = false;
+          parts = List.map (fun ty -> ("", shape table ty)) parts;
+        }
+  | Data (tycon, arguments) -> (
+      match constructors table tycon arguments with
+      | [ only ] ->
+          Product
+            {
+              product_name = tycon.name;
+              product_module = tycon.module_;
+              constructor = only.name.name;
+              record = only.record;
+              parts = List.map (fun (name, ty) -> (name, shape table ty)) only.fields;
+            }
+      | [] | _ :: _ :: _ -> single_leaf table ty)
+  | Variable _ | Bool | Int | Float | String | Function _ | Signal_function _ ->
+      single_leaf table ty
+
+and single_leaf table ty : Flow.Ir.shape =
+  match (layout table ty).leaves with
+  | [ { leaf; _ } ] -> Leaf leaf
+  | [] | _ :: _ :: _ ->
+      Diagnostic.bug ~stage:"Specialize.Types" "%s has no single leaf" (to_string ty)
+
+let sums table = Array.of_list (List.rev table.sums)
