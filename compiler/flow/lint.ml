@@ -1,0 +1,173 @@
+open Basis
+
+let bug format = Diagnostic.bug ~stage:"Flow.Lint" format
+
+type scope = {
+  program : Ir.program;
+  index : int;  (* of the node *)
+  node : Ir.node;
+  defined : (int, Ir.signal) Hashtbl.t;
+}
+
+let define owners scope (s : Ir.signal) =
+  (match Hashtbl.find_opt owners s.id with
+  | Some owner -> bug "signal %d (`%s`) is defined in `%s` and in `%s`" s.id s.name owner scope.node.Ir.name
+  | None -> ());
+  Hashtbl.add owners s.id scope.node.name;
+  Hashtbl.add scope.defined s.id s
+
+let show scope ty =
+  match (ty : Ir.ty) with
+  | Bool -> "Bool"
+  | Int -> "Int"
+  | Float -> "Float"
+  | Sum index when index < Array.length scope.program.sums -> scope.program.sums.(index).name
+  | Sum index -> bug "there is no sum %d" index
+
+let type_of scope (a : Ir.atom) : Ir.ty =
+  match a with
+  | Bool _ -> Bool
+  | Int _ -> Int
+  | Float _ -> Float
+  | Signal s -> (
+      match Hashtbl.find_opt scope.defined s.id with
+      | None -> bug "signal %d (`%s`) has no equation in `%s`" s.id s.name scope.node.name
+      | Some defined ->
+          if defined.ty <> s.ty then bug "signal `%s` has two types in `%s`" s.name scope.node.name;
+          s.ty)
+
+let expect scope what (expected : Ir.ty) (found : Ir.ty) =
+  if expected <> found then
+    bug "%s in `%s` is a %s where a %s is needed" what scope.node.name (show scope found)
+      (show scope expected)
+
+let rec leaves_of_shape (shape : Ir.shape) leaves =
+  match shape with
+  | Leaf ty -> ty :: leaves
+  | Product product ->
+      List.fold_left (fun leaves (_, part) -> leaves_of_shape part leaves) leaves product.parts
+
+let leaves shape = List.rev (leaves_of_shape shape [])
+
+(* The payload's leaf types. *)
+let payload scope (ty : Ir.ty) index =
+  match ty with
+  | Bool | Int | Float -> bug "a %s has no constructors in `%s`" (show scope ty) scope.node.name
+  | Sum sum -> (
+      match List.nth_opt scope.program.sums.(sum).constructors index with
+      | Some c -> List.concat_map (fun (_, shape) -> leaves shape) c.fields
+      | None -> bug "%s has no constructor %d" (show scope ty) index)
+
+let operator scope (operator : Ir.operator) (arguments : Ir.ty list) : Ir.ty =
+  match (operator, arguments) with
+  | (Add | Subtract | Multiply | Minimum | Maximum), [ ((Int | Float) as a); b ] when a = b -> a
+  | (Negate | Absolute | Signum), [ ((Int | Float) as a) ] -> a
+  | (Equal | Less | Less_equal), [ ((Int | Float) as a); b ] when a = b -> Bool
+  | (Divide | Pow | Elementary (Hypot | Atan2)), [ Float; Float ] -> Float
+  | Elementary (Sqrt | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan), [ Float ] -> Float
+  | (Div | Mod), [ Int; Int ] -> Int
+  | To_float, [ Int ] -> Float
+  | (Round | Floor | Ceiling | Truncate), [ Float ] -> Int
+  | Not, [ Bool ] -> Bool
+  | (And | Or), [ Bool; Bool ] -> Bool
+  | _, _ ->
+      bug "`%s` is applied to (%s) in `%s`" (Print.operator operator)
+        (String.concat ", " (List.map (show scope) arguments))
+        scope.node.name
+
+let check_all scope what expected atoms =
+  if List.compare_lengths expected atoms <> 0 then
+    bug "%s in `%s`: %d where %d are needed" what scope.node.name (List.length atoms)
+      (List.length expected);
+  List.iter2 (fun ty atom -> expect scope what ty (type_of scope atom)) expected atoms
+
+let stateful scope what =
+  if scope.node.kind = Function then bug "the function `%s` has a %s" scope.node.name what
+
+let equation scope (eq : Ir.equation) =
+  let ty = eq.defines.ty in
+  let found : Ir.ty =
+    match eq.rhs with
+    | Copy a -> type_of scope a
+    | Op (op, arguments) -> operator scope op (List.map (type_of scope) arguments)
+    | If { condition; then_; else_ } ->
+        expect scope "a condition" Bool (type_of scope condition);
+        expect scope "a branch" ty (type_of scope else_);
+        type_of scope then_
+    | Construct { constructor; payload = atoms } ->
+        check_all scope "a payload" (payload scope ty constructor) atoms;
+        ty
+    | Is_constructor (a, index) ->
+        ignore (payload scope (type_of scope a) index);
+        Bool
+    | Payload { value; constructor; leaf } -> (
+        match List.nth_opt (payload scope (type_of scope value) constructor) leaf with
+        | Some ty -> ty
+        | None -> bug "a payload has no leaf %d in `%s`" leaf scope.node.name)
+    | Delay { init; next } ->
+        stateful scope "delay";
+        expect scope "a delay's initial value" ty (type_of scope init);
+        type_of scope next
+    | Time ->
+        stateful scope "time";
+        Float
+    | Integral a ->
+        stateful scope "integral";
+        expect scope "an integral" Float (type_of scope a);
+        Float
+    | Derivative a ->
+        stateful scope "derivative";
+        expect scope "a derivative" Float (type_of scope a);
+        Float
+  in
+  expect scope (Printf.sprintf "the equation of `%s`" eq.defines.name) ty found
+
+let signal_types = List.map (fun (s : Ir.signal) -> s.ty)
+
+let instance scope names (i : Ir.instance) =
+  if i.node < 0 || i.node >= scope.index then
+    bug "`%s` calls node %d, which does not come before it" scope.node.name i.node;
+  if Hashtbl.mem names i.name then bug "`%s` has two instances `%s`" scope.node.name i.name;
+  Hashtbl.add names i.name ();
+  let callee = scope.program.nodes.(i.node) in
+  if callee.kind = Signal_function then stateful scope "signal function";
+  check_all scope "a static" (signal_types callee.statics) i.statics;
+  check_all scope "an input" (signal_types callee.inputs) i.inputs;
+  (* A node's outputs may be constants; their types are those of the callee's. *)
+  let output_type (_, (atom : Ir.atom)) : Ir.ty =
+    match atom with Signal s -> s.ty | Bool _ -> Bool | Int _ -> Int | Float _ -> Float
+  in
+  check_all scope "an output"
+    (List.map output_type callee.outputs)
+    (List.map (fun s -> Ir.Signal s) i.outputs)
+
+let node program owners names index (node : Ir.node) =
+  if Hashtbl.mem names node.name then bug "there are two nodes `%s`" node.name;
+  Hashtbl.add names node.name ();
+  let scope = { program; index; node; defined = Hashtbl.create 16 } in
+  let define = define owners scope in
+  List.iter define node.statics;
+  List.iter define node.inputs;
+  List.iter (fun (eq : Ir.equation) -> define eq.defines) node.equations;
+  List.iter (fun (i : Ir.instance) -> List.iter define i.outputs) node.instances;
+  if node.kind = Function && node.statics <> [] then
+    bug "the function `%s` has statics" node.name;
+  List.iter (equation scope) node.equations;
+  let instance_names = Hashtbl.create 8 in
+  List.iter (instance scope instance_names) node.instances;
+  List.iter (fun (_, atom) -> ignore (type_of scope atom)) node.outputs;
+  scope
+
+let program (p : Ir.program) =
+  let owners = Hashtbl.create 256 in
+  let names = Hashtbl.create 16 in
+  let check index n =
+    let scope = node p owners names index n in
+    if index = Array.length p.nodes - 1 then (
+      if n.statics <> [] then bug "the root `%s` has statics" n.name;
+      check_all scope "a root input" (leaves p.input)
+        (List.map (fun s -> Ir.Signal s) n.inputs);
+      check_all scope "a root output" (leaves p.output) (List.map snd n.outputs))
+  in
+  if Array.length p.nodes = 0 then bug "there is no node";
+  Array.iteri check p.nodes

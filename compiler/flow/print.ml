@@ -1,0 +1,159 @@
+open Format
+
+(* How the signals of a node are shown. *)
+type names = { shown : (int, string) Hashtbl.t; count : (string, int) Hashtbl.t }
+
+let next names base =
+  let n = 1 + Option.value (Hashtbl.find_opt names.count base) ~default:0 in
+  Hashtbl.replace names.count base n;
+  n
+
+let declare names (s : Ir.signal) =
+  let shown =
+    if String.equal s.name "" then sprintf "_%d" (next names "")
+    else match next names s.name with 1 -> s.name | n -> sprintf "%s_%d" s.name n
+  in
+  Hashtbl.replace names.shown s.id shown
+
+let names_of (node : Ir.node) =
+  let names = { shown = Hashtbl.create 16; count = Hashtbl.create 16 } in
+  List.iter (declare names) node.statics;
+  List.iter (declare names) node.inputs;
+  List.iter (fun (eq : Ir.equation) -> declare names eq.defines) node.equations;
+  List.iter (fun (i : Ir.instance) -> List.iter (declare names) i.outputs) node.instances;
+  names
+
+let signal names ppf (s : Ir.signal) =
+  pp_print_string ppf
+    (match Hashtbl.find_opt names.shown s.id with
+    | Some shown -> shown
+    | None -> sprintf "<undefined %s>" s.name)
+
+let float x =
+  let short = sprintf "%.12g" x in
+  if float_of_string short = x then short else sprintf "%.17g" x
+
+let atom names ppf : Ir.atom -> unit = function
+  | Signal s -> signal names ppf s
+  | Bool true -> pp_print_string ppf "True"
+  | Bool false -> pp_print_string ppf "False"
+  | Int n -> fprintf ppf "%ld" n
+  | Float x ->
+      let text = float x in
+      let is_plain = String.for_all (function '0' .. '9' | '-' -> true | _ -> false) text in
+      pp_print_string ppf (if is_plain then text ^ ".0" else text)
+
+let comma ppf () = pp_print_string ppf ", "
+let list pp ppf items = pp_print_list ~pp_sep:comma pp ppf items
+let atoms names ppf items = list (atom names) ppf items
+
+let operator : Ir.operator -> string = function
+  | Add -> "+"
+  | Subtract -> "-"
+  | Multiply -> "*"
+  | Negate -> "negate"
+  | Absolute -> "abs"
+  | Signum -> "signum"
+  | Equal -> "=="
+  | Less -> "<"
+  | Less_equal -> "<="
+  | Minimum -> "min"
+  | Maximum -> "max"
+  | Divide -> "/"
+  | Pow -> "**"
+  | Elementary e -> Core.Primitive.name (Elementary e)
+  | Div -> "div"
+  | Mod -> "mod"
+  | To_float -> "toFloat"
+  | Round -> "round"
+  | Floor -> "floor"
+  | Ceiling -> "ceiling"
+  | Truncate -> "truncate"
+  | Not -> "not"
+  | And -> "&&"
+  | Or -> "||"
+
+let is_infix : Ir.operator -> bool = function
+  | Add | Subtract | Multiply | Equal | Less | Less_equal | Divide | Pow | And | Or -> true
+  | Negate | Absolute | Signum | Minimum | Maximum | Elementary _ | Div | Mod | To_float
+  | Round | Floor | Ceiling | Truncate | Not ->
+      false
+
+let sum_name (sums : Ir.sum array) index =
+  if index < Array.length sums then sums.(index).name else sprintf "<sum %d>" index
+
+let ty sums : Ir.ty -> string = function
+  | Bool -> "Bool"
+  | Int -> "Int"
+  | Float -> "Float"
+  | Sum index -> sum_name sums index
+
+let constructor (sums : Ir.sum array) (ty : Ir.ty) index =
+  match ty with
+  | Sum sum when sum < Array.length sums -> (
+      match List.nth_opt sums.(sum).constructors index with
+      | Some c -> c.constructor
+      | None -> sprintf "<constructor %d>" index)
+  | Bool | Int | Float | Sum _ -> sprintf "<constructor %d>" index
+
+let constructor_of_atom sums (a : Ir.atom) index =
+  match a with
+  | Signal s -> constructor sums s.ty index
+  | Bool _ | Int _ | Float _ -> sprintf "<constructor %d>" index
+
+let rhs sums names ppf ~(defines : Ir.signal) : Ir.rhs -> unit = function
+  | Copy a -> atom names ppf a
+  | Op (op, [ a; b ]) when is_infix op ->
+      fprintf ppf "%a %s %a" (atom names) a (operator op) (atom names) b
+  | Op (op, arguments) -> fprintf ppf "%s(%a)" (operator op) (atoms names) arguments
+  | If { condition; then_; else_ } ->
+      fprintf ppf "if %a then %a else %a" (atom names) condition (atom names) then_ (atom names)
+        else_
+  | Construct { constructor = index; payload } ->
+      fprintf ppf "%s(%a)" (constructor sums defines.ty index) (atoms names) payload
+  | Is_constructor (a, index) ->
+      fprintf ppf "%a ? %s" (atom names) a (constructor_of_atom sums a index)
+  | Payload { value; constructor = index; leaf } ->
+      fprintf ppf "%a.%s.%d" (atom names) value (constructor_of_atom sums value index) leaf
+  | Delay { init; next } -> fprintf ppf "delay %a %a" (atom names) init (atom names) next
+  | Time -> pp_print_string ppf "time"
+  | Integral a -> fprintf ppf "integral %a" (atom names) a
+  | Derivative a -> fprintf ppf "derivative %a" (atom names) a
+
+let typed sums names ppf (s : Ir.signal) =
+  fprintf ppf "%a : %s" (signal names) s (ty sums s.ty)
+
+let equation sums names ppf (eq : Ir.equation) =
+  fprintf ppf "  %a = %t@\n" (typed sums names) eq.defines (fun ppf ->
+      rhs sums names ppf ~defines:eq.defines eq.rhs)
+
+let instance (program : Ir.program) names ppf (i : Ir.instance) =
+  let callee =
+    if i.node < Array.length program.nodes then program.nodes.(i.node).name
+    else sprintf "<node %d>" i.node
+  in
+  let statics ppf = function [] -> () | some -> fprintf ppf "[%a]" (atoms names) some in
+  fprintf ppf "  (%a) = %s as %s%a(%a)@\n"
+    (list (typed program.sums names))
+    i.outputs callee i.name statics i.statics (atoms names) i.inputs
+
+let output names ppf (name, value) = fprintf ppf "%s = %a" name (atom names) value
+
+let node (program : Ir.program) ppf (n : Ir.node) =
+  let names = names_of n in
+  let sums = program.sums in
+  let kind = match n.kind with Function -> "function" | Signal_function -> "signal function" in
+  let statics ppf = function
+    | [] -> ()
+    | some -> fprintf ppf " [%a]" (list (typed sums names)) some
+  in
+  fprintf ppf "%s %s%a (%a)@\n" kind n.name statics n.statics
+    (list (typed sums names))
+    n.inputs;
+  List.iter (equation sums names ppf) n.equations;
+  List.iter (instance program names ppf) n.instances;
+  fprintf ppf "  -> (%a)@\n" (list (output names)) n.outputs
+
+let program ppf (p : Ir.program) =
+  fprintf ppf "program %s@\n" p.name;
+  Array.iter (node p ppf) p.nodes
