@@ -15,9 +15,8 @@ let position (c : Context.t) s span : Operation.position = { types = c.types; no
 let closure (c : Context.t) s target code ~name ~span : Value.closure =
   let name =
     match (name, (target : Node.target)) with
-    | "", Named name -> name
-    | "", (Unnamed | Defines _) -> s.owner
-    | name, _ -> name
+    | "", (Unnamed | Defines _ | Named "") -> s.owner
+    | "", Named name | name, _ -> name
   in
   let captured = Variables.restrict (Free.of_code c.free (Skeleton.code_id code)) s.locals in
   { identity = c.fresh (); name; code; captured; types = s.types; span }
