@@ -240,7 +240,7 @@ let string t =
 
 let unexpected t =
   let start = position t in
-  let length = Utf8.length_at t.text t.at in
+  let length = max 1 (fst (Utf8.decode t.text t.at)) in
   let character = String.sub t.text t.at length in
   let shown =
     if character >= " " && character <> "\x7f" then Printf.sprintf "`%s`" character

@@ -18,7 +18,7 @@ type token = {
 type t
 
 val create : Diagnostic.sink -> file:string -> string -> t
-(** The text must be UTF-8; see {!Utf8}. *)
+(** The text must be UTF-8; see {!Basis.Utf8}. *)
 
 val next : t -> token
 (** The next token; at the end of the text, [END] again and again. *)

@@ -1,0 +1,83 @@
+type glyph = { shown : string; columns : int }
+
+type t = {
+  glyphs : glyph array;
+  column_at : int array;  (** by byte offset, with one entry past the end *)
+  character_at : int array;  (** likewise *)
+}
+
+let replacement = "\xef\xbf\xbd"
+
+let within code ranges = List.exists (fun (first, last) -> code >= first && code <= last) ranges
+
+(* Marks that sit on the character before them, and invisible ones. *)
+let zero_width = [ (0x300, 0x36f); (0x200b, 0x200d); (0x20d0, 0x20ff); (0xfe00, 0xfe0f) ]
+
+(* East Asian wide characters and most emoji. *)
+let double_width =
+  [
+    (0x1100, 0x115f); (0x2e80, 0xa4cf); (0xac00, 0xd7a3); (0xf900, 0xfaff); (0xfe30, 0xfe6f);
+    (0xff00, 0xff60); (0xffe0, 0xffe6); (0x1f300, 0x1f64f); (0x1f900, 0x1f9ff); (0x20000, 0x3fffd);
+  ]
+
+(* Directions of writing could make a line look like another one. *)
+let disguise = [ (0x80, 0x9f); (0x200e, 0x200f); (0x202a, 0x202e); (0x2066, 0x2069); (0xfeff, 0xfeff) ]
+
+let glyph text i =
+  match Utf8.decode text i with
+  | 1, 0x09 -> (1, { shown = "    "; columns = 4 })
+  | 1, code when code < 0x20 || code = 0x7f -> (1, { shown = replacement; columns = 1 })
+  | 0, _ -> (1, { shown = replacement; columns = 1 })
+  | length, code when within code disguise -> (length, { shown = replacement; columns = 1 })
+  | length, code ->
+      let columns =
+        if code < 0x300 then 1
+        else if within code zero_width then 0
+        else if within code double_width then 2
+        else 1
+      in
+      (length, { shown = String.sub text i length; columns })
+
+let of_line text =
+  let n = String.length text in
+  let column_at = Array.make (n + 1) 0 and character_at = Array.make (n + 1) 0 in
+  let rec go i column count glyphs =
+    if i >= n then begin
+      column_at.(n) <- column;
+      character_at.(n) <- count;
+      Array.of_list (List.rev glyphs)
+    end
+    else begin
+      let length, glyph = glyph text i in
+      for k = i to i + length - 1 do
+        column_at.(k) <- column;
+        character_at.(k) <- count
+      done;
+      go (i + length) (column + glyph.columns) (count + 1) (glyph :: glyphs)
+    end
+  in
+  let glyphs = go 0 0 0 [] in
+  { glyphs; column_at; character_at }
+
+let at table offset =
+  let last = Array.length table - 1 in
+  if offset <= last then table.(max 0 offset) else table.(last) + offset - last
+
+let width t = t.column_at.(Array.length t.column_at - 1)
+let column t offset = at t.column_at offset
+let character t offset = at t.character_at offset
+
+let part t ~from ~width =
+  let text = Buffer.create 80 in
+  let column = ref 0 in
+  Array.iter
+    (fun glyph ->
+      if !column >= from && !column + glyph.columns <= from + width then
+        Buffer.add_string text glyph.shown;
+      column := !column + glyph.columns)
+    t.glyphs;
+  Buffer.contents text
+
+let sanitize text =
+  let t = of_line text in
+  part t ~from:0 ~width:(width t)

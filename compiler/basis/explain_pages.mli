@@ -1,0 +1,4 @@
+(** Generated from [compiler/explain/*.md]. *)
+
+val all : (string * string) list
+(** Code and page, in order of the codes. *)

@@ -1,0 +1,119 @@
+type json =
+  | Null
+  | Bool of bool
+  | Int of int
+  | String of string
+  | List of json list
+  | Object of (string * json) list
+
+(* Display replaces what is no UTF-8; line ends are kept. *)
+let add_string buffer s =
+  let clean = String.concat "\n" (List.map Display.sanitize (String.split_on_char '\n' s)) in
+  Buffer.add_char buffer '"';
+  String.iter
+    (function
+      | '"' -> Buffer.add_string buffer "\\\""
+      | '\\' -> Buffer.add_string buffer "\\\\"
+      | '\n' -> Buffer.add_string buffer "\\n"
+      | c when c < ' ' -> Buffer.add_string buffer (Printf.sprintf "\\u%04x" (Char.code c))
+      | c -> Buffer.add_char buffer c)
+    clean;
+  Buffer.add_char buffer '"'
+
+let rec add buffer = function
+  | Null -> Buffer.add_string buffer "null"
+  | Bool b -> Buffer.add_string buffer (string_of_bool b)
+  | Int n -> Buffer.add_string buffer (string_of_int n)
+  | String s -> add_string buffer s
+  | List list ->
+      Buffer.add_char buffer '[';
+      List.iteri (fun i x -> if i > 0 then Buffer.add_char buffer ','; add buffer x) list;
+      Buffer.add_char buffer ']'
+  | Object fields ->
+      Buffer.add_char buffer '{';
+      List.iteri
+        (fun i (name, x) ->
+          if i > 0 then Buffer.add_char buffer ',';
+          add_string buffer name;
+          Buffer.add_char buffer ':';
+          add buffer x)
+        fields;
+      Buffer.add_char buffer '}'
+
+let character source (p : Span.position) file =
+  match Source.line source file p.line with
+  | Some line -> 1 + Display.character (Display.of_line line) (p.column - 1)
+  | None -> p.column
+
+(* The lines of a long place would say nothing that its ends do not. *)
+let most_lines = 10
+
+let span source ~primary ~label (at : Span.t) =
+  let column_start = character source at.start at.file in
+  let column_end = character source at.stop at.file in
+  let last = min at.stop.line (at.start.line + most_lines - 1) in
+  let lines = List.init (max 1 (last - at.start.line + 1)) (fun i -> at.start.line + i) in
+  let line n =
+    match Source.line source at.file n with
+    | None -> None
+    | Some text ->
+        let whole = 1 + Display.character (Display.of_line text) (String.length text) in
+        Some
+          (Object
+             [
+               ("text", String text);
+               ("highlight_start", Int (if n = at.start.line then column_start else 1));
+               ("highlight_end", Int (if n = at.stop.line then column_end else whole));
+             ])
+  in
+  Object
+    [
+      ("file_name", String at.file);
+      ("byte_start", Int (Source.offset source at.file at.start));
+      ("byte_end", Int (Source.offset source at.file at.stop));
+      ("line_start", Int at.start.line);
+      ("line_end", Int at.stop.line);
+      ("column_start", Int column_start);
+      ("column_end", Int column_end);
+      ("is_primary", Bool primary);
+      ("text", List (List.filter_map line lines));
+      ("label", if label = "" then Null else String label);
+    ]
+
+let child level message =
+  Object
+    [
+      ("message", String message);
+      ("code", Null);
+      ("level", String level);
+      ("spans", List []);
+      ("children", List []);
+      ("rendered", Null);
+    ]
+
+let diagnostic source (d : Diagnostic.t) =
+  let explanation =
+    match Explain.find d.code with Some page -> String page | None -> Null
+  in
+  let level = match d.severity with Error -> "error" | Warning -> "warning" in
+  let buffer = Buffer.create 1024 in
+  add buffer
+    (Object
+       [
+         ("message", String d.message);
+         ("code", Object [ ("code", String d.code); ("explanation", explanation) ]);
+         ("level", String level);
+         ( "spans",
+           List
+             (span source ~primary:true ~label:d.here d.at
+             :: List.map
+                  (fun (l : Diagnostic.label) -> span source ~primary:false ~label:l.text l.at)
+                  d.labels) );
+         ( "children",
+           List (List.map (child "note") d.notes @ List.map (child "help") d.hints) );
+         ("rendered", String (Render_text.diagnostic ~colour:false source d));
+       ]);
+  Buffer.contents buffer
+
+let diagnostics source list =
+  String.concat "" (List.map (fun d -> diagnostic source d ^ "\n") list)

@@ -1,0 +1,32 @@
+type file = { text : string; starts : int array Lazy.t  (** where each line starts *) }
+type t = (string, file) Hashtbl.t
+
+let create () : t = Hashtbl.create 16
+
+let line_starts text =
+  let starts = ref [ 0 ] in
+  String.iteri (fun i c -> if c = '\n' then starts := (i + 1) :: !starts) text;
+  Array.of_list (List.rev !starts)
+
+let add t ~file text = Hashtbl.replace t file { text; starts = lazy (line_starts text) }
+let text t file = Option.map (fun f -> f.text) (Hashtbl.find_opt t file)
+
+let line t file n =
+  match Hashtbl.find_opt t file with
+  | None -> None
+  | Some { text; starts = (lazy starts) } ->
+      if n < 1 || n > Array.length starts then None
+      else
+        let start = starts.(n - 1) in
+        let stop = if n < Array.length starts then starts.(n) - 1 else String.length text in
+        let stop = if stop > start && text.[stop - 1] = '\r' then stop - 1 else stop in
+        Some (String.sub text start (stop - start))
+
+let offset t file (p : Span.position) =
+  match Hashtbl.find_opt t file with
+  | None -> 0
+  | Some { text; starts = (lazy starts) } ->
+      let length = String.length text in
+      if p.line < 1 then 0
+      else if p.line > Array.length starts then length
+      else min length (starts.(p.line - 1) + p.column - 1)
