@@ -61,6 +61,7 @@ let pattern desc ty : pattern = { desc; ty; span }
 let any ty = pattern Any ty
 let bound x ty = pattern (Bound x) ty
 let pair (a : pattern) (b : pattern) = pattern (Tuple_of [ a; b ]) (Tuple [ a.ty; b.ty ] : ty)
+let literal n ty = pattern (Literal (Exact.of_int n)) ty
 let construct c ty parts = pattern (Constructed (c, parts)) ty
 
 let monomorphic ty : scheme = { types = []; representations = []; units = []; context = []; ty }
@@ -95,3 +96,12 @@ let program definitions =
     primitives = [];
     definitions = List.map definition definitions;
   }
+
+let messages pass definitions =
+  let sink = Diagnostic.sink () in
+  pass sink (program definitions);
+  let lines (d : Diagnostic.t) =
+    Printf.sprintf "%s: %s [%s]" d.code d.message d.here
+    :: List.map (fun (l : Diagnostic.label) -> "  " ^ l.text) d.labels
+  in
+  String.concat "\n" (List.concat_map lines (Diagnostic.all sink))

@@ -32,6 +32,7 @@ val make : expr_desc -> ty -> expr
 val any : ty -> pattern
 val bound : Local.t -> ty -> pattern
 val pair : pattern -> pattern -> pattern
+val literal : int -> ty -> pattern
 val construct : constructor -> ty -> pattern list -> pattern
 val binding : pattern -> expr -> binding
 
@@ -42,3 +43,8 @@ val nothing : constructor
 val just : constructor
 val maybe_of : ty -> ty
 val program : (string * expr) list -> program
+
+(** {1 Messages} *)
+
+val messages : (Basis.Diagnostic.sink -> program -> unit) -> (string * expr) list -> string
+(** What a pass says: a line for each message, one for each of its labels. *)

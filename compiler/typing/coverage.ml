@@ -1,0 +1,230 @@
+open Basis
+open Ir
+
+type t = (Global.t, constructor array) Hashtbl.t
+
+let create data =
+  let table = Hashtbl.create 64 in
+  List.iter
+    (fun (d : data) -> Hashtbl.replace table d.tycon (Array.of_list d.constructors))
+    data;
+  table
+
+type row = { pattern : pattern; guarded : bool }
+
+type result = {
+  missing : string option;
+  guarded_only : int option;
+  useless : int list;
+}
+
+(* {1 Values not covered} *)
+
+type value =
+  | Anything
+  | Constructed of string * value list
+  | Tuple of value list
+
+let show value =
+  let out = Buffer.create 32 in
+  let put = Buffer.add_string out in
+  let rec go argument = function
+    | Anything -> put "_"
+    | Constructed (name, []) -> put name
+    | Constructed (name, arguments) ->
+      if argument then put "(";
+      put name;
+      List.iter
+        (fun a ->
+          put " ";
+          go true a)
+        arguments;
+      if argument then put ")"
+    | Tuple parts ->
+      put "(";
+      List.iteri
+        (fun i part ->
+          if i > 0 then put ", ";
+          go false part)
+        parts;
+      put ")"
+  in
+  go false value;
+  Buffer.contents out
+
+(* {1 Heads} *)
+
+(* What a pattern looks at first. [arity]: parts it then looks at. *)
+type head =
+  | Constructor of { index : int; name : string; arity : int }
+  | Components of int
+  | Number of Exact.t
+
+let rec head (p : pattern) =
+  match p.desc with
+  | Any | Bound _ -> None
+  | As (_, p) -> head p
+  | Tuple_of ps -> Some (Components (List.length ps), ps)
+  | Constructed (c, ps) ->
+    let name = c.constructor.name and arity = List.length ps in
+    Some (Constructor { index = c.index; name; arity }, ps)
+  | Literal n -> Some (Number n, [])
+
+let arity = function Constructor { arity; _ } -> arity | Components n -> n | Number _ -> 0
+
+let key = function
+  | Constructor { index; _ } -> string_of_int index
+  | Components _ -> ""
+  | Number n -> Exact.to_string n
+
+let rebuild head parts =
+  match head with
+  | Constructor { name; _ } -> Constructed (name, parts)
+  | Components _ -> Tuple parts
+  | Number n -> Constructed (Exact.to_string n, [])
+
+(* A value of the type with a head not among these; [None] if they are all. *)
+let other t (ty : ty) heads =
+  let given = Hashtbl.create 16 in
+  List.iter (fun h -> Hashtbl.replace given (key h) ()) heads;
+  let rec smallest n =
+    if Hashtbl.mem given (string_of_int n) then smallest (n + 1) else string_of_int n
+  in
+  let first_missing names =
+    let rec go index =
+      if index = Array.length names then None
+      else if Hashtbl.mem given (string_of_int index) then go (index + 1)
+      else
+        let name, arity = names.(index) in
+        Some (Constructed (name, List.init arity (fun _ -> Anything)))
+    in
+    go 0
+  in
+  match ty with
+  | Bool -> first_missing [| ("False", 0); ("True", 0) |]
+  | Data { tycon; _ } -> (
+    match Hashtbl.find_opt t tycon with
+    | Some constructors ->
+      first_missing
+        (Array.map (fun c -> (c.constructor.name, List.length c.fields)) constructors)
+    | None -> Diagnostic.bug ~stage:"Typing.Coverage" "no data type `%s`" tycon.name)
+  | Number (_, { base = []; variables = [] }) -> Some (Constructed (smallest 0, []))
+  | Number _ | Variable _ | String | Function _ | Signal_function _ -> Some Anything
+  | Tuple _ -> None
+
+(* {1 The walk} *)
+
+(* A row of the matrix: what is still to be looked at, from left to right. *)
+type line = { index : int; guards : bool; rest : pattern list }
+
+(* The first column of a matrix taken apart. *)
+type column = {
+  ty : ty option;  (** of what is looked at, if a line does look *)
+  groups : (head * line list) list;  (** what remains for each head *)
+  others : line list;  (** and for any other *)
+}
+
+let first_and_rest line =
+  match line.rest with
+  | first :: rest -> (first, rest)
+  | [] -> Diagnostic.bug ~stage:"Typing.Coverage" "a row is too short"
+
+(* Linear, except that a line that does not look is copied for each head. *)
+let split lines =
+  let groups = Hashtbl.create 16 in
+  let heads = ref [] and others = ref [] and ty = ref None in
+  (* Only the type of a pattern that looks is used. *)
+  let blank (p : pattern) h rest =
+    List.fold_left (fun rest _ -> { p with desc = Any } :: rest) rest (List.init (arity h) Fun.id)
+  in
+  let group (first : pattern) h =
+    match Hashtbl.find_opt groups (key h) with
+    | Some group -> group
+    | None ->
+      let group =
+        ref (List.map (fun line -> { line with rest = blank first h line.rest }) !others)
+      in
+      Hashtbl.replace groups (key h) group;
+      heads := (h, group) :: !heads;
+      ty := Some first.ty;
+      group
+  in
+  let add line =
+    let first, rest = first_and_rest line in
+    match head first with
+    | Some (h, parts) ->
+      let group = group first h in
+      group := { line with rest = parts @ rest } :: !group
+    | None ->
+      List.iter
+        (fun (h, group) -> group := { line with rest = blank first h rest } :: !group)
+        !heads;
+      others := { line with rest } :: !others
+  in
+  List.iter add lines;
+  {
+    ty = !ty;
+    groups = List.rev_map (fun (h, group) -> (h, List.rev !group)) !heads;
+    others = List.rev !others;
+  }
+
+(* A row of values that no line covers, and a line passed on the way to it that
+   would have, but for its guards. *)
+type gap = { values : value list; passed : int option }
+
+let rec take n values taken =
+  if n = 0 then (List.rev taken, values)
+  else match values with v :: rest -> take (n - 1) rest (v :: taken) | [] -> (List.rev taken, [])
+
+let rec gap t used width lines =
+  match lines with
+  | [] -> Some { values = List.init width (fun _ -> Anything); passed = None }
+  | _ when width = 0 -> reached used lines
+  | _ ->
+    let { ty; groups; others } = split lines in
+    let below =
+      List.fold_left
+        (fun found (h, lines) ->
+          let inner = gap t used (arity h + width - 1) lines in
+          match (found, inner) with
+          | Some _, _ | None, None -> found
+          | None, Some g ->
+            let parts, rest = take (arity h) g.values [] in
+            Some { g with values = rebuild h parts :: rest })
+        None groups
+    in
+    let value =
+      match ty with
+      | None -> Some Anything
+      | Some ty -> other t ty (List.map fst groups)
+    in
+    let beside =
+      match value with
+      | None -> None
+      | Some value ->
+        Option.map
+          (fun g -> { g with values = value :: g.values })
+          (gap t used (width - 1) others)
+    in
+    if beside = None then below else beside
+
+(* All that was to be looked at has been: the first line whose guards hold. *)
+and reached used = function
+  | [] -> Some { values = []; passed = None }
+  | line :: rest ->
+    used.(line.index) <- true;
+    if line.guards then
+      Option.map (fun g -> { g with passed = Some line.index }) (reached used rest)
+    else None
+
+let check t rows =
+  let used = Array.make (List.length rows) false in
+  let line index (row : row) = { index; guards = row.guarded; rest = [ row.pattern ] } in
+  let gap = gap t used 1 (List.mapi line rows) in
+  let useless = ref [] in
+  Array.iteri (fun i used -> if not used then useless := i :: !useless) used;
+  {
+    missing = Option.map (fun g -> String.concat ", " (List.map show g.values)) gap;
+    guarded_only = Option.bind gap (fun g -> g.passed);
+    useless = List.rev !useless;
+  }

@@ -1,0 +1,156 @@
+open Basis
+open Ir
+
+(* A function or a proc around the place of the walk. [owner] is the innermost
+   definition in it that is being walked. *)
+type frame = {
+  depth : int;
+  proc_depth : int;  (** of the innermost proc that is this frame or around it *)
+  mutable owner : Level_graph.node option;
+}
+
+type walk = { sink : Diagnostic.sink; graph : Level_graph.t }
+
+let variables (p : pattern) =
+  let rec collect found (p : pattern) =
+    match p.desc with
+    | Any | Literal _ -> found
+    | Bound x -> x :: found
+    | As (x, p) -> collect (x :: found) p
+    | Tuple_of ps | Constructed (_, ps) -> List.fold_left collect found ps
+  in
+  collect [] p
+
+let origin (b : binding) : Level_graph.origin =
+  match (b.pattern.desc, b.pattern.ty) with
+  | Bound _, Signal_function _ -> Bound_signal_function
+  | _ -> Derived
+
+let name w node p = List.iter (fun x -> Level_graph.name w.graph x node) (variables p)
+
+let report_recursion w (x : Local.t) (e : expr) =
+  let why =
+    match e.ty with
+    | Function _ | Signal_function _ -> "functions may not call themselves"
+    | Variable _ | Number _ | Bool | String | Tuple _ | Data _ ->
+      "only the equations of a `proc` may be recursive"
+  in
+  Diagnostic.(
+    error ~code:"E0346" ~at:e.span "`%s` is used in its own definition" x.name
+    |> here why
+    |> label ~at:x.span (Printf.sprintf "`%s` is defined here" x.name)
+    |> emit w.sink)
+
+let mention w frames (x : Local.t) (e : expr) =
+  match Level_graph.find w.graph x with
+  | None -> report_recursion w x e
+  | Some node ->
+    let bound_at = Level_graph.depth node in
+    let rec visit = function
+      | frame :: outer when frame.depth >= bound_at ->
+        (match frame.owner with
+        | Some within ->
+          Level_graph.mention x ~at:e.span node ~within
+            ~inside_proc:(frame.proc_depth > bound_at)
+        | None -> ());
+        visit outer
+      | _ -> ()
+    in
+    visit frames
+
+let push frames ~proc =
+  let depth, around =
+    match frames with f :: _ -> (f.depth + 1, f.proc_depth) | [] -> (1, 0)
+  in
+  { depth; proc_depth = (if proc then depth else around); owner = None } :: frames
+
+let innermost = function
+  | frame :: _ -> frame
+  | [] -> Diagnostic.bug ~stage:"Typing.Levels" "a walk outside of all frames"
+
+let rec expr w frames (e : expr) =
+  match e.desc with
+  | Local (x, _) -> mention w frames x e
+  | Global _ | Primitive _ | Constructor _ | Number _ | String _ -> ()
+  | Tuple es -> List.iter (expr w frames) es
+  | Apply (f, a) ->
+    expr w frames f;
+    expr w frames a
+  | Run (h, input) ->
+    (match (innermost frames).owner with
+    | Some node -> Level_graph.runs w.graph node ~at:e.span
+    | None -> ());
+    expr w frames h;
+    expr w frames input
+  | Negate a | Power (a, _) | Field (a, _, _) -> expr w frames a
+  | If (a, b, c) ->
+    expr w frames a;
+    expr w frames b;
+    expr w frames c
+  | Case (scrutinee, branches) ->
+    let node = part w frames Level_graph.Derived scrutinee in
+    List.iter
+      (fun (b : branch) ->
+        name w node b.pattern;
+        expr w frames b.value)
+      branches
+  | Let (bindings, body) ->
+    List.iter
+      (fun (b : binding) ->
+        let node = part w frames (origin b) b.value in
+        name w node b.pattern)
+      bindings;
+    expr w frames body
+  | Lambda (patterns, body) ->
+    let frames = push frames ~proc:false in
+    let depth = (innermost frames).depth in
+    List.iter (name w (Level_graph.node w.graph ~depth Parameter)) patterns;
+    expr w frames body
+  | Guards (guarded, last) ->
+    List.iter
+      (fun (guard, value) ->
+        expr w frames guard;
+        expr w frames value)
+      guarded;
+    Option.iter (expr w frames) last
+  | Proc { input; equations; output } -> proc w (push frames ~proc:true) input equations output
+  | Record (_, fields) -> List.iter (fun (_, e) -> expr w frames e) fields
+  | Update (record, _, fields) ->
+    expr w frames record;
+    List.iter (fun (_, e) -> expr w frames e) fields
+
+(* A part of a definition with variables of its own. *)
+and part w frames origin e =
+  let frame = innermost frames in
+  let node = Level_graph.node w.graph ~depth:frame.depth origin in
+  let around = frame.owner in
+  Option.iter (fun within -> Level_graph.contain node ~within) around;
+  definition w frames node e;
+  frame.owner <- around;
+  node
+
+and definition w frames node e =
+  (innermost frames).owner <- Some node;
+  expr w frames e
+
+and proc w frames input equations output =
+  let frame = innermost frames in
+  let node origin = Level_graph.node w.graph ~depth:frame.depth origin in
+  name w (node Input) input;
+  let nodes =
+    List.rev_map
+      (fun (b : binding) ->
+        let node = node (origin b) in
+        name w node b.pattern;
+        (node, b.value))
+      equations
+  in
+  List.iter (fun (node, value) -> definition w frames node value) (List.rev nodes);
+  frame.owner <- None;
+  expr w frames output
+
+let program sink (p : program) =
+  let w = { sink; graph = Level_graph.create () } in
+  let frames = push [] ~proc:false in
+  List.iter (fun (d : definition) -> expr w frames d.value) p.definitions;
+  w.graph

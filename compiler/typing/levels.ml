@@ -1,0 +1,220 @@
+open Basis
+open Ir
+
+(* Whether what stands here is computed at every instant. *)
+type position =
+  | Outside  (** of all procs *)
+  | Every_instant
+  | In_branch
+  | In_guard
+  | In_function of string  (** its name, [""] for a lambda *)
+
+(* An expression that may not depend on the signals around it. [depth] is that
+   of the place; at most one message for each. *)
+type region = { depth : int; kind : kind; mutable reported : bool }
+
+and kind =
+  | Head of expr
+  | Binding_of of Local.t  (** a signal function *)
+  | Inner_proc
+
+type place = {
+  position : position;
+  depth : int;
+  regions : region list;  (** innermost first *)
+}
+
+type walk = { sink : Diagnostic.sink; graph : Level_graph.t }
+
+let enter place kind =
+  { place with regions = { depth = place.depth; kind; reported = false } :: place.regions }
+
+(* {1 What must be static} *)
+
+let complaint kind what =
+  match kind with
+  | Head { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ } ->
+    Printf.sprintf "the initial value of `delay` must be static, but %s" what
+  | Head _ -> Printf.sprintf "what is run must be static, but %s" what
+  | Binding_of x ->
+    Printf.sprintf "`%s` is a signal function and must be static, but %s" x.name what
+  | Inner_proc ->
+    Printf.sprintf "a `proc` inside a `proc` may use what is static, but %s" what
+
+let code = function Head _ -> "E0340" | Binding_of _ -> "E0344" | Inner_proc -> "E0345"
+
+let report w region ~at what explain =
+  if not region.reported then (
+    region.reported <- true;
+    Diagnostic.(
+      error ~code:(code region.kind) ~at "%s" (complaint region.kind what)
+      |> explain
+      |> emit w.sink))
+
+let outermost suits regions =
+  List.fold_left (fun found r -> if suits r then Some r else found) None regions
+
+let mention w place (x : Local.t) (e : expr) =
+  match Level_graph.find w.graph x with
+  | None -> ()
+  | Some node -> (
+    match (Level_graph.level node, Level_graph.origin node) with
+    | (Constant | Static), _ | Signal, Bound_signal_function -> ()
+    | Signal, (Derived | Parameter | Input) -> (
+      let bound_at = Level_graph.depth node in
+      match outermost (fun (r : region) -> bound_at <= r.depth) place.regions with
+      | None -> ()
+      | Some region ->
+        report w region ~at:e.span
+          (Printf.sprintf "`%s` is a signal" x.name)
+          (Level_graph.explain x node)))
+
+(* {1 Where instances stand} *)
+
+let rec head_name (h : expr) =
+  match h.desc with
+  | Local (x, _) -> Printf.sprintf "`%s`" x.name
+  | Global (g, _) | Primitive (g, _) -> Printf.sprintf "`%s`" g.name
+  | Apply (f, _) -> head_name f
+  | _ -> "a signal function"
+
+let own_equation = "give it an equation of its own"
+
+let misplaced w place (e : expr) h =
+  let name = head_name h in
+  let error code text = Diagnostic.error ~code ~at:e.span "%s" text in
+  let emit d = Diagnostic.emit w.sink d in
+  match place.position with
+  | Every_instant -> ()
+  | Outside ->
+    emit
+      (error "E0341" (Printf.sprintf "%s is run outside of a `proc`" name)
+      |> Diagnostic.here "an instance needs a `proc` around it"
+      |> Diagnostic.hint "write `proc x -> …`, and run it there")
+  | In_branch ->
+    emit
+      (error "E0342" (Printf.sprintf "%s is run in a branch" name)
+      |> Diagnostic.here "would run even when not chosen"
+      |> Diagnostic.hint own_equation)
+  | In_guard ->
+    emit
+      (error "E0342" (Printf.sprintf "%s is run in a guard" name)
+      |> Diagnostic.here "would run even when not reached"
+      |> Diagnostic.hint own_equation)
+  | In_function f ->
+    let where = if f = "" then "a function" else Printf.sprintf "the function `%s`" f in
+    emit
+      (error "E0343" (Printf.sprintf "%s is run in %s" name where)
+      |> Diagnostic.here "functions hold no instances"
+      |> Diagnostic.hint own_equation)
+
+let instance w place (e : expr) h =
+  let same_frame (r : region) =
+    r.depth = place.depth && match r.kind with Head _ | Binding_of _ -> true | Inner_proc -> false
+  in
+  match outermost same_frame place.regions with
+  | None -> misplaced w place e h
+  | Some region ->
+    report w region ~at:e.span (Printf.sprintf "%s is run here" (head_name h)) Fun.id
+
+let conditional place position =
+  match place.position with
+  | Every_instant -> { place with position }
+  | Outside | In_branch | In_guard | In_function _ -> place
+
+(* {1 The walk} *)
+
+let rec first_variable (p : pattern) =
+  match p.desc with
+  | Any | Literal _ -> None
+  | Bound x | As (x, _) -> Some x
+  | Tuple_of ps | Constructed (_, ps) -> List.find_map first_variable ps
+
+(* What binds no variable is mentioned by nothing: there its level is only a
+   guess on the safe side. *)
+let level w place (p : pattern) =
+  match Option.bind (first_variable p) (Level_graph.find w.graph) with
+  | Some node -> Level_graph.level node
+  | None -> ( match place.position with Outside -> Static | _ -> Signal)
+
+let map f list = List.rev (List.rev_map f list)
+
+let rec expr w place (e : expr) : expr =
+  let with_ desc : expr = { e with desc } in
+  match e.desc with
+  | Local (x, _) ->
+    mention w place x e;
+    e
+  | Global _ | Primitive _ | Constructor _ | Number _ | String _ -> e
+  | Tuple es -> with_ (Tuple (map (expr w place) es))
+  | Apply (f, a) ->
+    let f = expr w place f in
+    with_ (Apply (f, expr w place a))
+  | Run (h, input) ->
+    instance w place e h;
+    let head = expr w (enter place (Head h)) h in
+    with_ (Run (head, expr w place input))
+  | Negate a -> with_ (Negate (expr w place a))
+  | Power (a, k) -> with_ (Power (expr w place a, k))
+  | Field (a, c, i) -> with_ (Field (expr w place a, c, i))
+  | If (condition, a, b) ->
+    let condition = expr w place condition in
+    let place = conditional place In_branch in
+    let a = expr w place a in
+    with_ (If (condition, a, expr w place b))
+  | Case (scrutinee, branches) ->
+    let scrutinee = expr w place scrutinee in
+    let place = conditional place In_branch in
+    let branch (b : branch) = { b with value = expr w place b.value } in
+    with_ (Case (scrutinee, map branch branches))
+  | Let (bindings, body) ->
+    let bindings = map (binding w place) bindings in
+    with_ (Let (bindings, expr w place body))
+  | Lambda (patterns, body) -> with_ (Lambda (patterns, function_ w place "" body))
+  | Guards (guarded, last) ->
+    let in_guard = conditional place In_guard and in_branch = conditional place In_branch in
+    let alternative (guard, value) =
+      let guard = expr w in_guard guard in
+      (guard, expr w in_branch value)
+    in
+    let guarded = map alternative guarded in
+    with_ (Guards (guarded, Option.map (expr w in_branch) last))
+  | Proc { input; equations; output } ->
+    let place = match place.position with Outside -> place | _ -> enter place Inner_proc in
+    let place = { place with position = Every_instant; depth = place.depth + 1 } in
+    let equations = map (binding w place) equations in
+    with_ (Proc { input; equations; output = expr w place output })
+  | Record (c, fields) -> with_ (Record (c, map (field w place) fields))
+  | Update (record, c, fields) ->
+    let record = expr w place record in
+    with_ (Update (record, c, map (field w place) fields))
+
+and field w place (i, e) = (i, expr w place e)
+
+and function_ w place name body =
+  let position =
+    match place.position with
+    | Outside -> Outside
+    | Every_instant | In_branch | In_guard | In_function _ -> In_function name
+  in
+  expr w { place with position; depth = place.depth + 1 } body
+
+and binding w place (b : binding) =
+  let level = level w place b.pattern in
+  let value =
+    match (b.pattern.desc, b.pattern.ty, b.value.desc) with
+    | Bound x, _, Lambda (patterns, body) ->
+      { b.value with desc = Lambda (patterns, function_ w place x.name body) }
+    | Bound x, Signal_function _, _ -> expr w (enter place (Binding_of x)) b.value
+    | _ -> expr w place b.value
+  in
+  { b with level; value }
+
+let program sink (p : program) =
+  let graph = Level_dependencies.program sink p in
+  Level_graph.solve graph;
+  let w = { sink; graph } in
+  let definition (d : definition) =
+    { d with value = expr w { position = Outside; depth = 1; regions = [] } d.value }
+  in
+  { p with definitions = map definition p.definitions }

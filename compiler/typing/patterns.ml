@@ -1,0 +1,122 @@
+open Basis
+open Ir
+
+type walk = { sink : Diagnostic.sink; coverage : Coverage.t }
+
+(* Whether the guards that end a right side may all fail. *)
+let rec falls (e : expr) =
+  match e.desc with
+  | Guards (_, None) -> true
+  | Let (_, body) -> falls body
+  | _ -> false
+
+let case w (e : expr) branches =
+  let row (b : branch) : Coverage.row = { pattern = b.pattern; guarded = falls b.value } in
+  let result = Coverage.check w.coverage (List.rev (List.rev_map row branches)) in
+  (match result.missing with
+  | None -> ()
+  | Some value ->
+    let d =
+      Diagnostic.(
+        error ~code:"E0350" ~at:e.span "this `case` does not cover every value"
+        |> here (Printf.sprintf "no branch for `%s`" value))
+    in
+    let d =
+      match result.guarded_only with
+      | None -> d
+      | Some index ->
+        let b : branch = List.nth branches index in
+        d
+        |> Diagnostic.label ~at:b.pattern.span "the guards of this branch may all fail"
+        |> Diagnostic.hint "end the guards with `otherwise`"
+    in
+    Diagnostic.emit w.sink d);
+  let rec warn index useless (branches : branch list) =
+    match (useless, branches) with
+    | next :: useless, b :: branches when next = index ->
+      Diagnostic.(
+        warning ~code:"W0301" ~at:b.pattern.span "this branch is never taken"
+        |> here "the branches before it cover these values"
+        |> emit w.sink);
+      warn (index + 1) useless branches
+    | _ :: _, _ :: branches -> warn (index + 1) useless branches
+    | [], _ | _, [] -> ()
+  in
+  warn 0 result.useless branches
+
+let always_matches w what (p : pattern) =
+  match p.desc with
+  | Any | Bound _ -> ()
+  | As _ | Tuple_of _ | Constructed _ | Literal _ -> (
+    match (Coverage.check w.coverage [ { pattern = p; guarded = false } ]).missing with
+    | None -> ()
+    | Some value ->
+      Diagnostic.(
+        error ~code:"E0351" ~at:p.span "the pattern of %s must match every value" what
+        |> here (Printf.sprintf "does not match `%s`" value)
+        |> hint "use `case`"
+        |> emit w.sink))
+
+let rec expr w (e : expr) =
+  match e.desc with
+  | Local _ | Global _ | Primitive _ | Constructor _ | Number _ | String _ -> ()
+  | Tuple es -> List.iter (expr w) es
+  | Apply (a, b) | Run (a, b) ->
+    expr w a;
+    expr w b
+  | Negate a | Power (a, _) | Field (a, _, _) -> expr w a
+  | If (a, b, c) ->
+    expr w a;
+    expr w b;
+    expr w c
+  | Case (scrutinee, branches) ->
+    expr w scrutinee;
+    case w e branches;
+    List.iter (fun (b : branch) -> right w b.value) branches
+  | Let (bindings, body) ->
+    List.iter (binding w) bindings;
+    expr w body
+  | Lambda (patterns, body) ->
+    List.iter (always_matches w "a function") patterns;
+    expr w body
+  | Guards (guarded, last) ->
+    if last = None then
+      Diagnostic.(
+        error ~code:"E0352" ~at:e.span "these guards may all fail"
+        |> here "no value where they do"
+        |> hint "end them with `otherwise`"
+        |> emit w.sink);
+    guards w guarded last
+  | Proc { input; equations; output } ->
+    always_matches w "a `proc`" input;
+    List.iter (binding w) equations;
+    expr w output
+  | Record (_, fields) -> List.iter (fun (_, e) -> expr w e) fields
+  | Update (record, _, fields) ->
+    expr w record;
+    List.iter (fun (_, e) -> expr w e) fields
+
+(* The right side of a branch: its guards may fall through to the next. *)
+and right w (e : expr) =
+  match e.desc with
+  | Guards (guarded, last) -> guards w guarded last
+  | Let (bindings, body) ->
+    List.iter (binding w) bindings;
+    right w body
+  | _ -> expr w e
+
+and guards w guarded last =
+  List.iter
+    (fun (guard, value) ->
+      expr w guard;
+      expr w value)
+    guarded;
+  Option.iter (expr w) last
+
+and binding w (b : binding) =
+  always_matches w "an equation" b.pattern;
+  expr w b.value
+
+let check sink (p : program) =
+  let w = { sink; coverage = Coverage.create p.data } in
+  List.iter (fun (d : definition) -> expr w d.value) p.definitions
