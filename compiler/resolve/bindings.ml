@@ -1,0 +1,191 @@
+open Basis
+open Interface
+
+type 'a resolver = Env.t -> 'a -> Ir.expr
+
+type right =
+  | Definition of Syntax.Ir.right
+  | Run of Syntax.Ir.command
+
+type item = {
+  left : Syntax.Ir.left;
+  right : right;
+  doc : string option;
+  span : Span.t;
+}
+
+let map f xs = List.rev (List.rev_map f xs)
+
+let item (d : Syntax.Ir.declaration) =
+  match d.desc with
+  | Binding b -> Some { left = b.left; right = Definition b.right; doc = d.doc; span = b.span }
+  | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Primitive _ -> None
+
+let items declarations = List.filter_map item declarations
+
+let signatures declarations =
+  let add reversed (d : Syntax.Ir.declaration) =
+    match d.desc with
+    | Signature { names; ty } -> List.fold_left (fun all n -> (n, ty) :: all) reversed names
+    | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Primitive _ -> reversed
+  in
+  List.rev (List.fold_left add [] declarations)
+
+(* The signatures by name. Emits for one that is repeated, or has no binding
+   among the names in [bound]. *)
+let signature_table (scope : Scope.t) ~bound signatures =
+  let report_repeated (first : Syntax.Ir.name) (name : Syntax.Ir.name) =
+    Diagnostic.error ~code:"E0211" ~at:name.span "`%s` has two signatures" name.text
+    |> Diagnostic.label ~at:first.span "the first is here"
+    |> Context.emit scope.context
+  in
+  let report_unbound (name : Syntax.Ir.name) =
+    Diagnostic.error ~code:"E0214" ~at:name.span "the signature of `%s` has no definition with it"
+      name.text
+    |> Context.suggest scope.context name.text
+         (lazy (List.map fst (String_map.bindings bound)))
+    |> Context.emit scope.context
+  in
+  let add table ((name : Syntax.Ir.name), ty) =
+    match String_map.find_opt name.text table with
+    | Some (first, _) ->
+        report_repeated first name;
+        table
+    | None ->
+        if not (String_map.mem name.text bound) then report_unbound name;
+        String_map.add name.text (name, Types.scheme scope ty) table
+  in
+  List.fold_left add String_map.empty signatures
+
+(* The binder of an item with its variables. *)
+let binder (scope : Scope.t) item : Ir.binder * Ir.Local.t list =
+  let inner (name : Syntax.Ir.name) : Ir.binder * Ir.Local.t list =
+    let local = Context.fresh scope.context name.text name.span in
+    (Inner local, [ local ])
+  in
+  match item.left with
+  | Name name | Function_name { name; _ } | Pattern { desc = Bound name; _ } -> inner name
+  | Pattern p ->
+      let p = Patterns.pattern scope p in
+      (Destructure p, Patterns.variables p)
+
+let parameters item =
+  match item.left with
+  | Function_name { parameters; _ } -> parameters
+  | Name _ | Pattern _ -> []
+
+let rec right env ~expr ~command (r : Syntax.Ir.right) : Ir.right =
+  let guards =
+    match r.body with
+    | Plain value -> [ (None, value) ]
+    | Guarded guards -> map (fun (condition, value) -> (Some condition, value)) guards
+  in
+  guarded env ~expr ~command ~guards ~where:r.where
+
+and guarded env ~expr ~command ~guards ~where : Ir.right =
+  let env, where =
+    declarations env ~expr ~command ~items:(items where) ~signatures:(signatures where)
+  in
+  let guard (condition, value) : Ir.guarded =
+    let condition = Option.map (expr env) condition in
+    { condition; value = expr env value }
+  in
+  { guards = map guard guards; where }
+
+and binding env ~expr ~command ~name ~signature item : Ir.binding =
+  let env, parameters = Patterns.bind env (parameters item) in
+  let body =
+    match item.right with
+    | Definition r -> right env ~expr ~command r
+    | Run c ->
+        let value : Ir.guarded = { condition = None; value = command env c } in
+        { guards = [ value ]; where = { groups = []; signatures = [] } }
+  in
+  { name; signature; parameters; body; doc = item.doc; span = item.span }
+
+and declarations env ~expr ~command ~items ~signatures =
+  match (items, signatures) with
+  | [], [] -> (env, { groups = []; signatures = [] })
+  | _ ->
+      let scope = Env.scope env in
+      let binders = Array.of_list (map (binder scope) items) in
+      let group = Groups.create (Array.length binders) in
+      let bound =
+        let add bound (local : Ir.Local.t) = String_map.add local.name local bound in
+        Array.fold_left
+          (fun bound (_, locals) -> List.fold_left add bound locals)
+          String_map.empty binders
+      in
+      let table = signature_table scope ~bound signatures in
+      let variable index (local : Ir.Local.t) : Env.variable =
+        { local; owner = Some { group; index; signed = String_map.mem local.name table } }
+      in
+      let variables =
+        Array.to_list (Array.mapi (fun i (_, locals) -> map (variable i) locals) binders)
+      in
+      let env = Env.bind env (List.concat variables) in
+      let signature_of (local : Ir.Local.t) =
+        Option.map snd (String_map.find_opt local.name table)
+      in
+      let resolve i item =
+        let name, _ = binders.(i) in
+        let signature =
+          match (name : Ir.binder) with
+          | Inner local -> signature_of local
+          | Top _ | Destructure _ -> None
+        in
+        Groups.within group i (fun () -> binding env ~expr ~command ~name ~signature item)
+      in
+      let bindings = Array.of_list (List.rev (snd (List.fold_left
+        (fun (i, reversed) item -> (i + 1, resolve i item :: reversed)) (0, []) items)))
+      in
+      let destructured =
+        let of_binder ((name : Ir.binder), locals) =
+          match name with
+          | Destructure _ ->
+              List.filter_map
+                (fun local -> Option.map (fun s -> (local, s)) (signature_of local))
+                locals
+          | Inner _ | Top _ -> []
+        in
+        List.concat_map of_binder (Array.to_list binders)
+      in
+      (env, { groups = Groups.sort group bindings; signatures = destructured })
+
+let report_pattern (scope : Scope.t) item =
+  Diagnostic.error ~code:"E0226" ~at:item.span "a pattern cannot be defined at top level"
+  |> Diagnostic.hint "define each name by itself, or match in a `let` or `where`"
+  |> Context.emit scope.context
+
+let report_operator (scope : Scope.t) (name : Syntax.Ir.name) =
+  Diagnostic.error ~code:"E0227" ~at:name.span "programs define no operators"
+  |> Diagnostic.hint "give the function a name; backticks make it infix: a `f` b"
+  |> Context.emit scope.context
+
+let is_operator text =
+  match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
+
+let top_level (scope : Scope.t) ~expr ~command declarations =
+  (* Of definitions of one name, the first; the others are reported already. *)
+  let add (seen, reversed) item =
+    match item.left with
+    | Pattern { desc = Bound name; _ } | Name name | Function_name { name; _ } ->
+        if is_operator name.text && not scope.library then report_operator scope name;
+        if String_map.mem name.text seen then (seen, reversed)
+        else (String_map.add name.text (List.length reversed) seen, (name, item) :: reversed)
+    | Pattern _ ->
+        report_pattern scope item;
+        (seen, reversed)
+  in
+  let index, reversed = List.fold_left add (String_map.empty, []) (items declarations) in
+  let named = Array.of_list (List.rev reversed) in
+  let group = Groups.create (Array.length named) in
+  let env = Env.top scope group index in
+  let table = signature_table scope ~bound:index (signatures declarations) in
+  let resolve i ((name : Syntax.Ir.name), item) =
+    let signature = Option.map snd (String_map.find_opt name.text table) in
+    let global : Ir.Global.t = { module_ = scope.module_; name = name.text } in
+    let name : Ir.binder = Top (global, name.span) in
+    Groups.within group i (fun () -> binding env ~expr ~command ~name ~signature item)
+  in
+  Groups.sort group (Array.mapi resolve named)

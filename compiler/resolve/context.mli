@@ -1,0 +1,21 @@
+(** What one run of the resolver carries along: where diagnostics go, the
+    counter of local variables, and how deep the present expression is. *)
+
+open Basis
+
+type t
+
+val create : Diagnostic.sink -> t
+val emit : t -> Diagnostic.t -> unit
+
+val fresh : t -> string -> Span.t -> Ir.Local.t
+(** A new local variable. *)
+
+val nested : t -> Span.t -> otherwise:'a -> (unit -> 'a) -> 'a
+(** Runs a function one level deeper. Beyond 10,000 levels, where the stack
+    would be in danger, it emits E0230, once, and gives [otherwise]. *)
+
+val suggest : t -> string -> string list Lazy.t -> Diagnostic.t -> Diagnostic.t
+(** Adds a hint with the nearest of the names. Looks only for the first
+    hundred names of a run: a list of suggestions as long as the program
+    helps nobody and takes quadratic time. *)

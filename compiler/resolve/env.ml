@@ -1,0 +1,71 @@
+open Basis
+open Interface
+
+type owner = { group : Groups.t; index : int; signed : bool }
+type variable = { local : Ir.Local.t; owner : owner option }
+
+type t = {
+  scope : Scope.t;
+  locals : variable String_map.t;
+  top_level : Groups.t;
+  top_index : int String_map.t;
+}
+
+let top scope top_level top_index = { scope; locals = String_map.empty; top_level; top_index }
+let scope t = t.scope
+let context t = t.scope.context
+
+let report_twice t (first : Ir.Local.t) (second : Ir.Local.t) =
+  Diagnostic.error ~code:"E0212" ~at:second.span "`%s` is bound twice in one group" second.name
+  |> Diagnostic.label ~at:first.span "first bound here"
+  |> Context.emit (context t)
+
+let warn_hidden t (outer : Ir.Local.t) (inner : Ir.Local.t) =
+  Diagnostic.warning ~code:"W0201" ~at:inner.span "`%s` hides a local variable of that name"
+    inner.name
+  |> Diagnostic.label ~at:outer.span "hidden from here on"
+  |> Context.emit (context t)
+
+let bind t variables =
+  let add (fresh, locals) variable =
+    let name = variable.local.name in
+    match String_map.find_opt name fresh with
+    | Some first ->
+        report_twice t first variable.local;
+        (fresh, locals)
+    | None ->
+        (match String_map.find_opt name t.locals with
+        | Some outer -> warn_hidden t outer.local variable.local
+        | None -> ());
+        (String_map.add name variable.local fresh, String_map.add name variable locals)
+  in
+  let _, locals = List.fold_left add (String_map.empty, t.locals) variables in
+  { t with locals }
+
+let refer_to_local variable : Ir.expr_desc =
+  (match variable.owner with
+  | Some { group; index; signed } -> Groups.refer group ~signed index
+  | None -> ());
+  Local variable.local
+
+let refer_to_value t (value : value) : Ir.expr_desc =
+  (if String.equal value.global.module_ t.scope.module_ then
+   match String_map.find_opt value.global.name t.top_index with
+   | Some index -> Groups.refer t.top_level ~signed:value.signed index
+   | None -> ());
+  Global value.global
+
+let names t = lazy (String_map.fold (fun name _ names -> name :: names) t.locals [])
+
+let module_level t q =
+  Option.map (refer_to_value t) (Scope.find_value t.scope ~locals:(names t) q)
+
+let variable t (q : Syntax.Ir.qualified) =
+  match q.qualifier with
+  | Some _ -> module_level t q
+  | None -> (
+      match String_map.find_opt q.name.text t.locals with
+      | Some variable -> Some (refer_to_local variable)
+      | None -> module_level t q)
+
+let global t text span = module_level t { qualifier = None; name = { text; span }; span }

@@ -1,0 +1,29 @@
+(** What names mean inside of a definition: local variables, then the
+    module's scope. *)
+
+open Basis
+
+type t
+
+val top : Scope.t -> Groups.t -> int Interface.String_map.t -> t
+(** No locals; the module's own definitions have these numbers in the group
+    of its top level. *)
+
+val scope : t -> Scope.t
+val context : t -> Context.t
+
+(** Where a local variable is defined: a binding of a group under analysis. *)
+type owner = { group : Groups.t; index : int; signed : bool }
+
+type variable = { local : Ir.Local.t; owner : owner option  (** none for parameters *) }
+
+val bind : t -> variable list -> t
+(** Adds variables that come into scope together. Emits E0212 if two have one
+    name, W0201 if one hides a local variable. *)
+
+val variable : t -> Syntax.Ir.qualified -> Ir.expr_desc option
+(** Notes the reference in the group of what it refers to. Emits a diagnostic
+    if there is no such variable. *)
+
+val global : t -> string -> Span.t -> Ir.expr_desc option
+(** An operator or other name of module level, whatever the locals. *)

@@ -1,0 +1,60 @@
+open Basis
+open Interface
+
+let texts names =
+  List.fold_left
+    (fun set (name : Syntax.Ir.name) -> String_set.add name.text set)
+    String_set.empty names
+
+let report_absent context names ~module_ (name : Syntax.Ir.name) what =
+  Diagnostic.error ~code:"E0215" ~at:name.span "module `%s` has no `%s` to %s" module_ name.text
+    what
+  |> Context.suggest context name.text (lazy (all names))
+  |> Context.emit context
+
+let of_module (scope : Scope.t) (header : Syntax.Ir.header option) =
+  match header with
+  | None | Some { exports = None; _ } -> scope.own
+  | Some { exports = Some listed; _ } ->
+      let wanted = texts listed in
+      let add names (import : Scope.import) =
+        if import.unqualified then union names (select import.names wanted) else names
+      in
+      let exported = List.fold_left add (select scope.own wanted) scope.imports in
+      let check (name : Syntax.Ir.name) =
+        if scope.complete && not (mem exported name.text) then
+          report_absent scope.context scope.own ~module_:scope.module_ name "export"
+      in
+      List.iter check listed;
+      exported
+
+let imported context (declaration : Syntax.Ir.import option) ~module_ names : Scope.import =
+  match declaration with
+  | None ->
+      {
+        module_;
+        qualifiers = [ module_ ];
+        unqualified = true;
+        names;
+        span = Span.start_of_file "";
+      }
+  | Some import ->
+      let names =
+        match import.items with
+        | None -> names
+        | Some items ->
+            let check (name : Syntax.Ir.name) =
+              if not (mem names name.text) then
+                report_absent context names ~module_ name "import"
+            in
+            List.iter check items;
+            select names (texts items)
+      in
+      let alias = Option.map (fun (alias : Syntax.Ir.name) -> alias.text) import.alias in
+      {
+        module_;
+        qualifiers = Option.value (Option.map (fun a -> [ a ]) alias) ~default:[ module_ ];
+        unqualified = not import.qualified;
+        names;
+        span = import.span;
+      }

@@ -1,0 +1,11 @@
+(** What a module gives to those that import it, and what an import takes. *)
+
+val of_module : Scope.t -> Syntax.Ir.header option -> Interface.names
+(** All that it declares, or what its header lists, imported names
+    included. *)
+
+val imported :
+  Context.t -> Syntax.Ir.import option -> module_:string -> Interface.names -> Scope.import
+(** The part of a module's exports that an import takes; [None] is the
+    prelude's unwritten import. Emits E0215 for a name that is not
+    exported. *)

@@ -1,0 +1,202 @@
+open Basis
+
+let map f xs = List.rev (List.rev_map f xs)
+let missing : Ir.expr_desc = Tuple []
+
+let is_operator text =
+  match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
+
+let rec expr env (e : Syntax.Ir.expr) : Ir.expr =
+  match e.desc with
+  | Parenthesized inner -> expr env inner
+  | _ ->
+      Context.nested (Env.context env) e.span
+        ~otherwise:({ desc = missing; span = e.span } : Ir.expr)
+        (fun () -> { desc = desc env e; span = e.span })
+
+and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
+  let scope = Env.scope env in
+  match e.desc with
+  | Parenthesized inner -> (expr env inner).desc
+  | Variable name -> Option.value (Env.variable env name) ~default:missing
+  | Constructor name -> (
+      match Scope.find scope Interface.constructors name with
+      | Some constructor -> Constructor constructor.global
+      | None -> missing)
+  | Number n -> Number (Patterns.number scope n)
+  | String text -> String text
+  | Tuple es -> Tuple (map (expr env) es)
+  | Apply (head, argument) ->
+      let head = expr env head in
+      Apply { head; argument = expr env argument; style = Juxtaposed }
+  | Binary { operator; left; right } ->
+      let left = expr env left in
+      binary env e.span operator left (expr env right)
+  | Negate inner -> Negate (expr env inner)
+  | Left_section { left; operator } ->
+      Apply { head = operator_name env operator; argument = expr env left; style = style operator }
+  | Right_section { operator; right } -> right_section env e.span operator right
+  | Power { base; exponent } -> Power { base = expr env base; exponent }
+  | If { condition; then_; else_ } ->
+      let condition = expr env condition in
+      let then_ = expr env then_ in
+      If { condition; then_; else_ = expr env else_ }
+  | Case { scrutinee; branches } ->
+      let scrutinee = expr env scrutinee in
+      Case { scrutinee; branches = map (branch env) branches }
+  | Let { bindings; body } ->
+      let env, declarations = declarations env bindings in
+      Let { declarations; body = expr env body }
+  | Lambda { parameters; body } ->
+      let env, parameters = Patterns.bind env parameters in
+      Lambda { parameters; body = expr env body }
+  | Proc { input; body } -> (
+      let inner, inputs = Patterns.bind env [ input ] in
+      match inputs with
+      | [ input ] -> Proc { input; body = proc_body inner body }
+      | _ -> Diagnostic.bug ~stage:"Resolve.Expressions" "one pattern became several")
+  | Record { constructor; fields } -> record env e.span constructor fields
+  | Update { record; fields } ->
+      let record = expr env record in
+      let fields = map (fun (name, value) -> (name, expr env value)) fields in
+      check_given_once scope (map fst fields);
+      let candidates =
+        Scope.records_with scope (map (fun ((n : Syntax.Ir.name), _) -> n.text) fields)
+      in
+      Update { record; fields; candidates }
+  | Field { record; field } ->
+      let candidates = Scope.records_with scope [ field.text ] in
+      Field { record = expr env record; field; candidates }
+  | Annotated { expr = inner; ty } ->
+      Annotated { expr = expr env inner; scheme = Types.scheme scope ty }
+
+and declarations env bindings =
+  Bindings.declarations env ~expr ~command ~items:(Bindings.items bindings)
+    ~signatures:(Bindings.signatures bindings)
+
+(* Operators *)
+
+and style (operator : Syntax.Ir.qualified) : Ir.apply_style =
+  if is_operator operator.name.text then Operator operator.name.text else Juxtaposed
+
+and operator_name env (operator : Syntax.Ir.qualified) : Ir.expr =
+  let desc = Option.value (operator_meaning env operator) ~default:missing in
+  { desc; span = operator.span }
+
+(* In backticks there may be a constructor. *)
+and operator_meaning env operator : Ir.expr_desc option =
+  match operator.name.text.[0] with
+  | 'A' .. 'Z' ->
+      Option.map
+        (fun (c : Interface.constructor) -> Ir.Constructor c.global)
+        (Scope.find (Env.scope env) Interface.constructors operator)
+  | _ -> Env.variable env operator
+
+and binary env span operator (left : Ir.expr) right : Ir.expr_desc =
+  let head = operator_name env operator in
+  let style = style operator in
+  let partial : Ir.expr =
+    let span = if left.span = span then span else Span.merge left.span operator.span in
+    { desc = Apply { head; argument = left; style }; span }
+  in
+  Apply { head = partial; argument = right; style }
+
+(* [(- x)] is no section; [(`f` x)] is the function of f's first argument. *)
+and right_section env span operator right : Ir.expr_desc =
+  let local = Context.fresh (Env.context env) "left" operator.span in
+  let left : Ir.expr = { desc = Local local; span = operator.span } in
+  let body : Ir.expr = { desc = binary env span operator left (expr env right); span } in
+  Lambda { parameters = [ { desc = Bound local; span = operator.span } ]; body }
+
+and command env (c : Syntax.Ir.command) : Ir.expr =
+  let head = expr env c.signal_function in
+  { desc = Apply { head; argument = expr env c.argument; style = Command }; span = c.span }
+
+(* Branches *)
+
+and branch env (b : Syntax.Ir.branch) : Ir.branch =
+  let env, patterns = Patterns.bind env [ b.pattern ] in
+  let guards =
+    match b.body with
+    | Always value -> [ (None, value) ]
+    | If_guards guards -> map (fun (condition, value) -> (Some condition, value)) guards
+  in
+  {
+    pattern = List.hd patterns;
+    right = Bindings.guarded env ~expr ~command ~guards ~where:b.where;
+    span = b.span;
+  }
+
+(* Procs *)
+
+and proc_body env (body : Syntax.Ir.proc_body) : Ir.proc_body =
+  match body with
+  | Output { output; equations } ->
+      let env, equations = declarations env equations in
+      { equations; output = expr env output }
+  | Command c -> { equations = { groups = []; signatures = [] }; output = command env c }
+  | Do { statements; result } ->
+      let items = List.concat_map statement_items statements in
+      let signatures = List.concat_map statement_signatures statements in
+      let env, equations = Bindings.declarations env ~expr ~command ~items ~signatures in
+      { equations; output = command env result }
+
+and statement_items (s : Syntax.Ir.statement) : Bindings.item list =
+  match s with
+  | Bind { pattern; command } ->
+      let span = Span.merge pattern.span command.span in
+      [ { left = Pattern pattern; right = Run command; doc = None; span } ]
+  | Bind_expr { pattern; expr; span } ->
+      let right : Syntax.Ir.right = { body = Plain expr; where = [] } in
+      [ { left = Pattern pattern; right = Definition right; doc = None; span } ]
+  | Let_equations declarations -> Bindings.items declarations
+
+and statement_signatures = function
+  | Let_equations declarations -> Bindings.signatures declarations
+  | Bind _ | Bind_expr _ -> []
+
+(* Records *)
+
+and check_given_once (scope : Scope.t) names =
+  let add seen (name : Syntax.Ir.name) =
+    match Interface.String_map.find_opt name.text seen with
+    | None -> Interface.String_map.add name.text name seen
+    | Some (first : Syntax.Ir.name) ->
+        Diagnostic.error ~code:"E0213" ~at:name.span "field `%s` is given twice" name.text
+        |> Diagnostic.label ~at:first.span "first given here"
+        |> Context.emit scope.context;
+        seen
+  in
+  ignore (List.fold_left add Interface.String_map.empty names)
+
+and record env span constructor fields : Ir.expr_desc =
+  let scope = Env.scope env in
+  let fields = map (fun (name, value) -> (name, expr env value)) fields in
+  match Scope.find scope Interface.constructors constructor with
+  | None -> missing
+  | Some found -> (
+      match Patterns.construction scope found ~at:constructor.span fields with
+      | None -> missing
+      | Some given ->
+          check_complete scope found span given;
+          Record { constructor = found.global; fields = given })
+
+and check_complete (scope : Scope.t) (constructor : Interface.constructor) span given =
+  let has =
+    Interface.String_set.of_list (map (fun ((n : Syntax.Ir.name), _) -> n.text) given)
+  in
+  let absent =
+    List.filter
+      (fun field -> not (Interface.String_set.mem field has))
+      (Option.value constructor.fields ~default:[])
+  in
+  match absent with
+  | [] -> ()
+  | _ ->
+      let names = String.concat ", " (List.map (Printf.sprintf "`%s`") absent) in
+      Diagnostic.error ~code:"E0228" ~at:span "`%s` is built without its field%s %s"
+        constructor.global.name
+        (if List.length absent = 1 then "" else "s")
+        names
+      |> Diagnostic.label ~at:constructor.span "declared here"
+      |> Context.emit scope.context

@@ -1,0 +1,237 @@
+open Basis
+module String_map = Map.Make (String)
+module String_set = Set.Make (String)
+
+type value = { global : Ir.Global.t; signed : bool; span : Span.t }
+
+type constructor = {
+  global : Ir.Global.t;
+  tycon : Ir.Global.t;
+  arity : int;
+  fields : string list option;
+  span : Span.t;
+}
+
+type tycon = {
+  global : Ir.Global.t;
+  unit_arity : int;
+  units_optional : bool;
+  type_arity : int;
+  record_fields : string list;
+  span : Span.t;
+}
+
+type unit_name = { global : Ir.Global.t; span : Span.t }
+
+type names = {
+  values : value String_map.t;
+  constructors : constructor String_map.t;
+  tycons : tycon String_map.t;
+  units : unit_name String_map.t;
+}
+
+type 'a space = {
+  noun : string;
+  unknown : string;
+  table : names -> 'a String_map.t;
+  global : 'a -> Ir.Global.t;
+  place : 'a -> Span.t;
+}
+
+let values =
+  {
+    noun = "name";
+    unknown = "E0205";
+    table = (fun names -> names.values);
+    global = (fun (v : value) -> v.global);
+    place = (fun (v : value) -> v.span);
+  }
+
+let constructors =
+  {
+    noun = "constructor";
+    unknown = "E0206";
+    table = (fun names -> names.constructors);
+    global = (fun (c : constructor) -> c.global);
+    place = (fun (c : constructor) -> c.span);
+  }
+
+let tycons =
+  {
+    noun = "type";
+    unknown = "E0207";
+    table = (fun names -> names.tycons);
+    global = (fun (t : tycon) -> t.global);
+    place = (fun (t : tycon) -> t.span);
+  }
+
+let units =
+  {
+    noun = "unit";
+    unknown = "E0208";
+    table = (fun names -> names.units);
+    global = (fun (u : unit_name) -> u.global);
+    place = (fun (u : unit_name) -> u.span);
+  }
+
+let empty =
+  {
+    values = String_map.empty;
+    constructors = String_map.empty;
+    tycons = String_map.empty;
+    units = String_map.empty;
+  }
+
+let prelude = "Prelude"
+let nowhere = Span.start_of_file "Prelude.frob"
+
+let builtin_types =
+  let builtin name ?(unit_arity = 0) type_arity =
+    let global : Ir.Global.t = { module_ = prelude; name } in
+    let units_optional = unit_arity > 0 in
+    (name, { global; unit_arity; units_optional; type_arity; record_fields = []; span = nowhere })
+  in
+  [
+    builtin "Bool" 0;
+    builtin "Int" ~unit_arity:1 0;
+    builtin "Float" ~unit_arity:1 0;
+    builtin "String" 0;
+    builtin "SF" 2;
+    builtin "Program" 2;
+  ]
+
+let builtin_names =
+  let truth name =
+    let global : Ir.Global.t = { module_ = prelude; name } in
+    let tycon : Ir.Global.t = { module_ = prelude; name = "Bool" } in
+    (name, { global; tycon; arity = 0; fields = None; span = nowhere })
+  in
+  {
+    empty with
+    tycons = String_map.of_seq (List.to_seq builtin_types);
+    constructors = String_map.of_seq (List.to_seq [ truth "False"; truth "True" ]);
+  }
+
+(* Adds to one name space, unless the name is taken. *)
+let add context space ?(hint = Fun.id) table (name : Syntax.Ir.name) entry =
+  match String_map.find_opt name.text table with
+  | None -> String_map.add name.text entry table
+  | Some earlier ->
+      Diagnostic.error ~code:"E0211" ~at:name.span "the %s `%s` is defined twice" space.noun
+        name.text
+      |> Diagnostic.label ~at:(space.place earlier) "first defined here"
+      |> hint |> Context.emit context;
+      table
+
+let signed_names declarations =
+  let add names (d : Syntax.Ir.declaration) =
+    match d.desc with
+    | Signature { names = signed; _ } ->
+        List.fold_left
+          (fun names (n : Syntax.Ir.name) -> String_set.add n.text names)
+          names signed
+    | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Primitive _ -> names
+  in
+  List.fold_left add String_set.empty declarations
+
+let field_names : Syntax.Ir.fields -> string list option = function
+  | Positional _ -> None
+  | Named fields ->
+      Some (List.rev (List.rev_map (fun ((f : Syntax.Ir.name), _) -> f.text) fields))
+
+let arity : Syntax.Ir.fields -> int = function
+  | Positional fields -> List.length fields
+  | Named fields -> List.length fields
+
+let declared context ~module_ (program : Syntax.Ir.program) =
+  let signed = signed_names program.declarations in
+  let global name : Ir.Global.t = { module_; name } in
+  let value ?hint names (name : Syntax.Ir.name) ~signed =
+    let entry = { global = global name.text; signed; span = name.span } in
+    { names with values = add context values ?hint names.values name entry }
+  in
+  let tycon names (name : Syntax.Ir.name) (parameters : Syntax.Ir.type_parameters) record_fields =
+    let entry =
+      {
+        global = global name.text;
+        unit_arity = List.length parameters.units;
+        units_optional = false;
+        type_arity = List.length parameters.types;
+        record_fields;
+        span = name.span;
+      }
+    in
+    { names with tycons = add context tycons names.tycons name entry }
+  in
+  let constructor owner names (c : Syntax.Ir.constructor) =
+    let entry =
+      {
+        global = global c.name.text;
+        tycon = owner;
+        arity = arity c.fields;
+        fields = field_names c.fields;
+        span = c.name.span;
+      }
+    in
+    { names with constructors = add context constructors names.constructors c.name entry }
+  in
+  let unit_name names (name : Syntax.Ir.name) =
+    let entry = { global = global name.text; span = name.span } in
+    { names with units = add context units names.units name entry }
+  in
+  let declaration names (d : Syntax.Ir.declaration) =
+    match d.desc with
+    | Signature _ -> names
+    | Binding { left = Name name; _ } ->
+        value names name ~signed:(String_set.mem name.text signed)
+    | Binding { left = Function_name { name; _ }; _ } ->
+        value names name
+          ~hint:(Diagnostic.hint "a function has one clause; distinguish its arguments with `case`")
+          ~signed:(String_set.mem name.text signed)
+    | Binding { left = Pattern _; _ } -> names
+    | Primitive { names = primitives; _ } ->
+        List.fold_left (fun names name -> value names name ~signed:true) names primitives
+    | Type_alias { name; parameters; _ } -> tycon names name parameters []
+    | Data { name; parameters; constructors } ->
+        let fields =
+          match constructors with
+          | [ { fields; _ } ] -> Option.value (field_names fields) ~default:[]
+          | _ -> []
+        in
+        let names = tycon names name parameters fields in
+        List.fold_left (constructor (global name.text)) names constructors
+    | Base_unit name | Scaled_unit { name; _ } -> unit_name names name
+  in
+  let start = if String.equal module_ prelude then builtin_names else empty in
+  List.fold_left declaration start program.declarations
+
+let select names wanted =
+  let named name _ = String_set.mem name wanted in
+  let of_type name (c : constructor) =
+    named name c || (String_set.mem c.tycon.name wanted && String_map.mem c.tycon.name names.tycons)
+  in
+  {
+    values = String_map.filter named names.values;
+    constructors = String_map.filter of_type names.constructors;
+    tycons = String_map.filter named names.tycons;
+    units = String_map.filter named names.units;
+  }
+
+let mem names name =
+  String_map.mem name names.values
+  || String_map.mem name names.constructors
+  || String_map.mem name names.tycons
+  || String_map.mem name names.units
+
+let union a b =
+  let first _ x _ = Some x in
+  {
+    values = String_map.union first a.values b.values;
+    constructors = String_map.union first a.constructors b.constructors;
+    tycons = String_map.union first a.tycons b.tycons;
+    units = String_map.union first a.units b.units;
+  }
+
+let all names =
+  let add table rest = String_map.fold (fun name _ rest -> name :: rest) table rest in
+  add names.values (add names.constructors (add names.tycons (add names.units [])))

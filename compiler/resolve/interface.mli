@@ -1,0 +1,72 @@
+(** The names that a module declares and exports, before anything in it is
+    resolved: just enough that others may refer to them. *)
+
+open Basis
+module String_map : Map.S with type key = string
+module String_set : Set.S with type elt = string
+
+type value = { global : Ir.Global.t; signed : bool; span : Span.t }
+(** A definition or a primitive. *)
+
+type constructor = {
+  global : Ir.Global.t;
+  tycon : Ir.Global.t;
+  arity : int;
+  fields : string list option;  (** in order, if they have names *)
+  span : Span.t;
+}
+
+type tycon = {
+  global : Ir.Global.t;
+  unit_arity : int;
+  units_optional : bool;  (** [Float] and [Int] alone mean unit 1 *)
+  type_arity : int;
+  record_fields : string list;
+  span : Span.t;
+}
+
+type unit_name = { global : Ir.Global.t; span : Span.t }
+
+type names = {
+  values : value String_map.t;
+  constructors : constructor String_map.t;
+  tycons : tycon String_map.t;
+  units : unit_name String_map.t;
+}
+
+(** One of the four name spaces, for what treats them alike. *)
+type 'a space = {
+  noun : string;  (** ["type"]; in messages *)
+  unknown : string;  (** the code of an unknown name *)
+  table : names -> 'a String_map.t;
+  global : 'a -> Ir.Global.t;
+  place : 'a -> Span.t;
+}
+
+val values : value space
+val constructors : constructor space
+val tycons : tycon space
+val units : unit_name space
+
+val empty : names
+
+val builtin_types : (string * tycon) list
+(** The types without a declaration, owned by the prelude; their places are
+    not in any source. *)
+
+val declared : Context.t -> module_:string -> Syntax.Ir.program -> names
+(** What a module's top level declares; the prelude's has the built-in types.
+    Emits E0211 for what is declared twice. *)
+
+val select : names -> String_set.t -> names
+(** The part that a list of names in a header or an import speaks of; a type
+    brings its constructors and fields. *)
+
+val mem : names -> string -> bool
+(** In any of the name spaces. *)
+
+val union : names -> names -> names
+(** The first wins. *)
+
+val all : names -> string list
+(** Of all name spaces. *)

@@ -1,0 +1,194 @@
+open Basis
+module Int_set = Set.Make (Int)
+
+let broken format = Diagnostic.bug ~stage:"Resolve.Lint" format
+
+(* What has been declared; [bound] holds every local variable met. *)
+type known = {
+  tycons : (Ir.Global.t, int * int * bool) Hashtbl.t;  (** units, types, units optional *)
+  constructors : (Ir.Global.t, int) Hashtbl.t;
+  units : (Ir.Global.t, unit) Hashtbl.t;
+  values : (Ir.Global.t, unit) Hashtbl.t;
+  bound : (int, unit) Hashtbl.t;
+}
+
+let declare table what (g : Ir.Global.t) x =
+  if Hashtbl.mem table g then broken "%s %s.%s is declared twice" what g.module_ g.name;
+  Hashtbl.replace table g x
+
+let find table what (g : Ir.Global.t) =
+  match Hashtbl.find_opt table g with
+  | Some x -> x
+  | None -> broken "%s %s.%s is used and not declared before" what g.module_ g.name
+
+(* Types and units *)
+
+let unit_ known (u : Ir.unit_) =
+  let factor ((f : Ir.unit_factor), (power : Syntax.Ir.rational)) =
+    if power.denominator < 1 then broken "a power without a positive denominator";
+    match f with Declared g -> find known.units "unit" g | Unit_variable _ -> ()
+  in
+  List.iter factor u.factors
+
+let rec ty known (t : Ir.ty) =
+  match t.desc with
+  | Type_variable _ -> ()
+  | Representation { unit_ = u; _ } -> unit_ known u
+  | Function (a, b) ->
+      ty known a;
+      ty known b
+  | Tuple_type ts -> List.iter (ty known) ts
+  | Named { tycon; units; arguments } ->
+      let unit_arity, type_arity, optional = find known.tycons "type" tycon in
+      let n = List.length units in
+      if not (n = unit_arity || (optional && n = 0)) || List.length arguments <> type_arity then
+        broken "type %s has the wrong number of arguments" tycon.name;
+      List.iter (unit_ known) units;
+      List.iter (ty known) arguments
+
+let scheme known (s : Ir.scheme) =
+  List.iter (fun (c : Ir.constraint_) -> ty known c.argument) s.context;
+  ty known s.ty
+
+let type_declaration known (d : Ir.type_declaration) =
+  let constructor i (c : Ir.constructor) =
+    if c.index <> i then broken "constructor %s has a wrong index" c.constructor.name;
+    List.iter (fun (f : Ir.field) -> ty known f.ty) c.fields;
+    declare known.constructors "constructor" c.constructor (List.length c.fields)
+  in
+  let builtin =
+    match d.definition with
+    | Builtin ->
+        if String.equal d.tycon.name "Bool" then
+          List.iter
+            (fun name -> declare known.constructors "constructor" { d.tycon with name } 0)
+            [ "False"; "True" ];
+        true
+    | Alias t ->
+        ty known t;
+        false
+    | Data [] -> broken "data %s has no constructor" d.tycon.name
+    | Data constructors ->
+        List.iteri constructor constructors;
+        false
+  in
+  let arities = (List.length d.unit_parameters, List.length d.type_parameters, builtin) in
+  declare known.tycons "type" d.tycon arities
+
+let unit_declaration known (d : Ir.unit_declaration) =
+  (match d.definition with Base -> () | Scaled (_, u) -> unit_ known u);
+  declare known.units "unit" d.unit_name ()
+
+(* Patterns and expressions; [scope] holds the ids of the variables *)
+
+let bind known scope (l : Ir.Local.t) =
+  if Hashtbl.mem known.bound l.id then broken "variable %s@%d is bound twice" l.name l.id;
+  Hashtbl.replace known.bound l.id ();
+  Int_set.add l.id scope
+
+let number known (n : Ir.number) = Option.iter (unit_ known) n.unit_
+
+let rec pattern known scope (p : Ir.pattern) =
+  match p.desc with
+  | Any -> scope
+  | Literal { number = n; _ } ->
+      number known n;
+      scope
+  | Bound l -> bind known scope l
+  | As (l, p) -> pattern known (bind known scope l) p
+  | Tuple_of ps -> List.fold_left (pattern known) scope ps
+  | Constructed (g, ps) ->
+      if find known.constructors "constructor" g <> List.length ps then
+        broken "constructor %s has the wrong number of arguments" g.name;
+      List.fold_left (pattern known) scope ps
+
+let rec expr known scope (e : Ir.expr) =
+  match e.desc with
+  | Local l -> if not (Int_set.mem l.id scope) then broken "%s@%d is out of scope" l.name l.id
+  | Global g -> find known.values "value" g
+  | Constructor g -> ignore (find known.constructors "constructor" g)
+  | Number n -> number known n
+  | String _ -> ()
+  | Tuple es -> List.iter (expr known scope) es
+  | Apply { head; argument; style = _ } ->
+      expr known scope head;
+      expr known scope argument
+  | Negate e | Power { base = e; exponent = _ } | Field { record = e; _ } -> expr known scope e
+  | If { condition; then_; else_ } -> List.iter (expr known scope) [ condition; then_; else_ ]
+  | Case { scrutinee; branches } ->
+      expr known scope scrutinee;
+      let branch (b : Ir.branch) = right known (pattern known scope b.pattern) b.right in
+      List.iter branch branches
+  | Let { declarations = ds; body } -> expr known (declarations known scope ds) body
+  | Lambda { parameters; body } ->
+      expr known (List.fold_left (pattern known) scope parameters) body
+  | Proc { input; body } ->
+      let scope = declarations known (pattern known scope input) body.equations in
+      expr known scope body.output
+  | Record { constructor; fields } ->
+      if find known.constructors "constructor" constructor <> List.length fields then
+        broken "a record of %s is not complete" constructor.name;
+      List.iter (fun (_, e) -> expr known scope e) fields
+  | Update { record; fields; candidates = _ } ->
+      expr known scope record;
+      List.iter (fun (_, e) -> expr known scope e) fields
+  | Annotated { expr = e; scheme = s } ->
+      scheme known s;
+      expr known scope e
+
+and right known scope (r : Ir.right) =
+  if r.guards = [] then broken "a right side without alternatives";
+  let scope = declarations known scope r.where in
+  let guarded (g : Ir.guarded) =
+    Option.iter (expr known scope) g.condition;
+    expr known scope g.value
+  in
+  List.iter guarded r.guards
+
+and declarations known scope (ds : Ir.declarations) =
+  let bindings = List.concat_map (fun (g : Ir.binding_group) -> g.bindings) ds.groups in
+  let binder scope (b : Ir.binding) =
+    match b.name with
+    | Inner l -> bind known scope l
+    | Destructure p -> pattern known scope p
+    | Top (g, _) -> broken "%s is bound inside of a definition" g.name
+  in
+  let scope = List.fold_left binder scope bindings in
+  let signature ((l : Ir.Local.t), s) =
+    if not (Int_set.mem l.id scope) then broken "signature of %s@%d out of scope" l.name l.id;
+    scheme known s
+  in
+  List.iter signature ds.signatures;
+  List.iter (binding known scope) bindings;
+  scope
+
+and binding known scope (b : Ir.binding) =
+  Option.iter (scheme known) b.signature;
+  right known (List.fold_left (pattern known) scope b.parameters) b.body
+
+let program (p : Ir.program) =
+  let known =
+    {
+      tycons = Hashtbl.create 64;
+      constructors = Hashtbl.create 64;
+      units = Hashtbl.create 64;
+      values = Hashtbl.create 256;
+      bound = Hashtbl.create 1024;
+    }
+  in
+  List.iter (unit_declaration known) p.units;
+  List.iter (type_declaration known) p.types;
+  let primitive (x : Ir.primitive) =
+    declare known.values "value" x.name ();
+    scheme known x.scheme
+  in
+  List.iter primitive p.primitives;
+  let bindings = List.concat_map (fun (g : Ir.binding_group) -> g.bindings) p.groups in
+  let binder (b : Ir.binding) =
+    match b.name with
+    | Top (g, _) -> declare known.values "value" g ()
+    | Inner l -> broken "%s is bound at top level as a local variable" l.name
+    | Destructure _ -> broken "a pattern is bound at top level"
+  in
+  List.iter binder bindings;
+  List.iter (binding known Int_set.empty) bindings

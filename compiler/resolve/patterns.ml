@@ -1,0 +1,106 @@
+open Basis
+open Interface
+
+let map f xs = List.rev (List.rev_map f xs)
+
+let number scope (n : Syntax.Ir.number) : Ir.number =
+  {
+    digits = n.digits;
+    decimal = n.decimal;
+    unit_ = Option.map (Types.concrete_unit scope) n.unit_;
+  }
+
+let report_field (scope : Scope.t) (constructor : constructor) known (field : Syntax.Ir.name) =
+  Diagnostic.error ~code:"E0209" ~at:field.span "constructor `%s` has no field `%s`"
+    constructor.global.name field.text
+  |> Diagnostic.label ~at:constructor.span "declared here"
+  |> Context.suggest scope.context field.text (lazy known)
+  |> Context.emit scope.context
+
+let report_repeated (scope : Scope.t) (first : Syntax.Ir.name) (second : Syntax.Ir.name) =
+  Diagnostic.error ~code:"E0213" ~at:second.span "field `%s` is given twice" second.text
+  |> Diagnostic.label ~at:first.span "first given here"
+  |> Context.emit scope.context
+
+let construction (scope : Scope.t) (constructor : constructor) ~at given =
+  match constructor.fields with
+  | None ->
+      Diagnostic.error ~code:"E0209" ~at "constructor `%s` has no named fields"
+        constructor.global.name
+      |> Diagnostic.label ~at:constructor.span "declared here"
+      |> Context.emit scope.context;
+      None
+  | Some known ->
+      let known_set = String_set.of_list known in
+      let add (seen, reversed) ((field : Syntax.Ir.name), x) =
+        match String_map.find_opt field.text seen with
+        | Some first ->
+            report_repeated scope first field;
+            (seen, reversed)
+        | None when String_set.mem field.text known_set ->
+            (String_map.add field.text field seen, (field, x) :: reversed)
+        | None ->
+            report_field scope constructor known field;
+            (seen, reversed)
+      in
+      Some (List.rev (snd (List.fold_left add (String_map.empty, []) given)))
+
+let report_arity (scope : Scope.t) (constructor : constructor) ~found at =
+  Diagnostic.error ~code:"E0225" ~at "constructor `%s` has %d argument%s, not %d"
+    constructor.global.name constructor.arity
+    (if constructor.arity = 1 then "" else "s")
+    found
+  |> Diagnostic.label ~at:constructor.span "declared here"
+  |> Context.emit scope.context
+
+let rec pattern (scope : Scope.t) (p : Syntax.Ir.pattern) : Ir.pattern =
+  let any : Ir.pattern = { desc = Any; span = p.span } in
+  Context.nested scope.context p.span ~otherwise:any (fun () -> { any with desc = desc scope p })
+
+and desc scope (p : Syntax.Ir.pattern) : Ir.pattern_desc =
+  match p.desc with
+  | Any -> Any
+  | Bound name -> Bound (Context.fresh scope.context name.text name.span)
+  | As (name, inner) ->
+      let local = Context.fresh scope.context name.text name.span in
+      As (local, pattern scope inner)
+  | Tuple_of ps -> Tuple_of (map (pattern scope) ps)
+  | Literal { negative; number = n } -> Literal { negative; number = number scope n }
+  | Constructed (name, arguments) -> (
+      let arguments = map (pattern scope) arguments in
+      match Scope.find scope constructors name with
+      | None -> Tuple_of arguments
+      | Some constructor ->
+          let found = List.length arguments in
+          if found <> constructor.arity then report_arity scope constructor ~found p.span;
+          Constructed (constructor.global, arguments))
+  | Record_of (name, given) -> (
+      let given = map (fun (field, inner) -> (field, pattern scope inner)) given in
+      match Scope.find scope constructors name with
+      | None -> Tuple_of (map snd given)
+      | Some constructor -> positional scope constructor p.span given)
+
+and positional scope constructor span given : Ir.pattern_desc =
+  let given = Option.value (construction scope constructor ~at:span given) ~default:[] in
+  let add by_name ((field : Syntax.Ir.name), p) = String_map.add field.text p by_name in
+  let by_name = List.fold_left add String_map.empty given in
+  let argument field =
+    Option.value (String_map.find_opt field by_name) ~default:({ desc = Any; span } : Ir.pattern)
+  in
+  Constructed (constructor.global, map argument (Option.value constructor.fields ~default:[]))
+
+let variables p =
+  let rec add found (p : Ir.pattern) =
+    match p.desc with
+    | Any | Literal _ -> found
+    | Bound local -> local :: found
+    | As (local, inner) -> add (local :: found) inner
+    | Tuple_of ps | Constructed (_, ps) -> List.fold_left add found ps
+  in
+  List.rev (add [] p)
+
+let bind env patterns =
+  let patterns = map (pattern (Env.scope env)) patterns in
+  let variable local : Env.variable = { local; owner = None } in
+  let locals = List.concat_map (fun p -> map variable (variables p)) patterns in
+  (Env.bind env locals, patterns)

@@ -1,0 +1,119 @@
+open Basis
+open Interface
+
+let map f xs = List.rev (List.rev_map f xs)
+
+(* A module with what it means. *)
+type resolved = {
+  info : Ir.module_;
+  types : Ir.type_declaration list;
+  units : Ir.unit_declaration list;
+  primitives : Ir.primitive list;
+  groups : Ir.binding_group list;
+}
+
+(* Which library module declares a name: for those that did not import it.
+   Reads the library only when first asked. *)
+let library_index ~(files : Files.t) ~library =
+  let declared_in module_ =
+    match files.read (Filename.concat library (module_ ^ ".frob")) with
+    | Error _ -> []
+    | Ok text -> (
+        let sink = Diagnostic.sink () in
+        match Syntax.Parse.program sink ~file:module_ text with
+        | None -> []
+        | Some syntax ->
+            let names = Interface.declared (Context.create sink) ~module_ syntax in
+            map (fun name -> (name, module_)) (Interface.all names))
+  in
+  let add index (name, module_) =
+    if String_map.mem name index then index else String_map.add name module_ index
+  in
+  lazy
+    (List.fold_left add String_map.empty
+       (List.concat_map declared_in (files.modules_in library)))
+
+let primitives (scope : Scope.t) (program : Syntax.Ir.program) =
+  let report (name : Syntax.Ir.name) =
+    Diagnostic.error ~code:"E0231" ~at:name.span "only the standard library declares primitives"
+    |> Context.emit scope.context
+  in
+  let primitive scheme doc (name : Syntax.Ir.name) : Ir.primitive =
+    if not scope.library then report name;
+    let global : Ir.Global.t = { module_ = scope.module_; name = name.text } in
+    { name = global; scheme; doc; span = name.span }
+  in
+  let declaration (d : Syntax.Ir.declaration) =
+    match d.desc with
+    | Primitive { names; ty } -> map (primitive (Types.scheme scope ty) d.doc) names
+    | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ -> []
+  in
+  List.concat_map declaration program.declarations
+
+(* The values a module exports as its own, in source order. *)
+let exported_values (scope : Scope.t) exports =
+  let own name (value : value) list =
+    if String.equal value.global.module_ scope.module_ then (value.span, name) :: list else list
+  in
+  String_map.fold own exports.values []
+  |> List.sort (fun (a, _) (b, _) -> Span.compare a b)
+  |> map snd
+
+let resolve context ~elsewhere exports (m : Modules.t) =
+  let own = Interface.declared context ~module_:m.name m.syntax in
+  let import (i : Modules.import) =
+    match String_map.find_opt i.module_ exports with
+    | Some names -> Some (Exports.imported context i.declaration ~module_:i.module_ names)
+    | None -> None
+  in
+  let scope =
+    Scope.create context ~module_:m.name ~library:m.library ~own
+      ~imports:(List.filter_map import m.imports)
+      ~complete:m.complete ~elsewhere
+  in
+  let exported = Exports.of_module scope m.syntax.header in
+  let units = Declarations.units scope m.syntax in
+  let types = Declarations.types scope m.syntax in
+  let primitives = primitives scope m.syntax in
+  let groups =
+    Bindings.top_level scope ~expr:Expressions.expr ~command:Expressions.command
+      m.syntax.declarations
+  in
+  let info : Ir.module_ =
+    {
+      name = m.name;
+      file = m.file;
+      library = m.library;
+      exports = exported_values scope exported;
+    }
+  in
+  (exported, { info; types; units; primitives; groups })
+
+let assemble modules : Ir.program option =
+  match List.rev modules with
+  | [] -> None
+  | main :: _ ->
+      Some
+        {
+          main_module = main.info.name;
+          modules = map (fun m -> m.info) modules;
+          types = List.concat_map (fun m -> m.types) modules;
+          units = List.concat_map (fun m -> m.units) modules;
+          primitives = List.concat_map (fun m -> m.primitives) modules;
+          groups = List.concat_map (fun m -> m.groups) modules;
+        }
+
+let load sink ~files ~remember ~library main =
+  (* A sink of its own tells this run's errors from earlier ones. *)
+  let mine = Diagnostic.sink () in
+  let context = Context.create mine in
+  let modules = Modules.load mine ~files ~remember ~library main in
+  let index = library_index ~files ~library in
+  let elsewhere name = String_map.find_opt name (Lazy.force index) in
+  let add (exports, reversed) (m : Modules.t) =
+    let exported, resolved = resolve context ~elsewhere exports m in
+    (String_map.add m.name exported exports, resolved :: reversed)
+  in
+  let _, reversed = List.fold_left add (String_map.empty, []) modules in
+  List.iter (Diagnostic.emit sink) (Diagnostic.all mine);
+  if Diagnostic.has_errors mine then None else assemble (List.rev reversed)

@@ -1,0 +1,181 @@
+open Basis
+open Interface
+
+type import = {
+  module_ : string;
+  qualifiers : string list;
+  unqualified : bool;
+  names : Interface.names;
+  span : Span.t;
+}
+
+type t = {
+  context : Context.t;
+  module_ : string;
+  library : bool;
+  own : Interface.names;
+  imports : import list;
+  complete : bool;
+  elsewhere : string -> string option;
+  records : tycon list String_map.t Lazy.t;
+}
+
+let same_global (a : Ir.Global.t) (b : Ir.Global.t) =
+  String.equal a.name b.name && String.equal a.module_ b.module_
+
+(* What the imports that pass [visible] mean by a name, each thing once. *)
+let imported t space visible name =
+  let add found (import : import) =
+    if not (visible import) then found
+    else
+      match String_map.find_opt name (space.table import.names) with
+      | None -> found
+      | Some entry ->
+          let same (_, other) = same_global (space.global entry) (space.global other) in
+          if List.exists same found then found else (import, entry) :: found
+  in
+  List.rev (List.fold_left add [] t.imports)
+
+let report_ambiguous t space (name : Syntax.Ir.name) (candidates : (import * _) list) =
+  let place diagnostic ((import : import), entry) =
+    let text = Printf.sprintf "the one of `%s`" import.module_ in
+    let at = space.place entry in
+    Diagnostic.label ~at text diagnostic
+  in
+  let qualified ((import : import), _) =
+    Printf.sprintf "`%s.%s`"
+      (match import.qualifiers with q :: _ -> q | [] -> import.module_)
+      name.text
+  in
+  List.fold_left place
+    (Diagnostic.error ~code:"E0210" ~at:name.span "the %s `%s` is ambiguous" space.noun name.text)
+    candidates
+  |> Diagnostic.hint ("write " ^ String.concat " or " (List.map qualified candidates))
+  |> Context.emit t.context
+
+let choose t space name = function
+  | [] -> None
+  | [ (_, entry) ] -> Some entry
+  | (_, entry) :: _ as candidates ->
+      report_ambiguous t space name candidates;
+      Some entry
+
+let look t space (name : Syntax.Ir.name) =
+  match String_map.find_opt name.text (space.table t.own) with
+  | Some entry -> Some entry
+  | None -> choose t space name (imported t space (fun import -> import.unqualified) name.text)
+
+let is_known t space name =
+  String_map.mem name (space.table t.own)
+  || imported t space (fun import -> import.unqualified) name <> []
+
+let names_of table rest = String_map.fold (fun name _ rest -> name :: rest) table rest
+
+let visible_names t space locals =
+  let add names (import : import) =
+    if import.unqualified then names_of (space.table import.names) names else names
+  in
+  List.fold_left add (names_of (space.table t.own) (Lazy.force locals)) t.imports
+
+(* A name of another name space: `Velocity 3` takes a type for a constructor. *)
+let other_meaning t space (name : Syntax.Ir.name) diagnostic =
+  if String.equal space.noun "constructor" && is_known t tycons name.text then
+    Diagnostic.note (Printf.sprintf "`%s` is a type, not a constructor" name.text) diagnostic
+  else if String.equal space.noun "type" && is_known t constructors name.text then
+    Diagnostic.note (Printf.sprintf "`%s` is a constructor, not a type" name.text) diagnostic
+  else diagnostic
+
+let report_unknown t space ~locals (name : Syntax.Ir.name) =
+  let diagnostic =
+    Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
+    |> other_meaning t space name
+  in
+  let diagnostic =
+    match t.elsewhere name.text with
+    | Some module_ ->
+        Diagnostic.hint
+          (Printf.sprintf "`%s` is in the library: `import %s`" name.text module_)
+          diagnostic
+    | None ->
+        Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
+  in
+  Context.emit t.context diagnostic
+
+let find_qualified t space (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) =
+  let meant (import : import) = List.mem qualifier.text import.qualifiers in
+  let own =
+    if String.equal qualifier.text t.module_ then String_map.find_opt name.text (space.table t.own)
+    else None
+  in
+  match own with
+  | Some entry -> Some entry
+  | None when List.exists meant t.imports -> (
+      match imported t space meant name.text with
+      | [] ->
+          if t.complete then
+            Diagnostic.error ~code:space.unknown ~at:name.span "module `%s` has no %s `%s`"
+              qualifier.text space.noun name.text
+            |> Context.suggest t.context name.text
+                 (lazy
+                   (List.fold_left
+                      (fun names (import : import) ->
+                        if meant import then names_of (space.table import.names) names else names)
+                      [] t.imports))
+            |> Context.emit t.context;
+          None
+      | candidates -> choose t space name candidates)
+  | None ->
+      if t.complete then
+        Diagnostic.error ~code:"E0215" ~at:qualifier.span "no module `%s` is imported here"
+          qualifier.text
+        |> Context.suggest t.context qualifier.text
+             (lazy (List.concat_map (fun (import : import) -> import.qualifiers) t.imports))
+        |> Context.emit t.context;
+      None
+
+let find_with t space ~locals (q : Syntax.Ir.qualified) =
+  match q.qualifier with
+  | Some qualifier -> find_qualified t space qualifier q.name
+  | None -> (
+      match look t space q.name with
+      | Some entry -> Some entry
+      | None ->
+          if t.complete then report_unknown t space ~locals q.name;
+          None)
+
+let find t space q = find_with t space ~locals:(lazy []) q
+let find_value t ~locals q = find_with t values ~locals q
+
+let records_with t = function
+  | [] -> []
+  | field :: others ->
+      let records = Option.value (String_map.find_opt field (Lazy.force t.records)) ~default:[] in
+      let complete (record : tycon) =
+        List.for_all (fun other -> List.mem other record.record_fields) others
+      in
+      List.filter_map
+        (fun (record : tycon) -> if complete record then Some record.global else None)
+        records
+
+let compare_records (a : tycon) (b : tycon) =
+  match String.compare a.global.name b.global.name with
+  | 0 -> String.compare a.global.module_ b.global.module_
+  | order -> order
+
+let records_by_field own (imports : import list) =
+  let add_record (record : tycon) fields =
+    let add fields field =
+      let add records = Some (record :: Option.value records ~default:[]) in
+      String_map.update field add fields
+    in
+    List.fold_left add fields record.record_fields
+  in
+  let add fields names =
+    String_map.fold (fun _ record fields -> add_record record fields) names.tycons fields
+  in
+  let all = List.fold_left (fun fields (i : import) -> add fields i.names) String_map.empty imports in
+  String_map.map (List.sort_uniq compare_records) (add all own)
+
+let create context ~module_ ~library ~own ~imports ~complete ~elsewhere =
+  let records = lazy (records_by_field own imports) in
+  { context; module_; library; own; imports; complete; elsewhere; records }

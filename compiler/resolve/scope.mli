@@ -1,0 +1,52 @@
+(** What a module-level name means at a place in a module: its own
+    declarations hide what it imports; two imports of one name clash only
+    where the name is used. *)
+
+open Basis
+
+type import = {
+  module_ : string;
+  qualifiers : string list;  (** [M] and [N] of [import M as N] *)
+  unqualified : bool;  (** may be used without a qualifier *)
+  names : Interface.names;
+  span : Span.t;
+}
+
+type t = {
+  context : Context.t;
+  module_ : string;
+  library : bool;
+  own : Interface.names;
+  imports : import list;  (** with the prelude *)
+  complete : bool;
+      (** every import was found; otherwise an unknown name is not reported,
+          since it may be the missing module's *)
+  elsewhere : string -> string option;
+      (** a library module, not imported, that has the name *)
+  records : Interface.tycon list Interface.String_map.t Lazy.t;
+      (** the record types in scope, by the name of a field *)
+}
+
+val create :
+  Context.t ->
+  module_:string ->
+  library:bool ->
+  own:Interface.names ->
+  imports:import list ->
+  complete:bool ->
+  elsewhere:(string -> string option) ->
+  t
+
+val find : t -> 'a Interface.space -> Syntax.Ir.qualified -> 'a option
+(** Emits a diagnostic if the name is unknown or ambiguous. *)
+
+val find_value : t -> locals:string list Lazy.t -> Syntax.Ir.qualified -> Interface.value option
+(** Likewise; the local names may be suggested. *)
+
+val look : t -> 'a Interface.space -> Syntax.Ir.name -> 'a option
+(** The meaning of an unqualified name that need not have one; silent unless
+    it is ambiguous. *)
+
+val records_with : t -> string list -> Ir.Global.t list
+(** The record types in scope that have all these fields, in order of their
+    names. *)

@@ -1,0 +1,159 @@
+open Basis
+open Interface
+
+type variables =
+  | Quantified
+  | Parameters of { units : String_set.t; types : String_set.t; owner : string }
+
+let missing span : Ir.ty = { desc = Tuple_type []; span }
+let map f xs = List.rev (List.rev_map f xs)
+
+(* Units *)
+
+let rec gcd a b = if b = 0 then abs a else gcd b (a mod b)
+
+let times (a : Syntax.Ir.rational) (b : Syntax.Ir.rational) : Syntax.Ir.rational =
+  let numerator = a.numerator * b.numerator and denominator = a.denominator * b.denominator in
+  let divisor = gcd numerator denominator in
+  { numerator = numerator / divisor; denominator = denominator / divisor }
+
+let whole numerator : Syntax.Ir.rational = { numerator; denominator = 1 }
+
+(* The factors of a unit with their powers, as written. *)
+let factors (unit_ : Syntax.Ir.unit_) =
+  let rec add power (u : Syntax.Ir.unit_) reversed =
+    match u.desc with
+    | One -> reversed
+    | Unit_name name -> (name, power) :: reversed
+    | Times (a, b) -> add power b (add power a reversed)
+    | Over (a, b) -> add (times power (whole (-1))) b (add power a reversed)
+    | To (a, exponent) -> add (times power exponent) a reversed
+  in
+  List.rev (add (whole 1) unit_ [])
+
+(* A lower-case letter, with digits or primes after it if need be. *)
+let may_be_variable text =
+  let rest = String.sub text 1 (String.length text - 1) in
+  (match text.[0] with 'a' .. 'z' -> true | _ -> false)
+  && String.for_all (function '0' .. '9' | '\'' -> true | _ -> false) rest
+
+let unknown_unit (scope : Scope.t) (name : Syntax.Ir.name) =
+  ignore (Scope.find scope units { qualifier = None; name; span = name.span })
+
+let factor (scope : Scope.t) ~variable (name, power) =
+  match Scope.look scope units name with
+  | Some entry -> Some (Ir.Declared entry.global, power)
+  | None when may_be_variable name.text ->
+      variable name;
+      Some (Ir.Unit_variable name.text, power)
+  | None ->
+      unknown_unit scope name;
+      None
+
+let unit_with scope ~variable (u : Syntax.Ir.unit_) : Ir.unit_ =
+  { factors = List.filter_map (factor scope ~variable) (factors u); span = u.span }
+
+let concrete_unit (scope : Scope.t) u =
+  let variable (name : Syntax.Ir.name) =
+    Diagnostic.error ~code:"E0208" ~at:name.span "unknown unit `%s`" name.text
+    |> Diagnostic.note "a unit variable can stand only in a type"
+    |> Context.emit scope.context
+  in
+  unit_with scope ~variable u
+
+let parameter_missing (scope : Scope.t) owner kind (name : Syntax.Ir.name) =
+  Diagnostic.error ~code:"E0221" ~at:name.span "%s variable `%s` is not a parameter of `%s`" kind
+    name.text owner
+  |> Diagnostic.hint
+       (if String.equal kind "unit" then
+        Printf.sprintf "declare it in brackets after the name: `%s[%s]`" owner name.text
+       else Printf.sprintf "declare it after the name: `%s %s`" owner name.text)
+  |> Context.emit scope.context
+
+let unit_ (scope : Scope.t) variables u =
+  let variable (name : Syntax.Ir.name) =
+    match variables with
+    | Parameters { units; owner; _ } when not (String_set.mem name.text units) ->
+        parameter_missing scope owner "unit" name
+    | Parameters _ | Quantified -> ()
+  in
+  unit_with scope ~variable u
+
+(* Types *)
+
+let counted n noun = Printf.sprintf "%d %s%s" n noun (if n = 1 then "" else "s")
+
+let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
+  let wrong ~expected ~found noun =
+    let diagnostic =
+      Diagnostic.error ~code:"E0216" ~at "type `%s` takes %s, not %d" tycon.global.name
+        (counted expected noun) found
+    in
+    (if List.mem_assoc tycon.global.name builtin_types then diagnostic
+    else Diagnostic.label ~at:tycon.span "declared here" diagnostic)
+    |> Context.emit scope.context
+  in
+  let units_right = units = tycon.unit_arity || (units = 0 && tycon.units_optional) in
+  let types_right = types = tycon.type_arity in
+  if not units_right then wrong ~expected:tycon.unit_arity ~found:units "unit argument";
+  if not types_right then wrong ~expected:tycon.type_arity ~found:types "type argument";
+  units_right && types_right
+
+let rec ty (scope : Scope.t) variables (t : Syntax.Ir.ty) : Ir.ty =
+  Context.nested scope.context t.span ~otherwise:(missing t.span) (fun () ->
+      { (missing t.span) with desc = desc scope variables t })
+
+and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
+  match t.desc with
+  | Type_variable name ->
+      (match variables with
+      | Parameters { types; owner; _ } when not (String_set.mem name.text types) ->
+          parameter_missing scope owner "type" name
+      | Parameters _ | Quantified -> ());
+      Type_variable name.text
+  | Type { name; units; arguments } -> (
+      let units = map (unit_ scope variables) (Option.value units ~default:[]) in
+      let arguments = map (ty scope variables) arguments in
+      match Scope.find scope tycons name with
+      | None -> Tuple_type []
+      | Some tycon ->
+          let types = List.length arguments in
+          if check_arity scope t.span tycon ~units:(List.length units) ~types then
+            Named { tycon = tycon.global; units; arguments }
+          else Tuple_type [])
+  | Representation { name; unit_ = u } ->
+      (match variables with
+      | Quantified -> ()
+      | Parameters { owner; _ } ->
+          Diagnostic.error ~code:"E0222" ~at:name.span
+            "the representation `%s` is open, and `%s` has no such parameter" name.text owner
+          |> Diagnostic.hint "write `Float[…]` or `Int[…]`, or make the whole type a parameter"
+          |> Context.emit scope.context);
+      Representation { variable = name.text; unit_ = unit_ scope variables u }
+  | Function (a, b) ->
+      let a = ty scope variables a in
+      Function (a, ty scope variables b)
+  | Tuple_type ts -> Tuple_type (map (ty scope variables) ts)
+
+(* Signatures *)
+
+let classes = [ "Eq"; "Ord" ]
+
+let constraint_ (scope : Scope.t) ((class_ : Syntax.Ir.qualified), argument) : Ir.constraint_ option =
+  let argument = ty scope Quantified argument in
+  let span = Span.merge class_.span argument.span in
+  if List.mem class_.name.text classes && class_.qualifier = None then
+    Some { class_ = class_.name.text; argument; span }
+  else begin
+    Diagnostic.error ~code:"E0223" ~at:class_.span "unknown type class `%s`" class_.name.text
+    |> Diagnostic.note "the classes are `Eq` (has `==`) and `Ord` (has `<`)"
+    |> Context.suggest scope.context class_.name.text (lazy classes)
+    |> Context.emit scope.context;
+    None
+  end
+
+let scheme scope (q : Syntax.Ir.qualified_type) : Ir.scheme =
+  let context = List.filter_map (constraint_ scope) q.context in
+  let t = ty scope Quantified q.ty in
+  let span = match q.context with [] -> t.span | (c, _) :: _ -> Span.merge c.span t.span in
+  { context; ty = t; span }
