@@ -11,9 +11,11 @@ let global ppf (g : Ir.Global.t) =
   else fprintf ppf "%s.%a" g.module_ bare g.name
 
 let local ppf (l : Ir.Local.t) = fprintf ppf "%s@%d" l.name l.id
+let tight_comma ppf () = pp_print_string ppf ", "
 let comma ppf () = fprintf ppf ",@ "
 let tuple pp ppf xs = fprintf ppf "@[<1>(%a)@]" (pp_print_list ~pp_sep:comma pp) xs
-let words pp ppf xs = List.iter (fun x -> fprintf ppf "@ %a" pp x) xs
+let words pp ppf xs = List.iter (fun x -> fprintf ppf " %a" pp x) xs
+let space ppf () = pp_print_char ppf ' '
 
 (* Types *)
 
@@ -30,11 +32,11 @@ let unit_factor ppf ((factor : Ir.unit_factor), (power : Syntax.Ir.rational)) =
 let unit_ ppf (u : Ir.unit_) =
   match u.factors with
   | [] -> pp_print_string ppf "1"
-  | factors -> pp_print_list ~pp_sep:pp_print_space unit_factor ppf factors
+  | factors -> pp_print_list ~pp_sep:space unit_factor ppf factors
 
 let units ppf = function
   | [] -> ()
-  | us -> fprintf ppf "[%a]" (pp_print_list ~pp_sep:comma unit_) us
+  | us -> fprintf ppf "[%a]" (pp_print_list ~pp_sep:tight_comma unit_) us
 
 let rec ty ppf (t : Ir.ty) =
   match t.desc with
@@ -69,7 +71,7 @@ let parameter ppf (p : Ir.parameter) = pp_print_string ppf p.name
 
 let unit_parameters ppf = function
   | [] -> ()
-  | ps -> fprintf ppf "[%a]" (pp_print_list ~pp_sep:comma parameter) ps
+  | ps -> fprintf ppf "[%a]" (pp_print_list ~pp_sep:tight_comma parameter) ps
 
 let field ppf (f : Ir.field) = fprintf ppf "%s :: %a" f.field_name ty f.ty
 
@@ -130,7 +132,7 @@ let rec expr ppf (e : Ir.expr) =
   | Let { declarations = ds; body } ->
       fprintf ppf "@[<v>@[<v 2>let%a@]@,in %a@]" declarations ds expr body
   | Lambda { parameters; body } ->
-      fprintf ppf "@[<2>\\%a ->@ %a@]" (pp_print_list ~pp_sep:pp_print_space pattern) parameters
+      fprintf ppf "@[<2>\\%a ->@ %a@]" (pp_print_list ~pp_sep:space pattern) parameters
         expr body
   | Proc { input; body } ->
       fprintf ppf "@[<v 2>proc %a -> %a%a@]" pattern input expr body.output where body.equations

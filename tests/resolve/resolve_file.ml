@@ -1,0 +1,23 @@
+(* [resolve_file LIBRARY FILE]: prints the diagnostics of a program, or else
+   its dump, after the lint. *)
+
+open Basis
+
+let print_diagnostic (d : Diagnostic.t) =
+  let severity = match d.severity with Error -> "error" | Warning -> "warning" in
+  Format.printf "%s[%s] %a: %s@." severity d.code Span.pp d.at d.message;
+  List.iter (fun (l : Diagnostic.label) -> Format.printf "  %a: %s@." Span.pp l.at l.text) d.labels;
+  List.iter (Format.printf "  note: %s@.") d.notes;
+  List.iter (Format.printf "  hint: %s@.") d.hints
+
+let () =
+  let library = Sys.argv.(1) and file = Sys.argv.(2) in
+  let sink = Diagnostic.sink () in
+  let remember ~file:_ _ = () in
+  let program = Resolve.Program.load sink ~files:Resolve.Files.on_disk ~remember ~library file in
+  List.iter print_diagnostic (Diagnostic.all sink);
+  match program with
+  | None -> ()
+  | Some program ->
+      Resolve.Lint.program program;
+      Format.printf "%a@?" Resolve.Print.program program
