@@ -1,0 +1,108 @@
+open Basis
+
+type 'a later = unit -> 'a
+type entry = { scheme : Type.scheme; primitive : bool; recursive : bool }
+type required = { class_ : Ir.class_; argument : Type.t; at : Span.t; by : string }
+type question = { attempt : unit -> bool; guess : unit -> bool; give_up : unit -> unit }
+
+type group = {
+  mutable errors : int;
+  mutable waiting : question list;  (** newest first *)
+  mutable required : required list;  (** newest first *)
+}
+
+type t = {
+  reader : Written.t;
+  globals : (Ir.Global.t, entry) Hashtbl.t;
+  locals : (int, Type.scheme) Hashtbl.t;
+  owners : (int, string * Span.t) Hashtbl.t;
+  scope : Written.scope;
+  depth : int;
+  group : group;
+}
+
+let new_group () = { errors = 0; waiting = []; required = [] }
+
+let start reader =
+  {
+    reader;
+    globals = Hashtbl.create 1024;
+    locals = Hashtbl.create 1024;
+    owners = Hashtbl.create 64;
+    scope = Written.empty;
+    depth = 1;
+    group = new_group ();
+  }
+
+let in_group t = { t with group = new_group () }
+let fresh t = Type.fresh t.reader.supply ~depth:t.depth
+let fresh_number t = Type.fresh_number t.reader.supply ~depth:t.depth
+
+let report t diagnostic =
+  t.group.errors <- t.group.errors + 1;
+  let words = Show.words ~named_unit:(Environment.named_unit t.reader.environment) in
+  Diagnostic.emit t.reader.sink (diagnostic words)
+
+let errors t = t.group.errors
+
+let expect t ?subject ~at (expected : Mistake.expected) found =
+  match Unify.types expected.ty found with
+  | Ok () -> ()
+  | Error clash ->
+      let owner (v : Ir.variable) = Hashtbl.find_opt t.owners v.id in
+      report t (fun words -> Mistake.mismatch words owner ~subject ~at ~expected ~found clash)
+
+let use t ~at ~name scheme =
+  let instance = Type.instantiate t.reader.supply ~depth:t.depth scheme in
+  List.iter
+    (fun (class_, argument) ->
+      t.group.required <- { class_; argument; at; by = name } :: t.group.required)
+    instance.required;
+  let final () : Ir.instantiation =
+    {
+      types = List.map Final.ty instance.type_arguments;
+      representations = List.map Final.representation instance.representation_arguments;
+    }
+  in
+  (instance.ty, final)
+
+let with_signature t ~name (written : Resolve.Ir.scheme) =
+  let depth = t.depth + 1 in
+  let scheme, scope = Written.signature t.reader t.scope ~depth written in
+  let own (v : Ir.variable) = Hashtbl.replace t.owners v.id (name, written.span) in
+  List.iter (fun (r : Type.rigid) -> own r.variable) scheme.types;
+  List.iter (fun (r : Units.rigid) -> own r.variable) (scheme.representations @ scheme.units);
+  (scheme, { t with scope; depth })
+
+let ask t question =
+  if not (question.attempt ()) then t.group.waiting <- question :: t.group.waiting
+
+let rec settle t =
+  match List.rev t.group.waiting with
+  | [] -> ()
+  | waiting ->
+      t.group.waiting <- [];
+      let answered before after = List.compare_lengths after before < 0 in
+      let after_attempts = List.filter (fun q -> not (q.attempt ())) waiting in
+      let still =
+        if answered waiting after_attempts then after_attempts
+        else List.filter (fun q -> not (q.attempt () || q.guess ())) waiting
+      in
+      if answered waiting still then begin
+        t.group.waiting <- List.rev_append still t.group.waiting;
+        settle t
+      end
+      else List.iter (fun q -> q.give_up ()) still
+
+let requirements t = List.rev t.group.required
+
+type typed = { ty : Type.t; build : Ir.expr later }
+
+type expressions = {
+  infer : t -> Resolve.Ir.expr -> typed;
+  check : t -> Resolve.Ir.expr -> Mistake.expected -> Ir.expr later;
+}
+
+let node span ty desc () : Ir.expr =
+  let desc = desc () in
+  { desc; ty = Final.ty ty; span }

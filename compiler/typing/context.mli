@@ -1,0 +1,101 @@
+(** What inference carries around, and what it puts off.
+
+    Types come first and the typed program later: inferring an expression
+    gives its type at once and a function that builds the typed expression,
+    to be called when everything about the top-level group is known. *)
+
+open Basis
+
+type 'a later = unit -> 'a
+
+type entry = {
+  scheme : Type.scheme;
+  primitive : bool;
+  recursive : bool;  (** of the group being inferred: generalized at its end *)
+}
+
+type required = { class_ : Ir.class_; argument : Type.t; at : Span.t; by : string }
+(** A class that something used needs; [by] names it. *)
+
+(** A question that waits for a type. *)
+type question = {
+  attempt : unit -> bool;  (** answers it if it can *)
+  guess : unit -> bool;  (** answers it by the rule for what stays unknown, if that can *)
+  give_up : unit -> unit;
+}
+
+type t = {
+  reader : Written.t;
+  globals : (Ir.Global.t, entry) Hashtbl.t;
+  locals : (int, Type.scheme) Hashtbl.t;  (** by id, which is unique *)
+  owners : (int, string * Span.t) Hashtbl.t;  (** see {!Mistake.owner} *)
+  scope : Written.scope;
+  depth : int;  (** signatures around *)
+  group : group;
+}
+
+and group
+(** The top-level binding group being inferred. *)
+
+val start : Written.t -> t
+(** Outside of all groups. *)
+
+val in_group : t -> t
+(** The start of a new one. *)
+
+(** {1 New types} *)
+
+val fresh : t -> Type.t
+val fresh_number : t -> Type.t
+
+(** {1 Diagnostics} *)
+
+val report : t -> (Show.words -> Diagnostic.t) -> unit
+
+val errors : t -> int
+(** Reported in this group so far. *)
+
+val expect :
+  t ->
+  ?subject:Resolve.Ir.expr ->
+  at:Span.t ->
+  Mistake.expected ->
+  Type.t ->
+  unit
+(** The type that was found is the expected one, or that is reported. *)
+
+(** {1 Names} *)
+
+val use : t -> at:Span.t -> name:string -> Type.scheme -> Type.t * (unit -> Ir.instantiation)
+(** A new instance; what its context demands is kept. *)
+
+val with_signature :
+  t -> name:string -> Resolve.Ir.scheme -> Type.scheme * t
+(** The scheme and the context for the definition that it is the signature of:
+    its variables in scope, one signature deeper. *)
+
+(** {1 What is put off} *)
+
+val ask : t -> question -> unit
+(** Attempts at once, else at {!settle}. *)
+
+val settle : t -> unit
+(** Until nothing waits: attempts all, and where that gets no further,
+    guesses; at last gives up. *)
+
+val requirements : t -> required list
+(** In the order of the source. *)
+
+(** {1 Expressions} *)
+
+type typed = { ty : Type.t; build : Ir.expr later }
+
+(** Inference of expressions, as given to the files that treat one kind of
+    them. *)
+type expressions = {
+  infer : t -> Resolve.Ir.expr -> typed;
+  check : t -> Resolve.Ir.expr -> Mistake.expected -> Ir.expr later;
+      (** Reports what does not fit. *)
+}
+
+val node : Span.t -> Type.t -> Ir.expr_desc later -> Ir.expr later

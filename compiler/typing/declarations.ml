@@ -1,0 +1,130 @@
+open Basis
+
+(* {1 Units} *)
+
+(* A scale is kept within what a double can hold the square of. *)
+let usable scale =
+  let magnitude = abs_float (Exact.to_float scale) in
+  magnitude > 1e-150 && magnitude < 1e150
+
+let scale (written : Syntax.Ir.scale) =
+  match (Exact.of_decimal written.factor, Exact.of_decimal written.divided_by) with
+  | Some factor, Some divisor when not (Exact.equal divisor Exact.zero) ->
+      let quotient = Exact.divide factor divisor in
+      Some (if written.times_pi then Exact.multiply quotient Exact.pi else quotient)
+  | _ -> None
+
+let unit_ (reader : Written.t) (declared : Resolve.Ir.unit_declaration) =
+  let entry : Environment.unit_ =
+    match declared.definition with
+    | Base -> { measure = Units.base declared.unit_name; scale = Exact.one }
+    | Scaled (written, unit_) -> (
+        let of_unit = Written.unit_ reader Written.empty unit_ in
+        let total = Option.map (Exact.multiply of_unit.scale) (scale written) in
+        match total with
+        | Some total when usable total -> { of_unit with scale = total }
+        | Some _ | None ->
+            Diagnostic.(
+              error ~code:"E0324" ~at:declared.span "the scale of the unit `%s` is out of range"
+                declared.unit_name.name
+              |> note "a scale is more than 0 and within 1e-150 and 1e150"
+              |> emit reader.sink);
+            { of_unit with scale = Exact.one })
+  in
+  Environment.add_unit reader.environment declared.unit_name entry
+
+(* {1 Types} *)
+
+let constructor (reader : Written.t) tycon (parameters : Environment.parameters) scope result
+    (written : Resolve.Ir.constructor) : Environment.constructor =
+  let fields =
+    List.map
+      (fun (f : Resolve.Ir.field) -> (f.field_name, Written.ty reader scope f.ty))
+      written.fields
+  in
+  let ir : Ir.constructor =
+    {
+      constructor = written.constructor;
+      index = written.index;
+      record = written.record;
+      fields = List.map (fun (name, t) -> (name, Final.ty t)) fields;
+    }
+  in
+  let scheme : Type.scheme =
+    {
+      types = parameters.types;
+      representations = [];
+      units = parameters.units;
+      context = [];
+      body = List.fold_right (fun (_, t) rest -> Type.Function (t, rest)) fields result;
+    }
+  in
+  { ir; tycon; scheme }
+
+let type_ (reader : Written.t) (declared : Resolve.Ir.type_declaration) =
+  let variable (p : Resolve.Ir.parameter) : Ir.variable =
+    { id = Type.next reader.supply; name = p.name }
+  in
+  let units =
+    List.map
+      (fun p -> (p, ({ variable = variable p; depth = 0 } : Units.rigid)))
+      declared.unit_parameters
+  in
+  let types =
+    List.map
+      (fun p -> (p, ({ variable = variable p; depth = 0; given = [] } : Type.rigid)))
+      declared.type_parameters
+  in
+  let scope = Written.of_parameters units types in
+  let parameters : Environment.parameters =
+    { units = List.map snd units; types = List.map snd types }
+  in
+  let add definition =
+    Environment.add_type reader.environment declared.tycon { parameters; definition }
+  in
+  let data constructors : Ir.data =
+    {
+      tycon = declared.tycon;
+      unit_parameters = List.map (fun (r : Units.rigid) -> r.variable) parameters.units;
+      type_parameters = List.map (fun (r : Type.rigid) -> r.variable) parameters.types;
+      constructors;
+      span = declared.span;
+    }
+  in
+  match declared.definition with
+  | Alias body ->
+      add (Alias (Written.ty reader scope body));
+      None
+  | Builtin ->
+      add Builtin;
+      if declared.tycon = Environment.built_in "Program" then Some (data []) else None
+  | Data constructors ->
+      let result : Type.t =
+        Data
+          {
+            tycon = declared.tycon;
+            units = List.map Units.of_rigid parameters.units;
+            arguments = List.map (fun r -> Type.Rigid r) parameters.types;
+          }
+      in
+      let constructors =
+        List.map (constructor reader declared.tycon parameters scope result) constructors
+      in
+      List.iter (Environment.add_constructor reader.environment) constructors;
+      let data = data (List.map (fun (c : Environment.constructor) -> c.ir) constructors) in
+      add (Data data);
+      Some data
+
+let truth reader index name =
+  Environment.add_constructor reader.Written.environment
+    {
+      ir = { constructor = Environment.built_in name; index; record = false; fields = [] };
+      tycon = Environment.built_in "Bool";
+      scheme = Type.monomorphic Bool;
+    }
+
+let program reader (program : Resolve.Ir.program) =
+  List.iter (unit_ reader) program.units;
+  truth reader 0 "False";
+  truth reader 1 "True";
+  List.filter_map (type_ reader) program.types

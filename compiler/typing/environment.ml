@@ -1,0 +1,69 @@
+open Basis
+
+type unit_ = { measure : Units.t; scale : Exact.t }
+type parameters = { units : Units.rigid list; types : Type.rigid list }
+
+type definition =
+  | Alias of Type.t
+  | Data of Ir.data
+  | Builtin
+
+type type_ = { parameters : parameters; definition : definition }
+type constructor = { ir : Ir.constructor; tycon : Ir.Global.t; scheme : Type.scheme }
+
+type t = {
+  units : (Ir.Global.t, unit_) Hashtbl.t;
+  named : (Ir.unit_, string) Hashtbl.t;
+  types : (Ir.Global.t, type_) Hashtbl.t;
+  constructors : (Ir.Global.t, constructor) Hashtbl.t;
+}
+
+let create () =
+  {
+    units = Hashtbl.create 64;
+    named = Hashtbl.create 16;
+    types = Hashtbl.create 64;
+    constructors = Hashtbl.create 64;
+  }
+
+let found what table (name : Ir.Global.t) =
+  match Hashtbl.find_opt table name with
+  | Some entry -> entry
+  | None -> Diagnostic.bug ~stage:"Typing.Environment" "no %s %s.%s" what name.module_ name.name
+
+let add_unit t (name : Ir.Global.t) unit_ =
+  Hashtbl.replace t.units name unit_;
+  let measure = Units.to_ir unit_.measure in
+  if
+    Exact.equal unit_.scale Exact.one
+    && List.length measure.base >= 3
+    && not (Hashtbl.mem t.named measure)
+  then Hashtbl.replace t.named measure name.name
+
+let unit_ t name = found "unit" t.units name
+
+let named_unit t measure =
+  if Units.is_open measure then None else Hashtbl.find_opt t.named (Units.to_ir measure)
+
+let add_type t name type_ = Hashtbl.replace t.types name type_
+let type_ t name = found "type" t.types name
+let built_in name : Ir.Global.t = { module_ = "Prelude"; name }
+let add_constructor t c = Hashtbl.replace t.constructors c.ir.constructor c
+let constructor t name = found "constructor" t.constructors name
+
+let record_of t tycon =
+  match (type_ t tycon).definition with
+  | Data { constructors = [ { record = true; constructor = name; _ } ]; _ } ->
+      Some (constructor t name)
+  | Data _ | Alias _ | Builtin -> None
+
+let fields constructor ty =
+  let rec split fields count ty =
+    match (count, Type.expand ty) with
+    | 0, _ -> (List.rev fields, ty)
+    | _, Type.Function (field, rest) -> split (field :: fields) (count - 1) rest
+    | _, _ ->
+        Diagnostic.bug ~stage:"Typing.Environment" "constructor %s has too few fields"
+          constructor.ir.constructor.name
+  in
+  split [] (List.length constructor.ir.fields) ty

@@ -1,0 +1,51 @@
+(** The declared types, constructors and units of a program, as inference
+    uses them. Filled by {!Declarations}, read-only afterwards. *)
+
+type t
+
+val create : unit -> t
+
+(** {1 Units} *)
+
+type unit_ = { measure : Units.t; scale : Basis.Exact.t }
+
+val add_unit : t -> Ir.Global.t -> unit_ -> unit
+val unit_ : t -> Ir.Global.t -> unit_
+
+val named_unit : t -> Units.t -> string option
+(** A unit of scale 1 with a name of its own and at least three base units in
+    it, as [N]: shorter ones ([1/s]) say more than the name ([Hz]). *)
+
+(** {1 Types} *)
+
+type parameters = { units : Units.rigid list; types : Type.rigid list }
+
+type definition =
+  | Alias of Type.t
+  | Data of Ir.data
+  | Builtin
+
+type type_ = { parameters : parameters; definition : definition }
+
+val add_type : t -> Ir.Global.t -> type_ -> unit
+val type_ : t -> Ir.Global.t -> type_
+
+val built_in : string -> Ir.Global.t
+(** The global of a built-in type or constructor. *)
+
+(** {1 Constructors} *)
+
+type constructor = {
+  ir : Ir.constructor;
+  tycon : Ir.Global.t;
+  scheme : Type.scheme;  (** of the constructor as a function of its fields *)
+}
+
+val add_constructor : t -> constructor -> unit
+val constructor : t -> Ir.Global.t -> constructor
+
+val record_of : t -> Ir.Global.t -> constructor option
+(** The constructor of a type that is a record. *)
+
+val fields : constructor -> Type.t -> Type.t list * Type.t
+(** Of an instance of its scheme's type: its fields and its result. *)

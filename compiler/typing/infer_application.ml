@@ -1,0 +1,118 @@
+open Basis
+open Context
+
+type argument = {
+  value : Resolve.Ir.expr;
+  style : Resolve.Ir.apply_style;
+  span : Span.t;  (** of the application *)
+  position : int;  (** from 1 *)
+}
+
+(* The head under all applications, and its arguments, first to last. *)
+let spine (e : Resolve.Ir.expr) =
+  let rec go (e : Resolve.Ir.expr) arguments =
+    match e.desc with
+    | Apply { head; argument; style } -> go head ((argument, style, e.span) :: arguments)
+    | _ -> (e, arguments)
+  in
+  let head, arguments = go e [] in
+  (head, List.mapi (fun i (value, style, span) -> { value; style; span; position = i + 1 }) arguments)
+
+(* Why the argument must have the parameter's type. *)
+let reason ~(head : Resolve.Ir.expr) ~previous argument : Mistake.reason =
+  match (argument.style, previous) with
+  | Operator operator, Some ((other : Resolve.Ir.expr), other_type) ->
+      Operand { operator; other = other.span; other_type }
+  | (Operator _ | Juxtaposed | Command), _ ->
+      Parameter { callee = Mistake.name_of head; at = head.span; position = argument.position }
+
+type decision = Applies | Runs
+
+let apply decision function_ argument : Ir.expr_desc =
+  match decision with Applies -> Apply (function_, argument) | Runs -> Run (function_, argument)
+
+(* The head's type is not known yet. *)
+let put_off expressions ctx ~head ~because argument (function_ : typed) =
+  let value = expressions.infer ctx argument.value in
+  let result = Context.fresh ctx in
+  let decision = ref Applies in
+  let fits parameter output =
+    expect ctx ~subject:argument.value ~at:argument.value.span { ty = parameter; because } value.ty;
+    expect ctx ~at:argument.span { ty = result; because = Unknown } output
+  in
+  let attempt () =
+    match Type.expand function_.ty with
+    | Flexible _ -> false
+    | Function (parameter, output) ->
+        fits parameter output;
+        true
+    | Signal_function (input, output) ->
+        decision := Runs;
+        fits input output;
+        true
+    | Erroneous ->
+        fits Erroneous Erroneous;
+        true
+    | (Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Alias _) as left ->
+        report ctx (fun words ->
+            Mistake.not_a_function words ~head ~position:argument.position ~at:argument.value.span
+              left);
+        fits Erroneous Erroneous;
+        true
+  in
+  let guess () =
+    match Unify.types function_.ty (Function (value.ty, result)) with
+    | Ok () -> true
+    | Error _ -> attempt ()
+  in
+  ask ctx { attempt; guess; give_up = ignore };
+  let build =
+    node argument.span result (fun () -> apply !decision (function_.build ()) (value.build ()))
+  in
+  { ty = result; build }
+
+let step expressions ctx ~head ~previous (function_ : typed) argument =
+  let because = reason ~head ~previous argument in
+  let known decision parameter output =
+    let before = errors ctx in
+    let value = expressions.check ctx argument.value { ty = parameter; because } in
+    let ty = if errors ctx > before then Type.Erroneous else output in
+    let build =
+      node argument.span ty (fun () -> apply decision (function_.build ()) (value ()))
+    in
+    { ty; build }
+  in
+  let erroneous () =
+    let value = expressions.infer ctx argument.value in
+    { ty = Erroneous; build = value.build }
+  in
+  match (argument.style, Type.expand function_.ty) with
+  | (Juxtaposed | Operator _), Function (parameter, output) -> known Applies parameter output
+  | (Juxtaposed | Operator _ | Command), Signal_function (input, output) -> known Runs input output
+  | (Juxtaposed | Operator _), Flexible _ -> put_off expressions ctx ~head ~because argument function_
+  | Command, Flexible _ ->
+      let input = Context.fresh ctx and output = Context.fresh ctx in
+      expect ctx ~at:head.span
+        { ty = Signal_function (input, output); because = Unknown }
+        function_.ty;
+      known Runs input output
+  | _, Erroneous -> erroneous ()
+  | ( (Juxtaposed | Operator _),
+      ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Alias _) as left) ) ->
+      report ctx (fun words ->
+          Mistake.not_a_function words ~head ~position:argument.position ~at:argument.value.span left);
+      erroneous ()
+  | ( Command,
+      ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Alias _ | Function _) as found) ) ->
+      report ctx (fun words -> Mistake.not_a_signal_function words ~head found);
+      erroneous ()
+
+let infer expressions ctx e =
+  let head, arguments = spine e in
+  let start = expressions.infer ctx head in
+  let apply (function_, previous) argument =
+    let parameter = match Type.expand function_.ty with Function (a, _) -> Some a | _ -> None in
+    let next = step expressions ctx ~head ~previous function_ argument in
+    (next, Option.map (fun ty -> (argument.value, ty)) parameter)
+  in
+  fst (List.fold_left apply (start, None) arguments)

@@ -1,0 +1,224 @@
+open Basis
+open Context
+
+let beside (expected : Mistake.expected) at : Mistake.expected =
+  match expected.because with Unknown -> { expected with because = Branch at } | _ -> expected
+
+(* {1 Functions} *)
+
+let too_many_parameters ctx ~name ~at (expected : Mistake.expected) allowed =
+  report ctx (fun words ->
+      let what = match name with Some name -> "`" ^ name ^ "`" | None -> "this function" in
+      let diagnostic =
+        Diagnostic.error ~code:"E0302" ~at "%s has more than the %d parameter%s that its type allows"
+          what allowed
+          (if allowed = 1 then "" else "s")
+      in
+      Mistake.explain words expected.because expected.ty diagnostic)
+
+let abstraction ctx ~at ~name parameters (expected : Mistake.expected) body =
+  let parameter (patterns, rest, position) (p : Resolve.Ir.pattern) =
+    let from, into =
+      match Type.expand rest with
+      | Function (a, b) -> (a, b)
+      | Erroneous -> (Type.Erroneous, Type.Erroneous)
+      | Flexible _ ->
+          let a = Context.fresh ctx and b = Context.fresh ctx in
+          expect ctx ~at { expected with ty = rest } (Function (a, b));
+          (a, b)
+      | _ ->
+          (match name with
+          | None when position = 0 ->
+              let a = Context.fresh ctx and b = Context.fresh ctx in
+              expect ctx ~at { expected with ty = rest } (Function (a, b))
+          | None | Some _ -> too_many_parameters ctx ~name ~at:p.span expected position);
+          (Type.Erroneous, Type.Erroneous)
+    in
+    let pattern = Infer_pattern.check ctx p { expected with ty = from } in
+    (pattern :: patterns, into, position + 1)
+  in
+  let patterns, rest, _ = List.fold_left parameter ([], expected.ty, 0) parameters in
+  let body = body { expected with ty = rest } in
+  match patterns with
+  | [] -> body
+  | _ ->
+      node at expected.ty (fun () ->
+          let patterns = List.rev_map (fun build -> build ()) patterns in
+          Lambda (patterns, body ()))
+
+(* {1 Right sides} *)
+
+let is_otherwise (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Global name -> name = Environment.built_in "otherwise"
+  | Constructor name -> name = Environment.built_in "True"
+  | _ -> false
+
+let span_of_guards guards (last : Resolve.Ir.expr) =
+  match (guards : Resolve.Ir.guarded list) with
+  | { condition = Some first; _ } :: _ -> Span.merge first.span last.span
+  | _ -> last.span
+
+let guards expressions ctx (guards : Resolve.Ir.guarded list) (expected : Mistake.expected) =
+  let rec go conditional expected : Resolve.Ir.guarded list -> _ = function
+    | [] -> (conditional, None)
+    | [ { condition = None; value } ] -> (conditional, Some (expressions.check ctx value expected))
+    | [ { condition = Some condition; value } ] when is_otherwise condition ->
+        (conditional, Some (expressions.check ctx value expected))
+    | { condition; value } :: rest ->
+        let test =
+          match condition with
+          | Some condition -> expressions.check ctx condition { ty = Bool; because = Condition }
+          | None -> Diagnostic.bug ~stage:"Typing.Infer" "a guard without a condition is not last"
+        in
+        let result = expressions.check ctx value expected in
+        go ((test, result) :: conditional) (beside expected value.span) rest
+  in
+  let conditional, last = go [] expected guards in
+  match (conditional, last, List.rev guards) with
+  | [], Some value, _ -> value
+  | _, _, { value; _ } :: _ ->
+      node (span_of_guards guards value) expected.ty (fun () ->
+          let conditional =
+            List.rev_map
+              (fun (test, result) ->
+                let test = test () in
+                (test, result ()))
+              conditional
+          in
+          Guards (conditional, Option.map (fun build -> build ()) last))
+  | _, _, [] -> Diagnostic.bug ~stage:"Typing.Infer" "a right side without a value"
+
+(* {1 Local declarations} *)
+
+let polymorphic (s : Type.scheme) = s.types <> [] || s.representations <> [] || s.units <> []
+
+(* A scheme that a local binding may have. *)
+let local_scheme ctx ~name ~at (written : Resolve.Ir.scheme) (scheme : Type.scheme) =
+  match Type.expand scheme.body with
+  | Function _ -> scheme
+  | _ when not (polymorphic scheme) -> scheme
+  | _ ->
+      report ctx (fun words ->
+          Diagnostic.error ~code:"E0314" ~at "only a local function can be polymorphic, and %s is %s"
+            name
+            (Show.quoted words scheme.body)
+          |> Diagnostic.label ~at:written.span "its signature has variables of its own");
+      Type.monomorphic Erroneous
+
+type declared = { scheme : Type.scheme; inner : t; at : Span.t }
+(* of a local with a signature; [inner] is where its definition is checked *)
+
+let declare ctx (local : Ir.Local.t) (written : Resolve.Ir.scheme) =
+  let scheme, inner = with_signature ctx ~name:local.name written in
+  let scheme =
+    local_scheme ctx ~name:("`" ^ local.name ^ "`") ~at:local.span written scheme
+  in
+  Hashtbl.replace ctx.locals local.id scheme;
+  { scheme; inner; at = written.span }
+
+let rec right expressions ctx (r : Resolve.Ir.right) expected =
+  match r.where with
+  | { groups = []; signatures = [] } -> guards expressions ctx r.guards expected
+  | where ->
+      let bindings = declarations expressions ctx where in
+      let body = guards expressions ctx r.guards expected in
+      fun () ->
+        let bindings = bindings () in
+        let body = body () in
+        ({ desc = Let (bindings, body); ty = body.ty; span = body.span } : Ir.expr)
+
+and declarations expressions ctx (d : Resolve.Ir.declarations) =
+  List.iter (fun (local, written) -> ignore (declare ctx local written)) d.signatures;
+  let signed = Hashtbl.create 8 in
+  let declare_binding (b : Resolve.Ir.binding) =
+    match (b.name, b.signature) with
+    | Inner local, Some written -> Hashtbl.replace signed local.id (declare ctx local written)
+    | (Inner _ | Top _ | Destructure _), _ -> ()
+  in
+  List.iter
+    (fun (g : Resolve.Ir.binding_group) -> List.iter declare_binding g.bindings)
+    d.groups;
+  let groups = List.rev_map (group expressions ctx signed) d.groups in
+  fun () -> List.concat_map (List.map (fun build -> build ())) (List.rev groups)
+
+and group expressions ctx signed (g : Resolve.Ir.binding_group) =
+  (* All names first: within a group order means nothing. *)
+  let prepared = List.map (prepare ctx signed) g.bindings in
+  List.map2 (binding expressions ctx) g.bindings prepared
+
+and prepare ctx signed (b : Resolve.Ir.binding) =
+  match b.name with
+  | Inner local -> (
+      match Hashtbl.find_opt signed local.id with
+      | Some declared -> `Signed (local, declared)
+      | None ->
+          let ty = Context.fresh ctx in
+          Hashtbl.replace ctx.locals local.id (Type.monomorphic ty);
+          `Plain (local, ty))
+  | Destructure pattern ->
+      let ty = Context.fresh ctx in
+      `Pattern (pattern, ty, Infer_pattern.check ctx pattern { ty; because = Unknown })
+  | Top (name, _) -> Diagnostic.bug ~stage:"Typing.Infer" "%s is not local" name.name
+
+and binding expressions ctx (b : Resolve.Ir.binding) prepared : Ir.binding later =
+  let value ctx ~name expected =
+    abstraction ctx ~at:b.span ~name b.parameters expected (fun expected ->
+        right expressions ctx b.body expected)
+  in
+  let finish pattern (scheme : Type.scheme) value () : Ir.binding =
+    let pattern : Ir.pattern = pattern () in
+    { pattern; scheme = Final.scheme scheme; value = value (); level = Constant; span = b.span }
+  in
+  let bound (local : Ir.Local.t) ty () : Ir.pattern =
+    { desc = Bound local; ty = Final.ty ty; span = local.span }
+  in
+  match prepared with
+  | `Signed ((local : Ir.Local.t), { scheme; inner; at }) ->
+      Classes.give scheme;
+      let expected : Mistake.expected =
+        { ty = scheme.body; because = Signature { name = local.name; at } }
+      in
+      let value = value inner ~name:(Some local.name) expected in
+      finish (bound local scheme.body) scheme value
+  | `Plain ((local : Ir.Local.t), ty) ->
+      let because = Mistake.Uses { name = local.name; at = local.span } in
+      let value = value ctx ~name:(Some local.name) { ty; because } in
+      finish (bound local ty) (Type.monomorphic ty) value
+  | `Pattern ((pattern : Resolve.Ir.pattern), ty, build) ->
+      let value = value ctx ~name:None { ty; because = Pattern pattern.span } in
+      finish build (Type.monomorphic ty) value
+
+(* {1 Annotations} *)
+
+let annotated expressions ctx (e : Resolve.Ir.expr) inner_expr written =
+  let scheme, inner = with_signature ctx ~name:"this" written in
+  let scheme = local_scheme ctx ~name:"this" ~at:e.span written scheme in
+  Classes.give scheme;
+  let value =
+    expressions.check inner inner_expr { ty = scheme.body; because = Annotation written.span }
+  in
+  if not (polymorphic scheme) then { ty = scheme.body; build = value }
+  else
+    (* resolved locals count from 0 up, so these are apart from them *)
+    let local : Ir.Local.t =
+      { id = -Type.next ctx.reader.supply; name = "annotated"; span = e.span }
+    in
+    let ty, instantiation = use ctx ~at:e.span ~name:"this" scheme in
+    let build =
+      node e.span ty (fun () ->
+          let binding : Ir.binding =
+            {
+              pattern = { desc = Bound local; ty = Final.ty scheme.body; span = e.span };
+              scheme = Final.scheme scheme;
+              value = value ();
+              level = Constant;
+              span = e.span;
+            }
+          in
+          let body : Ir.expr =
+            { desc = Local (local, instantiation ()); ty = Final.ty ty; span = e.span }
+          in
+          Let ([ binding ], body))
+    in
+    { ty; build }

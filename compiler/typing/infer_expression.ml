@@ -1,0 +1,164 @@
+open Basis
+open Context
+
+(* [e ^ k]: the unit to that power. *)
+let power ctx (e : Resolve.Ir.expr) (base : typed) exponent =
+  let supply = ctx.reader.supply and depth = ctx.depth in
+  let unit_ = Type.fresh_unit supply ~depth in
+  let representation =
+    if exponent < 0 then Type.Float else Type.fresh_representation supply ~depth
+  in
+  expect ctx ~at:e.span { ty = Number (representation, unit_); because = Unknown } base.ty;
+  match Units.power (Units.resolve unit_) (Rational.of_int exponent) with
+  | raised -> Type.Number (representation, raised)
+  | exception Rational.Out_of_range ->
+      if not (Units.equal unit_ Units.one) then
+        report ctx (fun _ ->
+            Diagnostic.error ~code:"E0323" ~at:e.span "the exponent of a unit is too large");
+      Type.Number (representation, Units.one)
+
+(* A variable, with its own instance of the scheme. *)
+let reference ctx ~at ~name scheme desc =
+  let ty, instantiation = use ctx ~at ~name scheme in
+  { ty; build = node at ty (fun () -> desc (instantiation ())) }
+
+(* Within its own group a definition is used at its own variables. *)
+let own_instantiation ctx name : Ir.instantiation =
+  let { scheme; _ } = Hashtbl.find ctx.globals name in
+  let scheme = Final.scheme scheme in
+  {
+    types = List.map (fun v -> Ir.Variable v) scheme.types;
+    representations = List.map (fun v -> Ir.Representation_variable v) scheme.representations;
+  }
+
+let global ctx (e : Resolve.Ir.expr) (name : Ir.Global.t) =
+  match Hashtbl.find_opt ctx.globals name with
+  | Some { scheme; primitive; recursive } ->
+      reference ctx ~at:e.span ~name:name.name scheme (fun instantiation ->
+          if primitive then Primitive (name, instantiation)
+          else if recursive then Global (name, own_instantiation ctx name)
+          else Global (name, instantiation))
+  | None ->
+      Diagnostic.bug ~stage:"Typing.Infer" "%s.%s is used before it is typed" name.module_ name.name
+
+let local ctx (e : Resolve.Ir.expr) (local : Ir.Local.t) =
+  match Hashtbl.find_opt ctx.locals local.id with
+  | Some scheme ->
+      reference ctx ~at:e.span ~name:local.name scheme (fun instantiation ->
+          Local (local, instantiation))
+  | None -> Diagnostic.bug ~stage:"Typing.Infer" "the local %s is used before it is typed" local.name
+
+let rec infer ctx (e : Resolve.Ir.expr) : typed =
+  match e.desc with
+  | Local name -> local ctx e name
+  | Global name -> global ctx e name
+  | Constructor name ->
+      let constructor = Environment.constructor ctx.reader.environment name in
+      reference ctx ~at:e.span ~name:name.name constructor.scheme (fun _ ->
+          Constructor (constructor.ir, constructor.tycon))
+  | Number n ->
+      let ty, value = Literal.number ctx ~negative:false ~at:e.span n in
+      { ty; build = node e.span ty (fun () -> Number value) }
+  | String text -> { ty = String; build = node e.span String (fun () -> String text) }
+  | Tuple elements ->
+      let elements = List.rev (List.rev_map (infer ctx) elements) in
+      let ty = Type.shared (Tuple (List.map (fun (t : typed) -> t.ty) elements)) in
+      let build =
+        node e.span ty (fun () -> Tuple (List.map (fun (t : typed) -> t.build ()) elements))
+      in
+      { ty; build }
+  | Apply _ -> Infer_application.infer expressions ctx e
+  | Negate { desc = Number n; _ } when Literal.is_only_negative n ->
+      let ty, value = Literal.number ctx ~negative:true ~at:e.span n in
+      { ty; build = node e.span ty (fun () -> Number value) }
+  | Negate operand ->
+      let ty = Context.fresh_number ctx in
+      let because : Mistake.reason =
+        Parameter { callee = Some "-"; at = e.span; position = 1 }
+      in
+      let operand = check ctx operand (Mistake.expecting because ty) in
+      { ty; build = node e.span ty (fun () -> Negate (operand ())) }
+  | Power { base; exponent } ->
+      let typed = infer ctx base in
+      let ty = power ctx base typed exponent in
+      { ty; build = node e.span ty (fun () -> Power (typed.build (), exponent)) }
+  | Record { constructor; fields } -> Infer_record.construct expressions ctx e constructor fields
+  | Field { record; field; candidates } ->
+      Infer_record.field expressions ctx e ~record field ~candidates
+  | Update { record; fields; candidates } ->
+      Infer_record.update expressions ctx e ~record fields ~candidates
+  | Annotated { expr; scheme } -> Infer_binding.annotated expressions ctx e expr scheme
+  | If _ | Case _ | Let _ | Lambda _ | Proc _ ->
+      let ty = Context.fresh ctx in
+      let build = check ctx e (Mistake.expecting Unknown ty) in
+      { ty; build }
+
+and check ctx (e : Resolve.Ir.expr) (expected : Mistake.expected) : Ir.expr later =
+  let build desc = node e.span expected.ty desc in
+  match (e.desc, Type.expand expected.ty) with
+  | If { condition; then_; else_ }, _ ->
+      let condition = check ctx condition (Mistake.expecting Condition Bool) in
+      let yes = check ctx then_ expected in
+      let no = check ctx else_ (Infer_binding.beside expected then_.span) in
+      build (fun () ->
+          let condition = condition () in
+          let yes = yes () in
+          If (condition, yes, no ()))
+  | Case { scrutinee; branches }, _ -> case ctx e scrutinee branches expected
+  | Let { declarations; body }, _ ->
+      let bindings = Infer_binding.declarations expressions ctx declarations in
+      let body = check ctx body expected in
+      build (fun () ->
+          let bindings = bindings () in
+          Let (bindings, body ()))
+  | Lambda { parameters; body }, _ ->
+      Infer_binding.abstraction ctx ~at:e.span ~name:None parameters expected (fun expected ->
+          check ctx body expected)
+  | Proc { input; body }, _ -> proc ctx e input body expected
+  | Tuple elements, Tuple types when List.compare_lengths elements types = 0 ->
+      let elements =
+        List.rev
+          (List.rev_map2 (fun e ty -> check ctx e { expected with ty }) elements types)
+      in
+      build (fun () -> Tuple (List.map (fun build -> build ()) elements))
+  | _ ->
+      let typed = infer ctx e in
+      expect ctx ~subject:e ~at:e.span expected typed.ty;
+      typed.build
+
+and case ctx e scrutinee branches expected =
+  let value = infer ctx scrutinee in
+  let branch (done_, expected) (b : Resolve.Ir.branch) =
+    let pattern =
+      Infer_pattern.check ctx b.pattern { ty = value.ty; because = Value scrutinee.span }
+    in
+    let right = Infer_binding.right expressions ctx b.right expected in
+    let build () : Ir.branch =
+      let pattern = pattern () in
+      { pattern; value = right () }
+    in
+    (build :: done_, Infer_binding.beside expected b.span)
+  in
+  let branches, _ = List.fold_left branch ([], expected) branches in
+  node e.span expected.ty (fun () ->
+      let value = value.build () in
+      Case (value, List.rev_map (fun build -> build ()) branches))
+
+and proc ctx e input body expected =
+  let from, into =
+    match Type.expand expected.ty with
+    | Signal_function (a, b) -> (a, b)
+    | _ ->
+        let a = Context.fresh ctx and b = Context.fresh ctx in
+        expect ctx ~subject:e ~at:e.span expected (Signal_function (a, b));
+        (a, b)
+  in
+  let input = Infer_pattern.check ctx input { expected with ty = from } in
+  let equations = Infer_binding.declarations expressions ctx body.equations in
+  let output = check ctx body.output { expected with ty = into } in
+  node e.span expected.ty (fun () ->
+      let input = input () in
+      let equations = equations () in
+      Proc { input; equations; output = output () })
+
+and expressions = { infer; check }

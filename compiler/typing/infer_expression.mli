@@ -1,0 +1,3 @@
+(** Expressions. *)
+
+val expressions : Context.expressions

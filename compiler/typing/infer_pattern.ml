@@ -1,0 +1,50 @@
+open Context
+
+let bind ctx (local : Ir.Local.t) (expected : Mistake.expected) =
+  match Hashtbl.find_opt ctx.locals local.id with
+  | Some declared ->
+      expect ctx ~at:local.span
+        { ty = declared.body; because = Signature { name = local.name; at = local.span } }
+        expected.ty
+  | None -> Hashtbl.replace ctx.locals local.id (Type.monomorphic expected.ty)
+
+let rec check ctx (p : Resolve.Ir.pattern) (expected : Mistake.expected) : Ir.pattern later =
+  let node desc () : Ir.pattern =
+    let desc = desc () in
+    { desc; ty = Final.ty expected.ty; span = p.span }
+  in
+  match p.desc with
+  | Any -> node (fun () -> Any)
+  | Bound local ->
+      bind ctx local expected;
+      node (fun () -> Bound local)
+  | As (local, inner) ->
+      bind ctx local expected;
+      let inner = check ctx inner expected in
+      node (fun () -> As (local, inner ()))
+  | Tuple_of elements ->
+      let types =
+        match Type.expand expected.ty with
+        | Tuple types when List.compare_lengths types elements = 0 -> types
+        | Erroneous -> List.map (fun _ -> Type.Erroneous) elements
+        | _ ->
+            let types = List.map (fun _ -> Context.fresh ctx) elements in
+            expect ctx ~at:p.span expected (Tuple types);
+            types
+      in
+      let elements =
+        List.map2 (fun p ty -> check ctx p { expected with ty }) elements types
+      in
+      node (fun () -> Tuple_of (List.map (fun build -> build ()) elements))
+  | Constructed (name, arguments) ->
+      let constructor = Environment.constructor ctx.reader.environment name in
+      let ty, _ = use ctx ~at:p.span ~name:name.name constructor.scheme in
+      let fields, result = Environment.fields constructor ty in
+      expect ctx ~at:p.span expected result;
+      let arguments = List.map2 (fun p ty -> check ctx p { expected with ty }) arguments fields in
+      node (fun () ->
+          Constructed (constructor.ir, List.map (fun build -> build ()) arguments))
+  | Literal { negative; number } ->
+      let ty, value = Literal.number ctx ~negative ~at:p.span number in
+      expect ctx ~at:p.span expected ty;
+      node (fun () -> Literal value)

@@ -1,0 +1,198 @@
+open Basis
+open Context
+
+let position (constructor : Environment.constructor) name =
+  let rec go index = function
+    | [] -> None
+    | (field, _) :: _ when String.equal field name -> Some index
+    | _ :: rest -> go (index + 1) rest
+  in
+  go 0 constructor.ir.fields
+
+(* The types of the fields of a record of type [ty]. *)
+let field_types ctx (constructor : Environment.constructor) ~at ty =
+  let instance, _ = use ctx ~at ~name:constructor.ir.constructor.name constructor.scheme in
+  let fields, result = Environment.fields constructor instance in
+  match Unify.types ty result with
+  | Ok () -> fields
+  | Error _ ->
+      Diagnostic.bug ~stage:"Typing.Infer_record" "%s does not build its own type"
+        constructor.ir.constructor.name
+
+let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
+  report ctx (fun words ->
+      let diagnostic =
+        Diagnostic.error ~code:"E0310" ~at:name.span "%s has no field `%s`" (Show.quoted words ty)
+          name.text
+        |> Diagnostic.label ~at:record.span
+             (Printf.sprintf "this is %s" (Show.quoted words ty))
+      in
+      match Suggest.closest name.text known with
+      | Some near -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
+      | None -> diagnostic)
+
+let unknown_record ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) candidates =
+  if errors ctx = 0 then
+    report ctx (fun _ ->
+        let diagnostic =
+          Diagnostic.error ~code:"E0311" ~at:name.span
+            "it is not known which type this field `%s` belongs to" name.text
+          |> Diagnostic.label ~at:record.span "the type of this is not known"
+          |> Diagnostic.hint "give the definition a signature"
+        in
+        match candidates with
+        | [] -> diagnostic
+        | _ ->
+            let names = List.map (fun (g : Ir.Global.t) -> "`" ^ g.name ^ "`") candidates in
+            Diagnostic.note ("types with such a field: " ^ String.concat ", " names) diagnostic)
+
+(* Waits for the record's type; then [found] is told the constructor, or
+   [None] after what was wrong has been reported. *)
+let when_known ctx ~(record : Resolve.Ir.expr) ty (fields : Syntax.Ir.name list) ~candidates
+    (found : Environment.constructor option -> unit) =
+  match fields with
+  | [] -> found None
+  | first :: _ ->
+      let environment = ctx.reader.environment in
+      let attempt () =
+        match Type.expand ty with
+        | Flexible _ -> false
+        | Data { tycon; _ } as ty ->
+            (match Environment.record_of environment tycon with
+            | None ->
+                no_field ctx first ~record ty [];
+                found None
+            | Some constructor -> (
+                let missing =
+                  List.find_opt
+                    (fun (f : Syntax.Ir.name) -> position constructor f.text = None)
+                    fields
+                in
+                match missing with
+                | None -> found (Some constructor)
+                | Some name ->
+                    no_field ctx name ~record ty (List.map fst constructor.ir.fields);
+                    found None));
+            true
+        | Erroneous ->
+            found None;
+            true
+        | ( Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _
+          | Alias _ ) as ty ->
+            no_field ctx first ~record ty [];
+            found None;
+            true
+      in
+      let guess () =
+        match candidates with
+        | [ only ] -> (
+            match Environment.record_of environment only with
+            | Some constructor ->
+                ignore (field_types ctx constructor ~at:record.span ty);
+                attempt ()
+            | None -> false)
+        | _ -> false
+      in
+      let give_up () =
+        unknown_record ctx first ~record candidates;
+        found None
+      in
+      ask ctx { attempt; guess; give_up }
+
+let decided ctx = function
+  | { contents = Some answer } -> answer
+  | { contents = None } ->
+      Diagnostic.bug ~stage:"Typing.Infer_record" "a field was not decided (%d errors)"
+        (errors ctx)
+
+let indexed (constructor : Environment.constructor) (name : Syntax.Ir.name) =
+  match position constructor name.text with
+  | Some index -> index
+  | None ->
+      Diagnostic.bug ~stage:"Typing.Infer_record" "%s has no field %s"
+        constructor.ir.constructor.name name.text
+
+let construct expressions ctx (e : Resolve.Ir.expr) name fields =
+  let constructor = Environment.constructor ctx.reader.environment name in
+  let ty, _ = use ctx ~at:e.span ~name:name.name constructor.scheme in
+  let types, result = Environment.fields constructor ty in
+  let types = Array.of_list types in
+  let field ((name : Syntax.Ir.name), value) =
+    let index = indexed constructor name in
+    let expected : Mistake.expected =
+      { ty = types.(index); because = Field { name = name.text; at = name.span } }
+    in
+    (index, expressions.check ctx value expected)
+  in
+  let fields = List.map field fields in
+  let build =
+    node e.span result (fun () ->
+        Record (constructor.ir, List.map (fun (index, build) -> (index, build ())) fields))
+  in
+  { ty = result; build }
+
+let field expressions ctx (e : Resolve.Ir.expr) ~record (name : Syntax.Ir.name) ~candidates =
+  let typed = expressions.infer ctx record in
+  let result = Context.fresh ctx in
+  let answer = ref None in
+  when_known ctx ~record typed.ty [ name ] ~candidates (fun constructor ->
+      let ty =
+        match constructor with
+        | None -> Type.Erroneous
+        | Some constructor ->
+            List.nth (field_types ctx constructor ~at:e.span typed.ty) (indexed constructor name)
+      in
+      answer := Some constructor;
+      expect ctx ~subject:e ~at:e.span { ty = result; because = Unknown } ty);
+  let build =
+    node e.span result (fun () : Ir.expr_desc ->
+        match decided ctx answer with
+        | Some constructor -> Field (typed.build (), constructor.ir, indexed constructor name)
+        | None -> Tuple [])
+  in
+  { ty = result; build }
+
+let update expressions ctx (e : Resolve.Ir.expr) ~record fields ~candidates =
+  let typed = expressions.infer ctx record in
+  let values =
+    List.map
+      (fun ((name : Syntax.Ir.name), value) ->
+        let ty = Context.fresh ctx in
+        (name, value, ty))
+      fields
+  in
+  let answer = ref None in
+  (* Where the record is known at once, its fields' types guide the values. *)
+  when_known ctx ~record typed.ty (List.map fst fields) ~candidates (fun constructor ->
+      answer := Some constructor;
+      let types =
+        match constructor with
+        | Some constructor ->
+            let types = field_types ctx constructor ~at:e.span typed.ty in
+            fun name -> List.nth types (indexed constructor name)
+        | None -> fun _ -> Type.Erroneous
+      in
+      List.iter
+        (fun ((name : Syntax.Ir.name), (value : Resolve.Ir.expr), ty) ->
+          expect ctx ~subject:value ~at:value.span
+            { ty = types name; because = Field { name = name.text; at = name.span } }
+            ty)
+        values);
+  let values =
+    List.map
+      (fun ((name : Syntax.Ir.name), value, ty) ->
+        let because = Mistake.Field { name = name.text; at = name.span } in
+        (name, expressions.check ctx value { ty; because }))
+      values
+  in
+  let build =
+    node e.span typed.ty (fun () : Ir.expr_desc ->
+        match decided ctx answer with
+        | Some constructor ->
+            Update
+              ( typed.build (),
+                constructor.ir,
+                List.map (fun (name, build) -> (indexed constructor name, build ())) values )
+        | None -> Tuple [])
+  in
+  { ty = typed.ty; build }

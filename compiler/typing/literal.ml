@@ -1,0 +1,70 @@
+open Basis
+
+let fits value = Exact.to_int32 value <> None
+
+let is_only_negative (n : Resolve.Ir.number) =
+  (not n.decimal) && n.unit_ = None
+  &&
+  match Exact.of_decimal n.digits with
+  | Some value -> (not (fits value)) && fits (Exact.negate value)
+  | None -> false
+
+(* What is too large for an [Int] is a [Float] if it may be. *)
+let too_large (ctx : Context.t) ~at (n : Resolve.Ir.number) representation =
+  let report () =
+    Context.report ctx (fun _ ->
+        Diagnostic.(
+          error ~code:"E0313" ~at "`%s` is out of the range of `Int`" n.digits
+          |> note "an `Int` is from -2147483648 to 2147483647"))
+  in
+  let attempt () =
+    match Type.representation representation with
+    | Float -> true
+    | Flexible_representation _ -> false
+    | Int | Rigid_representation _ ->
+        report ();
+        true
+  in
+  let guess () =
+    match Type.representation representation with
+    | Flexible_representation variable ->
+        variable.found <- Some Type.Float;
+        true
+    | Int | Float | Rigid_representation _ -> attempt ()
+  in
+  Context.ask ctx { attempt; guess; give_up = ignore }
+
+let out_of_range ~at (n : Resolve.Ir.number) =
+  Diagnostic.error ~code:"E0315" ~at "the number `%s` is out of range" n.digits
+
+(* Only such digits can be beyond a double. *)
+let is_long digits =
+  String.length digits > 100 || String.exists (fun c -> c = 'e' || c = 'E') digits
+
+let number (ctx : Context.t) ~negative ~at (n : Resolve.Ir.number) =
+  let magnitude =
+    match Exact.of_decimal n.digits with
+    | Some value -> value
+    | None ->
+        Context.report ctx (fun _ -> out_of_range ~at n);
+        Exact.one
+  in
+  let is_zero = Exact.equal magnitude Exact.zero in
+  let signed = if negative then Exact.negate magnitude else magnitude in
+  let { Environment.measure; scale } =
+    match n.unit_ with
+    | Some written -> Written.unit_ ctx.reader ctx.scope written
+    | None when is_zero ->
+        { measure = Type.fresh_unit ctx.reader.supply ~depth:ctx.depth; scale = Exact.one }
+    | None -> { measure = Units.one; scale = Exact.one }
+  in
+  let scaled = not (Exact.equal scale Exact.one) in
+  let representation =
+    if n.decimal || scaled then Type.Float
+    else Type.fresh_representation ctx.reader.supply ~depth:ctx.depth
+  in
+  let value = if scaled then Exact.multiply signed scale else signed in
+  if not (n.decimal || scaled || fits signed) then too_large ctx ~at n representation;
+  if is_long n.digits && Float.abs (Exact.to_float value) = infinity then
+    Context.report ctx (fun _ -> out_of_range ~at n);
+  (Type.Number (representation, measure), value)

@@ -1,0 +1,255 @@
+open Basis
+
+type reason =
+  | Unknown
+  | Signature of { name : string; at : Span.t }
+  | Annotation of Span.t
+  | Parameter of { callee : string option; at : Span.t; position : int }
+  | Operand of { operator : string; other : Span.t; other_type : Type.t }
+  | Branch of Span.t
+  | Condition
+  | Value of Span.t
+  | Pattern of Span.t
+  | Uses of { name : string; at : Span.t }
+  | Field of { name : string; at : Span.t }
+
+type expected = { ty : Type.t; because : reason }
+let expecting because ty = { ty; because }
+
+type owner = Ir.variable -> (string * Span.t) option
+
+open Diagnostic
+
+let name_of (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Local { name; _ } | Global { name; _ } | Constructor { name; _ } -> Some name
+  | Number _ | String _ | Tuple _ | Apply _ | Negate _ | Power _ | If _ | Case _ | Let _
+  | Lambda _ | Proc _ | Record _ | Update _ | Field _ | Annotated _ ->
+      None
+
+(* A type in a sentence; a wholly open number is just that. *)
+let described words t =
+  match Type.expand t with
+  | Number (r, u) -> (
+      match (Type.representation r, Units.flexible_powers (Units.resolve u)) with
+      | Flexible_representation _, [ _ ]
+        when Units.base_powers (Units.resolve u) = [] && Units.rigid_powers (Units.resolve u) = []
+        ->
+          "a number"
+      | _ -> Show.quoted words t)
+  | _ -> Show.quoted words t
+
+(* {1 The other place} *)
+
+let explain words reason (expected : Type.t) diagnostic =
+  let is_here at = Span.compare at diagnostic.at = 0 in
+  let label ~at text = if is_here at then Fun.id else label ~at text in
+  match reason with
+  | Unknown | Condition -> diagnostic
+  | Signature { name; at } ->
+      label ~at (Printf.sprintf "the signature of `%s` asks for %s" name (described words expected))
+        diagnostic
+  | Annotation at ->
+      label ~at (Printf.sprintf "the annotation asks for %s" (described words expected)) diagnostic
+  | Parameter { callee; at; position } ->
+      let callee = match callee with Some name -> "`" ^ name ^ "`" | None -> "this" in
+      label ~at
+        (Printf.sprintf "argument %d of %s is %s" position callee (described words expected))
+        diagnostic
+  | Operand { other; other_type; _ } ->
+      label ~at:other (Printf.sprintf "this is %s" (described words other_type)) diagnostic
+  | Branch at ->
+      label ~at (Printf.sprintf "this branch is %s" (described words expected)) diagnostic
+  | Value at -> label ~at (Printf.sprintf "the value is %s" (described words expected)) diagnostic
+  | Pattern at ->
+      label ~at (Printf.sprintf "the pattern takes %s" (described words expected)) diagnostic
+  | Uses { name; at } ->
+      label ~at
+        (Printf.sprintf "elsewhere `%s` is used as %s" name (described words expected))
+        diagnostic
+  | Field { name; at } ->
+      label ~at (Printf.sprintf "the field `%s` is %s" name (described words expected)) diagnostic
+
+(* A variable's own definition is the other place if there is no better one. *)
+let explain_subject subject reason diagnostic =
+  match (subject, reason) with
+  | Some ({ desc = Local local; _ } : Resolve.Ir.expr), (Unknown | Condition)
+    when Span.compare local.span diagnostic.at <> 0 ->
+      label ~at:local.span (Printf.sprintf "`%s` is bound here" local.name) diagnostic
+  | _ -> diagnostic
+
+(* {1 Units} *)
+
+let units words ~at ~(expected : expected) ~found (wanted, given) =
+  let diagnostic =
+    match expected.because with
+    | Operand { operator; _ } ->
+        error ~code:"E0320" ~at "the operands of `%s` have different units: `%s` and `%s`" operator
+          (Show.measure words wanted) (Show.measure words given)
+    | _ ->
+        error ~code:"E0320" ~at "expected the unit `%s`, found `%s`" (Show.measure words wanted)
+          (Show.measure words given)
+  in
+  let is_number t = match Type.expand t with Number _ -> true | _ -> false in
+  let diagnostic = here (Printf.sprintf "this is %s" (described words found)) diagnostic in
+  if is_number expected.ty && is_number found then diagnostic
+  else
+    note
+      (Printf.sprintf "expected %s, found %s" (described words expected.ty) (described words found))
+      diagnostic
+
+(* {1 Signatures that promise too much} *)
+
+let too_general owner ~at ~kind (variable : Ir.variable) needed =
+  let diagnostic =
+    error ~code:"E0306" ~at "the signature promises every %s `%s`, but the definition needs %s" kind
+      variable.name needed
+  in
+  match owner variable with
+  | Some (name, at) ->
+      label ~at (Printf.sprintf "`%s` is any %s in the signature of `%s`" variable.name kind name)
+        diagnostic
+  | None -> diagnostic
+
+let needed words t = Printf.sprintf "it to be %s" (described words t)
+
+(* A single unit variable of a signature against a unit without any. *)
+let promised_unit (a, b) =
+  let alone u =
+    match (Units.base_powers u, Units.rigid_powers u, Units.flexible_powers u) with
+    | [], [ (r, p) ], [] when Rational.equal p Rational.one -> Some r
+    | _ -> None
+  in
+  match (alone a, alone b) with
+  | Some r, _ when Units.rigid_powers b = [] -> Some (r, b)
+  | _, Some r when Units.rigid_powers a = [] -> Some (r, a)
+  | _ -> None
+
+(* {1 Types of another shape} *)
+
+let hint_to_run words subject input =
+  let unit_ = match Type.expand input with Flexible _ | Tuple [] -> true | _ -> false in
+  match (Option.bind subject name_of, unit_) with
+  | Some name, true -> hint (Printf.sprintf "run it on `()`: `%s ()`" name)
+  | None, true -> hint "run it on `()`"
+  | Some name, false ->
+      hint
+        (Printf.sprintf "run it on a signal of %s: `%s x`" (described words input) name)
+  | None, false -> hint (Printf.sprintf "run it on a signal of %s" (described words input))
+
+let rec missing_arguments t =
+  match Type.expand t with Function (_, result) -> 1 + missing_arguments result | _ -> 0
+
+let shapes words ~subject ~at ~(expected : expected) ~found =
+  let text t = described words t in
+  match (Type.expand expected.ty, Type.expand found) with
+  | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Signal_function (input, _) ->
+      error ~code:"E0303" ~at "a signal function stands where the value of its signal is needed"
+      |> here (Printf.sprintf "this is %s" (text found))
+      |> note (Printf.sprintf "expected %s" (text expected.ty))
+      |> hint_to_run words subject input
+  | Signal_function _, Function _ ->
+      error ~code:"E0304" ~at "expected a signal function, found a function: %s" (text found)
+      |> hint "`arr` makes a signal function of a function"
+  | Function _, Signal_function _ ->
+      error ~code:"E0304" ~at "expected a function, found a signal function: %s" (text found)
+      |> note (Printf.sprintf "expected %s" (text expected.ty))
+  | (Number _ | Bool | String | Tuple _ | Data _), Function _ ->
+      let missing = missing_arguments found in
+      error ~code:"E0301" ~at "expected %s, found the function %s" (text expected.ty) (text found)
+      |> hint
+           (match Option.bind subject name_of with
+           | Some name ->
+               Printf.sprintf "`%s` takes %d argument%s" name missing
+                 (if missing = 1 then "" else "s")
+           | None ->
+               if missing = 1 then "an argument is missing" else "some arguments are missing")
+  | _ -> (
+      match expected.because with
+      | Condition ->
+          error ~code:"E0301" ~at "a condition must be `Bool`, but this is %s" (text found)
+      | Value _ ->
+          error ~code:"E0301" ~at "this pattern matches %s, but the value is %s" (text found)
+            (text expected.ty)
+      | _ -> error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found))
+
+let representations words ~at ~(expected : expected) ~found (wanted, given) =
+  let text = Show.representation words in
+  let diagnostic =
+    error ~code:"E0312" ~at "expected %s, found %s" (described words expected.ty)
+      (described words found)
+  in
+  match ((wanted : Type.representation), (given : Type.representation)) with
+  | Float, Int -> hint "`toFloat` makes a `Float` of an `Int`" diagnostic
+  | Int, Float -> hint "`round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`" diagnostic
+  | _ ->
+      note (Printf.sprintf "`%s` and `%s` are different representations" (text wanted) (text given))
+        diagnostic
+
+let mismatch words owner ~subject ~at ~(expected : expected) ~found (clash : Unify.clash) =
+  (* names of signatures first, so that no invented name repeats one *)
+  ignore (Show.type_ words expected.ty);
+  let finish diagnostic =
+    diagnostic |> explain words expected.because expected.ty
+    |> explain_subject subject expected.because
+  in
+  match clash with
+  | Different_units (wanted, given) -> (
+      match promised_unit (wanted, given) with
+      | Some (r, unit_) ->
+          too_general owner ~at ~kind:"unit" r.variable
+            (Printf.sprintf "it to be `%s`" (Show.measure words unit_))
+          |> here (Printf.sprintf "this is %s" (described words found))
+      | None -> finish (units words ~at ~expected ~found (wanted, given)))
+  | Different_representations (Rigid_representation r, other)
+  | Different_representations (other, Rigid_representation r) ->
+      too_general owner ~at ~kind:"representation" r.variable
+        (Printf.sprintf "it to be `%s`" (Show.representation words other))
+  | Different_representations (wanted, given) ->
+      finish (representations words ~at ~expected ~found (wanted, given))
+  | Different (Rigid r, other) | Different (other, Rigid r) -> (
+      match (Type.expand expected.ty, Type.expand found) with
+      | _, Signal_function _ | _, Function _ when Type.expand found == other ->
+          finish (shapes words ~subject ~at ~expected ~found)
+      | _ -> too_general owner ~at ~kind:"type" r.variable (needed words other))
+  | Different _ -> finish (shapes words ~subject ~at ~expected ~found)
+  | Infinite _ ->
+      finish
+        (error ~code:"E0305" ~at "this would need an infinite type: expected %s, found %s"
+           (described words expected.ty) (described words found))
+  | Escaping ->
+      finish
+        (error ~code:"E0306" ~at
+           "the signature promises every type, but the definition depends on what is outside: \
+            expected %s, found %s"
+           (described words expected.ty) (described words found))
+  | Out_of_range ->
+      error ~code:"E0323" ~at "the exponent of a unit is too large"
+
+(* {1 Heads} *)
+
+let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
+  let callee = match name_of head with Some name -> "`" ^ name ^ "`" | None -> "this" in
+  let diagnostic =
+    if position = 1 then
+      error ~code:"E0302" ~at:head.span "%s is %s, not a function" callee (described words left)
+      |> label ~at "it is given an argument here"
+    else
+      error ~code:"E0302" ~at "%s takes %d argument%s, but is given more" callee (position - 1)
+        (if position = 2 then "" else "s")
+      |> here "one too many"
+      |> label ~at:head.span
+           (Printf.sprintf "with %s the result is %s"
+              (if position = 2 then "one argument" else Printf.sprintf "%d arguments" (position - 1))
+              (described words left))
+  in
+  diagnostic
+
+let not_a_signal_function words ~(head : Resolve.Ir.expr) found =
+  let diagnostic =
+    error ~code:"E0304" ~at:head.span "`-<` needs a signal function, but this is %s"
+      (described words found)
+  in
+  match Type.expand found with
+  | Function _ -> hint "`arr` makes a signal function of a function" diagnostic
+  | _ -> diagnostic

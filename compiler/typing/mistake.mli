@@ -1,0 +1,62 @@
+(** What is said about types that do not fit, in the words of the program.
+
+    Codes: [E0301] different types · [E0302] not a function, or too many
+    arguments · [E0303] a signal function where its signal's value is wanted ·
+    [E0304] a function where a signal function is wanted, or the reverse ·
+    [E0305] an infinite type · [E0306] a signature more general than its
+    definition · [E0312] Int and Float · [E0320] units · [E0323] exponents. *)
+
+open Basis
+
+(** Why a type is expected at a place. *)
+type reason =
+  | Unknown
+  | Signature of { name : string; at : Span.t }
+  | Annotation of Span.t
+  | Parameter of { callee : string option; at : Span.t; position : int }
+  | Operand of { operator : string; other : Span.t; other_type : Type.t }
+      (** beside the other operand *)
+  | Branch of Span.t  (** an earlier branch *)
+  | Condition
+  | Value of Span.t  (** a pattern's: the value that is matched *)
+  | Pattern of Span.t  (** a value's: the pattern that takes it apart *)
+  | Uses of { name : string; at : Span.t }  (** of what is being defined *)
+  | Field of { name : string; at : Span.t }
+
+type expected = { ty : Type.t; because : reason }
+
+val expecting : reason -> Type.t -> expected
+
+type owner = Ir.variable -> (string * Span.t) option
+(** The definition whose signature has a variable, and where. *)
+
+val mismatch :
+  Show.words ->
+  owner ->
+  subject:Resolve.Ir.expr option ->
+  at:Span.t ->
+  expected:expected ->
+  found:Type.t ->
+  Unify.clash ->
+  Diagnostic.t
+(** [subject] is the expression at fault, if it is one. The clash is that of
+    [Unify.types expected found]. *)
+
+val explain : Show.words -> reason -> Type.t -> Diagnostic.t -> Diagnostic.t
+(** Labels the other place: where the expected type comes from. *)
+
+val name_of : Resolve.Ir.expr -> string option
+(** Of a plain name. *)
+
+val not_a_function :
+  Show.words ->
+  head:Resolve.Ir.expr ->
+  position:int ->
+  at:Span.t ->
+  Type.t ->
+  Diagnostic.t
+(** What is left of the head's type cannot take the argument of that number. *)
+
+val not_a_signal_function :
+  Show.words -> head:Resolve.Ir.expr -> Type.t -> Diagnostic.t
+(** The head of [sf -< e]. *)

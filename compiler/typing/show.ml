@@ -1,0 +1,217 @@
+(* Both kinds of type become this small tree, which one printer writes. *)
+type tree =
+  | Word of string
+  | Applied of string * tree list
+  | Arrow of tree * tree
+  | Group of tree list
+
+(* Messages show no deeper than this. *)
+let deepest = 12
+
+let write tree =
+  let buffer = Buffer.create 64 in
+  let add = Buffer.add_string buffer in
+  let parenthesized condition body =
+    if condition then add "(";
+    body ();
+    if condition then add ")"
+  in
+  (* tightness: 0 alone, 1 left of an arrow, 2 argument of a type *)
+  let rec go tightness = function
+    | Word text -> add text
+    | Applied (head, arguments) ->
+        parenthesized (tightness > 1) (fun () ->
+            add head;
+            List.iter
+              (fun argument ->
+                add " ";
+                go 2 argument)
+              arguments)
+    | Arrow (a, b) ->
+        parenthesized (tightness > 0) (fun () ->
+            go 1 a;
+            add " -> ";
+            go 0 b)
+    | Group elements ->
+        parenthesized true (fun () ->
+            List.iteri
+              (fun i element ->
+                if i > 0 then add ", ";
+                go 0 element)
+              elements)
+  in
+  go 0 tree;
+  Buffer.contents buffer
+
+let applied head = function [] -> Word head | arguments -> Applied (head, arguments)
+
+(* Powers by name, variables first. *)
+let product powers =
+  let factor (name, p) =
+    if Rational.equal p Rational.one then name
+    else if Rational.is_integer p then name ^ "^" ^ Rational.to_string p
+    else Printf.sprintf "%s^(%s)" name (Rational.to_string p)
+  in
+  let below, above = List.partition (fun (_, p) -> Rational.is_negative p) powers in
+  let numerator =
+    match above with [] -> "1" | above -> String.concat " " (List.map factor above)
+  in
+  List.fold_left
+    (fun text (name, p) -> text ^ "/" ^ factor (name, Rational.negate p))
+    numerator below
+
+let bracketed head units = if units = [] then head else head ^ "[" ^ String.concat ", " units ^ "]"
+
+(* [Float[1]] is written [Float]; [n[1]] needs its bracket. *)
+let number representation unit_ =
+  match representation with
+  | `Named name when unit_ = "1" -> name
+  | `Named name | `Variable name -> bracketed name [ unit_ ]
+
+let base_names powers = List.map (fun ((g : Ir.Global.t), p) -> (g.name, p)) powers
+
+(* {1 What inference found} *)
+
+let unit_ (u : Ir.unit_) =
+  product (List.map (fun ((v : Ir.variable), p) -> (v.name, p)) u.variables @ base_names u.base)
+
+let rec tree : Ir.ty -> tree = function
+  | Variable v -> Word v.name
+  | Number (Int, u) -> Word (number (`Named "Int") (unit_ u))
+  | Number (Float, u) -> Word (number (`Named "Float") (unit_ u))
+  | Number (Representation_variable v, u) -> Word (number (`Variable v.name) (unit_ u))
+  | Bool -> Word "Bool"
+  | String -> Word "String"
+  | Tuple elements -> Group (List.map tree elements)
+  | Function (a, b) ->
+      let a = tree a in
+      Arrow (a, tree b)
+  | Signal_function (a, b) -> Applied ("SF", [ tree a; tree b ])
+  | Data { tycon; units; arguments } ->
+      applied (bracketed tycon.name (List.map unit_ units)) (List.map tree arguments)
+
+let ty t = write (tree t)
+
+let scheme (s : Ir.scheme) =
+  let class_name = function Ir.Eq -> "Eq" | Ir.Ord -> "Ord" in
+  let constraint_ (c, t) = write (Applied (class_name c, [ tree t ])) in
+  let body = ty s.ty in
+  match s.context with
+  | [] -> body
+  | [ one ] -> constraint_ one ^ " => " ^ body
+  | several -> "(" ^ String.concat ", " (List.map constraint_ several) ^ ") => " ^ body
+
+(* {1 Types in messages} *)
+
+type words = {
+  named_unit : Units.t -> string option;
+  names : (int, string) Hashtbl.t;  (** of variables to be found, by id *)
+  taken : (string, unit) Hashtbl.t;
+}
+
+let words ~named_unit = { named_unit; names = Hashtbl.create 8; taken = Hashtbl.create 8 }
+
+let of_rigid words (variable : Ir.variable) =
+  Hashtbl.replace words.taken variable.name ();
+  variable.name
+
+let of_flexible words id candidates =
+  match Hashtbl.find_opt words.names id with
+  | Some name -> name
+  | None ->
+      let rec choose k =
+        let name = Variable_name.nth candidates k in
+        if Hashtbl.mem words.taken name then choose (k + 1) else name
+      in
+      let name = choose 0 in
+      Hashtbl.replace words.names id name;
+      Hashtbl.replace words.taken name ();
+      name
+
+let measure words u =
+  let u = Units.resolve u in
+  match words.named_unit u with
+  | Some name -> name
+  | None ->
+      let rigid =
+        List.map
+          (fun ((r : Units.rigid), p) -> (of_rigid words r.variable, p))
+          (Units.rigid_powers u)
+      in
+      let flexible =
+        List.map
+          (fun (id, p) -> (of_flexible words id Variable_name.Unit, p))
+          (Units.flexible_powers u)
+      in
+      product (rigid @ flexible @ base_names (Units.base_powers u))
+
+let representation_name words r =
+  match Type.representation r with
+  | Int -> `Named "Int"
+  | Float -> `Named "Float"
+  | Flexible_representation { id; _ } ->
+      `Variable (of_flexible words id Variable_name.Representation)
+  | Rigid_representation { variable; _ } -> `Variable (of_rigid words variable)
+
+let representation words r =
+  match representation_name words r with `Named name | `Variable name -> name
+
+let rec tree_of words depth t =
+  let continue_ = tree_of words (depth + 1) in
+  if depth > deepest then Word "…"
+  else
+    match Type.repr t with
+    | Flexible { id; _ } -> Word (of_flexible words id Variable_name.Type)
+    | Rigid { variable; _ } -> Word (of_rigid words variable)
+    | Number (r, u) ->
+        let r = representation_name words r in
+        Word (number r (measure words u))
+    | Bool -> Word "Bool"
+    | String -> Word "String"
+    | Tuple elements -> Group (List.map continue_ elements)
+    | Function (a, b) ->
+        let a = continue_ a in
+        Arrow (a, continue_ b)
+    | Signal_function (a, b) ->
+        let a = continue_ a in
+        Applied ("SF", [ a; continue_ b ])
+    | Data { tycon; units; arguments } | Alias { alias = tycon; units; arguments; _ } ->
+        applied
+          (bracketed tycon.name (List.map (measure words) units))
+          (List.map continue_ arguments)
+    | Erroneous -> Word "_"
+
+(* Names of signatures are taken before any is invented. *)
+let rec reserve words depth t =
+  if depth <= deepest then
+    let continue_ = reserve words (depth + 1) in
+    let units = List.iter (fun u ->
+        List.iter
+          (fun ((r : Units.rigid), _) -> ignore (of_rigid words r.variable))
+          (Units.rigid_powers (Units.resolve u)))
+    in
+    match Type.repr t with
+    | Rigid { variable; _ } -> ignore (of_rigid words variable)
+    | Number (r, u) -> (
+        units [ u ];
+        match Type.representation r with
+        | Rigid_representation { variable; _ } -> ignore (of_rigid words variable)
+        | Flexible_representation _ | Int | Float -> ())
+    | Tuple elements -> List.iter continue_ elements
+    | Function (a, b) | Signal_function (a, b) ->
+        continue_ a;
+        continue_ b
+    | Data { units = us; arguments; _ } | Alias { units = us; arguments; _ } ->
+        units us;
+        List.iter continue_ arguments
+    | Flexible _ | Bool | String | Erroneous -> ()
+
+let type_ words t =
+  reserve words 0 t;
+  write (tree_of words 0 t)
+
+let quoted words t =
+  let text = "`" ^ type_ words t ^ "`" in
+  match (Type.repr t, Type.expand t) with
+  | Alias _, Number (_, u) -> Printf.sprintf "%s (%s)" text (measure words u)
+  | _ -> text

@@ -1,0 +1,123 @@
+type t = {
+  base : (Ir.Global.t * Rational.t) list;
+  rigid : (rigid * Rational.t) list;
+  flexible : (flexible * Rational.t) list;
+}
+(* each list sorted, without zero powers *)
+
+and rigid = { variable : Ir.variable; depth : int }
+and flexible = { id : int; mutable depth : int; mutable solution : t option }
+
+let one = { base = []; rigid = []; flexible = [] }
+let base unit_ = { one with base = [ (unit_, Rational.one) ] }
+let of_rigid variable = { one with rigid = [ (variable, Rational.one) ] }
+let fresh ~id ~depth = { one with flexible = [ ({ id; depth; solution = None }, Rational.one) ] }
+
+let by_name (a : Ir.Global.t) (b : Ir.Global.t) =
+  match String.compare a.name b.name with 0 -> String.compare a.module_ b.module_ | order -> order
+
+let by_variable (a : rigid) (b : rigid) = Int.compare a.variable.id b.variable.id
+let by_id (a : flexible) (b : flexible) = Int.compare a.id b.id
+
+let rec merge by a b =
+  match (a, b) with
+  | [], rest | rest, [] -> rest
+  | (x, p) :: a', (y, q) :: b' ->
+      let order = by x y in
+      if order < 0 then (x, p) :: merge by a' b
+      else if order > 0 then (y, q) :: merge by a b'
+      else
+        let sum = Rational.add p q in
+        let rest = merge by a' b' in
+        if Rational.is_zero sum then rest else (x, sum) :: rest
+
+let multiply a b =
+  {
+    base = merge by_name a.base b.base;
+    rigid = merge by_variable a.rigid b.rigid;
+    flexible = merge by_id a.flexible b.flexible;
+  }
+
+let power unit_ exponent =
+  if Rational.is_zero exponent then one
+  else if Rational.equal exponent Rational.one then unit_
+  else
+    let raise_ powers = List.map (fun (x, p) -> (x, Rational.multiply p exponent)) powers in
+    { base = raise_ unit_.base; rigid = raise_ unit_.rigid; flexible = raise_ unit_.flexible }
+
+let divide a b = multiply a (power b (Rational.of_int (-1)))
+
+let rec resolve unit_ =
+  if List.for_all (fun (x, _) -> Option.is_none x.solution) unit_.flexible then unit_
+  else
+    List.fold_left
+      (fun product (x, p) ->
+        match x.solution with
+        | None -> multiply product { one with flexible = [ (x, p) ] }
+        | Some solution ->
+            let solution = resolve solution in
+            x.solution <- Some solution;
+            multiply product (power solution p))
+      { unit_ with flexible = [] }
+      unit_.flexible
+
+let is_one unit_ = unit_.base = [] && unit_.rigid = [] && unit_.flexible = []
+let equal a b = is_one (resolve (divide a b))
+let is_open unit_ = (resolve unit_).flexible <> []
+let deepest rigid = List.fold_left (fun depth ((r : rigid), _) -> max depth r.depth) 0 rigid
+
+(* The variable to eliminate: the innermost, so that none further out comes to
+   depend on it; among those the newest. *)
+let pivot = function
+  | [] -> None
+  | first :: rest ->
+      let better ((x : flexible), p) ((y : flexible), q) =
+        if y.depth > x.depth || (y.depth = x.depth && y.id > x.id) then (y, q) else (x, p)
+      in
+      Some (List.fold_left better first rest)
+
+(* [x] to the [exponent], times the rest, is 1. *)
+let solve ((x : flexible), exponent) product =
+  let rest = { product with flexible = List.filter (fun (y, _) -> y != x) product.flexible } in
+  x.solution <- Some (power rest (Rational.negate (Rational.inverse exponent)))
+
+let unify a b =
+  let quotient = resolve (divide a b) in
+  match pivot quotient.flexible with
+  | None -> is_one quotient
+  | Some ((x : flexible), _) when x.depth < deepest quotient.rigid -> false
+  | Some (x, exponent) ->
+      solve (x, exponent) quotient;
+      true
+
+let lower ~depth unit_ =
+  let unit_ = resolve unit_ in
+  List.iter (fun ((x : flexible), _) -> x.depth <- min x.depth depth) unit_.flexible;
+  deepest unit_.rigid <= depth
+
+let base_powers unit_ = unit_.base
+let rigid_powers unit_ = unit_.rigid
+let flexible_powers unit_ = List.map (fun ((x : flexible), p) -> (x.id, p)) unit_.flexible
+
+let generalize ~fresh unit_ =
+  let unit_ = resolve unit_ in
+  match pivot unit_.flexible with
+  | None -> None
+  | Some (x, exponent) ->
+      let variable = fresh () in
+      solve (x, exponent) (divide unit_ (of_rigid variable));
+      Some variable
+
+let substitute replacement unit_ =
+  let unit_ = resolve unit_ in
+  List.fold_left
+    (fun product ((r : rigid), p) ->
+      match replacement r.variable.id with
+      | None -> multiply product { one with rigid = [ (r, p) ] }
+      | Some by -> multiply product (power by p))
+    { unit_ with rigid = [] }
+    unit_.rigid
+
+let to_ir unit_ : Ir.unit_ =
+  let unit_ = resolve unit_ in
+  { base = unit_.base; variables = List.map (fun ((r : rigid), p) -> (r.variable, p)) unit_.rigid }

@@ -1,0 +1,191 @@
+open Basis
+module Names = Map.Make (String)
+
+type scope = {
+  types : Type.rigid Names.t;
+  representations : Units.rigid Names.t;
+  units : Units.rigid Names.t;
+}
+
+let empty = { types = Names.empty; representations = Names.empty; units = Names.empty }
+
+let of_parameters units types =
+  let by_name pairs =
+    List.fold_left
+      (fun map ((p : Resolve.Ir.parameter), variable) -> Names.add p.name variable map)
+      Names.empty pairs
+  in
+  { empty with units = by_name units; types = by_name types }
+
+type t = { environment : Environment.t; supply : Type.supply; sink : Diagnostic.sink }
+
+let find kind names name =
+  match Names.find_opt name names with
+  | Some variable -> variable
+  | None -> Diagnostic.bug ~stage:"Typing.Written" "no %s variable %s in scope" kind name
+
+(* {1 Units} *)
+
+(* Beyond this no scaled unit means anything, and exact arithmetic is slow. *)
+let largest_scaled_power = 8
+
+let report_exponent t span =
+  Diagnostic.(error ~code:"E0323" ~at:span "the exponent of a unit is too large" |> emit t.sink)
+
+let scaled_power t span (name : Ir.Global.t) scale (exponent : Rational.t) =
+  if Exact.equal scale Exact.one then Exact.one
+  else if not (Rational.is_integer exponent) then begin
+    Diagnostic.(
+      error ~code:"E0322" ~at:span "`%s` is a scaled unit, so its power must be an integer, not %s"
+        name.name (Rational.to_string exponent)
+      |> hint "write the number in base units"
+      |> emit t.sink);
+    Exact.one
+  end
+  else if abs exponent.numerator > largest_scaled_power then begin
+    report_exponent t span;
+    Exact.one
+  end
+  else Exact.power scale exponent.numerator
+
+let unit_ t scope (written : Resolve.Ir.unit_) : Environment.unit_ =
+  let factor (product : Environment.unit_) (factor, exponent) : Environment.unit_ =
+    match (factor : Resolve.Ir.unit_factor) with
+    | Unit_variable name ->
+        let variable = Units.of_rigid (find "unit" scope.units name) in
+        { product with measure = Units.multiply product.measure (Units.power variable exponent) }
+    | Declared name ->
+        let declared = Environment.unit_ t.environment name in
+        let scale = scaled_power t written.span name declared.scale exponent in
+        {
+          measure = Units.multiply product.measure (Units.power declared.measure exponent);
+          scale =
+            (if Exact.equal scale Exact.one then product.scale
+            else Exact.multiply product.scale scale);
+        }
+  in
+  let one : Environment.unit_ = { measure = Units.one; scale = Exact.one } in
+  try List.fold_left factor one written.factors
+  with Rational.Out_of_range ->
+    report_exponent t written.span;
+    one
+
+(* Values are held in base units, so a type has no scale. *)
+let unit_of_type t scope (written : Resolve.Ir.unit_) =
+  let { Environment.measure; scale } = unit_ t scope written in
+  if not (Exact.equal scale Exact.one) then begin
+    let words = Show.words ~named_unit:(Environment.named_unit t.environment) in
+    Diagnostic.(
+      error ~code:"E0321" ~at:written.span
+        "a type cannot mention a scaled unit: values are held in base units"
+      |> hint (Printf.sprintf "write `%s` here; scaled units stand on literals"
+           (Show.measure words measure))
+      |> emit t.sink)
+  end;
+  measure
+
+(* {1 Types} *)
+
+let rec ty t scope (written : Resolve.Ir.ty) : Type.t =
+  match written.desc with
+  | Type_variable name -> Rigid (find "type" scope.types name)
+  | Representation { variable; unit_ } ->
+      Number
+        ( Rigid_representation (find "representation" scope.representations variable),
+          unit_of_type t scope unit_ )
+  | Function (a, b) ->
+      let a = ty t scope a in
+      Function (a, ty t scope b)
+  | Tuple_type elements -> Tuple (List.map (ty t scope) elements)
+  | Named { tycon; units; arguments } -> named t scope tycon units arguments
+
+and named t scope tycon units arguments =
+  let units = List.map (unit_of_type t scope) units in
+  let arguments = List.map (ty t scope) arguments in
+  let { Environment.parameters; definition } = Environment.type_ t.environment tycon in
+  match definition with
+  | Alias body ->
+      let expansion =
+        if units = [] && arguments = [] then body
+        else
+          Type.substitute body
+            ~units:(List.combine parameters.units units)
+            ~types:(List.combine parameters.types arguments)
+      in
+      Alias { alias = tycon; units; arguments; expansion }
+  | Data _ -> Data { tycon; units; arguments }
+  | Builtin -> (
+      let measure = match units with [] -> Units.one | u :: _ -> u in
+      match (tycon.name, arguments) with
+      | "Float", [] -> Number (Float, measure)
+      | "Int", [] -> Number (Int, measure)
+      | "Bool", [] -> Bool
+      | "String", [] -> String
+      | "SF", [ a; b ] -> Signal_function (a, b)
+      | _, arguments -> Data { tycon; units; arguments })
+
+(* {1 Signatures} *)
+
+(* Variables in the order of their occurrence. *)
+let rec occurring see (written : Resolve.Ir.ty) =
+  match written.desc with
+  | Type_variable name -> see (`Type name)
+  | Representation { variable; unit_ } ->
+      see (`Representation variable);
+      occurring_in_unit see unit_
+  | Function (a, b) ->
+      occurring see a;
+      occurring see b
+  | Tuple_type elements -> List.iter (occurring see) elements
+  | Named { units; arguments; _ } ->
+      List.iter (occurring_in_unit see) units;
+      List.iter (occurring see) arguments
+
+and occurring_in_unit see (written : Resolve.Ir.unit_) =
+  List.iter
+    (fun (factor, _) ->
+      match (factor : Resolve.Ir.unit_factor) with
+      | Unit_variable name -> see (`Unit name)
+      | Declared _ -> ())
+    written.factors
+
+let signature t scope ~depth (written : Resolve.Ir.scheme) =
+  let scope = ref scope and types = ref [] and representations = ref [] and units = ref [] in
+  let variable name : Ir.variable = { id = Type.next t.supply; name } in
+  let see = function
+    | `Type name ->
+        if not (Names.mem name !scope.types) then begin
+          let rigid : Type.rigid = { variable = variable name; depth; given = [] } in
+          types := rigid :: !types;
+          scope := { !scope with types = Names.add name rigid !scope.types }
+        end
+    | `Representation name ->
+        if not (Names.mem name !scope.representations) then begin
+          let rigid : Units.rigid = { variable = variable name; depth } in
+          representations := rigid :: !representations;
+          scope := { !scope with representations = Names.add name rigid !scope.representations }
+        end
+    | `Unit name ->
+        if not (Names.mem name !scope.units) then begin
+          let rigid : Units.rigid = { variable = variable name; depth } in
+          units := rigid :: !units;
+          scope := { !scope with units = Names.add name rigid !scope.units }
+        end
+  in
+  List.iter (fun (c : Resolve.Ir.constraint_) -> occurring see c.argument) written.context;
+  occurring see written.ty;
+  let scope = !scope in
+  let constraint_ (c : Resolve.Ir.constraint_) =
+    ((if c.class_ = "Ord" then Ir.Ord else Ir.Eq), ty t scope c.argument)
+  in
+  let context = List.map constraint_ written.context in
+  let scheme : Type.scheme =
+    {
+      types = List.rev !types;
+      representations = List.rev !representations;
+      units = List.rev !units;
+      context;
+      body = ty t scope written.ty;
+    }
+  in
+  (scheme, scope)

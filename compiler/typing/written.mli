@@ -1,0 +1,25 @@
+(** Types, units and signatures as written in the source. *)
+
+open Basis
+
+(** The variables that the signatures around a place have named. *)
+type scope
+
+val empty : scope
+val of_parameters : (Resolve.Ir.parameter * Units.rigid) list ->
+  (Resolve.Ir.parameter * Type.rigid) list -> scope
+(** Of a declaration: units, types. *)
+
+type t = { environment : Environment.t; supply : Type.supply; sink : Diagnostic.sink }
+(** What reading a type needs. *)
+
+val ty : t -> scope -> Resolve.Ir.ty -> Type.t
+(** All its variables are in scope. A unit of scale other than 1 is [E0321]. *)
+
+val unit_ : t -> scope -> Resolve.Ir.unit_ -> Environment.unit_
+(** With its exact scale. A scaled unit to a power that is no integer is
+    [E0322]; exponents out of range are [E0323]. *)
+
+val signature : t -> scope -> depth:int -> Resolve.Ir.scheme -> Type.scheme * scope
+(** Quantifies the variables that the scope does not have, in the order in
+    which they occur, at [depth]; the new scope has them too. *)
