@@ -1,0 +1,348 @@
+open Basis
+open Ir
+
+type scope = {
+  data : (Global.t, data) Hashtbl.t;
+  globals : (Global.t, scheme) Hashtbl.t;  (** definitions and primitives *)
+  bound : (int, unit) Hashtbl.t;  (** every variable met so far *)
+  locals : (int, scheme) Hashtbl.t;  (** those in scope *)
+  parameters : (int, unit) Hashtbl.t;  (** of types, representations and units *)
+}
+
+let fail (span : Span.t) format =
+  Format.kasprintf
+    (fun text -> Diagnostic.bug ~stage:"Typing.Lint" "%a: %s" Span.pp span text)
+    format
+
+(* {1 Types} *)
+
+type units = Exactly | But_for_units
+
+let same_power (v, p) (w, q) = v = w && p = q
+
+let same_unit (u : unit_) (v : unit_) =
+  List.compare_lengths u.base v.base = 0
+  && List.compare_lengths u.variables v.variables = 0
+  && List.for_all2 same_power u.base v.base
+  && List.for_all2
+       (fun ((x : variable), p) ((y : variable), q) -> same_power (x.id, p) (y.id, q))
+       u.variables v.variables
+
+let same_representation r s =
+  match (r, s) with
+  | Int, Int | Float, Float -> true
+  | Representation_variable v, Representation_variable w -> v.id = w.id
+  | (Int | Float | Representation_variable _), _ -> false
+
+let rec same units (a : ty) (b : ty) =
+  a == b
+  ||
+  match (a, b) with
+  | Variable v, Variable w -> v.id = w.id
+  | Number (r, u), Number (s, v) ->
+    same_representation r s && (units = But_for_units || same_unit u v)
+  | Bool, Bool | String, String -> true
+  | Tuple ts, Tuple us -> all_same units ts us
+  | Function (a, b), Function (c, d) | Signal_function (a, b), Signal_function (c, d) ->
+    same units a c && same units b d
+  | Data a, Data b ->
+    a.tycon = b.tycon
+    && all_same units a.arguments b.arguments
+    && (units = But_for_units
+       || List.compare_lengths a.units b.units = 0
+          && List.for_all2 same_unit a.units b.units)
+  | ( ( Variable _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _
+      | Data _ ),
+      _ ) ->
+    false
+
+and all_same units ts us =
+  List.compare_lengths ts us = 0 && List.for_all2 (same units) ts us
+
+let agree ?(units = Exactly) span what ~expected ~found =
+  if not (same units expected found) then fail span "%s does not have the type expected" what
+
+let in_scope s span (v : variable) =
+  if not (Hashtbl.mem s.parameters v.id) then
+    fail span "the type variable `%s` is not in scope" v.name
+
+let closed_unit s span (u : unit_) = List.iter (fun (v, _) -> in_scope s span v) u.variables
+
+let closed_representation s span = function
+  | Int | Float -> ()
+  | Representation_variable v -> in_scope s span v
+
+let rec closed s span : ty -> unit = function
+  | Variable v -> in_scope s span v
+  | Number (r, u) ->
+    closed_representation s span r;
+    closed_unit s span u
+  | Bool | String -> ()
+  | Tuple ts -> List.iter (closed s span) ts
+  | Function (a, b) | Signal_function (a, b) ->
+    closed s span a;
+    closed s span b
+  | Data { units; arguments; tycon = _ } ->
+    List.iter (closed_unit s span) units;
+    List.iter (closed s span) arguments
+
+(* {1 Instances of types} *)
+
+type substitution = {
+  types : (int * ty) list;
+  representations : (int * representation) list;
+}
+
+let rec substitute by : ty -> ty = function
+  | Variable v as t -> Option.value (List.assoc_opt v.id by.types) ~default:t
+  | Number (Representation_variable v, u) as t -> (
+    match List.assoc_opt v.id by.representations with
+    | Some r -> Number (r, u)
+    | None -> t)
+  | (Number ((Int | Float), _) | Bool | String) as t -> t
+  | Tuple ts -> Tuple (substitutes by ts)
+  | Function (a, b) -> Function (substitute by a, substitute by b)
+  | Signal_function (a, b) -> Signal_function (substitute by a, substitute by b)
+  | Data d -> Data { d with arguments = substitutes by d.arguments }
+
+and substitutes by ts = List.rev (List.rev_map (substitute by) ts)
+
+let pair span (variables : variable list) values =
+  if List.compare_lengths variables values <> 0 then
+    fail span "%d types for %d type parameters" (List.length values) (List.length variables);
+  List.map2 (fun (v : variable) value -> (v.id, value)) variables values
+
+let is_instance s (e : expr) (scheme : scheme) (i : instantiation) =
+  List.iter (closed s e.span) i.types;
+  List.iter (closed_representation s e.span) i.representations;
+  let types = pair e.span scheme.types i.types in
+  let representations = pair e.span scheme.representations i.representations in
+  let units = if scheme.units = [] then Exactly else But_for_units in
+  agree e.span "a use" ~units ~expected:(substitute { types; representations } scheme.ty)
+    ~found:e.ty
+
+let field_types s span (ty : ty) (c : constructor) =
+  match ty with
+  | Bool -> []
+  | Data { tycon; arguments; _ } -> (
+    match Hashtbl.find_opt s.data tycon with
+    | Some d ->
+      let types = pair span d.type_parameters arguments in
+      List.map (fun (_, t) -> substitute { types; representations = [] } t) c.fields
+    | None -> fail span "no data type `%s`" tycon.name)
+  | Variable _ | Number _ | String | Tuple _ | Function _ | Signal_function _ ->
+    fail span "the constructor `%s` makes no such type" c.constructor.name
+
+(* {1 Scopes} *)
+
+let with_parameters s (scheme : scheme) f =
+  let all = scheme.types @ scheme.representations @ scheme.units in
+  List.iter (fun (v : variable) -> Hashtbl.add s.parameters v.id ()) all;
+  f ();
+  List.iter (fun (v : variable) -> Hashtbl.remove s.parameters v.id) all
+
+let monomorphic ty =
+  { types = []; representations = []; units = []; context = []; ty }
+
+let bind s (x : Local.t) scheme entered =
+  if Hashtbl.mem s.bound x.id then fail x.span "`%s` is bound twice" x.name;
+  Hashtbl.replace s.bound x.id ();
+  Hashtbl.replace s.locals x.id scheme;
+  x :: entered
+
+let leave s entered = List.iter (fun (x : Local.t) -> Hashtbl.remove s.locals x.id) entered
+
+let rec pattern s entered (p : pattern) =
+  closed s p.span p.ty;
+  match p.desc with
+  | Any -> entered
+  | Bound x -> bind s x (monomorphic p.ty) entered
+  | As (x, inner) ->
+    agree p.span "a pattern" ~expected:p.ty ~found:inner.ty;
+    pattern s (bind s x (monomorphic p.ty) entered) inner
+  | Literal _ -> (
+    match p.ty with
+    | Number _ -> entered
+    | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ ->
+      fail p.span "a number of no numeric type")
+  | Tuple_of ps ->
+    let types = List.map (fun (p : pattern) -> p.ty) ps in
+    agree p.span "a pattern" ~expected:p.ty ~found:(Tuple types);
+    List.fold_left (pattern s) entered ps
+  | Constructed (c, ps) ->
+    let fields = field_types s p.span p.ty c in
+    if List.compare_lengths fields ps <> 0 then
+      fail p.span "`%s` has another number of fields" c.constructor.name;
+    List.iter2
+      (fun expected (p : pattern) ->
+        agree p.span "a pattern" ~units:But_for_units ~expected ~found:p.ty)
+      fields ps;
+    List.fold_left (pattern s) entered ps
+
+(* {1 Expressions} *)
+
+let rec expr s (e : expr) =
+  closed s e.span e.ty;
+  let is what found = agree e.span what ~expected:e.ty ~found in
+  let global g i =
+    match Hashtbl.find_opt s.globals g with
+    | Some scheme -> is_instance s e scheme i
+    | None -> fail e.span "`%s.%s` is not defined" g.Global.module_ g.name
+  in
+  match e.desc with
+  | Local (x, i) -> (
+    match Hashtbl.find_opt s.locals x.id with
+    | Some scheme -> is_instance s e scheme i
+    | None -> fail e.span "`%s` is not in scope" x.name)
+  | Global (g, i) | Primitive (g, i) -> global g i
+  | Constructor (c, _) ->
+    let rec result fields (ty : ty) =
+      match (fields, ty) with
+      | [], _ -> ty
+      | _ :: fields, Function (_, ty) -> result fields ty
+      | _ :: _, _ -> fail e.span "`%s` lacks fields" c.constructor.name
+    in
+    let made = result c.fields e.ty in
+    let fields = field_types s e.span made c in
+    agree e.span "a constructor" ~units:But_for_units ~found:e.ty
+      ~expected:(List.fold_right (fun a b : ty -> Function (a, b)) fields made)
+  | Number _ -> (
+    match e.ty with
+    | Number _ -> ()
+    | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ ->
+      fail e.span "a number of no numeric type")
+  | String _ -> is "a string" String
+  | Tuple es ->
+    List.iter (expr s) es;
+    is "a tuple" (Tuple (List.rev (List.rev_map (fun (e : expr) -> e.ty) es)))
+  | Apply (f, a) ->
+    expr s f;
+    expr s a;
+    agree e.span "what is applied" ~expected:(Function (a.ty, e.ty)) ~found:f.ty
+  | Run (h, input) ->
+    expr s h;
+    expr s input;
+    agree e.span "what is run" ~expected:(Signal_function (input.ty, e.ty)) ~found:h.ty
+  | Negate a ->
+    expr s a;
+    is "a negation" a.ty
+  | Power (a, _) ->
+    expr s a;
+    agree e.span "a power" ~units:But_for_units ~expected:e.ty ~found:a.ty
+  | If (condition, a, b) ->
+    expr s condition;
+    agree condition.span "a condition" ~expected:Bool ~found:condition.ty;
+    expr s a;
+    expr s b;
+    is "a branch" a.ty;
+    is "a branch" b.ty
+  | Case (scrutinee, branches) ->
+    expr s scrutinee;
+    List.iter
+      (fun (b : branch) ->
+        let entered = pattern s [] b.pattern in
+        agree b.pattern.span "a pattern" ~expected:scrutinee.ty ~found:b.pattern.ty;
+        expr s b.value;
+        is "a branch" b.value.ty;
+        leave s entered)
+      branches
+  | Let (bindings, body) ->
+    let enter entered b =
+      value s b;
+      binder s entered b
+    in
+    let entered = List.fold_left enter [] bindings in
+    expr s body;
+    is "a body" body.ty;
+    leave s entered
+  | Lambda (patterns, body) ->
+    let entered = List.fold_left (pattern s) [] patterns in
+    expr s body;
+    is "a function"
+      (List.fold_right (fun (p : pattern) b : ty -> Function (p.ty, b)) patterns body.ty);
+    leave s entered
+  | Guards (guarded, last) ->
+    List.iter
+      (fun ((guard : expr), (value : expr)) ->
+        expr s guard;
+        agree guard.span "a guard" ~expected:Bool ~found:guard.ty;
+        expr s value;
+        is "a guarded value" value.ty)
+      guarded;
+    Option.iter
+      (fun (last : expr) ->
+        expr s last;
+        is "a guarded value" last.ty)
+      last
+  | Proc { input; equations; output } ->
+    let entered = List.fold_left (binder s) (pattern s [] input) equations in
+    List.iter (value s) equations;
+    expr s output;
+    is "a proc" (Signal_function (input.ty, output.ty));
+    leave s entered
+  | Record (c, fields) -> record s e e.ty c fields
+  | Update (r, c, fields) ->
+    expr s r;
+    agree e.span "an update" ~units:But_for_units ~expected:e.ty ~found:r.ty;
+    record s e e.ty c fields
+  | Field (r, c, index) ->
+    expr s r;
+    agree e.span "a field" ~units:But_for_units ~found:e.ty
+      ~expected:(field s e.span r.ty c index)
+
+and field s span ty c index =
+  match List.nth_opt (field_types s span ty c) index with
+  | Some ty -> ty
+  | None -> fail span "`%s` has no field %d" c.constructor.name index
+
+and record s e ty c fields =
+  let types = Array.of_list (field_types s e.span ty c) in
+  List.iter
+    (fun (index, (value : expr)) ->
+      expr s value;
+      if index < 0 || index >= Array.length types then
+        fail e.span "`%s` has no field %d" c.constructor.name index;
+      agree value.span "a field" ~units:But_for_units ~expected:types.(index)
+        ~found:value.ty)
+    fields
+
+and binder s entered (b : binding) =
+  let result = ref entered in
+  with_parameters s b.scheme (fun () ->
+      agree b.span "a pattern" ~expected:b.scheme.ty ~found:b.pattern.ty;
+      result :=
+        match b.pattern.desc with
+        | Bound x -> bind s x b.scheme entered
+        | Any | As _ | Tuple_of _ | Constructed _ | Literal _ -> pattern s entered b.pattern);
+  !result
+
+and value s (b : binding) =
+  with_parameters s b.scheme (fun () ->
+      expr s b.value;
+      agree b.span "a right side" ~expected:b.scheme.ty ~found:b.value.ty)
+
+(* {1 Programs} *)
+
+let program (p : program) =
+  let s =
+    {
+      data = Hashtbl.create 64;
+      globals = Hashtbl.create 256;
+      bound = Hashtbl.create 1024;
+      locals = Hashtbl.create 64;
+      parameters = Hashtbl.create 16;
+    }
+  in
+  List.iter (fun (d : data) -> Hashtbl.replace s.data d.tycon d) p.data;
+  List.iter (fun (g, scheme) -> Hashtbl.replace s.globals g scheme) p.primitives;
+  List.iter
+    (fun (d : definition) ->
+      if Hashtbl.mem s.globals d.name then fail d.span "`%s` is defined twice" d.name.name;
+      Hashtbl.replace s.globals d.name d.scheme)
+    p.definitions;
+  List.iter
+    (fun (d : definition) ->
+      with_parameters s d.scheme (fun () ->
+          expr s d.value;
+          agree d.span "a definition" ~expected:d.scheme.ty ~found:d.value.ty))
+    p.definitions
