@@ -40,7 +40,7 @@ let context (t : Ir.ty) =
           "before `=>` stand classes, each with one type"
   in
   match t.desc with
-  | Tuple_type ts -> List.map one ts
+  | Tuple_type ts -> List.rev (List.rev_map one ts)
   | Type _ | Type_variable _ | Representation _ | Function _ -> [ one t ]
 
 (* Units *)

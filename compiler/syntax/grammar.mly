@@ -184,11 +184,11 @@ fields:
 | LBRACE fields = field_groups RBRACE { Named (List.rev fields) }
 
 field_groups:
-| fs = field_group { fs }
-| fs = field_groups COMMA gs = field_group { gs @ fs }
+| fs = field_group { List.rev fs }
+| fs = field_groups COMMA gs = field_group { List.rev_append gs fs }
 
 field_group:
-| names = comma_separated(lower) DOUBLE_COLON t = ty { List.map (fun x -> (x, t)) names }
+| names = comma_separated(lower) DOUBLE_COLON t = ty { List.rev_map (fun x -> (x, t)) names }
 
 /* Terms */
 

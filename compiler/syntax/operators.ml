@@ -159,3 +159,12 @@ let right_section ~span operator steps last =
   let stack = List.fold_left push [] (List.rev steps) in
   check_section operator Right stack;
   section ~span (Right_section { operator; right = Term.to_expr (finish stack last) })
+
+let groups_inside ~outer ~side inner =
+  let outer_level, outer_side = precedence outer and level, _ = precedence inner in
+  level > outer_level
+  || level = outer_level
+     &&
+     match (side, outer_side) with
+     | `Left, Left | `Right, Right -> true
+     | (`Left | `Right), (Left | Right | Neither) -> false

@@ -14,3 +14,7 @@ val left_section : span:Basis.Span.t -> Surface.step list -> Surface.term -> Ir.
 
 val right_section : span:Basis.Span.t -> Ir.qualified -> Surface.step list -> Surface.term -> Surface.term
 (** [(operator steps… last)]. *)
+
+val groups_inside : outer:Ir.qualified -> side:[ `Left | `Right ] -> Ir.qualified -> bool
+(** May this operator's application be an operand of [outer] on that side,
+    without parentheses? *)

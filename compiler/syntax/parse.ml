@@ -56,6 +56,15 @@ let item reader =
 let misplaced sink code span message hint =
   Diagnostic.emit sink (Diagnostic.error ~code ~at:span "%s" message |> Diagnostic.hint hint)
 
+let too_deep sink at =
+  Diagnostic.emit sink
+    (Diagnostic.error ~code:"E0106" ~at "this is nested more than %d levels deep" Layout.deepest
+    |> Diagnostic.hint "give the inner parts names of their own")
+
+(* Layout limits brackets and blocks; operators, arrows and the like nest too. *)
+let check_depth sink declaration =
+  Option.iter (too_deep sink) (Node.depth_exceeds Layout.deepest (Declaration declaration))
+
 (* Puts the items in their places; all lists last one first. *)
 let rec collect reader (program : Ir.program) errors =
   if errors >= most_errors then program
@@ -76,6 +85,7 @@ let rec collect reader (program : Ir.program) errors =
               "move it up";
           ({ program with imports = import :: program.imports }, errors)
       | Item (Declaration d) -> (
+          check_depth reader.sink d;
           match program.declarations with
           | previous :: _ when Build.second_clause previous d <> None ->
               Option.iter (Diagnostic.emit reader.sink) (Build.second_clause previous d);
@@ -96,10 +106,7 @@ let read sink ~file text =
           declarations = List.rev program.declarations;
         }
   | exception Layout.Too_deep token ->
-      Diagnostic.emit sink
-        (Diagnostic.error ~code:"E0106" ~at:(Build.span (token.start, token.stop))
-           "this is nested more than %d levels deep" Layout.deepest
-        |> Diagnostic.hint "give the inner parts names of their own");
+      too_deep sink (Build.span (token.start, token.stop));
       None
 
 (* The span of one byte (or of [length]) at an offset. *)

@@ -1,0 +1,4 @@
+(** Checks what {!Ir} promises. *)
+
+val program : Ir.program -> unit
+(** Raises {!Basis.Diagnostic.Bug}. *)

@@ -1,0 +1,362 @@
+open Ir
+
+(* All printers write to [b]; [column] is that of the line they are on, from 0.
+   A block opened on that line stands at [column + 2], a [where] at
+   [column + 1], so that it closes whatever the line has opened. *)
+
+let text = Buffer.add_string
+let is_operator x = match x.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
+
+let line b column =
+  Buffer.add_char b '\n';
+  text b (String.make column ' ')
+
+let separated b separator print list =
+  List.iteri
+    (fun i x ->
+      if i > 0 then text b separator;
+      print x)
+    list
+
+let between b opening closing print =
+  text b opening;
+  print ();
+  text b closing
+
+let name b (x : name) =
+  if is_operator x.text then between b "(" ")" (fun () -> text b x.text) else text b x.text
+
+let qualified b (x : qualified) =
+  match x.qualifier with
+  | None -> name b x.name
+  | Some q -> text b q.text; text b "."; text b x.name.text
+
+let infix b (x : qualified) =
+  if is_operator x.name.text then text b x.name.text
+  else between b "`" "`" (fun () -> qualified b x)
+
+(* {1 Units and types} *)
+
+let rational { numerator; denominator } =
+  if denominator = 1 && numerator >= 0 then string_of_int numerator
+  else if denominator = 1 then Printf.sprintf "(%d)" numerator
+  else Printf.sprintf "(%d/%d)" numerator denominator
+
+let rec unit_to b (u : unit_) =
+  match u.desc with
+  | One -> text b "1"
+  | Unit_name x -> text b x.text
+  | Times (l, r) -> unit_to b l; text b " "; factor b r
+  | Over (l, r) -> unit_to b l; text b "/"; factor b r
+  | To (u, exponent) -> base b u; text b "^"; text b (rational exponent)
+
+and factor b u =
+  match u.desc with
+  | Times _ | Over _ -> between b "(" ")" (fun () -> unit_to b u)
+  | One | Unit_name _ | To _ -> unit_to b u
+
+and base b u =
+  match u.desc with
+  | Unit_name _ -> unit_to b u
+  | One | Times _ | Over _ | To _ -> between b "(" ")" (fun () -> unit_to b u)
+
+let in_brackets b units = between b "[" "]" (fun () -> separated b ", " (unit_to b) units)
+
+let rec type_to b (t : ty) =
+  match t.desc with
+  | Function (a, r) -> argument_of_arrow b a; text b " -> "; type_to b r
+  | Type { name; units; arguments } ->
+      qualified b name;
+      Option.iter (in_brackets b) units;
+      List.iter (fun t -> text b " "; simple_type b t) arguments
+  | Type_variable _ | Representation _ | Tuple_type _ -> simple_type b t
+
+and argument_of_arrow b t =
+  match t.desc with
+  | Function _ -> between b "(" ")" (fun () -> type_to b t)
+  | Type _ | Type_variable _ | Representation _ | Tuple_type _ -> type_to b t
+
+and simple_type b t =
+  match t.desc with
+  | Type_variable x -> text b x.text
+  | Representation { name = x; unit_ } -> text b x.text; in_brackets b [ unit_ ]
+  | Tuple_type ts -> between b "(" ")" (fun () -> separated b ", " (type_to b) ts)
+  | Type { arguments = []; _ } -> type_to b t
+  | Type _ | Function _ -> between b "(" ")" (fun () -> type_to b t)
+
+let qualified_type b (t : qualified_type) =
+  let constraint_ (c, t) = qualified b c; text b " "; simple_type b t in
+  (match t.context with
+  | [] -> ()
+  | [ one ] -> constraint_ one; text b " => "
+  | several ->
+      between b "(" ")" (fun () -> separated b ", " constraint_ several);
+      text b " => ");
+  type_to b t.ty
+
+let signature b (s : signature) =
+  separated b ", " (name b) s.names;
+  text b " :: ";
+  qualified_type b s.ty
+
+(* {1 Patterns} *)
+
+let number b (n : number) =
+  text b n.digits;
+  Option.iter (fun u -> in_brackets b [ u ]) n.unit_
+
+let rec pattern b (p : pattern) =
+  match p.desc with
+  | Constructed (c, ps) ->
+      qualified b c;
+      List.iter (fun p -> text b " "; argument_pattern b p) ps
+  | Literal { negative = true; number = n } -> text b "-"; number b n
+  | Any | Bound _ | As _ | Tuple_of _ | Record_of _ | Literal { negative = false; _ } ->
+      argument_pattern b p
+
+and argument_pattern b p =
+  match p.desc with
+  | As (x, p) -> text b x.text; text b "@"; primary_pattern b p
+  | Any | Bound _ | Tuple_of _ | Record_of _ | Constructed _ | Literal _ -> primary_pattern b p
+
+and primary_pattern b p =
+  match p.desc with
+  | Any -> text b "_"
+  | Bound x -> text b x.text
+  | Tuple_of ps -> between b "(" ")" (fun () -> separated b ", " (pattern b) ps)
+  | Constructed (c, []) -> qualified b c
+  | Record_of (c, fields) ->
+      qualified b c;
+      let field ((x : name), p) = text b x.text; text b " = "; pattern b p in
+      between b " { " " }" (fun () -> separated b ", " field fields)
+  | Literal { negative = false; number = n } -> number b n
+  | Constructed _ | Literal { negative = true; _ } | As _ ->
+      between b "(" ")" (fun () -> pattern b p)
+
+(* {1 Expressions} *)
+
+let string_literal s =
+  let b = Buffer.create 16 in
+  String.iter
+    (function
+      | '"' -> text b "\\\""
+      | '\\' -> text b "\\\\"
+      | '\n' -> text b "\\n"
+      | '\t' -> text b "\\t"
+      | c -> Buffer.add_char b c)
+    s;
+  "\"" ^ Buffer.contents b ^ "\""
+
+(* Can stand as an argument without parentheses. *)
+let is_argument (e : expr) =
+  match e.desc with
+  | Variable _ | Constructor _ | Number _ | String _ | Tuple _ | Left_section _ | Right_section _
+  | Record _ | Update _ | Field _ | Annotated _ | Parenthesized _ ->
+      true
+  | Apply _ | Binary _ | Negate _ | Power _ | If _ | Case _ | Let _ | Lambda _ | Proc _ -> false
+
+let rec is_application (e : expr) =
+  match e.desc with Apply (f, x) -> is_argument x && is_application f | _ -> is_argument e
+
+let rec expr b column (e : expr) =
+  let expr = expr b column in
+  match e.desc with
+  | Variable x | Constructor x -> qualified b x
+  | Number n -> number b n
+  | String s -> text b (string_literal s)
+  | Tuple es -> between b "(" ")" (fun () -> separated b ", " expr es)
+  | Apply (f, x) ->
+      expr f;
+      text b (if is_argument x && is_application f then " " else " $ ");
+      expr x
+  | Binary { operator; left; right } ->
+      expr left; text b " "; infix b operator; text b " "; expr right
+  | Negate e -> text b "-"; expr e
+  | Left_section { left; operator } ->
+      between b "(" ")" (fun () -> expr left; text b " "; infix b operator)
+  | Right_section { operator; right } ->
+      between b "(" ")" (fun () -> infix b operator; text b " "; expr right)
+  | Power { base; exponent } ->
+      expr base;
+      text b (if exponent < 0 then Printf.sprintf " ^ (%d)" exponent else Printf.sprintf " ^ %d" exponent)
+  | If { condition; then_; else_ } ->
+      text b "if "; expr condition; text b " then "; expr then_; text b " else "; expr else_
+  | Case { scrutinee; branches } ->
+      text b "case "; expr scrutinee; text b " of";
+      List.iter (fun x -> line b (column + 2); branch b (column + 2) x) branches
+  | Let { bindings; body } ->
+      text b "let"; block b column bindings; line b (column + 1); text b "in "; expr body
+  | Lambda { parameters; body } ->
+      text b "\\";
+      separated b " " (argument_pattern b) parameters;
+      text b " -> "; expr body
+  | Proc { input; body } ->
+      text b "proc "; argument_pattern b input; text b " -> "; proc_body b column body
+  | Record { constructor; fields = fs } -> qualified b constructor; fields b column fs
+  | Update { record; fields = fs } -> expr record; fields b column fs
+  | Field { record; field } -> expr record; text b "."; text b field.text
+  | Annotated { expr = e; ty } ->
+      between b "(" ")" (fun () -> expr e; text b " :: "; qualified_type b ty)
+  | Parenthesized e -> between b "(" ")" (fun () -> expr e)
+
+and fields b column list =
+  let field ((x : name), e) = text b x.text; text b " = "; expr b column e in
+  between b " { " " }" (fun () -> separated b ", " field list)
+
+and proc_body b column = function
+  | Output { output; equations } -> expr b column output; where b column equations
+  | Command c -> command b column c
+  | Do { statements; result } ->
+      text b "do";
+      List.iter (fun s -> line b (column + 2); statement b (column + 2) s) statements;
+      line b (column + 2);
+      command b (column + 2) result
+
+and command b column c =
+  expr b column c.signal_function; text b " -< "; expr b column c.argument
+
+and statement b column = function
+  | Bind { pattern = p; command = c } -> pattern b p; text b " <- "; command b column c
+  | Bind_expr { pattern = p; expr = e; _ } -> pattern b p; text b " <- "; expr b column e
+  | Let_equations bindings -> text b "let"; block b column bindings
+
+and branch b column (x : branch) =
+  pattern b x.pattern;
+  (match x.body with
+  | Always e -> text b " -> "; expr b column e
+  | If_guards list -> guards b column " -> " list);
+  where b column x.where
+
+and guards b column arrow list =
+  List.iter
+    (fun (condition, e) ->
+      line b (column + 2);
+      text b "| ";
+      expr b (column + 2) condition;
+      text b arrow;
+      expr b (column + 2) e)
+    list
+
+and where b column = function
+  | [] -> ()
+  | declarations -> line b (column + 1); text b "where"; block b column declarations
+
+and block b column declarations =
+  List.iter (fun d -> line b (column + 2); declaration b (column + 2) d) declarations
+
+(* {1 Declarations} *)
+
+and binding b column (x : binding) =
+  (match x.left with
+  | Name x -> name b x
+  | Function_name { name = x; parameters } ->
+      name b x;
+      List.iter (fun p -> text b " "; argument_pattern b p) parameters
+  | Pattern ({ desc = Bound _; _ } as p) -> between b "(" ")" (fun () -> pattern b p)
+  | Pattern p -> pattern b p);
+  (match x.right.body with
+  | Plain e -> text b " = "; expr b column e
+  | Guarded list -> guards b column " = " list);
+  where b column x.right.where
+
+and declaration b column (d : declaration) =
+  doc b column d.doc;
+  match d.desc with
+  | Signature s -> signature b s
+  | Binding x -> binding b column x
+  | Type_alias { name = x; parameters; body } ->
+      text b "type "; head b x parameters; text b " = "; type_to b body
+  | Data { name = x; parameters; constructors } ->
+      text b "data "; head b x parameters; data b column constructors
+  | Base_unit x -> text b "unit "; text b x.text
+  | Scaled_unit { name = x; scale; unit_ } ->
+      text b "unit "; text b x.text; text b " = "; scaled b scale unit_
+  | Primitive s -> text b "primitive "; signature b s
+
+and doc b column = function
+  | None -> ()
+  | Some lines ->
+      List.iteri
+        (fun i s ->
+          text b (if i = 0 then "-- |" else "--");
+          if s <> "" then text b (" " ^ s);
+          line b column)
+        (String.split_on_char '\n' lines)
+
+and head b x parameters =
+  text b x.text;
+  if parameters.units <> [] then
+    between b "[" "]" (fun () -> separated b ", " (name b) parameters.units);
+  List.iter (fun x -> text b " "; name b x) parameters.types
+
+and data b column constructors =
+  List.iteri
+    (fun i (c : constructor) ->
+      line b (column + 2);
+      doc b (column + 2) c.doc;
+      text b (if i = 0 then "= " else "| ");
+      text b c.name.text;
+      match c.fields with
+      | Positional ts -> List.iter (fun t -> text b " "; simple_type b t) ts
+      | Named fields ->
+          let field ((x : name), t) = text b x.text; text b " :: "; type_to b t in
+          between b " { " " }" (fun () -> separated b ", " field fields))
+    constructors
+
+(* The scale comes first, so a unit that starts with [1] goes on from it. *)
+and scaled b scale u =
+  let written = scale.factor <> "1" || scale.times_pi || scale.divided_by <> "1" in
+  if scale.factor <> "1" || not scale.times_pi then
+    if written then text b scale.factor;
+  if scale.times_pi then text b (if scale.factor = "1" then "pi" else " pi");
+  if scale.divided_by <> "1" then text b ("/" ^ scale.divided_by);
+  if not written then unit_to b u
+  else
+    let rec continued (u : unit_) =
+      match u.desc with
+      | One -> ()
+      | Times (l, r) -> continued l; text b " "; factor b r
+      | Over (l, r) -> continued l; text b "/"; factor b r
+      | Unit_name _ | To _ -> text b " "; unit_to b u
+    in
+    continued u
+
+(* {1 Programs} *)
+
+let names b list = between b " (" ")" (fun () -> separated b ", " (name b) list)
+
+let header b (h : header) =
+  text b "module "; text b h.module_name.text;
+  Option.iter (names b) h.exports;
+  text b " where\n"
+
+let import b (i : import) =
+  text b "import ";
+  if i.qualified then text b "qualified ";
+  text b i.module_.text;
+  Option.iter (fun (x : name) -> text b (" as " ^ x.text)) i.alias;
+  Option.iter (names b) i.items;
+  text b "\n"
+
+let program ppf (p : program) =
+  let b = Buffer.create 4096 in
+  Option.iter (header b) p.header;
+  if p.header <> None && p.imports <> [] then text b "\n";
+  List.iter (import b) p.imports;
+  let after_signature = ref false in
+  List.iteri
+    (fun i (d : declaration) ->
+      if (i > 0 || p.header <> None || p.imports <> []) && not !after_signature then text b "\n";
+      declaration b 0 d;
+      text b "\n";
+      after_signature := match d.desc with Signature _ -> true | _ -> false)
+    p.declarations;
+  Format.pp_print_string ppf (Buffer.contents b)
+
+let in_line print x =
+  let b = Buffer.create 16 in
+  print b x;
+  Buffer.contents b
+
+let ty = in_line type_to
+let unit_ = in_line unit_to
