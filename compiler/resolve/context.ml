@@ -22,8 +22,8 @@ let nested t span ~otherwise f =
   if t.depth >= deepest then begin
     if not t.too_deep then begin
       t.too_deep <- true;
-      Diagnostic.error ~code:"E0230" ~at:span "this is nested more than %d levels deep" deepest
-      |> Diagnostic.hint "give parts of it names of their own"
+      Diagnostic.error ~code:"E0106" ~at:span "this is nested more than %d levels deep" deepest
+      |> Diagnostic.hint "give the inner parts names of their own"
       |> emit t
     end;
     otherwise

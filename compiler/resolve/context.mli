@@ -13,7 +13,7 @@ val fresh : t -> string -> Span.t -> Ir.Local.t
 
 val nested : t -> Span.t -> otherwise:'a -> (unit -> 'a) -> 'a
 (** Runs a function one level deeper. Beyond 10,000 levels, where the stack
-    would be in danger, it emits E0230, once, and gives [otherwise]. *)
+    would be in danger, it emits E0106, once, and gives [otherwise]. *)
 
 val suggest : t -> string -> string list Lazy.t -> Diagnostic.t -> Diagnostic.t
 (** Adds a hint with the nearest of the names. Looks only for the first

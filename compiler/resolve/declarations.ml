@@ -176,7 +176,8 @@ let types (scope : Scope.t) (program : Syntax.Ir.program) =
       ~name:(fun (d : Ir.type_declaration) -> d.tycon.name)
       ~uses:(uses scope) ~report:(report_circle scope)
   in
-  if String.equal scope.module_ "Prelude" then map builtin builtin_types @ sorted else sorted
+  if String.equal scope.module_ "Prelude" then
+    map builtin (builtin_types ~file:program.file) @ sorted else sorted
 
 (* Units *)
 

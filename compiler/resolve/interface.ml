@@ -83,13 +83,13 @@ let empty =
   }
 
 let prelude = "Prelude"
-let nowhere = Span.start_of_file "Prelude.frob"
 
-let builtin_types =
+let builtin_types ~file =
+  let span = Span.start_of_file file in
   let builtin name ?(unit_arity = 0) type_arity =
     let global : Ir.Global.t = { module_ = prelude; name } in
     let units_optional = unit_arity > 0 in
-    (name, { global; unit_arity; units_optional; type_arity; record_fields = []; span = nowhere })
+    (name, { global; unit_arity; units_optional; type_arity; record_fields = []; span })
   in
   [
     builtin "Bool" 0;
@@ -100,15 +100,20 @@ let builtin_types =
     builtin "Program" 2;
   ]
 
-let builtin_names =
+let is_builtin (t : tycon) =
+  String.equal t.global.module_ prelude
+  && List.mem t.global.name [ "Bool"; "Int"; "Float"; "String"; "SF"; "Program" ]
+
+let builtin_names ~file =
+  let span = Span.start_of_file file in
   let truth name =
     let global : Ir.Global.t = { module_ = prelude; name } in
     let tycon : Ir.Global.t = { module_ = prelude; name = "Bool" } in
-    (name, { global; tycon; arity = 0; fields = None; span = nowhere })
+    (name, { global; tycon; arity = 0; fields = None; span })
   in
   {
     empty with
-    tycons = String_map.of_seq (List.to_seq builtin_types);
+    tycons = String_map.of_seq (List.to_seq (builtin_types ~file));
     constructors = String_map.of_seq (List.to_seq [ truth "False"; truth "True" ]);
   }
 
@@ -202,7 +207,7 @@ let declared context ~module_ (program : Syntax.Ir.program) =
         List.fold_left (constructor (global name.text)) names constructors
     | Base_unit name | Scaled_unit { name; _ } -> unit_name names name
   in
-  let start = if String.equal module_ prelude then builtin_names else empty in
+  let start = if String.equal module_ prelude then builtin_names ~file:program.file else empty in
   List.fold_left declaration start program.declarations
 
 let select names wanted =

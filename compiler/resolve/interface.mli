@@ -50,9 +50,11 @@ val units : unit_name space
 
 val empty : names
 
-val builtin_types : (string * tycon) list
-(** The types without a declaration, owned by the prelude; their places are
-    not in any source. *)
+val builtin_types : file:string -> (string * tycon) list
+(** The types without a declaration, owned by the prelude, which is in this
+    file. *)
+
+val is_builtin : tycon -> bool
 
 val declared : Context.t -> module_:string -> Syntax.Ir.program -> names
 (** What a module's top level declares; the prelude's has the built-in types.

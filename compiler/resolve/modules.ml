@@ -28,6 +28,7 @@ type loader = {
   files : Files.t;
   remember : file:string -> string -> unit;
   library : string;
+  mutable texts : (string, Files.error) result String_map.t;  (** by path *)
   mutable states : (string * state) String_map.t;  (** by module name, with the file *)
   mutable loaded : t list;  (** latest first *)
 }
@@ -42,7 +43,15 @@ let beside directory name =
 let shown_in_library loader name = Filename.basename loader.library ^ "/" ^ file_of name
 
 (* A written import, and the way to it from the program: for messages. *)
-type place = { importer : string; at : Span.t; target : Syntax.Ir.name }
+type place = { importer : string; written : bool; at : Span.t; target : Syntax.Ir.name }
+
+let read loader path =
+  match String_map.find_opt path loader.texts with
+  | Some result -> result
+  | None ->
+      let result = loader.files.read path in
+      loader.texts <- String_map.add path result loader.texts;
+      result
 
 let report_missing loader ~directory (target : Syntax.Ir.name) =
   let known = loader.files.modules_in loader.library @ loader.files.modules_in directory in
@@ -57,7 +66,7 @@ let report_missing loader ~directory (target : Syntax.Ir.name) =
   |> Diagnostic.emit loader.sink
 
 let report_unreadable loader ~at shown reason =
-  Diagnostic.error ~code:"E0204" ~at "cannot read `%s`: %s" shown reason
+  Diagnostic.error ~code:"E0201" ~at "cannot read `%s`: %s" shown reason
   |> Diagnostic.emit loader.sink
 
 (* [way]: the imports that led here, the latest first. *)
@@ -83,9 +92,15 @@ let report_cycle loader way (target : Syntax.Ir.name) =
     places
   |> Diagnostic.emit loader.sink
 
+(* Even where a file's name is not that of its module. *)
+let imports_itself way (target : Syntax.Ir.name) =
+  match way with
+  | place :: _ -> String.equal place.importer target.text && place.written
+  | [] -> false
+
 let read_library loader name =
   let path = Filename.concat loader.library (file_of name) in
-  match loader.files.read path with
+  match read loader path with
   | Ok text -> Ok { path; shown = shown_in_library loader name; in_library = true; text }
   | Error error -> Error error
 
@@ -104,7 +119,7 @@ let find loader ~directory ~importer_in_library (target : Syntax.Ir.name) =
   if importer_in_library || String.equal name prelude then from_library ()
   else
     let path = beside directory name in
-    match loader.files.read path with
+    match read loader path with
     | Ok text -> Some { path; shown = path; in_library = false; text }
     | Error Missing -> from_library ()
     | Error (Unreadable reason) ->
@@ -134,7 +149,7 @@ let name_of loader ~file_name (syntax : Syntax.Ir.program) =
       if is_module_name file_name then file_name else module_name.text
 
 let report_two_files loader (target : Syntax.Ir.name) ~earlier ~later =
-  Diagnostic.error ~code:"E0229" ~at:target.span "two modules are named `%s`: `%s` and `%s`"
+  Diagnostic.error ~code:"E0203" ~at:target.span "two modules are named `%s`: `%s` and `%s`"
     target.text earlier later
   |> Diagnostic.hint "give your own module another name"
   |> Diagnostic.emit loader.sink
@@ -164,7 +179,8 @@ let rec load_found loader ~way ~name_hint found =
 and load_imports loader ~way ~name found (syntax : Syntax.Ir.program) =
   let directory = Filename.dirname found.path in
   let import ~declaration (target : Syntax.Ir.name) at =
-    let place = { importer = name; at; target } in
+    let written = Option.is_some declaration in
+    let place = { importer = name; written; at; target } in
     match
       import_module loader ~way:(place :: way) ~directory ~importer_in_library:found.in_library
         target
@@ -174,7 +190,7 @@ and load_imports loader ~way ~name found (syntax : Syntax.Ir.program) =
   in
   let written (d : Syntax.Ir.import) = import ~declaration:(Some d) d.module_ d.module_.span in
   let implied =
-    if String.equal name prelude then []
+    if found.in_library && String.equal name prelude then []
     else
       let at = Span.start_of_file found.shown in
       [ import ~declaration:None { text = prelude; span = at } at ]
@@ -183,7 +199,14 @@ and load_imports loader ~way ~name found (syntax : Syntax.Ir.program) =
 
 (* Is the module there? Loads it if it is new. *)
 and import_module loader ~way ~directory ~importer_in_library (target : Syntax.Ir.name) =
-  match find loader ~directory ~importer_in_library target with
+  let found =
+    if imports_itself way target then begin
+      report_cycle loader way target;
+      None
+    end
+    else find loader ~directory ~importer_in_library target
+  in
+  match found with
   | None -> false
   | Some found -> (
       match String_map.find_opt target.text loader.states with
@@ -203,9 +226,9 @@ and import_module loader ~way ~directory ~importer_in_library (target : Syntax.I
               false))
 
 let load sink ~files ~remember ~library main =
-  let loader = { sink; files; remember; library; states = String_map.empty; loaded = [] } in
+  let loader = { sink; files; remember; library; texts = String_map.empty; states = String_map.empty; loaded = [] } in
   let base = Filename.remove_extension (Filename.basename main) in
-  (match files.Files.read main with
+  (match read loader main with
   | Error Missing ->
       report_unreadable loader ~at:(Span.start_of_file main) main "there is no such file"
   | Error (Unreadable reason) ->

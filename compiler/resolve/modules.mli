@@ -27,5 +27,5 @@ val load :
   t list
 (** The modules that the program in a file consists of, imports before
     importers and the program last; what cannot be read or parsed is left out
-    with a diagnostic (E0201 to E0204, E0229). A file that is, byte for byte,
+    with a diagnostic (E0201 to E0203). A file that is, byte for byte,
     a module of the library counts as that module. *)

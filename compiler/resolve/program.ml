@@ -35,7 +35,7 @@ let library_index ~(files : Files.t) ~library =
 
 let primitives (scope : Scope.t) (program : Syntax.Ir.program) =
   let report (name : Syntax.Ir.name) =
-    Diagnostic.error ~code:"E0231" ~at:name.span "only the standard library declares primitives"
+    Diagnostic.error ~code:"E0204" ~at:name.span "only the standard library declares primitives"
     |> Context.emit scope.context
   in
   let primitive scheme doc (name : Syntax.Ir.name) : Ir.primitive =

@@ -83,6 +83,10 @@ let other_meaning t space (name : Syntax.Ir.name) diagnostic =
     Diagnostic.note (Printf.sprintf "`%s` is a type, not a constructor" name.text) diagnostic
   else if String.equal space.noun "type" && is_known t constructors name.text then
     Diagnostic.note (Printf.sprintf "`%s` is a constructor, not a type" name.text) diagnostic
+  else if String.equal space.noun "name" && String_map.mem name.text (Lazy.force t.records) then
+    Diagnostic.note
+      (Printf.sprintf "`%s` is a field: it is read by `record.%s`" name.text name.text)
+      diagnostic
   else diagnostic
 
 let report_unknown t space ~locals (name : Syntax.Ir.name) =

@@ -89,7 +89,7 @@ let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
       Diagnostic.error ~code:"E0216" ~at "type `%s` takes %s, not %d" tycon.global.name
         (counted expected noun) found
     in
-    (if List.mem_assoc tycon.global.name builtin_types then diagnostic
+    (if is_builtin tycon then diagnostic
     else Diagnostic.label ~at:tycon.span "declared here" diagnostic)
     |> Context.emit scope.context
   in
