@@ -30,6 +30,7 @@ type loader = {
   library : string;
   mutable texts : (string, Files.error) result String_map.t;  (** by path *)
   mutable states : (string * state) String_map.t;  (** by module name, with the file *)
+  mutable clashes : String_set.t;  (** names of two modules, reported *)
   mutable loaded : t list;  (** latest first *)
 }
 
@@ -149,6 +150,7 @@ let name_of loader ~file_name (syntax : Syntax.Ir.program) =
       if is_module_name file_name then file_name else module_name.text
 
 let report_two_files loader (target : Syntax.Ir.name) ~earlier ~later =
+  loader.clashes <- String_set.add target.text loader.clashes;
   Diagnostic.error ~code:"E0203" ~at:target.span "two modules are named `%s`: `%s` and `%s`"
     target.text earlier later
   |> Diagnostic.hint "give your own module another name"
@@ -211,7 +213,8 @@ and import_module loader ~way ~directory ~importer_in_library (target : Syntax.I
   | Some found -> (
       match String_map.find_opt target.text loader.states with
       | Some (file, _) when not (String.equal file found.shown) ->
-          report_two_files loader target ~earlier:file ~later:found.shown;
+          if not (String_set.mem target.text loader.clashes) then
+            report_two_files loader target ~earlier:file ~later:found.shown;
           false
       | Some (_, Loading) ->
           report_cycle loader way target;
@@ -226,7 +229,7 @@ and import_module loader ~way ~directory ~importer_in_library (target : Syntax.I
               false))
 
 let load sink ~files ~remember ~library main =
-  let loader = { sink; files; remember; library; texts = String_map.empty; states = String_map.empty; loaded = [] } in
+  let loader = { sink; files; remember; library; texts = String_map.empty; clashes = String_set.empty; states = String_map.empty; loaded = [] } in
   let base = Filename.remove_extension (Filename.basename main) in
   (match read loader main with
   | Error Missing ->

@@ -80,14 +80,17 @@ and desc scope (p : Syntax.Ir.pattern) : Ir.pattern_desc =
       | None -> Tuple_of (map snd given)
       | Some constructor -> positional scope constructor p.span given)
 
-and positional scope constructor span given : Ir.pattern_desc =
-  let given = Option.value (construction scope constructor ~at:span given) ~default:[] in
+and positional scope constructor span all : Ir.pattern_desc =
+  let given = Option.value (construction scope constructor ~at:span all) ~default:[] in
   let add by_name ((field : Syntax.Ir.name), p) = String_map.add field.text p by_name in
   let by_name = List.fold_left add String_map.empty given in
   let argument field =
     Option.value (String_map.find_opt field by_name) ~default:({ desc = Any; span } : Ir.pattern)
   in
-  Constructed (constructor.global, map argument (Option.value constructor.fields ~default:[]))
+  let arguments = map argument (Option.value constructor.fields ~default:[]) in
+  (* What was in error keeps its place, so that its variables are known. *)
+  let faulty = List.filter (fun (field, _) -> not (List.mem_assq field given)) all in
+  Constructed (constructor.global, arguments @ map snd faulty)
 
 let variables p =
   let rec add found (p : Ir.pattern) =

@@ -12,26 +12,19 @@ type resolved = {
   groups : Ir.binding_group list;
 }
 
-(* Which library module declares a name: for those that did not import it.
+(* What each module of the library declares: for those that did not import it.
    Reads the library only when first asked. *)
-let library_index ~(files : Files.t) ~library =
+let library_names ~(files : Files.t) ~library =
   let declared_in module_ =
     match files.read (Filename.concat library (module_ ^ ".frob")) with
-    | Error _ -> []
-    | Ok text -> (
+    | Error _ -> None
+    | Ok text ->
         let sink = Diagnostic.sink () in
-        match Syntax.Parse.program sink ~file:module_ text with
-        | None -> []
-        | Some syntax ->
-            let names = Interface.declared (Context.create sink) ~module_ syntax in
-            map (fun name -> (name, module_)) (Interface.all names))
+        Option.map
+          (fun syntax -> (module_, Interface.declared (Context.create sink) ~module_ syntax))
+          (Syntax.Parse.program sink ~file:module_ text)
   in
-  let add index (name, module_) =
-    if String_map.mem name index then index else String_map.add name module_ index
-  in
-  lazy
-    (List.fold_left add String_map.empty
-       (List.concat_map declared_in (files.modules_in library)))
+  lazy (List.filter_map declared_in (files.modules_in library))
 
 let primitives (scope : Scope.t) (program : Syntax.Ir.program) =
   let report (name : Syntax.Ir.name) =
@@ -108,8 +101,7 @@ let load sink ~files ~remember ~library main =
   let mine = Diagnostic.sink () in
   let context = Context.create mine in
   let modules = Modules.load mine ~files ~remember ~library main in
-  let index = library_index ~files ~library in
-  let elsewhere name = String_map.find_opt name (Lazy.force index) in
+  let elsewhere = library_names ~files ~library in
   let add (exports, reversed) (m : Modules.t) =
     let exported, resolved = resolve context ~elsewhere exports m in
     (String_map.add m.name exported exports, resolved :: reversed)

@@ -16,7 +16,7 @@ type t = {
   own : Interface.names;
   imports : import list;
   complete : bool;
-  elsewhere : string -> string option;
+  elsewhere : (string * Interface.names) list Lazy.t;
   records : tycon list String_map.t Lazy.t;
 }
 
@@ -94,9 +94,10 @@ let report_unknown t space ~locals (name : Syntax.Ir.name) =
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
     |> other_meaning t space name
   in
+  let declares (_, names) = String_map.mem name.text (space.table names) in
   let diagnostic =
-    match t.elsewhere name.text with
-    | Some module_ ->
+    match List.find_opt declares (Lazy.force t.elsewhere) with
+    | Some (module_, _) ->
         Diagnostic.hint
           (Printf.sprintf "`%s` is in the library: `import %s`" name.text module_)
           diagnostic

@@ -21,8 +21,8 @@ type t = {
   complete : bool;
       (** every import was found; otherwise an unknown name is not reported,
           since it may be the missing module's *)
-  elsewhere : string -> string option;
-      (** a library module, not imported, that has the name *)
+  elsewhere : (string * Interface.names) list Lazy.t;
+      (** the modules of the library with what they declare, for hints *)
   records : Interface.tycon list Interface.String_map.t Lazy.t;
       (** the record types in scope, by the name of a field *)
 }
@@ -34,7 +34,7 @@ val create :
   own:Interface.names ->
   imports:import list ->
   complete:bool ->
-  elsewhere:(string -> string option) ->
+  elsewhere:(string * Interface.names) list Lazy.t ->
   t
 
 val find : t -> 'a Interface.space -> Syntax.Ir.qualified -> 'a option
