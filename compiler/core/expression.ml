@@ -124,19 +124,26 @@ and saturate env (e : T.expr) (c : T.constructor) arguments =
 
 and update env (e : T.expr) record c fields =
   let value = expr env record in
-  let root : Ir.binder = { local = Context.fresh env.ctx "" record.span; ty = value.ty } in
   let changed = List.rev_map (fun (i, value) -> (i, expr env value)) fields in
-  let argument field ty =
-    match List.assoc_opt field changed with
-    | Some value -> value
-    | None ->
-      Term.make ty e.span
-        (Ir.Payload
-           { value = Term.variable root record.span; constructor = c.index; field })
-  in
   let types = Context.field_types env.ctx value.ty ~constructor:c.index in
-  Term.let_ root value
-    (Term.make value.ty e.span (construct e.ty c (List.mapi argument types)))
+  once env value (fun root ->
+      let argument field ty =
+        match List.assoc_opt field changed with
+        | Some value -> value
+        | None ->
+          Term.make ty e.span (Ir.Payload { value = root; constructor = c.index; field })
+      in
+      Term.make value.ty e.span (construct e.ty c (List.mapi argument types)))
+
+(* A value that is used several times is a variable. *)
+and once env (value : Ir.expr) use =
+  match value.desc with
+  | Local _ -> use value
+  | _ ->
+    let binder : Ir.binder =
+      { local = Context.fresh env.ctx "" value.span; ty = value.ty }
+    in
+    Term.let_ binder value (use (Term.variable binder value.span))
 
 (* {2 Choice} *)
 
@@ -150,16 +157,8 @@ and case env (e : T.expr) scrutinee branches =
       value = (fun ~fall -> expr { env with fall } b.value);
     }
   in
-  let match_ root =
-    Matching.case env.ctx ~root e.span (List.rev (List.rev_map branch branches))
-  in
-  match value.desc with
-  | Local _ -> match_ value
-  | _ ->
-    let root : Ir.binder =
-      { local = Context.fresh env.ctx "" scrutinee.span; ty = value.ty }
-    in
-    Term.let_ root value (match_ (Term.variable root scrutinee.span))
+  let branches = List.rev (List.rev_map branch branches) in
+  once env value (fun root -> Matching.case env.ctx ~root e.span branches)
 
 and falls (e : T.expr) =
   match e.desc with

@@ -39,11 +39,12 @@ let tuple c f parts =
   put c ")";
   close c
 
-let global c (g : Global.t) =
-  if String.equal g.module_ c.main_module then g.name else g.module_ ^ "." ^ g.name
-
 let operator text =
   match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> text | _ -> "(" ^ text ^ ")"
+
+let global c (g : Global.t) =
+  if String.equal g.module_ c.main_module || operator g.name <> g.name then operator g.name
+  else g.module_ ^ "." ^ g.name
 
 let local c (x : Local.t) =
   match Hashtbl.find_opt c.names x.id with
@@ -91,10 +92,11 @@ let type_arguments c types =
       type_ c 2 t)
     types
 
-let parameters c (vs : variable list) = List.iter (fun (v : variable) -> put c (" @" ^ v.name)) vs
+let type_parameters c vs = List.iter (fun (v : variable) -> put c (" @" ^ v.name)) vs
 
-let binder c (b : binder) =
+let binder ?(parameters = []) c (b : binder) =
   put c (local c b.local);
+  type_parameters c parameters;
   put c " : ";
   type_ c 0 b.ty
 
@@ -110,6 +112,13 @@ let constructor c (ty : ty) index =
   match declared with
   | Some d when index < List.length d.constructors -> (List.nth d.constructors index).name.name
   | Some _ | None -> "#" ^ string_of_int index
+
+let is_conjunction (e : expr) =
+  match e.desc with If (_, _, { desc = Boolean false; _ }) -> true | _ -> false
+
+(* Better not on one line with what is around it. *)
+let is_block (e : expr) =
+  match e.desc with Let _ -> true | If _ -> not (is_conjunction e) | _ -> false
 
 (* 0 anywhere, 1 operand or function, 2 argument *)
 let rec expr c level (e : expr) =
@@ -155,26 +164,29 @@ let rec expr c level (e : expr) =
         Format.pp_open_hovbox c.out 2;
         application c e [];
         close c)
-  | Lambda (b, body) ->
+  | Lambda _ ->
     parenthesized c (level > 0) (fun () ->
         Format.pp_open_hovbox c.out 2;
-        put c "\\(";
-        binder c b;
-        put c ") ->";
-        space c;
-        expr c 0 body;
+        put c "\\";
+        lambda c e;
         close c)
-  | If (condition, a, b) ->
+  | If (a, { desc = Boolean false; _ }, { desc = Boolean true; _ }) ->
+    parenthesized c (level > 1) (fun () ->
+        put c "not ";
+        expr c 2 a)
+  | If (a, b, { desc = Boolean false; _ }) ->
     parenthesized c (level > 0) (fun () ->
-        Format.pp_open_hvbox c.out 0;
-        put c "if ";
-        expr c 0 condition;
+        Format.pp_open_hovbox c.out 0;
+        expr c 1 a;
+        put c " and";
         space c;
-        put c "then ";
-        expr c 0 a;
-        space c;
-        put c "else ";
-        expr c 0 b;
+        expr c (if is_conjunction b then 0 else 1) b;
+        close c)
+  | If (_, a, b) ->
+    parenthesized c (level > 0) (fun () ->
+        if is_block a || is_block b then Format.pp_open_vbox c.out 0
+        else Format.pp_open_hvbox c.out 0;
+        choice c e;
         close c)
   | Let _ ->
     parenthesized c (level > 0) (fun () ->
@@ -183,13 +195,30 @@ let rec expr c level (e : expr) =
         close c)
   | Proc p -> parenthesized c (level > 0) (fun () -> proc c p)
 
+and choice c (e : expr) =
+  match e.desc with
+  | If (condition, a, b) when not (is_conjunction e) ->
+    put c "if ";
+    expr c 0 condition;
+    space c;
+    put c "then ";
+    expr c 0 a;
+    space c;
+    put c "else ";
+    choice c b
+  | _ -> expr c 0 e
+
 and name c level text types =
   parenthesized c (level > 1 && types <> []) (fun () ->
       put c text;
       type_arguments c types)
 
 and number c level value =
-  let text = Exact.to_string value in
+  let exact = Exact.to_string value in
+  let text =
+    if String.length exact <= 20 then exact
+    else Printf.sprintf "%.17g" (Exact.to_float value)
+  in
   parenthesized c (level > 0 && text.[0] = '-') (fun () -> put c text)
 
 and application c (e : expr) arguments =
@@ -203,14 +232,29 @@ and application c (e : expr) arguments =
         expr c 2 a)
       arguments
 
+and lambda c (e : expr) =
+  match e.desc with
+  | Lambda (b, body) ->
+    put c "(";
+    binder c b;
+    put c ") ";
+    lambda c body
+  | Let _ ->
+    put c "->";
+    Format.pp_force_newline c.out ();
+    expr c 0 e
+  | _ ->
+    put c "->";
+    space c;
+    expr c 0 e
+
 (* A chain of bindings is as long as a program: no recursion but the tail's. *)
 and lets c (e : expr) =
   match e.desc with
   | Let { binder = b; parameters = vs; value; body } ->
     Format.pp_open_hovbox c.out 2;
     put c "let ";
-    binder c b;
-    parameters c vs;
+    binder c b ~parameters:vs;
     put c " =";
     space c;
     expr c 0 value;
@@ -240,8 +284,7 @@ and proc c p =
 
 and equation c eq =
   Format.pp_open_hovbox c.out 2;
-  binder c eq.binder;
-  parameters c eq.parameters;
+  binder c eq.binder ~parameters:eq.parameters;
   (match eq.rhs with
   | Pure value ->
     put c " =";
@@ -281,7 +324,7 @@ let definition c (d : definition) =
   Hashtbl.reset c.uses;
   cut c;
   put c (operator d.name.name);
-  parameters c d.parameters;
+  type_parameters c d.parameters;
   put c " :: ";
   type_ c 0 d.ty;
   cut c;

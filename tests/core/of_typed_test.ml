@@ -70,8 +70,10 @@ let fall_through () =
 f =
   \(m : Maybe Float) ->
     let _1 : () -> Float =
-      \(_2 : ()) -> if m ? Just then let y : Float = m.Just.0 in
-                                     y + 1 else 0 in
+      \(_2 : ()) -> if m ? Just
+                    then let y : Float = m.Just.0 in
+                         y + 1
+                    else 0 in
     if m ? Just
     then let x : Float = m.Just.0 in
          if False then x else _1 ()

@@ -1,0 +1,33 @@
+(* [elaborate_file STAGE LIBRARY FILE]: a file's definitions as Typed or as Core
+   (STAGE [typed] or [core]), checked by the lints; or what is wrong with it. *)
+
+open Basis
+
+let check sink (program : Resolve.Ir.program) =
+  let typed = Typing.Infer.program sink program in
+  if Diagnostic.has_errors sink then None
+  else
+    let typed = Typing.Levels.program sink typed in
+    Typing.Patterns.check sink typed;
+    if Diagnostic.has_errors sink then None else Some typed
+
+let print stage typed =
+  Typing.Lint.program typed;
+  let core = Core.Of_typed.program typed in
+  Core.Lint.program core;
+  match stage with
+  | "typed" -> Typing.Print.program Format.std_formatter typed
+  | "core" -> Core.Print.program Format.std_formatter core
+  | _ -> ()
+
+let () =
+  let stage = Sys.argv.(1) and library = Sys.argv.(2) and file = Sys.argv.(3) in
+  let sink = Diagnostic.sink () and source = Source.create () in
+  let remember ~file text = Source.add source ~file text in
+  let typed =
+    Option.bind
+      (Resolve.Program.load sink ~files:Resolve.Files.on_disk ~remember ~library file)
+      (check sink)
+  in
+  print_string (Render_text.diagnostics ~colour:false source (Diagnostic.all sink));
+  Option.iter (print stage) typed
