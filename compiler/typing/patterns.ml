@@ -10,7 +10,7 @@ let rec falls (e : expr) =
   | Let (_, body) -> falls body
   | _ -> false
 
-let case w (e : expr) branches =
+let case w (scrutinee : expr) branches =
   let row (b : branch) : Coverage.row = { pattern = b.pattern; guarded = falls b.value } in
   let result = Coverage.check w.coverage (List.rev (List.rev_map row branches)) in
   (match result.missing with
@@ -18,7 +18,7 @@ let case w (e : expr) branches =
   | Some value ->
     let d =
       Diagnostic.(
-        error ~code:"E0350" ~at:e.span "this `case` does not cover every value"
+        error ~code:"E0350" ~at:scrutinee.span "this `case` does not cover every value"
         |> here (Printf.sprintf "no branch for `%s`" value))
     in
     let d =
@@ -71,7 +71,7 @@ let rec expr w (e : expr) =
     expr w c
   | Case (scrutinee, branches) ->
     expr w scrutinee;
-    case w e branches;
+    case w scrutinee branches;
     List.iter (fun (b : branch) -> right w b.value) branches
   | Let (bindings, body) ->
     List.iter (binding w) bindings;
