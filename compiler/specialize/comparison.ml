@@ -41,10 +41,8 @@ let fields p ty value constructor parts =
 
 (* The fields of two values that both have this constructor. *)
 let field_pairs p ty a b constructor parts =
-  List.map2
-    (fun (ty, a) (_, b) -> (ty, a, b))
-    (fields p ty a constructor parts)
-    (fields p ty b constructor parts)
+  let of_a = fields p ty a constructor parts in
+  List.map2 (fun (ty, a) (_, b) -> (ty, a, b)) of_a (fields p ty b constructor parts)
 
 let part_pairs parts a b =
   List.mapi
@@ -52,7 +50,7 @@ let part_pairs parts a b =
     parts
 
 let numbers p ty a b =
-  [ Leaves.atom p.types p.node ~span:p.span ty a; Leaves.atom p.types p.node ~span:p.span ty b ]
+  List.map (Leaves.atom p.types p.node ~span:p.span ty) [ a; b ]
 
 let refuse ty =
   Diagnostic.bug ~stage:"Specialize.Comparison" "values of type %s are compared"
@@ -71,10 +69,9 @@ let rec equal p target ty a b : Ir.atom =
       let rec from index =
         let both =
           lazy
-            (let payload =
-               equal_parts p Node.Unnamed (field_pairs p ty a b index constructors.(index))
-             in
-             and_ p Node.Unnamed (has p ty b index) payload)
+            (let test = has p ty b index in
+             let pairs = field_pairs p ty a b index constructors.(index) in
+             and_ p Node.Unnamed test (equal_parts p Node.Unnamed pairs))
         in
         if index = Array.length constructors - 1 then Lazy.force both
         else

@@ -1,15 +1,12 @@
 open Basis
 
-type options = { limit : int; depth : int }
+type options = { limit : int; nesting : int; depth : int; work : int }
 
-let default = { limit = 10_000; depth = 5_000 }
+let default = { limit = 10_000; nesting = 1_000; depth = 5_000; work = 10_000_000 }
 
 type trail = { depth : int; calls : (string * Span.t) list (* the last one first *) }
 
 let start = { depth = 0; calls = [] }
-
-let entering ~name ~span trail =
-  { depth = trail.depth + 1; calls = (name, span) :: trail.calls }
 
 type definition = { core : Core.Ir.definition; code : int }
 
@@ -37,6 +34,7 @@ type t = {
   counts : (string, int) Hashtbl.t;
   mutable nodes : Flow.Ir.node list;
   mutable node_count : int;
+  mutable entered : int;
 }
 
 let create sink options (program : Core.Ir.program) =
@@ -67,9 +65,21 @@ let create sink options (program : Core.Ir.program) =
     counts = Hashtbl.create 64;
     nodes = [];
     node_count = 0;
+    entered = 0;
   }
 
 exception Stopped
+exception Postponed of (unit -> unit)
+
+let rec settle evaluate =
+  match evaluate () with
+  | () -> ()
+  | exception Postponed first ->
+      settle first;
+      settle evaluate
+
+let from_here trail = { trail with depth = 0 }
+let nests_deeply t trail = trail.depth > t.options.nesting
 
 (* The innermost calls: enough to see what goes on for ever. *)
 let with_trail trail diagnostic =
@@ -86,12 +96,17 @@ let stop t trail diagnostic =
   Diagnostic.emit t.sink (with_trail trail diagnostic);
   raise Stopped
 
-let check_depth t trail =
-  match trail.calls with
-  | (_, at) :: _ when trail.depth > t.options.depth ->
-      stop t trail
-        (Diagnostic.error ~code:"E0413" ~at "calls nest more than %d deep" t.options.depth)
-  | [] | _ :: _ -> ()
+let enter t trail ~name ~span =
+  let trail = { depth = trail.depth + 1; calls = (name, span) :: trail.calls } in
+  t.entered <- t.entered + 1;
+  if trail.depth > t.options.depth then
+    stop t trail
+      (Diagnostic.error ~code:"E0413" ~at:span "calls nest more than %d deep" t.options.depth);
+  if t.entered > t.options.work then
+    stop t trail
+      (Diagnostic.error ~code:"E0413" ~at:span "more than %d calls are evaluated while compiling"
+         t.options.work);
+  trail
 
 let count t trail ~name ~span =
   let before = Option.value (Hashtbl.find_opt t.counts name) ~default:0 in

@@ -4,7 +4,9 @@ open Basis
 
 type options = {
   limit : int;  (** how often one definition may be specialized *)
-  depth : int;  (** how deeply calls may nest *)
+  nesting : int;  (** how deeply nodes nest before one is {!Postponed} *)
+  depth : int;  (** how deeply calls may nest that make no nodes *)
+  work : int;  (** how many calls may be evaluated *)
 }
 
 val default : options
@@ -14,7 +16,9 @@ val default : options
 type trail
 
 val start : trail
-val entering : name:string -> span:Span.t -> trail -> trail
+
+val from_here : trail -> trail
+(** The same calls, with nothing nested yet. *)
 
 (** {1 The context} *)
 
@@ -45,6 +49,7 @@ type t = {
   counts : (string, int) Hashtbl.t;  (** specializations of a definition *)
   mutable nodes : Flow.Ir.node list;  (** the last one first *)
   mutable node_count : int;
+  mutable entered : int;
 }
 
 val create : Diagnostic.sink -> options -> Core.Ir.program -> t
@@ -52,8 +57,18 @@ val create : Diagnostic.sink -> options -> Core.Ir.program -> t
 exception Stopped
 (** An error was reported that leaves nothing to go on with. *)
 
-val check_depth : t -> trail -> unit
-(** Reports calls that nest too deeply. May raise {!Stopped}. *)
+exception Postponed of (unit -> unit)
+(** The stack has become deep: what stands there is to be evaluated first, on
+    a stack of its own; then its caller again, which will find it done. *)
+
+val settle : (unit -> unit) -> unit
+(** Evaluates, with all that is postponed. *)
+
+val nests_deeply : t -> trail -> bool
+
+val enter : t -> trail -> name:string -> span:Span.t -> trail
+(** One call further in. Reports calls that nest too deeply, or are too many;
+    then raises {!Stopped}. *)
 
 val count : t -> trail -> name:string -> span:Span.t -> unit
 (** One more specialization of the definition, which may be one too many. May

@@ -94,7 +94,8 @@ let rec is_constructor table node target ~span ty (value : Value.t) index : Ir.a
   | Atom atom -> Node.define node target ~span Bool (Is_constructor (atom, index))
   | Choice { condition; then_; else_ } -> (
       let test value = is_constructor table node Node.Unnamed ~span ty value index in
-      match (test then_, test else_) with
+      let test_then = test then_ in
+      match (test_then, test else_) with
       | Bool a, Bool b when a = b -> Bool a
       | then_, else_ -> Node.define node target ~span Bool (If { condition; then_; else_ }))
   | Unspecified -> Bool false
@@ -118,9 +119,8 @@ let rec select table node target ~span ty condition (a : Value.t) (b : Value.t) 
       if same a b then a
       else Node.define node target ~span leaf.leaf (If { condition; then_ = a; else_ = b })
     in
-    let pairs =
-      List.combine (atoms table node ~span ty a) (atoms table node ~span ty b)
-    in
+    let of_a = atoms table node ~span ty a in
+    let pairs = List.combine of_a (atoms table node ~span ty b) in
     let chosen =
       List.map2
         (fun (target, leaf) pair -> choose target leaf pair)
@@ -136,7 +136,8 @@ let rec select table node target ~span ty condition (a : Value.t) (b : Value.t) 
         let choose i (part : Types.part) target =
           select table node target ~span part.ty condition (component a i) (component b i)
         in
-        Product (List.mapi (fun i (part, target) -> choose i part target) (List.combine parts targets))
+        let choose_target i (part, target) = choose i part target in
+        Product (List.mapi choose_target (List.combine parts targets))
     | (Scalar | Sum _ | Opaque), _, _ -> Choice { condition; then_ = a; else_ = b }
 
 let rec payload table node target ~span ty (value : Value.t) ~constructor ~field : Value.t =
@@ -145,11 +146,13 @@ let rec payload table node target ~span ty (value : Value.t) ~constructor ~field
   | Product values, _ -> List.nth values field
   | Constructed known, _ ->
       if known.constructor = constructor then List.nth known.arguments field else Unspecified
-  | Atom atom, Sum fields -> payload_of_leaf table node target ~span fields.(constructor) atom ~constructor ~field
+  | Atom atom, Sum fields ->
+      payload_of_leaf table node target ~span fields.(constructor) atom ~constructor ~field
   | Choice { condition; then_; else_ }, Sum fields ->
       let part = List.nth fields.(constructor) field in
       let of_branch value = payload table node Node.Unnamed ~span ty value ~constructor ~field in
-      select table node target ~span part.ty condition (of_branch then_) (of_branch else_)
+      let then_ = of_branch then_ in
+      select table node target ~span part.ty condition then_ (of_branch else_)
   | Unspecified, _ -> Unspecified
   | ( (Atom _ | Text _ | Function _ | Signal_function _ | Primitive _ | Choice _ | Program _),
       (Scalar | Product _ | Sum _ | Opaque) ) ->

@@ -8,6 +8,7 @@ type t = {
   promised : (int, unit) Hashtbl.t;  (* signals that have no equation yet *)
   instance_names : Names.t;
   globals : (int, Value.t) Hashtbl.t;
+  joins : (int, Value.t) Hashtbl.t;
 }
 
 type target =
@@ -24,6 +25,7 @@ let create ~fresh =
     promised = Hashtbl.create 8;
     instance_names = Names.create ();
     globals = Hashtbl.create 8;
+    joins = Hashtbl.create 8;
   }
 
 let rec split count taken rest =
@@ -95,3 +97,4 @@ let size t = t.size
 let equations t = List.rev t.equations
 let instances t = List.rev t.instances
 let globals t = t.globals
+let joins t = t.joins

@@ -52,3 +52,7 @@ val instances : t -> Flow.Ir.instance list
 
 val globals : t -> (int, Value.t) Hashtbl.t
 (** Values of definitions that are made of signals of this node. *)
+
+val joins : t -> (int, Value.t) Hashtbl.t
+(** Results of local functions of [()], by the closure's identity: where the
+    branches of a [case] meet again. *)

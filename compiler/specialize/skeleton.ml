@@ -20,6 +20,8 @@ let table types ~fresh =
     closed = Hashtbl.create 256;
   }
 
+exception Needs_itself of Core.Ir.Local.t
+
 let forced (entry : Value.entry) =
   match entry.contents with
   | Known value -> value
@@ -28,14 +30,19 @@ let forced (entry : Value.entry) =
       let value = evaluate () in
       entry.contents <- Known value;
       value
-  | Being_evaluated -> bug "`%s` needs its own value" entry.local.name
+  | Being_evaluated -> raise (Needs_itself entry.local)
   | Polymorphic _ -> bug "`%s` has no type arguments" entry.local.name
 
 let code_id : Value.code -> int = function
   | Lambda (binder, _) | Generic (binder, _, _) -> binder.local.id
   | Proc proc -> proc.input.local.id
 
-type hole = { atom : Flow.Ir.atom; name : string; span : Span.t; ty : Flow.Ir.ty }
+type hole = {
+  atom : Flow.Ir.atom;
+  local : Core.Ir.Local.t;
+  path : string;
+  ty : Flow.Ir.ty;
+}
 
 type walk = {
   table : table;
@@ -83,62 +90,56 @@ and tag_unspecified = 10
 
 let type_id w ty = (Types.layout w.table.types ty).id
 
-let leaf_types (atom : Flow.Ir.atom) : Flow.Ir.ty =
+let type_of_atom (atom : Flow.Ir.atom) : Flow.Ir.ty =
   match atom with Signal s -> s.ty | Bool _ -> Bool | Int _ -> Int | Float _ -> Float
 
-let rec add w ~name ~span ty (value : Value.t) =
+let rec add_at w local path ty (value : Value.t) =
   let layout = Types.layout w.table.types ty in
-  if layout.first_order then add_leaves w ~name ~span ty layout value
+  if layout.first_order then add_leaves w local path ty layout value
   else
-    match value with
-    | Text text ->
+    match (value, layout.kind) with
+    | Text text, _ ->
         add_number w tag_text;
         add_number w (text_number w.table text)
-    | Product values -> (
+    | Product values, Product parts ->
         add_number w tag_product;
-        match layout.kind with
-        | Product parts -> List.iter2 (add_part w ~name ~span) parts values
-        | Scalar | Sum _ | Opaque -> bug "a product of type %s" (Types.to_string ty))
-    | Constructed { constructor; arguments } -> (
+        List.iter2 (add_part w local path) parts values
+    | Constructed { constructor; arguments }, Sum fields ->
         add_number w tag_constructed;
         add_number w constructor;
-        match layout.kind with
-        | Sum fields -> List.iter2 (add_part w ~name ~span) fields.(constructor) arguments
-        | Scalar | Product _ | Opaque -> bug "a constructor of type %s" (Types.to_string ty))
-    | Function closure | Signal_function closure -> add_closure w closure
-    | Primitive { primitive; types; arguments } ->
+        List.iter2 (add_part w local path) fields.(constructor) arguments
+    | (Function closure | Signal_function closure), _ -> add_closure w closure
+    | Primitive { primitive; types; arguments }, _ ->
         add_number w tag_primitive;
         add_number w (text_number w.table (Core.Primitive.name primitive));
         add_number w (List.length types);
         List.iter (fun ty -> add_number w (type_id w ty)) types;
         add_number w (List.length arguments);
-        List.iter (fun (a : Value.argument) -> add w ~name ~span a.ty a.value) arguments
-    | Choice { condition; then_; else_ } ->
+        List.iter (fun (a : Value.argument) -> add_at w local path a.ty a.value) arguments
+    | Choice { condition; then_; else_ }, _ ->
         add_number w tag_choice;
-        add_hole w ~name ~span condition;
-        add w ~name ~span ty then_;
-        add w ~name ~span ty else_
-    | Program signal_function ->
+        add_hole w local path condition (type_of_atom condition);
+        add_at w local path ty then_;
+        add_at w local path ty else_
+    | Program signal_function, _ ->
         add_number w tag_program;
-        add w ~name ~span ty signal_function
-    | Unspecified -> add_number w tag_unspecified
-    | Atom _ -> bug "an atom of type %s" (Types.to_string ty)
+        add_at w local path ty signal_function
+    | Unspecified, _ -> add_number w tag_unspecified
+    | (Atom _ | Product _ | Constructed _), _ ->
+        bug "a value that is not of type %s" (Types.to_string ty)
 
-and add_part w ~name ~span (part : Types.part) value =
-  add w ~name:(Types.join name part.part) ~span part.ty value
+and add_part w local path (part : Types.part) value =
+  add_at w local (Types.join path part.part) part.ty value
 
-and add_hole w ~name ~span atom =
-  w.holes <- { atom; name; span; ty = leaf_types atom } :: w.holes
+and add_hole w local path atom ty = w.holes <- { atom; local; path; ty } :: w.holes
 
-and add_leaves w ~name ~span ty layout value =
+and add_leaves w local path ty layout value =
   add_number w tag_leaves;
   add_number w layout.id;
   List.iter2
-    (fun (leaf : Types.leaf) atom ->
-      let name = if String.equal name "" then "" else Types.join name leaf.path in
-      w.holes <- { atom; name; span; ty = leaf.leaf } :: w.holes)
+    (fun (leaf : Types.leaf) atom -> add_hole w local (Types.join path leaf.path) atom leaf.leaf)
     layout.leaves
-    (Leaves.atoms w.table.types w.node ~span ty value)
+    (Leaves.atoms w.table.types w.node ~span:local.span ty value)
 
 and add_closure w closure =
   match closed_key w closure with
@@ -164,7 +165,7 @@ and add_captured w (closure : Value.closure) =
       match entry.contents with
       | Polymorphic generic -> add_closure w generic
       | Known _ | Suspended _ | Being_evaluated ->
-          add w ~name:entry.local.name ~span:entry.local.span entry.local_ty (forced entry))
+          add_at w entry.local "" entry.local_ty (forced entry))
     closure.captured
 
 and closed_key w closure =
@@ -194,6 +195,8 @@ and is_closed w (entry : Value.entry) =
           | Atom _ | Text _ | Product _ | Constructed _ | Primitive _ | Choice _ | Program _
           | Unspecified ->
               true))
+
+let add w local ty value = add_at w local "" ty value
 
 let take_holes w =
   let holes = List.rev w.holes in

@@ -9,20 +9,28 @@
     without holes has a number of its own for good. So a composition such as
     [f20 = f19 >>> f19], [f19 = f18 >>> f18]… takes linear time. *)
 
-open Basis
-
 type table
 (** All keys so far, as numbers. *)
 
 val table : Types.table -> fresh:(unit -> int) -> table
 
+exception Needs_itself of Core.Ir.Local.t
+
 val forced : Value.entry -> Value.t
-(** The value of a variable. Reports a bug if it needs itself. *)
+(** The value of a variable. Raises {!Needs_itself} if its evaluation comes
+    back to it. *)
 
 val code_id : Value.code -> int
 (** See {!Free}. *)
 
-type hole = { atom : Flow.Ir.atom; name : string; span : Span.t; ty : Flow.Ir.ty }
+type hole = {
+  atom : Flow.Ir.atom;
+  local : Core.Ir.Local.t;  (** the variable whose value has it *)
+  path : string;  (** where in that value *)
+  ty : Flow.Ir.ty;
+}
+
+val type_of_atom : Flow.Ir.atom -> Flow.Ir.ty
 
 (** {1 Taking values apart} *)
 
@@ -31,8 +39,8 @@ type walk
 val walk : table -> Node.t -> walk
 (** [Node]: where known constructors of first-order types become leaves. *)
 
-val add : walk -> name:string -> span:Span.t -> Core.Ir.ty -> Value.t -> unit
-(** By its closed type; the name and place of its holes. *)
+val add : walk -> Core.Ir.Local.t -> Core.Ir.ty -> Value.t -> unit
+(** The value of a variable, by its closed type. *)
 
 val add_captured : walk -> Value.closure -> unit
 (** What it has captured, and its type arguments. *)

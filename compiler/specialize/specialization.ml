@@ -7,6 +7,7 @@ type request = {
   span : Span.t;
   call : Span.t;
   result : Core.Ir.ty;
+  names : Destructuring.t;
   statics : Skeleton.hole list;
   inputs : Skeleton.hole list;
   key : int;
@@ -27,34 +28,37 @@ let finish c node ~name ~origin ~span ~kind ~statics ~inputs ~outputs =
       file = span.Span.file;
     }
 
-let output_name (hole : Skeleton.hole) =
-  match hole.atom with
-  | Signal { name; _ } when not (String.equal name "") -> name
-  | Signal _ | Bool _ | Int _ | Float _ -> if String.equal hole.name "" then "out" else hole.name
+(* The programmer's name, if the output is a variable, else its place. *)
+let output_name taken (hole : Skeleton.hole) =
+  Names.unique taken
+    (match hole.atom with
+    | Signal { name; _ } when not (String.equal name "") -> name
+    | Signal _ | Bool _ | Int _ | Float _ -> Types.join hole.local.name hole.path)
 
-let build (c : Context.t) trail request body : Context.specialization =
-  Context.count c trail ~name:request.name ~span:request.call;
+let build (c : Context.t) request body : Context.specialization =
   let node = Node.create ~fresh:c.fresh in
   let parameter (hole : Skeleton.hole) =
-    Node.signal node ~name:hole.name ~span:hole.span hole.ty
+    let name = Destructuring.name request.names hole.local hole.path in
+    Node.signal node ~name ~span:hole.local.span hole.ty
   in
   let statics = List.map parameter request.statics in
   let inputs = List.map parameter request.inputs in
   let parameters = statics @ inputs in
   let result = body node (List.map (fun s -> Ir.Signal s) parameters) in
   let walk = Skeleton.walk c.keys node in
-  Skeleton.add walk ~name:"out" ~span:request.span request.result result;
+  Skeleton.add walk { id = 0; name = "out"; span = request.span } request.result result;
   let holes = Skeleton.take_holes walk in
   let outputs = List.map (fun (hole : Skeleton.hole) -> hole.atom) holes in
   let callee : Context.callee =
     if Node.size node = 0 then Nothing parameters
     else
+      let taken = Names.create () in
+      let output (hole : Skeleton.hole) = (output_name taken hole, hole.atom) in
       Node
         (finish c node
            ~name:(Names.unique c.names request.name)
            ~origin:request.name ~span:request.span ~kind:request.kind ~statics ~inputs
-           ~outputs:
-             (List.map (fun (hole : Skeleton.hole) -> (output_name hole, hole.atom)) holes))
+           ~outputs:(List.map output holes))
   in
   { callee; result; outputs }
 
@@ -69,17 +73,20 @@ let handed_on parameters actuals outputs =
   in
   List.map hand_on outputs
 
-let ty_of_atom (atom : Ir.atom) : Ir.ty =
-  match atom with Signal s -> s.ty | Bool _ -> Bool | Int _ -> Int | Float _ -> Float
-
 let call (c : Context.t) trail caller target request body =
   let specialization =
     match Hashtbl.find_opt c.specializations request.key with
     | Some known -> known
     | None ->
-        let built = build c trail request body in
-        Hashtbl.replace c.specializations request.key built;
-        built
+        let add trail =
+          let built = build c request (body trail) in
+          Context.count c trail ~name:request.name ~span:request.call;
+          Hashtbl.replace c.specializations request.key built;
+          built
+        in
+        if Context.nests_deeply c trail then
+          raise (Context.Postponed (fun () -> ignore (add (Context.from_here trail))));
+        add trail
   in
   let actual (hole : Skeleton.hole) = hole.atom in
   let statics = List.map actual request.statics in
@@ -94,6 +101,6 @@ let call (c : Context.t) trail caller target request body =
           else List.map (fun _ -> Node.Unnamed) specialization.outputs
         in
         Node.call caller targets ~callee:request.name ~node ~span:request.call ~statics ~inputs
-          (List.map ty_of_atom specialization.outputs)
+          (List.map Skeleton.type_of_atom specialization.outputs)
   in
   Skeleton.value (Skeleton.copy c.keys atoms) request.result specialization.result

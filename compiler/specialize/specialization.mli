@@ -8,6 +8,7 @@ type request = {
   span : Span.t;  (** the code's *)
   call : Span.t;  (** the place of this use *)
   result : Core.Ir.ty;  (** closed *)
+  names : Destructuring.t;
   statics : Skeleton.hole list;
   inputs : Skeleton.hole list;
   key : int;
@@ -19,11 +20,12 @@ val call :
   Node.t ->
   Node.target ->
   request ->
-  (Node.t -> Flow.Ir.atom list -> Value.t) ->
+  (Context.trail -> Node.t -> Flow.Ir.atom list -> Value.t) ->
   Value.t
 (** The result of a call of the node for this key. If there is none yet the
     function gives its body, from the new node and the signals for statics and
-    inputs. A node without equations is not called. *)
+    inputs. A node without equations is not called. May raise
+    {!Context.Postponed}. *)
 
 val finish :
   Context.t ->

@@ -1,0 +1,417 @@
+open Basis
+module Ir = Core.Ir
+
+type scope = {
+  locals : Value.environment;
+  types : Value.substitution;
+  node : Node.t;
+  owner : string;  (* names functions that have no name of their own *)
+  trail : Context.trail;
+}
+
+let bug format = Diagnostic.bug ~stage:"Specialize.Evaluate" format
+let position (c : Context.t) s span : Operation.position = { types = c.types; node = s.node; span }
+
+let closure (c : Context.t) s target code ~name ~span : Value.closure =
+  let name =
+    match (name, (target : Node.target)) with
+    | "", (Unnamed | Defines _ | Named "") -> s.owner
+    | "", Named name | name, _ -> name
+  in
+  let captured = Variables.restrict (Free.of_code c.free (Skeleton.code_id code)) s.locals in
+  { identity = c.fresh (); name; code; captured; types = s.types; span }
+
+let enter (binder : Ir.binder) entry locals = Variables.add binder.local.id entry locals
+
+let bind (binder : Ir.binder) ty value locals =
+  enter binder { Value.local = binder.local; local_ty = ty; contents = Known value } locals
+
+let polymorphic (c : Context.t) s (binder : Ir.binder) parameters body ~span : Value.entry =
+  let generic =
+    closure c s Unnamed (Generic (binder, parameters, body)) ~name:binder.local.name ~span
+  in
+  { local = binder.local; local_ty = binder.ty; contents = Polymorphic generic }
+
+(* No call is worth a node that would do nothing. *)
+let rec is_trivial (e : Ir.expr) =
+  match e.desc with
+  | Local _ | Number _ | Boolean _ | String _ | Primitive _ | Lambda _ | Proc _ -> true
+  | Component (e, _) -> is_trivial e
+  | Tuple parts | Construct { arguments = parts; _ } -> List.for_all is_trivial parts
+  | Global _ | Apply _ | Let _ | Is_constructor _ | Payload _ | If _ -> false
+
+let number ty value : Flow.Ir.atom =
+  match (ty : Ir.ty) with
+  | Int -> (
+      match Exact.to_int32 value with
+      | Some n -> Int n
+      | None -> bug "the Int %s is out of range" (Exact.to_string value))
+  | Float -> Float (Exact.to_float value)
+  | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ ->
+      bug "a number of type %s" (Types.to_string ty)
+
+let bind_types substitution parameters types =
+  List.fold_left2
+    (fun substitution (v : Ir.variable) ty -> Variables.add v.id ty substitution)
+    substitution parameters types
+
+let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
+  match e.desc with
+  | Local (local, types) -> (
+      match Variables.find_opt local.id s.locals with
+      | None -> bug "`%s` is not in scope" local.name
+      | Some { contents = Polymorphic generic; _ } -> instantiate c s generic types
+      | Some entry -> Skeleton.forced entry)
+  | Global (name, types) -> global c s target e name (List.map (Types.close s.types) types)
+  | Primitive (primitive, types) ->
+      Primitive { primitive; types = List.map (Types.close s.types) types; arguments = [] }
+  | Number value -> Atom (number (Types.close s.types e.ty) value)
+  | Boolean b -> Atom (Bool b)
+  | String text -> Text text
+  | Lambda (binder, body) ->
+      Function (closure c s target (Lambda (binder, body)) ~name:"" ~span:e.span)
+  | Proc proc -> Signal_function (closure c s target (Proc proc) ~name:proc.name ~span:e.span)
+  | Apply (f, argument) -> spine c s target e f [ argument ]
+  | Let { binder; parameters = []; value; body } ->
+      let value = expr c s (Named binder.local.name) value in
+      let ty = Types.close s.types binder.ty in
+      expr c { s with locals = bind binder ty value s.locals } target body
+  | Let { binder; parameters; value; body } ->
+      let entry = polymorphic c s binder parameters value ~span:e.span in
+      expr c { s with locals = enter binder entry s.locals } target body
+  | Tuple parts -> Product (exprs c s target e parts)
+  | Component (e, index) -> Leaves.component (expr c s Unnamed e) index
+  | Construct { constructor; arguments; data = _ } -> (
+      let ty = Types.close s.types e.ty in
+      match (Types.layout c.types ty).kind with
+      | Product _ -> Product (exprs c s target e arguments)
+      | Scalar | Sum _ | Opaque ->
+          let arguments = List.map (expr c s Unnamed) arguments in
+          Constructed { constructor; arguments })
+  | Is_constructor (value, index) ->
+      let ty = Types.close s.types value.ty in
+      let value = expr c s Unnamed value in
+      Atom (Leaves.is_constructor c.types s.node target ~span:e.span ty value index)
+  | Payload { value; constructor; field } ->
+      let ty = Types.close s.types value.ty in
+      let value = expr c s Unnamed value in
+      Leaves.payload c.types s.node target ~span:e.span ty value ~constructor ~field
+  | If (condition, then_, else_) -> (
+      match expr c s Unnamed condition with
+      | Atom (Bool true) -> expr c s target then_
+      | Atom (Bool false) | Unspecified -> expr c s target else_
+      | Atom condition ->
+          let then_ = expr c s Unnamed then_ in
+          let else_ = expr c s Unnamed else_ in
+          let ty = Types.close s.types e.ty in
+          Leaves.select c.types s.node target ~span:e.span ty condition then_ else_
+      | Text _ | Product _ | Constructed _ | Function _ | Signal_function _ | Primitive _
+      | Choice _ | Program _ ->
+          bug "a condition that is no Bool")
+
+(* The parts of a product. *)
+and exprs (c : Context.t) s target (e : Ir.expr) parts =
+  match (target : Node.target) with
+  | Unnamed -> List.map (expr c s Unnamed) parts
+  | Named _ | Defines _ -> (
+      match (Types.layout c.types (Types.close s.types e.ty)).kind with
+      | Product layout ->
+          List.map2 (expr c s) (Node.parts target c.types layout) parts
+      | Scalar | Sum _ | Opaque -> bug "a product of type %s" (Types.to_string e.ty))
+
+and spine (c : Context.t) s target (whole : Ir.expr) (f : Ir.expr) arguments =
+  match f.desc with
+  | Apply (f, argument) -> spine c s target whole f (argument :: arguments)
+  | Local _ | Global _ | Primitive _ | Number _ | Boolean _ | String _ | Lambda _ | Let _
+  | Tuple _ | Component _ | Construct _ | Is_constructor _ | Payload _ | If _ | Proc _ ->
+      let f = expr c s Unnamed f in
+      let arguments = List.map (argument c s) arguments in
+      let result = Types.close s.types whole.ty in
+      apply c s target ~span:whole.span ~result f arguments
+
+and argument (c : Context.t) s (e : Ir.expr) : Value.argument =
+  let value = expr c s Unnamed e in
+  { value; ty = Types.close s.types e.ty }
+
+and instantiate (c : Context.t) s (generic : Value.closure) types =
+  match generic.code with
+  | Generic (binder, parameters, body) ->
+      let types = List.map (Types.close s.types) types in
+      let inside =
+        {
+          s with
+          locals = generic.captured;
+          types = bind_types generic.types parameters types;
+          owner = generic.name;
+        }
+      in
+      expr c inside (Named binder.local.name) body
+  | Lambda _ | Proc _ -> bug "`%s` is not polymorphic" generic.name
+
+(* A definition of first-order type is a function without arguments; any other
+   is evaluated where it is used, once if it needs no equations. *)
+and global (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types =
+  let { Context.core; code } =
+    match Hashtbl.find_opt c.definitions (name.module_, name.name) with
+    | Some definition -> definition
+    | None -> bug "`%s.%s` has no definition" name.module_ name.name
+  in
+  let inside trail node : scope =
+    {
+      locals = Variables.empty;
+      types = bind_types Variables.empty core.parameters types;
+      node;
+      owner = name.name;
+      trail;
+    }
+  in
+  let trail = Context.enter c s.trail ~name:name.name ~span:e.span in
+  let walk = Skeleton.walk c.keys s.node in
+  Skeleton.add_number walk code;
+  List.iter (fun ty -> Skeleton.add_number walk (Types.layout c.types ty).id) types;
+  let key = Skeleton.key walk in
+  let result = Types.close s.types e.ty in
+  if (Types.layout c.types result).first_order then
+    if is_trivial core.body then expr c (inside trail s.node) target core.body
+    else
+      Specialization.call c trail s.node target
+        {
+          kind = Function;
+          name = name.name;
+          span = core.span;
+          call = e.span;
+          result;
+          statics = [];
+          inputs = [];
+          names = Destructuring.none;
+          key;
+        }
+        (fun trail node _ -> expr c (inside trail node) Unnamed core.body)
+  else
+    match (Hashtbl.find_opt c.globals key, Hashtbl.find_opt (Node.globals s.node) key) with
+    | Some value, _ | None, Some value -> value
+    | None, None ->
+        let before = Node.size s.node in
+        let value = expr c (inside trail s.node) (Named name.name) core.body in
+        let known = if Node.size s.node = before then c.globals else Node.globals s.node in
+        Hashtbl.replace known key value;
+        value
+
+(* [result]: the type after all arguments. *)
+and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Value.argument list) : Value.t =
+  match (f, arguments) with
+  | _, [] -> f
+  | Function ({ code = Lambda (binder, body); captured; _ } as closure), first :: others ->
+      apply_lambda c s target ~span ~result closure captured binder body first others
+  | Primitive { primitive; types; arguments = before }, _ -> (
+      let all = List.rev_append arguments before in
+      let missing = Core.Primitive.arity primitive - List.length all in
+      match (primitive, all) with
+      | Reactimate, [ signal_function ] -> Program signal_function.value
+      | (Delay | Time | Integral | Derivative), _ ->
+          Primitive { primitive; types; arguments = all }
+      | _, _ when missing > 0 -> Primitive { primitive; types; arguments = all }
+      | _, _ -> Operation.apply (position c s span) target primitive ~result (List.rev all))
+  | Choice { condition; then_; else_ }, _ ->
+      let then_ = apply c s Unnamed ~span ~result then_ arguments in
+      let else_ = apply c s Unnamed ~span ~result else_ arguments in
+      Leaves.select c.types s.node target ~span result condition then_ else_
+  | Unspecified, _ -> Unspecified
+  | ( ( Function { code = Proc _ | Generic _; _ }
+      | Atom _ | Text _ | Product _ | Constructed _ | Signal_function _ | Program _ ),
+      _ ) ->
+      bug "what is applied is no function"
+
+(* Binds one argument after the other, as many as the code takes at once. *)
+and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (body : Ir.expr)
+    (first : Value.argument) others =
+  let locals =
+    if Free.uses_binder c.free binder.local.id then
+      bind binder first.ty first.value locals
+    else locals
+  in
+  match (body.desc, others) with
+  | Lambda (binder, body), second :: others ->
+      apply_lambda c s target ~span ~result closure locals binder body second others
+  | _, _ ->
+      let applied = { closure with code = Lambda (binder, body); captured = locals } in
+      let ty = Types.close closure.types body.ty in
+      let whole = match others with [] -> target | _ :: _ -> Node.Unnamed in
+      let inside trail =
+        { node = s.node; locals; types = closure.types; owner = closure.name; trail }
+      in
+      let value =
+        if not (Types.layout c.types ty).first_order then
+          (* What is left is named after this function, not after its use. *)
+          expr c (inside (Context.enter c s.trail ~name:closure.name ~span)) Unnamed body
+        else if is_trivial body then expr c (inside s.trail) whole body
+        else if first.ty = Tuple [] && others = [] then
+          join s closure (fun () -> expr c (inside s.trail) Unnamed body)
+        else call_function c s whole ~span ~result:ty applied binder body
+      in
+      apply c s target ~span ~result value others
+
+(* A function of [()] says always the same: it is evaluated in place, once. *)
+and join s (closure : Value.closure) evaluate =
+  match Hashtbl.find_opt (Node.joins s.node) closure.identity with
+  | Some value -> value
+  | None ->
+      let value = evaluate () in
+      Hashtbl.replace (Node.joins s.node) closure.identity value;
+      value
+
+(* [applied] has captured its arguments too. *)
+and call_function (c : Context.t) s target ~span ~result (applied : Value.closure) binder body =
+  let trail = Context.enter c s.trail ~name:applied.name ~span in
+  let walk = Skeleton.walk c.keys s.node in
+  Skeleton.add_number walk (Skeleton.code_id applied.code);
+  Skeleton.add_captured walk applied;
+  let inputs = Skeleton.take_holes walk in
+  Specialization.call c trail s.node target
+    {
+      kind = Function;
+      name = applied.name;
+      span = applied.span;
+      call = span;
+      result;
+      statics = [];
+      inputs;
+      names = Destructuring.of_lambda c.types applied.types binder body;
+      key = Skeleton.key walk;
+    }
+    (fun trail node atoms ->
+      let locals = Skeleton.captured (Skeleton.copy c.keys atoms) applied in
+      expr c { locals; types = applied.types; node; owner = applied.name; trail } Unnamed body)
+
+(* An instance of a signal function. *)
+and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (input : Value.argument) : Value.t
+    =
+  match signal_function with
+  | Signal_function ({ code = Proc proc; _ } as closure) ->
+      run_proc c s target ~span ~result closure proc input
+  | Primitive { primitive = Delay; arguments = [ initial ]; _ } ->
+      delay c s target ~span initial input
+  | Primitive { primitive = Time; _ } ->
+      Atom (Node.define s.node target ~span Float Time)
+  | Primitive { primitive = Integral; _ } ->
+      let input = Leaves.atom c.types s.node ~span input.ty input.value in
+      Atom (Node.define s.node target ~span Float (Integral input))
+  | Primitive { primitive = Derivative; _ } ->
+      let input = Leaves.atom c.types s.node ~span input.ty input.value in
+      Atom (Node.define s.node target ~span Float (Derivative input))
+  | Choice { condition; then_; else_ } ->
+      let then_ = run c s Unnamed ~span ~result then_ input in
+      let else_ = run c s Unnamed ~span ~result else_ input in
+      Leaves.select c.types s.node target ~span result condition then_ else_
+  | Unspecified -> Unspecified
+  | Signal_function { code = Lambda _ | Generic _; _ }
+  | Atom _ | Text _ | Product _ | Constructed _ | Function _ | Primitive _ | Program _ ->
+      bug "what is run is no signal function"
+
+and delay (c : Context.t) s target ~span (initial : Value.argument) (input : Value.argument) : Value.t =
+  let layout = Types.layout c.types input.ty in
+  if layout.first_order then
+    let inits = Leaves.atoms c.types s.node ~span initial.ty initial.value in
+    let nexts = Leaves.atoms c.types s.node ~span input.ty input.value in
+    let targets = Node.leaves target layout.leaves in
+    let one (target, (leaf : Types.leaf)) (init, next) =
+      Node.define s.node target ~span leaf.leaf (Delay { init; next })
+    in
+    Leaves.value c.types input.ty
+      (List.map2 one (List.combine targets layout.leaves) (List.combine inits nexts))
+  else (
+    Diagnostic.(
+      error ~code:"E0412" ~at:span "a value of type `%s` cannot be stored in a `delay`"
+        (Types.to_string input.ty)
+      |> note "functions, signal functions and labels exist only while compiling"
+      |> emit c.sink);
+    Unspecified)
+
+and run_proc (c : Context.t) s target ~span ~result closure proc input =
+  let trail = Context.enter c s.trail ~name:closure.name ~span in
+  let walk = Skeleton.walk c.keys s.node in
+  Skeleton.add_number walk (Skeleton.code_id closure.code);
+  Skeleton.add_captured walk closure;
+  let statics = Skeleton.take_holes walk in
+  let is_used = Free.uses_binder c.free proc.input.local.id in
+  if is_used then Skeleton.add walk proc.input.local input.ty input.value;
+  let inputs = Skeleton.take_holes walk in
+  Specialization.call c trail s.node target
+    {
+      kind = Signal_function;
+      name = closure.name;
+      span = closure.span;
+      call = span;
+      result;
+      statics;
+      inputs;
+      names = Destructuring.of_proc c.types closure.types proc;
+      key = Skeleton.key walk;
+    }
+    (fun trail node atoms ->
+      let copy = Skeleton.copy c.keys atoms in
+      let locals = Skeleton.captured copy closure in
+      let locals =
+        if is_used then
+          bind proc.input input.ty (Skeleton.value copy input.ty input.value) locals
+        else locals
+      in
+      proc_body c { locals; types = closure.types; node; owner = closure.name; trail } proc)
+
+(* The equations and the output of a proc, in the node under construction. *)
+and proc_body (c : Context.t) s (proc : Ir.proc) : Value.t =
+  (* Equations see each other: those that Flow can hold through their signals,
+     which are there first, the others through suspensions. *)
+  let inside = ref s in
+  let declare (locals, promises) (eq : Ir.equation) =
+    let ty = Types.close s.types eq.binder.ty in
+    let { Ir.local; _ } = eq.binder in
+    match (eq.parameters, eq.rhs) with
+    | _ :: _, Pure body ->
+        let entry : Value.entry =
+          {
+            local;
+            local_ty = eq.binder.ty;
+            contents =
+              Suspended (fun () -> bug "`%s` is polymorphic" local.name);
+          }
+        in
+        (enter eq.binder entry locals, `Generic (eq, entry, body) :: promises)
+    | _, _ ->
+        let layout = Types.layout c.types ty in
+        if layout.first_order then
+          let signals = Node.promise s.node ~name:local.name ~span:local.span layout.leaves in
+          let value =
+            Leaves.value c.types ty (List.map (fun s -> Flow.Ir.Signal s) signals)
+          in
+          (bind eq.binder ty value locals, `Signals (eq, ty, signals) :: promises)
+        else
+          let evaluate () = equation c !inside (Node.Named local.name) ty eq in
+          let entry : Value.entry = { local; local_ty = ty; contents = Suspended evaluate } in
+          (enter eq.binder entry locals, promises)
+  in
+  let locals, promises = List.fold_left declare (s.locals, []) proc.equations in
+  inside := { s with locals };
+  List.iter
+    (function
+      | `Generic ((eq : Ir.equation), (entry : Value.entry), body) ->
+          let complete = polymorphic c !inside eq.binder eq.parameters body ~span:eq.span in
+          entry.contents <- complete.contents
+      | `Signals _ -> ())
+    promises;
+  List.iter
+    (function
+      | `Generic _ -> ()
+      | `Signals ((eq : Ir.equation), ty, signals) ->
+          let value = equation c !inside (Node.Defines signals) ty eq in
+          let atoms = Leaves.atoms c.types s.node ~span:eq.span ty value in
+          Node.settle s.node ~span:eq.span signals atoms)
+    (List.rev promises);
+  expr c !inside Unnamed proc.output
+
+and equation (c : Context.t) s target ty (eq : Ir.equation) =
+  match eq.rhs with
+  | Pure e -> expr c s target e
+  | Run { signal_function; input } ->
+      let signal_function = expr c s Unnamed signal_function in
+      run c s target ~span:eq.span ~result:ty signal_function (argument c s input)

@@ -1,0 +1,154 @@
+open Basis
+module Ir = Core.Ir
+
+(* What may call or be called: definitions, let-bound variables, and equations
+   that are no signals. *)
+type vertex = { name : string; span : Span.t }
+
+type graph = {
+  globals : (string * string, int) Hashtbl.t;
+  locals : (int, int) Hashtbl.t;
+  mutable vertices : vertex list;  (* the last one first *)
+  mutable count : int;
+  edges : (int, (int * Span.t) list) Hashtbl.t;  (* with the place of the use *)
+}
+
+let vertex g name span =
+  let number = g.count in
+  g.vertices <- { name; span } :: g.vertices;
+  g.count <- number + 1;
+  number
+
+let edge g source target span =
+  let others = Option.value (Hashtbl.find_opt g.edges source) ~default:[] in
+  Hashtbl.replace g.edges source ((target, span) :: others)
+
+(* A type variable counts as a signal's type. *)
+let rec holds_functions (ty : Ir.ty) =
+  match ty with
+  | Function _ | Signal_function _ -> true
+  | Tuple parts | Data (_, parts) -> List.exists holds_functions parts
+  | Variable _ | Bool | Int | Float | String -> false
+
+(* First all local vertices, as uses may come before their binding; then the
+   edges. [visit] gets an expression and the vertex whose value it belongs to. *)
+let sub_expressions (e : Ir.expr) =
+  match e.desc with
+  | Local _ | Global _ | Primitive _ | Number _ | Boolean _ | String _ | Let _ | Proc _ -> []
+  | Lambda (_, body) -> [ body ]
+  | Apply (f, argument) -> [ f; argument ]
+  | Tuple parts | Construct { arguments = parts; _ } -> parts
+  | Component (e, _) | Is_constructor (e, _) | Payload { value = e; _ } -> [ e ]
+  | If (condition, then_, else_) -> [ condition; then_; else_ ]
+
+let rhs_expressions : Ir.rhs -> Ir.expr list = function
+  | Pure e -> [ e ]
+  | Run { signal_function; input } -> [ signal_function; input ]
+
+let is_vertex (eq : Ir.equation) = eq.parameters <> [] || holds_functions eq.binder.ty
+
+let rec declare g (e : Ir.expr) =
+  match e.desc with
+  | Let { binder; value; body; parameters = _ } ->
+      declare_local g binder;
+      declare g value;
+      declare g body
+  | Proc proc ->
+      List.iter
+        (fun (eq : Ir.equation) ->
+          if is_vertex eq then declare_local g eq.binder;
+          List.iter (declare g) (rhs_expressions eq.rhs))
+        proc.equations;
+      declare g proc.output
+  | _ -> List.iter (declare g) (sub_expressions e)
+
+and declare_local g (binder : Ir.binder) =
+  let number = vertex g binder.local.name binder.local.span in
+  Hashtbl.replace g.locals binder.local.id number
+
+let rec uses g owner (e : Ir.expr) =
+  match e.desc with
+  | Local (local, _) -> (
+      match Hashtbl.find_opt g.locals local.id with
+      | Some target -> edge g owner target e.span
+      | None -> ())
+  | Global (name, _) -> (
+      match Hashtbl.find_opt g.globals (name.module_, name.name) with
+      | Some target -> edge g owner target e.span
+      | None -> ())
+  | Let { binder; value; body; parameters = _ } ->
+      uses g (Hashtbl.find g.locals binder.local.id) value;
+      uses g owner body
+  | Proc proc ->
+      List.iter
+        (fun (eq : Ir.equation) ->
+          let owner =
+            if is_vertex eq then Hashtbl.find g.locals eq.binder.local.id else owner
+          in
+          List.iter (uses g owner) (rhs_expressions eq.rhs))
+        proc.equations;
+      uses g owner proc.output
+  | _ -> List.iter (uses g owner) (sub_expressions e)
+
+let report sink vertices place cycle =
+  let steps =
+    match cycle with
+    | [] -> []
+    | first :: _ ->
+        let rec pairs = function
+          | a :: (b :: _ as rest) -> (a, b) :: pairs rest
+          | [ last ] -> [ (last, first) ]
+          | [] -> []
+        in
+        pairs cycle
+  in
+  let named v = if String.equal vertices.(v).name "" then "it" else "`" ^ vertices.(v).name ^ "`" in
+  match steps with
+  | [] -> ()
+  | (first, _) :: _ ->
+      let message = if List.length steps = 1 then "calls itself" else "calls itself through others" in
+      let diagnostic =
+        Diagnostic.error ~code:"E0410" ~at:vertices.(first).span "%s %s" (named first) message
+      in
+      List.fold_left
+        (fun diagnostic (a, b) ->
+          Diagnostic.label ~at:(place a b)
+            (Printf.sprintf "%s uses %s here" (named a) (named b))
+            diagnostic)
+        diagnostic steps
+      |> Diagnostic.note "functions and signal functions may not be recursive"
+      |> Diagnostic.hint
+           "a value that depends on its own past is an equation of a `proc`, with `delay`"
+      |> Diagnostic.emit sink
+
+let check sink (program : Ir.program) =
+  let g =
+    {
+      globals = Hashtbl.create 256;
+      locals = Hashtbl.create 256;
+      vertices = [];
+      count = 0;
+      edges = Hashtbl.create 256;
+    }
+  in
+  let number (d : Ir.definition) =
+    let number = vertex g d.name.name d.span in
+    Hashtbl.replace g.globals (d.name.module_, d.name.name) number
+  in
+  List.iter number program.definitions;
+  List.iter (fun (d : Ir.definition) -> declare g d.body) program.definitions;
+  List.iter
+    (fun (d : Ir.definition) ->
+      uses g (Hashtbl.find g.globals (d.name.module_, d.name.name)) d.body)
+    program.definitions;
+  let vertices = Array.of_list (List.rev g.vertices) in
+  let out v = List.rev (Option.value (Hashtbl.find_opt g.edges v) ~default:[]) in
+  let graph = Array.init g.count (fun v -> List.map fst (out v)) in
+  let place a b =
+    match List.assoc_opt b (out a) with Some span -> span | None -> vertices.(a).span
+  in
+  List.iter
+    (fun component ->
+      if Graph.is_cyclic graph component then
+        report sink vertices place (Graph.shortest_cycle graph component))
+    (Graph.components graph)

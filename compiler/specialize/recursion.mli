@@ -1,0 +1,12 @@
+(** No definition may be needed to evaluate itself.
+
+    Of functions and signal functions everything is evaluated while compiling,
+    which ends only if none of them calls itself, directly or through others.
+    Equations of a proc may be recursive where they are signals; those that
+    are functions or signal functions may not. *)
+
+open Basis
+
+val check : Diagnostic.sink -> Core.Ir.program -> unit
+(** Emits E0410 for each cycle. Linear. Does not need what {!Core.Lint}
+    checks. *)
