@@ -80,11 +80,11 @@ let rec head_name (h : expr) =
 
 let own_equation = "give it an equation of its own"
 
-let misplaced w place (e : expr) h =
+let report_misplaced w position (e : expr) h =
   let name = head_name h in
   let error code text = Diagnostic.error ~code ~at:e.span "%s" text in
   let emit d = Diagnostic.emit w.sink d in
-  match place.position with
+  match position with
   | Every_instant -> ()
   | Outside ->
     emit
@@ -108,14 +108,20 @@ let misplaced w place (e : expr) h =
       |> Diagnostic.here "functions hold no instances"
       |> Diagnostic.hint own_equation)
 
+(* The place of the head. One mistake is enough for an instance. *)
 let instance w place (e : expr) h =
   let same_frame (r : region) =
-    r.depth = place.depth && match r.kind with Head _ | Binding_of _ -> true | Inner_proc -> false
+    r.depth = place.depth
+    && match r.kind with Head _ | Binding_of _ -> true | Inner_proc -> false
   in
-  match outermost same_frame place.regions with
-  | None -> misplaced w place e h
-  | Some region ->
-    report w region ~at:e.span (Printf.sprintf "%s is run here" (head_name h)) Fun.id
+  match (outermost same_frame place.regions, place.position) with
+  | Some region, _ ->
+    report w region ~at:e.span (Printf.sprintf "%s is run here" (head_name h)) Fun.id;
+    place
+  | None, Every_instant -> enter place (Head h)
+  | None, ((Outside | In_branch | In_guard | In_function _) as position) ->
+    report_misplaced w position e h;
+    place
 
 let conditional place position =
   match place.position with
@@ -151,8 +157,7 @@ let rec expr w place (e : expr) : expr =
     let f = expr w place f in
     with_ (Apply (f, expr w place a))
   | Run (h, input) ->
-    instance w place e h;
-    let head = expr w (enter place (Head h)) h in
+    let head = expr w (instance w place e h) h in
     with_ (Run (head, expr w place input))
   | Negate a -> with_ (Negate (expr w place a))
   | Power (a, k) -> with_ (Power (expr w place a, k))
