@@ -1,0 +1,122 @@
+(** Machine: each node as a struct of state, a reset and a step function, made
+    of statements with expression trees.
+
+    No longer there: the freedom of order. Equations have become statements in
+    an order in which everything is written before it is read; an unnamed value
+    used once stands inside its user's expression; what only one branch needs
+    is computed in that branch; a delay is a field that is written at the end
+    of the step.
+
+    Always true (see {!Lint}): a variable is declared once in its function,
+    before its uses and in a block around them; both branches assign what an
+    [If] leaves uninitialized before it; nodes call only nodes before them;
+    nesting of statements and expressions is bounded ({!Of_flow.nesting},
+    {!Of_flow.expression_size}), whatever the program. *)
+
+open Basis
+
+type ty =
+  | Bool
+  | Int
+  | Float
+  | Sum of int  (** index into [program.sums] *)
+  | Nanoseconds  (** 64 bits, not negative *)
+
+type variable = {
+  id : int;  (** unique in the function *)
+  name : string;  (** the programmer's, or [""] *)
+  ty : ty;
+}
+
+(** A member of a node's state. *)
+type field = {
+  id : int;  (** unique in the node *)
+  name : string;  (** from the source; not always unique *)
+  content : content;
+  purpose : string;  (** for the reader: [delay], [integral], a callee's name *)
+  span : Span.t;
+}
+
+and content =
+  | Value of ty
+  | State_of of int  (** of that node *)
+
+type expr =
+  | Bool of bool
+  | Int of int32
+  | Float of float
+  | Nanoseconds of int64
+  | Variable of variable
+  | Field of field  (** of the node's own state *)
+  | Dt  (** seconds since the previous instant; 0 at a node's first *)
+  | Dt_nanoseconds
+  | Operation of { operator : Flow.Ir.operator; ty : ty; arguments : expr list }
+      (** [ty] is that of the arguments *)
+  | Select of { condition : expr; then_ : expr; else_ : expr }
+  | Construct of { sum : int; constructor : int; payload : expr list }
+  | Is_constructor of { sum : int; value : expr; constructor : int }
+  | Payload of { sum : int; value : expr; constructor : int; leaf : int }
+  | Call of { node : int; arguments : expr list }
+      (** of a node without state and with one output *)
+  | Seconds of expr  (** of [Nanoseconds] *)
+  | Later of expr * expr  (** the sum of two [Nanoseconds], saturating *)
+
+type place =
+  | Local of variable
+  | Own of field
+  | Result of int  (** an output of the function *)
+
+type statement =
+  | Declare of { variable : variable; value : expr; span : Span.t }
+      (** a constant *)
+  | Assign of { place : place; value : expr; span : Span.t }
+  | If of {
+      uninitialized : variable list;  (** declared here for both branches *)
+      condition : expr;
+      then_ : statement list;
+      else_ : statement list;
+      span : Span.t;
+    }
+  | Step of {
+      node : int;
+      state : field option;  (** [None] if the node has no state *)
+      arguments : expr list;
+      results : variable list;  (** declared here *)
+      span : Span.t;
+    }
+  | Reset of { node : int; state : field; arguments : expr list; span : Span.t }
+  | Return of { value : expr; span : Span.t }  (** last; one output only *)
+
+type code = {
+  parameters : variable list;
+      (** only those it reads; of the root's step: all leaves of the input *)
+  body : statement list;
+}
+
+type node = {
+  name : string;  (** unique in the program *)
+  origin : string;  (** the definition as the programmer knows it *)
+  file : string;
+  span : Span.t;
+  state : field list;  (** in the order of the struct: largest alignment first *)
+  reset : code;  (** empty if there is no state *)
+  step : code;
+  outputs : (string * ty) list;
+  seconds : bool;  (** the step, or a callee's, reads [Dt] *)
+  nanoseconds : bool;  (** likewise [Dt_nanoseconds] *)
+  operations : int;  (** a rough count of the step's own, without callees *)
+}
+
+(** Whether the first instant's dt can be seen, and so must be made 0. *)
+type first_instant =
+  | Unseen
+  | Marked_by of field  (** a Bool of the root, false until the first step *)
+
+type program = {
+  name : string;  (** of the C files *)
+  sums : Flow.Ir.sum array;
+  nodes : node array;  (** callees before callers; the last is the root *)
+  input : Flow.Ir.shape;
+  output : Flow.Ir.shape;
+  first_instant : first_instant;
+}

@@ -1,0 +1,25 @@
+(** How values lie in memory, as far as the language fixes it.
+
+    A sum is a struct of a tag and slots that all its constructors share: as
+    many doubles, 32-bit integers, bools and inner tags as the constructor
+    that needs most of each. A payload that is itself a sum is laid flat into
+    the slots: its tag takes an inner-tag slot, its slots follow. *)
+
+type slots = { floats : int; ints : int; bools : int; tags : int }
+
+val none : slots
+val add : slots -> slots -> slots
+
+val leaf : Flow.Ir.sum array -> Flow.Ir.ty -> slots
+(** What one leaf takes inside a payload. *)
+
+val leaves : Flow.Ir.sum_constructor -> Flow.Ir.ty list
+(** All leaves of a constructor's fields, in order. *)
+
+val shape_leaves : Flow.Ir.shape -> Flow.Ir.ty list
+
+val sum : Flow.Ir.sum array -> int -> slots
+(** Without the sum's own tag. *)
+
+val alignment : Flow.Ir.sum array -> Ir.ty -> int
+(** In bytes, on the machines we know. *)

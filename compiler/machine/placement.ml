@@ -1,0 +1,325 @@
+module Flow = Flow.Ir
+open Basis
+open Fragment
+
+(* Code is built back to front: a block's list holds what was placed last, and
+   runs first, at its head. Positions fall from 0, so a smaller one runs
+   earlier. *)
+type block = { id : int; depth : int; mutable within : branch option; mutable code : code list }
+
+and branch = {
+  position : int;
+  parent : block;
+  condition : Ir.expr;
+  then_ : block;
+  else_ : block;
+  mutable uninitialized : Ir.variable list;
+  span : Span.t;
+}
+
+and code =
+  | Statement of Ir.statement
+  | Branch_here of branch
+
+type use = { block : block; position : int }
+
+type t = {
+  usage : Usage.t;
+  uses : (int, use list) Hashtbl.t;  (** of signals that get variables *)
+  open_branches : (int * int, branch) Hashtbl.t;  (** by block and condition *)
+  root : block;
+  mutable next_position : int;
+  mutable next_id : int;  (** of blocks, and negated of new variables *)
+}
+
+let nesting = 20
+
+let fresh t =
+  t.next_id <- t.next_id + 1;
+  t.next_id
+
+let here t block =
+  t.next_position <- t.next_position - 1;
+  { block; position = t.next_position }
+
+let put block statement = block.code <- Statement statement :: block.code
+
+let machine_type : Flow.ty -> Ir.ty = function
+  | Bool -> Bool
+  | Int -> Int
+  | Float -> Float
+  | Sum k -> Sum k
+
+let variable (s : Flow.signal) : Ir.variable =
+  { id = s.id; name = s.name; ty = machine_type s.ty }
+
+(* Expressions *)
+
+let record t (s : Flow.signal) use =
+  let others = Option.value (Hashtbl.find_opt t.uses s.id) ~default:[] in
+  Hashtbl.replace t.uses s.id (use :: others)
+
+(* [leaf] says how to read a leaf. *)
+let rec tree ?(leaf = Fun.id) t use (atom : atom) : Ir.expr =
+  match atom with
+  | Bool b -> Bool b
+  | Int i -> Int i
+  | Float f -> Float f
+  | Signal s -> (
+      match Usage.leaf t.usage s with
+      | Some e -> leaf e
+      | None -> (
+          match Usage.inlined t.usage s with
+          | Some c -> c.build (List.map (tree ~leaf t use) c.operands)
+          | None ->
+              record t s use;
+              Variable (variable s)))
+
+(* Blocks *)
+
+let rec common a b =
+  if a == b then a
+  else if a.depth > b.depth then outside a b
+  else if a.depth < b.depth then outside b a
+  else match (a.within, b.within) with Some x, Some y -> common x.parent y.parent | _, _ -> a
+
+and outside inner other =
+  match inner.within with Some branch -> common branch.parent other | None -> inner
+
+let block_for t uses =
+  match uses with
+  | [] -> t.root
+  | first :: rest ->
+      let block = List.fold_left (fun block use -> common block use.block) first.block rest in
+      if block.depth >= nesting then t.root else block
+
+(* Where a use stands as seen from a block around it. *)
+let rec position_in block use =
+  if use.block == block then use.position
+  else
+    match use.block.within with
+    | Some { parent; position; _ } -> position_in block { block = parent; position }
+    | None -> Diagnostic.bug ~stage:"Machine.Placement" "a use outside the block of its value"
+
+let block_at t depth =
+  { id = fresh t; depth; within = None; code = [] }
+
+let new_branch ?leaf t block condition span =
+  let use = here t block in
+  let branch =
+    {
+      position = use.position;
+      parent = block;
+      condition = tree ?leaf t use condition;
+      then_ = block_at t (block.depth + 1);
+      else_ = block_at t (block.depth + 1);
+      uninitialized = [];
+      span;
+    }
+  in
+  branch.then_.within <- Some branch;
+  branch.else_.within <- Some branch;
+  block.code <- Branch_here branch :: block.code;
+  branch
+
+(* The [If] on a condition in this block, if it runs before all [uses]. *)
+let shared_branch t ~uses block (condition : atom) span =
+  match condition with
+  | Bool _ | Int _ | Float _ -> new_branch t block condition span
+  | Signal c -> (
+      let before (branch : branch) =
+        List.for_all (fun use -> position_in block use >= branch.position) uses
+      in
+      match Hashtbl.find_opt t.open_branches (block.id, c.id) with
+      | Some branch when before branch -> branch
+      | Some _ | None ->
+          let branch = new_branch t block condition span in
+          Hashtbl.replace t.open_branches (block.id, c.id) branch;
+          branch)
+
+(* [branch] makes or finds the [If] for a condition. *)
+let rec store ?leaf t ~branch block (w : write) =
+  match w.update with
+  | Keep -> ()
+  | Set atom ->
+      let value = tree ?leaf t (here t block) atom in
+      put block (Assign { place = w.place; value; span = w.span })
+  | Branch { condition; then_; else_ } ->
+      let b = branch block condition w.span in
+      store ?leaf t ~branch b.else_ { w with update = else_ };
+      store ?leaf t ~branch b.then_ { w with update = then_ }
+
+(* Values that a block needs before it writes state: fields that would be
+   overwritten too early, and values that read such fields. *)
+type early = { saved : (int, Ir.variable * Ir.field) Hashtbl.t; mutable apart : Flow.signal list }
+
+let no_early () = { saved = Hashtbl.create 4; apart = [] }
+
+let save t early (e : Ir.expr) : Ir.expr =
+  match e with
+  | Field ({ content = Value ty; _ } as field) ->
+      let variable : Ir.variable =
+        match Hashtbl.find_opt early.saved field.id with
+        | Some (variable, _) -> variable
+        | None ->
+            let variable : Ir.variable = { id = -fresh t; name = field.name; ty } in
+            Hashtbl.replace early.saved field.id (variable, field);
+            variable
+      in
+      Variable variable
+  | e -> e
+
+let set_apart t early atoms =
+  let apart = function
+    | Flow.Signal s when Option.is_none (Usage.leaf t.usage s) ->
+        Usage.keep_apart t.usage s;
+        early.apart <- s :: early.apart
+    | Signal _ | Bool _ | Int _ | Float _ -> ()
+  in
+  List.iter apart atoms
+
+let place_early t block early =
+  List.iter (fun s -> record t s (here t block)) early.apart;
+  Hashtbl.fold (fun id saved list -> (id, saved) :: list) early.saved []
+  |> List.sort (fun (a, _) (b, _) -> compare b a)
+  |> List.iter (fun (_, (variable, (field : Ir.field))) ->
+         put block (Declare { variable; value = Field field; span = field.span }))
+
+let early_in t early (w : Write_order.write) =
+  set_apart t early (Write_order.atoms w.write.update)
+
+(* The writes of state, from the last unit to the first. *)
+let place_units t units =
+  let early = no_early () in
+  let write ?leaf block (w : write) =
+    store ?leaf t ~branch:(new_branch ?leaf t) block w
+  in
+  let place_block ?leaf block writes =
+    let block_early = no_early () in
+    List.iter
+      (fun (w : Write_order.write) ->
+        if w.early then (
+          early_in t block_early w;
+          write ~leaf:(save t block_early) block w.write)
+        else write ?leaf block w.write)
+      (List.rev writes);
+    place_early t block block_early
+  in
+  List.iter
+    (fun (u : Write_order.unit_) ->
+      let leaf = if u.early then Some (save t early) else None in
+      match u.writes with
+      | Always w ->
+          if u.early then early_in t early w;
+          write ?leaf t.root w.write
+      | By { condition; then_; else_; span } ->
+          if u.early then (
+            set_apart t early [ condition ];
+            List.iter (early_in t early) then_;
+            List.iter (early_in t early) else_);
+          let branch = new_branch ?leaf t t.root condition span in
+          place_block ?leaf branch.else_ else_;
+          place_block ?leaf branch.then_ then_)
+    (List.rev units);
+  place_early t t.root early
+
+let place_return t units (value, span) =
+  let written = Hashtbl.create 16 in
+  let note (w : Write_order.write) =
+    match w.write.place with
+    | Own field -> Hashtbl.replace written field.id ()
+    | Local _ | Result _ -> ()
+  in
+  List.iter
+    (fun (u : Write_order.unit_) ->
+      match u.writes with
+      | Always w -> note w
+      | By { then_; else_; _ } ->
+          List.iter note then_;
+          List.iter note else_)
+    units;
+  let early = no_early () in
+  let reads = Write_order.reads t.usage [ value ] in
+  let leaf =
+    if Hashtbl.fold (fun field () any -> any || Hashtbl.mem written field) reads false then (
+      set_apart t early [ value ];
+      save t early)
+    else Fun.id
+  in
+  put t.root (Return { value = tree ~leaf t (here t t.root) value; span });
+  early
+
+(* Items, from the last to the first. *)
+
+let uses_of t (s : Flow.signal) = Option.value (Hashtbl.find_opt t.uses s.id) ~default:[]
+
+let place_computed t (c : computed) uses =
+  let block = block_for t uses in
+  let variable = variable c.signal in
+  match Usage.branches t.usage c with
+  | None ->
+      let value = c.build (List.map (tree t (here t block)) c.operands) in
+      put block (Declare { variable; value; span = c.span })
+  | Some (condition, then_, else_) ->
+      let branch = shared_branch t ~uses block condition c.span in
+      branch.uninitialized <- variable :: branch.uninitialized;
+      let assign block atom =
+        let value = tree t (here t block) atom in
+        put block (Assign { place = Local variable; value; span = c.span })
+      in
+      assign branch.else_ else_;
+      assign branch.then_ then_
+
+let place_item t = function
+  | Computed c -> (
+      match uses_of t c.signal with
+      | [] -> ()
+      | uses -> place_computed t c uses)
+  | Action a ->
+      let uses = List.concat_map (uses_of t) a.defines in
+      if a.always || uses <> [] then (
+        let block = if a.always then t.root else block_for t uses in
+        let use = here t block in
+        let statements = a.statements (List.map (tree t use) a.operands) in
+        List.iter (put block) (List.rev statements))
+
+(* From blocks to statements; their nesting is bounded. *)
+
+let negation : Ir.expr -> Ir.expr = function
+  | Operation { operator = Not; arguments = [ e ]; _ } -> e
+  | e -> Operation { operator = Not; ty = Bool; arguments = [ e ] }
+
+let rec emit block =
+  let emit_code rest = function
+    | Statement s -> s :: rest
+    | Branch_here { condition; then_; else_; uninitialized; span; _ } -> (
+        match (emit then_, emit else_) with
+        | [], [] -> rest
+        | [], then_ ->
+            Ir.If { uninitialized; condition = negation condition; then_; else_ = []; span } :: rest
+        | then_, else_ -> Ir.If { uninitialized; condition; then_; else_; span } :: rest)
+  in
+  List.rev (List.fold_left emit_code [] block.code)
+
+let statements (fragment : Fragment.t) =
+  let usage = Usage.of_fragment fragment in
+  let root = { id = 0; depth = 0; within = None; code = [] } in
+  let t =
+    {
+      usage;
+      uses = Hashtbl.create 64;
+      open_branches = Hashtbl.create 16;
+      root;
+      next_position = 0;
+      next_id = 0;
+    }
+  in
+  let units = Write_order.of_usage usage in
+  let early = Option.map (place_return t units) fragment.returned in
+  place_units t units;
+  Option.iter (place_early t root) early;
+  List.iter (store t ~branch:(shared_branch t ~uses:[]) root) (List.rev (Usage.results usage));
+  for k = Array.length fragment.items - 1 downto 0 do
+    place_item t fragment.items.(k)
+  done;
+  emit root

@@ -1,0 +1,41 @@
+(** Which values are used how often, which ones stand inside the expression of
+    their one user, and which choices are worth a branch.
+
+    An unnamed value with one use is inlined, unless the expression would grow
+    past {!expression_size} operations: then its largest operand gets a
+    variable of its own. A choice becomes an [If] if what only its branches
+    need costs more than the select (or if many values are chosen by one
+    condition); state that a branch keeps is always an [If], because a chain of
+    selects through memory is slow, a branch rarely taken is not. *)
+
+type t
+
+val expression_size : int
+val of_fragment : Fragment.t -> t
+
+val writes : t -> Fragment.write list
+(** The writes of state, in source order, without those that keep all. *)
+
+val results : t -> Fragment.write list
+
+val leaf : t -> Flow.Ir.signal -> Ir.expr option
+
+val uses : t -> Flow.Ir.signal -> int
+
+val inlined : t -> Flow.Ir.signal -> Fragment.computed option
+(** The value to build inside its user. *)
+
+val keep_apart : t -> Flow.Ir.signal -> unit
+(** From now on the value has a variable of its own. *)
+
+val branches : t -> Fragment.computed -> (Fragment.atom * Fragment.atom * Fragment.atom) option
+(** The choice, if it is to be an [If]. *)
+
+val absorbed : t -> Flow.Ir.signal -> bool
+(** The choice has become part of a write, and needs no place. *)
+
+val item_of : t -> Flow.Ir.signal -> (int * Fragment.item) option
+(** Position and item that define a signal; [None] for leaves. *)
+
+val item_uses : t -> int -> int
+(** Uses of all that the item defines. *)
