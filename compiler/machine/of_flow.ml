@@ -1,0 +1,467 @@
+module F = Flow.Ir
+open Basis
+open Fragment
+
+type context = {
+  program : F.program;
+  done_ : Ir.node option array;  (** the nodes already translated *)
+  sees_first_dt : bool array;
+}
+
+let callee context k =
+  match context.done_.(k) with
+  | Some node -> node
+  | None -> Diagnostic.bug ~stage:"Machine.Of_flow" "a node is used before it is known"
+
+let stateful (node : Ir.node) = match node.state with [] -> false | _ :: _ -> true
+
+let value_type : F.ty -> Ir.ty = function
+  | Bool -> Bool
+  | Int -> Int
+  | Float -> Float
+  | Sum k -> Sum k
+
+let variable (s : F.signal) : Ir.variable = { id = s.id; name = s.name; ty = value_type s.ty }
+
+let atom_type : F.atom -> Ir.ty = function
+  | Signal s -> value_type s.ty
+  | Bool _ -> Bool
+  | Int _ -> Int
+  | Float _ -> Float
+
+let broken what = Diagnostic.bug ~stage:"Machine.Of_flow" "%s" what
+
+let sum_of (atom : F.atom) =
+  match atom with
+  | Signal { ty = Sum k; _ } -> k
+  | Signal _ | Bool _ | Int _ | Float _ -> broken "a constructor test on what is not a sum"
+
+let operation operator ty arguments : Ir.expr = Operation { operator; ty; arguments }
+
+let operator_weight : F.operator -> int = function
+  | Add | Subtract | Multiply | Negate | Absolute | Equal | Less | Less_equal | Not | And | Or
+  | To_float ->
+      1
+  | Signum | Minimum | Maximum | Truncate | Floor | Ceiling | Round -> 2
+  | Divide -> 5
+  | Div | Mod -> 8
+  | Elementary Sqrt -> 5
+  | Elementary (Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2) | Pow -> 20
+
+let one = function [ e ] -> e | _ -> broken "an operation with a wrong number of operands"
+
+(* What an equation without memory computes. *)
+let computed (eq : F.equation) rhs : computed =
+  let make ?choice operands weight build =
+    { signal = eq.defines; operands; build; choice; weight; span = eq.span }
+  in
+  match (rhs : F.rhs) with
+  | Copy a -> make [ a ] 0 one
+  | Op (operator, operands) ->
+      let ty = match operands with a :: _ -> atom_type a | [] -> broken "an operation on nothing" in
+      make operands (operator_weight operator) (operation operator ty)
+  | If { condition; then_; else_ } ->
+      let choice =
+        match condition with
+        | Signal _ -> Some (condition, then_, else_)
+        | Bool _ | Int _ | Float _ -> None
+      in
+      make ?choice [ condition; then_; else_ ] 1 (function
+        | [ condition; then_; else_ ] -> Select { condition; then_; else_ }
+        | _ -> broken "a choice with a wrong number of operands")
+  | Construct { constructor; payload } ->
+      let sum =
+        match eq.defines.ty with
+        | Sum k -> k
+        | Bool | Int | Float -> broken "a constructor outside a sum"
+      in
+      make payload (1 + List.length payload) (fun payload -> Construct { sum; constructor; payload })
+  | Is_constructor (value, constructor) ->
+      let sum = sum_of value in
+      make [ value ] 1 (fun e -> Is_constructor { sum; value = one e; constructor })
+  | Payload { value; constructor; leaf } ->
+      let sum = sum_of value in
+      make [ value ] 1 (fun e -> Payload { sum; value = one e; constructor; leaf })
+  | Delay _ | Time | Integral _ | Derivative _ -> broken "memory where none can be"
+
+(* The arguments for those parameters that the callee reads. *)
+let arguments context (i : F.instance) (code : Ir.code) =
+  let node = context.program.nodes.(i.node) in
+  let given = Hashtbl.create 16 in
+  let add (s : F.signal) atom = Hashtbl.replace given s.id atom in
+  List.iter2 add node.statics i.statics;
+  List.iter2 add node.inputs i.inputs;
+  List.map
+    (fun (parameter : Ir.variable) ->
+      match Hashtbl.find_opt given parameter.id with
+      | Some atom -> atom
+      | None -> broken "a parameter that is neither static nor input")
+    code.parameters
+
+let call context resolve (i : F.instance) state =
+  let node = callee context i.node in
+  let operands = List.map resolve (arguments context i node.step) in
+  match (state, i.outputs) with
+  | None, [ signal ] ->
+      let build arguments = Ir.Call { node = i.node; arguments } in
+      Computed
+        { signal; operands; build; choice = None; weight = 2 + node.operations; span = i.span }
+  | _, _ ->
+      let results = List.map variable i.outputs in
+      let statements arguments =
+        [ Ir.Step { node = i.node; state; arguments; results; span = i.span } ]
+      in
+      Action
+        {
+          defines = i.outputs;
+          operands;
+          statements;
+          always = Option.is_some state;
+          weight = 2 + node.operations;
+          span = i.span;
+        }
+
+(* A fragment under construction. Unnamed copies are looked through. *)
+type draft = {
+  copies : (int, F.atom) Hashtbl.t;
+  leaves : (int, Ir.expr) Hashtbl.t;
+  mutable items : item list;  (** last first *)
+}
+
+let draft () = { copies = Hashtbl.create 16; leaves = Hashtbl.create 16; items = [] }
+let add draft item = draft.items <- item :: draft.items
+let leaf draft (s : F.signal) e = Hashtbl.replace draft.leaves s.id e
+
+let resolve draft (atom : F.atom) =
+  match atom with
+  | Signal s -> Option.value (Hashtbl.find_opt draft.copies s.id) ~default:atom
+  | Bool _ | Int _ | Float _ -> atom
+
+let add_computed draft (eq : F.equation) =
+  match Flow.Operands.map (resolve draft) eq.rhs with
+  | Copy atom when String.equal eq.defines.name "" ->
+      Hashtbl.replace draft.copies eq.defines.id atom
+  | rhs -> add draft (Computed (computed eq rhs))
+
+let effect ?(operands = []) span statements =
+  Action { defines = []; operands; statements; always = true; weight = 0; span }
+
+let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
+  let statements = function
+    | [ now; kept ] ->
+        let change = operation F.Subtract Float [ now; Ir.Field input ] in
+        [
+          Ir.If
+            {
+              uninitialized = [];
+              condition = operation F.Less Float [ Float 0.; Dt ];
+              then_ =
+                [
+                  Assign
+                    { place = Own value; value = operation F.Divide Float [ change; Dt ]; span };
+                ];
+              else_ = [];
+              span;
+            };
+          Assign { place = Own input; value = kept; span };
+        ]
+    | _ -> broken "a derivative of other than one signal"
+  in
+  add draft (effect ~operands:[ atom; atom ] span statements)
+
+(* What advances at the start of a step, before anything is computed. *)
+let advance (eq : F.equation) (memory : State.memory) =
+  match memory with
+  | Elapsed field ->
+      let value = Ir.Later (Field field, Dt_nanoseconds) in
+      Some (Ir.Assign { place = Own field; value; span = eq.span })
+  | Integrated { value; input } ->
+      let step = operation F.Multiply Float [ Dt; Field input ] in
+      let sum = operation F.Add Float [ Field value; step ] in
+      Some (Assign { place = Own value; value = sum; span = eq.span })
+  | Delayed _ | Differentiated _ | Kept _ -> None
+
+let step_equation draft state (eq : F.equation) =
+  let s = eq.defines in
+  match State.memory state s with
+  | None -> add_computed draft eq
+  | Some (Kept field | Delayed field) -> leaf draft s (Field field)
+  | Some (Elapsed field) ->
+      let build _ = Ir.Seconds (Field field) in
+      add draft
+        (Computed { signal = s; operands = []; build; choice = None; weight = 5; span = eq.span })
+  | Some (Integrated { value; _ }) -> leaf draft s (Field value)
+  | Some (Differentiated { value; input }) ->
+      leaf draft s (Field value);
+      let argument =
+        match eq.rhs with
+        | Derivative atom -> resolve draft atom
+        | _ -> broken "a derivative without argument"
+      in
+      differentiate draft ~value ~input argument eq.span
+
+(* The state to write at the end of the step. *)
+let next_state draft state (eq : F.equation) =
+  match (State.memory state eq.defines, eq.rhs) with
+  | Some (Delayed field), Delay { next; _ } ->
+      Some (field, resolve draft next, Some eq.defines, eq.span)
+  | Some (Integrated { input; _ }), Integral atom -> Some (input, resolve draft atom, None, eq.span)
+  | _, _ -> None
+
+let equations items =
+  List.filter_map
+    (function Flow.Schedule.Equation eq -> Some eq | Flow.Schedule.Instance _ -> None)
+    items
+
+let output_span (node : F.node) (atom : F.atom) =
+  match atom with Signal s -> s.span | Bool _ | Int _ | Float _ -> node.span
+
+let step_body context state (node : F.node) ~is_root items =
+  let d = draft () in
+  let parameter (s : F.signal) = leaf d s (Variable (variable s)) in
+  List.iter parameter node.statics;
+  List.iter parameter node.inputs;
+  List.iter
+    (fun (item : Flow.Schedule.item) ->
+      match item with
+      | Equation eq -> step_equation d state eq
+      | Instance i -> (
+          let kept (s : F.signal) =
+            match State.memory state s with
+            | Some (Kept field) -> leaf d s (Field field)
+            | Some _ | None -> ()
+          in
+          match List.filter_map (State.memory state) i.outputs with
+          | [] -> add d (call context (resolve d) i (State.instance state i))
+          | _ :: _ -> List.iter kept i.outputs))
+    items;
+  let advances =
+    List.filter_map
+      (fun (eq : F.equation) -> Option.bind (State.memory state eq.defines) (advance eq))
+      (equations items)
+  in
+  let outputs = List.map (fun (_, atom) -> resolve d atom) node.outputs in
+  let returned, results =
+    match outputs with
+    | [ atom ] when not is_root -> (Some (atom, output_span node atom), [])
+    | atoms -> (None, List.mapi (fun k atom -> (Ir.Result k, atom, output_span node atom)) atoms)
+  in
+  let body =
+    Placement.statements
+      {
+        leaves = d.leaves;
+        items = Array.of_list (List.rev d.items);
+        results;
+        states = List.filter_map (next_state d state) (equations items);
+        returned;
+      }
+  in
+  List.rev_append (List.rev advances) body
+
+(* What reset does for one item; it comes after all static values. *)
+let reset_effects context draft state ~kept (item : Flow.Schedule.item) =
+  let assign field value span = Ir.Assign { place = Own field; value; span } in
+  let constant span fields = effect span (fun _ -> List.map (fun (f, e) -> assign f e span) fields) in
+  let keep span (s : F.signal) =
+    match State.memory state s with
+    | Some (Kept field) when kept field ->
+        [ effect ~operands:[ F.Signal s ] span (fun e -> [ assign field (one e) span ]) ]
+    | Some _ | None -> []
+  in
+  match item with
+  | Equation eq -> (
+      let span = eq.span in
+      match (State.memory state eq.defines, eq.rhs) with
+      | Some (Delayed field), Delay { init; _ } ->
+          let operands = [ resolve draft init ] in
+          [ effect ~operands span (fun e -> [ assign field (one e) span ]) ]
+      | Some (Elapsed field), _ -> [ constant span [ (field, Nanoseconds 0L) ] ]
+      | Some (Integrated { value; input } | Differentiated { value; input }), _ ->
+          [ constant span [ (value, Float 0.); (input, Float 0.) ] ]
+      | _, _ -> keep span eq.defines)
+  | Instance i -> (
+      match State.instance state i with
+      | None -> List.concat_map (keep i.span) i.outputs
+      | Some field ->
+          let node = callee context i.node in
+          let operands = List.map (resolve draft) (arguments context i node.reset) in
+          let reset arguments =
+            [ Ir.Reset { node = i.node; state = field; arguments; span = i.span } ]
+          in
+          [ effect ~operands i.span reset ])
+
+let reset_body context state (node : F.node) ~kept items =
+  let d = draft () in
+  List.iter (fun (s : F.signal) -> leaf d s (Variable (variable s))) node.statics;
+  List.iter
+    (fun (item : Flow.Schedule.item) ->
+      match item with
+      | Equation eq -> if State.is_static state (Signal eq.defines) then add_computed d eq
+      | Instance i ->
+          if List.exists (fun s -> State.is_static state (Signal s)) i.outputs then
+            add d (call context (resolve d) i None))
+    items;
+  List.iter (fun item -> List.iter (add d) (reset_effects context d state ~kept item)) items;
+  Placement.statements
+    {
+      leaves = d.leaves;
+      items = Array.of_list (List.rev d.items);
+      results = [];
+      states = [];
+      returned = None;
+    }
+
+(* What a function turned out to read. *)
+type reads = {
+  variables : (int, unit) Hashtbl.t;
+  fields : (int, unit) Hashtbl.t;
+  mutable seconds : bool;
+  mutable nanoseconds : bool;
+  mutable operations : int;
+}
+
+let reads_of body =
+  let reads =
+    {
+      variables = Hashtbl.create 16;
+      fields = Hashtbl.create 16;
+      seconds = false;
+      nanoseconds = false;
+      operations = 0;
+    }
+  in
+  Walk.expressions
+    (fun e ->
+      reads.operations <- reads.operations + (match Walk.children e with [] -> 0 | _ :: _ -> 1);
+      match e with
+      | Variable v -> Hashtbl.replace reads.variables v.id ()
+      | Field f -> Hashtbl.replace reads.fields f.id ()
+      | Dt -> reads.seconds <- true
+      | Dt_nanoseconds -> reads.nanoseconds <- true
+      | Bool _ | Int _ | Float _ | Nanoseconds _ | Operation _ | Select _ | Construct _
+      | Is_constructor _ | Payload _ | Call _ | Seconds _ | Later _ ->
+          ())
+    body;
+  reads
+
+let parameters reads signals =
+  List.filter
+    (fun (v : Ir.variable) -> Hashtbl.mem reads.variables v.id)
+    (List.rev (List.rev_map variable signals))
+
+let rec alignment context (content : Ir.content) =
+  match content with
+  | Value ty -> Layout.alignment context.program.sums ty
+  | State_of k -> (
+      match (callee context k).state with
+      | first :: _ -> alignment context first.content
+      | [] -> 1)
+
+let stepped body =
+  let nodes = Hashtbl.create 8 in
+  Walk.statements
+    (function
+      | Step { node; _ } -> Hashtbl.replace nodes node ()
+      | Declare _ | Assign _ | If _ | Reset _ | Return _ -> ())
+    body;
+  nodes
+
+(* Whether the dt of the first instant shows in what a node computes: an
+   integral multiplies it by 0, but a derivative and a time do not. *)
+let sees_first_dt context state items body =
+  let own (eq : F.equation) =
+    match State.memory state eq.defines with
+    | Some (Elapsed _ | Differentiated _) -> true
+    | Some (Delayed _ | Integrated _ | Kept _) | None -> false
+  in
+  List.exists own (equations items)
+  || Hashtbl.fold (fun k () any -> any || context.sees_first_dt.(k)) (stepped body) false
+
+(* The fields, without kept values that the step does not read. *)
+let fields state reads items =
+  let unused = Hashtbl.create 16 in
+  let note (s : F.signal) =
+    match State.memory state s with
+    | Some (Kept field) when not (Hashtbl.mem reads.fields field.id) ->
+        Hashtbl.replace unused field.id ()
+    | Some _ | None -> ()
+  in
+  List.iter
+    (function
+      | Flow.Schedule.Equation eq -> note eq.defines
+      | Flow.Schedule.Instance i -> List.iter note i.outputs)
+    items;
+  List.filter (fun (f : Ir.field) -> not (Hashtbl.mem unused f.id)) (State.fields state)
+
+let node context k ~is_root =
+  let node = context.program.nodes.(k) in
+  let items = Flow.Schedule.of_node node in
+  let state = State.of_node ~stateful:(fun k -> stateful (callee context k)) node items in
+  let body = step_body context state node ~is_root items in
+  context.sees_first_dt.(k) <- sees_first_dt context state items body;
+  let reads = reads_of body in
+  let fields = fields state reads items in
+  let kept = Hashtbl.create 16 in
+  List.iter (fun (f : Ir.field) -> Hashtbl.replace kept f.id ()) fields;
+  let reset = reset_body context state node ~kept:(fun f -> Hashtbl.mem kept f.id) items in
+  let mark =
+    if is_root && context.sees_first_dt.(k) then
+      [ State.new_field state ~name:"started" (Value Bool) ~purpose:"past the first instant" node.span ]
+    else []
+  in
+  let unmark (field : Ir.field) =
+    Ir.Assign { place = Own field; value = Bool false; span = field.span }
+  in
+  let by_alignment (a : Ir.field) (b : Ir.field) =
+    compare (alignment context b.content) (alignment context a.content)
+  in
+  let any property =
+    Hashtbl.fold (fun k () any -> any || property (callee context k)) (stepped body) false
+  in
+  let translated : Ir.node =
+    {
+      name = node.name;
+      origin = node.origin;
+      file = node.file;
+      span = node.span;
+      state = List.stable_sort by_alignment (fields @ mark);
+      reset =
+        { parameters = parameters (reads_of reset) node.statics; body = reset @ List.map unmark mark };
+      step =
+        {
+          parameters =
+            (if is_root then List.rev (List.rev_map variable node.inputs)
+             else parameters reads (List.rev_append (List.rev node.statics) node.inputs));
+          body;
+        };
+      outputs =
+        List.rev (List.rev_map (fun (name, atom) -> (name, atom_type atom)) node.outputs);
+      seconds = reads.seconds || any (fun (n : Ir.node) -> n.seconds);
+      nanoseconds = reads.nanoseconds || any (fun (n : Ir.node) -> n.nanoseconds);
+      operations = reads.operations;
+    }
+  in
+  let first_instant : Ir.first_instant =
+    match mark with [] -> Unseen | field :: _ -> Marked_by field
+  in
+  (translated, first_instant)
+
+let program (program : F.program) : Ir.program =
+  let count = Array.length program.nodes in
+  let context =
+    { program; done_ = Array.make count None; sees_first_dt = Array.make count false }
+  in
+  let first_instant = ref Ir.Unseen in
+  for k = 0 to count - 1 do
+    let translated, first = node context k ~is_root:(k = count - 1) in
+    context.done_.(k) <- Some translated;
+    first_instant := first
+  done;
+  {
+    name = program.name;
+    sums = program.sums;
+    nodes = Array.init count (callee context);
+    input = program.input;
+    output = program.output;
+    first_instant = !first_instant;
+  }
