@@ -45,7 +45,7 @@ type expr =
   | Bool of bool
   | Int of int32
   | Float of float
-  | Nanoseconds of int64
+  | Zero_time  (** no nanoseconds *)
   | Variable of variable
   | Field of field  (** of the node's own state *)
   | Dt  (** seconds since the previous instant; 0 at a node's first *)

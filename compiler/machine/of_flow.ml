@@ -275,7 +275,7 @@ let reset_effects context draft state ~kept (item : Flow.Schedule.item) =
       | Some (Delayed field), Delay { init; _ } ->
           let operands = [ resolve draft init ] in
           [ effect ~operands span (fun e -> [ assign field (one e) span ]) ]
-      | Some (Elapsed field), _ -> [ constant span [ (field, Nanoseconds 0L) ] ]
+      | Some (Elapsed field), _ -> [ constant span [ (field, Zero_time) ] ]
       | Some (Integrated { value; input } | Differentiated { value; input }), _ ->
           [ constant span [ (value, Float 0.); (input, Float 0.) ] ]
       | _, _ -> keep span eq.defines)
@@ -338,7 +338,7 @@ let reads_of body =
       | Field f -> Hashtbl.replace reads.fields f.id ()
       | Dt -> reads.seconds <- true
       | Dt_nanoseconds -> reads.nanoseconds <- true
-      | Bool _ | Int _ | Float _ | Nanoseconds _ | Operation _ | Select _ | Construct _
+      | Bool _ | Int _ | Float _ | Zero_time | Operation _ | Select _ | Construct _
       | Is_constructor _ | Payload _ | Call _ | Seconds _ | Later _ ->
           ())
     body;

@@ -1,0 +1,5 @@
+type t = { header : string; source : string }
+
+let program (program : Machine.Ir.program) =
+  let files = Of_machine.program program in
+  { header = Print.file files.header; source = Print.file files.source }

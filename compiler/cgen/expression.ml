@@ -1,0 +1,129 @@
+module M = Machine.Ir
+module V = Vocabulary
+
+type names = {
+  v : V.t;
+  node : int;
+  scope : Name.scope;
+  variables : (int, Ir.expr) Hashtbl.t;
+}
+
+let names (v : V.t) ~node =
+  {
+    v;
+    node;
+    scope = Name.scope ~within:v.file_scope ~taken:[ "self"; "in"; "out"; "dt"; "dt_ns" ] ();
+    variables = Hashtbl.create 16;
+  }
+
+let scope n = n.scope
+let read_as n (variable : M.variable) e = Hashtbl.replace n.variables variable.id e
+
+let variable n (variable : M.variable) =
+  match Hashtbl.find_opt n.variables variable.id with
+  | Some (Name name) -> name
+  | Some _ -> Basis.Diagnostic.bug ~stage:"Cgen.Expression" "a variable that has no name of its own"
+  | None ->
+      let name = Name.fresh n.scope variable.name in
+      Hashtbl.replace n.variables variable.id (Ir.Name name);
+      name
+
+let field n (field : M.field) =
+  match Hashtbl.find_opt n.v.nodes.(n.node).members field.id with
+  | Some member -> Ir.Arrow (Name "self", member)
+  | None -> Basis.Diagnostic.bug ~stage:"Cgen.Expression" "a field that is not in the state"
+
+(* A literal that is not NaN. *)
+let literal : M.expr -> float option = function
+  | Float x when not (Float.is_nan x) -> Some x
+  | Operation { operator = Negate; arguments = [ Float x ]; _ } when not (Float.is_nan x) -> Some (-.x)
+  | _ -> None
+
+(* With a literal, [limit < x ? limit : x] is right: a zero as the first
+   argument is the exception, as it must win over the other zero. *)
+let limited n general simple (a : M.expr) (b : M.expr) x y =
+  match (literal a, literal b) with
+  | _, Some _ -> Ir.Call (V.helper n.v simple, [ x; y ])
+  | Some limit, None when not (Float.equal limit 0.) -> Call (V.helper n.v simple, [ y; x ])
+  | Some _, None | None, None -> Call (V.helper n.v general, [ x; y ])
+
+let bad () = Basis.Diagnostic.bug ~stage:"Cgen.Expression" "an operation on values it does not have"
+
+let unary n (operator : Flow.Ir.operator) (ty : M.ty) x : Ir.expr =
+  let helper h : Ir.expr = Call (V.helper n.v h, [ x ]) in
+  match (operator, ty) with
+  | Negate, Float -> Unary (Negate, x)
+  | Negate, Int -> helper Int_negate
+  | Absolute, Float -> Call ("fabs", [ x ])
+  | Absolute, Int -> helper Int_absolute
+  | Signum, Float -> helper Float_signum
+  | Signum, Int -> helper Int_signum
+  | To_float, Int -> Cast (Real, x)
+  | Round, Float -> helper Round
+  | Floor, Float -> helper Floor
+  | Ceiling, Float -> helper Ceiling
+  | Truncate, Float -> helper Truncate
+  | Not, Bool -> Unary (Not, x)
+  | _, _ -> bad ()
+
+let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
+  let helper h : Ir.expr = Call (V.helper n.v h, [ x; y ]) in
+  match (operator, ty) with
+  | Add, Float -> Binary (Plus, x, y)
+  | Add, Int -> helper Int_add
+  | Subtract, Float -> Binary (Minus, x, y)
+  | Subtract, Int -> helper Int_subtract
+  | Multiply, Float -> Binary (Times, x, y)
+  | Multiply, Int -> helper Int_multiply
+  | Divide, Float -> Binary (Over, x, y)
+  | Div, Int -> helper Int_div
+  | Mod, Int -> helper Int_mod
+  | Pow, Float -> Call ("pow", [ x; y ])
+  | Equal, (Bool | Int | Float) -> Binary (Equal, x, y)
+  | Less, (Int | Float) -> Binary (Less, x, y)
+  | Less_equal, (Int | Float) -> Binary (Less_equal, x, y)
+  | Minimum, Float -> limited n Float_minimum At_most a b x y
+  | Maximum, Float -> limited n Float_maximum At_least a b x y
+  | Minimum, Int -> helper Int_minimum
+  | Maximum, Int -> helper Int_maximum
+  | And, Bool -> Binary (And, x, y)
+  | Or, Bool -> Binary (Or, x, y)
+  | _, _ -> bad ()
+
+let rec of_machine n (e : M.expr) : Ir.expr =
+  let list = List.map (of_machine n) in
+  match e with
+  | Bool b -> Boolean b
+  | Int i -> Integer i
+  | Float x -> Float x
+  | Zero_time -> Integer 0l
+  | Variable v -> (
+      match Hashtbl.find_opt n.variables v.id with
+      | Some e -> e
+      | None -> Name (variable n v))
+  | Field f -> field n f
+  | Dt -> Name "dt"
+  | Dt_nanoseconds -> Name "dt_ns"
+  | Operation { operator = Elementary f; arguments; _ } ->
+      Call (Core.Primitive.name (Elementary f), list arguments)
+  | Operation { operator; ty; arguments = [ a ] } -> unary n operator ty (of_machine n a)
+  | Operation { operator; ty; arguments = [ a; b ] } ->
+      binary n operator ty (a, of_machine n a) (b, of_machine n b)
+  | Operation _ -> bad ()
+  | Select { condition; then_; else_ } ->
+      Conditional (of_machine n condition, of_machine n then_, of_machine n else_)
+  | Construct { sum; constructor; payload } ->
+      Call (V.maker n.v ~sum ~constructor, list payload)
+  | Is_constructor { sum; value; constructor } ->
+      Binary
+        (Equal, Member (of_machine n value, "tag"), Name n.v.sums.(sum).tags.(constructor))
+  | Payload { sum; value; constructor; leaf } -> payload n ~sum ~constructor ~leaf (of_machine n value)
+  | Call { node; arguments } -> Call (n.v.nodes.(node).step, list arguments)
+  | Seconds e -> Binary (Over, Cast (Real, of_machine n e), Float 1e9)
+  | Later (a, b) -> Call (V.helper n.v Later, [ of_machine n a; of_machine n b ])
+
+and payload n ~sum ~constructor ~leaf value : Ir.expr =
+  let sums = n.v.program.sums in
+  match List.nth (Sum_type.payload sums (List.nth sums.(sum).constructors constructor)) leaf with
+  | Scalar member -> Member (value, member)
+  | Inner _ -> Call (V.projection n.v ~sum ~constructor ~leaf, [ value ])

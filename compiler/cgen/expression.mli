@@ -1,0 +1,18 @@
+(** Expressions of a function in C. *)
+
+type names
+(** Of one function: its variables, and its node's state. *)
+
+val names : Vocabulary.t -> node:int -> names
+val scope : names -> Name.scope
+
+val read_as : names -> Machine.Ir.variable -> Ir.expr -> unit
+(** How the variable is read from now on. *)
+
+val variable : names -> Machine.Ir.variable -> string
+(** Its name, chosen at the first call. *)
+
+val field : names -> Machine.Ir.field -> Ir.expr
+(** [self->x] *)
+
+val of_machine : names -> Machine.Ir.expr -> Ir.expr

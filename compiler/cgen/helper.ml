@@ -1,0 +1,269 @@
+type t =
+  | Wrap
+  | Int_add
+  | Int_subtract
+  | Int_multiply
+  | Int_negate
+  | Int_absolute
+  | Int_signum
+  | Int_minimum
+  | Int_maximum
+  | Int_div
+  | Int_mod
+  | Float_minimum
+  | Float_maximum
+  | At_most
+  | At_least
+  | Float_signum
+  | Truncate
+  | Floor
+  | Ceiling
+  | Round
+  | Whole_nanoseconds
+  | Later
+
+(* Helper, its name, what it calls (earlier in the table), its text. *)
+let table =
+  [
+    ( Wrap,
+      "frob_wrap",
+      [],
+      {|/* The number that a 32-bit register holds, read as signed. */
+static inline int32_t frob_wrap(uint32_t u)
+{
+    return u <= 0x7fffffffu ? (int32_t)u : (int32_t)(u - 0x80000000u) + INT32_MIN;
+}
+|} );
+    ( Int_add,
+      "frob_int_add",
+      [ Wrap ],
+      {|static inline int32_t frob_int_add(int32_t a, int32_t b)
+{
+    return frob_wrap((uint32_t)a + (uint32_t)b);
+}
+|} );
+    ( Int_subtract,
+      "frob_int_sub",
+      [ Wrap ],
+      {|static inline int32_t frob_int_sub(int32_t a, int32_t b)
+{
+    return frob_wrap((uint32_t)a - (uint32_t)b);
+}
+|} );
+    ( Int_multiply,
+      "frob_int_mul",
+      [ Wrap ],
+      {|static inline int32_t frob_int_mul(int32_t a, int32_t b)
+{
+    return frob_wrap((uint32_t)a * (uint32_t)b);
+}
+|} );
+    ( Int_negate,
+      "frob_int_neg",
+      [ Wrap ],
+      {|static inline int32_t frob_int_neg(int32_t a)
+{
+    return frob_wrap(0u - (uint32_t)a);
+}
+|} );
+    ( Int_absolute,
+      "frob_int_abs",
+      [ Int_negate ],
+      {|/* The least integer is its own absolute value. */
+static inline int32_t frob_int_abs(int32_t a)
+{
+    return a < 0 ? frob_int_neg(a) : a;
+}
+|} );
+    ( Int_signum,
+      "frob_int_signum",
+      [],
+      {|static inline int32_t frob_int_signum(int32_t a)
+{
+    return a > 0 ? 1 : a < 0 ? -1 : 0;
+}
+|} );
+    ( Int_minimum,
+      "frob_int_min",
+      [],
+      {|static inline int32_t frob_int_min(int32_t a, int32_t b)
+{
+    return b < a ? b : a;
+}
+|} );
+    ( Int_maximum,
+      "frob_int_max",
+      [],
+      {|static inline int32_t frob_int_max(int32_t a, int32_t b)
+{
+    return b > a ? b : a;
+}
+|} );
+    ( Int_div,
+      "frob_int_div",
+      [ Int_negate ],
+      {|/* Rounds to minus infinity; by 0 gives 0. */
+static inline int32_t frob_int_div(int32_t a, int32_t b)
+{
+    if (b == 0) {
+        return 0;
+    }
+    if (b == -1) {
+        return frob_int_neg(a);
+    }
+    return a / b - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
+}
+|} );
+    ( Int_mod,
+      "frob_int_mod",
+      [],
+      {|/* Has the sign of the divisor; by 0 gives 0. */
+static inline int32_t frob_int_mod(int32_t a, int32_t b)
+{
+    int32_t rest;
+    if (b == 0 || b == -1) {
+        return 0;
+    }
+    rest = a % b;
+    return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
+}
+|} );
+    ( Float_minimum,
+      "frob_min",
+      [],
+      {|/* NaN if either is; the first of two equal ones. */
+static inline double frob_min(double a, double b)
+{
+    const double less = b < a ? b : a;
+    return b == b ? less : b;
+}
+|} );
+    ( Float_maximum,
+      "frob_max",
+      [],
+      {|/* NaN if either is; the first of two equal ones. */
+static inline double frob_max(double a, double b)
+{
+    const double more = b > a ? b : a;
+    return b == b ? more : b;
+}
+|} );
+    ( At_most,
+      "frob_at_most",
+      [],
+      {|/* The minimum with a limit that is not NaN; NaN if x is. */
+static inline double frob_at_most(double x, double limit)
+{
+    return limit < x ? limit : x;
+}
+|} );
+    ( At_least,
+      "frob_at_least",
+      [],
+      {|/* The maximum with a limit that is not NaN; NaN if x is. */
+static inline double frob_at_least(double x, double limit)
+{
+    return limit > x ? limit : x;
+}
+|} );
+    ( Float_signum,
+      "frob_signum",
+      [],
+      {|/* Of a zero or NaN, itself. */
+static inline double frob_signum(double x)
+{
+    return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x;
+}
+|} );
+    ( Truncate,
+      "frob_truncate",
+      [],
+      {|/* To an integer, toward 0; saturates, and NaN gives 0. */
+static inline int32_t frob_truncate(double x)
+{
+    if (x >= 2147483647.0) {
+        return INT32_MAX;
+    }
+    if (x <= -2147483648.0) {
+        return INT32_MIN;
+    }
+    return x == x ? (int32_t)x : 0;
+}
+|} );
+    ( Floor,
+      "frob_floor",
+      [ Truncate ],
+      {|static inline int32_t frob_floor(double x)
+{
+    const int32_t n = frob_truncate(x);
+    return (double)n > x && n > INT32_MIN ? n - 1 : n;
+}
+|} );
+    ( Ceiling,
+      "frob_ceiling",
+      [ Truncate ],
+      {|static inline int32_t frob_ceiling(double x)
+{
+    const int32_t n = frob_truncate(x);
+    return (double)n < x && n < INT32_MAX ? n + 1 : n;
+}
+|} );
+    ( Round,
+      "frob_round",
+      [ Truncate ],
+      {|/* To the nearest integer, halves away from 0. */
+static inline int32_t frob_round(double x)
+{
+    const int32_t n = frob_truncate(x);
+    const double rest = x - (double)n;
+    if (rest >= 0.5 && n < INT32_MAX) {
+        return n + 1;
+    }
+    return rest <= -0.5 && n > INT32_MIN ? n - 1 : n;
+}
+|} );
+    ( Whole_nanoseconds,
+      "frob_whole_ns",
+      [],
+      {|/* dt in nanoseconds, a whole number of them, halves to even: adding 2^52
+ * leaves no bits for a fraction. NaN and negative give 0; at most 1e9 s. */
+static inline double frob_whole_ns(double dt)
+{
+    const double ns = dt * 1e9;
+    if (!(ns > 0.0)) {
+        return 0.0;
+    }
+    if (ns < 4503599627370496.0) {
+        return (ns + 4503599627370496.0) - 4503599627370496.0;
+    }
+    return ns < 1e18 ? ns : 1e18;
+}
+|} );
+    ( Later,
+      "frob_later",
+      [],
+      {|/* A local time after some more nanoseconds; stops at the end of time. */
+static inline int64_t frob_later(int64_t time, int64_t ns)
+{
+    return time < INT64_MAX - ns ? time + ns : INT64_MAX;
+}
+|} );
+  ]
+
+let name t =
+  match List.find_opt (fun (other, _, _, _) -> other = t) table with
+  | Some (_, name, _, _) -> name
+  | None -> Basis.Diagnostic.bug ~stage:"Cgen.Helper" "a helper without a row"
+
+let names = List.map (fun (_, name, _, _) -> name) table
+
+(* From the last row to the first, so that callers come before callees. *)
+let text wanted =
+  let needed = Hashtbl.create 16 in
+  List.fold_left
+    (fun texts (t, _, calls, text) ->
+      if wanted t || Hashtbl.mem needed t then (
+        List.iter (fun callee -> Hashtbl.replace needed callee ()) calls;
+        text :: texts)
+      else texts)
+    [] (List.rev table)

@@ -1,0 +1,38 @@
+(** The functions that generated code brings along, each only where needed:
+    integers that wrap around, division that is total, conversions that
+    saturate, minimum and maximum that let a NaN through, time in whole
+    nanoseconds. See the language reference, section 4, "Numbers are total".
+
+    Literal limits have helpers of their own, because then one comparison, one
+    machine instruction, is enough. *)
+
+type t =
+  | Wrap  (** [uint32_t] to [int32_t] *)
+  | Int_add
+  | Int_subtract
+  | Int_multiply
+  | Int_negate
+  | Int_absolute
+  | Int_signum
+  | Int_minimum
+  | Int_maximum
+  | Int_div
+  | Int_mod
+  | Float_minimum
+  | Float_maximum
+  | At_most  (** the minimum of a value and a limit that is not NaN *)
+  | At_least
+  | Float_signum
+  | Truncate
+  | Floor
+  | Ceiling
+  | Round
+  | Whole_nanoseconds  (** of a dt in seconds *)
+  | Later
+
+val name : t -> string
+val names : string list
+
+val text : (t -> bool) -> string list
+(** The C text of those wanted and of what they need themselves, in an order
+    that compiles. *)

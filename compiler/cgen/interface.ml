@@ -1,0 +1,104 @@
+module F = Flow.Ir
+
+type key = string * string * F.shape list
+
+type types = {
+  scope : Name.scope;
+  prefix : string;
+  sum : int -> string;
+  known : (key, string * Ir.member list) Hashtbl.t;
+  mutable definitions : Ir.declaration list;  (** last first *)
+}
+
+type t = {
+  struct_name : string;
+  leaves : string list list;
+  unused : string list list;
+}
+
+let types scope ~prefix ~sum = { scope; prefix; sum; known = Hashtbl.create 8; definitions = [] }
+let key (product : F.product) =
+  (product.product_module, product.product_name, List.map snd product.parts)
+
+let definitions types = List.rev types.definitions
+
+let direct (shape : F.shape) =
+  match shape with
+  | Product { product_name; _ } -> not (String.equal product_name "")
+  | Leaf _ -> false
+
+let no_value : Ir.member = { name = "unused"; ty = Uint8; comment = "" }
+
+let leaf_type types (ty : F.ty) : Ir.ty =
+  match ty with
+  | Bool -> Bool
+  | Int -> Int32
+  | Float -> Real
+  | Sum k -> Struct (types.sum k)
+
+let rec members types (product : F.product) : Ir.member list =
+  match product.parts with
+  | [] -> [ no_value ]
+  | parts ->
+      let scope = Name.scope () in
+      List.mapi
+        (fun k (field, shape) ->
+          let field = if String.equal field "" then Printf.sprintf "f%d" (k + 1) else field in
+          let name = Name.fresh scope field in
+          { Ir.name; ty = part_type types shape; comment = "" })
+        parts
+
+and part_type types (shape : F.shape) : Ir.ty =
+  match shape with
+  | Leaf ty -> leaf_type types ty
+  | Product ({ product_name = ""; _ } as product) -> Members (members types product)
+  | Product product -> Struct (record types product)
+
+and record types (product : F.product) =
+  match Hashtbl.find_opt types.known (key product) with
+  | Some (name, _) -> name
+  | None ->
+      let members = members types product in
+      let name = Name.fresh types.scope (types.prefix ^ "_" ^ Name.snake product.product_name) in
+      Hashtbl.replace types.known (key product) (name, members);
+      define types name members;
+      name
+
+and define types name members =
+  types.definitions <- Struct_definition { name; members; comment = "" } :: types.definitions
+
+(* The paths through the members of a shape, to leaves and to unused bytes. *)
+let paths (shape : F.shape) (members : Ir.member list) member_list_of =
+  let leaves = ref [] and unused = ref [] in
+  let rec part path (shape : F.shape) (member : Ir.member) =
+    let path = member.name :: path in
+    match shape with
+    | Leaf _ -> leaves := List.rev path :: !leaves
+    | Product product -> inside path product (member_list_of product member.ty)
+  and inside path (product : F.product) (members : Ir.member list) =
+    match (product.parts, members) with
+    | [], member :: _ -> unused := List.rev (member.name :: path) :: !unused
+    | parts, members -> List.iter2 (fun (_, shape) member -> part path shape member) parts members
+  in
+  (match shape with
+  | Product product -> inside [] product members
+  | Leaf _ -> List.iter (part [] shape) members);
+  (List.rev !leaves, List.rev !unused)
+
+let of_shape types ~name (shape : F.shape) =
+  let members =
+    match shape with
+    | Leaf ty -> [ { Ir.name = "value"; ty = leaf_type types ty; comment = "" } ]
+    | Product product -> members types product
+  in
+  define types name members;
+  let member_list_of (product : F.product) (ty : Ir.ty) =
+    match ty with
+    | Members members -> members
+    | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Pointer _ | Pointer_to_const _ -> (
+        match Hashtbl.find_opt types.known (key product) with
+        | Some (_, members) -> members
+        | None -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "a record without a struct")
+  in
+  let leaves, unused = paths shape members member_list_of in
+  { struct_name = name; leaves; unused }

@@ -1,0 +1,87 @@
+(** C: the part of C99 that we emit, which is also C++17.
+
+    Always true: names are C identifiers, different from each other where C
+    asks for it; expressions have no side effects except through [Call]; every
+    conversion that loses something is an explicit [Cast]. *)
+
+type ty =
+  | Void
+  | Bool
+  | Uint8
+  | Int32
+  | Int64
+  | Real  (** the one type of the language's Float *)
+  | Struct of string
+  | Members of member list  (** a struct without a name, inside another *)
+  | Pointer of ty
+  | Pointer_to_const of ty
+
+and member = { name : string; ty : ty; comment : string  (** or [""] *) }
+
+type unary =
+  | Negate
+  | Not
+  | Address
+  | Dereference
+
+type binary =
+  | Times
+  | Over
+  | Plus
+  | Minus
+  | Less
+  | Less_equal
+  | Greater
+  | Equal
+  | Not_equal
+  | And
+  | Or
+
+type expr =
+  | Name of string
+  | Boolean of bool
+  | Integer of int32
+  | Float of float
+  | Unary of unary * expr
+  | Binary of binary * expr * expr
+  | Conditional of expr * expr * expr
+  | Call of string * expr list
+  | Member of expr * string  (** [e.x] *)
+  | Arrow of expr * string  (** [e->x] *)
+  | Cast of ty * expr
+
+type statement = { desc : statement_desc; comment : string  (** or [""] *) }
+
+and statement_desc =
+  | Constant of { ty : ty; name : string; value : expr }
+  | Variables of { ty : ty; names : string list }  (** without values yet *)
+  | Initialize of { ty : ty; name : string; values : expr list }  (** a struct, member by member *)
+  | Assign of expr * expr
+  | Add_to of expr * expr  (** [a += b] *)
+  | Do of expr
+  | If of { condition : expr; then_ : statement list; else_ : statement list }
+  | Return of expr
+
+type linkage =
+  | External
+  | Static
+  | Static_inline
+
+type function_ = {
+  linkage : linkage;
+  result : ty;
+  name : string;
+  parameters : (ty * string) list;
+  body : statement list;
+  comment : string;  (** or [""] *)
+}
+
+type declaration =
+  | Struct_definition of { name : string; members : member list; comment : string }
+  | Constants of { names : string list; comment : string }  (** an enumeration, from 0 *)
+  | Prototype of function_  (** without its body *)
+  | Function of function_
+  | Text of string
+      (** lines of C of our own: directives and the helpers of {!Helper} *)
+
+type file = declaration list

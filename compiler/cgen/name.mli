@@ -1,0 +1,23 @@
+(** Names of the C code, made from those of the source.
+
+    A name stays as it is where C allows it; a prime becomes [_prime], what
+    else an identifier cannot hold becomes an underscore. A scope hands out
+    each name once, so different things of one scope never share a name: where
+    two would, or where a name means something in C, C++ or their headers, a
+    number follows it. *)
+
+type scope
+
+val scope : ?within:scope -> ?taken:string list -> unit -> scope
+(** A scope in which the names of the scopes around it are taken too. *)
+
+val fresh : scope -> string -> string
+(** A name for a thing that the programmer calls so; [""] makes a name like
+    [t1]. *)
+
+val identifier : string -> string
+(** The name with which {!fresh} starts. *)
+
+val snake : string -> string
+(** For types: [Maybe Float] becomes [maybe_float], [PioneerInput]
+    [pioneer_input]. *)

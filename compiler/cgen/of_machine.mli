@@ -1,0 +1,12 @@
+(** From state, reset and step to C: names, structs, and the order of the two
+    files. The root's functions are the program's; every other node has its
+    own, static ones. *)
+
+type t = {
+  header : Ir.file;
+  source : Ir.file;
+  input : Interface.t;
+  output : Interface.t;
+}
+
+val program : Machine.Ir.program -> t

@@ -1,0 +1,276 @@
+open Ir
+
+(* One table of precedence, as in the C standard, 6.5: higher binds tighter. *)
+let postfix = 15
+let prefix = 14
+let conditional = 3
+
+let level = function
+  | Times | Over -> 13
+  | Plus | Minus -> 12
+  | Less | Less_equal | Greater -> 10
+  | Equal | Not_equal -> 9
+  | And -> 5
+  | Or -> 4
+
+let symbol = function
+  | Times -> "*"
+  | Over -> "/"
+  | Plus -> "+"
+  | Minus -> "-"
+  | Less -> "<"
+  | Less_equal -> "<="
+  | Greater -> ">"
+  | Equal -> "=="
+  | Not_equal -> "!="
+  | And -> "&&"
+  | Or -> "||"
+
+(* Operands that need no parentheses on the left and on the right. Where C
+   would parse [a < b == c] or [a && b || c] readers and -Wparentheses do not
+   want to. *)
+let operand_levels operator =
+  match operator with
+  | Times | Over | Plus | Minus -> (level operator, level operator + 1)
+  | Less | Less_equal | Greater | Equal | Not_equal -> (11, 11)
+  | And -> (level operator, level operator + 1)
+  | Or -> (level operator, level operator + 1)
+
+let float_literal x =
+  let rec shortest digits =
+    let text = Printf.sprintf "%.*g" digits x in
+    if digits >= 17 || Float.equal (float_of_string text) x then text else shortest (digits + 1)
+  in
+  if Float.is_nan x then "(double)NAN"
+  else if Float.equal x Float.infinity then "(double)INFINITY"
+  else if Float.equal x Float.neg_infinity then "-(double)INFINITY"
+  else if Float.is_integer x && Float.abs x < 1e15 then Printf.sprintf "%.1f" x
+  else
+    let text = shortest 1 in
+    if String.exists (function '.' | 'e' -> true | _ -> false) text then text else text ^ ".0"
+
+let rec ty_name = function
+  | Void -> "void"
+  | Bool -> "bool"
+  | Uint8 -> "uint8_t"
+  | Int32 -> "int32_t"
+  | Int64 -> "int64_t"
+  | Real -> "double"
+  | Struct name -> "struct " ^ name
+  | Members _ -> "struct"
+  | Pointer t -> ty_name t ^ " *"
+  | Pointer_to_const t -> "const " ^ ty_name t ^ " *"
+
+let declarator ty name =
+  match ty with
+  | Pointer _ | Pointer_to_const _ -> ty_name ty ^ name
+  | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Members _ -> ty_name ty ^ " " ^ name
+
+let precedence = function
+  | Name _ | Boolean _ | Call _ | Member _ | Arrow _ -> postfix
+  | Integer i -> if Int32.compare i 0l < 0 then prefix else postfix
+  | Float x -> if Float.sign_bit x || not (Float.abs x < Float.infinity) then prefix else postfix
+  | Unary _ | Cast _ -> prefix
+  | Binary (operator, _, _) -> level operator
+  | Conditional _ -> conditional
+
+(* Stands for a space where a long line may be broken. *)
+let soft = '\001'
+
+let rec expr b ~at e =
+  let parenthesized = precedence e < at in
+  if parenthesized then Buffer.add_char b '(';
+  bare b e;
+  if parenthesized then Buffer.add_char b ')'
+
+and bare b e =
+  let add = Buffer.add_string b in
+  match e with
+  | Name name -> add name
+  | Boolean value -> add (string_of_bool value)
+  | Integer i -> if Int32.equal i Int32.min_int then add "INT32_MIN" else add (Int32.to_string i)
+  | Float x -> add (float_literal x)
+  | Unary (operator, e) ->
+      add (match operator with Negate -> "-" | Not -> "!" | Address -> "&" | Dereference -> "*");
+      (* Never two minus signs together. *)
+      let at = match (operator, e) with Negate, (Unary (Negate, _) | Float _ | Integer _) -> postfix | _ -> prefix in
+      expr b ~at e
+  | Cast (ty, e) ->
+      add "(";
+      add (ty_name ty);
+      add ")";
+      expr b ~at:prefix e
+  | Binary (operator, left, right) ->
+      let at_left, at_right = operand_levels operator in
+      logical b operator ~at:at_left left;
+      Buffer.add_char b soft;
+      add (symbol operator);
+      add " ";
+      logical b operator ~at:at_right right
+  | Conditional (c, x, y) ->
+      expr b ~at:(conditional + 1) c;
+      Buffer.add_char b soft;
+      add "? ";
+      expr b ~at:(conditional + 1) x;
+      Buffer.add_char b soft;
+      add ": ";
+      expr b ~at:conditional y
+  | Call (name, arguments) ->
+      add name;
+      add "(";
+      List.iteri
+        (fun k e ->
+          if k > 0 then (
+            add ",";
+            Buffer.add_char b soft);
+          expr b ~at:0 e)
+        arguments;
+      add ")"
+  | Member (e, name) ->
+      expr b ~at:postfix e;
+      add ".";
+      add name
+  | Arrow (e, name) ->
+      expr b ~at:postfix e;
+      add "->";
+      add name
+
+(* [a && b] inside [||] in parentheses, as compilers advise. *)
+and logical b operator ~at e =
+  match (operator, e) with
+  | Or, Binary (And, _, _) -> expr b ~at:postfix e
+  | _, _ -> expr b ~at e
+
+let with_breaks e =
+  let b = Buffer.create 64 in
+  expr b ~at:0 e;
+  Buffer.contents b
+
+let flat text = String.map (fun c -> if c = soft then ' ' else c) text
+let expression e = flat (with_breaks e)
+
+(* Lines *)
+
+let width = 96
+let comment_column = 60
+
+(* Fills lines with the pieces between soft spaces. *)
+let fill out ~indent text =
+  let rec place column = function
+    | [] -> ()
+    | piece :: rest ->
+        if column + 1 + String.length piece > width then (
+          Buffer.add_string out ("\n" ^ String.make (indent + 8) ' ');
+          Buffer.add_string out piece;
+          place (indent + 8 + String.length piece) rest)
+        else (
+          Buffer.add_char out ' ';
+          Buffer.add_string out piece;
+          place (column + 1 + String.length piece) rest)
+  in
+  match String.split_on_char soft text with
+  | [] -> ()
+  | first :: rest ->
+      Buffer.add_string out first;
+      place (indent + String.length first) rest
+
+let line out ~indent ?(comment = "") text =
+  Buffer.add_string out (String.make indent ' ');
+  if indent + String.length text <= width then (
+    Buffer.add_string out (flat text);
+    if comment <> "" then (
+      let column = indent + String.length text in
+      Buffer.add_string out (String.make (max 1 (comment_column - column)) ' ');
+      Buffer.add_string out ("/* " ^ comment ^ " */")))
+  else (
+    fill out ~indent text;
+    if comment <> "" then Buffer.add_string out (" /* " ^ comment ^ " */"));
+  Buffer.add_char out '\n'
+
+let commas values = String.concat ("," ^ String.make 1 soft) values
+
+let rec statement out ~indent { desc; comment } =
+  let put text = line out ~indent ~comment text in
+  match desc with
+  | Constant { ty; name; value } ->
+      put ("const " ^ declarator ty name ^ " = " ^ with_breaks value ^ ";")
+  | Variables { ty; names } -> put (declarator ty (commas names) ^ ";")
+  | Initialize { ty; name; values } ->
+      put (declarator ty name ^ " = {" ^ commas (List.map with_breaks values) ^ "};")
+  | Assign (place, value) -> put (with_breaks place ^ " = " ^ with_breaks value ^ ";")
+  | Add_to (place, value) -> put (with_breaks place ^ " += " ^ with_breaks value ^ ";")
+  | Do e -> put (with_breaks e ^ ";")
+  | Return e -> put ("return " ^ with_breaks e ^ ";")
+  | If { condition; then_; else_ } ->
+      put ("if (" ^ with_breaks condition ^ ") {");
+      branches out ~indent then_ else_
+
+and branches out ~indent then_ else_ =
+  List.iter (statement out ~indent:(indent + 4)) then_;
+  match else_ with
+  | [] -> line out ~indent "}"
+  | [ { desc = If { condition; then_; else_ }; comment } ] ->
+      line out ~indent ~comment ("} else if (" ^ with_breaks condition ^ ") {");
+      branches out ~indent then_ else_
+  | else_ ->
+      line out ~indent "} else {";
+      List.iter (statement out ~indent:(indent + 4)) else_;
+      line out ~indent "}"
+
+(* Declarations *)
+
+let rec member out ~indent { name; ty; comment } =
+  match ty with
+  | Members members ->
+      line out ~indent "struct {";
+      List.iter (member out ~indent:(indent + 4)) members;
+      line out ~indent ~comment ("} " ^ name ^ ";")
+  | ty -> line out ~indent ~comment (declarator ty name ^ ";")
+
+let heading out comment = if comment <> "" then line out ~indent:0 ("/* " ^ comment ^ " */")
+
+let signature { linkage; result; name; parameters; _ } =
+  let linkage =
+    match linkage with External -> "" | Static -> "static " | Static_inline -> "static inline "
+  in
+  let parameters =
+    match parameters with
+    | [] -> "void"
+    | parameters -> commas (List.map (fun (ty, name) -> declarator ty name) parameters)
+  in
+  linkage ^ declarator result name ^ "(" ^ parameters ^ ")"
+
+let declaration out = function
+  | Text text -> Buffer.add_string out text
+  | Struct_definition { name; members; comment } ->
+      heading out comment;
+      line out ~indent:0 ("struct " ^ name ^ " {");
+      List.iter (member out ~indent:4) members;
+      line out ~indent:0 "};"
+  | Constants { names; comment } ->
+      heading out comment;
+      line out ~indent:0 "enum {";
+      List.iteri
+        (fun k name ->
+          let comma = if k = List.length names - 1 then "" else "," in
+          line out ~indent:4 (name ^ comma))
+        names;
+      line out ~indent:0 "};"
+  | Prototype function_ ->
+      heading out function_.comment;
+      line out ~indent:0 (signature function_ ^ ";")
+  | Function function_ ->
+      heading out function_.comment;
+      line out ~indent:0 (signature function_);
+      line out ~indent:0 "{";
+      List.iter (statement out ~indent:4) function_.body;
+      line out ~indent:0 "}"
+
+let file declarations =
+  let out = Buffer.create 4096 in
+  List.iteri
+    (fun k d ->
+      if k > 0 then Buffer.add_char out '\n';
+      declaration out d)
+    declarations;
+  Buffer.contents out

@@ -1,0 +1,132 @@
+module F = Flow.Ir
+
+type t = {
+  struct_name : string;
+  tags : string array;
+  makers : string array;
+  slots : Machine.Layout.slots;
+}
+
+let name scope ~prefix (sum : F.sum) ~slots =
+  let struct_name = Name.fresh scope (prefix ^ "_" ^ Name.snake sum.name) in
+  let constructor (c : F.sum_constructor) = struct_name ^ "_" ^ Name.snake c.constructor in
+  let all = Array.of_list (List.map constructor sum.constructors) in
+  {
+    struct_name;
+    tags = Array.map (fun name -> Name.fresh scope (String.uppercase_ascii name)) all;
+    makers = Array.map (Name.fresh scope) all;
+    slots;
+  }
+
+type slot =
+  | Scalar of string
+  | Inner of { sum : int; tag : string; first : Machine.Layout.slots }
+
+let float_slot = Printf.sprintf "f%d"
+let int_slot = Printf.sprintf "i%d"
+let bool_slot = Printf.sprintf "b%d"
+let tag_slot = Printf.sprintf "t%d"
+
+let payload sums ?(first = Machine.Layout.none) (constructor : F.sum_constructor) =
+  let place ((used : Machine.Layout.slots), slots) (ty : F.ty) =
+    let slot =
+      match ty with
+      | Float -> Scalar (float_slot used.floats)
+      | Int -> Scalar (int_slot used.ints)
+      | Bool -> Scalar (bool_slot used.bools)
+      | Sum sum ->
+          let first = { used with tags = used.tags + 1 } in
+          Inner { sum; tag = tag_slot used.tags; first }
+    in
+    (Machine.Layout.add used (Machine.Layout.leaf sums ty), slot :: slots)
+  in
+  let _, slots = List.fold_left place (first, []) (Machine.Layout.leaves constructor) in
+  List.rev slots
+
+let members ?(first = Machine.Layout.none) (slots : Machine.Layout.slots) =
+  let some count start slot ty = List.init count (fun k -> (slot (start + k), ty)) in
+  List.concat
+    [
+      some slots.floats first.floats float_slot Ir.Real;
+      some slots.ints first.ints int_slot Ir.Int32;
+      some slots.bools first.bools bool_slot Ir.Bool;
+      some slots.tags first.tags tag_slot Ir.Uint8;
+    ]
+
+let definition (sum : F.sum) t =
+  let member (name, ty) : Ir.member = { name; ty; comment = "" } in
+  [
+    Ir.Constants { names = Array.to_list t.tags; comment = sum.name };
+    Struct_definition
+      {
+        name = t.struct_name;
+        members = List.map member (("tag", Ir.Uint8) :: members t.slots);
+        comment = "";
+      };
+  ]
+
+let zero : Ir.ty -> Ir.expr = function
+  | Real -> Float 0.
+  | Bool -> Boolean false
+  | Void | Uint8 | Int32 | Int64 | Struct _ | Members _ | Pointer _ | Pointer_to_const _ -> Integer 0l
+
+(* The function's value, a struct given member by member. *)
+let return_struct ty values : Ir.statement list =
+  [
+    { desc = Initialize { ty; name = "value"; values }; comment = "" };
+    { desc = Return (Name "value"); comment = "" };
+  ]
+
+let function_ ~result name parameters values : Ir.function_ =
+  {
+    linkage = Static_inline;
+    result;
+    name;
+    parameters;
+    body = return_struct result values;
+    comment = "";
+  }
+
+let maker sums types sum constructor =
+  let t = types.(sum) in
+  let slots = payload sums (List.nth sums.(sum).F.constructors constructor) in
+  let given = Hashtbl.create 8 in
+  let give member e = Hashtbl.replace given member e in
+  let parameter slot : Ir.ty * string =
+    match slot with
+    | Scalar member ->
+        give member (Ir.Name member);
+        let ty : Ir.ty =
+          match member.[0] with 'f' -> Real | 'i' -> Int32 | 'b' -> Bool | _ -> Uint8
+        in
+        (ty, member)
+    | Inner { sum; tag; first } ->
+        let inner = types.(sum) in
+        let name = "inner_" ^ tag in
+        give tag (Member (Name name, "tag"));
+        List.iter2
+          (fun (outer, _) (own, _) -> give outer (Member (Name name, own)))
+          (members ~first inner.slots) (members inner.slots);
+        (Struct inner.struct_name, name)
+  in
+  let parameters = List.map parameter slots in
+  let value (member, ty) = Option.value (Hashtbl.find_opt given member) ~default:(zero ty) in
+  function_
+    ~result:(Struct t.struct_name)
+    t.makers.(constructor) parameters
+    (Name t.tags.(constructor) :: List.map value (members t.slots))
+
+let projection_name t ~constructor ~leaf = Printf.sprintf "%s_part%d" t.makers.(constructor) (leaf + 1)
+
+let projection sums types sum ~constructor ~leaf =
+  let t = types.(sum) in
+  match List.nth (payload sums (List.nth sums.(sum).F.constructors constructor)) leaf with
+  | Scalar _ -> Basis.Diagnostic.bug ~stage:"Cgen.Sum_type" "a scalar needs no projection"
+  | Inner { sum; tag; first } ->
+      let inner = types.(sum) in
+      let from member = Ir.Member (Name "outer", member) in
+      function_
+        ~result:(Struct inner.struct_name)
+        (projection_name t ~constructor ~leaf)
+        [ (Struct t.struct_name, "outer") ]
+        (from tag :: List.map (fun (member, _) -> from member) (members ~first inner.slots))

@@ -1,0 +1,36 @@
+(** Sums in C: a struct of a tag and shared slots, constants for the tags, and
+    functions that construct values and take inner sums out again. *)
+
+
+type t = {
+  struct_name : string;
+  tags : string array;  (** constants, by constructor *)
+  makers : string array;  (** functions, by constructor *)
+  slots : Machine.Layout.slots;
+}
+
+val name : Name.scope -> prefix:string -> Flow.Ir.sum -> slots:Machine.Layout.slots -> t
+(** Takes names of the file's scope. *)
+
+(** Where the leaves of a payload lie. *)
+type slot =
+  | Scalar of string  (** a member *)
+  | Inner of { sum : int; tag : string; first : Machine.Layout.slots }
+      (** its tag's member; its slots start after [first] *)
+
+val payload : Flow.Ir.sum array -> ?first:Machine.Layout.slots -> Flow.Ir.sum_constructor -> slot list
+(** The slots of all leaves; [first] slots belong to others. *)
+
+val members : ?first:Machine.Layout.slots -> Machine.Layout.slots -> (string * Ir.ty) list
+(** Of so many slots, in the order of the struct. *)
+
+val definition : Flow.Ir.sum -> t -> Ir.declaration list
+(** The tags' constants and the struct. *)
+
+val maker : Flow.Ir.sum array -> t array -> int -> int -> Ir.function_
+(** Of a sum and a constructor. *)
+
+val projection_name : t -> constructor:int -> leaf:int -> string
+
+val projection : Flow.Ir.sum array -> t array -> int -> constructor:int -> leaf:int -> Ir.function_
+(** The inner sum that is this leaf of the payload. *)

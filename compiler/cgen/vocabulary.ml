@@ -1,0 +1,123 @@
+module F = Flow.Ir
+module M = Machine.Ir
+
+type node = { state : string; reset : string; step : string; members : (int, string) Hashtbl.t }
+
+type t = {
+  program : M.program;
+  name : string;
+  file_scope : Name.scope;
+  sums : Sum_type.t array;
+  foreign : bool array;
+  nodes : node array;
+  input : Interface.t;
+  output : Interface.t;
+  records : Ir.declaration list;
+  robots : Robot.t list;
+  helpers : (Helper.t, unit) Hashtbl.t;
+  makers : (int * int, unit) Hashtbl.t;
+  projections : (int * int * int, unit) Hashtbl.t;
+}
+
+let is_root t k = k = Array.length t.program.nodes - 1
+let has_state t k = match t.program.nodes.(k).state with [] -> false | _ :: _ -> true
+
+let members scope (node : M.node) =
+  let scope = Name.scope ~within:scope () in
+  let table = Hashtbl.create 16 in
+  List.iter
+    (fun (field : M.field) -> Hashtbl.replace table field.id (Name.fresh scope field.name))
+    node.state;
+  table
+
+(* The root's names are the program's own, whatever else wants them. *)
+let name_nodes scope ~name (nodes : M.node array) =
+  let take suffix = Name.fresh scope (name ^ suffix) in
+  let last = Array.length nodes - 1 in
+  let state = take "_state" in
+  let reset = take "_reset" in
+  let step = take "_step" in
+  Array.mapi
+    (fun k (node : M.node) ->
+      let members = members scope node in
+      if k = last then { state; reset; step; members }
+      else
+        let own = name ^ "_" ^ node.name in
+        match node.state with
+        | [] -> { state = ""; reset = ""; step = Name.fresh scope own; members }
+        | _ :: _ ->
+            let state = Name.fresh scope (own ^ "_state") in
+            let reset = Name.fresh scope (own ^ "_reset") in
+            { state; reset; step = Name.fresh scope (own ^ "_step"); members })
+    nodes
+
+let of_program (program : M.program) =
+  let name = Name.identifier program.name in
+  let scope = Name.scope ~taken:Helper.names () in
+  let input_name = Name.fresh scope (name ^ "_input") in
+  let output_name = Name.fresh scope (name ^ "_output") in
+  let nodes = name_nodes scope ~name program.nodes in
+  let foreign = Array.make (Array.length program.sums) false in
+  let robot_of shape =
+    let robot = Robot.of_shape shape in
+    let mark (ty : F.ty) =
+      match ty with Sum k -> foreign.(k) <- true | Bool | Int | Float -> ()
+    in
+    if Option.is_some robot then List.iter mark (Machine.Layout.shape_leaves shape);
+    robot
+  in
+  let input_robot = robot_of program.input in
+  let output_robot = robot_of program.output in
+  let sums =
+    Array.mapi
+      (fun k sum ->
+        let prefix = if foreign.(k) then "frob" else name in
+        Sum_type.name scope ~prefix sum ~slots:(Machine.Layout.sum program.sums k))
+      program.sums
+  in
+  let sum k = sums.(k).struct_name in
+  let own = Interface.types scope ~prefix:name ~sum in
+  let robots = Interface.types scope ~prefix:"frob" ~sum in
+  let interface robot struct_name (shape : F.shape) =
+    match (robot, shape) with
+    | Some _, Product { product_name; _ } ->
+        Interface.of_shape robots ~name:("frob_" ^ Name.snake product_name) shape
+    | _, _ -> Interface.of_shape own ~name:struct_name shape
+  in
+  let input = interface input_robot input_name program.input in
+  let output = interface output_robot output_name program.output in
+  {
+    program;
+    name;
+    file_scope = scope;
+    sums;
+    foreign;
+    nodes;
+    input;
+    output;
+    records = Interface.definitions own;
+    robots =
+      List.sort_uniq compare (List.filter_map Fun.id [ input_robot; output_robot ]);
+    helpers = Hashtbl.create 16;
+    makers = Hashtbl.create 16;
+    projections = Hashtbl.create 16;
+  }
+
+let ty t : M.ty -> Ir.ty = function
+  | Bool -> Bool
+  | Int -> Int32
+  | Float -> Real
+  | Nanoseconds -> Int64
+  | Sum k -> Struct t.sums.(k).struct_name
+
+let helper t helper =
+  Hashtbl.replace t.helpers helper ();
+  Helper.name helper
+
+let maker t ~sum ~constructor =
+  Hashtbl.replace t.makers (sum, constructor) ();
+  t.sums.(sum).makers.(constructor)
+
+let projection t ~sum ~constructor ~leaf =
+  Hashtbl.replace t.projections (sum, constructor, leaf) ();
+  Sum_type.projection_name t.sums.(sum) ~constructor ~leaf

@@ -1,0 +1,33 @@
+(** The file-level names of one program, all chosen at once, and what of the
+    program's types and helpers the code turns out to need. *)
+
+type node = {
+  state : string;  (** struct *)
+  reset : string;
+  step : string;
+  members : (int, string) Hashtbl.t;  (** of the state struct, by field *)
+}
+
+type t = {
+  program : Machine.Ir.program;
+  name : string;  (** the prefix of all names *)
+  file_scope : Name.scope;
+  sums : Sum_type.t array;
+  foreign : bool array;  (** sums that a robot's header defines *)
+  nodes : node array;
+  input : Interface.t;
+  output : Interface.t;
+  records : Ir.declaration list;  (** the program's own interface structs *)
+  robots : Robot.t list;  (** whose headers are needed *)
+  helpers : (Helper.t, unit) Hashtbl.t;
+  makers : (int * int, unit) Hashtbl.t;  (** sum, constructor *)
+  projections : (int * int * int, unit) Hashtbl.t;  (** sum, constructor, leaf *)
+}
+
+val of_program : Machine.Ir.program -> t
+val ty : t -> Machine.Ir.ty -> Ir.ty
+val helper : t -> Helper.t -> string
+val maker : t -> sum:int -> constructor:int -> string
+val projection : t -> sum:int -> constructor:int -> leaf:int -> string
+val is_root : t -> int -> bool
+val has_state : t -> int -> bool
