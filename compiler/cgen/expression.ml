@@ -80,7 +80,11 @@ let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
   | Mod, Int -> helper Int_mod
   | Pow, Float -> Call ("pow", [ x; y ])
   | Equal, (Bool | Int | Float) -> Binary (Equal, x, y)
-  | Less, (Int | Float) -> Binary (Less, x, y)
+  | Less, (Int | Float) -> (
+      (* [x > 0] reads better than [0 < x]. *)
+      match a with
+      | M.Float _ | Int _ -> Binary (Greater, y, x)
+      | _ -> Binary (Less, x, y))
   | Less_equal, (Int | Float) -> Binary (Less_equal, x, y)
   | Minimum, Float -> limited n Float_minimum At_most a b x y
   | Maximum, Float -> limited n Float_maximum At_least a b x y

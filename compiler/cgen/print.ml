@@ -36,6 +36,15 @@ let operand_levels operator =
   | And -> (level operator, level operator + 1)
   | Or -> (level operator, level operator + 1)
 
+(* [1e+09] as [1e9] *)
+let tidy_exponent text =
+  match String.index_opt text 'e' with
+  | None -> text
+  | Some k ->
+      let mantissa = String.sub text 0 k in
+      let exponent = String.sub text (k + 1) (String.length text - k - 1) in
+      Printf.sprintf "%se%d" mantissa (int_of_string (String.concat "" (String.split_on_char '+' exponent)))
+
 let float_literal x =
   let rec shortest digits =
     let text = Printf.sprintf "%.*g" digits x in
@@ -44,9 +53,9 @@ let float_literal x =
   if Float.is_nan x then "(double)NAN"
   else if Float.equal x Float.infinity then "(double)INFINITY"
   else if Float.equal x Float.neg_infinity then "-(double)INFINITY"
-  else if Float.is_integer x && Float.abs x < 1e15 then Printf.sprintf "%.1f" x
+  else if Float.is_integer x && Float.abs x < 1e7 then Printf.sprintf "%.1f" x
   else
-    let text = shortest 1 in
+    let text = tidy_exponent (shortest 1) in
     if String.exists (function '.' | 'e' -> true | _ -> false) text then text else text ^ ".0"
 
 let rec ty_name = function
@@ -174,13 +183,13 @@ let fill out ~indent text =
       Buffer.add_string out first;
       place (indent + String.length first) rest
 
-let line out ~indent ?(comment = "") text =
+let line out ~indent ?(column = comment_column) ?(comment = "") text =
   Buffer.add_string out (String.make indent ' ');
   if indent + String.length text <= width then (
     Buffer.add_string out (flat text);
     if comment <> "" then (
-      let column = indent + String.length text in
-      Buffer.add_string out (String.make (max 1 (comment_column - column)) ' ');
+      let spaces = max 1 (column - indent - String.length text) in
+      Buffer.add_string out (String.make spaces ' ');
       Buffer.add_string out ("/* " ^ comment ^ " */")))
   else (
     fill out ~indent text;
@@ -219,33 +228,46 @@ and branches out ~indent then_ else_ =
 
 (* Declarations *)
 
-let rec member out ~indent { name; ty; comment } =
-  match ty with
-  | Members members ->
-      line out ~indent "struct {";
-      List.iter (member out ~indent:(indent + 4)) members;
-      line out ~indent ~comment ("} " ^ name ^ ";")
-  | ty -> line out ~indent ~comment (declarator ty name ^ ";")
+let rec members out ~indent (all : member list) =
+  let text { name; ty; comment = _ } =
+    match ty with Members _ -> "} " ^ name ^ ";" | ty -> declarator ty name ^ ";"
+  in
+  let widest = List.fold_left (fun width m -> max width (String.length (text m))) 0 all in
+  let column = min comment_column (indent + widest + 1) in
+  List.iter
+    (fun m ->
+      (match m.ty with
+      | Members inside ->
+          line out ~indent "struct {";
+          members out ~indent:(indent + 4) inside
+      | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Pointer _ | Pointer_to_const _ -> ());
+      line out ~indent ~column ~comment:m.comment (text m))
+    all
 
 let heading out comment = if comment <> "" then line out ~indent:0 ("/* " ^ comment ^ " */")
 
+(* On one line, or a parameter a line, below each other. *)
 let signature { linkage; result; name; parameters; _ } =
   let linkage =
     match linkage with External -> "" | Static -> "static " | Static_inline -> "static inline "
   in
+  let head = linkage ^ declarator result name ^ "(" in
   let parameters =
     match parameters with
-    | [] -> "void"
-    | parameters -> commas (List.map (fun (ty, name) -> declarator ty name) parameters)
+    | [] -> [ "void" ]
+    | parameters -> List.map (fun (ty, name) -> declarator ty name) parameters
   in
-  linkage ^ declarator result name ^ "(" ^ parameters ^ ")"
+  let on_one_line = head ^ String.concat ", " parameters ^ ")" in
+  if String.length on_one_line < width then on_one_line
+  else
+    head ^ String.concat (",\n" ^ String.make (String.length head) ' ') parameters ^ ")"
 
 let declaration out = function
   | Text text -> Buffer.add_string out text
-  | Struct_definition { name; members; comment } ->
+  | Struct_definition { name; members = fields; comment } ->
       heading out comment;
       line out ~indent:0 ("struct " ^ name ^ " {");
-      List.iter (member out ~indent:4) members;
+      members out ~indent:4 fields;
       line out ~indent:0 "};"
   | Constants { names; comment } ->
       heading out comment;
@@ -258,10 +280,10 @@ let declaration out = function
       line out ~indent:0 "};"
   | Prototype function_ ->
       heading out function_.comment;
-      line out ~indent:0 (signature function_ ^ ";")
+      Buffer.add_string out (signature function_ ^ ";\n")
   | Function function_ ->
       heading out function_.comment;
-      line out ~indent:0 (signature function_);
+      Buffer.add_string out (signature function_ ^ "\n");
       line out ~indent:0 "{";
       List.iter (statement out ~indent:4) function_.body;
       line out ~indent:0 "}"

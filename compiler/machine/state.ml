@@ -40,15 +40,13 @@ let derived (s : signal) atom ~suffix ~otherwise =
   | "", operand -> operand ^ "_" ^ suffix
   | name, _ -> name
 
-let operator_name = function
-  | Elementary e -> Core.Primitive.name (Elementary e)
-  | _ -> "static"
-
-let is_costly_operator = function
-  | Pow | Elementary _ -> true
+(* The name of an operation that is worth keeping the result of. *)
+let costly_operator = function
+  | Pow -> Some "pow"
+  | Elementary e -> Some (Core.Primitive.name (Elementary e))
   | Add | Subtract | Multiply | Negate | Absolute | Signum | Equal | Less | Less_equal | Minimum
   | Maximum | Divide | Div | Mod | To_float | Round | Floor | Ceiling | Truncate | Not | And | Or ->
-      false
+      None
 
 let remember t (s : signal) memory = Hashtbl.replace t.memories s.id memory
 
@@ -86,13 +84,15 @@ let equation t ~keeps { defines = s; rhs; span } =
       if keeps && List.for_all (is_static t) (Flow.Operands.all rhs) then (
         Hashtbl.replace t.static s.id ();
         match rhs with
-        | Op (operator, operands) when is_costly_operator operator ->
+        | Op (operator, operands) ->
             let operand = match operands with first :: _ -> atom_name first | [] -> "" in
-            let name = operator_name operator in
-            let name = if String.equal operand "" then name else name ^ "_" ^ operand in
-            keep t s ~name span
-        | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Delay _ | Time
-        | Integral _ | Derivative _ ->
+            let keep_as name =
+              let operand = if String.equal operand "" then "value" else operand in
+              keep t s ~name:(name ^ "_" ^ operand) span
+            in
+            Option.iter keep_as (costly_operator operator)
+        | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Delay _ | Time | Integral _
+        | Derivative _ ->
             ())
 
 let add_instance t ~keeps ~stateful (i : instance) =

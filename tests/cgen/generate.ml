@@ -1,0 +1,13 @@
+(* Writes the C of the programs named on the command line, or of all. *)
+
+let write path text =
+  let out = open_out_bin path in
+  output_string out text;
+  close_out out
+
+let generate (name, program) =
+  let files = Cgen.Emit.program (Machine.Of_flow.program program) in
+  write (name ^ ".h") files.Cgen.Emit.header;
+  write (name ^ ".c") files.Cgen.Emit.source
+
+let () = List.iter generate Programs.all
