@@ -33,6 +33,7 @@ type t = {
   mutable data : bool;  (** within a [data] declaration *)
   mutable item_start : bool;  (** nothing yet of the innermost block's item *)
   mutable doc : string option;  (** waits for the constructor after [|] or [=] *)
+  mutable outer : entry list;  (** the stack before the token at hand *)
   mutable before : Lexing.position;  (** where the last token of the text ended *)
   ready : token Queue.t;
 }
@@ -44,10 +45,12 @@ let deepest = 10_000
 let create lexer =
   {
     lexer; stack = []; opening = None; header = false; data = false; item_start = true; doc = None;
-    before = Lexing.dummy_pos; ready = Queue.create ();
+    outer = []; before = Lexing.dummy_pos; ready = Queue.create ();
   }
 
-let context stack = lazy (List.map (fun entry -> (entry.opener, entry.by)) stack)
+let context t =
+  let stack = t.outer in
+  lazy (List.rev (List.rev_map (fun entry -> (entry.opener, entry.by)) stack))
 
 let nothing = { bracket = None; let_ = false; if_ = false; then_ = false; case = false }
 
@@ -70,9 +73,9 @@ let push t opener by ~column =
 let block_column t = match t.stack with [] -> 0 | entry :: _ -> entry.column
 let reach t = match t.stack with [] -> nothing | entry :: _ -> entry.reach
 
-let emit t token ~stack =
+let emit t token =
   Queue.add
-    { token; start = t.before; stop = t.before; made = true; context = context stack; last = false }
+    { token; start = t.before; stop = t.before; made = true; context = context t; last = false }
     t.ready
 
 (* Pops one entry; a block is closed by it. *)
@@ -81,7 +84,7 @@ let pop t =
   | [] -> ()
   | entry :: rest ->
       (match entry.opener with
-      | Block _ -> emit t CLOSE ~stack:t.stack
+      | Block _ -> emit t CLOSE
       | Paren | Bracket | Brace | If | Then | Case -> ());
       t.stack <- rest
 
@@ -101,17 +104,18 @@ let is_bracket = function
 (* A new item of the innermost block; what is still open in the old one (and
    is no block) stays without its partner. *)
 let separate t =
-  let stack = t.stack in
-  t.stack <-
-    (let rec blocks = function
-       | entry :: rest when not (is_block entry.opener) -> blocks rest
-       | stack -> stack
-     in
-     blocks stack);
+  let rec blocks = function
+    | entry :: rest when not (is_block entry.opener) -> blocks rest
+    | stack -> stack
+  in
+  t.stack <- blocks t.stack;
   t.item_start <- true;
   match t.stack with
-  | { opener = Block Top; _ } :: _ -> t.data <- false; emit t END ~stack
-  | _ -> emit t SEMICOLON ~stack
+  | { opener = Block Top; _ } :: _ ->
+      t.data <- false;
+      t.header <- false;
+      emit t END
+  | _ -> emit t SEMICOLON
 
 let rec at_top = function
   | [] -> true
@@ -158,7 +162,7 @@ let rec where_closes t (token : Lexer.token) =
 let pass t (token : Lexer.token) ~last =
   Queue.add
     { token = token.token; start = token.start; stop = token.stop; made = false;
-      context = context t.stack; last }
+      context = context t; last }
     t.ready
 
 let emit_doc t (token : Lexer.token) =
@@ -176,19 +180,20 @@ let emit_doc t (token : Lexer.token) =
   | Some text, _ when of_item || of_constructor ->
       Queue.add
         { token = DOC text; start = token.start; stop = token.start; made = true;
-          context = context t.stack; last = false }
+          context = context t; last = false }
         t.ready
   | _ -> ()
 
-(* What the token opens, once it has been passed on. *)
-let opens t (token : Lexer.token) =
+(* What the token opens, once it has been passed on; [if_] is the [if] that
+   this [then] goes with. *)
+let opens t (token : Lexer.token) ~if_ =
   let column = block_column t in
   match token.token with
   | LPAREN -> push t Paren token ~column
   | UNIT_BRACKET | LBRACKET -> push t Bracket token ~column
   | LBRACE -> push t Brace token ~column
   | IF -> push t If token ~column
-  | THEN -> push t Then token ~column
+  | THEN -> push t Then if_ ~column
   | CASE -> push t Case token ~column
   | LET -> t.opening <- Some (Let, token)
   | WHERE when t.header ->
@@ -202,13 +207,16 @@ let opens t (token : Lexer.token) =
   | _ -> ()
 
 let ordinary t (token : Lexer.token) =
+  let if_ = ref token in
   (match partner t token.token with
   | Some found ->
       pop_until t found;
+      (match t.stack with { opener = If; by; _ } :: _ -> if_ := by | _ -> ());
       if token.token <> COMMA then pop t
   | None -> (
       match token.token with
-      | WHERE when not t.header ->
+      | WHERE when t.header -> ()
+      | WHERE ->
           where_closes t token;
           if token.first && at_top t.stack && token.column <= block_column t then separate t
       | SEMICOLON -> separate t
@@ -221,7 +229,7 @@ let ordinary t (token : Lexer.token) =
     | _ -> ());
     t.item_start <- false;
     pass t token ~last:false;
-    opens t token
+    opens t token ~if_:!if_
   end
 
 let finish t (token : Lexer.token) =
@@ -233,8 +241,8 @@ let finish t (token : Lexer.token) =
     | _ -> pop t; close ()
   in
   (match t.opening with
-  | Some (Top, _) -> emit t END ~stack:t.stack
-  | Some _ -> emit t OPEN ~stack:t.stack; emit t CLOSE ~stack:t.stack
+  | Some (Top, _) -> emit t END
+  | Some _ -> emit t OPEN; emit t CLOSE
   | None -> ());
   t.opening <- None;
   close ();
@@ -247,24 +255,25 @@ let opened t block by (token : Lexer.token) =
   match block with
   | Top ->
       (* the end of the header *)
-      emit t END ~stack:t.stack;
+      emit t END;
       push t (Block Top) by ~column:token.column;
       t.item_start <- true;
       ordinary t { token with first = false }
   | Let | Where | Do | Of | Rec ->
-      emit t OPEN ~stack:t.stack;
+      emit t OPEN;
       if token.column > block_column t then begin
         push t (Block block) by ~column:token.column;
         t.item_start <- true;
         ordinary t { token with first = false }
       end
       else begin
-        emit t CLOSE ~stack:t.stack;
+        emit t CLOSE;
         ordinary t token
       end
 
 let advance t =
   let token = Lexer.next t.lexer in
+  t.outer <- t.stack;
   if t.before == Lexing.dummy_pos then t.before <- token.start;
   if t.stack = [] && t.opening = None && not t.header then begin
     push t (Block Top) token ~column:token.column;

@@ -14,7 +14,7 @@ type opener =
   | Bracket
   | Brace
   | If  (** waits for [then] *)
-  | Then  (** waits for [else] *)
+  | Then  (** waits for [else]; opened by its [if] too *)
   | Case  (** waits for [of] *)
 
 type context = (opener * Lexer.token) list

@@ -4,7 +4,13 @@ module Automaton = Grammar.MenhirInterpreter
 (* After so many broken items the file is hardly a Frob program. *)
 let most_errors = 50
 
-type reader = { layout : Layout.t; sink : Diagnostic.sink; text : string }
+type reader = {
+  layout : Layout.t;
+  sink : Diagnostic.sink;
+  text : string;
+  mutable cut : bool;
+      (** The item before broke off: one that ends too early now is likely the rest of it. *)
+}
 
 (* To the end of the item that this token belongs to. *)
 let rec skip reader (token : Layout.token) =
@@ -22,7 +28,7 @@ let item reader =
   let rec run before checkpoint =
     match checkpoint with
     | Automaton.InputNeeded _ -> (
-        match (!token).token with
+        match !token.token with
         | BAD -> (Failed, skip reader !token)
         | _ -> run before (Automaton.offer checkpoint (supply ())))
     | Automaton.Shifting _ | Automaton.AboutToReduce _ -> (
@@ -33,20 +39,22 @@ let item reader =
             (Failed, skip reader !token))
     | Automaton.HandlingError env ->
         let state = Automaton.current_state_number env in
-        Syntax_error.report reader.sink ~text:reader.text ~state ~before !token;
+        let ended = !token.token = END in
+        if not (reader.cut && ended) then
+          Syntax_error.report reader.sink ~text:reader.text ~state ~before !token;
+        reader.cut <- ended && Syntax_error.expects_more before;
         (Failed, skip reader !token)
-    | Automaton.Accepted item -> (Item item, (!token).last)
+    | Automaton.Accepted item ->
+        reader.cut <- false;
+        (Item item, !token.last)
     | Automaton.Rejected -> (Failed, skip reader !token)
   (* a token that was shifted makes room for the next *)
   and advance before checkpoint =
     match checkpoint with
     | Automaton.InputNeeded _ ->
         let shifted = !token in
-        if shifted.token = END then run before checkpoint
-        else begin
-          token := Layout.next reader.layout;
-          run (Some shifted) checkpoint
-        end
+        token := Layout.next reader.layout;
+        run (Some shifted) checkpoint
     | Automaton.Shifting _ | Automaton.AboutToReduce _ | Automaton.HandlingError _
     | Automaton.Accepted _ | Automaton.Rejected ->
         run before checkpoint
@@ -97,7 +105,7 @@ let rec collect reader (program : Ir.program) errors =
 let read sink ~file text =
   let layout = Layout.create (Lexer.create sink ~file text) in
   let empty : Ir.program = { file; header = None; imports = []; declarations = [] } in
-  match collect { layout; sink; text } empty 0 with
+  match collect { layout; sink; text; cut = false } empty 0 with
   | program ->
       Some
         {

@@ -1,6 +1,214 @@
 open Basis
+open Grammar
 
-let report sink ~text:_ ~state:_ ~before (token : Layout.token) =
-  let at = Build.span (token.start, token.stop) in
-  ignore (before : Layout.token option);
-  Diagnostic.emit sink (Diagnostic.error ~code:"E0110" ~at "this does not fit here")
+type found = {
+  text : string;  (** the whole source *)
+  state : int;
+  before : Layout.token option;
+  token : Layout.token;
+  context : Layout.context;
+}
+
+let span (t : Layout.token) = Build.span (t.start, t.stop)
+let opener_span (t : Lexer.token) = Build.span (t.start, t.stop)
+let written found = String.sub found.text found.token.start.pos_cnum
+    (found.token.stop.pos_cnum - found.token.start.pos_cnum)
+
+(* {1 What was found} *)
+
+let rec innermost_block : Layout.context -> Layout.block = function
+  | (Block block, _) :: _ -> block
+  | ((Paren | Bracket | Brace | If | Then | Case), _) :: rest -> innermost_block rest
+  | [] -> Top
+
+let item_of : Layout.block -> string = function
+  | Top | Let | Where -> "definition"
+  | Do | Rec -> "statement"
+  | Of -> "branch"
+
+(* Longer texts and names would drown the message. *)
+let shortened text = if String.length text <= 30 then text else String.sub text 0 27 ^ "…"
+
+let describe found =
+  match found.token.token with
+  | END when found.token.last -> "the end of the file"
+  | (END | SEMICOLON) when found.token.made ->
+      Printf.sprintf "the end of the %s" (item_of (innermost_block found.context))
+  | CLOSE | OPEN -> "the end of the block"
+  | DOC _ -> "a comment that documents"
+  | STRING _ -> "a text"
+  | BACKTICK -> "a backtick"
+  | NUMBER _ -> Printf.sprintf "the number `%s`" (shortened (written found))
+  | LOWER _ | QUALIFIED_LOWER _ | UPPER _ | QUALIFIED_UPPER _ | FIELD _ | OPERATOR _ | MINUS
+  | SLASH | STAR | CARET | LPAREN | RPAREN | LBRACE | RBRACE | UNIT_BRACKET | RBRACKET | COMMA
+  | UNDERSCORE | AT | BACKSLASH | EQUAL | BAR | ARROW | LEFT_ARROW | TAIL | DOUBLE_ARROW
+  | DOUBLE_COLON | LET | IN | WHERE | DO | OF | CASE | IF | THEN | ELSE | PROC | REC | MODULE
+  | IMPORT | QUALIFIED | AS | DATA | TYPE | UNIT | PRIMITIVE | SEMICOLON | END | LBRACKET | BAD
+  | RESERVED _ ->
+      Printf.sprintf "`%s`" (shortened (written found))
+
+(* {1 The state's message} *)
+
+let message_of_state state =
+  match Grammar_messages.message state with
+  | text -> (
+      let lines = List.filter (( <> ) "") (String.split_on_char '\n' text) in
+      let prefix = "hint: " in
+      let n = String.length prefix in
+      let hint line =
+        if String.length line > n && String.sub line 0 n = prefix then
+          Some (String.sub line n (String.length line - n))
+        else None
+      in
+      match lines with
+      | expected :: rest -> (expected, List.filter_map hint rest)
+      | [] -> Diagnostic.bug ~stage:"Syntax.Parse" "state %d has an empty message" state)
+  | exception Not_found -> Diagnostic.bug ~stage:"Syntax.Parse" "state %d has no message" state
+
+let with_hint text d = Diagnostic.hint text d
+
+let is_blank found offset =
+  offset >= String.length found.text
+  || match found.text.[offset] with ' ' | '\t' | '\n' | '\r' -> true | _ -> false
+
+let expects_more : Layout.token option -> bool = function
+  | Some
+      { token =
+          ( EQUAL | ARROW | DOUBLE_COLON | DOUBLE_ARROW | OPERATOR _ | MINUS | STAR | SLASH | CARET
+          | BAR | IF | THEN | ELSE | IN | CASE | COMMA | TAIL );
+        _ } ->
+      true
+  | Some _ | None -> false
+
+(* What the token itself suggests, beyond the state. *)
+let hint_of_token found =
+  match (found.token.token, found.before) with
+  | LEFT_ARROW, _ when not (is_blank found found.token.stop.pos_cnum) ->
+      Some "`<-` is always one symbol; to compare with a negative number write `< -` with a blank"
+  | LEFT_ARROW, _ when innermost_block found.context <> Do ->
+      Some "`<-` belongs to the statements of a `do`; an equation is written with `=`"
+  | TAIL, _ -> Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
+  | EQUAL, _ when innermost_block found.context <> Do || found.context = [] ->
+      Some "`=` defines; to compare write `==`"
+  | LBRACE, Some { token = OPEN; _ } ->
+      Some "blocks are made by indentation; braces write records only"
+  | (UNIT | PRIMITIVE | DATA | TYPE | MODULE | IMPORT | REC), Some _ ->
+      Some (Printf.sprintf "`%s` is a word of the language and cannot be a name" (written found))
+  | END, before when expects_more before && not found.token.last ->
+      Some "a definition goes on only in lines that are indented more than its first"
+  | _ -> None
+
+let plain found =
+  let expected, hints = message_of_state found.state in
+  let d =
+    Diagnostic.error ~code:"E0110" ~at:(span found.token) "%s, found %s" expected (describe found)
+  in
+  match hint_of_token found with
+  | Some hint -> Diagnostic.hint hint d
+  | None -> List.fold_left (fun d hint -> with_hint hint d) d hints
+
+(* {1 Brackets} *)
+
+let opening : Layout.opener -> (string * string) option = function
+  | Paren -> Some ("(", ")")
+  | Bracket -> Some ("[", "]")
+  | Brace -> Some ("{", "}")
+  | Block _ | If | Then | Case -> None
+
+(* The innermost bracket that no block hides. *)
+let rec open_bracket : Layout.context -> ((string * string) * Lexer.token) option = function
+  | (Block _, _) :: _ | [] -> None
+  | (opener, by) :: rest -> (
+      match opening opener with Some pair -> Some (pair, by) | None -> open_bracket rest)
+
+let unclosed found ((opener, closer), by) =
+  Diagnostic.error ~code:"E0111" ~at:(opener_span by) "this `%s` is never closed" opener
+  |> Diagnostic.label ~at:(span found.token) (Printf.sprintf "expected `%s` by here" closer)
+
+let bracket found =
+  match found.token.token with
+  | RPAREN | RBRACKET | RBRACE -> (
+      let closer = written found in
+      match open_bracket found.context with
+      | Some ((opener, right), by) when right <> closer ->
+          Some
+            (Diagnostic.error ~code:"E0111" ~at:(span found.token)
+               "`%s` cannot close `%s`" closer opener
+            |> Diagnostic.label ~at:(opener_span by) (Printf.sprintf "expected `%s` for this" right))
+      | Some _ -> None
+      | None ->
+          if
+            List.exists (fun (o, _) -> match opening o with Some (_, c) -> c = closer | None -> false)
+              found.context
+          then None
+          else
+            Some
+              (Diagnostic.error ~code:"E0111" ~at:(span found.token) "this `%s` closes nothing" closer))
+  | END | SEMICOLON | CLOSE | WHERE | IN | THEN | ELSE | OF ->
+      Option.map (unclosed found) (open_bracket found.context)
+  | _ -> None
+
+(* {1 What Frob does not have, or not here} *)
+
+let absent found format =
+  Printf.ksprintf
+    (fun what ->
+      Diagnostic.error ~code:"E0112" ~at:(span found.token) "%s of this version of Frob" what)
+    format
+
+(* The `if` or `case` between this place and the [do] around it. *)
+let rec choice : Layout.context -> Lexer.token option = function
+  | ((If | Then | Case | Block Of), by) :: rest -> (
+      match choice_around rest with true -> Some by | false -> choice rest)
+  | ((Paren | Bracket | Brace | Block _), _) :: _ | [] -> None
+
+and choice_around = function
+  | (Layout.Block (Do | Rec), _) :: _ -> true
+  | ((If | Then | Case | Block Of), _) :: rest -> choice_around rest
+  | ((Paren | Bracket | Brace | Block (Top | Let | Where)), _) :: _ | [] -> false
+
+let choice_of_commands found =
+  match found.token.token with
+  | TAIL | LEFT_ARROW | DO ->
+      Option.map
+        (fun by ->
+          Diagnostic.error ~code:"E0116" ~at:(span found.token)
+            "`if` and `case` cannot choose between commands"
+          |> Diagnostic.label ~at:(opener_span by) "the choice"
+          |> Diagnostic.hint "choose the value instead, as in `y <- sf -< if c then a else b`")
+        (choice found.context)
+  | _ -> None
+
+let missing found =
+  match (found.token.token, found.before) with
+  | RESERVED "deriving", _ ->
+      Some
+        (absent found "`deriving` is not part"
+        |> Diagnostic.hint "leave it out: `==` and `<` work on all data without functions")
+  | RESERVED word, _ -> Some (absent found "`%s` is not part" word)
+  | DO, _ ->
+      Some
+        (absent found "tasks are not part"
+        |> Diagnostic.hint "a `do` with signals follows `proc`, as in `proc x -> do …`")
+  | LBRACKET, Some { token = NUMBER _; _ } ->
+      Some
+        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
+           "a unit directly follows its number, without a blank")
+  | (LBRACKET | UNIT_BRACKET), before ->
+      let d = absent found "arrays are not part" in
+      Some
+        (match before with
+        | Some { token = UPPER _ | LOWER _ | QUALIFIED_UPPER _; _ } when found.token.token = LBRACKET ->
+            Diagnostic.hint "a unit directly follows its type, as in `Float[m]`" d
+        | Some _ | None -> d)
+  | _ -> None
+
+let report sink ~text ~state ~before token =
+  let found = { text; state; before; token; context = Lazy.force token.context } in
+  let first_of list = List.find_map (fun explain -> explain found) list in
+  let d =
+    match first_of [ choice_of_commands; missing; bracket ] with
+    | Some d -> d
+    | None -> plain found
+  in
+  Diagnostic.emit sink d
