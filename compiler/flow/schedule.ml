@@ -38,14 +38,21 @@ let graph items =
     (fun item -> List.filter_map (fun (s : Ir.signal) -> Hashtbl.find_opt definer s.id) (needs item))
     items
 
+let in_order items components =
+  let append order component = List.fold_left (fun order v -> items.(v) :: order) order component in
+  List.rev (List.fold_left append [] components)
+
 let of_node (node : Ir.node) =
   let items = Array.of_list (in_source_order node) in
   let graph = graph items in
   let components = Graph.components graph in
   if List.exists (Graph.is_cyclic graph) components then
     Diagnostic.bug ~stage:"Flow.Schedule" "`%s` has a cycle" node.name;
-  let append order component = List.fold_left (fun order v -> items.(v) :: order) order component in
-  List.rev (List.fold_left append [] components)
+  in_order items components
+
+let as_far_as_possible node =
+  let items = Array.of_list (in_source_order node) in
+  in_order items (Graph.components (graph items))
 
 let loops (node : Ir.node) =
   let items = Array.of_list (in_source_order node) in

@@ -14,8 +14,16 @@ type item =
   | Equation of Ir.equation
   | Instance of Ir.instance
 
+val in_source_order : Ir.node -> item list
+(** The node's own order: that of its equations, each instance before the
+    first equation that is written after it. *)
+
 val of_node : Ir.node -> item list
 (** Raises {!Basis.Diagnostic.Bug} on a cycle. *)
+
+val as_far_as_possible : Ir.node -> item list
+(** Like {!of_node}, but for nodes not yet inlined: within a cycle of items the
+    order is the node's own. *)
 
 val loops : Ir.node -> Ir.instance list list
 (** The instances in each cycle of items: those that cannot run as one call.

@@ -1,0 +1,88 @@
+open Ir
+
+(* Rounds to minus infinity; total (language reference, section 4). *)
+let div a b =
+  if Int32.equal b 0l then 0l
+  else
+    let quotient = Int32.div a b and rest = Int32.rem a b in
+    if (not (Int32.equal rest 0l)) && Int32.compare rest 0l < 0 <> (Int32.compare b 0l < 0) then
+      Int32.pred quotient
+    else quotient
+
+let mod_ a b = if Int32.equal b 0l then 0l else Int32.sub a (Int32.mul (div a b) b)
+
+(* [x] is whole, infinite or NaN. *)
+let saturate x =
+  if Float.is_nan x then 0l
+  else if x >= 2147483647. then Int32.max_int
+  else if x <= -2147483648. then Int32.min_int
+  else Int32.of_float x
+
+let on_ints operator a b : Ir.atom option =
+  let below = Int32.compare a b < 0 in
+  match operator with
+  | Add -> Some (Int (Int32.add a b))
+  | Subtract -> Some (Int (Int32.sub a b))
+  | Multiply -> Some (Int (Int32.mul a b))
+  | Div -> Some (Int (div a b))
+  | Mod -> Some (Int (mod_ a b))
+  | Equal -> Some (Bool (Int32.equal a b))
+  | Less -> Some (Bool below)
+  | Less_equal -> Some (Bool (below || Int32.equal a b))
+  | Minimum -> Some (Int (if below then a else b))
+  | Maximum -> Some (Int (if below then b else a))
+  | Negate | Absolute | Signum | Divide | Pow | Elementary _ | To_float | Round | Floor | Ceiling
+  | Truncate | Not | And | Or ->
+      None
+
+let on_floats operator a b : Ir.atom option =
+  let nan_or x = Some (Float (if Float.is_nan a || Float.is_nan b then Float.nan else x)) in
+  match operator with
+  | Add -> Some (Float (a +. b))
+  | Subtract -> Some (Float (a -. b))
+  | Multiply -> Some (Float (a *. b))
+  | Divide -> Some (Float (a /. b))
+  | Equal -> Some (Bool (a = b))
+  | Less -> Some (Bool (a < b))
+  | Less_equal -> Some (Bool (a <= b))
+  | Minimum -> nan_or (if b < a then b else a)
+  | Maximum -> nan_or (if b > a then b else a)
+  | Negate | Absolute | Signum | Div | Mod | Pow | Elementary _ | To_float | Round | Floor
+  | Ceiling | Truncate | Not | And | Or ->
+      None
+
+let on_int operator a : Ir.atom option =
+  match operator with
+  | Negate -> Some (Int (Int32.neg a))
+  | Absolute -> Some (Int (Int32.abs a))
+  | Signum -> Some (Int (Int32.of_int (Int32.compare a 0l)))
+  | To_float -> Some (Float (Int32.to_float a))
+  | Add | Subtract | Multiply | Equal | Less | Less_equal | Minimum | Maximum | Divide | Pow
+  | Elementary _ | Div | Mod | Round | Floor | Ceiling | Truncate | Not | And | Or ->
+      None
+
+let on_float operator a : Ir.atom option =
+  match operator with
+  | Negate -> Some (Float (-.a))
+  | Absolute -> Some (Float (Float.abs a))
+  | Signum -> Some (Float (if a > 0. then 1. else if a < 0. then -1. else a))
+  | Elementary Sqrt -> Some (Float (Float.sqrt a))
+  | Round -> Some (Int (saturate (Float.round a)))
+  | Floor -> Some (Int (saturate (Float.floor a)))
+  | Ceiling -> Some (Int (saturate (Float.ceil a)))
+  | Truncate -> Some (Int (saturate (Float.trunc a)))
+  | Elementary (Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2)
+  | Add | Subtract | Multiply | Equal | Less | Less_equal | Minimum | Maximum | Divide | Pow | Div
+  | Mod | To_float | Not | And | Or ->
+      None
+
+let operation operator (arguments : Ir.atom list) : Ir.atom option =
+  match (operator, arguments) with
+  | _, [ Int a; Int b ] -> on_ints operator a b
+  | _, [ Float a; Float b ] -> on_floats operator a b
+  | _, [ Int a ] -> on_int operator a
+  | _, [ Float a ] -> on_float operator a
+  | Not, [ Bool a ] -> Some (Bool (not a))
+  | And, [ Bool a; Bool b ] -> Some (Bool (a && b))
+  | Or, [ Bool a; Bool b ] -> Some (Bool (a || b))
+  | _ -> None

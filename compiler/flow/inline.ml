@@ -1,0 +1,213 @@
+open Basis
+
+(* The size up to which a node is inlined: about what fits on a few lines. *)
+let small = 8
+
+(* A call reads like several operations, and hides more. *)
+let size_of_instance = 4
+
+let size (node : Ir.node) =
+  let operation (e : Ir.equation) =
+    match e.rhs with
+    | Copy _ -> 0
+    | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Delay _ | Time | Integral _
+    | Derivative _ ->
+        1
+  in
+  List.fold_left
+    (fun size e -> size + operation e)
+    (size_of_instance * List.length node.instances)
+    node.equations
+
+let next_id (program : Ir.program) =
+  let larger next (s : Ir.signal) = max next (1 + max s.id s.group) in
+  Array.fold_left
+    (fun next (node : Ir.node) ->
+      let next = List.fold_left larger next node.statics in
+      let next = List.fold_left larger next node.inputs in
+      let next =
+        List.fold_left (fun next (e : Ir.equation) -> larger next e.defines) next node.equations
+      in
+      List.fold_left
+        (fun next (i : Ir.instance) -> List.fold_left larger next i.outputs)
+        next node.instances)
+    0 program.nodes
+
+type context = {
+  nodes : Ir.node array;  (** callees already done *)
+  is_small : bool array;  (** of those done *)
+  dependencies : Dependency.node array;
+      (** from before: what a node passes on does not change *)
+  mutable fresh : int;
+}
+
+(* The names taken in a node, each with the last number given to a namesake. *)
+type names = (string, int) Hashtbl.t
+
+let unique (names : names) ~prefix name =
+  let rec numbered base n =
+    let candidate = Printf.sprintf "%s_%d" base n in
+    if Hashtbl.mem names candidate then numbered base (n + 1)
+    else begin
+      Hashtbl.replace names base n;
+      candidate
+    end
+  in
+  let choose name =
+    match Hashtbl.find_opt names name with
+    | None -> name
+    | Some n -> numbered name (n + 1)
+  in
+  let chosen =
+    if not (Hashtbl.mem names name) then name else choose (prefix ^ "." ^ name)
+  in
+  if not (Hashtbl.mem names chosen) then Hashtbl.replace names chosen 1;
+  chosen
+
+let signal_names (node : Ir.node) : names =
+  let names = Hashtbl.create 64 in
+  let take (s : Ir.signal) = if s.name <> "" then Hashtbl.replace names s.name 1 in
+  List.iter take node.statics;
+  List.iter take node.inputs;
+  List.iter (fun (e : Ir.equation) -> take e.defines) node.equations;
+  List.iter (fun (i : Ir.instance) -> List.iter take i.outputs) node.instances;
+  names
+
+let instance_names (node : Ir.node) : names =
+  let names = Hashtbl.create 16 in
+  List.iter (fun (i : Ir.instance) -> Hashtbl.replace names i.name 1) node.instances;
+  names
+
+let map f items = List.rev (List.rev_map f items)
+
+(* The equations and instances that do what [instance] does. *)
+let expand context ~signals ~instances (instance : Ir.instance) =
+  let callee = context.nodes.(instance.node) in
+  let copies : (int, Ir.atom) Hashtbl.t = Hashtbl.create 32 in
+  let groups = Hashtbl.create 8 in
+  let bind (s : Ir.signal) atom = Hashtbl.replace copies s.id atom in
+  List.iter2 bind callee.statics instance.statics;
+  List.iter2 bind callee.inputs instance.inputs;
+  (* An output that the caller has named is computed under that name. *)
+  List.iter2
+    (fun (s : Ir.signal) (_, a) ->
+      match (a : Ir.atom) with
+      | Signal inner when s.name <> "" && not (Hashtbl.mem copies inner.id) ->
+          bind inner (Signal s)
+      | Signal _ | Bool _ | Int _ | Float _ -> ())
+    instance.outputs callee.outputs;
+  let fresh_id () =
+    let id = context.fresh in
+    context.fresh <- id + 1;
+    id
+  in
+  let copy (s : Ir.signal) =
+    match Hashtbl.find_opt copies s.id with
+    | Some (Signal copy) -> copy
+    | Some (Bool _ | Int _ | Float _) ->
+        Diagnostic.bug ~stage:"Flow.Inline" "a parameter of `%s` is defined in it" callee.name
+    | None ->
+        let id = fresh_id () in
+        let group =
+          match Hashtbl.find_opt groups s.group with
+          | Some group -> group
+          | None ->
+              Hashtbl.add groups s.group id;
+              id
+        in
+        let name = if s.name = "" then "" else unique signals ~prefix:instance.name s.name in
+        let copy = { s with id; group; name } in
+        bind s (Signal copy);
+        copy
+  in
+  let atom : Ir.atom -> Ir.atom = function
+    | Signal s -> (
+        match Hashtbl.find_opt copies s.id with
+        | Some atom -> atom
+        | None -> Signal (copy s))
+    | (Bool _ | Int _ | Float _) as constant -> constant
+  in
+  let equations =
+    map
+      (fun (e : Ir.equation) ->
+        let defines = copy e.defines in
+        { e with defines; rhs = Operands.map atom e.rhs })
+      callee.equations
+  in
+  let inner =
+    map
+      (fun (i : Ir.instance) ->
+        {
+          i with
+          name = unique instances ~prefix:instance.name i.name;
+          statics = map atom i.statics;
+          inputs = map atom i.inputs;
+          outputs = map copy i.outputs;
+        })
+      callee.instances
+  in
+  let results =
+    List.fold_left2
+      (fun results (s : Ir.signal) (_, a) ->
+        match atom a with
+        | Signal same when same.id = s.id -> results
+        | by -> { Ir.defines = s; rhs = Copy by; span = instance.span } :: results)
+      [] instance.outputs callee.outputs
+  in
+  (List.rev_append (List.rev equations) (List.rev results), inner)
+
+(* The instances that [chosen] holds for are expanded where they stand. *)
+let expand_chosen context chosen (node : Ir.node) =
+  let signals = signal_names node and instances = instance_names node in
+  let equations, kept =
+    List.fold_left
+      (fun (equations, kept) item ->
+        match item with
+        | Schedule.Equation e -> (e :: equations, kept)
+        | Instance i when not (chosen i) -> (equations, i :: kept)
+        | Instance i ->
+            let inner_equations, inner_instances = expand context ~signals ~instances i in
+            (List.rev_append inner_equations equations, List.rev_append inner_instances kept))
+      ([], [])
+      (Schedule.in_source_order node)
+  in
+  { node with equations = List.rev equations; instances = List.rev kept }
+
+(* Does each output need every input anyhow? Then the instance is as good as
+   one operation, and opening it breaks no cycle. *)
+let is_one_operation context (i : Ir.instance) =
+  let inputs = List.length i.inputs in
+  Array.for_all
+    (fun passed -> Dependency.Inputs.cardinal passed = inputs)
+    context.dependencies.(i.node).passed
+
+let rec open_loops context (node : Ir.node) =
+  match Schedule.loops node with
+  | [] -> node
+  | loops ->
+      let names = Hashtbl.create 16 in
+      List.iter
+        (List.iter (fun (i : Ir.instance) ->
+             if not (is_one_operation context i) then Hashtbl.replace names i.name ()))
+        loops;
+      if Hashtbl.length names = 0 then
+        Diagnostic.bug ~stage:"Flow.Inline" "`%s` is not causal" node.name;
+      expand_chosen context (fun i -> Hashtbl.mem names i.name) node |> open_loops context
+
+let program (program : Ir.program) =
+  let context =
+    {
+      nodes = Array.copy program.nodes;
+      is_small = Array.make (Array.length program.nodes) false;
+      dependencies = Dependency.program program;
+      fresh = next_id program;
+    }
+  in
+  Array.iteri
+    (fun index node ->
+      let is_small (i : Ir.instance) = context.is_small.(i.node) in
+      let node = open_loops context (expand_chosen context is_small node) in
+      context.nodes.(index) <- node;
+      context.is_small.(index) <- size node <= small)
+    program.nodes;
+  { program with nodes = context.nodes }

@@ -1,0 +1,16 @@
+(* Literals first, as they decide choices; sharing after simplifying, which
+   makes equal what looked different; dead code last, for what all of them
+   leave behind. *)
+let tidy program =
+  program |> Specific.program |> Simplify.program |> Share.program |> Dead.program
+
+let program program =
+  program
+  (* Before inlining, so that sizes are those of the work that remains, and
+     what is done twice is inlined once. *)
+  |> tidy
+  |> Inline.program
+  (* Inlined equations meet their arguments. *)
+  |> tidy
+  (* Shared signals make further choices and differences known. *)
+  |> tidy

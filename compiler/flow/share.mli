@@ -1,0 +1,11 @@
+(** Every common subexpression once in each node.
+
+    Two equations are one if their right sides are the same operation on
+    signals that are one; so are two instances of a node with the same statics
+    and inputs, as both start together and make the same steps. Delays too,
+    even in feedback loops: two counters are one counter. Method: the coarsest
+    congruence ({!Basis.Partition}); the first of each class stays, and with
+    it a name that the programmer gave to any of them. *)
+
+val node : Ir.node -> Ir.node
+val program : Ir.program -> Ir.program

@@ -1,0 +1,142 @@
+(* What the operands of later equations are known to be: the right sides seen
+   so far, simplified, by signal id. *)
+type known = (int, Ir.rhs) Hashtbl.t
+
+let definition (known : known) : Ir.atom -> Ir.rhs option = function
+  | Signal s -> Hashtbl.find_opt known s.id
+  | Bool _ | Int _ | Float _ -> None
+
+(* The same value, bit for bit. *)
+let same (a : Ir.atom) (b : Ir.atom) =
+  match (a, b) with
+  | Signal a, Signal b -> a.id = b.id
+  | Bool a, Bool b -> Bool.equal a b
+  | Int a, Int b -> Int32.equal a b
+  | Float a, Float b -> Int64.equal (Int64.bits_of_float a) (Int64.bits_of_float b)
+  | (Signal _ | Bool _ | Int _ | Float _), _ -> false
+
+let is_int : Ir.atom -> bool = function
+  | Int _ -> true
+  | Signal s -> s.ty = Int
+  | Bool _ | Float _ -> false
+
+let positive_zero (a : Ir.atom) = same a (Float 0.)
+let negative_zero (a : Ir.atom) = same a (Float (-0.))
+
+let operation known (operator : Ir.operator) (arguments : Ir.atom list) : Ir.rhs =
+  let unchanged = Ir.Op (operator, arguments) in
+  match (operator, arguments) with
+  | Add, ([ a; Int 0l ] | [ Int 0l; a ]) -> Copy a
+  | Add, [ a; zero ] when negative_zero zero -> Copy a
+  | Add, [ zero; a ] when negative_zero zero -> Copy a
+  | Subtract, [ a; Int 0l ] -> Copy a
+  | Subtract, [ a; zero ] when positive_zero zero -> Copy a
+  | Subtract, [ a; b ] when is_int a && same a b -> Copy (Int 0l)
+  | Multiply, ([ _; Int 0l ] | [ Int 0l; _ ]) -> Copy (Int 0l)
+  | Multiply, ([ a; (Int 1l | Float 1.) ] | [ (Int 1l | Float 1.); a ]) -> Copy a
+  | Divide, [ a; Float 1. ] | Div, [ a; Int 1l ] -> Copy a
+  | (Minimum | Maximum), [ a; b ] when same a b -> Copy a
+  | (Equal | Less_equal), [ a; b ] when is_int a && same a b -> Copy (Bool true)
+  | Less, [ a; b ] when same a b -> Copy (Bool false)
+  | (And | Or), [ a; b ] when same a b -> Copy a
+  | And, ([ a; Bool true ] | [ Bool true; a ]) -> Copy a
+  | And, ([ _; Bool false ] | [ Bool false; _ ]) -> Copy (Bool false)
+  | Or, ([ a; Bool false ] | [ Bool false; a ]) -> Copy a
+  | Or, ([ _; Bool true ] | [ Bool true; _ ]) -> Copy (Bool true)
+  | (Not | Negate), [ a ] -> (
+      match definition known a with
+      | Some (Op (inner, [ b ])) when inner = operator -> Copy b
+      | Some _ | None -> unchanged)
+  | Absolute, [ a ] -> (
+      match definition known a with
+      | Some (Op (Absolute, _)) -> Copy a
+      | Some (Op (Negate, [ b ])) -> Op (Absolute, [ b ])
+      | Some _ | None -> unchanged)
+  | _ -> unchanged
+
+let choice known condition then_ else_ : Ir.rhs =
+  match (condition : Ir.atom) with
+  | Bool true -> Copy then_
+  | Bool false -> Copy else_
+  | Int _ | Float _ | Signal _ -> (
+      if same then_ else_ then Copy then_
+      else
+        match ((then_ : Ir.atom), (else_ : Ir.atom)) with
+        | Bool true, Bool false -> Copy condition
+        | Bool false, Bool true -> Op (Not, [ condition ])
+        | _ -> (
+            match definition known condition with
+            | Some (Op (Not, [ positive ])) ->
+                If { condition = positive; then_ = else_; else_ = then_ }
+            | Some _ | None -> If { condition; then_; else_ }))
+
+(* Which constructor an atom has, as a Bool, where that can be told without
+   looking at its tag. *)
+let has_constructor known value constructor : Ir.rhs option =
+  let is value =
+    match definition known value with
+    | Some (Ir.Construct c) -> Some (c.constructor = constructor)
+    | Some _ | None -> None
+  in
+  match definition known value with
+  | Some (Construct c) -> Some (Copy (Bool (c.constructor = constructor)))
+  | Some (If { condition; then_; else_ }) -> (
+      match (is then_, is else_) with
+      | Some then_, Some else_ -> Some (choice known condition (Bool then_) (Bool else_))
+      | None, _ | _, None -> None)
+  | Some _ | None -> None
+
+(* The leaf of a payload. A value of another constructor has an unspecified
+   one there, so where only one branch has it, it is taken. *)
+let payload known value constructor leaf : Ir.rhs option =
+  let of_construct value =
+    match definition known value with
+    | Some (Ir.Construct c) when c.constructor = constructor -> `Leaf (List.nth c.payload leaf)
+    | Some (Ir.Construct _) -> `Other_constructor
+    | Some _ | None -> `Unknown
+  in
+  match (of_construct value, definition known value) with
+  | `Leaf a, _ -> Some (Copy a)
+  | (`Other_constructor | `Unknown), Some (If { condition; then_; else_ }) -> (
+      match (of_construct then_, of_construct else_) with
+      | `Leaf a, `Leaf b -> Some (choice known condition a b)
+      | `Leaf a, `Other_constructor | `Other_constructor, `Leaf a -> Some (Copy a)
+      | (`Leaf _ | `Other_constructor | `Unknown), _ -> None)
+  | (`Other_constructor | `Unknown), _ -> None
+
+let simplify known (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
+  match rhs with
+  | Op (operator, arguments) -> (
+      match Fold.operation operator arguments with
+      | Some constant -> Copy constant
+      | None -> operation known operator arguments)
+  | If { condition; then_; else_ } -> choice known condition then_ else_
+  | Is_constructor (value, constructor) ->
+      Option.value (has_constructor known value constructor) ~default:rhs
+  | Payload { value; constructor; leaf } ->
+      Option.value (payload known value constructor leaf) ~default:rhs
+  | Delay { init; next } when same next init || same next (Signal defines) ->
+      (* [init] is static: it is the same at every instant. *)
+      Copy init
+  | Copy _ | Construct _ | Delay _ | Time | Integral _ | Derivative _ -> rhs
+
+let node (node : Ir.node) =
+  let known : known = Hashtbl.create 64 in
+  let substitution = Substitution.create () in
+  let visit = function
+    | Schedule.Instance _ -> ()
+    | Equation e -> (
+        match simplify known e.defines (Operands.map (Substitution.atom substitution) e.rhs) with
+        | Copy a -> Substitution.replace substitution e.defines a
+        | rhs -> Hashtbl.replace known e.defines.id rhs)
+  in
+  List.iter visit (Schedule.as_far_as_possible node);
+  let equations =
+    List.filter_map
+      (fun (e : Ir.equation) ->
+        Option.map (fun rhs -> { e with rhs }) (Hashtbl.find_opt known e.defines.id))
+      node.equations
+  in
+  Substitution.node substitution { node with equations }
+
+let program (program : Ir.program) = { program with nodes = Array.map node program.nodes }

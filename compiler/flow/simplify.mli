@@ -1,0 +1,10 @@
+(** Constants are computed, copies and choices already made disappear.
+
+    Nothing is rewritten that could change a bit of any output: on Float only
+    identities that hold for every value (not [x + 0], which turns -0 into 0).
+    Names that the programmer gave to copies go on to what is copied, where
+    that had none. Expects no particular order, but sees most in an acyclic
+    node; linear. *)
+
+val node : Ir.node -> Ir.node
+val program : Ir.program -> Ir.program

@@ -1,0 +1,79 @@
+(* What the instances seen so far pass for a parameter. *)
+type passed =
+  | Nothing
+  | Always of Ir.atom  (** the same literal *)
+  | Different
+
+let same_literal (a : Ir.atom) (b : Ir.atom) =
+  match (a, b) with
+  | Bool a, Bool b -> Bool.equal a b
+  | Int a, Int b -> Int32.equal a b
+  | Float a, Float b -> Int64.equal (Int64.bits_of_float a) (Int64.bits_of_float b)
+  | (Signal _ | Bool _ | Int _ | Float _), _ -> false
+
+let join passed (a : Ir.atom) =
+  match (passed, a) with
+  | (Nothing | Always _ | Different), Signal _ | Different, (Bool _ | Int _ | Float _) -> Different
+  | Nothing, (Bool _ | Int _ | Float _) -> Always a
+  | Always b, (Bool _ | Int _ | Float _) -> if same_literal a b then passed else Different
+
+(* Callers come before callees here, so a literal may go down many levels. *)
+let parameters (program : Ir.program) =
+  let nodes = Array.copy program.nodes in
+  let passed =
+    Array.map
+      (fun (node : Ir.node) ->
+        Array.make (List.length node.statics + List.length node.inputs) Nothing)
+      nodes
+  in
+  for index = Array.length nodes - 1 downto 0 do
+    let node = nodes.(index) in
+    let substitution = Substitution.create () in
+    List.iteri
+      (fun j s ->
+        match passed.(index).(j) with
+        | Always literal -> Substitution.replace substitution s literal
+        | Nothing | Different -> ())
+      (List.rev_append (List.rev node.statics) node.inputs);
+    let node = Substitution.node substitution node in
+    nodes.(index) <- node;
+    List.iter
+      (fun (i : Ir.instance) ->
+        let note j a = passed.(i.node).(j) <- join passed.(i.node).(j) a in
+        List.iteri note (List.rev_append (List.rev i.statics) i.inputs))
+      node.instances
+  done;
+  { program with nodes }
+
+(* And here callees before callers. *)
+let outputs (program : Ir.program) =
+  let nodes = Array.copy program.nodes in
+  let argument (callee : Ir.node) (i : Ir.instance) : Ir.atom -> Ir.atom option = function
+    | (Bool _ | Int _ | Float _) as literal -> Some literal
+    | Signal s ->
+        let among parameters atoms =
+          List.fold_left2
+            (fun found (p : Ir.signal) a -> if p.id = s.id then Some a else found)
+            None parameters atoms
+        in
+        Option.fold (among callee.statics i.statics) ~some:Option.some
+          ~none:(among callee.inputs i.inputs)
+  in
+  Array.iteri
+    (fun index (node : Ir.node) ->
+      let substitution = Substitution.create () in
+      List.iter
+        (fun (i : Ir.instance) ->
+          let callee = nodes.(i.node) in
+          List.iter2
+            (fun (s : Ir.signal) (_, a) ->
+              match argument callee i a with
+              | Some by -> Substitution.replace substitution s by
+              | None -> ())
+            i.outputs callee.outputs)
+        node.instances;
+      nodes.(index) <- Substitution.node substitution node)
+    nodes;
+  { program with nodes }
+
+let program program = outputs (parameters program)

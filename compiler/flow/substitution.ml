@@ -1,0 +1,70 @@
+type t = {
+  atoms : (int, Ir.atom) Hashtbl.t;  (** by the id of the signal replaced *)
+  names : (int, Ir.signal) Hashtbl.t;  (** whose name and place a signal takes over *)
+}
+
+let create () = { atoms = Hashtbl.create 64; names = Hashtbl.create 16 }
+let is_replaced t (s : Ir.signal) = Hashtbl.mem t.atoms s.id
+
+let rec last t = function
+  | Ir.Signal s as atom -> (
+      match Hashtbl.find_opt t.atoms s.id with
+      | Some next -> last t next
+      | None -> atom)
+  | (Bool _ | Int _ | Float _) as atom -> atom
+
+(* Every signal on the way is pointed at the end, so chains stay short. *)
+let rec shorten t goal = function
+  | Ir.Signal s -> (
+      match Hashtbl.find_opt t.atoms s.id with
+      | Some next ->
+          Hashtbl.replace t.atoms s.id goal;
+          shorten t goal next
+      | None -> ())
+  | Bool _ | Int _ | Float _ -> ()
+
+let renamed t (s : Ir.signal) =
+  match Hashtbl.find_opt t.names s.id with
+  | Some named -> { s with name = named.name; span = named.span }
+  | None -> s
+
+let atom t a =
+  let goal = last t a in
+  shorten t goal a;
+  match goal with
+  | Signal s -> Ir.Signal (renamed t s)
+  | Bool _ | Int _ | Float _ -> goal
+
+let replace t (s : Ir.signal) by =
+  let goal = last t by in
+  Hashtbl.replace t.atoms s.id goal;
+  match goal with
+  | Signal target ->
+      let name = (renamed t s).name in
+      if name <> "" && (renamed t target).name = "" then
+        Hashtbl.replace t.names target.id (renamed t s)
+  | Bool _ | Int _ | Float _ -> ()
+
+let list f items = List.rev (List.rev_map f items)
+
+let node t (node : Ir.node) =
+  let equation (e : Ir.equation) =
+    if is_replaced t e.defines then None
+    else Some { e with defines = renamed t e.defines; rhs = Operands.map (atom t) e.rhs }
+  in
+  let instance (i : Ir.instance) =
+    {
+      i with
+      statics = list (atom t) i.statics;
+      inputs = list (atom t) i.inputs;
+      outputs = list (renamed t) i.outputs;
+    }
+  in
+  {
+    node with
+    statics = list (renamed t) node.statics;
+    inputs = list (renamed t) node.inputs;
+    outputs = list (fun (name, a) -> (name, atom t a)) node.outputs;
+    equations = List.filter_map equation node.equations;
+    instances = list instance node.instances;
+  }
