@@ -35,8 +35,12 @@ let on_ints operator a b : Ir.atom option =
   | Truncate | Not | And | Or ->
       None
 
+(* Quiet; [Float.nan] was a signalling one before OCaml 5.1, which [pow] and
+   others tell apart. *)
+let nan = Int64.float_of_bits 0x7ff8_0000_0000_0000L
+
 let on_floats operator a b : Ir.atom option =
-  let nan_or x = Some (Float (if Float.is_nan a || Float.is_nan b then Float.nan else x)) in
+  let nan_or x = Some (Float (if Float.is_nan a || Float.is_nan b then nan else x)) in
   match operator with
   | Add -> Some (Float (a +. b))
   | Subtract -> Some (Float (a -. b))

@@ -1,0 +1,331 @@
+open Flow
+
+type value =
+  | Bool of bool
+  | Int of int32
+  | Float of float
+  | Sum of int * value list
+
+type instant = { dt : float; inputs : value list }
+
+let rec equal a b =
+  match (a, b) with
+  | Bool a, Bool b -> Bool.equal a b
+  | Int a, Int b -> Int32.equal a b
+  | Float a, Float b ->
+      (Float.is_nan a && Float.is_nan b) || Int64.equal (Int64.bits_of_float a) (Int64.bits_of_float b)
+  | Sum (a, payload), Sum (b, other) -> a = b && List.for_all2 equal payload other
+  | (Bool _ | Int _ | Float _ | Sum _), _ -> false
+
+let rec show = function
+  | Bool b -> string_of_bool b
+  | Int n -> Int32.to_string n
+  | Float x -> Printf.sprintf "%h" x
+  | Sum (c, payload) -> Printf.sprintf "#%d(%s)" c (String.concat ", " (List.map show payload))
+
+(* Quiet, unlike OCaml's own before 5.1. *)
+let nan = Int64.float_of_bits 0x7ff8_0000_0000_0000L
+
+let floor_div a b =
+  if b = 0l then 0l
+  else
+    let a = Int32.to_int a and b = Int32.to_int b in
+    Int32.of_float (Float.floor (float_of_int a /. float_of_int b))
+
+let to_int x =
+  if Float.is_nan x then 0l
+  else Int32.of_float (Float.min 2147483647. (Float.max (-2147483648.) x))
+
+let half_away x = if x < 0. then Float.ceil (x -. 0.5) else Float.floor (x +. 0.5)
+
+let elementary (f : Core.Primitive.elementary) arguments =
+  match (f, arguments) with
+  | Sqrt, [ x ] -> sqrt x
+  | Hypot, [ x; y ] -> hypot x y
+  | Exp, [ x ] -> exp x
+  | Log, [ x ] -> log x
+  | Sin, [ x ] -> sin x
+  | Cos, [ x ] -> cos x
+  | Tan, [ x ] -> tan x
+  | Asin, [ x ] -> asin x
+  | Acos, [ x ] -> acos x
+  | Atan, [ x ] -> atan x
+  | Atan2, [ x; y ] -> atan2 x y
+  | _ -> failwith "arity"
+
+let operation (operator : Ir.operator) arguments =
+  match (operator, arguments) with
+  | Add, [ Int a; Int b ] -> Int (Int32.add a b)
+  | Subtract, [ Int a; Int b ] -> Int (Int32.sub a b)
+  | Multiply, [ Int a; Int b ] -> Int (Int32.mul a b)
+  | Div, [ Int a; Int b ] ->
+      (* exact in double but for the one overflow *)
+      Int (if b = -1l then Int32.neg a else floor_div a b)
+  | Mod, [ Int a; Int b ] ->
+      let q = if b = -1l then Int32.neg a else floor_div a b in
+      Int (if b = 0l then 0l else Int32.sub a (Int32.mul q b))
+  | Negate, [ Int a ] -> Int (Int32.neg a)
+  | Absolute, [ Int a ] -> Int (if Int32.compare a 0l < 0 then Int32.neg a else a)
+  | Signum, [ Int a ] -> Int (Int32.of_int (compare a 0l))
+  | Equal, [ Int a; Int b ] -> Bool (a = b)
+  | Less, [ Int a; Int b ] -> Bool (a < b)
+  | Less_equal, [ Int a; Int b ] -> Bool (a <= b)
+  | Minimum, [ Int a; Int b ] -> Int (min a b)
+  | Maximum, [ Int a; Int b ] -> Int (max a b)
+  | To_float, [ Int a ] -> Float (Int32.to_float a)
+  | Add, [ Float a; Float b ] -> Float (a +. b)
+  | Subtract, [ Float a; Float b ] -> Float (a -. b)
+  | Multiply, [ Float a; Float b ] -> Float (a *. b)
+  | Divide, [ Float a; Float b ] -> Float (a /. b)
+  | Negate, [ Float a ] -> Float (-.a)
+  | Absolute, [ Float a ] -> Float (Float.abs a)
+  | Signum, [ Float a ] -> Float (if a > 0. then 1. else if a < 0. then -1. else a)
+  | Equal, [ Float a; Float b ] -> Bool (a = b)
+  | Less, [ Float a; Float b ] -> Bool (a < b)
+  | Less_equal, [ Float a; Float b ] -> Bool (a <= b)
+  | (Minimum | Maximum), [ Float a; Float b ] when Float.is_nan a || Float.is_nan b -> Float nan
+  | Minimum, [ Float a; Float b ] -> Float (if b < a then b else a)
+  | Maximum, [ Float a; Float b ] -> Float (if b > a then b else a)
+  | Pow, [ Float a; Float b ] -> Float (Float.pow a b)
+  | Round, [ Float a ] -> Int (to_int (half_away a))
+  | Floor, [ Float a ] -> Int (to_int (Float.floor a))
+  | Ceiling, [ Float a ] -> Int (to_int (Float.ceil a))
+  | Truncate, [ Float a ] -> Int (to_int (Float.trunc a))
+  | Elementary f, arguments ->
+      Float (elementary f (List.map (function Float x -> x | _ -> failwith "type") arguments))
+  | Not, [ Bool a ] -> Bool (not a)
+  | And, [ Bool a; Bool b ] -> Bool (a && b)
+  | Or, [ Bool a; Bool b ] -> Bool (a || b)
+  | _ -> failwith "ill-typed operation"
+
+let zero : Ir.ty -> value = function
+  | Bool -> Bool false
+  | Int -> Int 0l
+  | Float -> Float 0.
+  | Sum _ -> failwith "a sum in a payload"
+
+let is_true = function Bool b -> b | Int _ | Float _ | Sum _ -> failwith "not a Bool"
+let number = function Float x -> x | Bool _ | Int _ | Sum _ -> failwith "not a Float"
+
+(* What a stateful equation remembers: see {!advance}. *)
+type memory = { past : value; total : float }
+
+type clock = { dt : float; time : float; first : bool }
+
+(* The value of an equation, given how to read operands and memory. *)
+let value clock read memory (e : Ir.equation) =
+  match e.rhs with
+  | Copy a -> read a
+  | Op (operator, arguments) -> operation operator (List.map read arguments)
+  | If { condition; then_; else_ } -> if is_true (read condition) then read then_ else read else_
+  | Construct { constructor; payload } -> Sum (constructor, List.map read payload)
+  | Is_constructor (a, constructor) -> (
+      match read a with
+      | Sum (c, _) -> Bool (c = constructor)
+      | Bool _ | Int _ | Float _ -> failwith "not a sum")
+  | Payload { value; constructor; leaf } -> (
+      match read value with
+      | Sum (c, payload) when c = constructor -> List.nth payload leaf
+      | Sum _ -> zero e.defines.ty
+      | Bool _ | Int _ | Float _ -> failwith "not a sum")
+  | Time -> Float clock.time
+  | Delay { init; _ } -> if clock.first then read init else (memory e).past
+  | Integral _ ->
+      if clock.first then Float 0.
+      else
+        let m = memory e in
+        Float (m.total +. (clock.dt *. number m.past))
+  | Derivative a ->
+      if clock.first then Float 0.
+      else
+        let m = memory e in
+        if clock.dt = 0. then Float m.total
+        else Float ((number (read a) -. number m.past) /. clock.dt)
+
+(* What it remembers for the next instant, its value now being [now]. *)
+let advance read now (e : Ir.equation) =
+  match e.rhs with
+  | Delay { next; _ } -> Some { past = read next; total = 0. }
+  | Integral a | Derivative a -> Some { past = read a; total = number now }
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Time -> None
+
+let constant : Ir.atom -> value option = function
+  | Bool b -> Some (Bool b)
+  | Int n -> Some (Int n)
+  | Float x -> Some (Float x)
+  | Signal _ -> None
+
+(* One instance of a node, its state in it. *)
+type frame = {
+  node : Ir.node;
+  children : (string * frame) list;
+  now : (int, value) Hashtbl.t;  (** values of this instant *)
+  held : (int, value) Hashtbl.t;  (** kept by the reset *)
+  memory : (int, memory) Hashtbl.t;
+  statics : Statics.t;
+}
+
+let rec frame (program : Ir.program) statics index =
+  let node = program.nodes.(index) in
+  {
+    node;
+    children =
+      List.map (fun (i : Ir.instance) -> (i.name, frame program statics i.node)) node.instances;
+    now = Hashtbl.create 16;
+    held = Hashtbl.create 16;
+    memory = Hashtbl.create 16;
+    statics = statics.(index);
+  }
+
+let rec forget frame =
+  Hashtbl.reset frame.now;
+  List.iter (fun (_, child) -> forget child) frame.children
+
+let remembered frame (e : Ir.equation) = Hashtbl.find frame.memory e.defines.id
+
+let over_time root instants step =
+  let time = ref 0. in
+  List.mapi
+    (fun k { dt; inputs } ->
+      let first = k = 0 in
+      let dt = if first then 0. else dt in
+      time := !time +. dt;
+      let outputs = step { dt; time = !time; first } inputs in
+      forget root;
+      outputs)
+    instants
+
+let root_index (program : Ir.program) = Array.length program.nodes - 1
+
+(* By demand *)
+
+let nothing = { Statics.at_reset = []; kept = []; in_step = []; read_by_step = [] }
+
+let by_demand (program : Ir.program) instants =
+  let root = frame program (Array.map (fun _ -> nothing) program.nodes) (root_index program) in
+  let advances = ref [] in
+  (* [argument] asks the caller for a parameter's value. *)
+  let rec ask clock frame argument (a : Ir.atom) =
+    match (constant a, a) with
+    | Some v, _ -> v
+    | None, Signal s -> (
+        match Hashtbl.find_opt frame.now s.id with
+        | Some v -> v
+        | None ->
+            let v = compute clock frame argument s in
+            Hashtbl.replace frame.now s.id v;
+            v)
+    | None, (Bool _ | Int _ | Float _) -> assert false
+  and compute clock frame argument (s : Ir.signal) =
+    let is (other : Ir.signal) = other.id = s.id in
+    match List.find_opt (fun (e : Ir.equation) -> is e.defines) frame.node.equations with
+    | Some e -> value clock (ask clock frame argument) (remembered frame) e
+    | None -> (
+        match List.find_opt (fun (i : Ir.instance) -> List.exists is i.outputs) frame.node.instances with
+        | None -> argument s
+        | Some i ->
+            let child = List.assoc i.name frame.children in
+            let outputs = List.combine i.outputs child.node.outputs in
+            let _, (_, a) = List.find (fun (o, _) -> is o) outputs in
+            ask clock child (passed clock frame argument child i) a)
+  and passed clock frame argument child (i : Ir.instance) (parameter : Ir.signal) =
+    let pairs = List.combine (child.node.statics @ child.node.inputs) (i.statics @ i.inputs) in
+    let _, a = List.find (fun ((p : Ir.signal), _) -> p.id = parameter.id) pairs in
+    ask clock frame argument a
+  in
+  let rec remember clock frame argument =
+    List.iter
+      (fun (e : Ir.equation) ->
+        let read = ask clock frame argument in
+        match advance read (read (Signal e.defines)) e with
+        | Some m -> advances := (frame, e.defines.id, m) :: !advances
+        | None -> ())
+      frame.node.equations;
+    List.iter
+      (fun (i : Ir.instance) ->
+        let child = List.assoc i.name frame.children in
+        remember clock child (passed clock frame argument child i))
+      frame.node.instances
+  in
+  over_time root instants (fun clock inputs ->
+      let values = List.combine root.node.inputs inputs in
+      let argument (s : Ir.signal) =
+        snd (List.find (fun ((i : Ir.signal), _) -> i.id = s.id) values)
+      in
+      let outputs = List.map (fun (_, a) -> ask clock root argument a) root.node.outputs in
+      advances := [];
+      remember clock root argument;
+      List.iter (fun (frame, id, m) -> Hashtbl.replace frame.memory id m) !advances;
+      outputs)
+
+(* By schedule *)
+
+let read table (a : Ir.atom) =
+  match (constant a, a) with
+  | Some v, _ -> v
+  | None, Signal s -> (
+      match Hashtbl.find_opt table s.id with
+      | Some v -> v
+      | None -> failwith (Printf.sprintf "signal %s (%d) is read before it is computed" s.name s.id))
+  | None, (Bool _ | Int _ | Float _) -> assert false
+
+let start : clock = { dt = 0.; time = 0.; first = true }
+
+let rec call frame clock statics inputs =
+  List.iter2
+    (fun (s : Ir.signal) v ->
+      if List.exists (fun (r : Ir.signal) -> r.id = s.id) frame.statics.read_by_step then
+        Hashtbl.replace frame.now s.id (Lazy.force v))
+    frame.node.statics statics;
+  List.iter2 (fun (s : Ir.signal) v -> Hashtbl.replace frame.now s.id v) frame.node.inputs inputs;
+  Hashtbl.iter (Hashtbl.replace frame.now) frame.held;
+  List.iter (run frame clock frame.now) frame.statics.in_step;
+  let advance_item = function
+    | Schedule.Instance _ -> None
+    | Equation e ->
+        let now = Hashtbl.find frame.now e.defines.id in
+        Option.map (fun m -> (e.defines.id, m)) (advance (read frame.now) now e)
+  in
+  let outputs = List.map (fun (_, a) -> read frame.now a) frame.node.outputs in
+  let memories = List.filter_map advance_item frame.statics.in_step in
+  List.iter (fun (id, m) -> Hashtbl.replace frame.memory id m) memories;
+  outputs
+
+and run frame clock table = function
+  | Schedule.Equation ({ rhs = Delay _; _ } as e) ->
+      Hashtbl.replace table e.defines.id (remembered frame e).past
+  | Equation e ->
+      Hashtbl.replace table e.defines.id (value clock (read table) (remembered frame) e)
+  | Instance i ->
+      let child = List.assoc i.name frame.children in
+      let statics = List.map (fun a -> lazy (read table a)) i.statics in
+      let outputs = call child clock statics (List.map (read table) i.inputs) in
+      List.iter2 (fun (s : Ir.signal) v -> Hashtbl.replace table s.id v) i.outputs outputs;
+      (* a function may be called again within the instant *)
+      if child.node.kind = Function then forget child
+
+let rec reset frame statics =
+  let table = Hashtbl.create 16 in
+  List.iter2 (fun (s : Ir.signal) v -> Hashtbl.replace table s.id v) frame.node.statics statics;
+  List.iter (run frame start table) frame.statics.at_reset;
+  List.iter
+    (fun (s : Ir.signal) -> Hashtbl.replace frame.held s.id (Hashtbl.find table s.id))
+    frame.statics.kept;
+  List.iter
+    (function
+      | { Ir.rhs = Delay { init; _ }; defines; _ } ->
+          Hashtbl.replace frame.memory defines.id { past = read table init; total = 0. }
+      | { Ir.rhs = Integral _ | Derivative _; defines; _ } ->
+          Hashtbl.replace frame.memory defines.id { past = Float 0.; total = 0. }
+      | _ -> ())
+    frame.node.equations;
+  List.iter
+    (fun (i : Ir.instance) ->
+      let child = List.assoc i.name frame.children in
+      if child.node.kind = Signal_function then reset child (List.map (read table) i.statics))
+    frame.node.instances
+
+let by_schedule (program : Ir.program) instants =
+  let root = frame program (Statics.program program) (root_index program) in
+  reset root [];
+  over_time root instants (fun clock inputs -> call root clock [] inputs)

@@ -1,0 +1,6 @@
+(** Random well-typed Flow programs: several nodes that instantiate each
+    other, every kind of equation, feedback through delays, integrals and
+    instances. Most, not all, are causal. *)
+
+val program : Random.State.t -> Flow.Ir.program
+val instants : Random.State.t -> Flow.Ir.program -> Evaluate.instant list
