@@ -2,6 +2,7 @@ module M = Machine.Ir
 module V = Vocabulary
 
 type t = {
+  name : string;
   header : Ir.file;
   source : Ir.file;
   input : Interface.t;
@@ -118,4 +119,4 @@ let program (program : M.program) =
         List.map function_ (List.concat functions);
       ]
   in
-  { header = header v reset step; source; input = v.input; output = v.output }
+  { name = v.name; header = header v reset step; source; input = v.input; output = v.output }

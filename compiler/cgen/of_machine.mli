@@ -3,6 +3,7 @@
     own, static ones. *)
 
 type t = {
+  name : string;  (** as C has it *)
   header : Ir.file;
   source : Ir.file;
   input : Interface.t;

@@ -13,6 +13,7 @@ type t = {
   input : Interface.t;
   output : Interface.t;
   records : Ir.declaration list;
+  robot_records : Ir.declaration list;
   robots : Robot.t list;
   helpers : (Helper.t, unit) Hashtbl.t;
   makers : (int * int, unit) Hashtbl.t;
@@ -96,6 +97,7 @@ let of_program (program : M.program) =
     input;
     output;
     records = Interface.definitions own;
+    robot_records = Interface.definitions robots;
     robots =
       List.sort_uniq compare (List.filter_map Fun.id [ input_robot; output_robot ]);
     helpers = Hashtbl.create 16;

@@ -18,6 +18,7 @@ type t = {
   input : Interface.t;
   output : Interface.t;
   records : Ir.declaration list;  (** the program's own interface structs *)
+  robot_records : Ir.declaration list;  (** those of a robot's header *)
   robots : Robot.t list;  (** whose headers are needed *)
   helpers : (Helper.t, unit) Hashtbl.t;
   makers : (int * int, unit) Hashtbl.t;  (** sum, constructor *)

@@ -8,6 +8,7 @@ let write path text =
 let generate (name, program) =
   let files = Cgen.Emit.program (Machine.Of_flow.program program) in
   write (name ^ ".h") files.Cgen.Emit.header;
-  write (name ^ ".c") files.Cgen.Emit.source
+  write (name ^ ".c") files.Cgen.Emit.source;
+  write (name ^ "_host.c") files.Cgen.Emit.host_table
 
 let () = List.iter generate Programs.all
