@@ -38,11 +38,13 @@ void add_echoes(const Simulation &simulation, std::size_t transducer, Series &se
             series.points.push_back({seconds(echo.time_ns), echo.distance});
 }
 
-// The lowest and highest value, and a bit of room.
+// Shows all values from `low` to `high`, all of the last series, and a bit of
+// room. The other series may go beyond it and are cut off: a single wild echo
+// or command does not press the rest flat.
 void fit(Plot &plot, double low, double high) {
-    for (const Series &series : plot.series)
-        for (const Vec &p : series.points)
-            if (std::isfinite(p.y)) low = std::min(low, p.y), high = std::max(high, p.y);
+    const Series &series = plot.series.back();
+    for (const Vec &p : series.points)
+        if (std::isfinite(p.y)) low = std::min(low, p.y), high = std::max(high, p.y);
     const double room = 0.08 * std::max(high - low, 0.1);
     plot.low = low < 0.0 ? low - room : low;
     plot.high = high + room;
@@ -62,11 +64,11 @@ Plot wall_plot(const Simulation &simulation, double end_s) {
         return plot;
     }
     plot.series = {
+        echoes,
         {"to be kept", palette::target, Series::Style::dashes,
          {{0.0, measure->distance}, {end_s, measure->distance}}},
         line(simulation, "truth", palette::truth, Series::Style::line, &Sample::wall_distance)};
     fit(plot, 0.0, 1.5 * measure->distance);
-    plot.series.insert(plot.series.begin(), echoes);
     return plot;
 }
 
@@ -93,7 +95,7 @@ Plot turn_plot(const Simulation &simulation, double end_s) {
               {line(simulation, "commanded", palette::command, Series::Style::thin_line,
                     &Sample::commanded_turn),
                line(simulation, "driven", palette::truth, Series::Style::line, &Sample::turn)}};
-    fit(plot, -0.1, 0.1);
+    fit(plot, -0.5, 0.5);
     plot.time_axis = true;
     return plot;
 }

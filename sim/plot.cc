@@ -10,7 +10,19 @@ namespace frob::sim {
 namespace {
 
 constexpr double label_size = 11.0;
-constexpr double letter = 0.62; // width of a letter for its size, about
+
+// The width of a text: a canvas cannot tell before it is drawn. Right to a few
+// per cent for DejaVu Sans.
+double text_width(const std::string &text, double size) {
+    double widths = 0.0;
+    for (const char c : text) {
+        if (std::string("ijl' ").find(c) != std::string::npos) widths += 0.31;
+        else if (std::string("frt").find(c) != std::string::npos) widths += 0.38;
+        else if (std::string("mw").find(c) != std::string::npos) widths += 0.9;
+        else widths += 0.61;
+    }
+    return widths * size;
+}
 
 // Many samples share a column of pixels: of each column the first, lowest,
 // highest and last point are kept, so that no peak is lost.
@@ -60,16 +72,15 @@ void draw_legend(Canvas &canvas, const std::vector<Series> &series, Vec right_en
     for (auto s = series.rbegin(); s != series.rend(); ++s) {
         if (s->name.empty()) continue;
         canvas.text({x, right_end.y}, s->name, {label_size, palette::ink, Anchor::end, false});
-        x -= letter * label_size * static_cast<double>(s->name.size()) + 6.0;
+        x -= text_width(s->name, label_size) + 7.0;
         const double y = right_end.y - 4.0;
         if (s->style == Series::Style::dots) {
-            for (const double dx : {0.0, 6.0, 12.0})
+            for (const double dx : {2.0, 8.0, 14.0})
                 canvas.circle({x - dx, y}, 1.8, filled(s->colour));
         } else {
-            Series sample = *s;
-            draw_series(canvas, sample, {{x - 16.0, y}, {x, y}});
+            draw_series(canvas, *s, {{x - 16.0, y}, {x, y}});
         }
-        x -= 32.0;
+        x -= 36.0;
     }
 }
 
@@ -79,7 +90,7 @@ double tick_step(double range, int count) {
     const double rough = range / count;
     const double power = std::pow(10.0, std::floor(std::log10(rough)));
     for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= rough) return factor * power;
+        if (factor * power >= rough * (1 - 1e-9)) return factor * power;
     return 10.0 * power;
 }
 
@@ -100,7 +111,7 @@ void draw_plot(Canvas &canvas, const Plot &plot, Vec corner, Vec size) {
         corner, {corner.x + size.x, corner.y}, corner + size, {corner.x, corner.y + size.y}};
     canvas.path(outline, true, filled(palette::floor));
 
-    const double value_step = tick_step(plot.high - plot.low, 4);
+    const double value_step = tick_step(plot.high - plot.low, 5);
     for (double n = std::ceil(plot.low / value_step - 1e-9); n * value_step <= plot.high + 1e-9 * value_step; ++n) {
         const Vec at = place({0.0, n * value_step});
         const Colour colour = n == 0.0 ? palette::frame : palette::grid;

@@ -143,14 +143,16 @@ void draw_times(View &view, const std::vector<Sample> &samples) {
     for (const Sample &s : samples) {
         const double t = static_cast<double>(s.time_ns) * 1e-9;
         if (t < next - 1e-9) continue;
+        const std::string label = tick_label(next, step) + " s";
+        next += step;
+        // The robot would hide it.
+        if (length(s.pose.position - samples.back().pose.position) < 0.5) continue;
         const Vec at = view.place(s.pose.position);
         // Away from the wall that it follows on its left: to the right.
         const Vec right = {std::sin(s.pose.heading), std::cos(s.pose.heading)};
         view.canvas().circle(at, 3.2, {palette::paper, palette::late, 1.6, {}});
         view.canvas().text(at + Vec{16.0 * right.x, 14.0 * right.y + 4.0},
-                           tick_label(next, step) + " s",
-                           {10.5, palette::late, Anchor::middle, false});
-        next += step;
+                           label, {10.5, palette::late, Anchor::middle, false});
     }
 }
 

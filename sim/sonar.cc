@@ -10,9 +10,6 @@ namespace {
 
 constexpr double speed_of_sound = 343.0; // m/s
 
-// Neighbours never follow each other, so that none hears the other's ping.
-constexpr std::array<std::size_t, 8> firing_order = {0, 4, 1, 5, 2, 6, 3, 7};
-
 } // namespace
 
 Sonar::Sonar(const SonarSettings &settings, Noise noise)

@@ -17,6 +17,10 @@ namespace frob::sim {
 constexpr std::int64_t ping_ns = 40'000'000;
 static_assert(ping_ns % (2 * step_ns) == 0);
 
+// The order within an array, from its first transducer. Neighbours never follow
+// each other, so that none hears the other's ping.
+constexpr std::array<std::size_t, 8> firing_order = {0, 4, 1, 5, 2, 6, 3, 7};
+
 struct Echo {
     std::int64_t time_ns;   // at which it arrived
     std::size_t transducer; // 0-15
