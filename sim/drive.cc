@@ -75,7 +75,9 @@ void DifferentialDrive::advance(b2Body &body) {
     const double omega_wanted = (right_floor - left_floor) / b;
 
     const double omega = static_cast<double>(body.GetAngularVelocity());
-    const Vec along = direction(static_cast<double>(body.GetAngle()) + omega_wanted * step_s / 2);
+    const b2Rot ahead = body.GetTransform().q;
+    const Vec along = turned_a_little({static_cast<double>(ahead.c), static_cast<double>(ahead.s)},
+                                      omega_wanted * step_s / 2);
     const Vec across = {-along.y, along.x};
     const Vec velocity = {static_cast<double>(body.GetLinearVelocity().x),
                           static_cast<double>(body.GetLinearVelocity().y)};

@@ -15,7 +15,7 @@ class Noise {
     // Uniform in [0, 1), in steps of 2^-53.
     double uniform();
 
-    // Mean 0, standard deviation 1, never beyond 6. Made by additions alone,
+    // Mean 0, standard deviation 1, never beyond 4.9. Made by additions alone,
     // since libraries differ in the last bit of `log` and `cos`.
     double normal();
 

@@ -16,11 +16,12 @@ void Odometry::advance(double left_speed, double right_speed) {
     const double travelled = step_s * (right_speed + left_speed) / 2;
     const double turned = step_s * (right_speed - left_speed) / p3dx::wheel_separation;
     const double d = (1 + settings_.distance_error) * travelled;
-    const double a = (1 + settings_.turn_error) * turned + settings_.veer * travelled +
-                     (settings_.heading_noise == 0.0 ? 0.0 : settings_.heading_noise * noise_.normal() *
-                         std::sqrt(std::abs(travelled)));
-    pose_.position = pose_.position + d * direction(pose_.heading + a / 2);
+    double a = (1 + settings_.turn_error) * turned + settings_.veer * travelled;
+    if (settings_.heading_noise > 0.0)
+        a += settings_.heading_noise * noise_.normal() * std::sqrt(std::abs(travelled));
+    pose_.position = pose_.position + d * turned_a_little(ahead_, a / 2);
     pose_.heading = wrap_angle(pose_.heading + a);
+    ahead_ = turned_a_little(ahead_, a);
 }
 
 } // namespace frob::sim

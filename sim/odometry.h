@@ -21,6 +21,7 @@ class Odometry {
     OdometrySettings settings_;
     Noise noise_;
     Pose pose_;
+    Vec ahead_{1.0, 0.0}; // the direction of its heading
 };
 
 } // namespace frob::sim

@@ -28,7 +28,7 @@ Pioneer::Pioneer(const Scene &scene, std::uint64_t seed)
 
 void Pioneer::sense(std::int64_t time_ns, const World &world) {
     if (time_ns > 0) odometry_.advance(drive_.left_speed(), drive_.right_speed());
-    sonar_.advance(time_ns, world.robot_pose(), world);
+    sonar_.advance(time_ns, world);
     bumpers_.advance(world);
 }
 

@@ -55,7 +55,7 @@ struct OdometrySettings {
 struct SonarSettings {
     double noise = 0.0;   // m, standard deviation
     double dropout = 0.0; // probability that an echo is lost
-    int rays = 7;         // across the cone
+    int rays = 13;        // across the cone: 2 degrees apart, 17 cm at 5 m
 };
 
 struct BatterySettings {

@@ -28,11 +28,11 @@ std::optional<double> Sonar::range(const World &world, const Pose &transducer, i
     return nearest;
 }
 
-void Sonar::fire(Array &array, std::int64_t time_ns, const Pose &robot, const World &world) {
+void Sonar::fire(Array &array, std::int64_t time_ns, const World &world) {
     const std::size_t transducer = array.first + firing_order[array.turn];
     array.turn = (array.turn + 1) % firing_order.size();
     array.next_ping_ns += ping_ns;
-    const Pose from = from_frame(robot, p3dx::sonars[transducer]);
+    const Pose from = from_frame(world.robot_pose(), p3dx::sonars[transducer]);
     const std::optional<double> truth = range(world, from, settings_.rays);
     // Drawn in any case: a lost echo does not change the noise of later ones.
     const double error = settings_.noise * noise_.normal();
@@ -44,14 +44,14 @@ void Sonar::fire(Array &array, std::int64_t time_ns, const Pose &robot, const Wo
     array.echo = {array.arrival_ns, transducer, heard, from};
 }
 
-void Sonar::advance(std::int64_t time_ns, const Pose &robot, const World &world) {
+void Sonar::advance(std::int64_t time_ns, const World &world) {
     for (Array &array : arrays_) {
         if (time_ns >= array.arrival_ns) {
             array.arrival_ns = never;
             fresh_[array.echo.transducer] = array.echo.distance;
             echoes_.push_back(array.echo);
         }
-        if (time_ns >= array.next_ping_ns) fire(array, time_ns, robot, world);
+        if (time_ns >= array.next_ping_ns) fire(array, time_ns, world);
     }
 }
 

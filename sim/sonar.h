@@ -33,8 +33,8 @@ class Sonar {
     Sonar(const SonarSettings &settings, Noise noise);
 
     // Fires and listens; called after each physics step, with the time since
-    // the start and the robot's pose.
-    void advance(std::int64_t time_ns, const Pose &robot, const World &world);
+    // the start.
+    void advance(std::int64_t time_ns, const World &world);
 
     // The echo of this transducer that arrived since it was last taken, if
     // there was one.
@@ -57,7 +57,7 @@ class Sonar {
         Echo echo{};
     };
 
-    void fire(Array &array, std::int64_t time_ns, const Pose &robot, const World &world);
+    void fire(Array &array, std::int64_t time_ns, const World &world);
 
     SonarSettings settings_;
     Noise noise_;

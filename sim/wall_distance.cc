@@ -11,10 +11,12 @@ namespace {
 
 double to_outline(const std::vector<Vec> &points, bool closed, Vec p) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i)
-        nearest = std::min(
-            nearest, distance_to_segment(p, points[i], points[(i + 1) % points.size()]));
-    return nearest;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        nearest = std::min(nearest, squared_distance_to_segment(p, points[i], points[i + 1]));
+    if (closed)
+        nearest =
+            std::min(nearest, squared_distance_to_segment(p, points.back(), points.front()));
+    return std::sqrt(nearest);
 }
 
 // Counts the edges that a ray to the right crosses.

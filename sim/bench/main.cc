@@ -28,7 +28,7 @@ using namespace frob::sim;
 
 namespace {
 
-constexpr int rounds = 7;
+constexpr int rounds = 15;
 constexpr std::uint64_t seed = 1;
 
 struct Motion {
