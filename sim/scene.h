@@ -74,6 +74,7 @@ struct MeasureSettings {
 struct Scene {
     std::string name;
     Pose start;
+    std::string start_place; // FILE:LINE:COLUMN, for messages
     std::vector<Wall> walls;
     std::vector<Polygon> polygons;
     std::vector<Circle> circles;

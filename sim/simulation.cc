@@ -10,7 +10,8 @@ namespace frob::sim {
 Simulation::Simulation(Scene scene, std::uint64_t seed)
     : scene_(std::move(scene)), world_(scene_), robot_(scene_, seed) {
     if (world_.robot_overlaps())
-        throw WorldFileError("the robot's start pose is inside a wall or another thing");
+        throw WorldFileError(scene_.start_place +
+                             ": the robot would start inside a wall or another thing");
     if (scene_.measure) wall_distance_.emplace(scene_, *scene_.measure);
     robot_.sense(0, world_);
 }

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace frob::sim {
 namespace {
+
+constexpr double smallest = 0.01; // m
 
 // Levenshtein's distance: insertions, deletions and replacements of a letter.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -21,6 +22,25 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
         }
     }
     return row[b.size()];
+}
+
+// The known name that was probably meant: one without its unit (`heading` for
+// `heading_deg`), or one with few letters wrong.
+std::optional<std::string_view> nearest(const std::vector<std::string_view> &known,
+                                        std::string_view name) {
+    std::optional<std::string_view> best;
+    std::size_t least = 2 + name.size() / 4;
+    for (const std::string_view candidate : known) {
+        if (candidate.size() > name.size() && candidate.substr(0, name.size() + 1) ==
+                                                  std::string(name) + "_")
+            return candidate;
+        const std::size_t distance = edit_distance(name, candidate);
+        if (distance < least) {
+            least = distance;
+            best = candidate;
+        }
+    }
+    return best;
 }
 
 std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
@@ -42,11 +62,12 @@ const char *kind(const toml::node &node) {
 }
 
 bool within(double x, Range range) {
-    if (!std::isfinite(x)) return false;
+    if (!(std::abs(x) <= 1e6)) return false;
     switch (range) {
     case Range::any: return true;
     case Range::not_negative: return x >= 0.0;
     case Range::positive: return x > 0.0;
+    case Range::size: return x >= smallest;
     case Range::share: return x >= 0.0 && x < 1.0;
     }
     return false;
@@ -54,9 +75,10 @@ bool within(double x, Range range) {
 
 const char *describe(Range range) {
     switch (range) {
-    case Range::any: return "a finite number";
+    case Range::any: return "a number up to a million";
     case Range::not_negative: return "zero or more";
     case Range::positive: return "more than zero";
+    case Range::size: return "at least 0.01 m";
     case Range::share: return "at least 0 and less than 1";
     }
     return "";
@@ -65,9 +87,21 @@ const char *describe(Range range) {
 } // namespace
 
 void Mistakes::add(const toml::source_region &where, const std::string &message) {
-    if (any()) text_ += '\n';
-    text_ += path_ + ":" + std::to_string(where.begin.line) + ":" +
-             std::to_string(where.begin.column) + ": " + message;
+    found_.push_back({where.begin, message});
+}
+
+std::string Mistakes::place(const toml::source_position &where) const {
+    return path_ + ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
+}
+
+std::string Mistakes::text() const {
+    std::vector<Mistake> ordered = found_;
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [](const Mistake &a, const Mistake &b) { return a.where < b.where; });
+    std::string text;
+    for (const Mistake &mistake : ordered)
+        text += (text.empty() ? "" : "\n") + place(mistake.where) + ": " + mistake.message;
+    return text;
 }
 
 const toml::node *TomlReader::find(std::string_view key) {
@@ -150,7 +184,7 @@ Vec TomlReader::needed_point(std::string_view key, Range range) {
     return node == nullptr ? Vec{1.0, 1.0} : as_point(*node, key, range).value_or(Vec{1.0, 1.0});
 }
 
-std::vector<Vec> TomlReader::needed_points(std::string_view key, std::size_t least) {
+std::vector<Vec> TomlReader::needed_points(std::string_view key, std::size_t least, bool closed) {
     const toml::node *node = need(key);
     if (node == nullptr) return {};
     const toml::array *list = node->as_array();
@@ -163,11 +197,16 @@ std::vector<Vec> TomlReader::needed_points(std::string_view key, std::size_t lea
     for (const toml::node &item : *list) {
         const std::optional<Vec> point = as_point(item, key, Range::any);
         if (!point) return {};
-        if (!points.empty() && length(*point - points.back()) < 0.01) {
+        if (!points.empty() && length(*point - points.back()) < smallest) {
             mistakes_.add(item.source(), "this point is less than 1 cm from the one before it");
             return {};
         }
         points.push_back(*point);
+    }
+    if (closed && length(points.front() - points.back()) < smallest) {
+        mistakes_.add(list->back().source(),
+                      "this is the first point again, which the last one is joined to anyway");
+        return {};
     }
     return points;
 }
@@ -207,24 +246,13 @@ void TomlReader::mistake_at(std::string_view key, const std::string &message) {
 }
 
 void TomlReader::finish() {
-    // A table is ordered by name; its mistakes are told in the file's order.
-    std::vector<const toml::key *> unknown;
-    for (const auto &[key, node] : table_)
-        if (std::find(asked_.begin(), asked_.end(), key.str()) == asked_.end())
-            unknown.push_back(&key);
-    std::sort(unknown.begin(), unknown.end(), [](const toml::key *a, const toml::key *b) {
-        return a->source().begin < b->source().begin;
-    });
-    for (const toml::key *key : unknown) {
-        std::string message = "unknown key " + quoted(key->str());
-        const auto nearest = std::min_element(
-            asked_.begin(), asked_.end(), [&](std::string_view a, std::string_view b) {
-                return edit_distance(key->str(), a) < edit_distance(key->str(), b);
-            });
-        if (nearest != asked_.end() &&
-            edit_distance(key->str(), *nearest) <= 1 + key->str().size() / 4)
-            message += "; did you mean " + quoted(*nearest) + "?";
-        mistakes_.add(key->source(), message);
+    for (const auto &[key, node] : table_) {
+        const std::string_view name = key.str();
+        if (std::find(asked_.begin(), asked_.end(), name) != asked_.end()) continue;
+        std::string message = "unknown key " + quoted(name);
+        if (const std::optional<std::string_view> meant = nearest(asked_, name))
+            message += "; did you mean " + quoted(*meant) + "?";
+        mistakes_.add(key.source(), message);
     }
 }
 

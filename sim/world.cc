@@ -1,5 +1,8 @@
 #include "world.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "p3dx.h"
 #include "triangulate.h"
 
@@ -50,8 +53,18 @@ void add_wall(b2Body &body, const Wall &wall) {
     }
 }
 
+// Box2D turns a triangle into a square metre when it finds it degenerate; those
+// that are narrower than it can tell are left out.
+bool is_solid(const Triangle &t) {
+    const double longest =
+        std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
+    const double height = std::abs(cross(t[1] - t[0], t[2] - t[0])) / longest;
+    return height > static_cast<double>(b2_linearSlop);
+}
+
 void add_solid(b2Body &body, const Polygon &polygon) {
     for (const Triangle &t : triangulate(polygon.points)) {
+        if (!is_solid(t)) continue;
         const b2Vec2 corners[] = {to_b2(t[0]), to_b2(t[1]), to_b2(t[2])};
         add_polygon(body, corners, 3, false);
     }

@@ -1,7 +1,8 @@
 #include "world_file.h"
 
+#include <cctype>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 #include "toml_reader.h"
 #include "triangulate.h"
@@ -20,16 +21,16 @@ Pose read_start(TomlReader reader) {
 
 Wall read_wall(TomlReader reader) {
     Wall wall;
-    wall.points = reader.needed_points("points", 2);
     wall.closed = reader.boolean("closed", wall.closed);
-    wall.thickness = reader.number("thickness", wall.thickness, Range::positive);
+    wall.points = reader.needed_points("points", wall.closed ? 3 : 2, wall.closed);
+    wall.thickness = reader.number("thickness", wall.thickness, Range::size);
     reader.finish();
     return wall;
 }
 
 Polygon read_polygon(TomlReader reader) {
     Polygon polygon;
-    polygon.points = reader.needed_points("points", 3);
+    polygon.points = reader.needed_points("points", 3, true);
     if (!polygon.points.empty()) {
         if (!is_simple(polygon.points))
             reader.mistake_at("points", "the edges of this polygon cross or touch");
@@ -43,7 +44,7 @@ Polygon read_polygon(TomlReader reader) {
 Circle read_circle(TomlReader reader) {
     Circle circle;
     circle.center = reader.needed_point("center", Range::any);
-    circle.radius = reader.needed_number("radius", Range::positive);
+    circle.radius = reader.needed_number("radius", Range::size);
     reader.finish();
     return circle;
 }
@@ -52,7 +53,7 @@ Box read_box(TomlReader reader) {
     Box box;
     box.pose.position = reader.needed_point("center", Range::any);
     box.pose.heading = radians(reader.number("angle_deg", 0.0, Range::any));
-    box.size = reader.needed_point("size", Range::positive);
+    box.size = reader.needed_point("size", Range::size);
     box.mass = reader.number("mass", box.mass, Range::positive);
     box.friction = reader.number("friction", box.friction, Range::not_negative);
     reader.finish();
@@ -117,8 +118,10 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root) {
     const auto inside = [&](const toml::table *table) { return TomlReader(mistakes, *table); };
     Scene scene;
     scene.name = reader.string("name");
-    if (const toml::table *table = reader.table("start")) scene.start = read_start(inside(table));
-    else if (root.get("start") == nullptr)
+    if (const toml::table *table = reader.table("start")) {
+        scene.start = read_start(inside(table));
+        scene.start_place = inside(table).place();
+    } else if (root.get("start") == nullptr)
         reader.mistake("a world needs a table [start] with `x` and `y`, where the robot starts");
     for (const toml::table *table : reader.tables("wall"))
         scene.walls.push_back(read_wall(inside(table)));
@@ -149,18 +152,26 @@ Scene parse_world(const std::string &text, const std::string &path) {
         Scene scene = read_scene(mistakes, root);
         if (!mistakes.any()) return scene;
     } catch (const toml::parse_error &error) {
-        mistakes.add(error.source(), std::string(error.description()));
+        std::string message(error.description());
+        message[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(message[0])));
+        mistakes.add(error.source(), message);
     }
     throw WorldFileError(mistakes.text());
 }
 
 Scene read_world_file(const std::string &path) {
     std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    // A folder opens, and fails only when it is read.
-    if (!file || !(text << file.rdbuf()) || file.bad())
+    std::string text;
+    try {
+        // A folder opens, and fails only when it is read.
+        file.exceptions(std::ios::badbit | std::ios::failbit);
+        file.peek();
+        file.exceptions(std::ios::badbit);
+        text.assign(std::istreambuf_iterator<char>(file), {});
+    } catch (const std::ios::failure &) {
         throw WorldFileError(path + ": cannot read this world file");
-    return parse_world(text.str(), path);
+    }
+    return parse_world(text, path);
 }
 
 } // namespace frob::sim

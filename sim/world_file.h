@@ -9,7 +9,7 @@
 namespace frob::sim {
 
 // A world that cannot be used. `what()` is one line for each mistake, each
-// `FILE:LINE:COLUMN: message`.
+// `FILE:LINE:COLUMN: message`, in the file's order.
 class WorldFileError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -79,6 +79,17 @@ static bool valued(struct options *o, const char *name, const char *value)
     return true;
 }
 
+/* The simulator draws these two; better to say so before the run than after. */
+static bool is_picture(const char *name)
+{
+    size_t length = strlen(name);
+    if (length > 4 &&
+        (strcmp(name + length - 4, ".svg") == 0 || strcmp(name + length - 4, ".png") == 0))
+        return true;
+    fprintf(stderr, "error: the picture `%s` must be named .svg or .png\n", name);
+    return false;
+}
+
 bool read_options(int argc, char **argv, struct options *o)
 {
     memset(o, 0, sizeof *o);
@@ -110,5 +121,5 @@ bool read_options(int argc, char **argv, struct options *o)
                 o->program == NULL ? "the program" : "--world");
         return false;
     }
-    return true;
+    return o->picture == NULL || is_picture(o->picture);
 }
