@@ -20,10 +20,11 @@ static bool write_text(struct record *r)
 
 bool record_open(struct record *r, const struct frob_program *program, const char *name)
 {
-    size_t room = frob_trace_room(program, FROB_TRACE_IN | FROB_TRACE_OUT);
+    size_t room;
     memset(r, 0, sizeof *r);
     if (name == NULL)
         return true;
+    room = frob_trace_room(program, FROB_TRACE_IN | FROB_TRACE_OUT);
     r->program = program;
     r->name = name;
     r->file = fopen(name, "wb");
