@@ -1,0 +1,39 @@
+# Frob: `make run` drives a robot in the simulator, `make test` tests it all.
+# Both install what is missing first, and say so.
+
+# What a Debian machine needs, by package.
+PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
+  libalcotest-ocaml-dev libqcheck-ocaml-dev libbox2d-dev libtomlplusplus-dev \
+  libcairo2-dev pkg-config gcc g++ clang
+
+PREFIX ?= /usr/local
+FROBC = _build/install/default/bin/frobc
+OUT = _build/run
+
+.PHONY: all setup run test bench install clean
+
+all: setup
+	dune build @install
+
+setup:
+	@sh tests/setup.sh $(PACKAGES)
+
+run: all
+	@mkdir -p $(OUT)
+	@$(FROBC) run examples/wall_follow/wall_follow.frob \
+	  --world examples/wall_follow/world.toml --for 60s --seed 1 \
+	  --record $(OUT)/wall_follow.csv --picture $(OUT)/wall_follow.png
+
+test: setup
+	@sh tests/run.sh
+
+bench: all
+	@sh tests/bench/run.sh
+
+install: setup
+	dune build -p frobc @install
+	dune install -p frobc --prefix $(PREFIX) frobc
+	@echo "installed: $(PREFIX)/bin/frobc"
+
+clean:
+	dune clean

@@ -1,0 +1,185 @@
+open Basis
+
+type format = Text | Json
+
+type general = {
+  format : format;
+  dump : Stage.t option;
+  stop_after : Stage.t option;
+  lint : bool;
+  specialization_limit : int;
+}
+
+(* {1 Speaking} *)
+
+let colour () =
+  Unix.isatty Unix.stderr
+  && (match Sys.getenv_opt "NO_COLOR" with None | Some "" -> true | Some _ -> false)
+  && Sys.getenv_opt "TERM" <> Some "dumb"
+
+let print_diagnostics general sources sink =
+  match (Diagnostic.all sink, general.format) with
+  | [], _ -> ()
+  | diagnostics, Text ->
+      prerr_string (Render_text.diagnostics ~colour:(colour ()) sources diagnostics)
+  | diagnostics, Json -> prerr_string (Render_json.diagnostics sources diagnostics)
+
+(* What is wrong with the call and not with the program. *)
+let wrong_use text =
+  Printf.eprintf "error: %s\n" text;
+  Exit_status.wrong_use
+
+let report_bug exn =
+  let stage, message =
+    match exn with
+    | Diagnostic.Bug { stage; message } -> (stage, message)
+    | Stack_overflow -> ("frobc", "the stack overflowed")
+    | exn -> ("frobc", Printexc.to_string exn)
+  in
+  Printf.eprintf "internal error in %s: %s\nThis is a fault of frobc's own, not of your program.\n"
+    stage message;
+  Exit_status.bug
+
+(* {1 Compiling} *)
+
+let options general =
+  {
+    Pipeline.dump = general.dump;
+    stop_after = general.stop_after;
+    lint = general.lint;
+    specialization_limit = general.specialization_limit;
+  }
+
+let ( let* ) result continue =
+  match result with Ok value -> continue value | Error text -> wrong_use text
+
+(* A file named on the command line must be there: the compiler's own message
+   would speak of modules. *)
+let readable file =
+  match Resolve.Files.on_disk.read file with
+  | Ok _ -> Ok ()
+  | Error Missing -> Error (Printf.sprintf "there is no file %s" file)
+  | Error (Unreadable reason) -> Error (Printf.sprintf "cannot read %s: %s" file reason)
+
+let check_one general ~library file =
+  let* () = readable file in
+  let sink = Diagnostic.sink () and sources = Source.create () in
+  Pipeline.check (options general) sink sources ~library file;
+  print_diagnostics general sources sink;
+  if Diagnostic.has_errors sink then Exit_status.rejected else Exit_status.ok
+
+let check general files =
+  let* resources = Resources.find () in
+  let statuses = List.map (check_one general ~library:resources.library) files in
+  (* A rejected program outranks a missing file. *)
+  if List.mem Exit_status.rejected statuses then Exit_status.rejected
+  else List.fold_left max Exit_status.ok statuses
+
+(* Compiles, or gives the status with which to end. *)
+let compiled general (resources : Resources.t) ~entry file continue =
+  let* () = readable file in
+  let sink = Diagnostic.sink () and sources = Source.create () in
+  let files =
+    Pipeline.compile (options general) sink sources ~library:resources.library ~entry file
+  in
+  print_diagnostics general sources sink;
+  match files with
+  | Some files -> continue files
+  | None -> if Diagnostic.has_errors sink then Exit_status.rejected else Exit_status.ok
+
+let write path text =
+  match open_out_bin path with
+  | exception Sys_error reason -> Error (Printf.sprintf "cannot write %s" reason)
+  | channel -> (
+      match
+        Fun.protect ~finally:(fun () -> close_out_noerr channel) (fun () ->
+            output_string channel text;
+            flush channel)
+      with
+      | () -> Ok ()
+      | exception Sys_error reason -> Error (Printf.sprintf "cannot write %s: %s" path reason))
+
+let compile general entry folder file =
+  let* resources = Resources.find () in
+  compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
+      if general.dump <> None then Exit_status.ok
+      else
+        let path extension = Filename.concat folder (Pipeline.c_name file ^ extension) in
+        let* () = write (path ".h") files.header in
+        let* () = write (path ".c") files.source in
+        Exit_status.ok)
+
+(* {1 Running} *)
+
+(* The program as a shared object, and the host that is to run it. *)
+let hosted general ~entry file ~host ~arguments =
+  let* resources = Resources.find () in
+  compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
+      let name = Pipeline.c_name file in
+      let* program =
+        Toolchain.shared_object ~headers:resources.headers ~name
+          [
+            (name ^ ".h", files.header);
+            (name ^ ".c", files.source);
+            (name ^ "_host.c", files.host_table);
+          ]
+      in
+      let host = host resources in
+      match Process.hand_over host (arguments resources program) with
+      | Ok status -> status
+      | Error (Not_found _ | Failed _) ->
+          wrong_use (Printf.sprintf "the host %s is missing: install frobc again" host))
+
+let trace general ~entry ~input ~output file =
+  hosted general ~entry file
+    ~host:(fun resources -> resources.Resources.trace_host)
+    ~arguments:(fun _ program -> program :: input :: Option.to_list output)
+
+type run = {
+  world : string option;
+  robot : string option;
+  duration : float;
+  rate : float;
+  seed : int;
+  realtime : bool;
+  record : string option;
+  picture : string option;
+  strict : bool;
+}
+
+let world_of run (resources : Resources.t) file =
+  let beside = Filename.concat (Filename.dirname file) "world.toml" in
+  match run.world with
+  | Some world -> world
+  | None when Sys.file_exists beside -> beside
+  | None -> Filename.concat resources.worlds "room.toml"
+
+let run general ~entry run file =
+  let* () = Robots.known run.robot in
+  let option name value = match value with Some value -> [ name; value ] | None -> [] in
+  let flag name value = if value then [ name ] else [] in
+  hosted general ~entry file
+    ~host:(fun resources -> resources.Resources.simulator)
+    ~arguments:(fun resources program ->
+      [ program; "--world"; world_of run resources file ]
+      @ [ "--for"; Printf.sprintf "%.9f" run.duration; "--rate"; Printf.sprintf "%.9g" run.rate ]
+      @ [ "--seed"; string_of_int run.seed ]
+      @ flag "--realtime" run.realtime
+      @ option "--record" run.record
+      @ option "--picture" run.picture
+      @ flag "--strict" run.strict)
+
+(* {1 Explaining} *)
+
+let explain code =
+  match Explain.find (String.uppercase_ascii code) with
+  | Some page ->
+      print_string page;
+      Exit_status.ok
+  | None ->
+      let hint =
+        match Suggest.closest (String.uppercase_ascii code) Explain.codes with
+        | Some near -> Printf.sprintf "; did you mean `%s`?" near
+        | None -> ""
+      in
+      wrong_use (Printf.sprintf "there is no diagnostic `%s`%s" code hint)

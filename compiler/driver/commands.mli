@@ -1,0 +1,37 @@
+(** What the commands of [frobc] do. Each gives the exit status; results go to
+    standard output, everything else to standard error. *)
+
+type format = Text | Json
+
+type general = {
+  format : format;  (** of diagnostics *)
+  dump : Stage.t option;
+  stop_after : Stage.t option;
+  lint : bool;
+  specialization_limit : int;
+}
+
+val check : general -> string list -> int
+val compile : general -> string -> string -> string -> int
+
+val trace : general -> entry:string -> input:string -> output:string option -> string -> int
+
+type run = {
+  world : string option;
+  robot : string option;
+  duration : float;  (** s *)
+  rate : float;  (** Hz *)
+  seed : int;
+  realtime : bool;
+  record : string option;
+  picture : string option;
+  strict : bool;
+}
+
+val run : general -> entry:string -> run -> string -> int
+
+val explain : string -> int
+
+val report_bug : exn -> int
+(** Says that the compiler itself is at fault; the status is
+    {!Exit_status.bug}. *)

@@ -1,0 +1,142 @@
+open Basis
+
+type options = {
+  dump : Stage.t option;
+  stop_after : Stage.t option;
+  lint : bool;
+  specialization_limit : int;
+}
+
+let ( let* ) = Option.bind
+
+(* What happens after each stage: its promises are checked (they hold for
+   programs without errors) and its result shown, if asked for; with errors, or
+   if it is the last one wanted, the pipeline ends here. *)
+let stage options sink name ~lint ~print result =
+  if options.lint && not (Diagnostic.has_errors sink) then lint result;
+  if options.dump = Some name then Format.printf "%a@?" print result;
+  if options.stop_after = Some name || Diagnostic.has_errors sink then None else Some result
+
+(* The resolver reads modules as imports ask for them. The main one is read
+   here too if it is to be looked at as it was parsed. *)
+let parse options sink sources file =
+  if options.dump <> Some Parse && options.stop_after <> Some Parse then Some ()
+  else
+    match Resolve.Files.on_disk.read file with
+    | Error _ -> Some ()
+    | Ok text ->
+        Source.add sources ~file text;
+        let* parsed = Syntax.Parse.program sink ~file text in
+        Option.map ignore
+          (stage options sink Parse ~lint:Syntax.Lint.program ~print:Syntax.Print.program parsed)
+
+let front options sink sources ~library file =
+  let* () = parse options sink sources file in
+  let* resolved =
+    Resolve.Program.load sink ~files:Resolve.Files.on_disk
+      ~remember:(fun ~file text -> Source.add sources ~file text)
+      ~library file
+  in
+  let* resolved =
+    stage options sink Resolve ~lint:Resolve.Lint.program ~print:Resolve.Print.program resolved
+  in
+  let typed = Typing.Infer.program sink resolved in
+  (* Levels and patterns read types: after an error there they would only
+     repeat it in other words. *)
+  let* typed = if Diagnostic.has_errors sink then None else Some typed in
+  let typed = Typing.Levels.program sink typed in
+  Typing.Patterns.check sink typed;
+  let* typed =
+    stage options sink Types ~lint:Typing.Lint.program ~print:Typing.Print.program typed
+  in
+  stage options sink Core ~lint:Core.Lint.program ~print:Core.Print.program
+    (Core.Of_typed.program typed)
+
+let flow options sink ~name ~entry core =
+  let* flow =
+    Specialize.Evaluate.program
+      ~options:{ Specialize.Context.default with limit = options.specialization_limit }
+      sink ~name ~entry core
+  in
+  (* Causality before anything is shared or moved: its messages speak of the
+     equations as the programmer wrote them. *)
+  Flow.Causality.check sink flow;
+  stage options sink Specialize ~lint:Flow.Lint.program ~print:Flow.Print.program flow
+
+let is_closed_signal_function (definition : Core.Ir.definition) =
+  definition.parameters = []
+  &&
+  match definition.ty with
+  | Signal_function _ -> true
+  | Data ({ module_ = "Prelude"; name = "Program" }, _) -> true
+  | _ -> false
+
+(* What a check looks into: the program, or, in a module without one, every
+   signal function that could be an entry. *)
+let entries (core : Core.Ir.program) =
+  let own (d : Core.Ir.definition) = String.equal d.name.module_ core.main_module in
+  let candidates =
+    List.filter (fun d -> own d && is_closed_signal_function d) core.definitions
+  in
+  match List.filter (fun (d : Core.Ir.definition) -> d.name.name = "main") candidates with
+  | [] -> candidates
+  | main -> main
+
+let check options sink sources ~library file =
+  match front options sink sources ~library file with
+  | None -> ()
+  | Some core ->
+      List.iter
+        (fun (d : Core.Ir.definition) ->
+          ignore (flow options sink ~name:d.name.name ~entry:d.name core))
+        (entries core)
+
+(* The C files are named after the program's file. *)
+let c_name file = Filename.remove_extension (Filename.basename file)
+
+let find_entry sink (core : Core.Ir.program) ~file entry =
+  let is_entry (d : Core.Ir.definition) =
+    String.equal d.name.module_ core.main_module && String.equal d.name.name entry
+  in
+  match List.find_opt is_entry core.definitions with
+  | Some definition -> Some definition.name
+  | None ->
+      let names =
+        List.filter_map
+          (fun (d : Core.Ir.definition) ->
+            if String.equal d.name.module_ core.main_module then Some d.name.name else None)
+          core.definitions
+      in
+      let diagnostic =
+        Diagnostic.error ~code:"E0501" ~at:(Span.start_of_file file)
+          "there is no `%s` in this module to compile" entry
+      in
+      let diagnostic =
+        match Suggest.closest entry names with
+        | Some name -> Diagnostic.hint (Printf.sprintf "did you mean `--entry %s`?" name) diagnostic
+        | None ->
+            Diagnostic.hint
+              "define `main`, or name a signal function of this module with `--entry NAME`"
+              diagnostic
+      in
+      Diagnostic.emit sink diagnostic;
+      None
+
+let compile options sink sources ~library ~entry file =
+  let* core = front options sink sources ~library file in
+  let* entry = find_entry sink core ~file entry in
+  let* flow = flow options sink ~name:(c_name file) ~entry core in
+  let* flow =
+    stage options sink Flow ~lint:Flow.Lint.program ~print:Flow.Print.program
+      (Flow.Optimize.program flow)
+  in
+  let* machine =
+    stage options sink Machine ~lint:ignore ~print:(fun _ _ -> ())
+      (Machine.Of_flow.program flow)
+  in
+  let files = Cgen.Emit.program machine in
+  let print ppf (files : Cgen.Emit.t) =
+    Format.pp_print_string ppf files.header;
+    Format.pp_print_string ppf files.source
+  in
+  stage options sink C ~lint:ignore ~print files

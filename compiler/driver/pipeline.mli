@@ -1,0 +1,28 @@
+(** The compiler from end to end: which stage follows which, and why. *)
+
+open Basis
+
+type options = {
+  dump : Stage.t option;  (** print the program after this stage *)
+  stop_after : Stage.t option;
+  lint : bool;  (** check each stage's promises *)
+  specialization_limit : int;
+}
+
+val c_name : string -> string
+(** The name of the C files and functions for a program's file. *)
+
+val check : options -> Diagnostic.sink -> Source.t -> library:string -> string -> unit
+(** [check options sink sources ~library file]: everything up to Core; what
+    there is to say goes to the sink. *)
+
+val compile :
+  options ->
+  Diagnostic.sink ->
+  Source.t ->
+  library:string ->
+  entry:string ->
+  string ->
+  Cgen.Emit.t option
+(** The whole chain, for one entry of the file's module. [None] if the program
+    was rejected, or if [stop_after] came first. *)

@@ -1,0 +1,41 @@
+type t = {
+  library : string;
+  headers : string;
+  trace_host : string;
+  simulator : string;
+  worlds : string;
+}
+
+let ( / ) = Filename.concat
+
+let under prefix =
+  {
+    library = prefix / "share" / "frobc" / "stdlib";
+    headers = prefix / "share" / "frobc" / "include";
+    trace_host = prefix / "lib" / "frobc" / "frob-trace";
+    simulator = prefix / "lib" / "frobc" / "frob-sim";
+    worlds = prefix / "share" / "frobc" / "worlds";
+  }
+
+let is_complete t = Sys.file_exists (t.library / "Prelude.frob")
+
+(* The operating system gives the executable with symbolic links resolved, so
+   in a build it is in _build/default/compiler/frobc and the installation
+   image is elsewhere in _build. *)
+let candidates () =
+  let folder = Filename.dirname Sys.executable_name in
+  let build = Filename.dirname (Filename.dirname (Filename.dirname folder)) in
+  let home =
+    match Sys.getenv_opt "FROB_HOME" with Some home when home <> "" -> [ home ] | _ -> []
+  in
+  home @ [ Filename.dirname folder; build / "install" / "default" ]
+
+let find () =
+  match List.find_opt is_complete (List.map under (candidates ())) with
+  | Some t -> Ok t
+  | None ->
+      Error
+        (Printf.sprintf
+           "the standard library is not beside frobc (looked for share/frobc/stdlib in %s); \
+            install it with `make install`, or set FROB_HOME to the folder it was installed in"
+           (String.concat ", " (candidates ())))

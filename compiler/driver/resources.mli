@@ -1,0 +1,13 @@
+(** Where the standard library, the runtime and the hosts lie: beside [frobc],
+    in an installation or in the build, or in [FROB_HOME]. *)
+
+type t = {
+  library : string;  (** folder of the [.frob] standard library *)
+  headers : string;  (** to be passed as [-I]: holds [frob/program.h] … *)
+  trace_host : string;  (** the executable [frob-trace] *)
+  simulator : string;  (** the executable [frob-sim] *)
+  worlds : string;  (** folder of the worlds that come with the simulator *)
+}
+
+val find : unit -> (t, string) result
+(** The error says where it was looked for, and the cure. *)

@@ -1,0 +1,8 @@
+let names = [ "pioneer" ]
+
+let known = function
+  | None -> Ok ()
+  | Some name when List.mem name names -> Ok ()
+  | Some name ->
+      Error
+        (Printf.sprintf "there is no robot `%s`; the robots are %s" name (String.concat ", " names))

@@ -1,0 +1,27 @@
+type t = Parse | Resolve | Types | Core | Specialize | Flow | Machine | C
+
+let table =
+  [
+    (Parse, "parse", "the module as it was read");
+    (Resolve, "resolve", "all modules, with names that are declarations");
+    (Types, "types", "everything with its type and level");
+    (Core, "core", "the small language that gives the program its meaning");
+    (Specialize, "specialize", "first-order nodes of equations");
+    (Flow, "flow", "the same after sharing, folding and inlining");
+    (Machine, "machine", "state, reset and step as statements");
+    (C, "c", "the generated C");
+  ]
+
+let all = List.map (fun (t, _, _) -> t) table
+let row t = List.find (fun (other, _, _) -> other = t) table
+
+let name t =
+  let _, name, _ = row t in
+  name
+
+let meaning t =
+  let _, _, meaning = row t in
+  meaning
+
+let of_name text =
+  List.find_map (fun (t, name, _) -> if String.equal name text then Some t else None) table

@@ -1,0 +1,18 @@
+let units = [ ("ms", 0.001); ("min", 60.); ("s", 1.) ]
+
+let parse text =
+  let wrong =
+    Error (Printf.sprintf "`%s` is not a length of time; write it as 60s, 500ms or 2min" text)
+  in
+  let suffix (unit_, _) =
+    String.length text > String.length unit_
+    && Filename.check_suffix text unit_
+  in
+  match List.find_opt suffix units with
+  | None -> wrong
+  | Some (unit_, seconds) -> (
+      let digits = String.sub text 0 (String.length text - String.length unit_) in
+      let is_decimal = String.for_all (function '0' .. '9' | '.' -> true | _ -> false) digits in
+      match float_of_string_opt digits with
+      | Some value when is_decimal && value > 0. && value *. seconds < 1e9 -> Ok (value *. seconds)
+      | _ -> wrong)

@@ -1,0 +1,99 @@
+let elementary =
+  [ "sin"; "cos"; "tan"; "asin"; "acos"; "atan"; "atan2"; "exp"; "log"; "pow"; "hypot" ]
+
+let flags =
+  [ "-std=c99"; "-O2"; "-ffp-contract=off" ]
+  @ List.map (fun name -> "-fno-builtin-" ^ name) elementary
+
+let ( / ) = Filename.concat
+let compiler () = match Sys.getenv_opt "CC" with Some cc when cc <> "" -> cc | _ -> "cc"
+
+let rec make_folder path =
+  if not (Sys.file_exists path) then begin
+    make_folder (Filename.dirname path);
+    try Unix.mkdir path 0o700 with Unix.Unix_error (Unix.EEXIST, _, _) -> ()
+  end
+
+(* A cache that cannot be written must not keep anybody from working. *)
+let cache_folder () =
+  let user =
+    match (Sys.getenv_opt "XDG_CACHE_HOME", Sys.getenv_opt "HOME") with
+    | Some cache, _ when cache <> "" -> Some (cache / "frobc")
+    | _, Some home when home <> "" -> Some (home / ".cache" / "frobc")
+    | _ -> None
+  in
+  let usable path =
+    match
+      make_folder path;
+      Unix.access path [ Unix.W_OK ]
+    with
+    | () -> true
+    | exception (Unix.Unix_error _ | Sys_error _) -> false
+  in
+  match user with
+  | Some path when usable path -> path
+  | _ ->
+      let path = Filename.get_temp_dir_name () / Printf.sprintf "frobc-%d" (Unix.getuid ()) in
+      make_folder path;
+      path
+
+let write path content =
+  let channel = open_out_bin path in
+  Fun.protect ~finally:(fun () -> close_out channel) (fun () -> output_string channel content)
+
+(* Headers that generated code includes are part of what matters. *)
+let headers_digest folder =
+  let frob = folder / "frob" in
+  let files = Sys.readdir frob in
+  Array.sort compare files;
+  String.concat "" (List.map (fun file -> Digest.file (frob / file)) (Array.to_list files))
+
+let key ~headers ~name files =
+  Digest.to_hex
+    (Digest.string
+       (String.concat "\000"
+          ((name :: compiler () :: headers_digest headers :: flags)
+          @ List.concat_map (fun (file, content) -> [ file; content ]) files)))
+
+let explain = function
+  | Process.Not_found program ->
+      Printf.sprintf
+        "there is no C compiler `%s` here; install one (on Debian: apt-get install gcc) or name \
+         yours in the environment variable CC"
+        program
+  | Process.Failed { status; errors } ->
+      Printf.sprintf "the C compiler `%s` failed with status %d:\n%s" (compiler ()) status errors
+
+let compile ~headers ~folder ~result files =
+  List.iter (fun (file, content) -> write (folder / file) content) files;
+  let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
+  let built = folder / "program.so" in
+  match
+    Process.run (compiler ())
+      (flags
+      @ [ "-fPIC"; "-shared"; "-I"; headers; "-o"; built ]
+      @ List.map (fun (file, _) -> folder / file) sources
+      @ [ "-lm" ])
+  with
+  | Ok () ->
+      (* Renaming is atomic, so two runs at once do not see half a file. *)
+      Sys.rename built result;
+      Ok result
+  | Error failure -> Error (explain failure)
+
+let remove_folder folder =
+  Array.iter (fun file -> Sys.remove (folder / file)) (Sys.readdir folder);
+  Unix.rmdir folder
+
+let shared_object ~headers ~name files =
+  let cache = cache_folder () in
+  let key = key ~headers ~name files in
+  let result = cache / Printf.sprintf "%s-%s.so" name key in
+  if Sys.file_exists result then Ok result
+  else begin
+    let folder = cache / Printf.sprintf "%s.%d" key (Unix.getpid ()) in
+    make_folder folder;
+    Fun.protect
+      ~finally:(fun () -> remove_folder folder)
+      (fun () -> compile ~headers ~folder ~result files)
+  end

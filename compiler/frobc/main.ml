@@ -1,0 +1,192 @@
+(* The command line of frobc. What the commands do is in {!Driver.Commands};
+   here are only their options and texts. *)
+
+open Cmdliner
+module Commands = Driver.Commands
+module Stage = Driver.Stage
+
+let exits =
+  [
+    Cmd.Exit.info Driver.Exit_status.ok ~doc:"done.";
+    Cmd.Exit.info Driver.Exit_status.rejected
+      ~doc:"the program was rejected; diagnostics are on standard error.";
+    Cmd.Exit.info Driver.Exit_status.wrong_use
+      ~doc:"wrong use, missing file, unreadable input, or missing tool.";
+    Cmd.Exit.info Driver.Exit_status.bug ~doc:"a bug in frobc.";
+    Cmd.Exit.info Driver.Exit_status.fault
+      ~doc:"the run ended in a fault: robot lost, watchdog, collision limit.";
+  ]
+
+let command name ~doc ?man term = Cmd.v (Cmd.info name ~doc ?man ~exits) term
+
+(* {1 Arguments that commands share} *)
+
+let file =
+  Arg.(required & pos 0 (some string) None & info [] ~docv:"FILE" ~doc:"The $(b,.frob) program.")
+
+let files =
+  Arg.(non_empty & pos_all string [] & info [] ~docv:"FILE" ~doc:"A $(b,.frob) module.")
+
+let entry =
+  let doc = "The value to compile: a program or a closed signal function." in
+  Arg.(value & opt string "main" & info [ "entry" ] ~docv:"NAME" ~doc)
+
+let stage =
+  let parse text =
+    match Stage.of_name text with
+    | Some stage -> Ok stage
+    | None ->
+        let names = String.concat ", " (List.map Stage.name Stage.all) in
+        Error (`Msg (Printf.sprintf "`%s` is not a stage; the stages are %s" text names))
+  in
+  Arg.conv (parse, fun ppf stage -> Format.pp_print_string ppf (Stage.name stage))
+
+let stages_doc =
+  String.concat "; "
+    (List.map (fun s -> Printf.sprintf "$(b,%s) (%s)" (Stage.name s) (Stage.meaning s)) Stage.all)
+
+let general =
+  let format =
+    let doc = "How diagnostics are written: $(b,text), or $(b,json), one object a line." in
+    Arg.(
+      value
+      & opt (enum [ ("text", Commands.Text); ("json", Commands.Json) ]) Commands.Text
+      & info [ "format" ] ~docv:"FORMAT" ~doc)
+  in
+  let dump =
+    let doc = "Print the program as it is after a stage of the compiler: " ^ stages_doc ^ "." in
+    Arg.(value & opt (some stage) None & info [ "dump" ] ~docv:"STAGE" ~doc)
+  in
+  let stop_after =
+    let doc = "End after a stage of the compiler; for the names see $(b,--dump)." in
+    Arg.(value & opt (some stage) None & info [ "stop-after" ] ~docv:"STAGE" ~doc)
+  in
+  let lint =
+    let doc = "Check what the compiler promises itself after each stage." in
+    Arg.(value & flag & info [ "lint" ] ~doc)
+  in
+  let limit =
+    let doc =
+      "How many specialized copies of definitions a program may need before it is rejected."
+    in
+    Arg.(value & opt int 10_000 & info [ "specialization-limit" ] ~docv:"N" ~doc)
+  in
+  let make format dump stop_after lint specialization_limit =
+    { Commands.format; dump; stop_after; lint; specialization_limit }
+  in
+  Term.(const make $ format $ dump $ stop_after $ lint $ limit)
+
+let time_span =
+  let parse text = Result.map_error (fun message -> `Msg message) (Driver.Time_span.parse text) in
+  Arg.conv (parse, fun ppf seconds -> Format.fprintf ppf "%gs" seconds)
+
+(* {1 Commands} *)
+
+let check =
+  command "check" ~doc:"parse, resolve and type-check modules; nothing is written"
+    Term.(const Commands.check $ general $ files)
+
+let compile =
+  let folder =
+    let doc = "The folder for the C files." in
+    Arg.(value & opt string "." & info [ "o"; "output" ] ~docv:"DIR" ~doc)
+  in
+  command "compile" ~doc:"translate a program to C: NAME.c and NAME.h"
+    Term.(const Commands.compile $ general $ entry $ folder $ file)
+
+let trace =
+  let input =
+    let doc = "The recorded input, CSV with a header; $(b,-) is standard input." in
+    Arg.(required & opt (some string) None & info [ "input" ] ~docv:"IN.csv" ~doc)
+  in
+  let output =
+    let doc = "Where the output goes, instead of standard output." in
+    Arg.(value & opt (some string) None & info [ "output" ] ~docv:"OUT.csv" ~doc)
+  in
+  let engine =
+    let doc = "What runs the program: $(b,c), the compiled C." in
+    Arg.(value & opt (enum [ ("c", ()) ]) () & info [ "engine" ] ~docv:"ENGINE" ~doc)
+  in
+  let run general entry input output () file = Commands.trace general ~entry ~input ~output file in
+  command "trace" ~doc:"run a signal function on recorded input"
+    Term.(const run $ general $ entry $ input $ output $ engine $ file)
+
+let run =
+  let some_string names ~docv ~doc = Arg.(value & opt (some string) None & info names ~docv ~doc) in
+  let world =
+    some_string [ "world" ] ~docv:"WORLD.toml"
+      ~doc:
+        "The world to drive in. Without it: $(b,world.toml) beside the program, or else the room \
+         that comes with frobc."
+  in
+  let robot = some_string [ "robot" ] ~docv:"ROBOT" ~doc:"The robot: $(b,pioneer)." in
+  let duration =
+    Arg.(
+      value & opt time_span 60.
+      & info [ "for" ] ~docv:"TIME" ~doc:"How long to run, as $(b,60s), $(b,500ms), $(b,2min).")
+  in
+  let rate =
+    let doc = "Steps of the controller per second." in
+    Arg.(value & opt float 50. & info [ "rate" ] ~docv:"HZ" ~doc)
+  in
+  let seed =
+    let doc = "Seed of all noise: the same seed gives the same run." in
+    Arg.(value & opt int 1 & info [ "seed" ] ~docv:"N" ~doc)
+  in
+  let realtime =
+    Arg.(value & flag & info [ "realtime" ] ~doc:"Run no faster than the clock on the wall.")
+  in
+  let record =
+    some_string [ "record" ] ~docv:"LOG.csv"
+      ~doc:"Write every instant's input and output, in the format of $(b,frobc trace)."
+  in
+  let picture =
+    some_string [ "picture" ] ~docv:"P.svg|P.png"
+      ~doc:"Draw the world, the path driven and the signals."
+  in
+  let strict =
+    Arg.(value & flag & info [ "strict" ] ~doc:"End with status 4 when the robot hits something.")
+  in
+  let make general entry world robot duration rate seed realtime record picture strict file =
+    Commands.run general ~entry
+      { Commands.world; robot; duration; rate; seed; realtime; record; picture; strict }
+      file
+  in
+  command "run" ~doc:"run a robot program in the simulator"
+    Term.(
+      const make $ general $ entry $ world $ robot $ duration $ rate $ seed $ realtime $ record
+      $ picture $ strict $ file)
+
+let explain =
+  let code =
+    Arg.(
+      required
+      & pos 0 (some string) None
+      & info [] ~docv:"CODE" ~doc:"The code of a diagnostic, such as $(b,E0401).")
+  in
+  command "explain" ~doc:"what a diagnostic means, with an example and its cure"
+    Term.(const Commands.explain $ code)
+
+let main =
+  let doc = "compiler for Frob, a language for programming mobile robots" in
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "In Frob time is implicit and behaviour is written as equations. $(tname) type-checks a \
+         program and turns it into C: no heap, no recursion, memory and time known in advance.";
+    ]
+  in
+  Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
+    [ check; compile; trace; run; explain ]
+
+let () =
+  let status =
+    match Cmd.eval_value ~catch:false main with
+    | Ok (`Ok status) -> status
+    | Ok (`Version | `Help) -> Driver.Exit_status.ok
+    | Error (`Parse | `Term) -> Driver.Exit_status.wrong_use
+    | Error `Exn -> Driver.Exit_status.bug
+    | exception exn -> Commands.report_bug exn
+  in
+  exit status

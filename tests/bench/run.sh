@@ -1,0 +1,25 @@
+#!/bin/sh
+# Measures: prints a table and writes _build/bench.json. Each part prints JSON
+# objects, one a line; see the parts for what they measure.
+set -eu
+cd "$(dirname "$0")/../.."
+out=_build/bench
+mkdir -p "$out"
+
+{
+    sh tests/bench/step/run.sh "$out"
+    sh tests/bench/compile_time.sh "$out"
+    sh tests/bench/simulator.sh "$out"
+} >"$out/lines"
+
+{
+    echo '['
+    sed '$!s/$/,/' "$out/lines"
+    echo ']'
+} >_build/bench.json
+
+awk -F'"' '
+    BEGIN { printf "%-22s %-12s %-8s %10s %10s %7s  %s\n", "program", "measure", "compiler", "value", "reference", "ratio", "unit" }
+    function number(text) { gsub(/[:, ]/, "", text); return text }
+    { printf "%-22s %-12s %-8s %10s %10s %7s  %s\n", $4, $8, $12, number($15), number($17), number($19), $22 }
+' "$out/lines"

@@ -1,0 +1,33 @@
+#include "pid_by_hand.h"
+
+#include <math.h>
+
+static const double kp = 2.0, ki = 0.3, kd = 0.1, largest = 1.0;
+
+void pid_by_hand_reset(struct pid_by_hand *self)
+{
+    self->sum = 0.0;
+    self->counted = 0.0;
+    self->before = 0.0;
+    self->slope = 0.0;
+    self->started = false;
+}
+
+double pid_by_hand_step(struct pid_by_hand *self, double dt, double error)
+{
+    double wanted;
+    if (!self->started) {
+        self->started = true;
+    } else if (dt > 0) {
+        self->sum += dt * self->counted;
+        self->slope = (error - self->before) / dt;
+    }
+    self->before = error;
+    wanted = kp * error + ki * self->sum + kd * self->slope;
+    self->counted = fabs(wanted) > largest && ki * error * wanted > 0 ? 0.0 : error;
+    if (wanted > largest)
+        return largest;
+    if (wanted < -largest)
+        return -largest;
+    return wanted;
+}
