@@ -2,7 +2,7 @@ open Basis
 
 type options = { limit : int; nesting : int; depth : int; work : int }
 
-let default = { limit = 10_000; nesting = 1_000; depth = 5_000; work = 10_000_000 }
+let default = { limit = 10_000; nesting = 1_000; depth = 5_000; work = 3_000_000 }
 
 type trail = { depth : int; calls : (string * Span.t) list (* the last one first *) }
 
@@ -81,16 +81,17 @@ let rec settle evaluate =
 let from_here trail = { trail with depth = 0 }
 let nests_deeply t trail = trail.depth > t.options.nesting
 
-(* The innermost calls: enough to see what goes on for ever. *)
+(* The innermost calls, each place once: enough to see what goes on for ever. *)
 let with_trail trail diagnostic =
   let rec labelled diagnostic shown = function
-    | (name, at) :: others when shown < 5 ->
-        labelled
-          (Diagnostic.label ~at (Printf.sprintf "`%s` is called here" name) diagnostic)
-          (shown + 1) others
+    | (name, at) :: others when List.length shown < 5 ->
+        if List.mem at shown then labelled diagnostic shown others
+        else
+          let text = Printf.sprintf "`%s` is called here" name in
+          labelled (Diagnostic.label ~at text diagnostic) (at :: shown) others
     | [] | _ :: _ -> diagnostic
   in
-  labelled diagnostic 0 trail.calls
+  labelled diagnostic [] trail.calls
 
 let stop t trail diagnostic =
   Diagnostic.emit t.sink (with_trail trail diagnostic);

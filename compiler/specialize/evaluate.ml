@@ -6,6 +6,7 @@ let refuse_entry (c : Context.t) (core : Ir.definition) =
     error ~code:"E0411" ~at:core.span "`%s` is no signal function or program of a closed type"
       core.name.name
     |> note (Printf.sprintf "its type is `%s`" (Types.to_string core.ty))
+    |> (if core.parameters = [] then Fun.id else hint "give it a closed type")
     |> emit c.sink)
 
 let refuse_interface (c : Context.t) (core : Ir.definition) what ty =

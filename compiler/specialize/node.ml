@@ -52,7 +52,11 @@ let leaves target (leaves : Types.leaf list) =
   | Named name -> List.map (fun (l : Types.leaf) -> Named (Types.join name l.path)) leaves
   | Defines signals -> List.map (fun signal -> Defines [ signal ]) signals
 
+(* A path is a name only if it starts with one: not that of a component of a
+   tuple without a name. *)
 let signal t ~name ~span ty : Ir.signal =
+  let is_position = String.length name > 0 && name.[0] >= '0' && name.[0] <= '9' in
+  let name = if is_position then "" else name in
   let id = t.fresh () in
   { id; name; ty; group = id; span }
 
