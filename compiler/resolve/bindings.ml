@@ -14,8 +14,6 @@ type item = {
   span : Span.t;
 }
 
-let map f xs = List.rev (List.rev_map f xs)
-
 let item (d : Syntax.Ir.declaration) =
   match d.desc with
   | Binding b -> Some { left = b.left; right = Definition b.right; doc = d.doc; span = b.span }
@@ -69,6 +67,33 @@ let binder (scope : Scope.t) item : Ir.binder * Ir.Local.t list =
       let p = Patterns.pattern scope p in
       (Destructure p, Patterns.variables p)
 
+let bound binders =
+  let add bound (local : Ir.Local.t) = String_map.add local.name local bound in
+  Array.fold_left
+    (fun bound (_, locals) -> List.fold_left add bound locals)
+    String_map.empty binders
+
+let variables group table binders =
+  let variable index (local : Ir.Local.t) : Env.variable =
+    { local; owner = Some { group; index; signed = String_map.mem local.name table } }
+  in
+  Array.mapi (fun i (_, locals) -> Long_list.map (variable i) locals) binders
+  |> Array.to_list
+  |> List.concat_map Fun.id
+
+let signature_of table (local : Ir.Local.t) =
+  Option.map snd (String_map.find_opt local.name table)
+
+(* The signatures of variables that are bound by patterns. *)
+let destructured table binders =
+  let signed local = Option.map (fun s -> (local, s)) (signature_of table local) in
+  let of_binder ((name : Ir.binder), locals) =
+    match name with
+    | Destructure _ -> List.filter_map signed locals
+    | Inner _ | Top _ -> []
+  in
+  List.concat_map of_binder (Array.to_list binders)
+
 let parameters item =
   match item.left with
   | Function_name { parameters; _ } -> parameters
@@ -78,7 +103,7 @@ let rec right env ~expr ~command (r : Syntax.Ir.right) : Ir.right =
   let guards =
     match r.body with
     | Plain value -> [ (None, value) ]
-    | Guarded guards -> map (fun (condition, value) -> (Some condition, value)) guards
+    | Guarded guards -> Long_list.map (fun (condition, value) -> (Some condition, value)) guards
   in
   guarded env ~expr ~command ~guards ~where:r.where
 
@@ -90,7 +115,7 @@ and guarded env ~expr ~command ~guards ~where : Ir.right =
     let condition = Option.map (expr env) condition in
     { condition; value = expr env value }
   in
-  { guards = map guard guards; where }
+  { guards = Long_list.map guard guards; where }
 
 and binding env ~expr ~command ~name ~signature item : Ir.binding =
   let env, parameters = Patterns.bind env (parameters item) in
@@ -107,50 +132,22 @@ and declarations env ~expr ~command ~items ~signatures =
   match (items, signatures) with
   | [], [] -> (env, { groups = []; signatures = [] })
   | _ ->
-      let scope = Env.scope env in
-      let binders = Array.of_list (map (binder scope) items) in
+      let items = Array.of_list items in
+      let binders = Array.map (binder (Env.scope env)) items in
       let group = Groups.create (Array.length binders) in
-      let bound =
-        let add bound (local : Ir.Local.t) = String_map.add local.name local bound in
-        Array.fold_left
-          (fun bound (_, locals) -> List.fold_left add bound locals)
-          String_map.empty binders
-      in
-      let table = signature_table scope ~bound signatures in
-      let variable index (local : Ir.Local.t) : Env.variable =
-        { local; owner = Some { group; index; signed = String_map.mem local.name table } }
-      in
-      let variables =
-        Array.to_list (Array.mapi (fun i (_, locals) -> map (variable i) locals) binders)
-      in
-      let env = Env.bind env (List.concat variables) in
-      let signature_of (local : Ir.Local.t) =
-        Option.map snd (String_map.find_opt local.name table)
-      in
+      let table = signature_table (Env.scope env) ~bound:(bound binders) signatures in
+      let env = Env.bind env (variables group table binders) in
       let resolve i item =
-        let name, _ = binders.(i) in
+        let name = fst binders.(i) in
         let signature =
-          match (name : Ir.binder) with
-          | Inner local -> signature_of local
+          match name with
+          | Inner local -> signature_of table local
           | Top _ | Destructure _ -> None
         in
         Groups.within group i (fun () -> binding env ~expr ~command ~name ~signature item)
       in
-      let bindings = Array.of_list (List.rev (snd (List.fold_left
-        (fun (i, reversed) item -> (i + 1, resolve i item :: reversed)) (0, []) items)))
-      in
-      let destructured =
-        let of_binder ((name : Ir.binder), locals) =
-          match name with
-          | Destructure _ ->
-              List.filter_map
-                (fun local -> Option.map (fun s -> (local, s)) (signature_of local))
-                locals
-          | Inner _ | Top _ -> []
-        in
-        List.concat_map of_binder (Array.to_list binders)
-      in
-      (env, { groups = Groups.sort group bindings; signatures = destructured })
+      let bindings = Array.mapi resolve items in
+      (env, { groups = Groups.sort group bindings; signatures = destructured table binders })
 
 let report_pattern (scope : Scope.t) item =
   Diagnostic.error ~code:"E0226" ~at:item.span "a pattern cannot be defined at top level"
@@ -162,24 +159,27 @@ let report_operator (scope : Scope.t) (name : Syntax.Ir.name) =
   |> Diagnostic.hint "give the function a name; backticks make it infix: a `f` b"
   |> Context.emit scope.context
 
-let is_operator text =
-  match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
-
-let top_level (scope : Scope.t) ~expr ~command declarations =
-  (* Of definitions of one name, the first; the others are reported already. *)
-  let add (seen, reversed) item =
+(* The definitions of a module by name, in order. Of those of one name only the
+   first: the others are reported where the module's names are collected. *)
+let definitions (scope : Scope.t) declarations =
+  let add ((count, index, reversed) as all) item =
     match item.left with
     | Pattern { desc = Bound name; _ } | Name name | Function_name { name; _ } ->
         if is_operator name.text && not scope.library then report_operator scope name;
-        if String_map.mem name.text seen then (seen, reversed)
-        else (String_map.add name.text (List.length reversed) seen, (name, item) :: reversed)
+        if String_map.mem name.text index then all
+        else (count + 1, String_map.add name.text count index, (name, item) :: reversed)
     | Pattern _ ->
         report_pattern scope item;
-        (seen, reversed)
+        all
   in
-  let index, reversed = List.fold_left add (String_map.empty, []) (items declarations) in
-  let named = Array.of_list (List.rev reversed) in
-  let group = Groups.create (Array.length named) in
+  let _, index, reversed =
+    List.fold_left add (0, String_map.empty, []) (items declarations)
+  in
+  (index, Array.of_list (List.rev reversed))
+
+let top_level (scope : Scope.t) ~expr ~command declarations =
+  let index, definitions = definitions scope declarations in
+  let group = Groups.create (Array.length definitions) in
   let env = Env.top scope group index in
   let table = signature_table scope ~bound:index (signatures declarations) in
   let resolve i ((name : Syntax.Ir.name), item) =
@@ -188,4 +188,4 @@ let top_level (scope : Scope.t) ~expr ~command declarations =
     let name : Ir.binder = Top (global, name.span) in
     Groups.within group i (fun () -> binding env ~expr ~command ~name ~signature item)
   in
-  Groups.sort group (Array.mapi resolve named)
+  Groups.sort group (Array.mapi resolve definitions)

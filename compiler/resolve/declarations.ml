@@ -1,8 +1,6 @@
 open Basis
 open Interface
 
-let map f xs = List.rev (List.rev_map f xs)
-
 (* Sorts declarations by what they use; [report] gets each circle. *)
 let sort ~name ~uses ~report declarations =
   let all = Array.of_list declarations in
@@ -19,7 +17,7 @@ let sort ~name ~uses ~report declarations =
       report (List.map (fun i -> all.(i)) (Graph.shortest_cycle graph component))
   in
   List.iter check components;
-  map (fun i -> all.(i)) (List.concat components)
+  Long_list.map (fun i -> all.(i)) (List.concat_map Fun.id components)
 
 (* `A` → `B` → `A` *)
 let path names =
@@ -111,16 +109,16 @@ let field scope variables (name, ty) : Ir.field =
 let constructor (scope : Scope.t) variables tycon index (c : Syntax.Ir.constructor) : Ir.constructor =
   let fields, record =
     match c.fields with
-    | Positional types -> (map (fun t -> (None, t)) types, false)
+    | Positional types -> (Long_list.map (fun t -> (None, t)) types, false)
     | Named fields ->
-        check_distinct scope "field" (map fst fields);
-        (map (fun (name, t) -> (Some name, t)) fields, true)
+        check_distinct scope "field" (Long_list.map fst fields);
+        (Long_list.map (fun (name, t) -> (Some name, t)) fields, true)
   in
   {
     constructor = { module_ = scope.module_; name = c.name.text };
     tycon;
     index;
-    fields = map (field scope variables) fields;
+    fields = Long_list.map (field scope variables) fields;
     record;
     span = c.name.span;
   }
@@ -137,8 +135,8 @@ let declaration (scope : Scope.t) (d : Syntax.Ir.declaration) : Ir.type_declarat
     Some
       ({
          tycon;
-         unit_parameters = map parameter parameters.units;
-         type_parameters = map parameter parameters.types;
+         unit_parameters = Long_list.map parameter parameters.units;
+         type_parameters = Long_list.map parameter parameters.types;
          definition = definition tycon (variables name.text parameters);
          doc = d.doc;
          span = name.span;
@@ -177,7 +175,7 @@ let types (scope : Scope.t) (program : Syntax.Ir.program) =
       ~uses:(uses scope) ~report:(report_circle scope)
   in
   if String.equal scope.module_ "Prelude" then
-    map builtin (builtin_types ~file:program.file) @ sorted else sorted
+    Long_list.map builtin (builtin_types ~file:program.file) @ sorted else sorted
 
 (* Units *)
 

@@ -1,10 +1,6 @@
 open Basis
 
-let map f xs = List.rev (List.rev_map f xs)
 let missing : Ir.expr_desc = Tuple []
-
-let is_operator text =
-  match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
 
 let rec expr env (e : Syntax.Ir.expr) : Ir.expr =
   match e.desc with
@@ -25,7 +21,7 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
       | None -> missing)
   | Number n -> Number (Patterns.number scope n)
   | String text -> String text
-  | Tuple es -> Tuple (map (expr env) es)
+  | Tuple es -> Tuple (Long_list.map (expr env) es)
   | Apply (head, argument) ->
       let head = expr env head in
       Apply { head; argument = expr env argument; style = Juxtaposed }
@@ -43,7 +39,7 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
       If { condition; then_; else_ = expr env else_ }
   | Case { scrutinee; branches } ->
       let scrutinee = expr env scrutinee in
-      Case { scrutinee; branches = map (branch env) branches }
+      Case { scrutinee; branches = Long_list.map (branch env) branches }
   | Let { bindings; body } ->
       let env, declarations = declarations env bindings in
       Let { declarations; body = expr env body }
@@ -58,10 +54,10 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   | Record { constructor; fields } -> record env e.span constructor fields
   | Update { record; fields } ->
       let record = expr env record in
-      let fields = map (fun (name, value) -> (name, expr env value)) fields in
-      check_given_once scope (map fst fields);
+      let fields = Long_list.map (fun (name, value) -> (name, expr env value)) fields in
+      check_given_once scope (Long_list.map fst fields);
       let candidates =
-        Scope.records_with scope (map (fun ((n : Syntax.Ir.name), _) -> n.text) fields)
+        Scope.records_with scope (Long_list.map (fun ((n : Syntax.Ir.name), _) -> n.text) fields)
       in
       Update { record; fields; candidates }
   | Field { record; field } ->
@@ -77,7 +73,7 @@ and declarations env bindings =
 (* Operators *)
 
 and style (operator : Syntax.Ir.qualified) : Ir.apply_style =
-  if is_operator operator.name.text then Operator operator.name.text else Juxtaposed
+  if Interface.is_operator operator.name.text then Operator operator.name.text else Juxtaposed
 
 and operator_name env (operator : Syntax.Ir.qualified) : Ir.expr =
   let desc = Option.value (operator_meaning env operator) ~default:missing in
@@ -119,7 +115,7 @@ and branch env (b : Syntax.Ir.branch) : Ir.branch =
   let guards =
     match b.body with
     | Always value -> [ (None, value) ]
-    | If_guards guards -> map (fun (condition, value) -> (Some condition, value)) guards
+    | If_guards guards -> Long_list.map (fun (condition, value) -> (Some condition, value)) guards
   in
   {
     pattern = List.hd patterns;
@@ -171,7 +167,7 @@ and check_given_once (scope : Scope.t) names =
 
 and record env span constructor fields : Ir.expr_desc =
   let scope = Env.scope env in
-  let fields = map (fun (name, value) -> (name, expr env value)) fields in
+  let fields = Long_list.map (fun (name, value) -> (name, expr env value)) fields in
   match Scope.find scope Interface.constructors constructor with
   | None -> missing
   | Some found -> (
@@ -183,7 +179,7 @@ and record env span constructor fields : Ir.expr_desc =
 
 and check_complete (scope : Scope.t) (constructor : Interface.constructor) span given =
   let has =
-    Interface.String_set.of_list (map (fun ((n : Syntax.Ir.name), _) -> n.text) given)
+    Interface.String_set.of_list (Long_list.map (fun ((n : Syntax.Ir.name), _) -> n.text) given)
   in
   let absent =
     List.filter

@@ -33,17 +33,17 @@ let split t ~position vertices =
   in
   let components = Graph.components (Array.map inside vertex) in
   Array.iter (fun v -> position.(v) <- -1) vertex;
-  List.rev (List.rev_map (List.map (fun k -> vertex.(k))) components)
+  Long_list.map (Long_list.map (fun k -> vertex.(k))) components
 
 let sort t bindings =
   let graph = Array.map List.rev t.all in
   let position = Array.make (Array.length bindings) (-1) in
   let group recursive vertices : Ir.binding_group =
-    { bindings = List.rev (List.rev_map (fun v -> bindings.(v)) vertices); recursive }
+    { bindings = Long_list.map (fun v -> bindings.(v)) vertices; recursive }
   in
   let groups = function
     | [ v ] -> [ group (Graph.is_cyclic graph [ v ]) [ v ] ]
-    | circle -> List.rev (List.rev_map (group true) (split t ~position circle))
+    | circle -> Long_list.map (group true) (split t ~position circle)
   in
   let add reversed component = List.rev_append (groups component) reversed in
   List.rev (List.fold_left add [] (Graph.components graph))

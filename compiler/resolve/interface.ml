@@ -82,6 +82,9 @@ let empty =
     units = String_map.empty;
   }
 
+let is_operator text =
+  match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
+
 let prelude = "Prelude"
 
 let builtin_types ~file =
@@ -142,7 +145,7 @@ let signed_names declarations =
 let field_names : Syntax.Ir.fields -> string list option = function
   | Positional _ -> None
   | Named fields ->
-      Some (List.rev (List.rev_map (fun ((f : Syntax.Ir.name), _) -> f.text) fields))
+      Some (Long_list.map (fun ((f : Syntax.Ir.name), _) -> f.text) fields)
 
 let arity : Syntax.Ir.fields -> int = function
   | Positional fields -> List.length fields

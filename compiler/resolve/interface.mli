@@ -50,6 +50,9 @@ val units : unit_name space
 
 val empty : names
 
+val is_operator : string -> bool
+(** Is this name a symbol? *)
+
 val builtin_types : file:string -> (string * tycon) list
 (** The types without a declaration, owned by the prelude, which is in this
     file. *)

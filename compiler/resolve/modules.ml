@@ -197,7 +197,7 @@ and load_imports loader ~way ~name found (syntax : Syntax.Ir.program) =
       let at = Span.start_of_file found.shown in
       [ import ~declaration:None { text = prelude; span = at } at ]
   in
-  implied @ List.rev (List.rev_map written syntax.imports)
+  implied @ Long_list.map written syntax.imports
 
 (* Is the module there? Loads it if it is new. *)
 and import_module loader ~way ~directory ~importer_in_library (target : Syntax.Ir.name) =

@@ -1,8 +1,6 @@
 open Basis
 open Interface
 
-let map f xs = List.rev (List.rev_map f xs)
-
 let number scope (n : Syntax.Ir.number) : Ir.number =
   {
     digits = n.digits;
@@ -64,10 +62,10 @@ and desc scope (p : Syntax.Ir.pattern) : Ir.pattern_desc =
   | As (name, inner) ->
       let local = Context.fresh scope.context name.text name.span in
       As (local, pattern scope inner)
-  | Tuple_of ps -> Tuple_of (map (pattern scope) ps)
+  | Tuple_of ps -> Tuple_of (Long_list.map (pattern scope) ps)
   | Literal { negative; number = n } -> Literal { negative; number = number scope n }
   | Constructed (name, arguments) -> (
-      let arguments = map (pattern scope) arguments in
+      let arguments = Long_list.map (pattern scope) arguments in
       match Scope.find scope constructors name with
       | None -> Tuple_of arguments
       | Some constructor ->
@@ -75,9 +73,9 @@ and desc scope (p : Syntax.Ir.pattern) : Ir.pattern_desc =
           if found <> constructor.arity then report_arity scope constructor ~found p.span;
           Constructed (constructor.global, arguments))
   | Record_of (name, given) -> (
-      let given = map (fun (field, inner) -> (field, pattern scope inner)) given in
+      let given = Long_list.map (fun (field, inner) -> (field, pattern scope inner)) given in
       match Scope.find scope constructors name with
-      | None -> Tuple_of (map snd given)
+      | None -> Tuple_of (Long_list.map snd given)
       | Some constructor -> positional scope constructor p.span given)
 
 and positional scope constructor span all : Ir.pattern_desc =
@@ -87,10 +85,10 @@ and positional scope constructor span all : Ir.pattern_desc =
   let argument field =
     Option.value (String_map.find_opt field by_name) ~default:({ desc = Any; span } : Ir.pattern)
   in
-  let arguments = map argument (Option.value constructor.fields ~default:[]) in
+  let arguments = Long_list.map argument (Option.value constructor.fields ~default:[]) in
   (* What was in error keeps its place, so that its variables are known. *)
   let faulty = List.filter (fun (field, _) -> not (List.mem_assq field given)) all in
-  Constructed (constructor.global, arguments @ map snd faulty)
+  Constructed (constructor.global, arguments @ Long_list.map snd faulty)
 
 let variables p =
   let rec add found (p : Ir.pattern) =
@@ -103,7 +101,7 @@ let variables p =
   List.rev (add [] p)
 
 let bind env patterns =
-  let patterns = map (pattern (Env.scope env)) patterns in
+  let patterns = Long_list.map (pattern (Env.scope env)) patterns in
   let variable local : Env.variable = { local; owner = None } in
-  let locals = List.concat_map (fun p -> map variable (variables p)) patterns in
+  let locals = List.concat_map (fun p -> Long_list.map variable (variables p)) patterns in
   (Env.bind env locals, patterns)

@@ -1,9 +1,6 @@
 open Format
 
-let is_operator text =
-  match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
-
-let bare ppf text = if is_operator text then fprintf ppf "(%s)" text else pp_print_string ppf text
+let bare ppf text = if Interface.is_operator text then fprintf ppf "(%s)" text else pp_print_string ppf text
 
 (* The prelude's names stand alone. *)
 let global ppf (g : Ir.Global.t) =

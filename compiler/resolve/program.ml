@@ -1,8 +1,6 @@
 open Basis
 open Interface
 
-let map f xs = List.rev (List.rev_map f xs)
-
 (* A module with what it means. *)
 type resolved = {
   info : Ir.module_;
@@ -38,7 +36,7 @@ let primitives (scope : Scope.t) (program : Syntax.Ir.program) =
   in
   let declaration (d : Syntax.Ir.declaration) =
     match d.desc with
-    | Primitive { names; ty } -> map (primitive (Types.scheme scope ty) d.doc) names
+    | Primitive { names; ty } -> Long_list.map (primitive (Types.scheme scope ty) d.doc) names
     | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ -> []
   in
   List.concat_map declaration program.declarations
@@ -50,7 +48,7 @@ let exported_values (scope : Scope.t) exports =
   in
   String_map.fold own exports.values []
   |> List.sort (fun (a, _) (b, _) -> Span.compare a b)
-  |> map snd
+  |> Long_list.map snd
 
 let resolve context ~elsewhere exports (m : Modules.t) =
   let own = Interface.declared context ~module_:m.name m.syntax in
@@ -89,7 +87,7 @@ let assemble modules : Ir.program option =
       Some
         {
           main_module = main.info.name;
-          modules = map (fun m -> m.info) modules;
+          modules = Long_list.map (fun m -> m.info) modules;
           types = List.concat_map (fun m -> m.types) modules;
           units = List.concat_map (fun m -> m.units) modules;
           primitives = List.concat_map (fun m -> m.primitives) modules;

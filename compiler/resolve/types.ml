@@ -6,7 +6,6 @@ type variables =
   | Parameters of { units : String_set.t; types : String_set.t; owner : string }
 
 let missing span : Ir.ty = { desc = Tuple_type []; span }
-let map f xs = List.rev (List.rev_map f xs)
 
 (* Units *)
 
@@ -112,8 +111,8 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
       | Parameters _ | Quantified -> ());
       Type_variable name.text
   | Type { name; units; arguments } -> (
-      let units = map (unit_ scope variables) (Option.value units ~default:[]) in
-      let arguments = map (ty scope variables) arguments in
+      let units = Long_list.map (unit_ scope variables) (Option.value units ~default:[]) in
+      let arguments = Long_list.map (ty scope variables) arguments in
       match Scope.find scope tycons name with
       | None -> Tuple_type []
       | Some tycon ->
@@ -133,7 +132,7 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
   | Function (a, b) ->
       let a = ty scope variables a in
       Function (a, ty scope variables b)
-  | Tuple_type ts -> Tuple_type (map (ty scope variables) ts)
+  | Tuple_type ts -> Tuple_type (Long_list.map (ty scope variables) ts)
 
 (* Signatures *)
 

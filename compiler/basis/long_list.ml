@@ -1,0 +1,1 @@
+let map f list = List.rev (List.rev_map f list)

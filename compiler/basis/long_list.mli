@@ -1,0 +1,5 @@
+(** What the standard library's [List] does only on the stack, in the OCaml
+    versions before 5.1: for lists as long as a program. *)
+
+val map : ('a -> 'b) -> 'a list -> 'b list
+(** From first to last. *)
