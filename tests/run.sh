@@ -12,8 +12,9 @@ dune build @install @runtest --force >"$log" 2>&1
 status=$?
 cat "$log"
 
-files=$(find tests -path tests/_build -prune -o \( -name '*.t' -o -name '*.expected' \) -print | wc -l)
-awk -v files="$files" -v status="$status" '
+cram=$(find tests -name '*.t' | wc -l)
+golden=$(find tests -name 'dune*' -exec cat {} + | grep -c '(diff ')
+awk -v files=$((cram + golden)) -v status="$status" '
     /^ok /   { passed++ }
     /^FAIL / { failed++ }
     # "Test Successful in 0.002s. 14 tests run." or "2 failures! in 0.004s. 14 tests run."
@@ -24,7 +25,7 @@ awk -v files="$files" -v status="$status" '
         failed += bad
     }
     # A golden or cram file that differs.
-    /^File "tests\/[^"]*\.(t|expected)", line 1, characters 0-0:$/ {
+    /^File "tests\/[^"]*", line 1, characters 0-0:$/ {
         if (!($2 in differs)) { differs[$2] = 1; broken++ }
     }
     END {

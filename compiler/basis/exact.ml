@@ -73,23 +73,53 @@ module Natural = struct
       let square = multiply half half in
       if n mod 2 = 1 then multiply square a else square
 
-  (* Schoolbook division: one digit of the quotient at a time, each found by
-     bisection. *)
+  (* The first three digits (of those above [skip]) as a float: exact. *)
+  let leading a length =
+    let digit i = if i >= 0 && i < Array.length a then float_of_int a.(i) else 0. in
+    let base = float_of_int base in
+    (((digit (length - 1) *. base) +. digit (length - 2)) *. base) +. digit (length - 3)
+
+  (* Schoolbook division: one digit of the quotient at a time, each estimated
+     from leading digits and then corrected by at most a step or two. *)
   let divide a b =
-    let quotient = Array.make (Array.length a) 0 in
-    let rest = ref zero in
-    for i = Array.length a - 1 downto 0 do
-      rest := normalize (Array.append [| a.(i) |] !rest);
-      let low = ref 0 and high = ref (base - 1) in
-      while !low < !high do
-        let middle = (!low + !high + 1) / 2 in
-        if compare (multiply b (of_int middle)) !rest <= 0 then low := middle
-        else high := middle - 1
+    if compare a b < 0 then (zero, a)
+    else if Array.length b = 1 then begin
+      let rest = ref 0 and quotient = Array.make (Array.length a) 0 in
+      for i = Array.length a - 1 downto 0 do
+        let part = (!rest * base) + a.(i) in
+        quotient.(i) <- part / b.(0);
+        rest := part mod b.(0)
       done;
-      quotient.(i) <- !low;
-      rest := subtract !rest (multiply b (of_int !low))
-    done;
-    (normalize quotient, !rest)
+      (normalize quotient, of_int !rest)
+    end
+    else begin
+      let length = Array.length b in
+      let positions = Array.length a - length + 1 in
+      let quotient = Array.make positions 0 in
+      let rest = ref (normalize (Array.sub a positions (length - 1))) in
+      for i = positions - 1 downto 0 do
+        rest := normalize (Array.append [| a.(i) |] !rest);
+        if compare !rest b >= 0 then begin
+          (* both taken from the same position, so that their ratio counts *)
+          let top = Array.length !rest in
+          let estimate = leading !rest top /. leading b top in
+          let digit = ref (max 1 (min (base - 1) (int_of_float estimate))) in
+          let product = ref (multiply b (of_int !digit)) in
+          while compare !product !rest > 0 do
+            decr digit;
+            product := subtract !product b
+          done;
+          let left = ref (subtract !rest !product) in
+          while compare !left b >= 0 do
+            incr digit;
+            left := subtract !left b
+          done;
+          quotient.(i) <- !digit;
+          rest := !left
+        end
+      done;
+      (normalize quotient, !rest)
+    end
 
   let rec gcd a b = if is_zero b then a else gcd b (snd (divide a b))
 
@@ -182,10 +212,23 @@ let pi =
 
 let negate t = if Natural.is_zero t.numerator then t else { t with negative = not t.negative }
 
+(* Common factors go before the product: they lie across, and one side is
+   mostly short. The result is in lowest terms. *)
 let multiply a b =
-  reduce (a.negative <> b.negative)
-    (Natural.multiply a.numerator b.numerator)
-    (Natural.multiply a.denominator b.denominator)
+  if Natural.is_zero a.numerator || Natural.is_zero b.numerator then zero
+  else
+    let cancel n d =
+      let g = Natural.gcd n d in
+      if Natural.compare g one.numerator = 0 then (n, d)
+      else (fst (Natural.divide n g), fst (Natural.divide d g))
+    in
+    let n, d' = cancel a.numerator b.denominator in
+    let n', d = cancel b.numerator a.denominator in
+    {
+      negative = a.negative <> b.negative;
+      numerator = Natural.multiply n n';
+      denominator = Natural.multiply d d';
+    }
 
 let divide a b =
   if Natural.is_zero b.numerator then invalid_arg "Exact.divide";
@@ -210,10 +253,20 @@ let rec power t n =
     }
 
 let compare a b =
-  let difference = add a (negate b) in
-  if Natural.is_zero difference.numerator then 0 else if difference.negative then -1 else 1
+  match (a.negative, b.negative) with
+  | true, false -> -1
+  | false, true -> 1
+  | negative, _ ->
+      let left = Natural.multiply a.numerator b.denominator in
+      let right = Natural.multiply b.numerator a.denominator in
+      if negative then Natural.compare right left else Natural.compare left right
 
-let equal a b = compare a b = 0
+(* lowest terms are unique *)
+let equal a b =
+  a.negative = b.negative
+  && Natural.compare a.numerator b.numerator = 0
+  && Natural.compare a.denominator b.denominator = 0
+
 let is_integer t = Natural.compare t.denominator (Natural.of_int 1) = 0
 
 let to_int32 t =

@@ -174,7 +174,8 @@ and record env span constructor fields : Ir.expr_desc =
       match Patterns.construction scope found ~at:constructor.span fields with
       | None -> missing
       | Some given ->
-          check_complete scope found span given;
+          (* A field that is wrong is probably the one that is missing. *)
+          if List.length given = List.length fields then check_complete scope found span given;
           Record { constructor = found.global; fields = given })
 
 and check_complete (scope : Scope.t) (constructor : Interface.constructor) span given =

@@ -170,17 +170,22 @@ and assignments ppf fields =
   let assignment ppf ((name : Syntax.Ir.name), e) = fprintf ppf "%s = %a" name.text expr e in
   pp_print_list ~pp_sep:comma assignment ppf fields
 
-and branch ppf (b : Ir.branch) =
-  fprintf ppf "@[<v 2>%a%a@]" pattern b.pattern (right ~sign:"->") b.right
+and branch ppf (b : Ir.branch) = right ~head:(fun ppf -> pattern ppf b.pattern) ~sign:"->" ppf b.right
 
-and right ~sign ppf (r : Ir.right) =
+(* The alternatives after what they are the meaning of, then the [where]. *)
+and right ~head ~sign ppf (r : Ir.right) =
   let guarded (g : Ir.guarded) =
-    match g.condition with
-    | None -> fprintf ppf " %s %a" sign expr g.value
-    | Some condition -> fprintf ppf "@,| %a %s %a" expr condition sign expr g.value
+    Option.iter
+      (fun c -> fprintf ppf "@,@[<hv 2>| %a %s@ @[%a@]@]" expr c sign expr g.value)
+      g.condition
   in
-  List.iter guarded r.guards;
-  where ppf r.where
+  (match r.guards with
+  | [ { condition = None; value } ] ->
+      fprintf ppf "@[<v 2>@[<hv 2>%t %s@ @[%a@]@]" head sign expr value
+  | guards ->
+      fprintf ppf "@[<v 2>%t" head;
+      List.iter guarded guards);
+  fprintf ppf "%a@]" where r.where
 
 and where ppf (ds : Ir.declarations) =
   match ds.groups with [] -> () | _ -> fprintf ppf "@,@[<v 2>where%a@]" declarations ds
@@ -206,8 +211,9 @@ and binding ppf (b : Ir.binding) =
     | Inner l -> local ppf l
     | Destructure p -> pattern ppf p
   in
-  Option.iter (fun s -> fprintf ppf "%a :: %a@," name b.name scheme s) b.signature;
-  fprintf ppf "@[<v 2>%a%a%a@]" name b.name (words pattern) b.parameters (right ~sign:"=") b.body
+  Option.iter (fun s -> fprintf ppf "@[<2>%a :: %a@]@," name b.name scheme s) b.signature;
+  let head ppf = fprintf ppf "%a%a" name b.name (words pattern) b.parameters in
+  right ~head ~sign:"=" ppf b.body
 
 (* Programs *)
 

@@ -57,6 +57,10 @@ let record_of t tycon =
       Some (constructor t name)
   | Data _ | Alias _ | Builtin -> None
 
+let field_names t =
+  let of_constructor _ c names = List.rev_append (List.rev_map fst c.ir.fields) names in
+  List.sort_uniq String.compare (Hashtbl.fold of_constructor t.constructors [])
+
 let fields constructor ty =
   let rec split fields count ty =
     match (count, Type.expand ty) with

@@ -47,5 +47,8 @@ val constructor : t -> Ir.Global.t -> constructor
 val record_of : t -> Ir.Global.t -> constructor option
 (** The constructor of a type that is a record. *)
 
+val field_names : t -> string list
+(** Of all records, in alphabetical order. *)
+
 val fields : constructor -> Type.t -> Type.t list * Type.t
 (** Of an instance of its scheme's type: its fields and its result. *)

@@ -25,7 +25,7 @@ let signature ctx declared (b : Resolve.Ir.binding) =
       Hashtbl.replace ctx.globals name { scheme; primitive = false; recursive = false };
       Hashtbl.replace declared name { scheme; inner; at = written.span }
 
-let expectation ctx declared (b : Resolve.Ir.binding) : Context.t * Mistake.expected =
+let expectation ctx declared ~recursive (b : Resolve.Ir.binding) : Context.t * Mistake.expected =
   let name, at = top b in
   match Hashtbl.find_opt declared name with
   | Some { scheme; inner; at } ->
@@ -36,7 +36,8 @@ let expectation ctx declared (b : Resolve.Ir.binding) : Context.t * Mistake.expe
       let ty = Context.fresh ctx in
       let scheme = Type.monomorphic ty in
       Hashtbl.replace ctx.globals name { scheme; primitive = false; recursive = true };
-      (ctx, { ty; because = Uses { name = name.name; at } })
+      let because = if recursive then Mistake.Uses { name = name.name; at } else Unknown in
+      (ctx, { ty; because })
 
 let check (b : Resolve.Ir.binding) (inner, expected) =
   let name, _ = top b in
@@ -70,7 +71,7 @@ let generalize ctx declared bindings expectations =
 
 let group ctx declared (g : Resolve.Ir.binding_group) : Ir.definition list =
   let ctx = in_group ctx in
-  let expectations = List.map (expectation ctx declared) g.bindings in
+  let expectations = List.map (expectation ctx declared ~recursive:g.recursive) g.bindings in
   let values = List.map2 check g.bindings expectations in
   settle ctx;
   generalize ctx declared g.bindings expectations;

@@ -61,30 +61,41 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
         true
   in
   let guess () =
-    match Unify.types function_.ty (Function (value.ty, result)) with
-    | Ok () -> true
-    | Error _ -> attempt ()
+    let applied = Type.Function (value.ty, result) in
+    expect ctx ~subject:head ~at:head.span { ty = applied; because = Unknown } function_.ty;
+    true
   in
   ask ctx { attempt; guess; give_up = ignore };
   let build =
     node argument.span result (fun () -> apply !decision (function_.build ()) (value.build ()))
   in
-  { ty = result; build }
+  ({ ty = result; build }, value.ty)
 
 let step expressions ctx ~head ~previous (function_ : typed) argument =
   let because = reason ~head ~previous argument in
+  (* The result, and the type of the argument. *)
   let known decision parameter output =
     let before = errors ctx in
-    let value = expressions.check ctx argument.value { ty = parameter; because } in
+    let expected = Mistake.expecting because parameter in
+    let value =
+      match argument.style with
+      | Operator _ ->
+          (* its own words, if the other operand does not fit *)
+          let value = expressions.infer ctx argument.value in
+          expect ctx ~subject:argument.value ~at:argument.value.span expected value.ty;
+          value
+      | Juxtaposed | Command ->
+          { ty = parameter; build = expressions.check ctx argument.value expected }
+    in
     let ty = if errors ctx > before then Type.Erroneous else output in
     let build =
-      node argument.span ty (fun () -> apply decision (function_.build ()) (value ()))
+      node argument.span ty (fun () -> apply decision (function_.build ()) (value.build ()))
     in
-    { ty; build }
+    ({ ty; build }, value.ty)
   in
   let erroneous () =
     let value = expressions.infer ctx argument.value in
-    { ty = Erroneous; build = value.build }
+    ({ ty = Type.Erroneous; build = value.build }, value.ty)
   in
   match (argument.style, Type.expand function_.ty) with
   | (Juxtaposed | Operator _), Function (parameter, output) -> known Applies parameter output
@@ -109,10 +120,9 @@ let step expressions ctx ~head ~previous (function_ : typed) argument =
 
 let infer expressions ctx e =
   let head, arguments = spine e in
-  let start = expressions.infer ctx head in
   let apply (function_, previous) argument =
-    let parameter = match Type.expand function_.ty with Function (a, _) -> Some a | _ -> None in
-    let next = step expressions ctx ~head ~previous function_ argument in
-    (next, Option.map (fun ty -> (argument.value, ty)) parameter)
+    let next, ty = step expressions ctx ~head ~previous function_ argument in
+    (next, Some (argument.value, ty))
   in
+  let start = expressions.infer ctx head in
   fst (List.fold_left apply (start, None) arguments)

@@ -145,7 +145,8 @@ and declarations expressions ctx (d : Resolve.Ir.declarations) =
 and group expressions ctx signed (g : Resolve.Ir.binding_group) =
   (* All names first: within a group order means nothing. *)
   let prepared = List.map (prepare ctx signed) g.bindings in
-  List.map2 (binding expressions ctx) g.bindings prepared
+  let recursive = g.recursive in
+  List.map2 (binding expressions ctx ~recursive) g.bindings prepared
 
 and prepare ctx signed (b : Resolve.Ir.binding) =
   match b.name with
@@ -161,7 +162,7 @@ and prepare ctx signed (b : Resolve.Ir.binding) =
       `Pattern (pattern, ty, Infer_pattern.check ctx pattern { ty; because = Unknown })
   | Top (name, _) -> Diagnostic.bug ~stage:"Typing.Infer" "%s is not local" name.name
 
-and binding expressions ctx (b : Resolve.Ir.binding) prepared : Ir.binding later =
+and binding expressions ctx ~recursive (b : Resolve.Ir.binding) prepared : Ir.binding later =
   let value ctx ~name expected =
     abstraction ctx ~at:b.span ~name b.parameters expected (fun expected ->
         right expressions ctx b.body expected)
@@ -182,7 +183,9 @@ and binding expressions ctx (b : Resolve.Ir.binding) prepared : Ir.binding later
       let value = value inner ~name:(Some local.name) expected in
       finish (bound local scheme.body) scheme value
   | `Plain ((local : Ir.Local.t), ty) ->
-      let because = Mistake.Uses { name = local.name; at = local.span } in
+      let because =
+        if recursive then Mistake.Uses { name = local.name; at = local.span } else Unknown
+      in
       let value = value ctx ~name:(Some local.name) { ty; because } in
       finish (bound local ty) (Type.monomorphic ty) value
   | `Pattern ((pattern : Resolve.Ir.pattern), ty, build) ->

@@ -19,32 +19,31 @@ let field_types ctx (constructor : Environment.constructor) ~at ty =
       Diagnostic.bug ~stage:"Typing.Infer_record" "%s does not build its own type"
         constructor.ir.constructor.name
 
+let suggest (name : Syntax.Ir.name) known diagnostic =
+  match Suggest.closest name.text known with
+  | Some near -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
+  | None -> diagnostic
+
 let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
   report ctx (fun words ->
-      let diagnostic =
-        Diagnostic.error ~code:"E0310" ~at:name.span "%s has no field `%s`" (Show.quoted words ty)
-          name.text
-        |> Diagnostic.label ~at:record.span
-             (Printf.sprintf "this is %s" (Show.quoted words ty))
-      in
-      match Suggest.closest name.text known with
-      | Some near -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
-      | None -> diagnostic)
+      let described = Mistake.described words ty in
+      Diagnostic.error ~code:"E0310" ~at:name.span "%s has no field `%s`" described name.text
+      |> Diagnostic.label ~at:record.span ("this is " ^ described)
+      |> suggest name known)
 
-let unknown_record ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) candidates =
-  if errors ctx = 0 then
-    report ctx (fun _ ->
-        let diagnostic =
-          Diagnostic.error ~code:"E0311" ~at:name.span
-            "it is not known which type this field `%s` belongs to" name.text
-          |> Diagnostic.label ~at:record.span "the type of this is not known"
-          |> Diagnostic.hint "give the definition a signature"
-        in
-        match candidates with
-        | [] -> diagnostic
-        | _ ->
-            let names = List.map (fun (g : Ir.Global.t) -> "`" ^ g.name ^ "`") candidates in
-            Diagnostic.note ("types with such a field: " ^ String.concat ", " names) diagnostic)
+let no_such_field ctx (name : Syntax.Ir.name) =
+  report ctx (fun _ ->
+      Diagnostic.error ~code:"E0310" ~at:name.span "no type in scope has a field `%s`" name.text
+      |> suggest name (Environment.field_names ctx.reader.environment))
+
+let several_records ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) candidates =
+  report ctx (fun _ ->
+      let names = List.map (fun (g : Ir.Global.t) -> "`" ^ g.name ^ "`") candidates in
+      Diagnostic.error ~code:"E0311" ~at:name.span
+        "several types have a field `%s`, and nothing tells which is meant" name.text
+      |> Diagnostic.label ~at:record.span "the type of this is not known"
+      |> Diagnostic.note ("types with such a field: " ^ String.concat ", " names)
+      |> Diagnostic.hint "give the definition a signature")
 
 (* Waits for the record's type; then [found] is told the constructor, or
    [None] after what was wrong has been reported. *)
@@ -94,7 +93,10 @@ let when_known ctx ~(record : Resolve.Ir.expr) ty (fields : Syntax.Ir.name list)
         | _ -> false
       in
       let give_up () =
-        unknown_record ctx first ~record candidates;
+        (match candidates with
+        | [] -> no_such_field ctx first
+        | _ when errors ctx > 0 -> ()
+        | _ -> several_records ctx first ~record candidates);
         found None
       in
       ask ctx { attempt; guess; give_up }

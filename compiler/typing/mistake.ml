@@ -27,14 +27,18 @@ let name_of (e : Resolve.Ir.expr) =
   | Lambda _ | Proc _ | Record _ | Update _ | Field _ | Annotated _ ->
       None
 
-(* A type in a sentence; a wholly open number is just that. *)
+(* A type in a sentence. A number whose representation is open needs no
+   invented name for it. *)
 let described words t =
   match Type.expand t with
   | Number (r, u) -> (
-      match (Type.representation r, Units.flexible_powers (Units.resolve u)) with
+      let u = Units.resolve u in
+      match (Type.representation r, Units.flexible_powers u) with
+      | Flexible_representation _, [] ->
+          if Units.equal u Units.one then "a number"
+          else Printf.sprintf "a number of `%s`" (Show.measure words u)
       | Flexible_representation _, [ _ ]
-        when Units.base_powers (Units.resolve u) = [] && Units.rigid_powers (Units.resolve u) = []
-        ->
+        when Units.base_powers u = [] && Units.rigid_powers u = [] ->
           "a number"
       | _ -> Show.quoted words t)
   | _ -> Show.quoted words t
@@ -127,15 +131,13 @@ let promised_unit (a, b) =
 
 (* {1 Types of another shape} *)
 
-let hint_to_run words subject input =
-  let unit_ = match Type.expand input with Flexible _ | Tuple [] -> true | _ -> false in
-  match (Option.bind subject name_of, unit_) with
+let hint_to_run subject input =
+  let on_unit = match Type.expand input with Flexible _ | Tuple [] -> true | _ -> false in
+  match (Option.bind subject name_of, on_unit) with
   | Some name, true -> hint (Printf.sprintf "run it on `()`: `%s ()`" name)
+  | Some name, false -> hint (Printf.sprintf "run it on a signal, as in `%s x`" name)
   | None, true -> hint "run it on `()`"
-  | Some name, false ->
-      hint
-        (Printf.sprintf "run it on a signal of %s: `%s x`" (described words input) name)
-  | None, false -> hint (Printf.sprintf "run it on a signal of %s" (described words input))
+  | None, false -> hint "run it on a signal"
 
 let rec missing_arguments t =
   match Type.expand t with Function (_, result) -> 1 + missing_arguments result | _ -> 0
@@ -147,13 +149,17 @@ let shapes words ~subject ~at ~(expected : expected) ~found =
       error ~code:"E0303" ~at "a signal function stands where the value of its signal is needed"
       |> here (Printf.sprintf "this is %s" (text found))
       |> note (Printf.sprintf "expected %s" (text expected.ty))
-      |> hint_to_run words subject input
+      |> hint_to_run subject input
   | Signal_function _, Function _ ->
       error ~code:"E0304" ~at "expected a signal function, found a function: %s" (text found)
       |> hint "`arr` makes a signal function of a function"
-  | Function _, Signal_function _ ->
-      error ~code:"E0304" ~at "expected a function, found a signal function: %s" (text found)
-      |> note (Printf.sprintf "expected %s" (text expected.ty))
+  | Function _, Signal_function _ -> (
+      let diagnostic =
+        error ~code:"E0304" ~at "expected a function, found a signal function: %s" (text found)
+      in
+      match expected.because with
+      | Parameter { callee = Some "arr"; _ } -> hint "leave out `arr`" diagnostic
+      | _ -> diagnostic)
   | (Number _ | Bool | String | Tuple _ | Data _), Function _ ->
       let missing = missing_arguments found in
       error ~code:"E0301" ~at "expected %s, found the function %s" (text expected.ty) (text found)

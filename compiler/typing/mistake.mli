@@ -42,6 +42,9 @@ val mismatch :
 (** [subject] is the expression at fault, if it is one. The clash is that of
     [Unify.types expected found]. *)
 
+val described : Show.words -> Type.t -> string
+(** A type in a sentence: quoted, or [a number]. *)
+
 val explain : Show.words -> reason -> Type.t -> Diagnostic.t -> Diagnostic.t
 (** Labels the other place: where the expected type comes from. *)
 

@@ -3,7 +3,7 @@ type kind = Type | Unit | Representation
 let letters = function
   | Type -> "abcdefghijkl"
   | Unit -> "uvwxyz"
-  | Representation -> "nmpqr"
+  | Representation -> "n"
 
 let nth kind k =
   let letters = letters kind in

@@ -4,4 +4,4 @@ type kind = Type | Unit | Representation
 
 val nth : kind -> int -> string
 (** From 0: [a], [b], … for types, [u], [v], … for units, [n], … for
-    representations; never the same for two kinds or two numbers. *)
+    representations (then [n1], …); never the same for two kinds or two numbers. *)

@@ -15,6 +15,7 @@ let () =
   print_string (Render_text.diagnostics ~colour:false source (Diagnostic.all sink));
   match typed with
   | Some (resolved, typed) when not (Diagnostic.has_errors sink) ->
+      Typing.Lint.program typed;
       List.iter
         (fun (d : Typing.Ir.definition) ->
           if String.equal d.name.module_ resolved.main_module then

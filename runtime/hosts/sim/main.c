@@ -1,0 +1,203 @@
+/* frob-sim -- runs a compiled robot program in the simulator.
+ *
+ * Prints a summary, one `name: value unit` a line. Exit status: 0; 2 for wrong
+ * use, an unreadable file, or a program for another robot; 4 with --strict if
+ * the robot ran into something. An interrupt ends the run early, and the
+ * summary and the picture are of what has been run. */
+#include "../common/load.h"
+#include "options.h"
+#include "record.h"
+
+#include <frob/pioneer.h>
+#include <sim.h>
+
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { DONE = 0, WRONG_USE = 2, FAULT = 4 };
+
+static volatile sig_atomic_t interrupted = 0;
+
+static void interrupt(int signal_number)
+{
+    (void)signal_number;
+    interrupted = 1;
+}
+
+static int64_t clock_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
+}
+
+static void sleep_until(int64_t time_ns)
+{
+    struct timespec until;
+    until.tv_sec = (time_t)(time_ns / 1000000000);
+    until.tv_nsec = (long)(time_ns % 1000000000);
+    while (!interrupted && clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, NULL) == EINTR)
+        continue;
+}
+
+static void show_progress(int64_t now_ns, double duration_s)
+{
+    double now_s = (double)now_ns * 1e-9;
+    fprintf(stderr, "\rsimulating: %.0f of %g s (%.0f %%)", now_s, duration_s,
+            duration_s > 0.0 ? 100.0 * now_s / duration_s : 100.0);
+    fflush(stderr);
+}
+
+/* Loads the program and makes sure that it is one for this robot. */
+static const struct frob_program *load(const char *path)
+{
+    const struct frob_program *program = frob_load(path);
+    if (program == NULL)
+        return NULL;
+    if (strcmp(program->robot, "pioneer") != 0) {
+        fprintf(stderr, "error: %s is a program for %s; the simulated robot is a pioneer\n",
+                program->name, program->robot[0] == '\0' ? "no robot" : program->robot);
+        return NULL;
+    }
+    if (program->input_size != sizeof(struct frob_pioneer_input) ||
+        program->output_size != sizeof(struct frob_pioneer_output)) {
+        fprintf(stderr, "error: %s was compiled with another <frob/pioneer.h>\n", path);
+        return NULL;
+    }
+    return program;
+}
+
+/* Runs the controller at its instants. Instant k is at the absolute time
+ * k / rate, in whole nanoseconds, and dt is the difference of two of them: so
+ * nothing adds up. Returns false when the record cannot be written. */
+static bool run(const struct options *options, const struct frob_program *program, void *state,
+                struct frob_sim *sim, struct record *record)
+{
+    struct frob_pioneer_input input;
+    struct frob_pioneer_output output;
+    bool progress = options->progress || isatty(STDERR_FILENO);
+    int64_t end_ns = (int64_t)llround(options->duration_s * 1e9);
+    int64_t before_ns = 0, started_ns = clock_ns(), shown_ns = 0;
+    bool ok = true;
+    program->reset(state);
+    for (int64_t k = 0; ok && !interrupted; k++) {
+        int64_t now_ns = (int64_t)llround((double)k * 1e9 / options->rate_hz);
+        if (now_ns > end_ns)
+            break;
+        if (options->realtime)
+            sleep_until(started_ns + now_ns);
+        frob_sim_advance(sim, now_ns);
+        frob_sim_read(sim, &input);
+        memset(&output, 0, sizeof output);
+        program->step(state, (double)(now_ns - before_ns) / 1e9, &input, &output);
+        frob_sim_command(sim, now_ns, &output);
+        ok = record_row(record, now_ns, &input, &output);
+        before_ns = now_ns;
+        if (progress && (k & 15) == 0 && clock_ns() - shown_ns > 100000000) {
+            show_progress(now_ns, options->duration_s);
+            shown_ns = clock_ns();
+        }
+    }
+    if (progress)
+        fprintf(stderr, "\r\033[K");
+    return ok;
+}
+
+static void print_summary(const struct options *options, const struct frob_sim_summary *s,
+                          double wall_s)
+{
+    printf("time simulated: %.3f s\n", s->time_s);
+    printf("distance driven: %.3f m\n", s->distance_m);
+    if (s->measured) {
+        printf("wall distance to keep: %.3f m\n", s->wall_distance_m);
+        printf("mean wall distance error: %.4f m\n", s->mean_error_m);
+        printf("largest wall distance error: %.4f m\n", s->largest_error_m);
+    }
+    printf("odometry error at the end: %.3f m\n", s->odometry_error_m);
+    printf("collisions: %d\n", s->collisions);
+    printf("simulated seconds per second: %.0f\n", wall_s > 0.0 ? s->time_s / wall_s : 0.0);
+    if (options->picture != NULL)
+        printf("picture: %s\n", options->picture);
+    if (options->record != NULL)
+        printf("log: %s\n", options->record);
+}
+
+/* Runs the program in an opened simulation, and tells how it went. */
+static int simulate(const struct options *options, const struct frob_program *program,
+                    struct frob_sim *sim)
+{
+    char message[1024];
+    struct record record;
+    struct frob_sim_summary summary;
+    int status = DONE;
+    int64_t started_ns;
+    double wall_s;
+    void *state = calloc(1, program->state_size + 1);
+    if (state == NULL) {
+        fprintf(stderr, "error: not enough memory for the program's state\n");
+        return WRONG_USE;
+    }
+    if (!record_open(&record, program, options->record))
+        status = WRONG_USE;
+    started_ns = clock_ns();
+    if (status == DONE && !run(options, program, state, sim, &record))
+        status = WRONG_USE;
+    wall_s = (double)(clock_ns() - started_ns) * 1e-9;
+    if (!record_close(&record))
+        status = WRONG_USE;
+    free(state);
+    if (status == DONE && options->picture != NULL &&
+        !frob_sim_picture(sim, options->picture, message, sizeof message)) {
+        fprintf(stderr, "error: %s\n", message);
+        status = WRONG_USE;
+    }
+    if (status != DONE)
+        return status;
+    summary = frob_sim_summarize(sim);
+    print_summary(options, &summary, wall_s);
+    if (options->strict && summary.collisions > 0) {
+        fprintf(stderr, "error: the robot ran into something\n");
+        return FAULT;
+    }
+    return DONE;
+}
+
+int main(int argc, char **argv)
+{
+    char message[8192];
+    struct options options;
+    struct frob_sim_settings settings;
+    struct frob_sim *sim;
+    const struct frob_program *program;
+    struct sigaction action;
+    int status;
+    if (argc == 2 && strcmp(argv[1], "--help") == 0) {
+        fputs(usage, stdout);
+        return DONE;
+    }
+    if (!read_options(argc, argv, &options))
+        return WRONG_USE;
+    program = load(options.program);
+    if (program == NULL)
+        return WRONG_USE;
+    settings.seed = options.seed;
+    settings.wall_distance_m = options.wall_distance_m;
+    sim = frob_sim_open(options.world, &settings, message, sizeof message);
+    if (sim == NULL) {
+        /* A line for each mistake. */
+        for (char *line = strtok(message, "\n"); line != NULL; line = strtok(NULL, "\n"))
+            fprintf(stderr, "error: %s\n", line);
+        return WRONG_USE;
+    }
+    memset(&action, 0, sizeof action);
+    action.sa_handler = interrupt;
+    sigaction(SIGINT, &action, NULL);
+    status = simulate(&options, program, sim);
+    frob_sim_close(sim);
+    return status;
+}

@@ -1,0 +1,125 @@
+#include "options.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char usage[] =
+    "usage: frob-sim PROGRAM.so --world WORLD.toml [OPTION]...\n"
+    "\n"
+    "  --world FILE       the world the robot is in\n"
+    "  --for SECONDS      how long to run (60)\n"
+    "  --rate HZ          how often the controller runs (50)\n"
+    "  --seed N           of all noise (1)\n"
+    "  --target METRES    the distance to the wall that is measured against\n"
+    "  --realtime         as fast as the clock, not as fast as possible\n"
+    "  --record FILE.csv  write what the program read and commanded\n"
+    "  --picture FILE     draw the run, as .svg or .png\n"
+    "  --strict           exit with status 4 if the robot ran into something\n"
+    "  --progress         show progress even where it is not a terminal\n";
+
+static bool number(const char *option, const char *text, double low, double high, double *result)
+{
+    char *end;
+    double x = strtod(text, &end);
+    if (end == text || *end != '\0' || !(x >= low && x <= high)) {
+        fprintf(stderr, "error: %s takes a number from %g to %g, not `%s`\n", option, low, high,
+                text);
+        return false;
+    }
+    *result = x;
+    return true;
+}
+
+static bool whole(const char *option, const char *text, uint64_t *result)
+{
+    char *end;
+    errno = 0;
+    *result = strtoull(text, &end, 10);
+    if (*text < '0' || *text > '9' || *end != '\0' || errno != 0) {
+        fprintf(stderr, "error: %s takes a whole number, not `%s`\n", option, text);
+        return false;
+    }
+    return true;
+}
+
+/* An option that stands alone; NULL if it is none of them. */
+static bool *flag(struct options *o, const char *name)
+{
+    if (strcmp(name, "--realtime") == 0)
+        return &o->realtime;
+    if (strcmp(name, "--strict") == 0)
+        return &o->strict;
+    if (strcmp(name, "--progress") == 0)
+        return &o->progress;
+    return NULL;
+}
+
+static bool valued(struct options *o, const char *name, const char *value)
+{
+    if (strcmp(name, "--world") == 0)
+        o->world = value;
+    else if (strcmp(name, "--record") == 0)
+        o->record = value;
+    else if (strcmp(name, "--picture") == 0)
+        o->picture = value;
+    else if (strcmp(name, "--for") == 0)
+        return number(name, value, 0.0, 1e6, &o->duration_s);
+    else if (strcmp(name, "--rate") == 0)
+        return number(name, value, 0.1, 10000.0, &o->rate_hz);
+    else if (strcmp(name, "--target") == 0)
+        return number(name, value, 0.001, 100.0, &o->wall_distance_m);
+    else if (strcmp(name, "--seed") == 0)
+        return whole(name, value, &o->seed);
+    else {
+        fprintf(stderr, "error: unknown option `%s`; `frob-sim --help` lists them\n", name);
+        return false;
+    }
+    return true;
+}
+
+/* The simulator draws these two; better to say so before the run than after. */
+static bool is_picture(const char *name)
+{
+    size_t length = strlen(name);
+    if (length > 4 &&
+        (strcmp(name + length - 4, ".svg") == 0 || strcmp(name + length - 4, ".png") == 0))
+        return true;
+    fprintf(stderr, "error: the picture `%s` must be named .svg or .png\n", name);
+    return false;
+}
+
+bool read_options(int argc, char **argv, struct options *o)
+{
+    memset(o, 0, sizeof *o);
+    o->duration_s = 60.0;
+    o->rate_hz = 50.0;
+    o->seed = 1;
+    for (int i = 1; i < argc; i++) {
+        bool *alone = flag(o, argv[i]);
+        if (alone != NULL) {
+            *alone = true;
+        } else if (argv[i][0] != '-') {
+            if (o->program != NULL) {
+                fprintf(stderr, "error: one program at a time: `%s` and `%s`\n", o->program,
+                        argv[i]);
+                return false;
+            }
+            o->program = argv[i];
+        } else if (i + 1 == argc) {
+            fprintf(stderr, "error: `%s` is unknown, or needs a value\n", argv[i]);
+            return false;
+        } else if (!valued(o, argv[i], argv[i + 1])) {
+            return false;
+        } else {
+            i++;
+        }
+    }
+    if (o->program == NULL || o->world == NULL) {
+        fprintf(stderr, "error: %s is missing; `frob-sim --help` says how to use it\n",
+                o->program == NULL ? "the program" : "--world");
+        return false;
+    }
+    return o->picture == NULL || is_picture(o->picture);
+}

@@ -1,0 +1,27 @@
+/* options.h -- the command line of frob-sim. */
+#ifndef FROB_HOST_SIM_OPTIONS_H
+#define FROB_HOST_SIM_OPTIONS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+struct options {
+    const char *program;       /* PROGRAM.so */
+    const char *world;
+    double duration_s;
+    double rate_hz;            /* of the controller */
+    uint64_t seed;
+    double wall_distance_m;    /* 0: as the world file says */
+    bool realtime, strict, progress;
+    const char *record;        /* CSV; NULL: none */
+    const char *picture;       /* NULL: none */
+};
+
+/* Reads the command line. False if it is wrong, with a line on standard
+ * error. */
+bool read_options(int argc, char **argv, struct options *options);
+
+/* The usage text. */
+extern const char usage[];
+
+#endif

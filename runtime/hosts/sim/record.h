@@ -1,0 +1,26 @@
+/* record.h -- writes a run as a CSV trace, with inputs and outputs. */
+#ifndef FROB_HOST_SIM_RECORD_H
+#define FROB_HOST_SIM_RECORD_H
+
+#include <frob/trace.h>
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+struct record {
+    const struct frob_program *program;
+    const char *name;
+    FILE *file; /* NULL: nothing is recorded */
+    char *buffer;
+    struct frob_text text;
+};
+
+/* Opens the file and writes the header; without a name nothing is recorded.
+ * The functions return false when it cannot be written, with a line on
+ * standard error. */
+bool record_open(struct record *r, const struct frob_program *program, const char *name);
+bool record_row(struct record *r, int64_t time_ns, const void *in, const void *out);
+bool record_close(struct record *r);
+
+#endif

@@ -1,0 +1,104 @@
+#include "drive.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "p3dx.h"
+#include "world.h"
+
+namespace frob::sim {
+namespace {
+
+constexpr double b = p3dx::wheel_separation;
+constexpr double tyre_grip = 60.0;      // N across the wheels before they skid
+constexpr double slip_lasts_s = 0.1;    // then a wheel's slip is drawn anew
+constexpr double stall_after_s = 0.2;
+constexpr double standing = 0.02;       // m/s; a slower wheel stands
+
+double approach(double from, double to, double most) {
+    return from + std::clamp(to - from, -most, most);
+}
+
+} // namespace
+
+void DifferentialDrive::command(double forward, double turn) {
+    const bool rest = std::isnan(forward) || std::isnan(turn);
+    forward_ = rest ? 0.0 : std::clamp(forward, -settings_.max_speed, settings_.max_speed);
+    turn_ = rest ? 0.0 : std::clamp(turn, -settings_.max_turn, settings_.max_turn);
+}
+
+// The firmware limits the accelerations of v and omega, and splits them:
+//   v_left = v - omega b / 2,   v_right = v + omega b / 2.
+void DifferentialDrive::ramp() {
+    const double v = approach((left_.setpoint + right_.setpoint) / 2, forward_,
+                              settings_.acceleration * step_s);
+    const double omega = approach((right_.setpoint - left_.setpoint) / b, turn_,
+                                  settings_.turn_acceleration * step_s);
+    left_.setpoint = v - omega * b / 2;
+    right_.setpoint = v + omega * b / 2;
+}
+
+// Each wheel loses a share of its travel, uniform between 0 and twice the mean.
+void DifferentialDrive::draw_slip() {
+    slip_age_s_ += step_s;
+    if (slip_drawn_ && slip_age_s_ < slip_lasts_s) return;
+    slip_drawn_ = true;
+    slip_age_s_ = 0.0;
+    left_.lost = 2 * settings_.slip * noise_.uniform();
+    right_.lost = 2 * settings_.slip * noise_.uniform();
+}
+
+// A wheel brings at most `wheel_force` to the floor. When that is not enough
+// the motor stalls: the wheel turns only as the floor lets it, and the setpoint
+// does not run away from it.
+double DifferentialDrive::push(Wheel &wheel, double contact_speed, double wanted_force) const {
+    const double force = std::clamp(wanted_force, -p3dx::wheel_force, p3dx::wheel_force);
+    const bool held = force != wanted_force;
+    wheel.measured = held ? contact_speed / (1 - wheel.lost) : wheel.setpoint;
+    if (held) wheel.setpoint = (contact_speed + force * step_s / (p3dx::mass / 2)) / (1 - wheel.lost);
+    wheel.strained_s = held && std::abs(contact_speed) < standing ? wheel.strained_s + step_s : 0.0;
+    return force;
+}
+
+// With v*, omega* the wheels' speeds on the floor, m and I mass and inertia, h
+// the step, the forces that bring the body to them within the step are
+//   F_right + F_left = m (v* - v) / h,
+//   F_right - F_left = 2 I (omega* - omega) / (b h),
+// and across the body, where the wheels do not roll, -m v_across / h.
+// Directions are those at the middle of the step, so that a turn is an arc.
+void DifferentialDrive::advance(b2Body &body) {
+    ramp();
+    draw_slip();
+    const double left_floor = left_.setpoint * (1 - left_.lost);
+    const double right_floor = right_.setpoint * (1 - right_.lost);
+    const double v_wanted = (left_floor + right_floor) / 2;
+    const double omega_wanted = (right_floor - left_floor) / b;
+
+    const double omega = static_cast<double>(body.GetAngularVelocity());
+    const b2Rot ahead = body.GetTransform().q;
+    const Vec along = turned_a_little({static_cast<double>(ahead.c), static_cast<double>(ahead.s)},
+                                      omega_wanted * step_s / 2);
+    const Vec across = {-along.y, along.x};
+    const Vec velocity = {static_cast<double>(body.GetLinearVelocity().x),
+                          static_cast<double>(body.GetLinearVelocity().y)};
+    const double v = dot(velocity, along);
+
+    const double m = static_cast<double>(body.GetMass());
+    const double inertia = static_cast<double>(body.GetInertia());
+    const double sum = m * (v_wanted - v) / step_s;
+    const double difference = 2 * inertia * (omega_wanted - omega) / (b * step_s);
+    const double right = push(right_, v + omega * b / 2, (sum + difference) / 2);
+    const double left = push(left_, v - omega * b / 2, (sum - difference) / 2);
+    const double sideways =
+        std::clamp(-m * dot(velocity, across) / step_s, -tyre_grip, tyre_grip);
+
+    const Vec impulse = step_s * ((right + left) * along + sideways * across);
+    body.ApplyLinearImpulseToCenter(
+        {static_cast<float>(impulse.x), static_cast<float>(impulse.y)}, true);
+    body.ApplyAngularImpulse(static_cast<float>((right - left) * b / 2 * step_s), true);
+}
+
+bool DifferentialDrive::left_stalled() const { return left_.strained_s >= stall_after_s; }
+bool DifferentialDrive::right_stalled() const { return right_.strained_s >= stall_after_s; }
+
+} // namespace frob::sim

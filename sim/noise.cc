@@ -1,0 +1,36 @@
+#include "noise.h"
+
+namespace frob::sim {
+
+Noise::Noise(std::uint64_t seed, std::uint64_t stream)
+    : state_(seed) {
+    // Mixed apart, so that no stream is another one of a neighbouring seed,
+    // shifted.
+    state_ = next() + stream;
+    state_ = next();
+}
+
+// splitmix64: a counter, and a mixing of its bits.
+// Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014.
+std::uint64_t Noise::next() {
+    state_ += 0x9e3779b97f4a7c15u;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+double Noise::uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+
+// The sum of eight uniform numbers is close to a normal distribution out to 3
+// standard deviations (Irwin-Hall). Here they are the 16-bit quarters of two
+// draws: mean 8 * 65535 / 2, variance 8 (65536^2 - 1) / 12.
+double Noise::normal() {
+    std::int64_t sum = 0;
+    for (int draw = 0; draw < 2; ++draw)
+        for (std::uint64_t bits = next(); bits != 0; bits >>= 16)
+            sum += static_cast<std::int64_t>(bits & 0xffff);
+    return static_cast<double>(sum - 4 * 65535) * (1.0 / 53509.92);
+}
+
+} // namespace frob::sim

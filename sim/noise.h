@@ -1,0 +1,28 @@
+// Seeded noise that is the same on every machine: the standard library fixes
+// its generators, but not what its distributions do with them.
+#pragma once
+
+#include <cstdint>
+
+namespace frob::sim {
+
+// One stream of noise. Each sensor has a stream of its own, so that a setting
+// of one does not change what another sees.
+class Noise {
+  public:
+    Noise(std::uint64_t seed, std::uint64_t stream);
+
+    // Uniform in [0, 1), in steps of 2^-53.
+    double uniform();
+
+    // Mean 0, standard deviation 1, never beyond 4.9. Made by additions alone,
+    // since libraries differ in the last bit of `log` and `cos`.
+    double normal();
+
+  private:
+    std::uint64_t next();
+
+    std::uint64_t state_;
+};
+
+} // namespace frob::sim

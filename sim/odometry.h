@@ -1,0 +1,27 @@
+// Dead reckoning from the wheels' speeds, with the errors of a real robot.
+#pragma once
+
+#include "noise.h"
+#include "scene.h"
+
+namespace frob::sim {
+
+class Odometry {
+  public:
+    Odometry(const OdometrySettings &settings, Noise noise) : settings_(settings), noise_(noise) {}
+
+    // Counts one physics step at these wheel speeds, in m/s.
+    void advance(double left_speed, double right_speed);
+
+    // Where the robot believes it is, relative to where it started; heading in
+    // (-pi, pi].
+    const Pose &pose() const { return pose_; }
+
+  private:
+    OdometrySettings settings_;
+    Noise noise_;
+    Pose pose_;
+    Vec ahead_{1.0, 0.0}; // the direction of its heading
+};
+
+} // namespace frob::sim

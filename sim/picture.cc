@@ -1,0 +1,156 @@
+#include "picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "p3dx.h"
+#include "palette.h"
+#include "plot.h"
+#include "png_canvas.h"
+#include "scene_view.h"
+#include "svg_canvas.h"
+
+namespace frob::sim {
+namespace {
+
+constexpr double width = 900.0;
+constexpr double left = 58.0, right = 24.0; // room beside what is drawn
+constexpr double head = 58.0;               // room for the title
+constexpr double most_scene_height = 640.0;
+constexpr double plot_height = 96.0, plot_gap = 34.0, time_labels = 46.0;
+
+double seconds(std::int64_t time_ns) { return static_cast<double>(time_ns) * 1e-9; }
+
+Series line(const Simulation &simulation, const std::string &name, Colour colour,
+            Series::Style style, double Sample::*value) {
+    Series series{name, colour, style, {}};
+    for (const Sample &s : simulation.recorder().samples())
+        series.points.push_back({seconds(s.time_ns), s.*value});
+    return series;
+}
+
+void add_echoes(const Simulation &simulation, std::size_t transducer, Series &series) {
+    for (const Echo &echo : simulation.robot().sonar().echoes())
+        if (echo.transducer == transducer)
+            series.points.push_back({seconds(echo.time_ns), echo.distance});
+}
+
+// Shows all values from `low` to `high`, all of the last series, and a bit of
+// room. The other series may go beyond it and are cut off: a single wild echo
+// or command does not press the rest flat.
+void fit(Plot &plot, double low, double high) {
+    const Series &series = plot.series.back();
+    for (const Vec &p : series.points)
+        if (std::isfinite(p.y)) low = std::min(low, p.y), high = std::max(high, p.y);
+    const double room = 0.08 * std::max(high - low, 0.1);
+    plot.low = low < 0.0 ? low - room : low;
+    plot.high = high + room;
+}
+
+Plot wall_plot(const Simulation &simulation, double end_s) {
+    Plot plot{"distance to the wall [m]", 0.0, 0.0, end_s, {}};
+    const std::optional<MeasureSettings> &measure = simulation.scene().measure;
+    const bool on_left = !measure || measure->side == MeasureSettings::Side::left;
+    Series echoes{on_left ? "echoes of the left sonar" : "echoes of the right sonar",
+                  palette::sonar, Series::Style::dots, {}};
+    add_echoes(simulation, on_left ? p3dx::left_sonar : p3dx::right_sonar, echoes);
+    if (!measure) {
+        plot.title = on_left ? "left sonar [m]" : "right sonar [m]";
+        plot.series = {echoes};
+        fit(plot, 0.0, 0.5);
+        return plot;
+    }
+    plot.series = {
+        echoes,
+        {"to be kept", palette::target, Series::Style::dashes,
+         {{0.0, measure->distance}, {end_s, measure->distance}}},
+        line(simulation, "truth", palette::truth, Series::Style::line, &Sample::wall_distance)};
+    fit(plot, 0.0, 1.5 * measure->distance);
+    return plot;
+}
+
+Plot front_plot(const Simulation &simulation, double end_s) {
+    Series echoes{"echoes", palette::sonar, Series::Style::dots, {}};
+    for (const std::size_t transducer : p3dx::front_sonars)
+        add_echoes(simulation, transducer, echoes);
+    Plot plot{"front sonars [m]", 0.0, 0.0, end_s, {echoes}};
+    fit(plot, 0.0, 1.0);
+    return plot;
+}
+
+Plot speed_plot(const Simulation &simulation, double end_s) {
+    Plot plot{"v [m/s]", 0.0, 0.0, end_s,
+              {line(simulation, "commanded", palette::command, Series::Style::thin_line,
+                    &Sample::commanded_forward),
+               line(simulation, "driven", palette::truth, Series::Style::line, &Sample::forward)}};
+    fit(plot, 0.0, 0.1);
+    return plot;
+}
+
+Plot turn_plot(const Simulation &simulation, double end_s) {
+    Plot plot{"\u03c9 [rad/s]", 0.0, 0.0, end_s,
+              {line(simulation, "commanded", palette::command, Series::Style::thin_line,
+                    &Sample::commanded_turn),
+               line(simulation, "driven", palette::truth, Series::Style::line, &Sample::turn)}};
+    fit(plot, -0.5, 0.5);
+    plot.time_axis = true;
+    return plot;
+}
+
+std::string subtitle(const Simulation &simulation) {
+    const int collisions = simulation.robot().bumpers().collisions();
+    char text[96];
+    std::snprintf(text, sizeof text, "%.4g s, %.2f m driven, %d collision%s",
+                  seconds(simulation.time_ns()), simulation.recorder().distance_driven(),
+                  collisions, collisions == 1 ? "" : "s");
+    return text;
+}
+
+bool ends_in(const std::string &name, const std::string &end) {
+    return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
+std::unique_ptr<Canvas> canvas_for(const std::string &file, double height) {
+    if (ends_in(file, ".svg")) return std::make_unique<SvgCanvas>(width, height);
+    if (ends_in(file, ".png")) return std::make_unique<PngCanvas>(width, height);
+    throw std::runtime_error("the picture " + file + " must be named .svg or .png");
+}
+
+} // namespace
+
+void draw_picture(const Simulation &simulation, const std::string &file) {
+    const Extent shown = extent(simulation);
+    const Vec metres = shown.high - shown.low;
+    const double scale =
+        std::min((width - left - right) / metres.x, most_scene_height / metres.y);
+    const Vec scene_size = scale * metres;
+    const Vec scene_corner = {left + (width - left - right - scene_size.x) / 2, head};
+    const double end_s = std::max(seconds(simulation.time_ns()), 0.1);
+    const std::vector<Plot> plots = {
+        wall_plot(simulation, end_s), front_plot(simulation, end_s),
+        speed_plot(simulation, end_s), turn_plot(simulation, end_s)};
+    const double plots_top = head + scene_size.y + 34.0;
+    const double height = plots_top +
+                          static_cast<double>(plots.size()) * (plot_gap + plot_height) +
+                          time_labels;
+
+    const std::unique_ptr<Canvas> canvas = canvas_for(file, height);
+    canvas->path({{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}}, true,
+                 filled(palette::paper));
+    const std::string &name = simulation.scene().name;
+    canvas->text({left, 28.0}, name.empty() ? "Pioneer P3-DX" : name,
+                 {17.0, palette::ink, Anchor::start, true});
+    canvas->text({left, 46.0}, subtitle(simulation),
+                 {12.0, palette::faint_ink, Anchor::start, false});
+    draw_scene(*canvas, simulation, shown, scene_corner, scene_size);
+    for (std::size_t i = 0; i < plots.size(); ++i)
+        draw_plot(*canvas, plots[i],
+                  {left, plots_top + static_cast<double>(i) * (plot_gap + plot_height) + plot_gap},
+                  {width - left - right, plot_height});
+    canvas->save(file);
+}
+
+} // namespace frob::sim

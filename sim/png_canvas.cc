@@ -1,0 +1,90 @@
+#include "png_canvas.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <cairo/cairo.h>
+
+namespace frob::sim {
+namespace {
+
+constexpr double scale = 2.0; // pixels for each pixel of the canvas
+
+void set_colour(cairo_t *cairo, Colour c) {
+    cairo_set_source_rgba(cairo, c.red / 255.0, c.green / 255.0, c.blue / 255.0, c.opacity);
+}
+
+} // namespace
+
+PngCanvas::PngCanvas(double width, double height)
+    : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
+                                          static_cast<int>(std::ceil(scale * width)),
+                                          static_cast<int>(std::ceil(scale * height)))),
+      cairo_(cairo_create(surface_)) {
+    cairo_scale(cairo_, scale, scale);
+    cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
+}
+
+PngCanvas::~PngCanvas() {
+    cairo_destroy(cairo_);
+    cairo_surface_destroy(surface_);
+}
+
+// Fills and strokes the current path.
+void PngCanvas::apply(const Paint &paint) {
+    if (paint.fill.opacity > 0.0) {
+        set_colour(cairo_, paint.fill);
+        cairo_fill_preserve(cairo_);
+    }
+    if (paint.stroke.opacity > 0.0) {
+        set_colour(cairo_, paint.stroke);
+        cairo_set_line_width(cairo_, paint.width);
+        cairo_set_dash(cairo_, paint.dash.data(), static_cast<int>(paint.dash.size()), 0.0);
+        cairo_stroke_preserve(cairo_);
+    }
+    cairo_new_path(cairo_);
+}
+
+void PngCanvas::path(const std::vector<Vec> &points, bool closed, const Paint &paint) {
+    for (const Vec &p : points) cairo_line_to(cairo_, p.x, p.y);
+    if (closed) cairo_close_path(cairo_);
+    apply(paint);
+}
+
+void PngCanvas::circle(Vec center, double radius, const Paint &paint) {
+    cairo_arc(cairo_, center.x, center.y, radius, 0.0, 2.0 * pi);
+    apply(paint);
+}
+
+void PngCanvas::text(Vec at, const std::string &text, const TextStyle &style) {
+    cairo_select_font_face(cairo_, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                           style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo_, style.size);
+    cairo_text_extents_t extents;
+    cairo_text_extents(cairo_, text.c_str(), &extents);
+    const double share = style.anchor == Anchor::start    ? 0.0
+                         : style.anchor == Anchor::middle ? 0.5
+                                                          : 1.0;
+    set_colour(cairo_, style.colour);
+    cairo_move_to(cairo_, at.x - share * extents.x_advance, at.y);
+    cairo_show_text(cairo_, text.c_str());
+    cairo_new_path(cairo_);
+}
+
+void PngCanvas::clip(Vec corner, Vec size) {
+    cairo_save(cairo_);
+    cairo_rectangle(cairo_, corner.x, corner.y, size.x, size.y);
+    cairo_clip(cairo_);
+}
+
+void PngCanvas::unclip() { cairo_restore(cairo_); }
+
+void PngCanvas::save(const std::string &file) {
+    const cairo_status_t status = cairo_surface_write_to_png(surface_, file.c_str());
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw std::runtime_error("cannot write the picture " + file + ": " +
+                                 cairo_status_to_string(status));
+}
+
+} // namespace frob::sim

@@ -1,0 +1,35 @@
+// The picture as PNG, through cairo, at twice the size in pixels.
+#pragma once
+
+#include <memory>
+
+#include "canvas.h"
+
+typedef struct _cairo cairo_t;
+typedef struct _cairo_surface cairo_surface_t;
+
+namespace frob::sim {
+
+class PngCanvas : public Canvas {
+  public:
+    PngCanvas(double width, double height);
+    ~PngCanvas() override;
+
+    PngCanvas(const PngCanvas &) = delete;
+    PngCanvas &operator=(const PngCanvas &) = delete;
+
+    void path(const std::vector<Vec> &points, bool closed, const Paint &paint) override;
+    void circle(Vec center, double radius, const Paint &paint) override;
+    void text(Vec at, const std::string &text, const TextStyle &style) override;
+    void clip(Vec corner, Vec size) override;
+    void unclip() override;
+    void save(const std::string &file) override;
+
+  private:
+    void apply(const Paint &paint);
+
+    cairo_surface_t *surface_;
+    cairo_t *cairo_;
+};
+
+} // namespace frob::sim

@@ -1,0 +1,89 @@
+// What a world file says, as plain data. What it does not mention is ideal:
+// no noise, no slip, no drift. Units in the file's key names are converted
+// here to metres, radians, seconds, kilograms.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry.h"
+
+namespace frob::sim {
+
+// A polyline with a thickness; its corners and free ends are round.
+struct Wall {
+    std::vector<Vec> points;
+    bool closed = false; // the last point is joined to the first
+    double thickness = 0.1;
+};
+
+// A solid that cannot be moved. Simple (its edges do not cross), not
+// necessarily convex, counter-clockwise.
+struct Polygon {
+    std::vector<Vec> points;
+};
+
+struct Circle {
+    Vec center;
+    double radius = 0.0;
+};
+
+// A rectangular box that the robot can push over the floor.
+struct Box {
+    Pose pose;           // of its middle
+    Vec size;            // along its own x and y
+    double mass = 2.0;   // kg
+    double friction = 0.5; // coefficient between box and floor
+};
+
+struct DriveSettings {
+    double max_speed = 1.2;               // m/s
+    double max_turn = radians(300.0);     // rad/s
+    double acceleration = 0.3;            // m/s^2, to speed up and to brake
+    double turn_acceleration = radians(100.0); // rad/s^2
+    double slip = 0.0; // mean share of a wheel's travel that is lost
+};
+
+struct OdometrySettings {
+    double distance_error = 0.0; // relative: 0.01 counts 1 % too much
+    double turn_error = 0.0;     // relative
+    double veer = 0.0;           // rad/m: turning counted while going straight
+    double heading_noise = 0.0;  // rad per square root of a metre
+};
+
+struct SonarSettings {
+    double noise = 0.0;   // m, standard deviation
+    double dropout = 0.0; // probability that an echo is lost
+    int rays = 13;        // across the cone: 2 degrees apart, 17 cm at 5 m
+};
+
+struct BatterySettings {
+    double voltage = 12.8;  // V at the start
+    double drain = 0.0;     // V/s
+};
+
+// What the summary says about following a wall.
+struct MeasureSettings {
+    enum class Side { left, right };
+    Side side = Side::left;
+    double distance = 0.5; // m that the robot should keep
+    double settle = 10.0;  // s that are not counted
+};
+
+struct Scene {
+    std::string name;
+    Pose start;
+    std::string start_place; // FILE:LINE:COLUMN, for messages
+    std::vector<Wall> walls;
+    std::vector<Polygon> polygons;
+    std::vector<Circle> circles;
+    std::vector<Box> boxes;
+    DriveSettings drive;
+    OdometrySettings odometry;
+    SonarSettings sonar;
+    BatterySettings battery;
+    std::optional<MeasureSettings> measure;
+};
+
+} // namespace frob::sim

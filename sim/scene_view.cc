@@ -1,0 +1,239 @@
+#include "scene_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "p3dx.h"
+#include "palette.h"
+#include "plot.h"
+
+namespace frob::sim {
+namespace {
+
+constexpr double margin = 0.25;                     // m around everything
+constexpr std::int64_t ray_lasts_ns = 400'000'000;  // a round of all transducers takes 320 ms
+constexpr std::size_t path_pieces = 64;             // each of one colour
+
+void include(Extent &extent, Vec p, double around) {
+    extent.low = {std::min(extent.low.x, p.x - around), std::min(extent.low.y, p.y - around)};
+    extent.high = {std::max(extent.high.x, p.x + around), std::max(extent.high.y, p.y + around)};
+}
+
+Colour blend(Colour a, Colour b, double share) {
+    const auto mix = [&](int from, int to) {
+        return static_cast<int>(std::lround(from + share * (to - from)));
+    };
+    return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
+}
+
+// Draws in the world's metres.
+class View {
+  public:
+    View(Canvas &canvas, const Extent &extent, Vec corner, Vec size)
+        : canvas_(canvas), extent_(extent), corner_(corner),
+          scale_(size.x / (extent.high.x - extent.low.x)) {}
+
+    Vec place(Vec p) const {
+        return {corner_.x + scale_ * (p.x - extent_.low.x),
+                corner_.y + scale_ * (extent_.high.y - p.y)};
+    }
+
+    void path(const std::vector<Vec> &points, bool closed, const Paint &paint) {
+        std::vector<Vec> placed;
+        for (const Vec &p : points) {
+            const Vec q = place(p);
+            // What moves by less than half a pixel cannot be seen.
+            if (placed.empty() || length(q - placed.back()) >= 0.5) placed.push_back(q);
+        }
+        canvas_.path(placed, closed, paint);
+    }
+
+    void circle(Vec center, double radius_m, const Paint &paint) {
+        canvas_.circle(place(center), scale_ * radius_m, paint);
+    }
+
+    Canvas &canvas() { return canvas_; }
+    double scale() const { return scale_; }
+
+  private:
+    Canvas &canvas_;
+    Extent extent_;
+    Vec corner_;
+    double scale_;
+};
+
+void draw_grid(Canvas &canvas, const View &view, const Extent &extent, Vec corner, Vec size) {
+    const double step = std::max(tick_step(60.0 / view.scale(), 1), 0.1);
+    const auto each = [&](double low, double high, const auto &draw) {
+        for (double n = std::ceil(low / step); n * step <= high; ++n) draw(n * step);
+    };
+    each(extent.low.x, extent.high.x, [&](double x) {
+        const double px = view.place({x, 0.0}).x;
+        canvas.path({{px, corner.y}, {px, corner.y + size.y}}, false, stroked(palette::grid, 1.0));
+        canvas.text({px, corner.y + size.y + 16.0}, tick_label(x, step),
+                    {11.0, palette::faint_ink, Anchor::middle, false});
+    });
+    each(extent.low.y, extent.high.y, [&](double y) {
+        const double py = view.place({0.0, y}).y;
+        canvas.path({{corner.x, py}, {corner.x + size.x, py}}, false, stroked(palette::grid, 1.0));
+        canvas.text({corner.x - 8.0, py + 4.0}, tick_label(y, step),
+                    {11.0, palette::faint_ink, Anchor::end, false});
+    });
+    canvas.text({corner.x + size.x, corner.y + size.y + 32.0}, "x, y [m]",
+                {11.0, palette::faint_ink, Anchor::end, false});
+}
+
+void draw_solids(View &view, const Scene &scene) {
+    for (const Wall &wall : scene.walls)
+        view.path(wall.points, wall.closed, stroked(palette::solid, view.scale() * wall.thickness));
+    for (const Polygon &polygon : scene.polygons)
+        view.path(polygon.points, true, filled(palette::solid));
+    for (const Circle &circle : scene.circles)
+        view.circle(circle.center, circle.radius, filled(palette::solid));
+}
+
+std::vector<Vec> corners(const Pose &pose, Vec size) {
+    const Vec h = 0.5 * size;
+    std::vector<Vec> result;
+    for (const Vec &c : {Vec{-h.x, -h.y}, Vec{h.x, -h.y}, Vec{h.x, h.y}, Vec{-h.x, h.y}})
+        result.push_back(from_frame(pose, c));
+    return result;
+}
+
+// Where the boxes are, and a dashed outline where they stood.
+void draw_boxes(View &view, const Simulation &simulation) {
+    const std::vector<Box> &boxes = simulation.scene().boxes;
+    const std::vector<Pose> now = simulation.world().box_poses();
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (length(now[i].position - boxes[i].pose.position) > 0.01)
+            view.path(corners(boxes[i].pose, boxes[i].size), true,
+                      stroked(palette::faded(palette::box_edge, 0.6), 1.0, {3.0, 4.0}));
+        view.path(corners(now[i], boxes[i].size), true,
+                  {palette::box, palette::box_edge, 1.2, {}});
+    }
+}
+
+// Light at the start, dark at the end, and the way it believes to have gone.
+void draw_path(View &view, const std::vector<Sample> &samples) {
+    std::vector<Vec> believed;
+    double error = 0.0;
+    for (const Sample &s : samples) {
+        believed.push_back(s.believed.position);
+        error = std::max(error, length(s.believed.position - s.pose.position));
+    }
+    if (error > 0.03)
+        view.path(believed, false, stroked(palette::faded(palette::believed, 0.55), 1.3, {1.0, 5.0}));
+    for (std::size_t piece = 0; piece < path_pieces; ++piece) {
+        const std::size_t first = piece * samples.size() / path_pieces;
+        const std::size_t last = std::min((piece + 1) * samples.size() / path_pieces + 1, samples.size());
+        std::vector<Vec> points;
+        for (std::size_t i = first; i < last; ++i) points.push_back(samples[i].pose.position);
+        view.path(points, false,
+                  stroked(blend(palette::early, palette::late,
+                                static_cast<double>(piece) / (path_pieces - 1)),
+                          2.6));
+    }
+}
+
+// A dot every so many seconds, with its time beside the path.
+void draw_times(View &view, const std::vector<Sample> &samples) {
+    const double step = tick_step(static_cast<double>(samples.back().time_ns) * 1e-9, 6);
+    double next = step;
+    for (const Sample &s : samples) {
+        const double t = static_cast<double>(s.time_ns) * 1e-9;
+        if (t < next - 1e-9) continue;
+        const std::string label = tick_label(next, step) + " s";
+        next += step;
+        // The robot would hide it.
+        if (length(s.pose.position - samples.back().pose.position) < 0.5) continue;
+        const Vec at = view.place(s.pose.position);
+        // Away from the wall that it follows on its left: to the right.
+        const Vec right = {std::sin(s.pose.heading), std::cos(s.pose.heading)};
+        view.canvas().circle(at, 3.2, {palette::paper, palette::late, 1.6, {}});
+        view.canvas().text(at + Vec{16.0 * right.x, 14.0 * right.y + 4.0},
+                           label, {10.5, palette::late, Anchor::middle, false});
+    }
+}
+
+void draw_start(View &view, const Pose &start) {
+    std::vector<Vec> outline;
+    for (const Vec &corner : p3dx::outline) outline.push_back(from_frame(start, corner));
+    view.path(outline, true, stroked(palette::faded(palette::robot_edge, 0.5), 1.2, {2.0, 4.0}));
+}
+
+// The last echo of each transducer: its cone, and an arc where it came from.
+void draw_rays(View &view, const Simulation &simulation) {
+    std::array<const Echo *, 16> last{};
+    for (const Echo &echo : simulation.robot().sonar().echoes())
+        if (echo.time_ns > simulation.time_ns() - ray_lasts_ns) last[echo.transducer] = &echo;
+    for (const Echo *echo : last) {
+        if (echo == nullptr) continue;
+        std::vector<Vec> arc;
+        for (int i = -6; i <= 6; ++i)
+            arc.push_back(echo->from.position +
+                          echo->distance * direction(echo->from.heading +
+                                                     p3dx::sonar_half_angle * i / 6.0));
+        std::vector<Vec> cone = arc;
+        cone.push_back(echo->from.position);
+        view.path(cone, true, filled(palette::faded(palette::sonar, 0.13)));
+        view.path(arc, false, stroked(palette::sonar, 1.8));
+    }
+}
+
+void draw_robot(View &view, const Pose &pose) {
+    std::vector<Vec> outline;
+    for (const Vec &corner : p3dx::outline) outline.push_back(from_frame(pose, corner));
+    view.path(outline, true, {palette::robot, palette::robot_edge, 1.4, {}});
+    for (const double side : {-1.0, 1.0}) {
+        const Pose wheel = {from_frame(pose, Vec{0.0, side * 0.165}), pose.heading};
+        view.path(corners(wheel, {2 * p3dx::wheel_radius, 0.05}), true,
+                  filled(palette::robot_edge));
+    }
+    view.path({from_frame(pose, Vec{0.17, 0.0}), from_frame(pose, Vec{0.06, 0.07}),
+               from_frame(pose, Vec{0.06, -0.07})},
+              true, filled(palette::paper));
+}
+
+} // namespace
+
+Extent extent(const Simulation &simulation) {
+    const Scene &scene = simulation.scene();
+    Extent result{scene.start.position, scene.start.position};
+    for (const Wall &wall : scene.walls)
+        for (const Vec &p : wall.points) include(result, p, margin + wall.thickness / 2);
+    for (const Polygon &polygon : scene.polygons)
+        for (const Vec &p : polygon.points) include(result, p, margin);
+    for (const Circle &circle : scene.circles)
+        include(result, circle.center, margin + circle.radius);
+    for (std::size_t i = 0; i < scene.boxes.size(); ++i)
+        for (const Pose &pose : {scene.boxes[i].pose, simulation.world().box_poses()[i]})
+            include(result, pose.position, margin + length(scene.boxes[i].size) / 2);
+    for (const Sample &sample : simulation.recorder().samples())
+        include(result, sample.pose.position, 0.5);
+    return result;
+}
+
+void draw_scene(Canvas &canvas, const Simulation &simulation, const Extent &extent, Vec corner,
+                Vec size) {
+    const std::vector<Sample> &samples = simulation.recorder().samples();
+    View view(canvas, extent, corner, size);
+    const std::vector<Vec> outline = {
+        corner, {corner.x + size.x, corner.y}, corner + size, {corner.x, corner.y + size.y}};
+    canvas.path(outline, true, filled(palette::floor));
+    draw_grid(canvas, view, extent, corner, size);
+    canvas.clip(corner, size);
+    draw_rays(view, simulation);
+    draw_solids(view, simulation.scene());
+    draw_boxes(view, simulation);
+    draw_start(view, simulation.scene().start);
+    if (!samples.empty()) {
+        draw_path(view, samples);
+        draw_times(view, samples);
+    }
+    draw_robot(view, simulation.world().robot_pose());
+    canvas.unclip();
+    canvas.path(outline, true, stroked(palette::frame, 1.0));
+}
+
+} // namespace frob::sim

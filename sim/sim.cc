@@ -1,0 +1,79 @@
+#include "sim.h"
+
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "picture.h"
+#include "simulation.h"
+#include "world_file.h"
+
+using namespace frob::sim;
+
+struct frob_sim {
+    Simulation simulation;
+};
+
+namespace {
+
+void say(char *message, std::size_t room, const std::string &text) {
+    std::snprintf(message, room, "%s", text.c_str());
+}
+
+} // namespace
+
+frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *settings, char *message,
+                        std::size_t room) {
+    try {
+        Scene scene = read_world_file(world_file);
+        if (settings->wall_distance_m > 0.0) {
+            if (!scene.measure) scene.measure.emplace();
+            scene.measure->distance = settings->wall_distance_m;
+        }
+        return new frob_sim{{std::move(scene), settings->seed}};
+    } catch (const WorldFileError &error) {
+        say(message, room, error.what());
+    } catch (const std::exception &error) {
+        say(message, room, std::string(world_file) + ": " + error.what());
+    }
+    return nullptr;
+}
+
+void frob_sim_close(frob_sim *sim) { delete sim; }
+
+void frob_sim_advance(frob_sim *sim, std::int64_t time_ns) { sim->simulation.advance(time_ns); }
+
+void frob_sim_read(frob_sim *sim, frob_pioneer_input *input) { *input = sim->simulation.read(); }
+
+void frob_sim_command(frob_sim *sim, std::int64_t time_ns, const frob_pioneer_output *output) {
+    sim->simulation.command(time_ns, *output);
+}
+
+frob_sim_summary frob_sim_summarize(const frob_sim *sim) {
+    const Simulation &simulation = sim->simulation;
+    const Pose believed =
+        from_frame(simulation.scene().start, simulation.robot().odometry().pose());
+    frob_sim_summary summary{};
+    summary.time_s = static_cast<double>(simulation.time_ns()) * 1e-9;
+    summary.distance_m = simulation.recorder().distance_driven();
+    summary.collisions = simulation.robot().bumpers().collisions();
+    summary.odometry_error_m =
+        length(believed.position - simulation.world().robot_pose().position);
+    if (const auto &measured = simulation.wall_distance()) {
+        summary.measured = 1;
+        summary.wall_distance_m = simulation.scene().measure->distance;
+        summary.mean_error_m = measured->mean_error();
+        summary.largest_error_m = measured->largest_error();
+    }
+    return summary;
+}
+
+int frob_sim_picture(const frob_sim *sim, const char *file, char *message, std::size_t room) {
+    try {
+        draw_picture(sim->simulation, file);
+        return 1;
+    } catch (const std::exception &error) {
+        say(message, room, error.what());
+        return 0;
+    }
+}

@@ -1,0 +1,75 @@
+/* sim.h -- the simulator, for hosts written in C.
+ *
+ * One simulation is one world file and one Pioneer P3-DX in it. The host owns
+ * time: it says up to when the physics should run, reads the sensors, steps
+ * the controller, and passes on the command.
+ *
+ *   struct frob_sim *sim = frob_sim_open("world.toml", &settings, message, sizeof message);
+ *   for (each instant at time t) {
+ *       frob_sim_advance(sim, t);
+ *       frob_sim_read(sim, &input);
+ *       controller(..., &input, &output);
+ *       frob_sim_command(sim, t, &output);
+ *   }
+ *
+ * Times are nanoseconds since the start. The same world, seed and commands at
+ * the same times give the same readings, bit for bit. Simulations share
+ * nothing; one thread at a time may use one. */
+#ifndef FROB_SIM_H
+#define FROB_SIM_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <frob/pioneer.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct frob_sim;
+
+struct frob_sim_settings {
+    uint64_t seed;           /* of all noise */
+    double wall_distance_m;  /* replaces `distance` of the world file's [measure]; 0: as it says */
+};
+
+/* Reads a world file. NULL on failure; `message` then holds a line for each
+ * mistake, `FILE:LINE:COLUMN: …`, as far as there is room. */
+struct frob_sim *frob_sim_open(const char *world_file, const struct frob_sim_settings *settings,
+                               char *message, size_t room);
+void frob_sim_close(struct frob_sim *sim);
+
+/* Runs the physics up to this time, which must not go back. Its step is 5 ms;
+ * it stops at the last step that does not go beyond. */
+void frob_sim_advance(struct frob_sim *sim, int64_t time_ns);
+
+/* The sensors. An echo is an event of the first reading after it arrived. */
+void frob_sim_read(struct frob_sim *sim, struct frob_pioneer_input *input);
+
+/* What the robot does from now on: limited to what it can do, and rest if any
+ * of it is NaN. `time_ns` is the controller's instant, for the record. */
+void frob_sim_command(struct frob_sim *sim, int64_t time_ns,
+                      const struct frob_pioneer_output *output);
+
+struct frob_sim_summary {
+    double time_s;            /* simulated */
+    double distance_m;        /* along the path */
+    int collisions;           /* with what stands fast */
+    double odometry_error_m;  /* between where the robot is and believes to be */
+    int measured;             /* the world file says what to measure: */
+    double wall_distance_m;   /* that the robot should keep */
+    double mean_error_m;      /* since it settled; NaN if it has not */
+    double largest_error_m;
+};
+
+struct frob_sim_summary frob_sim_summarize(const struct frob_sim *sim);
+
+/* Draws the world, the path, and the signals. The file's name ends in .svg or
+ * .png. Returns 1, or 0 with a line in `message`. */
+int frob_sim_picture(const struct frob_sim *sim, const char *file, char *message, size_t room);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

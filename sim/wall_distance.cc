@@ -1,0 +1,71 @@
+#include "wall_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "p3dx.h"
+
+namespace frob::sim {
+namespace {
+
+double to_outline(const std::vector<Vec> &points, bool closed, Vec p) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        nearest = std::min(nearest, squared_distance_to_segment(p, points[i], points[i + 1]));
+    if (closed)
+        nearest =
+            std::min(nearest, squared_distance_to_segment(p, points.back(), points.front()));
+    return std::sqrt(nearest);
+}
+
+// Counts the edges that a ray to the right crosses.
+bool is_inside(const std::vector<Vec> &outline, Vec p) {
+    bool inside = false;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec a = outline[i], b = outline[(i + 1) % outline.size()];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
+    }
+    return inside;
+}
+
+} // namespace
+
+double clearance(const Scene &scene, Vec point) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Wall &wall : scene.walls)
+        nearest = std::min(nearest,
+                           to_outline(wall.points, wall.closed, point) - wall.thickness / 2);
+    for (const Polygon &polygon : scene.polygons)
+        nearest = std::min(nearest, is_inside(polygon.points, point)
+                                        ? 0.0
+                                        : to_outline(polygon.points, true, point));
+    for (const Circle &circle : scene.circles)
+        nearest = std::min(nearest, length(point - circle.center) - circle.radius);
+    return std::max(nearest, 0.0);
+}
+
+double WallDistance::observe(std::int64_t time_ns, const Pose &robot) {
+    const bool left = settings_.side == MeasureSettings::Side::left;
+    const Pose &sonar = p3dx::sonars[left ? p3dx::left_sonar : p3dx::right_sonar];
+    const double distance = clearance(scene_, from_frame(robot, sonar.position));
+    if (static_cast<double>(time_ns) >= settings_.settle * 1e9) {
+        const double error = std::abs(distance - settings_.distance);
+        sum_ += error;
+        largest_ = std::max(largest_, error);
+        ++count_;
+    }
+    return distance;
+}
+
+double WallDistance::mean_error() const {
+    return count_ == 0 ? std::numeric_limits<double>::quiet_NaN()
+                       : sum_ / static_cast<double>(count_);
+}
+
+double WallDistance::largest_error() const {
+    return count_ == 0 ? std::numeric_limits<double>::quiet_NaN() : largest_;
+}
+
+} // namespace frob::sim

@@ -1,0 +1,36 @@
+// How well the robot keeps its distance from the wall, by geometry.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene.h"
+
+namespace frob::sim {
+
+// Distance from a point to the nearest wall, polygon or circle: 0 inside one,
+// infinite where there is none. Boxes, which can be pushed away, do not count.
+double clearance(const Scene &scene, Vec point);
+
+// The errors of a run.
+class WallDistance {
+  public:
+    WallDistance(const Scene &scene, const MeasureSettings &settings)
+        : scene_(scene), settings_(settings) {}
+
+    // Takes the robot's pose at a controller's instant. Returns the distance
+    // from the transducer that looks to the measured side.
+    double observe(std::int64_t time_ns, const Pose &robot);
+
+    // Since the robot settled; NaN if it has not.
+    double mean_error() const;
+    double largest_error() const;
+
+  private:
+    const Scene &scene_;
+    MeasureSettings settings_;
+    double sum_ = 0.0, largest_ = 0.0;
+    std::int64_t count_ = 0;
+};
+
+} // namespace frob::sim

@@ -1,0 +1,196 @@
+#include "world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "p3dx.h"
+#include "triangulate.h"
+
+namespace frob::sim {
+namespace {
+
+// Box2D's own defaults; enough for a few bodies that touch.
+constexpr int velocity_iterations = 8;
+constexpr int position_iterations = 3;
+
+constexpr float body_friction = 0.3f; // between solids, at their sides
+constexpr float gravity = 9.81f;
+
+b2Vec2 to_b2(Vec v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+
+void add_polygon(b2Body &body, const b2Vec2 *points, int count, bool skin) {
+    b2PolygonShape shape;
+    shape.Set(points, count);
+    // Box2D keeps polygons apart by the skins of both. Solids have none, so
+    // that what the sonar sees is what the bumper meets.
+    if (!skin) shape.m_radius = 0.0f;
+    b2FixtureDef fixture;
+    fixture.shape = &shape;
+    fixture.friction = body_friction;
+    body.CreateFixture(&fixture);
+}
+
+void add_circle(b2Body &body, Vec center, double radius) {
+    b2CircleShape shape;
+    shape.m_p = to_b2(center);
+    shape.m_radius = static_cast<float>(radius);
+    b2FixtureDef fixture;
+    fixture.shape = &shape;
+    fixture.friction = body_friction;
+    body.CreateFixture(&fixture);
+}
+
+// A rectangle for each piece, a disc at each point.
+void add_wall(b2Body &body, const Wall &wall) {
+    const std::size_t n = wall.points.size();
+    for (std::size_t i = 0; i < n; ++i) add_circle(body, wall.points[i], wall.thickness / 2);
+    for (std::size_t i = 0; i + (wall.closed ? 0 : 1) < n; ++i) {
+        const Vec a = wall.points[i], b = wall.points[(i + 1) % n];
+        const double scale = wall.thickness / 2 / length(b - a);
+        const Vec side = {scale * (a.y - b.y), scale * (b.x - a.x)};
+        const b2Vec2 corners[] = {to_b2(a - side), to_b2(b - side), to_b2(b + side), to_b2(a + side)};
+        add_polygon(body, corners, 4, false);
+    }
+}
+
+// Box2D turns a triangle into a square metre when it finds it degenerate; those
+// that are narrower than it can tell are left out.
+bool is_solid(const Triangle &t) {
+    const double longest =
+        std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
+    const double height = std::abs(cross(t[1] - t[0], t[2] - t[0])) / longest;
+    return height > static_cast<double>(b2_linearSlop);
+}
+
+void add_solid(b2Body &body, const Polygon &polygon) {
+    for (const Triangle &t : triangulate(polygon.points)) {
+        if (!is_solid(t)) continue;
+        const b2Vec2 corners[] = {to_b2(t[0]), to_b2(t[1]), to_b2(t[2])};
+        add_polygon(body, corners, 3, false);
+    }
+}
+
+// The outline, smaller by Box2D's skin, which then reaches to the outline.
+b2Body *add_robot(b2World &physics, const Pose &start) {
+    b2BodyDef definition;
+    definition.type = b2_dynamicBody;
+    definition.position = to_b2(start.position);
+    definition.angle = static_cast<float>(start.heading);
+    definition.allowSleep = false;
+    b2Body *robot = physics.CreateBody(&definition);
+    const Vec middle = {p3dx::body_center, 0.0};
+    b2Vec2 corners[p3dx::outline.size()];
+    for (std::size_t i = 0; i < p3dx::outline.size(); ++i) {
+        const Vec arm = p3dx::outline[i] - middle;
+        const double inner = length(arm) - static_cast<double>(b2_polygonRadius);
+        corners[i] = to_b2(middle + (inner / length(arm)) * arm);
+    }
+    add_polygon(*robot, corners, static_cast<int>(p3dx::outline.size()), true);
+    // Batteries and motors put the middle of mass near the axle. As for a plate
+    // of the body's size: I = m (l^2 + w^2) / 12.
+    b2MassData mass;
+    mass.mass = static_cast<float>(p3dx::mass);
+    mass.center.SetZero();
+    mass.I = static_cast<float>(p3dx::mass / 12.0 *
+                                (p3dx::body_length * p3dx::body_length +
+                                 p3dx::body_width * p3dx::body_width));
+    robot->SetMassData(&mass);
+    return robot;
+}
+
+class NearestHit : public b2RayCastCallback {
+  public:
+    explicit NearestHit(const b2Body *ignored) : ignored_(ignored) {}
+
+    float ReportFixture(b2Fixture *fixture, const b2Vec2 &, const b2Vec2 &, float share) override {
+        if (fixture->GetBody() == ignored_) return -1.0f;
+        nearest = share;
+        return share; // look on only for something nearer
+    }
+
+    std::optional<float> nearest;
+
+  private:
+    const b2Body *ignored_;
+};
+
+} // namespace
+
+World::World(const Scene &scene) : physics_(b2Vec2(0.0f, 0.0f)) {
+    const b2BodyDef at_rest;
+    fixed_ = physics_.CreateBody(&at_rest);
+    for (const Wall &wall : scene.walls) add_wall(*fixed_, wall);
+    for (const Polygon &polygon : scene.polygons) add_solid(*fixed_, polygon);
+    for (const Circle &circle : scene.circles) add_circle(*fixed_, circle.center, circle.radius);
+    for (const Box &box : scene.boxes) boxes_.push_back(&add_box(box));
+    robot_ = add_robot(physics_, scene.start);
+}
+
+// A box rubs on the floor: force at most mu m g, and torque at most that of a
+// disc of the same area, 2/3 r mu m g with r = sqrt(a b / pi).
+b2Body &World::add_box(const Box &box) {
+    b2BodyDef definition;
+    definition.type = b2_dynamicBody;
+    definition.position = to_b2(box.pose.position);
+    definition.angle = static_cast<float>(box.pose.heading);
+    b2Body *body = physics_.CreateBody(&definition);
+    b2PolygonShape shape;
+    const b2Vec2 half = to_b2(0.5 * box.size);
+    shape.SetAsBox(half.x, half.y);
+    shape.m_radius = 0.0f;
+    b2FixtureDef fixture;
+    fixture.shape = &shape;
+    fixture.friction = body_friction;
+    fixture.density = static_cast<float>(box.mass) / (4.0f * half.x * half.y);
+    body->CreateFixture(&fixture);
+
+    b2FrictionJointDef rub;
+    rub.Initialize(fixed_, body, body->GetPosition());
+    rub.maxForce = static_cast<float>(box.friction * box.mass) * gravity;
+    rub.maxTorque = rub.maxForce * 2.0f / 3.0f *
+                    static_cast<float>(std::sqrt(box.size.x * box.size.y / pi));
+    rub.collideConnected = true; // with the walls, which are the same body as the floor
+    physics_.CreateJoint(&rub);
+    return *body;
+}
+
+void World::step() {
+    physics_.Step(static_cast<float>(step_s), velocity_iterations, position_iterations);
+}
+
+std::optional<double> World::ray(Vec origin, double angle, double reach) const {
+    NearestHit hit(robot_);
+    physics_.RayCast(&hit, to_b2(origin), to_b2(origin + reach * direction(angle)));
+    if (!hit.nearest) return std::nullopt;
+    return reach * static_cast<double>(*hit.nearest);
+}
+
+Pose World::robot_pose() const {
+    const b2Vec2 at = robot_->GetPosition();
+    return {{static_cast<double>(at.x), static_cast<double>(at.y)},
+            wrap_angle(static_cast<double>(robot_->GetAngle()))};
+}
+
+bool World::robot_overlaps() const {
+    const b2Shape *outline = robot_->GetFixtureList()->GetShape();
+    for (const b2Body *body = physics_.GetBodyList(); body != nullptr; body = body->GetNext()) {
+        if (body == robot_) continue;
+        for (const b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext())
+            if (b2TestOverlap(f->GetShape(), 0, outline, 0, body->GetTransform(),
+                              robot_->GetTransform()))
+                return true;
+    }
+    return false;
+}
+
+std::vector<Pose> World::box_poses() const {
+    std::vector<Pose> poses;
+    for (const b2Body *body : boxes_) {
+        const b2Vec2 at = body->GetPosition();
+        poses.push_back({{static_cast<double>(at.x), static_cast<double>(at.y)},
+                         static_cast<double>(body->GetAngle())});
+    }
+    return poses;
+}
+
+} // namespace frob::sim

@@ -1,0 +1,177 @@
+#include "world_file.h"
+
+#include <cctype>
+#include <fstream>
+#include <iterator>
+
+#include "toml_reader.h"
+#include "triangulate.h"
+
+namespace frob::sim {
+namespace {
+
+Pose read_start(TomlReader reader) {
+    Pose start;
+    start.position.x = reader.needed_number("x", Range::any);
+    start.position.y = reader.needed_number("y", Range::any);
+    start.heading = radians(reader.number("heading_deg", 0.0, Range::any));
+    reader.finish();
+    return start;
+}
+
+Wall read_wall(TomlReader reader) {
+    Wall wall;
+    wall.closed = reader.boolean("closed", wall.closed);
+    wall.points = reader.needed_points("points", wall.closed ? 3 : 2, wall.closed);
+    wall.thickness = reader.number("thickness", wall.thickness, Range::size);
+    reader.finish();
+    return wall;
+}
+
+Polygon read_polygon(TomlReader reader) {
+    Polygon polygon;
+    polygon.points = reader.needed_points("points", 3, true);
+    if (!polygon.points.empty()) {
+        if (!is_simple(polygon.points))
+            reader.mistake_at("points", "the edges of this polygon cross or touch");
+        else if (signed_area(polygon.points) < 0.0)
+            polygon.points = {polygon.points.rbegin(), polygon.points.rend()};
+    }
+    reader.finish();
+    return polygon;
+}
+
+Circle read_circle(TomlReader reader) {
+    Circle circle;
+    circle.center = reader.needed_point("center", Range::any);
+    circle.radius = reader.needed_number("radius", Range::size);
+    reader.finish();
+    return circle;
+}
+
+Box read_box(TomlReader reader) {
+    Box box;
+    box.pose.position = reader.needed_point("center", Range::any);
+    box.pose.heading = radians(reader.number("angle_deg", 0.0, Range::any));
+    box.size = reader.needed_point("size", Range::size);
+    box.mass = reader.number("mass", box.mass, Range::positive);
+    box.friction = reader.number("friction", box.friction, Range::not_negative);
+    reader.finish();
+    return box;
+}
+
+DriveSettings read_drive(TomlReader reader) {
+    DriveSettings drive;
+    drive.max_speed = reader.number("max_speed", drive.max_speed, Range::positive);
+    drive.max_turn =
+        radians(reader.number("max_turn_deg", degrees(drive.max_turn), Range::positive));
+    drive.acceleration = reader.number("acceleration", drive.acceleration, Range::positive);
+    drive.turn_acceleration = radians(reader.number(
+        "turn_acceleration_deg", degrees(drive.turn_acceleration), Range::positive));
+    drive.slip = reader.number("slip", drive.slip, Range::share);
+    if (drive.slip > 0.5) reader.mistake_at("slip", "`slip` must be at most 0.5");
+    reader.finish();
+    return drive;
+}
+
+OdometrySettings read_odometry(TomlReader reader) {
+    OdometrySettings odometry;
+    odometry.distance_error = reader.number("distance_error", 0.0, Range::any);
+    odometry.turn_error = reader.number("turn_error", 0.0, Range::any);
+    odometry.veer = radians(reader.number("veer_deg", 0.0, Range::any));
+    odometry.heading_noise = radians(reader.number("heading_noise_deg", 0.0, Range::not_negative));
+    reader.finish();
+    return odometry;
+}
+
+SonarSettings read_sonar(TomlReader reader) {
+    SonarSettings sonar;
+    sonar.noise = reader.number("noise", sonar.noise, Range::not_negative);
+    sonar.dropout = reader.number("dropout", sonar.dropout, Range::share);
+    sonar.rays = reader.integer("rays", sonar.rays, 1, 101);
+    reader.finish();
+    return sonar;
+}
+
+BatterySettings read_battery(TomlReader reader) {
+    BatterySettings battery;
+    battery.voltage = reader.number("voltage", battery.voltage, Range::positive);
+    battery.drain = reader.number("drain", battery.drain, Range::not_negative);
+    reader.finish();
+    return battery;
+}
+
+MeasureSettings read_measure(TomlReader reader) {
+    MeasureSettings measure;
+    const std::string side = reader.string("side");
+    if (side == "right") measure.side = MeasureSettings::Side::right;
+    else if (!side.empty() && side != "left")
+        reader.mistake_at("side", "`side` is \"left\" or \"right\"");
+    measure.distance = reader.needed_number("distance", Range::positive);
+    measure.settle = reader.number("settle", measure.settle, Range::not_negative);
+    reader.finish();
+    return measure;
+}
+
+Scene read_scene(Mistakes &mistakes, const toml::table &root) {
+    TomlReader reader(mistakes, root);
+    const auto inside = [&](const toml::table *table) { return TomlReader(mistakes, *table); };
+    Scene scene;
+    scene.name = reader.string("name");
+    if (const toml::table *table = reader.table("start")) {
+        scene.start = read_start(inside(table));
+        scene.start_place = inside(table).place();
+    } else if (root.get("start") == nullptr)
+        reader.mistake("a world needs a table [start] with `x` and `y`, where the robot starts");
+    for (const toml::table *table : reader.tables("wall"))
+        scene.walls.push_back(read_wall(inside(table)));
+    for (const toml::table *table : reader.tables("polygon"))
+        scene.polygons.push_back(read_polygon(inside(table)));
+    for (const toml::table *table : reader.tables("circle"))
+        scene.circles.push_back(read_circle(inside(table)));
+    for (const toml::table *table : reader.tables("box"))
+        scene.boxes.push_back(read_box(inside(table)));
+    if (const toml::table *table = reader.table("drive")) scene.drive = read_drive(inside(table));
+    if (const toml::table *table = reader.table("odometry"))
+        scene.odometry = read_odometry(inside(table));
+    if (const toml::table *table = reader.table("sonar")) scene.sonar = read_sonar(inside(table));
+    if (const toml::table *table = reader.table("battery"))
+        scene.battery = read_battery(inside(table));
+    if (const toml::table *table = reader.table("measure"))
+        scene.measure = read_measure(inside(table));
+    reader.finish();
+    return scene;
+}
+
+} // namespace
+
+Scene parse_world(const std::string &text, const std::string &path) {
+    Mistakes mistakes(path);
+    try {
+        const toml::table root = toml::parse(text);
+        Scene scene = read_scene(mistakes, root);
+        if (!mistakes.any()) return scene;
+    } catch (const toml::parse_error &error) {
+        std::string message(error.description());
+        message[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(message[0])));
+        mistakes.add(error.source(), message);
+    }
+    throw WorldFileError(mistakes.text());
+}
+
+Scene read_world_file(const std::string &path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string text;
+    try {
+        // A folder opens, and fails only when it is read.
+        file.exceptions(std::ios::badbit | std::ios::failbit);
+        file.peek();
+        file.exceptions(std::ios::badbit);
+        text.assign(std::istreambuf_iterator<char>(file), {});
+    } catch (const std::ios::failure &) {
+        throw WorldFileError(path + ": cannot read this world file");
+    }
+    return parse_world(text, path);
+}
+
+} // namespace frob::sim

@@ -1,0 +1,141 @@
+/* A wall follower written by hand, in the form of a compiled program: the
+ * paper's control law (section 3) for a wall on the left, and sonar signals
+ * held and smoothed. With it the simulator and its host are tested without
+ * the compiler. */
+#include <frob/pioneer.h>
+#include <frob/program.h>
+
+#include <math.h>
+#include <string.h>
+
+static const double keep = 0.5;        /* m from the wall */
+static const double v_max = 0.4;       /* m/s */
+static const double sin_theta = 0.5;   /* of the largest angle to the wall */
+static const double k_front = 1.2;     /* 1/s */
+static const double k_side = 1.0;      /* 1/s */
+static const double k_turn = 5.0;      /* 1/m */
+static const double smoothing_s = 0.5; /* time constant */
+
+struct state {
+    int started;
+    double front[2], side[3];      /* m, last echoes */
+    double smooth_side, slope;     /* m, m/s */
+};
+
+static double limit(double x, double y) { return fmax(-x, fmin(x, y)); }
+
+static void hold(double *last, struct frob_event_distance echo)
+{
+    if (echo.tag == 1)
+        *last = echo.f0;
+}
+
+static void reset(void *self)
+{
+    struct state *s = (struct state *)self;
+    memset(s, 0, sizeof *s);
+    s->front[0] = s->front[1] = 5.0;
+    s->side[0] = s->side[1] = s->side[2] = keep;
+    s->smooth_side = keep;
+}
+
+/* How far to the left of transducer 0 an echo came from, if it came from the
+ * cone's edge that is nearer to the side: exact along a straight wall. */
+static double to_the_side(double range, double y, double angle)
+{
+    return y + range * sin(angle) - 0.136;
+}
+
+static void step(void *self, double dt, const void *in, void *out)
+{
+    struct state *s = (struct state *)self;
+    const struct frob_pioneer_input *input = (const struct frob_pioneer_input *)in;
+    struct frob_pioneer_output *output = (struct frob_pioneer_output *)out;
+    double front, side, v_now;
+    hold(&s->front[0], input->sonar.s3);
+    hold(&s->front[1], input->sonar.s4);
+    hold(&s->side[0], input->sonar.s0);
+    hold(&s->side[1], input->sonar.s1);
+    hold(&s->side[2], input->sonar.s2);
+    front = fmin(s->front[0], s->front[1]);
+    /* The angles are 90, 50 + 12 and 30 + 12 degrees. */
+    side = fmin(s->side[0], fmin(to_the_side(s->side[1], 0.119, 1.0821041),
+                                 to_the_side(s->side[2], 0.078, 0.7330383)));
+    if (dt > 0.0) {
+        s->slope = (side - s->smooth_side) / (smoothing_s + dt);
+        s->smooth_side += s->slope * dt;
+    }
+    v_now = (input->leftWheel + input->rightWheel) / 2;
+    output->forward = limit(v_max, k_front * (front - keep));
+    output->turn = k_turn * (limit(sin_theta * v_now, k_side * (s->smooth_side - keep)) + s->slope);
+}
+
+#define AT(member) offsetof(struct frob_pioneer_input, member)
+#define NUMBER(name, where) \
+    static const struct frob_value name = { FROB_FLOAT, where, 0, 0, NULL };
+#define TRUTH(name, where) \
+    static const struct frob_value name = { FROB_BOOL, where, 0, 0, NULL };
+#define COUNT(fields) (sizeof(fields) / sizeof(fields)[0])
+#define PRODUCT(name, fields) \
+    static const struct frob_constructor name##_constructor = { #name, 1, COUNT(fields), fields }; \
+    static const struct frob_value name = { FROB_PRODUCT, 0, 0, 1, &name##_constructor };
+#define ECHO(s) \
+    NUMBER(s##_distance, AT(sonar.s.f0)) \
+    static const struct frob_field s##_fields[] = { { NULL, &s##_distance } }; \
+    static const struct frob_constructor s##_constructors[] = { \
+        { "NoEvent", 0, 0, NULL }, { "Event", 0, 1, s##_fields } }; \
+    static const struct frob_value s = { FROB_SUM, AT(sonar.s.tag), 1, 2, s##_constructors };
+
+ECHO(s0) ECHO(s1) ECHO(s2) ECHO(s3) ECHO(s4) ECHO(s5) ECHO(s6) ECHO(s7)
+ECHO(s8) ECHO(s9) ECHO(s10) ECHO(s11) ECHO(s12) ECHO(s13) ECHO(s14) ECHO(s15)
+
+static const struct frob_field sonar_fields[] = {
+    { "s0", &s0 },   { "s1", &s1 },   { "s2", &s2 },   { "s3", &s3 },
+    { "s4", &s4 },   { "s5", &s5 },   { "s6", &s6 },   { "s7", &s7 },
+    { "s8", &s8 },   { "s9", &s9 },   { "s10", &s10 }, { "s11", &s11 },
+    { "s12", &s12 }, { "s13", &s13 }, { "s14", &s14 }, { "s15", &s15 },
+};
+PRODUCT(sonar, sonar_fields)
+
+NUMBER(x, AT(odometry.position.x))
+NUMBER(y, AT(odometry.position.y))
+static const struct frob_field position_fields[] = { { "x", &x }, { "y", &y } };
+PRODUCT(position, position_fields)
+NUMBER(heading, AT(odometry.heading))
+static const struct frob_field pose_fields[] = { { "position", &position }, { "heading", &heading } };
+PRODUCT(pose, pose_fields)
+
+NUMBER(left_wheel, AT(leftWheel))
+NUMBER(right_wheel, AT(rightWheel))
+TRUTH(front_bumper, AT(frontBumper))
+TRUTH(rear_bumper, AT(rearBumper))
+TRUTH(left_stall, AT(leftStall))
+TRUTH(right_stall, AT(rightStall))
+NUMBER(battery, AT(battery))
+TRUTH(motors_on, AT(motorsOn))
+static const struct frob_field input_fields[] = {
+    { "odometry", &pose },           { "leftWheel", &left_wheel },
+    { "rightWheel", &right_wheel },  { "sonar", &sonar },
+    { "frontBumper", &front_bumper }, { "rearBumper", &rear_bumper },
+    { "leftStall", &left_stall },    { "rightStall", &right_stall },
+    { "battery", &battery },         { "motorsOn", &motors_on },
+};
+PRODUCT(pioneer_input, input_fields)
+
+NUMBER(forward, offsetof(struct frob_pioneer_output, forward))
+NUMBER(turn, offsetof(struct frob_pioneer_output, turn))
+static const struct frob_field output_fields[] = { { "forward", &forward }, { "turn", &turn } };
+PRODUCT(pioneer_output, output_fields)
+
+const struct frob_program frob_program = {
+    FROB_PROGRAM_ABI,
+    "wall_follower",
+    "pioneer",
+    sizeof(struct state),
+    sizeof(struct frob_pioneer_input),
+    sizeof(struct frob_pioneer_output),
+    &pioneer_input,
+    &pioneer_output,
+    reset,
+    step,
+};
