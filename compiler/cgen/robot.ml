@@ -1,6 +1,8 @@
 type t = { module_ : string; name : string; header : string }
 
 let table = [ { module_ = "Pioneer"; name = "pioneer"; header = "frob/pioneer.h" } ]
+let names = List.map (fun robot -> robot.name) table
+let of_name name = List.find_opt (fun robot -> String.equal robot.name name) table
 let of_module name = List.find_opt (fun robot -> String.equal robot.module_ name) table
 
 let of_shape (shape : Flow.Ir.shape) =

@@ -171,6 +171,19 @@ let run general ~entry run file =
 
 (* {1 Explaining} *)
 
+let header robot =
+  let* resources = Resources.find () in
+  let* () = Robots.known (Some robot) in
+  let sink = Diagnostic.sink () and sources = Source.create () in
+  match
+    Option.bind (Cgen.Robot.of_name robot)
+      (Pipeline.robot_header sink sources ~library:resources.library)
+  with
+  | Some text ->
+      print_string text;
+      Exit_status.ok
+  | None -> Diagnostic.bug ~stage:"Driver" "no header for the robot %s" robot
+
 let explain code =
   match Explain.find (String.uppercase_ascii code) with
   | Some page ->

@@ -30,6 +30,9 @@ type run = {
 
 val run : general -> entry:string -> run -> string -> int
 
+val header : string -> int
+(** Prints the C header with a robot's types. *)
+
 val explain : string -> int
 
 val report_bug : exn -> int

@@ -122,7 +122,7 @@ let find_entry sink (core : Core.Ir.program) ~file entry =
       Diagnostic.emit sink diagnostic;
       None
 
-let compile options sink sources ~library ~entry file =
+let machine options sink sources ~library ~entry file =
   let* core = front options sink sources ~library file in
   let* entry = find_entry sink core ~file entry in
   let* flow = flow options sink ~name:(c_name file) ~entry core in
@@ -130,13 +130,20 @@ let compile options sink sources ~library ~entry file =
     stage options sink Flow ~lint:Flow.Lint.program ~print:Flow.Print.program
       (Flow.Optimize.program flow)
   in
-  let* machine =
-    stage options sink Machine ~lint:ignore ~print:(fun _ _ -> ())
-      (Machine.Of_flow.program flow)
-  in
-  let files = Cgen.Emit.program machine in
+  stage options sink Machine ~lint:ignore ~print:(fun _ _ -> ()) (Machine.Of_flow.program flow)
+
+let compile options sink sources ~library ~entry file =
+  let* machine = machine options sink sources ~library ~entry file in
   let print ppf (files : Cgen.Emit.t) =
     Format.pp_print_string ppf files.header;
     Format.pp_print_string ppf files.source
   in
-  stage options sink C ~lint:ignore ~print files
+  stage options sink C ~lint:ignore ~print (Cgen.Emit.program machine)
+
+let robot_header sink sources ~library (robot : Cgen.Robot.t) =
+  let options =
+    { dump = None; stop_after = None; lint = false; specialization_limit = 10_000 }
+  in
+  let file = Filename.concat library (robot.module_ ^ ".frob") in
+  let* machine = machine options sink sources ~library ~entry:"atRest" file in
+  Some (Cgen.Interface_header.text robot machine)

@@ -26,3 +26,7 @@ val compile :
   Cgen.Emit.t option
 (** The whole chain, for one entry of the file's module. [None] if the program
     was rejected, or if [stop_after] came first. *)
+
+val robot_header : Diagnostic.sink -> Source.t -> library:string -> Cgen.Robot.t -> string option
+(** The C header with the input and output structs of a robot, from the types
+    in its module of the library, which defines the entry [atRest] on them. *)

@@ -1,4 +1,4 @@
-let names = [ "pioneer" ]
+let names = Cgen.Robot.names
 
 let known = function
   | None -> Ok ()

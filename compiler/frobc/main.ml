@@ -157,6 +157,16 @@ let run =
       const make $ general $ entry $ world $ robot $ duration $ rate $ seed $ realtime $ record
       $ picture $ strict $ file)
 
+let header =
+  let robot =
+    Arg.(
+      required
+      & pos 0 (some string) None
+      & info [] ~docv:"ROBOT" ~doc:"The robot: $(b,pioneer).")
+  in
+  command "header" ~doc:"the C header with a robot's input and output types"
+    Term.(const Commands.header $ robot)
+
 let explain =
   let code =
     Arg.(
@@ -178,7 +188,7 @@ let main =
     ]
   in
   Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
-    [ check; compile; trace; run; explain ]
+    [ check; compile; trace; run; header; explain ]
 
 let () =
   let status =

@@ -24,7 +24,7 @@ struct state {
 
 static double limit(double x, double y) { return fmax(-x, fmin(x, y)); }
 
-static void hold(double *last, struct frob_event_distance echo)
+static void hold(double *last, struct frob_event_float echo)
 {
     if (echo.tag == 1)
         *last = echo.f0;
