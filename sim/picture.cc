@@ -102,10 +102,14 @@ Plot turn_plot(const Simulation &simulation, double end_s) {
 
 std::string subtitle(const Simulation &simulation) {
     const int collisions = simulation.robot().bumpers().collisions();
-    char text[96];
-    std::snprintf(text, sizeof text, "%.4g s, %.2f m driven, %d collision%s",
+    const Pose believed =
+        from_frame(simulation.scene().start, simulation.robot().odometry().pose());
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "%.4g s, %.2f m driven, %d collision%s, odometry (dotted) off by %.2f m",
                   seconds(simulation.time_ns()), simulation.recorder().distance_driven(),
-                  collisions, collisions == 1 ? "" : "s");
+                  collisions, collisions == 1 ? "" : "s",
+                  length(believed.position - simulation.world().robot_pose().position));
     return text;
 }
 

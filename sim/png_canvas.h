@@ -1,8 +1,6 @@
 // The picture as PNG, through cairo, at twice the size in pixels.
 #pragma once
 
-#include <memory>
-
 #include "canvas.h"
 
 typedef struct _cairo cairo_t;

@@ -24,11 +24,12 @@ struct state {
 
 static double limit(double x, double y) { return fmax(-x, fmin(x, y)); }
 
-static void hold(double *last, struct frob_event_float echo)
-{
-    if (echo.tag == 1)
-        *last = echo.f0;
-}
+/* Keeps the last echo of transducer `s`. */
+#define HOLD(last, s) \
+    do { \
+        if (input->sonar.s.tag == 1) \
+            (last) = input->sonar.s.f0; \
+    } while (0)
 
 static void reset(void *self)
 {
@@ -52,11 +53,11 @@ static void step(void *self, double dt, const void *in, void *out)
     const struct frob_pioneer_input *input = (const struct frob_pioneer_input *)in;
     struct frob_pioneer_output *output = (struct frob_pioneer_output *)out;
     double front, side, v_now;
-    hold(&s->front[0], input->sonar.s3);
-    hold(&s->front[1], input->sonar.s4);
-    hold(&s->side[0], input->sonar.s0);
-    hold(&s->side[1], input->sonar.s1);
-    hold(&s->side[2], input->sonar.s2);
+    HOLD(s->front[0], s3);
+    HOLD(s->front[1], s4);
+    HOLD(s->side[0], s0);
+    HOLD(s->side[1], s1);
+    HOLD(s->side[2], s2);
     front = fmin(s->front[0], s->front[1]);
     /* The angles are 90, 50 + 12 and 30 + 12 degrees. */
     side = fmin(s->side[0], fmin(to_the_side(s->side[1], 0.119, 1.0821041),

@@ -65,7 +65,7 @@ static bool valued(struct options *o, const char *name, const char *value)
     else if (strcmp(name, "--picture") == 0)
         o->picture = value;
     else if (strcmp(name, "--for") == 0)
-        return number(name, value, 0.0, 1e6, &o->duration_s);
+        return number(name, value, 0.0, 1e5, &o->duration_s);
     else if (strcmp(name, "--rate") == 0)
         return number(name, value, 0.1, 10000.0, &o->rate_hz);
     else if (strcmp(name, "--target") == 0)
