@@ -9,7 +9,9 @@ type reader = {
   sink : Diagnostic.sink;
   text : string;
   mutable cut : bool;
-      (** The item before broke off: one that ends too early now is likely the rest of it. *)
+      (** The item before broke off: one that now ends before it defines anything is
+          likely the rest of it. *)
+  mutable defines : bool;  (** this item has come past its [=] or [::] *)
 }
 
 (* To the end of the item that this token belongs to. *)
@@ -19,6 +21,7 @@ let rec skip reader (token : Layout.token) =
 type outcome = Item of Surface.item | Failed
 
 let item reader =
+  reader.defines <- false;
   let token = ref (Layout.next reader.layout) in
   let start = !token.start in
   let supply () =
@@ -40,7 +43,7 @@ let item reader =
     | Automaton.HandlingError env ->
         let state = Automaton.current_state_number env in
         let ended = !token.token = END in
-        if not (reader.cut && ended) then
+        if not (reader.cut && ended && not reader.defines) then
           Syntax_error.report reader.sink ~text:reader.text ~state ~before !token;
         reader.cut <- ended && Syntax_error.expects_more before;
         (Failed, skip reader !token)
@@ -53,6 +56,9 @@ let item reader =
     match checkpoint with
     | Automaton.InputNeeded _ ->
         let shifted = !token in
+        (match shifted.token with
+        | EQUAL | DOUBLE_COLON | BAR -> reader.defines <- true
+        | _ -> ());
         token := Layout.next reader.layout;
         run (Some shifted) checkpoint
     | Automaton.Shifting _ | Automaton.AboutToReduce _ | Automaton.HandlingError _
@@ -105,7 +111,7 @@ let rec collect reader (program : Ir.program) errors =
 let read sink ~file text =
   let layout = Layout.create (Lexer.create sink ~file text) in
   let empty : Ir.program = { file; header = None; imports = []; declarations = [] } in
-  match collect { layout; sink; text; cut = false } empty 0 with
+  match collect { layout; sink; text; cut = false; defines = false } empty 0 with
   | program ->
       Some
         {

@@ -80,6 +80,17 @@ let expects_more : Layout.token option -> bool = function
       true
   | Some _ | None -> false
 
+let opens_with opener : Layout.context -> bool = function
+  | (innermost, _) :: _ -> innermost = opener
+  | [] -> false
+
+(* A place where a value stands and no definition can. *)
+let compares : Layout.context -> bool = function
+  | ((Paren | If | Then | Case), _) :: _ -> true
+  | ((Bracket | Brace | Block _), _) :: _ | [] -> false
+
+let reserved_word = Printf.sprintf "`%s` is a word of the language and cannot be a name"
+
 (* What the token itself suggests, beyond the state. *)
 let hint_of_token found =
   match (found.token.token, found.before) with
@@ -88,12 +99,15 @@ let hint_of_token found =
   | LEFT_ARROW, _ when innermost_block found.context <> Do ->
       Some "`<-` belongs to the statements of a `do`; an equation is written with `=`"
   | TAIL, _ -> Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
-  | EQUAL, _ when innermost_block found.context <> Do || found.context = [] ->
-      Some "`=` defines; to compare write `==`"
+  | (EQUAL | DOUBLE_COLON), Some { token = UNIT | PRIMITIVE | DATA | TYPE | MODULE | IMPORT | REC; start; stop; _ } ->
+      Some (reserved_word (String.sub found.text start.pos_cnum (stop.pos_cnum - start.pos_cnum)))
+  | EQUAL, _ when compares found.context -> Some "`=` defines; to compare write `==`"
+  | DOUBLE_COLON, _ when opens_with Layout.Brace found.context ->
+      Some "there is a `,` between two fields"
   | LBRACE, Some { token = OPEN; _ } ->
       Some "blocks are made by indentation; braces write records only"
   | (UNIT | PRIMITIVE | DATA | TYPE | MODULE | IMPORT | REC), Some _ ->
-      Some (Printf.sprintf "`%s` is a word of the language and cannot be a name" (written found))
+      Some (reserved_word (written found))
   | END, before when expects_more before && not found.token.last ->
       Some "a definition goes on only in lines that are indented more than its first"
   | _ -> None
