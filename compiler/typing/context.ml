@@ -94,6 +94,12 @@ let rec settle t =
       end
       else List.iter (fun q -> q.give_up ()) still
 
+let forgetting_what_errors_need t f =
+  let before = t.group.errors and required = t.group.required in
+  let result = f () in
+  if t.group.errors > before then t.group.required <- required;
+  result
+
 let requirements t = List.rev t.group.required
 
 type typed = { ty : Type.t; build : Ir.expr later }

@@ -83,6 +83,10 @@ val settle : t -> unit
 (** Until nothing waits: attempts all, and where that gets no further,
     guesses; at last gives up. *)
 
+val forgetting_what_errors_need : t -> (unit -> 'a) -> 'a
+(** Runs a function; if it reports errors, no class that it asked for is
+    demanded: its types are not to be trusted. *)
+
 val requirements : t -> required list
 (** In the order of the source. *)
 

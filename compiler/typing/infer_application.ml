@@ -22,7 +22,7 @@ let spine (e : Resolve.Ir.expr) =
 let reason ~(head : Resolve.Ir.expr) ~previous argument : Mistake.reason =
   match (argument.style, previous) with
   | Operator operator, Some ((other : Resolve.Ir.expr), other_type) ->
-      Operand { operator; other = other.span; other_type }
+      Operand { operator; other; other_type }
   | (Operator _ | Juxtaposed | Command), _ ->
       Parameter { callee = Mistake.name_of head; at = head.span; position = argument.position }
 
@@ -124,5 +124,6 @@ let infer expressions ctx e =
     let next, ty = step expressions ctx ~head ~previous function_ argument in
     (next, Some (argument.value, ty))
   in
-  let start = expressions.infer ctx head in
-  fst (List.fold_left apply (start, None) arguments)
+  forgetting_what_errors_need ctx (fun () ->
+      let start = expressions.infer ctx head in
+      fst (List.fold_left apply (start, None) arguments))

@@ -5,7 +5,7 @@ type reason =
   | Signature of { name : string; at : Span.t }
   | Annotation of Span.t
   | Parameter of { callee : string option; at : Span.t; position : int }
-  | Operand of { operator : string; other : Span.t; other_type : Type.t }
+  | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }
   | Branch of Span.t
   | Condition
   | Value of Span.t
@@ -61,7 +61,7 @@ let explain words reason (expected : Type.t) diagnostic =
         (Printf.sprintf "argument %d of %s is %s" position callee (described words expected))
         diagnostic
   | Operand { other; other_type; _ } ->
-      label ~at:other (Printf.sprintf "this is %s" (described words other_type)) diagnostic
+      label ~at:other.span (Printf.sprintf "this is %s" (described words other_type)) diagnostic
   | Branch at ->
       label ~at (Printf.sprintf "this branch is %s" (described words expected)) diagnostic
   | Value at -> label ~at (Printf.sprintf "the value is %s" (described words expected)) diagnostic
@@ -142,25 +142,37 @@ let hint_to_run subject input =
 let rec missing_arguments t =
   match Type.expand t with Function (_, result) -> 1 + missing_arguments result | _ -> 0
 
+let unrun words ~subject ~at ~input ~found =
+  error ~code:"E0303" ~at "a signal function stands where the value of its signal is needed"
+  |> here (Printf.sprintf "this is %s" (described words found))
+  |> hint_to_run subject input
+
+(* The operand before, if what is expected is nothing but its type. *)
+let operand_before (expected : expected) =
+  match expected.because with
+  | Operand { other; other_type; _ } when Type.repr other_type == Type.repr expected.ty -> Some other
+  | _ -> None
+
 let shapes words ~subject ~at ~(expected : expected) ~found =
   let text t = described words t in
-  match (Type.expand expected.ty, Type.expand found) with
-  | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Signal_function (input, _) ->
-      error ~code:"E0303" ~at "a signal function stands where the value of its signal is needed"
-      |> here (Printf.sprintf "this is %s" (text found))
-      |> note (Printf.sprintf "expected %s" (text expected.ty))
-      |> hint_to_run subject input
-  | Signal_function _, Function _ ->
+  match (Type.expand expected.ty, Type.expand found, operand_before expected) with
+  | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Signal_function (input, _), _ ->
+      unrun words ~subject ~at ~input ~found |> note (Printf.sprintf "expected %s" (text expected.ty))
+  | Signal_function (input, _), (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Some other
+    ->
+      unrun words ~subject:(Some other) ~at:other.span ~input ~found:expected.ty
+      |> label ~at (Printf.sprintf "this is %s" (text found))
+  | Signal_function _, Function _, _ ->
       error ~code:"E0304" ~at "expected a signal function, found a function: %s" (text found)
       |> hint "`arr` makes a signal function of a function"
-  | Function _, Signal_function _ -> (
+  | Function _, Signal_function _, _ -> (
       let diagnostic =
         error ~code:"E0304" ~at "expected a function, found a signal function: %s" (text found)
       in
       match expected.because with
       | Parameter { callee = Some "arr"; _ } -> hint "leave out `arr`" diagnostic
       | _ -> diagnostic)
-  | (Number _ | Bool | String | Tuple _ | Data _), Function _ ->
+  | (Number _ | Bool | String | Tuple _ | Data _), Function _, _ ->
       let missing = missing_arguments found in
       error ~code:"E0301" ~at "expected %s, found the function %s" (text expected.ty) (text found)
       |> hint

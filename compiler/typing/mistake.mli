@@ -14,7 +14,7 @@ type reason =
   | Signature of { name : string; at : Span.t }
   | Annotation of Span.t
   | Parameter of { callee : string option; at : Span.t; position : int }
-  | Operand of { operator : string; other : Span.t; other_type : Type.t }
+  | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }
       (** beside the other operand *)
   | Branch of Span.t  (** an earlier branch *)
   | Condition
