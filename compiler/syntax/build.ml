@@ -11,6 +11,10 @@ let span ((start, stop) : location) =
 let name location text : Ir.name = { text; span = span location }
 let unqualified (name : Ir.name) : Ir.qualified = { qualifier = None; name; span = name.span }
 
+let variable ((start, _) as location : location) (x : Ir.name) =
+  if x.span.start = position start then unqualified x
+  else { (unqualified x) with span = span location }
+
 (* The first [n] bytes of a span within one line, and what follows a byte. *)
 let take n (span : Span.t) =
   { span with stop = { span.start with column = span.start.column + n } }

@@ -10,6 +10,9 @@ val name : location -> string -> Ir.name
 
 val unqualified : Ir.name -> Ir.qualified
 
+val variable : location -> Ir.name -> Ir.qualified
+(** A name where a value stands; an operator's span takes its parentheses along. *)
+
 val qualified : location -> string * string -> Ir.qualified
 (** [M.x] in one token. *)
 

@@ -236,8 +236,7 @@ field:
 
 atom:
 | x = variable
-    { (* an operator's name takes its parentheses along *)
-      term $loc (Variable { (unqualified x) with span = span $loc }) }
+    { let x = variable $loc x in { desc = Variable x; span = x.span } }
 | x = QUALIFIED_LOWER { term $loc (Variable (qualified $loc x)) }
 | c = constructor_name { term $loc (Constructor c) }
 | n = number { term $loc (Number n) }

@@ -290,17 +290,17 @@ let punctuation = function
   | "^" -> CARET
   | operator -> OPERATOR operator
 
-let is_symbol =
-  let known = Hashtbl.create 64 in
-  List.iter (fun s -> Hashtbl.replace known s ())
+module Symbols = Set.Make (String)
+
+let symbols =
+  Symbols.of_list
     ([ "("; ")"; "{"; "}"; "]"; ","; ";"; "`"; "@"; "\\"; "="; "|"; "->"; "<-"; "-<"; "=>"; "::" ]
-    @ Operators.symbols);
-  Hashtbl.mem known
+    @ Operators.symbols)
 
 let symbol t =
   let rec longest n =
     if n = 0 then None
-    else if t.at + n <= String.length t.text && is_symbol (String.sub t.text t.at n) then Some n
+    else if t.at + n <= String.length t.text && Symbols.mem (String.sub t.text t.at n) symbols then Some n
     else longest (n - 1)
   in
   match longest 3 with
