@@ -160,21 +160,19 @@ type frame = {
   node : Ir.node;
   children : (string * frame) list;
   now : (int, value) Hashtbl.t;  (** values of this instant *)
-  held : (int, value) Hashtbl.t;  (** kept by the reset *)
   memory : (int, memory) Hashtbl.t;
-  statics : Statics.t;
+  schedule : Schedule.item list;
 }
 
-let rec frame (program : Ir.program) statics index =
+let rec frame schedule (program : Ir.program) index =
   let node = program.nodes.(index) in
   {
     node;
     children =
-      List.map (fun (i : Ir.instance) -> (i.name, frame program statics i.node)) node.instances;
+      List.map (fun (i : Ir.instance) -> (i.name, frame schedule program i.node)) node.instances;
     now = Hashtbl.create 16;
-    held = Hashtbl.create 16;
     memory = Hashtbl.create 16;
-    statics = statics.(index);
+    schedule = schedule node;
   }
 
 let rec forget frame =
@@ -199,10 +197,8 @@ let root_index (program : Ir.program) = Array.length program.nodes - 1
 
 (* By demand *)
 
-let nothing = { Statics.at_reset = []; kept = []; in_step = []; read_by_step = [] }
-
 let by_demand (program : Ir.program) instants =
-  let root = frame program (Array.map (fun _ -> nothing) program.nodes) (root_index program) in
+  let root = frame (fun _ -> []) program (root_index program) in
   let advances = ref [] in
   (* [argument] asks the caller for a parameter's value. *)
   let rec ask clock frame argument (a : Ir.atom) =
@@ -271,23 +267,18 @@ let read table (a : Ir.atom) =
 
 let start : clock = { dt = 0.; time = 0.; first = true }
 
+let bind table = List.iter2 (fun (s : Ir.signal) v -> Hashtbl.replace table s.id v)
+
 let rec call frame clock statics inputs =
-  List.iter2
-    (fun (s : Ir.signal) v ->
-      if List.exists (fun (r : Ir.signal) -> r.id = s.id) frame.statics.read_by_step then
-        Hashtbl.replace frame.now s.id (Lazy.force v))
-    frame.node.statics statics;
-  List.iter2 (fun (s : Ir.signal) v -> Hashtbl.replace frame.now s.id v) frame.node.inputs inputs;
-  Hashtbl.iter (Hashtbl.replace frame.now) frame.held;
-  List.iter (run frame clock frame.now) frame.statics.in_step;
-  let advance_item = function
-    | Schedule.Instance _ -> None
-    | Equation e ->
-        let now = Hashtbl.find frame.now e.defines.id in
-        Option.map (fun m -> (e.defines.id, m)) (advance (read frame.now) now e)
-  in
+  bind frame.now frame.node.statics statics;
+  bind frame.now frame.node.inputs inputs;
+  List.iter (run frame clock frame.now) frame.schedule;
   let outputs = List.map (fun (_, a) -> read frame.now a) frame.node.outputs in
-  let memories = List.filter_map advance_item frame.statics.in_step in
+  let advance_equation (e : Ir.equation) =
+    let now = Hashtbl.find frame.now e.defines.id in
+    Option.map (fun m -> (e.defines.id, m)) (advance (read frame.now) now e)
+  in
+  let memories = List.filter_map advance_equation frame.node.equations in
   List.iter (fun (id, m) -> Hashtbl.replace frame.memory id m) memories;
   outputs
 
@@ -298,25 +289,31 @@ and run frame clock table = function
       Hashtbl.replace table e.defines.id (value clock (read table) (remembered frame) e)
   | Instance i ->
       let child = List.assoc i.name frame.children in
-      let statics = List.map (fun a -> lazy (read table a)) i.statics in
-      let outputs = call child clock statics (List.map (read table) i.inputs) in
-      List.iter2 (fun (s : Ir.signal) v -> Hashtbl.replace table s.id v) i.outputs outputs;
+      let values = List.map (read table) in
+      bind table i.outputs (call child clock (values i.statics) (values i.inputs));
       (* a function may be called again within the instant *)
       if child.node.kind = Function then forget child
 
+(* What can be computed from the statics alone is, in the order of the step. *)
 let rec reset frame statics =
   let table = Hashtbl.create 16 in
-  List.iter2 (fun (s : Ir.signal) v -> Hashtbl.replace table s.id v) frame.node.statics statics;
-  List.iter (run frame start table) frame.statics.at_reset;
-  List.iter
-    (fun (s : Ir.signal) -> Hashtbl.replace frame.held s.id (Hashtbl.find table s.id))
-    frame.statics.kept;
+  bind table frame.node.statics statics;
+  let known : Ir.atom -> bool = function
+    | Signal s -> Hashtbl.mem table s.id
+    | Bool _ | Int _ | Float _ -> true
+  in
+  let is_static = function
+    | Schedule.Equation { rhs = Delay _ | Time | Integral _ | Derivative _; _ } -> false
+    | Equation e -> List.for_all known (Operands.all e.rhs)
+    | Instance i ->
+        let child = List.assoc i.name frame.children in
+        child.node.kind = Function && List.for_all known i.inputs
+  in
+  List.iter (fun item -> if is_static item then run frame start table item) frame.schedule;
   List.iter
     (function
       | { Ir.rhs = Delay { init; _ }; defines; _ } ->
           Hashtbl.replace frame.memory defines.id { past = read table init; total = 0. }
-      | { Ir.rhs = Integral _ | Derivative _; defines; _ } ->
-          Hashtbl.replace frame.memory defines.id { past = Float 0.; total = 0. }
       | _ -> ())
     frame.node.equations;
   List.iter
@@ -326,6 +323,6 @@ let rec reset frame statics =
     frame.node.instances
 
 let by_schedule (program : Ir.program) instants =
-  let root = frame program (Statics.program program) (root_index program) in
+  let root = frame Schedule.of_node program (root_index program) in
   reset root [];
   over_time root instants (fun clock inputs -> call root clock [] inputs)

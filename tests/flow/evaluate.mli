@@ -24,5 +24,5 @@ val by_demand : Ir.program -> instant list -> value list list
 
 val by_schedule : Ir.program -> instant list -> value list list
 (** As the C code does it: each node's reset, then its step in the order of
-    {!Statics}, each instance one call. Fails on a signal that is read before
-    it is computed. *)
+    {!Flow.Schedule}, each instance one call. Fails on a signal that is read
+    before it is computed. *)

@@ -1,0 +1,42 @@
+open Basis
+
+let is_stateful : Ir.rhs -> bool = function
+  | Delay _ | Time | Integral _ | Derivative _ -> true
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ -> false
+
+let check_node (program : Ir.program) (node : Ir.node) =
+  let static = Hashtbl.create 64 in
+  let add (s : Ir.signal) = Hashtbl.replace static s.id () in
+  let is_static : Ir.atom -> bool = function
+    | Signal s -> Hashtbl.mem static s.id
+    | Bool _ | Int _ | Float _ -> true
+  in
+  let is_function (i : Ir.instance) = program.nodes.(i.node).kind = Function in
+  let classify = function
+    | Schedule.Equation e ->
+        if (not (is_stateful e.rhs)) && List.for_all is_static (Operands.all e.rhs) then
+          add e.defines
+    | Instance i ->
+        if is_function i && List.for_all is_static i.statics && List.for_all is_static i.inputs then
+          List.iter add i.outputs
+  in
+  let expect what a =
+    if not (is_static a) then
+      Diagnostic.bug ~stage:"Flow.Initialization" "%s in `%s` is not static" what node.name
+  in
+  List.iter add node.statics;
+  List.iter classify (Schedule.as_far_as_possible node);
+  List.iter
+    (fun (e : Ir.equation) ->
+      match e.rhs with
+      | Delay { init; next = _ } -> expect "an initial value" init
+      | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Time | Integral _
+      | Derivative _ ->
+          ())
+    node.equations;
+  List.iter
+    (fun (i : Ir.instance) ->
+      if not (is_function i) then List.iter (expect ("what `" ^ i.name ^ "` starts with")) i.statics)
+    node.instances
+
+let check (program : Ir.program) = Array.iter (check_node program) program.nodes
