@@ -203,11 +203,16 @@ let program (program : Ir.program) =
       fresh = next_id program;
     }
   in
+  let changed = ref false in
   Array.iteri
-    (fun index node ->
+    (fun index (node : Ir.node) ->
       let is_small (i : Ir.instance) = context.is_small.(i.node) in
-      let node = open_loops context (expand_chosen context is_small node) in
-      context.nodes.(index) <- node;
-      context.is_small.(index) <- size node <= small)
+      let expanded =
+        if List.exists is_small node.instances then expand_chosen context is_small node else node
+      in
+      let expanded = if expanded.instances = [] then expanded else open_loops context expanded in
+      if expanded != node then changed := true;
+      context.nodes.(index) <- expanded;
+      context.is_small.(index) <- size expanded <= small)
     program.nodes;
-  { program with nodes = context.nodes }
+  if !changed then { program with nodes = context.nodes } else program

@@ -11,3 +11,4 @@
     front where they would clash; spans stay where the programmer wrote. *)
 
 val program : Ir.program -> Ir.program
+(** The same program, physically, if there was nothing to inline. *)
