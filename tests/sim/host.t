@@ -3,7 +3,7 @@ depend on the machine.)
 
   $ sim () { ../../runtime/frob-sim "$@"; }
   $ world=../../examples/wall_follow/world.toml
-  $ sim ./wall_follower.so --world $world --for 30 --record one.csv --picture run.svg | sed 's/: [0-9.]* m$/: N m/; s/second: .*/second: N/'
+  $ sim ./wall_follower.so --world $world --target 0.5 --for 30 --record one.csv --picture run.svg | sed 's/: [0-9.]* m$/: N m/; s/second: .*/second: N/'
   time simulated: 30.000 s
   distance driven: N m
   wall distance to keep: N m
