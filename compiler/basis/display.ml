@@ -3,7 +3,6 @@ type glyph = { shown : string; columns : int }
 type t = {
   glyphs : glyph array;
   column_at : int array;  (** by byte offset, with one entry past the end *)
-  character_at : int array;  (** likewise *)
 }
 
 let replacement = "\xef\xbf\xbd"
@@ -28,6 +27,7 @@ let glyph text i =
   | 1, 0x09 -> (1, { shown = "    "; columns = 4 })
   | 1, code when code < 0x20 || code = 0x7f -> (1, { shown = replacement; columns = 1 })
   | 0, _ -> (1, { shown = replacement; columns = 1 })
+  | length, 0xfeff when i = 0 -> (length, { shown = ""; columns = 0 })
   | length, code when within code disguise -> (length, { shown = replacement; columns = 1 })
   | length, code ->
       let columns =
@@ -40,32 +40,38 @@ let glyph text i =
 
 let of_line text =
   let n = String.length text in
-  let column_at = Array.make (n + 1) 0 and character_at = Array.make (n + 1) 0 in
-  let rec go i column count glyphs =
+  let column_at = Array.make (n + 1) 0 in
+  let rec go i column glyphs =
     if i >= n then begin
       column_at.(n) <- column;
-      character_at.(n) <- count;
       Array.of_list (List.rev glyphs)
     end
     else begin
       let length, glyph = glyph text i in
-      for k = i to i + length - 1 do
-        column_at.(k) <- column;
-        character_at.(k) <- count
-      done;
-      go (i + length) (column + glyph.columns) (count + 1) (glyph :: glyphs)
+      Array.fill column_at i length column;
+      go (i + length) (column + glyph.columns) (glyph :: glyphs)
     end
   in
-  let glyphs = go 0 0 0 [] in
-  { glyphs; column_at; character_at }
-
-let at table offset =
-  let last = Array.length table - 1 in
-  if offset <= last then table.(max 0 offset) else table.(last) + offset - last
+  let glyphs = go 0 0 [] in
+  { glyphs; column_at }
 
 let width t = t.column_at.(Array.length t.column_at - 1)
-let column t offset = at t.column_at offset
-let character t offset = at t.character_at offset
+
+let column t offset =
+  let last = Array.length t.column_at - 1 in
+  if offset <= last then t.column_at.(max 0 offset) else t.column_at.(last) + offset - last
+
+let byte_order_mark = "\xef\xbb\xbf"
+
+let is_marked text = String.length text >= 3 && String.equal (String.sub text 0 3) byte_order_mark
+
+let characters_before text offset =
+  let n = String.length text in
+  let rec go i count =
+    if i >= offset || i >= n then count + max 0 (offset - max i n)
+    else go (i + max 1 (fst (Utf8.decode text i))) (count + 1)
+  in
+  if is_marked text then go 3 0 else go 0 0
 
 let part t ~from ~width =
   let text = Buffer.create 80 in

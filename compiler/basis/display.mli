@@ -12,8 +12,9 @@ val column : t -> int -> int
 (** The terminal column, from 0, at which this byte offset of the line is
     shown; offsets past the end go on at one column each. *)
 
-val character : t -> int -> int
-(** How many characters stand before this byte offset. *)
+val characters_before : string -> int -> int
+(** How many characters stand before this byte offset of a line; a byte order
+    mark is none. *)
 
 val part : t -> from:int -> width:int -> string
 (** What is shown in [width] columns from column [from] on. *)

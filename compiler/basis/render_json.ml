@@ -42,11 +42,13 @@ let rec add buffer = function
 
 let character source (p : Span.position) file =
   match Source.line source file p.line with
-  | Some line -> 1 + Display.character (Display.of_line line) (p.column - 1)
+  | Some line -> 1 + Display.characters_before line (p.column - 1)
   | None -> p.column
 
-(* The lines of a long place would say nothing that its ends do not. *)
+(* The lines of a long place would say nothing that its ends do not, and a very
+   long line is no text for people. *)
 let most_lines = 10
+let longest_line = 2000
 
 let span source ~primary ~label (at : Span.t) =
   let column_start = character source at.start at.file in
@@ -56,8 +58,9 @@ let span source ~primary ~label (at : Span.t) =
   let line n =
     match Source.line source at.file n with
     | None -> None
+    | Some text when String.length text > longest_line -> None
     | Some text ->
-        let whole = 1 + Display.character (Display.of_line text) (String.length text) in
+        let whole = 1 + Display.characters_before text (String.length text) in
         Some
           (Object
              [

@@ -1,4 +1,5 @@
-(* A mark under one line: from column to column of the terminal. *)
+(* A mark under one line: from byte to byte of the line first, and then from
+   column to column of the terminal. *)
 type mark = { main : bool; from : int; upto : int; text : string }
 
 let widest_line = 120
@@ -22,12 +23,7 @@ let mark_colour paint main text = if main then main_colour paint text else frame
    several lines is marked at its first and its last one. *)
 let lines_of source ~main ((at : Span.t), text) =
   let line n = Option.value ~default:"" (Source.line source at.file n) in
-  let mark n first stop text =
-    let display = Display.of_line (line n) in
-    let from = Display.column display (first - 1) in
-    let upto = max (from + 1) (Display.column display (stop - 1)) in
-    (n, { main; from; upto; text })
-  in
+  let mark n first stop text = (n, { main; from = first - 1; upto = stop - 1; text }) in
   let first_letter n =
     let s = line n in
     let rec go i = if i < String.length s && (s.[i] = ' ' || s.[i] = '\t') then go (i + 1) else i in
@@ -123,7 +119,28 @@ let rows paint marks ~width =
       in
       beside @ (if hanging = [] then [] else [ bars hanging ]) @ hang hanging
 
-(* A part of a very long line, around its first mark. *)
+let in_columns display mark =
+  let from = Display.column display mark.from in
+  { mark with from; upto = max (from + 1) (Display.column display mark.upto) }
+
+(* So much of a line that is longer than any screen is looked at. *)
+let longest_line = 4000
+
+let cut line marks =
+  let length = String.length line in
+  if length <= longest_line then (line, marks)
+  else
+    let first = List.fold_left (fun least m -> min least m.from) length marks in
+    let rec boundary i =
+      if i > 0 && i < length && Utf8.is_continuation line.[i] then boundary (i - 1) else i
+    in
+    let start = boundary (max 0 (min first length - (longest_line / 2))) in
+    let stop = boundary (min length (start + longest_line)) in
+    let shift column = max 0 (min (stop - start) (column - start)) in
+    ( String.sub line start (stop - start),
+      List.map (fun m -> { m with from = shift m.from; upto = shift m.upto }) marks )
+
+(* A part of a long line, around its first mark. *)
 let window display marks =
   let from =
     if Display.width display <= widest_line then 0
@@ -159,8 +176,9 @@ let excerpt paint source file places ~gutter =
         | groups -> (n, [ m ]) :: groups)
   in
   let show n marks =
-    let display = Display.of_line (Option.value ~default:"" (Source.line source file n)) in
-    let text, marks = window display marks in
+    let line, marks = cut (Option.value ~default:"" (Source.line source file n)) marks in
+    let display = Display.of_line line in
+    let text, marks = window display (List.map (in_columns display) marks) in
     let number = frame paint (Printf.sprintf "%*d |" gutter n) in
     let code = if text = "" then number else number ^ " " ^ text in
     let width = 2 + List.fold_left (fun w m -> max w m.upto) 0 marks in
@@ -185,7 +203,7 @@ let excerpt paint source file places ~gutter =
 let place source (at : Span.t) =
   let column =
     match Source.line source at.file at.start.line with
-    | Some line -> 1 + Display.character (Display.of_line line) (at.start.column - 1)
+    | Some line -> 1 + Display.characters_before line (at.start.column - 1)
     | None -> at.start.column
   in
   Printf.sprintf "%s:%d:%d" at.file at.start.line column

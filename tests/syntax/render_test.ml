@@ -12,6 +12,7 @@ let source =
      \ty = 1\ns = \"é日本\" + \027[31m + a\nlast = 9";
   Source.add source ~file:"other.frob" "one\ntwo\nthree\r\n";
   Source.add source ~file:"long.frob" (String.make 5000 'a' ^ "!" ^ String.make 5000 'b');
+  Source.add source ~file:"marked.frob" "\xef\xbb\xbfx = 1\n";
   source
 
 let error at = Diagnostic.error ~code:"E0999" ~at "something is wrong"
@@ -138,6 +139,14 @@ let text =
         in
         Alcotest.(check bool) "short" true (String.length text < 400);
         Alcotest.(check bool) "shows the place" true (String.contains text '!'));
+    shows "a byte order mark is no character" (error (at ~file:"marked.frob" 1 4 1 5))
+      [
+        "error[E0999]: something is wrong";
+        " --> marked.frob:1:1";
+        "  |";
+        "1 | x = 1";
+        "  | ^";
+      ];
     Alcotest.test_case "colour adds only colour" `Quick (fun () ->
         let d = error (at 2 1 2 6) |> Diagnostic.hint "h" in
         let coloured = Render_text.diagnostic ~colour:true source d in
