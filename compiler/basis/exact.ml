@@ -121,12 +121,24 @@ module Natural = struct
       (normalize quotient, !rest)
     end
 
-  let rec gcd a b = if is_zero b then a else gcd b (snd (divide a b))
 
   let to_int_opt a =
     let n = Array.length a in
     if n > 5 || (n = 5 && a.(4) >= 400) then None
     else Some (Array.fold_right (fun d n -> (n * base) + d) a 0)
+
+  (* Nearly all literals are small. *)
+  let rec gcd a b =
+    match (to_int_opt a, to_int_opt b) with
+    | Some m, Some n ->
+        let rec euclid m n = if n = 0 then m else euclid n (m mod n) in
+        of_int (euclid m n)
+    | _, _ -> if is_zero b then a else gcd b (snd (divide a b))
+
+  let quotient a b =
+    match (to_int_opt a, to_int_opt b) with
+    | Some m, Some n -> of_int (m / n)
+    | _, _ -> fst (divide a b)
 
   let of_digits text =
     let n = String.length text in
@@ -156,8 +168,8 @@ let reduce negative numerator denominator =
     let g = Natural.gcd numerator denominator in
     {
       negative;
-      numerator = fst (Natural.divide numerator g);
-      denominator = fst (Natural.divide denominator g);
+      numerator = Natural.quotient numerator g;
+      denominator = Natural.quotient denominator g;
     }
 
 let of_int n = { negative = n < 0; numerator = Natural.of_int (abs n); denominator = Natural.of_int 1 }
@@ -281,7 +293,7 @@ let to_int32 t =
 (* Scale by a power of two until the quotient has at least 64 bits, keep its
    top bits and whether anything was left over (sticky), and let the rounding
    to 53 bits (fewer below the normal range) be done once, on an integer. *)
-let to_float t =
+let to_float_by_bits t =
   if Natural.is_zero t.numerator then 0.
   else begin
     let two_to n = Natural.power (Natural.of_int 2) n in
@@ -312,6 +324,15 @@ let to_float t =
     let magnitude = if exponent > 1023 then infinity else ldexp (float_of_int rounded) lowest in
     if t.negative then -.magnitude else magnitude
   end
+
+let to_float t =
+  let exact n = n <= 1 lsl 53 in
+  match (Natural.to_int_opt t.numerator, Natural.to_int_opt t.denominator) with
+  | Some n, Some d when exact n && exact d ->
+      (* Both are doubles, so the one rounding is that of the division. *)
+      let magnitude = float_of_int n /. float_of_int d in
+      if t.negative then -.magnitude else magnitude
+  | _, _ -> to_float_by_bits t
 
 let to_string t =
   let sign = if t.negative then "-" else "" in
