@@ -29,8 +29,8 @@ type t = {
   fresh : unit -> int;
   definitions : (string * string, definition) Hashtbl.t;
   names : Names.t;
-  globals : (int, Value.t) Hashtbl.t;
-  specializations : (int, specialization) Hashtbl.t;
+  globals : Value.t Variables.Table.t;
+  specializations : specialization Variables.Table.t;
   counts : (string, int) Hashtbl.t;
   mutable nodes : Flow.Ir.node list;
   mutable node_count : int;
@@ -60,8 +60,8 @@ let create sink options (program : Core.Ir.program) =
     fresh;
     definitions;
     names = Names.create ();
-    globals = Hashtbl.create 64;
-    specializations = Hashtbl.create 256;
+    globals = Variables.Table.create 64;
+    specializations = Variables.Table.create 256;
     counts = Hashtbl.create 64;
     nodes = [];
     node_count = 0;

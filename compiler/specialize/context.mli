@@ -44,8 +44,8 @@ type t = {
   fresh : unit -> int;
   definitions : (string * string, definition) Hashtbl.t;
   names : Names.t;  (** of nodes *)
-  globals : (int, Value.t) Hashtbl.t;  (** values of definitions without signals *)
-  specializations : (int, specialization) Hashtbl.t;  (** by {!Skeleton.key} *)
+  globals : Value.t Variables.Table.t;  (** values of definitions without signals *)
+  specializations : specialization Variables.Table.t;  (** by {!Skeleton.key} *)
   counts : (string, int) Hashtbl.t;  (** specializations of a definition *)
   mutable nodes : Flow.Ir.node list;  (** the last one first *)
   mutable node_count : int;

@@ -188,13 +188,13 @@ and global (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types =
         }
         (fun trail node _ -> expr c (inside trail node) Unnamed core.body)
   else
-    match (Hashtbl.find_opt c.globals key, Hashtbl.find_opt (Node.globals s.node) key) with
+    match (Variables.Table.find_opt c.globals key, Node.global s.node key) with
     | Some value, _ | None, Some value -> value
     | None, None ->
         let before = Node.size s.node in
         let value = expr c (inside trail s.node) (Named name.name) core.body in
-        let known = if Node.size s.node = before then c.globals else Node.globals s.node in
-        Hashtbl.replace known key value;
+        if Node.size s.node = before then Variables.Table.replace c.globals key value
+        else Node.add_global s.node key value;
         value
 
 (* [result]: the type after all arguments. *)
@@ -253,11 +253,11 @@ and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (b
 
 (* A function of [()] says always the same: it is evaluated in place, once. *)
 and join s (closure : Value.closure) evaluate =
-  match Hashtbl.find_opt (Node.joins s.node) closure.identity with
+  match Node.join s.node closure.identity with
   | Some value -> value
   | None ->
       let value = evaluate () in
-      Hashtbl.replace (Node.joins s.node) closure.identity value;
+      Node.add_join s.node closure.identity value;
       value
 
 (* [applied] has captured its arguments too. *)

@@ -1,17 +1,18 @@
 open Basis
 module Set = Variables.Set
+module Table = Variables.Table
 module Ir = Core.Ir
 
-type table = { free : (int, Set.t) Hashtbl.t; used : (int, unit) Hashtbl.t }
+type table = { free : Set.t Table.t; used : unit Table.t }
 
-let table () = { free = Hashtbl.create 256; used = Hashtbl.create 256 }
+let table () = { free = Table.create 256; used = Table.create 256 }
 
 (* What stays free around a parameter, having noted whether it is used. *)
 let bind table (binder : Ir.binder) body =
   let id = binder.local.id in
-  if Set.mem id body then Hashtbl.replace table.used id ();
+  if Set.mem id body then Table.replace table.used id ();
   let free = Set.remove id body in
-  Hashtbl.replace table.free id free;
+  Table.replace table.free id free;
   free
 
 let rec free table (e : Ir.expr) =
@@ -31,7 +32,7 @@ let rec free table (e : Ir.expr) =
   | Proc proc -> free_of_proc table proc
 
 and named table (binder : Ir.binder) parameters in_value =
-  if parameters <> [] then Hashtbl.replace table.free binder.local.id in_value;
+  if parameters <> [] then Table.replace table.free binder.local.id in_value;
   in_value
 
 and free_of_proc table (proc : Ir.proc) =
@@ -59,8 +60,8 @@ and free_of_proc table (proc : Ir.proc) =
 let expr table e = ignore (free table e)
 
 let of_code table id =
-  match Hashtbl.find_opt table.free id with
+  match Table.find_opt table.free id with
   | Some set -> set
   | None -> Diagnostic.bug ~stage:"Specialize.Free" "no code is named by %d" id
 
-let uses_binder table id = Hashtbl.mem table.used id
+let uses_binder table id = Table.mem table.used id

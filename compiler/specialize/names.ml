@@ -1,19 +1,20 @@
-(* For each name given out, the number to try next when it is wanted again. *)
-type t = (string, int) Hashtbl.t
+module Strings = Map.Make (String)
 
-let create () = Hashtbl.create 8
+(* For each name given out, the number to try next when it is wanted again. *)
+type t = { mutable next : int Strings.t }
+
+let create () = { next = Strings.empty }
 
 let unique t name =
   let rec numbered k =
     let candidate = Printf.sprintf "%s_%d" name k in
-    if Hashtbl.mem t candidate then numbered (k + 1)
+    if Strings.mem candidate t.next then numbered (k + 1)
     else (
-      Hashtbl.replace t name (k + 1);
-      Hashtbl.replace t candidate 2;
+      t.next <- Strings.add candidate 2 (Strings.add name (k + 1) t.next);
       candidate)
   in
-  match Hashtbl.find_opt t name with
+  match Strings.find_opt name t.next with
   | Some next -> numbered next
   | None ->
-      Hashtbl.replace t name 2;
+      t.next <- Strings.add name 2 t.next;
       name

@@ -5,10 +5,10 @@ type t = {
   mutable equations : Ir.equation list;  (* the last one first *)
   mutable instances : Ir.instance list;  (* likewise *)
   mutable size : int;
-  promised : (int, unit) Hashtbl.t;  (* signals that have no equation yet *)
+  mutable promised : Variables.Set.t;  (* signals that have no equation yet *)
   instance_names : Names.t;
-  globals : (int, Value.t) Hashtbl.t;
-  joins : (int, Value.t) Hashtbl.t;
+  mutable globals : Value.t Variables.t;
+  mutable joins : Value.t Variables.t;
 }
 
 type target =
@@ -22,10 +22,10 @@ let create ~fresh =
     equations = [];
     instances = [];
     size = 0;
-    promised = Hashtbl.create 8;
+    promised = Variables.Set.empty;
     instance_names = Names.create ();
-    globals = Hashtbl.create 8;
-    joins = Hashtbl.create 8;
+    globals = Variables.empty;
+    joins = Variables.empty;
   }
 
 let rec split count taken rest =
@@ -64,7 +64,7 @@ let promise t ~name ~span leaves =
   List.map
     (fun (leaf : Types.leaf) ->
       let signal = signal t ~name:(Types.join name leaf.path) ~span leaf.leaf in
-      Hashtbl.replace t.promised signal.id ();
+      t.promised <- Variables.Set.add signal.id t.promised;
       signal)
     leaves
 
@@ -72,7 +72,7 @@ let promise t ~name ~span leaves =
 let target_signal t target ~span ty =
   match target with
   | Defines [ signal ] ->
-      Hashtbl.remove t.promised signal.Ir.id;
+      t.promised <- Variables.Set.remove signal.Ir.id t.promised;
       signal
   | Named name -> signal t ~name ~span ty
   | Unnamed | Defines ([] | _ :: _ :: _) -> signal t ~name:"" ~span ty
@@ -86,7 +86,7 @@ let define t target ~span ty rhs =
 let settle t ~span signals atoms =
   List.iter2
     (fun (signal : Ir.signal) atom ->
-      if Hashtbl.mem t.promised signal.id then
+      if Variables.Set.mem signal.id t.promised then
         ignore (define t (Defines [ signal ]) ~span signal.ty (Copy atom)))
     signals atoms
 
@@ -100,5 +100,7 @@ let call t targets ~callee ~node ~span ~statics ~inputs tys =
 let size t = t.size
 let equations t = List.rev t.equations
 let instances t = List.rev t.instances
-let globals t = t.globals
-let joins t = t.joins
+let global t key = Variables.find_opt key t.globals
+let add_global t key value = t.globals <- Variables.add key value t.globals
+let join t identity = Variables.find_opt identity t.joins
+let add_join t identity value = t.joins <- Variables.add identity value t.joins

@@ -50,9 +50,15 @@ val size : t -> int
 val equations : t -> Flow.Ir.equation list
 val instances : t -> Flow.Ir.instance list
 
-val globals : t -> (int, Value.t) Hashtbl.t
-(** Values of definitions that are made of signals of this node. *)
+(** {1 Values that are made of signals of this node} *)
 
-val joins : t -> (int, Value.t) Hashtbl.t
-(** Results of local functions of [()], by the closure's identity: where the
-    branches of a [case] meet again. *)
+val global : t -> int -> Value.t option
+(** Of a definition, by a key. *)
+
+val add_global : t -> int -> Value.t -> unit
+
+val join : t -> int -> Value.t option
+(** The result of a local function of [()], where the branches of a [case]
+    meet again, by the closure's identity. *)
+
+val add_join : t -> int -> Value.t -> unit

@@ -2,12 +2,21 @@ open Basis
 
 let bug format = Diagnostic.bug ~stage:"Specialize.Skeleton" format
 
+module Table = Variables.Table
+
+module Steps = Hashtbl.Make (struct
+  type t = int * int
+
+  let equal (a, b) (c, d) = Int.equal a c && Int.equal b d
+  let hash (a, b) = ((a * 65_599) + b) land max_int
+end)
+
 type table = {
   types : Types.table;
   fresh : unit -> int;
-  steps : (int * int, int) Hashtbl.t;  (* a key and one more number: the next key *)
+  steps : int Steps.t;  (* a key and one more number: the next key *)
   texts : (string, int) Hashtbl.t;
-  closed : (int, int option) Hashtbl.t;
+  closed : int option Table.t;
       (* by closure identity: the key of what it has captured if without holes *)
 }
 
@@ -15,9 +24,9 @@ let table types ~fresh =
   {
     types;
     fresh;
-    steps = Hashtbl.create 1024;
+    steps = Steps.create 1024;
     texts = Hashtbl.create 16;
-    closed = Hashtbl.create 256;
+    closed = Table.create 256;
   }
 
 exception Needs_itself of Core.Ir.Local.t
@@ -49,19 +58,20 @@ type walk = {
   node : Node.t;
   mutable state : int;
   mutable holes : hole list;  (* the last one first *)
-  seen : (int, int) Hashtbl.t;  (* closures with holes, in the order met *)
+  mutable seen : int Variables.t;  (* closures with holes, in the order met *)
+  mutable seen_count : int;
 }
 
-let walk table node = { table; node; state = 0; holes = []; seen = Hashtbl.create 8 }
+let walk table node = { table; node; state = 0; holes = []; seen = Variables.empty; seen_count = 0 }
 
 (* A trie of all sequences of numbers: its nodes are the keys. *)
 let add_number w number =
   let step = (w.state, number) in
-  match Hashtbl.find_opt w.table.steps step with
+  match Steps.find_opt w.table.steps step with
   | Some next -> w.state <- next
   | None ->
-      let next = Hashtbl.length w.table.steps + 1 in
-      Hashtbl.add w.table.steps step next;
+      let next = Steps.length w.table.steps + 1 in
+      Steps.add w.table.steps step next;
       w.state <- next
 
 let key w = w.state
@@ -148,12 +158,13 @@ and add_closure w closure =
       add_number w (code_id closure.code);
       add_number w key
   | None -> (
-      match Hashtbl.find_opt w.seen closure.identity with
+      match Variables.find_opt closure.identity w.seen with
       | Some order ->
           add_number w tag_again;
           add_number w order
       | None ->
-          Hashtbl.add w.seen closure.identity (Hashtbl.length w.seen);
+          w.seen <- Variables.add closure.identity w.seen_count w.seen;
+          w.seen_count <- w.seen_count + 1;
           add_number w tag_open;
           add_number w (code_id closure.code);
           add_captured w closure)
@@ -169,7 +180,7 @@ and add_captured w (closure : Value.closure) =
     closure.captured
 
 and closed_key w closure =
-  match Hashtbl.find_opt w.table.closed closure.identity with
+  match Table.find_opt w.table.closed closure.identity with
   | Some known -> known
   | None ->
       let key =
@@ -179,7 +190,7 @@ and closed_key w closure =
           if own.holes = [] then Some own.state else None)
         else None
       in
-      Hashtbl.add w.table.closed closure.identity key;
+      Table.add w.table.closed closure.identity key;
       key
 
 (* Quickly no, or perhaps. *)
@@ -206,10 +217,10 @@ let take_holes w =
 type copy = {
   keys : table;
   mutable atoms : Flow.Ir.atom list;
-  copied : (int, Value.closure) Hashtbl.t;
+  mutable copied : Value.closure Variables.t;
 }
 
-let copy keys atoms = { keys; atoms; copied = Hashtbl.create 8 }
+let copy keys atoms = { keys; atoms; copied = Variables.empty }
 
 let next_atom c =
   match c.atoms with
@@ -245,15 +256,15 @@ let rec value c ty (original : Value.t) : Value.t =
         bug "a value that is not of type %s" (Types.to_string ty)
 
 and copy_closure c (closure : Value.closure) : Value.closure =
-  match Hashtbl.find_opt c.keys.closed closure.identity with
+  match Table.find_opt c.keys.closed closure.identity with
   | Some (Some _) -> closure
   | Some None | None -> (
-      match Hashtbl.find_opt c.copied closure.identity with
+      match Variables.find_opt closure.identity c.copied with
       | Some copied -> copied
       | None ->
           let captured = captured c closure in
           let copied = { closure with identity = c.keys.fresh (); captured } in
-          Hashtbl.add c.copied closure.identity copied;
+          c.copied <- Variables.add closure.identity copied c.copied;
           copied)
 
 and captured c (closure : Value.closure) =

@@ -64,24 +64,24 @@ let build (c : Context.t) request body : Context.specialization =
 
 (* The atoms of the caller for those of a node that only hands on. *)
 let handed_on parameters actuals outputs =
-  let actual = Hashtbl.create 8 in
-  List.iter2 (fun (s : Ir.signal) atom -> Hashtbl.replace actual s.id atom) parameters actuals;
+  let add known (s : Ir.signal) atom = Variables.add s.id atom known in
+  let known = List.fold_left2 add Variables.empty parameters actuals in
   let hand_on (atom : Ir.atom) =
     match atom with
-    | Signal s -> Hashtbl.find actual s.id
+    | Signal s -> Variables.find s.id known
     | Bool _ | Int _ | Float _ -> atom
   in
   List.map hand_on outputs
 
 let call (c : Context.t) trail caller target request body =
   let specialization =
-    match Hashtbl.find_opt c.specializations request.key with
+    match Variables.Table.find_opt c.specializations request.key with
     | Some known -> known
     | None ->
         let add trail =
           let built = build c request (body trail) in
           Context.count c trail ~name:request.name ~span:request.call;
-          Hashtbl.replace c.specializations request.key built;
+          Variables.Table.replace c.specializations request.key built;
           built
         in
         if Context.nests_deeply c trail then

@@ -12,9 +12,50 @@ and kind =
 and part = { part : string; ty : Ir.ty }
 and leaf = { path : string; leaf : Flow.Ir.ty }
 
+(* Polymorphic comparison and hashing would look at all of a type, down to the
+   characters of names. *)
+module Types = Hashtbl.Make (struct
+  type t = Ir.ty
+
+  let rec equal (a : t) (b : t) =
+    a == b
+    ||
+    match (a, b) with
+    | Variable a, Variable b -> a.id = b.id
+    | Bool, Bool | Int, Int | Float, Float | String, String -> true
+    | Tuple a, Tuple b -> equal_all a b
+    | Function (a, b), Function (c, d) | Signal_function (a, b), Signal_function (c, d) ->
+        equal a c && equal b d
+    | Data (a, arguments), Data (b, others) ->
+        String.equal a.name b.name
+        && String.equal a.module_ b.module_
+        && equal_all arguments others
+    | ( ( Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _
+        | Data _ ),
+        _ ) ->
+        false
+
+  and equal_all a b = List.compare_lengths a b = 0 && List.for_all2 equal a b
+
+  let rec hash (ty : t) =
+    match ty with
+    | Bool -> 1
+    | Int -> 2
+    | Float -> 3
+    | String -> 4
+    | Variable v -> 5 + v.id
+    | Tuple tys -> hash_all 7 tys
+    | Function (a, b) -> hash_all 11 [ a; b ]
+    | Signal_function (a, b) -> hash_all 13 [ a; b ]
+    | Data (tycon, arguments) -> hash_all (Hashtbl.hash tycon.name) arguments
+
+  and hash_all start tys =
+    List.fold_left (fun h ty -> ((h * 65_599) + hash ty) land max_int) start tys
+end)
+
 type table = {
   data : (string * string, Ir.data) Hashtbl.t;
-  layouts : (Ir.ty, layout) Hashtbl.t;
+  layouts : layout Types.t;
   mutable sums : Flow.Ir.sum list;  (* the last one first *)
   mutable sum_count : int;
 }
@@ -24,7 +65,7 @@ let data_key (tycon : Ir.Global.t) = (tycon.module_, tycon.name)
 let table data =
   let by_name = Hashtbl.create 64 in
   List.iter (fun (d : Ir.data) -> Hashtbl.replace by_name (data_key d.tycon) d) data;
-  { data = by_name; layouts = Hashtbl.create 64; sums = []; sum_count = 0 }
+  { data = by_name; layouts = Types.create 64; sums = []; sum_count = 0 }
 
 let rec close substitution (ty : Ir.ty) : Ir.ty =
   if Variables.is_empty substitution then ty
@@ -90,20 +131,22 @@ let parts_of_fields fields =
       { part = (if String.equal name "" then string_of_int (i + 1) else name); ty })
     fields
 
+let scalar leaf = (Scalar, true, [ { path = ""; leaf } ])
+
 let rec layout table (ty : Ir.ty) =
-  match Hashtbl.find_opt table.layouts ty with
+  match Types.find_opt table.layouts ty with
   | Some known -> known
   | None ->
       let kind, first_order, leaves = analyse table ty in
-      let layout = { id = Hashtbl.length table.layouts; kind; first_order; leaves } in
-      Hashtbl.add table.layouts ty layout;
+      let layout = { id = Types.length table.layouts; kind; first_order; leaves } in
+      Types.add table.layouts ty layout;
       layout
 
 and analyse table (ty : Ir.ty) =
   match ty with
-  | Bool -> (Scalar, true, [ { path = ""; leaf = Bool } ])
-  | Int -> (Scalar, true, [ { path = ""; leaf = Int } ])
-  | Float -> (Scalar, true, [ { path = ""; leaf = Float } ])
+  | Bool -> scalar Bool
+  | Int -> scalar Int
+  | Float -> scalar Float
   | String | Function _ | Signal_function _ -> (Opaque, false, [])
   | Variable v ->
       Diagnostic.bug ~stage:"Specialize.Types" "the type variable `%s` has no type" v.name
