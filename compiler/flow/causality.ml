@@ -1,8 +1,30 @@
 open Basis
 
-(* One step of a loop: [reader] is defined by what reads [read] at [at],
-   through the nodes [via]. *)
-type hop = { reader : Ir.signal; read : Ir.signal; at : Span.t; via : string list }
+(* An instance on the way: of the node [through], which passes its input
+   [input] on to its output [output]. *)
+type passage = { through : Ir.node; input : string; output : Ir.atom }
+
+(* One step of a loop: [reader] is defined by what reads [read] at [at]. *)
+type hop = { reader : Ir.signal; read : Ir.signal; at : Span.t; via : passage list }
+
+let passage (program : Ir.program) dependencies (node : Dependency.node) (instance : Ir.instance) k w =
+  let through = program.nodes.(instance.node) in
+  let passed = dependencies.(instance.node).Dependency.passed.(k) in
+  let is_read j : Ir.atom -> bool = function
+    | Signal s -> Dependency.Inputs.mem j passed && node.vertex s = w
+    | Bool _ | Int _ | Float _ -> false
+  in
+  let rec input j (parameters : Ir.signal list) atoms =
+    match (parameters, atoms) with
+    | p :: _, a :: _ when is_read j a -> p.name
+    | _ :: parameters, _ :: atoms -> input (j + 1) parameters atoms
+    | [], _ | _, [] -> ""
+  in
+  {
+    through;
+    input = input 0 through.inputs instance.inputs;
+    output = snd (List.nth through.outputs k);
+  }
 
 let origin (program : Ir.program) (instance : Ir.instance) = program.nodes.(instance.node).origin
 
@@ -19,7 +41,8 @@ let hop program dependencies (node : Dependency.node) (v, w) =
     | Equation e, Some read -> Some { reader = e.defines; read; at = e.span; via = [] }
     | Output (instance, k), Some read ->
         let reader = List.nth instance.outputs k in
-        Some { reader; read; at = instance.span; via = [ origin program instance ] }
+        let via = [ passage program dependencies node instance k w ] in
+        Some { reader; read; at = instance.span; via }
   in
   match List.find_map reading node.definitions.(v) with
   | Some hop -> hop
@@ -59,7 +82,30 @@ let named_hops hops =
 
 let through = function
   | [] -> ""
-  | via -> ", through " ^ String.concat " and " (List.map (Printf.sprintf "`%s`") via)
+  | via ->
+      let name passage = Printf.sprintf "`%s`" passage.through.Ir.origin in
+      ", through " ^ String.concat " and " (List.map name via)
+
+(* A loop may be closed in the library, by [loop] say, around a signal function
+   of the program: where that lets its input pass is what can be changed. *)
+let elsewhere hop =
+  List.filter_map
+    (fun passage ->
+      match passage.output with
+      | Signal output when passage.input <> "" && output.span.file <> hop.at.file ->
+          Some (passage, output.span)
+      | Signal _ | Bool _ | Int _ | Float _ -> None)
+    hop.via
+
+let label_elsewhere hop d =
+  let label d (passage, at) =
+    let text =
+      Printf.sprintf "`%s` passes `%s` on to this in the same instant" passage.through.Ir.origin
+        passage.input
+    in
+    Diagnostic.label ~at text d
+  in
+  List.fold_left label d (elsewhere hop)
 
 let reads hop = Printf.sprintf "reads `%s` here%s" hop.read.name (through hop.via)
 
@@ -69,7 +115,11 @@ let is_expression name =
     (fun part -> part <> "" && not (part.[0] >= '0' && part.[0] <= '9'))
     (String.split_on_char '.' name)
 
-let hint first last =
+let hint_elsewhere passage =
+  Printf.sprintf "let `%s` read the previous value of `%s`, with `delay`" passage.through.Ir.origin
+    passage.input
+
+let hint_here first last =
   let name = last.read.name in
   let whose =
     if last.reader.id = last.read.id then Printf.sprintf "let `%s` read its own previous value" name
@@ -91,15 +141,21 @@ let report_named hops =
   let last = List.nth hops (List.length hops - 1) in
   let at = first.reader.span in
   let label d hop =
-    if Span.compare hop.at at = 0 && d.Diagnostic.here = "" then Diagnostic.here (reads hop) d
-    else Diagnostic.label ~at:hop.at (Printf.sprintf "`%s` %s" hop.reader.name (reads hop)) d
+    (if Span.compare hop.at at = 0 && d.Diagnostic.here = "" then Diagnostic.here (reads hop) d
+    else Diagnostic.label ~at:hop.at (Printf.sprintf "`%s` %s" hop.reader.name (reads hop)) d)
+    |> label_elsewhere hop
   in
   let d =
     Diagnostic.error ~code:"E0401" ~at "signal `%s` needs its own value in the same instant"
       first.reader.name
   in
   let shown, left_out = shorten hops in
-  let d = List.fold_left label d shown |> Diagnostic.hint (hint first last) in
+  let hint =
+    match List.concat_map elsewhere hops with
+    | (passage, _) :: _ -> hint_elsewhere passage
+    | [] -> hint_here first last
+  in
+  let d = List.fold_left label d shown |> Diagnostic.hint hint in
   if left_out = 0 then d
   else
     Diagnostic.note

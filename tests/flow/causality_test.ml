@@ -183,6 +183,30 @@ let library_loop_shows_its_use () =
     ]
     (Build.program p)
 
+let library_loop_shows_what_it_closes () =
+  let p = Build.create () in
+  let own =
+    Build.node p "step" (fun b ->
+        let c = Build.input b "c" in
+        [ ("", Build.op b Add [ c; Float 1. ]) ])
+  in
+  let loop =
+    Build.node ~file:"Prelude.frob" p "loop" (fun b ->
+        let z = Build.declare b "z" in
+        Build.call ~line:1 b own [ Signal z ] [ z ];
+        [ ("", Signal z) ])
+  in
+  ignore (Build.node p "main" (fun b -> [ ("", Build.run b loop [] "y") ]));
+  check
+    [
+      "Prelude.frob:1 E0401: signal `z` needs its own value in the same instant [reads `z` here, \
+       through `step`]\n\
+      \  test.frob:2: `step` passes `c` on to this in the same instant\n\
+      \  test.frob:1: `loop` runs here\n\
+      \  hint: let `step` read the previous value of `c`, with `delay`";
+    ]
+    (Build.program p)
+
 let large ~closed =
   build (fun b ->
       let n = 100_000 in
@@ -220,6 +244,8 @@ let () =
           case "a group of leaves is judged as one" groups_are_judged_as_one;
           case "each loop is reported" each_loop_is_reported;
           case "a loop in the library shows where it is used" library_loop_shows_its_use;
+          case "a loop in the library shows what it is closed around"
+            library_loop_shows_what_it_closes;
           case "nodes of 100,000 equations" large_nodes;
         ] );
     ]
