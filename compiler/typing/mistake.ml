@@ -85,14 +85,16 @@ let explain_subject subject reason diagnostic =
 (* {1 Units} *)
 
 let units words ~at ~(expected : expected) ~found (wanted, given) =
+  let text = Show.measure words and is_one u = Units.equal u Units.one in
+  let error format = error ~code:"E0320" ~at format in
   let diagnostic =
     match expected.because with
     | Operand { operator; _ } ->
-        error ~code:"E0320" ~at "the operands of `%s` have different units: `%s` and `%s`" operator
-          (Show.measure words wanted) (Show.measure words given)
-    | _ ->
-        error ~code:"E0320" ~at "expected the unit `%s`, found `%s`" (Show.measure words wanted)
-          (Show.measure words given)
+        error "the operands of `%s` have different units: `%s` and `%s`" operator (text wanted)
+          (text given)
+    | _ when is_one wanted -> error "expected no unit, found `%s`" (text given)
+    | _ when is_one given -> error "expected the unit `%s`, found none" (text wanted)
+    | _ -> error "expected the unit `%s`, found `%s`" (text wanted) (text given)
   in
   let is_number t = match Type.expand t with Number _ -> true | _ -> false in
   let diagnostic = here (Printf.sprintf "this is %s" (described words found)) diagnostic in

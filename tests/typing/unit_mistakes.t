@@ -1,0 +1,147 @@
+Units that do not fit are shown in the words of the program, with the names of
+aliases, at both places.
+
+  $ cat > operands.frob <<FROB
+  > vMax :: Velocity
+  > vMax = 0.4[m/s]
+  > 
+  > ahead :: Distance -> Distance
+  > ahead d = d + vMax
+  > FROB
+  $ frobc check operands.frob
+  error[E0320]: the operands of `+` have different units: `m` and `m/s`
+   --> operands.frob:5:15
+    |
+  5 | ahead d = d + vMax
+    |           -   ^^^^ this is `Velocity` (m/s)
+    |           |
+    |           this is `Distance` (m)
+  
+  1 error
+  [1]
+
+The second branch has to agree with the first.
+
+  $ cat > branches.frob <<FROB
+  > near :: Distance -> Velocity -> Bool -> Distance
+  > near d v far = 2.0 * (if far then d else v)
+  > FROB
+  $ frobc check branches.frob
+  error[E0320]: expected the unit `m`, found `m/s`
+   --> branches.frob:2:42
+    |
+  2 | near d v far = 2.0 * (if far then d else v)
+    |                                   -      ^ this is `Velocity` (m/s)
+    |                                   |
+    |                                   this branch is `Distance` (m)
+  
+  1 error
+  [1]
+
+An argument is held against the signature of what takes it, and a component
+against its part of the signature.
+
+  $ cat > signatures.frob <<FROB
+  > stop :: Velocity -> Float[m/s^2] -> Time
+  > stop v a = v / a
+  > 
+  > brake :: Distance -> Velocity -> (Time, Distance)
+  > brake d v = (stop d 2.0[m/s^2], v)
+  > FROB
+  $ frobc check signatures.frob
+  error[E0320]: expected the unit `m/s`, found `m`
+   --> signatures.frob:5:19
+    |
+  5 | brake d v = (stop d 2.0[m/s^2], v)
+    |              ---- ^ this is `Distance` (m)
+    |              |
+    |              argument 1 of `stop` is `Velocity` (m/s)
+  
+  error[E0320]: expected the unit `m`, found `m/s`
+   --> signatures.frob:5:33
+    |
+  4 | brake :: Distance -> Velocity -> (Time, Distance)
+    |          ---------------------------------------- the signature of `brake` asks for `Distance` (m)
+  5 | brake d v = (stop d 2.0[m/s^2], v)
+    |                                 ^ this is `Velocity` (m/s)
+  
+  2 errors
+  [1]
+
+Units with a name of their own keep it; wrong roots and powers show.
+
+  $ cat > named.frob <<FROB
+  > force :: Float[kg] -> Float[m/s^2] -> Float[N]
+  > force m a = m * a + 2.0[J]
+  > 
+  > side :: Float[m^2] -> Distance
+  > side area = area / 2
+  > FROB
+  $ frobc check named.frob
+  error[E0320]: the operands of `+` have different units: `N` and `J`
+   --> named.frob:2:21
+    |
+  2 | force m a = m * a + 2.0[J]
+    |             -----   ^^^^^^ this is `Float[J]`
+    |             |
+    |             this is `Float[N]`
+  
+  error[E0320]: expected the unit `m`, found `m^2`
+   --> named.frob:5:13
+    |
+  4 | side :: Float[m^2] -> Distance
+    |         ---------------------- the signature of `side` asks for `Distance` (m)
+  5 | side area = area / 2
+    |             ^^^^^^^^ this is `Float[m^2]`
+  
+  2 errors
+  [1]
+
+A signature for every unit that works for one, or for a related one, only.
+
+  $ cat > general.frob <<FROB
+  > raised :: Float[u] -> Float[u]
+  > raised x = x + 1[m]
+  > 
+  > square :: Float[u] -> Float[u]
+  > square x = x * x
+  > FROB
+  $ frobc check general.frob
+  error[E0306]: the signature promises every unit `u`, but the definition needs it to be `m`
+   --> general.frob:2:16
+    |
+  1 | raised :: Float[u] -> Float[u]
+    |           -------------------- `u` is any unit in the signature of `raised`
+  2 | raised x = x + 1[m]
+    |                ^^^^ this is `Float[m]`
+  
+  error[E0320]: expected the unit `u`, found `u^2`
+   --> general.frob:5:12
+    |
+  4 | square :: Float[u] -> Float[u]
+    |           -------------------- the signature of `square` asks for `Float[u]`
+  5 | square x = x * x
+    |            ^^^^^ this is `Float[u^2]`
+  
+  2 errors
+  [1]
+
+One mistake is one message, however often what it defines is used.
+
+  $ cat > once.frob <<FROB
+  > pace = 1[m] + 1[s]
+  > twice = 2 * pace
+  > run :: SF () Distance
+  > run = proc () -> twice * time () + integral pace
+  > FROB
+  $ frobc check once.frob
+  error[E0320]: the operands of `+` have different units: `m` and `s`
+   --> once.frob:1:15
+    |
+  1 | pace = 1[m] + 1[s]
+    |        ----   ^^^^ this is a number of `s`
+    |        |
+    |        this is a number of `m`
+  
+  1 error
+  [1]
