@@ -6,15 +6,22 @@ let beside (expected : Mistake.expected) at : Mistake.expected =
 
 (* {1 Functions} *)
 
-let too_many_parameters ctx ~name ~at (expected : Mistake.expected) allowed =
+let too_many_parameters ctx ~name ~at (expected : Mistake.expected) ~left allowed =
   report ctx (fun words ->
       let what = match name with Some name -> "`" ^ name ^ "`" | None -> "this function" in
       let diagnostic =
-        Diagnostic.error ~code:"E0302" ~at "%s has more than the %d parameter%s that its type allows"
-          what allowed
-          (if allowed = 1 then "" else "s")
+        match allowed with
+        | 0 -> Diagnostic.error ~code:"E0302" ~at "%s has a parameter, but its type is no function" what
+        | 1 -> Diagnostic.error ~code:"E0302" ~at "%s has more than the one parameter that its type allows" what
+        | _ ->
+            Diagnostic.error ~code:"E0302" ~at "%s has more than the %d parameters that its type allows"
+              what allowed
       in
-      Mistake.explain words expected.because expected.ty diagnostic)
+      let diagnostic = Mistake.explain words expected.because expected.ty diagnostic in
+      match Type.expand left with
+      | Signal_function _ ->
+          Diagnostic.hint "a signal function takes its signal in a `proc`: `proc x -> …`" diagnostic
+      | _ -> diagnostic)
 
 let abstraction ctx ~at ~name parameters (expected : Mistake.expected) body =
   let parameter (patterns, rest, position) (p : Resolve.Ir.pattern) =
@@ -31,7 +38,7 @@ let abstraction ctx ~at ~name parameters (expected : Mistake.expected) body =
           | None when position = 0 ->
               let a = Context.fresh ctx and b = Context.fresh ctx in
               expect ctx ~at { expected with ty = rest } (Function (a, b))
-          | None | Some _ -> too_many_parameters ctx ~name ~at:p.span expected position);
+          | None | Some _ -> too_many_parameters ctx ~name ~at:p.span expected ~left:rest position);
           (Type.Erroneous, Type.Erroneous)
     in
     let pattern = Infer_pattern.check ctx p { expected with ty = from } in

@@ -240,8 +240,7 @@ let mismatch words owner ~subject ~at ~(expected : expected) ~found (clash : Uni
   | Escaping ->
       finish
         (error ~code:"E0306" ~at
-           "the signature promises every type, but the definition depends on what is outside: \
-            expected %s, found %s"
+           "a signature's variable cannot depend on what is outside: expected %s, found %s"
            (described words expected.ty) (described words found))
   | Out_of_range ->
       error ~code:"E0323" ~at "the exponent of a unit is too large"

@@ -141,7 +141,7 @@ Too many and too few arguments.
     |
     = hint: an argument is missing
   
-  error[E0302]: `two` has more than the 1 parameter that its type allows
+  error[E0302]: `two` has more than the one parameter that its type allows
    --> arguments.frob:8:7
     |
   7 | two :: Float -> Float
