@@ -61,12 +61,19 @@ let readable file =
   | Error Missing -> Error (Printf.sprintf "there is no file %s" file)
   | Error (Unreadable reason) -> Error (Printf.sprintf "cannot read %s: %s" file reason)
 
+(* An entry that is not there is a wrong call, not a wrong program. *)
+let status sink =
+  let no_entry (d : Diagnostic.t) = String.equal d.code Pipeline.no_entry in
+  if List.exists no_entry (Diagnostic.all sink) then Exit_status.wrong_use
+  else if Diagnostic.has_errors sink then Exit_status.rejected
+  else Exit_status.ok
+
 let check_one general ~library file =
   let* () = readable file in
   let sink = Diagnostic.sink () and sources = Source.create () in
   Pipeline.check (options general) sink sources ~library file;
   print_diagnostics general sources sink;
-  if Diagnostic.has_errors sink then Exit_status.rejected else Exit_status.ok
+  status sink
 
 let check general files =
   let* resources = Resources.find () in
@@ -83,9 +90,7 @@ let compiled general (resources : Resources.t) ~entry file continue =
     Pipeline.compile (options general) sink sources ~library:resources.library ~entry file
   in
   print_diagnostics general sources sink;
-  match files with
-  | Some files -> continue files
-  | None -> if Diagnostic.has_errors sink then Exit_status.rejected else Exit_status.ok
+  match files with Some files -> continue files | None -> status sink
 
 let write path text =
   match open_out_bin path with

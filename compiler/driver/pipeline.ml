@@ -94,6 +94,8 @@ let check options sink sources ~library file =
 (* The C files are named after the program's file. *)
 let c_name file = Filename.remove_extension (Filename.basename file)
 
+let no_entry = "E0501"
+
 let find_entry sink (core : Core.Ir.program) ~file entry =
   let is_entry (d : Core.Ir.definition) =
     String.equal d.name.module_ core.main_module && String.equal d.name.name entry
@@ -108,7 +110,7 @@ let find_entry sink (core : Core.Ir.program) ~file entry =
           core.definitions
       in
       let diagnostic =
-        Diagnostic.error ~code:"E0501" ~at:(Span.start_of_file file)
+        Diagnostic.error ~code:no_entry ~at:(Span.start_of_file file)
           "there is no `%s` in this module to compile" entry
       in
       let diagnostic =

@@ -16,6 +16,9 @@ val check : options -> Diagnostic.sink -> Source.t -> library:string -> string -
 (** [check options sink sources ~library file]: everything up to Core; what
     there is to say goes to the sink. *)
 
+val no_entry : string
+(** The code of the diagnostic for an entry that the module does not define. *)
+
 val compile :
   options ->
   Diagnostic.sink ->

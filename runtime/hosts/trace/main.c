@@ -205,8 +205,8 @@ static bool read_row(const struct trace *t, void *input, int64_t *time)
 {
     struct frob_cell_error error;
     if (t->csv.count != t->width) {
-        complain(t, t->csv.count, "this row has %lu cells, the header has %lu",
-                 (unsigned long)t->csv.count, (unsigned long)t->width);
+        complain(t, t->csv.count, "the header names %lu columns, but cells in this row: %lu",
+                 (unsigned long)t->width, (unsigned long)t->csv.count);
         return false;
     }
     if (!read_time(csv_cell(&t->csv, 0), time)) {

@@ -1,0 +1,102 @@
+The exit status tells scripts what happened; each message names the cause and
+the cure.
+
+A program that is right:
+
+  $ cat > good.frob <<EOF
+  > main :: SF Float Float
+  > main = proc x -> 2 * x
+  > EOF
+  $ frobc check good.frob
+
+A program that is rejected:
+
+  $ cat > bad.frob <<EOF
+  > main :: SF Float Float
+  > main = proc x -> 2 * y
+  > EOF
+  $ frobc check bad.frob
+  error[E0205]: unknown name `y`
+   --> bad.frob:2:22
+    |
+  2 | main = proc x -> 2 * y
+    |                      ^
+  
+  1 error
+  [1]
+  $ frobc check good.frob bad.frob > /dev/null 2>&1
+  [1]
+
+A file that is missing, a folder in place of a file, a file that is not text:
+
+  $ frobc check missing.frob
+  error: there is no file missing.frob
+  [2]
+  $ mkdir folder.frob
+  $ frobc check folder.frob
+  error: cannot read folder.frob: it is a directory
+  [2]
+  $ printf '\377\376' > bytes.frob
+  $ frobc check bytes.frob
+  error[E0101]: this file is not valid UTF-8: byte 255 cannot stand here
+   --> bytes.frob:1:1
+    |
+  1 | ��
+    | ^
+    |
+    = hint: is this a text file? save it as UTF-8
+  
+  1 error
+  [1]
+
+An empty file is an empty module:
+
+  $ touch empty.frob
+  $ frobc check empty.frob
+  $ frobc compile empty.frob
+  error[E0501]: there is no `main` in this module to compile
+   --> empty.frob:1:1
+    |
+  1 |
+    | ^
+    |
+    = hint: define `main`, or name a signal function of this module with `--entry NAME`
+  
+  1 error
+  [2]
+
+Wrong use:
+
+  $ frobc
+  frobc: required COMMAND name is missing, must be one of 'check', 'compile', 'explain', 'header', 'run' or 'trace'.
+  Usage: frobc COMMAND …
+  Try 'frobc --help' for more information.
+  [2]
+  $ frobc fly good.frob
+  frobc: unknown command 'fly', must be one of 'check', 'compile', 'explain', 'header', 'run' or 'trace'.
+  Usage: frobc COMMAND …
+  Try 'frobc --help' for more information.
+  [2]
+  $ frobc check
+  frobc: required argument FILE is missing
+  Usage: frobc check [OPTION]… FILE…
+  Try 'frobc check --help' or 'frobc --help' for more information.
+  [2]
+  $ frobc compile good.frob --dump=everything
+  frobc: option '--dump': `everything` is not a stage; the stages are parse,
+         resolve, types, core, specialize, flow, machine, c
+  Usage: frobc compile [OPTION]… FILE
+  Try 'frobc compile --help' or 'frobc --help' for more information.
+  [2]
+
+A folder that cannot be written to:
+
+  $ frobc compile good.frob -o nowhere
+  error: cannot write nowhere/good.h: No such file or directory
+  [2]
+
+A missing tool:
+
+  $ CC=no-such-cc frobc trace good.frob --input in.csv
+  error: there is no C compiler `no-such-cc` here; install one (on Debian: apt-get install gcc) or name yours in the environment variable CC
+  [2]

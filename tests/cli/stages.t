@@ -1,0 +1,50 @@
+The compiler can be watched at work, stage by stage.
+
+  $ cat > gain.frob <<EOF
+  > main :: SF Float[m] Float[m/s]
+  > main = proc x -> 2 * derivative x
+  > EOF
+  $ for stage in parse types core specialize flow machine; do
+  >   echo "== $stage"; frobc compile gain.frob --lint --dump=$stage --stop-after=$stage
+  > done
+  == parse
+  main :: SF Float[m] Float[m/s]
+  main = proc x -> 2 * derivative x
+  == types
+  module Main
+  
+  main :: SF Float[m] Float[m/s]
+  main =
+    proc x -> 2 * run derivative x
+  == core
+  module Main
+  
+  main :: SF Float Float
+  main =
+    proc main (x : Float) where
+      _1 : Float <- derivative -< x
+      -> 2 * _1
+  == specialize
+  program gain
+  signal function main (x : Float)
+    _1 : Float = derivative x
+    _2 : Float = 2.0 * _1
+    -> (out = _2)
+  == flow
+  program gain
+  signal function main (x : Float)
+    _1 : Float = derivative x
+    _2 : Float = 2.0 * _1
+    -> (out = _2)
+  == machine
+  $ ls
+  gain.frob
+  stages.t
+
+A dump takes the place of the files:
+
+  $ frobc compile gain.frob --dump=c | grep -c derivative
+  7
+  $ ls
+  gain.frob
+  stages.t
