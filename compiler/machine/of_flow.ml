@@ -4,6 +4,7 @@ open Fragment
 
 type context = {
   program : F.program;
+  statics : Flow.Statics.t array;
   done_ : Ir.node option array;  (** the nodes already translated *)
   sees_first_dt : bool array;
 }
@@ -216,29 +217,28 @@ let equations items =
 let output_span (node : F.node) (atom : F.atom) =
   match atom with Signal s -> s.span | Bool _ | Int _ | Float _ -> node.span
 
-let step_body context state (node : F.node) ~is_root items =
+let step_body context state (node : F.node) ~is_root (statics : Flow.Statics.t) =
   let d = draft () in
   let parameter (s : F.signal) = leaf d s (Variable (variable s)) in
   List.iter parameter node.statics;
   List.iter parameter node.inputs;
+  let kept (s : F.signal) =
+    match State.memory state s with
+    | Some (Kept field) -> leaf d s (Field field)
+    | Some _ | None -> ()
+  in
+  List.iter kept statics.kept;
   List.iter
     (fun (item : Flow.Schedule.item) ->
       match item with
       | Equation eq -> step_equation d state eq
-      | Instance i -> (
-          let kept (s : F.signal) =
-            match State.memory state s with
-            | Some (Kept field) -> leaf d s (Field field)
-            | Some _ | None -> ()
-          in
-          match List.filter_map (State.memory state) i.outputs with
-          | [] -> add d (call context (resolve d) i (State.instance state i))
-          | _ :: _ -> List.iter kept i.outputs))
-    items;
+      | Instance i -> add d (call context (resolve d) i (State.instance state i)))
+    statics.in_step;
+  let equations = equations statics.in_step in
   let advances =
     List.filter_map
       (fun (eq : F.equation) -> Option.bind (State.memory state eq.defines) (advance eq))
-      (equations items)
+      equations
   in
   let outputs = List.map (fun (_, atom) -> resolve d atom) node.outputs in
   let returned, results =
@@ -252,19 +252,19 @@ let step_body context state (node : F.node) ~is_root items =
         leaves = d.leaves;
         items = Array.of_list (List.rev d.items);
         results;
-        states = List.filter_map (next_state d state) (equations items);
+        states = List.filter_map (next_state d state) equations;
         returned;
       }
   in
   List.rev_append (List.rev advances) body
 
 (* What reset does for one item; it comes after all static values. *)
-let reset_effects context draft state ~kept (item : Flow.Schedule.item) =
+let reset_effects context draft state (item : Flow.Schedule.item) =
   let assign field value span = Ir.Assign { place = Own field; value; span } in
   let constant span fields = effect span (fun _ -> List.map (fun (f, e) -> assign f e span) fields) in
   let keep span (s : F.signal) =
     match State.memory state s with
-    | Some (Kept field) when kept field ->
+    | Some (Kept field) ->
         [ effect ~operands:[ F.Signal s ] span (fun e -> [ assign field (one e) span ]) ]
     | Some _ | None -> []
   in
@@ -290,18 +290,18 @@ let reset_effects context draft state ~kept (item : Flow.Schedule.item) =
           in
           [ effect ~operands i.span reset ])
 
-let reset_body context state (node : F.node) ~kept items =
+let reset_body context state (node : F.node) (statics : Flow.Statics.t) =
   let d = draft () in
   List.iter (fun (s : F.signal) -> leaf d s (Variable (variable s))) node.statics;
   List.iter
     (fun (item : Flow.Schedule.item) ->
       match item with
-      | Equation eq -> if State.is_static state (Signal eq.defines) then add_computed d eq
-      | Instance i ->
-          if List.exists (fun s -> State.is_static state (Signal s)) i.outputs then
-            add d (call context (resolve d) i None))
-    items;
-  List.iter (fun item -> List.iter (add d) (reset_effects context d state ~kept item)) items;
+      | Equation eq -> add_computed d eq
+      | Instance i -> add d (call context (resolve d) i None))
+    statics.at_reset;
+  let effects item = List.iter (add d) (reset_effects context d state item) in
+  List.iter effects statics.in_step;
+  List.iter effects statics.at_reset;
   Placement.statements
     {
       leaves = d.leaves;
@@ -314,7 +314,6 @@ let reset_body context state (node : F.node) ~kept items =
 (* What a function turned out to read. *)
 type reads = {
   variables : (int, unit) Hashtbl.t;
-  fields : (int, unit) Hashtbl.t;
   mutable seconds : bool;
   mutable nanoseconds : bool;
   mutable operations : int;
@@ -324,7 +323,6 @@ let reads_of body =
   let reads =
     {
       variables = Hashtbl.create 16;
-      fields = Hashtbl.create 16;
       seconds = false;
       nanoseconds = false;
       operations = 0;
@@ -335,10 +333,9 @@ let reads_of body =
       reads.operations <- reads.operations + (match Walk.children e with [] -> 0 | _ :: _ -> 1);
       match e with
       | Variable v -> Hashtbl.replace reads.variables v.id ()
-      | Field f -> Hashtbl.replace reads.fields f.id ()
       | Dt -> reads.seconds <- true
       | Dt_nanoseconds -> reads.nanoseconds <- true
-      | Bool _ | Int _ | Float _ | Zero_time | Operation _ | Select _ | Construct _
+      | Field _ | Bool _ | Int _ | Float _ | Zero_time | Operation _ | Select _ | Construct _
       | Is_constructor _ | Payload _ | Call _ | Seconds _ | Later _ ->
           ())
     body;
@@ -368,42 +365,24 @@ let stepped body =
 
 (* Whether the dt of the first instant shows in what a node computes: an
    integral multiplies it by 0, but a derivative and a time do not. *)
-let sees_first_dt context state items body =
+let sees_first_dt context state (statics : Flow.Statics.t) body =
   let own (eq : F.equation) =
     match State.memory state eq.defines with
     | Some (Elapsed _ | Differentiated _) -> true
     | Some (Delayed _ | Integrated _ | Kept _) | None -> false
   in
-  List.exists own (equations items)
+  List.exists own (equations statics.in_step)
   || Hashtbl.fold (fun k () any -> any || context.sees_first_dt.(k)) (stepped body) false
-
-(* The fields, without kept values that the step does not read. *)
-let fields state reads items =
-  let unused = Hashtbl.create 16 in
-  let note (s : F.signal) =
-    match State.memory state s with
-    | Some (Kept field) when not (Hashtbl.mem reads.fields field.id) ->
-        Hashtbl.replace unused field.id ()
-    | Some _ | None -> ()
-  in
-  List.iter
-    (function
-      | Flow.Schedule.Equation eq -> note eq.defines
-      | Flow.Schedule.Instance i -> List.iter note i.outputs)
-    items;
-  List.filter (fun (f : Ir.field) -> not (Hashtbl.mem unused f.id)) (State.fields state)
 
 let node context k ~is_root =
   let node = context.program.nodes.(k) in
-  let items = Flow.Schedule.of_node node in
-  let state = State.of_node ~stateful:(fun k -> stateful (callee context k)) node items in
-  let body = step_body context state node ~is_root items in
-  context.sees_first_dt.(k) <- sees_first_dt context state items body;
+  let statics = context.statics.(k) in
+  let state = State.of_node ~stateful:(fun k -> stateful (callee context k)) statics in
+  let body = step_body context state node ~is_root statics in
+  context.sees_first_dt.(k) <- sees_first_dt context state statics body;
   let reads = reads_of body in
-  let fields = fields state reads items in
-  let kept = Hashtbl.create 16 in
-  List.iter (fun (f : Ir.field) -> Hashtbl.replace kept f.id ()) fields;
-  let reset = reset_body context state node ~kept:(fun f -> Hashtbl.mem kept f.id) items in
+  let reset = reset_body context state node statics in
+  let fields = State.fields state in
   let mark =
     if is_root && context.sees_first_dt.(k) then
       [ State.new_field state ~name:"started" (Value Bool) ~purpose:"past the first instant" node.span ]
@@ -449,7 +428,12 @@ let node context k ~is_root =
 let program (program : F.program) : Ir.program =
   let count = Array.length program.nodes in
   let context =
-    { program; done_ = Array.make count None; sees_first_dt = Array.make count false }
+    {
+      program;
+      statics = Flow.Statics.program program;
+      done_ = Array.make count None;
+      sees_first_dt = Array.make count false;
+    }
   in
   let first_instant = ref Ir.Unseen in
   for k = 0 to count - 1 do
