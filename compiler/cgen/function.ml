@@ -7,6 +7,7 @@ type context = {
   names : Expression.names;
   node : M.node;
   result : int -> Ir.expr;  (** where an output goes *)
+  read : (int, unit) Hashtbl.t;  (** variables that anything reads *)
   mutable place : string;  (** the source line last mentioned *)
 }
 
@@ -79,8 +80,11 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       { desc = If { condition; then_; else_ }; comment } :: List.rev_append declarations rest
   | Step { node; state; arguments; results; span } -> (
       let arguments = expressions c arguments in
+      let is_read (variable : M.variable) = Hashtbl.mem c.read variable.id in
       match results with
       | [] -> { desc = Do (step_call c ~node ~state arguments []); comment = comment c span } :: rest
+      | [ variable ] when not (is_read variable) ->
+          { desc = Do (step_call c ~node ~state arguments []); comment = comment c span } :: rest
       | [ variable ] ->
           let value = step_call c ~node ~state arguments [] in
           let name = Expression.variable c.names variable in
@@ -120,6 +124,13 @@ let name_variables names body =
   declared (named true);
   declared (named false)
 
+let variables_read body =
+  let read = Hashtbl.create 16 in
+  Machine.Walk.expressions
+    (function M.Variable v -> Hashtbl.replace read v.id () | _ -> ())
+    body;
+  read
+
 let reads_state body =
   let found = ref false in
   Machine.Walk.expressions
@@ -152,7 +163,7 @@ let reset (v : V.t) k : Ir.function_ =
   let names = Expression.names v ~node:k in
   let parameters = self v k :: parameters v names node.reset.parameters in
   name_variables names node.reset.body;
-  let c = { v; names; node; result = no_result; place = "" } in
+  let c = { v; names; node; result = no_result; read = variables_read node.reset.body; place = "" } in
   let body = statements c node.reset.body in
   let unread = if reads_state node.reset.body then [] else [ ignored "self" ] in
   {
@@ -181,8 +192,9 @@ let own_step (v : V.t) k : Ir.function_ =
         in
         (Void, List.map result outputs)
   in
-  let result k = Ir.Unary (Dereference, Name (snd (List.nth results k))) in
-  let c = { v; names; node; result; place = "" } in
+  let places = Array.of_list results in
+  let result k = Ir.Unary (Dereference, Name (snd places.(k))) in
+  let c = { v; names; node; result; read = variables_read node.step.body; place = "" } in
   let state = if V.has_state v k then [ self v k ] else [] in
   let dt = if node.seconds then [ (Ir.Real, "dt") ] else [] in
   let dt_ns = if node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
@@ -233,41 +245,27 @@ let clock c (node : M.node) =
 (* Inputs are read where they are used if their member has a name of its own;
    what is only [f1] there gets the programmer's name first. *)
 let inputs c (node : M.node) =
-  let used = Hashtbl.create 16 in
-  Machine.Walk.expressions
-    (function M.Variable v -> Hashtbl.replace used v.id () | _ -> ())
-    node.step.body;
   let direct = Interface.direct c.v.program.input in
   let take (variable : M.variable) members =
     let read = path (Name "in") members in
     if direct || String.equal variable.name "" then (
       Expression.read_as c.names variable read;
       None)
-    else if Hashtbl.mem used variable.id then
+    else if Hashtbl.mem c.read variable.id then
       let ty = V.ty c.v variable.ty in
       let name = Expression.variable c.names variable in
       Some (plain (Ir.Constant { ty; name; value = read }))
     else None
   in
-  let all = List.rev_map2 take node.step.parameters c.v.input.leaves in
-  (List.filter_map Fun.id (List.rev all), Hashtbl.length used > 0)
-
-let reads_input (node : M.node) =
-  let ids = Hashtbl.create 16 in
-  List.iter (fun (v : M.variable) -> Hashtbl.replace ids v.id ()) node.step.parameters;
-  let found = ref false in
-  Machine.Walk.expressions
-    (function M.Variable v when Hashtbl.mem ids v.id -> found := true | _ -> ())
-    node.step.body;
-  !found
+  List.filter_map Fun.id (List.rev (List.rev_map2 take node.step.parameters c.v.input.leaves))
 
 let root_step (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
   let outputs = Array.of_list v.output.leaves in
   let result k = path (Name "out") outputs.(k) in
-  let c = { v; names; node; result; place = "" } in
-  let inputs, _ = inputs c node in
+  let c = { v; names; node; result; read = variables_read node.step.body; place = "" } in
+  let inputs = inputs c node in
   name_variables names node.step.body;
   let clock = clock c node in
   let body = statements c node.step.body in
@@ -275,6 +273,9 @@ let root_step (v : V.t) k : Ir.function_ =
   let reads_self =
     reads_state node.step.body
     || match v.program.first_instant with Marked_by _ -> true | Unseen -> false
+  in
+  let reads_input =
+    List.exists (fun (v : M.variable) -> Hashtbl.mem c.read v.id) node.step.parameters
   in
   let ignore_unless read name = if read then [] else [ ignored name ] in
   {
@@ -293,7 +294,7 @@ let root_step (v : V.t) k : Ir.function_ =
         [
           ignore_unless reads_self "self";
           ignore_unless (node.seconds || node.nanoseconds) "dt";
-          ignore_unless (reads_input node) "in";
+          ignore_unless reads_input "in";
           clock;
           inputs;
           body;

@@ -51,6 +51,17 @@ let operator_weight : F.operator -> int = function
 
 let one = function [ e ] -> e | _ -> broken "an operation with a wrong number of operands"
 
+(* Compilers warn of a comparison of something with itself, unless it is
+   [x == x], which asks whether x is a number. *)
+let without_self_comparison (rhs : F.rhs) : F.rhs =
+  match rhs with
+  | Op ((Less | Less_equal | Equal) as operator, [ (Signal a as x); Signal b ]) when a.id = b.id -> (
+      match (operator, a.ty) with
+      | Less, _ -> Copy (Bool false)
+      | _, Float -> Op (Equal, [ x; x ])
+      | _, (Int | Bool | Sum _) -> Copy (Bool true))
+  | rhs -> rhs
+
 (* What an equation without memory computes. *)
 let computed (eq : F.equation) rhs : computed =
   let make ?choice operands weight build =
@@ -139,7 +150,7 @@ let resolve draft (atom : F.atom) =
   | Bool _ | Int _ | Float _ -> atom
 
 let add_computed draft (eq : F.equation) =
-  match Flow.Operands.map (resolve draft) eq.rhs with
+  match without_self_comparison (Flow.Operands.map (resolve draft) eq.rhs) with
   | Copy atom when String.equal eq.defines.name "" ->
       Hashtbl.replace draft.copies eq.defines.id atom
   | rhs -> add draft (Computed (computed eq rhs))
@@ -265,7 +276,7 @@ let reset_effects context draft state (item : Flow.Schedule.item) =
   let keep span (s : F.signal) =
     match State.memory state s with
     | Some (Kept field) ->
-        [ effect ~operands:[ F.Signal s ] span (fun e -> [ assign field (one e) span ]) ]
+        [ effect ~operands:[ resolve draft (F.Signal s) ] span (fun e -> [ assign field (one e) span ]) ]
     | Some _ | None -> []
   in
   match item with

@@ -65,10 +65,12 @@ let equation t { defines = s; rhs; span } =
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ -> ()
 
 let kept_name rhs =
+  let after operator operand =
+    operator ^ "_" ^ match atom_name operand with "" -> "value" | name -> name
+  in
   match rhs with
-  | Op (Elementary e, first :: _) ->
-      let operand = match atom_name first with "" -> "value" | name -> name in
-      Core.Primitive.name (Elementary e) ^ "_" ^ operand
+  | Op (Elementary e, operand :: _) -> after (Core.Primitive.name (Elementary e)) operand
+  | Op (Pow, operand :: _) -> after "pow" operand
   | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Delay _ | Time | Integral _
   | Derivative _ ->
       "start_value"
