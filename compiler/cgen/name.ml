@@ -21,7 +21,7 @@ let reserved =
    isunordered j0 j1 jn ldexp lgamma llrint llround log log10 log1p log2 logb lrint lround \
    modf nan nearbyint nextafter nexttoward pow pow10 remainder remquo rint round scalb scalbln \
    scalbn signbit signgam significand sin sincos sinh sqrt tan tanh tgamma trunc y0 y1 yn \
-   abs div labs time clock errno linux unix near far main std i386 INFINITY NAN HUGE_VAL NULL \
+   abs div labs time clock errno linux unix main std i386 INFINITY NAN HUGE_VAL NULL \
    EOF DOMAIN SING OVERFLOW UNDERFLOW PLOSS TLOSS I float_t double_t int8_t int16_t int32_t \
    int64_t uint8_t uint16_t uint32_t uint64_t intptr_t uintptr_t intmax_t uintmax_t size_t \
    ptrdiff_t max_align_t"

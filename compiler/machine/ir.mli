@@ -10,8 +10,8 @@
     Always true (see {!Lint}): a variable is declared once in its function,
     before its uses and in a block around them; both branches assign what an
     [If] leaves uninitialized before it; nodes call only nodes before them;
-    nesting of statements and expressions is bounded ({!Of_flow.nesting},
-    {!Of_flow.expression_size}), whatever the program. *)
+    nesting of statements and expressions is bounded ({!Placement.nesting},
+    {!Usage.expression_size}), whatever the program. *)
 
 open Basis
 

@@ -11,6 +11,10 @@
 type t
 
 val expression_size : int
+
+val update_depth : int
+(** No write takes apart choices nested deeper. *)
+
 val of_fragment : Fragment.t -> t
 
 val writes : t -> Fragment.write list

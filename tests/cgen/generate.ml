@@ -6,7 +6,9 @@ let write path text =
   close_out out
 
 let generate (name, program) =
-  let files = Cgen.Emit.program (Machine.Of_flow.program program) in
+  let machine = Machine.Of_flow.program program in
+  Machine.Lint.program machine;
+  let files = Cgen.Emit.program machine in
   write (name ^ ".h") files.Cgen.Emit.header;
   write (name ^ ".c") files.Cgen.Emit.source;
   write (name ^ "_host.c") files.Cgen.Emit.host_table

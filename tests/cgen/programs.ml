@@ -42,4 +42,166 @@ let wall_follow =
   program b "wall_follow" ~input:(tuple [ leaf Float; leaf Float; leaf Float ])
     ~output:(tuple [ leaf Float; leaf Float ])
 
-let all = [ ("wall_follow", wall_follow) ]
+let maybe_float =
+  {
+    name = "Maybe Float";
+    module_ = "Prelude";
+    constructors =
+      [
+        { constructor = "Nothing"; fields = [] };
+        { constructor = "Just"; fields = [ ("", leaf Float) ] };
+      ];
+  }
+
+(* A value that holds between occurrences, and a count of them. *)
+let hold =
+  let b = create () in
+  let _ =
+    node b "hold" (fun n ->
+        let e = input ~ty:(Sum 0) n "e" in
+        let kept = declare ~line:4 n "kept" in
+        let count = declare ~ty:Int ~line:5 n "count" in
+        let occurs = let_ ~ty:Bool ~line:3 n "occurs" (Is_constructor (e, 1)) in
+        let value = let_ ~line:3 n "" (Payload { value = e; constructor = 1; leaf = 0 }) in
+        let held =
+          let_ ~line:4 n "held" (If { condition = occurs; then_ = value; else_ = Signal kept })
+        in
+        define n kept (Delay { init = float 0.; next = held });
+        let more = op ~ty:Int n Add [ Signal count; Int 1l ] in
+        let next = let_ ~ty:Int ~line:5 n "" (If { condition = occurs; then_ = more; else_ = Signal count }) in
+        define n count (Delay { init = Int 0l; next });
+        let out = let_ ~ty:(Sum 0) ~line:6 n "" (Construct { constructor = 1; payload = [ held ] }) in
+        let small = op ~ty:Bool n Less [ held; float 1. ] in
+        let none = let_ ~ty:(Sum 0) n "" (Construct { constructor = 0; payload = [] }) in
+        let result = let_ ~ty:(Sum 0) ~line:6 n "" (If { condition = small; then_ = none; else_ = out }) in
+        [ ("1", result); ("2", next) ])
+  in
+  program b "hold" ~sums:[| maybe_float |] ~input:(leaf (Sum 0))
+    ~output:(tuple [ leaf (Sum 0); leaf Int ])
+
+(* What only one branch needs is computed there, for all values that one
+   condition chooses. *)
+let branches =
+  let b = create () in
+  let _ =
+    node b "turn" (fun n ->
+        let x = input n "x" in
+        let y = input n "y" in
+        let near = let_ ~ty:Bool ~line:3 n "near" (Op (Less, [ x; float 1. ])) in
+        let angle = let_ ~line:4 n "angle" (Op (Elementary Atan2, [ y; x ])) in
+        let r = let_ ~line:5 n "r" (Op (Elementary Hypot, [ x; y ])) in
+        let cos_ = op n (Elementary Cos) [ angle ] in
+        let a = op n Multiply [ r; cos_ ] in
+        let b_ = op n Divide [ angle; r ] in
+        let u = let_ ~line:6 n "" (If { condition = near; then_ = a; else_ = x }) in
+        let w = let_ ~line:6 n "w" (If { condition = near; then_ = b_; else_ = y }) in
+        let far = op ~ty:Bool n Less [ float 10.; x ] in
+        let q = let_ ~line:7 n "q" (If { condition = far; then_ = float 10.; else_ = x }) in
+        [ ("1", u); ("2", w); ("3", q); ("4", op n Add [ w; q ]) ])
+  in
+  program b "branches" ~input:(tuple [ leaf Float; leaf Float ])
+    ~output:(tuple [ leaf Float; leaf Float; leaf Float; leaf Float ])
+
+(* Delays that read each other's old values. *)
+let exchange =
+  let b = create () in
+  let _ =
+    node b "exchange" (fun n ->
+        let go = input ~ty:Bool n "go" in
+        let p = declare ~line:2 n "p" in
+        let q = declare ~line:3 n "q" in
+        let older = declare ~line:4 n "older" in
+        define n p (Delay { init = float 1.; next = Signal q });
+        define n q (Delay { init = float 2.; next = Signal p });
+        define n older (Delay { init = float 0.; next = Signal p });
+        let c = declare ~line:5 n "c" and d = declare ~line:6 n "d" in
+        let c' = let_ ~line:5 n "" (If { condition = go; then_ = Signal d; else_ = Signal c }) in
+        let d' = let_ ~line:6 n "" (If { condition = go; then_ = Signal c; else_ = Signal d }) in
+        define n c (Delay { init = float 3.; next = c' });
+        define n d (Delay { init = float 4.; next = d' });
+        [ ("p", Signal p); ("q", Signal q); ("older", Signal older); ("c", Signal c); ("d", Signal d) ])
+  in
+  program b "exchange" ~input:(leaf Bool)
+    ~output:(tuple [ leaf Float; leaf Float; leaf Float; leaf Float; leaf Float ])
+
+(* Two copies of a node with parameters, and local time. *)
+let instances =
+  let b = create () in
+  let pi =
+    node b ~file:"Control.frob" "pi" (fun n ->
+        let kp = static n "kp" in
+        let ki = static n "ki" in
+        let e = input n "error" in
+        let sum = let_ ~line:8 n "sum" (Integral e) in
+        [ ("", op n Add [ op n Multiply [ kp; e ]; op n Multiply [ ki; sum ] ]) ])
+  in
+  let polar =
+    node b ~kind:Function "polar" (fun n ->
+        let x = input n "x" in
+        let y = input n "y" in
+        [ ("r", op n (Elementary Hypot) [ x; y ]); ("phi", op n (Elementary Atan2) [ y; x ]) ])
+  in
+  let _ =
+    node b "drive" (fun n ->
+        let x = input n "goal.x" in
+        let y = input n "goal.y" in
+        let r = declare ~line:5 n "r" and phi = declare ~line:5 n "phi" in
+        call ~line:5 n polar [ x; y ] [ r; phi ];
+        let forward = declare ~line:6 n "forward" and turn = declare ~line:7 n "turn" in
+        call ~line:6 ~statics:[ float 0.5; float 0.1 ] n pi [ Signal r ] [ forward ];
+        let gain = op n (Elementary Exp) [ float (-1.) ] in
+        call ~line:7 ~statics:[ gain; float 0. ] n pi [ Signal phi ] [ turn ];
+        let t = let_ ~line:8 n "t" Time in
+        let started = op ~ty:Bool n Less_equal [ float 1.; t ] in
+        let forward' = let_ ~line:9 n "forward'" (If { condition = started; then_ = Signal forward; else_ = float 0. }) in
+        [ ("forward", forward'); ("turn", Signal turn) ])
+  in
+  let goal =
+    Product
+      {
+        product_name = "Goal";
+        product_module = "Main";
+        constructor = "Goal";
+        record = true;
+        parts =
+          [
+            ( "goal",
+              Product
+                {
+                  product_name = "Point2";
+                  product_module = "Geometry";
+                  constructor = "Point2";
+                  record = true;
+                  parts = [ ("x", leaf Float); ("y", leaf Float) ];
+                } );
+          ];
+      }
+  in
+  program b "drive" ~input:goal ~output:(tuple [ leaf Float; leaf Float ])
+
+(* Names that C would not take, or would take for something else. *)
+let names =
+  let b = create () in
+  let _ =
+    node b "names" (fun n ->
+        let int = input n "int" in
+        let y1 = input n "y1" in
+        let prime = let_ n "y'" (Op (Add, [ int; y1 ])) in
+        let prime' = let_ n "y_prime" (Op (Multiply, [ prime; int ])) in
+        let self = let_ n "self" (Delay { init = float 0.; next = prime' }) in
+        let dt = let_ n "dt" (Op (Subtract, [ self; prime ])) in
+        let t1 = let_ n "t1" (Op (Add, [ dt; float 1. ])) in
+        let unnamed = op n Multiply [ t1; t1 ] in
+        [ ("", op n Add [ unnamed; unnamed ]) ])
+  in
+  program b "names" ~input:(tuple [ leaf Float; leaf Float ]) ~output:(leaf Float)
+
+let all =
+  [
+    ("wall_follow", wall_follow);
+    ("hold", hold);
+    ("branches", branches);
+    ("exchange", exchange);
+    ("drive", instances);
+    ("names", names);
+  ]

@@ -1,0 +1,269 @@
+open Basis
+
+let bug format = Diagnostic.bug ~stage:"Machine.Lint" format
+
+type context = {
+  program : Ir.program;
+  index : int;
+  node : Ir.node;
+  state : (int, Ir.field) Hashtbl.t;
+  outputs : (string * Ir.ty) array;
+  declared : (int, unit) Hashtbl.t;  (** anywhere in the function so far *)
+}
+
+module Known = Map.Make (Int)
+
+(* What a point of the code knows: readable variables; variables declared and
+   not yet assigned; results and fields written. *)
+type known = {
+  readable : Ir.ty Known.t;
+  pending : Ir.ty Known.t;
+  results : unit Known.t;
+  fields : unit Known.t;
+}
+
+let show c (ty : Ir.ty) =
+  match ty with
+  | Bool -> "Bool"
+  | Int -> "Int"
+  | Float -> "Float"
+  | Nanoseconds -> "Nanoseconds"
+  | Sum k when k < Array.length c.program.sums -> c.program.sums.(k).name
+  | Sum k -> bug "there is no sum %d" k
+
+let expect c what (wanted : Ir.ty) found =
+  if wanted <> found then
+    bug "%s in `%s` is %s where %s is needed" what c.node.name (show c found) (show c wanted)
+
+let flow_type : Flow.Ir.ty -> Ir.ty = function
+  | Bool -> Bool
+  | Int -> Int
+  | Float -> Float
+  | Sum k -> Sum k
+
+let constructor c sum k =
+  match List.nth_opt c.program.sums.(sum).constructors k with
+  | Some constructor -> constructor
+  | None -> bug "sum `%s` has no constructor %d" c.program.sums.(sum).name k
+
+let field_type c (f : Ir.field) =
+  match Option.map (fun (own : Ir.field) -> own.content) (Hashtbl.find_opt c.state f.id) with
+  | Some (Value ty) -> ty
+  | Some (State_of _) -> bug "field `%s` of `%s` is read as a value" f.name c.node.name
+  | None -> bug "field `%s` is not in the state of `%s`" f.name c.node.name
+
+(* The types of an operation's arguments, beside [ty] itself, and of its
+   result. *)
+let operation c (operator : Flow.Ir.operator) (ty : Ir.ty) : int * Ir.ty =
+  let only types =
+    if not (List.mem ty types) then
+      bug "an operation in `%s` is on %s" c.node.name (show c ty)
+  in
+  match operator with
+  | Add | Subtract | Multiply | Minimum | Maximum ->
+      only [ Int; Float ];
+      (2, ty)
+  | Negate | Absolute | Signum ->
+      only [ Int; Float ];
+      (1, ty)
+  | Equal ->
+      only [ Bool; Int; Float ];
+      (2, Bool)
+  | Less | Less_equal ->
+      only [ Int; Float ];
+      (2, Bool)
+  | Divide | Pow | Elementary (Hypot | Atan2) ->
+      only [ Float ];
+      (2, Float)
+  | Elementary (Sqrt | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan) ->
+      only [ Float ];
+      (1, Float)
+  | Div | Mod ->
+      only [ Int ];
+      (2, Int)
+  | To_float ->
+      only [ Int ];
+      (1, Float)
+  | Round | Floor | Ceiling | Truncate ->
+      only [ Float ];
+      (1, Int)
+  | Not ->
+      only [ Bool ];
+      (1, Bool)
+  | And | Or ->
+      only [ Bool ];
+      (2, Bool)
+
+let rec expr c known (e : Ir.expr) : Ir.ty =
+  let check what wanted e = expect c what wanted (expr c known e) in
+  match e with
+  | Bool _ -> Bool
+  | Int _ -> Int
+  | Float _ -> Float
+  | Zero_time -> Nanoseconds
+  | Variable v -> (
+      match Known.find_opt v.id known.readable with
+      | Some ty ->
+          expect c ("variable `" ^ v.name ^ "`") v.ty ty;
+          ty
+      | None -> bug "variable `%s` (%d) of `%s` is read before it has a value" v.name v.id c.node.name)
+  | Field f -> field_type c f
+  | Dt ->
+      if not c.node.seconds then bug "`%s` reads dt and does not say so" c.node.name;
+      Float
+  | Dt_nanoseconds ->
+      if not c.node.nanoseconds then bug "`%s` reads nanoseconds and does not say so" c.node.name;
+      Nanoseconds
+  | Operation { operator; ty; arguments } ->
+      let arity, result = operation c operator ty in
+      if List.length arguments <> arity then bug "an operation with a wrong number of arguments";
+      List.iter (check "an operand" ty) arguments;
+      result
+  | Select { condition; then_; else_ } ->
+      check "a condition" Bool condition;
+      let ty = expr c known then_ in
+      check "a branch" ty else_;
+      ty
+  | Construct { sum; constructor = k; payload } ->
+      let leaves = List.map flow_type (Layout.leaves (constructor c sum k)) in
+      if List.compare_lengths leaves payload <> 0 then bug "a payload of a wrong size";
+      List.iter2 (check "a payload") leaves payload;
+      Sum sum
+  | Is_constructor { sum; value; constructor = k } ->
+      ignore (constructor c sum k);
+      check "a value tested" (Sum sum) value;
+      Bool
+  | Payload { sum; value; constructor = k; leaf } -> (
+      check "a value taken apart" (Sum sum) value;
+      match List.nth_opt (Layout.leaves (constructor c sum k)) leaf with
+      | Some ty -> flow_type ty
+      | None -> bug "a payload has no leaf %d" leaf)
+  | Call { node; arguments } -> (
+      let callee : Ir.node = callee c node in
+      if callee.state <> [] then bug "`%s` is called as if it had no state" callee.name;
+      call c known callee.step.parameters arguments;
+      match callee.outputs with
+      | [ (_, ty) ] -> ty
+      | _ -> bug "`%s` is called as if it had one output" callee.name)
+  | Seconds e ->
+      check "a time" Nanoseconds e;
+      Float
+  | Later (a, b) ->
+      check "a time" Nanoseconds a;
+      check "a time" Nanoseconds b;
+      Nanoseconds
+
+and callee c k : Ir.node =
+  if k < 0 || k >= c.index then bug "`%s` calls a node that is not before it" c.node.name;
+  c.program.nodes.(k)
+
+and call c known (parameters : Ir.variable list) arguments =
+  if List.compare_lengths parameters arguments <> 0 then
+    bug "`%s` calls with a wrong number of arguments" c.node.name;
+  List.iter2
+    (fun (p : Ir.variable) e -> expect c "an argument" p.ty (expr c known e))
+    parameters arguments
+
+let declare c (v : Ir.variable) =
+  if Hashtbl.mem c.declared v.id then bug "variable %d of `%s` is declared twice" v.id c.node.name;
+  Hashtbl.replace c.declared v.id ()
+
+let readable known (v : Ir.variable) = { known with readable = Known.add v.id v.ty known.readable }
+
+let assign c known (place : Ir.place) ty =
+  match place with
+  | Local v -> (
+      match Known.find_opt v.id known.pending with
+      | Some wanted ->
+          expect c "an assigned value" wanted ty;
+          readable { known with pending = Known.remove v.id known.pending } v
+      | None -> bug "variable %d of `%s` is assigned where it has a value" v.id c.node.name)
+  | Own f ->
+      expect c "the value of a field" (field_type c f) ty;
+      { known with fields = Known.add f.id () known.fields }
+  | Result k ->
+      if k >= Array.length c.outputs then bug "`%s` has no result %d" c.node.name k;
+      expect c "a result" (snd c.outputs.(k)) ty;
+      { known with results = Known.add k () known.results }
+
+let both a b = Known.merge (fun _ x y -> match (x, y) with Some x, Some _ -> Some x | _ -> None) a b
+
+let rec statement c depth known (s : Ir.statement) =
+  match s with
+  | Declare { variable; value; _ } ->
+      expect c "a value" variable.ty (expr c known value);
+      declare c variable;
+      readable known variable
+  | Assign { place; value; _ } -> assign c known place (expr c known value)
+  | If { uninitialized; condition; then_; else_; _ } ->
+      if depth > Placement.nesting + Usage.update_depth then bug "`%s` nests too deep" c.node.name;
+      expect c "a condition" Bool (expr c known condition);
+      List.iter (declare c) uninitialized;
+      let pending =
+        List.fold_left
+          (fun pending (v : Ir.variable) -> Known.add v.id v.ty pending)
+          known.pending uninitialized
+      in
+      let before = { known with pending } in
+      let a = block c (depth + 1) before then_ and b = block c (depth + 1) before else_ in
+      {
+        readable = both a.readable b.readable;
+        pending = Known.filter (fun id _ -> Known.mem id b.pending) a.pending;
+        results = both a.results b.results;
+        fields = both a.fields b.fields;
+      }
+  | Step { node; state; arguments; results; _ } ->
+      let callee : Ir.node = callee c node in
+      (match (state, callee.state) with
+      | Some { content = State_of k; _ }, _ :: _ when k = node -> ()
+      | None, [] -> ()
+      | _, _ -> bug "a step of `%s` has a wrong state" callee.name);
+      call c known callee.step.parameters arguments;
+      if List.compare_lengths results callee.outputs <> 0 then
+        bug "`%s` takes a wrong number of results" c.node.name;
+      List.fold_left2
+        (fun known (v : Ir.variable) (_, ty) ->
+          expect c "a result" v.ty ty;
+          declare c v;
+          readable known v)
+        known results callee.outputs
+  | Reset { node; state; arguments; _ } ->
+      call c known (callee c node).reset.parameters arguments;
+      { known with fields = Known.add state.id () known.fields }
+  | Return { value; _ } -> (
+      match c.node.outputs with
+      | [ (_, ty) ] ->
+          expect c "the result" ty (expr c known value);
+          { known with results = Known.add 0 () known.results }
+      | _ -> bug "`%s` returns without having one output" c.node.name)
+
+and block c depth known body = List.fold_left (statement c depth) known body
+
+let code c (code : Ir.code) =
+  let start =
+    { readable = Known.empty; pending = Known.empty; results = Known.empty; fields = Known.empty }
+  in
+  List.iter (declare c) code.parameters;
+  let known = block c 0 (List.fold_left readable start code.parameters) code.body in
+  if not (Known.is_empty known.pending) then bug "a variable of `%s` never gets its value" c.node.name;
+  known
+
+let program (program : Ir.program) =
+  Array.iteri
+    (fun index (node : Ir.node) ->
+      let state = Hashtbl.create 16 in
+      List.iter (fun (f : Ir.field) -> Hashtbl.replace state f.id f) node.state;
+      let outputs = Array.of_list node.outputs in
+      let context () = { program; index; node; state; outputs; declared = Hashtbl.create 16 } in
+      let after_step = code (context ()) node.step in
+      List.iteri
+        (fun k _ ->
+          if not (Known.mem k after_step.results) then bug "`%s` does not write its result %d" node.name k)
+        node.outputs;
+      let after_reset = code (context ()) node.reset in
+      List.iter
+        (fun (f : Ir.field) ->
+          if not (Known.mem f.id after_reset.fields) then
+            bug "`%s` does not reset its field `%s`" node.name f.name)
+        node.state)
+    program.nodes

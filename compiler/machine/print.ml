@@ -1,0 +1,156 @@
+open Format
+
+(* Of one function: how often each name is declared, and which numbers the
+   variables without a name, or with a shared one, have got. *)
+type names = { shown : (int, string) Hashtbl.t; count : (string, int) Hashtbl.t }
+
+let names () = { shown = Hashtbl.create 16; count = Hashtbl.create 16 }
+
+let variable names (v : Ir.variable) =
+  match Hashtbl.find_opt names.shown v.id with
+  | Some shown -> shown
+  | None ->
+      let n = 1 + Option.value (Hashtbl.find_opt names.count v.name) ~default:0 in
+      Hashtbl.replace names.count v.name n;
+      let shown = if n = 1 && v.name <> "" then v.name else sprintf "%s_%d" v.name n in
+      Hashtbl.replace names.shown v.id shown;
+      shown
+
+let operator : Flow.Ir.operator -> string = function
+  | Add -> "+"
+  | Subtract -> "-"
+  | Multiply -> "*"
+  | Divide -> "/"
+  | Negate -> "negate"
+  | Absolute -> "abs"
+  | Signum -> "signum"
+  | Equal -> "=="
+  | Less -> "<"
+  | Less_equal -> "<="
+  | Minimum -> "min"
+  | Maximum -> "max"
+  | Pow -> "**"
+  | Elementary e -> Core.Primitive.name (Elementary e)
+  | Div -> "div"
+  | Mod -> "mod"
+  | To_float -> "toFloat"
+  | Round -> "round"
+  | Floor -> "floor"
+  | Ceiling -> "ceiling"
+  | Truncate -> "truncate"
+  | Not -> "not"
+  | And -> "&&"
+  | Or -> "||"
+
+let is_symbol text = match text.[0] with 'a' .. 'z' -> false | _ -> true
+
+let float x =
+  let short = sprintf "%.15g" x in
+  let text = if Float.equal (float_of_string short) x then short else sprintf "%.17g" x in
+  if String.for_all (function '0' .. '9' | '-' -> true | _ -> false) text then text ^ ".0" else text
+
+let field (f : Ir.field) = sprintf "self.%s#%d" f.name f.id
+
+type context = { program : Ir.program; names : names }
+
+let constructor c sum k = (List.nth c.program.sums.(sum).constructors k).Flow.Ir.constructor
+
+let rec expr c ppf (e : Ir.expr) =
+  match e with
+  | Bool b -> pp_print_bool ppf b
+  | Int i -> fprintf ppf "%ld" i
+  | Float x -> pp_print_string ppf (float x)
+  | Zero_time -> pp_print_string ppf "0ns"
+  | Variable v -> pp_print_string ppf (variable c.names v)
+  | Field f -> pp_print_string ppf (field f)
+  | Dt -> pp_print_string ppf "dt"
+  | Dt_nanoseconds -> pp_print_string ppf "dt_ns"
+  | Operation { operator = o; arguments = [ a; b ]; _ } when is_symbol (operator o) ->
+      fprintf ppf "%a %s %a" (operand c) a (operator o) (operand c) b
+  | Operation { operator = o; arguments; _ } -> fprintf ppf "%s%a" (operator o) (list c) arguments
+  | Select { condition; then_; else_ } ->
+      fprintf ppf "if %a then %a else %a" (expr c) condition (expr c) then_ (expr c) else_
+  | Construct { sum; constructor = k; payload } ->
+      fprintf ppf "%s%a" (constructor c sum k) (list c) payload
+  | Is_constructor { sum; value; constructor = k } ->
+      fprintf ppf "%a is %s" (operand c) value (constructor c sum k)
+  | Payload { sum; value; constructor = k; leaf } ->
+      fprintf ppf "%a.%s.%d" (operand c) value (constructor c sum k) leaf
+  | Call { node; arguments } -> fprintf ppf "%s%a" c.program.nodes.(node).name (list c) arguments
+  | Seconds e -> fprintf ppf "seconds%a" (list c) [ e ]
+  | Later (a, b) -> fprintf ppf "later%a" (list c) [ a; b ]
+
+and operand c ppf (e : Ir.expr) =
+  match e with
+  | Bool _ | Int _ | Float _ | Zero_time | Variable _ | Field _ | Dt | Dt_nanoseconds | Call _
+  | Construct _ | Payload _ | Seconds _ | Later _ ->
+      expr c ppf e
+  | Operation { operator = o; _ } when not (is_symbol (operator o)) -> expr c ppf e
+  | Operation _ | Select _ | Is_constructor _ -> fprintf ppf "(%a)" (expr c) e
+
+and list c ppf es =
+  fprintf ppf "(%a)" (pp_print_list ~pp_sep:(fun ppf () -> pp_print_string ppf ", ") (expr c)) es
+
+let place c : Ir.place -> string = function
+  | Local v -> variable c.names v
+  | Own f -> field f
+  | Result k -> sprintf "result.%d" k
+
+let variables c vs = String.concat ", " (List.map (variable c.names) vs)
+
+let rec statement c indent ppf (s : Ir.statement) =
+  let put format = fprintf ppf ("%s" ^^ format ^^ "@\n") (String.make indent ' ') in
+  match s with
+  | Declare { variable = v; value; span } ->
+      put "%s = %a  -- %d" (variable c.names v) (expr c) value span.start.line
+  | Assign { place = p; value; span } ->
+      put "%s := %a  -- %d" (place c p) (expr c) value span.start.line
+  | If { uninitialized; condition; then_; else_; span } ->
+      if uninitialized <> [] then put "var %s" (variables c uninitialized);
+      put "if %a  -- %d" (expr c) condition span.start.line;
+      List.iter (statement c (indent + 2) ppf) then_;
+      if else_ <> [] then (
+        put "else";
+        List.iter (statement c (indent + 2) ppf) else_)
+  | Step { node; state; arguments; results; span } ->
+      put "%s = step %s %s%a  -- %d" (variables c results) c.program.nodes.(node).name
+        (match state with Some f -> field f | None -> "")
+        (list c) arguments span.start.line
+  | Reset { node; state; arguments; span } ->
+      put "reset %s %s%a  -- %d" c.program.nodes.(node).name (field state) (list c) arguments
+        span.start.line
+  | Return { value; _ } -> put "return %a" (expr c) value
+
+let ty (program : Ir.program) : Ir.ty -> string = function
+  | Bool -> "Bool"
+  | Int -> "Int"
+  | Float -> "Float"
+  | Nanoseconds -> "Nanoseconds"
+  | Sum k -> program.sums.(k).name
+
+let code (program : Ir.program) title ppf (code : Ir.code) =
+  let c = { program; names = names () } in
+  fprintf ppf "  %s (%s)@\n" title (variables c code.parameters);
+  List.iter (statement c 4 ppf) code.body
+
+let node (program : Ir.program) ppf (n : Ir.node) =
+  fprintf ppf "node %s@\n" n.name;
+  List.iter
+    (fun (f : Ir.field) ->
+      let content =
+        match f.content with
+        | Value t -> ty program t
+        | State_of k -> sprintf "state of %s" program.nodes.(k).name
+      in
+      fprintf ppf "  %s : %s  -- %s@\n" (field f) content f.purpose)
+    n.state;
+  if n.state <> [] then code program "reset" ppf n.reset;
+  code program "step" ppf n.step
+
+let program ppf (p : Ir.program) =
+  Array.iteri
+    (fun k n ->
+      if k > 0 then fprintf ppf "@\n";
+      node p ppf n)
+    p.nodes;
+  pp_print_flush ppf ()
