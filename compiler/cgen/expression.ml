@@ -12,7 +12,7 @@ let names (v : V.t) ~node =
   {
     v;
     node;
-    scope = Name.scope ~within:v.file_scope ~taken:[ "self"; "in"; "out"; "dt"; "dt_ns" ] ();
+    scope = Name.scope Identifiers ~within:v.file_scope ~taken:[ "self"; "in"; "out"; "dt"; "dt_ns" ];
     variables = Hashtbl.create 16;
   }
 

@@ -40,7 +40,7 @@ let rec members types (product : F.product) : Ir.member list =
   match product.parts with
   | [] -> [ no_value ]
   | parts ->
-      let scope = Name.scope () in
+      let scope = Name.scope Members in
       List.mapi
         (fun k (field, shape) ->
           let field = if String.equal field "" then Printf.sprintf "f%d" (k + 1) else field in

@@ -1,53 +1,68 @@
+let table names =
+  let table = Hashtbl.create 512 in
+  List.iter (fun name -> Hashtbl.replace table name ()) (String.split_on_char ' ' names);
+  table
+
+(* Keywords of C and C++, and names that compilers and the headers
+   <math.h>, <stdint.h>, <stdbool.h> may define as macros. *)
+let keywords =
+  table
+    "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t \
+     char32_t class co_await co_return co_yield compl concept const const_cast consteval constexpr \
+     constinit continue decltype default delete do double dynamic_cast else enum explicit export \
+     extern false float for friend goto if import inline int long module mutable namespace new \
+     noexcept not not_eq nullptr operator or or_eq override private protected public register \
+     reinterpret_cast requires restrict return short signed sizeof static static_assert \
+     static_cast struct switch template this thread_local throw true try typedef typeid typename \
+     typeof union unsigned using virtual void volatile wchar_t while xor xor_eq complex imaginary \
+     noreturn errno linux unix i386 INFINITY NAN HUGE_VAL NULL EOF DOMAIN SING OVERFLOW UNDERFLOW \
+     PLOSS TLOSS float_t double_t int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t \
+     uint64_t intptr_t uintptr_t intmax_t uintmax_t size_t ptrdiff_t"
+
+(* Functions that the headers declare; members of structs may have their
+   names. *)
+let functions =
+  table
+    "acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh drem erf erfc exp exp2 \
+     exp10 expm1 fabs fdim finite floor fma fmax fmin fmod fpclassify frexp gamma hypot ilogb \
+     isfinite isgreater isgreaterequal isinf isless islessequal islessgreater isnan isnormal \
+     isunordered j0 j1 jn ldexp lgamma llrint llround log log10 log1p log2 logb lrint lround modf \
+     nan nearbyint nextafter nexttoward pow pow10 remainder remquo rint round scalb scalbln scalbn \
+     signbit signgam significand sin sincos sinh sqrt tan tanh tgamma trunc y0 y1 yn abs div labs \
+     time clock main std"
+
+let is_macro_like name =
+  let starts prefix =
+    String.length name >= String.length prefix
+    && String.equal prefix (String.sub name 0 (String.length prefix))
+  in
+  (* FP_NAN, M_PI, INT32_MAX, … *)
+  List.exists starts
+    [ "FP_"; "M_"; "MATH_"; "INT"; "UINT"; "FLT_"; "DBL_"; "SIZE_MAX"; "WCHAR"; "WINT" ]
+
+type kind = Identifiers | Members
+
 type scope = {
+  kind : kind;
   within : scope option;
   taken : (string, unit) Hashtbl.t;
   counts : (string, int) Hashtbl.t;  (** last number tried for a name *)
 }
 
-(* Keywords of C and C++, and what <math.h>, <stdint.h>, <stdbool.h> and
-   compilers' own macros may give a meaning to. *)
-let reserved =
-  "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t \
-   char32_t class co_await co_return co_yield compl concept const const_cast consteval constexpr \
-   constinit continue decltype default delete do double dynamic_cast else enum explicit export \
-   extern false final float for friend goto if import inline int long module mutable namespace \
-   new noexcept not not_eq nullptr operator or or_eq override private protected public register \
-   reinterpret_cast requires restrict return short signed sizeof static static_assert static_cast \
-   struct switch template this thread_local throw true try typedef typeid typename typeof union \
-   unsigned using virtual void volatile wchar_t while xor xor_eq complex imaginary noreturn \
-   acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh drem erf erfc exp exp2 \
-   exp10 expm1 fabs fdim finite floor fma fmax fmin fmod fpclassify frexp gamma hypot ilogb \
-   isfinite isgreater isgreaterequal isinf isless islessequal islessgreater isnan isnormal \
-   isunordered j0 j1 jn ldexp lgamma llrint llround log log10 log1p log2 logb lrint lround \
-   modf nan nearbyint nextafter nexttoward pow pow10 remainder remquo rint round scalb scalbln \
-   scalbn signbit signgam significand sin sincos sinh sqrt tan tanh tgamma trunc y0 y1 yn \
-   abs div labs time clock errno linux unix main std i386 INFINITY NAN HUGE_VAL NULL \
-   EOF DOMAIN SING OVERFLOW UNDERFLOW PLOSS TLOSS I float_t double_t int8_t int16_t int32_t \
-   int64_t uint8_t uint16_t uint32_t uint64_t intptr_t uintptr_t intmax_t uintmax_t size_t \
-   ptrdiff_t max_align_t"
+let is_reserved kind name =
+  Hashtbl.mem keywords name || is_macro_like name
+  || match kind with Identifiers -> Hashtbl.mem functions name | Members -> false
 
-let reserved_names =
-  let table = Hashtbl.create 512 in
-  List.iter (fun name -> Hashtbl.replace table name ()) (String.split_on_char ' ' reserved);
-  table
-
-let is_reserved name =
-  Hashtbl.mem reserved_names name
-  (* FP_NAN, M_PI, INT32_MAX, … *)
-  || List.exists
-       (fun prefix ->
-         String.length name >= String.length prefix
-         && String.equal prefix (String.sub name 0 (String.length prefix)))
-       [ "FP_"; "M_"; "MATH_"; "INT"; "UINT"; "FLT_"; "DBL_"; "SIZE_MAX"; "WCHAR"; "WINT" ]
-
-let scope ?within ?(taken = []) () =
+let scope ?within ?(taken = []) kind =
   let table = Hashtbl.create 16 in
   List.iter (fun name -> Hashtbl.replace table name ()) taken;
-  { within; taken = table; counts = Hashtbl.create 16 }
+  { kind; within; taken = table; counts = Hashtbl.create 16 }
 
-let rec is_taken scope name =
+let rec is_taken_in scope name =
   Hashtbl.mem scope.taken name
-  || match scope.within with Some outer -> is_taken outer name | None -> is_reserved name
+  || match scope.within with Some outer -> is_taken_in outer name | None -> false
+
+let is_taken scope name = is_reserved scope.kind name || is_taken_in scope name
 
 (* Never two underscores together, nor one in front or at the end: C and C++
    keep some of those for themselves. *)

@@ -8,7 +8,10 @@
 
 type scope
 
-val scope : ?within:scope -> ?taken:string list -> unit -> scope
+(** Members of a struct may be called as functions of the C library are. *)
+type kind = Identifiers | Members
+
+val scope : ?within:scope -> ?taken:string list -> kind -> scope
 (** A scope in which the names of the scopes around it are taken too. *)
 
 val fresh : scope -> string -> string

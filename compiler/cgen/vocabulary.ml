@@ -23,8 +23,8 @@ type t = {
 let is_root t k = k = Array.length t.program.nodes - 1
 let has_state t k = match t.program.nodes.(k).state with [] -> false | _ :: _ -> true
 
-let members scope (node : M.node) =
-  let scope = Name.scope ~within:scope () in
+let members (node : M.node) =
+  let scope = Name.scope Members in
   let table = Hashtbl.create 16 in
   List.iter
     (fun (field : M.field) -> Hashtbl.replace table field.id (Name.fresh scope field.name))
@@ -40,7 +40,7 @@ let name_nodes scope ~name (nodes : M.node array) =
   let step = take "_step" in
   Array.mapi
     (fun k (node : M.node) ->
-      let members = members scope node in
+      let members = members node in
       if k = last then { state; reset; step; members }
       else
         let own = name ^ "_" ^ node.name in
@@ -54,7 +54,7 @@ let name_nodes scope ~name (nodes : M.node array) =
 
 let of_program (program : M.program) =
   let name = Name.identifier program.name in
-  let scope = Name.scope ~taken:Helper.names () in
+  let scope = Name.scope Identifiers ~taken:Helper.names in
   let input_name = Name.fresh scope (name ^ "_input") in
   let output_name = Name.fresh scope (name ^ "_output") in
   let nodes = name_nodes scope ~name program.nodes in

@@ -196,6 +196,119 @@ let names =
   in
   program b "names" ~input:(tuple [ leaf Float; leaf Float ]) ~output:(leaf Float)
 
+(* Every operation whose result the language fixes where C does not. *)
+let totality =
+  let b = create () in
+  let _ =
+    node b "totality" (fun n ->
+        let a = input ~ty:Int n "a" in
+        let b = input ~ty:Int n "b" in
+        let x = input n "x" in
+        let y = input n "y" in
+        let ints =
+          List.map
+            (fun (name, operator) -> (name, op ~ty:Int n operator [ a; b ]))
+            [
+              ("add", Add); ("sub", Subtract); ("mul", Multiply); ("div", Div); ("mod", Mod);
+              ("min", Minimum); ("max", Maximum);
+            ]
+        in
+        let int = List.map (fun (name, operator) -> (name, op ~ty:Int n operator [ a ])) in
+        let converted = List.map (fun (name, operator) -> (name, op ~ty:Int n operator [ x ])) in
+        let floats = List.map (fun (name, operator, ys) -> (name, op n operator ys)) in
+        List.concat
+          [
+            ints;
+            int [ ("negate", Negate); ("abs", Absolute); ("signum", Signum) ];
+            converted
+              [ ("round", Round); ("floor", Floor); ("ceiling", Ceiling); ("truncate", Truncate) ];
+            floats
+              [
+                ("fmin", Minimum, [ x; y ]); ("fmax", Maximum, [ x; y ]); ("fsignum", Signum, [ x ]);
+                ("capped", Minimum, [ x; float 1. ]); ("raised", Maximum, [ float 1.; x ]);
+                ("min0", Minimum, [ x; float 0. ]); ("max0", Maximum, [ float 0.; x ]);
+              ];
+          ])
+  in
+  let names ty = List.map (fun name -> (name, leaf ty)) in
+  let record name parts =
+    Product
+      { product_name = name; product_module = "Main"; constructor = name; record = true; parts }
+  in
+  program b "totality"
+    ~input:(record "Given" (names Int [ "a"; "b" ] @ names Float [ "x"; "y" ]))
+    ~output:
+      (record "Results"
+         (names Int
+            [
+              "add"; "sub"; "mul"; "div"; "mod"; "min"; "max"; "negate"; "abs"; "signum";
+              "round"; "floor"; "ceiling"; "truncate";
+            ]
+         @ names Float [ "fmin"; "fmax"; "fsignum"; "capped"; "raised"; "min0"; "max0" ]))
+
+(* Local time, and what depends on the first instant and on odd values of dt. *)
+let clock =
+  let b = create () in
+  let _ =
+    node b "clock" (fun n ->
+        let x = input n "x" in
+        let t = let_ n "t" Time in
+        let sum = let_ n "sum" (Integral x) in
+        let slope = let_ n "slope" (Derivative x) in
+        [ ("t", t); ("sum", sum); ("slope", slope) ])
+  in
+  program b "clock" ~input:(leaf Float) ~output:(tuple [ leaf Float; leaf Float; leaf Float ])
+
+(* Sums in sums, laid flat; () and tuples inside; for the host's table too. *)
+let shapes =
+  let either =
+    {
+      name = "Either (Maybe Float) Bool";
+      module_ = "Prelude";
+      constructors =
+        [
+          { constructor = "Left"; fields = [ ("", leaf (Sum 0)) ] };
+          { constructor = "Right"; fields = [ ("", leaf Bool) ] };
+        ];
+    }
+  in
+  let event =
+    {
+      name = "Event (Int, Float)";
+      module_ = "Prelude";
+      constructors =
+        [
+          { constructor = "NoEvent"; fields = [] };
+          { constructor = "Event"; fields = [ ("", tuple [ leaf Int; leaf Float ]) ] };
+        ];
+    }
+  in
+  let b = create () in
+  let _ =
+    node b "shapes" (fun n ->
+        let e = input ~ty:(Sum 1) n "e" in
+        let v = input ~ty:(Sum 2) n "v" in
+        let left = let_ ~ty:Bool n "" (Is_constructor (e, 0)) in
+        let inner = let_ ~ty:(Sum 0) n "" (Payload { value = e; constructor = 0; leaf = 0 }) in
+        let nothing = let_ ~ty:(Sum 0) n "" (Construct { constructor = 0; payload = [] }) in
+        let chosen = let_ ~ty:(Sum 0) n "chosen" (If { condition = left; then_ = inner; else_ = nothing }) in
+        let again = let_ ~ty:(Sum 1) n "" (Construct { constructor = 0; payload = [ chosen ] }) in
+        let x = let_ n "" (Payload { value = v; constructor = 1; leaf = 1 }) in
+        let occurs = let_ ~ty:Bool n "" (Is_constructor (v, 1)) in
+        let more = let_ ~ty:(Sum 2) n "" (Construct { constructor = 1; payload = [ Int 7l; x ] }) in
+        let result = let_ ~ty:(Sum 2) n "" (If { condition = occurs; then_ = more; else_ = v }) in
+        let last = declare ~ty:(Sum 1) n "last" in
+        let zero = let_ ~ty:(Sum 0) n "" (Construct { constructor = 1; payload = [ float 0. ] }) in
+        let init = let_ ~ty:(Sum 1) n "" (Construct { constructor = 0; payload = [ zero ] }) in
+        define n last (Delay { init; next = again });
+        [ ("1", Signal last); ("2", result) ])
+  in
+  let unit = tuple [] in
+  program b "shapes"
+    ~sums:[| maybe_float; either; event |]
+    ~input:(tuple [ leaf (Sum 1); unit; tuple [ leaf (Sum 2) ] ])
+    ~output:(tuple [ leaf (Sum 1); unit; leaf (Sum 2) ])
+
 let all =
   [
     ("wall_follow", wall_follow);
@@ -204,4 +317,7 @@ let all =
     ("exchange", exchange);
     ("drive", instances);
     ("names", names);
+    ("totality", totality);
+    ("clock", clock);
+    ("shapes", shapes);
   ]
