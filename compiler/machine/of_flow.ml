@@ -4,7 +4,7 @@ open Fragment
 
 type context = {
   program : F.program;
-  statics : Flow.Statics.t array;
+  statics : Statics.t array;
   done_ : Ir.node option array;  (** the nodes already translated *)
   sees_first_dt : bool array;
 }
@@ -228,7 +228,7 @@ let equations items =
 let output_span (node : F.node) (atom : F.atom) =
   match atom with Signal s -> s.span | Bool _ | Int _ | Float _ -> node.span
 
-let step_body context state (node : F.node) ~is_root (statics : Flow.Statics.t) =
+let step_body context state (node : F.node) ~is_root (statics : Statics.t) =
   let d = draft () in
   let parameter (s : F.signal) = leaf d s (Variable (variable s)) in
   List.iter parameter node.statics;
@@ -301,7 +301,7 @@ let reset_effects context draft state (item : Flow.Schedule.item) =
           in
           [ effect ~operands i.span reset ])
 
-let reset_body context state (node : F.node) (statics : Flow.Statics.t) =
+let reset_body context state (node : F.node) (statics : Statics.t) =
   let d = draft () in
   List.iter (fun (s : F.signal) -> leaf d s (Variable (variable s))) node.statics;
   List.iter
@@ -376,7 +376,7 @@ let stepped body =
 
 (* Whether the dt of the first instant shows in what a node computes: an
    integral multiplies it by 0, but a derivative and a time do not. *)
-let sees_first_dt context state (statics : Flow.Statics.t) body =
+let sees_first_dt context state (statics : Statics.t) body =
   let own (eq : F.equation) =
     match State.memory state eq.defines with
     | Some (Elapsed _ | Differentiated _) -> true
@@ -441,7 +441,7 @@ let program (program : F.program) : Ir.program =
   let context =
     {
       program;
-      statics = Flow.Statics.program program;
+      statics = Statics.program program;
       done_ = Array.make count None;
       sees_first_dt = Array.make count false;
     }

@@ -75,7 +75,7 @@ let kept_name rhs =
   | Derivative _ ->
       "start_value"
 
-let of_node ~stateful (statics : Flow.Statics.t) =
+let of_node ~stateful (statics : Statics.t) =
   let t = { memories = Hashtbl.create 16; instances = Hashtbl.create 16; fields = []; count = 0 } in
   List.iter
     (fun (item : Flow.Schedule.item) ->

@@ -2,7 +2,7 @@
 
 type t
 
-val of_node : stateful:(int -> bool) -> Flow.Statics.t -> t
+val of_node : stateful:(int -> bool) -> Statics.t -> t
 (** [stateful] tells of the nodes before this one whether they have state. *)
 
 type memory =

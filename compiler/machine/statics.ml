@@ -1,0 +1,181 @@
+open Basis
+
+type t = {
+  at_reset : Flow.Schedule.item list;
+  kept : Flow.Ir.signal list;
+  in_step : Flow.Schedule.item list;
+  read_by_step : Flow.Ir.signal list;
+}
+
+type cost = Cheap | Costly
+
+let is_expensive = function
+  | Flow.Ir.Op ((Pow | Elementary _), _) -> true
+  | Op
+      ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Equal | Less | Less_equal
+        | Minimum | Maximum | Divide | Div | Mod | To_float | Round | Floor | Ceiling | Truncate
+        | Not | And | Or ),
+        _ )
+  | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Delay _ | Time | Integral _
+  | Derivative _ ->
+      false
+
+let is_stateful = function
+  | Flow.Ir.Delay _ | Time | Integral _ | Derivative _ -> true
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ -> false
+
+(* What is known of a node while it is being divided; tables by signal id. *)
+type work = {
+  program : Flow.Ir.program;
+  static : (int, cost) Hashtbl.t;
+  definer : (int, Flow.Schedule.item) Hashtbl.t;
+}
+
+let is_static work = function
+  | Flow.Ir.Signal s -> Hashtbl.mem work.static s.id
+  | Bool _ | Int _ | Float _ -> true
+
+let cost_of_operands work atoms =
+  let is_costly = function
+    | Flow.Ir.Signal s -> Hashtbl.find_opt work.static s.id = Some Costly
+    | Bool _ | Int _ | Float _ -> false
+  in
+  if List.exists is_costly atoms then Costly else Cheap
+
+(* Classifies an item, those it needs having been classified. *)
+let classify work item =
+  match item with
+  | Flow.Schedule.Equation e ->
+      Hashtbl.replace work.definer e.defines.id item;
+      let operands = Flow.Operands.all e.rhs in
+      if (not (is_stateful e.rhs)) && List.for_all (is_static work) operands then
+        Hashtbl.replace work.static e.defines.id
+          (if is_expensive e.rhs then Costly else cost_of_operands work operands)
+  | Instance i ->
+      List.iter (fun (s : Flow.Ir.signal) -> Hashtbl.replace work.definer s.id item) i.outputs;
+      if
+        work.program.nodes.(i.node).kind = Function
+        && List.for_all (is_static work) i.statics
+        && List.for_all (is_static work) i.inputs
+      then List.iter (fun (s : Flow.Ir.signal) -> Hashtbl.replace work.static s.id Costly) i.outputs
+
+let operands_of_item = function
+  | Flow.Schedule.Equation e -> Flow.Operands.all e.rhs
+  | Instance i -> List.rev_append i.statics i.inputs
+
+(* All signals from which [roots] are computed by static definitions, with
+   themselves; [stop] ends the walk at a signal. *)
+let closure work ~stop roots =
+  let seen = Hashtbl.create 16 in
+  let rec walk = function
+    | [] -> seen
+    | (s : Flow.Ir.signal) :: rest when Hashtbl.mem seen s.id -> walk rest
+    | s :: rest ->
+        Hashtbl.replace seen s.id ();
+        if stop s then walk rest
+        else
+          let operands =
+            match Hashtbl.find_opt work.definer s.id with
+            | Some item -> Flow.Operands.signals (operands_of_item item)
+            | None -> []
+          in
+          walk (List.rev_append operands rest)
+  in
+  walk roots
+
+let defines_one_of table = function
+  | Flow.Schedule.Equation e -> Hashtbl.mem table e.defines.id
+  | Instance i -> List.exists (fun (s : Flow.Ir.signal) -> Hashtbl.mem table s.id) i.outputs
+
+(* What an item that is not static reads at its start, and in each step. *)
+let read_at_start (program : Flow.Ir.program) = function
+  | Flow.Schedule.Equation { rhs = Delay { init; _ }; _ } -> [ init ]
+  | Equation _ -> []
+  | Instance i -> (
+      match program.nodes.(i.node).kind with
+      | Signal_function -> i.statics
+      | Function -> [])
+
+let read_in_step (program : Flow.Ir.program) (callee : int -> t) = function
+  | Flow.Schedule.Equation { rhs = Delay { next; _ }; _ } -> [ next ]
+  | Equation e -> Flow.Operands.all e.rhs
+  | Instance i ->
+      let node = program.nodes.(i.node) in
+      let read = (callee i.node).read_by_step in
+      let is_read (s : Flow.Ir.signal) = List.exists (fun (r : Flow.Ir.signal) -> r.id = s.id) read in
+      let add all parameter atom = if is_read parameter then atom :: all else all in
+      List.fold_left2 add i.inputs node.statics i.statics
+
+let of_function (node : Flow.Ir.node) =
+  { at_reset = []; kept = []; in_step = Flow.Schedule.of_node node; read_by_step = node.statics }
+
+let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) =
+  let work = { program; static = Hashtbl.create 64; definer = Hashtbl.create 64 } in
+  List.iter (fun (s : Flow.Ir.signal) -> Hashtbl.replace work.static s.id Cheap) node.statics;
+  let items = Flow.Schedule.of_node node in
+  List.iter (classify work) items;
+  let is_static_item = function
+    | Flow.Schedule.Equation e -> Hashtbl.mem work.static e.defines.id
+    | Instance i -> (
+        match i.outputs with
+        | s :: _ -> Hashtbl.mem work.static s.id
+        | [] -> false)
+  in
+  let static_items, dynamic = List.partition is_static_item items in
+  let gather read = List.fold_left (fun all item -> List.rev_append (read item) all) [] dynamic in
+  let at_start = gather (read_at_start program) in
+  List.iter
+    (fun atom ->
+      if not (is_static work atom) then
+        Diagnostic.bug ~stage:"Machine.Statics" "an initial value or a parameter in `%s` is not static"
+          node.name)
+    at_start;
+  let outputs = List.rev_map snd node.outputs in
+  let static_only = List.filter (fun (s : Flow.Ir.signal) -> Hashtbl.mem work.static s.id) in
+  let read = gather (read_in_step program callee) in
+  let in_step = static_only (Flow.Operands.signals (List.rev_append outputs read)) in
+  let is_costly (s : Flow.Ir.signal) = Hashtbl.find_opt work.static s.id = Some Costly in
+  (* A cheap static reads cheap ones only, so the walk ends at what is kept. *)
+  let needed_in_step = closure work ~stop:is_costly in_step in
+  let kept =
+    let defined = function Flow.Schedule.Equation e -> [ e.defines ] | Instance i -> i.outputs in
+    List.concat_map
+      (fun item ->
+        List.filter
+          (fun (s : Flow.Ir.signal) -> is_costly s && Hashtbl.mem needed_in_step s.id)
+          (defined item))
+      static_items
+  in
+  let at_reset_roots = List.rev_append (Flow.Operands.signals at_start) kept in
+  let needed_at_reset = closure work ~stop:(fun _ -> false) at_reset_roots in
+  let is_kept = Hashtbl.create 16 in
+  List.iter (fun (s : Flow.Ir.signal) -> Hashtbl.replace is_kept s.id ()) kept;
+  let runs_in_step item =
+    (not (is_static_item item))
+    || (defines_one_of needed_in_step item && not (defines_one_of is_kept item))
+  in
+  {
+    at_reset = List.filter (defines_one_of needed_at_reset) static_items;
+    kept;
+    in_step = List.filter runs_in_step items;
+    read_by_step =
+      List.filter (fun (s : Flow.Ir.signal) -> Hashtbl.mem needed_in_step s.id) node.statics;
+  }
+
+let program (program : Flow.Ir.program) =
+  let results = Array.make (Array.length program.nodes) None in
+  let callee i =
+    match results.(i) with
+    | Some t -> t
+    | None -> Diagnostic.bug ~stage:"Machine.Statics" "node %d comes after its caller" i
+  in
+  Array.mapi
+    (fun i (node : Flow.Ir.node) ->
+      let t =
+        match node.kind with
+        | Function -> of_function node
+        | Signal_function -> of_signal_function program callee node
+      in
+      results.(i) <- Some t;
+      t)
+    program.nodes
