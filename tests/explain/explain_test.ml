@@ -60,15 +60,20 @@ let beside (info, text) =
 (* Codes of the last stages need an entry, so the program is compiled. *)
 let is_compiled code = List.mem (String.sub code 0 3) [ "E04"; "E05" ]
 
+(* The smallest program that nests too deeply is too long for a page. *)
+let faulty_example code blocks =
+  match code with
+  | "E0106" ->
+      let depth = 10_001 in
+      "x = " ^ String.make depth '(' ^ "1" ^ String.make depth ')'
+  | _ -> List.assoc "frob-error" blocks
+
 let check_page code () =
-  let page = Option.get (Basis.Explain.find code) in
-  let blocks = blocks page in
+  let blocks = blocks (Option.get (Basis.Explain.find code)) in
   let others = List.filter_map beside blocks in
-  let result kind =
-    codes_of ~compile:(is_compiled code) (("main.frob", List.assoc kind blocks) :: others)
-  in
-  Alcotest.(check (list string)) "the example" [ code ] (result "frob-error");
-  Alcotest.(check (list string)) "the cured example" [] (result "frob")
+  let result text = codes_of ~compile:(is_compiled code) (("main.frob", text) :: others) in
+  Alcotest.(check (list string)) "the example" [ code ] (result (faulty_example code blocks));
+  Alcotest.(check (list string)) "the cured example" [] (result (List.assoc "frob" blocks))
 
 (* Codes as they stand in the compiler's own sources. *)
 let emitted () =
