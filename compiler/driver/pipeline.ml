@@ -132,7 +132,8 @@ let machine options sink sources ~library ~entry file =
     stage options sink Flow ~lint:Flow.Lint.program ~print:Flow.Print.program
       (Flow.Optimize.program flow)
   in
-  stage options sink Machine ~lint:ignore ~print:(fun _ _ -> ()) (Machine.Of_flow.program flow)
+  stage options sink Machine ~lint:Machine.Lint.program ~print:Machine.Print.program
+    (Machine.Of_flow.program flow)
 
 let compile options sink sources ~library ~entry file =
   let* machine = machine options sink sources ~library ~entry file in

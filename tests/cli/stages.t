@@ -37,6 +37,19 @@ The compiler can be watched at work, stage by stage.
     _2 : Float = 2.0 * _1
     -> (out = _2)
   == machine
+  node main
+    self.x_derivative#0 : Float  -- derivative
+    self.x_derivative_input#1 : Float  -- its last input
+    self.started#2 : Bool  -- past the first instant
+    reset ()
+      self.x_derivative#0 := 0.0  -- 2
+      self.x_derivative_input#1 := 0.0  -- 2
+      self.started#2 := false  -- 2
+    step (x)
+      if 0.0 < dt  -- 2
+        self.x_derivative#0 := (x - self.x_derivative_input#1) / dt  -- 2
+      self.x_derivative_input#1 := x  -- 2
+      result.0 := 2.0 * self.x_derivative#0  -- 2
   $ ls
   gain.frob
   stages.t
