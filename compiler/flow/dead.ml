@@ -6,6 +6,7 @@ type instance = {
 }
 
 type definition =
+  | Undefined
   | Parameter of { node : int; number : int }  (** statics, then inputs *)
   | Equation of Ir.rhs
   | Output of { instance : instance; number : int }
@@ -18,16 +19,17 @@ type node = {
 }
 
 type search = {
-  definitions : (int, definition) Hashtbl.t;  (** by signal id *)
-  needed : (int, unit) Hashtbl.t;  (** the signals *)
+  definitions : definition array;  (** by signal id *)
+  needed : Bytes.t;  (** by signal id: is it? *)
   nodes : node array;
 }
 
 let joined first second = Array.of_list (List.rev_append (List.rev first) second)
 
 let prepare (program : Ir.program) =
-  let definitions = Hashtbl.create 1024 in
-  let define (s : Ir.signal) definition = Hashtbl.replace definitions s.id definition in
+  let ids = Signals.next_id program in
+  let definitions = Array.make ids Undefined in
+  let define (s : Ir.signal) definition = definitions.(s.id) <- definition in
   let node index (node : Ir.node) =
     let parameters = joined node.statics node.inputs in
     Array.iteri (fun number s -> define s (Parameter { node = index; number })) parameters;
@@ -48,13 +50,14 @@ let prepare (program : Ir.program) =
     }
   in
   let nodes = Array.mapi node program.nodes in
-  { definitions; needed = Hashtbl.create 1024; nodes }
+  { definitions; needed = Bytes.make ids '\000'; nodes }
 
-let is_needed search (s : Ir.signal) = Hashtbl.mem search.needed s.id
+let is_needed search (s : Ir.signal) = Bytes.get search.needed s.id <> '\000'
 
 (* The atoms that are needed because this one is. *)
 let consequences search (s : Ir.signal) =
-  match Hashtbl.find search.definitions s.id with
+  match search.definitions.(s.id) with
+  | Undefined -> Basis.Diagnostic.bug ~stage:"Flow.Dead" "`%s` (%d) is not defined" s.name s.id
   | Equation rhs -> Operands.all rhs
   | Parameter { node; number } ->
       List.rev_map (fun i -> i.arguments.(number)) search.nodes.(node).needed_instances
@@ -82,7 +85,7 @@ let run search =
   let rec go = function
     | [] -> ()
     | Ir.Signal s :: rest when not (is_needed search s) ->
-        Hashtbl.replace search.needed s.id ();
+        Bytes.set search.needed s.id '\001';
         go (List.rev_append (consequences search s) rest)
     | (Ir.Signal _ | Bool _ | Int _ | Float _) :: rest -> go rest
   in

@@ -19,20 +19,6 @@ let size (node : Ir.node) =
     (size_of_instance * List.length node.instances)
     node.equations
 
-let next_id (program : Ir.program) =
-  let larger next (s : Ir.signal) = max next (1 + max s.id s.group) in
-  Array.fold_left
-    (fun next (node : Ir.node) ->
-      let next = List.fold_left larger next node.statics in
-      let next = List.fold_left larger next node.inputs in
-      let next =
-        List.fold_left (fun next (e : Ir.equation) -> larger next e.defines) next node.equations
-      in
-      List.fold_left
-        (fun next (i : Ir.instance) -> List.fold_left larger next i.outputs)
-        next node.instances)
-    0 program.nodes
-
 type context = {
   nodes : Ir.node array;  (** callees already done *)
   is_small : bool array;  (** of those done *)
@@ -66,11 +52,9 @@ let unique (names : names) ~prefix name =
 
 let signal_names (node : Ir.node) : names =
   let names = Hashtbl.create 64 in
-  let take (s : Ir.signal) = if s.name <> "" then Hashtbl.replace names s.name 1 in
-  List.iter take node.statics;
-  List.iter take node.inputs;
-  List.iter (fun (e : Ir.equation) -> take e.defines) node.equations;
-  List.iter (fun (i : Ir.instance) -> List.iter take i.outputs) node.instances;
+  Signals.iter
+    (fun (s : Ir.signal) -> if s.name <> "" then Hashtbl.replace names s.name 1)
+    node;
   names
 
 let instance_names (node : Ir.node) : names =
@@ -200,7 +184,7 @@ let program (program : Ir.program) =
       nodes = Array.copy program.nodes;
       is_small = Array.make (Array.length program.nodes) false;
       dependencies = Dependency.program program;
-      fresh = next_id program;
+      fresh = Signals.next_id program;
     }
   in
   let changed = ref false in

@@ -14,8 +14,13 @@ let same_instant = function
     ->
       all rhs
 
-(* A constructor's payload may be long. *)
-let map_list f atoms = List.rev (List.rev_map f atoms)
+(* Most lists are short; a constructor's payload may be long. *)
+let map_list f = function
+  | [ a ] -> [ f a ]
+  | [ a; b ] ->
+      let a = f a in
+      [ a; f b ]
+  | atoms -> List.rev (List.rev_map f atoms)
 
 let map f = function
   | Copy a -> Copy (f a)

@@ -3,7 +3,7 @@ type t = {
   names : (int, Ir.signal) Hashtbl.t;  (** whose name and place a signal takes over *)
 }
 
-let create () = { atoms = Hashtbl.create 64; names = Hashtbl.create 16 }
+let create () = { atoms = Hashtbl.create 16; names = Hashtbl.create 8 }
 let is_replaced t (s : Ir.signal) = Hashtbl.mem t.atoms s.id
 
 let rec last t = function
@@ -47,7 +47,7 @@ let replace t (s : Ir.signal) by =
 
 let list f items = List.rev (List.rev_map f items)
 
-let node t (node : Ir.node) =
+let apply t (node : Ir.node) =
   let equation (e : Ir.equation) =
     if is_replaced t e.defines then None
     else Some { e with defines = renamed t e.defines; rhs = Operands.map (atom t) e.rhs }
@@ -68,3 +68,5 @@ let node t (node : Ir.node) =
     equations = List.filter_map equation node.equations;
     instances = list instance node.instances;
   }
+
+let node t node = if Hashtbl.length t.atoms = 0 then node else apply t node

@@ -1,0 +1,11 @@
+let iter f (node : Ir.node) =
+  List.iter f node.statics;
+  List.iter f node.inputs;
+  List.iter (fun (e : Ir.equation) -> f e.defines) node.equations;
+  List.iter (fun (i : Ir.instance) -> List.iter f i.outputs) node.instances
+
+let next_id (program : Ir.program) =
+  let next = ref 0 in
+  let note (s : Ir.signal) = next := max !next (1 + max s.id s.group) in
+  Array.iter (iter note) program.nodes;
+  !next
