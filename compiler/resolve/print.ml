@@ -7,7 +7,10 @@ let global ppf (g : Ir.Global.t) =
   if String.equal g.module_ "Prelude" then bare ppf g.name
   else fprintf ppf "%s.%a" g.module_ bare g.name
 
-let local ppf (l : Ir.Local.t) = fprintf ppf "%s@%d" l.name l.id
+(* By the place where it is bound: unique, and the same whatever the library holds. *)
+let local ppf (l : Ir.Local.t) =
+  fprintf ppf "%s@%d:%d" l.name l.span.start.line l.span.start.column
+
 let tight_comma ppf () = pp_print_string ppf ", "
 let comma ppf () = fprintf ppf ",@ "
 let tuple pp ppf xs = fprintf ppf "@[<1>(%a)@]" (pp_print_list ~pp_sep:comma pp) xs
