@@ -30,6 +30,7 @@ type t = {
   definitions : (string * string, definition) Hashtbl.t;
   names : Names.t;
   globals : Value.t Variables.Table.t;
+  begun : unit Variables.Table.t;
   specializations : specialization Variables.Table.t;
   counts : (string, int) Hashtbl.t;
   mutable nodes : Flow.Ir.node list;
@@ -61,6 +62,7 @@ let create sink options (program : Core.Ir.program) =
     definitions;
     names = Names.create ();
     globals = Variables.Table.create 64;
+    begun = Variables.Table.create 16;
     specializations = Variables.Table.create 256;
     counts = Hashtbl.create 64;
     nodes = [];

@@ -45,6 +45,7 @@ type t = {
   definitions : (string * string, definition) Hashtbl.t;
   names : Names.t;  (** of nodes *)
   globals : Value.t Variables.Table.t;  (** values of definitions without signals *)
+  begun : unit Variables.Table.t;  (** definitions once postponed *)
   specializations : specialization Variables.Table.t;  (** by {!Skeleton.key} *)
   counts : (string, int) Hashtbl.t;  (** specializations of a definition *)
   mutable nodes : Flow.Ir.node list;  (** the last one first *)

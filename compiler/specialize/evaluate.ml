@@ -16,6 +16,12 @@ let refuse_interface (c : Context.t) (core : Ir.definition) what ty =
     |> note "functions, signal functions and labels exist only while compiling"
     |> emit c.sink)
 
+(* What {!Context.enter} does not count: functions that capture functions. *)
+let refuse_depth (c : Context.t) (core : Ir.definition) =
+  Diagnostic.(
+    error ~code:"E0413" ~at:core.span "`%s` needs functions that nest too deeply" core.name.name
+    |> emit c.sink)
+
 let refuse_cycle (c : Context.t) (local : Ir.Local.t) =
   Diagnostic.(
     error ~code:"E0414" ~at:local.span "`%s` holds a function that depends on itself" local.name
@@ -86,7 +92,8 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
      in
      try Context.settle (fun () -> root c ~unique core ~input ~output) with
      | Context.Stopped -> ()
-     | Skeleton.Needs_itself local -> refuse_cycle c local);
+     | Stack_overflow -> refuse_depth c core
+     | Closure.Needs_itself local -> refuse_cycle c local);
   if Diagnostic.has_errors c.sink then None
   else
     let input = Types.shape c.types input and output = Types.shape c.types output in

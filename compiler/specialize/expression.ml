@@ -18,7 +18,7 @@ let closure (c : Context.t) s target code ~name ~span : Value.closure =
     | "", (Unnamed | Defines _ | Named "") -> s.owner
     | "", Named name | name, _ -> name
   in
-  let captured = Variables.restrict (Free.of_code c.free (Skeleton.code_id code)) s.locals in
+  let captured = Variables.restrict (Free.of_code c.free (Closure.code_id code)) s.locals in
   { identity = c.fresh (); name; code; captured; types = s.types; span }
 
 let enter (binder : Ir.binder) entry locals = Variables.add binder.local.id entry locals
@@ -61,7 +61,7 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
       match Variables.find_opt local.id s.locals with
       | None -> bug "`%s` is not in scope" local.name
       | Some { contents = Polymorphic generic; _ } -> instantiate c s generic types
-      | Some entry -> Skeleton.forced entry)
+      | Some entry -> Closure.forced entry)
   | Global (name, types) -> global c s target e name (List.map (Types.close s.types) types)
   | Primitive (primitive, types) ->
       Primitive { primitive; types = List.map (Types.close s.types) types; arguments = [] }
@@ -166,7 +166,7 @@ and global (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types =
     }
   in
   let trail = Context.enter c s.trail ~name:name.name ~span:e.span in
-  let walk = Skeleton.walk c.keys s.node in
+  let walk = Skeleton.walk c.keys s.node Holes in
   Skeleton.add_number walk code;
   List.iter (fun ty -> Skeleton.add_number walk (Types.layout c.types ty).id) types;
   let key = Skeleton.key walk in
@@ -191,11 +191,19 @@ and global (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types =
     match (Variables.Table.find_opt c.globals key, Node.global s.node key) with
     | Some value, _ | None, Some value -> value
     | None, None ->
-        let before = Node.size s.node in
-        let value = expr c (inside trail s.node) (Named name.name) core.body in
-        if Node.size s.node = before then Variables.Table.replace c.globals key value
-        else Node.add_global s.node key value;
-        value
+        let evaluate node =
+          let before = Node.size node in
+          let trail = if node == s.node then trail else Context.from_here trail in
+          let value = expr c (inside trail node) (Named name.name) core.body in
+          if Node.size node = before then Variables.Table.replace c.globals key value
+          else Node.add_global node key value;
+          value
+        in
+        if Context.nests_deeply c trail && not (Variables.Table.mem c.begun key) then (
+          Variables.Table.replace c.begun key ();
+          let elsewhere () = ignore (evaluate (Node.create ~fresh:c.fresh)) in
+          raise (Context.Postponed elsewhere));
+        evaluate s.node
 
 (* [result]: the type after all arguments. *)
 and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Value.argument list) : Value.t =
@@ -263,8 +271,9 @@ and join s (closure : Value.closure) evaluate =
 (* [applied] has captured its arguments too. *)
 and call_function (c : Context.t) s target ~span ~result (applied : Value.closure) binder body =
   let trail = Context.enter c s.trail ~name:applied.name ~span in
-  let walk = Skeleton.walk c.keys s.node in
-  Skeleton.add_number walk (Skeleton.code_id applied.code);
+  let numbers = Skeleton.numbers_of c.keys applied in
+  let walk = Skeleton.walk c.keys s.node numbers in
+  Skeleton.add_number walk (Closure.code_id applied.code);
   Skeleton.add_captured walk applied;
   let inputs = Skeleton.take_holes walk in
   Specialization.call c trail s.node target
@@ -280,7 +289,7 @@ and call_function (c : Context.t) s target ~span ~result (applied : Value.closur
       key = Skeleton.key walk;
     }
     (fun trail node atoms ->
-      let locals = Skeleton.captured (Skeleton.copy c.keys atoms) applied in
+      let locals = Skeleton.captured (Skeleton.copy c.keys numbers atoms) applied in
       expr c { locals; types = applied.types; node; owner = applied.name; trail } Unnamed body)
 
 (* An instance of a signal function. *)
@@ -329,11 +338,12 @@ and delay (c : Context.t) s target ~span (initial : Value.argument) (input : Val
 
 and run_proc (c : Context.t) s target ~span ~result closure proc input =
   let trail = Context.enter c s.trail ~name:closure.name ~span in
-  let walk = Skeleton.walk c.keys s.node in
-  Skeleton.add_number walk (Skeleton.code_id closure.code);
+  let is_used = Free.uses_binder c.free proc.input.local.id in
+  let numbers = Skeleton.numbers_of c.keys closure in
+  let walk = Skeleton.walk c.keys s.node numbers in
+  Skeleton.add_number walk (Closure.code_id closure.code);
   Skeleton.add_captured walk closure;
   let statics = Skeleton.take_holes walk in
-  let is_used = Free.uses_binder c.free proc.input.local.id in
   if is_used then Skeleton.add walk proc.input.local input.ty input.value;
   let inputs = Skeleton.take_holes walk in
   Specialization.call c trail s.node target
@@ -349,7 +359,7 @@ and run_proc (c : Context.t) s target ~span ~result closure proc input =
       key = Skeleton.key walk;
     }
     (fun trail node atoms ->
-      let copy = Skeleton.copy c.keys atoms in
+      let copy = Skeleton.copy c.keys numbers atoms in
       let locals = Skeleton.captured copy closure in
       let locals =
         if is_used then

@@ -49,6 +49,18 @@ and zeros table node ~span ty : Ir.atom list =
 and zeros_of_parts table node ~span parts =
   List.concat_map (fun (part : Types.part) -> zeros table node ~span part.ty) parts
 
+let rec known table ty (value : Value.t) : Ir.atom option list =
+  let layout = Types.layout table ty in
+  match (value, layout.kind) with
+  | Atom atom, _ -> [ Some atom ]
+  | Product values, Product parts ->
+      List.concat
+        (List.map2 (fun (part : Types.part) value -> known table part.ty value) parts values)
+  | ( ( Text _ | Product _ | Constructed _ | Function _ | Signal_function _ | Primitive _
+      | Choice _ | Program _ | Unspecified ),
+      (Scalar | Product _ | Sum _ | Opaque) ) ->
+      List.map (fun _ -> None) layout.leaves
+
 let atom table node ~span ty value =
   match atoms table node ~span ty value with
   | [ atom ] -> atom

@@ -6,6 +6,9 @@ val atoms : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Flo
 (** The leaves of a value of a closed first-order type; known constructors
     become equations. *)
 
+val known : Types.table -> Core.Ir.ty -> Value.t -> Flow.Ir.atom option list
+(** Of each leaf the atom, if there is one without making an equation. *)
+
 val atom : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Flow.Ir.atom
 (** Of a type with a single leaf. *)
 

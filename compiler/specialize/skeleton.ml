@@ -4,47 +4,29 @@ let bug format = Diagnostic.bug ~stage:"Specialize.Skeleton" format
 
 module Table = Variables.Table
 
-module Steps = Hashtbl.Make (struct
-  type t = int * int
-
-  let equal (a, b) (c, d) = Int.equal a c && Int.equal b d
-  let hash (a, b) = ((a * 65_599) + b) land max_int
-end)
-
 type table = {
   types : Types.table;
   fresh : unit -> int;
-  steps : int Steps.t;  (* a key and one more number: the next key *)
-  texts : (string, int) Hashtbl.t;
+  keys : Keys.t;
   closed : int option Table.t;
       (* by closure identity: the key of what it has captured if without holes *)
+  closed_with_numbers : int option Table.t;  (* likewise, numbers being no holes *)
+  numbers : Numbers.table;
 }
+
+(* So many arguments make a node slower and harder to read than a node of its
+   own does. *)
+let few = 32
 
 let table types ~fresh =
   {
     types;
     fresh;
-    steps = Steps.create 1024;
-    texts = Hashtbl.create 16;
+    keys = Keys.create ();
     closed = Table.create 256;
+    closed_with_numbers = Table.create 16;
+    numbers = Numbers.table types ~limit:few;
   }
-
-exception Needs_itself of Core.Ir.Local.t
-
-let forced (entry : Value.entry) =
-  match entry.contents with
-  | Known value -> value
-  | Suspended evaluate ->
-      entry.contents <- Being_evaluated;
-      let value = evaluate () in
-      entry.contents <- Known value;
-      value
-  | Being_evaluated -> raise (Needs_itself entry.local)
-  | Polymorphic _ -> bug "`%s` has no type arguments" entry.local.name
-
-let code_id : Value.code -> int = function
-  | Lambda (binder, _) | Generic (binder, _, _) -> binder.local.id
-  | Proc proc -> proc.input.local.id
 
 type hole = {
   atom : Flow.Ir.atom;
@@ -53,36 +35,40 @@ type hole = {
   ty : Flow.Ir.ty;
 }
 
+type numbers =
+  | Holes
+  | In_key
+
+let closed_keys table = function
+  | Holes -> table.closed
+  | In_key -> table.closed_with_numbers
+
 type walk = {
   table : table;
   node : Node.t;
-  mutable state : int;
+  numbers : numbers;
+  mutable key : int;
   mutable holes : hole list;  (* the last one first *)
   mutable seen : int Variables.t;  (* closures with holes, in the order met *)
   mutable seen_count : int;
+  mutable inside : int;  (* of how many functions that are captured or passed *)
 }
 
-let walk table node = { table; node; state = 0; holes = []; seen = Variables.empty; seen_count = 0 }
+let walk table node numbers : walk =
+  {
+    table;
+    node;
+    numbers;
+    key = Keys.empty;
+    holes = [];
+    seen = Variables.empty;
+    seen_count = 0;
+    inside = 0;
+  }
 
-(* A trie of all sequences of numbers: its nodes are the keys. *)
-let add_number w number =
-  let step = (w.state, number) in
-  match Steps.find_opt w.table.steps step with
-  | Some next -> w.state <- next
-  | None ->
-      let next = Steps.length w.table.steps + 1 in
-      Steps.add w.table.steps step next;
-      w.state <- next
-
-let key w = w.state
-
-let text_number table text =
-  match Hashtbl.find_opt table.texts text with
-  | Some number -> number
-  | None ->
-      let number = Hashtbl.length table.texts in
-      Hashtbl.add table.texts text number;
-      number
+let add_number w number = w.key <- Keys.add w.table.keys w.key number
+let key w = w.key
+let text_number table text = Keys.text table.keys text
 
 (* The first number says what kind of value follows and, with the type, how
    many numbers belong to it; so no two values have the same sequence. *)
@@ -97,11 +83,26 @@ and tag_primitive = 7
 and tag_choice = 8
 and tag_program = 9
 and tag_unspecified = 10
+and tag_numbers = 11
 
 let type_id w ty = (Types.layout w.table.types ty).id
 
 let type_of_atom (atom : Flow.Ir.atom) : Flow.Ir.ty =
   match atom with Signal s -> s.ty | Bool _ -> Bool | Int _ -> Int | Float _ -> Float
+
+let numbers_of (table : table) closure =
+  if Numbers.are_many table.numbers closure then In_key else Holes
+
+(* Of each leaf, the text of the number or truth value that it is known to be. *)
+let constants table ty value =
+  let text (atom : Flow.Ir.atom) =
+    match atom with
+    | Signal _ -> None
+    | Bool b -> Some (string_of_bool b)
+    | Int n -> Some (Int32.to_string n)
+    | Float x -> Some (Printf.sprintf "%h" x)
+  in
+  List.map (fun atom -> Option.bind atom text) (Leaves.known table.types ty value)
 
 let rec add_at w local path ty (value : Value.t) =
   let layout = Types.layout w.table.types ty in
@@ -125,7 +126,8 @@ let rec add_at w local path ty (value : Value.t) =
         add_number w (List.length types);
         List.iter (fun ty -> add_number w (type_id w ty)) types;
         add_number w (List.length arguments);
-        List.iter (fun (a : Value.argument) -> add_at w local path a.ty a.value) arguments
+        inside w (fun () ->
+            List.iter (fun (a : Value.argument) -> add_at w local path a.ty a.value) arguments)
     | Choice { condition; then_; else_ }, _ ->
         add_number w tag_choice;
         add_hole w local path condition (type_of_atom condition);
@@ -141,21 +143,33 @@ let rec add_at w local path ty (value : Value.t) =
 and add_part w local path (part : Types.part) value =
   add_at w local (Types.join path part.part) part.ty value
 
+and inside w visit =
+  w.inside <- w.inside + 1;
+  visit ();
+  w.inside <- w.inside - 1
+
 and add_hole w local path atom ty = w.holes <- { atom; local; path; ty } :: w.holes
 
-and add_leaves w local path ty layout value =
-  add_number w tag_leaves;
+and add_leaves (w : walk) local path ty layout value =
+  let in_key = w.numbers = In_key && w.inside > 0 in
+  add_number w (if in_key then tag_numbers else tag_leaves);
   add_number w layout.id;
-  List.iter2
-    (fun (leaf : Types.leaf) atom -> add_hole w local (Types.join path leaf.path) atom leaf.leaf)
-    layout.leaves
+  let add_leaf ((leaf : Types.leaf), constant) atom =
+    match constant with
+    | Some number when in_key -> add_number w (1 + text_number w.table number)
+    | Some _ | None ->
+        if in_key then add_number w 0;
+        add_hole w local (Types.join path leaf.path) atom leaf.leaf
+  in
+  List.iter2 add_leaf
+    (List.combine layout.leaves (constants w.table ty value))
     (Leaves.atoms w.table.types w.node ~span:local.span ty value)
 
 and add_closure w closure =
   match closed_key w closure with
   | Some key ->
       add_number w tag_closed;
-      add_number w (code_id closure.code);
+      add_number w (Closure.code_id closure.code);
       add_number w key
   | None -> (
       match Variables.find_opt closure.identity w.seen with
@@ -166,8 +180,8 @@ and add_closure w closure =
           w.seen <- Variables.add closure.identity w.seen_count w.seen;
           w.seen_count <- w.seen_count + 1;
           add_number w tag_open;
-          add_number w (code_id closure.code);
-          add_captured w closure)
+          add_number w (Closure.code_id closure.code);
+          inside w (fun () -> add_captured w closure))
 
 and add_captured w (closure : Value.closure) =
   Variables.iter (fun _ ty -> add_number w (type_id w ty)) closure.types;
@@ -176,32 +190,35 @@ and add_captured w (closure : Value.closure) =
       match entry.contents with
       | Polymorphic generic -> add_closure w generic
       | Known _ | Suspended _ | Being_evaluated ->
-          add_at w entry.local "" entry.local_ty (forced entry))
+          add_at w entry.local "" entry.local_ty (Closure.forced entry))
     closure.captured
 
-and closed_key w closure =
-  match Table.find_opt w.table.closed closure.identity with
+and closed_key (w : walk) closure =
+  let table = closed_keys w.table w.numbers in
+  match Table.find_opt table closure.identity with
   | Some known -> known
   | None ->
       let key =
-        if Variables.for_all (fun _ entry -> is_closed w entry) closure.captured then (
-          let own = walk w.table w.node in
+        if Variables.for_all (fun _ entry -> may_be_closed w entry) closure.captured then (
+          let own = walk w.table w.node w.numbers in
+          own.inside <- 1;
           add_captured own closure;
-          if own.holes = [] then Some own.state else None)
+          if own.holes = [] then Some own.key else None)
         else None
       in
-      Table.add w.table.closed closure.identity key;
+      Table.add table closure.identity key;
       key
 
-(* Quickly no, or perhaps. *)
-and is_closed w (entry : Value.entry) =
+(* No, as far as one can see without going through everything. *)
+and may_be_closed (w : walk) (entry : Value.entry) =
   match entry.contents with
   | Polymorphic generic -> closed_key w generic <> None
   | Known _ | Suspended _ | Being_evaluated -> (
-      match (Types.layout w.table.types entry.local_ty).leaves with
-      | _ :: _ -> false
-      | [] -> (
-          match forced entry with
+      match ((Types.layout w.table.types entry.local_ty).leaves, w.numbers) with
+      | _ :: _, Holes -> false
+      | _ :: _, In_key -> true
+      | [], _ -> (
+          match Closure.forced entry with
           | Function closure | Signal_function closure -> closed_key w closure <> None
           | Atom _ | Text _ | Product _ | Constructed _ | Primitive _ | Choice _ | Program _
           | Unspecified ->
@@ -215,12 +232,21 @@ let take_holes w =
   holes
 
 type copy = {
-  keys : table;
+  sources : table;
+  in_key : bool;
+  closed_already : int option Table.t;
   mutable atoms : Flow.Ir.atom list;
   mutable copied : Value.closure Variables.t;
 }
 
-let copy keys atoms = { keys; atoms; copied = Variables.empty }
+let copy table numbers atoms =
+  {
+    sources = table;
+    in_key = numbers = In_key;
+    closed_already = closed_keys table numbers;
+    atoms;
+    copied = Variables.empty;
+  }
 
 let next_atom c =
   match c.atoms with
@@ -229,49 +255,59 @@ let next_atom c =
       atom
   | [] -> bug "more holes than atoms"
 
-let rec value c ty (original : Value.t) : Value.t =
-  let layout = Types.layout c.keys.types ty in
+(* [inside] as in {!walk}. *)
+let rec value_at c ~inside ty (original : Value.t) : Value.t =
+  let layout = Types.layout c.sources.types ty in
+  let value = value_at c ~inside in
   if layout.first_order then
-    Leaves.value c.keys.types ty (List.map (fun _ -> next_atom c) layout.leaves)
+    let filled (known : Flow.Ir.atom option) =
+      match known with
+      | Some ((Bool _ | Int _ | Float _) as number) when inside && c.in_key -> number
+      | Some _ | None -> next_atom c
+    in
+    Leaves.value c.sources.types ty (List.map filled (Leaves.known c.sources.types ty original))
   else
     match (original, layout.kind) with
     | (Text _ | Unspecified), _ -> original
     | Product values, Product parts ->
-        Product (List.map2 (fun (part : Types.part) v -> value c part.ty v) parts values)
+        Product (List.map2 (fun (part : Types.part) v -> value part.ty v) parts values)
     | Constructed { constructor; arguments }, Sum fields ->
-        let argument (part : Types.part) v = value c part.ty v in
+        let argument (part : Types.part) v = value part.ty v in
         Constructed
           { constructor; arguments = List.map2 argument fields.(constructor) arguments }
     | Function closure, _ -> Function (copy_closure c closure)
     | Signal_function closure, _ -> Signal_function (copy_closure c closure)
     | Primitive { primitive; types; arguments }, _ ->
-        let argument (a : Value.argument) = { a with value = value c a.ty a.value } in
+        let argument (a : Value.argument) = { a with value = value_at c ~inside:true a.ty a.value } in
         Primitive { primitive; types; arguments = List.map argument arguments }
     | Choice { then_; else_; condition = _ }, _ ->
         let condition = next_atom c in
-        let then_ = value c ty then_ in
-        Choice { condition; then_; else_ = value c ty else_ }
-    | Program signal_function, _ -> Program (value c ty signal_function)
+        let then_ = value ty then_ in
+        Choice { condition; then_; else_ = value ty else_ }
+    | Program signal_function, _ -> Program (value ty signal_function)
     | (Atom _ | Product _ | Constructed _), _ ->
         bug "a value that is not of type %s" (Types.to_string ty)
 
 and copy_closure c (closure : Value.closure) : Value.closure =
-  match Table.find_opt c.keys.closed closure.identity with
+  match Table.find_opt c.closed_already closure.identity with
   | Some (Some _) -> closure
   | Some None | None -> (
       match Variables.find_opt closure.identity c.copied with
       | Some copied -> copied
       | None ->
-          let captured = captured c closure in
-          let copied = { closure with identity = c.keys.fresh (); captured } in
+          let captured = captured_at c ~inside:true closure in
+          let copied = { closure with identity = c.sources.fresh (); captured } in
           c.copied <- Variables.add closure.identity copied c.copied;
           copied)
 
-and captured c (closure : Value.closure) =
+and captured_at c ~inside (closure : Value.closure) =
   Variables.map
     (fun (entry : Value.entry) : Value.entry ->
       match entry.contents with
       | Polymorphic generic -> { entry with contents = Polymorphic (copy_closure c generic) }
       | Known _ | Suspended _ | Being_evaluated ->
-          { entry with contents = Known (value c entry.local_ty (forced entry)) })
+          { entry with contents = Known (value_at c ~inside entry.local_ty (Closure.forced entry)) })
     closure.captured
+
+let value c ty original = value_at c ~inside:false ty original
+let captured c closure = captured_at c ~inside:false closure

@@ -14,15 +14,6 @@ type table
 
 val table : Types.table -> fresh:(unit -> int) -> table
 
-exception Needs_itself of Core.Ir.Local.t
-
-val forced : Value.entry -> Value.t
-(** The value of a variable. Raises {!Needs_itself} if its evaluation comes
-    back to it. *)
-
-val code_id : Value.code -> int
-(** See {!Free}. *)
-
 type hole = {
   atom : Flow.Ir.atom;
   local : Core.Ir.Local.t;  (** the variable whose value has it *)
@@ -36,7 +27,17 @@ val type_of_atom : Flow.Ir.atom -> Flow.Ir.ty
 
 type walk
 
-val walk : table -> Node.t -> walk
+(** What becomes of the numbers inside functions that are captured or passed. *)
+type numbers =
+  | Holes
+  | In_key  (** they are part of the key *)
+
+val numbers_of : table -> Value.closure -> numbers
+(** For the specialization of this closure: [In_key] if there are so many that
+    a long composition, of signal functions with numbers in them, would do
+    little but hand them on. *)
+
+val walk : table -> Node.t -> numbers -> walk
 (** [Node]: where known constructors of first-order types become leaves. *)
 
 val add : walk -> Core.Ir.Local.t -> Core.Ir.ty -> Value.t -> unit
@@ -58,8 +59,8 @@ val key : walk -> int
 
 type copy
 
-val copy : table -> Flow.Ir.atom list -> copy
-(** The atoms that fill the holes, in order. *)
+val copy : table -> numbers -> Flow.Ir.atom list -> copy
+(** The atoms that fill the holes, in order, of a walk with these numbers. *)
 
 val value : copy -> Core.Ir.ty -> Value.t -> Value.t
 (** The same value with the next atoms in its holes. *)

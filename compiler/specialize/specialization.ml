@@ -45,7 +45,7 @@ let build (c : Context.t) request body : Context.specialization =
   let inputs = List.map parameter request.inputs in
   let parameters = statics @ inputs in
   let result = body node (List.map (fun s -> Ir.Signal s) parameters) in
-  let walk = Skeleton.walk c.keys node in
+  let walk = Skeleton.walk c.keys node Holes in
   Skeleton.add walk { id = 0; name = "out"; span = request.span } request.result result;
   let holes = Skeleton.take_holes walk in
   let outputs = List.map (fun (hole : Skeleton.hole) -> hole.atom) holes in
@@ -103,4 +103,4 @@ let call (c : Context.t) trail caller target request body =
         Node.call caller targets ~callee:request.name ~node ~span:request.call ~statics ~inputs
           (List.map Skeleton.type_of_atom specialization.outputs)
   in
-  Skeleton.value (Skeleton.copy c.keys atoms) request.result specialization.result
+  Skeleton.value (Skeleton.copy c.keys Holes atoms) request.result specialization.result

@@ -115,7 +115,7 @@ let doubling_is_linear () =
     if n = 0 then (previous, definitions)
     else
       let definition, scheme = define (Printf.sprintf "f%d" n) (previous >>> previous) in
-      levels (n - 1) (global scheme []) (definition :: definitions)
+      levels Stdlib.(n - 1) (global scheme []) (definition :: definitions)
   in
   let start, scheme = define "start" (delay (number 0.5)) in
   let last, definitions = levels 40 (global scheme []) [ start ] in
@@ -123,6 +123,20 @@ let doubling_is_linear () =
   let text = flow ((fst compose :: List.rev definitions) @ [ main ]) in
   let lines = List.length (String.split_on_char '\n' text) in
   Alcotest.(check bool) "forty doublings in a few hundred lines" true (lines < 300)
+
+let long_compositions () =
+  let rec levels n previous definitions =
+    if n = 0 then (previous, definitions)
+    else
+      let number = delay (number (float_of_int n)) in
+      let definition, scheme = define (Printf.sprintf "s%d" n) (previous >>> number) in
+      levels Stdlib.(n - 1) (global scheme []) (definition :: definitions)
+  in
+  let last, definitions = levels 6_000 (delay (number 0.5)) [] in
+  let main = fst (define "main" last) in
+  let text = flow ((fst compose :: List.rev definitions) @ [ main ]) in
+  let length = String.length text in
+  Alcotest.(check bool) "a few lines for each" true (length > 600_000 && length < 1_200_000)
 
 let functions_of_signals () =
   let set v = local v "set" (fn float float) in
@@ -387,6 +401,7 @@ let () =
           test "composition is run" composition;
           test "numbers captured are statics" a_statics_hole;
           test "doubling a composition is linear" doubling_is_linear;
+          test "a long composition does not hand on all its numbers" long_compositions;
           test "signal functions live in tuples" signal_functions_in_tuples;
         ] );
       ( "rejected",
