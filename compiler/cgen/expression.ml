@@ -110,6 +110,19 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   | Dt_nanoseconds -> Name "dt_ns"
   | Operation { operator = Elementary f; arguments; _ } ->
       Call (Core.Primitive.name (Elementary f), list arguments)
+  (* One test for NaN is enough: where x is NaN, so is -x. *)
+  | Operation
+      {
+        operator = Maximum;
+        ty = Float;
+        arguments =
+          [
+            Operation { operator = Negate; arguments = [ x ]; _ };
+            Operation { operator = Minimum; arguments = [ x'; y ]; _ };
+          ];
+      }
+    when x = x' && Option.is_none (literal x) ->
+      Call (V.helper n.v Limit, list [ x; y ])
   | Operation { operator; ty; arguments = [ a ] } -> unary n operator ty (of_machine n a)
   | Operation { operator; ty; arguments = [ a; b ] } ->
       binary n operator ty (a, of_machine n a) (b, of_machine n b)

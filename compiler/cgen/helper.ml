@@ -14,6 +14,7 @@ type t =
   | Float_maximum
   | At_most
   | At_least
+  | Limit
   | Float_signum
   | Truncate
   | Floor
@@ -164,6 +165,17 @@ static inline double frob_at_most(double x, double limit)
 static inline double frob_at_least(double x, double limit)
 {
     return limit > x ? limit : x;
+}
+|} );
+    ( Limit,
+      "frob_limit",
+      [],
+      {|/* max (-x) (min x y): y within x of 0; NaN if either is. */
+static inline double frob_limit(double x, double y)
+{
+    const double high = y < x ? y : x;
+    const double both = high > -x ? high : -x;
+    return y == y ? both : y;
 }
 |} );
     ( Float_signum,

@@ -22,6 +22,7 @@ type t =
   | Float_maximum
   | At_most  (** the minimum of a value and a limit that is not NaN *)
   | At_least
+  | Limit  (** [max (-x) (min x y)] *)
   | Float_signum
   | Truncate
   | Floor

@@ -83,16 +83,19 @@ let precedence = function
   | Binary (operator, _, _) -> level operator
   | Conditional _ -> conditional
 
-(* Stands for a space where a long line may be broken. *)
-let soft = '\001'
+(* A character below this one stands for a space where a long line may be
+   broken: the smaller, the nearer to the root of the expression. *)
+let deepest = 8
+let is_soft c = Char.code c <= deepest
+let soft b ~depth = Buffer.add_char b (Char.chr (min depth deepest))
 
-let rec expr b ~at e =
+let rec expr b ~depth ~at e =
   let parenthesized = precedence e < at in
   if parenthesized then Buffer.add_char b '(';
-  bare b e;
+  bare b ~depth e;
   if parenthesized then Buffer.add_char b ')'
 
-and bare b e =
+and bare b ~depth e =
   let add = Buffer.add_string b in
   match e with
   | Name name -> add name
@@ -102,28 +105,34 @@ and bare b e =
   | Unary (operator, e) ->
       add (match operator with Negate -> "-" | Not -> "!" | Address -> "&" | Dereference -> "*");
       (* Never two minus signs together. *)
-      let at = match (operator, e) with Negate, (Unary (Negate, _) | Float _ | Integer _) -> postfix | _ -> prefix in
-      expr b ~at e
+      let at =
+        match (operator, e) with
+        | Negate, (Unary (Negate, _) | Float _ | Integer _) -> postfix
+        | _ -> prefix
+      in
+      expr b ~depth ~at e
   | Cast (ty, e) ->
       add "(";
       add (ty_name ty);
       add ")";
-      expr b ~at:prefix e
+      expr b ~depth ~at:prefix e
   | Binary (operator, left, right) ->
       let at_left, at_right = operand_levels operator in
-      logical b operator ~at:at_left left;
-      Buffer.add_char b soft;
+      (* A chain such as a + b - c breaks before all of its operators or none. *)
+      let is_chain = match left with Binary (o, _, _) -> level o = level operator | _ -> false in
+      logical b ~depth:(if is_chain then depth else depth + 1) operator ~at:at_left left;
+      soft b ~depth;
       add (symbol operator);
       add " ";
-      logical b operator ~at:at_right right
+      logical b ~depth:(depth + 1) operator ~at:at_right right
   | Conditional (c, x, y) ->
-      expr b ~at:(conditional + 1) c;
-      Buffer.add_char b soft;
+      expr b ~depth:(depth + 1) ~at:(conditional + 1) c;
+      soft b ~depth;
       add "? ";
-      expr b ~at:(conditional + 1) x;
-      Buffer.add_char b soft;
+      expr b ~depth:(depth + 1) ~at:(conditional + 1) x;
+      soft b ~depth;
       add ": ";
-      expr b ~at:conditional y
+      expr b ~depth ~at:conditional y
   | Call (name, arguments) ->
       add name;
       add "(";
@@ -131,31 +140,31 @@ and bare b e =
         (fun k e ->
           if k > 0 then (
             add ",";
-            Buffer.add_char b soft);
-          expr b ~at:0 e)
+            soft b ~depth);
+          expr b ~depth:(depth + 1) ~at:0 e)
         arguments;
       add ")"
   | Member (e, name) ->
-      expr b ~at:postfix e;
+      expr b ~depth ~at:postfix e;
       add ".";
       add name
   | Arrow (e, name) ->
-      expr b ~at:postfix e;
+      expr b ~depth ~at:postfix e;
       add "->";
       add name
 
 (* [a && b] inside [||] in parentheses, as compilers advise. *)
-and logical b operator ~at e =
+and logical b ~depth operator ~at e =
   match (operator, e) with
-  | Or, Binary (And, _, _) -> expr b ~at:postfix e
-  | _, _ -> expr b ~at e
+  | Or, Binary (And, _, _) -> expr b ~depth ~at:postfix e
+  | _, _ -> expr b ~depth ~at e
 
 let with_breaks e =
   let b = Buffer.create 64 in
-  expr b ~at:0 e;
+  expr b ~depth:1 ~at:0 e;
   Buffer.contents b
 
-let flat text = String.map (fun c -> if c = soft then ' ' else c) text
+let flat text = String.map (fun c -> if is_soft c then ' ' else c) text
 let expression e = flat (with_breaks e)
 
 (* Lines *)
@@ -163,25 +172,32 @@ let expression e = flat (with_breaks e)
 let width = 96
 let comment_column = 60
 
-(* Fills lines with the pieces between soft spaces. *)
-let fill out ~indent text =
-  let rec place column = function
-    | [] -> ()
-    | piece :: rest ->
-        if column + 1 + String.length piece > width then (
-          Buffer.add_string out ("\n" ^ String.make (indent + 8) ' ');
-          Buffer.add_string out piece;
-          place (indent + 8 + String.length piece) rest)
-        else (
-          Buffer.add_char out ' ';
-          Buffer.add_string out piece;
-          place (column + 1 + String.length piece) rest)
+(* The text in pieces, cut at its soft spaces nearest to the root. *)
+let pieces text =
+  let outermost =
+    String.fold_left (fun least c -> if is_soft c then min least c else least) '\255' text
   in
-  match String.split_on_char soft text with
-  | [] -> ()
-  | first :: rest ->
-      Buffer.add_string out first;
-      place (indent + String.length first) rest
+  String.split_on_char outermost text
+
+(* Writes a text that is too long for one line, and returns the column where
+   it ends: fills lines with pieces, and cuts those that fill more than one. *)
+let rec fill out ~indent ~column text =
+  let fits column text = column + String.length text <= width in
+  if fits column text || not (String.exists is_soft text) then (
+    Buffer.add_string out (flat text);
+    column + String.length text)
+  else
+    let next column piece =
+      if fits (column + 1) piece then (
+        Buffer.add_string out (" " ^ flat piece);
+        column + 1 + String.length piece)
+      else (
+        Buffer.add_string out ("\n" ^ String.make indent ' ');
+        fill out ~indent:(indent + 4) ~column:indent piece)
+    in
+    match pieces text with
+    | [] -> column
+    | first :: rest -> List.fold_left next (fill out ~indent ~column first) rest
 
 let line out ~indent ?(column = comment_column) ?(comment = "") text =
   Buffer.add_string out (String.make indent ' ');
@@ -192,11 +208,11 @@ let line out ~indent ?(column = comment_column) ?(comment = "") text =
       Buffer.add_string out (String.make spaces ' ');
       Buffer.add_string out ("/* " ^ comment ^ " */")))
   else (
-    fill out ~indent text;
+    ignore (fill out ~indent:(indent + 8) ~column:indent text);
     if comment <> "" then Buffer.add_string out (" /* " ^ comment ^ " */"));
   Buffer.add_char out '\n'
 
-let commas values = String.concat ("," ^ String.make 1 soft) values
+let commas values = String.concat ",\001" values
 
 let rec statement out ~indent { desc; comment } =
   let put text = line out ~indent ~comment text in

@@ -227,6 +227,7 @@ let totality =
                 ("fmin", Minimum, [ x; y ]); ("fmax", Maximum, [ x; y ]); ("fsignum", Signum, [ x ]);
                 ("capped", Minimum, [ x; float 1. ]); ("raised", Maximum, [ float 1.; x ]);
                 ("min0", Minimum, [ x; float 0. ]); ("max0", Maximum, [ float 0.; x ]);
+                ("limit", Maximum, [ op n Negate [ x ]; op n Minimum [ x; y ] ]);
               ];
           ])
   in
@@ -244,7 +245,7 @@ let totality =
               "add"; "sub"; "mul"; "div"; "mod"; "min"; "max"; "negate"; "abs"; "signum";
               "round"; "floor"; "ceiling"; "truncate";
             ]
-         @ names Float [ "fmin"; "fmax"; "fsignum"; "capped"; "raised"; "min0"; "max0" ]))
+         @ names Float [ "fmin"; "fmax"; "fsignum"; "capped"; "raised"; "min0"; "max0"; "limit" ]))
 
 (* Local time, and what depends on the first instant and on odd values of dt. *)
 let clock =

@@ -120,6 +120,11 @@ int main(void)
     check("min x 0 is the first of equals", minus_zero(floats(-0.0, 0.0).min0));
     check("max 0 x is the first of equals", plus_zero(floats(-0.0, 0.0).max0));
     check("max 0 of NaN is NaN", isnan(floats(nan, 0.0).max0) != 0);
+    check("a limit limits", floats(2.0, 3.0).limit == 2.0 && floats(2.0, -3.0).limit == -2.0);
+    check("a limit keeps what is inside", floats(2.0, 1.0).limit == 1.0);
+    check("a limit is NaN if either is", isnan(floats(nan, 1.0).limit) != 0 && isnan(floats(1.0, nan).limit) != 0);
+    check("a negative limit is the maximum", floats(-2.0, 5.0).limit == 2.0 && floats(-2.0, -5.0).limit == 2.0);
+    check("a limit of 0 gives the first of equals", minus_zero(floats(0.0, 1.0).limit));
     check("signum of minus zero is itself", minus_zero(floats(-0.0, 0.0).fsignum));
     check("signum of NaN is NaN", isnan(floats(nan, 0.0).fsignum) != 0);
     return failures == 0 ? 0 : 1;

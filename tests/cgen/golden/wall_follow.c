@@ -10,20 +10,6 @@
 #endif
 typedef char wall_follow_double_is_8_bytes[sizeof(double) == 8 ? 1 : -1];
 
-/* NaN if either is; the first of two equal ones. */
-static inline double frob_min(double a, double b)
-{
-    const double less = b < a ? b : a;
-    return b == b ? less : b;
-}
-
-/* NaN if either is; the first of two equal ones. */
-static inline double frob_max(double a, double b)
-{
-    const double more = b > a ? b : a;
-    return b == b ? more : b;
-}
-
 /* The minimum with a limit that is not NaN; NaN if x is. */
 static inline double frob_at_most(double x, double limit)
 {
@@ -34,6 +20,14 @@ static inline double frob_at_most(double x, double limit)
 static inline double frob_at_least(double x, double limit)
 {
     return limit > x ? limit : x;
+}
+
+/* max (-x) (min x y): y within x of 0; NaN if either is. */
+static inline double frob_limit(double x, double y)
+{
+    const double high = y < x ? y : x;
+    const double both = high > -x ? high : -x;
+    return y == y ? both : y;
 }
 
 /* dt in nanoseconds, a whole number of them, halves to even: adding 2^52
@@ -75,8 +69,7 @@ void wall_follow_step(struct wall_follow_state *self,
     }
     self->s_derivative_input = s;
     const double t1 = self->sin_value * vCurr;              /* line 10 */
-    const double omega = 1.2 * (frob_max(-t1, frob_min(t1, 1.5 * (s - 0.2)))
-            - self->s_derivative); /* line 13 */
+    const double omega = 1.2 * (frob_limit(t1, 1.5 * (s - 0.2)) - self->s_derivative); /* line 13 */
     out->f1 = v;                                            /* line 12 */
     out->f2 = omega;                                        /* line 13 */
 }
