@@ -1,0 +1,278 @@
+let bug format = Basis.Diagnostic.bug ~stage:"Interp.Cell" format
+
+(* {1 Writing} *)
+
+(* A negative number or a constructor's application is an argument only in
+   parentheses. *)
+type place = Alone | Argument
+
+let float x =
+  if Float.is_nan x then "nan"
+  else if x = Float.infinity then "inf"
+  else if x = Float.neg_infinity then "-inf"
+  else Printf.sprintf "%.17g" x
+
+let separated separator f = function
+  | [] -> ()
+  | first :: others ->
+      f first;
+      List.iter
+        (fun x ->
+          separator ();
+          f x)
+        others
+
+let write shape value =
+  let out = Buffer.create 32 in
+  let put = Buffer.add_string out in
+  let parenthesized yes f =
+    if yes then put "(";
+    f ();
+    if yes then put ")"
+  in
+  let number place text =
+    parenthesized (place = Argument && text.[0] = '-') (fun () -> put text)
+  in
+  let rec value_ place (shape : Shape.t) (value : Value.t) =
+    match (shape, value) with
+    | Bool, Bool b -> put (string_of_bool b)
+    | Int, Int n -> number place (Int32.to_string n)
+    | Float, Float x -> number place (float x)
+    | Tuple shapes, Tuple values ->
+        put "(";
+        separated
+          (fun () -> put ", ")
+          (fun (shape, value) -> value_ Alone shape (Thunk.demand value))
+          (List.combine shapes (Array.to_list values));
+        put ")"
+    | Data { constructors; _ }, Data { constructor; arguments } ->
+        constructed place (List.nth constructors constructor) (Array.to_list arguments)
+    | (Bool | Int | Float | Tuple _ | Data _), _ -> bug "a value that is not of its type"
+  and constructed place (c : Shape.constructor) arguments =
+    let fields = List.combine c.fields arguments in
+    if Shape.is_record c then (
+      put (c.name ^ " {");
+      separated
+        (fun () -> put ", ")
+        (fun ((name, shape), value) ->
+          put (name ^ " = ");
+          value_ Alone shape (Thunk.demand value))
+        fields;
+      put "}")
+    else
+      parenthesized
+        (place = Argument && fields <> [])
+        (fun () ->
+          put c.name;
+          List.iter
+            (fun ((_, shape), value) ->
+              put " ";
+              value_ Argument shape (Thunk.demand value))
+            fields)
+  in
+  (match ((shape : Shape.t), (value : Value.t)) with
+  | Data { is_event = true; constructors = [ _; { fields = [ (_, occurrence) ]; _ } ] },
+    Data { constructor; arguments } ->
+      if constructor = 1 then value_ Alone occurrence (Thunk.demand arguments.(0))
+  | _, _ -> value_ Alone shape value);
+  Buffer.contents out
+
+(* {1 Reading} Recursive descent, led by the shape. *)
+
+exception Expected of string
+
+type reader = { text : string; mutable at : int }
+
+let fail what = raise_notrace (Expected what)
+let peek r = if r.at < String.length r.text then r.text.[r.at] else '\000'
+
+let skip_while r holds =
+  while r.at < String.length r.text && holds r.text.[r.at] do
+    r.at <- r.at + 1
+  done
+
+let skip_blanks r = skip_while r (fun c -> c = ' ' || c = '\t')
+
+let accept r c =
+  skip_blanks r;
+  let found = peek r = c in
+  if found then r.at <- r.at + 1;
+  found
+
+let expect r c what = if not (accept r c) then fail what
+
+let is_name_char = function
+  | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true
+  | _ -> false
+
+let is_digit = function '0' .. '9' -> true | _ -> false
+
+(* The whole word, or nothing is read. *)
+let accept_word r word =
+  skip_blanks r;
+  let start = r.at in
+  skip_while r is_name_char;
+  let found = String.equal word (String.sub r.text start (r.at - start)) in
+  if not found then r.at <- start;
+  found
+
+let sign r = if peek r = '-' || peek r = '+' then r.at <- r.at + 1
+
+(* What [scan] goes over; then no name may begin. *)
+let token r what scan =
+  skip_blanks r;
+  let start = r.at in
+  sign r;
+  scan ();
+  if is_name_char (peek r) then fail what;
+  String.sub r.text start (r.at - start)
+
+let without_plus text =
+  if text <> "" && text.[0] = '+' then String.sub text 1 (String.length text - 1) else text
+
+let read_int r : Value.t =
+  let what = "an integer from -2147483648 to 2147483647" in
+  let text =
+    token r what (fun () ->
+        if not (is_digit (peek r)) then fail what;
+        skip_while r is_digit;
+        if peek r = '.' then fail what)
+  in
+  (* Of a number of any length only the value counts. *)
+  match Int32.of_string_opt (without_plus text) with Some n -> Int n | None -> fail what
+
+let digits r =
+  let start = r.at in
+  skip_while r is_digit;
+  r.at > start
+
+let exponent r =
+  let start = r.at in
+  if peek r = 'e' || peek r = 'E' then begin
+    r.at <- r.at + 1;
+    sign r;
+    if not (digits r) then r.at <- start
+  end
+
+let read_float r : Value.t =
+  let what = "a number" in
+  skip_blanks r;
+  let start = r.at in
+  let negative = peek r = '-' in
+  sign r;
+  (* Not [accept_word], which would go over blanks behind the sign. *)
+  let is_name = match peek r with 'n' | 'i' -> true | _ -> false in
+  if is_name then
+    if accept_word r "nan" then Float Float.nan
+    else if accept_word r "inf" then
+      Float (if negative then Float.neg_infinity else Float.infinity)
+    else fail what
+  else begin
+    r.at <- start;
+    let text =
+      token r what (fun () ->
+          let whole = digits r in
+          let fraction =
+            peek r = '.'
+            && begin
+                 r.at <- r.at + 1;
+                 digits r
+               end
+          in
+          if not (whole || fraction) then fail what;
+          exponent r)
+    in
+    Float (float_of_string (without_plus text))
+  end
+
+let parenthesis = "`)`"
+
+let rec read_value r (shape : Shape.t) : Value.t =
+  match shape with
+  | Tuple shapes -> read_tuple r shapes
+  | Bool | Int | Float | Data _ ->
+      let rec opened count = if accept r '(' then opened (count + 1) else count in
+      let rec close count =
+        if count > 0 then begin
+          expect r ')' parenthesis;
+          close (count - 1)
+        end
+      in
+      let count = opened 0 in
+      let value = read_bare r shape in
+      close count;
+      value
+
+and read_bare r (shape : Shape.t) : Value.t =
+  match shape with
+  | Bool ->
+      if accept_word r "true" || accept_word r "True" then Bool true
+      else if accept_word r "false" || accept_word r "False" then Bool false
+      else fail "`true` or `false`"
+  | Int -> read_int r
+  | Float -> read_float r
+  | Tuple shapes -> read_tuple r shapes
+  | Data { constructors; is_event = _ } ->
+      let rec choose index = function
+        | [] -> fail "a constructor of the column's type"
+        | (c : Shape.constructor) :: others ->
+            if accept_word r c.name then
+              Value.Data { constructor = index; arguments = read_arguments r c }
+            else choose (index + 1) others
+      in
+      choose 0 constructors
+
+and read_tuple r shapes : Value.t =
+  expect r '(' (if shapes = [] then "`()`" else "`(`, the start of a tuple");
+  let component i shape =
+    if i > 0 then expect r ',' "`,` and the tuple's next component";
+    Thunk.known (read_value r shape)
+  in
+  let values = Array.of_list (List.mapi component shapes) in
+  expect r ')' parenthesis;
+  Tuple values
+
+and read_arguments r (c : Shape.constructor) =
+  if Shape.is_record c then read_record r c.fields
+  else Array.of_list (List.map (fun (_, shape) -> Thunk.known (read_value r shape)) c.fields)
+
+(* Fields may come in any order, each once. *)
+and read_record r fields =
+  expect r '{' "`{` and the record's fields";
+  let rec read found = function
+    | [] -> found
+    | missing ->
+        if found <> [] then expect r ',' "`,` and the record's next field";
+        let name, shape =
+          match List.find_opt (fun (name, _) -> accept_word r name) missing with
+          | Some field -> field
+          | None -> fail "a field of the record, each once"
+        in
+        expect r '=' "`=` after the field's name";
+        let value = Thunk.known (read_value r shape) in
+        let is_other (other, _) = not (String.equal name other) in
+        read ((name, value) :: found) (List.filter is_other missing)
+  in
+  let found = read [] fields in
+  expect r '}' "`}`";
+  Array.of_list (List.map (fun (name, _) -> List.assoc name found) fields)
+
+let read_cell r (shape : Shape.t) : Value.t =
+  skip_blanks r;
+  match shape with
+  | Data { is_event = true; constructors = [ _; { fields = [ (_, occurrence) ]; _ } ] } ->
+      if r.at = String.length r.text then Data { constructor = 0; arguments = [||] }
+      else
+        Data { constructor = 1; arguments = [| Thunk.known (read_value r occurrence) |] }
+  | Bool | Int | Float | Tuple _ | Data _ -> read_value r shape
+
+let read shape text =
+  let r = { text; at = 0 } in
+  match
+    let value = read_cell r shape in
+    skip_blanks r;
+    if r.at < String.length text then fail "the end of the cell";
+    value
+  with
+  | value -> Ok value
+  | exception Expected what -> Error what

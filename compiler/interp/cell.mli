@@ -1,0 +1,12 @@
+(** One value as the text of one cell of a trace.
+
+    Numbers have 17 significant digits ([nan], [inf], [-inf]), truth values are
+    [true] and [false], everything else stands as Frob would write it:
+    [Just 2.5], [At (-0.3)], [Left (1, true)], [Pose {heading = 1}]. An event
+    that is the whole cell is empty when it does not occur, else its value. *)
+
+val write : Shape.t -> Value.t -> string
+(** Of a wholly evaluated value. Nothing is quoted. *)
+
+val read : Shape.t -> string -> (Value.t, string) result
+(** The error says what was expected instead. *)

@@ -1,0 +1,24 @@
+type instant = { ns : int64; dt : float }
+
+let seconds ns = Int64.to_float ns /. 1e9
+let of_ns ns = { ns; dt = seconds ns }
+let first = of_ns 0L
+
+(* Beyond 2^52 a double has no fraction. *)
+let to_nearest_even x =
+  if x >= 0x1p52 then x
+  else
+    let below = Float.floor x in
+    let rest = x -. below in
+    if rest < 0.5 then below
+    else if rest > 0.5 then below +. 1.
+    else if Float.rem below 2. = 0. then below
+    else below +. 1.
+
+let after seconds =
+  let ns = seconds *. 1e9 in
+  if ns > 0. then of_ns (Int64.of_float (Float.min 1e18 (to_nearest_even ns))) else first
+
+let later time instant =
+  if Int64.compare time (Int64.sub Int64.max_int instant.ns) > 0 then Int64.max_int
+  else Int64.add time instant.ns

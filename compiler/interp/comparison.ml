@@ -1,0 +1,48 @@
+let refuse () = Basis.Diagnostic.bug ~stage:"Interp" "values without an order are compared"
+
+(* The parts of two values of one type from first to last. *)
+let pairs a b = List.combine (Array.to_list a) (Array.to_list b)
+
+let rec equal (a : Value.t) (b : Value.t) =
+  match (a, b) with
+  | Bool a, Bool b -> Bool.equal a b
+  | Int a, Int b -> Int32.equal a b
+  | Float a, Float b -> a = b
+  | Tuple a, Tuple b -> List.for_all equal_parts (pairs a b)
+  | Data a, Data b ->
+      a.constructor = b.constructor
+      && List.for_all equal_parts (pairs a.arguments b.arguments)
+  | ( ( Bool _ | Int _ | Float _ | Text _ | Tuple _ | Data _ | Function _
+      | Signal_function _ ),
+      _ ) ->
+      refuse ()
+
+and equal_parts (a, b) = equal (Thunk.force a) (Thunk.force b)
+
+(* [numbers] compares numbers; [equals] is what equal data gives. *)
+let rec ordered ~numbers ~equals (a : Value.t) (b : Value.t) =
+  match (a, b) with
+  | Bool a, Bool b -> if Bool.equal a b then equals else b
+  | Int a, Int b -> if Int32.equal a b then equals else Int32.compare a b < 0
+  | Float a, Float b -> numbers a b
+  | Tuple a, Tuple b -> ordered_parts ~numbers ~equals (pairs a b)
+  | Data a, Data b ->
+      if a.constructor = b.constructor then
+        ordered_parts ~numbers ~equals (pairs a.arguments b.arguments)
+      else a.constructor < b.constructor
+  | ( ( Bool _ | Int _ | Float _ | Text _ | Tuple _ | Data _ | Function _
+      | Signal_function _ ),
+      _ ) ->
+      refuse ()
+
+(* The last parts decide as such: of two NaN one is not [<=] the other. *)
+and ordered_parts ~numbers ~equals = function
+  | [] -> equals
+  | [ (a, b) ] -> ordered ~numbers ~equals (Thunk.force a) (Thunk.force b)
+  | (a, b) :: others ->
+      let a = Thunk.force a and b = Thunk.force b in
+      less a b || (equal a b && ordered_parts ~numbers ~equals others)
+
+and less a b = ordered ~numbers:( < ) ~equals:false a b
+
+let less_equal a b = ordered ~numbers:( <= ) ~equals:true a b

@@ -1,0 +1,229 @@
+open Basis
+open Core.Ir
+module Variables = Map.Make (Stdlib.Int)
+
+type program = {
+  definitions : (Global.t, definition) Hashtbl.t;
+  values : (Global.t * ty list, Value.thunk) Hashtbl.t;
+      (** of definitions, at types without variables *)
+  nesting : Thunk.nesting;
+}
+
+type env = {
+  program : program;
+  types : ty Variables.t;  (** what the type variables in scope stand for *)
+  locals : local Variables.t;
+}
+
+and local =
+  | Value of Value.thunk
+  | Polymorphic of (ty list -> Value.thunk)
+
+let bug format = Diagnostic.bug ~stage:"Interp" format
+let nesting program = program.nesting
+
+let program (core : Core.Ir.program) =
+  let definitions = Hashtbl.create 256 in
+  List.iter (fun (d : definition) -> Hashtbl.replace definitions d.name d) core.definitions;
+  { definitions; values = Hashtbl.create 256; nesting = Thunk.nesting () }
+
+(* {1 Types} Only a number literal asks for its type. *)
+
+let rec closed types = function
+  | Variable v as t -> Option.value ~default:t (Variables.find_opt v.id types)
+  | (Bool | Int | Float | String) as t -> t
+  | Tuple ts -> Tuple (List.map (closed types) ts)
+  | Function (a, b) -> Function (closed types a, closed types b)
+  | Signal_function (a, b) -> Signal_function (closed types a, closed types b)
+  | Data (tycon, ts) -> Data (tycon, List.map (closed types) ts)
+
+let with_types (parameters : variable list) arguments types =
+  List.fold_left2
+    (fun types (v : variable) argument -> Variables.add v.id argument types)
+    types parameters arguments
+
+let number env ty value : Value.t =
+  match (closed env.types ty, Exact.to_int32 value) with
+  | Int, Some n -> Int n
+  | Float, _ -> Float (Exact.to_float value)
+  | (Int | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _), _ ->
+      bug "the number %s is of another type" (Exact.to_string value)
+
+(* {1 Expressions} *)
+
+let bind (binder : binder) value env =
+  { env with locals = Variables.add binder.local.id (Value value) env.locals }
+
+let bind_polymorphic (binder : binder) instantiate env =
+  { env with locals = Variables.add binder.local.id (Polymorphic instantiate) env.locals }
+
+let local env (x : Local.t) types =
+  match Variables.find_opt x.id env.locals with
+  | Some (Value value) -> value
+  | Some (Polymorphic instantiate) -> instantiate (List.map (closed env.types) types)
+  | None -> bug "`%s` is not in scope" x.name
+
+let is_true : Value.t -> bool = function
+  | Bool b -> b
+  | Int _ | Float _ | Text _ | Tuple _ | Data _ | Function _ | Signal_function _ ->
+      bug "a condition that is no Bool"
+
+let rec expr env (e : expr) : Value.t =
+  match e.desc with
+  | Local (x, types) -> Thunk.force (local env x types)
+  | Global (name, types) ->
+      Thunk.force (global env.program name (List.map (closed env.types) types))
+  | Primitive (p, _) -> primitive env p []
+  | Number value -> number env e.ty value
+  | Boolean b -> Bool b
+  | String text -> Text text
+  | Lambda (binder, body) -> Function (fun argument -> expr (bind binder argument env) body)
+  | Apply (f, argument) -> application env f [ argument ]
+  | Let { binder; parameters = []; value; body } ->
+      expr (bind binder (on_demand env value) env) body
+  | Let { binder; parameters; value; body } ->
+      expr (bind_polymorphic binder (polymorphic env parameters value) env) body
+  | Tuple parts -> Tuple (parts_on_demand env parts)
+  | Component (value, index) -> (
+      match expr env value with
+      | Tuple parts -> Thunk.force parts.(index)
+      | _ -> bug "a component of what is no tuple")
+  | Construct { constructor; arguments; data = _ } ->
+      Data { constructor; arguments = parts_on_demand env arguments }
+  | Is_constructor (value, constructor) -> (
+      match expr env value with
+      | Data data -> Bool (data.constructor = constructor)
+      | _ -> bug "a constructor of what is no data")
+  | Payload { value; constructor; field } -> (
+      match expr env value with
+      | Data data when data.constructor = constructor -> Thunk.force data.arguments.(field)
+      | _ -> bug "a payload of what has another constructor")
+  | If (condition, then_, else_) ->
+      if is_true (expr env condition) then expr env then_ else expr env else_
+  | Proc proc -> Signal_function (fun () -> start env proc)
+
+and on_demand env (e : expr) =
+  match e.desc with
+  | Local (x, types) -> local env x types
+  | _ -> Thunk.delay (fun () -> expr env e)
+
+and parts_on_demand env parts = Array.map (on_demand env) (Array.of_list parts)
+
+and polymorphic env parameters value types =
+  on_demand { env with types = with_types parameters types env.types } value
+
+(* [arguments]: of the applications around [f], innermost first. *)
+and application env (f : expr) arguments =
+  match f.desc with
+  | Apply (f, argument) -> application env f (argument :: arguments)
+  | Primitive (p, _) -> primitive env p (List.map (on_demand env) arguments)
+  | _ -> apply (expr env f) (List.map (on_demand env) arguments)
+
+and apply (f : Value.t) arguments =
+  match (f, arguments) with
+  | _, [] -> f
+  | Function f, first :: others -> apply (f first) others
+  | (Bool _ | Int _ | Float _ | Text _ | Tuple _ | Data _ | Signal_function _), _ ->
+      bug "what is applied is no function"
+
+(* A primitive on the arguments that are there: with some missing it is a
+   function of the next one. *)
+and primitive env (p : Core.Primitive.t) arguments : Value.t =
+  match (p, arguments) with
+  | Delay, [ initial ] -> Signal_function (fun () -> Stateful.delay initial)
+  | Time, [] -> Signal_function Stateful.time
+  | Integral, [] -> Signal_function Stateful.integral
+  | Derivative, [] -> Signal_function (fun () -> Stateful.derivative env.program.nesting)
+  | Reactimate, [ signal_function ] -> Thunk.force signal_function
+  | _, _ ->
+      if List.length arguments < Core.Primitive.arity p then
+        Function (fun argument -> primitive env p (arguments @ [ argument ]))
+      else Primitive.apply p arguments
+
+and global program name types =
+  match Hashtbl.find_opt program.values (name, types) with
+  | Some value -> value
+  | None -> (
+      match Hashtbl.find_opt program.definitions name with
+      | None -> bug "`%s.%s` has no definition" name.module_ name.name
+      | Some d ->
+          let types_of_parameters = with_types d.parameters types Variables.empty in
+          let env = { program; types = types_of_parameters; locals = Variables.empty } in
+          let value =
+            Thunk.equation program.nesting ~name:name.name (fun () -> expr env d.body)
+          in
+          Hashtbl.replace program.values (name, types) value;
+          value)
+
+(* {1 Signal functions} *)
+
+(* The scope inside a proc, given its input and the outputs of its instances in
+   the order of their equations. *)
+and inside env proc ~input outputs =
+  let rec scope =
+    lazy
+      (fst
+         (List.fold_left equation
+            (bind proc.input input env, outputs)
+            proc.equations))
+  and equation (scope_so_far, outputs) { binder; parameters; rhs; span = _ } =
+    match (rhs, parameters, outputs) with
+    | Pure value, [], _ ->
+        let evaluate () = expr (Lazy.force scope) value in
+        let value = Thunk.equation env.program.nesting ~name:binder.local.name evaluate in
+        (bind binder value scope_so_far, outputs)
+    | Pure value, _ :: _, _ ->
+        let instantiate types = polymorphic (Lazy.force scope) parameters value types in
+        (bind_polymorphic binder instantiate scope_so_far, outputs)
+    | Run _, _, output :: others -> (bind binder output scope_so_far, others)
+    | Run _, _, [] -> bug "an instance without an output"
+  in
+  Lazy.force scope
+
+and start env proc : Value.instance =
+  let runs =
+    List.filter_map
+      (fun { rhs; _ } ->
+        match rhs with
+        | Run { signal_function; input } -> Some (signal_function, input)
+        | Pure _ -> None)
+      proc.equations
+  in
+  (* What is run is static: it may use equations, but not signals. *)
+  let signal =
+    Thunk.delay (fun () -> bug "a signal is needed before the first instant")
+  in
+  let static = inside env proc ~input:signal (List.rev_map (fun _ -> signal) runs) in
+  let instances =
+    Long_list.map
+      (fun (signal_function, input) -> (started static signal_function, input))
+      runs
+  in
+  let equation name evaluate = Thunk.equation env.program.nesting ~name evaluate in
+  let output instant input =
+    let rec scope = lazy (inside env proc ~input (Lazy.force outputs))
+    and outputs =
+      lazy
+        (Long_list.map
+           (fun ((instance : Value.instance), input) ->
+             instance.output instant
+               (equation proc.name (fun () -> expr (Lazy.force scope) input)))
+           instances)
+    in
+    let scope = Lazy.force scope in
+    equation proc.name (fun () -> expr scope proc.output)
+  in
+  let commit () = List.iter (fun ((i : Value.instance), _) -> i.commit ()) instances in
+  { output; commit }
+
+and started env signal_function =
+  let value =
+    Thunk.equation env.program.nesting ~name:"a signal function" (fun () ->
+        expr env signal_function)
+  in
+  match Thunk.demand value with
+  | Signal_function start -> start ()
+  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Data _ | Function _ ->
+      bug "what is run is no signal function"
+
+let definition program name = global program name []

@@ -1,0 +1,27 @@
+open Core.Ir
+
+type t = { instance : Value.instance; mutable is_first : bool }
+
+let bug format = Basis.Diagnostic.bug ~stage:"Interp" format
+
+let interface (core : program) (entry : Global.t) =
+  match List.find_opt (fun (d : definition) -> d.name = entry) core.definitions with
+  | Some { ty = Signal_function (input, output); parameters = []; _ }
+  | Some { ty = Data ({ name = "Program"; _ }, [ input; output ]); parameters = []; _ } ->
+      (input, output)
+  | Some _ | None -> bug "`%s` cannot be run" entry.name
+
+let start core ~entry =
+  let definition = Evaluate.definition (Evaluate.program core) entry in
+  match Thunk.demand definition with
+  | Signal_function start -> { instance = start (); is_first = true }
+  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Data _ | Function _ ->
+      bug "`%s` is no signal function" entry.name
+
+let instant t ~seconds input =
+  let clock = if t.is_first then Clock.first else Clock.after seconds in
+  t.is_first <- false;
+  let output = t.instance.output clock (Thunk.known input) in
+  Whole.evaluate output;
+  t.instance.commit ();
+  Thunk.demand output

@@ -1,0 +1,14 @@
+(** A program that runs: the entry's signal function, from its first instant. *)
+
+type t
+
+val interface : Core.Ir.program -> Core.Ir.Global.t -> Core.Ir.ty * Core.Ir.ty
+(** The types of the input and the output of an entry. *)
+
+val start : Core.Ir.program -> entry:Core.Ir.Global.t -> t
+(** The entry is a signal function or a program, of a closed type; what the
+    compiler would reject has no meaning here. *)
+
+val instant : t -> seconds:float -> Value.t -> Value.t
+(** The output, wholly evaluated, for the input. [seconds]: since the instant
+    before; not looked at in the first. *)

@@ -1,0 +1,72 @@
+module Real = Float
+
+(* [x ^ k] by squaring: the order of the multiplications is part of the
+   language, for it decides how the result is rounded. *)
+let rec power ~one ~times x k =
+  if k = 0 then one
+  else if k mod 2 = 0 then
+    let half = power ~one ~times x (k / 2) in
+    times half half
+  else times x (power ~one ~times x (k - 1))
+
+module Int = struct
+  let absolute n = if Int32.compare n 0l < 0 then Int32.neg n else n
+  let signum n = Int32.of_int (Int32.compare n 0l)
+
+  (* In OCaml's wider integers nothing overflows; [Int32.of_int] wraps. *)
+  let wide f a b = Int32.of_int (f (Int32.to_int a) (Int32.to_int b))
+
+  let div =
+    wide (fun a b ->
+        if b = 0 then 0
+        else
+          let quotient = a / b in
+          if a mod b <> 0 && a < 0 <> (b < 0) then quotient - 1 else quotient)
+
+  let modulo a b = if b = 0l then 0l else Int32.sub a (Int32.mul (div a b) b)
+  let power x k = power ~one:1l ~times:Int32.mul x k
+end
+
+module Float = struct
+  let signum x = if x > 0. then 1. else if x < 0. then -1. else x
+
+  let extreme wins a b =
+    if Real.is_nan a || Real.is_nan b then Real.nan else if wins b a then b else a
+
+  let minimum = extreme (fun b a -> b < a)
+  let maximum = extreme (fun b a -> b > a)
+
+  let power x k =
+    let magnitude = power ~one:1. ~times:( *. ) x (abs k) in
+    if k < 0 then 1. /. magnitude else magnitude
+
+  (* OCaml calls the C library's. *)
+  let elementary (f : Core.Primitive.elementary) arguments =
+    match (f, arguments) with
+    | Sqrt, [ x ] -> sqrt x
+    | Hypot, [ x; y ] -> hypot x y
+    | Exp, [ x ] -> exp x
+    | Log, [ x ] -> log x
+    | Sin, [ x ] -> sin x
+    | Cos, [ x ] -> cos x
+    | Tan, [ x ] -> tan x
+    | Asin, [ x ] -> asin x
+    | Acos, [ x ] -> acos x
+    | Atan, [ x ] -> atan x
+    | Atan2, [ y; x ] -> atan2 y x
+    | (Sqrt | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2), _ ->
+        Basis.Diagnostic.bug ~stage:"Interp" "an elementary function of %d arguments"
+          (List.length arguments)
+end
+
+let whole rounded x =
+  let n = rounded x in
+  if Real.is_nan n then 0l
+  else if n <= -2147483648. then Int32.min_int
+  else if n >= 2147483647. then Int32.max_int
+  else Int32.of_float n
+
+let round = whole Real.round
+let floor = whole Real.floor
+let ceiling = whole Real.ceil
+let truncate = whole Real.trunc

@@ -1,0 +1,37 @@
+(** Arithmetic (language reference, section 4, "Numbers are total"). *)
+
+(** Whole numbers of 32 bits, which wrap around. *)
+module Int : sig
+  val absolute : int32 -> int32
+  val signum : int32 -> int32
+
+  val div : int32 -> int32 -> int32
+  (** Rounds to minus infinity; by 0 it is 0. *)
+
+  val modulo : int32 -> int32 -> int32
+  (** What {!div} leaves; by 0 it is 0. *)
+
+  val power : int32 -> int -> int32
+  (** The exponent is not negative. *)
+end
+
+module Float : sig
+  val signum : float -> float
+  (** Zeros and NaN are their own. *)
+
+  val minimum : float -> float -> float
+  (** NaN if either is; else the first of two equal ones. *)
+
+  val maximum : float -> float -> float
+  val power : float -> int -> float
+  val elementary : Core.Primitive.elementary -> float list -> float
+end
+
+(** {1 Conversions} NaN gives 0; what is out of range, the nearest in range. *)
+
+val round : float -> int32
+(** Halves away from zero. *)
+
+val floor : float -> int32
+val ceiling : float -> int32
+val truncate : float -> int32

@@ -1,0 +1,5 @@
+(** The meaning of the primitives that are functions of values. *)
+
+val apply : Core.Primitive.t -> Value.thunk list -> Value.t
+(** With all its arguments, as many as its arity says. [&&] and [||] look at
+    their second argument only if the first does not decide. *)

@@ -1,0 +1,33 @@
+(** The values of an input or output, as a trace has to write and read them. *)
+
+type t =
+  | Bool
+  | Int
+  | Float
+  | Tuple of t list
+  | Data of { is_event : bool; constructors : constructor list }
+
+and constructor = {
+  name : string;
+  fields : (string * t) list;  (** the names are [""] if positional *)
+}
+
+val is_record : constructor -> bool
+(** Its fields have names; it has some. *)
+
+val of_type : Core.Ir.program -> Core.Ir.ty -> t
+(** Of a closed type without functions and labels. *)
+
+(** {1 Columns} A tuple or record has the columns of its parts, everything
+    else is a column of its own. *)
+
+type column = { name : string;  (** its path, as [in.position.x] *) shape : t }
+
+val columns : string -> t -> column list
+(** From the path's first word. *)
+
+val cells : t -> Value.t -> Value.t list
+(** The parts of a wholly evaluated value that are the columns' cells. *)
+
+val assemble : t -> Value.t list -> Value.t
+(** The value with these cells. *)

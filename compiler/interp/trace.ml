@@ -1,0 +1,189 @@
+(* What the header says: the input's columns, each with its place in the rows. *)
+type header = { width : int; columns : (Shape.column * int) list }
+
+exception Rejected of string list
+
+let complaint name (row : Csv.row) cell format =
+  let column =
+    match List.nth_opt row.cells cell with Some { column; _ } -> column | None -> 1
+  in
+  Printf.ksprintf (Printf.sprintf "%s:%d:%d: %s" name row.line column) format
+
+let reject texts = raise_notrace (Rejected texts)
+
+let next_row name csv =
+  match Csv.next csv with
+  | Ok row -> row
+  | Error (row, problem) ->
+      let text =
+        match problem with
+        | Unreadable reason -> "cannot read the file: " ^ reason
+        | Unclosed_quote -> "a quoted cell that starts in this row is never closed"
+        | Zero_byte -> "a zero byte: this is not a CSV file"
+      in
+      reject [ complaint name row 0 "%s" text ]
+
+(* {1 The header} *)
+
+(* Recordings have the output too. *)
+let is_output column =
+  let starts prefix =
+    String.length column >= String.length prefix
+    && String.equal prefix (String.sub column 0 (String.length prefix))
+  in
+  String.equal column "out" || starts "out." || starts "out["
+
+let header name columns (row : Csv.row) =
+  let known = Hashtbl.create 64 and places = Hashtbl.create 64 in
+  List.iter (fun (c : Shape.column) -> Hashtbl.replace known c.name ()) columns;
+  let complain cell format =
+    Printf.ksprintf (fun text -> Some (complaint name row cell "%s" text)) format
+  in
+  let check i ({ text; _ } : Csv.cell) =
+    if i = 0 then
+      if String.equal text "time" then None
+      else complain i "the first column must be `time`, but it is `%s`" text
+    else if Hashtbl.mem places text then complain i "column `%s` is there twice" text
+    else if Hashtbl.mem known text then begin
+      Hashtbl.replace places text i;
+      None
+    end
+    else if is_output text then None
+    else complain i "the program's input has no `%s`" text
+  in
+  let wrong = List.filter_map Fun.id (List.mapi check row.cells) in
+  let width = List.length row.cells in
+  let place (column : Shape.column) =
+    match Hashtbl.find_opt places column.name with
+    | Some place -> Either.Left (column, place)
+    | None -> Either.Right (complaint name row width "column `%s` is missing" column.name)
+  in
+  let found, missing = List.partition_map place columns in
+  if wrong <> [] || missing <> [] then reject (wrong @ missing);
+  { width; columns = found }
+
+(* {1 Time} *)
+
+(* Seconds as whole nanoseconds, exactly, halves away from zero: in decimal
+   arithmetic, for a double has too few digits for a year of them. *)
+let nanoseconds text =
+  let plain =
+    if not (String.exists (fun c -> c = 'e' || c = 'E') text) then Some text
+    else
+      match float_of_string_opt text with
+      | Some seconds when (not (String.contains text '_')) && Float.abs seconds < 1e9 -> Some (Printf.sprintf "%.12f" seconds)
+      | Some _ | None -> None
+  in
+  let is_number digits = String.for_all (fun c -> '0' <= c && c <= '9') digits in
+  let unsigned negative digits =
+    let whole, decimals =
+      match String.index_opt digits '.' with
+      | None -> (digits, "")
+      | Some i ->
+          (String.sub digits 0 i, String.sub digits (i + 1) (String.length digits - i - 1))
+    in
+    if not (is_number whole && is_number decimals && whole ^ decimals <> "") then None
+    else
+      let significant = String.sub (decimals ^ "000000000") 0 9 in
+      let rounds_up = String.length decimals > 9 && decimals.[9] >= '5' in
+      match int_of_string_opt ("0" ^ whole) with
+      | Some seconds when seconds <= 1_000_000_000 ->
+          let below = (seconds * 1_000_000_000) + int_of_string significant in
+          let ns = if rounds_up then below + 1 else below in
+          Some (if negative then -ns else ns)
+      | Some _ | None -> None
+  in
+  let rest text = String.sub text 1 (String.length text - 1) in
+  match plain with
+  | None | Some "" -> None
+  | Some text -> (
+      match text.[0] with
+      | '-' -> unsigned true (rest text)
+      | '+' -> unsigned false (rest text)
+      | _ -> unsigned false text)
+
+let stamp ns =
+  Printf.sprintf "%s%d.%09d"
+    (if ns < 0 then "-" else "")
+    (abs ns / 1_000_000_000)
+    (abs ns mod 1_000_000_000)
+
+(* {1 Rows} *)
+
+let read_row name header (row : Csv.row) =
+  if List.length row.cells <> header.width then
+    reject
+      [
+        complaint name row header.width "this row has %d cells, the header has %d"
+          (List.length row.cells) header.width;
+      ];
+  let cells = Array.of_list row.cells in
+  let time =
+    match nanoseconds cells.(0).text with
+    | Some time -> time
+    | None -> reject [ complaint name row 0 "`%s` is not a time in seconds" cells.(0).text ]
+  in
+  let read ((column : Shape.column), place) =
+    match Cell.read column.shape cells.(place).text with
+    | Ok value -> value
+    | Error expected ->
+        reject
+          [
+            complaint name row place "column `%s`: expected %s, found `%s`" column.name expected
+              cells.(place).text;
+          ]
+  in
+  (time, List.map read header.columns)
+
+let quoted cell = if String.contains cell ',' then "\"" ^ cell ^ "\"" else cell
+let line cells = String.concat "," cells ^ "\n"
+
+let instants core ~entry ~name ~csv ~header ~write ~input ~output columns =
+  let execution = Execution.start core ~entry in
+  let rec from before =
+    match next_row name csv with
+    | None -> ()
+    | Some row ->
+        let now, cells = read_row name header row in
+        let since = match before with Some before -> now - before | None -> 0 in
+        if since < 0 then
+          reject
+            [
+              complaint name row 0 "time goes back: `%s` comes after a later time"
+                (List.hd row.cells).text;
+            ];
+        let result =
+          Execution.instant execution
+            ~seconds:(float_of_int since /. 1e9)
+            (Shape.assemble input cells)
+        in
+        let written =
+          List.map2
+            (fun (column : Shape.column) value -> quoted (Cell.write column.shape value))
+            columns (Shape.cells output result)
+        in
+        write (line (stamp now :: written));
+        from (Some now)
+  in
+  from None
+
+let run core ~entry ~name ~read ~write =
+  let input, output = Execution.interface core entry in
+  let input = Shape.of_type core input and output = Shape.of_type core output in
+  let csv = Csv.reader read in
+  match
+    let header =
+      match next_row name csv with
+      | Some row -> header name (Shape.columns "in" input) row
+      | None ->
+          reject
+            [
+              name ^ ":1:1: the file is empty: its first line must name the columns, `time` first";
+            ]
+    in
+    let columns = Shape.columns "out" output in
+    write (line ("time" :: List.map (fun (c : Shape.column) -> c.name) columns));
+    instants core ~entry ~name ~csv ~header ~write ~input ~output columns
+  with
+  | () -> Ok ()
+  | exception Rejected texts -> Error texts

@@ -1,0 +1,16 @@
+(** Runs an entry on recorded input: CSV in, CSV out.
+
+    The first column is [time], in seconds, written with nine decimals; then
+    comes one column for each scalar, sum or event, named by its path
+    ({!Shape.columns}). The first row is the first instant. *)
+
+val run :
+  Core.Ir.program ->
+  entry:Core.Ir.Global.t ->
+  name:string ->
+  read:(unit -> char option) ->
+  write:(string -> unit) ->
+  (unit, string list) result
+(** [name]: of the input, for messages. [read] gives its characters, and may
+    raise [Sys_error]; [write] is called for each line of the output. The errors
+    are texts for the user, each with file, line and column. *)

@@ -1,0 +1,24 @@
+(** What an expression of Core can be, when a program runs. *)
+
+type t =
+  | Bool of bool
+  | Int of int32
+  | Float of float
+  | Text of string
+  | Tuple of thunk array
+  | Data of { constructor : int; arguments : thunk array }
+  | Function of (thunk -> t)
+  | Signal_function of (unit -> instance)
+      (** starts it; a program is the signal function in it *)
+
+and thunk = t Thunk.t
+
+(** A signal function that has been started, with its state. In each instant
+    first [output] is called, then [commit], each once. *)
+and instance = {
+  output : Clock.instant -> thunk -> thunk;
+      (** The output for this input. Evaluates nothing yet: what comes back
+          may be part of the input. What it is made of no longer changes, so
+          it can be evaluated at any time. *)
+  commit : unit -> unit;  (** The state becomes that of the next instant. *)
+}
