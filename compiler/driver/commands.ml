@@ -82,15 +82,16 @@ let check general files =
   if List.mem Exit_status.rejected statuses then Exit_status.rejected
   else List.fold_left max Exit_status.ok statuses
 
-(* Compiles, or gives the status with which to end. *)
-let compiled general (resources : Resources.t) ~entry file continue =
+(* Goes on with what a pipeline gives, or gives the status with which to end. *)
+let accepted pipeline general (resources : Resources.t) ~entry file continue =
   let* () = readable file in
   let sink = Diagnostic.sink () and sources = Source.create () in
-  let files =
-    Pipeline.compile (options general) sink sources ~library:resources.library ~entry file
-  in
+  let result = pipeline (options general) sink sources ~library:resources.library ~entry file in
   print_diagnostics general sources sink;
-  match files with Some files -> continue files | None -> status sink
+  match result with Some result -> continue result | None -> status sink
+
+let compiled general resources ~entry file continue =
+  accepted Pipeline.compile general resources ~entry file continue
 
 let write path text =
   match open_out_bin path with
@@ -135,10 +136,27 @@ let hosted general ~entry file ~host ~arguments =
       | Error (Not_found _ | Failed _) ->
           wrong_use (Printf.sprintf "the host %s is missing: install frobc again" host))
 
-let trace general ~entry ~input ~output file =
+type engine = C | Interpreter
+
+let compiled_trace general ~entry ~input ~output file =
   hosted general ~entry file
     ~host:(fun resources -> resources.Resources.trace_host)
     ~arguments:(fun _ program -> program :: input :: Option.to_list output)
+
+(* Speaks as the host of compiled programs does. *)
+let interpreted_trace general ~entry ~input ~output file =
+  let* resources = Resources.find () in
+  accepted Pipeline.interpretable general resources ~entry file (fun (core, entry) ->
+      match Interpreted.trace core ~entry ~input ~output with
+      | Ok () -> Exit_status.ok
+      | Error errors ->
+          List.iter (Printf.eprintf "error: %s\n") errors;
+          Exit_status.wrong_use)
+
+let trace general engine ~entry ~input ~output file =
+  match engine with
+  | C -> compiled_trace general ~entry ~input ~output file
+  | Interpreter -> interpreted_trace general ~entry ~input ~output file
 
 type run = {
   world : string option;

@@ -14,7 +14,18 @@ type general = {
 val check : general -> string list -> int
 val compile : general -> string -> string -> string -> int
 
-val trace : general -> entry:string -> input:string -> output:string option -> string -> int
+type engine =
+  | C  (** the compiled program *)
+  | Interpreter
+
+val trace :
+  general ->
+  engine ->
+  entry:string ->
+  input:string ->
+  output:string option ->
+  string ->
+  int
 
 type run = {
   world : string option;

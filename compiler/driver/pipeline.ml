@@ -124,10 +124,19 @@ let find_entry sink (core : Core.Ir.program) ~file entry =
       Diagnostic.emit sink diagnostic;
       None
 
-let machine options sink sources ~library ~entry file =
+(* A program is rejected for the same reasons whatever is to run it. *)
+let checked options sink sources ~library ~entry file =
   let* core = front options sink sources ~library file in
   let* entry = find_entry sink core ~file entry in
   let* flow = flow options sink ~name:(c_name file) ~entry core in
+  Some (core, entry, flow)
+
+let interpretable options sink sources ~library ~entry file =
+  let* core, entry, _ = checked options sink sources ~library ~entry file in
+  Some (core, entry)
+
+let machine options sink sources ~library ~entry file =
+  let* _, _, flow = checked options sink sources ~library ~entry file in
   let* flow =
     stage options sink Flow ~lint:Flow.Lint.program ~print:Flow.Print.program
       (Flow.Optimize.program flow)

@@ -30,6 +30,17 @@ val compile :
 (** The whole chain, for one entry of the file's module. [None] if the program
     was rejected, or if [stop_after] came first. *)
 
+val interpretable :
+  options ->
+  Diagnostic.sink ->
+  Source.t ->
+  library:string ->
+  entry:string ->
+  string ->
+  (Core.Ir.program * Core.Ir.Global.t) option
+(** The program and its entry, for the interpreter: everything that can reject
+    a program has looked at it. [None] as for {!compile}. *)
+
 val robot_header : Diagnostic.sink -> Source.t -> library:string -> Cgen.Robot.t -> string option
 (** The C header with the input and output structs of a robot, from the types
     in its module of the library, which defines the entry [atRest] on them. *)

@@ -104,10 +104,16 @@ let trace =
     Arg.(value & opt (some string) None & info [ "output" ] ~docv:"OUT.csv" ~doc)
   in
   let engine =
-    let doc = "What runs the program: $(b,c), the compiled C." in
-    Arg.(value & opt (enum [ ("c", ()) ]) () & info [ "engine" ] ~docv:"ENGINE" ~doc)
+    let doc =
+      "What runs the program: $(b,c), the compiled C, or $(b,interp), the reference interpreter. \
+       Both give the same output."
+    in
+    let engines = [ ("c", Commands.C); ("interp", Commands.Interpreter) ] in
+    Arg.(value & opt (enum engines) Commands.C & info [ "engine" ] ~docv:"ENGINE" ~doc)
   in
-  let run general entry input output () file = Commands.trace general ~entry ~input ~output file in
+  let run general entry input output engine file =
+    Commands.trace general engine ~entry ~input ~output file
+  in
   command "trace" ~doc:"run a signal function on recorded input"
     Term.(const run $ general $ entry $ input $ output $ engine $ file)
 
