@@ -95,11 +95,11 @@ let block_for t uses =
 
 (* Where a use stands as seen from a block around it. *)
 let rec position_in block use =
-  if use.block == block then use.position
+  if use.block == block then Some use.position
   else
     match use.block.within with
     | Some { parent; position; _ } -> position_in block { block = parent; position }
-    | None -> Diagnostic.bug ~stage:"Machine.Placement" "a use outside the block of its value"
+    | None -> None
 
 let block_at t depth =
   { id = fresh t; depth; within = None; code = [] }
@@ -122,13 +122,19 @@ let new_branch ?leaf t block condition span =
   block.code <- Branch_here branch :: block.code;
   branch
 
-(* The [If] on a condition in this block, if it runs before all [uses]. *)
+(* The [If] on a condition in this block, if it runs before all [uses]; those
+   outside the block come after the block as a whole. *)
 let shared_branch t ~uses block (condition : atom) span =
   match condition with
   | Bool _ | Int _ | Float _ -> new_branch t block condition span
   | Signal c -> (
       let before (branch : branch) =
-        List.for_all (fun use -> position_in block use >= branch.position) uses
+        List.for_all
+          (fun use ->
+            match position_in block use with
+            | Some position -> position >= branch.position
+            | None -> true)
+          uses
       in
       match Hashtbl.find_opt t.open_branches (block.id, c.id) with
       | Some branch when before branch -> branch
@@ -256,16 +262,15 @@ let uses_of t (s : Flow.signal) = Option.value (Hashtbl.find_opt t.uses s.id) ~d
 let place_computed t (c : computed) uses =
   let block = block_for t uses in
   let variable = variable c.signal in
-  match Usage.branches t.usage c with
+  match Usage.choice t.usage c with
   | None ->
       let value = c.build (List.map (tree t (here t block)) c.operands) in
       put block (Declare { variable; value; span = c.span })
   | Some (condition, then_, else_) ->
       let branch = shared_branch t ~uses block condition c.span in
       branch.uninitialized <- variable :: branch.uninitialized;
-      let assign block atom =
-        let value = tree t (here t block) atom in
-        put block (Assign { place = Local variable; value; span = c.span })
+      let assign block update =
+        store t ~branch:(shared_branch t ~uses) block { place = Local variable; update; span = c.span }
       in
       assign branch.else_ else_;
       assign branch.then_ then_

@@ -230,23 +230,30 @@ let bound_sizes t =
       | Computed _ | Action _ -> ())
     t.fragment.items
 
-(* A result takes the branches of a choice that only it uses. *)
+(* A place takes the branches of a choice that only it uses. *)
+let rec taken_apart t depth (atom : atom) =
+  match atom with
+  | Bool _ | Int _ | Float _ -> Set atom
+  | Signal s -> (
+      match computed_of t s with
+      | Some c when depth > 0 && String.equal s.name "" && uses t s = 1 -> (
+          match branches t c with
+          | Some (condition, then_, else_) ->
+              Hashtbl.replace t.taken s.id ();
+              let then_ = taken_apart t (depth - 1) then_ in
+              Branch { condition; then_; else_ = taken_apart t (depth - 1) else_ }
+          | None -> Set atom)
+      | Some _ | None -> Set atom)
+
 let result_write t (place, atom, span) =
-  let rec update depth (atom : atom) =
-    match atom with
-    | Bool _ | Int _ | Float _ -> Set atom
-    | Signal s -> (
-        match computed_of t s with
-        | Some c when depth > 0 && String.equal s.name "" && uses t s = 1 -> (
-            match branches t c with
-            | Some (condition, then_, else_) ->
-                Hashtbl.replace t.taken s.id ();
-                let then_ = update (depth - 1) then_ in
-                Branch { condition; then_; else_ = update (depth - 1) else_ }
-            | None -> Set atom)
-        | Some _ | None -> Set atom)
-  in
-  { place; update = update update_depth atom; span }
+  { place; update = taken_apart t update_depth atom; span }
+
+let choice t c =
+  Option.map
+    (fun (condition, then_, else_) ->
+      let branch = taken_apart t (update_depth - 1) in
+      (condition, branch then_, branch else_))
+    (branches t c)
 
 let of_fragment (fragment : Fragment.t) =
   let item_of = Hashtbl.create 64 in

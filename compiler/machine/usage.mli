@@ -32,11 +32,9 @@ val inlined : t -> Flow.Ir.signal -> Fragment.computed option
 val keep_apart : t -> Flow.Ir.signal -> unit
 (** From now on the value has a variable of its own. *)
 
-val branches : t -> Fragment.computed -> (Fragment.atom * Fragment.atom * Fragment.atom) option
-(** The choice, if it is to be an [If]. *)
-
-val absorbed : t -> Flow.Ir.signal -> bool
-(** The choice has become part of a write, and needs no place. *)
+val choice : t -> Fragment.computed -> (Fragment.atom * Fragment.update * Fragment.update) option
+(** Condition and branches, if the choice is to be an [If]. Choices that only
+    the branches use become part of them, and need no place of their own. *)
 
 val item_of : t -> Flow.Ir.signal -> (int * Fragment.item) option
 (** Position and item that define a signal; [None] for leaves. *)
