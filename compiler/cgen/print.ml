@@ -165,7 +165,6 @@ let with_breaks e =
   Buffer.contents b
 
 let flat text = String.map (fun c -> if is_soft c then ' ' else c) text
-let expression e = flat (with_breaks e)
 
 (* Lines *)
 

@@ -3,8 +3,5 @@
 
 val file : Ir.file -> string
 
-val expression : Ir.expr -> string
-(** On one line. *)
-
 val float_literal : float -> string
 (** The shortest decimal that reads back as exactly this number. *)

@@ -11,7 +11,6 @@ type t = {
 val of_shape : Flow.Ir.shape -> t option
 (** The robot that a program's whole input or output belongs to. *)
 
-val of_module : string -> t option
 
 val names : string list
 val of_name : string -> t option

@@ -24,8 +24,6 @@ val results : t -> Fragment.write list
 
 val leaf : t -> Flow.Ir.signal -> Ir.expr option
 
-val uses : t -> Flow.Ir.signal -> int
-
 val inlined : t -> Flow.Ir.signal -> Fragment.computed option
 (** The value to build inside its user. *)
 
