@@ -8,6 +8,7 @@ type general = {
   stop_after : Stage.t option;
   lint : bool;
   specialization_limit : int;
+  robot : string option;
 }
 
 (* {1 Speaking} *)
@@ -77,6 +78,7 @@ let check_one general ~library file =
 
 let check general files =
   let* resources = Resources.find () in
+  let* () = Robots.known general.robot in
   let statuses = List.map (check_one general ~library:resources.library) files in
   (* A rejected program outranks a missing file. *)
   if List.mem Exit_status.rejected statuses then Exit_status.rejected
@@ -160,7 +162,6 @@ let trace general engine ~entry ~input ~output file =
 
 type run = {
   world : string option;
-  robot : string option;
   duration : float;
   rate : float;
   seed : int;
@@ -178,7 +179,6 @@ let world_of run (resources : Resources.t) file =
   | None -> Filename.concat resources.worlds "room.toml"
 
 let run general ~entry run file =
-  let* () = Robots.known run.robot in
   let option name value = match value with Some value -> [ name; value ] | None -> [] in
   let flag name value = if value then [ name ] else [] in
   hosted general ~entry file

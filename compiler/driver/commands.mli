@@ -9,6 +9,7 @@ type general = {
   stop_after : Stage.t option;
   lint : bool;
   specialization_limit : int;
+  robot : string option;  (** the robot to compile for, where the program leaves it open *)
 }
 
 val check : general -> string list -> int
@@ -29,7 +30,6 @@ val trace :
 
 type run = {
   world : string option;
-  robot : string option;
   duration : float;  (** s *)
   rate : float;  (** Hz *)
   seed : int;

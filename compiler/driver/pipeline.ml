@@ -85,11 +85,14 @@ let entries (core : Core.Ir.program) =
 let check options sink sources ~library file =
   match front options sink sources ~library file with
   | None -> ()
-  | Some core ->
-      List.iter
-        (fun (d : Core.Ir.definition) ->
-          ignore (flow options sink ~name:d.name.name ~entry:d.name core))
-        (entries core)
+  | Some core -> (
+      match entries core with
+      | [] -> Specialize.Recursion.check sink core
+      | entries ->
+          List.iter
+            (fun (d : Core.Ir.definition) ->
+              ignore (flow options sink ~name:d.name.name ~entry:d.name core))
+            entries)
 
 (* The C files are named after the program's file. *)
 let c_name file = Filename.remove_extension (Filename.basename file)

@@ -5,4 +5,4 @@ let known = function
   | Some name when List.mem name names -> Ok ()
   | Some name ->
       Error
-        (Printf.sprintf "there is no robot `%s`; the robots are %s" name (String.concat ", " names))
+        (Printf.sprintf "there is no robot `%s`; the robots: %s" name (String.concat ", " names))

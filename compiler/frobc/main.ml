@@ -71,10 +71,16 @@ let general =
     in
     Arg.(value & opt int 10_000 & info [ "specialization-limit" ] ~docv:"N" ~doc)
   in
-  let make format dump stop_after lint specialization_limit =
-    { Commands.format; dump; stop_after; lint; specialization_limit }
+  let robot =
+    let doc =
+      "The robot to compile for: " ^ String.concat ", " (List.map (Printf.sprintf "$(b,%s)") Driver.Robots.names) ^ "."
+    in
+    Arg.(value & opt (some string) None & info [ "robot" ] ~docv:"ROBOT" ~doc)
   in
-  Term.(const make $ format $ dump $ stop_after $ lint $ limit)
+  let make format dump stop_after lint specialization_limit robot =
+    { Commands.format; dump; stop_after; lint; specialization_limit; robot }
+  in
+  Term.(const make $ format $ dump $ stop_after $ lint $ limit $ robot)
 
 let time_span =
   let parse text = Result.map_error (fun message -> `Msg message) (Driver.Time_span.parse text) in
@@ -125,7 +131,6 @@ let run =
         "The world to drive in. Without it: $(b,world.toml) beside the program, or else the room \
          that comes with frobc."
   in
-  let robot = some_string [ "robot" ] ~docv:"ROBOT" ~doc:"The robot: $(b,pioneer)." in
   let duration =
     Arg.(
       value & opt time_span 60.
@@ -153,14 +158,14 @@ let run =
   let strict =
     Arg.(value & flag & info [ "strict" ] ~doc:"End with status 4 when the robot hits something.")
   in
-  let make general entry world robot duration rate seed realtime record picture strict file =
+  let make general entry world duration rate seed realtime record picture strict file =
     Commands.run general ~entry
-      { Commands.world; robot; duration; rate; seed; realtime; record; picture; strict }
+      { Commands.world; duration; rate; seed; realtime; record; picture; strict }
       file
   in
   command "run" ~doc:"run a robot program in the simulator"
     Term.(
-      const make $ general $ entry $ world $ robot $ duration $ rate $ seed $ realtime $ record
+      const make $ general $ entry $ world $ duration $ rate $ seed $ realtime $ record
       $ picture $ strict $ file)
 
 let header =

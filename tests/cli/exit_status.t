@@ -100,3 +100,19 @@ A missing tool:
   $ CC=no-such-cc frobc trace good.frob --input in.csv
   error: there is no C compiler `no-such-cc` here; install one (on Debian: apt-get install gcc) or name yours in the environment variable CC
   [2]
+
+A robot that there is not, and a program for no robot:
+
+  $ frobc check good.frob --robot pioneer
+  $ frobc check good.frob --robot roomba
+  error: there is no robot `roomba`; the robots: pioneer
+  [2]
+  $ frobc run good.frob
+  error: good is a program for no robot; the simulated robot is a pioneer
+  [2]
+
+Recursion is found in modules without a program too:
+
+  $ echo 'f x = f (x - 1)' > recursive.frob
+  $ frobc check recursive.frob 2>&1 | head -1
+  error[E0410]: `f` calls itself
