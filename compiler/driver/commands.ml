@@ -86,6 +86,7 @@ let check general files =
 
 (* Goes on with what a pipeline gives, or gives the status with which to end. *)
 let accepted pipeline general (resources : Resources.t) ~entry file continue =
+  let* () = Robots.known general.robot in
   let* () = readable file in
   let sink = Diagnostic.sink () and sources = Source.create () in
   let result = pipeline (options general) sink sources ~library:resources.library ~entry file in

@@ -107,6 +107,9 @@ A robot that there is not, and a program for no robot:
   $ frobc check good.frob --robot roomba
   error: there is no robot `roomba`; the robots: pioneer
   [2]
+  $ frobc run good.frob --robot roomba
+  error: there is no robot `roomba`; the robots: pioneer
+  [2]
   $ frobc run good.frob
   error: good is a program for no robot; the simulated robot is a pioneer
   [2]
