@@ -155,7 +155,7 @@ let add_computed draft (eq : F.equation) =
       Hashtbl.replace draft.copies eq.defines.id atom
   | rhs -> add draft (Computed (computed eq rhs))
 
-let effect ?(operands = []) span statements =
+let work ?(operands = []) span statements =
   Action { defines = []; operands; statements; always = true; weight = 0; span }
 
 let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
@@ -179,7 +179,7 @@ let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
         ]
     | _ -> broken "a derivative of other than one signal"
   in
-  add draft (effect ~operands:[ atom; atom ] span statements)
+  add draft (work ~operands:[ atom; atom ] span statements)
 
 (* What advances at the start of a step, before anything is computed. *)
 let advance (eq : F.equation) (memory : State.memory) =
@@ -272,11 +272,11 @@ let step_body context state (node : F.node) ~is_root (statics : Statics.t) =
 (* What reset does for one item; it comes after all static values. *)
 let reset_effects context draft state (item : Flow.Schedule.item) =
   let assign field value span = Ir.Assign { place = Own field; value; span } in
-  let constant span fields = effect span (fun _ -> List.map (fun (f, e) -> assign f e span) fields) in
+  let constant span fields = work span (fun _ -> List.map (fun (f, e) -> assign f e span) fields) in
   let keep span (s : F.signal) =
     match State.memory state s with
     | Some (Kept field) ->
-        [ effect ~operands:[ resolve draft (F.Signal s) ] span (fun e -> [ assign field (one e) span ]) ]
+        [ work ~operands:[ resolve draft (F.Signal s) ] span (fun e -> [ assign field (one e) span ]) ]
     | Some _ | None -> []
   in
   match item with
@@ -285,7 +285,7 @@ let reset_effects context draft state (item : Flow.Schedule.item) =
       match (State.memory state eq.defines, eq.rhs) with
       | Some (Delayed field), Delay { init; _ } ->
           let operands = [ resolve draft init ] in
-          [ effect ~operands span (fun e -> [ assign field (one e) span ]) ]
+          [ work ~operands span (fun e -> [ assign field (one e) span ]) ]
       | Some (Elapsed field), _ -> [ constant span [ (field, Zero_time) ] ]
       | Some (Integrated { value; input } | Differentiated { value; input }), _ ->
           [ constant span [ (value, Float 0.); (input, Float 0.) ] ]
@@ -299,7 +299,7 @@ let reset_effects context draft state (item : Flow.Schedule.item) =
           let reset arguments =
             [ Ir.Reset { node = i.node; state = field; arguments; span = i.span } ]
           in
-          [ effect ~operands i.span reset ])
+          [ work ~operands i.span reset ])
 
 let reset_body context state (node : F.node) (statics : Statics.t) =
   let d = draft () in
