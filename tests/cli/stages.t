@@ -50,14 +50,12 @@ The compiler can be watched at work, stage by stage.
         self.x_derivative#0 := (x - self.x_derivative_input#1) / dt  -- 2
       self.x_derivative_input#1 := x  -- 2
       result.0 := 2.0 * self.x_derivative#0  -- 2
-  $ ls
+  $ ls gain*
   gain.frob
-  stages.t
 
 A dump takes the place of the files:
 
   $ frobc compile gain.frob --dump=c | grep -c derivative
   7
-  $ ls
+  $ ls gain*
   gain.frob
-  stages.t
