@@ -71,9 +71,14 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
         | value -> Assign (target', expression c value)
       in
       { desc; comment = comment c span } :: rest
-  | If { uninitialized = variables; condition; then_; else_; span } ->
+  | If { uninitialized = variables; condition; then_; else_; predicted; span } ->
       let declarations = uninitialized c variables in
       let condition = expression c condition in
+      let condition =
+        (* an update without an alternative stays a branch in any case *)
+        if predicted && else_ <> [] then Ir.Call (V.helper c.v Branch, [ condition ])
+        else condition
+      in
       let comment = comment c span in
       let then_ = statements c then_ in
       let else_ = statements c else_ in
@@ -222,17 +227,17 @@ let clock c (node : M.node) =
     | Unseen -> value
     | Marked_by field -> Ir.Conditional (Expression.field c.names field, value, zero)
   in
-  let nanosecond = Ir.Float 1e9 in
+  let seconds_of ns = Ir.Call (V.helper c.v Seconds, [ ns; Name "dt" ]) in
   let times =
     match (node.nanoseconds, node.seconds) with
     | false, false -> []
     | false, true ->
-        [ plain (Ir.Assign (Name "dt", at_first (Float 0.) (Binary (Over, rounded (), nanosecond)))) ]
+        [ plain (Ir.Assign (Name "dt", at_first (Float 0.) (seconds_of (rounded ())))) ]
     | true, seconds ->
         let value = at_first (Ir.Integer 0l) (Cast (Int64, rounded ())) in
         let ns = plain (Ir.Constant { ty = Int64; name = "dt_ns"; value }) in
-        let dt = Ir.Assign (Name "dt", Binary (Over, Cast (Real, Name "dt_ns"), nanosecond)) in
-        ns :: (if seconds then [ plain dt ] else [])
+        let dt () = plain (Ir.Assign (Name "dt", seconds_of (Cast (Real, Name "dt_ns")))) in
+        ns :: (if seconds then [ dt () ] else [])
   in
   let mark =
     match c.v.program.first_instant with

@@ -21,11 +21,24 @@ type t =
   | Ceiling
   | Round
   | Whole_nanoseconds
+  | Seconds
   | Later
+  | Branch
 
 (* Helper, its name, what it calls (earlier in the table), its text. *)
 let table =
   [
+    ( Branch,
+      "FROB_BRANCH",
+      [],
+      {|/* The condition of a branch that is to stay one, for the processor to predict:
+ * a select in its place would have each step wait for the one before. */
+#ifdef __GNUC__
+#define FROB_BRANCH(condition) __builtin_expect((condition), 0)
+#else
+#define FROB_BRANCH(condition) (condition)
+#endif
+|} );
     ( Wrap,
       "frob_wrap",
       [],
@@ -249,6 +262,20 @@ static inline double frob_whole_ns(double dt)
         return (ns + 4503599627370496.0) - 4503599627370496.0;
     }
     return ns < 1e18 ? ns : 1e18;
+}
+|} );
+    ( Seconds,
+      "frob_seconds",
+      [ Branch ],
+      {|/* Whole nanoseconds in seconds. Almost always that is the dt they come from, and
+ * then nothing waits for the division. (Adding 0.0 makes 0.0 of -0.0.) */
+static inline double frob_seconds(double ns, double dt)
+{
+    const double s = ns / 1e9;
+    if (FROB_BRANCH(s != dt)) {
+        return s;
+    }
+    return dt + 0.0;
 }
 |} );
     ( Later,

@@ -29,7 +29,9 @@ type t =
   | Ceiling
   | Round
   | Whole_nanoseconds  (** of a dt in seconds *)
+  | Seconds  (** of a dt in whole nanoseconds *)
   | Later
+  | Branch  (** the condition of an [if] that is to stay one *)
 
 val name : t -> string
 val names : string list

@@ -52,4 +52,5 @@ type t = {
       (** field, its next value, and the signal whose leaf the field is: that
           value means that the field keeps what it has *)
   returned : (atom * Span.t) option;
+  feedback : Feedback.t;
 }

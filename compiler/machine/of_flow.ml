@@ -173,6 +173,7 @@ let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
                     { place = Own value; value = operation F.Divide Float [ change; Dt ]; span };
                 ];
               else_ = [];
+              predicted = false;
               span;
             };
           Assign { place = Own input; value = kept; span };
@@ -265,6 +266,7 @@ let step_body context state (node : F.node) ~is_root (statics : Statics.t) =
         results;
         states = List.filter_map (next_state d state) equations;
         returned;
+        feedback = Feedback.of_node node;
       }
   in
   List.rev_append (List.rev advances) body
@@ -320,6 +322,7 @@ let reset_body context state (node : F.node) (statics : Statics.t) =
       results = [];
       states = [];
       returned = None;
+      feedback = Feedback.none;
     }
 
 (* What a function turned out to read. *)

@@ -105,9 +105,10 @@ let rec statement c indent ppf (s : Ir.statement) =
       put "%s = %a  -- %d" (variable c.names v) (expr c) value span.start.line
   | Assign { place = p; value; span } ->
       put "%s := %a  -- %d" (place c p) (expr c) value span.start.line
-  | If { uninitialized; condition; then_; else_; span } ->
+  | If { uninitialized; condition; then_; else_; predicted; span } ->
       if uninitialized <> [] then put "var %s" (variables c uninitialized);
-      put "if %a  -- %d" (expr c) condition span.start.line;
+      let word = if predicted then "if predicted" else "if" in
+      put "%s %a  -- %d" word (expr c) condition span.start.line;
       List.iter (statement c (indent + 2) ppf) then_;
       if else_ <> [] then (
         put "else";

@@ -14,6 +14,7 @@ type t = {
   apart : (int, unit) Hashtbl.t;
   taken : (int, unit) Hashtbl.t;  (** choices absorbed by writes *)
   branching : (int, unit) Hashtbl.t;  (** conditions worth an [If] *)
+  predicted : (int, unit) Hashtbl.t;  (** those of choices in {!Feedback} *)
   mutable writes : write list;
   mutable results : write list;
 }
@@ -43,6 +44,10 @@ let computed_of t s =
   match item_of t s with
   | Some (_, Computed c) -> Some c
   | Some (_, Action _) | None -> None
+
+let predicted t = function
+  | Flow.Signal s -> Hashtbl.mem t.predicted s.id
+  | Bool _ | Int _ | Float _ -> false
 
 let absorbed t (s : Flow.signal) = Hashtbl.mem t.taken s.id
 let keep_apart t (s : Flow.signal) = Hashtbl.replace t.apart s.id ()
@@ -120,7 +125,9 @@ let rec update t own depth (atom : atom) =
             if uses t s = 1 then
               let then_ = update t own (depth - 1) then_ in
               let else_ = update t own (depth - 1) else_ in
-              if keeps then_ || keeps else_ then Branch { condition; then_; else_ } else Set atom
+              if keeps then_ || keeps else_ || predicted t condition then
+                Branch { condition; then_; else_ }
+              else Set atom
             else if same own else_ then Branch { condition; then_ = Set atom; else_ = Keep }
             else if same own then_ then Branch { condition; then_ = Keep; else_ = Set atom }
             else Set atom
@@ -145,6 +152,16 @@ let state_write t (field, atom, own, span) =
   { place = Ir.Own field; update; span }
 
 (* Which conditions deserve an If. *)
+
+let find_predicted t =
+  Array.iter
+    (function
+      | Computed { choice = Some (Signal c, _, _); signal; _ }
+        when Feedback.mem t.fragment.feedback signal ->
+          Hashtbl.replace t.predicted c.id ();
+          Hashtbl.replace t.branching c.id ()
+      | Computed _ | Action _ -> ())
+    t.fragment.items
 
 let meet a b =
   match (a, b) with
@@ -271,6 +288,7 @@ let of_fragment (fragment : Fragment.t) =
       apart = Hashtbl.create 16;
       taken = Hashtbl.create 16;
       branching = Hashtbl.create 16;
+      predicted = Hashtbl.create 16;
       writes =
         List.rev
           (List.rev_map (fun (field, atom, _, span) -> plain (Ir.Own field, atom, span))
@@ -278,6 +296,7 @@ let of_fragment (fragment : Fragment.t) =
       results = List.rev (List.rev_map plain fragment.results);
     }
   in
+  find_predicted t;
   count_all t;
   let writes = List.rev_map (state_write t) fragment.states in
   t.writes <-

@@ -6,7 +6,8 @@
     variable of its own. A choice becomes an [If] if what only its branches
     need costs more than the select (or if many values are chosen by one
     condition); state that a branch keeps is always an [If], because a chain of
-    selects through memory is slow, a branch rarely taken is not. *)
+    selects through memory is slow, a branch rarely taken is not; so is a choice
+    in {!Feedback}. *)
 
 type t
 
@@ -33,6 +34,9 @@ val keep_apart : t -> Flow.Ir.signal -> unit
 val choice : t -> Fragment.computed -> (Fragment.atom * Fragment.update * Fragment.update) option
 (** Condition and branches, if the choice is to be an [If]. Choices that only
     the branches use become part of them, and need no place of their own. *)
+
+val predicted : t -> Fragment.atom -> bool
+(** Is this the condition of a choice in {!Feedback}? *)
 
 val item_of : t -> Flow.Ir.signal -> (int * Fragment.item) option
 (** Position and item that define a signal; [None] for leaves. *)

@@ -64,6 +64,13 @@ int main(void)
     check("large and exact", after(123456789.0) == 123456789.0);
 
     clock_reset(&state);
+    step(&state, 0.0, 1.0);
+    out = step(&state, 0.1 + 0.3e-9, 2.0);
+    check("an integral adds whole nanoseconds", out.f2 == 0.1);
+    check("a derivative divides by whole nanoseconds", out.f3 == 1.0 / 0.1);
+    check("minus zero is zero", step(&state, -0.0, 9.0).f3 == 1.0 / 0.1);
+
+    clock_reset(&state);
     for (k = 0; k < 20; k++) {
         out = step(&state, 1e9, 0.0);
     }

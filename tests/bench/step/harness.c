@@ -56,22 +56,25 @@ static void print(const char *program, const char *measure, double value, double
            program, measure, compiler, value, reference, value / reference, unit);
 }
 
-void bench_compare(const char *program, bench_pass *generated, bench_pass *by_hand,
-                   size_t generated_bytes, size_t by_hand_bytes)
+void bench_compare(const struct bench_row *row)
 {
-    static double a[ROUNDS], b[ROUNDS];
+    enum { PASSES = 3 };
+    bench_pass *const passes[PASSES] = {row->generated, row->by_hand, row->by_hand_as_it_comes};
+    static double times[PASSES][ROUNDS];
+    double medians[PASSES];
     for (size_t round = 0; round < ROUNDS; round++) {
         /* who goes first changes from round to round */
-        if (round % 2 == 0) {
-            a[round] = time_of(generated);
-            b[round] = time_of(by_hand);
-        } else {
-            b[round] = time_of(by_hand);
-            a[round] = time_of(generated);
+        for (size_t turn = 0; turn < PASSES; turn++) {
+            const size_t who = (round + turn) % PASSES;
+            times[who][round] = time_of(passes[who]);
         }
     }
-    print(program, "step time", median(a, ROUNDS), median(b, ROUNDS), "ns");
-    print(program, "state", (double)generated_bytes, (double)by_hand_bytes, "bytes");
+    for (size_t who = 0; who < PASSES; who++)
+        medians[who] = median(times[who], ROUNDS);
+    print(row->program, "step time", medians[0], medians[1], "ns");
+    print(row->program, "step time, dt as it comes", medians[0], medians[2], "ns");
+    print(row->program, "state", (double)row->generated_bytes, (double)row->by_hand_bytes,
+          "bytes");
 }
 
 void bench_equal(const char *program, size_t instant, double generated, double by_hand)

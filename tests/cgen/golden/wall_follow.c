@@ -10,6 +10,14 @@
 #endif
 typedef char wall_follow_double_is_8_bytes[sizeof(double) == 8 ? 1 : -1];
 
+/* The condition of a branch that is to stay one, for the processor to predict:
+ * a select in its place would have each step wait for the one before. */
+#ifdef __GNUC__
+#define FROB_BRANCH(condition) __builtin_expect((condition), 0)
+#else
+#define FROB_BRANCH(condition) (condition)
+#endif
+
 /* The minimum with a limit that is not NaN; NaN if x is. */
 static inline double frob_at_most(double x, double limit)
 {
@@ -44,6 +52,17 @@ static inline double frob_whole_ns(double dt)
     return ns < 1e18 ? ns : 1e18;
 }
 
+/* Whole nanoseconds in seconds. Almost always that is the dt they come from, and
+ * then nothing waits for the division. (Adding 0.0 makes 0.0 of -0.0.) */
+static inline double frob_seconds(double ns, double dt)
+{
+    const double s = ns / 1e9;
+    if (FROB_BRANCH(s != dt)) {
+        return s;
+    }
+    return dt + 0.0;
+}
+
 void wall_follow_reset(struct wall_follow_state *self)
 {
     self->s_derivative = 0.0;                               /* line 13 */
@@ -58,7 +77,7 @@ void wall_follow_step(struct wall_follow_state *self,
                       const struct wall_follow_input *in,
                       struct wall_follow_output *out)
 {
-    dt = self->started ? frob_whole_ns(dt) / 1e9 : 0.0;
+    dt = self->started ? frob_seconds(frob_whole_ns(dt), dt) : 0.0;
     self->started = true;
     const double vCurr = in->f1;
     const double f = in->f2;
