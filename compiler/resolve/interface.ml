@@ -151,6 +151,14 @@ let arity : Syntax.Ir.fields -> int = function
   | Positional fields -> List.length fields
   | Named fields -> List.length fields
 
+(* `type Double[u] = Float[u]` stands without brackets where `Float` does. *)
+let names_a_number (parameters : Syntax.Ir.type_parameters) (body : Syntax.Ir.ty) =
+  match (parameters, body.desc) with
+  | ( { units = [ u ]; types = [] },
+      Type { name; units = Some [ { desc = Unit_name v; _ } ]; arguments = [] } ) ->
+      String.equal u.text v.text && List.mem name.name.text [ "Float"; "Int" ]
+  | _ -> false
+
 let declared context ~module_ (program : Syntax.Ir.program) =
   let signed = signed_names program.declarations in
   let global name : Ir.Global.t = { module_; name } in
@@ -158,12 +166,13 @@ let declared context ~module_ (program : Syntax.Ir.program) =
     let entry = { global = global name.text; signed; span = name.span } in
     { names with values = add context values ?hint names.values name entry }
   in
-  let tycon names (name : Syntax.Ir.name) (parameters : Syntax.Ir.type_parameters) record_fields =
+  let tycon names ?(units_optional = false) (name : Syntax.Ir.name)
+      (parameters : Syntax.Ir.type_parameters) record_fields =
     let entry =
       {
         global = global name.text;
         unit_arity = List.length parameters.units;
-        units_optional = false;
+        units_optional;
         type_arity = List.length parameters.types;
         record_fields;
         span = name.span;
@@ -199,7 +208,8 @@ let declared context ~module_ (program : Syntax.Ir.program) =
     | Binding { left = Pattern _; _ } -> names
     | Primitive { names = primitives; _ } ->
         List.fold_left (fun names name -> value names name ~signed:true) names primitives
-    | Type_alias { name; parameters; _ } -> tycon names name parameters []
+    | Type_alias { name; parameters; body } ->
+        tycon names ~units_optional:(names_a_number parameters body) name parameters []
     | Data { name; parameters; constructors } ->
         let fields =
           match constructors with

@@ -19,7 +19,8 @@ type constructor = {
 type tycon = {
   global : Ir.Global.t;
   unit_arity : int;
-  units_optional : bool;  (** [Float] and [Int] alone mean unit 1 *)
+  units_optional : bool;  
+      (** [Float], [Int] and their aliases with a unit alone mean unit 1 *)
   type_arity : int;
   record_fields : string list;
   span : Span.t;

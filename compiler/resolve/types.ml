@@ -118,6 +118,11 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
       | Some tycon ->
           let types = List.length arguments in
           if check_arity scope t.span tycon ~units:(List.length units) ~types then
+            let units =
+              if units = [] && tycon.units_optional && not (is_builtin tycon) then
+                [ ({ factors = []; span = t.span } : Ir.unit_) ]
+              else units
+            in
             Named { tycon = tycon.global; units; arguments }
           else Tuple_type [])
   | Representation { name; unit_ = u } ->

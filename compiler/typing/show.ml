@@ -175,6 +175,9 @@ let rec tree_of words depth t =
     | Signal_function (a, b) ->
         let a = continue_ a in
         Applied ("SF", [ a; continue_ b ])
+    | Alias { alias; units = [ u ]; arguments = []; expansion = Number (_, v) }
+      when Units.equal u v ->
+        Word (number (`Named alias.name) (measure words u))
     | Data { tycon; units; arguments } | Alias { alias = tycon; units; arguments; _ } ->
         applied
           (bracketed tycon.name (List.map (measure words) units))
@@ -213,5 +216,5 @@ let type_ words t =
 let quoted words t =
   let text = "`" ^ type_ words t ^ "`" in
   match (Type.repr t, Type.expand t) with
-  | Alias _, Number (_, u) -> Printf.sprintf "%s (%s)" text (measure words u)
+  | Alias { units = []; _ }, Number (_, u) -> Printf.sprintf "%s (%s)" text (measure words u)
   | _ -> text
