@@ -115,8 +115,12 @@ static void print_summary(const struct options *options, const struct frob_sim_s
     printf("distance driven: %.3f m\n", s->distance_m);
     if (s->measured) {
         printf("wall distance to keep: %.3f m\n", s->wall_distance_m);
-        printf("mean wall distance error: %.4f m\n", s->mean_error_m);
-        printf("largest wall distance error: %.4f m\n", s->largest_error_m);
+        if (isnan(s->mean_error_m)) {
+            printf("wall distance error: not measured, the run ended while settling\n");
+        } else {
+            printf("mean wall distance error: %.4f m\n", s->mean_error_m);
+            printf("largest wall distance error: %.4f m\n", s->largest_error_m);
+        }
     }
     printf("odometry error at the end: %.3f m\n", s->odometry_error_m);
     printf("collisions: %d\n", s->collisions);
