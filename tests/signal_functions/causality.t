@@ -1,0 +1,90 @@
+Equations may need each other in the same instant if no part of a signal needs
+itself: parts are the components of tuples and the fields of records, also
+through signal functions. Every trace is run compiled and interpreted, and was
+worked out by hand.
+
+  $ trace() {
+  >   cat > in.csv
+  >   frobc trace --lint --engine interp "$1.frob" --input in.csv --output interpreted.csv
+  >   frobc trace --lint "$1.frob" --input in.csv | tee compiled.csv
+  >   cmp compiled.csv interpreted.csv
+  > }
+  $ counted() { printf 'time,in\n0,1\n1,2\n2,3\n' | trace "$1"; }
+
+  $ counted causal_through_tuples
+  time,out.1,out.2
+  0.000000000,1,2
+  1.000000000,2,3
+  2.000000000,3,4
+
+  $ counted causal_through_records
+  time,out
+  0.000000000,1
+  1.000000000,3
+  2.000000000,8
+
+  $ counted causal_through_inner_procs
+  time,out.1,out.2
+  0.000000000,1,2
+  1.000000000,2,3
+  2.000000000,3,4
+
+  $ counted node_called_twice
+  time,out.1,out.2
+  0.000000000,1,1
+  1.000000000,3,4
+  2.000000000,5,8
+
+  $ counted loop_of_wires
+  time,out.1,out.2
+  0.000000000,2,1
+  1.000000000,3,2
+  2.000000000,4,3
+
+  $ printf 'time\n0\n0.5\n1\n' | trace equations_through_integrals
+  time,out.1,out.2
+  0.000000000,1,0
+  0.500000000,1,-0.5
+  1.000000000,0.75,-1
+
+A part that does need itself is refused, with the way round:
+
+  $ frobc check loop_through_inner_proc.frob
+  error[E0401]: signal `x` needs its own value in the same instant
+   --> loop_through_inner_proc.frob:7:6
+    |
+  7 |     (x, y) = crossed (n, x + y)
+    |      ^                   ----- `x` reads `x` here, through `crossed`
+    |
+    = hint: let `x` read its own previous value: `delay x0 x`, where `x0` is the initial value
+  
+  1 error
+  [1]
+
+  $ frobc check loop_through_two_instances.frob
+  error[E0401]: signal `u` needs its own value in the same instant
+   --> loop_through_two_instances.frob:7:6
+    |
+  7 |     (u, v) = step (w, n)
+    |     -^------------------ `u` reads `w` here, through `step`
+  8 |     (w, _) = step (u, v)
+    |     -------------------- `w` reads `u` here, through `step`
+    |
+    = hint: let `w` read the previous value of `u`: `delay x0 u`, where `x0` is the initial value
+  
+  1 error
+  [1]
+
+  $ frobc check loop_by_turns.frob
+  error[E0401]: signal `x` needs its own value in the same instant
+   --> loop_by_turns.frob:4:5
+    |
+  4 |     x = if b then y else 0
+    |     ^   ------------------ `x` reads `y` here
+  5 |     y = if b then 0 else x
+    |         ------------------ `y` reads `x` here
+    |
+    = hint: let `y` read the previous value of `x`: `delay x0 x`, where `x0` is the initial value
+  
+  1 error
+  [1]
