@@ -2,13 +2,16 @@ open Grammar
 
 type block = Top | Let | Where | Do | Of | Rec
 type opener = Block of block | Paren | Bracket | Brace | If | Then | Case
-type context = (opener * Lexer.token) list
+type origin = { by : Lexer.token; column : int }
+type context = (opener * origin) list
 
 type token = {
   token : Grammar.token;
   start : Lexing.position;
   stop : Lexing.position;
   made : bool;
+  column : int;
+  first : bool;
   context : context Lazy.t;
   last : bool;
 }
@@ -50,7 +53,8 @@ let create lexer =
 
 let context t =
   let stack = t.outer in
-  lazy (List.rev (List.rev_map (fun entry -> (entry.opener, entry.by)) stack))
+  let origin (entry : entry) = { by = entry.by; column = entry.column } in
+  lazy (List.rev (List.rev_map (fun (entry : entry) -> (entry.opener, origin entry)) stack))
 
 let nothing = { bracket = None; let_ = false; if_ = false; then_ = false; case = false }
 
@@ -75,7 +79,8 @@ let reach t = match t.stack with [] -> nothing | entry :: _ -> entry.reach
 
 let emit t token =
   Queue.add
-    { token; start = t.before; stop = t.before; made = true; context = context t; last = false }
+    { token; start = t.before; stop = t.before; made = true; column = 0; first = false;
+      context = context t; last = false }
     t.ready
 
 (* Pops one entry; a block is closed by it. *)
@@ -162,7 +167,7 @@ let rec where_closes t (token : Lexer.token) =
 let pass t (token : Lexer.token) ~last =
   Queue.add
     { token = token.token; start = token.start; stop = token.stop; made = false;
-      context = context t; last }
+      column = token.column; first = token.first; context = context t; last }
     t.ready
 
 let emit_doc t (token : Lexer.token) =
@@ -180,7 +185,7 @@ let emit_doc t (token : Lexer.token) =
   | Some text, _ when of_item || of_constructor ->
       Queue.add
         { token = DOC text; start = token.start; stop = token.start; made = true;
-          context = context t; last = false }
+          column = 0; first = false; context = context t; last = false }
         t.ready
   | _ -> ()
 

@@ -17,14 +17,21 @@ type opener =
   | Then  (** waits for [else]; opened by its [if] too *)
   | Case  (** waits for [of] *)
 
-type context = (opener * Lexer.token) list
-(** What is open, innermost first, and the token that opened it. *)
+type origin = {
+  by : Lexer.token;  (** what opened it *)
+  column : int;  (** of the innermost block's items: of this one, or of the one around it *)
+}
+
+type context = (opener * origin) list
+(** What is open, innermost first. *)
 
 type token = {
   token : Grammar.token;
   start : Lexing.position;
   stop : Lexing.position;  (** a token that layout made is empty, at the end of the one before *)
   made : bool;  (** by layout *)
+  column : int;  (** 0 if layout made it *)
+  first : bool;  (** on its line *)
   context : context Lazy.t;  (** what was open before this token *)
   last : bool;  (** the [END] of the whole file *)
 }

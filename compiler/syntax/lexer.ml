@@ -201,8 +201,13 @@ let number t =
   let text = String.sub t.text first (t.at - first) in
   if is_name (peek t 0) then begin
     let rest = take_name t in
-    report t ~code:"E0105" ~start
-      ~hint:(Printf.sprintf "a unit stands in brackets: `%s[%s]`" text rest)
+    let hint =
+      match (text, rest.[0]) with
+      | _, '_' -> "the digits of a number stand together, without `_`"
+      | "0", ('x' | 'X' | 'b' | 'o') -> "numbers are written in decimal"
+      | _ -> Printf.sprintf "a unit stands in brackets: `%s[%s]`" text rest
+    in
+    report t ~code:"E0105" ~start ~hint
       (Printf.sprintf "the number `%s` is directly followed by `%s`" text rest);
     BAD
   end
@@ -249,6 +254,12 @@ let unexpected t =
   for _ = 1 to length do step t done;
   let hint =
     match character with
+    | "'" when peek t 1 = '\'' -> Some "a text stands in `\"`"
+    | ":" when peek t 0 = '=' -> Some "an equation is written with `=`"
+    | ":" -> Some "a type follows `::`"
+    | "&" -> Some "write `&&`"
+    | "#" -> Some "a comment starts with `--`"
+    | "?" -> Some "a choice is written `if c then a else b`"
     | "'" -> Some "an infix name stands in backticks, as in ``x `mod` 2``"
     | "%" -> Some "the remainder is ``x `mod` y``"
     | "\u{2212}" | "\u{2013}" -> Some "the minus sign is `-`"

@@ -29,6 +29,7 @@ let precedence (operator : Ir.qualified) =
       | None -> (9, Left))
 
 let minus_level = 6
+let comparison_level = 4
 
 type pending =
   | Binary of { left : term; operator : Ir.qualified; level : int; side : side }
@@ -76,7 +77,10 @@ let reject_two (first : Ir.qualified) (second : Ir.qualified) =
     (Diagnostic.error ~code:"E0113" ~at:second.span
        "`%s` and `%s` do not combine without parentheses" (shown first) (shown second)
     |> Diagnostic.label ~at:first.span "after this one"
-    |> Diagnostic.hint "put parentheses around the part that comes first")
+    |> Diagnostic.hint
+         (if fst (precedence second) = comparison_level then
+          "compare two at a time: `a < b && b < c`"
+         else "put parentheses around the part that comes first"))
 
 let reject_minus (operator : Ir.qualified) at =
   Reject.diagnostic

@@ -11,6 +11,7 @@ type reader = {
   mutable cut : bool;
       (** The item before broke off: one that now ends before it defines anything is
           likely the rest of it. *)
+  mutable failed : bool;  (** the item before *)
   mutable defines : bool;  (** this item has come past its [=] or [::] *)
 }
 
@@ -43,9 +44,15 @@ let item reader =
     | Automaton.HandlingError env ->
         let state = Automaton.current_state_number env in
         let ended = !token.token = END in
-        if not (reader.cut && ended && not reader.defines) then
+        (* a bracket that a broken item opened *)
+        let rest_of_last =
+          match (before, !token.token) with
+          | None, (RPAREN | RBRACKET | RBRACE) -> reader.failed
+          | _ -> false
+        in
+        if not ((reader.cut && ended && not reader.defines) || rest_of_last) then
           Syntax_error.report reader.sink ~text:reader.text ~state ~before !token;
-        reader.cut <- ended && Syntax_error.expects_more before;
+        reader.cut <- ended && Syntax_hint.expects_more before;
         (Failed, skip reader !token)
     | Automaton.Accepted item ->
         reader.cut <- false;
@@ -84,6 +91,10 @@ let rec collect reader (program : Ir.program) errors =
   if errors >= most_errors then program
   else
     let outcome, last = item reader in
+    (match outcome with
+    | Failed -> reader.failed <- true
+    | Item Nothing -> ()
+    | Item (Header _ | Import _ | Declaration _) -> reader.failed <- false);
     let program, errors =
       match outcome with
       | Failed -> (program, errors + 1)
@@ -111,7 +122,7 @@ let rec collect reader (program : Ir.program) errors =
 let read sink ~file text =
   let layout = Layout.create (Lexer.create sink ~file text) in
   let empty : Ir.program = { file; header = None; imports = []; declarations = [] } in
-  match collect { layout; sink; text; cut = false; defines = false } empty 0 with
+  match collect { layout; sink; text; cut = false; failed = false; defines = false } empty 0 with
   | program ->
       Some
         {

@@ -1,25 +1,13 @@
 open Basis
 open Grammar
-
-type found = {
-  text : string;  (** the whole source *)
-  state : int;
-  before : Layout.token option;
-  token : Layout.token;
-  context : Layout.context;
-}
+open Syntax_hint
 
 let span (t : Layout.token) = Build.span (t.start, t.stop)
-let opener_span (t : Lexer.token) = Build.span (t.start, t.stop)
+let opener_span ({ by; _ } : Layout.origin) = Build.span (by.start, by.stop)
 let written found = String.sub found.text found.token.start.pos_cnum
     (found.token.stop.pos_cnum - found.token.start.pos_cnum)
 
 (* {1 What was found} *)
-
-let rec innermost_block : Layout.context -> Layout.block = function
-  | (Block block, _) :: _ -> block
-  | ((Paren | Bracket | Brace | If | Then | Case), _) :: rest -> innermost_block rest
-  | [] -> Top
 
 let item_of : Layout.block -> string = function
   | Top | Let | Where -> "definition"
@@ -65,61 +53,13 @@ let message_of_state state =
       | [] -> Diagnostic.bug ~stage:"Syntax.Parse" "state %d has an empty message" state)
   | exception Not_found -> Diagnostic.bug ~stage:"Syntax.Parse" "state %d has no message" state
 
-let with_hint text d = Diagnostic.hint text d
-
-let is_blank found offset =
-  offset >= String.length found.text
-  || match found.text.[offset] with ' ' | '\t' | '\n' | '\r' -> true | _ -> false
-
-let expects_more : Layout.token option -> bool = function
-  | Some
-      { token =
-          ( EQUAL | ARROW | DOUBLE_COLON | DOUBLE_ARROW | OPERATOR _ | MINUS | STAR | SLASH | CARET
-          | BAR | IF | THEN | ELSE | IN | CASE | COMMA | TAIL );
-        _ } ->
-      true
-  | Some _ | None -> false
-
-let opens_with opener : Layout.context -> bool = function
-  | (innermost, _) :: _ -> innermost = opener
-  | [] -> false
-
-(* A place where a value stands and no definition can. *)
-let compares : Layout.context -> bool = function
-  | ((Paren | If | Then | Case), _) :: _ -> true
-  | ((Bracket | Brace | Block _), _) :: _ | [] -> false
-
-let reserved_word = Printf.sprintf "`%s` is a word of the language and cannot be a name"
-
-(* What the token itself suggests, beyond the state. *)
-let hint_of_token found =
-  match (found.token.token, found.before) with
-  | LEFT_ARROW, _ when not (is_blank found found.token.stop.pos_cnum) ->
-      Some "`<-` is always one symbol; to compare with a negative number write `< -` with a blank"
-  | LEFT_ARROW, _ when innermost_block found.context <> Do ->
-      Some "`<-` belongs to the statements of a `do`; an equation is written with `=`"
-  | TAIL, _ -> Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
-  | (EQUAL | DOUBLE_COLON), Some { token = UNIT | PRIMITIVE | DATA | TYPE | MODULE | IMPORT | REC; start; stop; _ } ->
-      Some (reserved_word (String.sub found.text start.pos_cnum (stop.pos_cnum - start.pos_cnum)))
-  | EQUAL, _ when compares found.context -> Some "`=` defines; to compare write `==`"
-  | DOUBLE_COLON, _ when opens_with Layout.Brace found.context ->
-      Some "there is a `,` between two fields"
-  | LBRACE, Some { token = OPEN; _ } ->
-      Some "blocks are made by indentation; braces write records only"
-  | (UNIT | PRIMITIVE | DATA | TYPE | MODULE | IMPORT | REC), Some _ ->
-      Some (reserved_word (written found))
-  | END, before when expects_more before && not found.token.last ->
-      Some "a definition goes on only in lines that are indented more than its first"
-  | _ -> None
-
 let plain found =
-  let expected, hints = message_of_state found.state in
+  let expected, state_hints = message_of_state found.state in
   let d =
     Diagnostic.error ~code:"E0110" ~at:(span found.token) "%s, found %s" expected (describe found)
   in
-  match hint_of_token found with
-  | Some hint -> Diagnostic.hint hint d
-  | None -> List.fold_left (fun d hint -> with_hint hint d) d hints
+  List.fold_left (fun d hint -> Diagnostic.hint hint d) d (hint found ~state_hints)
+  |> other_place found
 
 (* {1 Brackets} *)
 
@@ -130,7 +70,7 @@ let opening : Layout.opener -> (string * string) option = function
   | Block _ | If | Then | Case -> None
 
 (* The innermost bracket that no block hides. *)
-let rec open_bracket : Layout.context -> ((string * string) * Lexer.token) option = function
+let rec open_bracket : Layout.context -> ((string * string) * Layout.origin) option = function
   | (Block _, _) :: _ | [] -> None
   | (opener, by) :: rest -> (
       match opening opener with Some pair -> Some (pair, by) | None -> open_bracket rest)
@@ -171,7 +111,7 @@ let absent found format =
     format
 
 (* The `if` or `case` between this place and the [do] around it. *)
-let rec choice : Layout.context -> Lexer.token option = function
+let rec choice : Layout.context -> Layout.origin option = function
   | ((If | Then | Case | Block Of), by) :: rest -> (
       match choice_around rest with true -> Some by | false -> choice rest)
   | ((Paren | Bracket | Brace | Block _), _) :: _ | [] -> None
@@ -193,6 +133,12 @@ let choice_of_commands found =
         (choice found.context)
   | _ -> None
 
+(* Does this bracket hold a letter, so hardly an index? *)
+let holds_a_unit found =
+  let i = found.token.stop.pos_cnum in
+  i < String.length found.text
+  && match found.text.[i] with 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false
+
 let missing found =
   match (found.token.token, found.before) with
   | RESERVED "deriving", _ ->
@@ -207,7 +153,14 @@ let missing found =
   | LBRACKET, Some { token = NUMBER _; _ } ->
       Some
         (Diagnostic.error ~code:"E0110" ~at:(span found.token)
-           "a unit directly follows its number, without a blank")
+           "a unit directly follows its number, without a blank"
+        |> Diagnostic.hint "as in `0.4[m/s]`")
+  | UNIT_BRACKET, Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ }
+    when holds_a_unit found ->
+      Some
+        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
+           "a unit stands on a number written out or on a type, not on a name"
+        |> Diagnostic.hint "a value has its unit already; to give one to a plain number, multiply: `x * 1[m]`")
   | (LBRACKET | UNIT_BRACKET), before ->
       let d = absent found "arrays are not part" in
       Some

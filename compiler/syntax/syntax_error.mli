@@ -10,7 +10,3 @@ val report :
   Diagnostic.sink -> text:string -> state:int -> before:Layout.token option -> Layout.token -> unit
 (** [report sink ~text ~state ~before token]: [token] does not fit; [before]
     is the one before it, if it belongs to the same item. *)
-
-val expects_more : Layout.token option -> bool
-(** Nothing can end after this token: if a definition does, the next line is
-    likely to be its rest. *)

@@ -1,0 +1,170 @@
+open Basis
+open Grammar
+
+type found = {
+  text : string;
+  state : int;
+  before : Layout.token option;
+  token : Layout.token;
+  context : Layout.context;
+}
+
+let rec innermost : Layout.context -> (Layout.block * Layout.origin) option = function
+  | (Block block, origin) :: _ -> Some (block, origin)
+  | ((Paren | Bracket | Brace | If | Then | Case), _) :: rest -> innermost rest
+  | [] -> None
+
+let innermost_block context = match innermost context with Some (block, _) -> block | None -> Top
+
+let written found (t : Layout.token) =
+  String.sub found.text t.start.pos_cnum (t.stop.pos_cnum - t.start.pos_cnum)
+
+let char_at found offset =
+  if offset >= 0 && offset < String.length found.text then found.text.[offset] else '\n'
+
+let after found = char_at found found.token.stop.pos_cnum
+
+let is_blank = function ' ' | '\t' | '\n' | '\r' -> true | _ -> false
+let is_digit c = c >= '0' && c <= '9'
+
+let expects_more : Layout.token option -> bool = function
+  | Some
+      { token =
+          ( EQUAL | ARROW | DOUBLE_COLON | DOUBLE_ARROW | OPERATOR _ | MINUS | STAR | SLASH | CARET
+          | BAR | IF | THEN | ELSE | IN | CASE | COMMA | TAIL );
+        _ } ->
+      true
+  | Some _ | None -> false
+
+let opens_with opener : Layout.context -> bool = function
+  | (innermost, _) :: _ -> innermost = opener
+  | [] -> false
+
+(* A place where a value stands and no definition can. *)
+let compares : Layout.context -> bool = function
+  | ((Paren | If | Then | Case), _) :: _ -> true
+  | ((Bracket | Brace | Block _), _) :: _ | [] -> false
+
+let reserved_word = Printf.sprintf "`%s` is a word of the language and cannot be a name"
+
+(* {1 Indentation} *)
+
+let items : Layout.block -> string = function
+  | Top | Let | Where -> "definitions"
+  | Do | Rec -> "statements"
+  | Of -> "branches"
+
+(* The column of the first token of the line on which the found one stands. *)
+let line_column found =
+  let bol = found.token.start.pos_bol in
+  let rec go i = if is_blank (char_at found i) && char_at found i <> '\n' then go (i + 1) else i in
+  go bol - bol + 1
+
+let misplaced_line found =
+  match innermost found.context with
+  | Some (((Let | Where | Do | Of | Rec) as block), { column; _ })
+    when found.token.first && found.token.column > 1 && found.token.column < column ->
+      Some
+        (Printf.sprintf "the %s of this block start at column %d, but this line at column %d"
+           (items block) column found.token.column)
+  | Some (block, { column; _ }) when (not found.token.first) && line_column found > column -> (
+      match (found.token.token, block) with
+      | (EQUAL | DOUBLE_COLON), (Top | Let | Where) | ARROW, Of | (LEFT_ARROW | TAIL), (Do | Rec) ->
+          let line_start = found.token.start.pos_bol in
+          (* the block opens on this line, or the item starts there *)
+          let own_line =
+            match found.context with
+            | (_, { by; _ }) :: _ -> by.start.pos_bol = line_start
+            | [] -> false
+          in
+          if own_line then None
+          else
+            Some
+              (Printf.sprintf
+                 "the %s of this block start at column %d; this line stands further right, so it \
+                  goes on with the one above"
+                 (items block) column)
+      | _ -> None)
+  | Some _ | None -> None
+
+(* {1 By the token} *)
+
+let assigns found =
+  match found.before with
+  | Some { token = OPERATOR "!"; _ } -> Some "`/=` says that two values differ"
+  | Some { token = OPERATOR "+" | MINUS | STAR | SLASH; _ } ->
+      Some "nothing is assigned: an equation says what holds at every instant, as in `n = delay 0 n + 1`"
+  | Some _ | None -> None
+
+(* Directly after `{` or `,`, a field of a value; elsewhere one of a declaration. *)
+let field_of_a_value found (field : Layout.token) =
+  let rec back i = if is_blank (char_at found i) && i >= 0 then back (i - 1) else char_at found i in
+  match back (field.start.pos_cnum - 1) with '{' | ',' -> true | _ -> false
+
+let stands_after_proc found (t : Layout.token) =
+  let word = "proc " in
+  let start = t.start.pos_cnum - String.length word in
+  start >= 0 && String.sub found.text start (String.length word) = word
+
+let of_token found =
+  match (found.token.token, found.before) with
+  | LEFT_ARROW, _ when not (is_blank (after found)) ->
+      Some "`<-` is always one symbol; to compare with a negative number write `< -` with a blank"
+  | LEFT_ARROW, _ when innermost_block found.context <> Do ->
+      Some "`<-` belongs to the statements of a `do`; an equation is written with `=`"
+  | TAIL, _ -> Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
+  | (EQUAL | DOUBLE_COLON), Some ({ token = UNIT | PRIMITIVE | DATA | TYPE | MODULE | IMPORT | REC; _ } as word) ->
+      Some (reserved_word (written found word))
+  | EQUAL, Some { stop; _ } when stop.pos_cnum = found.token.start.pos_cnum && assigns found <> None ->
+      assigns found
+  | EQUAL, _ when compares found.context -> Some "`=` defines; to compare write `==`"
+  | DOUBLE_COLON, Some { token = UPPER _; _ } ->
+      Some "the name of a value starts with a small letter"
+  | DOUBLE_COLON, Some field when opens_with Layout.Brace found.context ->
+      if field_of_a_value found field then Some "a field gets its value with `=`"
+      else Some "there is a `,` between two fields"
+  | LBRACE, Some { token = OPEN; _ } ->
+      Some "blocks are made by indentation; braces write records only"
+  | (LOWER _ | NUMBER _ | UNDERSCORE | LPAREN), Some ({ token = UPPER _; _ } as constructor)
+    when stands_after_proc found constructor ->
+      Some "a pattern such as `Just x` needs parentheses here"
+  | THEN, _ when opens_with Layout.Then found.context ->
+      Some "a chain of choices is written `if a then x else if b then y else z`"
+  | WHERE, None -> Some "indent `where` and what follows it: they belong to the definition above"
+  | OPERATOR "!", _ -> Some "the opposite of `b` is `not b`"
+  | OPERATOR ".", _ when is_digit (after found) ->
+      Some "a number starts with a digit: `0` before the point"
+  | _, Some { token = OPERATOR "."; start; _ } when is_digit (char_at found (start.pos_cnum - 1)) ->
+      Some "a number ends with a digit: `0` after the point"
+  | SLASH, None -> Some "a comment starts with `--`"
+  | BAR, _ when after found = '>' -> Some "a function stands before its argument: `f x`"
+  | (UNIT | PRIMITIVE | DATA | TYPE | MODULE | IMPORT | REC), Some _ ->
+      Some (reserved_word (written found found.token))
+  | END, before when expects_more before && not found.token.last ->
+      Some "a definition goes on only in lines that are indented more than its first"
+  | _ -> misplaced_line found
+
+(* Where neither token nor state says more. *)
+let usual found =
+  match found.token.token with
+  | ARROW -> (
+      match found.context with
+      | ((Block (Top | Let | Where) | Paren), _) :: _ ->
+          Some "a function without a name is written `\\x -> …`, a signal function `proc x -> …`"
+      | _ -> None)
+  | _ -> None
+
+let hint found ~state_hints =
+  match (of_token found, state_hints, usual found) with
+  | Some hint, _, _ -> [ hint ]
+  | None, (_ :: _ as hints), _ -> hints
+  | None, [], Some hint -> [ hint ]
+  | None, [], None -> []
+
+let other_place found diagnostic =
+  match found.context with
+  | (((If | Then | Case) as opener), { by; _ }) :: _ when by.start.pos_lnum <> found.token.start.pos_lnum
+    ->
+      let word = match opener with Case -> "case" | _ -> "if" in
+      Diagnostic.label ~at:(Build.span (by.start, by.stop)) (Printf.sprintf "this `%s`" word) diagnostic
+  | _ -> diagnostic

@@ -1,0 +1,24 @@
+(** What the programmer probably meant, where the text breaks off.
+
+    Newcomers bring habits from Haskell, C and Python; this knows the common
+    ones by the token at which the grammar stops and what stands around it. *)
+
+type found = {
+  text : string;  (** the whole source *)
+  state : int;  (** of the automaton *)
+  before : Layout.token option;  (** [None] at the start of an item *)
+  token : Layout.token;
+  context : Layout.context;  (** what was open before the token *)
+}
+
+val innermost_block : Layout.context -> Layout.block
+
+val expects_more : Layout.token option -> bool
+(** Can no expression, type or definition end after this token? *)
+
+val hint : found -> state_hints:string list -> string list
+(** What the token suggests; else what was said for the automaton's state; else
+    what usually goes wrong at such a token. *)
+
+val other_place : found -> Basis.Diagnostic.t -> Basis.Diagnostic.t
+(** Labels what the token should have gone with, if that is on another line. *)

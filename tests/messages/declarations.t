@@ -1,0 +1,64 @@
+Declarations whose punctuation or capitals are those of another language.
+
+  $ cat > record.frob <<'FROB'
+  > data Stick = { ahead :: Float }
+  > FROB
+  $ frobc check record.frob
+  error[E0110]: expected the name of a constructor, with a capital, found `{`
+   --> record.frob:1:14
+    |
+  1 | data Stick = { ahead :: Float }
+    |              ^
+    |
+    = hint: as in `data Side = LeftSide | RightSide` or `data Gains = Gains { p :: Float, i :: Float }`
+  
+  1 error
+  [1]
+
+  $ cat > signature.frob <<'FROB'
+  > f : Float -> Float
+  > f x = x
+  > FROB
+  $ frobc check signature.frob
+  error[E0103]: unexpected character `:`
+   --> signature.frob:1:3
+    |
+  1 | f : Float -> Float
+    |   ^
+    |
+    = hint: a type follows `::`
+  
+  1 error
+  [1]
+
+  $ cat > capital.frob <<'FROB'
+  > Gain :: Float
+  > Gain = 3
+  > FROB
+  $ frobc check capital.frob
+  error[E0110]: expected `=` after the left side of a definition, found `::`
+   --> capital.frob:1:6
+    |
+  1 | Gain :: Float
+    |      ^^
+    |
+    = hint: the name of a value starts with a small letter
+  
+  1 error
+  [1]
+
+  $ cat > field.frob <<'FROB'
+  > data Stick = Stick { ahead :: Float }
+  > s = Stick { ahead :: 1 }
+  > FROB
+  $ frobc check field.frob
+  error[E0110]: expected `=` after the name of a field, found `::`
+   --> field.frob:2:19
+    |
+  2 | s = Stick { ahead :: 1 }
+    |                   ^^
+    |
+    = hint: a field gets its value with `=`
+  
+  1 error
+  [1]

@@ -1,0 +1,69 @@
+A function or signal function that is not opened as one.
+
+  $ cat > function.frob <<'FROB'
+  > f :: Float -> Float
+  > f = x -> x + 1
+  > FROB
+  $ frobc check function.frob
+  error[E0110]: expected an operator, an argument, or the end of this definition, found `->`
+   --> function.frob:2:7
+    |
+  2 | f = x -> x + 1
+    |       ^^
+    |
+    = hint: a function without a name is written `\x -> …`, a signal function `proc x -> …`
+  
+  1 error
+  [1]
+
+  $ cat > lambda.frob <<'FROB'
+  > f :: Float -> Float
+  > f = \x = x + 1
+  > FROB
+  $ frobc check lambda.frob
+  error[E0110]: expected `->` or one more parameter, found `=`
+   --> lambda.frob:2:8
+    |
+  2 | f = \x = x + 1
+    |        ^
+    |
+    = hint: as in `\x -> x + 1`
+  
+  1 error
+  [1]
+
+  $ cat > proc.frob <<'FROB'
+  > main :: SF (Float, Float) Float
+  > main = proc a b -> a
+  > FROB
+  $ frobc check proc.frob
+  error[E0110]: expected `->` after the input of this `proc`, found `b`
+   --> proc.frob:2:15
+    |
+  2 | main = proc a b -> a
+    |               ^
+    |
+    = hint: as in `proc x -> x + 1`; several inputs are a tuple, as in `proc (x, y) -> x + y`
+  
+  1 error
+  [1]
+
+  $ cat > case.frob <<'FROB'
+  > f :: Bool -> Float
+  > f x = case x
+  >     True -> 1
+  >     False -> 0
+  > FROB
+  $ frobc check case.frob
+  error[E0110]: expected `of` after the expression that is looked at, found `->`
+   --> case.frob:3:10
+    |
+  2 | f x = case x
+    |       ---- this `case`
+  3 |     True -> 1
+    |          ^^
+    |
+    = hint: as in `case m of`
+  
+  1 error
+  [1]

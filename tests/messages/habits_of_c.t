@@ -1,0 +1,136 @@
+What C and Python write differently is named in Frob's own words.
+
+  $ cat > differs.frob <<'FROB'
+  > f :: Float -> Bool
+  > f x = x != 0
+  > FROB
+  $ frobc check differs.frob
+  error[E0110]: expected an operand after the operator, found `=`
+   --> differs.frob:2:10
+    |
+  2 | f x = x != 0
+    |          ^
+    |
+    = hint: `/=` says that two values differ
+  
+  1 error
+  [1]
+
+  $ cat > not.frob <<'FROB'
+  > f :: Bool -> Bool
+  > f x = !x
+  > FROB
+  $ frobc check not.frob
+  error[E0110]: expected the value of the definition after `=`, found `!`
+   --> not.frob:2:7
+    |
+  2 | f x = !x
+    |       ^
+    |
+    = hint: the opposite of `b` is `not b`
+  
+  1 error
+  [1]
+
+  $ cat > and.frob <<'FROB'
+  > f :: Bool -> Bool -> Bool
+  > f x y = x & y
+  > FROB
+  $ frobc check and.frob
+  error[E0103]: unexpected character `&`
+   --> and.frob:2:11
+    |
+  2 | f x y = x & y
+    |           ^
+    |
+    = hint: write `&&`
+  
+  1 error
+  [1]
+
+  $ cat > comment.frob <<'FROB'
+  > // the speed
+  > speed = 1
+  > FROB
+  $ frobc check comment.frob
+  error[E0110]: expected a definition, a signature or a declaration, found `/`
+   --> comment.frob:1:1
+    |
+  1 | // the speed
+    | ^
+    |
+    = hint: a comment starts with `--`
+  
+  1 error
+  [1]
+
+  $ cat > chain.frob <<'FROB'
+  > f :: Float -> Float
+  > f x = if x > 0 then 1 elif x < 0 then 2 else 3
+  > FROB
+  $ frobc check chain.frob
+  error[E0110]: expected `else` after the first branch, found `then`
+   --> chain.frob:2:34
+    |
+  2 | f x = if x > 0 then 1 elif x < 0 then 2 else 3
+    |                                  ^^^^
+    |
+    = hint: a chain of choices is written `if a then x else if b then y else z`
+  
+  1 error
+  [1]
+
+  $ cat > between.frob <<'FROB'
+  > inside :: Float -> Float -> Float -> Bool
+  > inside a b c = a < b < c
+  > FROB
+  $ frobc check between.frob
+  error[E0113]: `<` and `<` do not combine without parentheses
+   --> between.frob:2:22
+    |
+  2 | inside a b c = a < b < c
+    |                  -   ^
+    |                  |
+    |                  after this one
+    |
+    = hint: compare two at a time: `a < b && b < c`
+  
+  1 error
+  [1]
+
+  $ cat > assign.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> n where
+  >     n += x
+  > FROB
+  $ frobc check assign.frob
+  error[E0110]: expected an operand after the operator, found `=`
+   --> assign.frob:3:8
+    |
+  3 |     n += x
+    |        ^
+    |
+    = hint: nothing is assigned: an equation says what holds at every instant, as in `n = delay 0 n + 1`
+  
+  1 error
+  [1]
+
+Braces are refused once, not once for each.
+
+  $ cat > braces.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> y where {
+  >     y = x;
+  > }
+  > FROB
+  $ frobc check braces.frob
+  error[E0110]: expected a definition or a signature, found `{`
+   --> braces.frob:2:26
+    |
+  2 | main = proc x -> y where {
+    |                          ^
+    |
+    = hint: blocks are made by indentation; braces write records only
+  
+  1 error
+  [1]

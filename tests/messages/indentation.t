@@ -1,0 +1,73 @@
+A line that starts at a wrong column says where its block starts.
+
+  $ cat > left.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> y where
+  >     y = x + z
+  >    z = 2
+  > FROB
+  $ frobc check left.frob
+  error[E0110]: expected an operator, an argument, or the end of this definition, found `z`
+   --> left.frob:4:4
+    |
+  4 |    z = 2
+    |    ^
+    |
+    = hint: the definitions of this block start at column 5, but this line at column 4
+  
+  1 error
+  [1]
+
+  $ cat > right.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> y where
+  >     y = x + z
+  >       z = 2
+  > FROB
+  $ frobc check right.frob
+  error[E0110]: expected an operator, an argument, or the end of this definition, found `=`
+   --> right.frob:4:9
+    |
+  4 |       z = 2
+    |         ^
+    |
+    = hint: the definitions of this block start at column 5; this line stands further right, so it goes on with the one above
+  
+  1 error
+  [1]
+
+  $ cat > branches.frob <<'FROB'
+  > f :: Bool -> Float
+  > f b = case b of
+  >     True -> 1
+  >    False -> 0
+  > FROB
+  $ frobc check branches.frob
+  error[E0110]: expected an operator, an argument, or the end of this definition, found `False`
+   --> branches.frob:4:4
+    |
+  4 |    False -> 0
+    |    ^^^^^
+    |
+    = hint: the branches of this block start at column 5, but this line at column 4
+  
+  1 error
+  [1]
+
+  $ cat > where.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> y
+  > where
+  >     y = x + 1
+  > FROB
+  $ frobc check where.frob
+  error[E0110]: expected a definition, a signature or a declaration, found `where`
+   --> where.frob:3:1
+    |
+  3 | where
+    | ^^^^^
+    |
+    = hint: indent `where` and what follows it: they belong to the definition above
+  
+  1 error
+  [1]

@@ -1,0 +1,97 @@
+Numbers and units written as elsewhere.
+
+  $ cat > point.frob <<'FROB'
+  > x = .5
+  > y = 5. + 2
+  > FROB
+  $ frobc check point.frob
+  error[E0110]: expected the value of the definition after `=`, found `.`
+   --> point.frob:1:5
+    |
+  1 | x = .5
+    |     ^
+    |
+    = hint: a number starts with a digit: `0` before the point
+  
+  error[E0110]: expected an operand after the operator, found `+`
+   --> point.frob:2:8
+    |
+  2 | y = 5. + 2
+    |        ^
+    |
+    = hint: a number ends with a digit: `0` after the point
+  
+  2 errors
+  [1]
+
+  $ cat > digits.frob <<'FROB'
+  > n = 1_000
+  > k = 0xFF
+  > FROB
+  $ frobc check digits.frob
+  error[E0105]: the number `1` is directly followed by `_000`
+   --> digits.frob:1:5
+    |
+  1 | n = 1_000
+    |     ^^^^^
+    |
+    = hint: the digits of a number stand together, without `_`
+  
+  error[E0105]: the number `0` is directly followed by `xFF`
+   --> digits.frob:2:5
+    |
+  2 | k = 0xFF
+    |     ^^^^
+    |
+    = hint: numbers are written in decimal
+  
+  2 errors
+  [1]
+
+A unit stands on a literal or a type, never on a name, and touches it.
+
+  $ cat > name.frob <<'FROB'
+  > f :: Float -> Distance
+  > f x = x[m]
+  > FROB
+  $ frobc check name.frob
+  error[E0110]: a unit stands on a number written out or on a type, not on a name
+   --> name.frob:2:8
+    |
+  2 | f x = x[m]
+    |        ^
+    |
+    = hint: a value has its unit already; to give one to a plain number, multiply: `x * 1[m]`
+  
+  1 error
+  [1]
+
+  $ cat > blank.frob <<'FROB'
+  > x = 5 [m]
+  > FROB
+  $ frobc check blank.frob
+  error[E0110]: a unit directly follows its number, without a blank
+   --> blank.frob:1:7
+    |
+  1 | x = 5 [m]
+    |       ^
+    |
+    = hint: as in `0.4[m/s]`
+  
+  1 error
+  [1]
+
+  $ cat > type.frob <<'FROB'
+  > type Speed = m/s
+  > FROB
+  $ frobc check type.frob
+  error[E0110]: expected `->` or the end of the type after a type variable, found `/`
+   --> type.frob:1:15
+    |
+  1 | type Speed = m/s
+    |               ^
+    |
+    = hint: types such as `Float` start with a capital, and a unit stands in brackets, as in `Float[m/s]`
+  
+  1 error
+  [1]
