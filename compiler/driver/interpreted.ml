@@ -13,38 +13,36 @@ let with_input path run =
     Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> run ~name:path channel)
 
 (* A wrong header must not cost the output of a run before: the file is opened
-   when there is something to write. *)
+   when there is something to write. What cannot be written is not tried again
+   at the end of the process. *)
 let with_output path run =
   let name = Option.value path ~default:"standard output" in
   let channel =
-    match path with None -> lazy (Ok stdout) | Some path -> lazy (opened open_out_bin "write" path)
+    lazy
+      (match path with None -> Ok stdout | Some path -> opened open_out_bin "write" path)
   in
   let exception Unwritable of string list in
-  let write text =
+  let using act =
     match Lazy.force channel with
     | Error errors -> raise_notrace (Unwritable errors)
     | Ok channel -> (
-        try output_string channel text
+        try act channel
         with Sys_error reason ->
+          close_out_noerr channel;
           raise_notrace (Unwritable [ Printf.sprintf "cannot write %s: %s" name reason ]))
   in
-  let finish () =
-    match (path, Lazy.is_val channel) with
-    | _, false -> Ok ()
-    | _, true -> (
-        let* channel = Lazy.force channel in
-        match if Option.is_none path then flush channel else close_out channel with
-        | () -> Ok ()
-        | exception Sys_error reason -> Error [ Printf.sprintf "cannot write %s: %s" name reason ])
-  in
-  match run write with
+  match
+    let result = run (fun text -> using (fun channel -> output_string channel text)) in
+    if Lazy.is_val channel then using (if Option.is_none path then flush else close_out);
+    result
+  with
+  | result -> result
   | exception Unwritable errors -> Error errors
-  | result ->
-      let finished = finish () in
-      let* () = result in
-      finished
 
 let trace core ~entry ~input ~output =
   with_input input (fun ~name channel ->
       let read () = match input_char channel with c -> Some c | exception End_of_file -> None in
-      with_output output (fun write -> Interp.Trace.run core ~entry ~name ~read ~write))
+      with_output output (fun write ->
+          try Interp.Trace.run core ~entry ~name ~read ~write
+          with Stack_overflow ->
+            Error [ "this program nests too deeply for the interpreter; use `--engine c`" ]))

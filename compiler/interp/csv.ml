@@ -23,6 +23,7 @@ let peek t =
       c
 
 let advance t = t.peeked <- None
+let line t = t.next_line
 let reader read = { read; peeked = None; next_line = 1 }
 
 (* A line ends with LF or CRLF. *)

@@ -18,3 +18,6 @@ type problem =
 val next : t -> (row option, row * problem) result
 (** The next row that is not an empty line; [None] at the end. With a problem,
     what was read of the row. *)
+
+val line : t -> int
+(** Of the next character. *)

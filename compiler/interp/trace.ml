@@ -114,8 +114,9 @@ let read_row name header (row : Csv.row) =
   if List.length row.cells <> header.width then
     reject
       [
-        complaint name row header.width "this row has %d cells, the header has %d"
-          (List.length row.cells) header.width;
+        complaint name row header.width
+          "the header names %d columns, but cells in this row: %d" header.width
+          (List.length row.cells);
       ];
   let cells = Array.of_list row.cells in
   let time =
@@ -176,9 +177,11 @@ let run core ~entry ~name ~read ~write =
       match next_row name csv with
       | Some row -> header name (Shape.columns "in" input) row
       | None ->
+          let end_ : Csv.row = { line = Csv.line csv; cells = [] } in
           reject
             [
-              name ^ ":1:1: the file is empty: its first line must name the columns, `time` first";
+              complaint name end_ 0
+                "the file is empty: its first line must name the columns, `time` first";
             ]
     in
     let columns = Shape.columns "out" output in
