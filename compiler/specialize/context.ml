@@ -47,10 +47,11 @@ let create sink options (program : Core.Ir.program) =
   let types = Types.table program.data in
   let free = Free.table () in
   let definitions = Hashtbl.create 256 in
+  (* Below the ids of all locals: those without a name are negative too. *)
   List.iteri
     (fun i (core : Core.Ir.definition) ->
       Free.expr free core.body;
-      Hashtbl.replace definitions (core.name.module_, core.name.name) { core; code = -i - 1 })
+      Hashtbl.replace definitions (core.name.module_, core.name.name) { core; code = min_int + i })
     program.definitions;
   {
     sink;

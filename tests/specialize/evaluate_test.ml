@@ -64,6 +64,30 @@ signal function main (i : Float)
 |}
     [ definition; fst (define "main" body) ]
 
+(* The ids of variables without a name are negative. *)
+let functions_are_no_definitions () =
+  let constant, constant' = define "constant" (number 1. + number 2.) in
+  let ignored = local (-1) "" float in
+  let function_ = lambda [ ignored ] (number 3. * number 4.) in
+  let body =
+    proc "main" i
+      [ x := global constant' []; y := apply function_ [ var i ] ]
+      (tuple [ var x; var y ])
+  in
+  check
+    {|function constant ()
+  _1 : Float = 1.0 + 2.0
+  -> (out = _1)
+function main_2 ()
+  _1 : Float = 3.0 * 4.0
+  -> (out = _1)
+signal function main (i : Float)
+  (x : Float) = constant as constant()
+  (y : Float) = main_2 as main()
+  -> (out.1 = x, out.2 = y)
+|}
+    [ constant; fst (define "main" body) ]
+
 (* (>>>) f g = proc x -> g (f x), at a, b, c *)
 let compose =
   let ta : ty = Variable a and tb : ty = Variable b and tc : ty = Variable c in
@@ -393,6 +417,7 @@ let () =
       ( "calls",
         [
           test "one node serves all the numbers" one_node_for_all_numbers;
+          test "a function and a definition have nodes of their own" functions_are_no_definitions;
           test "functions are composed from signals" functions_of_signals;
           test "an unknown condition chooses among results" chosen_functions;
         ] );
