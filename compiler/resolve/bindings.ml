@@ -151,7 +151,13 @@ and declarations env ~expr ~command ~items ~signatures =
 
 let report_pattern (scope : Scope.t) item =
   Diagnostic.error ~code:"E0226" ~at:item.span "a pattern cannot be defined at top level"
-  |> Diagnostic.hint "define each name by itself, or match in a `let` or `where`"
+  |> Diagnostic.hint
+       (match item.left with
+       | Pattern { desc = Constructed ({ qualifier = None; name; _ }, _); _ } ->
+           Printf.sprintf "the name of a value starts with a small letter: `%s`"
+             (String.uncapitalize_ascii name.text)
+       | Pattern _ | Name _ | Function_name _ ->
+           "define each name by itself, or match in a `let` or `where`")
   |> Context.emit scope.context
 
 let report_operator (scope : Scope.t) (name : Syntax.Ir.name) =

@@ -89,6 +89,21 @@ let other_meaning t space (name : Syntax.Ir.name) diagnostic =
       diagnostic
   else diagnostic
 
+(* Values and constructors are apart by their first letter only (`true`,
+   `Speed`), and units have symbols. *)
+let other_writing t space name =
+  if String.equal space.noun "unit" then Unit_word.symbol name
+  else
+    let known space other = if is_known t space other then Some other else None in
+    match space.noun with
+    | "name" -> known constructors (String.capitalize_ascii name)
+    | "constructor" -> known values (String.uncapitalize_ascii name)
+    | _ -> None
+
+let is_later space name =
+  (String.equal space.noun "name" && Later.is_name name)
+  || (String.equal space.noun "type" && Later.is_type name)
+
 let report_unknown t space ~locals (name : Syntax.Ir.name) =
   let diagnostic =
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
@@ -96,15 +111,35 @@ let report_unknown t space ~locals (name : Syntax.Ir.name) =
   in
   let declares (_, names) = String_map.mem name.text (space.table names) in
   let diagnostic =
-    match List.find_opt declares (Lazy.force t.elsewhere) with
-    | Some (module_, _) ->
+    match (List.find_opt declares (Lazy.force t.elsewhere), other_writing t space name.text) with
+    | Some (module_, _), _ ->
         Diagnostic.hint
           (Printf.sprintf "`%s` is in the library: `import %s`" name.text module_)
           diagnostic
-    | None ->
+    | None, Some other -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
+    | None, None when is_later space name.text ->
+        Diagnostic.note
+          (Printf.sprintf "`%s` is not part of this version of Frob" name.text)
+          diagnostic
+    | None, None ->
         Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
   in
   Context.emit t.context diagnostic
+
+let report_unknown_module t (qualifier : Syntax.Ir.name) =
+  let of_library (module_, _) = String.equal module_ qualifier.text in
+  let diagnostic =
+    Diagnostic.error ~code:"E0215" ~at:qualifier.span "no module `%s` is imported here"
+      qualifier.text
+  in
+  (if List.exists of_library (Lazy.force t.elsewhere) then
+   Diagnostic.hint
+     (Printf.sprintf "it is in the library: `import qualified %s`" qualifier.text)
+     diagnostic
+  else
+    let imported = lazy (List.concat_map (fun (i : import) -> i.qualifiers) t.imports) in
+    Context.suggest t.context qualifier.text imported diagnostic)
+  |> Context.emit t.context
 
 let find_qualified t space (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) =
   let meant (import : import) = List.mem qualifier.text import.qualifiers in
@@ -130,12 +165,7 @@ let find_qualified t space (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) 
           None
       | candidates -> choose t space name candidates)
   | None ->
-      if t.complete then
-        Diagnostic.error ~code:"E0215" ~at:qualifier.span "no module `%s` is imported here"
-          qualifier.text
-        |> Context.suggest t.context qualifier.text
-             (lazy (List.concat_map (fun (import : import) -> import.qualifiers) t.imports))
-        |> Context.emit t.context;
+      if t.complete then report_unknown_module t qualifier;
       None
 
 let find_with t space ~locals (q : Syntax.Ir.qualified) =

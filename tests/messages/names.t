@@ -1,0 +1,85 @@
+Unknown names: other capitals, units as words, what a later version will have.
+
+  $ cat > true.frob <<'FROB'
+  > ready = true
+  > FROB
+  $ frobc check true.frob
+  error[E0205]: unknown name `true`
+   --> true.frob:1:9
+    |
+  1 | ready = true
+    |         ^^^^
+    |
+    = hint: did you mean `True`?
+  
+  1 error
+  [1]
+
+  $ cat > capital.frob <<'FROB'
+  > Speed = 0.4[m/s]
+  > FROB
+  $ frobc check capital.frob
+  error[E0226]: a pattern cannot be defined at top level
+   --> capital.frob:1:1
+    |
+  1 | Speed = 0.4[m/s]
+    | ^^^^^^^^^^^^^^^^
+    |
+    = hint: the name of a value starts with a small letter: `speed`
+  
+  1 error
+  [1]
+
+  $ cat > units.frob <<'FROB'
+  > v = 0.2[meters/sec]
+  > FROB
+  $ frobc check units.frob
+  error[E0208]: unknown unit `meters`
+   --> units.frob:1:9
+    |
+  1 | v = 0.2[meters/sec]
+    |         ^^^^^^
+    |
+    = hint: did you mean `m`?
+  
+  error[E0208]: unknown unit `sec`
+   --> units.frob:1:16
+    |
+  1 | v = 0.2[meters/sec]
+    |                ^^^
+    |
+    = hint: did you mean `s`?
+  
+  2 errors
+  [1]
+
+  $ cat > later.frob <<'FROB'
+  > main :: SF Float Float
+  > main = switch (proc x -> (x, NoEvent)) constant
+  > FROB
+  $ frobc check later.frob
+  error[E0205]: unknown name `switch`
+   --> later.frob:2:8
+    |
+  2 | main = switch (proc x -> (x, NoEvent)) constant
+    |        ^^^^^^
+    |
+    = note: `switch` is not part of this version of Frob
+  
+  1 error
+  [1]
+
+  $ cat > unimported.frob <<'FROB'
+  > origin = Geometry.zeroVec
+  > FROB
+  $ frobc check unimported.frob
+  error[E0215]: no module `Geometry` is imported here
+   --> unimported.frob:1:10
+    |
+  1 | origin = Geometry.zeroVec
+    |          ^^^^^^^^
+    |
+    = hint: it is in the library: `import qualified Geometry`
+  
+  1 error
+  [1]
