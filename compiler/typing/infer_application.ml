@@ -71,7 +71,18 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
   in
   ({ ty = result; build }, value.ty)
 
-let step expressions ctx ~head ~previous (function_ : typed) argument =
+(* Is this `f -1`, a minus that touches only what follows? *)
+let looks_negative (head : Resolve.Ir.expr) arguments =
+  match arguments with
+  | [ ({ style = Operator "-"; _ } as left); right ] ->
+      let right_start = right.value.span.start and left_stop = left.value.span.stop in
+      head.span.stop = right_start && left_stop.line = head.span.start.line
+      && left_stop.column < head.span.start.column
+  | _ -> false
+
+let is_function t = match Type.expand t with Type.Function _ -> true | _ -> false
+
+let step expressions ctx ~head ~negative ~previous (function_ : typed) argument =
   let because = reason ~head ~previous argument in
   (* The result, and the type of the argument. *)
   let known decision parameter output =
@@ -82,7 +93,10 @@ let step expressions ctx ~head ~previous (function_ : typed) argument =
       | Operator _ ->
           (* its own words, if the other operand does not fit *)
           let value = expressions.infer ctx argument.value in
-          expect ctx ~subject:argument.value ~at:argument.value.span expected value.ty;
+          if negative && Option.is_none previous && is_function value.ty then
+            report ctx (fun words ->
+                Mistake.negative_argument words ~minus:head.span argument.value value.ty)
+          else expect ctx ~subject:argument.value ~at:argument.value.span expected value.ty;
           value
       | Juxtaposed | Command ->
           { ty = parameter; build = expressions.check ctx argument.value expected }
@@ -120,9 +134,15 @@ let step expressions ctx ~head ~previous (function_ : typed) argument =
 
 let infer expressions ctx e =
   let head, arguments = spine e in
+  let negative = looks_negative head arguments in
   let apply (function_, previous) argument =
-    let next, ty = step expressions ctx ~head ~previous function_ argument in
-    (next, Some (argument.value, ty))
+    match previous with
+    | Some (_, left) when negative && is_function left ->
+        (* what follows the minus was meant otherwise *)
+        (function_, previous)
+    | _ ->
+        let next, ty = step expressions ctx ~head ~negative ~previous function_ argument in
+        (next, Some (argument.value, ty))
   in
   forgetting_what_errors_need ctx (fun () ->
       let start = expressions.infer ctx head in

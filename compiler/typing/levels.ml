@@ -41,6 +41,14 @@ let complaint kind what =
   | Inner_proc ->
     Printf.sprintf "a `proc` inside a `proc` may use what is static, but %s" what
 
+(* What the programmer likely wants of the thing that must be static. *)
+let cure = function
+  | Head { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ } ->
+    Diagnostic.hint "the initial value stands first: `delay 0 x` is 0, then `x` one instant ago"
+  | Head { desc = If _ | Case _; _ } ->
+    Diagnostic.hint "run each in an equation of its own, and choose between their outputs"
+  | Head _ | Binding_of _ | Inner_proc -> Fun.id
+
 let code = function Head _ -> "E0340" | Binding_of _ -> "E0344" | Inner_proc -> "E0345"
 
 let report w region ~at what explain =
@@ -49,6 +57,7 @@ let report w region ~at what explain =
     Diagnostic.(
       error ~code:(code region.kind) ~at "%s" (complaint region.kind what)
       |> explain
+      |> cure region.kind
       |> emit w.sink))
 
 let outermost suits regions =

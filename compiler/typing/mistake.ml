@@ -84,7 +84,23 @@ let explain_subject subject reason diagnostic =
 
 (* {1 Units} *)
 
-let units words ~at ~(expected : expected) ~found (wanted, given) =
+(* A plain number written where one with a unit is needed. *)
+let unit_of_literal words ~subject ~(expected : expected) (wanted, given) diagnostic =
+  let write (e : Resolve.Ir.expr option) unit_ =
+    match e with
+    | Some { desc = Number { digits; unit_ = None; _ }; _ }
+      when Units.flexible_powers unit_ = [] && Units.rigid_powers unit_ = [] ->
+        Some (Printf.sprintf "write `%s[%s]` if that is its unit" digits (Show.measure words unit_))
+    | _ -> None
+  in
+  let other = match expected.because with Operand { other; _ } -> Some other | _ -> None in
+  let is_one u = Units.equal u Units.one in
+  let text =
+    if is_one given then write subject wanted else if is_one wanted then write other given else None
+  in
+  Option.fold ~none:diagnostic ~some:(fun text -> hint text diagnostic) text
+
+let units words ~subject ~at ~(expected : expected) ~found (wanted, given) =
   let text = Show.measure words and is_one u = Units.equal u Units.one in
   let error format = error ~code:"E0320" ~at format in
   let diagnostic =
@@ -97,7 +113,10 @@ let units words ~at ~(expected : expected) ~found (wanted, given) =
     | _ -> error "expected the unit `%s`, found `%s`" (text wanted) (text given)
   in
   let is_number t = match Type.expand t with Number _ -> true | _ -> false in
-  let diagnostic = here (Printf.sprintf "this is %s" (described words found)) diagnostic in
+  let diagnostic =
+    here (Printf.sprintf "this is %s" (described words found)) diagnostic
+    |> unit_of_literal words ~subject ~expected (wanted, given)
+  in
   if is_number expected.ty && is_number found then diagnostic
   else
     note
@@ -111,11 +130,16 @@ let too_general owner ~at ~kind (variable : Ir.variable) needed =
     error ~code:"E0306" ~at "the signature promises every %s `%s`, but the definition needs %s" kind
       variable.name needed
   in
-  match owner variable with
+  (match owner variable with
   | Some (name, at) ->
       label ~at (Printf.sprintf "`%s` is any %s in the signature of `%s`" variable.name kind name)
         diagnostic
-  | None -> diagnostic
+  | None -> diagnostic)
+  |>
+  match String.capitalize_ascii variable.name with
+  | ("Float" | "Double" | "Int" | "Integer" | "Bool" | "String") as type_ ->
+      hint (Printf.sprintf "the type is `%s`; a name in lower case stands for every %s" type_ kind)
+  | _ -> Fun.id
 
 let needed words t = Printf.sprintf "it to be %s" (described words t)
 
@@ -184,6 +208,16 @@ let shapes words ~subject ~at ~(expected : expected) ~found =
                  (if missing = 1 then "" else "s")
            | None ->
                if missing = 1 then "an argument is missing" else "some arguments are missing")
+  | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint "`constant e` is the signal function that always gives `e`"
+  | Tuple (_ :: _ as wanted), Tuple (_ :: _ as given), _
+    when List.compare_lengths wanted given <> 0 ->
+      error ~code:"E0301" ~at "expected a tuple of %d, found one of %d" (List.length wanted)
+        (List.length given)
+      |> (match subject with
+         | Some { desc = Tuple _; _ } -> Fun.id
+         | _ -> here (Printf.sprintf "this is %s" (text found)))
   | _ -> (
       match expected.because with
       | Condition ->
@@ -193,22 +227,48 @@ let shapes words ~subject ~at ~(expected : expected) ~found =
             (text expected.ty)
       | _ -> error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found))
 
-let representations words ~at ~(expected : expected) ~found (wanted, given) =
+(* Between Int and Float the unit is no matter, unless it is known. *)
+let without_open_unit t =
+  match Type.expand t with
+  | Number (r, u)
+    when Units.flexible_powers u <> [] && Units.base_powers u = [] && Units.rigid_powers u = [] ->
+      Type.Number (r, Units.one)
+  | _ -> t
+
+let to_float (e : Resolve.Ir.expr option) =
+  match Option.bind e name_of with
+  | Some name -> Printf.sprintf "write `toFloat %s`" name
+  | None -> "`toFloat` makes a `Float` of an `Int`"
+
+let to_int = "`round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`"
+
+let representations words ~subject ~at ~(expected : expected) ~found (wanted, given) =
   let text = Show.representation words in
-  let diagnostic =
+  let found = without_open_unit found in
+  let plain () =
     error ~code:"E0312" ~at "expected %s, found %s" (described words expected.ty)
       (described words found)
   in
-  match ((wanted : Type.representation), (given : Type.representation)) with
-  | Float, Int -> hint "`toFloat` makes a `Float` of an `Int`" diagnostic
-  | Int, Float -> hint "`round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`" diagnostic
+  match (expected.because, (wanted : Type.representation), (given : Type.representation)) with
+  | Operand { operator; other; _ }, Float, Int | Operand { operator; other; _ }, Int, Float ->
+      let number = if given = Int then subject else Some other in
+      error ~code:"E0312" ~at "the operands of `%s` are %s and %s" operator
+        (described words expected.ty) (described words found)
+      |> here (Printf.sprintf "this is %s" (described words found))
+      |> hint (to_float number)
+  | Parameter { callee = Some "/"; _ }, Float, Int ->
+      plain () |> hint "`div` divides whole numbers" |> hint (to_float subject)
+  | _, Float, Int -> plain () |> hint (to_float subject)
+  | _, Int, Float -> plain () |> hint to_int
   | _ ->
-      note (Printf.sprintf "`%s` and `%s` are different representations" (text wanted) (text given))
-        diagnostic
+      plain ()
+      |> note (Printf.sprintf "`%s` and `%s` are different representations" (text wanted) (text given))
 
 let mismatch words owner ~subject ~at ~(expected : expected) ~found (clash : Unify.clash) =
   (* names of signatures first, so that no invented name repeats one *)
-  ignore (Show.type_ words expected.ty);
+  (match described words expected.ty with
+  | "a number" -> ()
+  | _ -> ignore (Show.type_ words expected.ty));
   let finish diagnostic =
     diagnostic |> explain words expected.because expected.ty
     |> explain_subject subject expected.because
@@ -220,13 +280,21 @@ let mismatch words owner ~subject ~at ~(expected : expected) ~found (clash : Uni
           too_general owner ~at ~kind:"unit" r.variable
             (Printf.sprintf "it to be `%s`" (Show.measure words unit_))
           |> here (Printf.sprintf "this is %s" (described words found))
-      | None -> finish (units words ~at ~expected ~found (wanted, given)))
+      | None -> finish (units words ~subject ~at ~expected ~found (wanted, given)))
   | Different_representations (Rigid_representation r, other)
   | Different_representations (other, Rigid_representation r) ->
       too_general owner ~at ~kind:"representation" r.variable
         (Printf.sprintf "it to be `%s`" (Show.representation words other))
   | Different_representations (wanted, given) ->
-      finish (representations words ~at ~expected ~found (wanted, given))
+      let because =
+        match expected.because with
+        | Operand o -> Operand { o with other_type = without_open_unit o.other_type }
+        | because -> because
+      in
+      let expected = { ty = without_open_unit expected.ty; because } in
+      representations words ~subject ~at ~expected ~found (wanted, given)
+      |> explain words because expected.ty
+      |> explain_subject subject because
   | Different (Rigid r, other) | Different (other, Rigid r) -> (
       match (Type.expand expected.ty, Type.expand found) with
       | _, Signal_function _ | _, Function _ when Type.expand found == other ->
@@ -246,6 +314,13 @@ let mismatch words owner ~subject ~at ~(expected : expected) ~found (clash : Uni
       error ~code:"E0323" ~at "the exponent of a unit is too large"
 
 (* {1 Heads} *)
+
+let negative_argument words ~(minus : Span.t) (function_ : Resolve.Ir.expr) ty =
+  let name = Option.value (name_of function_) ~default:"f" in
+  error ~code:"E0301" ~at:minus "this `-` subtracts from a function"
+  |> label ~at:function_.span (Printf.sprintf "this is %s" (described words ty))
+  |> hint (Printf.sprintf "a negative argument needs parentheses: `%s (-1)`" name)
+
 
 let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
   let callee = match name_of head with Some name -> "`" ^ name ^ "`" | None -> "this" in

@@ -60,6 +60,10 @@ val not_a_function :
   Diagnostic.t
 (** What is left of the head's type cannot take the argument of that number. *)
 
+val negative_argument :
+  Show.words -> minus:Span.t -> Resolve.Ir.expr -> Type.t -> Diagnostic.t
+(** [f -1], where [f] is a function of that type. *)
+
 val not_a_signal_function :
   Show.words -> head:Resolve.Ir.expr -> Type.t -> Diagnostic.t
 (** The head of [sf -< e]. *)

@@ -38,7 +38,7 @@ A signal function is not its signal: it has to be run.
   8 | speed = proc d -> derivative + 1[m/s]
     |                   ^^^^^^^^^^ - argument 1 of `+` is a number
     |                   |
-    |                   this is `SF Float[v] Float[v/s]`
+    |                   this is `SF Float[u] Float[u/s]`
     |
     = note: expected a number
     = hint: run it on a signal, as in `derivative x`

@@ -18,15 +18,15 @@ Numbers of another representation: the conversions are named.
     |
     = hint: `round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`
   
-  error[E0312]: expected `Float`, found `Int`
+  error[E0312]: the operands of `+` are `Float` and `Int`
    --> numbers.frob:5:26
     |
   5 | mean n = toFloat n / 2 + n
-    |          -------------   ^
+    |          -------------   ^ this is `Int`
     |          |
     |          this is `Float`
     |
-    = hint: `toFloat` makes a `Float` of an `Int`
+    = hint: write `toFloat n`
   
   2 errors
   [1]
@@ -204,7 +204,7 @@ Patterns, conditions, and a function given itself.
   5 | choose = if 1 then 2 else 3
     |             ^
   
-  error[E0301]: expected `(a, b)`, found `(Float, Float, Float)`
+  error[E0301]: expected a tuple of 2, found one of 3
    --> shapes.frob:8:12
     |
   8 |   (a, b) = (1.0, 2.0, 3.0)

@@ -1,0 +1,103 @@
+Arguments of the wrong form: a negative number, a tuple of another size, a value for a signal function.
+
+  $ cat > negative.frob <<'FROB'
+  > f :: Float -> Float
+  > f x = abs -1
+  > 
+  > g :: Float -> Float
+  > g x = max x -1
+  > FROB
+  $ frobc check negative.frob
+  error[E0301]: this `-` subtracts from a function
+   --> negative.frob:2:11
+    |
+  2 | f x = abs -1
+    |       --- ^
+    |       |
+    |       this is `n[u] -> n[u]`
+    |
+    = hint: a negative argument needs parentheses: `abs (-1)`
+  
+  error[E0301]: this `-` subtracts from a function
+   --> negative.frob:5:13
+    |
+  5 | g x = max x -1
+    |       ----- ^
+    |       |
+    |       this is `Float -> Float`
+    |
+    = hint: a negative argument needs parentheses: `f (-1)`
+  
+  2 errors
+  [1]
+
+A minus with blanks on both sides, or on none, is a subtraction.
+
+  $ cat > minus.frob <<'FROB'
+  > f :: Float -> Float
+  > f x = x -1
+  > 
+  > g = abs - 1
+  > FROB
+  $ frobc check minus.frob
+  error[E0301]: expected a number, found the function `n[u] -> n[u]`
+   --> minus.frob:4:5
+    |
+  4 | g = abs - 1
+    |     ^^^ - argument 1 of `-` is a number
+    |
+    = hint: `abs` takes 1 argument
+  
+  1 error
+  [1]
+
+  $ cat > tuple.frob <<'FROB'
+  > f :: (Float, Float) -> Float
+  > f (a, b) = a + b
+  > 
+  > x = f (1, 2, 3)
+  > 
+  > pair :: SF Float (Float, Float)
+  > pair = proc x -> (x, x)
+  > 
+  > main :: SF Float Float
+  > main = proc x -> a where
+  >     (a, b, c) = pair x
+  > FROB
+  $ frobc check tuple.frob
+  error[E0301]: expected a tuple of 2, found one of 3
+   --> tuple.frob:4:7
+    |
+  4 | x = f (1, 2, 3)
+    |     - ^^^^^^^^^
+    |     |
+    |     argument 1 of `f` is `(Float, Float)`
+  
+  error[E0301]: expected a tuple of 3, found one of 2
+    --> tuple.frob:11:17
+     |
+  11 |     (a, b, c) = pair x
+     |     ---------   ^^^^^^ this is `(Float, Float)`
+     |     |
+     |     the pattern takes `(a, b, c)`
+  
+  2 errors
+  [1]
+
+  $ cat > value.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
+  > FROB
+  $ frobc check value.frob
+  error[E0301]: expected `SF a b`, found `RobotOutput`
+   --> value.frob:2:25
+    |
+  2 | main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
+    |        ---------------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |        |
+    |        argument 1 of `reactimateRobot` is `SF a b`
+    |
+    = hint: `constant e` is the signal function that always gives `e`
+  
+  1 error
+  [1]

@@ -1,0 +1,38 @@
+What must be static but is a signal: the two usual wishes behind it.
+
+  $ cat > initial.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> delay x x
+  > FROB
+  $ frobc check initial.frob
+  error[E0340]: the initial value of `delay` must be static, but `x` is a signal
+   --> initial.frob:2:24
+    |
+  2 | main = proc x -> delay x x
+    |             -          ^
+    |             |
+    |             `x` is a signal: it comes from the `proc`'s input here
+    |
+    = hint: the initial value stands first: `delay 0 x` is 0, then `x` one instant ago
+  
+  1 error
+  [1]
+
+  $ cat > choice.frob <<'FROB'
+  > import Control
+  > main :: SF Float Float
+  > main = proc x -> (if x > 0 then lowPass 1[s] else identity) x
+  > FROB
+  $ frobc check choice.frob
+  error[E0340]: what is run must be static, but `x` is a signal
+   --> choice.frob:3:22
+    |
+  3 | main = proc x -> (if x > 0 then lowPass 1[s] else identity) x
+    |             -        ^
+    |             |
+    |             `x` is a signal: it comes from the `proc`'s input here
+    |
+    = hint: run each in an equation of its own, and choose between their outputs
+  
+  1 error
+  [1]
