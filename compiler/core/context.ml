@@ -1,19 +1,21 @@
 open Basis
 
 type data = { declaration : Ir.data; count : int }
-type t = { mutable last : int; data : (Ir.Global.t, data) Hashtbl.t }
+type t = { mutable last : int; data : (Ir.Global.t, data) Hashtbl.t; instances : Instance.table }
 
-let create data =
+let create data instances =
   let table = Hashtbl.create 64 in
   let add (d : Ir.data) =
     Hashtbl.replace table d.tycon { declaration = d; count = List.length d.constructors }
   in
   List.iter add data;
-  { last = 0; data = table }
+  { last = 0; data = table; instances = Instance.table instances }
 
 let fresh t name span : Ir.Local.t =
   t.last <- t.last - 1;
   { id = t.last; name; span }
+
+let instances t = t.instances
 
 let data t (tycon : Ir.Global.t) =
   match Hashtbl.find_opt t.data tycon with

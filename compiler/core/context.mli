@@ -4,8 +4,10 @@ open Basis
 
 type t
 
-val create : Ir.data list -> t
-(** For a program with these data types. *)
+val create : Ir.data list -> Ir.instance list -> t
+(** For a program with these data types and instances. *)
+
+val instances : t -> Instance.table
 
 val fresh : t -> string -> Span.t -> Ir.Local.t
 (** A variable of that name, [""] for what has none in the program. Its [id]

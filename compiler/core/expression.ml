@@ -30,12 +30,21 @@ let primitive (g : Ir.Global.t) =
   | Some p -> p
   | None -> bug "the library declares an unknown primitive `%s`" g.name
 
+let method_of ctx ~class_ ~name ty types : Ir.expr_desc =
+  match Instance.find (Context.instances ctx) ~class_ ~name ty types with
+  | Some (definition, types) -> Global (definition, types)
+  | None -> Method { class_; name; ty; types }
+
 let rec expr env (e : T.expr) : Ir.expr =
   let make desc = Term.make (Erasure.ty e.ty) e.span desc in
   match e.desc with
   | Local (x, i) -> make (Local (x, Erasure.instantiation i))
   | Global (g, i) -> make (Global (g, Erasure.instantiation i))
   | Primitive (g, i) -> make (Primitive (primitive g, Erasure.instantiation i))
+  | Method { class_; method_; instantiation } -> (
+    match Erasure.instantiation instantiation with
+    | ty :: types -> make (method_of env.ctx ~class_ ~name:method_.name ty types)
+    | [] -> bug "the method `%s` has no class" method_.name)
   | Number value -> make (Number value)
   | String text -> make (String text)
   | Tuple es -> make (Tuple (exprs (inside env) es))

@@ -32,8 +32,22 @@ and variable = { id : int; name : string }
 type program = {
   main_module : string;
   data : data list;  (** used before users *)
+  instances : instance list;
+      (** at most one for each class and type constructor *)
   definitions : definition list;  (** dependency order *)
 }
+
+and instance = {
+  class_ : Global.t;
+  head : ty;  (** a type constructor applied to distinct variables *)
+  methods : (string * implementation) list;  (** all of the class's *)
+}
+
+and implementation =
+  | Given of Global.t
+      (** a definition whose parameters begin with the head's variables, in order *)
+  | Default of Global.t
+      (** a definition whose parameters begin with the class's variable *)
 
 and data = {
   tycon : Global.t;
@@ -65,6 +79,10 @@ and expr_desc =
       (** the types: for a polymorphic local function *)
   | Global of Global.t * ty list
   | Primitive of Primitive.t * ty list
+  | Method of { class_ : Global.t; name : string; ty : ty; types : ty list }
+      (** of the instance for [ty]; [types]: for the method's own parameters.
+          [ty] is a variable: where its constructor is known the instance's
+          definition stands itself, as a [Global] *)
   | Number of Exact.t  (** of type Int, Float or a representation variable *)
   | Boolean of bool
   | String of string

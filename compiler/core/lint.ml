@@ -109,6 +109,12 @@ let rec expr s (e : expr) =
     | None ->
       fail e.span "primitive `%s` has %d type arguments" (Primitive.name p)
         (List.length types))
+  | Method { ty; types; _ } -> (
+    List.iter (closed s e.span) (ty :: types);
+    match ty with
+    | Variable _ -> ()
+    | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Data _ ->
+      fail e.span "a method of the known type %a" Print.ty ty)
   | Number _ -> (
     match e.ty with
     | Int | Float | Variable _ -> ()
@@ -208,6 +214,14 @@ and equation s (eq : equation) =
 
 (* {1 Programs} *)
 
+let instance s (i : instance) =
+  List.iter
+    (fun (name, implementation) ->
+      let definition = match implementation with Given g | Default g -> g in
+      if not (Hashtbl.mem s.globals definition) then
+        Diagnostic.bug ~stage:"Core.Lint" "the method `%s` has no definition" name)
+    i.methods
+
 let program (p : program) =
   let s =
     {
@@ -232,6 +246,7 @@ let program (p : program) =
       if Hashtbl.mem s.globals d.name then fail d.span "`%s` is defined twice" d.name.name;
       Hashtbl.replace s.globals d.name (d.parameters, d.ty))
     p.definitions;
+  List.iter (instance s) p.instances;
   List.iter
     (fun (d : definition) ->
       with_parameters s d.span d.parameters (fun () ->

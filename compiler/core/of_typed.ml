@@ -15,6 +15,17 @@ let data (d : T.data) : Ir.data =
     span = d.span;
   }
 
+let instance (i : T.instance) : Ir.instance =
+  let implementation : T.implementation -> Ir.implementation = function
+    | Given g -> Given g
+    | Default g -> Default g
+  in
+  {
+    class_ = i.class_;
+    head = Erasure.ty i.head;
+    methods = List.map (fun ((m : Ir.Global.t), by) -> (m.name, implementation by)) i.methods;
+  }
+
 let definition ctx (d : T.definition) : Ir.definition =
   {
     name = d.name;
@@ -32,9 +43,12 @@ let program (p : T.program) : Ir.program =
          (fun found d -> if is_boolean d then found else data d :: found)
          [] p.data)
   in
-  let ctx = Context.create data in
+  let instances = List.map instance p.instances in
+  let ctx = Context.create data instances in
+  let definitions = List.rev (List.rev_map (definition ctx) p.definitions) in
   {
     main_module = p.main_module;
     data;
-    definitions = List.rev (List.rev_map (definition ctx) p.definitions);
+    instances;
+    definitions = (if instances = [] then definitions else Order.definitions definitions);
   }

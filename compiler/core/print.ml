@@ -126,6 +126,7 @@ let rec expr c level (e : expr) =
   | Local (x, types) -> name c level (local c x) types
   | Global (g, types) -> name c level (global c g) types
   | Primitive (p, types) -> name c level (operator (Primitive.name p)) types
+  | Method m -> name c level m.name (m.ty :: m.types)
   | Number value -> number c level value
   | Boolean b -> put c (if b then "True" else "False")
   | String text -> put c (Printf.sprintf "%S" text)
@@ -335,6 +336,29 @@ let definition c (d : definition) =
   close c;
   cut c
 
+(* [frontDistance = frontDistance@Big] *)
+let instance c (i : instance) =
+  cut c;
+  Format.pp_open_vbox c.out 2;
+  put c ("instance " ^ global c i.class_ ^ " ");
+  type_ c 2 i.head;
+  List.iter
+    (fun (name, implementation) ->
+      cut c;
+      match implementation with
+      | Given definition -> put c (operator name ^ " = " ^ global c definition)
+      | Default definition -> put c ("default " ^ global c definition))
+    i.methods;
+  close c;
+  cut c
+
+(* By the module of what it gives; one that gives nothing by its class. *)
+let belongs_to own (i : instance) =
+  let given (_, implementation) =
+    match implementation with Given g -> Some g | Default _ -> None
+  in
+  match List.find_map given i.methods with Some g -> own g | None -> own i.class_
+
 let context out main_module =
   {
     out;
@@ -353,6 +377,7 @@ let program out (p : program) =
   let own (g : Global.t) = String.equal g.module_ p.main_module in
   List.iter (fun (d : Ir.data) -> if own d.tycon then data c d) p.data;
   List.iter (fun (d : definition) -> if own d.name then definition c d) p.definitions;
+  List.iter (fun i -> if belongs_to own i then instance c i) p.instances;
   close c;
   Format.pp_print_flush out ()
 

@@ -29,7 +29,7 @@ let let_ binder value (body : expr) =
 
 let rec is_trivial (e : expr) =
   match e.desc with
-  | Local _ | Global _ | Primitive _ | Number _ | Boolean _ | String _ | Tuple [] -> true
+  | Local _ | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ | Tuple [] -> true
   | Apply (f, { desc = Tuple []; _ }) -> is_trivial f
   | Construct { arguments = []; _ } -> true
   | Construct _ | Lambda _ | Apply _ | Let _ | Tuple _ | Component _ | Is_constructor _

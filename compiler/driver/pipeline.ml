@@ -63,23 +63,20 @@ let flow options sink ~name ~entry core =
   Flow.Causality.check sink flow;
   stage options sink Specialize ~lint:Flow.Lint.program ~print:Flow.Print.program flow
 
-let is_closed_signal_function (definition : Core.Ir.definition) =
-  definition.parameters = []
-  &&
+let is_signal_function (definition : Core.Ir.definition) =
   match definition.ty with
   | Signal_function _ -> true
   | Data ({ module_ = "Prelude"; name = "Program" }, _) -> true
   | _ -> false
 
 (* What a check looks into: the program, or, in a module without one, every
-   signal function that could be an entry. *)
+   signal function that could be an entry. A program of an open type cannot be
+   one, which is said there. *)
 let entries (core : Core.Ir.program) =
   let own (d : Core.Ir.definition) = String.equal d.name.module_ core.main_module in
-  let candidates =
-    List.filter (fun d -> own d && is_closed_signal_function d) core.definitions
-  in
+  let candidates = List.filter (fun d -> own d && is_signal_function d) core.definitions in
   match List.filter (fun (d : Core.Ir.definition) -> d.name.name = "main") candidates with
-  | [] -> candidates
+  | [] -> List.filter (fun (d : Core.Ir.definition) -> d.parameters = []) candidates
   | main -> main
 
 let check options sink sources ~library file =

@@ -3,6 +3,7 @@ open Core.Ir
 module Variables = Map.Make (Stdlib.Int)
 
 type program = {
+  instances : Instance.table;
   definitions : (Global.t, definition) Hashtbl.t;
   values : (Global.t * ty list, Value.thunk) Hashtbl.t;
       (** of definitions, at types without variables *)
@@ -25,9 +26,9 @@ let nesting program = program.nesting
 let program (core : Core.Ir.program) =
   let definitions = Hashtbl.create 256 in
   List.iter (fun (d : definition) -> Hashtbl.replace definitions d.name d) core.definitions;
-  { definitions; values = Hashtbl.create 256; nesting = Thunk.nesting () }
+  { instances = Instance.table core.instances; definitions; values = Hashtbl.create 256; nesting = Thunk.nesting () }
 
-(* {1 Types} Only a number literal asks for its type. *)
+(* {1 Types} Only number literals and methods ask for types. *)
 
 let rec closed types = function
   | Variable v as t -> Option.value ~default:t (Variables.find_opt v.id types)
@@ -74,6 +75,11 @@ let rec expr env (e : expr) : Value.t =
   | Global (name, types) ->
       Thunk.force (global env.program name (List.map (closed env.types) types))
   | Primitive (p, _) -> primitive env p []
+  | Method { class_; name; ty; types } -> (
+      let types = List.map (closed env.types) types in
+      match Instance.method_ env.program.instances ~class_ ~name (closed env.types ty) with
+      | Some (definition, first) -> Thunk.force (global env.program definition (first @ types))
+      | None -> bug "no instance of `%s` has `%s`" class_.name name)
   | Number value -> number env e.ty value
   | Boolean b -> Bool b
   | String text -> Text text

@@ -17,7 +17,8 @@ type item = {
 let item (d : Syntax.Ir.declaration) =
   match d.desc with
   | Binding b -> Some { left = b.left; right = Definition b.right; doc = d.doc; span = b.span }
-  | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Primitive _ -> None
+  | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _ ->
+      None
 
 let items declarations = List.filter_map item declarations
 
@@ -25,7 +26,8 @@ let signatures declarations =
   let add reversed (d : Syntax.Ir.declaration) =
     match d.desc with
     | Signature { names; ty } -> List.fold_left (fun all n -> (n, ty) :: all) reversed names
-    | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Primitive _ -> reversed
+    | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _ ->
+        reversed
   in
   List.rev (List.fold_left add [] declarations)
 

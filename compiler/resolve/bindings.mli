@@ -42,6 +42,18 @@ val top_level :
   Ir.binding_group list
 (** Likewise for the declarations of a module. *)
 
+val binding :
+  Env.t ->
+  expr:Syntax.Ir.expr resolver ->
+  command:Syntax.Ir.command resolver ->
+  name:Ir.binder ->
+  signature:Ir.scheme option ->
+  item ->
+  Ir.binding
+
+val report_operator : Scope.t -> Syntax.Ir.name -> unit
+(** E0227: programs define none. *)
+
 val right : Env.t -> expr:Syntax.Ir.expr resolver -> command:Syntax.Ir.command resolver -> Syntax.Ir.right -> Ir.right
 
 val guarded :

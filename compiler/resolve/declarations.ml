@@ -152,7 +152,8 @@ let declaration (scope : Scope.t) (d : Syntax.Ir.declaration) : Ir.type_declarat
             (index + 1, constructor scope variables tycon index c :: reversed)
           in
           Ir.Data (List.rev (snd (List.fold_left add (0, []) constructors))))
-  | Signature _ | Binding _ | Base_unit _ | Scaled_unit _ | Primitive _ -> None
+  | Signature _ | Binding _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _ ->
+      None
 
 let builtin (_, (t : tycon)) : Ir.type_declaration =
   let parameters letters n =
@@ -199,7 +200,8 @@ let unit_declaration (scope : Scope.t) (d : Syntax.Ir.declaration) : Ir.unit_dec
   | Base_unit name -> declare name Ir.Base
   | Scaled_unit { name; scale; unit_ } ->
       declare name (Ir.Scaled (scale, Types.concrete_unit scope unit_))
-  | Signature _ | Binding _ | Type_alias _ | Data _ | Primitive _ -> None
+  | Signature _ | Binding _ | Type_alias _ | Data _ | Class _ | Instance _ | Primitive _ ->
+      None
 
 let units_used scope (d : Ir.unit_declaration) =
   let used ((factor : Ir.unit_factor), _) =

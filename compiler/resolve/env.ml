@@ -12,6 +12,7 @@ type t = {
 }
 
 let top scope top_level top_index = { scope; locals = String_map.empty; top_level; top_index }
+let of_module scope = top scope (Groups.create 0) String_map.empty
 let scope t = t.scope
 let context t = t.scope.context
 

@@ -9,6 +9,10 @@ val top : Scope.t -> Groups.t -> int Interface.String_map.t -> t
 (** No locals; the module's own definitions have these numbers in the group
     of its top level. *)
 
+val of_module : Scope.t -> t
+(** No locals, and nothing under analysis: for what stands outside of all
+    groups. *)
+
 val scope : t -> Scope.t
 val context : t -> Context.t
 

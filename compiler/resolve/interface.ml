@@ -2,7 +2,12 @@ open Basis
 module String_map = Map.Make (String)
 module String_set = Set.Make (String)
 
-type value = { global : Ir.Global.t; signed : bool; span : Span.t }
+type value = {
+  global : Ir.Global.t;
+  signed : bool;
+  class_ : Ir.Global.t option;
+  span : Span.t;
+}
 
 type constructor = {
   global : Ir.Global.t;
@@ -23,11 +28,14 @@ type tycon = {
 
 type unit_name = { global : Ir.Global.t; span : Span.t }
 
+type class_ = { global : Ir.Global.t; methods : string list; span : Span.t }
+
 type names = {
   values : value String_map.t;
   constructors : constructor String_map.t;
   tycons : tycon String_map.t;
   units : unit_name String_map.t;
+  classes : class_ String_map.t;
 }
 
 type 'a space = {
@@ -74,12 +82,22 @@ let units =
     place = (fun (u : unit_name) -> u.span);
   }
 
+let classes =
+  {
+    noun = "type class";
+    unknown = "E0223";
+    table = (fun names -> names.classes);
+    global = (fun (c : class_) -> c.global);
+    place = (fun (c : class_) -> c.span);
+  }
+
 let empty =
   {
     values = String_map.empty;
     constructors = String_map.empty;
     tycons = String_map.empty;
     units = String_map.empty;
+    classes = String_map.empty;
   }
 
 let is_operator text =
@@ -107,6 +125,11 @@ let is_builtin (t : tycon) =
   String.equal t.global.module_ prelude
   && List.mem t.global.name [ "Bool"; "Int"; "Float"; "String"; "SF"; "Program" ]
 
+let builtin_class_names = [ "Eq"; "Ord" ]
+
+let is_builtin_class (c : class_) =
+  String.equal c.global.module_ prelude && List.mem c.global.name builtin_class_names
+
 let builtin_names ~file =
   let span = Span.start_of_file file in
   let truth name =
@@ -114,10 +137,14 @@ let builtin_names ~file =
     let tycon : Ir.Global.t = { module_ = prelude; name = "Bool" } in
     (name, { global; tycon; arity = 0; fields = None; span })
   in
+  let class_ name : string * class_ =
+    (name, { global = { module_ = prelude; name }; methods = []; span })
+  in
   {
     empty with
     tycons = String_map.of_seq (List.to_seq (builtin_types ~file));
     constructors = String_map.of_seq (List.to_seq [ truth "False"; truth "True" ]);
+    classes = String_map.of_seq (List.to_seq (List.map class_ builtin_class_names));
   }
 
 (* Adds to one name space, unless the name is taken. *)
@@ -138,7 +165,9 @@ let signed_names declarations =
         List.fold_left
           (fun names (n : Syntax.Ir.name) -> String_set.add n.text names)
           names signed
-    | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Primitive _ -> names
+    | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
+    | Primitive _ ->
+        names
   in
   List.fold_left add String_set.empty declarations
 
@@ -159,11 +188,21 @@ let names_a_number (parameters : Syntax.Ir.type_parameters) (body : Syntax.Ir.ty
       String.equal u.text v.text && List.mem name.name.text [ "Float"; "Int" ]
   | _ -> false
 
+let method_names members =
+  let names (d : Syntax.Ir.declaration) =
+    match d.desc with
+    | Signature { names; _ } -> names
+    | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
+    | Primitive _ ->
+        []
+  in
+  List.concat_map names members
+
 let declared context ~module_ (program : Syntax.Ir.program) =
   let signed = signed_names program.declarations in
   let global name : Ir.Global.t = { module_; name } in
-  let value ?hint names (name : Syntax.Ir.name) ~signed =
-    let entry = { global = global name.text; signed; span = name.span } in
+  let value ?hint ?class_ names (name : Syntax.Ir.name) ~signed =
+    let entry : value = { global = global name.text; signed; class_; span = name.span } in
     { names with values = add context values ?hint names.values name entry }
   in
   let tycon names ?(units_optional = false) (name : Syntax.Ir.name)
@@ -219,6 +258,14 @@ let declared context ~module_ (program : Syntax.Ir.program) =
         let names = tycon names name parameters fields in
         List.fold_left (constructor (global name.text)) names constructors
     | Base_unit name | Scaled_unit { name; _ } -> unit_name names name
+    | Class { name; members; _ } ->
+        let methods = method_names members in
+        let texts = Long_list.map (fun (m : Syntax.Ir.name) -> m.text) methods in
+        let entry : class_ = { global = global name.text; methods = texts; span = name.span } in
+        let names = { names with classes = add context classes names.classes name entry } in
+        let class_ = global name.text in
+        List.fold_left (fun names m -> value names m ~class_ ~signed:true) names methods
+    | Instance _ -> names
   in
   let start = if String.equal module_ prelude then builtin_names ~file:program.file else empty in
   List.fold_left declaration start program.declarations
@@ -228,11 +275,19 @@ let select names wanted =
   let of_type name (c : constructor) =
     named name c || (String_set.mem c.tycon.name wanted && String_map.mem c.tycon.name names.tycons)
   in
+  let of_class name (v : value) =
+    named name v
+    ||
+    match v.class_ with
+    | Some c -> String_set.mem c.name wanted && String_map.mem c.name names.classes
+    | None -> false
+  in
   {
-    values = String_map.filter named names.values;
+    values = String_map.filter of_class names.values;
     constructors = String_map.filter of_type names.constructors;
     tycons = String_map.filter named names.tycons;
     units = String_map.filter named names.units;
+    classes = String_map.filter named names.classes;
   }
 
 let mem names name =
@@ -240,6 +295,7 @@ let mem names name =
   || String_map.mem name names.constructors
   || String_map.mem name names.tycons
   || String_map.mem name names.units
+  || String_map.mem name names.classes
 
 let union a b =
   let first _ x _ = Some x in
@@ -248,8 +304,9 @@ let union a b =
     constructors = String_map.union first a.constructors b.constructors;
     tycons = String_map.union first a.tycons b.tycons;
     units = String_map.union first a.units b.units;
+    classes = String_map.union first a.classes b.classes;
   }
 
 let all names =
   let add table rest = String_map.fold (fun name _ rest -> name :: rest) table rest in
-  add names.values (add names.constructors (add names.tycons (add names.units [])))
+  add names.values (add names.constructors (add names.tycons (add names.units (add names.classes []))))

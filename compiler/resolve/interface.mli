@@ -5,8 +5,13 @@ open Basis
 module String_map : Map.S with type key = string
 module String_set : Set.S with type elt = string
 
-type value = { global : Ir.Global.t; signed : bool; span : Span.t }
-(** A definition or a primitive. *)
+type value = {
+  global : Ir.Global.t;
+  signed : bool;
+  class_ : Ir.Global.t option;  (** of a method *)
+  span : Span.t;
+}
+(** A definition, a primitive or a method. *)
 
 type constructor = {
   global : Ir.Global.t;
@@ -28,14 +33,17 @@ type tycon = {
 
 type unit_name = { global : Ir.Global.t; span : Span.t }
 
+type class_ = { global : Ir.Global.t; methods : string list; span : Span.t }
+
 type names = {
   values : value String_map.t;
   constructors : constructor String_map.t;
   tycons : tycon String_map.t;
   units : unit_name String_map.t;
+  classes : class_ String_map.t;
 }
 
-(** One of the four name spaces, for what treats them alike. *)
+(** One of the five name spaces, for what treats them alike. *)
 type 'a space = {
   noun : string;  (** ["type"]; in messages *)
   unknown : string;  (** the code of an unknown name *)
@@ -48,6 +56,7 @@ val values : value space
 val constructors : constructor space
 val tycons : tycon space
 val units : unit_name space
+val classes : class_ space
 
 val empty : names
 
@@ -60,13 +69,19 @@ val builtin_types : file:string -> (string * tycon) list
 
 val is_builtin : tycon -> bool
 
+val is_builtin_class : class_ -> bool
+(** [Eq] or [Ord] of the prelude. *)
+
 val declared : Context.t -> module_:string -> Syntax.Ir.program -> names
-(** What a module's top level declares; the prelude's has the built-in types.
+(** What a module's top level declares; the prelude's has the built-in types and classes.
     Emits E0211 for what is declared twice. *)
+
+val method_names : Syntax.Ir.declaration list -> Syntax.Ir.name list
+(** The names that the members of a class declare. *)
 
 val select : names -> String_set.t -> names
 (** The part that a list of names in a header or an import speaks of; a type
-    brings its constructors and fields. *)
+    brings its constructors and fields, a class its methods. *)
 
 val mem : names -> string -> bool
 (** In any of the name spaces. *)

@@ -26,6 +26,8 @@ type program = {
   types : type_declaration list;  (** all modules; used before users *)
   units : unit_declaration list;  (** all modules; used before users *)
   primitives : primitive list;
+  classes : class_ list;  (** all modules; superclasses before their subclasses *)
+  instances : instance list;
   groups : binding_group list;  (** top level, all modules, dependency order *)
 }
 
@@ -96,9 +98,40 @@ and unit_definition =
 and scheme = { context : constraint_ list; ty : ty; span : Span.t }
 (** Variables are quantified unless an enclosing signature has them. *)
 
-and constraint_ = { class_ : string;  (** [Eq] or [Ord] *) argument : ty; span : Span.t }
+and constraint_ = { class_ : Global.t; argument : ty; span : Span.t }
+(** The class is one of {!program.classes}, or [Prelude]'s [Eq] or [Ord],
+    which are built in. *)
 
 and primitive = { name : Global.t; scheme : scheme; doc : string option; span : Span.t }
+
+(** {1 Classes} *)
+
+and class_ = {
+  class_ : Global.t;
+  variable : parameter;
+  superclasses : (Global.t * Span.t) list;
+  methods : method_ list;
+  doc : string option;
+  span : Span.t;
+}
+
+and method_ = {
+  name : Global.t;  (** used like any other value *)
+  scheme : scheme;  (** the class's variable is free in it; its own class is not in its context *)
+  default : binding option;  (** its binder is the method's name *)
+  doc : string option;
+  span : Span.t;
+}
+
+and instance = {
+  class_ : Global.t;
+  context : constraint_ list;
+  head : ty;
+  definitions : (Global.t * binding) list;
+      (** the methods given, each once; the binder is a name of its own that
+          no source can mention *)
+  span : Span.t;  (** of class and head *)
+}
 
 (** {1 Bindings} *)
 

@@ -8,6 +8,7 @@ type known = {
   tycons : (Ir.Global.t, int * int * bool) Hashtbl.t;  (** units, types, units optional *)
   constructors : (Ir.Global.t, int) Hashtbl.t;
   units : (Ir.Global.t, unit) Hashtbl.t;
+  classes : (Ir.Global.t, unit) Hashtbl.t;
   values : (Ir.Global.t, unit) Hashtbl.t;
   bound : (int, unit) Hashtbl.t;
 }
@@ -46,8 +47,16 @@ let rec ty known (t : Ir.ty) =
       List.iter (unit_ known) units;
       List.iter (ty known) arguments
 
+let class_ known (g : Ir.Global.t) =
+  let builtin = String.equal g.module_ "Prelude" && List.mem g.name [ "Eq"; "Ord" ] in
+  if not builtin then find known.classes "class" g
+
+let constraint_ known (c : Ir.constraint_) =
+  class_ known c.class_;
+  ty known c.argument
+
 let scheme known (s : Ir.scheme) =
-  List.iter (fun (c : Ir.constraint_) -> ty known c.argument) s.context;
+  List.iter (constraint_ known) s.context;
   ty known s.ty
 
 let type_declaration known (d : Ir.type_declaration) =
@@ -166,18 +175,43 @@ and binding known scope (b : Ir.binding) =
   Option.iter (scheme known) b.signature;
   right known (List.fold_left (pattern known) scope b.parameters) b.body
 
+let class_declaration known (c : Ir.class_) =
+  List.iter (fun (g, _) -> class_ known g) c.superclasses;
+  let method_ (m : Ir.method_) =
+    declare known.values "value" m.name ();
+    scheme known m.scheme;
+    match m.default with
+    | Some { name = Top (g, _); _ } when g = m.name -> ()
+    | Some _ -> broken "the default of the method %s has another name" m.name.name
+    | None -> ()
+  in
+  List.iter method_ c.methods
+
+let instance known (i : Ir.instance) =
+  class_ known i.class_;
+  List.iter (constraint_ known) i.context;
+  ty known i.head;
+  let definition ((m : Ir.Global.t), b) =
+    find known.values "value" m;
+    binding known Int_set.empty b
+  in
+  List.iter definition i.definitions
+
 let program (p : Ir.program) =
   let known =
     {
       tycons = Hashtbl.create 64;
       constructors = Hashtbl.create 64;
       units = Hashtbl.create 64;
+      classes = Hashtbl.create 16;
       values = Hashtbl.create 256;
       bound = Hashtbl.create 1024;
     }
   in
   List.iter (unit_declaration known) p.units;
   List.iter (type_declaration known) p.types;
+  let name_class (c : Ir.class_) = declare known.classes "class" c.class_ () in
+  List.iter name_class p.classes;
   let primitive (x : Ir.primitive) =
     declare known.values "value" x.name ();
     scheme known x.scheme
@@ -191,4 +225,10 @@ let program (p : Ir.program) =
     | Destructure _ -> broken "a pattern is bound at top level"
   in
   List.iter binder bindings;
+  List.iter (class_declaration known) p.classes;
+  let definition (_, (b : Ir.binding)) = binder b in
+  List.iter (fun (i : Ir.instance) -> List.iter definition i.definitions) p.instances;
+  let default (m : Ir.method_) = Option.iter (binding known Int_set.empty) m.default in
+  List.iter (fun (c : Ir.class_) -> List.iter default c.methods) p.classes;
+  List.iter (instance known) p.instances;
   List.iter (binding known Int_set.empty) bindings

@@ -58,7 +58,8 @@ and argument ppf (t : Ir.ty) =
   | Named { arguments = []; _ } | Type_variable _ | Representation _ | Tuple_type _ | Function _ ->
       applied ppf t
 
-let constraint_ ppf (c : Ir.constraint_) = fprintf ppf "%s %a" c.class_ argument c.argument
+let constraint_ ppf (c : Ir.constraint_) =
+  fprintf ppf "%a %a" global c.class_ argument c.argument
 
 let scheme ppf (s : Ir.scheme) =
   match s.context with
@@ -218,6 +219,28 @@ and binding ppf (b : Ir.binding) =
   let head ppf = fprintf ppf "%a%a" name b.name (words pattern) b.parameters in
   right ~head ~sign:"=" ppf b.body
 
+(* Classes *)
+
+let class_ ppf (c : Ir.class_) =
+  let variable ppf () = pp_print_string ppf c.variable.name in
+  let superclass ppf (g, _) = fprintf ppf "%a %a" global g variable () in
+  let method_ (m : Ir.method_) =
+    fprintf ppf "@,@[<2>%a :: %a@]" global m.name scheme m.scheme;
+    Option.iter (fprintf ppf "@,%a" binding) m.default
+  in
+  fprintf ppf "@[<v 2>class ";
+  if c.superclasses <> [] then fprintf ppf "%a => " (tuple superclass) c.superclasses;
+  fprintf ppf "%a %a" global c.class_ variable ();
+  List.iter method_ c.methods;
+  fprintf ppf "@]"
+
+let instance ppf (i : Ir.instance) =
+  fprintf ppf "@[<v 2>instance ";
+  if i.context <> [] then fprintf ppf "%a => " (tuple constraint_) i.context;
+  fprintf ppf "%a %a" global i.class_ argument i.head;
+  List.iter (fun (m, b) -> fprintf ppf "@,@[<v 2>%a by@,%a@]" global m binding b) i.definitions;
+  fprintf ppf "@]"
+
 (* Programs *)
 
 let of_user (program : Ir.program) =
@@ -227,6 +250,12 @@ let of_user (program : Ir.program) =
       program.modules
   in
   fun (g : Ir.Global.t) -> List.mem g.module_ users
+
+(* By the module of what it defines; one without definitions by its class. *)
+let shown_instance shown (i : Ir.instance) =
+  match i.definitions with
+  | (_, { name = Top (g, _); _ }) :: _ -> shown g
+  | (_, { name = Inner _ | Destructure _; _ }) :: _ | [] -> shown i.class_
 
 let program ppf (p : Ir.program) =
   let shown = of_user p in
@@ -246,5 +275,8 @@ let program ppf (p : Ir.program) =
     (List.filter (fun (d : Ir.unit_declaration) -> shown d.unit_name) p.units);
   List.iter (line type_declaration)
     (List.filter (fun (d : Ir.type_declaration) -> shown d.tycon) p.types);
+  List.iter (line class_) (List.filter (fun (c : Ir.class_) -> shown c.class_) p.classes);
   List.iter (line group) (List.filter of_shown_group p.groups);
+  List.iter (line instance)
+    (List.filter (fun (i : Ir.instance) -> shown_instance shown i) p.instances);
   fprintf ppf "@]"

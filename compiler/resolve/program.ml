@@ -8,6 +8,8 @@ type resolved = {
   units : Ir.unit_declaration list;
   primitives : Ir.primitive list;
   groups : Ir.binding_group list;
+  classes : Ir.class_ list;
+  instances : Ir.instance list;
 }
 
 (* What each module of the library declares: for those that did not import it.
@@ -37,7 +39,8 @@ let primitives (scope : Scope.t) (program : Syntax.Ir.program) =
   let declaration (d : Syntax.Ir.declaration) =
     match d.desc with
     | Primitive { names; ty } -> Long_list.map (primitive (Types.scheme scope ty) d.doc) names
-    | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ -> []
+    | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ ->
+        []
   in
   List.concat_map declaration program.declarations
 
@@ -70,6 +73,11 @@ let resolve context ~elsewhere exports (m : Modules.t) =
     Bindings.top_level scope ~expr:Expressions.expr ~command:Expressions.command
       m.syntax.declarations
   in
+  let env = Env.of_module scope in
+  let classes = Classes.classes env ~expr:Expressions.expr ~command:Expressions.command m.syntax in
+  let instances =
+    Classes.instances env ~expr:Expressions.expr ~command:Expressions.command m.syntax
+  in
   let info : Ir.module_ =
     {
       name = m.name;
@@ -78,7 +86,7 @@ let resolve context ~elsewhere exports (m : Modules.t) =
       exports = exported_values scope exported;
     }
   in
-  (exported, { info; types; units; primitives; groups })
+  (exported, { info; types; units; primitives; groups; classes; instances })
 
 let assemble modules : Ir.program option =
   match List.rev modules with
@@ -92,6 +100,8 @@ let assemble modules : Ir.program option =
           units = List.concat_map (fun m -> m.units) modules;
           primitives = List.concat_map (fun m -> m.primitives) modules;
           groups = List.concat_map (fun m -> m.groups) modules;
+          classes = List.concat_map (fun m -> m.classes) modules;
+          instances = List.concat_map (fun m -> m.instances) modules;
         }
 
 let load sink ~files ~remember ~library main =

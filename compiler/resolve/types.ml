@@ -141,23 +141,17 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
 
 (* Signatures *)
 
-let classes = [ "Eq"; "Ord" ]
-
 let constraint_ (scope : Scope.t) ((class_ : Syntax.Ir.qualified), argument) : Ir.constraint_ option =
   let argument = ty scope Quantified argument in
   let span = Span.merge class_.span argument.span in
-  if List.mem class_.name.text classes && class_.qualifier = None then
-    Some { class_ = class_.name.text; argument; span }
-  else begin
-    Diagnostic.error ~code:"E0223" ~at:class_.span "unknown type class `%s`" class_.name.text
-    |> Diagnostic.note "the classes are `Eq` (has `==`) and `Ord` (has `<`)"
-    |> Context.suggest scope.context class_.name.text (lazy classes)
-    |> Context.emit scope.context;
-    None
-  end
+  Option.map
+    (fun (found : class_) : Ir.constraint_ -> { class_ = found.global; argument; span })
+    (Scope.find scope classes class_)
+
+let context scope = List.filter_map (constraint_ scope)
 
 let scheme scope (q : Syntax.Ir.qualified_type) : Ir.scheme =
-  let context = List.filter_map (constraint_ scope) q.context in
+  let context = context scope q.context in
   let t = ty scope Quantified q.ty in
   let span = match q.context with [] -> t.span | (c, _) :: _ -> Span.merge c.span t.span in
   { context; ty = t; span }

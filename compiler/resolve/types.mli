@@ -8,6 +8,9 @@ type variables =
       (** a declaration of the type [owner]: its parameters; no [n[u]] *)
 
 val ty : Scope.t -> variables -> Syntax.Ir.ty -> Ir.ty
+val context : Scope.t -> (Syntax.Ir.qualified * Syntax.Ir.ty) list -> Ir.constraint_ list
+(** What stands before [=>]. Emits E0223 for a class that is unknown. *)
+
 val scheme : Scope.t -> Syntax.Ir.qualified_type -> Ir.scheme
 
 val concrete_unit : Scope.t -> Syntax.Ir.unit_ -> Ir.unit_

@@ -27,6 +27,7 @@ type t = {
   free : Free.table;
   keys : Skeleton.table;
   fresh : unit -> int;
+  instances : Core.Instance.table;
   definitions : (string * string, definition) Hashtbl.t;
   names : Names.t;
   globals : Value.t Variables.Table.t;
@@ -60,6 +61,7 @@ let create sink options (program : Core.Ir.program) =
     free;
     keys = Skeleton.table types ~fresh;
     fresh;
+    instances = Core.Instance.table program.instances;
     definitions;
     names = Names.create ();
     globals = Variables.Table.create 64;

@@ -42,6 +42,7 @@ type t = {
   free : Free.table;
   keys : Skeleton.table;
   fresh : unit -> int;
+  instances : Core.Instance.table;
   definitions : (string * string, definition) Hashtbl.t;
   names : Names.t;  (** of nodes *)
   globals : Value.t Variables.Table.t;  (** values of definitions without signals *)

@@ -20,7 +20,7 @@ let rec path types substitution (parameter : Ir.binder) (e : Ir.expr) =
       match (Types.layout types (Types.close substitution value.ty)).kind with
       | Product parts -> below value (List.nth parts field).part
       | Scalar | Sum _ | Opaque -> None)
-  | Global _ | Primitive _ | Number _ | Boolean _ | String _ | Lambda _ | Apply _ | Let _
+  | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ | Lambda _ | Apply _ | Let _
   | Tuple _ | Construct _ | Is_constructor _ | If _ | Proc _ ->
       None
 

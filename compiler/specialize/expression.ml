@@ -38,7 +38,7 @@ let rec is_trivial (e : Ir.expr) =
   | Local _ | Number _ | Boolean _ | String _ | Primitive _ | Lambda _ | Proc _ -> true
   | Component (e, _) -> is_trivial e
   | Tuple parts | Construct { arguments = parts; _ } -> List.for_all is_trivial parts
-  | Global _ | Apply _ | Let _ | Is_constructor _ | Payload _ | If _ -> false
+  | Global _ | Method _ | Apply _ | Let _ | Is_constructor _ | Payload _ | If _ -> false
 
 let number ty value : Flow.Ir.atom =
   match (ty : Ir.ty) with
@@ -63,6 +63,11 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
       | Some { contents = Polymorphic generic; _ } -> instantiate c s generic types
       | Some entry -> Closure.forced entry)
   | Global (name, types) -> global c s target e name (List.map (Types.close s.types) types)
+  | Method { class_; name; ty; types } -> (
+      let types = List.map (Types.close s.types) types in
+      match Core.Instance.find c.instances ~class_ ~name (Types.close s.types ty) types with
+      | Some (definition, types) -> global c s target e definition types
+      | None -> bug "the method `%s` at an open type" name)
   | Primitive (primitive, types) ->
       Primitive { primitive; types = List.map (Types.close s.types) types; arguments = [] }
   | Number value -> Atom (number (Types.close s.types e.ty) value)
@@ -122,7 +127,7 @@ and exprs (c : Context.t) s target (e : Ir.expr) parts =
 and spine (c : Context.t) s target (whole : Ir.expr) (f : Ir.expr) arguments =
   match f.desc with
   | Apply (f, argument) -> spine c s target whole f (argument :: arguments)
-  | Local _ | Global _ | Primitive _ | Number _ | Boolean _ | String _ | Lambda _ | Let _
+  | Local _ | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ | Lambda _ | Let _
   | Tuple _ | Component _ | Construct _ | Is_constructor _ | Payload _ | If _ | Proc _ ->
       let f = expr c s Unnamed f in
       let arguments = List.map (argument c s) arguments in

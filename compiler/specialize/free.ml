@@ -18,7 +18,7 @@ let bind table (binder : Ir.binder) body =
 let rec free table (e : Ir.expr) =
   match e.desc with
   | Local (local, _) -> Set.singleton local.id
-  | Global _ | Primitive _ | Number _ | Boolean _ | String _ -> Set.empty
+  | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ -> Set.empty
   | Lambda (binder, body) -> bind table binder (free table body)
   | Apply (f, argument) -> Set.union (free table f) (free table argument)
   | Let { binder; parameters; value; body } ->

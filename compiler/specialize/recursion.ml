@@ -3,19 +3,17 @@ module Ir = Core.Ir
 
 (* What may call or be called: definitions, let-bound variables, and equations
    that are no signals. *)
-type vertex = { name : string; span : Span.t }
-
 type graph = {
   globals : (string * string, int) Hashtbl.t;
   locals : (int, int) Hashtbl.t;
-  mutable vertices : vertex list;  (* the last one first *)
+  mutable vertices : Cycle.vertex list;  (* the last one first *)
   mutable count : int;
   edges : (int, (int * Span.t) list) Hashtbl.t;  (* with the place of the use *)
 }
 
 let vertex g name span =
   let number = g.count in
-  g.vertices <- { name; span } :: g.vertices;
+  g.vertices <- { Cycle.name; span } :: g.vertices;
   g.count <- number + 1;
   number
 
@@ -34,7 +32,7 @@ let rec holds_functions (ty : Ir.ty) =
    edges. [visit] gets an expression and the vertex whose value it belongs to. *)
 let sub_expressions (e : Ir.expr) =
   match e.desc with
-  | Local _ | Global _ | Primitive _ | Number _ | Boolean _ | String _ | Let _ | Proc _ -> []
+  | Local _ | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ | Let _ | Proc _ -> []
   | Lambda (_, body) -> [ body ]
   | Apply (f, argument) -> [ f; argument ]
   | Tuple parts | Construct { arguments = parts; _ } -> parts
@@ -90,38 +88,13 @@ let rec uses g owner (e : Ir.expr) =
       uses g owner proc.output
   | _ -> List.iter (uses g owner) (sub_expressions e)
 
-let report sink vertices place cycle =
-  let steps =
-    match cycle with
-    | [] -> []
-    | first :: _ ->
-        let rec pairs = function
-          | a :: (b :: _ as rest) -> (a, b) :: pairs rest
-          | [ last ] -> [ (last, first) ]
-          | [] -> []
-        in
-        pairs cycle
-  in
-  let named v = if String.equal vertices.(v).name "" then "it" else "`" ^ vertices.(v).name ^ "`" in
-  match steps with
-  | [] -> ()
-  | (first, _) :: _ ->
-      let message = if List.length steps = 1 then "calls itself" else "calls itself through others" in
-      let diagnostic =
-        Diagnostic.error ~code:"E0410" ~at:vertices.(first).span "%s %s" (named first) message
-      in
-      List.fold_left
-        (fun diagnostic (a, b) ->
-          Diagnostic.label ~at:(place a b)
-            (Printf.sprintf "%s uses %s here" (named a) (named b))
-            diagnostic)
-        diagnostic steps
-      |> Diagnostic.note "functions and signal functions may not be recursive"
-      |> Diagnostic.hint
-           "a value that depends on its own past is an equation of a `proc`, with `delay`"
-      |> Diagnostic.emit sink
+let report sink vertices use cycle =
+  Cycle.diagnostic ~vertex:(fun v -> vertices.(v)) ~use cycle
+  |> Diagnostic.hint
+       "a value that depends on its own past is an equation of a `proc`, with `delay`"
+  |> Diagnostic.emit sink
 
-let check sink (program : Ir.program) =
+let check_graph sink (program : Ir.program) =
   let g =
     {
       globals = Hashtbl.create 256;
@@ -152,3 +125,10 @@ let check sink (program : Ir.program) =
       if Graph.is_cyclic graph component then
         report sink vertices place (Graph.shortest_cycle graph component))
     (Graph.components graph)
+
+let check sink program =
+  let own = Diagnostic.sink () in
+  check_graph own program;
+  (* What runs in a circle by itself would do so again at every type. *)
+  if not (Diagnostic.has_errors own) then Method_recursion.check own program;
+  List.iter (Diagnostic.emit sink) (Diagnostic.all own)

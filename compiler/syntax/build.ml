@@ -47,6 +47,39 @@ let context (t : Ir.ty) =
   | Tuple_type ts -> List.rev (List.rev_map one ts)
   | Type _ | Type_variable _ | Representation _ | Function _ -> [ one t ]
 
+let class_ context (head : Ir.ty) members : Ir.declaration_desc =
+  let name, (variable : Ir.name) =
+    match head.desc with
+    | Type
+        {
+          name = { qualifier = None; name; _ };
+          units = None;
+          arguments = [ { desc = Type_variable variable; _ } ];
+        } ->
+        (name, variable)
+    | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ ->
+        Reject.at ~code:"E0110" head.span ~hint:"as in `class Shape a where`"
+          "the head of a class is its name and one type variable"
+  in
+  let superclass ((class_ : Ir.qualified), (t : Ir.ty)) =
+    match t.desc with
+    | Type_variable x when String.equal x.text variable.text -> class_
+    | Type_variable _ | Type _ | Representation _ | Function _ | Tuple_type _ ->
+        Reject.at ~code:"E0110" t.span
+          ~hint:(Printf.sprintf "as in `class Eq %s => %s %s`" variable.text name.text variable.text)
+          "a superclass speaks of the class's own variable `%s`" variable.text
+  in
+  Class { superclasses = List.map superclass context; name; variable; members }
+
+let instance context (head : Ir.ty) members : Ir.declaration_desc =
+  match head.desc with
+  | Type { name = class_; units = None; arguments = [ head ] } ->
+      Instance { context; class_; head; members }
+  | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ ->
+      Reject.at ~code:"E0110" head.span
+        ~hint:"as in `instance Shape Circle where` or `instance Shape (Maybe a) where`"
+        "the head of an instance is a class and one type"
+
 (* Units *)
 
 let one span : Ir.unit_ = { desc = One; span }

@@ -22,6 +22,14 @@ val field : location -> string -> Ir.name
 val context : Ir.ty -> (Ir.qualified * Ir.ty) list
 (** What stands before [=>], read as a type. *)
 
+val class_ : (Ir.qualified * Ir.ty) list -> Ir.ty -> Ir.declaration list -> Ir.declaration_desc
+(** A class of the context and the head before its [where]; the head was read
+    as a type. *)
+
+val instance :
+  (Ir.qualified * Ir.ty) list -> Ir.ty -> Ir.declaration list -> Ir.declaration_desc
+(** Likewise. *)
+
 val product : Surface.factor list -> Ir.unit_
 (** A unit, its factors last one first (at least one). *)
 

@@ -32,7 +32,7 @@ let expr = Term.to_expr
 %token COMMA BACKTICK UNDERSCORE AT BACKSLASH EQUAL BAR
 %token ARROW LEFT_ARROW TAIL DOUBLE_ARROW DOUBLE_COLON
 %token LET IN WHERE DO OF CASE IF THEN ELSE PROC REC
-%token MODULE IMPORT QUALIFIED AS DATA TYPE UNIT PRIMITIVE
+%token MODULE IMPORT QUALIFIED AS DATA TYPE UNIT PRIMITIVE CLASS INSTANCE
 %token OPEN CLOSE SEMICOLON END
 /* Never part of a program: */
 %token LBRACKET BAD
@@ -140,7 +140,13 @@ declaration_desc:
     { Data { name; parameters; constructors = List.rev constructors } }
 | UNIT name = unit_name { Base_unit name }
 | UNIT name = unit_name EQUAL factors = product { scaled_unit ~name factors }
+| CLASS head = class_head members = where { class_ (fst head) (snd head) members }
+| INSTANCE head = class_head members = where { instance (fst head) (snd head) members }
 | PRIMITIVE s = signature { Primitive s }
+
+class_head:
+| t = type_application { ([], t) }
+| c = type_application DOUBLE_ARROW t = type_application { (context c, t) }
 
 local:
 | doc = option(DOC) desc = local_desc { { desc; doc; span = span $loc(desc) } }

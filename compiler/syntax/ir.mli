@@ -40,6 +40,13 @@ and declaration_desc =
   | Base_unit of name  (** [unit tick] *)
   | Scaled_unit of { name : name; scale : scale; unit_ : unit_ }
       (** [unit inch = 0.0254 m]; the scale may be left out: [unit N = kg m/s^2] *)
+  | Class of {
+      superclasses : qualified list;
+      name : name;
+      variable : name;
+      members : declaration list;  (** [Signature] and [Binding]: methods and their defaults *)
+    }  (** [class (Eq a) => Shape a where …] *)
+  | Instance of instance
   | Primitive of signature
       (** [primitive sin :: Float -> Float], only in the standard library *)
 
@@ -48,6 +55,14 @@ and scale = {
   times_pi : bool;  (** [unit deg = pi/180]: factor 1, over 180, times pi *)
   divided_by : string;  (** decimal text; ["1"] where none is written *)
 }
+
+and instance = {
+  context : (qualified * ty) list;
+  class_ : qualified;
+  head : ty;
+  members : declaration list;  (** [Signature] and [Binding] *)
+}
+(** [instance Shape a => Shape (Maybe a) where …] *)
 
 and signature = { names : name list; ty : qualified_type }
 

@@ -144,7 +144,9 @@ let reserved = function
   | "unit" -> Some UNIT
   | "primitive" -> Some PRIMITIVE
   | "_" -> Some UNDERSCORE
-  | ("class" | "instance" | "foreign" | "deriving") as word -> Some (RESERVED word)
+  | "class" -> Some CLASS
+  | "instance" -> Some INSTANCE
+  | ("foreign" | "deriving") as word -> Some (RESERVED word)
   | _ -> None
 
 let take_name t =

@@ -15,7 +15,7 @@ let contains (outer : Span.t) (inner : Span.t) =
 let local (d : Ir.declaration) =
   match d.desc with
   | Signature _ | Binding _ -> ()
-  | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Primitive _ ->
+  | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _ ->
       broken d.span "a declaration that belongs to the top level"
 
 let at_least n what span list =
@@ -79,6 +79,8 @@ let node (node : Node.t) =
       let rec gcd a b = if b = 0 then abs a else gcd b (a mod b) in
       if denominator <= 0 || gcd numerator denominator <> 1 then
         broken span "an exponent that is not in lowest terms"
+  | Declaration { desc = Class { members; _ } | Instance { members; _ }; _ } ->
+      List.iter local members
   | Declaration _ | Constructor _ | Command _ | Pattern _ | Type _ | Unit _ | Name _ | Qualified _
     ->
       ()

@@ -35,8 +35,10 @@ let patterns = all (fun p -> Pattern p)
 let types = all (fun t -> Type t)
 let units = all (fun u -> Unit u)
 
-let qualified_type (q : Ir.qualified_type) rest =
-  List.fold_left (fun rest (c, t) -> Qualified c :: Type t :: rest) (Type q.ty :: rest) q.context
+let constraints context rest =
+  List.fold_left (fun rest (c, t) -> Qualified c :: Type t :: rest) rest context
+
+let qualified_type (q : Ir.qualified_type) rest = constraints q.context (Type q.ty :: rest)
 
 let signature (s : Ir.signature) rest = names s.names (qualified_type s.ty rest)
 let parameters (p : Ir.type_parameters) rest = names p.units (names p.types rest)
@@ -59,6 +61,10 @@ let declaration (desc : Ir.declaration_desc) =
   | Type_alias { name; parameters = p; body } -> Name name :: parameters p [ Type body ]
   | Data { name; parameters = p; constructors } ->
       Name name :: parameters p (all (fun c -> Constructor c) constructors [])
+  | Class { superclasses; name; variable; members } ->
+      Name name :: Name variable :: all (fun q -> Qualified q) superclasses (declarations members [])
+  | Instance { context; class_; head; members } ->
+      Qualified class_ :: Type head :: constraints context (declarations members [])
   | Base_unit name -> [ Name name ]
   | Scaled_unit { name; scale = _; unit_ } -> [ Name name; Unit unit_ ]
 

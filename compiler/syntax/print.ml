@@ -84,14 +84,17 @@ and simple_type b t =
   | Type { arguments = []; _ } -> type_to b t
   | Type _ | Function _ -> between b "(" ")" (fun () -> type_to b t)
 
-let qualified_type b (t : qualified_type) =
+let context b constraints =
   let constraint_ (c, t) = qualified b c; text b " "; simple_type b t in
-  (match t.context with
+  match constraints with
   | [] -> ()
   | [ one ] -> constraint_ one; text b " => "
   | several ->
       between b "(" ")" (fun () -> separated b ", " constraint_ several);
-      text b " => ");
+      text b " => "
+
+let qualified_type b (t : qualified_type) =
+  context b t.context;
   type_to b t.ty
 
 let signature b (s : signature) =
@@ -268,6 +271,17 @@ and declaration b column (d : declaration) =
       text b "type "; head b x parameters; text b " = "; type_to b body
   | Data { name = x; parameters; constructors } ->
       text b "data "; head b x parameters; data b column constructors
+  | Class { superclasses; name; variable; members } ->
+      let of_variable c = (c, ({ desc = Type_variable variable; span = variable.span } : ty)) in
+      text b "class ";
+      context b (List.map of_variable superclasses);
+      text b name.text; text b " "; text b variable.text;
+      where b column members
+  | Instance { context = constraints; class_; head; members } ->
+      text b "instance ";
+      context b constraints;
+      qualified b class_; text b " "; simple_type b head;
+      where b column members
   | Base_unit x -> text b "unit "; text b x.text
   | Scaled_unit { name = x; scale; unit_ } ->
       text b "unit "; text b x.text; text b " = "; scaled b scale unit_

@@ -113,7 +113,7 @@ let of_token found =
   | LEFT_ARROW, _ when innermost_block found.context <> Do ->
       Some "`<-` belongs to the statements of a `do`; an equation is written with `=`"
   | TAIL, _ -> Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
-  | (EQUAL | DOUBLE_COLON), Some ({ token = UNIT | PRIMITIVE | DATA | TYPE | MODULE | IMPORT | REC; _ } as word) ->
+  | (EQUAL | DOUBLE_COLON), Some ({ token = UNIT | PRIMITIVE | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC; _ } as word) ->
       Some (reserved_word (written found word))
   | EQUAL, Some { stop; _ } when stop.pos_cnum = found.token.start.pos_cnum && assigns found <> None ->
       assigns found
@@ -138,7 +138,7 @@ let of_token found =
       Some "a number ends with a digit: `0` after the point"
   | SLASH, None -> Some "a comment starts with `--`"
   | BAR, _ when after found = '>' -> Some "a function stands before its argument: `f x`"
-  | (UNIT | PRIMITIVE | DATA | TYPE | MODULE | IMPORT | REC), Some _ ->
+  | (UNIT | PRIMITIVE | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC), Some _ ->
       Some (reserved_word (written found found.token))
   | END, before when expects_more before && not found.token.last ->
       Some "a definition goes on only in lines that are indented more than its first"

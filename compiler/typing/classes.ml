@@ -1,134 +1,236 @@
 open Basis
 open Context
 
-let class_name = function Ir.Eq -> "Eq" | Ir.Ord -> "Ord"
+(* What a class needs of a type: the same or other classes of some variables. *)
+type atom = { class_ : Ir.class_; of_ : variable }
 
-(* What a class needs of a type: the same class of some variables. *)
-type atom = Quantified of Type.rigid | Open
+and variable =
+  | Quantified of Ir.variable * Type.t
+  | Open
 
-exception Lacking of Type.t
+(* The instances on the way to what is lacking, the last one first. *)
+type lack = { lacking : Ir.class_; culprit : Type.t; through : Environment.instance list }
 
-(* [tycons] remembers which type parameters each data type compares. *)
-let rec atoms ctx tycons found t =
+exception Lacking of lack
+
+(* [compared] remembers which type parameters each data type compares. *)
+type search = { ctx : Context.t; compared : (Ir.Global.t, bool list) Hashtbl.t }
+
+let open_representation r =
+  match Type.representation r with
+  | Rigid_representation r -> Some r.variable
+  | Int | Float | Flexible_representation _ -> None
+
+(* With the representation that a number will have if nothing decides it. *)
+let decided t =
+  match t with
+  | Type.Number (r, u) -> (
+      match Type.representation r with
+      | Flexible_representation _ -> Type.Number (Float, u)
+      | (Int | Float | Rigid_representation _) as r -> Type.Number (r, u))
+  | t -> t
+
+let rec atoms search ~through class_ found t =
+  match (Type.expand t, class_) with
+  | Flexible _, _ -> { class_; of_ = Open } :: found
+  | (Rigid r as t), _ -> { class_; of_ = Quantified (r.variable, t) } :: found
+  | Erroneous, _ -> found
+  | t, (Ir.Eq | Ir.Ord) -> structural search ~through class_ found t
+  | t, Ir.Declared name -> by_instance search ~through name found t
+
+and structural search ~through class_ found t =
+  let lacking culprit = raise_notrace (Lacking { lacking = class_; culprit; through }) in
   match Type.expand t with
-  | Flexible _ -> Open :: found
-  | Rigid r -> Quantified r :: found
-  | Number _ | Bool | Erroneous -> found
-  | Tuple elements -> List.fold_left (atoms ctx tycons) found elements
+  | Number _ | Bool -> found
+  | Tuple elements -> List.fold_left (atoms search ~through class_) found elements
   | Data { tycon; arguments; _ } ->
-      let compared = compared ctx tycons tycon in
       List.fold_left2
         (fun found is_compared argument ->
-          if is_compared then atoms ctx tycons found argument else found)
-        found compared arguments
-  | (String | Function _ | Signal_function _ | Alias _) as t -> raise_notrace (Lacking t)
+          if is_compared then atoms search ~through class_ found argument else found)
+        found
+        (compared search ~through class_ tycon)
+        arguments
+  | String | Function _ | Signal_function _ | Alias _ -> lacking t
+  | Flexible _ | Rigid _ | Erroneous -> atoms search ~through class_ found t
 
-and compared ctx tycons tycon =
-  match Hashtbl.find_opt tycons tycon with
+and compared search ~through class_ tycon =
+  match Hashtbl.find_opt search.compared tycon with
   | Some compared -> compared
   | None ->
-      let environment = ctx.reader.environment in
+      let environment = search.ctx.reader.environment in
       let { Environment.parameters; definition } = Environment.type_ environment tycon in
       let constructors =
         match definition with
         | Data data -> data.constructors
         | Alias _ | Builtin ->
             let arguments = List.map (fun r -> Type.Rigid r) parameters.types in
-            raise_notrace (Lacking (Data { tycon; units = []; arguments }))
+            let culprit = Type.Data { tycon; units = []; arguments } in
+            raise_notrace (Lacking { lacking = class_; culprit; through })
       in
       let field_atoms found (c : Ir.constructor) =
         let constructor = Environment.constructor environment c.constructor in
         let fields, _ = Environment.fields constructor constructor.scheme.body in
-        List.fold_left (atoms ctx tycons) found fields
+        List.fold_left (atoms search ~through class_) found fields
       in
       let found = List.fold_left field_atoms [] constructors in
       let is_compared (r : Type.rigid) =
         List.exists
-          (function Quantified other -> other.variable.id = r.variable.id | Open -> false)
+          (fun atom ->
+            match atom.of_ with
+            | Quantified (variable, _) -> variable.id = r.variable.id
+            | Open -> false)
           found
       in
       let compared = List.map is_compared parameters.types in
-      Hashtbl.replace tycons tycon compared;
+      Hashtbl.replace search.compared tycon compared;
       compared
 
-let entails given wanted =
+and by_instance search ~through name found t =
+  match (t, Head.of_type t) with
+  | Number (r, _), _ when Option.is_some (open_representation r) ->
+      let variable = Option.get (open_representation r) in
+      let number = Type.Number (r, Units.one) in
+      { class_ = Declared name; of_ = Quantified (variable, number) } :: found
+  | _, Some (head, arguments) -> (
+      match Environment.instance search.ctx.reader.environment name head with
+      | None -> raise_notrace (Lacking { lacking = Declared name; culprit = decided t; through })
+      | Some instance ->
+          let needed found (class_, k) =
+            atoms search ~through:(instance :: through) class_ found (List.nth arguments k)
+          in
+          List.fold_left needed found instance.context)
+  | _, None -> found
+
+let entails environment given wanted =
   List.exists
-    (fun class_ ->
-      match (class_, wanted) with
-      | Ir.Ord, (Ir.Ord | Ir.Eq) | Ir.Eq, Ir.Eq -> true
-      | Ir.Eq, Ir.Ord -> false)
+    (fun class_ -> class_ = wanted || List.mem wanted (Environment.superclasses environment class_))
     given
 
-let give (scheme : Type.scheme) =
+let variable_of t : Ir.variable option =
+  match Type.expand t with
+  | Rigid r -> Some r.variable
+  | Number (r, _) -> open_representation r
+  | Flexible _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Alias _
+  | Erroneous ->
+      None
+
+let given_of ctx (variable : Ir.variable) =
+  Option.value (Hashtbl.find_opt ctx.given variable.id) ~default:[]
+
+let give ctx (scheme : Type.scheme) =
   List.iter
     (fun (class_, argument) ->
-      match Type.expand argument with
-      | Rigid r -> r.given <- class_ :: r.given
-      | _ -> ())
+      match variable_of argument with
+      | Some variable -> Hashtbl.replace ctx.given variable.id (class_ :: given_of ctx variable)
+      | None -> ())
     scheme.context
 
 (* {1 Diagnostics} *)
 
-let lacking ctx { class_; argument; at; by } culprit =
+let explain words required diagnostic =
+  match required.because with
+  | Some (place, text) -> Diagnostic.label ~at:place (text words) diagnostic
+  | None -> diagnostic
+
+let through_instances words { lacking; culprit; through } diagnostic =
+  let asks = Show.constraint_ words lacking culprit in
+  match through with
+  | [] -> diagnostic
+  | last :: _ ->
+      Diagnostic.label ~at:last.place (Printf.sprintf "this instance asks for `%s`" asks) diagnostic
+
+let report_lacking ctx required lack =
+  let { argument; at; by; _ } : required = required in
   report ctx (fun words ->
-      let what = match class_ with Ir.Eq -> "equality" | Ir.Ord -> "order" in
+      let culprit = Show.quoted words lack.culprit in
+      let direct = Type.expand argument == Type.expand lack.culprit && lack.through = [] in
       let diagnostic =
-        Diagnostic.error ~code:"E0307" ~at "%s has no %s" (Show.quoted words argument) what
-        |> Diagnostic.here (Printf.sprintf "`%s` needs it" by)
+        match lack.lacking with
+        | Declared _ ->
+            Diagnostic.error ~code:"E0360" ~at "there is no instance `%s`"
+              (Show.constraint_ words lack.lacking lack.culprit)
+        | (Eq | Ord) as class_ ->
+            let what = match class_ with Eq -> "equality" | Ord | Declared _ -> "order" in
+            let of_ = if lack.through = [] then Show.quoted words argument else culprit in
+            Diagnostic.error ~code:"E0307" ~at "%s has no %s" of_ what
       in
-      if Type.expand argument == culprit then diagnostic
-      else
-        Diagnostic.note
-          (Printf.sprintf "it contains %s" (Show.quoted words culprit))
-          diagnostic)
-
-let undecided ctx { class_; at; by; _ } =
-  report ctx (fun _ ->
-      Diagnostic.error ~code:"E0308" ~at "nothing decides the type at which `%s` is used" by
-      |> Diagnostic.note (Printf.sprintf "it must be a type with `%s`" (class_name class_))
-      |> Diagnostic.hint "annotate it, as in `(e :: T)`")
-
-let not_promised ctx { class_; at; by; _ } (variable : Ir.variable) =
-  report ctx (fun _ ->
-      let constraint_ = Printf.sprintf "%s %s" (class_name class_) variable.name in
       let diagnostic =
-        Diagnostic.error ~code:"E0309" ~at "`%s` needs `%s`, which the signature does not promise" by
-          constraint_
+        diagnostic
+        |> Diagnostic.here (Printf.sprintf "%s needs it" by)
+        |> through_instances words lack |> explain words required
+      in
+      match lack.lacking with
+      | (Eq | Ord) when (not direct) && lack.through = [] ->
+          Diagnostic.note (Printf.sprintf "it contains %s" culprit) diagnostic
+      | Eq | Ord | Declared _ -> diagnostic)
+
+let undecided ctx (required : required) class_ =
+  report ctx (fun words ->
+      Diagnostic.error ~code:"E0308" ~at:required.at
+        "nothing decides the type at which %s is used" required.by
+      |> Diagnostic.note (Printf.sprintf "it must be a type with `%s`" (Show.class_ class_))
+      |> Diagnostic.hint "annotate it, as in `(e :: T)`"
+      |> explain words required)
+
+let not_promised ctx (required : required) class_ (variable : Ir.variable) t =
+  report ctx (fun words ->
+      let needed = Show.constraint_ words class_ t in
+      let error by =
+        Diagnostic.error ~code:"E0309" ~at:required.at "%s needs `%s`, which %s does not promise"
+          required.by needed by
       in
       match Hashtbl.find_opt ctx.owners variable.id with
-      | None -> diagnostic
-      | Some (name, at) ->
-          diagnostic
-          |> Diagnostic.label ~at (Printf.sprintf "the signature of `%s`" name)
-          |> Diagnostic.hint (Printf.sprintf "begin the signature with `%s =>`" constraint_))
+      | None -> error "the signature"
+      | Some { by; place } ->
+          error by
+          |> (if Span.compare place required.at = 0 then Fun.id else Diagnostic.label ~at:place by)
+          |> explain words required
+          |> Diagnostic.hint (Printf.sprintf "begin %s with `%s =>`" by needed))
 
 (* {1 Solving} *)
 
-let solve ctx generalized =
-  let tycons = Hashtbl.create 16 in
+(* Without those that others imply. *)
+let smallest environment classes =
+  let implied class_ =
+    List.exists
+      (fun other -> List.mem class_ (Environment.superclasses environment other))
+      classes
+  in
+  List.filter (fun class_ -> not (implied class_)) classes
+
+let solve ctx (generalized : Generalize.t) =
+  let environment = ctx.reader.environment in
+  let search = { ctx; compared = Hashtbl.create 16 } in
   let own = Hashtbl.create 8 in
-  List.iter (fun (r : Type.rigid) -> Hashtbl.replace own r.variable.id []) generalized;
-  let answer required = function
-    | Open -> if errors ctx = 0 then undecided ctx required
-    | Quantified r -> (
-        match Hashtbl.find_opt own r.variable.id with
+  let types = List.map (fun (r : Type.rigid) -> (r.variable, Type.Rigid r)) generalized.types in
+  let representations =
+    List.map
+      (fun (r : Units.rigid) ->
+        (r.variable, Type.Number (Rigid_representation r, Units.one)))
+      generalized.representations
+  in
+  let variables = types @ representations in
+  List.iter (fun ((v : Ir.variable), _) -> Hashtbl.replace own v.id []) variables;
+  let answer required { class_; of_ } =
+    match of_ with
+    | Open -> if errors ctx = 0 then undecided ctx required class_
+    | Quantified (variable, t) -> (
+        match Hashtbl.find_opt own variable.id with
         | Some classes ->
-            if not (entails classes required.class_) then
-              Hashtbl.replace own r.variable.id (required.class_ :: classes)
+            if not (entails environment classes class_) then
+              Hashtbl.replace own variable.id (class_ :: classes)
         | None ->
-            if not (entails r.given required.class_) then not_promised ctx required r.variable)
+            if not (entails environment (given_of ctx variable) class_) then
+              not_promised ctx required class_ variable t)
   in
   List.iter
-    (fun required ->
-      match atoms ctx tycons [] required.argument with
+    (fun (required : required) ->
+      match atoms search ~through:[] required.class_ [] required.argument with
       | found -> List.iter (answer required) (List.rev found)
-      | exception Lacking culprit -> lacking ctx required culprit)
+      | exception Lacking lack -> report_lacking ctx required lack)
     (requirements ctx);
-  List.filter_map
-    (fun (r : Type.rigid) ->
-      match Hashtbl.find own r.variable.id with
-      | [] -> None
-      | classes ->
-          let class_ = if List.mem Ir.Ord classes then Ir.Ord else Ir.Eq in
-          Some (class_, Type.Rigid r))
-    generalized
+  List.concat_map
+    (fun ((v : Ir.variable), t) ->
+      let classes = smallest environment (List.rev (Hashtbl.find own v.id)) in
+      List.map (fun class_ -> (class_, t)) classes)
+    variables

@@ -1,15 +1,17 @@
-(** The built-in classes: equality and order hold structurally, for data
-    without functions, signal functions and labels.
+(** What the classes of types need: the built-in ones hold structurally, for
+    data without functions, signal functions and labels; the others where an
+    instance says so.
 
-    Codes: [E0307] no such class for a type · [E0308] a class needed of a type
-    that nothing decides · [E0309] missing in a signature's context. *)
+    Codes: [E0307] no equality or order · [E0308] a class needed of a type
+    that nothing decides · [E0309] missing in a signature's context · [E0360]
+    no instance. *)
 
 open Context
 
-val give : Type.scheme -> unit
+val give : t -> Type.scheme -> unit
 (** Inside the definition that has this signature its context holds. *)
 
-val solve : t -> Type.rigid list -> (Ir.class_ * Type.t) list
+val solve : t -> Generalize.t -> (Ir.class_ * Type.t) list
 (** Answers all that the group needs. The variables are those that were
     generalized without a signature: what they need is returned, as the
     context of the group's schemes. *)

@@ -1,8 +1,22 @@
 open Basis
 
 type 'a later = unit -> 'a
-type entry = { scheme : Type.scheme; primitive : bool; recursive : bool }
-type required = { class_ : Ir.class_; argument : Type.t; at : Span.t; by : string }
+type entry = { scheme : Type.scheme; kind : kind; at : Span.t option }
+
+and kind =
+  | Defined
+  | Recursive
+  | Primitive
+  | Method of Ir.Global.t
+
+type required = {
+  class_ : Ir.class_;
+  argument : Type.t;
+  at : Span.t;
+  by : string;
+  because : (Span.t * (Show.words -> string)) option;
+}
+
 type question = { attempt : unit -> bool; guess : unit -> bool; give_up : unit -> unit }
 
 type group = {
@@ -15,7 +29,8 @@ type t = {
   reader : Written.t;
   globals : (Ir.Global.t, entry) Hashtbl.t;
   locals : (int, Type.scheme) Hashtbl.t;
-  owners : (int, string * Span.t) Hashtbl.t;
+  owners : (int, Mistake.owned) Hashtbl.t;
+  given : (int, Ir.class_ list) Hashtbl.t;
   scope : Written.scope;
   depth : int;
   group : group;
@@ -29,6 +44,7 @@ let start reader =
     globals = Hashtbl.create 1024;
     locals = Hashtbl.create 1024;
     owners = Hashtbl.create 64;
+    given = Hashtbl.create 64;
     scope = Written.empty;
     depth = 1;
     group = new_group ();
@@ -52,12 +68,23 @@ let expect t ?subject ~at (expected : Mistake.expected) found =
       let owner (v : Ir.variable) = Hashtbl.find_opt t.owners v.id in
       report t (fun words -> Mistake.mismatch words owner ~subject ~at ~expected ~found clash)
 
-let use t ~at ~name scheme =
+let require t required = t.group.required <- required :: t.group.required
+
+let use t ~at ~name ?said scheme =
   let instance = Type.instantiate t.reader.supply ~depth:t.depth scheme in
-  List.iter
-    (fun (class_, argument) ->
-      t.group.required <- { class_; argument; at; by = name } :: t.group.required)
-    instance.required;
+  let by = "`" ^ name ^ "`" in
+  List.iter2
+    (fun (class_, argument) (_, parameter) ->
+      let because =
+        Option.map
+          (fun place ->
+            ( place,
+              fun words ->
+                Printf.sprintf "%s asks for `%s` here" by (Show.constraint_ words class_ parameter) ))
+          said
+      in
+      require t { class_; argument; at; by; because })
+    instance.required scheme.context;
   let final () : Ir.instantiation =
     {
       types = List.map Final.ty instance.type_arguments;
@@ -66,13 +93,43 @@ let use t ~at ~name scheme =
   in
   (instance.ty, final)
 
-let with_signature t ~name (written : Resolve.Ir.scheme) =
+let is_variable r =
+  match Type.representation r with
+  | Rigid_representation _ -> true
+  | Int | Float | Flexible_representation _ -> false
+
+let check_context t (written : Resolve.Ir.scheme) (scheme : Type.scheme) =
+  let mentioned (v : Ir.variable) = Type.mentions v scheme.body in
+  let check (c : Resolve.Ir.constraint_) (_, argument) =
+    match Type.expand argument with
+    | Rigid r ->
+        let own = List.exists (fun (o : Type.rigid) -> o.variable.id = r.variable.id) scheme.types in
+        if own && not (mentioned r.variable) then
+          report t (fun _ ->
+              Diagnostic.error ~code:"E0364" ~at:c.span
+                "the context speaks of `%s`, but the type does not" r.variable.name
+              |> Diagnostic.label ~at:written.ty.span
+                   (Printf.sprintf "nothing here tells which type `%s` is" r.variable.name))
+    | Number (r, _) when is_variable r -> ()
+    | Erroneous -> ()
+    | _ ->
+        report t (fun words ->
+            Diagnostic.error ~code:"E0365" ~at:c.span
+              "a context promises something of a variable, not of %s" (Show.quoted words argument))
+  in
+  List.iter2 check written.context scheme.context
+
+let with_variables t ~by (written : Resolve.Ir.scheme) =
   let depth = t.depth + 1 in
   let scheme, scope = Written.signature t.reader t.scope ~depth written in
-  let own (v : Ir.variable) = Hashtbl.replace t.owners v.id (name, written.span) in
+  let owned : Mistake.owned = { by; place = written.span } in
+  let own (v : Ir.variable) = Hashtbl.replace t.owners v.id owned in
   List.iter (fun (r : Type.rigid) -> own r.variable) scheme.types;
   List.iter (fun (r : Units.rigid) -> own r.variable) (scheme.representations @ scheme.units);
+  check_context t written scheme;
   (scheme, { t with scope; depth })
+
+let with_signature t ~name = with_variables t ~by:(Printf.sprintf "the signature of `%s`" name)
 
 let ask t question =
   if not (question.attempt ()) then t.group.waiting <- question :: t.group.waiting

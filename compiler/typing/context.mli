@@ -10,12 +10,27 @@ type 'a later = unit -> 'a
 
 type entry = {
   scheme : Type.scheme;
-  primitive : bool;
-  recursive : bool;  (** of the group being inferred: generalized at its end *)
+  kind : kind;
+  at : Span.t option;  (** where the program gives its signature *)
 }
 
-type required = { class_ : Ir.class_; argument : Type.t; at : Span.t; by : string }
-(** A class that something used needs; [by] names it. *)
+and kind =
+  | Defined
+  | Recursive  (** of the group being inferred: generalized at its end *)
+  | Primitive
+  | Method of Ir.Global.t  (** of the class *)
+
+type required = {
+  class_ : Ir.class_;
+  argument : Type.t;
+  at : Span.t;
+  by : string;
+  because : (Span.t * (Show.words -> string)) option;
+}
+(** A class that something used needs; [by] says what, in backticks;
+    [because] is the other place, where that is said, and what is said there. *)
+
+
 
 (** A question that waits for a type. *)
 type question = {
@@ -28,7 +43,9 @@ type t = {
   reader : Written.t;
   globals : (Ir.Global.t, entry) Hashtbl.t;
   locals : (int, Type.scheme) Hashtbl.t;  (** by id, which is unique *)
-  owners : (int, string * Span.t) Hashtbl.t;  (** see {!Mistake.owner} *)
+  owners : (int, Mistake.owned) Hashtbl.t;  (** see {!Mistake.owner} *)
+  given : (int, Ir.class_ list) Hashtbl.t;
+      (** what signatures around promise of their variables, by id *)
   scope : Written.scope;
   depth : int;  (** signatures around *)
   group : group;
@@ -66,13 +83,24 @@ val expect :
 
 (** {1 Names} *)
 
-val use : t -> at:Span.t -> name:string -> Type.scheme -> Type.t * (unit -> Ir.instantiation)
-(** A new instance; what its context demands is kept. *)
+val use :
+  t -> at:Span.t -> name:string -> ?said:Span.t -> Type.scheme -> Type.t * (unit -> Ir.instantiation)
+(** A new instance; what its context demands is kept. [said]: the place of
+    its signature. *)
+
+val require : t -> required -> unit
+
+val check_context : t -> Resolve.Ir.scheme -> Type.scheme -> unit
+(** Of a scheme, as written and as read. Each constraint is of a variable
+    ([E0365]), which the type has ([E0364]). *)
+
+val with_variables : t -> by:string -> Resolve.Ir.scheme -> Type.scheme * t
+(** The scheme and the context of what is below it: its variables in scope,
+    one signature deeper. [by]: what names the variables, in messages. *)
 
 val with_signature :
   t -> name:string -> Resolve.Ir.scheme -> Type.scheme * t
-(** The scheme and the context for the definition that it is the signature of:
-    its variables in scope, one signature deeper. *)
+(** Likewise for the definition that it is the signature of. *)
 
 (** {1 What is put off} *)
 

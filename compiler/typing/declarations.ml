@@ -72,7 +72,7 @@ let type_ (reader : Written.t) (declared : Resolve.Ir.type_declaration) =
   in
   let types =
     List.map
-      (fun p -> (p, ({ variable = variable p; depth = 0; given = [] } : Type.rigid)))
+      (fun p -> (p, ({ variable = variable p; depth = 0 } : Type.rigid)))
       declared.type_parameters
   in
   let scope = Written.of_parameters units types in

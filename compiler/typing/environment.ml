@@ -9,6 +9,8 @@ type definition =
   | Builtin
 
 type type_ = { parameters : parameters; definition : definition }
+type class_ = { superclasses : Ir.class_ list; place : Span.t }
+type instance = { context : (Ir.class_ * int) list; place : Span.t }
 type constructor = { ir : Ir.constructor; tycon : Ir.Global.t; scheme : Type.scheme }
 
 type t = {
@@ -16,6 +18,8 @@ type t = {
   named : (Ir.unit_, string) Hashtbl.t;
   types : (Ir.Global.t, type_) Hashtbl.t;
   constructors : (Ir.Global.t, constructor) Hashtbl.t;
+  classes : (Ir.Global.t, class_) Hashtbl.t;
+  instances : (Ir.Global.t * Head.t, instance) Hashtbl.t;
 }
 
 let create () =
@@ -24,6 +28,8 @@ let create () =
     named = Hashtbl.create 16;
     types = Hashtbl.create 64;
     constructors = Hashtbl.create 64;
+    classes = Hashtbl.create 16;
+    instances = Hashtbl.create 64;
   }
 
 let found what table (name : Ir.Global.t) =
@@ -50,6 +56,17 @@ let type_ t name = found "type" t.types name
 let built_in name : Ir.Global.t = { module_ = "Prelude"; name }
 let add_constructor t c = Hashtbl.replace t.constructors c.ir.constructor c
 let constructor t name = found "constructor" t.constructors name
+
+let add_class t name c = Hashtbl.replace t.classes name c
+let class_ t name = found "class" t.classes name
+
+let superclasses t : Ir.class_ -> Ir.class_ list = function
+  | Eq -> []
+  | Ord -> [ Eq ]
+  | Declared c -> (class_ t c).superclasses
+
+let add_instance t class_ head i = Hashtbl.replace t.instances (class_, head) i
+let instance t class_ head = Hashtbl.find_opt t.instances (class_, head)
 
 let record_of t tycon =
   match (type_ t tycon).definition with

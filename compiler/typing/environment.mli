@@ -33,6 +33,27 @@ val type_ : t -> Ir.Global.t -> type_
 val built_in : string -> Ir.Global.t
 (** The global of a built-in type or constructor. *)
 
+(** {1 Classes} *)
+
+type class_ = {
+  superclasses : Ir.class_ list;  (** and theirs *)
+  place : Basis.Span.t;
+}
+
+val add_class : t -> Ir.Global.t -> class_ -> unit
+val class_ : t -> Ir.Global.t -> class_
+
+val superclasses : t -> Ir.class_ -> Ir.class_ list
+(** Also of the built-in classes. *)
+
+type instance = {
+  context : (Ir.class_ * int) list;  (** classes of what the head is applied to, from 0 *)
+  place : Basis.Span.t;
+}
+
+val add_instance : t -> Ir.Global.t -> Head.t -> instance -> unit
+val instance : t -> Ir.Global.t -> Head.t -> instance option
+
 (** {1 Constructors} *)
 
 type constructor = {

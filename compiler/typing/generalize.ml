@@ -16,7 +16,7 @@ let variable state kind count : Ir.variable =
 
 let new_type state : Type.rigid =
   let t, r, u = state.counts in
-  let rigid : Type.rigid = { variable = variable state Type t; depth = state.depth; given = [] } in
+  let rigid : Type.rigid = { variable = variable state Type t; depth = state.depth } in
   state.counts <- (t + 1, r, u);
   state.found <- { state.found with types = rigid :: state.found.types };
   rigid
@@ -60,8 +60,9 @@ let rec ty state t =
       if units <> [] || arguments <> [] then ty state expansion
   | Rigid _ | Bool | String | Erroneous -> ()
 
+let none = { types = []; representations = []; units = [] }
+
 let types supply ~depth ts =
-  let none = { types = []; representations = []; units = [] } in
   let state = { supply; depth; found = none; counts = (0, 0, 0) } in
   List.iter (ty state) ts;
   {

@@ -11,5 +11,7 @@ type t = {
   units : Units.rigid list;
 }
 
+val none : t
+
 val types : Type.supply -> depth:int -> Type.t list -> t
 (** Afterwards nothing in the types is open. *)

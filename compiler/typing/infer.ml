@@ -12,7 +12,7 @@ let top (b : Resolve.Ir.binding) =
 
 let primitive ctx (p : Resolve.Ir.primitive) =
   let scheme, _ = with_signature ctx ~name:p.name.name p.scheme in
-  Hashtbl.replace ctx.globals p.name { scheme; primitive = true; recursive = false };
+  Hashtbl.replace ctx.globals p.name { scheme; kind = Primitive; at = None };
   (p.name, Final.scheme scheme)
 
 (* All signatures first: what has one can be used before it is checked. *)
@@ -22,26 +22,25 @@ let signature ctx declared (b : Resolve.Ir.binding) =
   | None -> ()
   | Some written ->
       let scheme, inner = with_signature ctx ~name:name.name written in
-      Hashtbl.replace ctx.globals name { scheme; primitive = false; recursive = false };
+      Hashtbl.replace ctx.globals name { scheme; kind = Defined; at = Some written.span };
       Hashtbl.replace declared name { scheme; inner; at = written.span }
 
 let expectation ctx declared ~recursive (b : Resolve.Ir.binding) : Context.t * Mistake.expected =
   let name, at = top b in
   match Hashtbl.find_opt declared name with
   | Some { scheme; inner; at } ->
-      Classes.give scheme;
+      Classes.give ctx scheme;
       ( { inner with group = ctx.group },
         { ty = scheme.body; because = Signature { name = name.name; at } } )
   | None ->
       let ty = Context.fresh ctx in
       let scheme = Type.monomorphic ty in
-      Hashtbl.replace ctx.globals name { scheme; primitive = false; recursive = true };
+      Hashtbl.replace ctx.globals name { scheme; kind = Recursive; at = None };
       let because = if recursive then Mistake.Uses { name = name.name; at } else Unknown in
       (ctx, { ty; because })
 
-let check (b : Resolve.Ir.binding) (inner, expected) =
-  let name, _ = top b in
-  Infer_binding.abstraction inner ~at:b.span ~name:(Some name.name) b.parameters expected
+let check ~name (b : Resolve.Ir.binding) (inner, expected) =
+  Infer_binding.abstraction inner ~at:b.span ~name:(Some name) b.parameters expected
     (fun expected -> Infer_binding.right Infer_expression.expressions inner b.body expected)
 
 (* The schemes of those without a signature; what they share, all of them
@@ -54,7 +53,7 @@ let generalize ctx declared bindings expectations =
   in
   let types = List.map (fun (_, (_, (e : Mistake.expected))) -> e.ty) unsigned in
   let quantified = Generalize.types ctx.reader.supply ~depth:ctx.depth types in
-  let context = Classes.solve ctx quantified.types in
+  let context = Classes.solve ctx quantified in
   List.iter2
     (fun (b, _) body ->
       let scheme : Type.scheme =
@@ -66,12 +65,13 @@ let generalize ctx declared bindings expectations =
           body;
         }
       in
-      Hashtbl.replace ctx.globals (fst (top b)) { scheme; primitive = false; recursive = false })
+      Hashtbl.replace ctx.globals (fst (top b)) { scheme; kind = Defined; at = None })
     unsigned types
 
 let group ctx declared (g : Resolve.Ir.binding_group) : Ir.definition list =
   let ctx = in_group ctx in
   let expectations = List.map (expectation ctx declared ~recursive:g.recursive) g.bindings in
+  let check (b : Resolve.Ir.binding) = check ~name:(fst (top b)).name b in
   let values = List.map2 check g.bindings expectations in
   settle ctx;
   generalize ctx declared g.bindings expectations;
@@ -82,6 +82,69 @@ let group ctx declared (g : Resolve.Ir.binding_group) : Ir.definition list =
   in
   List.map2 definition g.bindings values
 
+(* {1 Classes} *)
+
+(* A definition of a method, of this type. *)
+let method_definition ctx (inner : Context.t) (m : Class_declarations.method_)
+    (scheme : Type.scheme) (b : Resolve.Ir.binding) : Ir.definition =
+  let ctx = in_group ctx in
+  Classes.give ctx scheme;
+  let expected : Mistake.expected =
+    { ty = scheme.body; because = Signature { name = m.name.name; at = m.signature } }
+  in
+  let value = check ~name:m.name.name b ({ inner with group = ctx.group }, expected) in
+  settle ctx;
+  ignore (Classes.solve ctx Generalize.none);
+  let name, _ = top b in
+  { name; scheme = Final.scheme scheme; value = value (); doc = b.doc; span = b.span }
+
+let defaults ctx (c : Class_declarations.class_) =
+  List.filter_map
+    (fun (m : Class_declarations.method_) ->
+      Option.map (method_definition ctx m.inner m m.scheme) m.default)
+    c.methods
+
+let definitions_of_instance ctx (i : Class_declarations.instance) =
+  let definition (m : Class_declarations.method_) =
+    Option.map
+      (method_definition ctx i.inner m (Class_declarations.method_of i m))
+      (List.assoc_opt m.name i.definitions)
+  in
+  List.filter_map definition i.of_class.methods
+
+let check_superclasses ctx (i : Class_declarations.instance) =
+  let ctx = in_group ctx in
+  Classes.give ctx i.scheme;
+  let words = Show.words ~named_unit:(Environment.named_unit ctx.reader.environment) in
+  let by = Printf.sprintf "`%s`" (Show.constraint_ words (Declared i.of_class.class_) i.head) in
+  let require_superclass (class_, span) =
+    let text _ =
+      Printf.sprintf "`%s` is a superclass of `%s`" (Show.class_ class_) i.of_class.class_.name
+    in
+    require ctx { class_; argument = i.head; at = i.place; by; because = Some (span, text) }
+  in
+  List.iter require_superclass i.of_class.superclasses;
+  ignore (Classes.solve ctx Generalize.none)
+
+let class_declaration (c : Class_declarations.class_) : Ir.class_declaration =
+  let method_ (m : Class_declarations.method_) = (m.name, Final.scheme m.scheme) in
+  { class_ = c.class_; methods = List.map method_ c.methods }
+
+let instance (i : Class_declarations.instance) : Ir.instance =
+  let implementation (m : Class_declarations.method_) : (Ir.Global.t * Ir.implementation) option =
+    match (List.assoc_opt m.name i.definitions, m.default) with
+    | Some b, _ -> Some (m.name, Given (fst (top b)))
+    | None, Some b -> Some (m.name, Default (fst (top b)))
+    | None, None -> None
+  in
+  {
+    class_ = i.of_class.class_;
+    parameters = List.map (fun (r : Type.rigid) -> r.variable) i.scheme.types;
+    head = Final.ty i.head;
+    methods = List.filter_map implementation i.of_class.methods;
+    span = i.place;
+  }
+
 let program sink (program : Resolve.Ir.program) : Ir.program =
   let reader : Written.t =
     { environment = Environment.create (); supply = Type.supply (); sink }
@@ -89,10 +152,25 @@ let program sink (program : Resolve.Ir.program) : Ir.program =
   let data = Declarations.program reader program in
   let ctx = Context.start reader in
   let primitives = List.rev (List.rev_map (primitive ctx) program.primitives) in
+  let classes = Class_declarations.classes ctx program in
+  let instances = Class_declarations.instances ctx classes program in
   let declared = Hashtbl.create 1024 in
   List.iter
     (fun (g : Resolve.Ir.binding_group) -> List.iter (signature ctx declared) g.bindings)
     program.groups;
   let add reversed g = List.rev_append (group ctx declared g) reversed in
-  let definitions = List.rev (List.fold_left add [] program.groups) in
-  { main_module = program.main_module; data; primitives; definitions }
+  let definitions = List.fold_left add [] program.groups in
+  let definitions =
+    List.fold_left (fun reversed c -> List.rev_append (defaults ctx c) reversed) definitions classes
+  in
+  let add_instance reversed i = List.rev_append (definitions_of_instance ctx i) reversed in
+  let definitions = List.rev (List.fold_left add_instance definitions instances) in
+  List.iter (check_superclasses ctx) instances;
+  {
+    main_module = program.main_module;
+    data;
+    primitives;
+    classes = List.map class_declaration classes;
+    instances = List.map instance instances;
+    definitions;
+  }

@@ -183,7 +183,7 @@ and binding expressions ctx ~recursive (b : Resolve.Ir.binding) prepared : Ir.bi
   in
   match prepared with
   | `Signed ((local : Ir.Local.t), { scheme; inner; at }) ->
-      Classes.give scheme;
+      Classes.give ctx scheme;
       let expected : Mistake.expected =
         { ty = scheme.body; because = Signature { name = local.name; at } }
       in
@@ -204,7 +204,7 @@ and binding expressions ctx ~recursive (b : Resolve.Ir.binding) prepared : Ir.bi
 let annotated expressions ctx (e : Resolve.Ir.expr) inner_expr written =
   let scheme, inner = with_signature ctx ~name:"this" written in
   let scheme = local_scheme ctx ~name:"this" ~at:e.span written scheme in
-  Classes.give scheme;
+  Classes.give ctx scheme;
   let value =
     expressions.check inner inner_expr { ty = scheme.body; because = Annotation written.span }
   in

@@ -18,8 +18,8 @@ let power ctx (e : Resolve.Ir.expr) (base : typed) exponent =
       Type.Number (representation, Units.one)
 
 (* A variable, with its own instance of the scheme. *)
-let reference ctx ~at ~name scheme desc =
-  let ty, instantiation = use ctx ~at ~name scheme in
+let reference ctx ~at ~name ?said scheme desc =
+  let ty, instantiation = use ctx ~at ~name ?said scheme in
   { ty; build = node at ty (fun () -> desc (instantiation ())) }
 
 (* Within its own group a definition is used at its own variables. *)
@@ -33,11 +33,13 @@ let own_instantiation ctx name : Ir.instantiation =
 
 let global ctx (e : Resolve.Ir.expr) (name : Ir.Global.t) =
   match Hashtbl.find_opt ctx.globals name with
-  | Some { scheme; primitive; recursive } ->
-      reference ctx ~at:e.span ~name:name.name scheme (fun instantiation ->
-          if primitive then Primitive (name, instantiation)
-          else if recursive then Global (name, own_instantiation ctx name)
-          else Global (name, instantiation))
+  | Some { scheme; kind; at } ->
+      reference ctx ~at:e.span ~name:name.name ?said:at scheme (fun instantiation ->
+          match kind with
+          | Primitive -> Primitive (name, instantiation)
+          | Recursive -> Global (name, own_instantiation ctx name)
+          | Defined -> Global (name, instantiation)
+          | Method class_ -> Method { class_; method_ = name; instantiation })
   | None ->
       Diagnostic.bug ~stage:"Typing.Infer" "%s.%s is used before it is typed" name.module_ name.name
 

@@ -48,7 +48,10 @@ and scheme = {
   ty : ty;
 }
 
-and class_ = Eq | Ord
+and class_ =
+  | Eq
+  | Ord
+  | Declared of Global.t
 
 (** {1 Programs} *)
 
@@ -56,8 +59,33 @@ type program = {
   main_module : string;
   data : data list;  (** used before users *)
   primitives : (Global.t * scheme) list;
-  definitions : definition list;  (** top level, dependency order *)
+  classes : class_declaration list;  (** superclasses before their subclasses *)
+  instances : instance list;  (** at most one for each class and type constructor *)
+  definitions : definition list;
+      (** top level, dependency order; after them those of methods *)
 }
+
+and class_declaration = {
+  class_ : Global.t;
+  methods : (Global.t * scheme) list;
+      (** the class's variable comes first, its own class first in the context *)
+}
+
+and instance = {
+  class_ : Global.t;
+  parameters : variable list;
+  head : ty;  (** a type constructor applied to the parameters and to units *)
+  methods : (Global.t * implementation) list;  (** all of the class's, in its order *)
+  span : Span.t;
+}
+
+and implementation =
+  | Given of Global.t
+      (** a definition whose type parameters are those of the instance, then
+          the method's own *)
+  | Default of Global.t
+      (** the class's definition, which has the method's name and type
+          parameters *)
 
 and data = {
   tycon : Global.t;
@@ -90,6 +118,8 @@ and expr_desc =
   | Local of Local.t * instantiation
   | Global of Global.t * instantiation
   | Primitive of Global.t * instantiation
+  | Method of { class_ : Global.t; method_ : Global.t; instantiation : instantiation }
+      (** the first type is the one whose instance is used *)
   | Constructor of constructor * Global.t  (** as a function of its fields; its type *)
   | Number of Exact.t
       (** the exact value in base units; rounded once, to the representation

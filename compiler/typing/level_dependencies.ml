@@ -71,7 +71,7 @@ let innermost = function
 let rec expr w frames (e : expr) =
   match e.desc with
   | Local (x, _) -> mention w frames x e
-  | Global _ | Primitive _ | Constructor _ | Number _ | String _ -> ()
+  | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> ()
   | Tuple es -> List.iter (expr w frames) es
   | Apply (f, a) ->
     expr w frames f;

@@ -83,7 +83,7 @@ let mention w place (x : Local.t) (e : expr) =
 let rec head_name (h : expr) =
   match h.desc with
   | Local (x, _) -> Printf.sprintf "`%s`" x.name
-  | Global (g, _) | Primitive (g, _) -> Printf.sprintf "`%s`" g.name
+  | Global (g, _) | Primitive (g, _) | Method { method_ = g; _ } -> Printf.sprintf "`%s`" g.name
   | Apply (f, _) -> head_name f
   | _ -> "a signal function"
 
@@ -160,7 +160,7 @@ let rec expr w place (e : expr) : expr =
   | Local (x, _) ->
     mention w place x e;
     e
-  | Global _ | Primitive _ | Constructor _ | Number _ | String _ -> e
+  | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> e
   | Tuple es -> with_ (Tuple (map (expr w place) es))
   | Apply (f, a) ->
     let f = expr w place f in

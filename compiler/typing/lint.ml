@@ -4,6 +4,7 @@ open Ir
 type scope = {
   data : (Global.t, data) Hashtbl.t;
   globals : (Global.t, scheme) Hashtbl.t;  (** definitions and primitives *)
+  methods : (Global.t, scheme) Hashtbl.t;
   bound : (int, unit) Hashtbl.t;  (** every variable met so far *)
   locals : (int, scheme) Hashtbl.t;  (** those in scope *)
   parameters : (int, unit) Hashtbl.t;  (** of types, representations and units *)
@@ -195,6 +196,10 @@ let rec expr s (e : expr) =
     | Some scheme -> is_instance s e scheme i
     | None -> fail e.span "`%s` is not in scope" x.name)
   | Global (g, i) | Primitive (g, i) -> global g i
+  | Method { method_; instantiation; class_ = _ } -> (
+    match Hashtbl.find_opt s.methods method_ with
+    | Some scheme -> is_instance s e scheme instantiation
+    | None -> fail e.span "`%s` is no method" method_.name)
   | Constructor (c, _) ->
     let rec result fields (ty : ty) =
       match (fields, ty) with
@@ -321,6 +326,25 @@ and value s (b : binding) =
       expr s b.value;
       agree b.span "a right side" ~expected:b.scheme.ty ~found:b.value.ty)
 
+(* {1 Classes} *)
+
+let instance s (i : instance) =
+  List.iter
+    (fun (method_, implementation) ->
+      let definition, parameters =
+        match implementation with
+        | Given g -> (g, i.parameters)
+        | Default g -> (g, [ (Hashtbl.find s.methods method_).types |> List.hd ])
+      in
+      match Hashtbl.find_opt s.globals definition with
+      | None -> fail i.span "`%s` is not defined" definition.name
+      | Some scheme ->
+        let first = List.filteri (fun k _ -> k < List.length parameters) scheme.types in
+        if List.map (fun (v : variable) -> v.id) first
+           <> List.map (fun (v : variable) -> v.id) parameters
+        then fail i.span "`%s` does not begin with its instance's parameters" definition.name)
+    i.methods
+
 (* {1 Programs} *)
 
 let program (p : program) =
@@ -328,6 +352,7 @@ let program (p : program) =
     {
       data = Hashtbl.create 64;
       globals = Hashtbl.create 256;
+      methods = Hashtbl.create 16;
       bound = Hashtbl.create 1024;
       locals = Hashtbl.create 64;
       parameters = Hashtbl.create 16;
@@ -340,6 +365,9 @@ let program (p : program) =
       if Hashtbl.mem s.globals d.name then fail d.span "`%s` is defined twice" d.name.name;
       Hashtbl.replace s.globals d.name d.scheme)
     p.definitions;
+  let method_ (g, scheme) = Hashtbl.replace s.methods g scheme in
+  List.iter (fun (c : class_declaration) -> List.iter method_ c.methods) p.classes;
+  List.iter (instance s) p.instances;
   List.iter
     (fun (d : definition) ->
       with_parameters s d.scheme (fun () ->

@@ -16,7 +16,8 @@ type reason =
 type expected = { ty : Type.t; because : reason }
 let expecting because ty = { ty; because }
 
-type owner = Ir.variable -> (string * Span.t) option
+type owned = { by : string; place : Span.t }
+type owner = Ir.variable -> owned option
 
 open Diagnostic
 
@@ -131,8 +132,8 @@ let too_general owner ~at ~kind (variable : Ir.variable) needed =
       variable.name needed
   in
   (match owner variable with
-  | Some (name, at) ->
-      label ~at (Printf.sprintf "`%s` is any %s in the signature of `%s`" variable.name kind name)
+  | Some { by; place } ->
+      label ~at:place (Printf.sprintf "`%s` is any %s in %s" variable.name kind by)
         diagnostic
   | None -> diagnostic)
   |>

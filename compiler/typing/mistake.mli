@@ -27,8 +27,10 @@ type expected = { ty : Type.t; because : reason }
 
 val expecting : reason -> Type.t -> expected
 
-type owner = Ir.variable -> (string * Span.t) option
-(** The definition whose signature has a variable, and where. *)
+type owned = { by : string;  (** [the signature of `f`] *) place : Span.t }
+
+type owner = Ir.variable -> owned option
+(** Where a variable was named. *)
 
 val mismatch :
   Show.words ->

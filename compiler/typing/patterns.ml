@@ -59,7 +59,7 @@ let always_matches w what (p : pattern) =
 
 let rec expr w (e : expr) =
   match e.desc with
-  | Local _ | Global _ | Primitive _ | Constructor _ | Number _ | String _ -> ()
+  | Local _ | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> ()
   | Tuple es -> List.iter (expr w) es
   | Apply (a, b) | Run (a, b) ->
     expr w a;

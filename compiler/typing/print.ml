@@ -103,6 +103,8 @@ let rec expr c depth (e : expr) =
   | Local (x, i) -> name c (depth > 1) (local c x) i
   | Global (g, i) -> name c (depth > 1) (global c g) i
   | Primitive (g, i) -> name c (depth > 1) (operator g.name) i
+  | Method { method_; instantiation; class_ = _ } ->
+    name c (depth > 1) (global c method_) instantiation
   | Constructor (k, _) -> put c k.constructor.name
   | Number n ->
     let text = number n in

@@ -92,9 +92,13 @@ let rec tree : Ir.ty -> tree = function
 
 let ty t = write (tree t)
 
+let class_ : Ir.class_ -> string = function
+  | Eq -> "Eq"
+  | Ord -> "Ord"
+  | Declared c -> c.name
+
 let scheme (s : Ir.scheme) =
-  let class_name = function Ir.Eq -> "Eq" | Ir.Ord -> "Ord" in
-  let constraint_ (c, t) = write (Applied (class_name c, [ tree t ])) in
+  let constraint_ (c, t) = write (Applied (class_ c, [ tree t ])) in
   let body = ty s.ty in
   match s.context with
   | [] -> body
@@ -212,6 +216,10 @@ let rec reserve words depth t =
 let type_ words t =
   reserve words 0 t;
   write (tree_of words 0 t)
+
+let constraint_ words c t =
+  reserve words 0 t;
+  write (Applied (class_ c, [ tree_of words 0 t ]))
 
 let quoted words t =
   let text = "`" ^ type_ words t ^ "`" in

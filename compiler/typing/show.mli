@@ -30,5 +30,10 @@ val quoted : words -> Type.t -> string
 (** In backticks; a number's alias is followed by the unit, as
     [`Velocity` (m/s)]. *)
 
+val class_ : Ir.class_ -> string
+
+val constraint_ : words -> Ir.class_ -> Type.t -> string
+(** As [Eq (Maybe a)]. *)
+
 val measure : words -> Units.t -> string
 val representation : words -> Type.representation -> string

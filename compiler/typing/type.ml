@@ -18,7 +18,7 @@ and flexible = {
   mutable final : Ir.ty option;
 }
 
-and rigid = { variable : Ir.variable; depth : int; mutable given : Ir.class_ list }
+and rigid = { variable : Ir.variable; depth : int }
 
 and representation =
   | Int
@@ -125,6 +125,14 @@ let rec apply s t =
           expansion = apply s expansion;
         }
   | (Flexible _ | Bool | String | Erroneous) as t -> t
+
+let rec mentions (v : Ir.variable) t =
+  match repr t with
+  | Rigid { variable; _ } -> variable.id = v.id
+  | Tuple elements | Data { arguments = elements; _ } -> List.exists (mentions v) elements
+  | Function (a, b) | Signal_function (a, b) -> mentions v a || mentions v b
+  | Alias { arguments; expansion; _ } -> arguments <> [] && mentions v expansion
+  | Flexible _ | Number _ | Bool | String | Erroneous -> false
 
 let by_id id pairs =
   List.fold_left (fun map (variable, by) -> Ids.add (id variable) by map) Ids.empty pairs

@@ -27,7 +27,6 @@ and flexible = {
 and rigid = {
   variable : Ir.variable;
   depth : int;  (** as {!Units.rigid} *)
-  mutable given : Ir.class_ list;  (** what the signature's context promises *)
 }
 
 and representation =
@@ -91,6 +90,9 @@ type instance = {
 }
 
 val instantiate : supply -> depth:int -> scheme -> instance
+
+val mentions : Ir.variable -> t -> bool
+(** Does a quantified type variable occur in the type? *)
 
 val substitute :
   types:(rigid * t) list -> units:(Units.rigid * Units.t) list -> t -> t

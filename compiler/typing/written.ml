@@ -9,6 +9,8 @@ type scope = {
 
 let empty = { types = Names.empty; representations = Names.empty; units = Names.empty }
 
+let with_type name variable scope = { scope with types = Names.add name variable scope.types }
+
 let of_parameters units types =
   let by_name pairs =
     List.fold_left
@@ -149,13 +151,19 @@ and occurring_in_unit see (written : Resolve.Ir.unit_) =
       | Declared _ -> ())
     written.factors
 
+let class_ (name : Ir.Global.t) : Ir.class_ =
+  match name with
+  | { module_ = "Prelude"; name = "Eq" } -> Eq
+  | { module_ = "Prelude"; name = "Ord" } -> Ord
+  | _ -> Declared name
+
 let signature t scope ~depth (written : Resolve.Ir.scheme) =
   let scope = ref scope and types = ref [] and representations = ref [] and units = ref [] in
   let variable name : Ir.variable = { id = Type.next t.supply; name } in
   let see = function
     | `Type name ->
         if not (Names.mem name !scope.types) then begin
-          let rigid : Type.rigid = { variable = variable name; depth; given = [] } in
+          let rigid : Type.rigid = { variable = variable name; depth } in
           types := rigid :: !types;
           scope := { !scope with types = Names.add name rigid !scope.types }
         end
@@ -176,7 +184,7 @@ let signature t scope ~depth (written : Resolve.Ir.scheme) =
   occurring see written.ty;
   let scope = !scope in
   let constraint_ (c : Resolve.Ir.constraint_) =
-    ((if c.class_ = "Ord" then Ir.Ord else Ir.Eq), ty t scope c.argument)
+    (class_ c.class_, ty t scope c.argument)
   in
   let context = List.map constraint_ written.context in
   let scheme : Type.scheme =

@@ -10,6 +10,8 @@ val of_parameters : (Resolve.Ir.parameter * Units.rigid) list ->
   (Resolve.Ir.parameter * Type.rigid) list -> scope
 (** Of a declaration: units, types. *)
 
+val with_type : string -> Type.rigid -> scope -> scope
+
 type t = { environment : Environment.t; supply : Type.supply; sink : Diagnostic.sink }
 (** What reading a type needs. *)
 
@@ -19,6 +21,8 @@ val ty : t -> scope -> Resolve.Ir.ty -> Type.t
 val unit_ : t -> scope -> Resolve.Ir.unit_ -> Environment.unit_
 (** With its exact scale. A scaled unit to a power that is no integer is
     [E0322]; exponents out of range are [E0323]. *)
+
+val class_ : Ir.Global.t -> Ir.class_
 
 val signature : t -> scope -> depth:int -> Resolve.Ir.scheme -> Type.scheme * scope
 (** Quantifies the variables that the scope does not have, in the order in

@@ -107,5 +107,6 @@ let program definitions =
           span;
         };
       ];
+    instances = [];
     definitions;
   }

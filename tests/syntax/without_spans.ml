@@ -145,6 +145,22 @@ and declaration (d : declaration) : declaration =
         Type_alias { name = name x; parameters = parameters p; body = ty body }
     | Data { name = x; parameters = p; constructors } ->
         Data { name = name x; parameters = parameters p; constructors = all constructor constructors }
+    | Class { superclasses; name = x; variable; members } ->
+        Class
+          {
+            superclasses = all qualified superclasses;
+            name = name x;
+            variable = name variable;
+            members = all declaration members;
+          }
+    | Instance { context; class_; head; members } ->
+        Instance
+          {
+            context = all (fun (c, t) -> (qualified c, ty t)) context;
+            class_ = qualified class_;
+            head = ty head;
+            members = all declaration members;
+          }
     | Base_unit x -> Base_unit (name x)
     | Scaled_unit { name = x; scale; unit_ = u } ->
         Scaled_unit { name = name x; scale; unit_ = unit_ u }

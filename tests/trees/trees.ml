@@ -94,6 +94,8 @@ let program definitions =
     main_module = "Main";
     data = [ maybe ];
     primitives = [];
+    classes = [];
+    instances = [];
     definitions = List.map definition definitions;
   }
 

@@ -113,7 +113,7 @@ What cannot be compared, what nothing decides, what a signature leaves out.
     = note: it must be a type with `Eq`
     = hint: annotate it, as in `(e :: T)`
   
-  error[E0309]: `==` needs `Eq a`, which the signature does not promise
+  error[E0309]: `==` needs `Eq a`, which the signature of `either3` does not promise
    --> comparisons.frob:6:17
     |
   5 | either3 :: a -> a -> Bool
@@ -121,7 +121,7 @@ What cannot be compared, what nothing decides, what a signature leaves out.
   6 | either3 x y = x == y
     |                 ^^
     |
-    = hint: begin the signature with `Eq a =>`
+    = hint: begin the signature of `either3` with `Eq a =>`
   
   3 errors
   [1]

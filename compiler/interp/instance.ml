@@ -1,0 +1,30 @@
+open Core.Ir
+
+type table = (Global.t, instance) Hashtbl.t
+
+let table instances =
+  let table = Hashtbl.create 64 in
+  List.iter (fun (i : instance) -> Hashtbl.add table i.class_ i) instances;
+  table
+
+(* What the variables of the head stand for, in order, if this is the instance
+   for the type. *)
+let matches (head : ty) (ty : ty) =
+  match (head, ty) with
+  | Data (tycon, _), Data (other, arguments) when tycon = other -> Some arguments
+  | Tuple variables, Tuple parts when List.compare_lengths variables parts = 0 -> Some parts
+  | Function _, Function (a, b) | Signal_function _, Signal_function (a, b) -> Some [ a; b ]
+  | Bool, Bool | Int, Int | Float, Float | String, String -> Some []
+  | ( ( Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _
+      | Data _ ),
+      _ ) ->
+      None
+
+let method_ table ~class_ ~name ty =
+  let of_instance i =
+    match (matches i.head ty, List.assoc_opt name i.methods) with
+    | Some arguments, Some (Given definition) -> Some (definition, arguments)
+    | Some _, Some (Default definition) -> Some (definition, [ ty ])
+    | None, _ | _, None -> None
+  in
+  List.find_map of_instance (Hashtbl.find_all table class_)

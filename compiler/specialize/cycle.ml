@@ -1,0 +1,26 @@
+open Basis
+
+type vertex = { name : string; span : Span.t }
+
+let rec steps ~first = function
+  | a :: (b :: _ as rest) -> (a, b) :: steps ~first rest
+  | [ last ] -> [ (last, first) ]
+  | [] -> []
+
+let diagnostic ~vertex ~use cycle =
+  let named v =
+    match (vertex v).name with "" -> "it" | name -> "`" ^ name ^ "`"
+  in
+  let first =
+    match cycle with
+    | first :: _ -> first
+    | [] -> Diagnostic.bug ~stage:"Specialize.Cycle" "an empty cycle"
+  in
+  let steps = steps ~first cycle in
+  let message = if List.length steps = 1 then "calls itself" else "calls itself through others" in
+  List.fold_left
+    (fun diagnostic (a, b) ->
+      Diagnostic.label ~at:(use a b) (Printf.sprintf "%s uses %s here" (named a) (named b)) diagnostic)
+    (Diagnostic.error ~code:"E0410" ~at:(vertex first).span "%s %s" (named first) message)
+    steps
+  |> Diagnostic.note "functions and signal functions may not be recursive"

@@ -1,0 +1,236 @@
+open Basis
+module Ir = Core.Ir
+
+(* {1 What a definition uses} *)
+
+type target =
+  | Definition of Ir.Global.t * Ir.ty list
+  | Method of { class_ : Ir.Global.t; name : string; ty : Ir.ty; types : Ir.ty list }
+
+let rec uses found (e : Ir.expr) =
+  match e.desc with
+  | Global (g, types) -> (Definition (g, types), e.span) :: found
+  | Method { class_; name; ty; types } -> (Method { class_; name; ty; types }, e.span) :: found
+  | Local _ | Primitive _ | Number _ | Boolean _ | String _ -> found
+  | Lambda (_, e) | Component (e, _) | Is_constructor (e, _) | Payload { value = e; _ } ->
+      uses found e
+  | Apply (a, b) -> uses (uses found a) b
+  | Let { value; body; binder = _; parameters = _ } -> uses (uses found value) body
+  | Tuple es | Construct { arguments = es; _ } -> List.fold_left uses found es
+  | If (a, b, c) -> uses (uses (uses found a) b) c
+  | Proc p ->
+      let right found (eq : Ir.equation) =
+        match eq.rhs with
+        | Pure e -> uses found e
+        | Run { signal_function; input } -> uses (uses found signal_function) input
+      in
+      uses (List.fold_left right found p.equations) p.output
+
+type definition = { core : Ir.definition; uses : (target * Span.t) list }
+
+let is_method = function Method _, _ -> true | Definition _, _ -> false
+
+(* The definitions from which a method at a type variable can be reached. *)
+let that_use_methods (program : Ir.program) =
+  let all =
+    Array.of_list
+      (List.rev
+         (List.rev_map
+            (fun (core : Ir.definition) -> { core; uses = List.rev (uses [] core.body) })
+            program.definitions))
+  in
+  let index = Hashtbl.create (Array.length all) in
+  Array.iteri (fun i d -> Hashtbl.replace index d.core.name i) all;
+  let users = Array.make (Array.length all) [] in
+  let note i = function
+    | Definition (g, _), _ ->
+        Option.iter (fun j -> users.(j) <- i :: users.(j)) (Hashtbl.find_opt index g)
+    | Method _, _ -> ()
+  in
+  Array.iteri (fun i d -> List.iter (note i) d.uses) all;
+  let found = Hashtbl.create 64 in
+  let rec spread = function
+    | [] -> ()
+    | i :: rest when Hashtbl.mem found all.(i).core.name -> spread rest
+    | i :: rest ->
+        Hashtbl.replace found all.(i).core.name all.(i);
+        spread (List.rev_append users.(i) rest)
+  in
+  Array.iteri (fun i d -> if List.exists is_method d.uses then spread [ i ]) all;
+  found
+
+(* {1 Definitions at types} *)
+
+module Instantiations = Hashtbl.Make (struct
+  type t = Ir.Global.t * Ir.ty list
+
+  let equal = ( = )
+  let hash key = Hashtbl.hash_param 100 200 key
+end)
+
+type vertex = {
+  definition : definition;
+  types : Ir.ty list;
+  mutable out : (int * Span.t * bool) list;  (** whether it goes by a method *)
+}
+
+type graph = {
+  program : (Ir.Global.t, definition) Hashtbl.t;
+  instances : Core.Instance.table;
+  sink : Diagnostic.sink;
+  numbers : int Instantiations.t;
+  mutable vertices : vertex list;  (* the last one first *)
+  mutable work : vertex list;
+}
+
+let rec depth (ty : Ir.ty) =
+  let deepest tys = List.fold_left (fun d ty -> max d (depth ty)) 0 tys in
+  match ty with
+  | Variable _ | Bool | Int | Float | String -> 1
+  | Tuple tys | Data (_, tys) -> 1 + deepest tys
+  | Function (a, b) | Signal_function (a, b) -> 1 + deepest [ a; b ]
+
+(* No type of a program is as deep, unless it grows from call to call. *)
+let deepest_type = 100
+
+let report_growth g (d : definition) span =
+  Diagnostic.error ~code:"E0413" ~at:span "`%s` is needed at ever larger types" d.core.name.name
+  |> Diagnostic.label ~at:d.core.span "defined here"
+  |> Diagnostic.emit g.sink
+
+(* Its number, if it may lead to a method. *)
+let vertex g name types ~span =
+  match Hashtbl.find_opt g.program name with
+  | None -> None
+  | Some definition -> (
+      match Instantiations.find_opt g.numbers (name, types) with
+      | Some number -> Some number
+      | None when List.exists (fun ty -> depth ty > deepest_type) types ->
+          report_growth g definition span;
+          None
+      | None ->
+          let number = Instantiations.length g.numbers in
+          let v = { definition; types; out = [] } in
+          Instantiations.replace g.numbers (name, types) number;
+          g.vertices <- v :: g.vertices;
+          g.work <- v :: g.work;
+          Some number)
+
+let follow g v =
+  let substitution =
+    List.fold_left2
+      (fun by (parameter : Ir.variable) ty -> Variables.add parameter.id ty by)
+      Variables.empty v.definition.core.parameters v.types
+  in
+  let closed = List.map (Types.close substitution) in
+  let use (target, span) =
+    let to_ (name, types) ~by_method =
+      match vertex g name types ~span with
+      | Some number -> v.out <- (number, span, by_method) :: v.out
+      | None -> ()
+    in
+    match target with
+    | Definition (name, types) -> to_ (name, closed types) ~by_method:false
+    | Method { class_; name; ty; types } ->
+        Option.iter (to_ ~by_method:true)
+          (Core.Instance.find g.instances ~class_ ~name (Types.close substitution ty)
+             (closed types))
+  in
+  List.iter use v.definition.uses
+
+let rec follow_all g =
+  match g.work with
+  | [] -> ()
+  | v :: rest ->
+      g.work <- rest;
+      follow g v;
+      follow_all g
+
+(* Closed definitions, and the methods of all instances at their own variables. *)
+let start g (program : Ir.program) =
+  let own (d : definition) = List.map (fun v -> Ir.Variable v) d.core.parameters in
+  let enter name types =
+    match Hashtbl.find_opt g.program name with
+    | Some d -> ignore (vertex g name (types (own d)) ~span:d.core.span)
+    | None -> ()
+  in
+  List.iter
+    (fun (d : Ir.definition) -> if d.parameters = [] then enter d.name Fun.id)
+    program.definitions;
+  let method_ (i : Ir.instance) (_, (implementation : Ir.implementation)) =
+    match implementation with
+    | Given name -> enter name Fun.id
+    | Default name ->
+        enter name (function [] -> [] | _ :: others -> i.head :: others)
+  in
+  List.iter (fun (i : Ir.instance) -> List.iter (method_ i) i.methods) program.instances
+
+(* {1 Cycles} *)
+
+(* A definition that has its method's name is a default. *)
+let defaults (program : Ir.program) =
+  let table = Hashtbl.create 16 in
+  let method_ (i : Ir.instance) (_, (implementation : Ir.implementation)) =
+    match implementation with
+    | Default name -> Hashtbl.replace table name i.class_
+    | Given _ -> ()
+  in
+  List.iter (fun (i : Ir.instance) -> List.iter (method_ i) i.methods) program.instances;
+  table
+
+let report g defaults vertices cycle =
+  let vertex v : Cycle.vertex =
+    let { core; _ } = vertices.(v).definition in
+    { name = core.name.name; span = core.span }
+  in
+  let use a b =
+    match List.find_opt (fun (target, _, _) -> target = b) vertices.(a).out with
+    | Some (_, span, _) -> span
+    | None -> (vertex a).span
+  in
+  let diagnostic = Cycle.diagnostic ~vertex ~use cycle in
+  let default v =
+    match (Hashtbl.find_opt defaults vertices.(v).definition.core.name, vertices.(v).types) with
+    | Some (class_ : Ir.Global.t), ty :: _ -> Some (class_.name, ty)
+    | Some _, [] | None, _ -> None
+  in
+  (match List.find_map default cycle with
+  | Some (class_, ty) ->
+      diagnostic
+      |> Diagnostic.note
+           (Printf.sprintf "for the type `%s`, whose instance of `%s` leaves it to the default"
+              (Types.to_string ty) class_)
+      |> Diagnostic.hint "define one of the methods in the instance"
+  | None -> diagnostic)
+  |> Diagnostic.emit g.sink
+
+let closed_by_a_method vertices component =
+  List.exists
+    (fun v ->
+      List.exists
+        (fun (target, _, by_method) -> by_method && List.mem target component)
+        vertices.(v).out)
+    component
+
+let check sink (program : Ir.program) =
+  let g =
+    {
+      program = that_use_methods program;
+      instances = Core.Instance.table program.instances;
+      sink;
+      numbers = Instantiations.create 64;
+      vertices = [];
+      work = [];
+    }
+  in
+  start g program;
+  follow_all g;
+  let vertices = Array.of_list (List.rev g.vertices) in
+  Array.iter (fun v -> v.out <- List.rev v.out) vertices;
+  let graph = Array.map (fun v -> List.map (fun (target, _, _) -> target) v.out) vertices in
+  let defaults = defaults program in
+  List.iter
+    (fun component ->
+      if Graph.is_cyclic graph component && closed_by_a_method vertices component then
+        report g defaults vertices (Graph.shortest_cycle graph component))
+    (Graph.components graph)

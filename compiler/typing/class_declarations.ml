@@ -1,0 +1,223 @@
+open Basis
+
+type method_ = {
+  name : Ir.Global.t;
+  scheme : Type.scheme;
+  inner : Context.t;
+  signature : Span.t;
+  default : Resolve.Ir.binding option;
+}
+
+type class_ = {
+  class_ : Ir.Global.t;
+  variable : Type.rigid;
+  superclasses : (Ir.class_ * Span.t) list;
+  methods : method_ list;
+}
+
+type instance = {
+  of_class : class_;
+  head : Type.t;
+  scheme : Type.scheme;
+  inner : Context.t;
+  definitions : (Ir.Global.t * Resolve.Ir.binding) list;
+  place : Span.t;
+}
+
+(* {1 Classes} *)
+
+let check_method (ctx : Context.t) (written : Resolve.Ir.method_) (variable : Ir.variable)
+    (scheme : Type.scheme) =
+  if not (Type.mentions variable scheme.body) then
+    Context.report ctx (fun _ ->
+        Diagnostic.error ~code:"E0364" ~at:written.span
+          "the type of the method `%s` does not speak of `%s`" written.name.name variable.name
+        |> Diagnostic.label ~at:written.scheme.ty.span
+             "nothing here tells which instance is meant");
+  let check (c : Resolve.Ir.constraint_) (_, argument) =
+    match Type.expand argument with
+    | Rigid r when r.variable.id = variable.id ->
+        Context.report ctx (fun _ ->
+            Diagnostic.error ~code:"E0365" ~at:c.span
+              "the context of a method speaks of the class's own variable `%s`" variable.name
+            |> Diagnostic.hint (Printf.sprintf "make `%s` a superclass" c.class_.name))
+    | _ -> ()
+  in
+  List.iter2 check written.scheme.context scheme.context
+
+let method_ (ctx : Context.t) class_ (variable : Type.rigid) (written : Resolve.Ir.method_) =
+  let scheme, inner = Context.with_signature ctx ~name:written.name.name written.scheme in
+  check_method ctx written variable.variable scheme;
+  let scheme =
+    {
+      scheme with
+      types = variable :: scheme.types;
+      context = (Ir.Declared class_, Type.Rigid variable) :: scheme.context;
+    }
+  in
+  let signature = written.scheme.span in
+  Hashtbl.replace ctx.globals written.name { scheme; kind = Method class_; at = Some signature };
+  { name = written.name; scheme; inner; signature; default = written.default }
+
+let class_ (ctx : Context.t) (written : Resolve.Ir.class_) =
+  let environment = ctx.reader.environment in
+  let superclasses =
+    List.map (fun (g, span) -> (Written.class_ g, span)) written.superclasses
+  in
+  let all =
+    List.concat_map (fun (c, _) -> c :: Environment.superclasses environment c) superclasses
+  in
+  Environment.add_class environment written.class_
+    { superclasses = List.sort_uniq compare all; place = written.span };
+  let variable : Type.rigid =
+    {
+      variable = { id = Type.next ctx.reader.supply; name = written.variable.name };
+      depth = ctx.depth + 1;
+    }
+  in
+  Hashtbl.replace ctx.owners variable.variable.id
+    { by = Printf.sprintf "the class `%s`" written.class_.name; place = written.span };
+  let inside =
+    { ctx with scope = Written.with_type written.variable.name variable ctx.scope }
+  in
+  {
+    class_ = written.class_;
+    variable;
+    superclasses;
+    methods = List.map (method_ inside written.class_ variable) written.methods;
+  }
+
+let classes ctx (program : Resolve.Ir.program) = List.map (class_ ctx) program.classes
+
+(* {1 Instances} *)
+
+let report_built_in (ctx : Context.t) (written : Resolve.Ir.instance) =
+  Context.report ctx (fun _ ->
+      Diagnostic.error ~code:"E0366" ~at:written.span "`%s` has no declared instances"
+        written.class_.name
+      |> Diagnostic.note "it holds for all data without functions, by their structure"
+      |> Diagnostic.hint "leave the instance out")
+
+let report_head (ctx : Context.t) (written : Resolve.Ir.instance) head =
+  Context.report ctx (fun words ->
+      let diagnostic =
+        Diagnostic.error ~code:"E0362" ~at:written.head.span
+          "the head of an instance is a type constructor applied to distinct variables, not %s"
+          (Show.quoted words head)
+      in
+      let diagnostic =
+        match Type.repr head with
+        | Alias { expansion; _ } ->
+            Diagnostic.note
+              (Printf.sprintf "it stands for %s" (Show.quoted words expansion))
+              diagnostic
+        | _ -> diagnostic
+      in
+      match Type.expand head with
+      | Number ((Int | Float), _) | Data { units = _ :: _; _ } ->
+          Diagnostic.note "a unit never selects an instance" diagnostic
+          |> Diagnostic.hint "write a unit variable, as in `Float[u]`"
+      | Number _ -> Diagnostic.hint "give instances of `Int[u]` and of `Float[u]`" diagnostic
+      | _ -> diagnostic)
+
+let report_second (ctx : Context.t) (written : Resolve.Ir.instance) head
+    (first : Environment.instance) =
+  Context.report ctx (fun words ->
+      Diagnostic.error ~code:"E0361" ~at:written.span "a second instance `%s`"
+        (Show.constraint_ words (Ir.Declared written.class_) head)
+      |> Diagnostic.label ~at:first.place "the first is here"
+      |> Diagnostic.note "a class has at most one instance for each type constructor")
+
+let report_missing (ctx : Context.t) (written : Resolve.Ir.instance) head (missing : method_ list) =
+  Context.report ctx (fun words ->
+      let names =
+        String.concat ", " (List.map (fun (m : method_) -> "`" ^ m.name.name ^ "`") missing)
+      in
+      let label diagnostic (m : method_) =
+        Diagnostic.label ~at:m.signature
+          (Printf.sprintf "`%s` has no default" m.name.name)
+          diagnostic
+      in
+      List.fold_left label
+        (Diagnostic.error ~code:"E0363" ~at:written.span "the instance `%s` does not give %s"
+           (Show.constraint_ words (Ir.Declared written.class_) head)
+           names)
+        missing)
+
+(* Its scheme with the variables in the order of the head. *)
+let of_class (ctx : Context.t) of_class (written : Resolve.Ir.instance) =
+  let as_scheme : Resolve.Ir.scheme =
+    { context = written.context; ty = written.head; span = written.span }
+  in
+  let by = Printf.sprintf "the instance of `%s`" written.class_.name in
+  let scheme, inner = Context.with_variables ctx ~by as_scheme in
+  let head = scheme.body in
+  match (Head.of_type head, Head.parameters head) with
+  | Some (constructor, _), Some types -> (
+      let environment = ctx.reader.environment in
+      let position t =
+        let rec find k : Type.rigid list -> int option = function
+          | [] -> None
+          | r :: _ when Type.mentions r.variable t -> Some k
+          | _ :: rest -> find (k + 1) rest
+        in
+        find 0 types
+      in
+      let context =
+        List.filter_map
+          (fun (class_, t) -> Option.map (fun k -> (class_, k)) (position t))
+          scheme.context
+      in
+      match Environment.instance environment of_class.class_ constructor with
+      | Some first ->
+          report_second ctx written head first;
+          None
+      | None ->
+          Environment.add_instance environment of_class.class_ constructor
+            { context; place = written.span };
+          let is_missing (m : method_) =
+            Option.is_none m.default && not (List.mem_assoc m.name written.definitions)
+          in
+          (match List.filter is_missing of_class.methods with
+          | [] -> ()
+          | missing -> report_missing ctx written head missing);
+          Some
+            {
+              of_class;
+              head;
+              scheme = { scheme with types };
+              inner;
+              definitions = written.definitions;
+              place = written.span;
+            })
+  | None, _ | _, None ->
+      (match Type.expand head with Erroneous -> () | _ -> report_head ctx written head);
+      None
+
+let instances ctx classes (program : Resolve.Ir.program) =
+  let by_name = Hashtbl.create 16 in
+  List.iter (fun c -> Hashtbl.replace by_name c.class_ c) classes;
+  let instance (written : Resolve.Ir.instance) =
+    match Hashtbl.find_opt by_name written.class_ with
+    | Some found -> of_class ctx found written
+    | None ->
+        report_built_in ctx written;
+        None
+  in
+  List.filter_map instance program.instances
+
+let method_of instance (m : method_) : Type.scheme =
+  let substitute =
+    Type.substitute ~types:[ (instance.of_class.variable, instance.head) ] ~units:[]
+  in
+  match (m.scheme.types, m.scheme.context) with
+  | _ :: types, _ :: context ->
+      {
+        types = instance.scheme.types @ types;
+        representations = m.scheme.representations;
+        units = instance.scheme.units @ m.scheme.units;
+        context =
+          instance.scheme.context @ List.map (fun (c, t) -> (c, substitute t)) context;
+        body = substitute m.scheme.body;
+      }
+  | _, _ -> Diagnostic.bug ~stage:"Typing.Class_declarations" "a method without its class"

@@ -1,0 +1,142 @@
+Two defaults, each by the other, are a circle in an instance that gives none.
+
+  $ cat > defaults.frob <<EOF
+  > class Ordered a where
+  >     less, more :: a -> a -> Bool
+  >     less x y = more y x
+  >     more x y = less y x
+  > data T = T Float
+  > data U = U Float
+  > instance Ordered T
+  > instance Ordered U where
+  >     less x y = case (x, y) of
+  >         (U a, U b) -> a < b
+  > EOF
+  $ frobc check defaults.frob
+  error[E0410]: `less` calls itself through others
+   --> defaults.frob:3:5
+    |
+  3 |     less x y = more y x
+    |     ^^^^^^^^^^^^^^^^^^^
+    |                |
+    |                `less` uses `more` here
+  4 |     more x y = less y x
+    |                ---- `more` uses `less` here
+    |
+    = note: functions and signal functions may not be recursive
+    = note: for the type `T`, whose instance of `Ordered` leaves it to the default
+    = hint: define one of the methods in the instance
+  
+  1 error
+  [1]
+
+A circle through an instance shows its way, as one of functions does.
+
+  $ cat > through.frob <<EOF
+  > class Level a where
+  >     level :: SF a Float
+  > above :: Level a => SF a Float
+  > above = proc x -> level x + 1
+  > data T = T Float
+  > instance Level T where
+  >     level = proc t -> above t
+  > main :: SF Float Float
+  > main = proc x -> above (T x)
+  > EOF
+  $ frobc check through.frob
+  error[E0410]: `level@T` calls itself through others
+   --> through.frob:7:5
+    |
+  4 | above = proc x -> level x + 1
+    |                   ----- `above` uses `level@T` here
+  ...
+  7 |     level = proc t -> above t
+    |     ^^^^^^^^^^^^^^^^^^^^^^^^^
+    |                       |
+    |                       `level@T` uses `above` here
+    |
+    = note: functions and signal functions may not be recursive
+  
+  1 error
+  [1]
+
+A method of a part is no circle, however deep the parts; larger and larger types
+have no end.
+
+  $ cat > parts.frob <<EOF
+  > class Depth a where
+  >     depth :: a -> Int
+  > below :: Depth a => a -> Int
+  > below x = depth x + 1
+  > data Leaf = Leaf
+  > instance Depth Leaf where
+  >     depth _ = 0
+  > instance Depth a => Depth (Maybe a) where
+  >     depth m = case m of
+  >         Nothing -> 0
+  >         Just x -> below x
+  > main :: SF Bool Int
+  > main = proc b -> depth (Just (Just (if b then Just Leaf else Nothing)))
+  > EOF
+  $ printf 'time,in\n0,true\n1,false\n' > in.csv
+  $ frobc trace parts.frob --input in.csv
+  time,out
+  0.000000000,3
+  1.000000000,2
+  $ cat > growing.frob <<EOF
+  > class Depth a where
+  >     depth :: a -> Int
+  > below :: Depth a => a -> Int
+  > below x = depth x
+  > instance Depth Float[u] where
+  >     depth _ = 0
+  > instance Depth a => Depth (Maybe a) where
+  >     depth m = below (Just m)
+  > main :: SF Float Int
+  > main = proc x -> below (Just x)
+  > EOF
+  $ frobc check growing.frob
+  error[E0413]: `below` is needed at ever larger types
+   --> growing.frob:8:15
+    |
+  4 | below x = depth x
+    | ----------------- defined here
+  ...
+  8 |     depth m = below (Just m)
+    |               ^^^^^
+  
+  1 error
+  [1]
+
+A program of an open type is not one to run.
+
+  $ cat > open.frob <<EOF
+  > class HasSonar i where
+  >     frontDistance :: SF i Distance
+  > main :: HasSonar i => SF i Distance
+  > main = frontDistance
+  > EOF
+  $ frobc check open.frob
+  error[E0411]: `main` is no signal function or program of a closed type
+   --> open.frob:4:1
+    |
+  4 | main = frontDistance
+    | ^^^^^^^^^^^^^^^^^^^^
+    |
+    = note: its type is `SF i Float`
+    = hint: give it a closed type
+  
+  1 error
+  [1]
+  $ frobc compile open.frob
+  error[E0411]: `main` is no signal function or program of a closed type
+   --> open.frob:4:1
+    |
+  4 | main = frontDistance
+    | ^^^^^^^^^^^^^^^^^^^^
+    |
+    = note: its type is `SF i Float`
+    = hint: give it a closed type
+  
+  1 error
+  [1]
