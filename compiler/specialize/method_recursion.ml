@@ -212,7 +212,7 @@ let closed_by_a_method vertices component =
         vertices.(v).out)
     component
 
-let check sink (program : Ir.program) =
+let check_instances sink (program : Ir.program) =
   let g =
     {
       program = that_use_methods program;
@@ -234,3 +234,6 @@ let check sink (program : Ir.program) =
       if Graph.is_cyclic graph component && closed_by_a_method vertices component then
         report g defaults vertices (Graph.shortest_cycle graph component))
     (Graph.components graph)
+
+let check sink (program : Ir.program) =
+  if program.instances <> [] then check_instances sink program

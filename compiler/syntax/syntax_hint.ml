@@ -106,6 +106,11 @@ let stands_after_proc found (t : Layout.token) =
   let start = t.start.pos_cnum - String.length word in
   start >= 0 && String.sub found.text start (String.length word) = word
 
+let line_begins found word =
+  let start = found.token.start.pos_bol in
+  start + String.length word <= String.length found.text
+  && String.equal word (String.sub found.text start (String.length word))
+
 let of_token found =
   match (found.token.token, found.before) with
   | LEFT_ARROW, _ when not (is_blank (after found)) ->
@@ -115,6 +120,8 @@ let of_token found =
   | TAIL, _ -> Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
   | (EQUAL | DOUBLE_COLON), Some ({ token = UNIT | PRIMITIVE | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC; _ } as word) ->
       Some (reserved_word (written found word))
+  | (EQUAL | BAR), _ when List.exists (line_begins found) [ "class "; "instance " ] ->
+      Some "the methods follow `where`, each on a line of its own"
   | EQUAL, Some { stop; _ } when stop.pos_cnum = found.token.start.pos_cnum && assigns found <> None ->
       assigns found
   | EQUAL, _ when compares found.context -> Some "`=` defines; to compare write `==`"
