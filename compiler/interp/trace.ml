@@ -56,9 +56,19 @@ let header name columns (row : Csv.row) =
   let place (column : Shape.column) =
     match Hashtbl.find_opt places column.name with
     | Some place -> Either.Left (column, place)
-    | None -> Either.Right (complaint name row width "column `%s` is missing" column.name)
+    | None -> Either.Right (Printf.sprintf "`%s`" column.name)
   in
   let found, missing = List.partition_map place columns in
+  let missing =
+    if missing = [] then []
+    else
+      let names = List.map (fun (c : Shape.column) -> c.name) columns in
+      [
+        complaint name row width "missing: %s; the header for this program is `%s`"
+          (String.concat ", " missing)
+          (String.concat "," ("time" :: names));
+      ]
+  in
   if wrong <> [] || missing <> [] then reject (wrong @ missing);
   { width; columns = found }
 

@@ -1,13 +1,37 @@
 open Basis
 module Ir = Core.Ir
 
+(* What runs has one type of input and one of output, and lacks no argument. *)
 let refuse_entry (c : Context.t) (core : Ir.definition) =
-  Diagnostic.(
-    error ~code:"E0411" ~at:core.span "`%s` is no signal function or program of a closed type"
-      core.name.name
-    |> note (Printf.sprintf "its type is `%s`" (Types.to_string core.ty))
-    |> (if core.parameters = [] then Fun.id else hint "give it a closed type")
-    |> emit c.sink)
+  let name = core.name.name and ty = Types.to_string core.ty in
+  let refuse ?cure what =
+    Diagnostic.(
+      error ~code:"E0411" ~at:core.span "`%s` cannot run: %s" name what
+      |> Option.fold ~none:Fun.id ~some:hint cure
+      |> emit c.sink)
+  in
+  let rec result : Ir.ty -> Ir.ty = function Function (_, ty) -> result ty | ty -> ty in
+  match (core.ty, result core.ty) with
+  | (Signal_function _ | Data ({ name = "Program"; _ }, _)), _ ->
+      refuse
+        (Printf.sprintf "its type `%s` leaves open what comes in or goes out" ty)
+        ~cure:(Printf.sprintf "give it a signature without variables, such as `%s :: SF Float Float`" name)
+  | Function _, (Signal_function _ | Data ({ name = "Program"; _ }, _)) ->
+      refuse
+        (Printf.sprintf "it still needs an argument, its type is `%s`" ty)
+        ~cure:(Printf.sprintf "define another with the argument, as in `main = %s …`" name)
+  | Function (_, Function _), _ ->
+      refuse (Printf.sprintf "it is a function, `%s`, not a signal function" ty)
+  | Function _, _ ->
+      refuse
+        (Printf.sprintf "it is a function, `%s`, not a signal function" ty)
+        ~cure:(Printf.sprintf "`arr %s` applies it at every instant" name)
+  | _ ->
+      refuse
+        (match core.ty with
+        | Float | Int | Variable _ -> "it is a value, not a signal function"
+        | _ -> Printf.sprintf "it is a value of type `%s`, not a signal function" ty)
+        ~cure:(Printf.sprintf "`constant %s` is the signal function that always gives it" name)
 
 let refuse_interface (c : Context.t) (core : Ir.definition) what ty =
   Diagnostic.(

@@ -157,7 +157,7 @@ and proc ctx e input body expected =
   in
   let input = Infer_pattern.check ctx input { expected with ty = from } in
   let equations = Infer_binding.declarations expressions ctx body.equations in
-  let output = check ctx body.output { expected with ty = into } in
+  let output = check ctx body.output { ty = into; because = Output expected.because } in
   node e.span expected.ty (fun () ->
       let input = input () in
       let equations = equations () in

@@ -12,6 +12,7 @@ type reason =
   | Pattern of Span.t
   | Uses of { name : string; at : Span.t }
   | Field of { name : string; at : Span.t }
+  | Output of reason
 
 type expected = { ty : Type.t; because : reason }
 let expecting because ty = { ty; because }
@@ -46,7 +47,7 @@ let described words t =
 
 (* {1 The other place} *)
 
-let explain words reason (expected : Type.t) diagnostic =
+let rec explain words reason (expected : Type.t) diagnostic =
   let is_here at = Span.compare at diagnostic.at = 0 in
   let label ~at text = if is_here at then Fun.id else label ~at text in
   match reason with
@@ -72,6 +73,18 @@ let explain words reason (expected : Type.t) diagnostic =
       label ~at
         (Printf.sprintf "elsewhere `%s` is used as %s" name (described words expected))
         diagnostic
+  | Output (Signature { name; at }) ->
+      label ~at
+        (Printf.sprintf "the signature of `%s` asks for the output %s" name
+           (described words expected))
+        diagnostic
+  | Output (Parameter { callee; at; position }) ->
+      let callee = match callee with Some name -> "`" ^ name ^ "`" | None -> "this" in
+      label ~at
+        (Printf.sprintf "argument %d of %s has the output %s" position callee
+           (described words expected))
+        diagnostic
+  | Output reason -> explain words reason expected diagnostic
   | Field { name; at } ->
       label ~at (Printf.sprintf "the field `%s` is %s" name (described words expected)) diagnostic
 

@@ -22,6 +22,7 @@ type reason =
   | Pattern of Span.t  (** a value's: the pattern that takes it apart *)
   | Uses of { name : string; at : Span.t }  (** of what is being defined *)
   | Field of { name : string; at : Span.t }
+  | Output of reason  (** of the signal function that is expected for this reason *)
 
 type expected = { ty : Type.t; because : reason }
 

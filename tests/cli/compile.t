@@ -127,14 +127,13 @@ What has not got a closed type cannot be compiled:
   > twice f = f &&& f
   > EOF
   $ frobc compile open.frob --entry twice
-  error[E0411]: `twice` is no signal function or program of a closed type
+  error[E0411]: `twice` cannot run: it still needs an argument, its type is `SF a b -> SF a (b, b)`
    --> open.frob:2:1
     |
   2 | twice f = f &&& f
     | ^^^^^^^^^^^^^^^^^
     |
-    = note: its type is `SF a b -> SF a (b, b)`
-    = hint: give it a closed type
+    = hint: define another with the argument, as in `main = twice …`
   
   1 error
   [1]

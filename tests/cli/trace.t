@@ -79,7 +79,7 @@ What is wrong with an input is said with its place:
   error: wrong.csv:1:9: the program's input has no `inn`
   [2]
   $ printf 'time\n0\n' | trace
-  error: wrong.csv:1:1: column `in` is missing
+  error: wrong.csv:1:1: missing: `in`; the header for this program is `time,in`
   [2]
   $ printf 'time,in,in\n0,1,1\n' | trace
   error: wrong.csv:1:9: column `in` is there twice

@@ -358,7 +358,7 @@ let stored_functions () =
     [ fst (define "main" body) ]
 
 let open_entry () =
-  rejected "E0411: `main` is no signal function or program of a closed type"
+  rejected "E0411: `main` cannot run: it is a value, not a signal function"
     [ fst (define "main" (number 5.)) ]
 
 (* {1 Size} *)

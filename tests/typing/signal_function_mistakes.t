@@ -15,7 +15,7 @@ A signal function is not its signal: it has to be run.
    --> unrun.frob:2:20
     |
   1 | clock :: SF () Time
-    |          ---------- the signature of `clock` asks for `Time` (s)
+    |          ---------- the signature of `clock` asks for the output `Time` (s)
   2 | clock = proc () -> time
     |                    ^^^^ this is `SF a Time`
     |

@@ -115,6 +115,23 @@ static struct column *find_column(struct trace *t, const char *name)
     return NULL;
 }
 
+/* All that the header lacks at once, and what it should be. */
+static void complain_missing(const struct trace *t)
+{
+    const char *comma = "";
+    fprintf(stderr, "error: %s:%lu:1: missing: ", t->input_name, t->csv.line);
+    for (size_t i = 0; i < t->count; i++) {
+        if (!t->columns[i].found) {
+            fprintf(stderr, "%s`%s`", comma, t->columns[i].name);
+            comma = ", ";
+        }
+    }
+    fputs("; the header for this program is `time", stderr);
+    for (size_t i = 0; i < t->count; i++)
+        fprintf(stderr, ",%s", t->columns[i].name);
+    fputs("`\n", stderr);
+}
+
 static bool read_header(struct trace *t)
 {
     bool ok = true;
@@ -146,8 +163,8 @@ static bool read_header(struct trace *t)
     }
     for (size_t i = 0; i < t->count; i++) {
         if (!t->columns[i].found) {
-            complain(t, t->csv.count, "column `%s` is missing", t->columns[i].name);
-            ok = false;
+            complain_missing(t);
+            return false;
         }
     }
     return ok;

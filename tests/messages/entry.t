@@ -1,0 +1,76 @@
+What cannot be the entry says why, and what would.
+
+  $ cat > entries.frob <<'FROB'
+  > main = 3
+  > 
+  > f :: Float -> Float
+  > f x = x
+  > 
+  > open :: SF a a
+  > open = proc x -> x
+  > 
+  > scaled :: Float -> SF Float Float
+  > scaled k = proc x -> k * x
+  > FROB
+  $ frobc compile entries.frob
+  error[E0411]: `main` cannot run: it is a value, not a signal function
+   --> entries.frob:1:1
+    |
+  1 | main = 3
+    | ^^^^^^^^
+    |
+    = hint: `constant main` is the signal function that always gives it
+  
+  1 error
+  [1]
+  $ frobc compile entries.frob --entry f
+  error[E0411]: `f` cannot run: it is a function, `Float -> Float`, not a signal function
+   --> entries.frob:4:1
+    |
+  4 | f x = x
+    | ^^^^^^^
+    |
+    = hint: `arr f` applies it at every instant
+  
+  1 error
+  [1]
+  $ frobc compile entries.frob --entry open
+  error[E0411]: `open` cannot run: its type `SF a a` leaves open what comes in or goes out
+   --> entries.frob:7:1
+    |
+  7 | open = proc x -> x
+    | ^^^^^^^^^^^^^^^^^^
+    |
+    = hint: give it a signature without variables, such as `open :: SF Float Float`
+  
+  1 error
+  [1]
+  $ frobc compile entries.frob --entry scaled
+  error[E0411]: `scaled` cannot run: it still needs an argument, its type is `Float -> SF Float Float`
+    --> entries.frob:10:1
+     |
+  10 | scaled k = proc x -> k * x
+     | ^^^^^^^^^^^^^^^^^^^^^^^^^^
+     |
+     = hint: define another with the argument, as in `main = scaled …`
+  
+  1 error
+  [1]
+
+A robot's program is checked against the robot where it is written.
+
+  $ cat > robot.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> 0.3[m/s])
+  > FROB
+  $ frobc check robot.frob
+  error[E0301]: expected `RobotOutput`, found `Float[m/s]`
+   --> robot.frob:2:35
+    |
+  2 | main = reactimateRobot (proc i -> 0.3[m/s])
+    |        ---------------            ^^^^^^^^
+    |        |
+    |        argument 1 of `reactimateRobot` has the output `RobotOutput`
+  
+  1 error
+  [1]
