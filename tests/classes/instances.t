@@ -24,10 +24,6 @@ to, also the built-in ones.
   > instance Size (SF a b) where
   >     size f = 6
   > 
-  > type Reading = Maybe
-  > EOF
-  $ sed -i '/^type/d' constructors.frob
-  $ cat >> constructors.frob <<EOF
   > twice :: Size n[u] => n[u] -> Int
   > twice x = size (x, x)
   > 
@@ -59,8 +55,9 @@ context of their own:
   >     choose :: (Ord a, Eq b) => f -> a -> a -> b -> (a, Bool)
   >     choose f x y z = (max x y, z == z)
   > 
+  > type Boxed b = Box b
   > data Box a = Box { content :: a }
-  > instance Container (Box a) where
+  > instance Container (Boxed a) where
   >     scaled k b x = (2 * k, x + x)
   > instance Container Bool where
   >     scaled k b x = (k, if b then x else 0)
@@ -83,8 +80,8 @@ context of their own:
   $ frobc trace --engine interp own.frob --input in.csv | tail -1
   1.000000000,4,14,3,0,7,true,2,true
 
-A class can be named like a type, its methods are imported with it or by
-themselves, and instances count wherever their module is part of the program.
+A class's methods are imported with it or by themselves; instances count wherever
+their module is part of the program.
 
   $ cat > Shapes.frob <<EOF
   > module Shapes (Shape, Square, Sized, weight) where
