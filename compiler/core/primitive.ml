@@ -78,7 +78,7 @@ let table =
     ("time", Time, 0);
     ("integral", Integral, 0);
     ("derivative", Derivative, 0);
-    ("reactimateRobot", Reactimate, 1);
+    ("reactimate", Reactimate, 1);
   ]
 
 let of_name text =
