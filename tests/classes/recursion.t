@@ -117,26 +117,24 @@ A program of an open type is not one to run.
   > main = frontDistance
   > EOF
   $ frobc check open.frob
-  error[E0411]: `main` is no signal function or program of a closed type
+  error[E0411]: `main` cannot run: its type `SF i Float` leaves open what comes in or goes out
    --> open.frob:4:1
     |
   4 | main = frontDistance
     | ^^^^^^^^^^^^^^^^^^^^
     |
-    = note: its type is `SF i Float`
-    = hint: give it a closed type
+    = hint: give it a signature without variables, such as `main :: SF Float Float`
   
   1 error
   [1]
   $ frobc compile open.frob
-  error[E0411]: `main` is no signal function or program of a closed type
+  error[E0411]: `main` cannot run: its type `SF i Float` leaves open what comes in or goes out
    --> open.frob:4:1
     |
   4 | main = frontDistance
     | ^^^^^^^^^^^^^^^^^^^^
     |
-    = note: its type is `SF i Float`
-    = hint: give it a closed type
+    = hint: give it a signature without variables, such as `main :: SF Float Float`
   
   1 error
   [1]
