@@ -30,8 +30,9 @@ let variable n (variable : M.variable) =
 
 let field n (field : M.field) =
   match Hashtbl.find_opt n.v.nodes.(n.node).members field.id with
-  | Some member -> Ir.Arrow (Name "self", member)
-  | None -> Basis.Diagnostic.bug ~stage:"Cgen.Expression" "a field that is not in the state"
+  | Some (first :: inside) ->
+      List.fold_left (fun e member -> Ir.Member (e, member)) (Ir.Arrow (Name "self", first)) inside
+  | Some [] | None -> Basis.Diagnostic.bug ~stage:"Cgen.Expression" "a field that is not in the state"
 
 (* A literal that is not NaN. *)
 let literal : M.expr -> float option = function

@@ -5,6 +5,7 @@ module V = Vocabulary
 type context = {
   v : V.t;
   names : Expression.names;
+  index : int;
   node : M.node;
   result : int -> Ir.expr;  (** where an output goes *)
   read : (int, unit) Hashtbl.t;  (** variables that anything reads *)
@@ -106,10 +107,176 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let own = Ir.Unary (Address, Expression.field c.names state) in
       let call = Ir.Call (c.v.nodes.(node).reset, own :: expressions c arguments) in
       { desc = Do call; comment = comment c span } :: rest
+  | Enter { entry; span } -> List.rev_append (enter c entry span) rest
+  | Run run -> List.rev_append (run_modes c run) rest
   | Return { value; span } ->
       { desc = Return (expression c value); comment = comment c span } :: rest
 
 and statements c body = List.rev (List.fold_left (statement c) [] body)
+
+(* {1 Machines} *)
+
+and field_with c has =
+  List.find_map
+    (fun (field : M.field) -> if has field.content then Some (Expression.field c.names field) else None)
+    c.node.state
+
+and running_mode c = field_with c (function M.Running_mode -> true | _ -> false)
+
+and enter c (entry : M.entry) span =
+  let mode = List.nth c.node.modes entry.mode in
+  let comment = comment c span in
+  let number =
+    match running_mode c with
+    | Some place -> [ Ir.Assign (place, Name c.v.nodes.(c.index).modes.(entry.mode).constant) ]
+    | None -> []
+  in
+  let parameter (_, field) value =
+    Ir.Assign (Expression.field c.names field, expression c value)
+  in
+  let parameters = List.map2 parameter mode.parameters entry.parameters in
+  let reset =
+    match mode.state with
+    | None -> []
+    | Some state ->
+        let own = Ir.Unary (Address, Expression.field c.names state) in
+        [ Ir.Do (Call (c.v.nodes.(mode.node).reset, own :: expressions c entry.reset)) ]
+  in
+  match number @ parameters @ reset with
+  | [] -> []
+  | first :: others -> { Ir.desc = first; comment } :: List.map plain others
+
+(* What a mode enters at its first instant sees no time. *)
+and forget_time c =
+  (if c.node.seconds then [ plain (Ir.Assign (Name "dt", Float 0.)) ] else [])
+  @ if c.node.nanoseconds then [ plain (Ir.Assign (Name "dt_ns", Integer 0l)) ] else []
+
+(* The first alternative that holds. *)
+and first_of alternatives =
+  List.fold_right
+    (fun (condition, then_, comment) else_ ->
+      match condition with
+      | Ir.Boolean true -> then_
+      | condition -> [ { Ir.desc = If { condition; then_; else_ }; comment } ])
+    alternatives []
+
+and run_modes c (run : M.run) =
+  let scope = Expression.scope c.names in
+  let loops = run.steps > 1 in
+  let flag name = Name.fresh scope name in
+  let steps = flag "steps" and entered = flag "entered" in
+  let dropped = if run.drops then flag "dropped" else "" in
+  let controlled = if run.late then flag "controlled" else "" in
+  let set name value = plain (Ir.Assign (Name name, Boolean value)) in
+  let control after (condition, (entry : M.entry)) =
+    (expression c condition, enter c entry run.span @ after, "")
+  in
+  let before =
+    if run.late then [] else first_of (List.map (control (forget_time c)) run.controls)
+  in
+  let after =
+    if not run.late then []
+    else
+      let entering = [ set controlled true; set dropped true; set entered true ] in
+      let alternatives = first_of (List.map (control entering) run.controls) in
+      let idle = Ir.Unary (Not, Name entered) and once = Ir.Unary (Not, Name controlled) in
+      [ plain (Ir.If { condition = Binary (And, idle, once); then_ = alternatives; else_ = [] }) ]
+  in
+  let cases =
+    List.mapi
+      (fun k case ->
+        (c.v.nodes.(c.index).modes.(k).constant, one_case c run ~loops ~entered ~dropped k case))
+      run.cases
+  in
+  let chosen =
+    match (running_mode c, cases) with
+    | None, [ (_, body) ] -> body
+    | Some value, cases -> [ plain (Ir.Switch { value; cases }) ]
+    | None, _ -> Diagnostic.bug ~stage:"Cgen.Function" "modes without a number"
+  in
+  let stepping =
+    if not loops then chosen
+    else
+      let body =
+        (set entered false :: chosen)
+        @ after @ forget_time c
+        @ [ plain (Ir.Add_to (Name steps, Integer 1l)) ]
+      in
+      let more = Ir.Binary (Less, Name steps, Integer (Int32.of_int run.steps)) in
+      [ plain (Ir.Do_while { body; condition = Binary (And, Name entered, more) }) ]
+  in
+  let variable ty name value = plain (Ir.Variable { ty; name; value }) in
+  let counters =
+    if loops then [ variable Int32 steps (Integer 0l); variable Bool entered (Boolean false) ] else []
+  in
+  let flags =
+    List.filter_map
+      (fun name -> if String.equal name "" then None else Some (variable Bool name (Boolean false)))
+      [ dropped; controlled ]
+  in
+  results_of_run c run @ counters @ flags @ before @ stepping
+
+(* With [drops] C compilers cannot see that the first mode gives values. *)
+and results_of_run c (run : M.run) =
+  if not run.drops then List.rev (uninitialized c run.results)
+  else
+    List.map
+      (fun (v : M.variable) ->
+        let name = Expression.variable c.names v and ty = V.ty c.v v.ty in
+        match v.ty with
+        | Sum k -> plain (Ir.Initialize { ty; name; values = Sum_type.zeros c.v.sums.(k) })
+        | Bool | Int | Float | Nanoseconds ->
+            plain (Ir.Variable { ty; name; value = Sum_type.zero ty }))
+      run.results
+
+and one_case c (run : M.run) ~loops ~entered ~dropped k (case : M.case) =
+  let mode = List.nth c.node.modes k in
+  c.place <- "";
+  let arguments = expressions c case.arguments in
+  let results = List.map (fun v -> (v, Expression.variable c.names v)) run.results in
+  (* Where results may be dropped they first go to variables of the case. *)
+  let own =
+    if not run.drops then []
+    else
+      List.map
+        (fun ((v : M.variable), result) ->
+          (v, Name.fresh (Expression.scope c.names) result, result))
+        results
+  in
+  let targets =
+    if run.drops then List.map (fun (_, name, _) -> name) own else List.map snd results
+  in
+  let others = List.map (fun v -> (v, Expression.variable c.names v)) case.others in
+  let declare (v : M.variable) name = plain (Ir.Variables { ty = V.ty c.v v.ty; names = [ name ] }) in
+  let declarations =
+    List.map (fun (v, name, _) -> declare v name) own
+    @ List.map (fun (v, name) -> declare v name) others
+  in
+  let all = targets @ List.map snd others in
+  let call =
+    match all with
+    | [ name ] ->
+        Ir.Assign (Name name, step_call c ~node:mode.node ~state:mode.state arguments [])
+    | names ->
+        let address name = Ir.Unary (Address, Name name) in
+        Ir.Do (step_call c ~node:mode.node ~state:mode.state arguments (List.map address names))
+  in
+  let keep =
+    match own with
+    | [] -> []
+    | own ->
+        let then_ =
+          List.map (fun (_, name, result) -> plain (Ir.Assign (Name result, Name name))) own
+        in
+        [ plain (Ir.If { condition = Unary (Not, Name dropped); then_; else_ = [] }) ]
+  in
+  let next (n : M.next) =
+    let drop = if n.delayed then [ plain (Ir.Assign (Name dropped, Boolean true)) ] else [] in
+    let note = if loops then [ plain (Ir.Assign (Name entered, Boolean true)) ] else [] in
+    let condition = expression c n.condition in
+    (condition, enter c n.entry n.span @ drop @ note, "")
+  in
+  declarations @ [ plain call ] @ keep @ first_of (List.map next case.transitions)
 
 (* The programmer's names come before the compiler's: [t1] stays [t1]. *)
 let name_variables names body =
@@ -123,7 +290,10 @@ let name_variables names body =
         | M.Declare { variable; _ } -> visit variable
         | If { uninitialized; _ } -> List.iter visit uninitialized
         | Step { results; _ } -> List.iter visit results
-        | Assign _ | Reset _ | Return _ -> ())
+        | Run { results; cases; _ } ->
+            List.iter visit results;
+            List.iter (fun (case : M.case) -> List.iter visit case.others) cases
+        | Assign _ | Reset _ | Enter _ | Return _ -> ())
       body
   in
   declared (named true);
@@ -143,7 +313,8 @@ let reads_state body =
     body;
   Machine.Walk.statements
     (function
-      | Assign { place = Own _; _ } | Step { state = Some _; _ } | Reset _ -> found := true
+      | Assign { place = Own _; _ } | Step { state = Some _; _ } | Reset _ | Enter _ | Run _ ->
+          found := true
       | Declare _ | Assign _ | If _ | Step _ | Return _ -> ())
     body;
   !found
@@ -168,7 +339,7 @@ let reset (v : V.t) k : Ir.function_ =
   let names = Expression.names v ~node:k in
   let parameters = self v k :: parameters v names node.reset.parameters in
   name_variables names node.reset.body;
-  let c = { v; names; node; result = no_result; read = variables_read node.reset.body; place = "" } in
+  let c = { v; names; index = k; node; result = no_result; read = variables_read node.reset.body; place = "" } in
   let body = statements c node.reset.body in
   let unread = if reads_state node.reset.body then [] else [ ignored "self" ] in
   {
@@ -199,7 +370,7 @@ let own_step (v : V.t) k : Ir.function_ =
   in
   let places = Array.of_list results in
   let result k = Ir.Unary (Dereference, Name (snd places.(k))) in
-  let c = { v; names; node; result; read = variables_read node.step.body; place = "" } in
+  let c = { v; names; index = k; node; result; read = variables_read node.step.body; place = "" } in
   let state = if V.has_state v k then [ self v k ] else [] in
   let dt = if node.seconds then [ (Ir.Real, "dt") ] else [] in
   let dt_ns = if node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
@@ -269,7 +440,7 @@ let root_step (v : V.t) k : Ir.function_ =
   let names = Expression.names v ~node:k in
   let outputs = Array.of_list v.output.leaves in
   let result k = path (Name "out") outputs.(k) in
-  let c = { v; names; node; result; read = variables_read node.step.body; place = "" } in
+  let c = { v; names; index = k; node; result; read = variables_read node.step.body; place = "" } in
   let inputs = inputs c node in
   name_variables names node.step.body;
   let clock = clock c node in

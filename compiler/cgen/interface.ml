@@ -95,7 +95,7 @@ let of_shape types ~name (shape : F.shape) =
   let member_list_of (product : F.product) (ty : Ir.ty) =
     match ty with
     | Members members -> members
-    | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Pointer _ | Pointer_to_const _ -> (
+    | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Union _ | Pointer _ | Pointer_to_const _ -> (
         match Hashtbl.find_opt types.known (key product) with
         | Some (_, members) -> members
         | None -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "a record without a struct")

@@ -13,6 +13,7 @@ type ty =
   | Real  (** the one type of the language's Float *)
   | Struct of string
   | Members of member list  (** a struct without a name, inside another *)
+  | Union of member list  (** likewise *)
   | Pointer of ty
   | Pointer_to_const of ty
 
@@ -55,11 +56,15 @@ type statement = { desc : statement_desc; comment : string  (** or [""] *) }
 and statement_desc =
   | Constant of { ty : ty; name : string; value : expr }
   | Variables of { ty : ty; names : string list }  (** without values yet *)
+  | Variable of { ty : ty; name : string; value : expr }
   | Initialize of { ty : ty; name : string; values : expr list }  (** a struct, member by member *)
   | Assign of expr * expr
   | Add_to of expr * expr  (** [a += b] *)
   | Do of expr
   | If of { condition : expr; then_ : statement list; else_ : statement list }
+  | Switch of { value : expr; cases : (string * statement list) list }
+      (** by constants, each once; the last one is the default *)
+  | Do_while of { body : statement list; condition : expr }
   | Return of expr
 
 type linkage =

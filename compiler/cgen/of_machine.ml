@@ -11,29 +11,50 @@ type t = {
 
 let state_comment (v : V.t) (field : M.field) =
   let what =
-    match field.content with Value _ -> field.purpose | State_of k -> v.program.nodes.(k).origin
+    match field.content with
+    | Value _ | Running_mode | Modes _ -> field.purpose
+    | State_of k -> v.program.nodes.(k).origin
   in
   Printf.sprintf "%s at %s:%d" what (Filename.basename field.span.file) field.span.start.line
 
-let state_struct (v : V.t) k (node : M.node) =
-  let member (field : M.field) : Ir.member =
-    let ty : Ir.ty =
-      match field.content with
-      | Value ty -> V.ty v ty
-      | State_of k -> Struct v.nodes.(k).state
-    in
-    { name = Hashtbl.find v.nodes.(k).members field.id; ty; comment = state_comment v field }
+let rec last = function [] -> "" | [ name ] -> name | _ :: rest -> last rest
+
+let rec member (v : V.t) k (field : M.field) : Ir.member =
+  let ty : Ir.ty =
+    match field.content with
+    | Value ty -> V.ty v ty
+    | State_of k -> Struct v.nodes.(k).state
+    | Running_mode -> if Array.length v.nodes.(k).modes <= 256 then Uint8 else Int32
+    | Modes modes -> Union (List.concat (List.mapi (mode v k) modes))
   in
+  { name = last (Hashtbl.find v.nodes.(k).members field.id); ty; comment = state_comment v field }
+
+and mode v k number (mode : M.mode) : Ir.member list =
+  match Machine.State.fields_of_mode mode with
+  | [] -> []
+  | fields ->
+      let members = List.map (member v k) fields in
+      [ { name = v.nodes.(k).modes.(number).member; ty = Members members; comment = "" } ]
+
+let mode_numbers (v : V.t) k (node : M.node) =
+  match node.modes with
+  | [] | [ _ ] -> []
+  | _ :: _ :: _ ->
+      let names = List.map (fun (m : V.mode) -> m.constant) (Array.to_list v.nodes.(k).modes) in
+      [ Ir.Constants { names; comment = "the modes of " ^ node.origin } ]
+
+let state_struct (v : V.t) k (node : M.node) =
   let members =
     match node.state with
     | [] -> [ { Ir.name = "unused"; ty = Uint8; comment = "" } ]
-    | fields -> List.rev (List.rev_map member fields)
+    | fields -> List.rev (List.rev_map (member v k) fields)
   in
-  Ir.Struct_definition { name = v.nodes.(k).state; members; comment = "" }
+  mode_numbers v k node
+  @ [ Ir.Struct_definition { name = v.nodes.(k).state; members; comment = "" } ]
 
 let states (v : V.t) =
   let struct_of k node =
-    if V.has_state v k || V.is_root v k then [ state_struct v k node ] else []
+    if V.has_state v k || V.is_root v k then state_struct v k node else []
   in
   List.concat (List.mapi struct_of (Array.to_list v.program.nodes))
 

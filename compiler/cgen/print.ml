@@ -67,13 +67,14 @@ let rec ty_name = function
   | Real -> "double"
   | Struct name -> "struct " ^ name
   | Members _ -> "struct"
+  | Union _ -> "union"
   | Pointer t -> ty_name t ^ " *"
   | Pointer_to_const t -> "const " ^ ty_name t ^ " *"
 
 let declarator ty name =
   match ty with
   | Pointer _ | Pointer_to_const _ -> ty_name ty ^ name
-  | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Members _ -> ty_name ty ^ " " ^ name
+  | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Members _ | Union _ -> ty_name ty ^ " " ^ name
 
 let precedence = function
   | Name _ | Boolean _ | Call _ | Member _ | Arrow _ -> postfix
@@ -219,6 +220,7 @@ let rec statement out ~indent { desc; comment } =
   | Constant { ty; name; value } ->
       put ("const " ^ declarator ty name ^ " = " ^ with_breaks value ^ ";")
   | Variables { ty; names } -> put (declarator ty (commas names) ^ ";")
+  | Variable { ty; name; value } -> put (declarator ty name ^ " = " ^ with_breaks value ^ ";")
   | Initialize { ty; name; values } ->
       put (declarator ty name ^ " = {" ^ commas (List.map with_breaks values) ^ "};")
   | Assign (place, value) -> put (with_breaks place ^ " = " ^ with_breaks value ^ ";")
@@ -228,6 +230,22 @@ let rec statement out ~indent { desc; comment } =
   | If { condition; then_; else_ } ->
       put ("if (" ^ with_breaks condition ^ ") {");
       branches out ~indent then_ else_
+  | Do_while { body; condition } ->
+      put "do {";
+      List.iter (statement out ~indent:(indent + 4)) body;
+      line out ~indent ("} while (" ^ with_breaks condition ^ ");")
+  | Switch { value; cases } ->
+      put ("switch (" ^ with_breaks value ^ ") {");
+      let last = List.length cases - 1 in
+      List.iteri
+        (fun k (constant, body) ->
+          if k = last then line out ~indent ~comment:constant "default: {"
+          else line out ~indent ("case " ^ constant ^ ": {");
+          List.iter (statement out ~indent:(indent + 4)) body;
+          line out ~indent:(indent + 4) "break;";
+          line out ~indent "}")
+        cases;
+      line out ~indent "}"
 
 and branches out ~indent then_ else_ =
   List.iter (statement out ~indent:(indent + 4)) then_;
@@ -245,7 +263,7 @@ and branches out ~indent then_ else_ =
 
 let rec members out ~indent (all : member list) =
   let text { name; ty; comment = _ } =
-    match ty with Members _ -> "} " ^ name ^ ";" | ty -> declarator ty name ^ ";"
+    match ty with Members _ | Union _ -> "} " ^ name ^ ";" | ty -> declarator ty name ^ ";"
   in
   let widest = List.fold_left (fun width m -> max width (String.length (text m))) 0 all in
   let column = min comment_column (indent + widest + 1) in
@@ -254,6 +272,9 @@ let rec members out ~indent (all : member list) =
       (match m.ty with
       | Members inside ->
           line out ~indent "struct {";
+          members out ~indent:(indent + 4) inside
+      | Union inside ->
+          line out ~indent "union {";
           members out ~indent:(indent + 4) inside
       | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Pointer _ | Pointer_to_const _ -> ());
       line out ~indent ~column ~comment:m.comment (text m))

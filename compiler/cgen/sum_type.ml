@@ -68,7 +68,10 @@ let definition (sum : F.sum) t =
 let zero : Ir.ty -> Ir.expr = function
   | Real -> Float 0.
   | Bool -> Boolean false
-  | Void | Uint8 | Int32 | Int64 | Struct _ | Members _ | Pointer _ | Pointer_to_const _ -> Integer 0l
+  | Void | Uint8 | Int32 | Int64 | Struct _ | Members _ | Union _ | Pointer _ | Pointer_to_const _ ->
+      Integer 0l
+
+let zeros t = Ir.Integer 0l :: List.map (fun (_, ty) -> zero ty) (members t.slots)
 
 (* The function's value, a struct given member by member. *)
 let return_struct ty values : Ir.statement list =

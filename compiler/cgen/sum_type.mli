@@ -24,6 +24,12 @@ val payload : Flow.Ir.sum array -> ?first:Machine.Layout.slots -> Flow.Ir.sum_co
 val members : ?first:Machine.Layout.slots -> Machine.Layout.slots -> (string * Ir.ty) list
 (** Of so many slots, in the order of the struct. *)
 
+val zero : Ir.ty -> Ir.expr
+(** Of a type that is no struct. *)
+
+val zeros : t -> Ir.expr list
+(** Of the struct's members: some value of the type. *)
+
 val definition : Flow.Ir.sum -> t -> Ir.declaration list
 (** The tags' constants and the struct. *)
 

@@ -1,7 +1,15 @@
 module F = Flow.Ir
 module M = Machine.Ir
 
-type node = { state : string; reset : string; step : string; members : (int, string) Hashtbl.t }
+type mode = { constant : string; member : string }
+
+type node = {
+  state : string;
+  reset : string;
+  step : string;
+  members : (int, string list) Hashtbl.t;
+  modes : mode array;
+}
 
 type t = {
   program : M.program;
@@ -23,13 +31,45 @@ type t = {
 let is_root t k = k = Array.length t.program.nodes - 1
 let has_state t k = match t.program.nodes.(k).state with [] -> false | _ :: _ -> true
 
-let members (node : M.node) =
+(* The members of a struct with these fields, each after [path]. *)
+let name_members table path fields =
   let scope = Name.scope Members in
-  let table = Hashtbl.create 16 in
   List.iter
-    (fun (field : M.field) -> Hashtbl.replace table field.id (Name.fresh scope field.name))
-    node.state;
-  table
+    (fun (field : M.field) ->
+      Hashtbl.replace table field.id (List.rev (Name.fresh scope field.name :: path)))
+    fields
+
+(* Modes are named after their definitions. *)
+let name_modes (nodes : M.node array) table scope ~prefix (node : M.node) =
+  let modes = Name.scope Members in
+  let room =
+    List.find_map
+      (fun (field : M.field) ->
+        match field.content with
+        | Modes _ -> Some (Hashtbl.find table field.id)
+        | Value _ | State_of _ | Running_mode -> None)
+      node.state
+  in
+  let name (mode : M.mode) =
+    let definition = nodes.(mode.node).origin in
+    let member = Name.fresh modes definition in
+    let path = member :: List.rev (Option.value room ~default:[]) in
+    name_members table path (Machine.State.fields_of_mode mode);
+    let constant =
+      match node.modes with
+      | [] | [ _ ] -> ""
+      | _ :: _ :: _ ->
+          Name.fresh scope (String.uppercase_ascii (Name.identifier (prefix ^ "_" ^ Name.snake member)))
+    in
+    { constant; member }
+  in
+  Array.of_list (List.map name node.modes)
+
+let members scope ~prefix nodes (node : M.node) =
+  let table = Hashtbl.create 16 in
+  name_members table [] node.state;
+  let modes = name_modes nodes table scope ~prefix node in
+  (table, modes)
 
 (* The root's names are the program's own, whatever else wants them. *)
 let name_nodes scope ~name (nodes : M.node array) =
@@ -40,16 +80,17 @@ let name_nodes scope ~name (nodes : M.node array) =
   let step = take "_step" in
   Array.mapi
     (fun k (node : M.node) ->
-      let members = members node in
-      if k = last then { state; reset; step; members }
+      let own = name ^ "_" ^ node.name in
+      let prefix = if k = last then name else own in
+      let members, modes = members scope ~prefix nodes node in
+      if k = last then { state; reset; step; members; modes }
       else
-        let own = name ^ "_" ^ node.name in
         match node.state with
-        | [] -> { state = ""; reset = ""; step = Name.fresh scope own; members }
+        | [] -> { state = ""; reset = ""; step = Name.fresh scope own; members; modes }
         | _ :: _ ->
             let state = Name.fresh scope (own ^ "_state") in
             let reset = Name.fresh scope (own ^ "_reset") in
-            { state; reset; step = Name.fresh scope (own ^ "_step"); members })
+            { state; reset; step = Name.fresh scope (own ^ "_step"); members; modes })
     nodes
 
 let of_program (program : M.program) =

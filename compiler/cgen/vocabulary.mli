@@ -1,11 +1,18 @@
 (** The file-level names of one program, all chosen at once, and what of the
     program's types and helpers the code turns out to need. *)
 
+type mode = {
+  constant : string;  (** its number *)
+  member : string;  (** of the union of all *)
+}
+
 type node = {
   state : string;  (** struct *)
   reset : string;
   step : string;
-  members : (int, string) Hashtbl.t;  (** of the state struct, by field *)
+  members : (int, string list) Hashtbl.t;
+      (** the members that lead to a field from the state struct, by field *)
+  modes : mode array;  (** of its machine *)
 }
 
 type t = {

@@ -30,6 +30,11 @@ type t =
   | Time
   | Integral
   | Derivative
+  | Switch
+  | Delayed_switch
+  | Recurring_switch
+  | Delayed_recurring_switch
+  | Initially
   | Reactimate
 
 and elementary = Sqrt | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2
@@ -78,6 +83,11 @@ let table =
     ("time", Time, 0);
     ("integral", Integral, 0);
     ("derivative", Derivative, 0);
+    ("switch", Switch, 2);
+    ("dSwitch", Delayed_switch, 2);
+    ("rSwitch", Recurring_switch, 1);
+    ("drSwitch", Delayed_recurring_switch, 1);
+    ("initially", Initially, 1);
     ("reactimate", Reactimate, 1);
   ]
 

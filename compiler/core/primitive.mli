@@ -43,6 +43,11 @@ type t =
   | Time
   | Integral
   | Derivative
+  | Switch
+  | Delayed_switch
+  | Recurring_switch
+  | Delayed_recurring_switch
+  | Initially
   (* programs *)
   | Reactimate  (** [SF i o -> Program i o] *)
 

@@ -5,6 +5,8 @@ let unary a = function_ [ a ] a
 let binary a = function_ [ a; a ] a
 let comparison a = function_ [ a; a ] Bool
 
+let event a = Data ({ module_ = "Prelude"; name = "Event" }, [ a ])
+
 let of_primitive (p : Primitive.t) types =
   match (p, types) with
   | (Add | Subtract | Multiply | Minimum | Maximum), [ a ] -> Some (binary a)
@@ -21,12 +23,23 @@ let of_primitive (p : Primitive.t) types =
   | Delay, [ a ] -> Some (Function (a, Signal_function (a, a)))
   | Time, [ a ] -> Some (Signal_function (a, Float))
   | (Integral | Derivative), [] -> Some (Signal_function (Float, Float))
+  | (Switch | Delayed_switch), [ a; b; c ] ->
+    let before = Signal_function (a, Tuple [ b; event c ]) in
+    let after = Function (c, Signal_function (a, b)) in
+    Some (function_ [ before; after ] (Signal_function (a, b)))
+  | (Recurring_switch | Delayed_recurring_switch), [ a; b ] ->
+    let running = Signal_function (a, b) in
+    Some (Function (running, Signal_function (Tuple [ a; event running ], b)))
+  | Initially, [ a; b ] ->
+    let chosen = Signal_function (a, b) in
+    Some (Function (Function (a, chosen), chosen))
   | Reactimate, [ i; o ] ->
     let program : Global.t = { module_ = "Prelude"; name = "Program" } in
     Some (Function (Signal_function (i, o), Data (program, [ i; o ])))
   | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power
       | Power_literal _ | Elementary _ | Div | Mod | To_float | Round | Floor | Ceiling
       | Truncate | Equal | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum
-      | Maximum | And | Or | Delay | Time | Integral | Derivative | Reactimate ),
+      | Maximum | And | Or | Delay | Time | Integral | Derivative | Switch | Delayed_switch
+      | Recurring_switch | Delayed_recurring_switch | Initially | Reactimate ),
       _ ) ->
     None

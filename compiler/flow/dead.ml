@@ -10,12 +10,27 @@ type definition =
   | Parameter of { node : int; number : int }  (** statics, then inputs *)
   | Equation of Ir.rhs
   | Output of { instance : instance; number : int }
+  | Mode_output of { owner : int; number : int }
+
+(* A machine of the node, with what leads into its modes. *)
+type machine = {
+  modes : int array;
+  inputs : Ir.atom array;
+  arguments : Ir.atom list array array;
+      (** by mode and static: what all transitions pass for it *)
+  conditions : Ir.atom list;
+  needed_inputs : bool array;
+  mutable runs : bool;  (** is any output needed? *)
+}
 
 type node = {
   parameters : Ir.signal array;  (** statics, then inputs *)
   outputs : Ir.atom array;
   needed_outputs : bool array;
   mutable needed_instances : instance list;
+  machine : machine option;
+  mode_of : (machine * int) option;
+  statics : int;  (** how many of the parameters *)
 }
 
 type search = {
@@ -26,7 +41,32 @@ type search = {
 
 let joined first second = Array.of_list (List.rev_append (List.rev first) second)
 
+let machine (program : Ir.program) (machine : Ir.machine) : machine =
+  let modes = Array.of_list machine.modes in
+  let statics mode = List.length program.nodes.(mode).statics in
+  let arguments = Array.map (fun mode -> Array.make (statics mode) []) modes in
+  let conditions = ref [] in
+  Transitions.into program machine (fun t ->
+      conditions := t.occurs :: !conditions;
+      let into = arguments.(t.target) in
+      List.iteri (fun j a -> into.(j) <- a :: into.(j)) t.arguments);
+  let inputs = Array.of_list machine.inputs in
+  {
+    modes;
+    inputs;
+    arguments;
+    conditions = !conditions;
+    needed_inputs = Array.make (Array.length inputs) false;
+    runs = false;
+  }
+
 let prepare (program : Ir.program) =
+  let machines =
+    Array.map (fun (node : Ir.node) -> Option.map (machine program) node.machine) program.nodes
+  in
+  let mode_of = Array.make (Array.length program.nodes) None in
+  let own m = Array.iteri (fun k mode -> mode_of.(mode) <- Some (m, k)) m.modes in
+  Array.iter (Option.iter own) machines;
   let ids = Signals.next_id program in
   let definitions = Array.make ids Undefined in
   let define (s : Ir.signal) definition = definitions.(s.id) <- definition in
@@ -41,12 +81,19 @@ let prepare (program : Ir.program) =
         in
         List.iteri (fun number s -> define s (Output { instance; number })) i.outputs)
       node.instances;
+    Option.iter
+      (fun (m : Ir.machine) ->
+        List.iteri (fun number s -> define s (Mode_output { owner = index; number })) m.outputs)
+      node.machine;
     let outputs = Array.of_list (List.rev (List.rev_map snd node.outputs)) in
     {
       parameters;
       outputs;
       needed_outputs = Array.make (Array.length outputs) false;
       needed_instances = [];
+      machine = machines.(index);
+      mode_of = mode_of.(index);
+      statics = List.length node.statics;
     }
   in
   let nodes = Array.mapi node program.nodes in
@@ -59,8 +106,26 @@ let consequences search (s : Ir.signal) =
   match search.definitions.(s.id) with
   | Undefined -> Basis.Diagnostic.bug ~stage:"Flow.Dead" "`%s` (%d) is not defined" s.name s.id
   | Equation rhs -> Operands.all rhs
-  | Parameter { node; number } ->
-      List.rev_map (fun i -> i.arguments.(number)) search.nodes.(node).needed_instances
+  | Parameter { node; number } -> (
+      let { mode_of; statics; needed_instances; _ } = search.nodes.(node) in
+      match mode_of with
+      | None -> List.rev_map (fun (i : instance) -> i.arguments.(number)) needed_instances
+      | Some (machine, mode) when number < statics -> machine.arguments.(mode).(number)
+      | Some (machine, _) ->
+          machine.needed_inputs.(number - statics) <- true;
+          [ machine.inputs.(number - statics) ])
+  | Mode_output { owner; number } ->
+      let machine = Option.get search.nodes.(owner).machine in
+      let outputs mode =
+        let mode = search.nodes.(mode) in
+        mode.needed_outputs.(number) <- true;
+        mode.outputs.(number)
+      in
+      let outputs = Array.to_list (Array.map outputs machine.modes) in
+      if machine.runs then outputs
+      else (
+        machine.runs <- true;
+        List.rev_append outputs machine.conditions)
   | Output { instance; number } ->
       let callee = search.nodes.(instance.callee) in
       let output =
@@ -100,7 +165,11 @@ let select flags items =
 let sweep search (program : Ir.program) =
   let root = Array.length program.nodes - 1 in
   let is_needed = is_needed search in
-  let stays index = index = root || search.nodes.(index).needed_instances <> [] in
+  let stays index =
+    index = root
+    || search.nodes.(index).needed_instances <> []
+    || Option.fold search.nodes.(index).mode_of ~none:false ~some:(fun (m, _) -> m.runs)
+  in
   let numbers = Array.make (root + 1) (-1) in
   let count = ref 0 in
   Array.iteri
@@ -121,6 +190,29 @@ let sweep search (program : Ir.program) =
       outputs = select (Array.to_list search.nodes.(i.node).needed_outputs) i.outputs;
     }
   in
+  let transitions modes =
+    List.map (fun (t : Ir.transition) ->
+        let target = program.nodes.(modes.(t.target)) in
+        { t with arguments = select (flags target.statics) t.arguments })
+  in
+  let machine (known : machine) (m : Ir.machine) =
+    if not known.runs then None
+    else
+      let needed_outputs =
+        match m.modes with
+        | mode :: _ -> Array.to_list search.nodes.(mode).needed_outputs
+        | [] -> []
+      in
+      Some
+        {
+          m with
+          modes = List.map (fun mode -> numbers.(mode)) m.modes;
+          start = transitions known.modes m.start;
+          controls = transitions known.modes m.controls;
+          inputs = select (Array.to_list known.needed_inputs) m.inputs;
+          outputs = select needed_outputs m.outputs;
+        }
+  in
   let node index (node : Ir.node) =
     let instances =
       List.filter (fun (i : Ir.instance) -> List.exists is_needed i.outputs) node.instances
@@ -128,10 +220,18 @@ let sweep search (program : Ir.program) =
     {
       node with
       statics = (if index = root then node.statics else List.filter is_needed node.statics);
-      inputs = (if index = root then node.inputs else List.filter is_needed node.inputs);
+      inputs =
+        (match search.nodes.(index).mode_of with
+        | Some (machine, _) -> select (Array.to_list machine.needed_inputs) node.inputs
+        | None -> if index = root then node.inputs else List.filter is_needed node.inputs);
       outputs = select (Array.to_list search.nodes.(index).needed_outputs) node.outputs;
       equations = List.filter (fun (e : Ir.equation) -> is_needed e.defines) node.equations;
       instances = List.rev (List.rev_map instance instances);
+      machine = Option.bind node.machine (fun m -> machine (Option.get search.nodes.(index).machine) m);
+      transitions =
+        (match search.nodes.(index).mode_of with
+        | Some (machine, _) -> transitions machine.modes node.transitions
+        | None -> []);
     }
   in
   let kept = List.filter stays (List.init (root + 1) Fun.id) in

@@ -4,6 +4,7 @@ type definition =
   | Parameter
   | Equation of Ir.equation
   | Output of Ir.instance * int
+  | Mode_output of Ir.atom list
 
 module Inputs = Set.Make (Int)
 
@@ -13,6 +14,7 @@ type node = {
   vertex : Ir.signal -> int;
   components : int list list;
   passed : Inputs.t array;
+  decisive : Inputs.t;
 }
 
 let reads callee = function
@@ -22,9 +24,22 @@ let reads callee = function
       let passed = (callee instance.node).passed.(output) in
       let needed = List.filteri (fun i _ -> Inputs.mem i passed) instance.inputs in
       Operands.signals (List.rev_append (List.rev instance.statics) needed)
+  | Mode_output atoms -> Operands.signals atoms
+
+let not_delayed = List.filter (fun (t : Ir.transition) -> not t.delayed)
+
+(* What an output of a machine needs in the same instant. *)
+let needed_by_machine callee (machine : Ir.machine) =
+  let needed_by_mode needed mode =
+    let { passed; decisive; _ } = callee mode in
+    Array.fold_left Inputs.union (Inputs.union decisive needed) passed
+  in
+  let needed = List.fold_left needed_by_mode Inputs.empty machine.modes in
+  let inputs = List.filteri (fun i _ -> Inputs.mem i needed) machine.inputs in
+  List.rev_append (List.rev inputs) (Transitions.atoms (not_delayed machine.controls))
 
 (* Every signal that the node defines with its definition, in source order. *)
-let definitions (node : Ir.node) =
+let definitions callee (node : Ir.node) =
   let parameters = List.rev_map (fun s -> (s, Parameter)) node.statics in
   let parameters = List.rev_append (List.rev_map (fun s -> (s, Parameter)) node.inputs) parameters in
   let equations =
@@ -36,10 +51,15 @@ let definitions (node : Ir.node) =
     let add (all, k) s = ((s, Output (instance, k)) :: all, k + 1) in
     fst (List.fold_left add (all, 0) instance.outputs)
   in
-  List.rev (List.fold_left outputs equations node.instances)
+  let outputs = List.fold_left outputs equations node.instances in
+  let of_machine outputs (machine : Ir.machine) =
+    let definition = Mode_output (needed_by_machine callee machine) in
+    List.rev_append (List.map (fun s -> (s, definition)) machine.outputs) outputs
+  in
+  List.rev (Option.fold node.machine ~none:outputs ~some:(of_machine outputs))
 
 let of_node callee (node : Ir.node) =
-  let all = definitions node in
+  let all = definitions callee node in
   let vertices = Hashtbl.create 64 in
   List.iter
     (fun ((s : Ir.signal), _) ->
@@ -89,15 +109,18 @@ let of_node callee (node : Ir.node) =
     List.iter (fun v -> needs.(v) <- all) component
   in
   List.iter unite components;
-  let passed =
-    List.rev_map
-      (function
-        | _, Ir.Signal s -> needs.(vertex s)
-        | _, (Ir.Bool _ | Ir.Int _ | Ir.Float _) -> Inputs.empty)
-      node.outputs
+  let needed : Ir.atom -> Inputs.t = function
+    | Signal s -> needs.(vertex s)
+    | Bool _ | Int _ | Float _ -> Inputs.empty
   in
-  let passed = Array.of_list (List.rev passed) in
-  { graph; definitions = defined_by; vertex; components; passed }
+  let passed = Array.of_list (List.rev (List.rev_map (fun (_, a) -> needed a) node.outputs)) in
+  let decisive =
+    List.fold_left
+      (fun inputs a -> Inputs.union inputs (needed a))
+      Inputs.empty
+      (Transitions.atoms (not_delayed node.transitions))
+  in
+  { graph; definitions = defined_by; vertex; components; passed; decisive }
 
 let program (program : Ir.program) =
   let done_ = Array.make (Array.length program.nodes) None in

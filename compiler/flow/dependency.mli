@@ -3,12 +3,16 @@
     The unit is the group of leaves that causality judges as one
     ([signal.group]). An instance is transparent: each of its outputs needs
     those inputs that its node passes on to that output in the same instant,
-    and the statics. *)
+    and the statics. A machine is a box: each of its outputs needs whatever any
+    of its modes needs for any output, or for a transition that is not delayed,
+    and the controls that are not delayed. *)
 
 type definition =
   | Parameter  (** a static or an input of the node *)
   | Equation of Ir.equation
   | Output of Ir.instance * int  (** the instance's output of that number *)
+  | Mode_output of Ir.atom list
+      (** an output of the machine, and what it needs in the same instant *)
 
 module Inputs : Set.S with type elt = int
 
@@ -19,6 +23,9 @@ type node = {
   components : int list list;  (** of [graph] *)
   passed : Inputs.t array;
       (** for each output, the numbers of the inputs it needs *)
+  decisive : Inputs.t;
+      (** the inputs that the transitions need which change the output of the
+          instant: those not delayed *)
 }
 
 val of_node : (int -> node) -> Ir.node -> node

@@ -19,6 +19,7 @@ let check_node (program : Ir.program) (node : Ir.node) =
     | Instance i ->
         if is_function i && List.for_all is_static i.statics && List.for_all is_static i.inputs then
           List.iter add i.outputs
+    | Machine _ -> ()
   in
   let expect what a =
     if not (is_static a) then
@@ -37,6 +38,10 @@ let check_node (program : Ir.program) (node : Ir.node) =
   List.iter
     (fun (i : Ir.instance) ->
       if not (is_function i) then List.iter (expect ("what `" ^ i.name ^ "` starts with")) i.statics)
-    node.instances
+    node.instances;
+  Option.iter
+    (fun (m : Ir.machine) ->
+      List.iter (expect "what its first mode starts with") (Transitions.atoms m.start))
+    node.machine
 
 let check (program : Ir.program) = Array.iter (check_node program) program.nodes

@@ -147,7 +147,8 @@ let expand_chosen context chosen (node : Ir.node) =
     List.fold_left
       (fun (equations, kept) item ->
         match item with
-        | Schedule.Equation e -> (e :: equations, kept)
+        | Schedule.Machine _ -> (equations, kept)
+        | Equation e -> (e :: equations, kept)
         | Instance i when not (chosen i) -> (equations, i :: kept)
         | Instance i ->
             let inner_equations, inner_instances = expand context ~signals ~instances i in
@@ -197,6 +198,6 @@ let program (program : Ir.program) =
       let expanded = if expanded.instances = [] then expanded else open_loops context expanded in
       if expanded != node then changed := true;
       context.nodes.(index) <- expanded;
-      context.is_small.(index) <- size expanded <= small)
+      context.is_small.(index) <- Option.is_none expanded.machine && size expanded <= small)
     program.nodes;
   if !changed then { program with nodes = context.nodes } else program

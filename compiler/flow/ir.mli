@@ -8,7 +8,8 @@
     that owns it; a node's callees come before it in [program.nodes]; all
     operations are total, so an equation may be computed although nothing
     needs it, or not at all although something might have; state lives only
-    in [Delay], [Instance] and [Integrate]-like equations. Order of equations
+    in [Delay], [Instance], [Integrate]-like equations and machines; a mode
+    belongs to one machine. Order of equations
     has no meaning; they may be mutually recursive ({!Causality} checks). *)
 
 open Basis
@@ -123,6 +124,38 @@ type instance = {
   span : Span.t;
 }
 
+(** From a running mode of a machine to the next. *)
+type transition = {
+  occurs : atom;
+  target : int;  (** index into the machine's [modes] *)
+  arguments : atom list;  (** for the statics of the target's node *)
+  delayed : bool;
+      (** at this instant the output is still that of the mode that is left *)
+  span : Span.t;
+}
+
+(** One of several signal functions at a time: a node's state is that of the
+    mode that runs, and nothing is left over of the one before.
+
+    One instant: of the first of [controls] that occurs, if not delayed, the
+    target is entered; then the running mode is stepped. While one of its own
+    transitions occurs (the first counts) its target is entered and stepped; a
+    delayed control comes after that. A mode is entered with its parameters
+    assigned all at once, its local time 0; what it outputs after a delayed
+    transition is dropped, its events count. *)
+type machine = {
+  modes : int list;
+      (** nodes before this one, with [inputs] and [outputs] as the machine, and
+          with [transitions]; a mode's statics are its parameters *)
+  start : transition list;
+      (** static, of the node's own signals; the last one is unconditional *)
+  controls : transition list;  (** of the node's own signals *)
+  inputs : atom list;
+  outputs : signal list;  (** defined here *)
+  steps : int;  (** at most so many modes are stepped in one instant *)
+  span : Span.t;
+}
+
 type node = {
   name : string;  (** from the source; unique in the program *)
   origin : string;  (** the definition as the programmer knows it *)
@@ -132,6 +165,11 @@ type node = {
   outputs : (string * atom) list;  (** name and value of each leaf *)
   equations : equation list;
   instances : instance list;
+  machine : machine option;
+      (** if there is one, it is all the state there is: the equations are
+          operations, the instances functions *)
+  transitions : transition list;
+      (** of a mode of a machine, the first that occurs counts; else none *)
   span : Span.t;
   file : string;
 }

@@ -124,6 +124,9 @@ let equation scope (eq : Ir.equation) =
 
 let signal_types = List.map (fun (s : Ir.signal) -> s.ty)
 
+let output_type (_, (atom : Ir.atom)) : Ir.ty =
+  match atom with Signal s -> s.ty | Bool _ -> Bool | Int _ -> Int | Float _ -> Float
+
 let instance scope names (i : Ir.instance) =
   if i.node < 0 || i.node >= scope.index then
     bug "`%s` calls node %d, which does not come before it" scope.node.name i.node;
@@ -134,14 +137,59 @@ let instance scope names (i : Ir.instance) =
   check_all scope "a static" (signal_types callee.statics) i.statics;
   check_all scope "an input" (signal_types callee.inputs) i.inputs;
   (* A node's outputs may be constants; their types are those of the callee's. *)
-  let output_type (_, (atom : Ir.atom)) : Ir.ty =
-    match atom with Signal s -> s.ty | Bool _ -> Bool | Int _ -> Int | Float _ -> Float
-  in
   check_all scope "an output"
     (List.map output_type callee.outputs)
     (List.map (fun s -> Ir.Signal s) i.outputs)
 
-let node program owners names index (node : Ir.node) =
+let transition scope (modes : Ir.node array) (t : Ir.transition) =
+  if t.target < 0 || t.target >= Array.length modes then
+    bug "a transition in `%s` leads to mode %d" scope.node.name t.target;
+  expect scope "the condition of a transition" Bool (type_of scope t.occurs);
+  check_all scope "a parameter of a mode" (signal_types modes.(t.target).statics) t.arguments
+
+(* [modes_of]: for each node so far the modes of the machine it belongs to. *)
+let machine scope modes_of (m : Ir.machine) =
+  let modes =
+    List.map
+      (fun mode ->
+        if mode < 0 || mode >= scope.index then
+          bug "a mode of `%s` does not come before it" scope.node.name;
+        if Hashtbl.mem modes_of mode then
+          bug "`%s` is a mode twice" scope.program.nodes.(mode).name;
+        scope.program.nodes.(mode))
+      m.modes
+  in
+  let all = Array.of_list modes in
+  List.iter (fun mode -> Hashtbl.replace modes_of mode all) m.modes;
+  stateful scope "machine";
+  List.iter
+    (fun (mode : Ir.node) ->
+      check_all scope "an input of a mode" (signal_types mode.inputs) m.inputs;
+      check_all scope "an output of a mode" (List.map output_type mode.outputs)
+        (List.map (fun s -> Ir.Signal s) m.outputs))
+    modes;
+  List.iter (transition scope all) m.start;
+  List.iter (transition scope all) m.controls;
+  match List.rev m.start with
+  | { occurs = Bool true; delayed = false; _ } :: _ -> ()
+  | _ -> bug "the machine of `%s` may not start" scope.node.name
+
+let is_memory : Ir.rhs -> bool = function
+  | Delay _ | Time | Integral _ | Derivative _ -> true
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ -> false
+
+(* A node with a machine has no other state. *)
+let only_machine scope =
+  let stateful_instance (i : Ir.instance) =
+    scope.program.nodes.(i.node).kind = Signal_function
+  in
+  if
+    List.exists (fun (eq : Ir.equation) -> is_memory eq.rhs) scope.node.equations
+    || List.exists stateful_instance scope.node.instances
+    || scope.node.transitions <> []
+  then bug "`%s` has a machine and other state" scope.node.name
+
+let node program owners names modes_of index (node : Ir.node) =
   if Hashtbl.mem names node.name then bug "there are two nodes `%s`" node.name;
   Hashtbl.add names node.name ();
   let scope = { program; index; node; defined = Hashtbl.create 16 } in
@@ -150,24 +198,36 @@ let node program owners names index (node : Ir.node) =
   List.iter define node.inputs;
   List.iter (fun (eq : Ir.equation) -> define eq.defines) node.equations;
   List.iter (fun (i : Ir.instance) -> List.iter define i.outputs) node.instances;
+  Option.iter (fun (m : Ir.machine) -> List.iter define m.outputs) node.machine;
   if node.kind = Function && node.statics <> [] then
     bug "the function `%s` has statics" node.name;
   List.iter (equation scope) node.equations;
   let instance_names = Hashtbl.create 8 in
   List.iter (instance scope instance_names) node.instances;
   List.iter (fun (_, atom) -> ignore (type_of scope atom)) node.outputs;
+  if Option.is_some node.machine then only_machine scope;
+  Option.iter (machine scope modes_of) node.machine;
   scope
+
+(* Transitions lead to modes that may come later. *)
+let transitions modes_of (index, scope) =
+  match (Hashtbl.find_opt modes_of index, scope.node.transitions) with
+  | None, [] -> ()
+  | None, _ :: _ -> bug "`%s` has transitions and is no mode" scope.node.name
+  | Some modes, transitions -> List.iter (transition scope modes) transitions
 
 let program (p : Ir.program) =
   let owners = Hashtbl.create 256 in
   let names = Hashtbl.create 16 in
+  let modes_of = Hashtbl.create 16 in
   let check index n =
-    let scope = node p owners names index n in
+    let scope = node p owners names modes_of index n in
     if index = Array.length p.nodes - 1 then (
       if n.statics <> [] then bug "the root `%s` has statics" n.name;
       check_all scope "a root input" (leaves p.input)
         (List.map (fun s -> Ir.Signal s) n.inputs);
-      check_all scope "a root output" (leaves p.output) (List.map snd n.outputs))
+      check_all scope "a root output" (leaves p.output) (List.map snd n.outputs));
+    (index, scope)
   in
   if Array.length p.nodes = 0 then bug "there is no node";
-  Array.iteri check p.nodes
+  Array.iter (transitions modes_of) (Array.mapi check p.nodes)

@@ -2,7 +2,8 @@
    makes equal what looked different; dead code last, for what all of them
    leave behind. *)
 let tidy program =
-  program |> Specific.program |> Simplify.program |> Share.program |> Dead.program
+  program |> Specific.program |> Simplify.program |> Share.program |> Unreachable.program
+  |> Dead.program
 
 let program program =
   (* Before inlining, so that sizes are those of the work that remains, and

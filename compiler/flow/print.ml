@@ -21,6 +21,7 @@ let names_of (node : Ir.node) =
   List.iter (declare names) node.inputs;
   List.iter (fun (eq : Ir.equation) -> declare names eq.defines) node.equations;
   List.iter (fun (i : Ir.instance) -> List.iter (declare names) i.outputs) node.instances;
+  Option.iter (fun (m : Ir.machine) -> List.iter (declare names) m.outputs) node.machine;
   names
 
 let signal names ppf (s : Ir.signal) =
@@ -127,19 +128,41 @@ let equation sums names ppf (eq : Ir.equation) =
   fprintf ppf "  %a = %t@\n" (typed sums names) eq.defines (fun ppf ->
       rhs sums names ppf ~defines:eq.defines eq.rhs)
 
-let instance (program : Ir.program) names ppf (i : Ir.instance) =
-  let callee =
-    if i.node < Array.length program.nodes then program.nodes.(i.node).name
-    else sprintf "<node %d>" i.node
+let node_name (program : Ir.program) index =
+  if index < Array.length program.nodes then program.nodes.(index).name
+  else sprintf "<node %d>" index
+
+let statics names ppf = function [] -> () | some -> fprintf ppf "[%a]" (atoms names) some
+
+let transition program modes names keyword ppf (t : Ir.transition) =
+  let target =
+    match List.nth_opt modes t.target with
+    | Some mode -> node_name program mode
+    | None -> sprintf "<mode %d>" t.target
   in
-  let statics ppf = function [] -> () | some -> fprintf ppf "[%a]" (atoms names) some in
+  fprintf ppf "%s %a -> %s%a%s@\n" keyword (atom names) t.occurs target (statics names)
+    t.arguments
+    (if t.delayed then ", delayed" else "")
+
+let machine (program : Ir.program) names ppf (m : Ir.machine) =
+  fprintf ppf "  (%a) = one of %s (%a)@\n"
+    (list (typed program.sums names))
+    m.outputs
+    (String.concat ", " (List.map (node_name program) m.modes))
+    (atoms names) m.inputs;
+  List.iter (transition program m.modes names "    start" ppf) m.start;
+  List.iter (transition program m.modes names "    when" ppf) m.controls
+
+let instance (program : Ir.program) names ppf (i : Ir.instance) =
+  let callee = node_name program i.node in
+  let statics = statics names in
   fprintf ppf "  (%a) = %s as %s%a(%a)@\n"
     (list (typed program.sums names))
     i.outputs callee i.name statics i.statics (atoms names) i.inputs
 
 let output names ppf (name, value) = fprintf ppf "%s = %a" name (atom names) value
 
-let node (program : Ir.program) ppf (n : Ir.node) =
+let node (program : Ir.program) ppf ~modes (n : Ir.node) =
   let names = names_of n in
   let sums = program.sums in
   let kind = match n.kind with Function -> "function" | Signal_function -> "signal function" in
@@ -152,8 +175,16 @@ let node (program : Ir.program) ppf (n : Ir.node) =
     n.inputs;
   List.iter (equation sums names ppf) n.equations;
   List.iter (instance program names ppf) n.instances;
+  Option.iter (machine program names ppf) n.machine;
+  List.iter (transition program modes names "  when" ppf) n.transitions;
   fprintf ppf "  -> (%a)@\n" (list (output names)) n.outputs
 
 let program ppf (p : Ir.program) =
   fprintf ppf "program %s@\n" p.name;
-  Array.iter (node p ppf) p.nodes
+  let modes_of owner =
+    Option.fold p.nodes.(owner).machine ~none:[] ~some:(fun (m : Ir.machine) -> m.modes)
+  in
+  let owners = Transitions.owners p in
+  Array.iteri
+    (fun index n -> node p ppf ~modes:(Option.fold owners.(index) ~none:[] ~some:modes_of) n)
+    p.nodes

@@ -3,6 +3,7 @@ open Basis
 type item =
   | Equation of Ir.equation
   | Instance of Ir.instance
+  | Machine of Ir.machine
 
 (* Equations in their order; an instance before the first equation that is
    written after it. Only equations of the instance's own file can tell. *)
@@ -18,15 +19,20 @@ let in_source_order (node : Ir.node) =
     | i :: instances, e :: _ when precedes i e -> merge (Instance i :: items) instances equations
     | _, e :: equations -> merge (Equation e :: items) instances equations
   in
-  merge [] node.instances node.equations
+  let items = merge [] node.instances node.equations in
+  match node.machine with
+  | None -> items
+  | Some machine -> List.rev (Machine machine :: List.rev items)
 
 let defines = function
   | Equation e -> [ e.defines ]
   | Instance i -> i.outputs
+  | Machine m -> m.outputs
 
 let needs = function
   | Equation e -> Operands.(signals (same_instant e.rhs))
   | Instance i -> Operands.signals (List.rev_append (List.rev i.statics) i.inputs)
+  | Machine m -> Operands.signals (Transitions.read_in_step m)
 
 let graph items =
   let definer = Hashtbl.create (2 * Array.length items) in
@@ -57,7 +63,7 @@ let as_far_as_possible node =
 let loops (node : Ir.node) =
   let items = Array.of_list (in_source_order node) in
   let graph = graph items in
-  let instance v = match items.(v) with Instance i -> Some i | Equation _ -> None in
+  let instance v = match items.(v) with Instance i -> Some i | Equation _ | Machine _ -> None in
   List.filter_map
     (fun component ->
       if Graph.is_cyclic graph component then Some (List.filter_map instance component) else None)

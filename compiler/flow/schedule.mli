@@ -13,6 +13,7 @@
 type item =
   | Equation of Ir.equation
   | Instance of Ir.instance
+  | Machine of Ir.machine
 
 val in_source_order : Ir.node -> item list
 (** The node's own order: that of its equations, each instance before the

@@ -2,7 +2,7 @@ open Basis
 
 (* What an element is, but for the signals it reads: these are its arguments. *)
 type label =
-  | Parameter of int  (** its signal's id: each is different *)
+  | Parameter of int  (** its signal's id: each is different; outputs of the machine too *)
   | Equation of Ir.ty * Ir.rhs * constant list  (** the operands in [rhs] are blank *)
   | Instance of int * constant list
   | Output of int  (** of the instance that is the only argument *)
@@ -88,6 +88,7 @@ let elements_of (node : Ir.node) =
     element
   in
   let instances = map instance node.instances in
+  Option.iter (fun (m : Ir.machine) -> List.iter parameter m.outputs) node.machine;
   (elements, instances)
 
 let numbered labels =

@@ -2,7 +2,8 @@ let iter f (node : Ir.node) =
   List.iter f node.statics;
   List.iter f node.inputs;
   List.iter (fun (e : Ir.equation) -> f e.defines) node.equations;
-  List.iter (fun (i : Ir.instance) -> List.iter f i.outputs) node.instances
+  List.iter (fun (i : Ir.instance) -> List.iter f i.outputs) node.instances;
+  Option.iter (fun (m : Ir.machine) -> List.iter f m.outputs) node.machine
 
 let next_id (program : Ir.program) =
   let next = ref 0 in

@@ -17,6 +17,52 @@ let join passed (a : Ir.atom) =
   | Nothing, (Bool _ | Int _ | Float _) -> Always a
   | Always b, (Bool _ | Int _ | Float _) -> if same_literal a b then passed else Different
 
+(* What is passed for a parameter, seen from a mode whose own parameters get
+   [own]. *)
+let join_in_mode (mode : Ir.node) own passed (a : Ir.atom) =
+  let rec parameter j = function
+    | (s : Ir.signal) :: others -> (
+        match a with
+        | Signal read when read.id = s.id -> Some own.(j)
+        | Signal _ | Bool _ | Int _ | Float _ -> parameter (j + 1) others)
+    | [] -> None
+  in
+  match parameter 0 mode.statics with
+  | Some Nothing -> passed
+  | Some (Always literal) -> join passed literal
+  | Some Different | None -> join passed a
+
+(* Modes hand parameters to each other in circles: a literal is a literal if
+   nothing else ever comes in. Repeats until nothing changes. *)
+let parameters_of_modes (nodes : Ir.node array) passed (machine : Ir.machine) =
+  let modes = Array.of_list machine.modes in
+  let changed = ref true in
+  let note join (t : Ir.transition) =
+    let into = passed.(modes.(t.target)) in
+    List.iteri
+      (fun j a ->
+        let joined = join into.(j) a in
+        if joined != into.(j) then (
+          into.(j) <- joined;
+          changed := true))
+      t.arguments
+  in
+  let inputs = List.length machine.inputs in
+  Array.iter
+    (fun mode ->
+      let first = Array.length passed.(mode) - inputs in
+      List.iteri (fun j a -> passed.(mode).(first + j) <- join Nothing a) machine.inputs)
+    modes;
+  while !changed do
+    changed := false;
+    List.iter (note join) machine.start;
+    List.iter (note join) machine.controls;
+    Array.iter
+      (fun mode ->
+        List.iter (note (join_in_mode nodes.(mode) passed.(mode))) nodes.(mode).transitions)
+      modes
+  done
+
 (* Callers come before callees here, so a literal may go down many levels. *)
 let parameters (program : Ir.program) =
   let nodes = Array.copy program.nodes in
@@ -41,7 +87,8 @@ let parameters (program : Ir.program) =
       (fun (i : Ir.instance) ->
         let note j a = passed.(i.node).(j) <- join passed.(i.node).(j) a in
         List.iteri note (List.rev_append (List.rev i.statics) i.inputs))
-      node.instances
+      node.instances;
+    Option.iter (parameters_of_modes nodes passed) node.machine
   done;
   { program with nodes }
 

@@ -67,6 +67,8 @@ let apply t (node : Ir.node) =
     outputs = list (fun (name, a) -> (name, atom t a)) node.outputs;
     equations = List.filter_map equation node.equations;
     instances = list instance node.instances;
+    machine = Option.map (Transitions.map_machine (atom t) (renamed t)) node.machine;
+    transitions = Transitions.map (atom t) node.transitions;
   }
 
 let node t node = if Hashtbl.length t.atoms = 0 then node else apply t node

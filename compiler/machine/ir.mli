@@ -40,6 +40,17 @@ type field = {
 and content =
   | Value of ty
   | State_of of int  (** of that node *)
+  | Running_mode  (** the number of a mode *)
+  | Modes of mode list  (** room for what any one of them keeps *)
+
+(** What a machine keeps while this mode runs. *)
+and mode = {
+  node : int;
+  name : string;  (** unique in the program *)
+  parameters : (variable * field) list;
+      (** those of the mode's parameters that its step reads *)
+  state : field option;  (** if the mode's node has state *)
+}
 
 type expr =
   | Bool of bool
@@ -87,7 +98,38 @@ type statement =
       span : Span.t;
     }
   | Reset of { node : int; state : field; arguments : expr list; span : Span.t }
+  | Enter of { entry : entry; span : Span.t }
+  | Run of run
   | Return of { value : expr; span : Span.t }  (** last; one output only *)
+
+(** A mode begins: its parameters, then its state. *)
+and entry = {
+  mode : int;  (** of the node's [modes] *)
+  parameters : expr list;  (** for the mode's [parameters] *)
+  reset : expr list;  (** arguments of its node's reset *)
+}
+
+(** One instant of the node's machine (see {!Flow.Ir.machine}). In what comes
+    after an entry, dt is 0. *)
+and run = {
+  steps : int;  (** at most so many modes are stepped *)
+  controls : (expr * entry) list;  (** the first that holds *)
+  late : bool;  (** they come after the mode that runs, not before *)
+  drops : bool;
+      (** after a late control or a delayed transition the modes' results are dropped *)
+  cases : case list;  (** one for each mode *)
+  results : variable list;  (** declared here *)
+  span : Span.t;
+}
+
+and case = {
+  arguments : expr list;  (** of the step of the mode's node *)
+  others : variable list;
+      (** what the step gives after the machine's results, declared here *)
+  transitions : next list;  (** the first that holds *)
+}
+
+and next = { condition : expr; entry : entry; delayed : bool; span : Span.t }
 
 type code = {
   parameters : variable list;
@@ -101,6 +143,7 @@ type node = {
   file : string;
   span : Span.t;
   state : field list;  (** in the order of the struct: largest alignment first *)
+  modes : mode list;  (** of its machine, if there is one *)
   reset : code;  (** empty if there is no state *)
   step : code;
   outputs : (string * ty) list;

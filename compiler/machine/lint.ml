@@ -49,7 +49,7 @@ let constructor c sum k =
 let field_type c (f : Ir.field) =
   match Option.map (fun (own : Ir.field) -> own.content) (Hashtbl.find_opt c.state f.id) with
   | Some (Value ty) -> ty
-  | Some (State_of _) -> bug "field `%s` of `%s` is read as a value" f.name c.node.name
+  | Some (State_of _ | Running_mode | Modes _) -> bug "field `%s` of `%s` is read as a value" f.name c.node.name
   | None -> bug "field `%s` is not in the state of `%s`" f.name c.node.name
 
 (* The types of an operation's arguments, beside [ty] itself, and of its
@@ -186,6 +186,57 @@ let assign c known (place : Ir.place) ty =
       expect c "a result" (snd c.outputs.(k)) ty;
       { known with results = Known.add k () known.results }
 
+let enter c known (e : Ir.entry) =
+  let mode =
+    match List.nth_opt c.node.modes e.mode with
+    | Some mode -> mode
+    | None -> bug "`%s` has no mode %d" c.node.name e.mode
+  in
+  call c known (List.map fst mode.parameters) e.parameters;
+  match mode.state with
+  | Some _ -> call c known (callee c mode.node).reset.parameters e.reset
+  | None -> if e.reset <> [] then bug "a mode of `%s` has no state to reset" c.node.name
+
+(* Entering a mode writes all that a machine keeps. *)
+let entered c known =
+  List.fold_left
+    (fun known (f : Ir.field) ->
+      match f.content with
+      | Running_mode | Modes _ -> { known with fields = Known.add f.id () known.fields }
+      | Value _ | State_of _ -> known)
+    known c.node.state
+
+let run c known (run : Ir.run) =
+  let condition known e = expect c "a condition" Bool (expr c known e) in
+  let case (mode : Ir.mode) (case : Ir.case) =
+    let callee = callee c mode.node in
+    call c known callee.step.parameters case.arguments;
+    let values = List.rev_append (List.rev run.results) case.others in
+    if List.compare_lengths values callee.outputs <> 0 then
+      bug "`%s` takes a wrong number of results of a mode" c.node.name;
+    List.iter2
+      (fun (v : Ir.variable) (_, ty) -> expect c "a result" v.ty ty)
+      values callee.outputs;
+    List.iter (declare c) case.others;
+    let known = List.fold_left readable known case.others in
+    List.iter
+      (fun (n : Ir.next) ->
+        condition known n.condition;
+        enter c known n.entry)
+      case.transitions
+  in
+  if run.steps < 1 then bug "`%s` may not run any mode" c.node.name;
+  List.iter
+    (fun (e, entry) ->
+      condition known e;
+      enter c known entry)
+    run.controls;
+  if List.compare_lengths c.node.modes run.cases <> 0 then
+    bug "`%s` does not have a case for each mode" c.node.name;
+  List.iter2 case c.node.modes run.cases;
+  List.iter (declare c) run.results;
+  List.fold_left readable known run.results
+
 let both a b = Known.merge (fun _ x y -> match (x, y) with Some x, Some _ -> Some x | _ -> None) a b
 
 let rec statement c depth known (s : Ir.statement) =
@@ -230,6 +281,10 @@ let rec statement c depth known (s : Ir.statement) =
   | Reset { node; state; arguments; _ } ->
       call c known (callee c node).reset.parameters arguments;
       { known with fields = Known.add state.id () known.fields }
+  | Enter { entry; _ } ->
+      enter c known entry;
+      entered c known
+  | Run r -> run c known r
   | Return { value; _ } -> (
       match c.node.outputs with
       | [ (_, ty) ] ->
@@ -252,7 +307,11 @@ let program (program : Ir.program) =
   Array.iteri
     (fun index (node : Ir.node) ->
       let state = Hashtbl.create 16 in
-      List.iter (fun (f : Ir.field) -> Hashtbl.replace state f.id f) node.state;
+      let know (f : Ir.field) = Hashtbl.replace state f.id f in
+      List.iter know node.state;
+      List.iter
+        (fun (mode : Ir.mode) -> List.iter know (State.fields_of_mode mode))
+        node.modes;
       let outputs = Array.of_list node.outputs in
       let context () = { program; index; node; state; outputs; declared = Hashtbl.create 16 } in
       let after_step = code (context ()) node.step in

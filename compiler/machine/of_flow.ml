@@ -14,15 +14,13 @@ let callee context k =
   | Some node -> node
   | None -> Diagnostic.bug ~stage:"Machine.Of_flow" "a node is used before it is known"
 
-let stateful (node : Ir.node) = match node.state with [] -> false | _ :: _ -> true
-
 let value_type : F.ty -> Ir.ty = function
   | Bool -> Bool
   | Int -> Int
   | Float -> Float
   | Sum k -> Sum k
 
-let variable (s : F.signal) : Ir.variable = { id = s.id; name = s.name; ty = value_type s.ty }
+let variable = Modes.variable
 
 let atom_type : F.atom -> Ir.ty = function
   | Signal s -> value_type s.ty
@@ -223,8 +221,19 @@ let next_state draft state (eq : F.equation) =
 
 let equations items =
   List.filter_map
-    (function Flow.Schedule.Equation eq -> Some eq | Flow.Schedule.Instance _ -> None)
+    (function Flow.Schedule.Equation eq -> Some eq | Instance _ | Machine _ -> None)
     items
+
+let modes_context context draft state : Modes.context =
+  match State.machine state with
+  | Some kept ->
+      {
+        program = context.program;
+        callee = callee context;
+        kept;
+        resolve = resolve draft;
+      }
+  | None -> broken "a machine without state"
 
 let output_span (node : F.node) (atom : F.atom) =
   match atom with Signal s -> s.span | Bool _ | Int _ | Float _ -> node.span
@@ -244,7 +253,8 @@ let step_body context state (node : F.node) ~is_root (statics : Statics.t) =
     (fun (item : Flow.Schedule.item) ->
       match item with
       | Equation eq -> step_equation d state eq
-      | Instance i -> add d (call context (resolve d) i (State.instance state i)))
+      | Instance i -> add d (call context (resolve d) i (State.instance state i))
+      | Machine m -> add d (Modes.step (modes_context context d state) m))
     statics.in_step;
   let equations = equations statics.in_step in
   let advances =
@@ -252,7 +262,11 @@ let step_body context state (node : F.node) ~is_root (statics : Statics.t) =
       (fun (eq : F.equation) -> Option.bind (State.memory state eq.defines) (advance eq))
       equations
   in
-  let outputs = List.map (fun (_, atom) -> resolve d atom) node.outputs in
+  let for_transitions = List.map (fun s -> F.Signal s) (Modes.results_for_transitions node) in
+  let outputs =
+    let own = List.rev_map (fun (_, atom) -> resolve d atom) node.outputs in
+    List.rev_append own (List.map (resolve d) for_transitions)
+  in
   let returned, results =
     match outputs with
     | [ atom ] when not is_root -> (Some (atom, output_span node atom), [])
@@ -302,6 +316,7 @@ let reset_effects context draft state (item : Flow.Schedule.item) =
             [ Ir.Reset { node = i.node; state = field; arguments; span = i.span } ]
           in
           [ work ~operands i.span reset ])
+  | Machine m -> [ Modes.start (modes_context context draft state) m ]
 
 let reset_body context state (node : F.node) (statics : Statics.t) =
   let d = draft () in
@@ -310,7 +325,8 @@ let reset_body context state (node : F.node) (statics : Statics.t) =
     (fun (item : Flow.Schedule.item) ->
       match item with
       | Equation eq -> add_computed d eq
-      | Instance i -> add d (call context (resolve d) i None))
+      | Instance i -> add d (call context (resolve d) i None)
+      | Machine _ -> broken "a machine known at the start")
     statics.at_reset;
   let effects item = List.iter (add d) (reset_effects context d state item) in
   List.iter effects statics.in_step;
@@ -363,37 +379,49 @@ let parameters reads signals =
 let rec alignment context (content : Ir.content) =
   match content with
   | Value ty -> Layout.alignment context.program.sums ty
+  | Running_mode -> 1
+  | Modes modes ->
+      let of_mode largest (mode : Ir.mode) =
+        List.fold_left
+          (fun largest (field : Ir.field) -> max largest (alignment context field.content))
+          largest (State.fields_of_mode mode)
+      in
+      List.fold_left of_mode 1 modes
   | State_of k -> (
       match (callee context k).state with
       | first :: _ -> alignment context first.content
       | [] -> 1)
 
-let stepped body =
+let stepped body (modes : Ir.mode list) =
   let nodes = Hashtbl.create 8 in
   Walk.statements
     (function
       | Step { node; _ } -> Hashtbl.replace nodes node ()
-      | Declare _ | Assign _ | If _ | Reset _ | Return _ -> ())
+      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Run _ | Return _ -> ())
     body;
+  List.iter (fun (mode : Ir.mode) -> Hashtbl.replace nodes mode.node ()) modes;
   nodes
 
 (* Whether the dt of the first instant shows in what a node computes: an
    integral multiplies it by 0, but a derivative and a time do not. *)
-let sees_first_dt context state (statics : Statics.t) body =
+let sees_first_dt context state (statics : Statics.t) stepped =
   let own (eq : F.equation) =
     match State.memory state eq.defines with
     | Some (Elapsed _ | Differentiated _) -> true
     | Some (Delayed _ | Integrated _ | Kept _) | None -> false
   in
   List.exists own (equations statics.in_step)
-  || Hashtbl.fold (fun k () any -> any || context.sees_first_dt.(k)) (stepped body) false
+  || Hashtbl.fold (fun k () any -> any || context.sees_first_dt.(k)) stepped false
 
 let node context k ~is_root =
   let node = context.program.nodes.(k) in
   let statics = context.statics.(k) in
-  let state = State.of_node ~stateful:(fun k -> stateful (callee context k)) statics in
+  let statics_of k = List.map variable context.program.nodes.(k).statics in
+  let state = State.of_node ~callee:(callee context) ~statics:statics_of statics in
   let body = step_body context state node ~is_root statics in
-  context.sees_first_dt.(k) <- sees_first_dt context state statics body;
+  let modes = Option.fold (State.machine state) ~none:[] ~some:(fun (m : State.machine) -> m.modes) in
+  let stepped = stepped body modes in
+  context.sees_first_dt.(k) <- sees_first_dt context state statics stepped;
   let reads = reads_of body in
   let reset = reset_body context state node statics in
   let fields = State.fields state in
@@ -409,7 +437,7 @@ let node context k ~is_root =
     compare (alignment context b.content) (alignment context a.content)
   in
   let any property =
-    Hashtbl.fold (fun k () any -> any || property (callee context k)) (stepped body) false
+    Hashtbl.fold (fun k () any -> any || property (callee context k)) stepped false
   in
   let translated : Ir.node =
     {
@@ -418,6 +446,7 @@ let node context k ~is_root =
       file = node.file;
       span = node.span;
       state = List.stable_sort by_alignment (fields @ mark);
+      modes;
       reset =
         { parameters = parameters (reads_of reset) node.statics; body = reset @ List.map unmark mark };
       step =
@@ -428,7 +457,13 @@ let node context k ~is_root =
           body;
         };
       outputs =
-        List.rev (List.rev_map (fun (name, atom) -> (name, atom_type atom)) node.outputs);
+        (let for_transitions =
+           List.map
+             (fun (s : F.signal) -> (s.name, value_type s.ty))
+             (Modes.results_for_transitions node)
+         in
+         let own = List.rev_map (fun (name, atom) -> (name, atom_type atom)) node.outputs in
+         List.rev_append own for_transitions);
       seconds = reads.seconds || any (fun (n : Ir.node) -> n.seconds);
       nanoseconds = reads.nanoseconds || any (fun (n : Ir.node) -> n.nanoseconds);
       operations = reads.operations;

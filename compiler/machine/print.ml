@@ -120,7 +120,28 @@ let rec statement c indent ppf (s : Ir.statement) =
   | Reset { node; state; arguments; span } ->
       put "reset %s %s%a  -- %d" c.program.nodes.(node).name (field state) (list c) arguments
         span.start.line
+  | Enter { entry; _ } -> put "%a" (enter c) entry
+  | Run { steps; controls; late; drops; cases; results; span } ->
+      put "%s = run, at most %d steps%s  -- %d" (variables c results) steps
+        (if drops then ", may drop results" else "")
+        span.start.line;
+      let control (condition, e) =
+        put "  %s %a -> %a" (if late then "then" else "first") (expr c) condition (enter c) e
+      in
+      List.iter control controls;
+      List.iteri
+        (fun k (case : Ir.case) ->
+          put "  case %d: %s = step%a" k (variables c case.others) (list c) case.arguments;
+          List.iter
+            (fun (n : Ir.next) ->
+              put "    %a -> %a%s" (expr c) n.condition (enter c) n.entry
+                (if n.delayed then ", delayed" else ""))
+            case.transitions)
+        cases
   | Return { value; _ } -> put "return %a" (expr c) value
+
+and enter c ppf (e : Ir.entry) =
+  fprintf ppf "enter %d%a reset%a" e.mode (list c) e.parameters (list c) e.reset
 
 let ty (program : Ir.program) : Ir.ty -> string = function
   | Bool -> "Bool"
@@ -142,6 +163,10 @@ let node (program : Ir.program) ppf (n : Ir.node) =
         match f.content with
         | Value t -> ty program t
         | State_of k -> sprintf "state of %s" program.nodes.(k).name
+        | Running_mode -> "number of a mode"
+        | Modes modes ->
+            sprintf "one of %s"
+              (String.concat ", " (List.map (fun (m : Ir.mode) -> m.name) modes))
       in
       fprintf ppf "  %s : %s  -- %s@\n" (field f) content f.purpose)
     n.state;

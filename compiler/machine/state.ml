@@ -11,14 +11,30 @@ type t = {
   memories : (int, memory) Hashtbl.t;
   instances : (string, Ir.field) Hashtbl.t;
   mutable fields : Ir.field list;  (** last first *)
+  mutable machine : machine option;
   mutable count : int;
 }
 
-let new_field t ~name content ~purpose span =
-  let field : Ir.field = { id = t.count; name; content; purpose; span } in
+and machine = {
+  running : Ir.field option;
+  room : Ir.field option;
+  modes : Ir.mode list;
+}
+
+let numbered t ~name content ~purpose span : Ir.field =
+  let id = t.count in
   t.count <- t.count + 1;
+  { id; name; content; purpose; span }
+
+let new_field t ~name content ~purpose span =
+  let field = numbered t ~name content ~purpose span in
   t.fields <- field :: t.fields;
   field
+
+let machine t = t.machine
+
+let fields_of_mode (mode : Ir.mode) =
+  List.map snd mode.parameters @ Option.to_list mode.state
 
 let fields t = List.rev t.fields
 let memory t (s : signal) = Hashtbl.find_opt t.memories s.id
@@ -75,8 +91,53 @@ let kept_name rhs =
   | Derivative _ ->
       "start_value"
 
-let of_node ~stateful (statics : Statics.t) =
-  let t = { memories = Hashtbl.create 16; instances = Hashtbl.create 16; fields = []; count = 0 } in
+(* A mode needs its parameters later if its step reads them. *)
+let mode t ~callee ~statics index : Ir.mode =
+  let node : Ir.node = callee index in
+  let is_read (v : Ir.variable) =
+    List.exists (fun (read : Ir.variable) -> read.id = v.id) node.step.parameters
+  in
+  let parameter (v : Ir.variable) =
+    let name = if String.equal v.name "" then "parameter" else v.name in
+    (v, numbered t ~name (Value v.ty) ~purpose:"parameter" node.span)
+  in
+  let state =
+    match node.state with
+    | [] -> None
+    | _ :: _ -> Some (numbered t ~name:"state" (State_of index) ~purpose:"" node.span)
+  in
+  {
+    node = index;
+    name = node.name;
+    parameters = List.map parameter (List.filter is_read (statics index));
+    state;
+  }
+
+let machine_of t ~callee ~statics (m : Flow.Ir.machine) =
+  let modes = List.map (mode t ~callee ~statics) m.modes in
+  let keeps (mode : Ir.mode) = mode.parameters <> [] || Option.is_some mode.state in
+  let field name content purpose = new_field t ~name content ~purpose m.span in
+  let running =
+    match modes with
+    | [] | [ _ ] -> None
+    | _ :: _ :: _ -> Some (field "mode" Ir.Running_mode "the mode that runs")
+  in
+  let room = if List.exists keeps modes then Some (field "modes" (Ir.Modes modes) "what they keep") else None in
+  t.machine <- Some { running; room; modes }
+
+let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : Statics.t) =
+  let t =
+    {
+      memories = Hashtbl.create 16;
+      instances = Hashtbl.create 16;
+      fields = [];
+      machine = None;
+      count = 0;
+    }
+  in
+  let stateful index =
+    match (callee index : Ir.node).state with [] -> false | _ :: _ -> true
+  in
   List.iter
     (fun (item : Flow.Schedule.item) ->
       match item with
@@ -84,7 +145,8 @@ let of_node ~stateful (statics : Statics.t) =
       | Instance i ->
           if stateful i.node then
             Hashtbl.replace t.instances i.name
-              (new_field t ~name:i.name (State_of i.node) ~purpose:"" i.span))
+              (new_field t ~name:i.name (State_of i.node) ~purpose:"" i.span)
+      | Machine m -> machine_of t ~callee ~statics:statics_of m)
     statics.in_step;
   let is_kept = Hashtbl.create 16 in
   List.iter (fun (s : signal) -> Hashtbl.replace is_kept s.id ()) statics.kept;
@@ -97,6 +159,7 @@ let of_node ~stateful (statics : Statics.t) =
     (fun (item : Flow.Schedule.item) ->
       match item with
       | Equation eq -> keep ~name:(kept_name eq.rhs) eq.span eq.defines
-      | Instance i -> List.iter (keep ~name:i.name i.span) i.outputs)
+      | Instance i -> List.iter (keep ~name:i.name i.span) i.outputs
+      | Machine _ -> ())
     statics.at_reset;
   t

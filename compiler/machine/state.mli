@@ -2,8 +2,9 @@
 
 type t
 
-val of_node : stateful:(int -> bool) -> Statics.t -> t
-(** [stateful] tells of the nodes before this one whether they have state. *)
+val of_node :
+  callee:(int -> Ir.node) -> statics:(int -> Ir.variable list) -> Statics.t -> t
+(** Of the nodes before this one: the nodes themselves, and their statics. *)
 
 type memory =
   | Delayed of Ir.field
@@ -14,6 +15,18 @@ type memory =
 
 val memory : t -> Flow.Ir.signal -> memory option
 val instance : t -> Flow.Ir.instance -> Ir.field option
+
+(** What a machine keeps. *)
+type machine = {
+  running : Ir.field option;  (** the number of the mode; one alone needs none *)
+  room : Ir.field option;  (** if any mode keeps anything *)
+  modes : Ir.mode list;
+}
+
+val machine : t -> machine option
+
+val fields_of_mode : Ir.mode -> Ir.field list
+(** Its parameters and its state. *)
 
 val fields : t -> Ir.field list
 (** All, in the order of the step's items, then what is kept. *)

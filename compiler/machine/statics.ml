@@ -58,10 +58,13 @@ let classify work item =
         && List.for_all (is_static work) i.statics
         && List.for_all (is_static work) i.inputs
       then List.iter (fun (s : Flow.Ir.signal) -> Hashtbl.replace work.static s.id Costly) i.outputs
+  | Machine m ->
+      List.iter (fun (s : Flow.Ir.signal) -> Hashtbl.replace work.definer s.id item) m.outputs
 
 let operands_of_item = function
   | Flow.Schedule.Equation e -> Flow.Operands.all e.rhs
   | Instance i -> List.rev_append i.statics i.inputs
+  | Machine m -> Flow.Transitions.read_in_step m
 
 (* All signals from which [roots] are computed by static definitions, with
    themselves; [stop] ends the walk at a signal. *)
@@ -86,6 +89,7 @@ let closure work ~stop roots =
 let defines_one_of table = function
   | Flow.Schedule.Equation e -> Hashtbl.mem table e.defines.id
   | Instance i -> List.exists (fun (s : Flow.Ir.signal) -> Hashtbl.mem table s.id) i.outputs
+  | Machine m -> List.exists (fun (s : Flow.Ir.signal) -> Hashtbl.mem table s.id) m.outputs
 
 (* What an item that is not static reads at its start, and in each step. *)
 let read_at_start (program : Flow.Ir.program) = function
@@ -95,6 +99,7 @@ let read_at_start (program : Flow.Ir.program) = function
       match program.nodes.(i.node).kind with
       | Signal_function -> i.statics
       | Function -> [])
+  | Machine m -> Flow.Transitions.atoms m.start
 
 let read_in_step (program : Flow.Ir.program) (callee : int -> t) = function
   | Flow.Schedule.Equation { rhs = Delay { next; _ }; _ } -> [ next ]
@@ -105,6 +110,7 @@ let read_in_step (program : Flow.Ir.program) (callee : int -> t) = function
       let is_read (s : Flow.Ir.signal) = List.exists (fun (r : Flow.Ir.signal) -> r.id = s.id) read in
       let add all parameter atom = if is_read parameter then atom :: all else all in
       List.fold_left2 add i.inputs node.statics i.statics
+  | Machine m -> Flow.Transitions.read_in_step m
 
 let of_function (node : Flow.Ir.node) =
   { at_reset = []; kept = []; in_step = Flow.Schedule.of_node node; read_by_step = node.statics }
@@ -120,6 +126,7 @@ let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) 
         match i.outputs with
         | s :: _ -> Hashtbl.mem work.static s.id
         | [] -> false)
+    | Machine _ -> false
   in
   let static_items, dynamic = List.partition is_static_item items in
   let gather read = List.fold_left (fun all item -> List.rev_append (read item) all) [] dynamic in
@@ -130,7 +137,9 @@ let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) 
         Diagnostic.bug ~stage:"Machine.Statics" "an initial value or a parameter in `%s` is not static"
           node.name)
     at_start;
-  let outputs = List.rev_map snd node.outputs in
+  let outputs =
+    List.rev_append (Flow.Transitions.atoms node.transitions) (List.rev_map snd node.outputs)
+  in
   let static_only = List.filter (fun (s : Flow.Ir.signal) -> Hashtbl.mem work.static s.id) in
   let read = gather (read_in_step program callee) in
   let in_step = static_only (Flow.Operands.signals (List.rev_append outputs read)) in
@@ -138,7 +147,11 @@ let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) 
   (* A cheap static reads cheap ones only, so the walk ends at what is kept. *)
   let needed_in_step = closure work ~stop:is_costly in_step in
   let kept =
-    let defined = function Flow.Schedule.Equation e -> [ e.defines ] | Instance i -> i.outputs in
+    let defined = function
+      | Flow.Schedule.Equation e -> [ e.defines ]
+      | Instance i -> i.outputs
+      | Machine m -> m.outputs
+    in
     List.concat_map
       (fun item ->
         List.filter

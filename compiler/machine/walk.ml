@@ -20,13 +20,35 @@ let rec statements visit body =
       | If { then_; else_; _ } ->
           statements visit then_;
           statements visit else_
-      | Declare _ | Assign _ | Step _ | Reset _ | Return _ -> ())
+      | Declare _ | Assign _ | Step _ | Reset _ | Enter _ | Run _ | Return _ -> ())
     body
+
+let entry visit (e : entry) =
+  List.iter (expression visit) e.parameters;
+  List.iter (expression visit) e.reset
+
+let run visit (run : run) =
+  let control (condition, e) =
+    expression visit condition;
+    entry visit e
+  in
+  let next (n : next) =
+    expression visit n.condition;
+    entry visit n.entry
+  in
+  let case c =
+    List.iter (expression visit) c.arguments;
+    List.iter next c.transitions
+  in
+  List.iter control run.controls;
+  List.iter case run.cases
 
 let expressions visit body =
   statements
     (function
       | Declare { value; _ } | Assign { value; _ } | Return { value; _ } -> expression visit value
       | If { condition; _ } -> expression visit condition
-      | Step { arguments; _ } | Reset { arguments; _ } -> List.iter (expression visit) arguments)
+      | Step { arguments; _ } | Reset { arguments; _ } -> List.iter (expression visit) arguments
+      | Enter e -> entry visit e.entry
+      | Run r -> run visit r)
     body

@@ -33,6 +33,7 @@ type t = {
   globals : Value.t Variables.Table.t;
   begun : unit Variables.Table.t;
   specializations : specialization Variables.Table.t;
+  building : trail Variables.Table.t;
   counts : (string, int) Hashtbl.t;
   mutable nodes : Flow.Ir.node list;
   mutable node_count : int;
@@ -67,6 +68,7 @@ let create sink options (program : Core.Ir.program) =
     globals = Variables.Table.create 64;
     begun = Variables.Table.create 16;
     specializations = Variables.Table.create 256;
+    building = Variables.Table.create 16;
     counts = Hashtbl.create 64;
     nodes = [];
     node_count = 0;
@@ -84,6 +86,14 @@ let rec settle evaluate =
       settle evaluate
 
 let from_here trail = { trail with depth = 0 }
+
+let since earlier later =
+  let rec go found calls =
+    if calls == earlier.calls then List.rev found
+    else match calls with [] -> List.rev found | call :: others -> go (call :: found) others
+  in
+  go [] later.calls
+
 let nests_deeply t trail = trail.depth > t.options.nesting
 
 (* The innermost calls, each place once: enough to see what goes on for ever. *)

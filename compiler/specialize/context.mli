@@ -20,6 +20,10 @@ val start : trail
 val from_here : trail -> trail
 (** The same calls, with nothing nested yet. *)
 
+val since : trail -> trail -> (string * Span.t) list
+(** The calls of the second after those of the first, with their places; the
+    last one first. *)
+
 (** {1 The context} *)
 
 type definition = { core : Core.Ir.definition; code : int  (** a number that is no local's *) }
@@ -48,6 +52,7 @@ type t = {
   globals : Value.t Variables.Table.t;  (** values of definitions without signals *)
   begun : unit Variables.Table.t;  (** definitions once postponed *)
   specializations : specialization Variables.Table.t;  (** by {!Skeleton.key} *)
+  building : trail Variables.Table.t;  (** machines that are being made, likewise *)
   counts : (string, int) Hashtbl.t;  (** specializations of a definition *)
   mutable nodes : Flow.Ir.node list;  (** the last one first *)
   mutable node_count : int;

@@ -2,6 +2,11 @@ open Basis
 
 type vertex = { name : string; span : Span.t }
 
+let is_continuation : Core.Ir.ty -> bool = function
+  | Function (_, Signal_function _) -> true
+  | Function _ | Signal_function _ | Tuple _ | Data _ | Variable _ | Bool | Int | Float | String ->
+      false
+
 let rec steps ~first = function
   | a :: (b :: _ as rest) -> (a, b) :: steps ~first rest
   | [ last ] -> [ (last, first) ]
@@ -23,4 +28,6 @@ let diagnostic ~vertex ~use cycle =
       Diagnostic.label ~at:(use a b) (Printf.sprintf "%s uses %s here" (named a) (named b)) diagnostic)
     (Diagnostic.error ~code:"E0410" ~at:(vertex first).span "%s %s" (named first) message)
     steps
-  |> Diagnostic.note "functions and signal functions may not be recursive"
+  |> Diagnostic.note
+       "functions may not be recursive; a signal function may start itself again only in the \
+        continuation of a switch"

@@ -4,6 +4,11 @@ open Basis
 
 type vertex = { name : string;  (** may be empty *) span : Span.t }
 
+val is_continuation : Core.Ir.ty -> bool
+(** Of an argument: is it, as that of a switch, a function that gives a signal
+    function? What it mentions runs later, if at all, and is followed from mode
+    to mode (see {!Machine}). *)
+
 val diagnostic : vertex:(int -> vertex) -> use:(int -> int -> Span.t) -> int list -> Diagnostic.t
 (** E0410 for a cycle, not empty: each vertex uses the next, the last one the
     first; [use]: where. *)

@@ -100,7 +100,7 @@ let root c ~unique (core : Ir.definition) ~input ~output =
   in
   ignore
     (Specialization.finish c node ~name:node_name ~origin:name ~span ~kind:Signal_function
-       ~statics:[] ~inputs ~outputs)
+       ~statics:[] ~inputs ~outputs ~transitions:[])
 
 let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
     Flow.Ir.program option =

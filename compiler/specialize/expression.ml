@@ -69,7 +69,7 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
       | Some (definition, types) -> global c s target e definition types
       | None -> bug "the method `%s` at an open type" name)
   | Primitive (primitive, types) ->
-      Primitive { primitive; types = List.map (Types.close s.types) types; arguments = [] }
+      Primitive { primitive; types = List.map (Types.close s.types) types; arguments = []; owner = s.owner }
   | Number value -> Atom (number (Types.close s.types e.ty) value)
   | Boolean b -> Atom (Bool b)
   | String text -> Text text
@@ -216,14 +216,16 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
   | _, [] -> f
   | Function ({ code = Lambda (binder, body); captured; _ } as closure), first :: others ->
       apply_lambda c s target ~span ~result closure captured binder body first others
-  | Primitive { primitive; types; arguments = before }, _ -> (
+  | Primitive { primitive; types; arguments = before; owner = _ }, _ -> (
       let all = List.rev_append arguments before in
       let missing = Core.Primitive.arity primitive - List.length all in
       match (primitive, all) with
       | Reactimate, [ signal_function ] -> Program signal_function.value
-      | (Delay | Time | Integral | Derivative), _ ->
-          Primitive { primitive; types; arguments = all }
-      | _, _ when missing > 0 -> Primitive { primitive; types; arguments = all }
+      | ( ( Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
+          | Delayed_recurring_switch | Initially ),
+          _ ) ->
+          Primitive { primitive; types; arguments = all; owner = s.owner }
+      | _, _ when missing > 0 -> Primitive { primitive; types; arguments = all; owner = s.owner }
       | _, _ -> Operation.apply (position c s span) target primitive ~result (List.rev all))
   | Choice { condition; then_; else_ }, _ ->
       let then_ = apply c s Unnamed ~span ~result then_ arguments in
@@ -313,14 +315,40 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
   | Primitive { primitive = Derivative; _ } ->
       let input = Leaves.atom c.types s.node ~span input.ty input.value in
       Atom (Node.define s.node target ~span Float (Derivative input))
-  | Choice { condition; then_; else_ } ->
-      let then_ = run c s Unnamed ~span ~result then_ input in
-      let else_ = run c s Unnamed ~span ~result else_ input in
-      Leaves.select c.types s.node target ~span result condition then_ else_
+  | Choice _
+  | Primitive
+      {
+        primitive =
+          Switch | Delayed_switch | Recurring_switch | Delayed_recurring_switch | Initially;
+        _;
+      } ->
+      Machine.run c (evaluator s) s.trail s.node target ~span ~result signal_function input
   | Unspecified -> Unspecified
   | Signal_function { code = Lambda _ | Generic _; _ }
   | Atom _ | Text _ | Product _ | Constructed _ | Function _ | Primitive _ | Program _ ->
       bug "what is run is no signal function"
+
+(* What {!Machine} needs of evaluation, in nodes of its own. *)
+and evaluator s : Machine.evaluator =
+  let scope trail node : scope =
+    { locals = Variables.empty; types = Variables.empty; node; owner = s.owner; trail }
+  in
+  {
+    run =
+      (fun c trail node ~span ~result signal_function input ->
+        match signal_function with
+        | Signal_function { code = Proc proc; name; captured; types; _ } ->
+            let locals = bind proc.input input.Value.ty input.value captured in
+            proc_body c { (scope trail node) with locals; types; owner = name } proc
+        | _ -> run c (scope trail node) Unnamed ~span ~result signal_function input);
+    apply =
+      (fun c trail node ~span ~result f argument ->
+        apply c (scope trail node) Unnamed ~span ~result f [ argument ]);
+    static =
+      (fun c trail node closure e ->
+        let inside = { (scope trail node) with locals = closure.Value.captured } in
+        expr c { inside with types = closure.types; owner = closure.name } Unnamed e);
+  }
 
 and delay (c : Context.t) s target ~span (initial : Value.argument) (input : Value.argument) : Value.t =
   let layout = Types.layout c.types input.ty in

@@ -14,6 +14,7 @@ let rec uses found (e : Ir.expr) =
   | Local _ | Primitive _ | Number _ | Boolean _ | String _ -> found
   | Lambda (_, e) | Component (e, _) | Is_constructor (e, _) | Payload { value = e; _ } ->
       uses found e
+  | Apply (f, continuation) when Cycle.is_continuation continuation.ty -> uses found f
   | Apply (a, b) -> uses (uses found a) b
   | Let { value; body; binder = _; parameters = _ } -> uses (uses found value) body
   | Tuple es | Construct { arguments = es; _ } -> List.fold_left uses found es

@@ -6,6 +6,7 @@ type t = {
   mutable instances : Ir.instance list;  (* likewise *)
   mutable size : int;
   mutable promised : Variables.Set.t;  (* signals that have no equation yet *)
+  mutable machine : Ir.machine option;
   instance_names : Names.t;
   mutable globals : Value.t Variables.t;
   mutable joins : Value.t Variables.t;
@@ -23,6 +24,7 @@ let create ~fresh =
     instances = [];
     size = 0;
     promised = Variables.Set.empty;
+    machine = None;
     instance_names = Names.create ();
     globals = Variables.empty;
     joins = Variables.empty;
@@ -97,6 +99,11 @@ let call t targets ~callee ~node ~span ~statics ~inputs tys =
   t.size <- t.size + 1;
   List.map (fun signal -> Ir.Signal signal) outputs
 
+let set_machine t machine =
+  t.machine <- Some machine;
+  t.size <- t.size + 1
+
+let machine t = t.machine
 let size t = t.size
 let equations t = List.rev t.equations
 let instances t = List.rev t.instances

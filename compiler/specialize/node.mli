@@ -44,8 +44,11 @@ val call :
   Flow.Ir.atom list
 (** One more instance; a target and a type for each output, which it returns. *)
 
+val set_machine : t -> Flow.Ir.machine -> unit
+val machine : t -> Flow.Ir.machine option
+
 val size : t -> int
-(** Of equations and instances. *)
+(** Of equations and instances; a machine counts as one. *)
 
 val equations : t -> Flow.Ir.equation list
 val instances : t -> Flow.Ir.instance list

@@ -88,4 +88,6 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
             | And -> Comparison.and_ p target a b
             | _ -> Comparison.or_ p target a b)
       | _ -> bug ())
-  | Delay | Time | Integral | Derivative | Reactimate -> bug ()
+  | Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
+  | Delayed_recurring_switch | Initially | Reactimate ->
+      bug ()

@@ -86,6 +86,10 @@ let rec uses g owner (e : Ir.expr) =
           List.iter (uses g owner) (rhs_expressions eq.rhs))
         proc.equations;
       uses g owner proc.output
+  | Apply (f, argument) when Cycle.is_continuation argument.ty ->
+      uses g owner f;
+      (* Nothing uses this vertex, so it is in no circle. *)
+      uses g (vertex g "" argument.span) argument
   | _ -> List.iter (uses g owner) (sub_expressions e)
 
 let report sink vertices use cycle =

@@ -120,7 +120,7 @@ let rec add_at w local path ty (value : Value.t) =
         add_number w constructor;
         List.iter2 (add_part w local path) fields.(constructor) arguments
     | (Function closure | Signal_function closure), _ -> add_closure w closure
-    | Primitive { primitive; types; arguments }, _ ->
+    | Primitive { primitive; types; arguments; owner = _ }, _ ->
         add_number w tag_primitive;
         add_number w (text_number w.table (Core.Primitive.name primitive));
         add_number w (List.length types);
@@ -277,9 +277,9 @@ let rec value_at c ~inside ty (original : Value.t) : Value.t =
           { constructor; arguments = List.map2 argument fields.(constructor) arguments }
     | Function closure, _ -> Function (copy_closure c closure)
     | Signal_function closure, _ -> Signal_function (copy_closure c closure)
-    | Primitive { primitive; types; arguments }, _ ->
+    | Primitive { primitive; types; arguments; owner }, _ ->
         let argument (a : Value.argument) = { a with value = value_at c ~inside:true a.ty a.value } in
-        Primitive { primitive; types; arguments = List.map argument arguments }
+        Primitive { primitive; types; arguments = List.map argument arguments; owner }
     | Choice { then_; else_; condition = _ }, _ ->
         let condition = next_atom c in
         let then_ = value ty then_ in

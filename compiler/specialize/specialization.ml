@@ -13,7 +13,7 @@ type request = {
   key : int;
 }
 
-let finish c node ~name ~origin ~span ~kind ~statics ~inputs ~outputs =
+let finish c node ~name ~origin ~span ~kind ~statics ~inputs ~outputs ~transitions =
   Context.add_node c
     {
       name;
@@ -24,6 +24,8 @@ let finish c node ~name ~origin ~span ~kind ~statics ~inputs ~outputs =
       outputs;
       equations = Node.equations node;
       instances = Node.instances node;
+      machine = Node.machine node;
+      transitions;
       span;
       file = span.Span.file;
     }
@@ -58,7 +60,7 @@ let build (c : Context.t) request body : Context.specialization =
         (finish c node
            ~name:(Names.unique c.names request.name)
            ~origin:request.name ~span:request.span ~kind:request.kind ~statics ~inputs
-           ~outputs:(List.map output holes))
+           ~outputs:(List.map output holes) ~transitions:[])
   in
   { callee; result; outputs }
 

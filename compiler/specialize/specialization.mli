@@ -37,5 +37,6 @@ val finish :
   statics:Flow.Ir.signal list ->
   inputs:Flow.Ir.signal list ->
   outputs:(string * Flow.Ir.atom) list ->
+  transitions:Flow.Ir.transition list ->
   int
 (** Adds a node to the program. *)

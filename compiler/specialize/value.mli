@@ -17,6 +17,7 @@ type t =
       primitive : Core.Primitive.t;
       types : Core.Ir.ty list;  (** closed *)
       arguments : argument list;  (** the last one first *)
+      owner : string;  (** the definition that says so *)
     }  (** applied to fewer arguments than it takes, or a signal function *)
   | Choice of { condition : Flow.Ir.atom; then_ : t; else_ : t }
       (** an [if] whose condition only the running program knows, of values

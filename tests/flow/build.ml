@@ -33,6 +33,8 @@ let node ?(kind = Ir.Signal_function) ?(file = "test.frob") program name outputs
       outputs;
       equations = List.rev b.equations;
       instances = List.rev b.instances;
+      machine = None;
+      transitions = [];
       span = span file 1;
       file;
     }

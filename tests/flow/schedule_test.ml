@@ -5,6 +5,7 @@ open Flow
 let name_of = function
   | Schedule.Equation e -> e.defines.name
   | Schedule.Instance i -> i.name ^ "()"
+  | Machine _ -> "machine"
 
 let order (program : Ir.program) =
   let root = program.nodes.(Array.length program.nodes - 1) in

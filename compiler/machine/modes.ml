@@ -1,0 +1,165 @@
+module F = Flow.Ir
+open Fragment
+
+type context = {
+  program : F.program;
+  callee : int -> Ir.node;
+  kept : State.machine;
+  resolve : F.atom -> F.atom;
+}
+
+let value_type : F.ty -> Ir.ty = function
+  | Bool -> Bool
+  | Int -> Int
+  | Float -> Float
+  | Sum k -> Sum k
+
+let variable (s : F.signal) : Ir.variable = { id = s.id; name = s.name; ty = value_type s.ty }
+let map f list = List.rev (List.rev_map f list)
+
+let results_for_transitions (node : F.node) =
+  let seen = Hashtbl.create 8 in
+  let is_new (s : F.signal) =
+    (not (Hashtbl.mem seen s.id))
+    &&
+    (Hashtbl.replace seen s.id ();
+     true)
+  in
+  List.filter is_new (Flow.Operands.signals (Flow.Transitions.atoms node.transitions))
+
+let broken what = Basis.Diagnostic.bug ~stage:"Machine.Modes" "%s" what
+
+(* For the parameters that a function reads the values given by [value]. *)
+let given value (parameters : Ir.variable list) =
+  List.map (fun (v : Ir.variable) -> value v.id) parameters
+
+(* [read] makes an expression of an argument. *)
+let entry context (machine : F.machine) read (t : F.transition) : Ir.entry =
+  let mode = List.nth context.kept.modes t.target in
+  let index = List.nth machine.modes t.target in
+  let values = Hashtbl.create 8 in
+  List.iter2
+    (fun (s : F.signal) a -> Hashtbl.replace values s.id a)
+    context.program.nodes.(index).statics t.arguments;
+  let value id =
+    match Hashtbl.find_opt values id with
+    | Some atom -> read atom
+    | None -> broken "a mode starts with what is no parameter"
+  in
+  {
+    mode = t.target;
+    parameters = List.map (fun ((v : Ir.variable), _) -> value v.id) mode.parameters;
+    reset =
+      (match mode.state with
+      | None -> []
+      | Some _ -> given value (context.callee index).reset.parameters);
+  }
+
+(* In a mode's case its own signals are results of its step. *)
+let read_result (atom : F.atom) : Ir.expr =
+  match atom with
+  | Signal s -> Variable (variable s)
+  | Bool b -> Bool b
+  | Int n -> Int n
+  | Float x -> Float x
+
+let case context machine ~inputs (mode : Ir.mode) : Ir.case =
+  let node = context.program.nodes.(mode.node) in
+  let values = Hashtbl.create 16 in
+  List.iter2 (fun (s : F.signal) e -> Hashtbl.replace values s.id e) node.inputs inputs;
+  List.iter
+    (fun ((v : Ir.variable), field) -> Hashtbl.replace values v.id (Ir.Field field))
+    mode.parameters;
+  let value id =
+    match Hashtbl.find_opt values id with
+    | Some e -> e
+    | None -> broken "a mode's step reads what it is not given"
+  in
+  let next (t : F.transition) : Ir.next =
+    {
+      condition = read_result t.occurs;
+      entry = entry context machine read_result t;
+      delayed = t.delayed;
+      span = t.span;
+    }
+  in
+  {
+    arguments = given value (context.callee mode.node).step.parameters;
+    others = List.map variable (results_for_transitions node);
+    transitions = List.map next node.transitions;
+  }
+
+(* The expressions of an action's operands, by the atom they are of. *)
+let reader operands exprs =
+  let signals = Hashtbl.create 16 in
+  List.iter2
+    (fun (atom : F.atom) e ->
+      match atom with
+      | Signal s -> Hashtbl.replace signals s.id e
+      | Bool _ | Int _ | Float _ -> ())
+    operands exprs;
+  fun (atom : F.atom) ->
+    match atom with
+    | Signal s -> (
+        match Hashtbl.find_opt signals s.id with
+        | Some e -> e
+        | None -> broken "an operand is missing")
+    | Bool _ | Int _ | Float _ -> read_result atom
+
+let step context (m : F.machine) =
+  let m = Flow.Transitions.map_machine context.resolve Fun.id m in
+  let operands = Flow.Transitions.read_in_step m in
+  let late = List.exists (fun (t : F.transition) -> t.delayed) m.controls in
+  let delayed mode =
+    List.exists (fun (t : F.transition) -> t.delayed) context.program.nodes.(mode).transitions
+  in
+  let results = map variable m.outputs in
+  let statements exprs =
+    let read = reader operands exprs in
+    let inputs = map read m.inputs in
+    [
+      Ir.Run
+        {
+          steps = m.steps;
+          controls =
+            List.map
+              (fun (t : F.transition) -> (read t.occurs, entry context m read t))
+              m.controls;
+          late;
+          drops = late || List.exists delayed m.modes;
+          cases = List.map (case context m ~inputs) context.kept.modes;
+          results;
+          span = m.span;
+        };
+    ]
+  in
+  let weight =
+    List.fold_left (fun sum mode -> sum + (context.callee mode).Ir.operations) 4 m.modes
+  in
+  Action { defines = m.outputs; operands; statements; always = true; weight; span = m.span }
+
+let start context (m : F.machine) =
+  let transitions = Flow.Transitions.map context.resolve m.start in
+  let operands = Flow.Transitions.atoms transitions in
+  let statements exprs =
+    let read = reader operands exprs in
+    let rec choose : F.transition list -> Ir.statement list = function
+      | [] -> broken "a machine without a first mode"
+      | ({ occurs = Bool true; span; _ } as t) :: _ ->
+          [ Enter { entry = entry context m read t; span } ]
+      | t :: others ->
+          [
+            If
+              {
+                uninitialized = [];
+                condition = read t.occurs;
+                then_ = [ Enter { entry = entry context m read t; span = t.span } ];
+                else_ = choose others;
+                predicted = false;
+                span = t.span;
+              };
+          ]
+    in
+    choose transitions
+  in
+  Action { defines = []; operands; statements; always = true; weight = 0; span = m.span }

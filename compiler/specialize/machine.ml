@@ -1,0 +1,416 @@
+open Basis
+module Ir = Flow.Ir
+
+let bug format = Diagnostic.bug ~stage:"Specialize.Machine" format
+
+type evaluator = {
+  run :
+    Context.t ->
+    Context.trail ->
+    Node.t ->
+    span:Span.t ->
+    result:Core.Ir.ty ->
+    Value.t ->
+    Value.argument ->
+    Value.t;
+  apply :
+    Context.t ->
+    Context.trail ->
+    Node.t ->
+    span:Span.t ->
+    result:Core.Ir.ty ->
+    Value.t ->
+    Value.argument ->
+    Value.t;
+  static : Context.t -> Context.trail -> Node.t -> Value.closure -> Core.Ir.expr -> Value.t;
+}
+
+type mode = {
+  number : int;
+  value : Value.t;  (* in terms of the node that found it first *)
+  holes : Skeleton.hole list;
+  name : string;
+  at : Span.t;  (* what leads to it *)
+  place : Span.t;  (* of its code *)
+  growth : Growth.t;
+}
+
+(* A mode with its equations. *)
+type built = {
+  mode : mode;
+  node : Node.t;
+  statics : Ir.signal list;
+  inputs : Ir.signal list;
+  output : Value.t;
+  transitions : Ir.transition list;
+}
+
+type machine = {
+  context : Context.t;
+  evaluator : evaluator;
+  trail : Context.trail;
+  input : Core.Ir.ty;
+  result : Core.Ir.ty;
+  known : mode Variables.Table.t;  (* by key *)
+  mutable count : int;
+  waiting : mode Queue.t;
+}
+
+let signal_function m : Core.Ir.ty = Signal_function (m.input, m.result)
+let unnamed span : Core.Ir.Local.t = { id = 0; name = ""; span }
+
+(* {1 Which modes} *)
+
+(* [proc x -> sf x] is read as [sf]. *)
+let eta (proc : Core.Ir.proc) =
+  match (proc.equations, proc.output.desc) with
+  | ( [ { binder; rhs = Run { signal_function; input = { desc = Local (input, _); _ } }; _ } ],
+      Local (output, _) )
+    when input.id = proc.input.local.id && output.id = binder.local.id ->
+      Some signal_function
+  | _, _ -> None
+
+(* What a signal function in tail position may be, and when. *)
+type choice =
+  | One of Value.t
+  | If of Ir.atom * choice * choice
+
+let rec choices m node (value : Value.t) =
+  match value with
+  | Choice { condition; then_; else_ } -> (
+      match (then_, else_) with
+      | Unspecified, other | other, Unspecified -> choices m node other
+      | _, _ ->
+          let then_ = choices m node then_ in
+          If (condition, then_, choices m node else_))
+  | Signal_function ({ code = Proc proc; _ } as closure) -> (
+      match eta proc with
+      | Some inner ->
+          choices m node (m.evaluator.static m.context m.trail node closure inner)
+      | None -> One value)
+  | Atom _ | Text _ | Product _ | Constructed _ | Function _ | Primitive _ | Signal_function _
+  | Program _ | Unspecified ->
+      One value
+
+(* Where the programmer wrote what a mode runs. *)
+let rec place_of ~otherwise (value : Value.t) =
+  match value with
+  | Primitive { arguments; _ } -> (
+      match List.rev arguments with
+      | first :: _ -> place_of ~otherwise first.value
+      | [] -> otherwise)
+  | Function { code = Lambda (_, body); _ } -> body.span
+  | Function closure | Signal_function closure -> closure.span
+  | Choice { then_; _ } -> place_of ~otherwise then_
+  | Atom _ | Text _ | Product _ | Constructed _ | Program _ | Unspecified -> otherwise
+
+let name_of (value : Value.t) =
+  match value with
+  | Primitive { owner; _ } -> owner
+  | Signal_function closure -> closure.name
+  | Choice _ -> "choice"
+  | Atom _ | Text _ | Product _ | Constructed _ | Function _ | Program _ | Unspecified -> "mode"
+
+(* The mode in which a signal function runs, and what it gets for parameters. *)
+let mode_of m node ~from ~at value =
+  let walk = Skeleton.walk m.context.keys node Holes in
+  Skeleton.add walk (unnamed at) (signal_function m) value;
+  let holes = Skeleton.take_holes walk in
+  let key = Skeleton.key walk in
+  let mode =
+    match Variables.Table.find_opt m.known key with
+    | Some known -> known
+    | None ->
+        let name = name_of value in
+        let growth = Growth.of_value value ~at ~from in
+        if Growth.is_endless growth then Growth.report m.context ~name growth;
+        Context.count m.context m.trail ~name ~span:at;
+        let place = place_of ~otherwise:at value in
+        let mode = { number = m.count; value; holes; name; at; place; growth } in
+        m.count <- m.count + 1;
+        Variables.Table.replace m.known key mode;
+        Queue.add mode m.waiting;
+        mode
+  in
+  (mode, List.map (fun (hole : Skeleton.hole) -> hole.atom) holes)
+
+let both node ~span (a : Ir.atom) (b : Ir.atom) : Ir.atom =
+  match (a, b) with
+  | Bool true, other | other, Bool true -> other
+  | _, _ -> Node.define node Unnamed ~span Bool (Op (And, [ a; b ]))
+
+(* In order, of which the first that occurs counts. *)
+let transitions m node ~from ~span ~delayed occurs value =
+  let rec go occurs choice rest =
+    match choice with
+    | If (condition, then_, else_) ->
+        go (both node ~span occurs condition) then_ (go occurs else_ rest)
+    | One value ->
+        let mode, arguments = mode_of m node ~from ~at:span value in
+        { Ir.occurs; target = mode.number; arguments; delayed; span } :: rest
+  in
+  match (occurs : Ir.atom) with
+  | Bool false -> []
+  | occurs -> go occurs (choices m node value) []
+
+(* {1 Events} *)
+
+let event_type ty : Core.Ir.ty = Data ({ module_ = "Prelude"; name = "Event" }, [ ty ])
+
+(* [Event] is the second constructor. *)
+let occurrence m node ~span ty event =
+  let types = m.context.types in
+  let occurs = Leaves.is_constructor types node Unnamed ~span (event_type ty) event 1 in
+  let value () =
+    Leaves.payload types node Unnamed ~span (event_type ty) event ~constructor:1 ~field:0
+  in
+  (occurs, value)
+
+(* {1 Modes} *)
+
+let proc_of (value : Value.t) =
+  match value with
+  | Signal_function { code = Proc proc; types; _ }
+  | Primitive
+      {
+        primitive = Switch | Delayed_switch;
+        arguments = [ _; { value = Signal_function { code = Proc proc; types; _ }; _ } ];
+        _;
+      } ->
+      Some (proc, types)
+  | _ -> None
+
+(* Names for an input of the machine in a mode. *)
+let input_names m (value : Value.t) =
+  match proc_of value with
+  | Some (proc, types) ->
+      (Destructuring.of_proc m.context.types types proc, Some proc.input.local)
+  | None -> (Destructuring.none, None)
+
+let parameter node ~name (hole : Skeleton.hole) =
+  Node.signal node ~name ~span:hole.local.span hole.ty
+
+(* What the signal function in a mode does: its output and transitions. *)
+let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
+  let c = m.context and at = mode.place in
+  let run ~name ~result =
+    let trail = Context.enter c m.trail ~name ~span:mode.at in
+    m.evaluator.run c trail node ~span:at ~result
+  in
+  let next ~delayed ty event (continuation : Value.t) =
+    let span = place_of ~otherwise:at continuation in
+    let occurs, payload = occurrence m node ~span ty event in
+    match occurs with
+    | Bool false -> []
+    | _ ->
+        let argument : Value.argument = { value = payload (); ty } in
+        let after =
+          m.evaluator.apply c m.trail node ~span ~result:(signal_function m) continuation argument
+        in
+        transitions m node ~from:(Some mode.growth) ~span ~delayed occurs after
+  in
+  match value with
+  | Primitive
+      {
+        primitive = (Switch | Delayed_switch) as primitive;
+        arguments = [ continuation; before ];
+        types = [ _; _; ty ];
+        _;
+      } ->
+      let result : Core.Ir.ty = Tuple [ m.result; event_type ty ] in
+      let outputs = run ~name:(Core.Primitive.name primitive) ~result before.value input in
+      let delayed = primitive = Delayed_switch in
+      ( Leaves.component outputs 0,
+        next ~delayed ty (Leaves.component outputs 1) continuation.value )
+  | Primitive { primitive = Initially; arguments = [ chosen ]; _ } ->
+      let event : Value.t = Constructed { constructor = 1; arguments = [ input.value ] } in
+      (Unspecified, next ~delayed:false input.ty event chosen.value)
+  | _ -> (run ~name:mode.name ~result:m.result value input, [])
+
+let build m ~input_value ~input_holes (mode : mode) =
+  let c = m.context in
+  let node = Node.create ~fresh:c.fresh in
+  let static (hole : Skeleton.hole) =
+    parameter node ~name:(Types.join hole.local.name hole.path) hole
+  in
+  let statics = List.map static mode.holes in
+  let atoms = List.map (fun s -> Ir.Signal s) in
+  let value =
+    Skeleton.value (Skeleton.copy c.keys Holes (atoms statics)) (signal_function m) mode.value
+  in
+  let names, local = input_names m value in
+  let input (hole : Skeleton.hole) =
+    match local with
+    | Some local -> parameter node ~name:(Destructuring.name names local hole.path) hole
+    | None -> parameter node ~name:"" hole
+  in
+  let inputs = List.map input input_holes in
+  let input : Value.argument =
+    {
+      ty = m.input;
+      value = Skeleton.value (Skeleton.copy c.keys Holes (atoms inputs)) m.input input_value;
+    }
+  in
+  let output, transitions = behaviour m node mode value input in
+  { mode; node; statics; inputs; output; transitions }
+
+(* {1 Outputs} *)
+
+(* All modes must give the same leaves. *)
+let output_leaves m (b : built) =
+  let walk = Skeleton.walk m.context.keys b.node Holes in
+  Skeleton.add walk (unnamed b.mode.place) m.result b.output;
+  let holes = Skeleton.take_holes walk in
+  (Skeleton.key walk, List.map (fun (hole : Skeleton.hole) -> (hole.path, hole.atom)) holes)
+
+let finish m name (b : built) outputs =
+  let output (path, atom) = (Types.join "out" path, atom) in
+  Specialization.finish m.context b.node
+    ~name:(Names.unique m.context.names (Types.join name b.mode.name))
+    ~origin:b.mode.name ~span:b.mode.place ~kind:Signal_function ~statics:b.statics
+    ~inputs:b.inputs
+    ~outputs:(List.map output outputs)
+    ~transitions:b.transitions
+
+(* {1 The machine} *)
+
+(* The signal functions to begin with; the input of the modes; controls. *)
+let parts m node ~span (value : Value.t) (input : Value.t) =
+  match value with
+  | Primitive
+      {
+        primitive = (Recurring_switch | Delayed_recurring_switch) as primitive;
+        arguments = [ first ];
+        _;
+      } ->
+      let event = Leaves.component input 1 in
+      let controls () =
+        let occurs, payload = occurrence m node ~span (signal_function m) event in
+        match occurs with
+        | Bool false -> []
+        | _ ->
+            transitions m node ~from:None ~span
+              ~delayed:(primitive = Delayed_recurring_switch)
+              occurs (payload ())
+      in
+      (first.value, Leaves.component input 0, controls)
+  | _ -> (value, input, fun () -> [])
+
+let body (c : Context.t) evaluator trail node ~name ~span ~input_ty ~result value input =
+  let m =
+    {
+      context = c;
+      evaluator;
+      trail;
+      input = input_ty;
+      result;
+      known = Variables.Table.create 16;
+      count = 0;
+      waiting = Queue.create ();
+    }
+  in
+  let first, input_value, controls = parts m node ~span value input in
+  let walk = Skeleton.walk c.keys node Holes in
+  Skeleton.add walk (unnamed span) m.input input_value;
+  let input_holes = Skeleton.take_holes walk in
+  let start = transitions m node ~from:None ~span ~delayed:false (Bool true) first in
+  let controls = controls () in
+  let rec all built =
+    match Queue.take_opt m.waiting with
+    | None -> List.rev built
+    | Some mode -> all (build m ~input_value ~input_holes mode :: built)
+  in
+  let built = all [] in
+  let leaves = List.map (output_leaves m) built in
+  let types =
+    match leaves with
+    | (_, first) :: _ -> List.map (fun (_, atom) -> Skeleton.type_of_atom atom) first
+    | [] -> bug "a machine without modes"
+  in
+  let modes = List.map2 (fun b (_, outputs) -> finish m name b outputs) built leaves in
+  let outputs = List.map (Node.signal node ~name:"" ~span) types in
+  Node.set_machine node
+    {
+      modes;
+      start;
+      controls;
+      inputs = List.map (fun (hole : Skeleton.hole) -> hole.atom) input_holes;
+      outputs;
+      steps = 2 + List.length modes;
+      span;
+    };
+  match built with
+  | first :: _ ->
+      let atoms = List.map (fun s -> Ir.Signal s) outputs in
+      Skeleton.value (Skeleton.copy c.keys Holes atoms) result first.output
+  | [] -> bug "a machine without modes"
+
+(* A machine that would be part of its own state. *)
+let refuse_nesting (c : Context.t) ~name ~outside ~inside =
+  let calls = match Context.since outside inside with [] -> [] | _ :: calls -> calls in
+  let wrapper, at =
+    match calls with
+    | first :: _ -> first
+    | [] -> bug "a machine is made while it is made"
+  in
+  let error =
+    Diagnostic.error ~code:"E0415" ~at "`%s` would run inside itself" name
+    |> Diagnostic.here (Printf.sprintf "`%s` runs it here" wrapper)
+  in
+  Diagnostic.emit c.sink
+    (List.fold_left
+       (fun d (caller, at) ->
+         Diagnostic.label ~at (Printf.sprintf "`%s` runs here" caller) d)
+       error
+       (match calls with [] | [ _ ] -> [] | _ :: outer -> outer)
+    |> Diagnostic.note
+         "a signal function may start itself again only as the whole result of a continuation: \
+          then it takes no room");
+  raise Context.Stopped
+
+let run (c : Context.t) evaluator trail node target ~span ~result value (input : Value.argument) =
+  let name = name_of value in
+  let trail = Context.enter c trail ~name ~span in
+  let input_ty : Core.Ir.ty =
+    match (value, input.ty) with
+    | Primitive { primitive = Recurring_switch | Delayed_recurring_switch; _ }, Tuple [ a; _ ] -> a
+    | _, ty -> ty
+  in
+  let ty : Core.Ir.ty = Signal_function (input.ty, result) in
+  let walk = Skeleton.walk c.keys node Holes in
+  Skeleton.add_number walk min_int;
+  Skeleton.add walk (unnamed span) ty value;
+  let statics = Skeleton.take_holes walk in
+  let names, local =
+    match proc_of value with
+    | Some (proc, types) -> (Destructuring.of_proc c.types types proc, proc.input.local)
+    | None -> (Destructuring.none, unnamed span)
+  in
+  Skeleton.add walk local input.ty input.value;
+  let inputs = Skeleton.take_holes walk in
+  let key = Skeleton.key walk in
+  Option.iter
+    (fun outside -> refuse_nesting c ~name ~outside ~inside:trail)
+    (Variables.Table.find_opt c.building key);
+  let make trail node atoms =
+    let copy = Skeleton.copy c.keys Holes atoms in
+    let value = Skeleton.value copy ty value in
+    let input = Skeleton.value copy input.ty input.value in
+    Variables.Table.replace c.building key trail;
+    Fun.protect
+      ~finally:(fun () -> Variables.Table.remove c.building key)
+      (fun () -> body c evaluator trail node ~name ~span ~input_ty ~result value input)
+  in
+  Specialization.call c trail node target
+    {
+      kind = Signal_function;
+      name;
+      span;
+      call = span;
+      result;
+      statics;
+      inputs;
+      names;
+      key;
+    }
+    make
