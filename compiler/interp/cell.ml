@@ -163,7 +163,7 @@ let read_float r : Value.t =
   (* Not [accept_word], which would go over blanks behind the sign. *)
   let is_name = match peek r with 'n' | 'i' -> true | _ -> false in
   if is_name then
-    if accept_word r "nan" then Float Float.nan
+    if accept_word r "nan" then Float Number.Float.nan
     else if accept_word r "inf" then
       Float (if negative then Float.neg_infinity else Float.infinity)
     else fail what

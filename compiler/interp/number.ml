@@ -28,10 +28,11 @@ module Int = struct
 end
 
 module Float = struct
+  let nan = Int64.float_of_bits 0x7ff8_0000_0000_0000L
   let signum x = if x > 0. then 1. else if x < 0. then -1. else x
 
   let extreme wins a b =
-    if Real.is_nan a || Real.is_nan b then Real.nan else if wins b a then b else a
+    if Real.is_nan a || Real.is_nan b then nan else if wins b a then b else a
 
   let minimum = extreme (fun b a -> b < a)
   let maximum = extreme (fun b a -> b > a)
