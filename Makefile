@@ -10,7 +10,11 @@ PREFIX ?= /usr/local
 FROBC = _build/install/default/bin/frobc
 OUT = _build/run
 
-.PHONY: all setup run test bench install clean
+# For `make fuzz`: how many random programs, and from which seed.
+N ?= 1000
+SEED ?= $(shell date +%s)
+
+.PHONY: all setup run test fuzz bench install clean
 
 all: setup
 	dune build @install
@@ -26,6 +30,12 @@ run: all
 
 test: setup
 	@sh tests/run.sh
+
+fuzz: all
+	@dune build tests/fuzz/main.exe
+	@_build/default/tests/fuzz/main.exe --library _build/install/default/share/frobc/stdlib \
+	  --headers _build/install/default/share/frobc/include \
+	  --host _build/install/default/lib/frobc/frob-trace --count $(N) --seed $(SEED)
 
 bench: all
 	@sh tests/bench/run.sh

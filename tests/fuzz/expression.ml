@@ -1,0 +1,302 @@
+open Choice
+
+type scope = {
+  random : Random.State.t;
+  prefix : string;
+  count : int ref;
+  declared : Type.t list;
+  variables : (string * Type.t) list;
+  functions : (string * Type.t list * Type.t) list;
+  run : (scope -> int -> Type.t -> string) option;
+}
+
+let fresh s start =
+  incr s.count;
+  Printf.sprintf "%s%s%d" s.prefix start !(s.count)
+
+let any_type s = Type.any s.random ~declared:s.declared
+let bind variables s = { s with variables = variables @ s.variables }
+let f = Printf.sprintf
+let typed text ty = f "(%s :: %s)" text (Type.text ty)
+
+(* {1 Constants} *)
+
+let floats =
+  [
+    "0.0"; "1.0"; "(-1.0)"; "0.5"; "(-0.5)"; "1.5"; "2.5"; "(-2.5)"; "3"; "0.1"; "100.0"; "1.0e10";
+    "(-1.0e-10)"; "1.0e300"; "2147483648.0"; "30[deg]"; "(0.0 / 0.0)"; "(1.0 / 0.0)"; "(-0.0)"; "pi";
+  ]
+
+let ints = [ "0"; "1"; "2"; "(-1)"; "(-3)"; "7"; "100"; "65537"; "2147483647"; "(-2147483647 - 1)" ]
+
+let construct (data : Type.data) (c : Type.constructor) arguments =
+  if Type.is_record data then
+    let field (name, _) argument = f "%s = %s" name argument in
+    f "%s { %s }" c.name (String.concat ", " (List.map2 field c.fields arguments))
+  else String.concat " " (c.name :: arguments)
+
+let rec literal s (ty : Type.t) =
+  match ty with
+  | Float -> one_of s.random floats
+  | Int -> one_of s.random ints
+  | Bool -> one_of s.random [ "True"; "False" ]
+  | Tuple parts -> f "(%s)" (String.concat ", " (List.map (literal s) parts))
+  | Data data ->
+      let c = one_of s.random data.constructors in
+      typed (construct data c (List.map (fun (_, t) -> literal s t) c.fields)) ty
+
+(* {1 Patterns} *)
+
+let variable s ty =
+  let name = fresh s "x" in
+  (name, [ (name, ty) ])
+
+let rec pattern s (ty : Type.t) =
+  match ty with
+  | _ when chance s.random 8 -> ("_", [])
+  | Tuple parts when not (chance s.random 4) ->
+      let patterns = List.map (pattern s) parts in
+      (f "(%s)" (String.concat ", " (List.map fst patterns)), List.concat_map snd patterns)
+  | Data ({ constructors = [ c ]; _ } as data) when chance s.random 2 ->
+      let patterns = List.map (fun (_, t) -> pattern s t) c.fields in
+      (f "(%s)" (construct data c (List.map fst patterns)), List.concat_map snd patterns)
+  | Float | Int | Bool | Tuple _ | Data _ -> variable s ty
+
+(* Patterns that cover a type together, each with its variables. *)
+let rec cover s depth (ty : Type.t) =
+  match ty with
+  | _ when depth = 0 -> [ pattern s ty ]
+  | Float -> [ variable s ty ]
+  | Int ->
+      let number = f "%d" (Random.State.int s.random 4) in
+      [ (number, []); pattern s ty ]
+  | Bool -> [ ("True", []); ("False", []) ]
+  | Tuple parts ->
+      let all = one_split s depth parts in
+      List.map (fun (texts, bound) -> (f "(%s)" (String.concat ", " texts), bound)) all
+  | Data data ->
+      let of_constructor (c : Type.constructor) =
+        List.map
+          (fun (texts, bound) -> (f "(%s)" (construct data c texts), bound))
+          (one_split s depth (List.map snd c.fields))
+      in
+      let all = List.concat_map of_constructor data.constructors in
+      List.map
+        (fun (text, bound) ->
+          if chance s.random 6 then
+            let name = fresh s "w" in
+            (f "%s@%s" name text, (name, ty) :: bound)
+          else (text, bound))
+        all
+
+(* Of several parts only one is covered by more than one pattern. *)
+and one_split s depth parts =
+  let chosen = Random.State.int s.random (max 1 (List.length parts)) in
+  let rec go i = function
+    | [] -> [ ([], []) ]
+    | ty :: others ->
+        let here = if i = chosen then cover s (depth - 1) ty else [ pattern s ty ] in
+        let rest = go (i + 1) others in
+        List.concat_map
+          (fun (text, bound) ->
+            List.map (fun (texts, more) -> (text :: texts, bound @ more)) rest)
+          here
+  in
+  (* Names are bound once: patterns are made again for each row. *)
+  match parts with [] -> [ ([], []) ] | _ -> go 0 parts
+
+(* {1 Expressions} *)
+
+let variables_of s ty = List.filter (fun (_, t) -> t = ty) s.variables
+let functions_to s ty = List.filter (fun (_, _, result) -> result = ty) s.functions
+
+let rec expression s fuel ty =
+  let atom () =
+    match variables_of s ty with
+    | _ :: _ as all when not (chance s.random 6) -> fst (one_of s.random all)
+    | _ -> ( match (ty : Type.t) with Tuple _ -> parts s fuel ty | _ -> literal s ty)
+  in
+  if fuel <= 0 then atom ()
+  else
+    let weight yes n = if yes then n else 0 in
+    let make =
+      weighted s.random
+        [
+          (4, atom);
+          (10, fun () -> by_type s (fuel - 1) ty);
+          (2, fun () -> conditional s (fuel - 1) ty);
+          (4, fun () -> case s (fuel - 1) ty);
+          (1, fun () -> let_ s (fuel - 1) ty);
+          (4, fun () -> polymorphic s (fuel - 1) ty);
+          (2, fun () -> higher_order s (fuel - 1) ty);
+          (1, fun () -> field s (fuel - 1) ty);
+          (weight (functions_to s ty <> []) 4, fun () -> call s (fuel - 1) ty);
+          ( weight (s.run <> None) 4,
+            fun () -> match s.run with Some run -> run s (fuel - 1) ty | None -> atom () );
+        ]
+    in
+    make ()
+
+(* Where a value may not be computed, no instance may stand. *)
+and elsewhere s = { s with run = None }
+
+and unary s fuel name ty = f "(%s %s)" name (expression s fuel ty)
+and binary s fuel name ty = f "(%s %s %s)" name (expression s fuel ty) (expression s fuel ty)
+and infix s fuel operator ty = f "(%s %s %s)" (expression s fuel ty) operator (expression s fuel ty)
+
+and extreme s fuel ty =
+  let name = one_of s.random [ "min"; "max" ] in
+  f "(%s %s %s)" name (typed (expression s fuel ty) ty) (expression s fuel ty)
+
+and parts s fuel (ty : Type.t) =
+  match ty with
+  | Tuple parts -> f "(%s)" (String.concat ", " (List.map (expression s fuel) parts))
+  | Float | Int | Bool | Data _ -> expression s fuel ty
+
+and by_type s fuel (ty : Type.t) =
+  match ty with
+  | Float -> float s fuel
+  | Int -> int s fuel
+  | Bool -> bool s fuel
+  | Tuple _ -> parts s fuel ty
+  | Data data ->
+      let c = one_of s.random data.constructors in
+      let arguments = List.map (fun (_, t) -> expression s fuel t) c.fields in
+      if Type.is_record data && chance s.random 3 then
+        let name, t = one_of s.random c.fields in
+        f "(%s { %s = %s })" (typed (expression s fuel ty) ty) name (expression s fuel t)
+      else typed (construct data c arguments) ty
+
+and float s fuel =
+  match Random.State.int s.random 12 with
+  | 0 | 1 | 2 | 3 -> infix s fuel (one_of s.random [ "+"; "-"; "*"; "/" ]) Float
+  | 4 -> unary s fuel (one_of s.random [ "negate"; "abs"; "signum"; "sqrt" ]) Float
+  | 5 -> extreme s fuel Float
+  | 6 ->
+      let names = [ "sin"; "cos"; "tan"; "asin"; "acos"; "atan"; "exp"; "log" ] in
+      unary s fuel (one_of s.random names) Float
+  | 7 -> binary s fuel (one_of s.random [ "atan2"; "hypot"; "limit"; "deadband" ]) Float
+  | 8 -> infix s fuel "**" Float
+  | 9 ->
+      let k = one_of s.random [ "0"; "1"; "2"; "3"; "5"; "6"; "13"; "(-1)"; "(-2)"; "(-7)" ] in
+      f "(%s ^ %s)" (expression s fuel Float) k
+  | 10 -> f "(- %s)" (expression s fuel Float)
+  | _ -> unary s fuel "toFloat" Int
+
+and int s fuel =
+  match Random.State.int s.random 10 with
+  | 0 | 1 | 2 -> infix s fuel (one_of s.random [ "+"; "-"; "*" ]) Int
+  | 3 | 4 -> binary s fuel (one_of s.random [ "div"; "mod" ]) Int
+  | 5 -> unary s fuel (one_of s.random [ "negate"; "abs"; "signum" ]) Int
+  | 6 -> extreme s fuel Int
+  | 7 -> f "(%s ^ %s)" (expression s fuel Int) (one_of s.random [ "0"; "1"; "2"; "3"; "9" ])
+  | _ -> unary s fuel (one_of s.random [ "round"; "floor"; "ceiling"; "truncate" ]) Float
+
+and bool s fuel =
+  match Random.State.int s.random 8 with
+  | 0 -> unary s fuel "not" Bool
+  | 1 | 2 -> infix s fuel (one_of s.random [ "&&"; "||" ]) Bool
+  | n ->
+      let ty = if n < 6 then one_of s.random [ Type.Float; Int ] else any_type s in
+      let operator = one_of s.random [ "=="; "/="; "<"; "<="; ">"; ">=" ] in
+      f "(%s %s %s)" (typed (expression s fuel ty) ty) operator (typed (expression s fuel ty) ty)
+
+and conditional s fuel ty =
+  let inside = elsewhere s in
+  f "(if %s then %s else %s)" (expression s fuel Bool) (expression inside fuel ty)
+    (expression inside fuel ty)
+
+and case s fuel ty =
+  let scrutinized = any_type s in
+  let value = typed (expression s fuel scrutinized) scrutinized in
+  let s = elsewhere s in
+  let result bound = expression (bind bound s) fuel ty in
+  let branch (text, bound) =
+    match Random.State.int s.random 6 with
+    | 0 ->
+        let guard = expression (bind bound s) (fuel - 1) Bool in
+        f "%s | %s -> %s | otherwise -> %s" text guard (result bound) (result bound)
+    | 1 ->
+        (* falls through to the same pattern *)
+        f "%s | %s -> %s; %s -> %s" text
+          (expression (bind bound s) (fuel - 1) Bool)
+          (result bound) text (result bound)
+    | _ -> f "%s -> %s" text (result bound)
+  in
+  let rec shortened = function
+    | first :: _ :: _ when chance s.random 5 -> [ first; ("_", []) ]
+    | first :: others -> first :: shortened others
+    | [] -> []
+  in
+  let branches = shortened (cover s 2 scrutinized) in
+  f "(case %s of %s)" value (String.concat "; " (List.map branch branches))
+
+and let_ s fuel ty =
+  let other = any_type s in
+  let value = expression s fuel other in
+  let text, bound = pattern s other in
+  f "(let %s = %s in %s)" text (typed value other) (expression (bind bound s) fuel ty)
+
+and lambda s fuel argument ty =
+  let text, bound = pattern s argument in
+  f "(\\%s -> %s)" text (expression (bind bound (elsewhere s)) fuel ty)
+
+and polymorphic s fuel ty =
+  let e ty = expression s fuel ty and other = any_type s in
+  match Random.State.int s.random 12 with
+  | 0 -> f "(choose %s %s %s)" (e Bool) (e ty) (e ty)
+  | 1 -> f "(fst (%s, %s))" (e ty) (typed (e other) other)
+  | 2 -> f "(snd (swap (%s, %s)))" (e ty) (typed (e other) other)
+  | 3 -> f "(const %s %s)" (e ty) (typed (e other) other)
+  | 4 -> f "(fromMaybe %s %s)" (e ty) (e (Type.maybe ty))
+  | 5 -> f "(maybe %s %s %s)" (e ty) (lambda s fuel other ty) (typed (e (Type.maybe other)) (Type.maybe other))
+  | 6 ->
+      let left = any_type s in
+      let sum = Type.either left other in
+      f "(either %s %s %s)" (lambda s fuel left ty) (lambda s fuel other ty) (typed (e sum) sum)
+  | 7 -> f "(clampTo %s %s %s)" (typed (e ty) ty) (e ty) (e ty)
+  | 8 -> f "(twice %s %s)" (lambda s fuel ty ty) (e ty)
+  | 9 -> extreme s fuel ty
+  | 10 -> (
+      match (ty : Type.t) with
+      | Float | Int -> f "(oneMore %s)" (e ty)
+      | Bool -> f "(firstDiffers %s %s)" (typed (e other) other) (e other)
+      | Tuple _ | Data _ -> f "(id %s)" (e ty))
+  | _ -> f "(id %s)" (e ty)
+
+(* Functions that are values of the instant. *)
+and higher_order s fuel ty =
+  let argument = any_type s in
+  let value s = typed (expression s fuel argument) argument in
+  let one () = lambda s fuel argument ty in
+  match Random.State.int s.random 5 with
+  | 0 -> f "(%s %s)" (one ()) (value s)
+  | 1 -> f "((if %s then %s else %s) %s)" (expression s fuel Bool) (one ()) (one ()) (value s)
+  | 2 ->
+      let name = fresh s "g" in
+      f "(case (if %s then Just %s else Nothing) of Just %s -> %s %s; Nothing -> %s)"
+        (expression s fuel Bool) (one ()) name name
+        (value (elsewhere s))
+        (expression (elsewhere s) fuel ty)
+  | 3 -> f "((fst (%s, %s)) %s)" (one ()) (literal s Int) (value s)
+  | _ ->
+      let middle = any_type s in
+      f "((%s . %s) %s)" (lambda s fuel middle ty) (lambda s fuel argument middle) (value s)
+
+and field s fuel ty =
+  let fields_of : Type.t -> _ = function
+    | Data ({ constructors = [ c ]; _ } as data) as record when Type.is_record data ->
+        List.filter_map (fun (name, t) -> if t = ty then Some (record, name) else None) c.fields
+    | Float | Int | Bool | Tuple _ | Data _ -> []
+  in
+  match List.concat_map fields_of s.declared with
+  | [] -> by_type s fuel ty
+  | fields ->
+      let record, name = one_of s.random fields in
+      f "%s.%s" (typed (expression s fuel record) record) name
+
+and call s fuel ty =
+  let name, parameters, _ = one_of s.random (functions_to s ty) in
+  match parameters with
+  | [] -> name
+  | _ -> f "(%s)" (String.concat " " (name :: List.map (expression s fuel) parameters))

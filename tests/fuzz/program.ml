@@ -1,0 +1,174 @@
+open Choice
+
+let f = Printf.sprintf
+
+(* What all programs may use. *)
+let library =
+  {|import Control
+
+choose :: Bool -> a -> a -> a
+choose c x y = if c then x else y
+
+swap :: (a, b) -> (b, a)
+swap (x, y) = (y, x)
+
+twice :: (a -> a) -> a -> a
+twice g x = g (g x)
+
+clampTo :: Ord a => a -> a -> a -> a
+clampTo low high x = max low (min high x)
+
+oneMore :: n[1] -> n[1]
+oneMore x = 2 * x + 1
+
+firstDiffers :: Eq a => a -> a -> Bool
+firstDiffers x y = x /= y
+
+latest :: a -> SF (Event a) a
+latest x0 = proc e -> y where
+    before = delay x0 y
+    y = case e of
+        Event x -> x
+        NoEvent -> before
+
+feedback :: c -> SF (a, c) (b, c) -> SF a b
+feedback c0 sf = proc x -> y where
+    (y, z) = sf (x, delay c0 z)
+
+choosing :: Bool -> SF a b -> SF a b -> SF a b
+choosing c g h = if c then g else h
+
+twiceOver :: SF a b -> SF b b -> SF a b
+twiceOver g h = g >>> h >>> h
+
+sideBySide :: SF a b -> SF c d -> SF (a, c) (b, d)
+sideBySide g h = proc (x, y) -> (g x, h y)
+
+|}
+
+let input_type : Type.t =
+  Tuple [ Float; Int; Bool; Type.event Float; Type.maybe (Tuple [ Int; Bool ]); Float ]
+
+let define_function (s : Signal_function.scope) name =
+  let values = s.values in
+  let parameters = List.init (Random.State.int values.random 3) (fun _ -> Expression.any_type values) in
+  let result = Expression.any_type values in
+  let patterns = List.map (Expression.pattern values) parameters in
+  let inside = Expression.bind (List.concat_map snd patterns) values in
+  let text =
+    f "%s :: %s\n%s = %s\n\n" name
+      (String.concat " -> " (List.map Type.text (parameters @ [ result ])))
+      (String.concat " " (name :: List.map fst patterns))
+      (Expression.expression inside 3 result)
+  in
+  (text, { s with values = { values with functions = (name, parameters, result) :: values.functions } })
+
+let define_signal_function (s : Signal_function.scope) ~parameters ~input ~signals ~result name =
+  let values = s.values in
+  let named = List.map (fun p -> (Expression.fresh values "p", p)) parameters in
+  let value (name, (p : Signal_function.parameter)) =
+    match p with Value t -> Some (name, t) | Function _ | Signal_function _ -> None
+  and function_ (name, (p : Signal_function.parameter)) =
+    match p with Function (a, b) -> Some (name, [ a ], b) | Value _ | Signal_function _ -> None
+  and signal_function (name, (p : Signal_function.parameter)) =
+    match p with
+    | Signal_function (input, output) ->
+        Some { Signal_function.name; parameters = []; input; output }
+    | Value _ | Function _ -> None
+  in
+  let inside =
+    {
+      Signal_function.values =
+        {
+          (Expression.bind (List.filter_map value named) values) with
+          functions = List.filter_map function_ named @ values.functions;
+        };
+      known = List.filter_map signal_function named @ s.known;
+    }
+  in
+  let output : Type.t =
+    match (result : Signal_function.output) with
+    | Computed output -> output
+    | All_signals -> Tuple signals
+  in
+  let types =
+    List.map Signal_function.parameter_text parameters
+    @ [ f "SF %s %s" (Type.text input) (Type.text output) ]
+  in
+  let text =
+    f "%s :: %s\n%s = %s\n\n" name (String.concat " -> " types)
+      (String.concat " " (name :: List.map fst named))
+      (Signal_function.body inside ~indent:"    " ~input ~signals result)
+  in
+  (text, { s with known = { name; parameters; input; output } :: s.known })
+
+let one ~seed number =
+  let random = Random.State.make [| seed; number |] in
+  let prefix = f "p%d" number in
+  let out = Buffer.create 4096 in
+  let declared =
+    List.fold_left
+      (fun declared letter ->
+        let ty = Type.declare random ~declared (f "P%d%c" number letter) in
+        Buffer.add_string out (Type.declaration ty ^ "\n");
+        ty :: declared)
+      []
+      (if chance random 2 then [ 'A'; 'B' ] else [ 'A' ])
+  in
+  let values =
+    {
+      Expression.random;
+      prefix;
+      count = ref 0;
+      declared;
+      variables = [];
+      functions = [];
+      run = None;
+    }
+  in
+  let any () = Expression.any_type values in
+  let add (text, s) =
+    Buffer.add_string out text;
+    s
+  in
+  let parameter () : Signal_function.parameter =
+    match Random.State.int random 3 with
+    | 0 -> Value (any ())
+    | 1 -> Function (any (), any ())
+    | _ -> Signal_function (any (), any ())
+  in
+  let rec functions k s =
+    if k = 0 then s
+    else functions (k - 1) (add (define_function s (Expression.fresh values "f")))
+  in
+  let rec signal_functions k s =
+    if k = 0 then s
+    else
+      let parameters = List.init (Random.State.int random 3) (fun _ -> parameter ()) in
+      let name = Expression.fresh values "s" in
+      signal_functions (k - 1)
+        (add
+           (define_signal_function s ~parameters ~input:(any ())
+              ~signals:(Signal_function.any_signals s)
+              ~result:(Computed (any ())) name))
+  in
+  let s = functions (Random.State.int random 3) { Signal_function.values; known = [] } in
+  let s = signal_functions (Random.State.int random 3) s in
+  let signals = Signal_function.any_signals s in
+  ignore
+    (add
+       (define_signal_function s ~parameters:[] ~input:input_type ~signals ~result:All_signals
+          prefix));
+  (prefix, Buffer.contents out, Type.Tuple signals)
+
+let make ~seed ~first ~count =
+  let programs = List.init count (fun i -> one ~seed (first + i)) in
+  let names = List.map (fun (name, _, _) -> name) programs in
+  let tuple texts = match texts with [ one ] -> one | _ -> f "(%s)" (String.concat ", " texts) in
+  let main =
+    f "main :: SF %s %s\nmain = proc i -> %s\n" (Type.text input_type)
+      (tuple (List.map (fun (_, _, output) -> Type.text output) programs))
+      (tuple (List.map (fun name -> name ^ " i") names))
+  in
+  let texts = List.map (fun (_, text, _) -> text) programs in
+  String.concat "" ((library :: texts) @ [ main ])

@@ -1,0 +1,8 @@
+(** Random programs, several in one module.
+
+    The module's input type is one for all; [main] runs all of them side by
+    side, so one compilation by the C compiler tests them all. *)
+
+val make : seed:int -> first:int -> count:int -> string
+(** [count] programs, from the one with the number [first]: each depends only
+    on the seed and its own number. *)

@@ -1,0 +1,204 @@
+open Choice
+
+type parameter =
+  | Value of Type.t
+  | Function of Type.t * Type.t
+  | Signal_function of Type.t * Type.t
+
+type named = {
+  name : string;
+  parameters : parameter list;
+  input : Type.t;
+  output : Type.t;
+}
+
+let f = Printf.sprintf
+
+let parameter_text = function
+  | Value t -> Type.text t
+  | Function (a, b) -> f "(%s -> %s)" (Type.text a) (Type.text b)
+  | Signal_function (a, b) -> f "SF %s %s" (Type.text a) (Type.text b)
+
+type scope = { values : Expression.scope; known : named list }
+
+let static s fuel ty = Expression.expression { s.values with run = None } fuel ty
+let literal s ty = if chance s.values.random 3 then static s 1 ty else Expression.literal s.values ty
+
+(* Of one signal function known, with arguments for its parameters. *)
+let rec applied s fuel { name; parameters; _ } =
+  let argument = function
+    | Value t -> static s 1 t
+    | Function (a, b) -> lambda s fuel a b
+    | Signal_function (a, b) -> expression s (fuel - 1) a b
+  in
+  match parameters with
+  | [] -> name
+  | _ -> f "(%s)" (String.concat " " (name :: List.map argument parameters))
+
+and lambda s fuel a b =
+  let values = { s.values with run = None } in
+  let text, bound = Expression.pattern values a in
+  f "(\\%s -> %s)" text (Expression.expression (Expression.bind bound values) (min fuel 2) b)
+
+and expression s fuel (a : Type.t) (b : Type.t) =
+  let random = s.values.random in
+  let arr () = f "(arr %s)" (lambda s (fuel + 1) a b) in
+  let sub = expression s (fuel - 1) in
+  let named = List.filter (fun n -> n.input = a && n.output = b) s.known in
+  let alternatives =
+    [
+      (2, arr);
+      (1, fun () -> f "(constant %s)" (literal s b));
+      ((if named = [] then 0 else 8), fun () -> applied s fuel (one_of random named));
+      ((if a = b then 2 else 0), fun () -> f "(delay %s)" (literal s b));
+      ( (match (a, b) with Float, Float -> 4 | _ -> 0),
+        fun () ->
+          one_of random
+            [
+              "(integral >>> arr (\\x -> x / 1[s]))"; "(derivative >>> arr (\\x -> x * 1[s]))";
+              "(lowPass 0.3[s])"; "movingAverage4"; "previous"; "(rateLimit 2[1/s])";
+            ] );
+      ( (match (a, b) with Float, Bool -> 3 | _ -> 0),
+        fun () -> "(hysteresis (-0.5) 0.5)" );
+      ((match (a, b) with Bool, Bool -> 2 | _ -> 0), fun () -> "(debounce 0.25[s])");
+      ((match b with Float -> 1 | _ -> 0), fun () -> "(time >>> arr (\\x -> x / 1[s]))");
+      ((if a = Type.event b then 6 else 0), fun () -> f "(latest %s)" (literal s b));
+    ]
+  in
+  let deeper =
+    if fuel <= 0 then []
+    else
+      let middle = Expression.any_type s.values in
+      [
+        (4, fun () -> f "(%s >>> %s)" (sub a middle) (sub middle b));
+        (1, fun () -> f "(%s <<< %s)" (sub middle b) (sub a middle));
+        (2, fun () -> f "(choosing %s %s %s)" (static s 1 Bool) (sub a b) (sub a b));
+        ( 2,
+          fun () ->
+            let inner = sub (Tuple [ a; middle ]) (Tuple [ b; middle ]) in
+            f "(feedback %s %s)" (literal s middle) inner );
+        (2, fun () -> inline s fuel a b);
+        (1, fun () -> f "(twiceOver %s %s)" (sub a b) (sub b b));
+        ( (match b with Tuple [ _; _ ] -> 4 | _ -> 0),
+          fun () ->
+            match b with
+            | Tuple [ x; y ] -> f "(%s &&& %s)" (sub a x) (sub a y)
+            | _ -> arr () );
+        ( (match (a, b) with Tuple [ _; _ ], Tuple [ _; _ ] -> 8 | _ -> 0),
+          fun () ->
+            match (a, b) with
+            | Tuple [ x; y ], Tuple [ x'; y' ] when y = y' && chance random 2 ->
+                f "(first %s)" (sub x x')
+            | Tuple [ x; y ], Tuple [ x'; y' ] when x = x' -> f "(second %s)" (sub y y')
+            | Tuple [ x; y ], Tuple [ x'; y' ] -> f "(%s *** %s)" (sub x x') (sub y y')
+            | _ -> arr () );
+      ]
+  in
+  (weighted random (alternatives @ deeper)) ()
+
+(* {1 Instances} *)
+
+(* An instance in the place of an expression. *)
+and running s values fuel ty =
+  let input = Expression.any_type s.values in
+  let candidates = List.filter (fun n -> n.output = ty) s.known in
+  if candidates <> [] && chance s.values.random 2 then
+    let n = one_of s.values.random candidates in
+    f "(%s (%s))" (applied s 1 n) (Expression.expression values fuel n.input)
+  else
+    match (ty, Random.State.int s.values.random 4) with
+    | Float, 0 -> "(time () / 1[s])"
+    | Float, 1 -> f "(derivative %s * 1[s])" (Expression.expression values fuel Float)
+    | _ when chance s.values.random 2 ->
+        f "(delay %s %s)" (literal s ty) (Expression.expression values fuel ty)
+    | _ -> f "(%s %s)" (expression s 1 input ty) (Expression.expression values fuel input)
+
+and run s = Some (running s)
+
+(* {1 Procs} *)
+
+and inline s fuel a b =
+  let text, bound = Expression.pattern s.values a in
+  let values = { (Expression.bind bound s.values) with run = run s } in
+  f "(proc %s -> %s)" text (Expression.expression values (min fuel 2) b)
+
+let equation s ~signals ~later (name, ty) =
+  let random = s.values.random in
+  let e ?(scope = signals) fuel ty = Expression.expression scope fuel ty in
+  match (Random.State.int random 8, (ty : Type.t)) with
+  | 0, Float -> f "%s = integral %s / 1[s]" name (e ~scope:later 2 Float)
+  | (0 | 1 | 2), _ -> f "%s = delay %s %s" name (literal s ty) (e ~scope:later 2 ty)
+  | 3, _ ->
+      let input = Expression.any_type s.values in
+      f "%s = %s %s" name (expression s 2 input ty) (e 2 input)
+  | _, _ -> f "%s = %s" name (e 3 ty)
+
+(* Two signals that are found together: the second component may need the
+   first one of the same instant. *)
+let pair s ~signals ((x, t) as first) (y, u) =
+  let with_first = Expression.bind [ first ] signals in
+  let a = Expression.any_type s.values and b = Expression.any_type s.values in
+  match Random.State.int s.values.random 3 with
+  | 0 ->
+      f "(%s, %s) = (%s, %s)" x y
+        (Expression.expression signals 2 t)
+        (Expression.expression with_first 2 u)
+  | 1 ->
+      f "(%s, %s) = (%s *** %s) (%s, %s)" x y (expression s 1 a t) (expression s 1 b u)
+        (Expression.expression signals 2 a)
+        (Expression.expression with_first 2 b)
+  | _ ->
+      f "(%s, %s) = sideBySide %s %s (%s, %s)" x y (expression s 1 a t) (expression s 1 b u)
+        (Expression.expression signals 2 a)
+        (Expression.expression with_first 2 b)
+
+let local_function s ~signals name argument result =
+  let text, bound = Expression.pattern s.values argument in
+  let inside = { (Expression.bind bound signals) with Expression.run = None } in
+  f "%s %s = %s" name text (Expression.expression inside 2 result)
+
+type output = Computed of Type.t | All_signals
+
+let any_signals s =
+  List.init (2 + Random.State.int s.values.random 5) (fun _ -> Expression.any_type s.values)
+
+let body s ~indent ~input ~signals output =
+  let random = s.values.random in
+  let text, bound = Expression.pattern s.values input in
+  let fresh start = Expression.fresh s.values start in
+  (* Static values and signal functions first: what is run may use them. *)
+  let constant = (fresh "k", Expression.any_type s.values) in
+  let constant_text = f "%s = (%s :: %s)" (fst constant) (static s 2 (snd constant)) (Type.text (snd constant)) in
+  let s = { s with values = Expression.bind [ constant ] s.values } in
+  let local =
+    let input = Expression.any_type s.values and output = Expression.any_type s.values in
+    { name = fresh "sf"; parameters = []; input; output }
+  in
+  let local_text = f "%s = %s" local.name (expression s 2 local.input local.output) in
+  let s = { s with known = local :: s.known } in
+  let signals = List.map (fun t -> (fresh "v", t)) signals in
+  let instances values = { values with Expression.run = run s } in
+  let later = instances (Expression.bind (bound @ signals) s.values) in
+  let h = (fresh "h", Expression.any_type s.values, Expression.any_type s.values) in
+  let rec equations found known = function
+    | [] -> (known, found)
+    | first :: second :: others when chance random 4 ->
+        let text = pair s ~signals:(instances known) first second in
+        equations (text :: found) (Expression.bind [ first; second ] known) others
+    | first :: others ->
+        let text = equation s ~signals:(instances known) ~later first in
+        equations (text :: found) (Expression.bind [ first ] known) others
+  in
+  let name, argument, result = h in
+  let h_text = local_function s ~signals:(Expression.bind bound s.values) name argument result in
+  let known = Expression.bind bound s.values in
+  let known = { known with functions = (name, [ argument ], result) :: known.functions } in
+  let known, found = equations [ h_text; local_text; constant_text ] known signals in
+  let result =
+    match output with
+    | Computed t -> Expression.expression (instances known) 3 t
+    | All_signals -> f "(%s)" (String.concat ", " (List.map fst signals))
+  in
+  String.concat "\n"
+    (f "proc %s -> %s where" text result
+    :: List.map (fun text -> indent ^ text) (shuffled random found))

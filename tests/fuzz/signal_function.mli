@@ -1,0 +1,34 @@
+(** Random signal functions: as expressions, and as procs with equations that
+    feed back through [delay] and [integral]. *)
+
+type parameter =
+  | Value of Type.t
+  | Function of Type.t * Type.t
+  | Signal_function of Type.t * Type.t
+
+type named = {
+  name : string;
+  parameters : parameter list;
+  input : Type.t;
+  output : Type.t;
+}
+
+val parameter_text : parameter -> string
+(** Its type. *)
+
+type scope = { values : Expression.scope;  (** static *) known : named list }
+
+val expression : scope -> int -> Type.t -> Type.t -> string
+(** A signal function of these types. *)
+
+(** What a proc gives out. *)
+type output =
+  | Computed of Type.t
+  | All_signals  (** so that every equation counts *)
+
+val body : scope -> indent:string -> input:Type.t -> signals:Type.t list -> output -> string
+(** [proc … -> … where …], on several lines, with equations for signals of
+    these types, at least two. *)
+
+val any_signals : scope -> Type.t list
+(** The types of some signals. *)

@@ -1,0 +1,86 @@
+type t =
+  | Float
+  | Int
+  | Bool
+  | Tuple of t list
+  | Data of data
+
+and data = { head : string; constructors : constructor list }
+and constructor = { name : string; fields : (string * t) list }
+
+let rec text = function
+  | Float -> "Float"
+  | Int -> "Int"
+  | Bool -> "Bool"
+  | Tuple parts -> "(" ^ String.concat ", " (List.map text parts) ^ ")"
+  | Data { head; _ } -> if String.contains head ' ' then "(" ^ head ^ ")" else head
+
+let applied name arguments = String.concat " " (name :: List.map text arguments)
+let positional name types = { name; fields = List.map (fun t -> ("", t)) types }
+
+let maybe t =
+  Data
+    { head = applied "Maybe" [ t ]; constructors = [ positional "Nothing" []; positional "Just" [ t ] ] }
+
+let event t =
+  Data
+    {
+      head = applied "Event" [ t ];
+      constructors = [ positional "NoEvent" []; positional "Event" [ t ] ];
+    }
+
+let either a b =
+  Data
+    {
+      head = applied "Either" [ a; b ];
+      constructors = [ positional "Left" [ a ]; positional "Right" [ b ] ];
+    }
+
+let is_record data =
+  match data.constructors with
+  | [ { fields = (name, _) :: _; _ } ] -> not (String.equal name "")
+  | _ -> false
+
+let scalar random =
+  match Random.State.int random 5 with 0 | 1 -> Float | 2 | 3 -> Int | _ -> Bool
+
+let rec of_depth random ~declared depth =
+  if depth = 0 then scalar random
+  else
+    let inner () = of_depth random ~declared (depth - 1) in
+    match Random.State.int random 12 with
+    | 0 | 1 -> Tuple [ inner (); inner () ]
+    | 2 -> Tuple [ inner (); inner (); inner () ]
+    | 3 -> maybe (inner ())
+    | 4 -> event (inner ())
+    | 5 -> either (inner ()) (inner ())
+    | 6 | 7 when declared <> [] -> List.nth declared (Random.State.int random (List.length declared))
+    | _ -> scalar random
+
+let any random ~declared = of_depth random ~declared 2
+
+let declare random ~declared name =
+  let field i = (Printf.sprintf "%s%d" (String.uncapitalize_ascii name) i, any random ~declared) in
+  let constructor i =
+    let fields = List.init (Random.State.int random 3) (fun _ -> any random ~declared) in
+    positional (Printf.sprintf "%sC%d" name i) fields
+  in
+  let constructors =
+    match Random.State.int random 4 with
+    | 0 -> List.init (2 + Random.State.int random 3) (fun i -> positional (Printf.sprintf "%sE%d" name i) [])
+    | 1 -> [ { name; fields = List.init (1 + Random.State.int random 3) field } ]
+    | _ -> List.init (1 + Random.State.int random 3) constructor
+  in
+  Data { head = name; constructors }
+
+let declaration = function
+  | Data ({ head; constructors } as data) ->
+      let constructor { name; fields } =
+        if is_record data then
+          let field (name, t) = name ^ " :: " ^ text t in
+          name ^ " { " ^ String.concat ", " (List.map field fields) ^ " }"
+        else applied name (List.map snd fields)
+      in
+      Printf.sprintf "data %s = %s\n" head
+        (String.concat " | " (List.map constructor constructors))
+  | Float | Int | Bool | Tuple _ -> invalid_arg "Type.declaration"

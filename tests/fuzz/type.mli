@@ -1,0 +1,32 @@
+(** The types of random programs: numbers, tuples and data. *)
+
+type t =
+  | Float
+  | Int
+  | Bool
+  | Tuple of t list  (** at least two *)
+  | Data of data
+
+and data = {
+  head : string;  (** as it is written: [Maybe Float], [Shape3] *)
+  constructors : constructor list;
+}
+
+and constructor = { name : string; fields : (string * t) list  (** names, or [""] *) }
+
+val maybe : t -> t
+val event : t -> t
+val either : t -> t -> t
+val is_record : data -> bool
+
+val text : t -> string
+(** In parentheses where an argument needs them. *)
+
+val any : Random.State.t -> declared:t list -> t
+(** A small type; [declared] are data types of the program. *)
+
+val declare : Random.State.t -> declared:t list -> string -> t
+(** A data type of that name: a record, a sum or an enumeration. *)
+
+val declaration : t -> string
+(** Of what {!declare} made. *)
