@@ -1,0 +1,74 @@
+The interpreter reads and writes traces as the host of compiled programs does,
+and says the same where one is wrong.
+
+  $ export XDG_CACHE_HOME=$PWD/cache
+  $ cat > turn.frob <<EOF
+  > data Side = LeftSide | RightSide | At Float
+  > data Request = Request { side :: Side, urgent :: Bool }
+  > main :: SF (Request, Event (Maybe Int)) (Event (Maybe Int), Request)
+  > main = proc (r, e) -> (e, delay Request { side = LeftSide, urgent = False } r)
+  > EOF
+  $ both() {
+  >   frobc trace turn.frob --input $1 > c.out 2> c.err; c=$?
+  >   frobc trace turn.frob --input $1 --engine interp > interp.out 2> interp.err; i=$?
+  >   cmp c.out interp.out && cmp c.err interp.err && test $c -eq $i
+  >   cat interp.out interp.err
+  >   return $i
+  > }
+
+Cells are written as Frob would write them, and quoted where they hold a comma.
+
+  $ cat > in.csv <<EOF
+  > time,in.1.urgent,in.2,in.1.side,out.1
+  > 0,true,,At (-0.5),ignored
+  > 0.0000000015,False,Just 3,"((At 1e3))",
+  > 1e0,false,Nothing,RightSide,
+  > EOF
+  $ both in.csv
+  time,out.1,out.2.side,out.2.urgent
+  0.000000000,,LeftSide,false
+  0.000000002,Just 3,At (-0.5),true
+  1.000000000,Nothing,At 1000,false
+
+A header that does not fit: everything that is wrong with it.
+
+  $ printf 'tim,in.2,in.2,speed\n' > header.csv
+  $ both header.csv
+  error: header.csv:1:1: the first column must be `time`, but it is `tim`
+  error: header.csv:1:10: column `in.2` is there twice
+  error: header.csv:1:15: the program's input has no `speed`
+  error: header.csv:1:1: missing: `in.1.side`, `in.1.urgent`; the header for this program is `time,in.1.side,in.1.urgent,in.2`
+  [2]
+
+Rows that do not fit; what came before is written.
+
+  $ row() { printf 'time,in.1.side,in.1.urgent,in.2\n0,LeftSide,true,\n%b' "$1" > row.csv; both row.csv | tail -n 1; }
+  $ row '1,At,true,\n'
+  error: row.csv:3:3: column `in.1.side`: expected a number, found `At`
+  $ row '1,LeftSide,yes,\n'
+  error: row.csv:3:12: column `in.1.urgent`: expected `true` or `false`, found `yes`
+  $ row '1,LeftSide,true,Just 3000000000\n'
+  error: row.csv:3:17: column `in.2`: expected an integer from -2147483648 to 2147483647, found `Just 3000000000`
+  $ row '1,LeftSide,true\n'
+  error: row.csv:3:1: the header names 4 columns, but cells in this row: 3
+  $ row '-1,LeftSide,true,\n'
+  error: row.csv:3:1: time goes back: `-1` comes after a later time
+  $ row 'noon,LeftSide,true,\n'
+  error: row.csv:3:1: `noon` is not a time in seconds
+  $ row '1,"LeftSide,true,\n'
+  error: row.csv:3:1: a quoted cell that starts in this row is never closed
+
+Files that are not there.
+
+  $ both missing.csv
+  error: cannot read missing.csv: No such file or directory
+  [2]
+  $ frobc trace turn.frob --input in.csv --engine interp --output no/such/folder.csv
+  error: cannot write no/such/folder.csv: No such file or directory
+  [2]
+
+A program is rejected for the same reasons, whatever is to run it.
+
+  $ printf 'main :: SF Float Float\nmain = proc x -> y where\n    y = y + x\n' > loop.frob
+  $ frobc trace loop.frob --input in.csv --engine interp 2>&1 | head -n 1
+  error[E0401]: signal `y` needs its own value in the same instant
