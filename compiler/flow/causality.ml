@@ -108,6 +108,12 @@ let label_elsewhere hop d =
   in
   List.fold_left label d (elsewhere hop)
 
+(* A place that the programmer can change: the modules of a program lie in one
+   folder, the library's in another. *)
+let is_own (program : Ir.program) (at : Span.t) =
+  let root = program.nodes.(Array.length program.nodes - 1) in
+  String.equal (Filename.dirname root.file) (Filename.dirname at.file)
+
 let reads hop = Printf.sprintf "reads `%s` here%s" hop.read.name (through hop.via)
 
 (* Can it be written as it stands, or is it a component ([p.1])? *)
@@ -137,7 +143,7 @@ let shorten hops =
   if n <= longest_shown then (hops, 0)
   else (List.filteri (fun i _ -> i < longest_shown - 1 || i = n - 1) hops, n - longest_shown)
 
-let report_named hops =
+let report_named program hops =
   let first = List.hd hops in
   let last = List.nth hops (List.length hops - 1) in
   let at = first.reader.span in
@@ -152,9 +158,12 @@ let report_named hops =
   in
   let shown, left_out = shorten hops in
   let hint =
-    match List.concat_map elsewhere hops with
-    | (passage, _) :: _ -> hint_elsewhere passage
-    | [] -> hint_here first last
+    let own (_, (at : Span.t)) = is_own program at in
+    match (List.concat_map elsewhere hops, is_own program last.at) with
+    | (_ :: _ as others), false -> hint_elsewhere (fst (List.hd others))
+    | others, true when List.exists own others ->
+        hint_elsewhere (fst (List.find own others))
+    | _ -> hint_here first last
   in
   let d = List.fold_left label d shown |> Diagnostic.hint hint in
   if left_out = 0 then d
@@ -204,7 +213,7 @@ let report program dependencies uses index component =
   let next = match cycle with [] -> [] | v :: rest -> List.rev (v :: List.rev rest) in
   let edges = List.rev (List.rev_map2 (fun v w -> (v, w)) cycle next) in
   let hops = List.rev (List.rev_map (hop program dependencies node) edges) in
-  let d = match named_hops hops with Some hops -> report_named hops | None -> report_unnamed hops in
+  let d = match named_hops hops with Some hops -> report_named program hops | None -> report_unnamed hops in
   match own_use program uses index with
   | None -> d
   | Some instance ->
