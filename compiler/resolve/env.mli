@@ -13,6 +13,9 @@ val of_module : Scope.t -> t
 (** No locals, and nothing under analysis: for what stands outside of all
     groups. *)
 
+val beside_proc : t -> Syntax.Ir.name list Lazy.t -> t
+(** In a [where] that stands after a [proc] with these signals; for messages. *)
+
 val scope : t -> Scope.t
 val context : t -> Context.t
 

@@ -104,14 +104,22 @@ let is_later space name =
   (String.equal space.noun "name" && Later.is_name name)
   || (String.equal space.noun "type" && Later.is_type name)
 
-let report_unknown t space ~locals (name : Syntax.Ir.name) =
+let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
     |> other_meaning t space name
   in
+  let is_it (signal : Syntax.Ir.name) = String.equal signal.text name.text in
   let declares (_, names) = String_map.mem name.text (space.table names) in
   let diagnostic =
     match (List.find_opt declares (Lazy.force t.elsewhere), other_writing t space name.text) with
+    | _ when List.exists is_it (Lazy.force signals) ->
+        let signal = List.find is_it (Lazy.force signals) in
+        Diagnostic.label ~at:signal.span (Printf.sprintf "this `%s` is a signal of the `proc`" name.text)
+          diagnostic
+        |> Diagnostic.hint
+             "a `where` after `do` belongs to the whole definition and sees no signals: write a \
+              `let` in the `do`"
     | Some (module_, _), _ ->
         Diagnostic.hint
           (Printf.sprintf "`%s` is in the library: `import %s`" name.text module_)
@@ -168,18 +176,18 @@ let find_qualified t space (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) 
       if t.complete then report_unknown_module t qualifier;
       None
 
-let find_with t space ~locals (q : Syntax.Ir.qualified) =
+let find_with t space ~locals ~signals (q : Syntax.Ir.qualified) =
   match q.qualifier with
   | Some qualifier -> find_qualified t space qualifier q.name
   | None -> (
       match look t space q.name with
       | Some entry -> Some entry
       | None ->
-          if t.complete then report_unknown t space ~locals q.name;
+          if t.complete then report_unknown t space ~locals ~signals q.name;
           None)
 
-let find t space q = find_with t space ~locals:(lazy []) q
-let find_value t ~locals q = find_with t values ~locals q
+let find t space q = find_with t space ~locals:(lazy []) ~signals:(lazy []) q
+let find_value t ~locals ~signals q = find_with t values ~locals ~signals q
 
 let records_with t = function
   | [] -> []

@@ -40,8 +40,14 @@ val create :
 val find : t -> 'a Interface.space -> Syntax.Ir.qualified -> 'a option
 (** Emits a diagnostic if the name is unknown or ambiguous. *)
 
-val find_value : t -> locals:string list Lazy.t -> Syntax.Ir.qualified -> Interface.value option
-(** Likewise; the local names may be suggested. *)
+val find_value :
+  t ->
+  locals:string list Lazy.t ->
+  signals:Syntax.Ir.name list Lazy.t ->
+  Syntax.Ir.qualified ->
+  Interface.value option
+(** Likewise; the local names may be suggested. The [signals] are those of a
+    [proc] nearby that cannot be seen from here. *)
 
 val look : t -> 'a Interface.space -> Syntax.Ir.name -> 'a option
 (** The meaning of an unqualified name that need not have one; silent unless

@@ -111,7 +111,7 @@ A robot that there is not, and a program for no robot:
   error: there is no robot `roomba`; the robots: pioneer
   [2]
   $ frobc run good.frob
-  error: good is a program for no robot; the simulated robot is a pioneer
+  error: good is a program for no robot; `reactimateRobot` makes one for the pioneer
   [2]
 
 Recursion is found in modules without a program too:

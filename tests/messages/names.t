@@ -83,3 +83,28 @@ Unknown names: other capitals, units as words, what a later version will have.
   
   1 error
   [1]
+
+A `where` after `proc … -> do` does not see the signals.
+
+  $ cat > where.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> do
+  >     y <- delay 0 -< x
+  >     returnA -< y + z
+  >   where
+  >     z = 2 * y
+  > FROB
+  $ frobc check where.frob
+  error[E0205]: unknown name `y`
+   --> where.frob:6:13
+    |
+  3 |     y <- delay 0 -< x
+    |     - this `y` is a signal of the `proc`
+  ...
+  6 |     z = 2 * y
+    |             ^
+    |
+    = hint: a `where` after `do` belongs to the whole definition and sees no signals: write a `let` in the `do`
+  
+  1 error
+  [1]

@@ -59,9 +59,14 @@ static const struct frob_program *load(const char *path)
     const struct frob_program *program = frob_load(path);
     if (program == NULL)
         return NULL;
+    if (program->robot[0] == '\0') {
+        fprintf(stderr, "error: %s is a program for no robot; `reactimateRobot` makes one for the pioneer\n",
+                program->name);
+        return NULL;
+    }
     if (strcmp(program->robot, "pioneer") != 0) {
-        fprintf(stderr, "error: %s is a program for %s; the simulated robot is a pioneer\n",
-                program->name, program->robot[0] == '\0' ? "no robot" : program->robot);
+        fprintf(stderr, "error: %s is a program for a %s; the simulated robot is a pioneer\n",
+                program->name, program->robot);
         return NULL;
     }
     if (program->input_size != sizeof(struct frob_pioneer_input) ||
