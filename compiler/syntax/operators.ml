@@ -72,15 +72,29 @@ let apply (left : term) (operator : Ir.qualified) (right : term) : term =
 
 let negate span (operand : term) : term = { desc = Negated operand; span = Span.merge span operand.span }
 
-let reject_two (first : Ir.qualified) (second : Ir.qualified) =
+(* `x > 0 and y > 0`: the word became an argument. *)
+let written_in_words (operand : term) =
+  let word (t : term) =
+    match t.desc with
+    | Variable { qualifier = None; name = { text = "and"; _ }; _ } -> Some "`and` is written `&&`"
+    | Variable { qualifier = None; name = { text = "or"; _ }; _ } -> Some "`or` is written `||`"
+    | _ -> None
+  in
+  match operand.desc with
+  | Application { arguments; _ } -> List.find_map word arguments
+  | _ -> None
+
+let reject_two (first : Ir.qualified) operand (second : Ir.qualified) =
   Reject.diagnostic
     (Diagnostic.error ~code:"E0113" ~at:second.span
        "`%s` and `%s` do not combine without parentheses" (shown first) (shown second)
     |> Diagnostic.label ~at:first.span "after this one"
     |> Diagnostic.hint
-         (if fst (precedence second) = comparison_level then
-          "compare two at a time: `a < b && b < c`"
-         else "put parentheses around the part that comes first"))
+         (match written_in_words operand with
+         | Some hint -> hint
+         | None when fst (precedence second) = comparison_level ->
+             "compare two at a time: `a < b && b < c`"
+         | None -> "put parentheses around the part that comes first"))
 
 let reject_minus (operator : Ir.qualified) at =
   Reject.diagnostic
@@ -96,7 +110,7 @@ let rec reduce stack operand level side next =
       if b.level > level || (b.level = level && b.side = Left && side = Left) then
         reduce rest (apply b.left b.operator operand) level side next
       else if b.level = level && not (b.side = Right && side = Right) then
-        reject_two b.operator next
+        reject_two b.operator operand next
       else (stack, operand)
   | Unary at :: rest ->
       if minus_level > level || (minus_level = level && side = Left) then

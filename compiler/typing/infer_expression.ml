@@ -130,10 +130,14 @@ and check ctx (e : Resolve.Ir.expr) (expected : Mistake.expected) : Ir.expr late
 
 and case ctx e scrutinee branches expected =
   let value = infer ctx scrutinee in
+  (* a value of another type is said once, not once a branch *)
+  let matched = ref value.ty in
   let branch (done_, expected) (b : Resolve.Ir.branch) =
+    let before = errors ctx in
     let pattern =
-      Infer_pattern.check ctx b.pattern { ty = value.ty; because = Value scrutinee.span }
+      Infer_pattern.check ctx b.pattern { ty = !matched; because = Value scrutinee.span }
     in
+    if errors ctx > before then matched := Type.Erroneous;
     let right = Infer_binding.right expressions ctx b.right expected in
     let build () : Ir.branch =
       let pattern = pattern () in

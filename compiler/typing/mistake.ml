@@ -171,9 +171,16 @@ let promised_unit (a, b) =
 
 (* {1 Types of another shape} *)
 
+let rec head_name (e : Resolve.Ir.expr) =
+  match e.desc with Apply { head; style = Juxtaposed; _ } -> head_name head | _ -> name_of e
+
 let hint_to_run subject input =
   let on_unit = match Type.expand input with Flexible _ | Tuple [] -> true | _ -> false in
-  match (Option.bind subject name_of, on_unit) with
+  match (Option.bind subject head_name, on_unit) with
+  | Some name, false when Option.bind subject name_of = None ->
+      hint (Printf.sprintf "run it on a signal, its last argument: `%s … x`" name)
+  | Some name, true when Option.bind subject name_of = None ->
+      hint (Printf.sprintf "run it on `()`, its last argument: `%s … ()`" name)
   | Some name, true -> hint (Printf.sprintf "run it on `()`: `%s ()`" name)
   | Some name, false -> hint (Printf.sprintf "run it on a signal, as in `%s x`" name)
   | None, true -> hint "run it on `()`"
@@ -193,6 +200,10 @@ let operand_before (expected : expected) =
   | Operand { other; other_type; _ } when Type.repr other_type == Type.repr expected.ty -> Some other
   | _ -> None
 
+(* As in `f(x, y)`. *)
+let separated_by_commas expected =
+  match expected.because with Parameter { position = 1; callee = Some _; _ } -> true | _ -> false
+
 let shapes words ~subject ~at ~(expected : expected) ~found =
   let text t = described words t in
   match (Type.expand expected.ty, Type.expand found, operand_before expected) with
@@ -209,8 +220,15 @@ let shapes words ~subject ~at ~(expected : expected) ~found =
       let diagnostic =
         error ~code:"E0304" ~at "expected a function, found a signal function: %s" (text found)
       in
-      match expected.because with
-      | Parameter { callee = Some "arr"; _ } -> hint "leave out `arr`" diagnostic
+      match (expected.because, Type.expand expected.ty) with
+      | Parameter { callee = Some "arr"; _ }, _ -> hint "leave out `arr`" diagnostic
+      | Parameter { callee = Some "."; _ }, _ ->
+          hint "signal functions are composed with `>>>`, from left to right" diagnostic
+      | Signature _, Function (input, output) ->
+          hint
+            (Printf.sprintf "the type of such a signal function is %s"
+               (text (Signal_function (input, output))))
+            diagnostic
       | _ -> diagnostic)
   | (Number _ | Bool | String | Tuple _ | Data _), Function _, _ ->
       let missing = missing_arguments found in
@@ -232,6 +250,14 @@ let shapes words ~subject ~at ~(expected : expected) ~found =
       |> (match subject with
          | Some { desc = Tuple _; _ } -> Fun.id
          | _ -> here (Printf.sprintf "this is %s" (text found)))
+  | (Number _ | Bool | String | Data _), Tuple (_ :: _ as elements), _ when separated_by_commas expected ->
+      let name = match expected.because with Parameter { callee = Some f; _ } -> f | _ -> "f" in
+      let arguments = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) elements in
+      error ~code:"E0301" ~at "expected %s, found a tuple of %d" (text expected.ty)
+        (List.length elements)
+      |> hint
+           (Printf.sprintf "several arguments stand side by side: `%s %s`" name
+              (String.concat " " arguments))
   | _ -> (
       match expected.because with
       | Condition ->

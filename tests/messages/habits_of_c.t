@@ -134,3 +134,40 @@ Braces are refused once, not once for each.
   
   1 error
   [1]
+
+  $ cat > words.frob <<'FROB'
+  > inside :: Float -> Bool
+  > inside x = x > 0 and x < 1
+  > FROB
+  $ frobc check words.frob
+  error[E0113]: `>` and `<` do not combine without parentheses
+   --> words.frob:2:24
+    |
+  2 | inside x = x > 0 and x < 1
+    |              -         ^
+    |              |
+    |              after this one
+    |
+    = hint: `and` is written `&&`
+  
+  1 error
+  [1]
+
+  $ cat > call.frob <<'FROB'
+  > import Control
+  > f :: Float -> Float
+  > f x = limit(1, x)
+  > FROB
+  $ frobc check call.frob
+  error[E0301]: expected a number, found a tuple of 2
+   --> call.frob:3:12
+    |
+  3 | f x = limit(1, x)
+    |       -----^^^^^^
+    |       |
+    |       argument 1 of `limit` is a number
+    |
+    = hint: several arguments stand side by side: `limit a b`
+  
+  1 error
+  [1]

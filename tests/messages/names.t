@@ -54,17 +54,16 @@ Unknown names: other capitals, units as words, what a later version will have.
   [1]
 
   $ cat > later.frob <<'FROB'
-  > main :: SF Float Float
-  > main = switch (proc x -> (x, NoEvent)) constant
+  > nearest x = foldl min x
   > FROB
   $ frobc check later.frob
-  error[E0205]: unknown name `switch`
-   --> later.frob:2:8
+  error[E0205]: unknown name `foldl`
+   --> later.frob:1:13
     |
-  2 | main = switch (proc x -> (x, NoEvent)) constant
-    |        ^^^^^^
+  1 | nearest x = foldl min x
+    |             ^^^^^
     |
-    = note: `switch` is not part of this version of Frob
+    = note: `foldl` is not part of this version of Frob
   
   1 error
   [1]

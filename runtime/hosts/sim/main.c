@@ -65,7 +65,7 @@ static const struct frob_program *load(const char *path)
         return NULL;
     }
     if (strcmp(program->robot, "pioneer") != 0) {
-        fprintf(stderr, "error: %s is a program for a %s; the simulated robot is a pioneer\n",
+        fprintf(stderr, "error: %s is a program for %s; the simulated robot is a pioneer\n",
                 program->name, program->robot);
         return NULL;
     }

@@ -1,0 +1,75 @@
+Signal functions taken for functions: not run, composed with a point, given a function's type.
+
+  $ cat > unrun.frob <<'FROB'
+  > import Control
+  > main :: SF Float Float
+  > main = proc x -> lowPass 0.5[s] + x
+  > FROB
+  $ frobc check unrun.frob
+  error[E0303]: a signal function stands where the value of its signal is needed
+   --> unrun.frob:3:18
+    |
+  3 | main = proc x -> lowPass 0.5[s] + x
+    |                  ^^^^^^^^^^^^^^ - argument 1 of `+` is a number
+    |                  |
+    |                  this is `SF Float[u] Float[u]`
+    |
+    = note: expected a number
+    = hint: run it on a signal, its last argument: `lowPass … x`
+  
+  1 error
+  [1]
+
+  $ cat > composed.frob <<'FROB'
+  > main :: SF Float Float
+  > main = integral . derivative
+  > FROB
+  $ frobc check composed.frob
+  error[E0304]: expected a function, found a signal function: `SF Float[u] Float[u s]`
+   --> composed.frob:2:8
+    |
+  2 | main = integral . derivative
+    |        ^^^^^^^^ - argument 1 of `.` is `a -> b`
+    |
+    = hint: signal functions are composed with `>>>`, from left to right
+  
+  1 error
+  [1]
+
+  $ cat > type.frob <<'FROB'
+  > main :: Float -> Float
+  > main = proc x -> x + 1
+  > FROB
+  $ frobc check type.frob
+  error[E0304]: expected a function, found a signal function: `SF a b`
+   --> type.frob:2:8
+    |
+  1 | main :: Float -> Float
+    |         -------------- the signature of `main` asks for `Float -> Float`
+  2 | main = proc x -> x + 1
+    |        ^^^^^^^^^^^^^^^
+    |
+    = hint: the type of such a signal function is `SF Float Float`
+  
+  1 error
+  [1]
+
+A value of another type is said once, not once a branch.
+
+  $ cat > event.frob <<'FROB'
+  > main :: SF (Event Float) Float
+  > main = proc e -> case e of
+  >     Just x -> x
+  >     Nothing -> 0
+  > FROB
+  $ frobc check event.frob
+  error[E0301]: this pattern matches `Maybe a`, but the value is `Event Float`
+   --> event.frob:3:5
+    |
+  2 | main = proc e -> case e of
+    |                       - the value is `Event Float`
+  3 |     Just x -> x
+    |     ^^^^^^
+  
+  1 error
+  [1]
