@@ -71,19 +71,23 @@ let members scope ~prefix nodes (node : M.node) =
   let modes = name_modes nodes table scope ~prefix node in
   (table, modes)
 
-(* The root's names are the program's own, whatever else wants them. *)
-let name_nodes scope ~name (nodes : M.node array) =
+type root = { root_state : string; root_reset : string; root_step : string }
+
+let name_root scope ~name =
   let take suffix = Name.fresh scope (name ^ suffix) in
+  let root_state = take "_state" in
+  let root_reset = take "_reset" in
+  { root_state; root_reset; root_step = take "_step" }
+
+let name_nodes scope ~name ~root (nodes : M.node array) =
   let last = Array.length nodes - 1 in
-  let state = take "_state" in
-  let reset = take "_reset" in
-  let step = take "_step" in
   Array.mapi
     (fun k (node : M.node) ->
       let own = name ^ "_" ^ node.name in
       let prefix = if k = last then name else own in
       let members, modes = members scope ~prefix nodes node in
-      if k = last then { state; reset; step; members; modes }
+      if k = last then
+        { state = root.root_state; reset = root.root_reset; step = root.root_step; members; modes }
       else
         match node.state with
         | [] -> { state = ""; reset = ""; step = Name.fresh scope own; members; modes }
@@ -98,7 +102,9 @@ let of_program (program : M.program) =
   let scope = Name.scope Identifiers ~taken:Helper.names in
   let input_name = Name.fresh scope (name ^ "_input") in
   let output_name = Name.fresh scope (name ^ "_output") in
-  let nodes = name_nodes scope ~name program.nodes in
+  (* What a host calls and sees has the first choice: the root's names are the
+     program's own, its types come before the functions inside. *)
+  let root = name_root scope ~name in
   let foreign = Array.make (Array.length program.sums) false in
   let robot_of shape =
     let robot = Robot.of_shape shape in
@@ -128,6 +134,7 @@ let of_program (program : M.program) =
   in
   let input = interface input_robot input_name program.input in
   let output = interface output_robot output_name program.output in
+  let nodes = name_nodes scope ~name ~root program.nodes in
   {
     program;
     name;
