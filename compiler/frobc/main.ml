@@ -120,7 +120,22 @@ let trace =
   let run general entry input output engine file =
     Commands.trace general engine ~entry ~input ~output file
   in
-  command "trace" ~doc:"run a signal function on recorded input"
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "The input is CSV. Its first line names the columns: $(b,time), the seconds of each \
+         instant, and one for each part of the program's input: $(b,in) for a single value, \
+         $(b,in.1) and $(b,in.2) for a pair, $(b,in.heading) for the field of a record. With \
+         another header the right one is shown.";
+      `P
+        "Numbers are in units of scale 1 (m, s, rad); truth is $(b,true) or $(b,false); other \
+         data is written as in a program, as $(b,At 0.5). The cell of an event is empty where it \
+         does not occur. The output has the columns $(b,time) and $(b,out); an input may have \
+         them too, as a recording of $(b,frobc run) does, and they are not read.";
+    ]
+  in
+  command "trace" ~man ~doc:"run a signal function on recorded input"
     Term.(const run $ general $ entry $ input $ output $ engine $ file)
 
 let run =
