@@ -140,6 +140,14 @@ and primitive env (p : Core.Primitive.t) arguments : Value.t =
   | Time, [] -> Signal_function Stateful.time
   | Integral, [] -> Signal_function Stateful.integral
   | Derivative, [] -> Signal_function (fun () -> Stateful.derivative env.program.nesting)
+  | (Switch | Delayed_switch), [ before; continuation ] ->
+      let delayed = p = Delayed_switch in
+      Signal_function (fun () -> Switching.switch env.program.nesting ~delayed before continuation)
+  | (Recurring_switch | Delayed_recurring_switch), [ first ] ->
+      let delayed = p = Delayed_recurring_switch in
+      Signal_function (fun () -> Switching.recurring env.program.nesting ~delayed first)
+  | Initially, [ choose ] ->
+      Signal_function (fun () -> Switching.initially env.program.nesting choose)
   | Reactimate, [ signal_function ] -> Thunk.force signal_function
   | _, _ ->
       if List.length arguments < Core.Primitive.arity p then
@@ -220,7 +228,7 @@ and start env proc : Value.instance =
     equation proc.name (fun () -> expr scope proc.output)
   in
   let commit () = List.iter (fun ((i : Value.instance), _) -> i.commit ()) instances in
-  { output; commit }
+  { output; commit; successor = (fun () -> None) }
 
 and started env signal_function =
   let value =

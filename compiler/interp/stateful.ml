@@ -5,6 +5,8 @@ let float : Value.t -> float = function
 
 let zero = Thunk.known (Value.Float 0.)
 
+let successor () = None
+
 let delay initial : Value.instance =
   let before = ref initial and now = ref initial in
   {
@@ -17,6 +19,7 @@ let delay initial : Value.instance =
         (* Or it would hold on to the instants before. *)
         Whole.evaluate !now;
         before := !now);
+    successor;
   }
 
 let time () : Value.instance =
@@ -27,6 +30,7 @@ let time () : Value.instance =
         now := Clock.later !now instant;
         Thunk.known (Value.Float (Clock.seconds !now)));
     commit = ignore;
+    successor;
   }
 
 let integral () : Value.instance =
@@ -38,6 +42,7 @@ let integral () : Value.instance =
         now := input;
         Thunk.known (Value.Float !sum));
     commit = (fun () -> before := float (Thunk.demand !now));
+    successor;
   }
 
 let derivative nesting : Value.instance =
@@ -58,4 +63,5 @@ let derivative nesting : Value.instance =
       (fun () ->
         before := float (Thunk.demand !now);
         slope_before := float (Thunk.demand !slope_now));
+    successor;
   }

@@ -53,3 +53,8 @@ let rec settle = function
 let demand t =
   settle [ (fun () -> ignore (force t)) ];
   force t
+
+let afresh nesting evaluate =
+  let depth = nesting.depth in
+  nesting.depth <- 0;
+  Fun.protect ~finally:(fun () -> nesting.depth <- depth) evaluate

@@ -26,3 +26,6 @@ val force : 'a t -> 'a
 
 val demand : 'a t -> 'a
 (** The value, from outside all evaluation. *)
+
+val afresh : nesting -> (unit -> 'a) -> 'a
+(** Something that calls {!demand}, within evaluation. *)

@@ -21,4 +21,7 @@ and instance = {
           may be part of the input. What it is made of no longer changes, so
           it can be evaluated at any time. *)
   commit : unit -> unit;  (** The state becomes that of the next instant. *)
+  successor : unit -> instance option;
+      (** What may from now on run in its place, if it only hands on to that.
+          Not to be called before the first [commit]. *)
 }

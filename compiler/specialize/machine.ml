@@ -256,12 +256,95 @@ let build m ~input_value ~input_holes (mode : mode) =
 
 (* {1 Outputs} *)
 
-(* All modes must give the same leaves. *)
+(* The leaves of a mode's output. *)
+type leaves = { key : int option;  (* [None] if any value would do *) holes : Skeleton.hole list }
+
 let output_leaves m (b : built) =
-  let walk = Skeleton.walk m.context.keys b.node Holes in
-  Skeleton.add walk (unnamed b.mode.place) m.result b.output;
-  let holes = Skeleton.take_holes walk in
-  (Skeleton.key walk, List.map (fun (hole : Skeleton.hole) -> (hole.path, hole.atom)) holes)
+  let first_order = (Types.layout m.context.types m.result).first_order in
+  match b.output with
+  | Unspecified when not first_order -> { key = None; holes = [] }
+  | output ->
+      let walk = Skeleton.walk m.context.keys b.node Holes in
+      Skeleton.add walk (unnamed b.mode.place) m.result output;
+      let holes = Skeleton.take_holes walk in
+      { key = Some (Skeleton.key walk); holes }
+
+(* What different skeletons modes may give, with a mode that gives each: more
+   than one where the output holds functions. *)
+let variants built leaves =
+  let add variants b l =
+    match l.key with
+    | Some key when not (List.exists (fun (other, _, _) -> other = key) variants) ->
+        (key, b, l.holes) :: variants
+    | Some _ | None -> variants
+  in
+  List.rev (List.fold_left2 add [] built leaves)
+
+let rec zero m node ~span (ty : Ir.ty) : Ir.atom =
+  match ty with
+  | Bool -> Bool false
+  | Int -> Int 0l
+  | Float -> Float 0.
+  | Sum k -> (
+      match (Types.sums m.context.types).(k).constructors with
+      | [] -> bug "a sum without constructors"
+      | { fields; _ } :: _ ->
+          let payload = List.concat_map (fun (_, shape) -> zeros m node ~span shape) fields in
+          Node.define node Unnamed ~span ty (Construct { constructor = 0; payload }))
+
+and zeros m node ~span : Ir.shape -> Ir.atom list = function
+  | Leaf ty -> [ zero m node ~span ty ]
+  | Product product -> List.concat_map (fun (_, shape) -> zeros m node ~span shape) product.parts
+
+let named (hole : Skeleton.hole) = (hole.path, hole.atom)
+let hole_types holes = List.map (fun (h : Skeleton.hole) -> Skeleton.type_of_atom h.atom) holes
+
+(* The outputs of a mode: its leaves; of several variants first which of them it
+   is, then the leaves of all, those of the others being zero. *)
+let outputs m variants (b : built) l =
+  match variants with
+  | [ _ ] when Option.is_some l.key -> List.map named l.holes
+  | _ ->
+      let own (key, _, _) = l.key = Some key in
+      let leaves ((_, _, holes) as variant) =
+        if own variant then List.map named l.holes
+        else
+          List.map (fun ty -> ("", zero m b.node ~span:b.mode.place ty)) (hole_types holes)
+      in
+      let rec number k = function
+        | variant :: others -> if own variant then k else number (k + 1) others
+        | [] -> 0
+      in
+      let all = List.concat_map leaves variants in
+      if List.length variants = 1 then all
+      else ("variant", Ir.Int (Int32.of_int (number 0 variants))) :: all
+
+(* The output of the machine in its own node, and the signals it is made of. *)
+let output m node ~span variants : Value.t * Ir.signal list =
+  let c = m.context in
+  let signal = Node.signal node ~name:"" ~span in
+  let value (_, (b : built), holes) =
+    let signals = List.map signal (hole_types holes) in
+    let atoms = List.map (fun s -> Ir.Signal s) signals in
+    (Skeleton.value (Skeleton.copy c.keys Holes atoms) m.result b.output, signals)
+  in
+  match List.map value variants with
+  | [] -> (Unspecified, [])
+  | [ only ] -> only
+  | several ->
+      let variant = signal Int in
+      let is number : Ir.atom =
+        Node.define node Unnamed ~span Bool
+          (Op (Equal, [ Signal variant; Int (Int32.of_int number) ]))
+      in
+      let rec choose number = function
+        | [] -> bug "an output without variants"
+        | [ (last, _) ] -> last
+        | (value, _) :: others ->
+            let rest = choose (number + 1) others in
+            Leaves.select c.types node Unnamed ~span m.result (is number) value rest
+      in
+      (choose 0 several, variant :: List.concat_map snd several)
 
 let finish m name (b : built) outputs =
   let output (path, atom) = (Types.join "out" path, atom) in
@@ -322,13 +405,11 @@ let body (c : Context.t) evaluator trail node ~name ~span ~input_ty ~result valu
   in
   let built = all [] in
   let leaves = List.map (output_leaves m) built in
-  let types =
-    match leaves with
-    | (_, first) :: _ -> List.map (fun (_, atom) -> Skeleton.type_of_atom atom) first
-    | [] -> bug "a machine without modes"
+  let variants = variants built leaves in
+  let modes =
+    List.map2 (fun b leaves -> finish m name b (outputs m variants b leaves)) built leaves
   in
-  let modes = List.map2 (fun b (_, outputs) -> finish m name b outputs) built leaves in
-  let outputs = List.map (Node.signal node ~name:"" ~span) types in
+  let value, outputs = output m node ~span variants in
   Node.set_machine node
     {
       modes;
@@ -339,11 +420,7 @@ let body (c : Context.t) evaluator trail node ~name ~span ~input_ty ~result valu
       steps = 2 + List.length modes;
       span;
     };
-  match built with
-  | first :: _ ->
-      let atoms = List.map (fun s -> Ir.Signal s) outputs in
-      Skeleton.value (Skeleton.copy c.keys Holes atoms) result first.output
-  | [] -> bug "a machine without modes"
+  value
 
 (* A machine that would be part of its own state. *)
 let refuse_nesting (c : Context.t) ~name ~outside ~inside =

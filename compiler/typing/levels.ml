@@ -9,25 +9,31 @@ type position =
   | In_guard
   | In_function of string  (** its name, [""] for a lambda *)
 
-(* An expression that may not depend on the signals around it. [depth] is that
-   of the place; at most one message for each. *)
-type region = { depth : int; kind : kind; mutable reported : bool }
+(* An expression that may not depend on the signals of the proc around it;
+   what is outside of that proc is captured, and static here. [depth] is that
+   of the place, [proc_depth] that of the proc; at most one message for each. *)
+type region = { depth : int; proc_depth : int; kind : kind; mutable reported : bool }
 
 and kind =
   | Head of expr
   | Binding_of of Local.t  (** a signal function *)
-  | Inner_proc
 
 type place = {
   position : position;
   depth : int;
+  proc_depth : int;
   regions : region list;  (** innermost first *)
 }
 
 type walk = { sink : Diagnostic.sink; graph : Level_graph.t }
 
 let enter place kind =
-  { place with regions = { depth = place.depth; kind; reported = false } :: place.regions }
+  {
+    place with
+    regions =
+      { depth = place.depth; proc_depth = place.proc_depth; kind; reported = false }
+      :: place.regions;
+  }
 
 (* {1 What must be static} *)
 
@@ -38,8 +44,6 @@ let complaint kind what =
   | Head _ -> Printf.sprintf "what is run must be static, but %s" what
   | Binding_of x ->
     Printf.sprintf "`%s` is a signal function and must be static, but %s" x.name what
-  | Inner_proc ->
-    Printf.sprintf "a `proc` inside a `proc` may use what is static, but %s" what
 
 (* What the programmer likely wants of the thing that must be static. *)
 let cure = function
@@ -47,9 +51,13 @@ let cure = function
     Diagnostic.hint "the initial value stands first: `delay 0 x` is 0, then `x` one instant ago"
   | Head { desc = If _ | Case _; _ } ->
     Diagnostic.hint "run each in an equation of its own, and choose between their outputs"
-  | Head _ | Binding_of _ | Inner_proc -> Fun.id
+  | Head { desc = Apply ({ desc = Apply ({ desc = Primitive ({ name; _ }, _); _ }, _); _ }, _); _ }
+    when name = "switch" || name = "dSwitch" ->
+    Diagnostic.hint
+      (Printf.sprintf "carry it in the event of the `%s`, or use `initially`" name)
+  | Head _ | Binding_of _ -> Fun.id
 
-let code = function Head _ -> "E0340" | Binding_of _ -> "E0344" | Inner_proc -> "E0345"
+let code = function Head _ -> "E0340" | Binding_of _ -> "E0344"
 
 let report w region ~at what explain =
   if not region.reported then (
@@ -71,7 +79,8 @@ let mention w place (x : Local.t) (e : expr) =
     | (Constant | Static), _ | Signal, Bound_signal_function -> ()
     | Signal, (Derived | Parameter | Input) -> (
       let bound_at = Level_graph.depth node in
-      match outermost (fun (r : region) -> bound_at <= r.depth) place.regions with
+      let concerned (r : region) = r.proc_depth <= bound_at && bound_at <= r.depth in
+      match outermost concerned place.regions with
       | None -> ()
       | Some region ->
         report w region ~at:e.span
@@ -119,10 +128,7 @@ let report_misplaced w position (e : expr) h =
 
 (* The place of the head. One mistake is enough for an instance. *)
 let instance w place (e : expr) h =
-  let same_frame (r : region) =
-    r.depth = place.depth
-    && match r.kind with Head _ | Binding_of _ -> true | Inner_proc -> false
-  in
+  let same_frame (r : region) = r.depth = place.depth in
   match (outermost same_frame place.regions, place.position) with
   | Some region, _ ->
     report w region ~at:e.span (Printf.sprintf "%s is run here" (head_name h)) Fun.id;
@@ -194,8 +200,8 @@ let rec expr w place (e : expr) : expr =
     let guarded = map alternative guarded in
     with_ (Guards (guarded, Option.map (expr w in_branch) last))
   | Proc { input; equations; output } ->
-    let place = match place.position with Outside -> place | _ -> enter place Inner_proc in
-    let place = { place with position = Every_instant; depth = place.depth + 1 } in
+    let depth = place.depth + 1 in
+    let place = { place with position = Every_instant; depth; proc_depth = depth } in
     let equations = map (binding w place) equations in
     with_ (Proc { input; equations; output = expr w place output })
   | Record (c, fields) -> with_ (Record (c, map (field w place) fields))
@@ -229,6 +235,6 @@ let program sink (p : program) =
   Level_graph.solve graph;
   let w = { sink; graph } in
   let definition (d : definition) =
-    { d with value = expr w { position = Outside; depth = 1; regions = [] } d.value }
+    { d with value = expr w { position = Outside; depth = 1; proc_depth = 0; regions = [] } d.value }
   in
   { p with definitions = map definition p.definitions }
