@@ -205,6 +205,24 @@ and run_modes c (run : M.run) =
       let more = Ir.Binary (Less, Name steps, Integer (Int32.of_int run.steps)) in
       [ plain (Ir.Do_while { body; condition = Binary (And, Name entered, more) }) ]
   in
+  let wake (clock : M.clock) =
+    let since = Expression.field c.names clock.since in
+    let seconds = Ir.Binary (Over, Cast (Real, Name "dt_ns"), Float 1e9) in
+    [ plain (Ir.Assign (Name "dt_ns", since)) ]
+    @ (if c.node.seconds then [ plain (Ir.Assign (Name "dt", seconds)) ] else [])
+    @ [
+        plain (Ir.Assign (since, Integer 0l));
+        plain (Ir.Assign (Expression.field c.names clock.running, Boolean true));
+      ]
+  in
+  let pass (clock : M.clock) =
+    let since = Expression.field c.names clock.since in
+    let running = Expression.field c.names clock.running in
+    let then_ = [ plain (Ir.Assign (since, expression c clock.elapsed)) ] in
+    plain (Ir.If { condition = running; then_; else_ = [] })
+  in
+  let passing = List.map pass (Option.to_list run.clock) in
+  let woken = List.concat_map wake (Option.to_list run.clock) in
   let variable ty name value = plain (Ir.Variable { ty; name; value }) in
   let counters =
     if loops then [ variable Int32 steps (Integer 0l); variable Bool entered (Boolean false) ] else []
@@ -214,11 +232,17 @@ and run_modes c (run : M.run) =
       (fun name -> if String.equal name "" then None else Some (variable Bool name (Boolean false)))
       [ dropped; controlled ]
   in
-  results_of_run c run @ counters @ flags @ before @ stepping
+  let instant = woken @ counters @ flags @ before @ stepping in
+  results_of_run c run @ passing
+  @
+  match run.active with
+  | None -> instant
+  | Some active ->
+      [ plain (Ir.If { condition = expression c active; then_ = instant; else_ = [] }) ]
 
 (* With [drops] C compilers cannot see that the first mode gives values. *)
 and results_of_run c (run : M.run) =
-  if not run.drops then List.rev (uninitialized c run.results)
+  if (not run.drops) && Option.is_none run.active then List.rev (uninitialized c run.results)
   else
     List.map
       (fun (v : M.variable) ->

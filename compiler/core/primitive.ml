@@ -35,6 +35,7 @@ type t =
   | Recurring_switch
   | Delayed_recurring_switch
   | Initially
+  | On_event
   | Reactimate
 
 and elementary = Sqrt | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2
@@ -88,6 +89,7 @@ let table =
     ("rSwitch", Recurring_switch, 1);
     ("drSwitch", Delayed_recurring_switch, 1);
     ("initially", Initially, 1);
+    ("onEvent", On_event, 1);
     ("reactimate", Reactimate, 1);
   ]
 

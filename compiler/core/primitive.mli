@@ -48,6 +48,7 @@ type t =
   | Recurring_switch
   | Delayed_recurring_switch
   | Initially
+  | On_event
   (* programs *)
   | Reactimate  (** [SF i o -> Program i o] *)
 

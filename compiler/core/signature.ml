@@ -33,6 +33,8 @@ let of_primitive (p : Primitive.t) types =
   | Initially, [ a; b ] ->
     let chosen = Signal_function (a, b) in
     Some (Function (Function (a, chosen), chosen))
+  | On_event, [ a; b ] ->
+    Some (Function (Signal_function (a, b), Signal_function (event a, event b)))
   | Reactimate, [ i; o ] ->
     let program : Global.t = { module_ = "Prelude"; name = "Program" } in
     Some (Function (Signal_function (i, o), Data (program, [ i; o ])))
@@ -40,6 +42,6 @@ let of_primitive (p : Primitive.t) types =
       | Power_literal _ | Elementary _ | Div | Mod | To_float | Round | Floor | Ceiling
       | Truncate | Equal | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum
       | Maximum | And | Or | Delay | Time | Integral | Derivative | Switch | Delayed_switch
-      | Recurring_switch | Delayed_recurring_switch | Initially | Reactimate ),
+      | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Reactimate ),
       _ ) ->
     None

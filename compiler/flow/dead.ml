@@ -45,7 +45,7 @@ let machine (program : Ir.program) (machine : Ir.machine) : machine =
   let modes = Array.of_list machine.modes in
   let statics mode = List.length program.nodes.(mode).statics in
   let arguments = Array.map (fun mode -> Array.make (statics mode) []) modes in
-  let conditions = ref [] in
+  let conditions = ref (Option.to_list machine.active) in
   Transitions.into program machine (fun t ->
       conditions := t.occurs :: !conditions;
       let into = arguments.(t.target) in

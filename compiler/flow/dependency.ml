@@ -36,7 +36,8 @@ let needed_by_machine callee (machine : Ir.machine) =
   in
   let needed = List.fold_left needed_by_mode Inputs.empty machine.modes in
   let inputs = List.filteri (fun i _ -> Inputs.mem i needed) machine.inputs in
-  List.rev_append (List.rev inputs) (Transitions.atoms (not_delayed machine.controls))
+  List.rev_append (List.rev inputs)
+    (Option.to_list machine.active @ Transitions.atoms (not_delayed machine.controls))
 
 (* Every signal that the node defines with its definition, in source order. *)
 let definitions callee (node : Ir.node) =

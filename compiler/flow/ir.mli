@@ -149,6 +149,9 @@ type machine = {
           with [transitions]; a mode's statics are its parameters *)
   start : transition list;
       (** static, of the node's own signals; the last one is unconditional *)
+  active : atom option;
+      (** if given, the machine has its instants where it holds, dt being the
+          time since its own last one, and unspecified outputs elsewhere *)
   controls : transition list;  (** of the node's own signals *)
   inputs : atom list;
   outputs : signal list;  (** defined here *)

@@ -168,6 +168,7 @@ let machine scope modes_of (m : Ir.machine) =
       check_all scope "an output of a mode" (List.map output_type mode.outputs)
         (List.map (fun s -> Ir.Signal s) m.outputs))
     modes;
+  Option.iter (fun a -> expect scope "when a machine runs" Bool (type_of scope a)) m.active;
   List.iter (transition scope all) m.start;
   List.iter (transition scope all) m.controls;
   match List.rev m.start with

@@ -150,6 +150,7 @@ let machine (program : Ir.program) names ppf (m : Ir.machine) =
     m.outputs
     (String.concat ", " (List.map (node_name program) m.modes))
     (atoms names) m.inputs;
+  Option.iter (fprintf ppf "    if %a@\n" (atom names)) m.active;
   List.iter (transition program m.modes names "    start" ppf) m.start;
   List.iter (transition program m.modes names "    when" ppf) m.controls
 

@@ -7,12 +7,14 @@ let map f transitions =
     transitions
 
 let read_in_step (machine : Ir.machine) =
-  List.rev_append (List.rev machine.inputs) (atoms machine.controls)
+  List.rev_append (List.rev machine.inputs)
+    (Option.to_list machine.active @ atoms machine.controls)
 
 let map_machine atom signal (machine : Ir.machine) =
   {
     machine with
     start = map atom machine.start;
+    active = Option.map atom machine.active;
     controls = map atom machine.controls;
     inputs = List.map atom machine.inputs;
     outputs = List.map signal machine.outputs;

@@ -148,6 +148,8 @@ and primitive env (p : Core.Primitive.t) arguments : Value.t =
       Signal_function (fun () -> Switching.recurring env.program.nesting ~delayed first)
   | Initially, [ choose ] ->
       Signal_function (fun () -> Switching.initially env.program.nesting choose)
+  | On_event, [ body ] ->
+      Signal_function (fun () -> Switching.on_event env.program.nesting body)
   | Reactimate, [ signal_function ] -> Thunk.force signal_function
   | _, _ ->
       if List.length arguments < Core.Primitive.arity p then

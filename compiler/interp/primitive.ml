@@ -47,7 +47,7 @@ let values (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
       | Power_literal _ | Div | Mod | To_float | Round | Floor | Ceiling | Truncate | Equal
       | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum | Maximum | And
       | Or | Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
-      | Delayed_recurring_switch | Initially | Reactimate ),
+      | Delayed_recurring_switch | Initially | On_event | Reactimate ),
       _ ) ->
       bug p
 

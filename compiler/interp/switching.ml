@@ -100,6 +100,36 @@ let recurring nesting ~delayed first : Value.instance =
   in
   { output; commit = (fun () -> commit running); successor = (fun () -> None) }
 
+let on_event nesting body : Value.instance =
+  let body = ref (started nesting (Thunk.demand body)) in
+  (* Time since the body's last instant; [None] before its first. *)
+  let since = ref None and ran = ref nothing in
+  let output instant input =
+    let elapsed = Option.map (fun ns -> Clock.later ns instant) !since in
+    let own = Option.fold elapsed ~none:Clock.first ~some:Clock.of_nanoseconds in
+    since := elapsed;
+    let body = !body in
+    ran :=
+      Thunk.equation nesting ~name:"onEvent" (fun () ->
+          Option.map
+            (fun value -> { instance = body; output = body.output own value })
+            (occurrence input));
+    let ran = !ran in
+    Thunk.equation nesting ~name:"onEvent" (fun () ->
+        match Thunk.force ran with
+        | None -> Value.Data { constructor = 0; arguments = [||] }
+        | Some { output; _ } -> Data { constructor = 1; arguments = [| output |] })
+  in
+  let commit () =
+    match Thunk.demand !ran with
+    | None -> ()
+    | Some { instance; _ } ->
+        instance.commit ();
+        body := Option.value (instance.successor ()) ~default:instance;
+        since := Some 0L
+  in
+  { output; commit; successor = (fun () -> None) }
+
 let initially nesting choose : Value.instance =
   let chosen = ref None in
   let output instant input =

@@ -10,4 +10,7 @@ val switch : Thunk.nesting -> delayed:bool -> Value.thunk -> Value.thunk -> Valu
 val recurring : Thunk.nesting -> delayed:bool -> Value.thunk -> Value.instance
 (** [rSwitch] and [drSwitch]. *)
 
+val on_event : Thunk.nesting -> Value.thunk -> Value.instance
+(** [onEvent]: its body has its instants where the event occurs. *)
+
 val initially : Thunk.nesting -> Value.thunk -> Value.instance

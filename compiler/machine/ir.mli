@@ -112,6 +112,8 @@ and entry = {
 (** One instant of the node's machine (see {!Flow.Ir.machine}). In what comes
     after an entry, dt is 0. *)
 and run = {
+  active : expr option;  (** if it does not hold, nothing runs, and the results are any *)
+  clock : clock option;  (** with [active], if a mode looks at dt *)
   steps : int;  (** at most so many modes are stepped *)
   controls : (expr * entry) list;  (** the first that holds *)
   late : bool;  (** they come after the mode that runs, not before *)
@@ -120,6 +122,13 @@ and run = {
   cases : case list;  (** one for each mode *)
   results : variable list;  (** declared here *)
   span : Span.t;
+}
+
+(** The time since a machine's own last instant, 0 up to its first. *)
+and clock = {
+  since : field;
+  running : field;  (** a Bool: past the first *)
+  elapsed : expr;  (** [since] and this instant's *)
 }
 
 and case = {

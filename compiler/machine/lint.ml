@@ -225,6 +225,13 @@ let run c known (run : Ir.run) =
         enter c known n.entry)
       case.transitions
   in
+  Option.iter (condition known) run.active;
+  Option.iter
+    (fun (clock : Ir.clock) ->
+      expect c "a time" Nanoseconds (expr c known clock.elapsed);
+      expect c "a clock" Nanoseconds (field_type c clock.since);
+      expect c "a clock" Bool (field_type c clock.running))
+    run.clock;
   if run.steps < 1 then bug "`%s` may not run any mode" c.node.name;
   List.iter
     (fun (e, entry) ->

@@ -120,6 +120,8 @@ let step context (m : F.machine) =
     [
       Ir.Run
         {
+          active = Option.map read m.active;
+          clock = context.kept.clock;
           steps = m.steps;
           controls =
             List.map
@@ -160,6 +162,15 @@ let start context (m : F.machine) =
               };
           ]
     in
-    choose transitions
+    let clock =
+      match context.kept.clock with
+      | None -> []
+      | Some { since; running; _ } ->
+          [
+            Ir.Assign { place = Own since; value = Zero_time; span = m.span };
+            Assign { place = Own running; value = Bool false; span = m.span };
+          ]
+    in
+    choose transitions @ clock
   in
   Action { defines = []; operands; statements; always = true; weight = 0; span = m.span }

@@ -121,7 +121,8 @@ let rec statement c indent ppf (s : Ir.statement) =
       put "reset %s %s%a  -- %d" c.program.nodes.(node).name (field state) (list c) arguments
         span.start.line
   | Enter { entry; _ } -> put "%a" (enter c) entry
-  | Run { steps; controls; late; drops; cases; results; span } ->
+  | Run { active; clock = _; steps; controls; late; drops; cases; results; span } ->
+      Option.iter (put "if %a" (expr c)) active;
       put "%s = run, at most %d steps%s  -- %d" (variables c results) steps
         (if drops then ", may drop results" else "")
         span.start.line;

@@ -17,6 +17,7 @@ type t = {
 
 and machine = {
   running : Ir.field option;
+  clock : Ir.clock option;
   room : Ir.field option;
   modes : Ir.mode list;
 }
@@ -123,7 +124,19 @@ let machine_of t ~callee ~statics (m : Flow.Ir.machine) =
     | _ :: _ :: _ -> Some (field "mode" Ir.Running_mode "the mode that runs")
   in
   let room = if List.exists keeps modes then Some (field "modes" (Ir.Modes modes) "what they keep") else None in
-  t.machine <- Some { running; room; modes }
+  let looks_at_time mode =
+    let node : Ir.node = callee mode in
+    node.seconds || node.nanoseconds
+  in
+  let clock =
+    match m.active with
+    | Some _ when List.exists looks_at_time m.modes ->
+        let since = field "since" (Ir.Value Nanoseconds) "ns since its last instant" in
+        let running = field "running" (Ir.Value Bool) "past its first instant" in
+        Some { Ir.since; running; elapsed = Later (Field since, Dt_nanoseconds) }
+    | Some _ | None -> None
+  in
+  t.machine <- Some { running; clock; room; modes }
 
 let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : Statics.t) =
   let t =

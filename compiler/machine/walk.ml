@@ -40,6 +40,8 @@ let run visit (run : run) =
     List.iter (expression visit) c.arguments;
     List.iter next c.transitions
   in
+  Option.iter (expression visit) run.active;
+  Option.iter (fun (clock : clock) -> expression visit clock.elapsed) run.clock;
   List.iter control run.controls;
   List.iter case run.cases
 

@@ -222,7 +222,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       match (primitive, all) with
       | Reactimate, [ signal_function ] -> Program signal_function.value
       | ( ( Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
-          | Delayed_recurring_switch | Initially ),
+          | Delayed_recurring_switch | Initially | On_event ),
           _ ) ->
           Primitive { primitive; types; arguments = all; owner = s.owner }
       | _, _ when missing > 0 -> Primitive { primitive; types; arguments = all; owner = s.owner }
@@ -319,7 +319,8 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
   | Primitive
       {
         primitive =
-          Switch | Delayed_switch | Recurring_switch | Delayed_recurring_switch | Initially;
+          ( Switch | Delayed_switch | Recurring_switch | Delayed_recurring_switch | Initially
+          | On_event );
         _;
       } ->
       Machine.run c (evaluator s) s.trail s.node target ~span ~result signal_function input

@@ -357,8 +357,19 @@ let finish m name (b : built) outputs =
 
 (* {1 The machine} *)
 
-(* The signal functions to begin with; the input of the modes; controls. *)
+(* What a machine is made of, in its own node. *)
+type parts = {
+  first : Value.t;  (* the signal functions to begin with *)
+  own_input : Value.t;  (* of the modes *)
+  active : Ir.atom option;
+  controls : unit -> Ir.transition list;
+  complete : Value.t -> Value.t;  (* the machine's output from that of the modes *)
+}
+
 let parts m node ~span (value : Value.t) (input : Value.t) =
+  let plain first own_input =
+    { first; own_input; active = None; controls = (fun () -> []); complete = Fun.id }
+  in
   match value with
   | Primitive
       {
@@ -376,28 +387,41 @@ let parts m node ~span (value : Value.t) (input : Value.t) =
               ~delayed:(primitive = Delayed_recurring_switch)
               occurs (payload ())
       in
-      (first.value, Leaves.component input 0, controls)
-  | _ -> (value, input, fun () -> [])
+      { (plain first.value (Leaves.component input 0)) with controls }
+  | Primitive { primitive = On_event; arguments = [ first ]; _ } ->
+      let occurs, payload = occurrence m node ~span m.input input in
+      let complete output =
+        let event : Value.t = Constructed { constructor = 1; arguments = [ output ] } in
+        let none : Value.t = Constructed { constructor = 0; arguments = [] } in
+        match occurs with
+        | Bool true -> event
+        | Bool false -> none
+        | occurs ->
+            Leaves.select m.context.types node Unnamed ~span (event_type m.result) occurs event none
+      in
+      { (plain first.value (payload ())) with active = Some occurs; complete }
+  | _ -> plain value input
 
-let body (c : Context.t) evaluator trail node ~name ~span ~input_ty ~result value input =
+let body (c : Context.t) evaluator trail node ~name ~span ~own_input ~own_result value input =
   let m =
     {
       context = c;
       evaluator;
       trail;
-      input = input_ty;
-      result;
+      input = own_input;
+      result = own_result;
       known = Variables.Table.create 16;
       count = 0;
       waiting = Queue.create ();
     }
   in
-  let first, input_value, controls = parts m node ~span value input in
+  let parts = parts m node ~span value input in
+  let input_value = parts.own_input in
   let walk = Skeleton.walk c.keys node Holes in
   Skeleton.add walk (unnamed span) m.input input_value;
   let input_holes = Skeleton.take_holes walk in
-  let start = transitions m node ~from:None ~span ~delayed:false (Bool true) first in
-  let controls = controls () in
+  let start = transitions m node ~from:None ~span ~delayed:false (Bool true) parts.first in
+  let controls = parts.controls () in
   let rec all built =
     match Queue.take_opt m.waiting with
     | None -> List.rev built
@@ -414,13 +438,14 @@ let body (c : Context.t) evaluator trail node ~name ~span ~input_ty ~result valu
     {
       modes;
       start;
+      active = parts.active;
       controls;
       inputs = List.map (fun (hole : Skeleton.hole) -> hole.atom) input_holes;
       outputs;
       steps = 2 + List.length modes;
       span;
     };
-  value
+  parts.complete value
 
 (* A machine that would be part of its own state. *)
 let refuse_nesting (c : Context.t) ~name ~outside ~inside =
@@ -448,10 +473,12 @@ let refuse_nesting (c : Context.t) ~name ~outside ~inside =
 let run (c : Context.t) evaluator trail node target ~span ~result value (input : Value.argument) =
   let name = name_of value in
   let trail = Context.enter c trail ~name ~span in
-  let input_ty : Core.Ir.ty =
-    match (value, input.ty) with
-    | Primitive { primitive = Recurring_switch | Delayed_recurring_switch; _ }, Tuple [ a; _ ] -> a
-    | _, ty -> ty
+  let own_input, own_result =
+    match ((value, input.ty, result) : Value.t * Core.Ir.ty * Core.Ir.ty) with
+    | Primitive { primitive = Recurring_switch | Delayed_recurring_switch; _ }, Tuple [ a; _ ], _ ->
+        (a, result)
+    | Primitive { primitive = On_event; _ }, Data (_, [ a ]), Data (_, [ b ]) -> (a, b)
+    | _, _, _ -> (input.ty, result)
   in
   let ty : Core.Ir.ty = Signal_function (input.ty, result) in
   let walk = Skeleton.walk c.keys node Holes in
@@ -476,7 +503,7 @@ let run (c : Context.t) evaluator trail node target ~span ~result value (input :
     Variables.Table.replace c.building key trail;
     Fun.protect
       ~finally:(fun () -> Variables.Table.remove c.building key)
-      (fun () -> body c evaluator trail node ~name ~span ~input_ty ~result value input)
+      (fun () -> body c evaluator trail node ~name ~span ~own_input ~own_result value input)
   in
   Specialization.call c trail node target
     {

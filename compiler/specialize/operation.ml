@@ -89,5 +89,5 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
             | _ -> Comparison.or_ p target a b)
       | _ -> bug ())
   | Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
-  | Delayed_recurring_switch | Initially | Reactimate ->
+  | Delayed_recurring_switch | Initially | On_event | Reactimate ->
       bug ()
