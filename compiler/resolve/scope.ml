@@ -18,6 +18,7 @@ type t = {
   complete : bool;
   elsewhere : (string * Interface.names) list Lazy.t;
   records : tycon list String_map.t Lazy.t;
+  records_of : Ir.Global.t list String_map.t Lazy.t;
 }
 
 let same_global (a : Ir.Global.t) (b : Ir.Global.t) =
@@ -191,6 +192,7 @@ let find_value t ~locals ~signals q = find_with t values ~locals ~signals q
 
 let records_with t = function
   | [] -> []
+  | [ field ] -> Option.value (String_map.find_opt field (Lazy.force t.records_of)) ~default:[]
   | field :: others ->
       let records = Option.value (String_map.find_opt field (Lazy.force t.records)) ~default:[] in
       let complete (record : tycon) =
@@ -221,4 +223,6 @@ let records_by_field own (imports : import list) =
 
 let create context ~module_ ~library ~own ~imports ~complete ~elsewhere =
   let records = lazy (records_by_field own imports) in
-  { context; module_; library; own; imports; complete; elsewhere; records }
+  let names = Long_list.map (fun (record : tycon) -> record.global) in
+  let records_of = lazy (String_map.map names (Lazy.force records)) in
+  { context; module_; library; own; imports; complete; elsewhere; records; records_of }

@@ -25,6 +25,8 @@ type t = {
       (** the modules of the library with what they declare, for hints *)
   records : Interface.tycon list Interface.String_map.t Lazy.t;
       (** the record types in scope, by the name of a field *)
+  records_of : Ir.Global.t list Interface.String_map.t Lazy.t;
+      (** their names: one list for all uses of a field, as it may be long *)
 }
 
 val create :
