@@ -1,5 +1,5 @@
 let is_name = function
-  | "switch" | "dSwitch" | "rSwitch" | "drSwitch" | "resetOn" | "initially" | "onEvent"
+  | "!" | "switch" | "dSwitch" | "rSwitch" | "drSwitch" | "resetOn" | "initially" | "onEvent"
   | "sampleEvery" | "mapSF" | "mkTask" | "runTask" | "return" | "snapT" | "mapT" | "mapOutput"
   | "constT" | "sleepT" | "forever" | "timeOut" | "abortWhen" | "withSF" | "both" | "race"
   | "thenSF" | "repeatT" | "forEachT" | "retryT" | "whenT" | "unlessT" | "reactimateTask"

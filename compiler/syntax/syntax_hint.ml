@@ -138,6 +138,7 @@ let of_token found =
   | THEN, _ when opens_with Layout.Then found.context ->
       Some "a chain of choices is written `if a then x else if b then y else z`"
   | WHERE, None -> Some "indent `where` and what follows it: they belong to the definition above"
+  | OPERATOR "!", Some { token = OPERATOR "!"; _ } -> None
   | OPERATOR "!", _ -> Some "the opposite of `b` is `not b`"
   | OPERATOR ".", _ when is_digit (after found) ->
       Some "a number starts with a digit: `0` before the point"

@@ -224,6 +224,11 @@ let shapes words ~subject ~at ~(expected : expected) ~found =
       | Parameter { callee = Some "arr"; _ }, _ -> hint "leave out `arr`" diagnostic
       | Parameter { callee = Some "."; _ }, _ ->
           hint "signal functions are composed with `>>>`, from left to right" diagnostic
+      | Parameter { callee = Some name; _ }, _ ->
+          hint
+            (Printf.sprintf "if `%s` is to run it, the signature of `%s` must ask for an `SF`" name
+               name)
+            diagnostic
       | Signature _, Function (input, output) ->
           hint
             (Printf.sprintf "the type of such a signal function is %s"

@@ -73,3 +73,24 @@ A value of another type is said once, not once a branch.
   
   1 error
   [1]
+
+A parameter that a definition runs is a function unless its signature says `SF`.
+
+  $ cat > twice.frob <<'FROB'
+  > twice h = proc x -> h (h x)
+  > main :: SF Float Float
+  > main = twice (delay 0)
+  > FROB
+  $ frobc check twice.frob
+  error[E0304]: expected a function, found a signal function: `SF n[u] n[u]`
+   --> twice.frob:3:15
+    |
+  3 | main = twice (delay 0)
+    |        -----  ^^^^^^^
+    |        |
+    |        argument 1 of `twice` is `a -> a`
+    |
+    = hint: if `twice` is to run it, the signature of `twice` must ask for an `SF`
+  
+  1 error
+  [1]
