@@ -14,8 +14,4 @@ val equal : position -> Node.target -> Core.Ir.ty -> Value.t -> Value.t -> Flow.
 val less : position -> Node.target -> Core.Ir.ty -> Value.t -> Value.t -> Flow.Ir.atom
 val less_equal : position -> Node.target -> Core.Ir.ty -> Value.t -> Value.t -> Flow.Ir.atom
 
-(** {1 Operations on Bool, with what is known folded} *)
-
 val not_ : position -> Node.target -> Flow.Ir.atom -> Flow.Ir.atom
-val and_ : position -> Node.target -> Flow.Ir.atom -> Flow.Ir.atom -> Flow.Ir.atom
-val or_ : position -> Node.target -> Flow.Ir.atom -> Flow.Ir.atom -> Flow.Ir.atom

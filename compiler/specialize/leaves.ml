@@ -114,22 +114,13 @@ let rec is_constructor table node target ~span ty (value : Value.t) index : Ir.a
   | Text _ | Function _ | Signal_function _ | Primitive _ | Program _ ->
       bug "a constructor is asked of a %s" (Types.to_string ty)
 
-(* Zeros of different sign are equal but not the same. *)
-let same (a : Ir.atom) (b : Ir.atom) =
-  match (a, b) with
-  | Signal a, Signal b -> a.id = b.id
-  | Bool a, Bool b -> Bool.equal a b
-  | Int a, Int b -> Int32.equal a b
-  | Float a, Float b -> Int64.equal (Int64.bits_of_float a) (Int64.bits_of_float b)
-  | (Signal _ | Bool _ | Int _ | Float _), _ -> false
-
+(* Also of two equal leaves: each needs the condition, which causality is to see.
+   {!Flow.Simplify} takes away what is too much. *)
 let rec select table node target ~span ty condition (a : Value.t) (b : Value.t) : Value.t =
   let layout = Types.layout table ty in
-  if a == b then a
-  else if layout.first_order then
+  if layout.first_order then
     let choose target (leaf : Types.leaf) (a, b) : Ir.atom =
-      if same a b then a
-      else Node.define node target ~span leaf.leaf (If { condition; then_ = a; else_ = b })
+      Node.define node target ~span leaf.leaf (If { condition; then_ = a; else_ = b })
     in
     let of_a = atoms table node ~span ty a in
     let pairs = List.combine of_a (atoms table node ~span ty b) in
@@ -140,6 +131,7 @@ let rec select table node target ~span ty condition (a : Value.t) (b : Value.t) 
         pairs
     in
     value table ty chosen
+  else if a == b then a
   else
     match (layout.kind, a, b) with
     | _, Unspecified, other | _, other, Unspecified -> other

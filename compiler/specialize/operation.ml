@@ -81,12 +81,12 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   | Minimum -> extreme Minimum ~wins:less
   | Maximum -> extreme Maximum ~wins:(fun b a -> less a b)
   | And | Or -> (
+      (* An operator needs both operands, even where one would do: causality judges
+         the program as it is written. *)
+      let operator : Flow.Ir.operator = if primitive = And then And else Or in
       match List.map atom arguments with
-      | [ a; b ] ->
-          Atom
-            (match primitive with
-            | And -> Comparison.and_ p target a b
-            | _ -> Comparison.or_ p target a b)
+      | [ Bool a; Bool b ] -> Atom (Bool (if primitive = And then a && b else a || b))
+      | [ _; _ ] -> operate operator
       | _ -> bug ())
   | Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
   | Delayed_recurring_switch | Initially | On_event | Reactimate ->
