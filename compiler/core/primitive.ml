@@ -90,7 +90,7 @@ let table =
     ("drSwitch", Delayed_recurring_switch, 1);
     ("initially", Initially, 1);
     ("onEvent", On_event, 1);
-    ("reactimate", Reactimate, 1);
+    ("reactimateRobot", Reactimate, 1);
   ]
 
 let of_name text =

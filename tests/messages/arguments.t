@@ -89,13 +89,13 @@ A minus with blanks on both sides, or on none, is a subtraction.
   > main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
   > FROB
   $ frobc check value.frob
-  error[E0301]: expected `SF RobotInput RobotOutput`, found `RobotOutput`
+  error[E0301]: expected `SF a b`, found `RobotOutput`
    --> value.frob:2:25
     |
   2 | main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
     |        ---------------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |        |
-    |        argument 1 of `reactimateRobot` is `SF RobotInput RobotOutput`
+    |        argument 1 of `reactimateRobot` is `SF a b`
     |
     = hint: `constant e` is the signal function that always gives `e`
   

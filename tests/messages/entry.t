@@ -57,20 +57,20 @@ What cannot be the entry says why, and what would.
   1 error
   [1]
 
-A robot's program is checked against the robot where it is written.
+A program that leaves its robot open cannot be run as it stands.
 
   $ cat > robot.frob <<'FROB'
   > import Robot
   > main = reactimateRobot (proc i -> 0.3[m/s])
   > FROB
   $ frobc check robot.frob
-  error[E0301]: expected `RobotOutput`, found `Float[m/s]`
-   --> robot.frob:2:35
+  error[E0411]: `main` cannot run: its type `Program a Float` leaves open what comes in or goes out
+   --> robot.frob:2:1
     |
   2 | main = reactimateRobot (proc i -> 0.3[m/s])
-    |        ---------------            ^^^^^^^^
-    |        |
-    |        argument 1 of `reactimateRobot` has the output `RobotOutput`
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: give it a signature without variables, such as `main :: SF Float Float`
   
   1 error
   [1]

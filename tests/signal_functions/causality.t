@@ -99,3 +99,21 @@ A loop is a loop even where an operand or a branch would not matter:
   >     q = if q.g > 0 then p { f = 1 } else p
   > EOF
   $ frobc check needless.frob
+  error[E0401]: signal `x` needs its own value in the same instant
+   --> needless.frob:4:5
+    |
+  4 |     x = x && False
+    |     ^   ---------- `x` reads `x` here
+    |
+    = hint: let `x` read its own previous value: `delay x0 x`, where `x0` is the initial value
+  
+  error[E0401]: signal `q.g` needs its own value in the same instant
+   --> needless.frob:5:5
+    |
+  5 |     q = if q.g > 0 then p { f = 1 } else p
+    |     ^      ------- `q.g` reads `q.g` here
+    |
+    = hint: let `q.g` read its own previous value: `delay x0 q.g`, where `x0` is the initial value
+  
+  2 errors
+  [1]
