@@ -2,10 +2,9 @@
 
 namespace frob::sim {
 
-void Recorder::add(const Sample &sample) {
-    if (!samples_.empty())
-        distance_driven_ += length(sample.pose.position - samples_.back().pose.position);
-    samples_.push_back(sample);
+void Recorder::arrive(Vec position) {
+    if (last_) distance_driven_ += length(position - *last_);
+    last_ = position;
 }
 
 } // namespace frob::sim

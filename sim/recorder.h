@@ -1,7 +1,9 @@
-// What happened at each of the controller's instants, kept for the picture.
+// What happened at each of the controller's instants, kept if there is to be a
+// picture.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry.h"
@@ -20,14 +22,21 @@ struct Sample {
 
 class Recorder {
   public:
-    void add(const Sample &sample);
+    explicit Recorder(bool keeps_samples) : keeps_samples_(keeps_samples) {}
+
+    // The robot has come to this place, also where no samples are kept.
+    void arrive(Vec position);
+    void add(const Sample &sample) { samples_.push_back(sample); }
+    bool keeps_samples() const { return keeps_samples_; }
     const std::vector<Sample> &samples() const { return samples_; }
 
     // Metres along the true path.
     double distance_driven() const { return distance_driven_; }
 
   private:
+    bool keeps_samples_;
     std::vector<Sample> samples_;
+    std::optional<Vec> last_;
     double distance_driven_ = 0.0;
 };
 

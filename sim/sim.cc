@@ -30,7 +30,7 @@ frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *setting
             if (!scene.measure) scene.measure.emplace();
             scene.measure->distance = settings->wall_distance_m;
         }
-        return new frob_sim{{std::move(scene), settings->seed}};
+        return new frob_sim{{std::move(scene), settings->seed, settings->picture != 0}};
     } catch (const WorldFileError &error) {
         say(message, room, error.what());
     } catch (const std::exception &error) {

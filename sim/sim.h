@@ -32,6 +32,7 @@ struct frob_sim;
 struct frob_sim_settings {
     uint64_t seed;           /* of all noise */
     double wall_distance_m;  /* replaces `distance` of the world file's [measure]; 0: as it says */
+    int picture;             /* whether to keep what frob_sim_picture shows */
 };
 
 /* Reads a world file. NULL on failure; `message` then holds a line for each
@@ -66,7 +67,8 @@ struct frob_sim_summary {
 struct frob_sim_summary frob_sim_summarize(const struct frob_sim *sim);
 
 /* Draws the world, the path, and the signals. The file's name ends in .svg or
- * .png. Returns 1, or 0 with a line in `message`. */
+ * .png. Returns 1, or 0 with a line in `message`. Without `picture` in the
+ * settings there is no path and no signal to be drawn. */
 int frob_sim_picture(const struct frob_sim *sim, const char *file, char *message, size_t room);
 
 #ifdef __cplusplus

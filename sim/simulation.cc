@@ -7,8 +7,8 @@
 
 namespace frob::sim {
 
-Simulation::Simulation(Scene scene, std::uint64_t seed)
-    : scene_(std::move(scene)), world_(scene_), robot_(scene_, seed) {
+Simulation::Simulation(Scene scene, std::uint64_t seed, bool keeps_samples)
+    : scene_(std::move(scene)), world_(scene_), robot_(scene_, seed), recorder_(keeps_samples) {
     if (world_.robot_overlaps())
         throw WorldFileError(scene_.start_place +
                              ": the robot would start inside a wall or another thing");
@@ -28,6 +28,10 @@ void Simulation::advance(std::int64_t time_ns) {
 void Simulation::command(std::int64_t time_ns, const frob_pioneer_output &output) {
     robot_.command(output);
     const Pose pose = world_.robot_pose();
+    const double wall_distance = wall_distance_ ? wall_distance_->observe(time_ns, pose)
+                                                : std::numeric_limits<double>::quiet_NaN();
+    recorder_.arrive(pose.position);
+    if (!recorder_.keeps_samples()) return;
     const b2Vec2 velocity = world_.robot().GetLinearVelocity();
     Sample sample{};
     sample.time_ns = time_ns;
@@ -38,8 +42,7 @@ void Simulation::command(std::int64_t time_ns, const frob_pioneer_output &output
     sample.turn = static_cast<double>(world_.robot().GetAngularVelocity());
     sample.commanded_forward = robot_.drive().commanded_forward();
     sample.commanded_turn = robot_.drive().commanded_turn();
-    sample.wall_distance = wall_distance_ ? wall_distance_->observe(time_ns, pose)
-                                          : std::numeric_limits<double>::quiet_NaN();
+    sample.wall_distance = wall_distance;
     sample.collisions = robot_.bumpers().collisions();
     recorder_.add(sample);
 }

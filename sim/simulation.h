@@ -11,8 +11,9 @@ namespace frob::sim {
 
 class Simulation {
   public:
-    // Throws WorldFileError if the robot starts inside something.
-    Simulation(Scene scene, std::uint64_t seed);
+    // Throws WorldFileError if the robot starts inside something. Samples are
+    // for a picture; without one they need not be kept.
+    Simulation(Scene scene, std::uint64_t seed, bool keeps_samples = true);
 
     Simulation(const Simulation &) = delete;
     Simulation &operator=(const Simulation &) = delete;

@@ -196,6 +196,7 @@ int main(int argc, char **argv)
         return WRONG_USE;
     settings.seed = options.seed;
     settings.wall_distance_m = options.wall_distance_m;
+    settings.picture = options.picture != NULL;
     sim = frob_sim_open(options.world, &settings, message, sizeof message);
     if (sim == NULL) {
         /* A line for each mistake. */
