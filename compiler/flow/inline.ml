@@ -140,6 +140,19 @@ let expand context ~signals ~instances (instance : Ir.instance) =
   in
   (List.rev_append (List.rev equations) (List.rev results), inner)
 
+(* Copies would add up where expanded nodes are expanded in others. *)
+let without_copies (node : Ir.node) =
+  let substitution = Substitution.create () in
+  List.iter
+    (fun (e : Ir.equation) ->
+      match e.rhs with
+      | Copy a -> Substitution.replace substitution e.defines a
+      | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Delay _ | Time | Integral _
+      | Derivative _ ->
+          ())
+    node.equations;
+  Substitution.node substitution node
+
 (* The instances that [chosen] holds for are expanded where they stand. *)
 let expand_chosen context chosen (node : Ir.node) =
   let signals = signal_names node and instances = instance_names node in
@@ -156,7 +169,7 @@ let expand_chosen context chosen (node : Ir.node) =
       ([], [])
       (Schedule.in_source_order node)
   in
-  { node with equations = List.rev equations; instances = List.rev kept }
+  without_copies { node with equations = List.rev equations; instances = List.rev kept }
 
 (* Does each output need every input anyhow? Then the instance is as good as
    one operation, and opening it breaks no cycle. *)
