@@ -7,10 +7,21 @@ let is_continuation : Core.Ir.ty -> bool = function
   | Function _ | Signal_function _ | Tuple _ | Data _ | Variable _ | Bool | Int | Float | String ->
       false
 
-let rec steps ~first = function
-  | a :: (b :: _ as rest) -> (a, b) :: steps ~first rest
-  | [ last ] -> [ (last, first) ]
-  | [] -> []
+let steps ~first cycle =
+  let rec from reversed = function
+    | a :: (b :: _ as rest) -> from ((a, b) :: reversed) rest
+    | [ last ] -> List.rev ((last, first) :: reversed)
+    | [] -> List.rev reversed
+  in
+  from [] cycle
+
+(* Of a cycle too long to read, the beginning and the last step. *)
+let longest_shown = 12
+
+let shorten steps =
+  let n = List.length steps in
+  if n <= longest_shown then steps
+  else List.filteri (fun i _ -> i < longest_shown - 1 || i = n - 1) steps
 
 let diagnostic ~vertex ~use cycle =
   let named v =
@@ -21,7 +32,7 @@ let diagnostic ~vertex ~use cycle =
     | first :: _ -> first
     | [] -> Diagnostic.bug ~stage:"Specialize.Cycle" "an empty cycle"
   in
-  let steps = steps ~first cycle in
+  let steps = shorten (steps ~first cycle) in
   let message = if List.length steps = 1 then "calls itself" else "calls itself through others" in
   List.fold_left
     (fun diagnostic (a, b) ->

@@ -11,4 +11,4 @@ val is_continuation : Core.Ir.ty -> bool
 
 val diagnostic : vertex:(int -> vertex) -> use:(int -> int -> Span.t) -> int list -> Diagnostic.t
 (** E0410 for a cycle, not empty: each vertex uses the next, the last one the
-    first; [use]: where. *)
+    first; [use]: where. Of a long one the beginning and the last step. *)
