@@ -1,0 +1,82 @@
+Whatever a file holds, frobc ends with a result or says what is wrong with it.
+
+  $ check() { timeout 20 frobc check "$@" 2>&1 | head -4; }
+
+Modules that import each other, wherever one starts, and a module that imports
+itself:
+
+  $ echo 'import B' > A.frob; echo 'import C' > B.frob; echo 'import A' > C.frob
+  $ echo 'import A' > Outside.frob; echo 'import Itself' > Itself.frob
+  $ check A.frob
+  error[E0202]: modules import each other: `A` → `B` → `C` → `A`
+   --> C.frob:1:8
+    |
+  1 | import A
+  $ check Outside.frob
+  error[E0202]: modules import each other: `A` → `B` → `C` → `A`
+   --> C.frob:1:8
+    |
+  1 | import A
+  $ check Itself.frob
+  error[E0202]: modules import each other: `Itself` → `Itself`
+   --> Itself.frob:1:8
+    |
+  1 | import Itself
+
+A module that is not there:
+
+  $ echo 'import Contrl' > missing.frob
+  $ frobc check missing.frob
+  error[E0201]: there is no module `Contrl`
+   --> missing.frob:1:8
+    |
+  1 | import Contrl
+    |        ^^^^^^
+    |
+    = note: looked for `Contrl.frob` beside this file and in the library
+    = hint: did you mean `Control`?
+  
+  1 error
+  [1]
+
+Byte order mark and CRLF are fine; tabs are not, nor are other encodings:
+
+  $ printf '\357\273\277main :: SF Int Int\r\nmain = proc x -> y where\r\n    y = x + 1\r\n' > windows.frob
+  $ frobc check windows.frob
+  $ printf 'main = proc x -> y where\n\ty = x\n' > tab.frob
+  $ frobc check tab.frob
+  error[E0102]: a tab: indentation counts, so only spaces are allowed
+   --> tab.frob:2:1
+    |
+  2 |     y = x
+    | ^^^^
+    |
+    = hint: let the editor write spaces for tabs
+  
+  1 error
+  [1]
+  $ printf 'x = "M\374nchen"\n' > latin_1.frob
+  $ check latin_1.frob | head -1
+  error[E0101]: this file is not valid UTF-8: byte 252 cannot stand here
+  $ printf 'x = 1\0\n' > zero.frob && frobc check zero.frob 2> message; echo $?; head -1 message
+  1
+  error[E0103]: unexpected character with code 0
+  $ printf 'x = 1\rmain = 2\r' > old.frob && frobc check old.frob 2> message; echo $?; head -1 message
+  1
+  error[E0103]: unexpected character with code 13
+
+Nothing at all, and nothing but comments:
+
+  $ : > empty.frob && frobc check empty.frob
+  $ echo '-- later' > comments.frob && frobc check comments.frob
+
+Files that cannot be read:
+
+  $ mkdir folder.frob
+  $ frobc check folder.frob
+  error: cannot read folder.frob: it is a directory
+  [2]
+  $ ln -s ring.frob ring.frob
+  $ frobc check ring.frob
+  error: there is no file ring.frob
+  [2]
