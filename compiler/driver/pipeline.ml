@@ -61,6 +61,7 @@ let flow options sink ~name ~entry core =
   (* Causality before anything is shared or moved: its messages speak of the
      equations as the programmer wrote them. *)
   Flow.Causality.check sink flow;
+  let flow = if Diagnostic.has_errors sink then flow else Flow.First_instant.program sink flow in
   stage options sink Specialize ~lint:Flow.Lint.program ~print:Flow.Print.program flow
 
 let is_signal_function (definition : Core.Ir.definition) =

@@ -1,0 +1,179 @@
+type t =
+  | Bools of { true_ : bool; false_ : bool }
+  | Ints of { least : int; most : int }
+  | Floats of { least : float; most : float; nan : bool }
+  | Constructors of int list
+
+let bug format = Basis.Diagnostic.bug ~stage:"Flow.Range" format
+let least_int = Int32.to_int Int32.min_int
+let most_int = Int32.to_int Int32.max_int
+let any_bool = Bools { true_ = true; false_ = true }
+let any_int = Ints { least = least_int; most = most_int }
+let any_float = Floats { least = neg_infinity; most = infinity; nan = true }
+
+let anything (program : Ir.program) : Ir.ty -> t = function
+  | Bool -> any_bool
+  | Int -> any_int
+  | Float -> any_float
+  | Sum k -> Constructors (List.mapi (fun i _ -> i) program.sums.(k).constructors)
+
+let anything_but_sums : Ir.ty -> t = function
+  | Bool -> any_bool
+  | Int -> any_int
+  | Float -> any_float
+  | Sum _ -> bug "an operation gives a sum"
+
+let float x =
+  if Float.is_nan x then Floats { least = infinity; most = neg_infinity; nan = true }
+  else Floats { least = x; most = x; nan = false }
+
+let of_constant : Ir.atom -> t option = function
+  | Bool b -> Some (Bools { true_ = b; false_ = not b })
+  | Int n -> Some (Ints { least = Int32.to_int n; most = Int32.to_int n })
+  | Float x -> Some (float x)
+  | Signal _ -> None
+
+let zero = float 0.
+let not_negative = Floats { least = 0.; most = infinity; nan = false }
+
+let rec union a b =
+  match (a, b) with
+  | [], c | c, [] -> c
+  | x :: xs, y :: _ when x < y -> x :: union xs b
+  | x :: _, y :: ys when y < x -> y :: union a ys
+  | x :: xs, _ :: ys -> x :: union xs ys
+
+let join a b =
+  match (a, b) with
+  | Bools a, Bools b -> Bools { true_ = a.true_ || b.true_; false_ = a.false_ || b.false_ }
+  | Ints a, Ints b -> Ints { least = min a.least b.least; most = max a.most b.most }
+  | Floats a, Floats b ->
+      Floats
+        {
+          least = Float.min a.least b.least;
+          most = Float.max a.most b.most;
+          nan = a.nan || b.nan;
+        }
+  | Constructors a, Constructors b -> Constructors (union a b)
+  | (Bools _ | Ints _ | Floats _ | Constructors _), _ -> bug "values of different types"
+
+let widen a b =
+  match (a, join a b) with
+  | Ints a, Ints j ->
+      Ints
+        {
+          least = (if j.least < a.least then least_int else a.least);
+          most = (if j.most > a.most then most_int else a.most);
+        }
+  | Floats a, Floats j ->
+      Floats
+        {
+          least = (if j.least < a.least then neg_infinity else a.least);
+          most = (if j.most > a.most then infinity else a.most);
+          nan = j.nan;
+        }
+  | _, joined -> joined
+
+let may_be_true = function Bools b -> b.true_ | _ -> bug "a condition that is no Bool"
+let may_be_false = function Bools b -> b.false_ | _ -> bug "a condition that is no Bool"
+
+let has_constructor t k =
+  match t with
+  | Constructors ks ->
+      Bools { true_ = List.mem k ks; false_ = List.exists (fun other -> other <> k) ks }
+  | Bools _ | Ints _ | Floats _ -> bug "a constructor of what is no sum"
+
+(* The number that a range is alone. Zeros have a sign, which a range forgets. *)
+let constant : t -> Ir.atom option = function
+  | Bools { true_ = true; false_ = false } -> Some (Bool true)
+  | Bools { true_ = false; false_ = true } -> Some (Bool false)
+  | Ints { least; most } when least = most -> Some (Int (Int32.of_int least))
+  | Floats { least; most; nan = false } when least = most && least <> 0. -> Some (Float least)
+  | Bools _ | Ints _ | Floats _ | Constructors _ -> None
+
+let ints least most =
+  if least < least_int || most > most_int then any_int else Ints { least; most }
+
+(* Bounds that came out as NaN: then anything may have. *)
+let floats ~nan bounds =
+  if List.exists Float.is_nan bounds then any_float
+  else
+    Floats
+      {
+        least = List.fold_left Float.min infinity bounds;
+        most = List.fold_left Float.max neg_infinity bounds;
+        nan;
+      }
+
+let corners f (a, b) (c, d) = [ f a c; f a d; f b c; f b d ]
+let no_numbers least most = (least : float) > most
+
+(* Rounding keeps the order of numbers, so bounds of results are results of
+   bounds. *)
+let on_floats (operator : Ir.operator) (al, ah, a_nan) (bl, bh, b_nan) : t option =
+  let nan = a_nan || b_nan in
+  if no_numbers al ah || no_numbers bl bh then None
+  else
+    match operator with
+    | Add -> Some (floats ~nan [ al +. bl; ah +. bh ])
+    | Subtract -> Some (floats ~nan [ al -. bh; ah -. bl ])
+    | Multiply -> Some (floats ~nan (corners ( *. ) (al, ah) (bl, bh)))
+    | Divide when bl > 0. || bh < 0. -> Some (floats ~nan (corners ( /. ) (al, ah) (bl, bh)))
+    | Minimum -> Some (floats ~nan [ Float.min al bl; Float.min ah bh ])
+    | Maximum -> Some (floats ~nan [ Float.max al bl; Float.max ah bh ])
+    | Less -> Some (Bools { true_ = al < bh; false_ = ah >= bl || nan })
+    | Less_equal -> Some (Bools { true_ = al <= bh; false_ = ah > bl || nan })
+    | Equal ->
+        let true_ = al <= bh && bl <= ah in
+        Some (Bools { true_; false_ = nan || not (al = ah && bl = bh && al = bl) })
+    | _ -> None
+
+let on_ints (operator : Ir.operator) (al, ah) (bl, bh) : t option =
+  match operator with
+  | Add -> Some (ints (al + bl) (ah + bh))
+  | Subtract -> Some (ints (al - bh) (ah - bl))
+  | Multiply ->
+      let all = corners ( * ) (al, ah) (bl, bh) in
+      Some (ints (List.fold_left min max_int all) (List.fold_left max min_int all))
+  | Minimum -> Some (Ints { least = min al bl; most = min ah bh })
+  | Maximum -> Some (Ints { least = max al bl; most = max ah bh })
+  | Less -> Some (Bools { true_ = al < bh; false_ = ah >= bl })
+  | Less_equal -> Some (Bools { true_ = al <= bh; false_ = ah > bl })
+  | Equal ->
+      Some (Bools { true_ = al <= bh && bl <= ah; false_ = not (al = ah && bl = bh && al = bl) })
+  | _ -> None
+
+let on_ranges (operator : Ir.operator) arguments =
+  match (operator, arguments) with
+  | And, [ Bools a; Bools b ] ->
+      Some (Bools { true_ = a.true_ && b.true_; false_ = a.false_ || b.false_ })
+  | Or, [ Bools a; Bools b ] ->
+      Some (Bools { true_ = a.true_ || b.true_; false_ = a.false_ && b.false_ })
+  | Not, [ Bools a ] -> Some (Bools { true_ = a.false_; false_ = a.true_ })
+  | Negate, [ Floats a ] -> Some (Floats { a with least = -.a.most; most = -.a.least })
+  | Absolute, [ Floats a ] when a.least <= a.most ->
+      let most = Float.max (Float.abs a.least) (Float.abs a.most) in
+      let least =
+        if a.least > 0. then a.least else if a.most < 0. then -.a.most else 0.
+      in
+      Some (Floats { a with least; most })
+  | To_float, [ Ints a ] ->
+      Some (Floats { least = float_of_int a.least; most = float_of_int a.most; nan = false })
+  | _, [ Floats a; Floats b ] ->
+      on_floats operator (a.least, a.most, a.nan) (b.least, b.most, b.nan)
+  | _, [ Ints a; Ints b ] -> on_ints operator (a.least, a.most) (b.least, b.most)
+  | _, _ -> None
+
+let operation operator arguments ty =
+  let constants = List.filter_map constant arguments in
+  let folded =
+    if List.compare_lengths constants arguments = 0 then
+      Option.bind (Fold.operation operator constants) of_constant
+    else None
+  in
+  match folded with
+  | Some known -> known
+  | None -> (
+      match on_ranges operator arguments with
+      | Some known -> known
+      | None -> anything_but_sums ty)

@@ -1,0 +1,29 @@
+(** Sets of values, as an analysis knows them: numbers as ranges, values of data
+    types as the constructors they may have. *)
+
+type t =
+  | Bools of { true_ : bool; false_ : bool }  (** which it may be *)
+  | Ints of { least : int; most : int }
+  | Floats of { least : float; most : float; nan : bool }
+      (** no numbers at all if [least > most]; the bounds are no NaN *)
+  | Constructors of int list  (** ascending *)
+
+val anything : Ir.program -> Ir.ty -> t
+val of_constant : Ir.atom -> t option
+
+val zero : t
+(** The Float. *)
+
+val not_negative : t
+(** All Floats from 0 to infinity. *)
+
+val join : t -> t -> t
+
+val widen : t -> t -> t
+(** The join with the second, its bounds that move being infinite. *)
+
+val may_be_true : t -> bool
+val may_be_false : t -> bool
+val has_constructor : t -> int -> t
+val operation : Ir.operator -> t list -> Ir.ty -> t
+(** [Ir.ty]: of the result. *)
