@@ -46,14 +46,17 @@ let uninitialized c variables =
     (fun (ty, names) -> plain (Ir.Variables { ty; names = List.rev names }))
     (List.fold_left declare [] variables)
 
-let step_call c ~node ~state arguments results =
+(* [own]: the address of the state, if there is one. *)
+let step_call c ~node ~own arguments results =
   let callee = c.v.program.nodes.(node) in
-  let own =
-    match state with Some field -> [ Ir.Unary (Address, Expression.field c.names field) ] | None -> []
-  in
   let dt = if callee.seconds then [ Ir.Name "dt" ] else [] in
   let dt_ns = if callee.nanoseconds then [ Ir.Name "dt_ns" ] else [] in
   Ir.Call (c.v.nodes.(node).step, List.concat [ own; dt; dt_ns; arguments; results ])
+
+let own_state c state =
+  List.map
+    (fun field -> Ir.Unary (Ir.Address, Expression.field c.names field))
+    (Option.to_list state)
 
 let rec statement c rest (s : M.statement) : Ir.statement list =
   (* Statements so far, last first. *)
@@ -84,25 +87,15 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let then_ = statements c then_ in
       let else_ = statements c else_ in
       { desc = If { condition; then_; else_ }; comment } :: List.rev_append declarations rest
-  | Step { node; state; arguments; results; span } -> (
-      let arguments = expressions c arguments in
-      let is_read (variable : M.variable) = Hashtbl.mem c.read variable.id in
-      match results with
-      | [] -> { desc = Do (step_call c ~node ~state arguments []); comment = comment c span } :: rest
-      | [ variable ] when not (is_read variable) ->
-          { desc = Do (step_call c ~node ~state arguments []); comment = comment c span } :: rest
-      | [ variable ] ->
-          let value = step_call c ~node ~state arguments [] in
-          let name = Expression.variable c.names variable in
-          let ty = V.ty c.v variable.ty in
-          { desc = Constant { ty; name; value }; comment = comment c span } :: rest
-      | variables ->
-          let declarations = uninitialized c variables in
-          let address variable =
-            Ir.Unary (Address, Name (Expression.variable c.names variable))
-          in
-          let call = step_call c ~node ~state arguments (List.map address variables) in
-          { desc = Do call; comment = comment c span } :: List.rev_append declarations rest)
+  | Step { node; state = Some state; arguments; results; on_trial = true; span } ->
+      let name = Name.fresh (Expression.scope c.names) "trial" in
+      let value = Expression.field c.names state in
+      let copy =
+        plain (Ir.Variable { ty = Struct c.v.nodes.(node).state; name; value })
+      in
+      step c (copy :: rest) ~node ~own:[ Ir.Unary (Address, Name name) ] arguments results span
+  | Step { node; state; arguments; results; on_trial = _; span } ->
+      step c rest ~node ~own:(own_state c state) arguments results span
   | Reset { node; state; arguments; span } ->
       let own = Ir.Unary (Address, Expression.field c.names state) in
       let call = Ir.Call (c.v.nodes.(node).reset, own :: expressions c arguments) in
@@ -111,6 +104,26 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
   | Run run -> List.rev_append (run_modes c run) rest
   | Return { value; span } ->
       { desc = Return (expression c value); comment = comment c span } :: rest
+
+and step c rest ~node ~own arguments results span =
+  let arguments = expressions c arguments in
+  let is_read (variable : M.variable) = Hashtbl.mem c.read variable.id in
+  match results with
+  | [] -> { desc = Do (step_call c ~node ~own arguments []); comment = comment c span } :: rest
+  | [ variable ] when not (is_read variable) ->
+      { desc = Do (step_call c ~node ~own arguments []); comment = comment c span } :: rest
+  | [ variable ] ->
+      let value = step_call c ~node ~own arguments [] in
+      let name = Expression.variable c.names variable in
+      let ty = V.ty c.v variable.ty in
+      { desc = Constant { ty; name; value }; comment = comment c span } :: rest
+  | variables ->
+      let declarations = uninitialized c variables in
+      let address variable =
+        Ir.Unary (Address, Name (Expression.variable c.names variable))
+      in
+      let call = step_call c ~node ~own arguments (List.map address variables) in
+      { desc = Do call; comment = comment c span } :: List.rev_append declarations rest
 
 and statements c body = List.rev (List.fold_left (statement c) [] body)
 
@@ -277,13 +290,14 @@ and one_case c (run : M.run) ~loops ~entered ~dropped k (case : M.case) =
     @ List.map (fun (v, name) -> declare v name) others
   in
   let all = targets @ List.map snd others in
+  let state = own_state c mode.state in
   let call =
     match all with
     | [ name ] ->
-        Ir.Assign (Name name, step_call c ~node:mode.node ~state:mode.state arguments [])
+        Ir.Assign (Name name, step_call c ~node:mode.node ~own:state arguments [])
     | names ->
         let address name = Ir.Unary (Address, Name name) in
-        Ir.Do (step_call c ~node:mode.node ~state:mode.state arguments (List.map address names))
+        Ir.Do (step_call c ~node:mode.node ~own:state arguments (List.map address names))
   in
   let keep =
     match own with

@@ -180,6 +180,12 @@ let sweep search (program : Ir.program) =
       end)
     program.nodes;
   let flags signals = List.rev (List.rev_map is_needed signals) in
+  let is_given (i : Ir.instance) (s : Ir.signal) =
+    List.exists2
+      (fun is_needed (output : Ir.signal) -> is_needed && output.id = s.id)
+      (Array.to_list search.nodes.(i.node).needed_outputs)
+      i.outputs
+  in
   let instance (i : Ir.instance) =
     let callee = program.nodes.(i.node) in
     {
@@ -188,6 +194,13 @@ let sweep search (program : Ir.program) =
       statics = select (flags callee.statics) i.statics;
       inputs = select (flags callee.inputs) i.inputs;
       outputs = select (Array.to_list search.nodes.(i.node).needed_outputs) i.outputs;
+      trials =
+        List.filter_map
+          (fun (trial : Ir.trial) ->
+            match List.filter (is_given i) trial.gives with
+            | [] -> None
+            | gives -> Some { Ir.gives; given = select (flags callee.inputs) trial.given })
+          i.trials;
     }
   in
   let transitions modes =

@@ -119,7 +119,8 @@ and evaluate a instant index ~statics ~inputs =
           let statics = map (read a values) i.statics in
           let inputs = map (read a values) i.inputs in
           let outputs = outputs a instant i.node ~statics ~inputs in
-          if List.compare_lengths outputs i.outputs = 0 then bind values i.outputs outputs
+          bind values i.outputs outputs
+      | Trial (_, trial) -> bind values trial.gives (anything_of a trial.gives)
       | Machine m -> bind values m.outputs (machine a instant values m))
     (schedule a index);
   values
@@ -253,7 +254,7 @@ let source (program : Ir.program) (node : Ir.node) (t : Ir.transition) =
       match item with
       | Equation e -> define item e.defines
       | Instance i -> List.iter (define item) i.outputs
-      | Machine _ -> ())
+      | Trial _ | Machine _ -> ())
     (Schedule.in_source_order node);
   let seen = Hashtbl.create 32 in
   let rec search = function
@@ -262,7 +263,7 @@ let source (program : Ir.program) (node : Ir.node) (t : Ir.transition) =
     | s :: others -> (
         Hashtbl.replace seen s.id ();
         match Hashtbl.find_opt definer s.id with
-        | None | Some (Schedule.Machine _) -> search others
+        | None | Some (Schedule.Machine _ | Trial _) -> search others
         | Some (Equation e) -> search (others @ Operands.(signals (same_instant e.rhs)))
         | Some (Instance i) -> (
             match program.nodes.(i.node) with

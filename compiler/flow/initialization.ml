@@ -19,7 +19,7 @@ let check_node (program : Ir.program) (node : Ir.node) =
     | Instance i ->
         if is_function i && List.for_all is_static i.statics && List.for_all is_static i.inputs then
           List.iter add i.outputs
-    | Machine _ -> ()
+    | Trial _ | Machine _ -> ()
   in
   let expect what a =
     if not (is_static a) then

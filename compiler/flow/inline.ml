@@ -127,6 +127,14 @@ let expand context ~signals ~instances (instance : Ir.instance) =
           statics = map atom i.statics;
           inputs = map atom i.inputs;
           outputs = map copy i.outputs;
+          trials =
+            List.map
+              (fun (trial : Ir.trial) ->
+                {
+                  Ir.gives = List.map copy trial.gives;
+                  given = List.map (Option.map atom) trial.given;
+                })
+              i.trials;
         })
       callee.instances
   in
@@ -160,7 +168,7 @@ let expand_chosen context chosen (node : Ir.node) =
     List.fold_left
       (fun (equations, kept) item ->
         match item with
-        | Schedule.Machine _ -> (equations, kept)
+        | Schedule.Machine _ | Trial _ -> (equations, kept)
         | Equation e -> (e :: equations, kept)
         | Instance i when not (chosen i) -> (equations, i :: kept)
         | Instance i ->
@@ -179,6 +187,32 @@ let is_one_operation context (i : Ir.instance) =
     (fun passed -> Dependency.Inputs.cardinal passed = inputs)
     context.dependencies.(i.node).passed
 
+(* A step on trial for each set of inputs that some outputs need, if it is not
+   all of them. *)
+let with_trials context (i : Ir.instance) =
+  let passed = context.dependencies.(i.node).passed in
+  let all = List.length i.inputs in
+  let add (groups, k) output =
+    let needs = passed.(k) in
+    let same (other, _) = Dependency.Inputs.equal needs other in
+    let groups =
+      if Dependency.Inputs.cardinal needs = all then groups
+      else
+        match List.partition same groups with
+        | [ (_, outputs) ], others -> (needs, output :: outputs) :: others
+        | _, _ -> (needs, [ output ]) :: groups
+    in
+    (groups, k + 1)
+  in
+  let groups, _ = List.fold_left add ([], 0) i.outputs in
+  let trial (needs, outputs) =
+    let given j input = if Dependency.Inputs.mem j needs then Some input else None in
+    { Ir.gives = List.rev outputs; given = List.mapi given i.inputs }
+  in
+  { i with trials = List.rev_map trial groups }
+
+let is_machine context (i : Ir.instance) = Option.is_some context.nodes.(i.node).machine
+
 let rec open_loops context (node : Ir.node) =
   match Schedule.loops node with
   | [] -> node
@@ -186,11 +220,16 @@ let rec open_loops context (node : Ir.node) =
       let names = Hashtbl.create 16 in
       List.iter
         (List.iter (fun (i : Ir.instance) ->
-             if not (is_one_operation context i) then Hashtbl.replace names i.name ()))
+             if i.trials = [] && not (is_one_operation context i) then
+               Hashtbl.replace names i.name ()))
         loops;
       if Hashtbl.length names = 0 then
         Diagnostic.bug ~stage:"Flow.Inline" "`%s` is not causal" node.name;
-      expand_chosen context (fun i -> Hashtbl.mem names i.name) node |> open_loops context
+      let is_chosen (i : Ir.instance) = Hashtbl.mem names i.name in
+      let try_machine i = if is_chosen i && is_machine context i then with_trials context i else i in
+      { node with instances = map try_machine node.instances }
+      |> expand_chosen context (fun i -> is_chosen i && not (is_machine context i))
+      |> open_loops context
 
 let program (program : Ir.program) =
   let context =

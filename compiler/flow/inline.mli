@@ -2,7 +2,8 @@
 
     (a) Where that is necessary: an instance whose output feeds back to an
     input that the output does not need in the same instant cannot run as one
-    call. Expects a causal program; afterwards {!Schedule.of_node} succeeds on
+    call. A machine is stepped on trial instead. Expects a causal program;
+    afterwards {!Schedule.of_node} succeeds on
     every node. (b) Where the node is so small that reading it in place is
     easier than a call. All others stay functions of their own, so one
     definition gives one C function, however often it is used.

@@ -121,7 +121,17 @@ type instance = {
   statics : atom list;  (** for the node's [statics] *)
   inputs : atom list;  (** for the node's [inputs] *)
   outputs : signal list;  (** defined here; for the node's [outputs] *)
+  trials : trial list;
+      (** for outputs that are known before all inputs, on which they do not depend *)
   span : Span.t;
+}
+
+(** A step of the instance that gives some of its outputs, and leaves its state
+    as it is. Not every part of a program can be taken apart so that outputs
+    come first: modes of a machine, for one. *)
+and trial = {
+  gives : signal list;  (** some of the instance's outputs, in order *)
+  given : atom option list;  (** for its inputs; [None]: any value would do *)
 }
 
 (** From a running mode of a machine to the next. *)

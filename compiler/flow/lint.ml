@@ -139,7 +139,15 @@ let instance scope names (i : Ir.instance) =
   (* A node's outputs may be constants; their types are those of the callee's. *)
   check_all scope "an output"
     (List.map output_type callee.outputs)
-    (List.map (fun s -> Ir.Signal s) i.outputs)
+    (List.map (fun s -> Ir.Signal s) i.outputs);
+  let trial (t : Ir.trial) =
+    if List.compare_lengths t.given i.inputs <> 0 then
+      bug "a trial of `%s` in `%s` gets a wrong number of inputs" i.name scope.node.name;
+    let is_output (s : Ir.signal) = List.exists (fun (o : Ir.signal) -> o.id = s.id) i.outputs in
+    if not (List.for_all is_output t.gives) then
+      bug "a trial of `%s` in `%s` gives what is no output" i.name scope.node.name
+  in
+  List.iter trial i.trials
 
 let transition scope (modes : Ir.node array) (t : Ir.transition) =
   if t.target < 0 || t.target >= Array.length modes then

@@ -159,7 +159,15 @@ let instance (program : Ir.program) names ppf (i : Ir.instance) =
   let statics = statics names in
   fprintf ppf "  (%a) = %s as %s%a(%a)@\n"
     (list (typed program.sums names))
-    i.outputs callee i.name statics i.statics (atoms names) i.inputs
+    i.outputs callee i.name statics i.statics (atoms names) i.inputs;
+  let given ppf = function
+    | Some a -> atom names ppf a
+    | None -> pp_print_string ppf "_"
+  in
+  List.iter
+    (fun (t : Ir.trial) ->
+      fprintf ppf "    (%a) from (%a)@\n" (list (signal names)) t.gives (list given) t.given)
+    i.trials
 
 let output names ppf (name, value) = fprintf ppf "%s = %a" name (atom names) value
 

@@ -3,6 +3,7 @@ open Basis
 type item =
   | Equation of Ir.equation
   | Instance of Ir.instance
+  | Trial of Ir.instance * Ir.trial
   | Machine of Ir.machine
 
 (* Equations in their order; an instance before the first equation that is
@@ -19,19 +20,40 @@ let in_source_order (node : Ir.node) =
     | i :: instances, e :: _ when precedes i e -> merge (Instance i :: items) instances equations
     | _, e :: equations -> merge (Equation e :: items) instances equations
   in
+  let with_trials item items =
+    match item with
+    | Instance i -> List.fold_right (fun trial items -> Trial (i, trial) :: items) i.trials (item :: items)
+    | Equation _ | Trial _ | Machine _ -> item :: items
+  in
   let items = merge [] node.instances node.equations in
+  let has_trials (i : Ir.instance) = i.trials <> [] in
+  let items =
+    if List.exists has_trials node.instances then List.fold_right with_trials items [] else items
+  in
   match node.machine with
   | None -> items
   | Some machine -> List.rev (Machine machine :: List.rev items)
 
 let defines = function
   | Equation e -> [ e.defines ]
-  | Instance i -> i.outputs
+  | Instance { outputs; trials = []; _ } -> outputs
+  | Instance { outputs; trials; _ } ->
+      let is_given (s : Ir.signal) =
+        List.exists
+          (fun (t : Ir.trial) -> List.exists (fun (g : Ir.signal) -> g.id = s.id) t.gives)
+          trials
+      in
+      List.filter (fun s -> not (is_given s)) outputs
+  | Trial (_, trial) -> trial.gives
   | Machine m -> m.outputs
 
 let needs = function
   | Equation e -> Operands.(signals (same_instant e.rhs))
-  | Instance i -> Operands.signals (List.rev_append (List.rev i.statics) i.inputs)
+  | Instance i ->
+      let trials = List.concat_map (fun (t : Ir.trial) -> t.gives) i.trials in
+      List.rev_append trials (Operands.signals (List.rev_append (List.rev i.statics) i.inputs))
+  | Trial (i, trial) ->
+      Operands.signals (List.rev_append (List.rev i.statics) (List.filter_map Fun.id trial.given))
   | Machine m -> Operands.signals (Transitions.read_in_step m)
 
 let graph items =
@@ -63,7 +85,7 @@ let as_far_as_possible node =
 let loops (node : Ir.node) =
   let items = Array.of_list (in_source_order node) in
   let graph = graph items in
-  let instance v = match items.(v) with Instance i -> Some i | Equation _ | Machine _ -> None in
+  let instance v = match items.(v) with Instance i -> Some i | Equation _ | Trial _ | Machine _ -> None in
   List.filter_map
     (fun component ->
       if Graph.is_cyclic graph component then Some (List.filter_map instance component) else None)

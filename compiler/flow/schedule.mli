@@ -13,7 +13,11 @@
 type item =
   | Equation of Ir.equation
   | Instance of Ir.instance
+  | Trial of Ir.instance * Ir.trial
   | Machine of Ir.machine
+
+val defines : item -> Ir.signal list
+(** What an instance gives on trial it does not define again. *)
 
 val in_source_order : Ir.node -> item list
 (** The node's own order: that of its equations, each instance before the

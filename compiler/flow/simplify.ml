@@ -124,7 +124,7 @@ let node (node : Ir.node) =
   let known : known = Hashtbl.create 64 in
   let substitution = Substitution.create () in
   let visit = function
-    | Schedule.Instance _ | Machine _ -> ()
+    | Schedule.Instance _ | Trial _ | Machine _ -> ()
     | Equation e -> (
         match simplify known e.defines (Operands.map (Substitution.atom substitution) e.rhs) with
         | Copy a -> Substitution.replace substitution e.defines a

@@ -58,6 +58,14 @@ let apply t (node : Ir.node) =
       statics = list (atom t) i.statics;
       inputs = list (atom t) i.inputs;
       outputs = list (renamed t) i.outputs;
+      trials =
+        List.map
+          (fun (trial : Ir.trial) ->
+            {
+              Ir.gives = List.map (renamed t) trial.gives;
+              given = List.map (Option.map (atom t)) trial.given;
+            })
+          i.trials;
     }
   in
   {

@@ -95,6 +95,7 @@ type statement =
       state : field option;  (** [None] if the node has no state *)
       arguments : expr list;
       results : variable list;  (** declared here *)
+      on_trial : bool;  (** of a copy of the state, which is then forgotten *)
       span : Span.t;
     }
   | Reset of { node : int; state : field; arguments : expr list; span : Span.t }

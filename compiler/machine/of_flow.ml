@@ -7,6 +7,7 @@ type context = {
   statics : Statics.t array;
   done_ : Ir.node option array;  (** the nodes already translated *)
   sees_first_dt : bool array;
+  mutable fresh : int;  (** larger than every id of a signal *)
 }
 
 let callee context k =
@@ -108,22 +109,85 @@ let arguments context (i : F.instance) (code : Ir.code) =
       | None -> broken "a parameter that is neither static nor input")
     code.parameters
 
+(* Variables for all outputs of an instance, those of others than [defines]
+   being of no use. *)
+let results context (i : F.instance) defines =
+  let variable_for (s : F.signal) =
+    if List.exists (fun (d : F.signal) -> d.id = s.id) defines then variable s
+    else (
+      context.fresh <- context.fresh + 1;
+      { (variable s) with id = context.fresh; name = "" })
+  in
+  List.map variable_for i.outputs
+
+let rec zero context (ty : F.ty) : Ir.expr =
+  match ty with
+  | Bool -> Bool false
+  | Int -> Int 0l
+  | Float -> Float 0.
+  | Sum sum -> (
+      match context.program.sums.(sum).constructors with
+      | first :: _ ->
+          let payload = List.map (zero context) (Layout.leaves first) in
+          Construct { sum; constructor = 0; payload }
+      | [] -> broken "a sum without constructors")
+
+(* A step of a copy. What is not given is zero. *)
+let try_out context resolve (i : F.instance) (trial : F.trial) state =
+  let node = callee context i.node in
+  let given = List.combine context.program.nodes.(i.node).inputs trial.given in
+  let missing =
+    List.filter_map (fun ((s : F.signal), a) -> if Option.is_none a then Some s.id else None) given
+  in
+  let atoms = List.combine node.step.parameters (arguments context i node.step) in
+  let is_given ((v : Ir.variable), _) = not (List.mem v.id missing) in
+  let operands = List.map (fun (_, atom) -> resolve atom) (List.filter is_given atoms) in
+  let results = results context i trial.gives in
+  let zeros =
+    List.filter_map
+      (fun ((s : F.signal), a) -> if Option.is_none a then Some (s.id, zero context s.ty) else None)
+      given
+  in
+  let rec fill parameters exprs =
+    match (parameters, exprs) with
+    | [], _ -> []
+    | ((v : Ir.variable), _) :: parameters, exprs -> (
+        match (List.assoc_opt v.id zeros, exprs) with
+        | Some zero, _ -> zero :: fill parameters exprs
+        | None, e :: exprs -> e :: fill parameters exprs
+        | None, [] -> broken "a trial without an argument")
+  in
+  let statements exprs =
+    let arguments = fill atoms exprs in
+    [ Ir.Step { node = i.node; state; arguments; results; on_trial = true; span = i.span } ]
+  in
+  Action
+    {
+      defines = trial.gives;
+      operands;
+      statements;
+      always = true;
+      weight = 2 + node.operations;
+      span = i.span;
+    }
+
 let call context resolve (i : F.instance) state =
   let node = callee context i.node in
   let operands = List.map resolve (arguments context i node.step) in
   match (state, i.outputs) with
-  | None, [ signal ] ->
+  | None, [ signal ] when i.trials = [] ->
       let build arguments = Ir.Call { node = i.node; arguments } in
       Computed
         { signal; operands; build; choice = None; weight = 2 + node.operations; span = i.span }
   | _, _ ->
-      let results = List.map variable i.outputs in
+      let defines = Flow.Schedule.defines (Instance i) in
+      let results = results context i defines in
       let statements arguments =
-        [ Ir.Step { node = i.node; state; arguments; results; span = i.span } ]
+        [ Ir.Step { node = i.node; state; arguments; results; on_trial = false; span = i.span } ]
       in
       Action
         {
-          defines = i.outputs;
+          defines;
           operands;
           statements;
           always = Option.is_some state;
@@ -221,7 +285,7 @@ let next_state draft state (eq : F.equation) =
 
 let equations items =
   List.filter_map
-    (function Flow.Schedule.Equation eq -> Some eq | Instance _ | Machine _ -> None)
+    (function Flow.Schedule.Equation eq -> Some eq | Instance _ | Trial _ | Machine _ -> None)
     items
 
 let modes_context context draft state : Modes.context =
@@ -254,6 +318,7 @@ let step_body context state (node : F.node) ~is_root (statics : Statics.t) =
       match item with
       | Equation eq -> step_equation d state eq
       | Instance i -> add d (call context (resolve d) i (State.instance state i))
+      | Trial (i, trial) -> add d (try_out context (resolve d) i trial (State.instance state i))
       | Machine m -> add d (Modes.step (modes_context context d state) m))
     statics.in_step;
   let equations = equations statics.in_step in
@@ -316,6 +381,7 @@ let reset_effects context draft state (item : Flow.Schedule.item) =
             [ Ir.Reset { node = i.node; state = field; arguments; span = i.span } ]
           in
           [ work ~operands i.span reset ])
+  | Trial _ -> []
   | Machine m -> [ Modes.start (modes_context context draft state) m ]
 
 let reset_body context state (node : F.node) (statics : Statics.t) =
@@ -326,7 +392,7 @@ let reset_body context state (node : F.node) (statics : Statics.t) =
       match item with
       | Equation eq -> add_computed d eq
       | Instance i -> add d (call context (resolve d) i None)
-      | Machine _ -> broken "a machine known at the start")
+      | Trial _ | Machine _ -> broken "a machine known at the start")
     statics.at_reset;
   let effects item = List.iter (add d) (reset_effects context d state item) in
   List.iter effects statics.in_step;
@@ -482,6 +548,7 @@ let program (program : F.program) : Ir.program =
       statics = Statics.program program;
       done_ = Array.make count None;
       sees_first_dt = Array.make count false;
+      fresh = Flow.Signals.next_id program;
     }
   in
   let first_instant = ref Ir.Unseen in

@@ -113,8 +113,10 @@ let rec statement c indent ppf (s : Ir.statement) =
       if else_ <> [] then (
         put "else";
         List.iter (statement c (indent + 2) ppf) else_)
-  | Step { node; state; arguments; results; span } ->
-      put "%s = step %s %s%a  -- %d" (variables c results) c.program.nodes.(node).name
+  | Step { node; state; arguments; results; on_trial; span } ->
+      put "%s = %s %s %s%a  -- %d" (variables c results)
+        (if on_trial then "try" else "step")
+        c.program.nodes.(node).name
         (match state with Some f -> field f | None -> "")
         (list c) arguments span.start.line
   | Reset { node; state; arguments; span } ->

@@ -159,6 +159,7 @@ let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : S
           if stateful i.node then
             Hashtbl.replace t.instances i.name
               (new_field t ~name:i.name (State_of i.node) ~purpose:"" i.span)
+      | Trial _ -> ()
       | Machine m -> machine_of t ~callee ~statics:statics_of m)
     statics.in_step;
   let is_kept = Hashtbl.create 16 in
@@ -173,6 +174,6 @@ let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : S
       match item with
       | Equation eq -> keep ~name:(kept_name eq.rhs) eq.span eq.defines
       | Instance i -> List.iter (keep ~name:i.name i.span) i.outputs
-      | Machine _ -> ())
+      | Trial _ | Machine _ -> ())
     statics.at_reset;
   t

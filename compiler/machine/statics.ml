@@ -58,12 +58,15 @@ let classify work item =
         && List.for_all (is_static work) i.statics
         && List.for_all (is_static work) i.inputs
       then List.iter (fun (s : Flow.Ir.signal) -> Hashtbl.replace work.static s.id Costly) i.outputs
-  | Machine m ->
-      List.iter (fun (s : Flow.Ir.signal) -> Hashtbl.replace work.definer s.id item) m.outputs
+  | Trial _ | Machine _ ->
+      List.iter
+        (fun (s : Flow.Ir.signal) -> Hashtbl.replace work.definer s.id item)
+        (Flow.Schedule.defines item)
 
 let operands_of_item = function
   | Flow.Schedule.Equation e -> Flow.Operands.all e.rhs
   | Instance i -> List.rev_append i.statics i.inputs
+  | Trial (i, trial) -> List.rev_append i.statics (List.filter_map Fun.id trial.given)
   | Machine m -> Flow.Transitions.read_in_step m
 
 (* All signals from which [roots] are computed by static definitions, with
@@ -86,10 +89,8 @@ let closure work ~stop roots =
   in
   walk roots
 
-let defines_one_of table = function
-  | Flow.Schedule.Equation e -> Hashtbl.mem table e.defines.id
-  | Instance i -> List.exists (fun (s : Flow.Ir.signal) -> Hashtbl.mem table s.id) i.outputs
-  | Machine m -> List.exists (fun (s : Flow.Ir.signal) -> Hashtbl.mem table s.id) m.outputs
+let defines_one_of table item =
+  List.exists (fun (s : Flow.Ir.signal) -> Hashtbl.mem table s.id) (Flow.Schedule.defines item)
 
 (* What an item that is not static reads at its start, and in each step. *)
 let read_at_start (program : Flow.Ir.program) = function
@@ -99,6 +100,7 @@ let read_at_start (program : Flow.Ir.program) = function
       match program.nodes.(i.node).kind with
       | Signal_function -> i.statics
       | Function -> [])
+  | Trial _ -> []
   | Machine m -> Flow.Transitions.atoms m.start
 
 let read_in_step (program : Flow.Ir.program) (callee : int -> t) = function
@@ -110,6 +112,7 @@ let read_in_step (program : Flow.Ir.program) (callee : int -> t) = function
       let is_read (s : Flow.Ir.signal) = List.exists (fun (r : Flow.Ir.signal) -> r.id = s.id) read in
       let add all parameter atom = if is_read parameter then atom :: all else all in
       List.fold_left2 add i.inputs node.statics i.statics
+  | Trial (_, trial) -> List.filter_map Fun.id trial.given
   | Machine m -> Flow.Transitions.read_in_step m
 
 let of_function (node : Flow.Ir.node) =
@@ -126,7 +129,7 @@ let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) 
         match i.outputs with
         | s :: _ -> Hashtbl.mem work.static s.id
         | [] -> false)
-    | Machine _ -> false
+    | Trial _ | Machine _ -> false
   in
   let static_items, dynamic = List.partition is_static_item items in
   let gather read = List.fold_left (fun all item -> List.rev_append (read item) all) [] dynamic in
@@ -147,16 +150,11 @@ let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) 
   (* A cheap static reads cheap ones only, so the walk ends at what is kept. *)
   let needed_in_step = closure work ~stop:is_costly in_step in
   let kept =
-    let defined = function
-      | Flow.Schedule.Equation e -> [ e.defines ]
-      | Instance i -> i.outputs
-      | Machine m -> m.outputs
-    in
     List.concat_map
       (fun item ->
         List.filter
           (fun (s : Flow.Ir.signal) -> is_costly s && Hashtbl.mem needed_in_step s.id)
-          (defined item))
+          (Flow.Schedule.defines item))
       static_items
   in
   let at_reset_roots = List.rev_append (Flow.Operands.signals at_start) kept in

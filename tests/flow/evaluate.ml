@@ -296,7 +296,7 @@ and run frame clock table = function
       bind table i.outputs (call child clock (values i.statics) (values i.inputs));
       (* a function may be called again within the instant *)
       if child.node.kind = Function then forget child
-  | Machine _ -> no_machines ()
+  | Trial _ | Machine _ -> no_machines ()
 
 (* What can be computed from the statics alone is, in the order of the step. *)
 let rec reset frame statics =
@@ -312,7 +312,7 @@ let rec reset frame statics =
     | Instance i ->
         let child = List.assoc i.name frame.children in
         child.node.kind = Function && List.for_all known i.inputs
-    | Machine _ -> no_machines ()
+    | Trial _ | Machine _ -> no_machines ()
   in
   List.iter (fun item -> if is_static item then run frame start table item) frame.schedule;
   List.iter

@@ -5,6 +5,7 @@ open Flow
 let name_of = function
   | Schedule.Equation e -> e.defines.name
   | Schedule.Instance i -> i.name ^ "()"
+  | Trial (i, _) -> i.name ^ "?"
   | Machine _ -> "machine"
 
 let order (program : Ir.program) =
