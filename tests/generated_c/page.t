@@ -1,0 +1,28 @@
+What docs/generated-c.md shows is what frobc writes, and its examples build and
+run. Blocks of code by language and number:
+
+  $ page=../../docs/generated-c.md
+  $ block() { awk -v start="\`\`\`$1" -v wanted="$2" '$0 == "```" { inside = 0 } inside && n == wanted; $0 == start { inside = 1; n++ }' $page; }
+  $ block frob 1 >cruise.frob
+  $ frobc compile cruise.frob
+  $ block c 1 >shown && sed -n '/^struct cruise_input/,/^ .*out);/p' cruise.h | diff shown -
+  $ block c 2 >shown && sed -n '/^\/\* main/,$p' cruise.c | diff shown -
+
+From C:
+
+  $ block c 3 >drive.c
+  $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
+  $ gcc -std=c99 -O2 -ffp-contract=off $flags cruise.c drive.c -lm -o drive_c && ./drive_c
+  4.000 V at 0.000 m/s
+  3.240 V at 0.200 m/s
+  2.624 V at 0.362 m/s
+  2.125 V at 0.493 m/s
+
+From C++, linked with C and compiled as C++ too:
+
+  $ block cpp 1 >drive.cc
+  $ gcc -std=c99 -O2 -ffp-contract=off $flags -c cruise.c
+  $ g++ -std=c++17 $flags drive.cc cruise.o -o drive_cc && ./drive_cc
+  4.000 V, 2.000 V
+  $ clang++ -std=c++17 $flags drive.cc -x c++ cruise.c -o drive_all && ./drive_all
+  4.000 V, 2.000 V
