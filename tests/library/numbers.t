@@ -1,0 +1,188 @@
+Numbers are total: no division, conversion or power is without a value.
+
+  $ . ./trace.sh
+
+On Int `+ - *` wrap around; `div` and `mod` round to minus infinity; by 0 they
+give 0, and the least Int by -1 is itself. So the expected values, from doubles:
+
+  $ cat > whole.frob << FROB
+  > main :: SF (Int, Int) (Int, Int, Int, Int)
+  > main = proc (a, b) -> (a + b, a - b, a \`div\` b, a \`mod\` b)
+  > FROB
+  $ cat > pairs << PAIRS
+  > 7,2
+  > -7,2
+  > 7,-2
+  > -7,-2
+  > 6,3
+  > -6,3
+  > 0,5
+  > 5,0
+  > -5,0
+  > 0,0
+  > 2147483647,1
+  > 2147483647,-1
+  > -2147483648,1
+  > -2147483648,-1
+  > -2147483648,2147483647
+  > -2147483648,-2147483648
+  > 2147483647,-2147483648
+  > PAIRS
+  $ cat > expect.awk << 'AWK'
+  > function wrap(x) { return x > 2147483647 ? x - 4294967296 : x < -2147483648 ? x + 4294967296 : x }
+  > function floor(x) { return int(x) - (int(x) > x) }
+  > {
+  >   q = $2 == 0 ? 0 : floor($1 / $2)
+  >   r = $2 == 0 ? 0 : $1 - q * $2
+  >   printf "%.0f,%.0f,%.0f,%.0f\n", wrap($1 + $2), wrap($1 - $2), wrap(q), r
+  > }
+  > AWK
+  $ rows in.1,in.2 < pairs | trace whole | cells > found
+  $ awk -F, -f expect.awk pairs | diff - found
+  $ sed -n '8p;14p' found
+  5,5,0,0
+  2147483647,-2147483647,-2147483648,0
+
+Products, absolute values, signs:
+
+  $ cat > products.frob << FROB
+  > main :: SF Int (Int, Int, Int, Int)
+  > main = proc a -> (a * 65537, abs a, negate a, signum a)
+  > FROB
+  $ printf '%s\n' 65536 -3 0 -2147483648 2147483647 | rows in | trace products | cells
+  65536,65536,-65536,1
+  -196611,3,3,-1
+  0,0,0,0
+  -2147483648,-2147483648,-2147483648,-1
+  2147418111,2147483647,-2147483647,1
+
+`round` takes halves away from zero; all conversions saturate, and give 0 for
+NaN:
+
+  $ cat > conversions.frob << FROB
+  > main :: SF Float (Int, Int, Int, Int)
+  > main = proc x -> (round x, floor x, ceiling x, truncate x)
+  > FROB
+  $ rows in << 'CELLS' | trace conversions | cells
+  > 2.5
+  > -2.5
+  > 3.5
+  > 0.49999999999999994
+  > -0.5
+  > 0.3
+  > -0.3
+  > 2147483646.5
+  > 2147483647.5
+  > -2147483648.5
+  > -2147483649
+  > 1e300
+  > inf
+  > -inf
+  > nan
+  > CELLS
+  3,2,3,2
+  -3,-3,-2,-2
+  4,3,4,3
+  0,0,1,0
+  -1,-1,0,0
+  0,0,1,0
+  0,-1,0,0
+  2147483647,2147483646,2147483647,2147483646
+  2147483647,2147483647,2147483647,2147483647
+  -2147483648,-2147483648,-2147483648,-2147483648
+  -2147483648,-2147483648,-2147483648,-2147483648
+  2147483647,2147483647,2147483647,2147483647
+  2147483647,2147483647,2147483647,2147483647
+  -2147483648,-2147483648,-2147483648,-2147483648
+  0,0,0,0
+
+`min` and `max` of Floats are NaN if either is, else the first of two equal ones;
+1/x tells 0 from -0. `signum` keeps NaN.
+
+  $ cat > extremes.frob << FROB
+  > main :: SF (Float, Float) (Float, Float, Float, Float)
+  > main = proc (x, y) -> (min x y, max x y, 1 / min x y, signum x)
+  > FROB
+  $ rows in.1,in.2 << 'CELLS' | trace extremes | cells
+  > 1,2
+  > 2,1
+  > nan,1
+  > 1,nan
+  > inf,nan
+  > -inf,inf
+  > 0,-0
+  > -0,0
+  > CELLS
+  1,2,1,1
+  1,2,1,1
+  nan,nan,nan,nan
+  nan,nan,nan,1
+  nan,nan,nan,1
+  -inf,inf,-0,-1
+  0,0,inf,0
+  -0,-0,-inf,-0
+
+They work on every type with an order:
+
+  $ cat > orders.frob << FROB
+  > data Side = LeftSide | At Int | RightSide
+  > main :: SF (Int, Side, Side) ((Int, Bool), Side, Side, Bool, Bool)
+  > main = proc (n, a, b) -> (min (n, True) (2, False), min a b, max a b, a == b, a < b)
+  > FROB
+  $ rows in.1,in.2,in.3 << 'CELLS' | trace orders | cells
+  > 1,LeftSide,RightSide
+  > 2,At 3,At 4
+  > 3,At 3,LeftSide
+  > 4,RightSide,RightSide
+  > CELLS
+  1,true,LeftSide,RightSide,false,true
+  2,false,At 3,At 4,false,true
+  2,false,LeftSide,At 3,false,false
+  2,false,RightSide,RightSide,true,false
+
+Comparisons with NaN are false, except `/=`:
+
+  $ cat > comparisons.frob << FROB
+  > main :: SF (Float, Float) (Bool, Bool, Bool, Bool, Bool, Bool)
+  > main = proc (x, y) -> (x == y, x /= y, x < y, x <= y, x > y, x >= y)
+  > FROB
+  $ printf '%s\n' nan,1 nan,nan 0,-0 1,2 | rows in.1,in.2 | trace comparisons | cells
+  false,true,false,false,false,false
+  false,true,false,false,false,false
+  true,false,false,true,false,true
+  false,true,true,true,false,false
+
+Powers with a literal exponent are products, exact where those are; on Int they
+wrap. `**` is the C library's.
+
+  $ cat > powers.frob << FROB
+  > main :: SF (Int, Float) (Int, Int, Float, Float, Float, Float)
+  > main = proc (n, x) -> (n ^ 0, n ^ 5, x ^ 0, x ^ 3, x ^ (-2), x ** 0.5)
+  > FROB
+  $ printf '%s\n' 3,3 -2,-2 0,0 65536,nan 100,inf | rows in.1,in.2 | trace powers | sed 1d | cut -d, -f2-5,7
+  1,243,1,27,1.7320508075688772
+  1,-32,1,-8,nan
+  1,0,1,0,0
+  1,0,1,nan,nan
+  1,1410065408,1,inf,inf
+  $ printf '%s\n' 2,2 2,-4 2,0 2,inf | rows in.1,in.2 | trace powers | cut -d, -f6
+  out.5
+  0.25
+  0.0625
+  inf
+  0
+
+Float follows IEEE:
+
+  $ cat > ieee.frob << FROB
+  > main :: SF (Float, Float) (Float, Float, Float, Float)
+  > main = proc (x, y) -> (x / y, sqrt x, log x, hypot x y)
+  > FROB
+  $ printf '%s\n' 1,0 -1,0 0,0 0,-2 inf,nan | rows in.1,in.2 | trace ieee | cells
+  inf,1,0,1
+  -inf,nan,nan,1
+  nan,0,-inf,0
+  -0,0,-inf,2
+  nan,inf,inf,inf
+  $ echo 3e200,4e200 | rows in.1,in.2 | trace ieee | cells | tr , '\n' | xargs printf '%.6g '
+  0.75 1.73205e+100 461.616 5e+200 
