@@ -18,3 +18,11 @@ rows() {
 cells() {
     sed 1d | cut -d, -f2-
 }
+
+# rounded: cells with nine significant digits, for what the C library computes.
+rounded() {
+    awk -F, -v OFS=, '{
+        for (i = 1; i <= NF; i++) if ($i ~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/) $i = sprintf("%.9g", $i + 0)
+        print
+    }'
+}
