@@ -444,7 +444,12 @@ let clock c (node : M.node) =
         [ plain (Ir.Assign (Name "dt", at_first (Float 0.) (seconds_of (rounded ())))) ]
     | true, seconds ->
         let value = at_first (Ir.Integer 0l) (Cast (Int64, rounded ())) in
-        let ns = plain (Ir.Constant { ty = Int64; name = "dt_ns"; value }) in
+        let name = "dt_ns" in
+        (* Where a mode is entered no time has passed. *)
+        let ns =
+          if node.modes = [] then plain (Ir.Constant { ty = Int64; name; value })
+          else plain (Ir.Variable { ty = Int64; name; value })
+        in
         let dt () = plain (Ir.Assign (Name "dt", seconds_of (Cast (Real, Name "dt_ns")))) in
         ns :: (if seconds then [ dt () ] else [])
   in

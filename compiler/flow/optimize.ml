@@ -11,4 +11,7 @@ let program program =
   let tidied = tidy program in
   let inlined = Inline.program tidied in
   (* Inlined equations meet their arguments. *)
-  if inlined == tidied then tidied else tidy inlined
+  let tidied = if inlined == tidied then tidied else tidy inlined in
+  (* Last, for a machine that so becomes a part of its user is inlined no more. *)
+  let absorbed = Absorb.program tidied in
+  if absorbed == tidied then tidied else Dead.program absorbed

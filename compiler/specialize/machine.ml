@@ -322,9 +322,10 @@ let outputs m variants (b : built) l =
 (* The output of the machine in its own node, and the signals it is made of. *)
 let output m node ~span variants : Value.t * Ir.signal list =
   let c = m.context in
-  let signal = Node.signal node ~name:"" ~span in
+  let signal ~name ty = Node.signal node ~name ~span ty in
   let value (_, (b : built), holes) =
-    let signals = List.map signal (hole_types holes) in
+    let names = List.map (fun (h : Skeleton.hole) -> h.path) holes in
+    let signals = List.map2 (fun name ty -> signal ~name ty) names (hole_types holes) in
     let atoms = List.map (fun s -> Ir.Signal s) signals in
     (Skeleton.value (Skeleton.copy c.keys Holes atoms) m.result b.output, signals)
   in
@@ -332,7 +333,7 @@ let output m node ~span variants : Value.t * Ir.signal list =
   | [] -> (Unspecified, [])
   | [ only ] -> only
   | several ->
-      let variant = signal Int in
+      let variant = signal ~name:"variant" Int in
       let is number : Ir.atom =
         Node.define node Unnamed ~span Bool
           (Op (Equal, [ Signal variant; Int (Int32.of_int number) ]))
