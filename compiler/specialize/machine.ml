@@ -448,28 +448,33 @@ let body (c : Context.t) evaluator trail node ~name ~span ~own_input ~own_result
     };
   parts.complete value
 
-(* A machine that would be part of its own state. *)
+(* A machine that would be part of its own state. The outermost of the calls
+   that lead to it is that of one of its modes. *)
 let refuse_nesting (c : Context.t) ~name ~outside ~inside =
-  let calls = match Context.since outside inside with [] -> [] | _ :: calls -> calls in
-  let wrapper, at =
-    match calls with
-    | first :: _ -> first
-    | [] -> bug "a machine is made while it is made"
-  in
-  let error =
-    Diagnostic.error ~code:"E0415" ~at "`%s` would run inside itself" name
-    |> Diagnostic.here (Printf.sprintf "`%s` runs it here" wrapper)
-  in
-  Diagnostic.emit c.sink
-    (List.fold_left
-       (fun d (caller, at) ->
-         Diagnostic.label ~at (Printf.sprintf "`%s` runs here" caller) d)
-       error
-       (match calls with [] | [ _ ] -> [] | _ :: outer -> outer)
-    |> Diagnostic.note
-         "a signal function may start itself again only as the whole result of a continuation: \
-          then it takes no room");
-  raise Context.Stopped
+  let calls = match Context.since outside inside with [] -> [] | _ :: calls -> List.rev calls in
+  match calls with
+  | [] -> bug "a machine is made while it is made"
+  | (_, at) :: inner ->
+      let wrappers =
+        List.fold_left
+          (fun names (wrapper, _) -> if List.mem wrapper names then names else wrapper :: names)
+          [] calls
+      in
+      let quoted = List.rev_map (Printf.sprintf "`%s`") wrappers in
+      let own (_, (place : Span.t)) = String.equal place.file at.file && place <> at in
+      let label d (wrapper, at) =
+        Diagnostic.label ~at (Printf.sprintf "`%s` runs here" wrapper) d
+      in
+      let error =
+        Diagnostic.error ~code:"E0415" ~at "`%s` would run inside itself" name
+        |> Diagnostic.here ("here, inside " ^ String.concat ", inside " quoted)
+      in
+      List.fold_left label error (List.filter own inner)
+      |> Diagnostic.note
+           "a signal function may start itself again only as the whole result of a continuation: \
+            then it takes no room"
+      |> Diagnostic.emit c.sink;
+      raise Context.Stopped
 
 let run (c : Context.t) evaluator trail node target ~span ~result value (input : Value.argument) =
   let name = name_of value in

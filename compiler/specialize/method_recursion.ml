@@ -1,31 +1,9 @@
 open Basis
 module Ir = Core.Ir
 
-(* {1 What a definition uses} *)
-
-type target =
+type target = Uses.target =
   | Definition of Ir.Global.t * Ir.ty list
   | Method of { class_ : Ir.Global.t; name : string; ty : Ir.ty; types : Ir.ty list }
-
-let rec uses found (e : Ir.expr) =
-  match e.desc with
-  | Global (g, types) -> (Definition (g, types), e.span) :: found
-  | Method { class_; name; ty; types } -> (Method { class_; name; ty; types }, e.span) :: found
-  | Local _ | Primitive _ | Number _ | Boolean _ | String _ -> found
-  | Lambda (_, e) | Component (e, _) | Is_constructor (e, _) | Payload { value = e; _ } ->
-      uses found e
-  | Apply (f, continuation) when Cycle.is_continuation continuation.ty -> uses found f
-  | Apply (a, b) -> uses (uses found a) b
-  | Let { value; body; binder = _; parameters = _ } -> uses (uses found value) body
-  | Tuple es | Construct { arguments = es; _ } -> List.fold_left uses found es
-  | If (a, b, c) -> uses (uses (uses found a) b) c
-  | Proc p ->
-      let right found (eq : Ir.equation) =
-        match eq.rhs with
-        | Pure e -> uses found e
-        | Run { signal_function; input } -> uses (uses found signal_function) input
-      in
-      uses (List.fold_left right found p.equations) p.output
 
 type definition = { core : Ir.definition; uses : (target * Span.t) list }
 
@@ -37,7 +15,7 @@ let that_use_methods (program : Ir.program) =
     Array.of_list
       (List.rev
          (List.rev_map
-            (fun (core : Ir.definition) -> { core; uses = List.rev (uses [] core.body) })
+            (fun (core : Ir.definition) -> { core; uses = Uses.of_expr ~continuations:false core.body })
             program.definitions))
   in
   let index = Hashtbl.create (Array.length all) in

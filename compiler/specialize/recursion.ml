@@ -135,4 +135,5 @@ let check sink program =
   check_graph own program;
   (* What runs in a circle by itself would do so again at every type. *)
   if not (Diagnostic.has_errors own) then Method_recursion.check own program;
+  if not (Diagnostic.has_errors own) then Polymorphic_recursion.check own program;
   List.iter (Diagnostic.emit sink) (Diagnostic.all own)

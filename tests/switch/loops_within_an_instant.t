@@ -1,0 +1,72 @@
+A circle of switches that may all happen at first instants is refused, with what
+makes each step possible.
+
+  $ cat > ever.frob <<'EOF'
+  > go :: Float -> SF Float Float
+  > go v = switch (proc x -> (x + v, tag (when (x > 2)) x)) (\w -> rest w)
+  > 
+  > rest :: Float -> SF Float Float
+  > rest v = switch (proc x -> (x + v, after (max 0 (v * 1[s])) ())) (\_ -> go v)
+  > 
+  > main = go 0.5
+  > EOF
+  $ frobc check ever.frob
+  error[E0402]: `go` may switch for ever within one instant
+   --> ever.frob:2:16
+    |
+  2 | go v = switch (proc x -> (x + v, tag (when (x > 2)) x)) (\w -> rest w)
+    |                ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^         ------ `go` may start `rest` at its own first instant
+    |                                       |
+    |                                       `when` may occur at the first instant of `go`
+  ...
+  5 | rest v = switch (proc x -> (x + v, after (max 0 (v * 1[s])) ())) (\_ -> go v)
+    |                                    ---------------------------          ---- `rest` may start `go` at its own first instant
+    |                                    |
+    |                                    `after` may occur at the first instant of `rest`
+    |
+    = hint: `edge` occurs when a condition becomes True, not at the first instant
+  
+  1 error
+  [1]
+
+Time that is known to pass on the way, here at least 1 ms, makes it a program.
+
+  $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
+  $ cat > waits.frob <<'EOF'
+  > go :: Float -> SF Float Float
+  > go v = switch (proc x -> (x + v, tag (when (x > 2)) x)) (\w -> rest w)
+  > 
+  > rest :: Float -> SF Float Float
+  > rest v = switch (proc x -> (x + v, after (max 1[ms] (v * 1[s])) ())) (\_ -> go v)
+  > 
+  > main = go 0.5
+  > EOF
+  $ printf 'time,in\n0,1\n1,2\n2,3\n3,4\n4,1\n5,5\n' > waits.csv
+  $ both waits.frob waits.csv
+  time,out
+  0.000000000,1.5
+  1.000000000,2.5
+  2.000000000,6
+  3.000000000,7
+  4.000000000,4
+  5.000000000,10
+
+It is not the names of the library that count: these events too have no occurrence
+at the first instant.
+
+  $ cat > own.frob <<'EOF'
+  > later :: SF (Event a) (Event a)
+  > later = proc e -> if delay False True then e else NoEvent
+  > 
+  > main :: SF Float Float
+  > main = switch (proc x -> (x, later (when (x > 2)))) (\_ -> main)
+  > EOF
+  $ printf 'time,in\n0,1\n1,2\n2,3\n3,4\n4,1\n5,5\n' > own.csv
+  $ both own.frob own.csv
+  time,out
+  0.000000000,1
+  1.000000000,2
+  2.000000000,3
+  3.000000000,4
+  4.000000000,1
+  5.000000000,5

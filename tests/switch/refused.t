@@ -1,0 +1,121 @@
+A signal function that starts itself again as a part of something would run inside
+itself; the message names what is around it.
+
+  $ cat > inside.frob <<'EOF'
+  > main :: SF Float Float
+  > main = switch (proc x -> (x, edge (x > 1))) (\_ -> arr (\x -> (x, x)) >>> first main >>> arr fst)
+  > EOF
+  $ frobc check inside.frob
+  error[E0415]: `main` would run inside itself
+   --> inside.frob:2:52
+    |
+  2 | main = switch (proc x -> (x, edge (x > 1))) (\_ -> arr (\x -> (x, x)) >>> first main >>> arr fst)
+    |                                                    ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, inside `>>>`, inside `first`
+    |
+    = note: a signal function may start itself again only as the whole result of a continuation: then it takes no room
+  
+  1 error
+  [1]
+
+One that gets larger each time would need a mode for each size.
+
+  $ cat > grows.frob <<'EOF'
+  > go :: SF Float Float -> SF Float Float
+  > go sf = switch (proc x -> (sf x, edge (x > 1))) (\_ -> go (sf >>> delay 0))
+  > 
+  > main = go identity
+  > EOF
+  $ frobc check grows.frob
+  error[E0416]: `go` grows each time it starts itself again
+   --> grows.frob:2:56
+    |
+  2 | go sf = switch (proc x -> (sf x, edge (x > 1))) (\_ -> go (sf >>> delay 0))
+    |                                                        ^^^^^^^^^^^^^^^^^^^ here, with one more `>>>`
+    |
+    = note: which signal functions can run must be known, and be finitely many
+    = hint: start it with the same signal functions each time; numbers may change
+  
+  1 error
+  [1]
+
+So would one that starts itself again at larger types.
+
+  $ cat > types.frob <<'EOF'
+  > go :: Eq a => a -> SF Float Float
+  > go v = switch (proc x -> (x, edge (x > 1 && v == v))) (\_ -> go (v, v))
+  > 
+  > main = go 1
+  > EOF
+  $ frobc check types.frob
+  error[E0417]: `go` starts itself again at a larger type
+   --> types.frob:2:62
+    |
+  2 | go v = switch (proc x -> (x, edge (x > 1 && v == v))) (\_ -> go (v, v))
+    | -------------------------------------------------------------^^--------
+    | |                                                            |
+    | |                                                            here a type variable of it becomes `(a, a)`
+    | `go` is defined here
+    |
+    = hint: start it again at the same types
+  
+  1 error
+  [1]
+
+A signal function that calls itself other than in a continuation.
+
+  $ cat > calls.frob <<'EOF'
+  > main :: SF Float Float
+  > main = switch (main &&& (arr (\x -> x > 1) >>> edge)) (\_ -> constant 0)
+  > EOF
+  $ frobc check calls.frob
+  error[E0410]: `main` calls itself
+   --> calls.frob:2:1
+    |
+  2 | main = switch (main &&& (arr (\x -> x > 1) >>> edge)) (\_ -> constant 0)
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |                |
+    |                `main` uses `main` here
+    |
+    = note: functions may not be recursive; a signal function may start itself again only in the continuation of a switch
+    = hint: a value that depends on its own past is an equation of a `proc`, with `delay`
+  
+  1 error
+  [1]
+
+A continuation is static.
+
+  $ cat > signal.frob <<'EOF'
+  > main :: SF Float Float
+  > main = proc x -> switch (proc y -> (y, edge (y > 1))) (\_ -> constant x) x
+  > EOF
+  $ frobc check signal.frob
+  error[E0340]: what is run must be static, but `x` is a signal
+   --> signal.frob:2:71
+    |
+  2 | main = proc x -> switch (proc y -> (y, edge (y > 1))) (\_ -> constant x) x
+    |             -                                                         ^
+    |             |
+    |             `x` is a signal: it comes from the `proc`'s input here
+    |
+    = hint: carry it in the event of the `switch`, or use `initially`
+  
+  1 error
+  [1]
+
+A signal function that travels in an event is not stored.
+
+  $ cat > stored.frob <<'EOF'
+  > main :: SF Float Float
+  > main = proc x -> rSwitch identity (x, delay NoEvent (tag (edge (x > 2)) (constant x)))
+  > EOF
+  $ frobc check stored.frob
+  error[E0412]: a value of type `Event (SF Float Float)` cannot be stored in a `delay`
+   --> stored.frob:2:39
+    |
+  2 | main = proc x -> rSwitch identity (x, delay NoEvent (tag (edge (x > 2)) (constant x)))
+    |                                       ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = note: functions, signal functions and labels exist only while compiling
+  
+  1 error
+  [1]

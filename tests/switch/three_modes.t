@@ -1,0 +1,133 @@
+A controller of three modes: follow a wall; back up for 1 s after a bump; turn until
+the way is free.
+
+  $ cat > three_modes.frob <<'EOF'
+  > data Sensed = Sensed { bump :: Bool, side :: Distance, front :: Distance }
+  > data Command = Command { speed :: Velocity, turn :: AngularVelocity }
+  > 
+  > follow, backUp, turnAway :: SF Sensed Command
+  > follow = switch (proc i -> (steer i, edge i.bump)) (\_ -> backUp)
+  > backUp = switch (proc _ -> (Command { speed = -0.2[m/s], turn = 0 }, after 1[s] ())) (\_ -> turnAway)
+  > turnAway = switch (proc i -> (Command { speed = 0, turn = 0.8[1/s] }, edge (i.front > 0.6[m]))) (\_ -> follow)
+  > 
+  > steer :: SF Sensed Command
+  > steer = proc i -> Command { speed = 0.3[m/s], turn = 0.8[1/(m s)] * (i.side - 0.5[m]) - 0.3[1/m] * derivative i.side }
+  > 
+  > main = follow
+  > EOF
+  $ cat > three_modes.csv <<'EOF'
+  > time,in.bump,in.side,in.front
+  > 0,false,0.5,2
+  > 0.5,false,0.6,1
+  > 1,true,0.6,0.1
+  > 1.5,true,0.6,0.2
+  > 2,false,0.6,0.3
+  > 2.5,false,0.6,0.4
+  > 3,false,0.6,0.7
+  > 3.5,false,0.7,0.7
+  > EOF
+  $ frobc trace three_modes.frob --input three_modes.csv
+  time,out.speed,out.turn
+  0.000000000,0.29999999999999999,0
+  0.500000000,0.29999999999999999,0.020000000000000004
+  1.000000000,-0.20000000000000001,0
+  1.500000000,-0.20000000000000001,0
+  2.000000000,0,0.80000000000000004
+  2.500000000,0,0.80000000000000004
+  3.000000000,0.29999999999999999,0.079999999999999988
+  3.500000000,0.29999999999999999,0.099999999999999992
+  $ frobc trace three_modes.frob --input three_modes.csv --engine interp > other.csv
+  $ frobc trace three_modes.frob --input three_modes.csv | cmp - other.csv
+
+In C the running mode is stepped, its event is tested, and only then is an output
+chosen.
+
+  $ frobc compile three_modes.frob
+  $ sed -n '/^struct three_modes_state/,/^};/p' three_modes.h
+  struct three_modes_state {
+      union {
+          struct {
+              struct three_modes_follow_follow_state state; /* follow at three_modes.frob:5 */
+          } follow;
+          struct {
+              struct three_modes_follow_backUp_state state; /* backUp at three_modes.frob:6 */
+          } backUp;
+          struct {
+              struct three_modes_follow_turnAway_state state; /* turnAway at three_modes.frob:7 */
+          } turnAway;
+      } modes;      /* what they keep at three_modes.frob:12 */
+      uint8_t mode; /* the mode that runs at three_modes.frob:12 */
+      bool started; /* past the first instant at three_modes.frob:12 */
+  };
+  $ sed -n '/^void three_modes_step/,$p' three_modes.c
+  void three_modes_step(struct three_modes_state *self,
+                        double dt,
+                        const struct three_modes_input *in,
+                        struct three_modes_output *out)
+  {
+      int64_t dt_ns = self->started ? (int64_t)frob_whole_ns(dt) : 0;
+      dt = frob_seconds((double)dt_ns, dt);
+      self->started = true;
+      double speed, turn;
+      int32_t steps = 0;
+      bool entered = false;
+      do {
+          entered = false;
+          switch (self->mode) {
+          case THREE_MODES_FOLLOW: {
+              bool t1;
+              three_modes_follow_follow_step(&self->modes.follow.state, dt, in->bump, in->side,
+                      &speed, &turn, &t1);
+              if (t1) {
+                  self->mode = THREE_MODES_BACK_UP;           /* line 5 */
+                  three_modes_follow_backUp_reset(&self->modes.backUp.state);
+                  entered = true;
+              }
+              break;
+          }
+          case THREE_MODES_BACK_UP: {
+              bool t2;
+              three_modes_follow_backUp_step(&self->modes.backUp.state, dt_ns, &speed, &turn,
+                      &t2);
+              if (t2) {
+                  self->mode = THREE_MODES_TURN_AWAY;         /* line 6 */
+                  three_modes_follow_turnAway_reset(&self->modes.turnAway.state);
+                  entered = true;
+              }
+              break;
+          }
+          default: {                                          /* THREE_MODES_TURN_AWAY */
+              bool t3;
+              three_modes_follow_turnAway_step(&self->modes.turnAway.state, in->front, &speed,
+                      &turn, &t3);
+              if (t3) {
+                  self->mode = THREE_MODES_FOLLOW;            /* line 7 */
+                  three_modes_follow_follow_reset(&self->modes.follow.state);
+                  entered = true;
+              }
+              break;
+          }
+          }
+          dt = 0.0;
+          dt_ns = 0;
+          steps += 1;
+      } while (entered && steps < 2);
+      out->speed = speed;                                     /* line 12 */
+      out->turn = turn;
+  }
+
+No compiler has anything to say about it, nor about delayed switches and sums.
+
+  $ cat > delayed.frob <<'EOF'
+  > main :: SF (Float, Event Float) (Maybe Float, Float)
+  > main = proc (x, e) -> drSwitch (proc u -> (Nothing, u)) (x, mapE next e) where
+  >     next k = switch (proc u -> ((Just (k + time () / 1[s]), u), edge (u > 3))) (\_ -> proc u -> (Just 0, delay k u))
+  > EOF
+  $ frobc compile delayed.frob
+  $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
+  $ for file in three_modes delayed; do
+  >   for level in -O0 -O2; do
+  >     gcc -std=c99 $level $flags -c $file.c -o a.o && clang -std=c99 $level $flags -c $file.c -o b.o &&
+  >     g++ -std=c++17 -x c++ $level $flags -c $file.c -o c.o && clang++ -std=c++17 -x c++ $level $flags -c $file.c -o d.o
+  >   done
+  > done
