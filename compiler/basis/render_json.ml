@@ -1,44 +1,4 @@
-type json =
-  | Null
-  | Bool of bool
-  | Int of int
-  | String of string
-  | List of json list
-  | Object of (string * json) list
-
-(* Display replaces what is no UTF-8; line ends are kept. *)
-let add_string buffer s =
-  let clean = String.concat "\n" (List.map Display.sanitize (String.split_on_char '\n' s)) in
-  Buffer.add_char buffer '"';
-  String.iter
-    (function
-      | '"' -> Buffer.add_string buffer "\\\""
-      | '\\' -> Buffer.add_string buffer "\\\\"
-      | '\n' -> Buffer.add_string buffer "\\n"
-      | c when c < ' ' -> Buffer.add_string buffer (Printf.sprintf "\\u%04x" (Char.code c))
-      | c -> Buffer.add_char buffer c)
-    clean;
-  Buffer.add_char buffer '"'
-
-let rec add buffer = function
-  | Null -> Buffer.add_string buffer "null"
-  | Bool b -> Buffer.add_string buffer (string_of_bool b)
-  | Int n -> Buffer.add_string buffer (string_of_int n)
-  | String s -> add_string buffer s
-  | List list ->
-      Buffer.add_char buffer '[';
-      List.iteri (fun i x -> if i > 0 then Buffer.add_char buffer ','; add buffer x) list;
-      Buffer.add_char buffer ']'
-  | Object fields ->
-      Buffer.add_char buffer '{';
-      List.iteri
-        (fun i (name, x) ->
-          if i > 0 then Buffer.add_char buffer ',';
-          add_string buffer name;
-          Buffer.add_char buffer ':';
-          add buffer x)
-        fields;
-      Buffer.add_char buffer '}'
+open Json
 
 let character source (p : Span.position) file =
   match Source.line source file p.line with
@@ -99,8 +59,7 @@ let diagnostic source (d : Diagnostic.t) =
     match Explain.find d.code with Some page -> String page | None -> Null
   in
   let level = match d.severity with Error -> "error" | Warning -> "warning" in
-  let buffer = Buffer.create 1024 in
-  add buffer
+  Json.to_string
     (Object
        [
          ("message", String d.message);
@@ -115,8 +74,7 @@ let diagnostic source (d : Diagnostic.t) =
          ( "children",
            List (List.map (child "note") d.notes @ List.map (child "help") d.hints) );
          ("rendered", String (Render_text.diagnostic ~colour:false source d));
-       ]);
-  Buffer.contents buffer
+       ])
 
 let diagnostics source list =
   String.concat "" (List.map (fun d -> diagnostic source d ^ "\n") list)

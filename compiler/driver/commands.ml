@@ -118,6 +118,19 @@ let compile general entry folder file =
         let* () = write (path ".c") files.source in
         Exit_status.ok)
 
+(* {1 Reporting} *)
+
+let report general ~entry file =
+  let* resources = Resources.find () in
+  accepted Pipeline.machine general resources ~entry file (fun program ->
+      if general.dump = None then begin
+        let bounds = Report.Bounds.of_program program in
+        match general.format with
+        | Text -> print_string (Report.Text.to_string bounds)
+        | Json -> print_endline (Report.For_tools.to_string bounds)
+      end;
+      Exit_status.ok)
+
 (* {1 Running} *)
 
 (* The program as a shared object, and the host that is to run it. *)

@@ -4,7 +4,7 @@
 type format = Text | Json
 
 type general = {
-  format : format;  (** of diagnostics *)
+  format : format;  (** of diagnostics, and of a report *)
   dump : Stage.t option;
   stop_after : Stage.t option;
   lint : bool;
@@ -40,6 +40,9 @@ type run = {
 }
 
 val run : general -> entry:string -> run -> string -> int
+
+val report : general -> entry:string -> string -> int
+(** Prints what the program needs, in the format of the diagnostics. *)
 
 val header : string -> int
 (** Prints the C header with a robot's types. *)

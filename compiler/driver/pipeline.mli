@@ -19,6 +19,17 @@ val check : options -> Diagnostic.sink -> Source.t -> library:string -> string -
 val no_entry : string
 (** The code of the diagnostic for an entry that the module does not define. *)
 
+val machine :
+  options ->
+  Diagnostic.sink ->
+  Source.t ->
+  library:string ->
+  entry:string ->
+  string ->
+  Machine.Ir.program option
+(** For one entry of the file's module, everything before C. [None] if the
+    program was rejected, or if [stop_after] came first. *)
+
 val compile :
   options ->
   Diagnostic.sink ->

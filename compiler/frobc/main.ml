@@ -47,7 +47,7 @@ let stages_doc =
 
 let general =
   let format =
-    let doc = "How diagnostics are written: $(b,text), or $(b,json), one object a line." in
+    let doc = "How diagnostics, and a report, are written: $(b,text), or $(b,json), one object a line." in
     Arg.(
       value
       & opt (enum [ ("text", Commands.Text); ("json", Commands.Json) ]) Commands.Text
@@ -183,6 +183,12 @@ let run =
       const make $ general $ entry $ world $ duration $ rate $ seed $ realtime $ record
       $ picture $ strict $ file)
 
+let report =
+  command "report" ~doc:"memory, operations and stack of a step, stated before it runs"
+    Term.(
+      const (fun general entry file -> Commands.report general ~entry file)
+      $ general $ entry $ file)
+
 let header =
   let robot =
     Arg.(
@@ -214,7 +220,7 @@ let main =
     ]
   in
   Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
-    [ check; compile; trace; run; header; explain ]
+    [ check; compile; trace; run; report; header; explain ]
 
 (* A compilation is short, and most of what it makes lives on in the next
    stage: marking the heap over and over finds little. This halves the time of

@@ -1,0 +1,45 @@
+type t = { bytes : int; alignment : int }
+
+let of_members members =
+  let place (offsets, whole) member =
+    let offset = Amount.round_up whole.bytes ~alignment:member.alignment in
+    let bytes = Amount.add offset member.bytes in
+    (offset :: offsets, { bytes; alignment = max whole.alignment member.alignment })
+  in
+  let offsets, { bytes; alignment } =
+    List.fold_left place ([], { bytes = 0; alignment = 1 }) members
+  in
+  (List.rev offsets, { bytes = Amount.round_up bytes ~alignment; alignment })
+
+let of_alternatives blocks =
+  let either a b = { bytes = max a.bytes b.bytes; alignment = max a.alignment b.alignment } in
+  let { bytes; alignment } = List.fold_left either { bytes = 0; alignment = 1 } blocks in
+  { bytes = Amount.round_up bytes ~alignment; alignment }
+
+let scalar bytes = { bytes; alignment = bytes }
+
+(* Members one after another, all alike. *)
+let run count member = { member with bytes = Amount.times count member.bytes }
+
+let of_value sums (ty : Machine.Ir.ty) =
+  match ty with
+  | Bool -> scalar 1
+  | Int -> scalar 4
+  | Float | Nanoseconds -> scalar 8
+  | Sum k ->
+      let slots = Machine.Layout.sum sums k in
+      let runs =
+        [
+          (1, scalar 1); (slots.floats, scalar 8); (slots.ints, scalar 4); (slots.bools, scalar 1);
+          (slots.tags, scalar 1);
+        ]
+      in
+      let present = List.filter (fun (count, _) -> count > 0) runs in
+      snd (of_members (List.map (fun (count, member) -> run count member) present))
+
+let scalars sums (ty : Machine.Ir.ty) =
+  match ty with
+  | Bool | Int | Float | Nanoseconds -> 1
+  | Sum k ->
+      let slots = Machine.Layout.sum sums k in
+      1 + slots.floats + slots.ints + slots.bools + slots.tags

@@ -1,0 +1,16 @@
+(** The room of values and structs on a 64-bit machine, where a C compiler lays
+    out the members of a struct in order, each at the next multiple of its
+    alignment, and pads the whole to a multiple of its own. *)
+
+type t = { bytes : int; alignment : int }
+
+val of_value : Flow.Ir.sum array -> Machine.Ir.ty -> t
+
+val scalars : Flow.Ir.sum array -> Machine.Ir.ty -> int
+(** How many numbers, truth values and tags a value is made of. *)
+
+val of_members : t list -> int list * t
+(** The offsets of the members of a struct, and the struct. *)
+
+val of_alternatives : t list -> t
+(** A union. *)

@@ -1,0 +1,22 @@
+(** What can be said of a program before it runs. *)
+
+type t = {
+  program : Machine.Ir.program;
+  state : State.t;
+  operations : Operations.t;
+  stack : Stack.bounds;
+  machines : Hops.machine list;
+}
+
+val of_program : Machine.Ir.program -> t
+
+val place : file:string -> Basis.Span.t -> string
+(** As the report names it: without folders, so that it reads the same
+    wherever the program and the library are. *)
+
+val operations : (string * Cost.kind) list
+(** The kinds of operations in the order of the report, by name; without the
+    calls of the C library's functions. *)
+
+val library : t -> string list
+(** The functions of the C library that are called, sorted. *)

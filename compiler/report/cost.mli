@@ -1,0 +1,28 @@
+(** How many operations of each kind. *)
+
+type kind =
+  | Additions  (** subtractions and changes of sign too *)
+  | Multiplications
+  | Divisions  (** remainders too *)
+  | Choices  (** comparisons, logic, and everything that takes one of two ways *)
+  | Conversions  (** between integers, floats and nanoseconds *)
+  | Calls of string  (** of this function of the C library *)
+  | Loads  (** of a scalar of the state *)
+  | Stores
+
+type t
+
+val none : t
+val one : kind -> t
+val several : int -> kind -> t
+val add : t -> t -> t
+val sum : t list -> t
+
+val larger : t -> t -> t
+(** Of each kind the larger number. *)
+
+val times : int -> t -> t
+val count : t -> kind -> int
+
+val calls : t -> (string * int) list
+(** Of the C library's functions, by name. *)

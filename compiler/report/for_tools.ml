@@ -1,0 +1,80 @@
+open Basis
+
+let string s = Json.String s
+let file name = string (Filename.basename name)
+let line (span : Span.t) = Json.Int span.start.line
+let list f xs = Json.List (List.rev (List.rev_map f xs))
+
+let rec member index (m : State.member) =
+  let holds =
+    match m.holds with
+    | State.Value purpose -> [ ("holds", string "value"); ("purpose", string purpose) ]
+    | Struct k -> [ ("holds", string "struct"); ("struct", Json.Int (Hashtbl.find index k)) ]
+    | Running_mode -> [ ("holds", string "mode") ]
+    | Largest modes -> [ ("holds", string "modes"); ("modes", list (alternative index) modes) ]
+  in
+  Json.Object
+    ([
+       ("name", string m.name);
+       ("line", line m.span);
+       ("offset", Json.Int m.offset);
+       ("bytes", Json.Int m.bytes);
+     ]
+    @ holds)
+
+and alternative index (a : State.alternative) =
+  Json.Object
+    [
+      ("name", string a.mode);
+      ("bytes", Json.Int a.bytes);
+      ("members", list (member index) a.members);
+    ]
+
+let definition index (d : State.definition) =
+  Json.Object
+    [
+      ("name", string d.name);
+      ("file", file d.file);
+      ("line", line d.span);
+      ("bytes", Json.Int d.bytes);
+      ("members", list (member index) d.members);
+    ]
+
+let key name = String.map (fun c -> if c = ' ' then '_' else c) name
+
+let operations cost =
+  let kind (name, kind) = (key name, Json.Int (Cost.count cost kind)) in
+  let call (name, n) = (name, Json.Int n) in
+  Json.Object
+    (List.map kind Bounds.operations
+    @ [ ("calls", Json.Object (List.map call (Cost.calls cost))) ])
+
+let machine (m : Hops.machine) =
+  Json.Object
+    [
+      ("name", string m.name);
+      ("file", file m.file);
+      ("line", line m.span);
+      ("modes", list string m.modes);
+      ("steps", Json.Int m.steps);
+    ]
+
+let to_string (t : Bounds.t) =
+  let structs = State.in_use t.state in
+  let index = Hashtbl.create 16 in
+  List.iteri (fun i k -> Hashtbl.replace index k i) structs;
+  let root = State.definition t.state (State.root t.state) in
+  Json.to_string
+    (Object
+       [
+         ("program", string t.program.name);
+         ( "entry",
+           Object [ ("name", string root.name); ("file", file root.file); ("line", line root.span) ] );
+         ("state_bytes", Int root.bytes);
+         ("structs", list (fun k -> definition index (State.definition t.state k)) structs);
+         ("step_operations", operations t.operations.step);
+         ("reset_stack_bytes", Int t.stack.reset.bytes);
+         ("step_stack_bytes", Int t.stack.step.bytes);
+         ("library", list string (Bounds.library t));
+         ("machines", list machine t.machines);
+       ])

@@ -1,0 +1,187 @@
+module M = Machine.Ir
+
+type t = { reset : Cost.t; step : Cost.t }
+
+type context = {
+  program : M.program;
+  node : M.node;
+  done_ : t array;  (** of the nodes before *)
+  scalars : int array;  (** of their states *)
+}
+
+let scalars c ty = Block.scalars c.program.sums ty
+
+let stored c (field : M.field) =
+  match field.content with
+  | Value ty -> Cost.several (scalars c ty) Stores
+  | State_of _ | Running_mode | Modes _ -> Cost.one Stores
+
+(* What a copy of the state has to read. *)
+let rec scalars_of_state c fields =
+  let content (field : M.field) =
+    match field.content with
+    | Value ty -> scalars c ty
+    | State_of k -> c.scalars.(k)
+    | Running_mode -> 1
+    | Modes modes ->
+        let mode m = scalars_of_state c (Machine.State.fields_of_mode m) in
+        List.fold_left (fun most m -> max most (mode m)) 0 modes
+  in
+  List.fold_left (fun sum field -> Amount.add sum (content field)) 0 fields
+
+let operation (operator : Flow.Ir.operator) (ty : M.ty) =
+  match operator with
+  | Add | Subtract | Negate -> Cost.one Additions
+  | Multiply -> Cost.one Multiplications
+  | Divide | Div | Mod -> Cost.one Divisions
+  | Absolute -> if ty = Float then Cost.one (Calls "fabs") else Cost.one Choices
+  | Signum | Equal | Less | Less_equal | Minimum | Maximum | Not | And | Or -> Cost.one Choices
+  | To_float | Round | Floor | Ceiling | Truncate -> Cost.one Conversions
+  | Pow -> Cost.one (Calls "pow")
+  | Elementary f -> Cost.one (Calls (Core.Primitive.name (Elementary f)))
+
+let machine_type : Flow.Ir.ty -> M.ty = function
+  | Bool -> Bool
+  | Int -> Int
+  | Float -> Float
+  | Sum k -> Sum k
+
+let rec expression c (e : M.expr) =
+  match e with
+  | Bool _ | Int _ | Float _ | Zero_time | Variable _ | Dt | Dt_nanoseconds -> Cost.none
+  | Field { content = Value ty; _ } -> Cost.several (scalars c ty) Loads
+  | Field _ -> Cost.one Loads
+  | Operation { operator; ty; arguments } -> Cost.add (operation operator ty) (expressions c arguments)
+  | Select { condition; then_; else_ } ->
+      let branches = Cost.larger (expression c then_) (expression c else_) in
+      Cost.sum [ Cost.one Choices; expression c condition; branches ]
+  | Construct { payload; _ } -> expressions c payload
+  | Is_constructor { value = Field _; _ } -> Cost.add (Cost.one Choices) (Cost.one Loads)
+  | Is_constructor { value; _ } -> Cost.add (Cost.one Choices) (expression c value)
+  | Payload { sum; value = Field _; constructor; leaf } ->
+      let leaves = Machine.Layout.leaves (List.nth c.program.sums.(sum).constructors constructor) in
+      Cost.several (scalars c (machine_type (List.nth leaves leaf))) Loads
+  | Payload { value; _ } -> expression c value
+  | Call { node; arguments } -> Cost.add c.done_.(node).step (expressions c arguments)
+  | Seconds e -> Cost.sum [ Cost.one Conversions; Cost.one Divisions; expression c e ]
+  | Later (a, b) ->
+      Cost.sum [ Cost.several 2 Additions; Cost.one Choices; expression c a; expression c b ]
+
+and expressions c es = List.fold_left (fun cost e -> Cost.add cost (expression c e)) Cost.none es
+
+let entry c (e : M.entry) =
+  let mode = List.nth c.node.modes e.mode in
+  let number =
+    match c.node.modes with [] | [ _ ] -> Cost.none | _ :: _ :: _ -> Cost.one Stores
+  in
+  let parameters = List.map (fun (_, field) -> stored c field) mode.parameters in
+  let reset =
+    match mode.state with
+    | None -> Cost.none
+    | Some _ -> Cost.add (expressions c e.reset) c.done_.(mode.node).reset
+  in
+  Cost.sum ((number :: parameters) @ [ expressions c e.parameters; reset ])
+
+(* All conditions are tested and the largest entry is made. *)
+let first_of c alternatives =
+  let test (tests, entered) (condition, e) =
+    let unconditional = condition = M.Bool true in
+    let test =
+      if unconditional then Cost.none else Cost.add (Cost.one Choices) (expression c condition)
+    in
+    (Cost.add tests test, Cost.larger entered (entry c e))
+  in
+  let tests, entered = List.fold_left test (Cost.none, Cost.none) alternatives in
+  Cost.add tests entered
+
+(* What a machine with instants of its own does about its time: it goes on where
+   the machine has begun, and is read and put back where it is active. *)
+let clock c (clock : M.clock) =
+  let goes_on = Cost.(sum [ one Choices; one Loads; one Stores; expression c clock.elapsed ]) in
+  let seconds =
+    if c.node.seconds then Cost.(add (one Conversions) (one Divisions)) else Cost.none
+  in
+  Cost.(sum [ goes_on; one Loads; several 2 Stores; seconds ])
+
+let run c (r : M.run) =
+  let case k (case : M.case) =
+    let mode = List.nth c.node.modes k in
+    let next (n : M.next) = (n.condition, n.entry) in
+    Cost.sum
+      [
+        expressions c case.arguments;
+        c.done_.(mode.node).step;
+        first_of c (List.map next case.transitions);
+      ]
+  in
+  let chosen =
+    match c.node.modes with
+    | [] | [ _ ] -> Cost.none
+    | _ :: _ :: _ -> Cost.add (Cost.one Loads) (Cost.one Choices)
+  in
+  let kept = if r.drops then Cost.one Choices else Cost.none in
+  let again =
+    (* Has a mode been entered, may another be stepped; one more step. *)
+    if r.steps > 1 then Cost.add (Cost.several 2 Choices) (Cost.one Additions) else Cost.none
+  in
+  let late = if r.late then Cost.several 2 Choices else Cost.none in
+  let active =
+    match r.active with
+    | None -> Cost.none
+    | Some e -> Cost.add (Cost.one Choices) (expression c e)
+  in
+  let own_time = Option.fold r.clock ~none:Cost.none ~some:(clock c) in
+  let largest = List.fold_left Cost.larger Cost.none (List.mapi case r.cases) in
+  let steps = Cost.times (max 1 r.steps) (Cost.sum [ chosen; largest; kept; again; late ]) in
+  Cost.sum [ own_time; active; first_of c r.controls; steps ]
+
+let rec statement c (s : M.statement) =
+  match s with
+  | Declare { value; _ } | Return { value; _ } -> expression c value
+  | Assign { place = Own field; value; _ } -> Cost.add (stored c field) (expression c value)
+  | Assign { place = Local _ | Result _; value; _ } -> expression c value
+  | If { condition; then_; else_; _ } ->
+      let branches = Cost.larger (statements c then_) (statements c else_) in
+      Cost.sum [ Cost.one Choices; expression c condition; branches ]
+  | Step { node; arguments; on_trial; _ } ->
+      let copy = if on_trial then Cost.several c.scalars.(node) Loads else Cost.none in
+      Cost.sum [ copy; expressions c arguments; c.done_.(node).step ]
+  | Reset { node; arguments; _ } -> Cost.add (expressions c arguments) c.done_.(node).reset
+  | Enter { entry = e; _ } -> entry c e
+  | Run r -> run c r
+
+and statements c body = List.fold_left (fun cost s -> Cost.add cost (statement c s)) Cost.none body
+
+(* The root makes whole nanoseconds of the caller's dt, and 0 at the first
+   instant; see the helpers of the generated C. *)
+let root_clock (program : M.program) (root : M.node) =
+  let whole = Cost.(sum [ one Multiplications; several 3 Choices; several 2 Additions ]) in
+  let seconds = Cost.(sum [ one Divisions; one Choices; one Additions ]) in
+  let times =
+    match (root.nanoseconds, root.seconds) with
+    | false, false -> []
+    | false, true -> [ whole; seconds ]
+    | true, false -> [ whole; Cost.one Conversions ]
+    | true, true -> [ whole; Cost.several 2 Conversions; seconds ]
+  in
+  let first =
+    match (program.first_instant, times) with
+    | Unseen, _ -> []
+    | Marked_by _, [] -> [ Cost.one Stores ]
+    | Marked_by _, _ :: _ -> Cost.[ one Stores; one Loads; one Choices ]
+  in
+  Cost.sum (first @ times)
+
+let of_program (program : M.program) =
+  let nothing = { reset = Cost.none; step = Cost.none } in
+  let count = Array.length program.nodes in
+  let done_ = Array.make count nothing and scalars = Array.make count 0 in
+  Array.iteri
+    (fun k (node : M.node) ->
+      let c = { program; node; done_; scalars } in
+      scalars.(k) <- scalars_of_state c node.state;
+      done_.(k) <- { reset = statements c node.reset.body; step = statements c node.step.body })
+    program.nodes;
+  let last = count - 1 in
+  let root = done_.(last) in
+  { root with step = Cost.add (root_clock program program.nodes.(last)) root.step }

@@ -1,0 +1,228 @@
+module M = Machine.Ir
+
+type t = { bytes : int; chain : int list }
+type bounds = { reset : t; step : t }
+
+type context = {
+  program : M.program;
+  node : M.node;
+  state : State.t;
+  done_ : bounds array;  (** of the nodes before *)
+}
+
+let word = 8
+
+(* The return address, the frame pointer, what keeps the stack aligned, and two
+   registers. *)
+let fixed = 5 * word
+
+(* The most that a helper of the generated C needs, with those it calls. *)
+let helper = 12 * word
+
+(* Arguments after so many may be passed on the stack. *)
+let in_registers = 4
+
+(* What a function has found so far. *)
+type frame = {
+  mutable bytes : int;
+  mutable helper : int;  (** the largest of the makers and helpers that it calls *)
+  mutable callees : t list;
+}
+
+let need frame bytes = frame.bytes <- Amount.add frame.bytes bytes
+let needs_helper frame bytes = frame.helper <- max frame.helper bytes
+
+let room c ty =
+  Amount.round_up (Block.of_value c.program.sums ty).bytes ~alignment:word
+
+let variable c frame (v : M.variable) = need frame (room c v.ty)
+
+type code =
+  | Operators  (** of C *)
+  | Library
+  | Helper  (** a function that comes with the generated C *)
+
+let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
+  match operator with
+  | Add | Subtract | Multiply | Negate -> if ty = Int then Helper else Operators
+  | Absolute -> if ty = Int then Helper else Library
+  | Signum | Minimum | Maximum | Div | Mod | Round | Floor | Ceiling | Truncate -> Helper
+  | Pow | Elementary _ -> Library
+  | Divide | Equal | Less | Less_equal | To_float | Not | And | Or -> Operators
+
+(* Calls within an expression make it keep intermediate values in memory. *)
+let rec calls (e : M.expr) =
+  match e with
+  | Bool _ | Int _ | Float _ | Zero_time | Dt | Dt_nanoseconds | Variable _ | Field _ -> false
+  | Construct _ | Call _ | Later _ -> true
+  | Payload { value; _ } | Is_constructor { value; _ } | Seconds value -> calls value
+  | Select { condition; then_; else_ } -> List.exists calls [ condition; then_; else_ ]
+  | Operation { operator; ty; arguments } -> (
+      match code_of operator ty with
+      | Helper | Library -> true
+      | Operators -> List.exists calls arguments)
+
+let is_sum (ty : M.ty) = match ty with Sum _ -> true | Bool | Int | Float | Nanoseconds -> false
+
+(* An expression within one that makes calls, if [calling]. *)
+let rec within c frame ~calling (e : M.expr) =
+  let all = List.iter (within c frame ~calling) in
+  let intermediate () = if calling then need frame word in
+  match e with
+  | Bool _ | Int _ | Float _ | Zero_time | Dt | Dt_nanoseconds | Variable _ | Field _ -> ()
+  | Operation { operator = And | Or; arguments; _ } ->
+      need frame word;
+      all arguments
+  | Operation { operator; ty; arguments } ->
+      if code_of operator ty = Helper then needs_helper frame helper;
+      intermediate ();
+      all arguments
+  | Select { condition; then_; else_ } ->
+      need frame (choice c then_);
+      all [ condition; then_; else_ ]
+  | Construct { sum; payload; _ } ->
+      let made = room c (Sum sum) in
+      let given = Amount.times word (List.length payload) in
+      needs_helper frame (List.fold_left Amount.add (2 * fixed) [ made; made; made; given ]);
+      need frame made;
+      arguments c frame ~calling payload
+  | Is_constructor { value; _ } ->
+      intermediate ();
+      within c frame ~calling value
+  | Payload { sum; value; _ } ->
+      let whole = room c (Sum sum) in
+      needs_helper frame (List.fold_left Amount.add (2 * fixed) [ whole; whole; whole ]);
+      need frame whole;
+      within c frame ~calling value
+  | Call { node; arguments } ->
+      List.iter (fun (_, ty) -> need frame (room c ty)) c.program.nodes.(node).outputs;
+      call c frame c.done_.(node).step arguments
+  | Seconds e ->
+      intermediate ();
+      within c frame ~calling e
+  | Later (a, b) ->
+      needs_helper frame helper;
+      need frame word;
+      all [ a; b ]
+
+(* The room of the value of a choice. *)
+and choice c (e : M.expr) =
+  match e with
+  | Variable { ty; _ } | Field { content = Value ty; _ } -> room c ty
+  | Construct { sum; _ } -> room c (Sum sum)
+  | Payload { sum; _ } -> room c (Sum sum)
+  | Select { then_; _ } -> choice c then_
+  | Call { node; _ } ->
+      List.fold_left (fun sum (_, ty) -> Amount.add sum (room c ty)) 0 c.program.nodes.(node).outputs
+  | Bool _ | Int _ | Float _ | Zero_time | Dt | Dt_nanoseconds | Field _ | Operation _
+  | Is_constructor _ | Seconds _ | Later _ ->
+      word
+
+(* What is not passed in registers: sums, and what comes after the first few. *)
+and arguments c frame ~calling es =
+  List.iteri
+    (fun i (e : M.expr) ->
+      (match e with
+      | Variable { ty; _ } | Field { content = Value ty; _ } ->
+          if is_sum ty || i >= in_registers then need frame (room c ty)
+      | _ -> if calling || i >= in_registers then need frame word);
+      within c frame ~calling e)
+    es
+
+and call c frame callee es =
+  frame.callees <- callee :: frame.callees;
+  arguments c frame ~calling:(List.exists calls es) es
+
+let expression c frame e = within c frame ~calling:(calls e) e
+
+let entry c frame (e : M.entry) =
+  let mode = List.nth c.node.modes e.mode in
+  List.iter (expression c frame) e.parameters;
+  if Option.is_some mode.state then call c frame c.done_.(mode.node).reset e.reset
+
+let run c frame (r : M.run) =
+  let results = List.fold_left (fun sum (v : M.variable) -> Amount.add sum (room c v.ty)) 0 r.results in
+  let addresses = Amount.times word (List.length r.results) in
+  (* The machine's flags and counters. *)
+  need frame (Amount.add results (4 * word));
+  Option.iter (expression c frame) r.active;
+  Option.iter (fun (clock : M.clock) -> expression c frame clock.elapsed) r.clock;
+  List.iter
+    (fun (condition, e) ->
+      expression c frame condition;
+      entry c frame e)
+    r.controls;
+  List.iteri
+    (fun k (case : M.case) ->
+      let mode = List.nth c.node.modes k in
+      if r.drops then need frame results;
+      need frame addresses;
+      List.iter (variable c frame) case.others;
+      need frame (Amount.times word (List.length case.others));
+      call c frame c.done_.(mode.node).step case.arguments;
+      List.iter
+        (fun (n : M.next) ->
+          expression c frame n.condition;
+          entry c frame n.entry)
+        case.transitions)
+    r.cases
+
+let statement c frame (s : M.statement) =
+  match s with
+  | Declare { variable = v; value; _ } ->
+      variable c frame v;
+      expression c frame value
+  | Assign { value; _ } | Return { value; _ } -> expression c frame value
+  | If { uninitialized; condition; _ } ->
+      List.iter (variable c frame) uninitialized;
+      expression c frame condition
+  | Step { node; arguments; results; on_trial; _ } ->
+      if on_trial then
+        need frame (Amount.round_up (State.definition c.state node).bytes ~alignment:word);
+      List.iter (variable c frame) results;
+      need frame (Amount.times word (List.length results));
+      call c frame c.done_.(node).step arguments
+  | Reset { node; arguments; _ } -> call c frame c.done_.(node).reset arguments
+  | Enter { entry = e; _ } -> entry c frame e
+  | Run r -> run c frame r
+
+(* The fields of a record are read where they are used. *)
+let in_place (program : M.program) k =
+  k = Array.length program.nodes - 1
+  &&
+  match program.input with
+  | Product { product_name; _ } -> not (String.equal product_name "")
+  | Leaf _ -> false
+
+let function_ c k ~results (code : M.code) =
+  let frame = { bytes = fixed; helper = 0; callees = [] } in
+  let given present = if present then need frame word in
+  given (c.node.state <> []);
+  given c.node.seconds;
+  given c.node.nanoseconds;
+  if not (in_place c.program k) then List.iter (variable c frame) code.parameters;
+  need frame (Amount.times word results);
+  Machine.Walk.statements (statement c frame) code.body;
+  let longer (a : t) (b : t) = if b.bytes > a.bytes then b else a in
+  let deepest = List.fold_left longer { bytes = frame.helper; chain = [] } frame.callees in
+  { bytes = Amount.add frame.bytes deepest.bytes; chain = k :: deepest.chain }
+
+(* The root is given the state, dt, its input and its output by address, and its
+   step calls the helpers of the clock. *)
+let root (node : M.node) bounds =
+  let more (t : t) bytes = { t with bytes = Amount.add t.bytes bytes } in
+  let clock = if node.seconds || node.nanoseconds then helper + (2 * word) else 0 in
+  { reset = more bounds.reset word; step = more bounds.step ((4 * word) + clock) }
+
+let of_program (program : M.program) state =
+  let nothing = { bytes = 0; chain = [] } in
+  let count = Array.length program.nodes in
+  let done_ = Array.make count { reset = nothing; step = nothing } in
+  Array.iteri
+    (fun k (node : M.node) ->
+      let c = { program; node; state; done_ } in
+      let results = List.length node.outputs in
+      done_.(k) <-
+        { reset = function_ c k ~results:0 node.reset; step = function_ c k ~results node.step })
+    program.nodes;
+  root program.nodes.(count - 1) done_.(count - 1)

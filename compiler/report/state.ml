@@ -1,0 +1,105 @@
+open Basis
+module M = Machine.Ir
+
+type member = {
+  name : string;
+  offset : int;
+  bytes : int;
+  holds : holds;
+  span : Span.t;
+}
+
+and holds =
+  | Value of string
+  | Struct of int
+  | Running_mode
+  | Largest of alternative list
+
+and alternative = {
+  mode : string;
+  node : int;
+  bytes : int;
+  members : member list;
+}
+
+type definition = {
+  name : string;
+  file : string;
+  span : Span.t;
+  bytes : int;
+  members : member list;
+}
+
+type t = definition array
+
+let root t = Array.length t - 1
+let definition t k = t.(k)
+
+(* The number of a mode is a byte while that is enough. *)
+let running_mode (node : M.node) : Block.t =
+  if List.compare_length_with node.modes 256 <= 0 then { bytes = 1; alignment = 1 }
+  else { bytes = 4; alignment = 4 }
+
+type context = { program : M.program; blocks : Block.t array  (** of the nodes before *) }
+
+(* The members of a struct with these fields, and its room. *)
+let rec members c node fields =
+  let contents = List.rev_map (content c node) fields in
+  let contents = List.rev contents in
+  let offsets, block = Block.of_members (List.rev (List.rev_map fst contents)) in
+  let member (placed, fields, offsets) (room, holds) =
+    match (fields, offsets) with
+    | (field : M.field) :: fields, offset :: offsets ->
+        let bytes = room.Block.bytes in
+        ({ name = field.name; offset; bytes; holds; span = field.span } :: placed, fields, offsets)
+    | _, _ -> (placed, fields, offsets)
+  in
+  let placed, _, _ = List.fold_left member ([], fields, offsets) contents in
+  (List.rev placed, block)
+
+and content c node (field : M.field) =
+  match field.content with
+  | Value ty -> (Block.of_value c.program.sums ty, Value field.purpose)
+  | State_of k -> (c.blocks.(k), Struct k)
+  | Running_mode -> (running_mode node, Running_mode)
+  | Modes modes ->
+      let alternatives = List.map (alternative c node) modes in
+      (Block.of_alternatives (List.map snd alternatives), Largest (List.map fst alternatives))
+
+and alternative c node (mode : M.mode) =
+  let members, block = members c node (Machine.State.fields_of_mode mode) in
+  ({ mode = c.program.nodes.(mode.node).origin; node = mode.node; bytes = block.bytes; members }, block)
+
+let of_program (program : M.program) =
+  let count = Array.length program.nodes in
+  let c = { program; blocks = Array.make count { Block.bytes = 0; alignment = 1 } } in
+  Array.mapi
+    (fun k (node : M.node) ->
+      let members, block = members c node node.state in
+      (* C has no struct without members. *)
+      let block = if k = count - 1 then { block with bytes = max 1 block.bytes } else block in
+      c.blocks.(k) <- block;
+      { name = node.origin; file = node.file; span = node.span; bytes = block.bytes; members })
+    program.nodes
+
+let in_use t =
+  let seen = Array.make (Array.length t) false in
+  let rec visit found k =
+    if seen.(k) then found
+    else begin
+      seen.(k) <- true;
+      List.fold_left inside (k :: found) t.(k).members
+    end
+  and inside found (member : member) =
+    match member.holds with
+    | Value _ | Running_mode -> found
+    | Struct k -> visit found k
+    | Largest alternatives ->
+        List.fold_left
+          (fun found (a : alternative) -> List.fold_left inside found a.members)
+          found alternatives
+  in
+  List.rev (visit [] (root t))
+
+let padding ~bytes members =
+  bytes - List.fold_left (fun sum (member : member) -> Amount.add sum member.bytes) 0 members

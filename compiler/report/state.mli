@@ -1,0 +1,50 @@
+(** Where the bytes of the state are: the struct of each definition, member by
+    member. *)
+
+open Basis
+
+type member = {
+  name : string;  (** the programmer's *)
+  offset : int;  (** in its struct *)
+  bytes : int;
+  holds : holds;
+  span : Span.t;
+}
+
+and holds =
+  | Value of string  (** for the reader: [delay], [integral], … *)
+  | Struct of int  (** of that node *)
+  | Running_mode
+  | Largest of alternative list  (** modes, which share this room *)
+
+(** The struct that a mode's members make. *)
+and alternative = {
+  mode : string;
+  node : int;
+  bytes : int;
+  members : member list;
+}
+
+(** The state struct of a node. *)
+type definition = {
+  name : string;  (** the definition as the programmer knows it *)
+  file : string;
+  span : Span.t;
+  bytes : int;
+  members : member list;
+}
+
+type t
+
+val of_program : Machine.Ir.program -> t
+val root : t -> int
+
+val definition : t -> int -> definition
+(** Of a node with state, or the root. *)
+
+val in_use : t -> int list
+(** The nodes whose structs the root's holds, itself first, each before those
+    it holds and each once. *)
+
+val padding : bytes:int -> member list -> int
+(** What of a struct no member has. *)

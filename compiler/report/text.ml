@@ -1,0 +1,142 @@
+type row = {
+  depth : int;
+  label : string;
+  amount : string;
+  note : string;
+  place : string;
+}
+
+(* Deeper structs are indented no more, so that the text stays small. *)
+let deepest = 24
+let indentation row = 2 * min row.depth deepest
+
+let width column rows = List.fold_left (fun most row -> max most (column row)) 0 rows
+
+(* A long name moves only its own line. *)
+let widest_label = 48
+
+let table rows =
+  let left row = indentation row + String.length row.label in
+  let fitting row = let n = left row in if n > widest_label then 0 else n in
+  let labels = width fitting rows in
+  let amounts = width (fun row -> String.length row.amount) rows in
+  let notes = width (fun row -> String.length row.note) rows in
+  let line row =
+    let label = String.make (indentation row) ' ' ^ row.label in
+    let text = Printf.sprintf "%-*s  %*s  %-*s  %s" labels label amounts row.amount notes row.note row.place in
+    (* nothing stands in the last columns of some rows *)
+    let rec length n = if n > 0 && text.[n - 1] = ' ' then length (n - 1) else n in
+    String.sub text 0 (length (String.length text)) ^ "\n"
+  in
+  String.concat "" (List.rev (List.rev_map line rows))
+
+let number n = if n >= Amount.most then "2^53 or more" else string_of_int n
+
+(* {1 The state} *)
+
+(* Rows so far, last first; a struct's members are shown where it comes first. *)
+let state_rows (t : State.t) =
+  let shown = Hashtbl.create 16 in
+  let rec members depth ~bytes:whole ~place rows list =
+    let rows = List.fold_left (member depth ~place) rows list in
+    match State.padding ~bytes:whole list with
+    | 0 -> rows
+    | n -> { depth; label = "(padding)"; amount = number n; note = ""; place = "" } :: rows
+  and member depth ~place rows (m : State.member) =
+    let row note = { depth; label = m.name; amount = number m.bytes; note; place = place m.span } in
+    match m.holds with
+    | Value purpose -> row purpose :: rows
+    | Running_mode -> row "number of the mode that runs" :: rows
+    | Struct k ->
+        let inner = State.definition t k in
+        let name = if String.equal inner.name m.name then "" else inner.name in
+        if Hashtbl.mem shown k then
+          row (if String.equal name "" then "as above" else name ^ ", as above") :: rows
+        else definition k (depth + 1) (row name :: rows)
+    | Largest alternatives ->
+        List.fold_left (alternative (depth + 1) ~place) (row "room for one of these" :: rows) alternatives
+  and alternative depth ~place rows (a : State.alternative) =
+    let inner = State.definition t a.node in
+    let at = Bounds.place ~file:inner.file inner.span in
+    let row = { depth; label = a.mode; amount = number a.bytes; note = "mode"; place = at } in
+    members (depth + 1) ~bytes:a.bytes ~place (row :: rows) a.members
+  and definition k depth rows =
+    Hashtbl.replace shown k ();
+    let d = State.definition t k in
+    let place (span : Basis.Span.t) = Bounds.place ~file:span.file span in
+    members depth ~bytes:d.bytes ~place rows d.members
+  in
+  let root = State.definition t (State.root t) in
+  let row =
+    {
+      depth = 1;
+      label = root.name;
+      amount = number root.bytes;
+      note = "";
+      place = Bounds.place ~file:root.file root.span;
+    }
+  in
+  List.rev (definition (State.root t) 2 [ row ])
+
+(* {1 The rest} *)
+
+let plain label amount note = { depth = 1; label; amount; note; place = "" }
+
+let operation_rows cost =
+  let kind (name, kind) = plain name (number (Cost.count cost kind)) "" in
+  let call (name, n) = plain ("calls of " ^ name) (number n) "" in
+  List.map kind Bounds.operations @ List.map call (Cost.calls cost)
+
+(* Of a long chain the ends. *)
+let shown_at_ends = 4
+
+let chain (program : Machine.Ir.program) nodes =
+  let names = List.map (fun k -> program.nodes.(k).origin) nodes in
+  let count = List.length names in
+  let ends = List.filteri (fun i _ -> i < shown_at_ends || i >= count - shown_at_ends) names in
+  let cut = count - List.length ends in
+  let names =
+    if cut = 0 then ends
+    else
+      List.concat
+        (List.mapi
+           (fun i name ->
+             if i = shown_at_ends then [ Printf.sprintf "… (%d more)" cut; name ] else [ name ])
+           ends)
+  in
+  String.concat " > " names
+
+let stack_rows (t : Bounds.t) =
+  let row name (stack : Stack.t) = plain name (number stack.bytes) (chain t.program stack.chain) in
+  [ row "reset" t.stack.reset; row "step" t.stack.step ]
+
+let machine_line (m : Hops.machine) =
+  let count = List.length m.modes in
+  Printf.sprintf "  %s, %s: %d %s (%s), at most %d stepped within one instant\n" m.name
+    (Bounds.place ~file:m.file m.span)
+    count
+    (if count = 1 then "mode" else "modes")
+    (String.concat ", " m.modes)
+    m.steps
+
+let to_string (t : Bounds.t) =
+  let machines =
+    match t.machines with
+    | [] -> []
+    | machines -> "\nmodes\n" :: List.map machine_line machines
+  in
+  let library =
+    match Bounds.library t with
+    | [] -> ""
+    | _ :: _ -> ", without that of the C library's functions"
+  in
+  String.concat ""
+    ([
+       "state, in bytes\n";
+       table (state_rows t.state);
+       "\noperations of a step, at most\n";
+       table (operation_rows t.operations.step);
+       Printf.sprintf "\nstack, in bytes, at most%s\n" library;
+       table (stack_rows t);
+     ]
+    @ machines)

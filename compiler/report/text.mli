@@ -1,0 +1,3 @@
+(** The report for people: aligned columns. *)
+
+val to_string : Bounds.t -> string

@@ -1,0 +1,113 @@
+Operations are counted by kind. Here: two additions, a multiplication, a
+division, a comparison, a call of sin, and what `delay` reads and writes.
+
+  $ operations() { frobc report "$1" | sed -n '/^operations/,/^$/p' | grep -v ' 0$'; }
+  $ cat > sum.frob <<EOF
+  > main :: SF (Float, Float) (Float, Bool)
+  > main = proc (x, y) -> (x + 2 * y - delay 0 y / 3, sin x < y)
+  > EOF
+  $ operations sum.frob
+  operations of a step, at most
+    additions                2
+    multiplications          1
+    divisions                1
+    comparisons and choices  1
+    loads of state           1
+    stores of state          1
+    calls of sin             1
+  
+
+Of two branches the larger number of each kind counts.
+
+  $ cat > branches.frob <<EOF
+  > main :: SF Float Float
+  > main = proc x -> if x > 0 then sin x + cos x + 1 else sin (x * 2) * sin (x * 3) * 4
+  > EOF
+  $ operations branches.frob
+  operations of a step, at most
+    additions                2
+    multiplications          4
+    comparisons and choices  2
+    calls of cos             1
+    calls of sin             2
+  
+
+Callees count each time they are called.
+
+  $ cat > calls.frob <<EOF
+  > norm :: Float -> Float -> Float
+  > norm x y = sqrt (x * x + y * y)
+  > 
+  > main :: SF (Float, Float, Float) Float
+  > main = proc (x, y, z) -> norm x (norm y z)
+  > EOF
+  $ operations calls.frob
+  operations of a step, at most
+    additions                2
+    multiplications          4
+    calls of sqrt            2
+  
+
+A million additions are a million.
+
+  $ cat > million.frob <<EOF
+  > f0 :: SF Float Float
+  > f0 = proc x -> x + delay 0 x
+  > EOF
+  $ for n in $(seq 1 20); do echo "f$n = f$((n - 1)) >>> f$((n - 1))" >> million.frob; done
+  $ echo 'main = f20' >> million.frob
+  $ operations million.frob
+  operations of a step, at most
+    additions                1048576
+    loads of state           1048576
+    stores of state          1048576
+  
+
+Numbers that no machine reaches are not told apart.
+
+  $ sed -i '/^main/d' million.frob
+  $ for n in $(seq 21 60); do echo "f$n = f$((n - 1)) >>> f$((n - 1))" >> million.frob; done
+  $ echo 'main = f60' >> million.frob
+  $ operations million.frob
+  operations of a step, at most
+    additions                2^53 or more
+    loads of state           2^53 or more
+    stores of state          2^53 or more
+  
+
+Time costs something: the caller's dt is made a whole number of nanoseconds.
+
+  $ cat > clock.frob <<EOF
+  > main :: SF () Time
+  > main = time
+  > EOF
+  $ operations clock.frob
+  operations of a step, at most
+    additions                4
+    multiplications          1
+    divisions                1
+    comparisons and choices  5
+    conversions              2
+    loads of state           3
+    stores of state          2
+  
+
+A machine may step several modes within one instant: from far to near, and at once
+to far again. Each may be the largest.
+
+  $ cat > modes.frob <<EOF
+  > main :: SF Float Float
+  > main = near
+  > 
+  > near :: SF Float Float
+  > near = switch (proc x -> (sin x, when (x > 5))) (\_ -> far)
+  > 
+  > far :: SF Float Float
+  > far = switch (proc x -> (cos x + cos (2 * x), edge (x < 4))) (\_ -> near)
+  > EOF
+  $ frobc report modes.frob | sed -n '/^modes/,$p'
+  modes
+    near, modes.frob:2: 2 modes (near, far), at most 3 stepped within one instant
+  $ operations modes.frob | grep calls
+    calls of cos              6
+    calls of sin              3

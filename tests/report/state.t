@@ -1,0 +1,93 @@
+The state is shown struct by struct, with the source of each member, and the
+padding that a C compiler for a 64-bit machine puts between and behind them.
+
+  $ cat > smooth.frob <<EOF
+  > main :: SF Float (Float, Bool)
+  > main = proc x -> (smooth (smooth x), delay False (x > 1))
+  > 
+  > smooth :: SF Float Float
+  > smooth = proc x -> y where
+  >   y = 0.5 * delay 0 y + 0.5 * delay 1 x
+  > EOF
+  $ frobc report smooth.frob | sed '/^$/,$d'
+  state, in bytes
+    main               40         smooth.frob:2
+      y_prev            8  delay  smooth.frob:6
+      x_prev            8  delay  smooth.frob:6
+      smooth_2.y_prev   8  delay  smooth.frob:6
+      y_prev            8  delay  smooth.frob:6
+      delay             1  delay  smooth.frob:2
+      (padding)         7
+
+Modes share room: it is that of the largest.
+
+  $ cat > modes.frob <<EOF
+  > main :: SF Float Float
+  > main = near
+  > 
+  > near :: SF Float Float
+  > near = switch (proc x -> (delay 0 x, when (x > 5))) (\_ -> far 1)
+  > 
+  > far :: Float -> SF Float Float
+  > far k = switch (proc x -> (k * delay 0 (delay 0 x), edge (x < 4))) (\_ -> near)
+  > EOF
+  $ frobc report modes.frob | sed '/^$/,$d'
+  state, in bytes
+    main                 32                                modes.frob:2
+      near               32                                modes.frob:2
+        modes            24  room for one of these         modes.frob:2
+          near            8  mode                          modes.frob:5
+            state         8  near                          modes.frob:5
+              x_prev      8  delay                         modes.frob:5
+          far            24  mode                          modes.frob:8
+            state        24  far                           modes.frob:8
+              x_prev      8  delay                         modes.frob:8
+              delay       8  delay                         modes.frob:8
+              delay       1  delay                         Prelude.frob:339
+              (padding)   7
+        mode              1  number of the mode that runs  modes.frob:2
+        (padding)         7
+  $ frobc report modes.frob | sed -n '/^modes/,$p'
+  modes
+    near, modes.frob:2: 2 modes (near, far), at most 3 stepped within one instant
+
+A struct is shown once, so the report of a million instances is short.
+
+  $ cat > million.frob <<EOF
+  > f0 :: SF Float Float
+  > f0 = delay 0
+  > EOF
+  $ for n in $(seq 1 20); do echo "f$n = f$((n - 1)) >>> f$((n - 1))" >> million.frob; done
+  $ echo 'main = f20' >> million.frob
+  $ frobc report million.frob | sed '/^$/,$d' | head -5
+  state, in bytes
+    >>>                          8388608                 Prelude.frob:210
+      >>>.>>>                    2097152  >>>            Prelude.frob:210
+        >>>.>>>                   524288  >>>            Prelude.frob:210
+          >>>.>>>                 131072  >>>            Prelude.frob:210
+  $ frobc report million.frob | wc -l
+  63
+
+Without state one byte is left, as C has no empty structs:
+
+  $ cat > twice.frob <<EOF
+  > main :: SF Float Float
+  > main = proc x -> 2 * x
+  > EOF
+  $ frobc report twice.frob
+  state, in bytes
+    main         1    twice.frob:2
+      (padding)  1
+  
+  operations of a step, at most
+    additions                0
+    multiplications          1
+    divisions                0
+    comparisons and choices  0
+    conversions              0
+    loads of state           0
+    stores of state          0
+  
+  stack, in bytes, at most
+    reset  48  main
+    step   88  main
