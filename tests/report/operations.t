@@ -107,7 +107,7 @@ to far again. Each may be the largest.
   > EOF
   $ frobc report modes.frob | sed -n '/^modes/,$p'
   modes
-    near, modes.frob:2: 2 modes (near, far), at most 3 stepped within one instant
+    main, modes.frob:2: 2 modes (near, far), at most 3 stepped within one instant
   $ operations modes.frob | grep calls
     calls of cos              6
     calls of sin              3

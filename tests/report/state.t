@@ -33,23 +33,22 @@ Modes share room: it is that of the largest.
   > EOF
   $ frobc report modes.frob | sed '/^$/,$d'
   state, in bytes
-    main                 32                                modes.frob:2
-      near               32                                modes.frob:2
-        modes            24  room for one of these         modes.frob:2
-          near            8  mode                          modes.frob:5
-            state         8  near                          modes.frob:5
-              x_prev      8  delay                         modes.frob:5
-          far            24  mode                          modes.frob:8
-            state        24  far                           modes.frob:8
-              x_prev      8  delay                         modes.frob:8
-              delay       8  delay                         modes.frob:8
-              delay       1  delay                         Prelude.frob:339
-              (padding)   7
-        mode              1  number of the mode that runs  modes.frob:2
-        (padding)         7
+    main               32                                modes.frob:2
+      modes            24  room for one of these         modes.frob:2
+        near            8  mode                          modes.frob:5
+          state         8  near                          modes.frob:5
+            x_prev      8  delay                         modes.frob:5
+        far            24  mode                          modes.frob:8
+          state        24  far                           modes.frob:8
+            x_prev      8  delay                         modes.frob:8
+            delay       8  delay                         modes.frob:8
+            delay       1  delay                         Prelude.frob:339
+            (padding)   7
+      mode              1  number of the mode that runs  modes.frob:2
+      (padding)         7
   $ frobc report modes.frob | sed -n '/^modes/,$p'
   modes
-    near, modes.frob:2: 2 modes (near, far), at most 3 stepped within one instant
+    main, modes.frob:2: 2 modes (near, far), at most 3 stepped within one instant
 
 A struct is shown once, so the report of a million instances is short.
 
