@@ -166,6 +166,10 @@ type expressions = {
   check : t -> Resolve.Ir.expr -> Mistake.expected -> Ir.expr later;
 }
 
+exception Too_large of Span.t
+
 let node span ty desc () : Ir.expr =
   let desc = desc () in
-  { desc; ty = Final.ty ty; span }
+  match Final.ty ty with
+  | ty -> { desc; ty; span }
+  | exception Final.Too_large -> raise (Too_large span)

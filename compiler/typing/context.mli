@@ -130,4 +130,8 @@ type expressions = {
       (** Reports what does not fit. *)
 }
 
+exception Too_large of Span.t
+(** {!Final.Too_large}, of this expression's type and of none in it. *)
+
 val node : Span.t -> Type.t -> Ir.expr_desc later -> Ir.expr later
+(** @raise Too_large when it is built *)

@@ -35,6 +35,14 @@ let unit_ (reader : Written.t) (declared : Resolve.Ir.unit_declaration) =
 
 (* {1 Types} *)
 
+(* Aliases of aliases can make much of little text. *)
+let field_type (reader : Written.t) (f : Resolve.Ir.field) t =
+  match Final.ty t with
+  | ty -> ty
+  | exception Final.Too_large ->
+      Diagnostic.emit reader.sink (Mistake.too_large ~at:f.ty.span "a field");
+      Tuple []
+
 let constructor (reader : Written.t) tycon (parameters : Environment.parameters) scope result
     (written : Resolve.Ir.constructor) : Environment.constructor =
   let fields =
@@ -47,7 +55,10 @@ let constructor (reader : Written.t) tycon (parameters : Environment.parameters)
       constructor = written.constructor;
       index = written.index;
       record = written.record;
-      fields = List.map (fun (name, t) -> (name, Final.ty t)) fields;
+      fields =
+        List.map2
+          (fun (f : Resolve.Ir.field) (name, t) -> (name, field_type reader f t))
+          written.fields fields;
     }
   in
   let scheme : Type.scheme =

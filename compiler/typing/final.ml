@@ -1,31 +1,63 @@
+exception Too_large
+
+let most_parts = 20_000
+let deepest = 500
+
 let representation r : Ir.representation =
   match Type.representation r with
   | Int -> Int
   | Float | Flexible_representation _ -> Float
   | Rigid_representation { variable; _ } -> Representation_variable variable
 
-let rec ty (t : Type.t) : Ir.ty =
+let leaf ty : Type.final = { ty; parts = 1; nesting = 0 }
+let unit_type = leaf (Ir.Tuple [])
+
+let limited (final : Type.final) =
+  if final.parts > most_parts || final.nesting > deepest then raise Too_large;
+  final
+
+let compound ty (inside : Type.final list) =
+  let parts = List.fold_left (fun n (f : Type.final) -> n + f.parts) 1 inside in
+  let nesting = List.fold_left (fun n (f : Type.final) -> max n f.nesting) 0 inside in
+  limited { ty; parts; nesting = nesting + 1 }
+
+let types = List.map (fun (f : Type.final) -> f.ty)
+
+let rec final (t : Type.t) : Type.final =
   match t with
-  | Flexible { final = Some final; _ } -> final
+  | Flexible { final = Some known; _ } -> known
   | Flexible ({ found; _ } as variable) ->
-      let final = match found with Some t -> ty t | None -> Ir.Tuple [] in
-      variable.final <- Some final;
-      final
-  | Rigid { variable; _ } -> Variable variable
-  | Number (r, u) -> Number (representation r, Units.to_ir u)
-  | Bool -> Bool
-  | String -> String
-  | Tuple elements -> Tuple (List.map ty elements)
+      let known = match found with Some t -> final t | None -> unit_type in
+      variable.final <- Some known;
+      known
+  | Rigid { variable; _ } -> leaf (Variable variable)
+  | Number (r, u) -> leaf (Number (representation r, Units.to_ir u))
+  | Bool -> leaf Bool
+  | String -> leaf String
+  | Tuple elements ->
+      let elements = List.map final elements in
+      compound (Tuple (types elements)) elements
   | Function (a, b) ->
-      let a = ty a in
-      Function (a, ty b)
+      (* Further arguments are no deeper than the first. *)
+      let a = final a in
+      let b = final b in
+      let nesting = max (a.nesting + 1) b.nesting in
+      limited { ty = Function (a.ty, b.ty); parts = 1 + a.parts + b.parts; nesting }
   | Signal_function (a, b) ->
-      let a = ty a in
-      Signal_function (a, ty b)
+      let a = final a in
+      let b = final b in
+      compound (Signal_function (a.ty, b.ty)) [ a; b ]
+  | Data { tycon; units; arguments = [] } ->
+      leaf (Data { tycon; units = List.map Units.to_ir units; arguments = [] })
   | Data { tycon; units; arguments } ->
-      Data { tycon; units = List.map Units.to_ir units; arguments = List.map ty arguments }
-  | Alias { expansion; _ } -> ty expansion
-  | Erroneous -> Tuple []
+      let arguments = List.map final arguments in
+      compound
+        (Data { tycon; units = List.map Units.to_ir units; arguments = types arguments })
+        arguments
+  | Alias { expansion; _ } -> final expansion
+  | Erroneous -> unit_type
+
+let ty t = (final t).ty
 
 let scheme (s : Type.scheme) : Ir.scheme =
   let variable (r : Units.rigid) = r.variable in

@@ -68,25 +68,40 @@ let generalize ctx declared bindings expectations =
       Hashtbl.replace ctx.globals (fst (top b)) { scheme; kind = Defined; at = None })
     unsigned types
 
-let group ctx declared (g : Resolve.Ir.binding_group) : Ir.definition list =
+(* Types that are too large would only do harm later: the definition is left
+   out, which nobody sees as there is an error. *)
+let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option =
+  let name, _ = top b in
+  let refuse at what =
+    report ctx (fun _ -> Mistake.too_large ~at what);
+    None
+  in
+  match
+    let value = value () in
+    (Final.scheme scheme, value)
+  with
+  | scheme, value -> Some { name; scheme; value; doc = b.doc; span = b.span }
+  | exception Too_large at -> refuse at "this expression"
+  | exception Final.Too_large -> refuse b.span (Printf.sprintf "`%s` or of something in it" name.name)
+
+let group ctx declared (g : Resolve.Ir.binding_group) =
   let ctx = in_group ctx in
   let expectations = List.map (expectation ctx declared ~recursive:g.recursive) g.bindings in
   let check (b : Resolve.Ir.binding) = check ~name:(fst (top b)).name b in
   let values = List.map2 check g.bindings expectations in
   settle ctx;
   generalize ctx declared g.bindings expectations;
-  let definition (b : Resolve.Ir.binding) value : Ir.definition =
-    let name, _ = top b in
-    let { Context.scheme; _ } = Hashtbl.find ctx.globals name in
-    { name; scheme = Final.scheme scheme; value = value (); doc = b.doc; span = b.span }
+  let definition (b : Resolve.Ir.binding) value =
+    let { Context.scheme; _ } = Hashtbl.find ctx.globals (fst (top b)) in
+    definition ctx b scheme value
   in
-  List.map2 definition g.bindings values
+  List.filter_map Fun.id (List.map2 definition g.bindings values)
 
 (* {1 Classes} *)
 
 (* A definition of a method, of this type. *)
 let method_definition ctx (inner : Context.t) (m : Class_declarations.method_)
-    (scheme : Type.scheme) (b : Resolve.Ir.binding) : Ir.definition =
+    (scheme : Type.scheme) (b : Resolve.Ir.binding) =
   let ctx = in_group ctx in
   Classes.give ctx scheme;
   let expected : Mistake.expected =
@@ -95,20 +110,19 @@ let method_definition ctx (inner : Context.t) (m : Class_declarations.method_)
   let value = check ~name:m.name.name b ({ inner with group = ctx.group }, expected) in
   settle ctx;
   ignore (Classes.solve ctx Generalize.none);
-  let name, _ = top b in
-  { name; scheme = Final.scheme scheme; value = value (); doc = b.doc; span = b.span }
+  definition ctx b scheme value
 
 let defaults ctx (c : Class_declarations.class_) =
   List.filter_map
     (fun (m : Class_declarations.method_) ->
-      Option.map (method_definition ctx m.inner m m.scheme) m.default)
+      Option.bind m.default (method_definition ctx m.inner m m.scheme))
     c.methods
 
 let definitions_of_instance ctx (i : Class_declarations.instance) =
   let definition (m : Class_declarations.method_) =
-    Option.map
-      (method_definition ctx i.inner m (Class_declarations.method_of i m))
+    Option.bind
       (List.assoc_opt m.name i.definitions)
+      (method_definition ctx i.inner m (Class_declarations.method_of i m))
   in
   List.filter_map definition i.of_class.methods
 

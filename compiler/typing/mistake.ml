@@ -392,3 +392,9 @@ let not_a_signal_function words ~(head : Resolve.Ir.expr) found =
   match Type.expand found with
   | Function _ -> hint "`arr` makes a signal function of a function" diagnostic
   | _ -> diagnostic
+
+let too_large ~at what =
+  Diagnostic.error ~code:"E0316" ~at "the type of %s is too large" what
+  |> Diagnostic.note
+       (Printf.sprintf "a type has up to %d parts, nested up to %d deep" Final.most_parts
+          Final.deepest)

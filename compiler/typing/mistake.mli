@@ -70,3 +70,6 @@ val negative_argument :
 val not_a_signal_function :
   Show.words -> head:Resolve.Ir.expr -> Type.t -> Diagnostic.t
 (** The head of [sf -< e]. *)
+
+val too_large : at:Span.t -> string -> Diagnostic.t
+(** {!Final.Too_large}, of the type of what is named here. *)

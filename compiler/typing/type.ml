@@ -15,8 +15,10 @@ and flexible = {
   id : int;
   mutable depth : int;
   mutable found : t option;
-  mutable final : Ir.ty option;
+  mutable final : final option;
 }
+
+and final = { ty : Ir.ty; parts : int; nesting : int }
 
 and rigid = { variable : Ir.variable; depth : int }
 
@@ -73,7 +75,13 @@ let rec repr = function
 let rec expand t = match repr t with Alias { expansion; _ } -> expand expansion | t -> t
 
 let rec representation = function
-  | Flexible_representation { found = Some r; _ } -> representation r
+  | Flexible_representation ({ found = Some r; _ } as variable) -> (
+      match r with
+      | Flexible_representation _ ->
+          let r = representation r in
+          variable.found <- Some r;
+          r
+      | r -> r)
   | r -> r
 
 let shared t = Flexible { id = 0; depth = 0; found = Some t; final = None }

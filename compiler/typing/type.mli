@@ -21,7 +21,13 @@ and flexible = {
   id : int;
   mutable depth : int;
   mutable found : t option;
-  mutable final : Ir.ty option;  (** kept by {!Final}, once inference is over *)
+  mutable final : final option;  (** kept by {!Final}, once inference is over *)
+}
+
+and final = {
+  ty : Ir.ty;
+  parts : int;  (** constructors of types in it, written out *)
+  nesting : int;
 }
 
 and rigid = {

@@ -55,6 +55,29 @@ Patterns and types 50 deep:
   >   printf 'main = proc x -> f ('; repeat 50 'Just ('; printf x; repeat 50 ')'; echo ')'; } | trace
   out 1 2
 
+Types that grow too large to write out:
+
+  $ { printf 'main = proc x -> '; repeat 9000 'id '; echo x; } | compile; echo $?; head -1 message
+  1
+  error[E0316]: the type of this expression is too large
+  $ { printf 'main = proc x -> fromMaybe x (Just ('; repeat 2000 'Just ('; printf x; repeat 2000 ')'; echo '))'; } | compile; echo $?; grep -c E0316 message
+  1
+  1
+  $ awk 'BEGIN { print "type T0 = (Int, Int)"
+  >   for (i = 0; i < 100; i++) printf "type T%d = (T%d, T%d)\n", i + 1, i, i
+  >   print "main :: SF Int Int\nmain = proc x -> x\ndata D = D T100" }' > doubles.frob
+  $ timeout 20 frobc check doubles.frob
+  error[E0316]: the type of a field is too large
+     --> doubles.frob:104:12
+      |
+  104 | data D = D T100
+      |            ^^^^
+      |
+      = note: a type has up to 20000 parts, nested up to 500 deep
+  
+  1 error
+  [1]
+
 Beyond the limit:
 
   $ { printf 'main = proc x -> '; repeat 200000 '('; printf x; repeat 200000 ')'; echo; } | compile; echo $?; head -1 message
