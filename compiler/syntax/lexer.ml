@@ -22,6 +22,7 @@ type t = {
   mutable doc : string list;  (** lines, last one first *)
   mutable doc_line : int;  (** of the last of them *)
   mutable bad_line : int;  (** the last line with an unexpected character *)
+  mutable cut_off : bool;  (** by a comment that is never closed *)
 }
 
 let byte_order_mark = "\xef\xbb\xbf"
@@ -33,7 +34,7 @@ let create sink ~file text =
   let at = if marked then 3 else 0 in
   {
     sink; file; text; at; line = 1; line_start = 0; extra = (if marked then 3 else 0);
-    fresh = true; doc = []; doc_line = 0; bad_line = 0;
+    fresh = true; doc = []; doc_line = 0; bad_line = 0; cut_off = false;
   }
 
 (* Past the end there are NULs, which no rule below takes for anything. *)
@@ -98,11 +99,13 @@ let nested_comment t =
   let opener_stop = position t in
   let rec go depth =
     if depth > 0 then
-      if at_end t then
+      if at_end t then begin
+        t.cut_off <- true;
         Diagnostic.emit t.sink
           (Diagnostic.error ~code:"E0104" ~at:(Build.span (start, opener_stop))
              "this comment is never closed"
           |> Diagnostic.hint "comments nest: each `{-` needs its own `-}`")
+      end
       else
         match (peek t 0, peek t 1) with
         | '{', '-' -> t.at <- t.at + 2; go (depth + 1)
@@ -187,6 +190,9 @@ let upper t =
 
 let digits t = while is_digit (peek t 0) do t.at <- t.at + 1 done
 
+(* Reading a number exactly takes time that grows with the square of its digits. *)
+let most_digits = 1_000
+
 let number t =
   let start = position t in
   let first = t.at in
@@ -211,6 +217,12 @@ let number t =
     in
     report t ~code:"E0105" ~start ~hint
       (Printf.sprintf "the number `%s` is directly followed by `%s`" text rest);
+    BAD
+  end
+  else if String.length text > most_digits then begin
+    report t ~code:"E0105" ~start
+      (Printf.sprintf "a number has up to %d characters, this one has %d" most_digits
+         (String.length text));
     BAD
   end
   else NUMBER (text, point || exponent > 0)
@@ -331,7 +343,8 @@ let bracket t =
 let next t =
   skip_blanks t;
   let start = position t in
-  let column = t.at - t.line_start + 1 - t.extra in
+  (* Wherever a comment that is never closed begins, it ends nothing. *)
+  let column = if t.cut_off then max_int else t.at - t.line_start + 1 - t.extra in
   let first = t.fresh in
   let doc =
     match t.doc with [] -> None | lines -> Some (String.concat "\n" (List.rev lines))
@@ -339,7 +352,12 @@ let next t =
   t.doc <- [];
   t.fresh <- false;
   let token =
-    if at_end t then END
+    if t.cut_off then begin
+      (* What is missing here may stand in the comment. *)
+      t.cut_off <- false;
+      BAD
+    end
+    else if at_end t then END
     else
       match peek t 0 with
       | c when is_lower c -> lower t

@@ -49,7 +49,9 @@ let big =
     case "many fields" ("data T = T { a" ^ repeat 200_000 ", a" ^ " :: Int }") [];
     case "many names" (repeat 200_000 "a, " ^ "a :: Int") [];
     case "a long name" (String.make million 'x' ^ " = 1") [];
-    case "a long number" ("x = " ^ String.make million '9') [];
+    case "a number of a thousand digits" ("x = " ^ String.make 1_000 '9') [];
+    case "a long number" ("x = " ^ String.make million '9') [ "E0105" ];
+    case "a comment never closed is one mistake" "x = (1 + {- 2)" [ "E0104" ];
     case "a long text" ("x = \"" ^ String.make million 'a' ^ "\"") [];
     case "lines without meaning" (repeat million ")\n") [ "E0111" ];
     case "control characters" (repeat million "\001\n") [ "E0103" ];
