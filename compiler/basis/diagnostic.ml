@@ -36,12 +36,8 @@ let all sink =
     match Span.compare a.at b.at with 0 -> compare a.code b.code | order -> order
   in
   let same a b = Span.compare a.at b.at = 0 && String.equal a.code b.code in
-  let rec once = function
-    | a :: b :: rest when same a b -> once (a :: rest)
-    | a :: rest -> a :: once rest
-    | [] -> []
-  in
-  once (List.stable_sort by_place (List.rev !sink))
+  let once kept t = match kept with a :: _ when same a t -> kept | _ -> t :: kept in
+  List.rev (List.fold_left once [] (List.stable_sort by_place (List.rev !sink)))
 
 exception Bug of { stage : string; message : string }
 

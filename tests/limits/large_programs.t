@@ -61,6 +61,21 @@ components:
   $ printf 'time,in\n0,1\n' | timeout 60 frobc trace tuple.frob --input - | tail -1 | cut -d, -f1-3
   0.000000000,2,1
 
+As many mistakes as lines:
+
+  $ awk 'BEGIN { for (i = 0; i < 100000; i++) printf "v%d = 1[m] + 2[s]\n", i }' > mistakes.frob
+  $ timeout 60 frobc check mistakes.frob 2> message; echo $?; tail -1 message
+  1
+  100000 errors
+
+20,000 equations in one loop are judged as fast as without it:
+
+  $ awk 'BEGIN { n = 20000; print "main :: SF Float Float\nmain = proc x -> y0 where"
+  >   for (i = 0; i < n; i++) printf "    y%d = y%d + 1\n", i, (i + 1) % n }' > ring.frob
+  $ timeout 20 frobc check ring.frob 2> message; echo $?; head -1 message
+  1
+  error[E0401]: signal `y0` needs its own value in the same instant
+
 5,000 equations in one loop, and 5,000 functions that call each other, are
 refused in a few lines:
 
