@@ -386,7 +386,7 @@ let reset (v : V.t) k : Ir.function_ =
     name = v.nodes.(k).reset;
     parameters;
     body = List.rev_append (List.rev unread) body;
-    comment = "";
+    comment = place_of node;
   }
 
 (* Few operations: worth a copy at every call. *)
@@ -402,7 +402,9 @@ let own_step (v : V.t) k : Ir.function_ =
     | [ (_, ty) ] -> (V.ty v ty, [])
     | outputs ->
         let result (name, ty) =
-          (Ir.Pointer (V.ty v ty), Name.fresh (Expression.scope names) ("out_" ^ name))
+          (* An unnamed one is [out] or [out.x]. *)
+          let name = if List.hd (String.split_on_char '.' name) = "out" then name else "out_" ^ name in
+          (Ir.Pointer (V.ty v ty), Name.fresh (Expression.scope names) name)
         in
         (Void, List.map result outputs)
   in

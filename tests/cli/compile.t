@@ -61,6 +61,7 @@
   #endif
   typedef char gain_double_is_8_bytes[sizeof(double) == 8 ? 1 : -1];
   
+  /* main, gain.frob:3 */
   void gain_reset(struct gain_state *self)
   {
       self->x_prev = 0.0;                                     /* line 3 */
@@ -118,6 +119,7 @@ Another entry, and one that is not there:
   $ frobc compile two.frob --entry fast
   $ grep fast two.c
   #error "the program's numbers are IEEE doubles: compile without -ffast-math"
+  /* fast, two.frob:3 */
   /* fast, two.frob:3 */
 
 What has not got a closed type cannot be compiled:

@@ -33,6 +33,7 @@ static inline struct hold_maybe_float hold_maybe_float_just(double f0)
     return value;
 }
 
+/* hold, test.frob:1 */
 void hold_reset(struct hold_state *self)
 {
     self->kept = 0.0;                                       /* line 4 */

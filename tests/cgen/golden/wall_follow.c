@@ -63,6 +63,7 @@ static inline double frob_seconds(double ns, double dt)
     return dt + 0.0;
 }
 
+/* wallFollow, test.frob:1 */
 void wall_follow_reset(struct wall_follow_state *self)
 {
     self->s_derivative = 0.0;                               /* line 13 */
