@@ -62,8 +62,6 @@ let instance_names (node : Ir.node) : names =
   List.iter (fun (i : Ir.instance) -> Hashtbl.replace names i.name 1) node.instances;
   names
 
-let map f items = List.rev (List.rev_map f items)
-
 (* The equations and instances that do what [instance] does. *)
 let expand context ~signals ~instances (instance : Ir.instance) =
   let callee = context.nodes.(instance.node) in
@@ -112,21 +110,21 @@ let expand context ~signals ~instances (instance : Ir.instance) =
     | (Bool _ | Int _ | Float _) as constant -> constant
   in
   let equations =
-    map
+    Long_list.map
       (fun (e : Ir.equation) ->
         let defines = copy e.defines in
         { e with defines; rhs = Operands.map atom e.rhs })
       callee.equations
   in
   let inner =
-    map
+    Long_list.map
       (fun (i : Ir.instance) ->
         {
           i with
           name = unique instances ~prefix:instance.name i.name;
-          statics = map atom i.statics;
-          inputs = map atom i.inputs;
-          outputs = map copy i.outputs;
+          statics = Long_list.map atom i.statics;
+          inputs = Long_list.map atom i.inputs;
+          outputs = Long_list.map copy i.outputs;
           trials =
             List.map
               (fun (trial : Ir.trial) ->
@@ -227,7 +225,7 @@ let rec open_loops context (node : Ir.node) =
         Diagnostic.bug ~stage:"Flow.Inline" "`%s` is not causal" node.name;
       let is_chosen (i : Ir.instance) = Hashtbl.mem names i.name in
       let try_machine i = if is_chosen i && is_machine context i then with_trials context i else i in
-      { node with instances = map try_machine node.instances }
+      { node with instances = Long_list.map try_machine node.instances }
       |> expand_chosen context (fun i -> is_chosen i && not (is_machine context i))
       |> open_loops context
 

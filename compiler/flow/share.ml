@@ -45,8 +45,6 @@ let normal (rhs : Ir.rhs) : Ir.rhs =
   | Integral _ | Derivative _ ->
       rhs
 
-let map f items = List.rev (List.rev_map f items)
-
 (* The elements of a node in order, each with its label and the signals it
    reads; an output reads its instance instead. *)
 type argument = Signal of Ir.signal | Element of int
@@ -64,7 +62,7 @@ let add elements label arguments =
   elements.count <- elements.count + 1;
   elements.count - 1
 
-let signals atoms = map (fun s -> Signal s) (Operands.signals atoms)
+let signals atoms = Long_list.map (fun s -> Signal s) (Operands.signals atoms)
 
 let elements_of (node : Ir.node) =
   let elements = { labels = []; arguments = []; count = 0; of_signal = Hashtbl.create 64 } in
@@ -77,17 +75,17 @@ let elements_of (node : Ir.node) =
       let rhs = normal e.rhs in
       let operands = Operands.all rhs in
       let label =
-        Equation (e.defines.ty, Operands.map (fun _ -> blank) rhs, map constant operands)
+        Equation (e.defines.ty, Operands.map (fun _ -> blank) rhs, Long_list.map constant operands)
       in
       define e.defines (add elements label (signals operands)))
     node.equations;
   let instance (i : Ir.instance) =
     let atoms = List.rev_append (List.rev i.statics) i.inputs in
-    let element = add elements (Instance (i.node, map constant atoms)) (signals atoms) in
+    let element = add elements (Instance (i.node, Long_list.map constant atoms)) (signals atoms) in
     List.iteri (fun k s -> define s (add elements (Output k) [ Element element ])) i.outputs;
     element
   in
-  let instances = map instance node.instances in
+  let instances = Long_list.map instance node.instances in
   Option.iter (fun (m : Ir.machine) -> List.iter parameter m.outputs) node.machine;
   (elements, instances)
 
@@ -101,7 +99,7 @@ let numbered labels =
         Hashtbl.add numbers label n;
         n
   in
-  Array.of_list (map number labels)
+  Array.of_list (Long_list.map number labels)
 
 let node (node : Ir.node) =
   let elements, instances = elements_of node in
@@ -112,7 +110,7 @@ let node (node : Ir.node) =
   let arguments =
     Array.of_list
       (List.rev_map
-         (fun arguments -> Array.of_list (map element arguments))
+         (fun arguments -> Array.of_list (Long_list.map element arguments))
          elements.arguments)
   in
   let class_of = Partition.congruence ~labels:(numbered (List.rev elements.labels)) ~arguments in

@@ -1,3 +1,5 @@
+open Basis
+
 type t = {
   atoms : (int, Ir.atom) Hashtbl.t;  (** by the id of the signal replaced *)
   names : (int, Ir.signal) Hashtbl.t;  (** whose name and place a signal takes over *)
@@ -45,8 +47,6 @@ let replace t (s : Ir.signal) by =
         Hashtbl.replace t.names target.id (renamed t s)
   | Bool _ | Int _ | Float _ -> ()
 
-let list f items = List.rev (List.rev_map f items)
-
 let apply t (node : Ir.node) =
   let equation (e : Ir.equation) =
     if is_replaced t e.defines then None
@@ -55,9 +55,9 @@ let apply t (node : Ir.node) =
   let instance (i : Ir.instance) =
     {
       i with
-      statics = list (atom t) i.statics;
-      inputs = list (atom t) i.inputs;
-      outputs = list (renamed t) i.outputs;
+      statics = Long_list.map (atom t) i.statics;
+      inputs = Long_list.map (atom t) i.inputs;
+      outputs = Long_list.map (renamed t) i.outputs;
       trials =
         List.map
           (fun (trial : Ir.trial) ->
@@ -70,11 +70,11 @@ let apply t (node : Ir.node) =
   in
   {
     node with
-    statics = list (renamed t) node.statics;
-    inputs = list (renamed t) node.inputs;
-    outputs = list (fun (name, a) -> (name, atom t a)) node.outputs;
+    statics = Long_list.map (renamed t) node.statics;
+    inputs = Long_list.map (renamed t) node.inputs;
+    outputs = Long_list.map (fun (name, a) -> (name, atom t a)) node.outputs;
     equations = List.filter_map equation node.equations;
-    instances = list instance node.instances;
+    instances = Long_list.map instance node.instances;
     machine = Option.map (Transitions.map_machine (atom t) (renamed t)) node.machine;
     transitions = Transitions.map (atom t) node.transitions;
   }

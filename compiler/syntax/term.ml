@@ -1,8 +1,6 @@
 open Basis
 open Surface
 
-let map f list = List.rev (List.rev_map f list)
-
 let rec to_expr (t : term) : Ir.expr =
   let make desc : Ir.expr = { desc; span = t.span } in
   match t.desc with
@@ -11,7 +9,7 @@ let rec to_expr (t : term) : Ir.expr =
   | Constructor c -> make (Constructor c)
   | Number n -> make (Number n)
   | Negated t -> make (Negate (to_expr t))
-  | Tuple ts -> make (Tuple (map to_expr ts))
+  | Tuple ts -> make (Tuple (Long_list.map to_expr ts))
   | Parenthesized t -> make (Parenthesized (to_expr t))
   | Application { head; arguments } ->
       let apply (f : Ir.expr) argument : Ir.expr =
@@ -20,7 +18,7 @@ let rec to_expr (t : term) : Ir.expr =
       in
       List.fold_left apply (to_expr head) arguments
   | Braces { before; fields } -> (
-      let fields = map (fun (name, t) -> (name, to_expr t)) fields in
+      let fields = Long_list.map (fun (name, t) -> (name, to_expr t)) fields in
       match before.desc with
       | Constructor constructor -> make (Record { constructor; fields })
       | Expression _ | Wildcard | As _ | Variable _ | Number _ | Negated _ | Tuple _
@@ -57,16 +55,16 @@ let rec to_pattern (t : term) : Ir.pattern =
   | Constructor c -> make (Constructed (c, []))
   | Number number -> make (Literal { negative = false; number })
   | Negated { desc = Number number; _ } -> make (Literal { negative = true; number })
-  | Tuple ts -> make (Tuple_of (map to_pattern ts))
+  | Tuple ts -> make (Tuple_of (Long_list.map to_pattern ts))
   | Parenthesized t -> { (to_pattern t) with span = t.span }
   | Application { head = { desc = Constructor c; _ }; arguments } ->
-      make (Constructed (c, map to_pattern arguments))
+      make (Constructed (c, Long_list.map to_pattern arguments))
   | Application { head; _ } ->
       Reject.at ~code:"E0114" head.span
         ~hint:"a pattern that takes a value apart starts with a constructor, as in `Just x`"
         "a function cannot be applied in a pattern"
   | Braces { before = { desc = Constructor c; _ }; fields } ->
-      make (Record_of (c, map (fun (name, t) -> (name, to_pattern t)) fields))
+      make (Record_of (c, Long_list.map (fun (name, t) -> (name, to_pattern t)) fields))
   | Braces { before; _ } ->
       Reject.at ~code:"E0114" before.span
         ~hint:"a record pattern starts with a constructor, as in `Pose { heading = h }`"
@@ -101,7 +99,7 @@ let rec to_left (t : term) : Ir.left =
   | Variable x -> Name (unqualified x)
   | Parenthesized inner -> to_left_inside inner
   | Application { head = { desc = Variable x; _ }; arguments } ->
-      Function_name { name = unqualified x; parameters = map to_pattern arguments }
+      Function_name { name = unqualified x; parameters = Long_list.map to_pattern arguments }
   | Expression (Binary { operator; _ }) ->
       Reject.at ~code:"E0114" operator.span
         ~hint:"a function of two arguments can be used infix, in backticks"

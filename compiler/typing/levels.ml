@@ -158,8 +158,6 @@ let level w place (p : pattern) =
   | Some node -> Level_graph.level node
   | None -> ( match place.position with Outside -> Static | _ -> Signal)
 
-let map f list = List.rev (List.rev_map f list)
-
 let rec expr w place (e : expr) : expr =
   let with_ desc : expr = { e with desc } in
   match e.desc with
@@ -167,7 +165,7 @@ let rec expr w place (e : expr) : expr =
     mention w place x e;
     e
   | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> e
-  | Tuple es -> with_ (Tuple (map (expr w place) es))
+  | Tuple es -> with_ (Tuple (Long_list.map (expr w place) es))
   | Apply (f, a) ->
     let f = expr w place f in
     with_ (Apply (f, expr w place a))
@@ -186,9 +184,9 @@ let rec expr w place (e : expr) : expr =
     let scrutinee = expr w place scrutinee in
     let place = conditional place In_branch in
     let branch (b : branch) = { b with value = expr w place b.value } in
-    with_ (Case (scrutinee, map branch branches))
+    with_ (Case (scrutinee, Long_list.map branch branches))
   | Let (bindings, body) ->
-    let bindings = map (binding w place) bindings in
+    let bindings = Long_list.map (binding w place) bindings in
     with_ (Let (bindings, expr w place body))
   | Lambda (patterns, body) -> with_ (Lambda (patterns, function_ w place "" body))
   | Guards (guarded, last) ->
@@ -197,17 +195,17 @@ let rec expr w place (e : expr) : expr =
       let guard = expr w in_guard guard in
       (guard, expr w in_branch value)
     in
-    let guarded = map alternative guarded in
+    let guarded = Long_list.map alternative guarded in
     with_ (Guards (guarded, Option.map (expr w in_branch) last))
   | Proc { input; equations; output } ->
     let depth = place.depth + 1 in
     let place = { place with position = Every_instant; depth; proc_depth = depth } in
-    let equations = map (binding w place) equations in
+    let equations = Long_list.map (binding w place) equations in
     with_ (Proc { input; equations; output = expr w place output })
-  | Record (c, fields) -> with_ (Record (c, map (field w place) fields))
+  | Record (c, fields) -> with_ (Record (c, Long_list.map (field w place) fields))
   | Update (record, c, fields) ->
     let record = expr w place record in
-    with_ (Update (record, c, map (field w place) fields))
+    with_ (Update (record, c, Long_list.map (field w place) fields))
 
 and field w place (i, e) = (i, expr w place e)
 
@@ -237,4 +235,4 @@ let program sink (p : program) =
   let definition (d : definition) =
     { d with value = expr w { position = Outside; depth = 1; proc_depth = 0; regions = [] } d.value }
   in
-  { p with definitions = map definition p.definitions }
+  { p with definitions = Long_list.map definition p.definitions }
