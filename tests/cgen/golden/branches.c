@@ -10,6 +10,7 @@
 #endif
 typedef char branches_double_is_8_bytes[sizeof(double) == 8 ? 1 : -1];
 
+/* turn, test.frob:1 */
 void branches_reset(struct branches_state *self)
 {
     (void)self;
