@@ -52,6 +52,9 @@ let front options sink sources ~library file =
   stage options sink Core ~lint:Core.Lint.program ~print:Core.Print.program
     (Core.Of_typed.program typed)
 
+let place (core : Core.Ir.program) entry =
+  (List.find (fun (d : Core.Ir.definition) -> d.name = entry) core.definitions).span
+
 let flow options sink ~name ~entry core =
   let* flow =
     Specialize.Evaluate.program
@@ -60,7 +63,7 @@ let flow options sink ~name ~entry core =
   in
   (* Causality before anything is shared or moved: its messages speak of the
      equations as the programmer wrote them. *)
-  Flow.Causality.check sink flow;
+  Flow.Causality.check sink ~entry:(place core entry) flow;
   let flow = if Diagnostic.has_errors sink then flow else Flow.First_instant.program sink flow in
   stage options sink Specialize ~lint:Flow.Lint.program ~print:Flow.Print.program flow
 

@@ -110,9 +110,8 @@ let label_elsewhere hop d =
 
 (* A place that the programmer can change: the modules of a program lie in one
    folder, the library's in another. *)
-let is_own (program : Ir.program) (at : Span.t) =
-  let root = program.nodes.(Array.length program.nodes - 1) in
-  String.equal (Filename.dirname root.file) (Filename.dirname at.file)
+let is_own (entry : Span.t) (at : Span.t) =
+  String.equal (Filename.dirname entry.file) (Filename.dirname at.file)
 
 let reads hop = Printf.sprintf "reads `%s` here%s" hop.read.name (through hop.via)
 
@@ -125,6 +124,9 @@ let is_expression name =
 let hint_elsewhere passage =
   Printf.sprintf "let `%s` read the previous value of `%s`, with `delay`" passage.through.Ir.origin
     passage.input
+
+(* What closes the loop stands in the library, and what is in it has no name. *)
+let hint_within = "what runs in the loop needs a `delay` or an `integral`"
 
 let hint_here first last =
   let name = last.read.name in
@@ -143,7 +145,7 @@ let shorten hops =
   if n <= longest_shown then (hops, 0)
   else (List.filteri (fun i _ -> i < longest_shown - 1 || i = n - 1) hops, n - longest_shown)
 
-let report_named program hops =
+let report_named entry hops =
   let first = List.hd hops in
   let last = List.nth hops (List.length hops - 1) in
   let at = first.reader.span in
@@ -158,12 +160,13 @@ let report_named program hops =
   in
   let shown, left_out = shorten hops in
   let hint =
-    let own (_, (at : Span.t)) = is_own program at in
-    match (List.concat_map elsewhere hops, is_own program last.at) with
+    let own (_, (at : Span.t)) = is_own entry at in
+    match (List.concat_map elsewhere hops, is_own entry last.at) with
     | (_ :: _ as others), false -> hint_elsewhere (fst (List.hd others))
     | others, true when List.exists own others ->
         hint_elsewhere (fst (List.find own others))
-    | _ -> hint_here first last
+    | _, true -> hint_here first last
+    | [], false -> hint_within
   in
   let d = List.fold_left label d shown |> Diagnostic.hint hint in
   if left_out = 0 then d
@@ -195,33 +198,31 @@ let first_uses (program : Ir.program) =
   Array.iteri (fun i (caller : Ir.node) -> List.iter (note i) caller.instances) program.nodes;
   uses
 
-(* Of a loop in a node of another module, the library's say: the place where
-   the program's own module comes to run that node. *)
-let own_use (program : Ir.program) uses index =
-  let own = program.nodes.(Array.length program.nodes - 1).file in
+(* Of a loop in a node of another module, the library's say: what the program's
+   own module runs there, and where; the entry itself may be such a node. *)
+let own_use (program : Ir.program) (entry : Span.t) uses index =
+  let own (node : Ir.node) = String.equal node.file entry.file in
   let rec outwards i =
     match uses.(i) with
-    | None -> None
+    | None -> (program.nodes.(i).origin, entry)
     | Some (caller, (instance : Ir.instance)) ->
-        if String.equal program.nodes.(caller).file own then Some instance else outwards caller
+        if own program.nodes.(caller) then (origin program instance, instance.span)
+        else outwards caller
   in
-  if String.equal program.nodes.(index).file own then None else outwards index
+  if own program.nodes.(index) then None else Some (outwards index)
 
-let report program dependencies uses index component =
+let report program entry dependencies uses index component =
   let node = dependencies.(index) in
   let cycle = Graph.shortest_cycle node.Dependency.graph component in
   let next = match cycle with [] -> [] | v :: rest -> List.rev (v :: List.rev rest) in
   let edges = List.rev (List.rev_map2 (fun v w -> (v, w)) cycle next) in
   let hops = List.rev (List.rev_map (hop program dependencies node) edges) in
-  let d = match named_hops hops with Some hops -> report_named program hops | None -> report_unnamed hops in
-  match own_use program uses index with
+  let d = match named_hops hops with Some hops -> report_named entry hops | None -> report_unnamed hops in
+  match own_use program entry uses index with
   | None -> d
-  | Some instance ->
-      Diagnostic.label ~at:instance.span
-        (Printf.sprintf "`%s` runs here" (origin program instance))
-        d
+  | Some (name, at) -> Diagnostic.label ~at (Printf.sprintf "`%s` runs here" name) d
 
-let check sink (program : Ir.program) =
+let check sink ~entry (program : Ir.program) =
   let dependencies = Dependency.program program in
   let uses = first_uses program in
   Array.iteri
@@ -229,6 +230,6 @@ let check sink (program : Ir.program) =
       List.iter
         (fun component ->
           if Graph.is_cyclic node.graph component then
-            Diagnostic.emit sink (report program dependencies uses index component))
+            Diagnostic.emit sink (report program entry dependencies uses index component))
         node.components)
     dependencies

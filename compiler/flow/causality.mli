@@ -6,5 +6,6 @@
     strongly connected components of the same-instant dependency graph of each
     node; one diagnostic each, showing the shortest loop. *)
 
-val check : Basis.Diagnostic.sink -> Ir.program -> unit
-(** Emits [E0401] for each loop. *)
+val check : Basis.Diagnostic.sink -> entry:Basis.Span.t -> Ir.program -> unit
+(** Emits [E0401] for each loop. The entry is where the program is defined: a loop
+    that the library closes is shown with what the program runs there. *)

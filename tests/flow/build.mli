@@ -13,6 +13,9 @@ type node
 
 val create : unit -> t
 
+val span : string -> int -> Basis.Span.t
+(** A line of a file. *)
+
 val node : ?kind:Ir.kind -> ?file:string -> t -> string -> (node -> (string * Ir.atom) list) -> int
 (** Adds the node whose outputs the function gives; its index. *)
 

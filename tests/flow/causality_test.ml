@@ -14,7 +14,7 @@ let text (d : Diagnostic.t) =
 
 let messages program =
   let sink = Diagnostic.sink () in
-  Causality.check sink program;
+  Causality.check sink ~entry:(Build.span "test.frob" 1) program;
   List.map text (Diagnostic.all sink)
 
 let build root =

@@ -117,3 +117,17 @@ A loop is a loop even where an operand or a branch would not matter:
   
   2 errors
   [1]
+
+Where all that the program does is to run what the library closes, that is shown:
+
+  $ cat > closed.frob <<EOF
+  > main :: SF Float Float
+  > main = loop (arr (\(x, z) -> (x + z, x + z)))
+  > EOF
+  $ frobc check closed.frob 2>&1 | grep -A5 :::
+     ::: closed.frob:2:1
+      |
+    2 | main = loop (arr (\(x, z) -> (x + z, x + z)))
+      | --------------------------------------------- `loop` runs here
+      |
+      = hint: what runs in the loop needs a `delay` or an `integral`
