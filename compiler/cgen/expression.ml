@@ -128,6 +128,10 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   | Operation { operator; ty; arguments = [ a; b ] } ->
       binary n operator ty (a, of_machine n a) (b, of_machine n b)
   | Operation _ -> bad ()
+  | Select { condition; then_ = Bool true; else_ } ->
+      Binary (Or, of_machine n condition, of_machine n else_)
+  | Select { condition; then_; else_ = Bool false } ->
+      Binary (And, of_machine n condition, of_machine n then_)
   | Select { condition; then_; else_ } ->
       Conditional (of_machine n condition, of_machine n then_, of_machine n else_)
   | Construct { sum; constructor; payload } ->
