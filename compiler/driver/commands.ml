@@ -108,12 +108,25 @@ let write path text =
       | () -> Ok ()
       | exception Sys_error reason -> Error (Printf.sprintf "cannot write %s: %s" path reason))
 
+let rec make_folder path =
+  if not (Sys.file_exists path) then begin
+    make_folder (Filename.dirname path);
+    Unix.mkdir path 0o777
+  end
+
+let writable_folder path =
+  match make_folder path with
+  | () -> Ok ()
+  | exception Unix.Unix_error (reason, _, _) ->
+      Error (Printf.sprintf "cannot make the folder %s: %s" path (Unix.error_message reason))
+
 let compile general entry folder file =
   let* resources = Resources.find () in
   compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
       if general.dump <> None then Exit_status.ok
       else
         let path extension = Filename.concat folder (Pipeline.c_name file ^ extension) in
+        let* () = writable_folder folder in
         let* () = write (path ".h") files.header in
         let* () = write (path ".c") files.source in
         Exit_status.ok)

@@ -89,10 +89,16 @@ Wrong use:
   Try 'frobc compile --help' or 'frobc --help' for more information.
   [2]
 
-A folder that cannot be written to:
+A folder that is not there yet is made, if it can be:
 
-  $ frobc compile good.frob -o nowhere
-  error: cannot write nowhere/good.h: No such file or directory
+  $ frobc compile good.frob -o made/on/demand && ls made/on/demand
+  good.c
+  good.h
+  $ frobc compile good.frob -o good.frob
+  error: cannot write good.frob/good.h: Not a directory
+  [2]
+  $ frobc compile good.frob -o good.frob/below
+  error: cannot make the folder good.frob/below: Not a directory
   [2]
 
 A missing tool:
