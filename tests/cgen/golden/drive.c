@@ -49,6 +49,7 @@ static inline int64_t frob_later(int64_t time, int64_t ns)
     return time < INT64_MAX - ns ? time + ns : INT64_MAX;
 }
 
+/* pi, Control.frob:1 */
 static void drive_pi_reset(struct drive_pi_state *self)
 {
     self->sum = 0.0;                                        /* line 8 */
@@ -74,6 +75,7 @@ static inline void drive_polar(double x, double y, double *out_r, double *out_ph
     *out_phi = atan2(y, x);                                 /* line 3 */
 }
 
+/* drive, test.frob:1 */
 void drive_reset(struct drive_state *self)
 {
     drive_pi_reset(&self->pi);                              /* line 6 */

@@ -10,6 +10,7 @@
 #endif
 typedef char exchange_double_is_8_bytes[sizeof(double) == 8 ? 1 : -1];
 
+/* exchange, test.frob:1 */
 void exchange_reset(struct exchange_state *self)
 {
     self->p = 1.0;                                          /* line 2 */

@@ -18,6 +18,7 @@ typedef char feedback_double_is_8_bytes[sizeof(double) == 8 ? 1 : -1];
 #define FROB_BRANCH(condition) (condition)
 #endif
 
+/* feedback, test.frob:1 */
 void feedback_reset(struct feedback_state *self)
 {
     self->before = 0.0;                                     /* line 2 */

@@ -10,6 +10,7 @@
 #endif
 typedef char names_double_is_8_bytes[sizeof(double) == 8 ? 1 : -1];
 
+/* names, test.frob:1 */
 void names_reset(struct names_state *self)
 {
     self->self = 0.0;                                       /* line 5 */

@@ -41,6 +41,7 @@ static inline struct shapes_maybe_float shapes_either_maybe_float_bool_left_part
     return value;
 }
 
+/* shapes, test.frob:1 */
 void shapes_reset(struct shapes_state *self)
 {
     self->last = shapes_either_maybe_float_bool_left(shapes_maybe_float_just(0.0)); /* line 12 */
