@@ -26,6 +26,11 @@ A loop through a signal function of the library is broken in the program's own m
   38 |     y = if start then x else before
      |     - `previous` passes `x` on to this in the same instant
      |
+    ::: main.frob:2:1
+     |
+   2 | main = smooth 0.5
+     | ----------------- `smooth` runs here
+     |
      = hint: let `before` read the previous value of `y`: `delay x0 y`, where `x0` is the initial value
   
   1 error
