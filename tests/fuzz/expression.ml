@@ -2,6 +2,7 @@ open Choice
 
 type scope = {
   random : Random.State.t;
+  bias : Bias.t;
   prefix : string;
   count : int ref;
   declared : Type.t list;
@@ -14,7 +15,12 @@ let fresh s start =
   incr s.count;
   Printf.sprintf "%s%s%d" s.prefix start !(s.count)
 
-let any_type s = Type.any s.random ~declared:s.declared
+
+let any_type s =
+  let ty = Type.any s.random ~declared:s.declared in
+  if not (chance s.random s.bias.events) then ty
+  else Type.event (if chance s.random 3 then Type.unit else ty)
+
 let bind variables s = { s with variables = variables @ s.variables }
 let f = Printf.sprintf
 let typed text ty = f "(%s :: %s)" text (Type.text ty)
@@ -24,8 +30,11 @@ let typed text ty = f "(%s :: %s)" text (Type.text ty)
 let floats =
   [
     "0.0"; "1.0"; "(-1.0)"; "0.5"; "(-0.5)"; "1.5"; "2.5"; "(-2.5)"; "3"; "0.1"; "100.0"; "1.0e10";
-    "(-1.0e-10)"; "1.0e300"; "2147483648.0"; "30[deg]"; "(0.0 / 0.0)"; "(1.0 / 0.0)"; "(-0.0)"; "pi";
+    "(-1.0e-10)"; "2147483648.0"; "30[deg]"; "pi";
   ]
+
+let odd_floats =
+  [ "(0.0 / 0.0)"; "(1.0 / 0.0)"; "((-1.0) / 0.0)"; "(-0.0)"; "1.0e300"; "(-1.0e300)"; "5.0e-324" ]
 
 let ints = [ "0"; "1"; "2"; "(-1)"; "(-3)"; "7"; "100"; "65537"; "2147483647"; "(-2147483647 - 1)" ]
 
@@ -37,7 +46,7 @@ let construct (data : Type.data) (c : Type.constructor) arguments =
 
 let rec literal s (ty : Type.t) =
   match ty with
-  | Float -> one_of s.random floats
+  | Float -> one_of s.random (if chance s.random s.bias.odd_numbers then odd_floats else floats)
   | Int -> one_of s.random ints
   | Bool -> one_of s.random [ "True"; "False" ]
   | Tuple parts -> f "(%s)" (String.concat ", " (List.map (literal s) parts))
@@ -159,6 +168,8 @@ and by_type s fuel (ty : Type.t) =
   | Int -> int s fuel
   | Bool -> bool s fuel
   | Tuple _ -> parts s fuel ty
+  | Data _ when Type.event_payload ty <> None && not (chance s.random 4) ->
+      event s fuel (Option.get (Type.event_payload ty))
   | Data data ->
       let c = one_of s.random data.constructors in
       let arguments = List.map (fun (_, t) -> expression s fuel t) c.fields in
@@ -166,6 +177,27 @@ and by_type s fuel (ty : Type.t) =
         let name, t = one_of s.random c.fields in
         f "(%s { %s = %s })" (typed (expression s fuel ty) ty) name (expression s fuel t)
       else typed (construct data c arguments) ty
+
+and event s fuel payload =
+  let ty = Type.event payload in
+  let other = any_type s in
+  let any event = typed (expression s fuel (Type.event event)) (Type.event event) in
+  let function_ arguments result =
+    let inside = elsewhere s in
+    let patterns = List.map (pattern inside) arguments in
+    f "(\\%s -> %s)"
+      (String.concat " " (List.map fst patterns))
+      (expression (bind (List.concat_map snd patterns) inside) fuel result)
+  in
+  match (Random.State.int s.random 9, payload) with
+  | 0, _ -> f "(mapE %s %s)" (function_ [ other ] payload) (any other)
+  | 1, _ -> f "(tag %s %s)" (any other) (expression s fuel payload)
+  | 2, _ -> f "(filterEvent %s %s)" (function_ [ payload ] Bool) (any payload)
+  | 3, _ -> f "(gate %s %s)" (any payload) (expression s fuel Bool)
+  | 4, _ -> f "(mergeBy %s %s %s)" (function_ [ payload; payload ] payload) (any payload) (any payload)
+  | 5, _ -> f "(%s %s %s)" (one_of s.random [ "mergeE"; "mergeR" ]) (any payload) (any payload)
+  | _, Tuple [ x; y ] -> f "(pairEvents %s %s)" (any x) (any y)
+  | _, _ -> typed (f "Event %s" (expression s fuel payload)) ty
 
 and float s fuel =
   match Random.State.int s.random 12 with
@@ -193,7 +225,10 @@ and int s fuel =
   | _ -> unary s fuel (one_of s.random [ "round"; "floor"; "ceiling"; "truncate" ]) Float
 
 and bool s fuel =
-  match Random.State.int s.random 8 with
+  match Random.State.int s.random 9 with
+  | 8 ->
+      let ty = Type.event (any_type s) in
+      f "(isEvent %s)" (typed (expression s fuel ty) ty)
   | 0 -> unary s fuel "not" Bool
   | 1 | 2 -> infix s fuel (one_of s.random [ "&&"; "||" ]) Bool
   | n ->
@@ -243,7 +278,8 @@ and lambda s fuel argument ty =
 
 and polymorphic s fuel ty =
   let e ty = expression s fuel ty and other = any_type s in
-  match Random.State.int s.random 12 with
+  match Random.State.int s.random 13 with
+  | 12 -> f "(fromEvent %s %s)" (e ty) (e (Type.event ty))
   | 0 -> f "(choose %s %s %s)" (e Bool) (e ty) (e ty)
   | 1 -> f "(fst (%s, %s))" (e ty) (typed (e other) other)
   | 2 -> f "(snd (swap (%s, %s)))" (e ty) (typed (e other) other)

@@ -2,6 +2,7 @@
 
 type scope = {
   random : Random.State.t;
+  bias : Bias.t;
   prefix : string;  (** of all names that the program defines *)
   count : int ref;  (** of the names given *)
   declared : Type.t list;

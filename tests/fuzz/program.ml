@@ -102,7 +102,62 @@ let define_signal_function (s : Signal_function.scope) ~parameters ~input ~signa
   in
   (text, { s with known = { name; parameters; input; output } :: s.known })
 
+(* Definitions that switch into each other in tail position, with parameters. A
+   switch back, to an earlier one or to itself, takes time; one onward may be at
+   the first instant. *)
+let define_modes (s : Signal_function.scope) =
+  let values = s.values in
+  let random = values.random in
+  let any () = Expression.any_type values in
+  let input = any () and output = any () in
+  let modes =
+    List.init
+      (1 + Random.State.int random 3)
+      (fun _ -> (Expression.fresh values "m", List.init (Random.State.int random 3) (fun _ -> any ())))
+  in
+  let call values (name, parameters) =
+    String.concat " " (name :: List.map (Expression.expression values 2) parameters)
+  in
+  let define i (name, parameters) =
+    let named = List.map (fun t -> (Expression.fresh values "p", t)) parameters in
+    let s = { s with values = Expression.bind named values } in
+    let onward = List.filteri (fun k _ -> k > i) modes in
+    let earlier = onward = [] || not (chance random 3) in
+    let target () = one_of random (if earlier then modes else onward) in
+    let continuation (values : Expression.scope) =
+      let another () = f "(%s)" (call values (target ())) in
+      match Random.State.int random 4 with
+      | 0 ->
+          f "if %s then %s else %s" (Expression.expression values 2 Bool) (another ()) (another ())
+      | 1 ->
+          let t = Type.maybe Int in
+          f "case (%s :: %s) of Nothing -> %s; Just _ -> %s" (Expression.expression values 2 t)
+            (Type.text t) (another ()) (another ())
+      | 2 ->
+          let x = Expression.fresh values "x" in
+          f "let %s = (%s :: Float) in %s" x
+            (Expression.expression values 2 Float)
+            (call (Expression.bind [ (x, Float) ] values) (target ()))
+      | _ -> another ()
+    in
+    f "%s :: %s\n%s = %s\n\n" name
+      (String.concat " -> "
+         (List.map Type.text parameters @ [ f "SF %s %s" (Type.text input) (Type.text output) ]))
+      (String.concat " " (name :: List.map fst named))
+      (Reactive.mode (Signal_function.maker s) ~earlier ~continuation 2 input output)
+  in
+  let texts = List.mapi define modes in
+  let known =
+    List.map
+      (fun (name, parameters) ->
+        let parameters = List.map (fun t -> Signal_function.Value t) parameters in
+        { Signal_function.name; parameters; input; output })
+      modes
+  in
+  (String.concat "" texts, { s with known = known @ s.known })
+
 let one ~seed number =
+  let bias = Bias.of_seed seed in
   let random = Random.State.make [| seed; number |] in
   let prefix = f "p%d" number in
   let out = Buffer.create 4096 in
@@ -118,6 +173,7 @@ let one ~seed number =
   let values =
     {
       Expression.random;
+      bias;
       prefix;
       count = ref 0;
       declared;
@@ -154,6 +210,7 @@ let one ~seed number =
   in
   let s = functions (Random.State.int random 3) { Signal_function.values; known = [] } in
   let s = signal_functions (Random.State.int random 3) s in
+  let s = if chance random (if bias.switches > 5 then 1 else 2) then add (define_modes s) else s in
   let signals = Signal_function.any_signals s in
   ignore
     (add

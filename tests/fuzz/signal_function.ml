@@ -94,7 +94,14 @@ and expression s fuel (a : Type.t) (b : Type.t) =
             | _ -> arr () );
       ]
   in
-  (weighted random (alternatives @ deeper)) ()
+  let reactive = Reactive.alternatives (maker s) fuel a b in
+  (weighted random (alternatives @ deeper @ reactive)) ()
+
+and maker s =
+  {
+    Reactive.values = s.values;
+    signal_function = (fun values fuel a b -> expression { s with values } fuel a b);
+  }
 
 (* {1 Instances} *)
 
@@ -131,7 +138,7 @@ let equation s ~signals ~later (name, ty) =
   | 3, _ ->
       let input = Expression.any_type s.values in
       f "%s = %s %s" name (expression s 2 input ty) (e 2 input)
-  | _, _ -> f "%s = %s" name (e 3 ty)
+  | _, _ -> f "%s = %s" name (e (3 + s.values.bias.depth) ty)
 
 (* Two signals that are found together: the second component may need the
    first one of the same instant. *)
@@ -160,7 +167,7 @@ let local_function s ~signals name argument result =
 type output = Computed of Type.t | All_signals
 
 let any_signals s =
-  List.init (2 + Random.State.int s.values.random 5) (fun _ -> Expression.any_type s.values)
+  List.init (2 + s.values.bias.width + Random.State.int s.values.random 5) (fun _ -> Expression.any_type s.values)
 
 let body s ~indent ~input ~signals output =
   let random = s.values.random in

@@ -21,6 +21,8 @@ type scope = { values : Expression.scope;  (** static *) known : named list }
 val expression : scope -> int -> Type.t -> Type.t -> string
 (** A signal function of these types. *)
 
+val maker : scope -> Reactive.maker
+
 (** What a proc gives out. *)
 type output =
   | Computed of Type.t

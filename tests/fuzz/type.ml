@@ -29,6 +29,12 @@ let event t =
       constructors = [ positional "NoEvent" []; positional "Event" [ t ] ];
     }
 
+let unit = Tuple []
+
+let event_payload = function
+  | Data { constructors = [ { name = "NoEvent"; _ }; { fields = [ (_, t) ]; _ } ]; _ } -> Some t
+  | Float | Int | Bool | Tuple _ | Data _ -> None
+
 let either a b =
   Data
     {

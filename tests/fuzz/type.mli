@@ -4,7 +4,7 @@ type t =
   | Float
   | Int
   | Bool
-  | Tuple of t list  (** at least two *)
+  | Tuple of t list  (** two or more, or none *)
   | Data of data
 
 and data = {
@@ -16,6 +16,11 @@ and constructor = { name : string; fields : (string * t) list  (** names, or [""
 
 val maybe : t -> t
 val event : t -> t
+val unit : t
+
+val event_payload : t -> t option
+(** What an event type carries. *)
+
 val either : t -> t -> t
 val is_record : data -> bool
 

@@ -1,0 +1,16 @@
+(** What the programs of a seed have most of. *)
+
+type t = {
+  events : int;  (** one type in so many is an event *)
+  switches : int;  (** the weight of switches among signal functions *)
+  library : int;  (** the weight of the event library *)
+  odd_numbers : int;  (** one constant in so many is NaN, infinite or extreme *)
+  depth : int;  (** added to the depth of expressions *)
+  width : int;  (** added to the number of equations *)
+}
+
+val of_seed : int -> t
+(** By turns: even, event-heavy, switch-storms, NaN-heavy, deep, wide. *)
+
+val count : int
+(** How many there are. *)

@@ -1,0 +1,163 @@
+open Choice
+
+type maker = {
+  values : Expression.scope;
+  signal_function : Expression.scope -> int -> Type.t -> Type.t -> string;
+}
+
+let f = Printf.sprintf
+let still (values : Expression.scope) = { values with run = None }
+
+let time m =
+  one_of m.values.random
+    [ "0"; "0.05[s]"; "0.1[s]"; "0.3[s]"; "1[s]"; "(-1[s])"; "(0[s] / 0.0)"; "(1[s] / 0.0)"; "1[us]" ]
+
+let number m = one_of m.values.random [ "0"; "1"; "2"; "3"; "(-1)" ]
+let literal m ty = Expression.literal m.values ty
+
+(* A function of the values of the instant, with what more is in scope. *)
+let lambda m ?(more = []) arguments fuel result =
+  let values = still (Expression.bind more m.values) in
+  let patterns = List.map (Expression.pattern values) arguments in
+  f "(\\%s -> %s)"
+    (String.concat " " (List.map fst patterns))
+    (Expression.expression (Expression.bind (List.concat_map snd patterns) values) fuel result)
+
+(* {1 The event library} *)
+
+let from_event m fuel payload b =
+  let known = Type.event_payload b in
+  let accumulate name result =
+    f "(%s %s %s)" name (lambda m [ result; payload ] fuel result) (literal m result)
+  in
+  let same =
+    if payload <> b then []
+    else [ (4, fun () -> f "(%s %s)" (one_of m.values.random [ "hold"; "dHold" ]) (literal m b)) ]
+  in
+  same
+  @ [ (3, fun () -> accumulate (one_of m.values.random [ "accumHoldBy"; "dAccumHoldBy" ]) b) ]
+  @
+  match known with
+  | None -> []
+  | Some result ->
+      [
+        (3, fun () -> accumulate "accumBy" result);
+        (5, fun () -> f "(onEvent %s)" (m.signal_function m.values (fuel - 1) payload result));
+      ]
+      @ (if result = Int then [ (4, fun () -> "count") ] else [])
+      @
+      if result <> payload then []
+      else
+        [
+          ( 8,
+            fun () ->
+              one_of m.values.random
+                [
+                  "once"; "notYet"; f "(takeEvents %s)" (number m); f "(dropEvents %s)" (number m);
+                ] );
+        ]
+
+let source m fuel (a : Type.t) payload =
+  let tagged sf = f "(%s >>> arr (\\e -> tag e %s))" sf (literal m payload) in
+  let any =
+    [
+      (1, fun () -> "never");
+      (2, fun () -> f "(now %s)" (literal m payload));
+      (3, fun () -> tagged (f "%s %s" (one_of m.values.random [ "after"; "every" ]) (time m)));
+      ( 3,
+        fun () ->
+          f "(%s >>> edgeTag %s)" (m.signal_function m.values (fuel - 1) a Bool) (literal m payload) );
+      ( 4,
+        fun () ->
+          f "(sampleEvery %s %s)" (time m) (m.signal_function m.values (fuel - 1) a payload) );
+    ]
+  and by_input =
+    match a with
+    | Bool when payload = Type.unit ->
+        [ (6, fun () -> one_of m.values.random [ "edge"; "falling"; "when"; "(edgeFrom False)" ]) ]
+    | Bool -> [ (4, fun () -> f "(edgeTag %s)" (literal m payload)) ]
+    | Tuple [ e; y ] when Type.event_payload e <> None && y = payload -> [ (8, fun () -> "sample") ]
+    | Tuple [ e; y ] -> (
+        match Type.event_payload e with
+        | Some x when Type.Tuple [ x; y ] = payload -> [ (8, fun () -> "snapshot") ]
+        | Some _ | None -> [])
+    | Float | Int | Tuple _ | Data _ -> []
+  in
+  (if a = payload then [ (4, fun () -> "change") ] else [])
+  @ (if a = Type.maybe payload then [ (6, fun () -> "edgeJust") ] else [])
+  @ by_input @ any
+
+(* The event carries functions; they may have captured signals. *)
+let accumulated_functions m fuel a b =
+  let values = still m.values in
+  let text, bound = Expression.pattern values a in
+  let payload = Expression.any_type values in
+  let inside = Expression.bind bound values in
+  f "(proc %s -> %s %s (mapE %s (%s :: %s)))" text
+    (one_of m.values.random [ "accumHold"; "dAccumHold" ])
+    (literal m b)
+    (lambda m ~more:bound [ payload; b ] fuel b)
+    (Expression.expression inside fuel (Type.event payload))
+    (Type.text (Type.event payload))
+
+(* {1 Switches} *)
+
+let switch m = one_of m.values.random [ "switch"; "dSwitch" ]
+
+let mode m ~earlier ~continuation fuel a b =
+  let payload = Expression.any_type m.values in
+  let body = m.signal_function m.values fuel a (Tuple [ b; Type.event payload ]) in
+  let body = if earlier then f "(%s >>> second notYet)" body else body in
+  let text, bound = Expression.pattern m.values payload in
+  f "(%s %s (\\%s -> %s))" (switch m) body text (continuation (Expression.bind bound m.values))
+
+let once_switched m fuel a b =
+  mode m ~earlier:false fuel a b ~continuation:(fun values ->
+      m.signal_function values (fuel - 1) a b)
+
+let parenthesized ty text = f "(%s :: %s)" text (Type.text ty)
+
+(* Restarted or replaced at events; what replaces it captures signals. *)
+let replaced m fuel a b =
+  let text, bound = Expression.pattern m.values a in
+  let inside = Expression.bind bound (still m.values) in
+  let inner = Expression.any_type m.values and payload = Expression.any_type m.values in
+  let event = parenthesized (Type.event payload) (Expression.expression inside fuel (Type.event payload)) in
+  let input = Expression.expression inside fuel inner in
+  let first = m.signal_function m.values (fuel - 1) inner b in
+  if chance m.values.random 3 then
+    f "(proc %s -> resetOn %s (%s, tag %s ()))" text first input event
+  else
+    let pattern, more = Expression.pattern inside payload in
+    let brought = Expression.bind more inside in
+    f "(proc %s -> %s %s (%s, mapE (\\%s -> %s) %s))" text
+      (one_of m.values.random [ "rSwitch"; "drSwitch" ])
+      first input pattern
+      (m.signal_function brought (fuel - 1) inner b)
+      event
+
+let initially m fuel a b =
+  let text, bound = Expression.pattern m.values a in
+  f "(initially (\\%s -> %s))" text
+    (m.signal_function (Expression.bind bound m.values) (fuel - 1) a b)
+
+let alternatives m fuel a b =
+  let { Bias.library; switches; _ } = m.values.bias in
+  let scaled weight = List.map (fun (w, make) -> (w * weight, make)) in
+  let events =
+    (match Type.event_payload b with Some payload -> source m fuel a payload | None -> [])
+    @ (match Type.event_payload a with Some payload -> from_event m fuel payload b | None -> [])
+    @ [ (1, fun () -> accumulated_functions m fuel a b) ]
+    @
+    match a with
+    | Tuple [ x; (Float | Int) ] when x = b ->
+        [ (3, fun () -> one_of m.values.random [ "atMin"; "atMax" ]) ]
+    | Float | Int | Bool | Tuple _ | Data _ -> []
+  and switching =
+    [
+      (3, fun () -> once_switched m fuel a b);
+      (3, fun () -> replaced m fuel a b);
+      (1, fun () -> initially m fuel a b);
+    ]
+  in
+  if fuel <= 0 then [] else scaled library events @ scaled switches switching

@@ -1,0 +1,22 @@
+(** Random signal functions of events: the event library and the switches. *)
+
+type maker = {
+  values : Expression.scope;  (** static *)
+  signal_function : Expression.scope -> int -> Type.t -> Type.t -> string;
+      (** a signal function of these types, no deeper than the number says,
+          that may use the scope's variables as static values *)
+}
+
+val alternatives : maker -> int -> Type.t -> Type.t -> (int * (unit -> string)) list
+(** With weights; none, if there is no way to make one of these types. *)
+
+val mode :
+  maker ->
+  earlier:bool ->
+  continuation:(Expression.scope -> string) ->
+  int ->
+  Type.t ->
+  Type.t ->
+  string
+(** A switch in tail position, into what the continuation makes in the scope of
+    the event's value. If [earlier], it leads back, so it takes time. *)
