@@ -4,6 +4,7 @@ type scope = {
   random : Random.State.t;
   bias : Bias.t;
   prefix : string;
+  methods : bool;
   count : int ref;
   declared : Type.t list;
   variables : (string * Type.t) list;
@@ -278,7 +279,8 @@ and lambda s fuel argument ty =
 
 and polymorphic s fuel ty =
   let e ty = expression s fuel ty and other = any_type s in
-  match Random.State.int s.random 13 with
+  match Random.State.int s.random 14 with
+  | 13 when s.methods -> overloaded s fuel ty
   | 12 -> f "(fromEvent %s %s)" (e ty) (e (Type.event ty))
   | 0 -> f "(choose %s %s %s)" (e Bool) (e ty) (e ty)
   | 1 -> f "(fst (%s, %s))" (e ty) (typed (e other) other)
@@ -299,6 +301,24 @@ and polymorphic s fuel ty =
       | Bool -> f "(firstDiffers %s %s)" (typed (e other) other) (e other)
       | Tuple _ | Data _ -> f "(id %s)" (e ty))
   | _ -> f "(id %s)" (e ty)
+
+(* Methods of the classes that all programs share. *)
+and overloaded s fuel ty =
+  let e ty = typed (expression s fuel ty) ty in
+  let rec measured tries =
+    let ty = any_type s in
+    if Type.has_instances ~measured:true ty then ty
+    else if tries = 0 then Type.Float
+    else measured (tries - 1)
+  in
+  match (ty : Type.t) with
+  | Float -> f "(size %s)" (e (measured 3))
+  | Bool ->
+      let other = measured 3 in
+      f "(bigger %s %s)" (e other) (e other)
+  | _ when Type.has_instances ~measured:false ty && chance s.random 2 -> f "(next %s)" (e ty)
+  | _ when Type.has_instances ~measured:true ty -> f "(largest %s %s)" (e ty) (e ty)
+  | Int | Tuple _ | Data _ -> f "(id %s)" (expression s fuel ty)
 
 (* Functions that are values of the instant. *)
 and higher_order s fuel ty =

@@ -4,6 +4,7 @@ type scope = {
   random : Random.State.t;
   bias : Bias.t;
   prefix : string;  (** of all names that the program defines *)
+  methods : bool;  (** whether the methods of the shared classes may be used *)
   count : int ref;  (** of the names given *)
   declared : Type.t list;
   variables : (string * Type.t) list;

@@ -41,6 +41,70 @@ choosing c g h = if c then g else h
 twiceOver :: SF a b -> SF b b -> SF a b
 twiceOver g h = g >>> h >>> h
 
+class Measured a where
+    size :: a -> Float
+    bigger :: a -> a -> Bool
+    bigger x y = size x > size y
+    smooth :: SF a Float
+    smooth = proc x -> 0.5 * size x + 0.5 * delay 0 (size x)
+
+class Measured a => Renewed a where
+    next :: a -> a
+    next x = x
+    paced :: Float -> SF a (Event a)
+    paced least = proc x -> gate (Event (next x)) (size x >= least)
+
+instance Measured Float[u] where
+    size x = signum x
+    bigger x y = x > y
+
+instance Measured Int[u] where
+    size n = toFloat (signum n)
+
+instance Measured Bool where
+    size b = if b then 1 else 0
+    smooth = proc b -> delay 5 (if b then 10 else 0)
+
+instance Measured a => Measured (Maybe a) where
+    size m = maybe (-1) size m
+    bigger _ y = size y > 0
+
+instance Measured a => Measured (Event a) where
+    size e = fromEvent (-1) (mapE size e)
+    smooth = proc e -> hold 0 (mapE size e)
+
+instance (Measured a, Measured b) => Measured (Either a b) where
+    size e = either size size e
+
+instance (Measured a, Measured b) => Measured (a, b) where
+    size (x, y) = size x + size y
+    smooth = proc (x, y) -> smooth x - smooth y
+
+instance Renewed Float[u] where
+    next x = x + x
+
+instance Renewed Bool where
+    next b = not b
+
+instance Renewed Int[u]
+
+instance (Renewed a, Eq a) => Renewed (Maybe a) where
+    next m = case m of
+        Just x | Just (next x) /= m -> Just (next x)
+        _ -> Nothing
+
+instance Renewed a => Renewed (Event a) where
+    paced least = proc e -> notYet (mapE (Event . next) e)
+
+instance (Renewed a, Renewed b) => Renewed (a, b) where
+    next (x, y) = if bigger x x then (next x, y) else (x, next y)
+
+largest :: Measured a => a -> a -> a
+largest x y = if bigger x y then x else y
+
+renewing :: Renewed a => a -> SF a a
+renewing x0 = switch (proc x -> (x, notYet (paced 1 x))) (\x1 -> constant (next x1))
+
 sideBySide :: SF a b -> SF c d -> SF (a, c) (b, d)
 sideBySide g h = proc (x, y) -> (g x, h y)
 
@@ -156,6 +220,40 @@ let define_modes (s : Signal_function.scope) =
   in
   (String.concat "" texts, { s with known = known @ s.known })
 
+(* Of a declared data type, some methods left to their defaults. *)
+let define_instances (s : Signal_function.scope) ty =
+  let head = Type.text ty and random = s.values.random in
+  let given name arguments result =
+    if chance random 4 then ""
+    else
+      let patterns = List.map (Expression.pattern s.values) arguments in
+      let inside = Expression.bind (List.concat_map snd patterns) s.values in
+      f "    %s = %s\n"
+        (String.concat " " (name :: List.map fst patterns))
+        (Expression.expression inside 3 result)
+  in
+  let size_text, bound = Expression.pattern s.values ty in
+  let smooth =
+    if chance random 2 then ""
+    else f "    smooth = %s\n" (Signal_function.expression s 2 ty Type.Float)
+  in
+  let paced =
+    if chance random 2 then ""
+    else
+      let least = Expression.fresh s.values "p" in
+      let s = { s with values = Expression.bind [ (least, Type.Float) ] s.values } in
+      f "    paced %s = %s\n" least (Signal_function.expression s 2 ty (Type.event ty))
+  in
+  f "instance Measured %s where\n    size %s = %s\n%s%s\ninstance Renewed %s where\n%s%s\n" head
+    size_text
+    (Expression.expression (Expression.bind bound s.values) 3 Float)
+    (given "bigger" [ ty; ty ] Bool)
+    smooth head
+    (f "    next %s\n"
+       (let text, bound = Expression.pattern s.values ty in
+        f "%s = %s" text (Expression.expression (Expression.bind bound s.values) 3 ty)))
+    paced
+
 let one ~seed number =
   let bias = Bias.of_seed seed in
   let random = Random.State.make [| seed; number |] in
@@ -174,6 +272,7 @@ let one ~seed number =
     {
       Expression.random;
       bias;
+      methods = false;
       prefix;
       count = ref 0;
       declared;
@@ -208,7 +307,9 @@ let one ~seed number =
               ~signals:(Signal_function.any_signals s)
               ~result:(Computed (any ())) name))
   in
-  let s = functions (Random.State.int random 3) { Signal_function.values; known = [] } in
+  let s = { Signal_function.values; known = [] } in
+  List.iter (fun ty -> Buffer.add_string out (define_instances s ty)) (List.rev declared);
+  let s = functions (Random.State.int random 3) { s with values = { values with methods = true } } in
   let s = signal_functions (Random.State.int random 3) s in
   let s = if chance random (if bias.switches > 5 then 1 else 2) then add (define_modes s) else s in
   let signals = Signal_function.any_signals s in

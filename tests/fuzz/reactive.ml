@@ -57,7 +57,7 @@ let from_event m fuel payload b =
                 ] );
         ]
 
-let source m fuel (a : Type.t) payload =
+let source m fuel (a : Type.t) b payload =
   let tagged sf = f "(%s >>> arr (\\e -> tag e %s))" sf (literal m payload) in
   let any =
     [
@@ -83,7 +83,7 @@ let source m fuel (a : Type.t) payload =
         | Some _ | None -> [])
     | Float | Int | Tuple _ | Data _ -> []
   in
-  (if a = payload then [ (4, fun () -> "change") ] else [])
+  (if a = payload then [ (4, fun () -> f "(change :: SF %s %s)" (Type.text a) (Type.text b)) ] else [])
   @ (if a = Type.maybe payload then [ (6, fun () -> "edgeJust") ] else [])
   @ by_input @ any
 
@@ -104,9 +104,30 @@ let accumulated_functions m fuel a b =
 
 let switch m = one_of m.values.random [ "switch"; "dSwitch" ]
 
+(* An event that comes and goes, often with a value of the input. *)
+let lively m fuel a payload =
+  let text, bound = Expression.pattern m.values a in
+  let inside = Expression.bind bound (still m.values) in
+  let condition () = Expression.expression inside fuel Bool in
+  let event =
+    match Random.State.int m.values.random 6 with
+    | 0 -> f "every %s ()" (time m)
+    | 1 -> f "after %s ()" (time m)
+    | 2 -> f "edge %s" (condition ())
+    | 3 -> f "when %s" (condition ())
+    | 4 -> f "now () ()"
+    | _ -> f "edgeFrom False %s" (condition ())
+  in
+  f "(proc %s -> mapE (\\_ -> %s) (%s))" text (Expression.expression inside fuel payload) event
+
 let mode m ~earlier ~continuation fuel a b =
   let payload = Expression.any_type m.values in
-  let body = m.signal_function m.values fuel a (Tuple [ b; Type.event payload ]) in
+  let body =
+    if chance m.values.random 3 then
+      m.signal_function m.values fuel a (Tuple [ b; Type.event payload ])
+    else
+      f "(%s &&& %s)" (m.signal_function m.values (fuel - 1) a b) (lively m (fuel - 1) a payload)
+  in
   let body = if earlier then f "(%s >>> second notYet)" body else body in
   let text, bound = Expression.pattern m.values payload in
   f "(%s %s (\\%s -> %s))" (switch m) body text (continuation (Expression.bind bound m.values))
@@ -120,17 +141,23 @@ let parenthesized ty text = f "(%s :: %s)" text (Type.text ty)
 (* Restarted or replaced at events; what replaces it captures signals. *)
 let replaced m fuel a b =
   let text, bound = Expression.pattern m.values a in
-  let inside = Expression.bind bound (still m.values) in
+  let whole = Expression.fresh m.values "w" in
+  let inside = Expression.bind ((whole, a) :: bound) (still m.values) in
   let inner = Expression.any_type m.values and payload = Expression.any_type m.values in
-  let event = parenthesized (Type.event payload) (Expression.expression inside fuel (Type.event payload)) in
+  let event =
+    if chance m.values.random 3 then
+      let ty = Type.event payload in
+      parenthesized ty (Expression.expression inside fuel ty)
+    else f "(%s %s)" (lively m (fuel - 1) a payload) whole
+  in
   let input = Expression.expression inside fuel inner in
   let first = m.signal_function m.values (fuel - 1) inner b in
   if chance m.values.random 3 then
-    f "(proc %s -> resetOn %s (%s, tag %s ()))" text first input event
+    f "(proc %s@%s -> resetOn %s (%s, tag %s ()))" whole text first input event
   else
     let pattern, more = Expression.pattern inside payload in
     let brought = Expression.bind more inside in
-    f "(proc %s -> %s %s (%s, mapE (\\%s -> %s) %s))" text
+    f "(proc %s@%s -> %s %s (%s, mapE (\\%s -> %s) %s))" whole text
       (one_of m.values.random [ "rSwitch"; "drSwitch" ])
       first input pattern
       (m.signal_function brought (fuel - 1) inner b)
@@ -141,13 +168,41 @@ let initially m fuel a b =
   f "(initially (\\%s -> %s))" text
     (m.signal_function (Expression.bind bound m.values) (fuel - 1) a b)
 
+(* Ways through an event on the way, where the types leave few. *)
+let composed m fuel a (b : Type.t) =
+  let event payload = lively m (fuel - 1) a payload in
+  let value ty = m.signal_function m.values (fuel - 1) a ty in
+  let any () = Expression.any_type m.values in
+  let through payload = weighted m.values.random (from_event m fuel payload b) () in
+  let through_event () =
+    let payload = if chance m.values.random 2 then b else any () in
+    f "(%s >>> %s)" (event payload) (through payload)
+  in
+  let onto_event payload =
+    match (Random.State.int m.values.random 3, payload) with
+    | 0, Type.Tuple [ x; y ] -> f "((%s &&& %s) >>> snapshot)" (event x) (value y)
+    | 0, _ -> f "((%s &&& %s) >>> sample)" (event (any ())) (value payload)
+    | 1, _ -> f "(%s >>> %s)" (event payload) (through payload)
+    | _, _ -> event payload
+  in
+  [ (2, through_event) ]
+  @ (match Type.event_payload b with
+    | Some payload -> [ (6, fun () -> onto_event payload) ]
+    | None -> [])
+  @ (if b = Int then [ (2, fun () -> f "(%s >>> count >>> hold 0)" (event (any ()))) ] else [])
+  @ [
+      ( 1,
+        fun () -> f "((%s &&& %s) >>> %s)" (value b) (value Float)
+            (one_of m.values.random [ "atMin"; "atMax" ]) );
+    ]
+
 let alternatives m fuel a b =
   let { Bias.library; switches; _ } = m.values.bias in
   let scaled weight = List.map (fun (w, make) -> (w * weight, make)) in
   let events =
-    (match Type.event_payload b with Some payload -> source m fuel a payload | None -> [])
+    (match Type.event_payload b with Some payload -> source m fuel a b payload | None -> [])
     @ (match Type.event_payload a with Some payload -> from_event m fuel payload b | None -> [])
-    @ [ (1, fun () -> accumulated_functions m fuel a b) ]
+    @ composed m fuel a b @ [ (1, fun () -> accumulated_functions m fuel a b) ]
     @
     match a with
     | Tuple [ x; (Float | Int) ] when x = b ->

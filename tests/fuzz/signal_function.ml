@@ -61,6 +61,12 @@ and expression s fuel (a : Type.t) (b : Type.t) =
       ( (match (a, b) with Float, Bool -> 3 | _ -> 0),
         fun () -> "(hysteresis (-0.5) 0.5)" );
       ((match (a, b) with Bool, Bool -> 2 | _ -> 0), fun () -> "(debounce 0.25[s])");
+      ( (match b with Float when s.values.methods && Type.has_instances ~measured:true a -> 4 | _ -> 0),
+        fun () -> f "(smooth :: SF %s Float)" (Type.text a) );
+      ( (if s.values.methods && b = Type.event a && Type.has_instances ~measured:false a then 5 else 0),
+        fun () -> f "((paced :: Float -> SF %s %s) %s)" (Type.text a) (Type.text b) (literal s Float) );
+      ( (if s.values.methods && a = b && Type.has_instances ~measured:false a then 3 else 0),
+        fun () -> f "((renewing :: %s -> SF %s %s) %s)" (Type.text a) (Type.text a) (Type.text b) (literal s a) );
       ((match b with Float -> 1 | _ -> 0), fun () -> "(time >>> arr (\\x -> x / 1[s]))");
       ((if a = Type.event b then 6 else 0), fun () -> f "(latest %s)" (literal s b));
     ]

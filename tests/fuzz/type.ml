@@ -42,6 +42,16 @@ let either a b =
       constructors = [ positional "Left" [ a ]; positional "Right" [ b ] ];
     }
 
+let rec has_instances ~measured = function
+  | Float | Int | Bool -> true
+  | Tuple [ a; b ] -> has_instances ~measured a && has_instances ~measured b
+  | Tuple _ -> false
+  | Data { constructors = [ { name = "Left"; fields }; { fields = others; _ } ]; _ } ->
+      measured && List.for_all (fun (_, t) -> has_instances ~measured t) (fields @ others)
+  | Data { constructors = [ { name = "NoEvent" | "Nothing"; _ }; { fields; _ } ]; _ } ->
+      List.for_all (fun (_, t) -> has_instances ~measured t) fields
+  | Data _ -> true
+
 let is_record data =
   match data.constructors with
   | [ { fields = (name, _) :: _; _ } ] -> not (String.equal name "")

@@ -22,6 +22,10 @@ val event_payload : t -> t option
 (** What an event type carries. *)
 
 val either : t -> t -> t
+val has_instances : measured:bool -> t -> bool
+(** Of the classes that random programs share: [Measured], else [Renewed].
+    Declared types have both. *)
+
 val is_record : data -> bool
 
 val text : t -> string
