@@ -107,6 +107,8 @@ let fresh scope text =
     if String.equal text "" then numbered scope "t" ""
     else
       let base = identifier text in
+      (* No number at the end would make another name of it. *)
+      let base = if is_macro_like base then "x_" ^ base else base in
       if is_taken scope base then (
         if not (Hashtbl.mem scope.counts base) then Hashtbl.replace scope.counts base 1;
         numbered scope base "_")

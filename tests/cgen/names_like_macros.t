@@ -1,0 +1,10 @@
+Names that begin as macros of the headers do, in a program whose name begins so:
+
+  $ cat > m.frob <<EOF
+  > main :: SF Int (Maybe Int)
+  > main = arr Just
+  > EOF
+  $ cp m.frob integer.frob
+  $ frobc compile m.frob -o .
+  $ frobc compile integer.frob -o .
+  $ cc -std=c99 -Wall -Werror -c m.c integer.c
