@@ -6,6 +6,7 @@ type names = {
   node : int;
   scope : Name.scope;
   variables : (int, Ir.expr) Hashtbl.t;
+  indices : (int, string) Hashtbl.t;  (* of loops, by how deep they are in others *)
 }
 
 let names (v : V.t) ~node =
@@ -14,9 +15,19 @@ let names (v : V.t) ~node =
     node;
     scope = Name.scope Identifiers ~within:v.file_scope ~taken:[ "self"; "in"; "out"; "dt"; "dt_ns" ];
     variables = Hashtbl.create 16;
+    indices = Hashtbl.create 4;
   }
 
 let scope n = n.scope
+let vocabulary n = n.v
+let index n depth =
+  match Hashtbl.find_opt n.indices depth with
+  | Some name -> name
+  | None ->
+      let name = Name.fresh n.scope (String.make 1 (Char.chr (Char.code 'i' + min depth 10))) in
+      Hashtbl.replace n.indices depth name;
+      name
+
 let read_as n (variable : M.variable) e = Hashtbl.replace n.variables variable.id e
 
 let variable n (variable : M.variable) =
@@ -95,6 +106,10 @@ let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
   | Or, Bool -> Binary (Or, x, y)
   | _, _ -> bad ()
 
+let address : Ir.expr -> Ir.expr = function
+  | Unary (Dereference, pointer) -> pointer
+  | e -> Unary (Address, e)
+
 let rec of_machine n (e : M.expr) : Ir.expr =
   let list = List.map (of_machine n) in
   match e with
@@ -140,9 +155,32 @@ let rec of_machine n (e : M.expr) : Ir.expr =
       Binary
         (Equal, Member (of_machine n value, "tag"), Name n.v.sums.(sum).tags.(constructor))
   | Payload { sum; value; constructor; leaf } -> payload n ~sum ~constructor ~leaf (of_machine n value)
-  | Call { node; arguments } -> Call (n.v.nodes.(node).step, list arguments)
+  | Elements { elements; _ } -> Aggregate [ Aggregate (list elements) ]
+  | Fill { count; element; value } ->
+      Call (V.array_function n.v Fill (Array (count, element)), [ of_machine n value ])
+  | Index { array; index } ->
+      Array_type.element (of_machine n array) (Integer (Int32.of_int index))
+  | At { count; element; array; index; default } ->
+      Call
+        ( V.array_function n.v At (Array (count, element)),
+          [ address (of_machine n array); of_machine n index; of_machine n default ] )
+  | Replace { count; element; array; index; value } ->
+      Call
+        ( V.array_function n.v Replace (Array (count, element)),
+          [ address (of_machine n array); of_machine n index; of_machine n value ] )
+  | Call { node; arguments = given } ->
+      Call (n.v.nodes.(node).step, arguments n n.v.program.nodes.(node).step.parameters given)
   | Seconds e -> Binary (Over, Cast (Real, of_machine n e), Float 1e9)
   | Later (a, b) -> Call (V.helper n.v Later, [ of_machine n a; of_machine n b ])
+
+(* Arrays are passed by address. *)
+and arguments n parameters given =
+  List.map2
+    (fun (p : M.variable) e ->
+      match p.ty with
+      | Array _ -> address (of_machine n e)
+      | Bool | Int | Float | Sum _ | Nanoseconds -> of_machine n e)
+    parameters given
 
 and payload n ~sum ~constructor ~leaf value : Ir.expr =
   let sums = n.v.program.sums in

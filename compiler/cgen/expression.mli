@@ -5,6 +5,10 @@ type names
 
 val names : Vocabulary.t -> node:int -> names
 val scope : names -> Name.scope
+val vocabulary : names -> Vocabulary.t
+
+val index : names -> int -> string
+(** Of a loop that is so deep in others. *)
 
 val read_as : names -> Machine.Ir.variable -> Ir.expr -> unit
 (** How the variable is read from now on. *)
@@ -14,5 +18,10 @@ val variable : names -> Machine.Ir.variable -> string
 
 val field : names -> Machine.Ir.field -> Ir.expr
 (** [self->x] *)
+
+val address : Ir.expr -> Ir.expr
+
+val arguments : names -> Machine.Ir.variable list -> Machine.Ir.expr list -> Ir.expr list
+(** For these parameters of a node's function. *)
 
 val of_machine : names -> Machine.Ir.expr -> Ir.expr

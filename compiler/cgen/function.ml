@@ -7,12 +7,20 @@ type context = {
   names : Expression.names;
   index : int;
   node : M.node;
-  result : int -> Ir.expr;  (** where an output goes *)
+  write : int -> Ir.expr -> Ir.statement;  (** an output *)
   read : (int, unit) Hashtbl.t;  (** variables that anything reads *)
   mutable place : string;  (** the source line last mentioned *)
 }
 
 let plain desc : Ir.statement = { desc; comment = "" }
+
+(* An array of numbers written out. *)
+let is_literal : M.expr -> bool = function
+  | Elements { elements; _ } ->
+      List.for_all (function M.Bool _ | Int _ | Float _ -> true | _ -> false) elements
+  | _ -> false
+
+let is_loop (s : Ir.statement) = match s.desc with Ir.For _ -> true | _ -> false
 
 (* Mentions the source line of a statement unless the one before did. *)
 let comment c (span : Span.t) =
@@ -27,12 +35,6 @@ let comment c (span : Span.t) =
     place)
 
 let expression c = Expression.of_machine c.names
-let expressions c = List.map (expression c)
-
-let place c : M.place -> Ir.expr = function
-  | Local variable -> Name (Expression.variable c.names variable)
-  | Own field -> Expression.field c.names field
-  | Result k -> c.result k
 
 (* Declarations without values, one for each run of equal types. *)
 let uninitialized c variables =
@@ -58,14 +60,27 @@ let own_state c state =
     (fun field -> Ir.Unary (Ir.Address, Expression.field c.names field))
     (Option.to_list state)
 
+(* Arguments of a node's functions. *)
+let for_step c node = Expression.arguments c.names c.v.program.nodes.(node).step.parameters
+let for_reset c node = Expression.arguments c.names c.v.program.nodes.(node).reset.parameters
+
+let place c : M.place -> Ir.expr = function
+  | Local variable -> Name (Expression.variable c.names variable)
+  | Own field -> Expression.field c.names field
+  | Result _ -> Diagnostic.bug ~stage:"Cgen.Function" "a result that is read"
+
 let rec statement c rest (s : M.statement) : Ir.statement list =
   (* Statements so far, last first. *)
   match s with
   | Declare { variable; value; span } ->
+      let literal = is_literal value in
       let value = expression c value in
-      let name = Expression.variable c.names variable in
-      { desc = Constant { ty = V.ty c.v variable.ty; name; value }; comment = comment c span } :: rest
-  | Assign { place = target; value; span } ->
+      let name = Expression.variable c.names variable and ty = V.ty c.v variable.ty in
+      let desc = if literal then Ir.Table { ty; name; value } else Constant { ty; name; value } in
+      { desc; comment = comment c span } :: rest
+  | Assign { place = Result k; value; span } ->
+      { (c.write k (expression c value)) with comment = comment c span } :: rest
+  | Assign { place = (Local _ | Own _) as target; value; span } ->
       let target' = place c target in
       let desc =
         match value with
@@ -97,16 +112,34 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
   | Step { node; state; arguments; results; on_trial = _; span } ->
       step c rest ~node ~own:(own_state c state) arguments results span
   | Reset { node; state; arguments; span } ->
-      let own = Ir.Unary (Address, Expression.field c.names state) in
-      let call = Ir.Call (c.v.nodes.(node).reset, own :: expressions c arguments) in
-      { desc = Do call; comment = comment c span } :: rest
+      let own = Expression.field c.names state and arguments = for_reset c node arguments in
+      let call own = Ir.Do (Call (c.v.nodes.(node).reset, Unary (Address, own) :: arguments)) in
+      let desc =
+        match state.content with
+        | States_of { count; _ } ->
+            let index = Expression.index c.names 0 in
+            Ir.For { index; count; body = [ plain (call (Ir.Subscript (own, Name index))) ] }
+        | State_of _ | Value _ | Running_mode | Modes _ -> call own
+      in
+      { desc; comment = comment c span } :: rest
+  | Loop l ->
+      let own index =
+        match l.state with
+        | None -> []
+        | Some field ->
+            [ Ir.Unary (Address, Subscript (Expression.field c.names field, Name index)) ]
+      in
+      let call index = step_call c ~node:l.node ~own:(own index) in
+      let statements = Loop.statements c.names l ~call in
+      let comment = comment c l.span in
+      List.rev_append (List.map (fun s -> if is_loop s then { s with comment } else s) statements) rest
   | Enter { entry; span } -> List.rev_append (enter c entry span) rest
   | Run run -> List.rev_append (run_modes c run) rest
   | Return { value; span } ->
       { desc = Return (expression c value); comment = comment c span } :: rest
 
 and step c rest ~node ~own arguments results span =
-  let arguments = expressions c arguments in
+  let arguments = for_step c node arguments in
   let is_read (variable : M.variable) = Hashtbl.mem c.read variable.id in
   match results with
   | [] -> { desc = Do (step_call c ~node ~own arguments []); comment = comment c span } :: rest
@@ -153,7 +186,7 @@ and enter c (entry : M.entry) span =
     | None -> []
     | Some state ->
         let own = Ir.Unary (Address, Expression.field c.names state) in
-        [ Ir.Do (Call (c.v.nodes.(mode.node).reset, own :: expressions c entry.reset)) ]
+        [ Ir.Do (Call (c.v.nodes.(mode.node).reset, own :: for_reset c mode.node entry.reset)) ]
   in
   match number @ parameters @ reset with
   | [] -> []
@@ -260,16 +293,13 @@ and results_of_run c (run : M.run) =
     List.map
       (fun (v : M.variable) ->
         let name = Expression.variable c.names v and ty = V.ty c.v v.ty in
-        match v.ty with
-        | Sum k -> plain (Ir.Initialize { ty; name; values = Sum_type.zeros c.v.sums.(k) })
-        | Bool | Int | Float | Nanoseconds ->
-            plain (Ir.Variable { ty; name; value = Sum_type.zero ty }))
+        plain (Ir.Variable { ty; name; value = Sum_type.zero c.v.program.sums v.ty }))
       run.results
 
 and one_case c (run : M.run) ~loops ~entered ~dropped k (case : M.case) =
   let mode = List.nth c.node.modes k in
   c.place <- "";
-  let arguments = expressions c case.arguments in
+  let arguments = for_step c mode.node case.arguments in
   let results = List.map (fun v -> (v, Expression.variable c.names v)) run.results in
   (* Where results may be dropped they first go to variables of the case. *)
   let own =
@@ -327,7 +357,7 @@ let name_variables names body =
       (function
         | M.Declare { variable; _ } -> visit variable
         | If { uninitialized; _ } -> List.iter visit uninitialized
-        | Step { results; _ } -> List.iter visit results
+        | Step { results; _ } | Loop { results; _ } -> List.iter visit results
         | Run { results; cases; _ } ->
             List.iter visit results;
             List.iter (fun (case : M.case) -> List.iter visit case.others) cases
@@ -351,9 +381,12 @@ let reads_state body =
     body;
   Machine.Walk.statements
     (function
-      | Assign { place = Own _; _ } | Step { state = Some _; _ } | Reset _ | Enter _ | Run _ ->
+      | Assign { place = Own _; _ }
+      | Step { state = Some _; _ }
+      | Loop { state = Some _; _ }
+      | Reset _ | Enter _ | Run _ ->
           found := true
-      | Declare _ | Assign _ | If _ | Step _ | Return _ -> ())
+      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Return _ -> ())
     body;
   !found
 
@@ -363,13 +396,18 @@ let ignored name = plain (Ir.Do (Cast (Void, Name name)))
 let place_of (node : M.node) =
   Printf.sprintf "%s, %s:%d" node.origin (Filename.basename node.file) node.span.start.line
 
-let no_result _ = Diagnostic.bug ~stage:"Cgen.Function" "a result where there is none"
+let no_result _ _ = Diagnostic.bug ~stage:"Cgen.Function" "a result where there is none"
 
 let parameters (v : V.t) names variables =
   List.map
     (fun (variable : M.variable) ->
-      let name = Expression.variable names variable in
-      (V.ty v variable.ty, name))
+      match variable.ty with
+      | Array _ ->
+          let name = Name.fresh (Expression.scope names) variable.name in
+          Expression.read_as names variable (Unary (Dereference, Name name));
+          (Ir.Pointer_to_const (V.ty v variable.ty), name)
+      | Bool | Int | Float | Sum _ | Nanoseconds ->
+          (V.ty v variable.ty, Expression.variable names variable))
     variables
 
 let reset (v : V.t) k : Ir.function_ =
@@ -377,7 +415,7 @@ let reset (v : V.t) k : Ir.function_ =
   let names = Expression.names v ~node:k in
   let parameters = self v k :: parameters v names node.reset.parameters in
   name_variables names node.reset.body;
-  let c = { v; names; index = k; node; result = no_result; read = variables_read node.reset.body; place = "" } in
+  let c = { v; names; index = k; node; write = no_result; read = variables_read node.reset.body; place = "" } in
   let body = statements c node.reset.body in
   let unread = if reads_state node.reset.body then [] else [ ignored "self" ] in
   {
@@ -409,8 +447,8 @@ let own_step (v : V.t) k : Ir.function_ =
         (Void, List.map result outputs)
   in
   let places = Array.of_list results in
-  let result k = Ir.Unary (Dereference, Name (snd places.(k))) in
-  let c = { v; names; index = k; node; result; read = variables_read node.step.body; place = "" } in
+  let write k value = plain (Ir.Assign (Unary (Dereference, Name (snd places.(k))), value)) in
+  let c = { v; names; index = k; node; write; read = variables_read node.step.body; place = "" } in
   let state = if V.has_state v k then [ self v k ] else [] in
   let dt = if node.seconds then [ (Ir.Real, "dt") ] else [] in
   let dt_ns = if node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
@@ -426,9 +464,41 @@ let own_step (v : V.t) k : Ir.function_ =
     comment = place_of node;
   }
 
-let path from = function
-  | [] -> no_result ()
-  | first :: rest -> List.fold_left (fun e member -> Ir.Member (e, member)) (Ir.Arrow (from, first)) rest
+let no_path () = Diagnostic.bug ~stage:"Cgen.Function" "a place that no path leads to"
+
+(* A place in the input or output, at these indices of the arrays around it. *)
+let path from steps indices =
+  let step (e, indices) (step : Interface.step) =
+    match (step, indices) with
+    | Member member, _ -> (Ir.Member (e, member), indices)
+    | Element _, index :: others -> (Ir.Subscript (e, index), others)
+    | Element _, [] -> no_path ()
+  in
+  match steps with
+  | Interface.Member first :: rest ->
+      fst (List.fold_left step (Ir.Arrow (from, first), indices) rest)
+  | Element _ :: _ | [] -> no_path ()
+
+(* [body] gets the indices of all arrays around the place. *)
+let for_each names steps body =
+  let rec around (steps : Interface.step list) indices =
+    match steps with
+    | [] -> body (List.rev indices)
+    | Member _ :: rest -> around rest indices
+    | Element count :: rest ->
+        let index = Expression.index names (List.length indices) in
+        plain (Ir.For { index; count; body = [ around rest (Ir.Name index :: indices) ] })
+  in
+  around steps []
+
+let is_in_array = List.exists (function Interface.Element _ -> true | Member _ -> false)
+
+(* Between a place in an array of the input or output and a variable. *)
+let copy_leaf names steps ~from_interface from own =
+  for_each names steps (fun indices ->
+      let outside = path from steps indices in
+      let own = List.fold_left Array_type.element own indices in
+      plain (if from_interface then Ir.Assign (own, outside) else Ir.Assign (outside, own)))
 
 (* dt becomes whole nanoseconds, and 0 where the step cannot know it. *)
 let clock c (node : M.node) =
@@ -468,29 +538,46 @@ let clock c (node : M.node) =
 let inputs c (node : M.node) =
   let direct = Interface.direct c.v.program.input in
   let take (variable : M.variable) members =
-    let read = path (Name "in") members in
+    if is_in_array members then
+      if not (Hashtbl.mem c.read variable.id) then []
+      else
+        let name = Expression.variable c.names variable in
+        [
+          plain (Ir.Variables { ty = V.ty c.v variable.ty; names = [ name ] });
+          copy_leaf c.names members ~from_interface:true (Name "in") (Name name);
+        ]
+    else
+    let read = path (Name "in") members [] in
     if direct || String.equal variable.name "" then (
       Expression.read_as c.names variable read;
-      None)
+      [])
     else if Hashtbl.mem c.read variable.id then
       let ty = V.ty c.v variable.ty in
       let name = Expression.variable c.names variable in
-      Some (plain (Ir.Constant { ty; name; value = read }))
-    else None
+      [ plain (Ir.Constant { ty; name; value = read }) ]
+    else []
   in
-  List.filter_map Fun.id (List.rev (List.rev_map2 take node.step.parameters c.v.input.leaves))
+  List.concat (List.rev (List.rev_map2 take node.step.parameters c.v.input.leaves))
 
 let root_step (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
   let outputs = Array.of_list v.output.leaves in
-  let result k = path (Name "out") outputs.(k) in
-  let c = { v; names; index = k; node; result; read = variables_read node.step.body; place = "" } in
+  let write k value =
+    if is_in_array outputs.(k) then
+      copy_leaf names outputs.(k) ~from_interface:false (Name "out") value
+    else plain (Ir.Assign (path (Name "out") outputs.(k) [], value))
+  in
+  let c = { v; names; index = k; node; write; read = variables_read node.step.body; place = "" } in
   let inputs = inputs c node in
   name_variables names node.step.body;
   let clock = clock c node in
   let body = statements c node.step.body in
-  let unused = List.map (fun members -> plain (Ir.Assign (path (Name "out") members, Integer 0l))) v.output.unused in
+  let clear steps =
+    for_each names steps (fun indices ->
+        plain (Ir.Assign (path (Name "out") steps indices, Integer 0l)))
+  in
+  let unused = List.map clear v.output.unused in
   let reads_self =
     reads_state node.step.body
     || match v.program.first_instant with Marked_by _ -> true | Unseen -> false

@@ -14,6 +14,7 @@ type context = {
 type location =
   | Scalar of string
   | Sum of { tag : string; base : string; first : Machine.Layout.slots }
+  | Array of (int -> location)  (** of each element *)
 
 let c_string text = "\"" ^ String.escaped text ^ "\""
 let name_or_null text = if String.equal text "" then "NULL" else c_string text
@@ -49,8 +50,20 @@ let take locations =
       locations := rest;
       location
 
-let rec shape c locations (shape : F.shape) =
-  match shape with
+(* Of a leaf that lies in one piece. *)
+let rec value_at path (ty : F.ty) =
+  match ty with
+  | Bool | Int | Float -> Scalar path
+  | Sum _ -> Sum { tag = path ^ ".tag"; base = path ^ "."; first = Machine.Layout.none }
+  | Array (_, element) -> Array (fun i -> value_at (sprintf "%s.at[%d]" path i) element)
+
+let element_of i = function
+  | Array location -> location i
+  | Scalar _ | Sum _ ->
+      Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an element of what is no array"
+
+let rec shape c locations (whole : F.shape) =
+  match whole with
   | Leaf ty -> leaf c ty (take locations)
   | Product product ->
       let row =
@@ -58,6 +71,18 @@ let rec shape c locations (shape : F.shape) =
       in
       let constructors = table c "constructor" (sprintf "%s_constructors_%d" c.prefix (next c)) [ row ] in
       value c ~kind:"FROB_PRODUCT" ~offset:"0" ~is_event:false ~count:1 constructors
+  | Repeated (n, element) ->
+      (* As a product of its elements. *)
+      let arrays = List.map (fun _ -> take locations) (Machine.Layout.shape_leaves element) in
+      let row i =
+        let locations = ref (List.map (element_of i) arrays) in
+        sprintf "NULL, &%s" (shape c locations element)
+      in
+      let rows = List.rev (List.fold_left (fun rows i -> row i :: rows) [] (List.init n Fun.id)) in
+      let fields = table c "field" (sprintf "%s_fields_%d" c.prefix (next c)) rows in
+      let row = sprintf "NULL, 0, %d, %s" n fields in
+      let constructors = table c "constructor" (sprintf "%s_constructors_%d" c.prefix (next c)) [ row ] in
+      value c ~kind:"FROB_ARRAY" ~offset:"0" ~is_event:false ~count:1 constructors
 
 and constructor c locations ~name ~record parts =
   let field (name, part) =
@@ -76,17 +101,19 @@ and leaf c (ty : F.ty) location =
   | Int, Scalar path -> scalar "FROB_INT" path
   | Float, Scalar path -> scalar "FROB_FLOAT" path
   | Sum k, Sum { tag; base; first } -> sum c k ~tag ~base ~first
-  | (Bool | Int | Float), Sum _ | Sum _, Scalar _ ->
+  | (Bool | Int | Float | Sum _ | Array _), (Scalar _ | Sum _ | Array _) ->
       Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a leaf and its place do not match"
 
 and sum c k ~tag ~base ~first =
   let sum = c.sums.(k) in
-  let locate : Sum_type.slot -> location = function
-    | Scalar member -> Scalar (base ^ member)
+  let locate (slot : Sum_type.slot) ty =
+    match slot with
+    | Scalar member -> value_at (base ^ member) ty
     | Inner { sum = _; tag; first } -> Sum { tag = base ^ tag; base; first }
   in
   let row (ctor : F.sum_constructor) =
-    let locations = ref (List.map locate (Sum_type.payload c.sums ~first ctor)) in
+    let slots = Sum_type.payload c.sums ~first ctor in
+    let locations = ref (List.map2 locate slots (Machine.Layout.leaves ctor)) in
     let record = List.exists (fun (name, _) -> not (String.equal name "")) ctor.fields in
     constructor c locations ~name:ctor.constructor ~record ctor.fields
   in
@@ -100,12 +127,16 @@ and sum c k ~tag ~base ~first =
 
 let interface out sums ~prefix (i : Interface.t) whole =
   let c = { out; sums; struct_name = i.struct_name; prefix; count = 0 } in
-  let locate members (ty : F.ty) =
-    let path = String.concat "." members in
-    match ty with
-    | Bool | Int | Float -> Scalar path
-    | Sum _ -> Sum { tag = path ^ ".tag"; base = path ^ "."; first = Machine.Layout.none }
+  let rec locate path (steps : Interface.step list) (ty : F.ty) =
+    match (steps, ty) with
+    | [], _ -> value_at path ty
+    | Member name :: rest, _ -> locate (if path = "" then name else path ^ "." ^ name) rest ty
+    | Element _ :: rest, Array (_, element) ->
+        Array (fun i -> locate (sprintf "%s[%d]" path i) rest element)
+    | Element _ :: _, (Bool | Int | Float | Sum _) ->
+        Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an array of a leaf that is none"
   in
+  let locate = locate "" in
   let locations = List.rev (List.rev_map2 locate i.leaves (Machine.Layout.shape_leaves whole)) in
   shape c (ref locations) whole
 

@@ -12,9 +12,11 @@ type types = {
 
 type t = {
   struct_name : string;
-  leaves : string list list;
-  unused : string list list;
+  leaves : step list list;
+  unused : step list list;
 }
+
+and step = Member of string | Element of int
 
 let types scope ~prefix ~sum = { scope; prefix; sum; known = Hashtbl.create 8; definitions = [] }
 let key (product : F.product) =
@@ -25,16 +27,17 @@ let definitions types = List.rev types.definitions
 let direct (shape : F.shape) =
   match shape with
   | Product { product_name; _ } -> not (String.equal product_name "")
-  | Leaf _ -> false
+  | Leaf _ | Repeated _ -> false
 
 let no_value : Ir.member = { name = "unused"; ty = Uint8; comment = "" }
 
-let leaf_type types (ty : F.ty) : Ir.ty =
+let rec leaf_type types (ty : F.ty) : Ir.ty =
   match ty with
   | Bool -> Bool
   | Int -> Int32
   | Float -> Real
   | Sum k -> Struct (types.sum k)
+  | Array (n, element) -> Array (leaf_type types element, n)
 
 let rec members types (product : F.product) : Ir.member list =
   match product.parts with
@@ -53,6 +56,7 @@ and part_type types (shape : F.shape) : Ir.ty =
   | Leaf ty -> leaf_type types ty
   | Product ({ product_name = ""; _ } as product) -> Members (members types product)
   | Product product -> Struct (record types product)
+  | Repeated (n, element) -> Array (part_type types element, n)
 
 and record types (product : F.product) =
   match Hashtbl.find_opt types.known (key product) with
@@ -71,31 +75,34 @@ and define types name members =
 let paths (shape : F.shape) (members : Ir.member list) member_list_of =
   let leaves = ref [] and unused = ref [] in
   let rec part path (shape : F.shape) (member : Ir.member) =
-    let path = member.name :: path in
-    match shape with
-    | Leaf _ -> leaves := List.rev path :: !leaves
-    | Product product -> inside path product (member_list_of product member.ty)
+    at (Member member.name :: path) shape member.ty
+  and at path (shape : F.shape) (ty : Ir.ty) =
+    match (shape, ty) with
+    | Leaf _, _ -> leaves := List.rev path :: !leaves
+    | Product product, _ -> inside path product (member_list_of product ty)
+    | Repeated (n, element), Array (ty, _) -> at (Element n :: path) element ty
+    | Repeated _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "an array that is none in C"
   and inside path (product : F.product) (members : Ir.member list) =
     match (product.parts, members) with
-    | [], member :: _ -> unused := List.rev (member.name :: path) :: !unused
+    | [], member :: _ -> unused := List.rev (Member member.name :: path) :: !unused
     | parts, members -> List.iter2 (fun (_, shape) member -> part path shape member) parts members
   in
   (match shape with
   | Product product -> inside [] product members
-  | Leaf _ -> List.iter (part [] shape) members);
+  | Leaf _ | Repeated _ -> List.iter (part [] shape) members);
   (List.rev !leaves, List.rev !unused)
 
 let of_shape types ~name (shape : F.shape) =
   let members =
     match shape with
-    | Leaf ty -> [ { Ir.name = "value"; ty = leaf_type types ty; comment = "" } ]
+    | Leaf _ | Repeated _ -> [ { Ir.name = "value"; ty = part_type types shape; comment = "" } ]
     | Product product -> members types product
   in
   define types name members;
   let member_list_of (product : F.product) (ty : Ir.ty) =
     match ty with
     | Members members -> members
-    | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Union _ | Pointer _ | Pointer_to_const _ -> (
+    | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Union _ | Array _ | Pointer _ | Pointer_to_const _ -> (
         match Hashtbl.find_opt types.known (key product) with
         | Some (_, members) -> members
         | None -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "a record without a struct")

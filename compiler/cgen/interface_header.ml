@@ -1,7 +1,6 @@
 let text (robot : Robot.t) (program : Machine.Ir.program) =
   let v = Vocabulary.of_program program in
   let guard = "FROB_" ^ String.uppercase_ascii robot.name ^ "_H" in
-  let sum k definition = if v.foreign.(k) then Sum_type.definition definition v.sums.(k) else [] in
   let file =
     List.concat
       [
@@ -15,7 +14,7 @@ let text (robot : Robot.t) (program : Machine.Ir.program) =
                robot.header robot.module_ robot.module_ guard guard);
           Text "#include <stdbool.h>\n#include <stdint.h>\n";
         ];
-        List.concat (List.mapi sum (Array.to_list program.sums));
+        Vocabulary.type_definitions v ~foreign:true;
         v.robot_records;
         [ Text "#endif\n" ];
       ]

@@ -14,6 +14,7 @@ type ty =
   | Struct of string
   | Members of member list  (** a struct without a name, inside another *)
   | Union of member list  (** likewise *)
+  | Array of ty * int  (** only of a member *)
   | Pointer of ty
   | Pointer_to_const of ty
 
@@ -49,12 +50,15 @@ type expr =
   | Call of string * expr list
   | Member of expr * string  (** [e.x] *)
   | Arrow of expr * string  (** [e->x] *)
+  | Subscript of expr * expr
+  | Aggregate of expr list  (** [{a, b}], only as an initial value *)
   | Cast of ty * expr
 
 type statement = { desc : statement_desc; comment : string  (** or [""] *) }
 
 and statement_desc =
   | Constant of { ty : ty; name : string; value : expr }
+  | Table of { ty : ty; name : string; value : expr }  (** made of literals, once for all *)
   | Variables of { ty : ty; names : string list }  (** without values yet *)
   | Variable of { ty : ty; name : string; value : expr }
   | Initialize of { ty : ty; name : string; values : expr list }  (** a struct, member by member *)
@@ -64,6 +68,7 @@ and statement_desc =
   | If of { condition : expr; then_ : statement list; else_ : statement list }
   | Switch of { value : expr; cases : (string * statement list) list }
       (** by constants, each once; the last one is the default *)
+  | For of { index : string; count : int; body : statement list }  (** an Int32, from 0 *)
   | Do_while of { body : statement list; condition : expr }
   | Return of expr
 

@@ -13,7 +13,7 @@ let state_comment (v : V.t) (field : M.field) =
   let what =
     match field.content with
     | Value _ | Running_mode | Modes _ -> field.purpose
-    | State_of k -> v.program.nodes.(k).origin
+    | State_of k | States_of { node = k; _ } -> v.program.nodes.(k).origin
   in
   Printf.sprintf "%s at %s:%d" what (Filename.basename field.span.file) field.span.start.line
 
@@ -24,6 +24,7 @@ let rec member (v : V.t) k (field : M.field) : Ir.member =
     match field.content with
     | Value ty -> V.ty v ty
     | State_of k -> Struct v.nodes.(k).state
+    | States_of { node; count } -> Array (Struct v.nodes.(node).state, count)
     | Running_mode -> if Array.length v.nodes.(k).modes <= 256 then Uint8 else Int32
     | Modes modes -> Union (List.concat (List.mapi (mode v k) modes))
   in
@@ -58,9 +59,8 @@ let states (v : V.t) =
   in
   List.concat (List.mapi struct_of (Array.to_list v.program.nodes))
 
-let sums (v : V.t) =
-  let definition k sum = if v.foreign.(k) then [] else Sum_type.definition sum v.sums.(k) in
-  List.concat (List.mapi definition (Array.to_list v.program.sums))
+(* A robot's own are in its header. *)
+let types (v : V.t) = V.type_definitions v ~foreign:false
 
 let includes headers = String.concat "" (List.map (Printf.sprintf "#include %s\n") headers)
 
@@ -80,7 +80,7 @@ let header (v : V.t) (reset : Ir.function_) (step : Ir.function_) : Ir.file =
         Text (includes (robots @ [ "<stdbool.h>"; "<stdint.h>" ]));
         Text "#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
       ];
-      sums v;
+      types v;
       v.records;
       states v;
       [
@@ -136,7 +136,7 @@ let program (program : M.program) =
           Text (checks v);
         ];
         List.map (fun text -> Ir.Text text) (Helper.text (Hashtbl.mem v.helpers));
-        List.map function_ (makers @ projections);
+        List.map function_ (makers @ projections @ V.array_functions v);
         List.map function_ (List.concat functions);
       ]
   in

@@ -59,6 +59,7 @@ let float_literal x =
     if String.exists (function '.' | 'e' -> true | _ -> false) text then text else text ^ ".0"
 
 let rec ty_name = function
+  | Array (t, _) -> ty_name t
   | Void -> "void"
   | Bool -> "bool"
   | Uint8 -> "uint8_t"
@@ -71,13 +72,14 @@ let rec ty_name = function
   | Pointer t -> ty_name t ^ " *"
   | Pointer_to_const t -> "const " ^ ty_name t ^ " *"
 
-let declarator ty name =
+let rec declarator ty name =
   match ty with
+  | Array (t, n) -> declarator t (Printf.sprintf "%s[%d]" name n)
   | Pointer _ | Pointer_to_const _ -> ty_name ty ^ name
   | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Members _ | Union _ -> ty_name ty ^ " " ^ name
 
 let precedence = function
-  | Name _ | Boolean _ | Call _ | Member _ | Arrow _ -> postfix
+  | Name _ | Boolean _ | Call _ | Member _ | Arrow _ | Subscript _ | Aggregate _ -> postfix
   | Integer i -> if Int32.compare i 0l < 0 then prefix else postfix
   | Float x -> if Float.sign_bit x || not (Float.abs x < Float.infinity) then prefix else postfix
   | Unary _ | Cast _ -> prefix
@@ -137,22 +139,34 @@ and bare b ~depth e =
   | Call (name, arguments) ->
       add name;
       add "(";
-      List.iteri
-        (fun k e ->
-          if k > 0 then (
-            add ",";
-            soft b ~depth);
-          expr b ~depth:(depth + 1) ~at:0 e)
-        arguments;
+      separated b ~depth arguments;
       add ")"
   | Member (e, name) ->
       expr b ~depth ~at:postfix e;
       add ".";
       add name
+  | Subscript (e, index) ->
+      expr b ~depth ~at:postfix e;
+      add "[";
+      expr b ~depth:(depth + 1) ~at:0 index;
+      add "]"
+  | Aggregate values ->
+      add "{";
+      separated b ~depth values;
+      add "}"
   | Arrow (e, name) ->
       expr b ~depth ~at:postfix e;
       add "->";
       add name
+
+and separated b ~depth values =
+  List.iteri
+    (fun k e ->
+      if k > 0 then (
+        Buffer.add_char b ',';
+        soft b ~depth);
+      expr b ~depth:(depth + 1) ~at:0 e)
+    values
 
 (* [a && b] inside [||] in parentheses, as compilers advise. *)
 and logical b ~depth operator ~at e =
@@ -219,6 +233,8 @@ let rec statement out ~indent { desc; comment } =
   match desc with
   | Constant { ty; name; value } ->
       put ("const " ^ declarator ty name ^ " = " ^ with_breaks value ^ ";")
+  | Table { ty; name; value } ->
+      put ("static const " ^ declarator ty name ^ " = " ^ with_breaks value ^ ";")
   | Variables { ty; names } -> put (declarator ty (commas names) ^ ";")
   | Variable { ty; name; value } -> put (declarator ty name ^ " = " ^ with_breaks value ^ ";")
   | Initialize { ty; name; values } ->
@@ -230,6 +246,10 @@ let rec statement out ~indent { desc; comment } =
   | If { condition; then_; else_ } ->
       put ("if (" ^ with_breaks condition ^ ") {");
       branches out ~indent then_ else_
+  | For { index; count; body } ->
+      put (Printf.sprintf "for (int32_t %s = 0; %s < %d; %s++) {" index index count index);
+      List.iter (statement out ~indent:(indent + 4)) body;
+      line out ~indent "}"
   | Do_while { body; condition } ->
       put "do {";
       List.iter (statement out ~indent:(indent + 4)) body;
@@ -261,22 +281,29 @@ and branches out ~indent then_ else_ =
 
 (* Declarations *)
 
+let rec innermost : ty -> ty = function Array (t, _) -> innermost t | t -> t
+
 let rec members out ~indent (all : member list) =
   let text { name; ty; comment = _ } =
-    match ty with Members _ | Union _ -> "} " ^ name ^ ";" | ty -> declarator ty name ^ ";"
+    let rec closing name : ty -> string option = function
+      | Members _ | Union _ -> Some ("} " ^ name ^ ";")
+      | Array (t, n) -> closing (Printf.sprintf "%s[%d]" name n) t
+      | _ -> None
+    in
+    Option.value (closing name ty) ~default:(declarator ty name ^ ";")
   in
   let widest = List.fold_left (fun width m -> max width (String.length (text m))) 0 all in
   let column = min comment_column (indent + widest + 1) in
   List.iter
     (fun m ->
-      (match m.ty with
+      (match innermost m.ty with
       | Members inside ->
           line out ~indent "struct {";
           members out ~indent:(indent + 4) inside
       | Union inside ->
           line out ~indent "union {";
           members out ~indent:(indent + 4) inside
-      | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Pointer _ | Pointer_to_const _ -> ());
+      | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Array _ | Pointer _ | Pointer_to_const _ -> ());
       line out ~indent ~column ~comment:m.comment (text m))
     all
 

@@ -13,4 +13,4 @@ let of_shape (shape : Flow.Ir.shape) =
         ->
           Some robot
       | Some _ | None -> None)
-  | Product _ | Leaf _ -> None
+  | Product _ | Leaf _ | Repeated _ -> None

@@ -5,9 +5,10 @@ type t = {
   tags : string array;
   makers : string array;
   slots : Machine.Layout.slots;
+  arrays : (F.ty * Ir.ty) list;
 }
 
-let name scope ~prefix (sum : F.sum) ~slots =
+let name scope ~prefix (sum : F.sum) ~slots ~arrays =
   let struct_name = Name.fresh scope (prefix ^ "_" ^ Name.snake sum.name) in
   let constructor (c : F.sum_constructor) = struct_name ^ "_" ^ Name.snake c.constructor in
   let all = Array.of_list (List.map constructor sum.constructors) in
@@ -16,6 +17,7 @@ let name scope ~prefix (sum : F.sum) ~slots =
     tags = Array.map (fun name -> Name.fresh scope (String.uppercase_ascii name)) all;
     makers = Array.map (Name.fresh scope) all;
     slots;
+    arrays;
   }
 
 type slot =
@@ -27,6 +29,10 @@ let int_slot = Printf.sprintf "i%d"
 let bool_slot = Printf.sprintf "b%d"
 let tag_slot = Printf.sprintf "t%d"
 
+(* The same in every program, as robots' headers are. *)
+let array_slot sums ty k =
+  Printf.sprintf "%s_%d" (Array_type.name sums (Machine.Layout.ty ty)) k
+
 let payload sums ?(first = Machine.Layout.none) (constructor : F.sum_constructor) =
   let place ((used : Machine.Layout.slots), slots) (ty : F.ty) =
     let slot =
@@ -37,41 +43,59 @@ let payload sums ?(first = Machine.Layout.none) (constructor : F.sum_constructor
       | Sum sum ->
           let first = { used with tags = used.tags + 1 } in
           Inner { sum; tag = tag_slot used.tags; first }
+      | Array _ -> Scalar (array_slot sums ty (Machine.Layout.arrays_before used ty))
     in
     (Machine.Layout.add used (Machine.Layout.leaf sums ty), slot :: slots)
   in
   let _, slots = List.fold_left place (first, []) (Machine.Layout.leaves constructor) in
   List.rev slots
 
-let members ?(first = Machine.Layout.none) (slots : Machine.Layout.slots) =
+let members sums ?(first = Machine.Layout.none) t =
+  let slots = t.slots in
   let some count start slot ty = List.init count (fun k -> (slot (start + k), ty)) in
+  let arrays (ty, count) =
+    some count (Machine.Layout.arrays_before first ty) (array_slot sums ty) (List.assoc ty t.arrays)
+  in
   List.concat
     [
       some slots.floats first.floats float_slot Ir.Real;
       some slots.ints first.ints int_slot Ir.Int32;
       some slots.bools first.bools bool_slot Ir.Bool;
       some slots.tags first.tags tag_slot Ir.Uint8;
+      List.concat_map arrays slots.arrays;
     ]
 
-let definition (sum : F.sum) t =
+let definition sums (sum : F.sum) t =
   let member (name, ty) : Ir.member = { name; ty; comment = "" } in
   [
     Ir.Constants { names = Array.to_list t.tags; comment = sum.name };
     Struct_definition
       {
         name = t.struct_name;
-        members = List.map member (("tag", Ir.Uint8) :: members t.slots);
+        members = List.map member (("tag", Ir.Uint8) :: members sums t);
         comment = "";
       };
   ]
 
-let zero : Ir.ty -> Ir.expr = function
-  | Real -> Float 0.
+let rec zero sums (ty : Machine.Ir.ty) : Ir.expr =
+  match ty with
+  | Float -> Float 0.
   | Bool -> Boolean false
-  | Void | Uint8 | Int32 | Int64 | Struct _ | Members _ | Union _ | Pointer _ | Pointer_to_const _ ->
-      Integer 0l
+  | Int | Nanoseconds -> Integer 0l
+  | Sum k -> Aggregate (Integer 0l :: zeros sums (Machine.Layout.sum sums k))
+  | Array (_, element) -> Aggregate [ Aggregate [ zero sums element ] ]
 
-let zeros t = Ir.Integer 0l :: List.map (fun (_, ty) -> zero ty) (members t.slots)
+(* In the order of the members. *)
+and zeros sums (slots : Machine.Layout.slots) =
+  let some count e = List.init count (fun _ -> e) in
+  List.concat
+    [
+      some slots.floats (Ir.Float 0.);
+      some slots.ints (Ir.Integer 0l);
+      some slots.bools (Ir.Boolean false);
+      some slots.tags (Ir.Integer 0l);
+      List.concat_map (fun (ty, count) -> some count (zero sums (Machine.Layout.ty ty))) slots.arrays;
+    ]
 
 (* The function's value, a struct given member by member. *)
 let return_struct ty values : Ir.statement list =
@@ -99,25 +123,22 @@ let maker sums types sum constructor =
     match slot with
     | Scalar member ->
         give member (Ir.Name member);
-        let ty : Ir.ty =
-          match member.[0] with 'f' -> Real | 'i' -> Int32 | 'b' -> Bool | _ -> Uint8
-        in
-        (ty, member)
+        (List.assoc member (members sums t), member)
     | Inner { sum; tag; first } ->
         let inner = types.(sum) in
         let name = "inner_" ^ tag in
         give tag (Member (Name name, "tag"));
         List.iter2
           (fun (outer, _) (own, _) -> give outer (Member (Name name, own)))
-          (members ~first inner.slots) (members inner.slots);
+          (members sums ~first inner) (members sums inner);
         (Struct inner.struct_name, name)
   in
   let parameters = List.map parameter slots in
-  let value (member, ty) = Option.value (Hashtbl.find_opt given member) ~default:(zero ty) in
+  let value (member, _) zero = Option.value (Hashtbl.find_opt given member) ~default:zero in
   function_
     ~result:(Struct t.struct_name)
     t.makers.(constructor) parameters
-    (Name t.tags.(constructor) :: List.map value (members t.slots))
+    (Name t.tags.(constructor) :: List.map2 value (members sums t) (zeros sums t.slots))
 
 let projection_name t ~constructor ~leaf = Printf.sprintf "%s_part%d" t.makers.(constructor) (leaf + 1)
 
@@ -132,4 +153,4 @@ let projection sums types sum ~constructor ~leaf =
         ~result:(Struct inner.struct_name)
         (projection_name t ~constructor ~leaf)
         [ (Struct t.struct_name, "outer") ]
-        (from tag :: List.map (fun (member, _) -> from member) (members ~first inner.slots))
+        (from tag :: List.map (fun (member, _) -> from member) (members sums ~first inner))

@@ -7,30 +7,31 @@ type t = {
   tags : string array;  (** constants, by constructor *)
   makers : string array;  (** functions, by constructor *)
   slots : Machine.Layout.slots;
+  arrays : (Flow.Ir.ty * Ir.ty) list;  (** their structs *)
 }
 
-val name : Name.scope -> prefix:string -> Flow.Ir.sum -> slots:Machine.Layout.slots -> t
+val name :
+  Name.scope ->
+  prefix:string ->
+  Flow.Ir.sum ->
+  slots:Machine.Layout.slots ->
+  arrays:(Flow.Ir.ty * Ir.ty) list ->
+  t
 (** Takes names of the file's scope. *)
 
 (** Where the leaves of a payload lie. *)
 type slot =
-  | Scalar of string  (** a member *)
+  | Scalar of string  (** a member; of an array too *)
   | Inner of { sum : int; tag : string; first : Machine.Layout.slots }
       (** its tag's member; its slots start after [first] *)
 
 val payload : Flow.Ir.sum array -> ?first:Machine.Layout.slots -> Flow.Ir.sum_constructor -> slot list
 (** The slots of all leaves; [first] slots belong to others. *)
 
-val members : ?first:Machine.Layout.slots -> Machine.Layout.slots -> (string * Ir.ty) list
-(** Of so many slots, in the order of the struct. *)
+val zero : Flow.Ir.sum array -> Machine.Ir.ty -> Ir.expr
+(** Some value of the type, as an initial value. *)
 
-val zero : Ir.ty -> Ir.expr
-(** Of a type that is no struct. *)
-
-val zeros : t -> Ir.expr list
-(** Of the struct's members: some value of the type. *)
-
-val definition : Flow.Ir.sum -> t -> Ir.declaration list
+val definition : Flow.Ir.sum array -> Flow.Ir.sum -> t -> Ir.declaration list
 (** The tags' constants and the struct. *)
 
 val maker : Flow.Ir.sum array -> t array -> int -> int -> Ir.function_

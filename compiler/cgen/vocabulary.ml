@@ -26,6 +26,15 @@ type t = {
   helpers : (Helper.t, unit) Hashtbl.t;
   makers : (int * int, unit) Hashtbl.t;
   projections : (int * int * int, unit) Hashtbl.t;
+  arrays : arrays;
+  operations : (Array_type.operation * M.ty, string) Hashtbl.t;
+}
+
+(* Structs of arrays, as they are met. *)
+and arrays = {
+  names : (M.ty, string) Hashtbl.t;
+  of_robots : (M.ty, unit) Hashtbl.t;  (** those that are in a robot's header *)
+  mutable met : M.ty list;  (** last first *)
 }
 
 let is_root t k = k = Array.length t.program.nodes - 1
@@ -47,7 +56,7 @@ let name_modes (nodes : M.node array) table scope ~prefix (node : M.node) =
       (fun (field : M.field) ->
         match field.content with
         | Modes _ -> Some (Hashtbl.find table field.id)
-        | Value _ | State_of _ | Running_mode -> None)
+        | Value _ | State_of _ | States_of _ | Running_mode -> None)
       node.state
   in
   let name (mode : M.mode) =
@@ -97,6 +106,16 @@ let name_nodes scope ~name ~root (nodes : M.node array) =
             { state; reset; step = Name.fresh scope (own ^ "_step"); members; modes })
     nodes
 
+let name_array arrays scope ~name sums ty =
+  match Hashtbl.find_opt arrays.names ty with
+  | Some name -> name
+  | None ->
+      let prefix = if Hashtbl.mem arrays.of_robots ty then "frob" else name in
+      let name = Name.fresh scope (prefix ^ "_" ^ Array_type.name sums ty) in
+      Hashtbl.replace arrays.names ty name;
+      arrays.met <- ty :: arrays.met;
+      name
+
 let of_program (program : M.program) =
   let name = Name.identifier program.name in
   let scope = Name.scope Identifiers ~taken:Helper.names in
@@ -105,11 +124,21 @@ let of_program (program : M.program) =
   (* What a host calls and sees has the first choice: the root's names are the
      program's own, its types come before the functions inside. *)
   let root = name_root scope ~name in
+  let arrays = { names = Hashtbl.create 16; of_robots = Hashtbl.create 4; met = [] } in
   let foreign = Array.make (Array.length program.sums) false in
   let robot_of shape =
     let robot = Robot.of_shape shape in
-    let mark (ty : F.ty) =
-      match ty with Sum k -> foreign.(k) <- true | Bool | Int | Float -> ()
+    let rec mark (ty : F.ty) =
+      match ty with
+      | Sum k ->
+          foreign.(k) <- true;
+          List.iter
+            (fun (ty, _) ->
+              Hashtbl.replace arrays.of_robots (Machine.Layout.ty ty) ();
+              mark ty)
+            (Machine.Layout.sum program.sums k).arrays
+      | Array (_, element) -> mark element
+      | Bool | Int | Float -> ()
     in
     if Option.is_some robot then List.iter mark (Machine.Layout.shape_leaves shape);
     robot
@@ -120,7 +149,11 @@ let of_program (program : M.program) =
     Array.mapi
       (fun k sum ->
         let prefix = if foreign.(k) then "frob" else name in
-        Sum_type.name scope ~prefix sum ~slots:(Machine.Layout.sum program.sums k))
+        let slots = Machine.Layout.sum program.sums k in
+        let array (ty, _) =
+          (ty, Ir.Struct (name_array arrays scope ~name program.sums (Machine.Layout.ty ty)))
+        in
+        Sum_type.name scope ~prefix sum ~slots ~arrays:(List.map array slots.arrays))
       program.sums
   in
   let sum k = sums.(k).struct_name in
@@ -151,9 +184,13 @@ let of_program (program : M.program) =
     helpers = Hashtbl.create 16;
     makers = Hashtbl.create 16;
     projections = Hashtbl.create 16;
+    arrays;
+    operations = Hashtbl.create 16;
   }
 
-let ty t : M.ty -> Ir.ty = function
+let ty t (ty : M.ty) : Ir.ty =
+  match ty with
+  | Array _ -> Struct (name_array t.arrays t.file_scope ~name:t.name t.program.sums ty)
   | Bool -> Bool
   | Int -> Int32
   | Float -> Real
@@ -171,3 +208,58 @@ let maker t ~sum ~constructor =
 let projection t ~sum ~constructor ~leaf =
   Hashtbl.replace t.projections (sum, constructor, leaf) ();
   Sum_type.projection_name t.sums.(sum) ~constructor ~leaf
+
+let array_function t operation array =
+  match Hashtbl.find_opt t.operations (operation, array) with
+  | Some name -> name
+  | None ->
+      let struct_name = name_array t.arrays t.file_scope ~name:t.name t.program.sums array in
+      let name = Name.fresh t.file_scope (struct_name ^ "_" ^ Array_type.suffix operation) in
+      Hashtbl.replace t.operations (operation, array) name;
+      name
+
+let size_and_element : M.ty -> int * M.ty = function
+  | Array (count, element) -> (count, element)
+  | Bool | Int | Float | Nanoseconds | Sum _ ->
+      Basis.Diagnostic.bug ~stage:"Cgen.Vocabulary" "an array that is none"
+
+let array_functions t =
+  let function_ array operation =
+    let count, element = size_and_element array in
+    Option.map
+      (fun name ->
+        Array_type.function_ operation name
+          ~struct_name:(Hashtbl.find t.arrays.names array)
+          ~count ~element:(ty t element))
+      (Hashtbl.find_opt t.operations (operation, array))
+  in
+  List.concat_map
+    (fun array -> List.filter_map (function_ array) Array_type.operations)
+    (List.rev t.arrays.met)
+
+(* Each type after those that it is made of. *)
+let type_definitions t ~foreign =
+  let sums_done = Array.make (Array.length t.sums) false and arrays_done = Hashtbl.create 16 in
+  let definitions = ref [] in
+  let add declarations = definitions := List.rev_append declarations !definitions in
+  let rec sum k =
+    if not sums_done.(k) then (
+      sums_done.(k) <- true;
+      List.iter (fun (ty, _) -> array (Machine.Layout.ty ty)) t.sums.(k).slots.arrays;
+      if Bool.equal t.foreign.(k) foreign then
+        add (Sum_type.definition t.program.sums t.program.sums.(k) t.sums.(k)))
+  and array array_ty =
+    if not (Hashtbl.mem arrays_done array_ty) then (
+      Hashtbl.replace arrays_done array_ty ();
+      let count, element = size_and_element array_ty in
+      (match element with
+      | Sum k -> sum k
+      | Array _ -> array element
+      | Bool | Int | Float | Nanoseconds -> ());
+      if Bool.equal (Hashtbl.mem t.arrays.of_robots array_ty) foreign then
+        let name = Hashtbl.find t.arrays.names array_ty in
+        add [ Array_type.definition name ~count ~element:(ty t element) ])
+  in
+  Array.iteri (fun k _ -> sum k) t.sums;
+  List.iter array (List.rev t.arrays.met);
+  List.rev !definitions

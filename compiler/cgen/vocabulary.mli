@@ -30,12 +30,28 @@ type t = {
   helpers : (Helper.t, unit) Hashtbl.t;
   makers : (int * int, unit) Hashtbl.t;  (** sum, constructor *)
   projections : (int * int * int, unit) Hashtbl.t;  (** sum, constructor, leaf *)
+  arrays : arrays;
+  operations : (Array_type.operation * Machine.Ir.ty, string) Hashtbl.t;
+      (** functions on arrays, by array type *)
 }
+
+and arrays
+(** Structs of arrays, named as they are met. *)
 
 val of_program : Machine.Ir.program -> t
 val ty : t -> Machine.Ir.ty -> Ir.ty
 val helper : t -> Helper.t -> string
 val maker : t -> sum:int -> constructor:int -> string
 val projection : t -> sum:int -> constructor:int -> leaf:int -> string
+val array_function : t -> Array_type.operation -> Machine.Ir.ty -> string
+(** Of an array type. *)
+
+val array_functions : t -> Ir.function_ list
+(** All that were asked for. *)
+
+val type_definitions : t -> foreign:bool -> Ir.declaration list
+(** Sums and arrays, used before users: those of a robot's header, or the
+    program's own. To be called when all code is made. *)
+
 val is_root : t -> int -> bool
 val has_state : t -> int -> bool

@@ -33,5 +33,5 @@ let field_types t (ty : Ir.ty) ~constructor =
     List.map
       (fun (_, field) -> Erasure.substitute by field)
       (List.nth d.constructors constructor).fields
-  | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ ->
+  | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Array _ | Size _ ->
     Diagnostic.bug ~stage:"Core.Context" "the fields of what is no data type"

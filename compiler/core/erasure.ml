@@ -1,4 +1,5 @@
 let boolean : Ir.Global.t = { module_ = "Prelude"; name = "Bool" }
+let array : Ir.Global.t = { module_ = "Prelude"; name = "Array" }
 let variable (v : Typing.Ir.variable) : Ir.variable = { id = v.id; name = v.name }
 
 let representation : Typing.Ir.representation -> Ir.ty = function
@@ -14,6 +15,9 @@ let rec ty : Typing.Ir.ty -> Ir.ty = function
   | Tuple ts -> Tuple (tys ts)
   | Function (a, b) -> Function (ty a, ty b)
   | Signal_function (a, b) -> Signal_function (ty a, ty b)
+  | Size n -> Size n
+  | Data { tycon; units = _; arguments = [ size; element ] } when tycon = array ->
+    Array (ty size, ty element)
   | Data { tycon; units = _; arguments } -> Data (tycon, tys arguments)
 
 and tys ts = List.rev (List.rev_map ty ts)
@@ -30,10 +34,11 @@ let rec substitute by : Ir.ty -> Ir.ty = function
     match List.find_opt (fun ((w : Ir.variable), _) -> w.id = v.id) by with
     | Some (_, t) -> t
     | None -> t)
-  | (Bool | Int | Float | String) as t -> t
+  | (Bool | Int | Float | String | Size _) as t -> t
   | Tuple ts -> Tuple (substitutes by ts)
   | Function (a, b) -> Function (substitute by a, substitute by b)
   | Signal_function (a, b) -> Signal_function (substitute by a, substitute by b)
   | Data (tycon, ts) -> Data (tycon, substitutes by ts)
+  | Array (size, element) -> Array (substitute by size, substitute by element)
 
 and substitutes by ts = List.rev (List.rev_map (substitute by) ts)

@@ -14,5 +14,8 @@ val parameters : Typing.Ir.scheme -> Ir.variable list
 val boolean : Ir.Global.t
 (** The data type [Bool], whose constructors are constants in Core. *)
 
+val array : Ir.Global.t
+(** The data type [Array], a type of its own in Core. *)
+
 val substitute : (Ir.variable * Ir.ty) list -> Ir.ty -> Ir.ty
 (** Variables by their [id]. *)

@@ -48,6 +48,8 @@ let rec expr env (e : T.expr) : Ir.expr =
   | Number value -> make (Number value)
   | String text -> make (String text)
   | Tuple es -> make (Tuple (exprs (inside env) es))
+  | Array es -> make (Array (exprs (inside env) es))
+  | Index (array, k) -> make (Index (expr (inside env) array, k))
   | Constructor _ | Apply _ -> application (inside env) e []
   | Negate operand -> unary Primitive.Negate (expr (inside env) operand) e.span
   | Power (operand, k) ->
@@ -87,7 +89,7 @@ and construct (ty : T.ty) (c : T.constructor) arguments : Ir.expr_desc =
   match ty with
   | Bool -> Boolean (c.index = 1)
   | Data { tycon; _ } -> Construct { data = tycon; constructor = c.index; arguments }
-  | Variable _ | Number _ | String | Tuple _ | Function _ | Signal_function _ ->
+  | Variable _ | Number _ | String | Tuple _ | Function _ | Signal_function _ | Size _ ->
     bug "`%s` constructs what is no data" c.constructor.name
 
 (* {2 Application} *)

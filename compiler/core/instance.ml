@@ -10,11 +10,12 @@ type head =
   | Tuple_head of int
   | Function_head
   | Signal_function_head
+  | Array_head
 
 type table = (Ir.Global.t * head, Ir.instance) Hashtbl.t
 
 let split : Ir.ty -> (head * Ir.ty list) option = function
-  | Variable _ -> None
+  | Variable _ | Size _ -> None
   | Bool -> Some (Bool_head, [])
   | Int -> Some (Int_head, [])
   | Float -> Some (Float_head, [])
@@ -23,6 +24,7 @@ let split : Ir.ty -> (head * Ir.ty list) option = function
   | Function (a, b) -> Some (Function_head, [ a; b ])
   | Signal_function (a, b) -> Some (Signal_function_head, [ a; b ])
   | Data (tycon, arguments) -> Some (Data_head tycon, arguments)
+  | Array (size, element) -> Some (Array_head, [ size; element ])
 
 let table instances =
   let table = Hashtbl.create 64 in

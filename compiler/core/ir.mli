@@ -17,7 +17,7 @@ module Local = Resolve.Ir.Local
 module Global = Resolve.Ir.Global
 
 type ty =
-  | Variable of variable  (** a type or a representation *)
+  | Variable of variable  (** a type, a size or a representation *)
   | Bool
   | Int
   | Float
@@ -26,6 +26,8 @@ type ty =
   | Function of ty * ty
   | Signal_function of ty * ty
   | Data of Global.t * ty list
+  | Array of ty * ty  (** size and element *)
+  | Size of int  (** at least 1; only where a size belongs *)
 
 and variable = { id : int; name : string }
 
@@ -92,6 +94,9 @@ and expr_desc =
       (** not recursive; polymorphic if it has parameters *)
   | Tuple of expr list
   | Component of expr * int  (** of a tuple, from 0 *)
+  | Array of expr list  (** at least one *)
+  | Index of expr * int
+      (** the element of that number, from 0; inside, if the size is known here *)
   | Construct of { data : Global.t; constructor : int; arguments : expr list }
       (** saturated; Bool has its own constants *)
   | Is_constructor of expr * int  (** a Bool; the data type is [expr]'s *)

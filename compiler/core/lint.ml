@@ -23,12 +23,14 @@ let rec same (a : ty) (b : ty) =
   match (a, b) with
   | Variable v, Variable w -> v.id = w.id
   | Bool, Bool | Int, Int | Float, Float | String, String -> true
+  | Array (m, a), Array (n, b) -> same m n && same a b
+  | Size m, Size n -> m = n
   | Tuple ts, Tuple us -> all_same ts us
   | Function (a, b), Function (c, d) | Signal_function (a, b), Signal_function (c, d) ->
     same a c && same b d
   | Data (t, ts), Data (u, us) -> t = u && all_same ts us
   | ( ( Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _
-      | Data _ ),
+      | Data _ | Array _ | Size _ ),
       _ ) ->
     false
 
@@ -42,9 +44,9 @@ let rec closed s span = function
   | Variable v ->
     if not (Hashtbl.mem s.parameters v.id) then
       fail span "type variable `%s` is not in scope" v.name
-  | Bool | Int | Float | String -> ()
+  | Bool | Int | Float | String | Size _ -> ()
   | Tuple ts | Data (_, ts) -> List.iter (closed s span) ts
-  | Function (a, b) | Signal_function (a, b) ->
+  | Function (a, b) | Signal_function (a, b) | Array (a, b) ->
     closed s span a;
     closed s span b
 
@@ -65,7 +67,8 @@ let field_types s span ty constructor =
         fields.(constructor)
     | Some _, Some _ -> fail span "`%s` has no constructor %d" tycon.name constructor
     | _ -> fail span "`%s` is no data type" tycon.name)
-  | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ ->
+  | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Array _
+  | Size _ ->
     fail span "%a has no constructors" Print.ty ty
 
 (* {1 Scopes} *)
@@ -113,12 +116,12 @@ let rec expr s (e : expr) =
     List.iter (closed s e.span) (ty :: types);
     match ty with
     | Variable _ -> ()
-    | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Data _ ->
+    | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _ | Size _ ->
       fail e.span "a method of the known type %a" Print.ty ty)
   | Number _ -> (
     match e.ty with
     | Int | Float | Variable _ -> ()
-    | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ ->
+    | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _ | Size _ ->
       fail e.span "a number of type %a" Print.ty e.ty)
   | Boolean _ -> is Bool
   | String _ -> is String
@@ -134,12 +137,24 @@ let rec expr s (e : expr) =
     | Function (parameter, result) ->
       agree a.span ~expected:parameter ~found:a.ty;
       is result
-    | Variable _ | Bool | Int | Float | String | Tuple _ | Signal_function _ | Data _ ->
+    | Variable _ | Bool | Int | Float | String | Tuple _ | Signal_function _ | Data _ | Array _ | Size _ ->
       fail f.span "a value of type %a is applied" Print.ty f.ty)
   | Let _ -> lets s e.ty [] e
   | Tuple parts ->
     List.iter (expr s) parts;
     is (Tuple (List.rev (List.rev_map (fun (e : expr) -> e.ty) parts)))
+  | Array elements -> (
+    List.iter (expr s) elements;
+    match e.ty with
+    | Array (Size n, element) when n = List.length elements ->
+      List.iter (fun (a : expr) -> agree a.span ~expected:element ~found:a.ty) elements
+    | _ -> fail e.span "an array of %d of type %a" (List.length elements) Print.ty e.ty)
+  | Index (array, k) -> (
+    expr s array;
+    match array.ty with
+    | Array (Size n, _) when k < 0 || k >= n -> fail e.span "element %d of an array of %d" k n
+    | Array (_, element) -> is element
+    | _ -> fail e.span "element %d of a value of type %a" k Print.ty array.ty)
   | Component (value, index) -> (
     expr s value;
     match value.ty with

@@ -46,7 +46,8 @@ let constructor_test ctx (c : T.constructor) root (p : T.pattern) =
   match root.Ir.ty with
   | Bool -> Some (if c.index = 1 then root else Term.not_ root)
   | Data (tycon, _) when Context.constructors ctx tycon = 1 -> None
-  | Data _ | Int | Float | String | Variable _ | Tuple _ | Function _ | Signal_function _ ->
+  | Data _ | Int | Float | String | Variable _ | Tuple _ | Function _ | Signal_function _
+  | Array _ | Size _ ->
     Some (Term.make Bool p.span (Ir.Is_constructor (root, c.index)))
 
 let rec tests ctx (p : T.pattern) root found =

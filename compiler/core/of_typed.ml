@@ -36,11 +36,11 @@ let definition ctx (d : T.definition) : Ir.definition =
   }
 
 let program (p : T.program) : Ir.program =
-  let is_boolean (d : T.data) = d.tycon = Erasure.boolean in
+  let is_built_in (d : T.data) = List.mem d.tycon [ Erasure.boolean; Erasure.array ] in
   let data =
     List.rev
       (List.fold_left
-         (fun found d -> if is_boolean d then found else data d :: found)
+         (fun found d -> if is_built_in d then found else data d :: found)
          [] p.data)
   in
   let instances = List.map instance p.instances in

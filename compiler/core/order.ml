@@ -5,11 +5,11 @@ let rec globals found (e : expr) =
   match e.desc with
   | Global (g, _) -> g :: found
   | Local _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ -> found
-  | Lambda (_, e) | Component (e, _) | Is_constructor (e, _) | Payload { value = e; _ } ->
+  | Lambda (_, e) | Component (e, _) | Index (e, _) | Is_constructor (e, _) | Payload { value = e; _ } ->
       globals found e
   | Apply (a, b) -> globals (globals found a) b
   | Let { value; body; binder = _; parameters = _ } -> globals (globals found value) body
-  | Tuple es | Construct { arguments = es; _ } -> List.fold_left globals found es
+  | Tuple es | Array es | Construct { arguments = es; _ } -> List.fold_left globals found es
   | If (a, b, c) -> globals (globals (globals found a) b) c
   | Proc p ->
       let right found (eq : equation) =

@@ -26,6 +26,15 @@ type t =
   | Maximum
   | And
   | Or
+  | At
+  | Length
+  | Replace
+  | Generate
+  | Map
+  | Imap
+  | Zip_with
+  | Foldl
+  | Scanl
   | Delay
   | Time
   | Integral
@@ -34,6 +43,7 @@ type t =
   | Delayed_switch
   | Recurring_switch
   | Delayed_recurring_switch
+  | Map_sf
   | Initially
   | On_event
   | Reactimate
@@ -79,6 +89,15 @@ let table =
     ("max", Maximum, 2);
     ("&&", And, 2);
     ("||", Or, 2);
+    ("at", At, 3);
+    ("length", Length, 1);
+    ("replace", Replace, 3);
+    ("generate", Generate, 1);
+    ("map", Map, 2);
+    ("imap", Imap, 2);
+    ("zipWith", Zip_with, 3);
+    ("foldl", Foldl, 3);
+    ("scanl", Scanl, 3);
     (* Of a signal function, the static arguments count, not the signal. *)
     ("delay", Delay, 1);
     ("time", Time, 0);
@@ -90,6 +109,7 @@ let table =
     ("drSwitch", Delayed_recurring_switch, 1);
     ("initially", Initially, 1);
     ("onEvent", On_event, 1);
+    ("mapSF", Map_sf, 1);
     ("reactimateRobot", Reactimate, 1);
   ]
 

@@ -38,6 +38,16 @@ type t =
   (* on Bool *)
   | And
   | Or
+  (* on arrays; [a ! k] is {!Ir.Index} *)
+  | At
+  | Length
+  | Replace
+  | Generate
+  | Map
+  | Imap
+  | Zip_with
+  | Foldl
+  | Scanl
   (* signal functions *)
   | Delay
   | Time
@@ -47,6 +57,7 @@ type t =
   | Delayed_switch
   | Recurring_switch
   | Delayed_recurring_switch
+  | Map_sf  (** one for each element of an array *)
   | Initially
   | On_event
   (* programs *)

@@ -32,12 +32,14 @@ let rec separated c separator f = function
     space c;
     separated c separator f rest
 
-let tuple c f parts =
+let enclosed c opening closing f parts =
   Format.pp_open_hvbox c.out 1;
-  put c "(";
+  put c opening;
   separated c "," f parts;
-  put c ")";
+  put c closing;
   close c
+
+let tuple c = enclosed c "(" ")"
 
 let operator text =
   match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> text | _ -> "(" ^ text ^ ")"
@@ -75,6 +77,8 @@ let rec type_ c level = function
         type_ c 0 b)
   | Signal_function (a, b) -> constructed c level "SF" [ a; b ]
   | Data (tycon, arguments) -> constructed c level (global c tycon) arguments
+  | Array (size, element) -> constructed c level "Array" [ size; element ]
+  | Size n -> put c (string_of_int n)
 
 and constructed c level name arguments =
   parenthesized c (level > 1 && arguments <> []) (fun () ->
@@ -106,7 +110,8 @@ let constructor c (ty : ty) index =
   let declared =
     match ty with
     | Data (tycon, _) -> Hashtbl.find_opt c.data tycon
-    | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ ->
+    | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Array _
+    | Size _ ->
       None
   in
   match declared with
@@ -131,6 +136,11 @@ let rec expr c level (e : expr) =
   | Boolean b -> put c (if b then "True" else "False")
   | String text -> put c (Printf.sprintf "%S" text)
   | Tuple parts -> tuple c (expr c 0) parts
+  | Array elements -> enclosed c "[" "]" (expr c 0) elements
+  | Index (array, k) ->
+    parenthesized c (level > 0) (fun () ->
+        expr c 1 array;
+        put c (" ! " ^ string_of_int k))
   | Component (value, index) ->
     expr c 2 value;
     put c ("." ^ string_of_int index)

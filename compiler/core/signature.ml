@@ -35,6 +35,22 @@ let of_primitive (p : Primitive.t) types =
     Some (Function (Function (a, chosen), chosen))
   | On_event, [ a; b ] ->
     Some (Function (Signal_function (a, b), Signal_function (event a, event b)))
+  | At, [ a; n ] -> Some (function_ [ Int; a; Array (n, a) ] a)
+  | Length, [ n; a ] -> Some (Function (Array (n, a), Int))
+  | Replace, [ a; n ] -> Some (function_ [ Int; a; Array (n, a) ] (Array (n, a)))
+  | Generate, [ a; n ] -> Some (Function (Function (Int, a), Array (n, a)))
+  | Map, [ a; b; n ] -> Some (function_ [ Function (a, b); Array (n, a) ] (Array (n, b)))
+  | Imap, [ a; b; n ] ->
+    Some (function_ [ function_ [ Int; a ] b; Array (n, a) ] (Array (n, b)))
+  | Zip_with, [ a; b; c; n ] ->
+    let arguments = [ function_ [ a; b ] c; Array (n, a); Array (n, b) ] in
+    Some (function_ arguments (Array (n, c)))
+  | Foldl, [ b; a; n ] -> Some (function_ [ function_ [ b; a ] b; b; Array (n, a) ] b)
+  | Scanl, [ b; a; n ] ->
+    Some (function_ [ function_ [ b; a ] b; b; Array (n, a) ] (Array (n, b)))
+  | Map_sf, [ a; b; n ] ->
+    let one = Signal_function (a, b) in
+    Some (Function (one, Signal_function (Array (n, a), Array (n, b))))
   | Reactimate, [ i; o ] ->
     let program : Global.t = { module_ = "Prelude"; name = "Program" } in
     Some (Function (Signal_function (i, o), Data (program, [ i; o ])))
@@ -42,6 +58,7 @@ let of_primitive (p : Primitive.t) types =
       | Power_literal _ | Elementary _ | Div | Mod | To_float | Round | Floor | Ceiling
       | Truncate | Equal | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum
       | Maximum | And | Or | Delay | Time | Integral | Derivative | Switch | Delayed_switch
-      | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Reactimate ),
+      | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Reactimate
+      | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf ),
       _ ) ->
     None

@@ -1,7 +1,9 @@
 let is_memory (e : Ir.equation) =
   match e.rhs with
   | Delay _ | Time | Integral _ | Derivative _ -> true
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ -> false
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+  | At _ | Replace _ ->
+      false
 
 let count_uses (program : Ir.program) =
   let uses = Array.make (Array.length program.nodes) 0 in
@@ -16,7 +18,8 @@ let candidate (nodes : Ir.node array) uses (node : Ir.node) =
   then None
   else
     match List.filter stateful node.instances with
-    | [ i ] when Option.is_some nodes.(i.node).machine && uses.(i.node) = 1 && i.trials = [] ->
+    | [ i ] when Option.is_some nodes.(i.node).machine && uses.(i.node) = 1 && i.trials = []
+           && i.loop = None ->
         Some i
     | [] | _ :: _ -> None
 

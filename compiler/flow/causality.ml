@@ -9,7 +9,7 @@ type hop = { reader : Ir.signal; read : Ir.signal; at : Span.t; via : passage li
 
 let passage (program : Ir.program) dependencies (node : Dependency.node) (instance : Ir.instance) k w =
   let through = program.nodes.(instance.node) in
-  let passed = dependencies.(instance.node).Dependency.passed.(k) in
+  let passed = Dependency.passed_by dependencies.(instance.node) instance k in
   let is_read j : Ir.atom -> bool = function
     | Signal s -> Dependency.Inputs.mem j passed && node.vertex s = w
     | Bool _ | Int _ | Float _ -> false

@@ -31,6 +31,8 @@ type node = {
   machine : machine option;
   mode_of : (machine * int) option;
   statics : int;  (** how many of the parameters *)
+  accumulators : int;
+      (** so many of the first inputs may come from the outputs of those numbers *)
 }
 
 type search = {
@@ -60,6 +62,19 @@ let machine (program : Ir.program) (machine : Ir.machine) : machine =
     runs = false;
   }
 
+(* Of each node: in the loop over it that has most. *)
+let accumulators (program : Ir.program) =
+  let most = Array.make (Array.length program.nodes) 0 in
+  let is_accumulator argument = argument = Ir.Accumulator in
+  let note (i : Ir.instance) =
+    match i.loop with
+    | None -> ()
+    | Some l ->
+        most.(i.node) <- max most.(i.node) (List.length (List.filter is_accumulator l.arguments))
+  in
+  Array.iter (fun (node : Ir.node) -> List.iter note node.instances) program.nodes;
+  most
+
 let prepare (program : Ir.program) =
   let machines =
     Array.map (fun (node : Ir.node) -> Option.map (machine program) node.machine) program.nodes
@@ -67,6 +82,7 @@ let prepare (program : Ir.program) =
   let mode_of = Array.make (Array.length program.nodes) None in
   let own m = Array.iteri (fun k mode -> mode_of.(mode) <- Some (m, k)) m.modes in
   Array.iter (Option.iter own) machines;
+  let accumulators = accumulators program in
   let ids = Signals.next_id program in
   let definitions = Array.make ids Undefined in
   let define (s : Ir.signal) definition = definitions.(s.id) <- definition in
@@ -94,6 +110,7 @@ let prepare (program : Ir.program) =
       machine = machines.(index);
       mode_of = mode_of.(index);
       statics = List.length node.statics;
+      accumulators = accumulators.(index);
     }
   in
   let nodes = Array.mapi node program.nodes in
@@ -101,15 +118,34 @@ let prepare (program : Ir.program) =
 
 let is_needed search (s : Ir.signal) = Bytes.get search.needed s.id <> '\000'
 
+(* The atoms that are needed because a node's output is: an accumulator is an
+   input too. *)
+let output callee number : Ir.atom list =
+  if callee.needed_outputs.(number) then []
+  else (
+    callee.needed_outputs.(number) <- true;
+    let own = [ callee.outputs.(number) ] in
+    if number < callee.accumulators then
+      Ir.Signal callee.parameters.(callee.statics + number) :: own
+    else own)
+
 (* The atoms that are needed because this one is. *)
 let consequences search (s : Ir.signal) =
   match search.definitions.(s.id) with
   | Undefined -> Basis.Diagnostic.bug ~stage:"Flow.Dead" "`%s` (%d) is not defined" s.name s.id
   | Equation rhs -> Operands.all rhs
   | Parameter { node; number } -> (
-      let { mode_of; statics; needed_instances; _ } = search.nodes.(node) in
+      let { mode_of; statics; needed_instances; accumulators; _ } = search.nodes.(node) in
       match mode_of with
-      | None -> List.rev_map (fun (i : instance) -> i.arguments.(number)) needed_instances
+      | None ->
+          let next =
+            if number >= statics && number - statics < accumulators then
+              output search.nodes.(node) (number - statics)
+            else []
+          in
+          List.rev_append
+            (List.rev_map (fun (i : instance) -> i.arguments.(number)) needed_instances)
+            next
       | Some (machine, mode) when number < statics -> machine.arguments.(mode).(number)
       | Some (machine, _) ->
           machine.needed_inputs.(number - statics) <- true;
@@ -128,13 +164,7 @@ let consequences search (s : Ir.signal) =
         List.rev_append outputs machine.conditions)
   | Output { instance; number } ->
       let callee = search.nodes.(instance.callee) in
-      let output =
-        if callee.needed_outputs.(number) then []
-        else begin
-          callee.needed_outputs.(number) <- true;
-          [ callee.outputs.(number) ]
-        end
-      in
+      let output = output callee number in
       if instance.needed then output
       else begin
         instance.needed <- true;
@@ -201,6 +231,10 @@ let sweep search (program : Ir.program) =
             | [] -> None
             | gives -> Some { Ir.gives; given = select (flags callee.inputs) trial.given })
           i.trials;
+      loop =
+        Option.map
+          (fun (l : Ir.loop) -> { l with arguments = select (flags callee.inputs) l.arguments })
+          i.loop;
     }
   in
   let transitions modes =

@@ -17,11 +17,17 @@ type node = {
   decisive : Inputs.t;
 }
 
+(* A loop is one box. *)
+let passed_by callee (instance : Ir.instance) output =
+  match instance.loop with
+  | None -> callee.passed.(output)
+  | Some _ -> Inputs.of_list (List.mapi (fun i _ -> i) instance.inputs)
+
 let reads callee = function
   | Parameter -> []
   | Equation equation -> Operands.(signals (same_instant equation.rhs))
   | Output (instance, output) ->
-      let passed = (callee instance.node).passed.(output) in
+      let passed = passed_by (callee instance.node) instance output in
       let needed = List.filteri (fun i _ -> Inputs.mem i passed) instance.inputs in
       Operands.signals (List.rev_append (List.rev instance.statics) needed)
   | Mode_output atoms -> Operands.signals atoms

@@ -3,7 +3,7 @@
     The unit is the group of leaves that causality judges as one
     ([signal.group]). An instance is transparent: each of its outputs needs
     those inputs that its node passes on to that output in the same instant,
-    and the statics. A machine is a box: each of its outputs needs whatever any
+    and the statics; a loop is one box. A machine is a box: each of its outputs needs whatever any
     of its modes needs for any output, or for a transition that is not delayed,
     and the controls that are not delayed. *)
 
@@ -32,6 +32,10 @@ val of_node : (int -> node) -> Ir.node -> node
 (** Given the result for the nodes that it instantiates. *)
 
 val program : Ir.program -> node array
+
+val passed_by : node -> Ir.instance -> int -> Inputs.t
+(** Of an instance of the node: the numbers of the inputs that its output of
+    that number needs. *)
 
 val reads : (int -> node) -> definition -> Ir.signal list
 (** What a definition needs in the same instant. *)

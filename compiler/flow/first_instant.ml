@@ -68,6 +68,13 @@ let equation a instant values (e : Ir.equation) =
   | Construct { constructor; _ }, _ -> Constructors [ constructor ]
   | Is_constructor (value, constructor), _ -> Range.has_constructor (read value) constructor
   | Payload _, _ -> anything ()
+  | Elements atoms, _ -> (
+      match map read atoms with
+      | [] -> anything ()
+      | first :: others -> List.fold_left Range.join first others)
+  | Fill a, _ | Index (a, _), _ -> read a
+  | At { array; default; index = _ }, _ -> Range.join (read array) (read default)
+  | Replace { array; value; index = _ }, _ -> Range.join (read array) (read value)
   | Delay { init; _ }, First -> read init
   | (Time | Integral _ | Derivative _), First -> Range.zero
   | Time, Any -> Range.not_negative
@@ -88,6 +95,18 @@ let parameters a index =
     (fun j (s : Ir.signal) ->
       Option.value a.parameters.(index).(j) ~default:(Range.anything a.program s.ty))
     a.program.nodes.(index).statics
+
+(* Of all rounds of a loop together. *)
+let inputs_of a values (i : Ir.instance) =
+  match i.loop with
+  | None -> map (read a values) i.inputs
+  | Some l ->
+      let input (argument : Ir.argument) atom =
+        match argument with
+        | Element | Same -> read a values atom
+        | Accumulator | Counter -> Range.anything a.program (type_of_atom atom)
+      in
+      List.map2 input l.arguments i.inputs
 
 let rec outputs a instant index ~statics ~inputs =
   let node = a.program.nodes.(index) in
@@ -117,7 +136,7 @@ and evaluate a instant index ~statics ~inputs =
       | Equation e -> Hashtbl.replace values e.defines.id (equation a instant values e)
       | Instance i ->
           let statics = map (read a values) i.statics in
-          let inputs = map (read a values) i.inputs in
+          let inputs = inputs_of a values i in
           let outputs = outputs a instant i.node ~statics ~inputs in
           bind values i.outputs outputs
       | Trial (_, trial) -> bind values trial.gives (anything_of a trial.gives)

@@ -2,7 +2,8 @@ open Basis
 
 let is_stateful : Ir.rhs -> bool = function
   | Delay _ | Time | Integral _ | Derivative _ -> true
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ -> false
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _ | At _
+  | Replace _ -> false
 
 let check_node (program : Ir.program) (node : Ir.node) =
   let static = Hashtbl.create 64 in
@@ -31,7 +32,8 @@ let check_node (program : Ir.program) (node : Ir.node) =
     (fun (e : Ir.equation) ->
       match e.rhs with
       | Delay { init; next = _ } -> expect "an initial value" init
-      | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Time | Integral _
+      | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _ | At _
+  | Replace _ | Time | Integral _
       | Derivative _ ->
           ())
     node.equations;

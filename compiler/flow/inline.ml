@@ -10,7 +10,8 @@ let size (node : Ir.node) =
   let operation (e : Ir.equation) =
     match e.rhs with
     | Copy _ -> 0
-    | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Delay _ | Time | Integral _
+    | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _ | At _
+  | Replace _ | Delay _ | Time | Integral _
     | Derivative _ ->
         1
   in
@@ -153,8 +154,8 @@ let without_copies (node : Ir.node) =
     (fun (e : Ir.equation) ->
       match e.rhs with
       | Copy a -> Substitution.replace substitution e.defines a
-      | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Delay _ | Time | Integral _
-      | Derivative _ ->
+      | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+      | At _ | Replace _ | Delay _ | Time | Integral _ | Derivative _ ->
           ())
     node.equations;
   Substitution.node substitution node
@@ -181,7 +182,8 @@ let expand_chosen context chosen (node : Ir.node) =
    one operation, and opening it breaks no cycle. *)
 let is_one_operation context (i : Ir.instance) =
   let inputs = List.length i.inputs in
-  Array.for_all
+  Option.is_some i.loop
+  || Array.for_all
     (fun passed -> Dependency.Inputs.cardinal passed = inputs)
     context.dependencies.(i.node).passed
 
@@ -241,7 +243,7 @@ let program (program : Ir.program) =
   let changed = ref false in
   Array.iteri
     (fun index (node : Ir.node) ->
-      let is_small (i : Ir.instance) = context.is_small.(i.node) in
+      let is_small (i : Ir.instance) = i.loop = None && context.is_small.(i.node) in
       let expanded =
         if List.exists is_small node.instances then expand_chosen context is_small node else node
       in

@@ -1,8 +1,9 @@
 (** Flow: the program as first-order nodes of equations over signals.
 
-    No longer there: types other than Bool, Int, Float and sums; functions,
-    tuples, records and signal functions as values. A tuple or record is the
-    list of its leaves, in order; a sum value is one leaf.
+    No longer there: types other than Bool, Int, Float, sums and arrays of
+    these; functions, tuples, records and signal functions as values. A tuple
+    or record is the list of its leaves, in order; a sum value is one leaf; an
+    array of tuples or records is one array for each leaf of its elements.
 
     Always true (see {!Lint}): a signal has exactly one equation, in the node
     that owns it; a node's callees come before it in [program.nodes]; all
@@ -19,6 +20,7 @@ type ty =
   | Int
   | Float
   | Sum of int  (** index into [program.sums] *)
+  | Array of int * ty  (** size, at least 1, and element *)
 
 (** Data types with more than one constructor, at closed types. *)
 type sum = {
@@ -34,8 +36,9 @@ and sum_constructor = {
 
 (** How a value of the source language is made of leaves. *)
 and shape =
-  | Leaf of ty
+  | Leaf of ty  (** no array *)
   | Product of product
+  | Repeated of int * shape  (** an array *)
 
 and product = {
   product_name : string;  (** [""] for a tuple, else the record's type *)
@@ -109,22 +112,46 @@ and rhs =
   | Delay of { init : atom; next : atom }
       (** [init] at the first instant, then [next] as it was one instant ago;
           [init] is static *)
+  | Elements of atom list  (** an array written out *)
+  | Fill of atom  (** an array of equal elements *)
+  | Index of atom * int  (** inside the array *)
+  | At of { array : atom; index : atom; default : atom }
+      (** [default] outside the array *)
+  | Replace of { array : atom; index : atom; value : atom }
+      (** the same array with one other element; unchanged if outside *)
   | Time  (** seconds of local time *)
   | Integral of atom
       (** 0, then adds dt times the argument as it was one instant ago *)
   | Derivative of atom
 
-(** A private copy of a node's state, or a call if the node has none. *)
+(** A private copy of a node's state, or a call if the node has none; with a
+    loop, as many of them as the loop counts, one after the other. *)
 type instance = {
   node : int;  (** index into [program.nodes] *)
   name : string;  (** of the state field; unique in the node *)
   statics : atom list;  (** for the node's [statics] *)
   inputs : atom list;  (** for the node's [inputs] *)
-  outputs : signal list;  (** defined here; for the node's [outputs] *)
+  outputs : signal list;
+      (** defined here; for the node's [outputs]. Of a loop: first the
+          accumulators as they are at the end, then arrays of the others *)
+  loop : loop option;
   trials : trial list;
-      (** for outputs that are known before all inputs, on which they do not depend *)
+      (** for outputs that are known before all inputs, on which they do not depend; none of a loop *)
   span : Span.t;
 }
+
+and loop = {
+  count : int;  (** at least 1 *)
+  arguments : argument list;  (** how each of [inputs] is passed *)
+}
+
+and argument =
+  | Accumulator
+      (** the first time as given, then the node's output of the same number;
+          accumulators come first *)
+  | Element  (** each time the next of the array given *)
+  | Same  (** each time as given *)
+  | Counter  (** an Int: as given, then one more each time *)
 
 (** A step of the instance that gives some of its outputs, and leaves its state
     as it is. Not every part of a program can be taken apart so that outputs

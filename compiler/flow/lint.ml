@@ -16,13 +16,14 @@ let define owners scope (s : Ir.signal) =
   Hashtbl.add owners s.id scope.node.name;
   Hashtbl.add scope.defined s.id s
 
-let show scope ty =
+let rec show scope ty =
   match (ty : Ir.ty) with
   | Bool -> "Bool"
   | Int -> "Int"
   | Float -> "Float"
   | Sum index when index < Array.length scope.program.sums -> scope.program.sums.(index).name
   | Sum index -> bug "there is no sum %d" index
+  | Array (n, element) -> Printf.sprintf "Array %d (%s)" n (show scope element)
 
 let type_of scope (a : Ir.atom) : Ir.ty =
   match a with
@@ -46,13 +47,16 @@ let rec leaves_of_shape (shape : Ir.shape) leaves =
   | Leaf ty -> ty :: leaves
   | Product product ->
       List.fold_left (fun leaves (_, part) -> leaves_of_shape part leaves) leaves product.parts
+  | Repeated (n, element) ->
+      let array leaf : Ir.ty = Array (n, leaf) in
+      List.rev_append (List.map array (List.rev (leaves_of_shape element []))) leaves
 
 let leaves shape = List.rev (leaves_of_shape shape [])
 
 (* The payload's leaf types. *)
 let payload scope (ty : Ir.ty) index =
   match ty with
-  | Bool | Int | Float -> bug "a %s has no constructors in `%s`" (show scope ty) scope.node.name
+  | Bool | Int | Float | Array _ -> bug "a %s has no constructors in `%s`" (show scope ty) scope.node.name
   | Sum sum -> (
       match List.nth_opt scope.program.sums.(sum).constructors index with
       | Some c -> List.concat_map (fun (_, shape) -> leaves shape) c.fields
@@ -84,6 +88,11 @@ let check_all scope what expected atoms =
 let stateful scope what =
   if scope.node.kind = Function then bug "the function `%s` has a %s" scope.node.name what
 
+let array scope a =
+  match type_of scope a with
+  | Array (n, element) -> (n, element)
+  | other -> bug "a %s is taken for an array in `%s`" (show scope other) scope.node.name
+
 let equation scope (eq : Ir.equation) =
   let ty = eq.defines.ty in
   let found : Ir.ty =
@@ -104,6 +113,28 @@ let equation scope (eq : Ir.equation) =
         match List.nth_opt (payload scope (type_of scope value) constructor) leaf with
         | Some ty -> ty
         | None -> bug "a payload has no leaf %d in `%s`" leaf scope.node.name)
+    | Elements atoms -> (
+        match ty with
+        | Array (n, element) when List.length atoms = n ->
+            List.iter (fun a -> expect scope "an element" element (type_of scope a)) atoms;
+            ty
+        | _ -> bug "%d elements of a %s in `%s`" (List.length atoms) (show scope ty) scope.node.name)
+    | Fill a -> (
+        match ty with
+        | Array (n, _) -> Array (n, type_of scope a)
+        | _ -> bug "a %s is filled in `%s`" (show scope ty) scope.node.name)
+    | Index (a, k) ->
+        let n, element = array scope a in
+        if k < 0 || k >= n then bug "element %d of %d in `%s`" k n scope.node.name;
+        element
+    | At { array = a; index; default } ->
+        expect scope "an index" Int (type_of scope index);
+        expect scope "a default" (snd (array scope a)) (type_of scope default);
+        ty
+    | Replace { array = a; index; value } ->
+        expect scope "an index" Int (type_of scope index);
+        expect scope "an element" (snd (array scope a)) (type_of scope value);
+        type_of scope a
     | Delay { init; next } ->
         stateful scope "delay";
         expect scope "a delay's initial value" ty (type_of scope init);
@@ -127,6 +158,28 @@ let signal_types = List.map (fun (s : Ir.signal) -> s.ty)
 let output_type (_, (atom : Ir.atom)) : Ir.ty =
   match atom with Signal s -> s.ty | Bool _ -> Bool | Int _ -> Int | Float _ -> Float
 
+(* The types that a loop takes and gives, from those of its node. *)
+let loop scope (i : Ir.instance) (l : Ir.loop) inputs outputs =
+  let taken (argument : Ir.argument) (ty : Ir.ty) : Ir.ty =
+    match argument with
+    | Accumulator | Same -> ty
+    | Element -> Array (l.count, ty)
+    | Counter ->
+        expect scope "a counter" Int ty;
+        Int
+  in
+  let rec given (arguments : Ir.argument list) inputs outputs : Ir.ty list =
+    match (arguments, inputs, outputs) with
+    | Accumulator :: arguments, input :: inputs, output :: outputs ->
+        expect scope "an accumulator" input output;
+        output :: given arguments inputs outputs
+    | Accumulator :: _, _, _ -> bug "`%s` has no output for an accumulator" i.name
+    | arguments, _, _ ->
+        if List.mem Ir.Accumulator arguments then bug "an accumulator of `%s` is not first" i.name;
+        List.map (fun ty : Ir.ty -> Array (l.count, ty)) outputs
+  in
+  (List.map2 taken l.arguments inputs, given l.arguments inputs outputs)
+
 let instance scope names (i : Ir.instance) =
   if i.node < 0 || i.node >= scope.index then
     bug "`%s` calls node %d, which does not come before it" scope.node.name i.node;
@@ -135,11 +188,18 @@ let instance scope names (i : Ir.instance) =
   let callee = scope.program.nodes.(i.node) in
   if callee.kind = Signal_function then stateful scope "signal function";
   check_all scope "a static" (signal_types callee.statics) i.statics;
-  check_all scope "an input" (signal_types callee.inputs) i.inputs;
   (* A node's outputs may be constants; their types are those of the callee's. *)
-  check_all scope "an output"
-    (List.map output_type callee.outputs)
-    (List.map (fun s -> Ir.Signal s) i.outputs);
+  let inputs = signal_types callee.inputs and outputs = List.map output_type callee.outputs in
+  let inputs, outputs =
+    match i.loop with
+    | None -> (inputs, outputs)
+    | Some l ->
+        if l.count < 1 || List.compare_lengths l.arguments inputs <> 0 then
+          bug "the loop `%s` in `%s` has a wrong form" i.name scope.node.name;
+        loop scope i l inputs outputs
+  in
+  check_all scope "an input" inputs i.inputs;
+  check_all scope "an output" outputs (List.map (fun s -> Ir.Signal s) i.outputs);
   let trial (t : Ir.trial) =
     if List.compare_lengths t.given i.inputs <> 0 then
       bug "a trial of `%s` in `%s` gets a wrong number of inputs" i.name scope.node.name;
@@ -185,7 +245,8 @@ let machine scope modes_of (m : Ir.machine) =
 
 let is_memory : Ir.rhs -> bool = function
   | Delay _ | Time | Integral _ | Derivative _ -> true
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ -> false
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _ | At _
+  | Replace _ -> false
 
 (* A node with a machine has no other state. *)
 let only_machine scope =

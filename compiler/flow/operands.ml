@@ -1,17 +1,27 @@
 open Ir
 
 let all = function
-  | Copy a | Is_constructor (a, _) | Payload { value = a; _ } | Integral a | Derivative a -> [ a ]
+  | Copy a
+  | Is_constructor (a, _)
+  | Payload { value = a; _ }
+  | Fill a
+  | Index (a, _)
+  | Integral a
+  | Derivative a ->
+      [ a ]
   | Op (_, arguments) -> arguments
   | If { condition; then_; else_ } -> [ condition; then_; else_ ]
   | Construct { payload; constructor = _ } -> payload
+  | Elements atoms -> atoms
+  | At { array; index; default } -> [ array; index; default ]
+  | Replace { array; index; value } -> [ array; index; value ]
   | Delay { init; next } -> [ init; next ]
   | Time -> []
 
 let same_instant = function
   | Delay _ | Integral _ -> []
-  | ( Copy _ | Is_constructor _ | Payload _ | Derivative _ | Op _ | If _ | Construct _ | Time ) as rhs
-    ->
+  | ( Copy _ | Is_constructor _ | Payload _ | Derivative _ | Op _ | If _ | Construct _ | Elements _
+    | Fill _ | Index _ | At _ | Replace _ | Time ) as rhs ->
       all rhs
 
 (* Most lists are short; a constructor's payload may be long. *)
@@ -35,6 +45,17 @@ let map f = function
   | Delay { init; next } ->
       let init = f init in
       Delay { init; next = f next }
+  | Elements atoms -> Elements (map_list f atoms)
+  | Fill a -> Fill (f a)
+  | Index (a, k) -> Index (f a, k)
+  | At { array; index; default } ->
+      let array = f array in
+      let index = f index in
+      At { array; index; default = f default }
+  | Replace { array; index; value } ->
+      let array = f array in
+      let index = f index in
+      Replace { array; index; value = f value }
   | Time -> Time
   | Integral a -> Integral (f a)
   | Derivative a -> Derivative (f a)

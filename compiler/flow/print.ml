@@ -83,11 +83,13 @@ let is_infix : Ir.operator -> bool = function
 let sum_name (sums : Ir.sum array) index =
   if index < Array.length sums then sums.(index).name else sprintf "<sum %d>" index
 
-let ty sums : Ir.ty -> string = function
+let rec ty sums : Ir.ty -> string = function
   | Bool -> "Bool"
   | Int -> "Int"
   | Float -> "Float"
   | Sum index -> sum_name sums index
+  | Array (n, (Array _ as element)) -> sprintf "Array %d (%s)" n (ty sums element)
+  | Array (n, element) -> sprintf "Array %d %s" n (ty sums element)
 
 let constructor (sums : Ir.sum array) (ty : Ir.ty) index =
   match ty with
@@ -95,7 +97,7 @@ let constructor (sums : Ir.sum array) (ty : Ir.ty) index =
       match List.nth_opt sums.(sum).constructors index with
       | Some c -> c.constructor
       | None -> sprintf "<constructor %d>" index)
-  | Bool | Int | Float | Sum _ -> sprintf "<constructor %d>" index
+  | Bool | Int | Float | Sum _ | Array _ -> sprintf "<constructor %d>" index
 
 let constructor_of_atom sums (a : Ir.atom) index =
   match a with
@@ -116,6 +118,13 @@ let rhs sums names ppf ~(defines : Ir.signal) : Ir.rhs -> unit = function
       fprintf ppf "%a ? %s" (atom names) a (constructor_of_atom sums a index)
   | Payload { value; constructor = index; leaf } ->
       fprintf ppf "%a.%s.%d" (atom names) value (constructor_of_atom sums value index) leaf
+  | Elements elements -> fprintf ppf "[%a]" (atoms names) elements
+  | Fill a -> fprintf ppf "fill %a" (atom names) a
+  | Index (a, k) -> fprintf ppf "%a ! %d" (atom names) a k
+  | At { array; index; default } ->
+      fprintf ppf "at %a %a %a" (atom names) index (atom names) default (atom names) array
+  | Replace { array; index; value } ->
+      fprintf ppf "replace %a %a %a" (atom names) index (atom names) value (atom names) array
   | Delay { init; next } -> fprintf ppf "delay %a %a" (atom names) init (atom names) next
   | Time -> pp_print_string ppf "time"
   | Integral a -> fprintf ppf "integral %a" (atom names) a
@@ -157,9 +166,25 @@ let machine (program : Ir.program) names ppf (m : Ir.machine) =
 let instance (program : Ir.program) names ppf (i : Ir.instance) =
   let callee = node_name program i.node in
   let statics = statics names in
-  fprintf ppf "  (%a) = %s as %s%a(%a)@\n"
+  let input ppf ((argument : Ir.argument), a) =
+    let how =
+      match argument with
+      | Same -> ""
+      | Accumulator -> "accumulate "
+      | Element -> "each "
+      | Counter -> "count "
+    in
+    fprintf ppf "%s%a" how (atom names) a
+  in
+  let inputs ppf () =
+    match i.loop with
+    | None -> atoms names ppf i.inputs
+    | Some l -> list input ppf (List.combine l.arguments i.inputs)
+  in
+  let times = match i.loop with None -> "" | Some l -> sprintf "%d times " l.count in
+  fprintf ppf "  (%a) = %s%s as %s%a(%a)@\n"
     (list (typed program.sums names))
-    i.outputs callee i.name statics i.statics (atoms names) i.inputs;
+    i.outputs times callee i.name statics i.statics inputs ();
   let given ppf = function
     | Some a -> atom names ppf a
     | None -> pp_print_string ppf "_"

@@ -11,17 +11,18 @@ let any_bool = Bools { true_ = true; false_ = true }
 let any_int = Ints { least = least_int; most = most_int }
 let any_float = Floats { least = neg_infinity; most = infinity; nan = true }
 
-let anything (program : Ir.program) : Ir.ty -> t = function
+let rec anything (program : Ir.program) : Ir.ty -> t = function
   | Bool -> any_bool
   | Int -> any_int
   | Float -> any_float
   | Sum k -> Constructors (List.mapi (fun i _ -> i) program.sums.(k).constructors)
+  | Array (_, element) -> anything program element
 
 let anything_but_sums : Ir.ty -> t = function
   | Bool -> any_bool
   | Int -> any_int
   | Float -> any_float
-  | Sum _ -> bug "an operation gives a sum"
+  | Sum _ | Array _ -> bug "an operation gives what is no number"
 
 let float x =
   if Float.is_nan x then Floats { least = infinity; most = neg_infinity; nan = true }

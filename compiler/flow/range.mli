@@ -1,5 +1,6 @@
 (** Sets of values, as an analysis knows them: numbers as ranges, values of data
-    types as the constructors they may have. *)
+    types as the constructors they may have, arrays as all their elements
+    together. *)
 
 type t =
   | Bools of { true_ : bool; false_ : bool }  (** which it may be *)

@@ -4,7 +4,7 @@ open Basis
 type label =
   | Parameter of int  (** its signal's id: each is different; outputs of the machine too *)
   | Equation of Ir.ty * Ir.rhs * constant list  (** the operands in [rhs] are blank *)
-  | Instance of int * constant list
+  | Instance of int * Ir.loop option * constant list
   | Output of int  (** of the instance that is the only argument *)
 
 (* An operand's place in a label; floats by their bits. *)
@@ -41,7 +41,8 @@ let normal (rhs : Ir.rhs) : Ir.rhs =
   match rhs with
   | Op (operator, arguments) when is_commutative operator ->
       Op (operator, List.stable_sort compare_atoms arguments)
-  | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Delay _ | Time
+  | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _ | At _
+  | Replace _ | Delay _ | Time
   | Integral _ | Derivative _ ->
       rhs
 
@@ -81,7 +82,7 @@ let elements_of (node : Ir.node) =
     node.equations;
   let instance (i : Ir.instance) =
     let atoms = List.rev_append (List.rev i.statics) i.inputs in
-    let element = add elements (Instance (i.node, Long_list.map constant atoms)) (signals atoms) in
+    let element = add elements (Instance (i.node, i.loop, Long_list.map constant atoms)) (signals atoms) in
     List.iteri (fun k s -> define s (add elements (Output k) [ Element element ])) i.outputs;
     element
   in

@@ -104,6 +104,16 @@ let payload known value constructor leaf : Ir.rhs option =
       | (`Leaf _ | `Other_constructor | `Unknown), _ -> None)
   | (`Other_constructor | `Unknown), _ -> None
 
+let element known array k : Ir.rhs option =
+  match definition known array with
+  | Some (Elements elements) -> Some (Copy (List.nth elements k))
+  | Some (Fill a) -> Some (Copy a)
+  | Some _ | None -> None
+
+let size : Ir.atom -> int = function
+  | Signal { ty = Array (n, _); _ } -> n
+  | Signal _ | Bool _ | Int _ | Float _ -> 0
+
 let simplify known (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   match rhs with
   | Op (operator, arguments) -> (
@@ -118,7 +128,17 @@ let simplify known (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   | Delay { init; next } when same next init || same next (Signal defines) ->
       (* [init] is static: it is the same at every instant. *)
       Copy init
-  | Copy _ | Construct _ | Delay _ | Time | Integral _ | Derivative _ -> rhs
+  | Index (array, k) -> Option.value (element known array k) ~default:rhs
+  | At { array; index = Int k; default } ->
+      let k = Int32.to_int k in
+      if k < 0 || k >= size array then Copy default
+      else Option.value (element known array k) ~default:(Ir.Index (array, k))
+  | Replace { array; index = Int k; value = _ }
+    when Int32.to_int k < 0 || Int32.to_int k >= size array ->
+      Copy array
+  | Copy _ | Construct _ | Elements _ | Fill _ | At _ | Replace _ | Delay _ | Time | Integral _
+  | Derivative _ ->
+      rhs
 
 let node (node : Ir.node) =
   let known : known = Hashtbl.create 64 in

@@ -85,8 +85,18 @@ let parameters (program : Ir.program) =
     nodes.(index) <- node;
     List.iter
       (fun (i : Ir.instance) ->
-        let note j a = passed.(i.node).(j) <- join passed.(i.node).(j) a in
-        List.iteri note (List.rev_append (List.rev i.statics) i.inputs))
+        let note j join = passed.(i.node).(j) <- join passed.(i.node).(j) in
+        List.iteri (fun j a -> note j (fun before -> join before a)) i.statics;
+        let first = List.length i.statics in
+        let input j (argument : Ir.argument) a =
+          note (first + j) (fun before ->
+              match argument with
+              | Same -> join before a
+              | Accumulator | Element | Counter -> Different)
+        in
+        match i.loop with
+        | None -> List.iteri (fun j a -> input j Same a) i.inputs
+        | Some l -> List.iteri (fun j (how, a) -> input j how a) (List.combine l.arguments i.inputs))
       node.instances;
     Option.iter (parameters_of_modes nodes passed) node.machine
   done;
@@ -112,7 +122,8 @@ let outputs (program : Ir.program) =
       List.iter
         (fun (i : Ir.instance) ->
           let callee = nodes.(i.node) in
-          List.iter2
+          if i.loop = None then
+            List.iter2
             (fun (s : Ir.signal) (_, a) ->
               match argument callee i a with
               | Some by -> Substitution.replace substitution s by

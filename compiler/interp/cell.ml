@@ -45,9 +45,16 @@ let write shape value =
           (fun (shape, value) -> value_ Alone shape (Thunk.demand value))
           (List.combine shapes (Array.to_list values));
         put ")"
+    | Array (_, element), Array values ->
+        put "[";
+        separated
+          (fun () -> put ", ")
+          (fun value -> value_ Alone element (Thunk.demand value))
+          (Array.to_list values);
+        put "]"
     | Data { constructors; _ }, Data { constructor; arguments } ->
         constructed place (List.nth constructors constructor) (Array.to_list arguments)
-    | (Bool | Int | Float | Tuple _ | Data _), _ -> bug "a value that is not of its type"
+    | (Bool | Int | Float | Tuple _ | Array _ | Data _), _ -> bug "a value that is not of its type"
   and constructed place (c : Shape.constructor) arguments =
     let fields = List.combine c.fields arguments in
     if Shape.is_record c then (
@@ -190,7 +197,7 @@ let parenthesis = "`)`"
 let rec read_value r (shape : Shape.t) : Value.t =
   match shape with
   | Tuple shapes -> read_tuple r shapes
-  | Bool | Int | Float | Data _ ->
+  | Bool | Int | Float | Array _ | Data _ ->
       let rec opened count = if accept r '(' then opened (count + 1) else count in
       let rec close count =
         if count > 0 then begin
@@ -212,6 +219,7 @@ and read_bare r (shape : Shape.t) : Value.t =
   | Int -> read_int r
   | Float -> read_float r
   | Tuple shapes -> read_tuple r shapes
+  | Array (n, element) -> read_array r n element
   | Data { constructors; is_event = _ } ->
       let rec choose index = function
         | [] -> fail "a constructor of the column's type"
@@ -231,6 +239,16 @@ and read_tuple r shapes : Value.t =
   let values = Array.of_list (List.mapi component shapes) in
   expect r ')' parenthesis;
   Tuple values
+
+and read_array r n element : Value.t =
+  expect r '[' "`[`, the start of an array";
+  let next i =
+    if i > 0 then expect r ',' "`,` and the array's next element";
+    Thunk.known (read_value r element)
+  in
+  let values = Array.init n next in
+  expect r ']' "`]`";
+  Array values
 
 and read_arguments r (c : Shape.constructor) =
   if Shape.is_record c then read_record r c.fields
@@ -264,7 +282,7 @@ let read_cell r (shape : Shape.t) : Value.t =
       if r.at = String.length r.text then Data { constructor = 0; arguments = [||] }
       else
         Data { constructor = 1; arguments = [| Thunk.known (read_value r occurrence) |] }
-  | Bool | Int | Float | Tuple _ | Data _ -> read_value r shape
+  | Bool | Int | Float | Tuple _ | Array _ | Data _ -> read_value r shape
 
 let read shape text =
   let r = { text; at = 0 } in

@@ -32,11 +32,12 @@ let program (core : Core.Ir.program) =
 
 let rec closed types = function
   | Variable v as t -> Option.value ~default:t (Variables.find_opt v.id types)
-  | (Bool | Int | Float | String) as t -> t
+  | (Bool | Int | Float | String | Size _) as t -> t
   | Tuple ts -> Tuple (List.map (closed types) ts)
   | Function (a, b) -> Function (closed types a, closed types b)
   | Signal_function (a, b) -> Signal_function (closed types a, closed types b)
   | Data (tycon, ts) -> Data (tycon, List.map (closed types) ts)
+  | Array (size, element) -> Array (closed types size, closed types element)
 
 let with_types (parameters : variable list) arguments types =
   List.fold_left2
@@ -47,7 +48,8 @@ let number env ty value : Value.t =
   match (closed env.types ty, Exact.to_int32 value) with
   | Int, Some n -> Int n
   | Float, _ -> Float (Exact.to_float value)
-  | (Int | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _), _ ->
+  | (Int | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _
+    | Size _), _ ->
       bug "the number %s is of another type" (Exact.to_string value)
 
 (* {1 Expressions} *)
@@ -66,7 +68,7 @@ let local env (x : Local.t) types =
 
 let is_true : Value.t -> bool = function
   | Bool b -> b
-  | Int _ | Float _ | Text _ | Tuple _ | Data _ | Function _ | Signal_function _ ->
+  | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ ->
       bug "a condition that is no Bool"
 
 let rec expr env (e : expr) : Value.t =
@@ -74,7 +76,7 @@ let rec expr env (e : expr) : Value.t =
   | Local (x, types) -> Thunk.force (local env x types)
   | Global (name, types) ->
       Thunk.force (global env.program name (List.map (closed env.types) types))
-  | Primitive (p, _) -> primitive env p []
+  | Primitive (p, types) -> primitive env p types []
   | Method { class_; name; ty; types } -> (
       let types = List.map (closed env.types) types in
       match Instance.method_ env.program.instances ~class_ ~name (closed env.types ty) with
@@ -90,6 +92,8 @@ let rec expr env (e : expr) : Value.t =
   | Let { binder; parameters; value; body } ->
       expr (bind_polymorphic binder (polymorphic env parameters value) env) body
   | Tuple parts -> Tuple (parts_on_demand env parts)
+  | Array elements -> Array (parts_on_demand env elements)
+  | Index (array, k) -> Arrays.element (expr env array) k
   | Component (value, index) -> (
       match expr env value with
       | Tuple parts -> Thunk.force parts.(index)
@@ -122,19 +126,19 @@ and polymorphic env parameters value types =
 and application env (f : expr) arguments =
   match f.desc with
   | Apply (f, argument) -> application env f (argument :: arguments)
-  | Primitive (p, _) -> primitive env p (List.map (on_demand env) arguments)
+  | Primitive (p, types) -> primitive env p types (List.map (on_demand env) arguments)
   | _ -> apply (expr env f) (List.map (on_demand env) arguments)
 
 and apply (f : Value.t) arguments =
   match (f, arguments) with
   | _, [] -> f
   | Function f, first :: others -> apply (f first) others
-  | (Bool _ | Int _ | Float _ | Text _ | Tuple _ | Data _ | Signal_function _), _ ->
+  | (Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Signal_function _), _ ->
       bug "what is applied is no function"
 
 (* A primitive on the arguments that are there: with some missing it is a
    function of the next one. *)
-and primitive env (p : Core.Primitive.t) arguments : Value.t =
+and primitive env (p : Core.Primitive.t) types arguments : Value.t =
   match (p, arguments) with
   | Delay, [ initial ] -> Signal_function (fun () -> Stateful.delay initial)
   | Time, [] -> Signal_function Stateful.time
@@ -150,11 +154,23 @@ and primitive env (p : Core.Primitive.t) arguments : Value.t =
       Signal_function (fun () -> Switching.initially env.program.nesting choose)
   | On_event, [ body ] ->
       Signal_function (fun () -> Switching.on_event env.program.nesting body)
+  | Map_sf, [ signal_function ] ->
+      let size = size env types in
+      Signal_function (fun () -> Arrays.map_sf ~size signal_function)
   | Reactimate, [ signal_function ] -> Thunk.force signal_function
   | _, _ ->
       if List.length arguments < Core.Primitive.arity p then
-        Function (fun argument -> primitive env p (arguments @ [ argument ]))
-      else Primitive.apply p arguments
+        Function (fun argument -> primitive env p types (arguments @ [ argument ]))
+      else
+        match Arrays.apply apply p ~size:(size env types) arguments with
+        | Some value -> value
+        | None -> Primitive.apply p arguments
+
+(* Of the array that a primitive makes: its last type argument. *)
+and size env types =
+  match List.rev_map (closed env.types) types with
+  | Size n :: _ -> n
+  | _ -> 0
 
 and global program name types =
   match Hashtbl.find_opt program.values (name, types) with
@@ -239,7 +255,7 @@ and started env signal_function =
   in
   match Thunk.demand value with
   | Signal_function start -> start ()
-  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Data _ | Function _ ->
+  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ ->
       bug "what is run is no signal function"
 
 let definition program name = global program name []

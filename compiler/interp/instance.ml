@@ -15,8 +15,9 @@ let matches (head : ty) (ty : ty) =
   | Tuple variables, Tuple parts when List.compare_lengths variables parts = 0 -> Some parts
   | Function _, Function (a, b) | Signal_function _, Signal_function (a, b) -> Some [ a; b ]
   | Bool, Bool | Int, Int | Float, Float | String, String -> Some []
+  | Array _, Array (size, element) -> Some [ size; element ]
   | ( ( Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _
-      | Data _ ),
+      | Data _ | Array _ | Size _ ),
       _ ) ->
       None
 

@@ -3,6 +3,7 @@ type t =
   | Int
   | Float
   | Tuple of t list
+  | Array of int * t
   | Data of { is_event : bool; constructors : constructor list }
 
 and constructor = { name : string; fields : (string * t) list }
@@ -17,35 +18,34 @@ let event : Core.Ir.Global.t = { module_ = "Prelude"; name = "Event" }
 let of_type (program : Core.Ir.program) ty =
   let data = Hashtbl.create 64 in
   List.iter (fun (d : Core.Ir.data) -> Hashtbl.replace data d.tycon d) program.data;
-  (* [types]: what the parameters of the data type around stand for. *)
-  let rec shape types (ty : Core.Ir.ty) =
+  let rec shape (ty : Core.Ir.ty) =
     match ty with
     | Bool -> Bool
     | Int -> Int
     | Float -> Float
-    | Tuple parts -> Tuple (List.map (shape types) parts)
-    | Variable v -> (
-        match List.find_opt (fun ((w : Core.Ir.variable), _) -> w.id = v.id) types with
-        | Some (_, shape) -> shape
-        | None -> bug "the type variable `%s`" v.name)
+    | Tuple parts -> Tuple (List.map shape parts)
+    | Variable v -> bug "the type variable `%s`" v.name
     | Data (tycon, arguments) -> (
         match Hashtbl.find_opt data tycon with
         | None -> bug "`%s` is no data type" tycon.name
         | Some d ->
-            let types = List.combine d.parameters (List.map (shape types) arguments) in
-            let constructors = List.map (constructor types) d.constructors in
+            let close = Core.Erasure.substitute (List.combine d.parameters arguments) in
+            let constructors = List.map (constructor close) d.constructors in
             Data { is_event = tycon = event; constructors })
-    | String | Function _ | Signal_function _ ->
+    | Array (Size n, element) -> Array (n, shape element)
+    | String | Function _ | Signal_function _ | Array _ | Size _ ->
         bug "functions and labels are not seen from outside"
-  and constructor types (c : Core.Ir.constructor) =
-    { name = c.name.name; fields = List.map (fun (name, ty) -> (name, shape types ty)) c.fields }
+  and constructor close (c : Core.Ir.constructor) =
+    { name = c.name.name; fields = List.map (fun (name, ty) -> (name, shape (close ty))) c.fields }
   in
-  shape [] ty
+  shape ty
 
 (* The parts that have columns of their own, with their names in paths. *)
 let parts = function
-  | Tuple parts -> Some (List.mapi (fun i part -> (string_of_int (i + 1), part)) parts)
-  | Data { constructors = [ record ]; _ } when is_record record -> Some record.fields
+  | Tuple parts -> Some (List.mapi (fun i part -> ("." ^ string_of_int (i + 1), part)) parts)
+  | Array (n, element) -> Some (List.init n (fun i -> (Printf.sprintf "[%d]" i, element)))
+  | Data { constructors = [ record ]; _ } when is_record record ->
+      Some (List.map (fun (name, part) -> ("." ^ name, part)) record.fields)
   | Bool | Int | Float | Data _ -> None
 
 type column = { name : string; shape : t }
@@ -55,7 +55,7 @@ let columns root shape =
     match parts shape with
     | None -> { name = path; shape } :: found
     | Some parts ->
-        List.fold_left (fun found (name, part) -> add found (path ^ "." ^ name) part) found parts
+        List.fold_left (fun found (name, part) -> add found (path ^ name) part) found parts
   in
   List.rev (add [] root shape)
 
@@ -63,7 +63,7 @@ let cells shape value =
   let rec add found shape (value : Value.t) =
     match (parts shape, value) with
     | None, _ -> value :: found
-    | Some parts, (Tuple values | Data { arguments = values; _ }) ->
+    | Some parts, (Tuple values | Array values | Data { arguments = values; _ }) ->
         List.fold_left2
           (fun found (_, part) value -> add found part (Thunk.demand value))
           found parts (Array.to_list values)
@@ -88,6 +88,7 @@ let assemble shape cells =
         let values = Array.of_list (List.rev values) in
         match shape with
         | Data _ -> (Data { constructor = 0; arguments = values }, rest)
+        | Array _ -> (Array values, rest)
         | Bool | Int | Float | Tuple _ -> (Tuple values, rest))
   in
   fst (take shape cells)

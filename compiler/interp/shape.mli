@@ -5,6 +5,7 @@ type t =
   | Int
   | Float
   | Tuple of t list
+  | Array of int * t
   | Data of { is_event : bool; constructors : constructor list }
 
 and constructor = {
@@ -18,7 +19,7 @@ val is_record : constructor -> bool
 val of_type : Core.Ir.program -> Core.Ir.ty -> t
 (** Of a closed type without functions and labels. *)
 
-(** {1 Columns} A tuple or record has the columns of its parts, everything
+(** {1 Columns} A tuple, record or array has the columns of its parts, everything
     else is a column of its own. *)
 
 type column = { name : string;  (** its path, as [in.position.x] *) shape : t }

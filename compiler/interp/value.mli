@@ -6,6 +6,7 @@ type t =
   | Float of float
   | Text of string
   | Tuple of thunk array
+  | Array of thunk array
   | Data of { constructor : int; arguments : thunk array }
   | Function of (thunk -> t)
   | Signal_function of (unit -> instance)

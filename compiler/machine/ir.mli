@@ -20,6 +20,7 @@ type ty =
   | Int
   | Float
   | Sum of int  (** index into [program.sums] *)
+  | Array of int * ty  (** size and element *)
   | Nanoseconds  (** 64 bits, not negative *)
 
 type variable = {
@@ -40,6 +41,7 @@ type field = {
 and content =
   | Value of ty
   | State_of of int  (** of that node *)
+  | States_of of { node : int; count : int }  (** one for each round of a loop *)
   | Running_mode  (** the number of a mode *)
   | Modes of mode list  (** room for what any one of them keeps *)
 
@@ -67,6 +69,12 @@ type expr =
   | Construct of { sum : int; constructor : int; payload : expr list }
   | Is_constructor of { sum : int; value : expr; constructor : int }
   | Payload of { sum : int; value : expr; constructor : int; leaf : int }
+  | Elements of { element : ty; elements : expr list }
+      (** an array; only as the whole value of a [Declare] *)
+  | Fill of { count : int; element : ty; value : expr }
+  | Index of { array : expr; index : int }  (** inside *)
+  | At of { count : int; element : ty; array : expr; index : expr; default : expr }
+  | Replace of { count : int; element : ty; array : expr; index : expr; value : expr }
   | Call of { node : int; arguments : expr list }
       (** of a node without state and with one output *)
   | Seconds of expr  (** of [Nanoseconds] *)
@@ -98,10 +106,29 @@ type statement =
       on_trial : bool;  (** of a copy of the state, which is then forgotten *)
       span : Span.t;
     }
+  | Loop of loop
   | Reset of { node : int; state : field; arguments : expr list; span : Span.t }
+      (** of all states that the field holds *)
   | Enter of { entry : entry; span : Span.t }
   | Run of run
   | Return of { value : expr; span : Span.t }  (** last; one output only *)
+
+(** The step of a node, round after round. *)
+and loop = {
+  node : int;
+  state : field option;
+  count : int;
+  initial : expr list;  (** of the accumulators *)
+  arguments : argument list;  (** of the node's step *)
+  results : variable list;  (** declared here: accumulators, then arrays *)
+  span : Span.t;
+}
+
+and argument =
+  | Accumulated of int  (** the accumulator of that number *)
+  | Each of expr  (** of an array *)
+  | Same of expr
+  | Counted of expr  (** that, and one more in each round *)
 
 (** A mode begins: its parameters, then its state. *)
 and entry = {

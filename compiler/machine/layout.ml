@@ -1,6 +1,21 @@
-type slots = { floats : int; ints : int; bools : int; tags : int }
+type slots = {
+  floats : int;
+  ints : int;
+  bools : int;
+  tags : int;
+  arrays : (Flow.Ir.ty * int) list;  (* sorted *)
+}
 
-let none = { floats = 0; ints = 0; bools = 0; tags = 0 }
+let none = { floats = 0; ints = 0; bools = 0; tags = 0; arrays = [] }
+
+let rec merge f a b =
+  match (a, b) with
+  | [], rest | rest, [] -> rest
+  | ((ty, n) as first) :: others_of_a, ((ty', m) as first') :: others_of_b ->
+      let order = compare ty ty' in
+      if order = 0 then (ty, f n m) :: merge f others_of_a others_of_b
+      else if order < 0 then first :: merge f others_of_a b
+      else first' :: merge f a others_of_b
 
 let combine f a b =
   {
@@ -8,9 +23,19 @@ let combine f a b =
     ints = f a.ints b.ints;
     bools = f a.bools b.bools;
     tags = f a.tags b.tags;
+    arrays = merge f a.arrays b.arrays;
   }
 
 let add = combine ( + )
+
+let arrays_before slots ty = Option.value (List.assoc_opt ty slots.arrays) ~default:0
+
+let rec ty : Flow.Ir.ty -> Ir.ty = function
+  | Bool -> Bool
+  | Int -> Int
+  | Float -> Float
+  | Sum k -> Sum k
+  | Array (n, element) -> Array (n, ty element)
 
 let shape_leaves shape =
   (* From the last leaf to the first, so that nothing needs reversing. *)
@@ -19,6 +44,9 @@ let shape_leaves shape =
     | Leaf ty -> ty :: rest
     | Product { parts; _ } ->
         List.fold_left (fun rest (_, part) -> prepend part rest) rest (List.rev parts)
+    | Repeated (n, element) ->
+        let array leaf : Flow.Ir.ty = Array (n, leaf) in
+        List.rev_append (List.rev_map array (prepend element [])) rest
   in
   prepend shape []
 
@@ -31,6 +59,7 @@ let rec leaf sums (ty : Flow.Ir.ty) =
   | Int -> { none with ints = 1 }
   | Bool -> { none with bools = 1 }
   | Sum k -> add { none with tags = 1 } (sum sums k)
+  | Array _ -> { none with arrays = [ (ty, 1) ] }
 
 and sum sums k =
   List.fold_left
@@ -39,11 +68,23 @@ and sum sums k =
       combine max most needs)
     none sums.(k).Flow.Ir.constructors
 
-let alignment sums (ty : Ir.ty) =
+let rec flow_alignment sums (ty : Flow.Ir.ty) =
+  match ty with
+  | Bool -> 1
+  | Int -> 4
+  | Float -> 8
+  | Sum k ->
+      let slots = sum sums k in
+      let of_arrays =
+        List.fold_left (fun most (ty, _) -> max most (flow_alignment sums ty)) 1 slots.arrays
+      in
+      max of_arrays (if slots.floats > 0 then 8 else if slots.ints > 0 then 4 else 1)
+  | Array (_, element) -> flow_alignment sums element
+
+let rec alignment sums (ty : Ir.ty) =
   match ty with
   | Bool -> 1
   | Int -> 4
   | Float | Nanoseconds -> 8
-  | Sum k ->
-      let slots = sum sums k in
-      if slots.floats > 0 then 8 else if slots.ints > 0 then 4 else 1
+  | Sum k -> flow_alignment sums (Sum k)
+  | Array (_, element) -> alignment sums element

@@ -3,12 +3,24 @@
     A sum is a struct of a tag and slots that all its constructors share: as
     many doubles, 32-bit integers, bools and inner tags as the constructor
     that needs most of each. A payload that is itself a sum is laid flat into
-    the slots: its tag takes an inner-tag slot, its slots follow. *)
+    the slots: its tag takes an inner-tag slot, its slots follow. An array is a
+    slot of its own, shared with arrays of the same type. *)
 
-type slots = { floats : int; ints : int; bools : int; tags : int }
+type slots = {
+  floats : int;
+  ints : int;
+  bools : int;
+  tags : int;
+  arrays : (Flow.Ir.ty * int) list;  (** how many of each type of array; sorted *)
+}
 
 val none : slots
 val add : slots -> slots -> slots
+
+val arrays_before : slots -> Flow.Ir.ty -> int
+(** How many of this type. *)
+
+val ty : Flow.Ir.ty -> Ir.ty
 
 val leaf : Flow.Ir.sum array -> Flow.Ir.ty -> slots
 (** What one leaf takes inside a payload. *)

@@ -22,7 +22,7 @@ type known = {
   fields : unit Known.t;
 }
 
-let show c (ty : Ir.ty) =
+let rec show c (ty : Ir.ty) =
   match ty with
   | Bool -> "Bool"
   | Int -> "Int"
@@ -30,16 +30,11 @@ let show c (ty : Ir.ty) =
   | Nanoseconds -> "Nanoseconds"
   | Sum k when k < Array.length c.program.sums -> c.program.sums.(k).name
   | Sum k -> bug "there is no sum %d" k
+  | Array (n, element) -> Printf.sprintf "Array %d (%s)" n (show c element)
 
 let expect c what (wanted : Ir.ty) found =
   if wanted <> found then
     bug "%s in `%s` is %s where %s is needed" what c.node.name (show c found) (show c wanted)
-
-let flow_type : Flow.Ir.ty -> Ir.ty = function
-  | Bool -> Bool
-  | Int -> Int
-  | Float -> Float
-  | Sum k -> Sum k
 
 let constructor c sum k =
   match List.nth_opt c.program.sums.(sum).constructors k with
@@ -49,7 +44,7 @@ let constructor c sum k =
 let field_type c (f : Ir.field) =
   match Option.map (fun (own : Ir.field) -> own.content) (Hashtbl.find_opt c.state f.id) with
   | Some (Value ty) -> ty
-  | Some (State_of _ | Running_mode | Modes _) -> bug "field `%s` of `%s` is read as a value" f.name c.node.name
+  | Some (State_of _ | States_of _ | Running_mode | Modes _) -> bug "field `%s` of `%s` is read as a value" f.name c.node.name
   | None -> bug "field `%s` is not in the state of `%s`" f.name c.node.name
 
 (* The types of an operation's arguments, beside [ty] itself, and of its
@@ -125,7 +120,7 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
       check "a branch" ty else_;
       ty
   | Construct { sum; constructor = k; payload } ->
-      let leaves = List.map flow_type (Layout.leaves (constructor c sum k)) in
+      let leaves = List.map Layout.ty (Layout.leaves (constructor c sum k)) in
       if List.compare_lengths leaves payload <> 0 then bug "a payload of a wrong size";
       List.iter2 (check "a payload") leaves payload;
       Sum sum
@@ -136,8 +131,28 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
   | Payload { sum; value; constructor = k; leaf } -> (
       check "a value taken apart" (Sum sum) value;
       match List.nth_opt (Layout.leaves (constructor c sum k)) leaf with
-      | Some ty -> flow_type ty
+      | Some ty -> Layout.ty ty
       | None -> bug "a payload has no leaf %d" leaf)
+  | Elements { element; elements } ->
+      List.iter (check "an element" element) elements;
+      Array (List.length elements, element)
+  | Fill { count; element; value } ->
+      check "an element" element value;
+      Array (count, element)
+  | Index { array; index } -> (
+      match expr c known array with
+      | Array (n, element) when index >= 0 && index < n -> element
+      | ty -> bug "element %d of %s in `%s`" index (show c ty) c.node.name)
+  | At { count; element; array; index; default } ->
+      check "an array" (Array (count, element)) array;
+      check "an index" Int index;
+      check "a default" element default;
+      element
+  | Replace { count; element; array; index; value } ->
+      check "an array" (Array (count, element)) array;
+      check "an index" Int index;
+      check "an element" element value;
+      Array (count, element)
   | Call { node; arguments } -> (
       let callee : Ir.node = callee c node in
       if callee.state <> [] then bug "`%s` is called as if it had no state" callee.name;
@@ -203,7 +218,7 @@ let entered c known =
     (fun known (f : Ir.field) ->
       match f.content with
       | Running_mode | Modes _ -> { known with fields = Known.add f.id () known.fields }
-      | Value _ | State_of _ -> known)
+      | Value _ | State_of _ | States_of _ -> known)
     known c.node.state
 
 let run c known (run : Ir.run) =
@@ -246,6 +261,47 @@ let run c known (run : Ir.run) =
 
 let both a b = Known.merge (fun _ x y -> match (x, y) with Some x, Some _ -> Some x | _ -> None) a b
 
+let loop c known (l : Ir.loop) =
+  let callee : Ir.node = callee c l.node in
+  (match (l.state, callee.state) with
+  | Some { content = States_of { node; count }; _ }, _ :: _ when node = l.node && count = l.count -> ()
+  | None, [] -> ()
+  | _, _ -> bug "a loop over `%s` has a wrong state" callee.name);
+  let accumulators = List.length l.initial in
+  let outputs = List.map snd callee.outputs in
+  let argument (p : Ir.variable) (argument : Ir.argument) =
+    let found : Ir.ty =
+      match argument with
+      | Accumulated k when k < accumulators -> List.nth outputs k
+      | Accumulated k -> bug "`%s` has no accumulator %d" callee.name k
+      | Same e -> expr c known e
+      | Counted e ->
+          expect c "a counter" Int (expr c known e);
+          Int
+      | Each e -> (
+          match expr c known e with
+          | Array (n, element) when n = l.count -> element
+          | ty -> bug "a loop over %s in `%s`" (show c ty) c.node.name)
+    in
+    expect c "an argument" p.ty found
+  in
+  if List.compare_lengths callee.step.parameters l.arguments <> 0 then
+    bug "`%s` loops with a wrong number of arguments" c.node.name;
+  List.iter2 argument callee.step.parameters l.arguments;
+  if List.compare_lengths outputs l.results <> 0 then
+    bug "`%s` takes a wrong number of results" c.node.name;
+  List.iteri
+    (fun k e -> expect c "an initial value" (List.nth outputs k) (expr c known e))
+    l.initial;
+  let result k (v : Ir.variable) : Ir.ty =
+    let ty = List.nth outputs k in
+    expect c "a result" v.ty (if k < accumulators then ty else Array (l.count, ty));
+    declare c v;
+    ty
+  in
+  ignore (List.mapi result l.results);
+  List.fold_left readable known l.results
+
 let rec statement c depth known (s : Ir.statement) =
   match s with
   | Declare { variable; value; _ } ->
@@ -285,6 +341,7 @@ let rec statement c depth known (s : Ir.statement) =
           declare c v;
           readable known v)
         known results callee.outputs
+  | Loop l -> loop c known l
   | Reset { node; state; arguments; _ } ->
       call c known (callee c node).reset.parameters arguments;
       { known with fields = Known.add state.id () known.fields }

@@ -8,13 +8,7 @@ type context = {
   resolve : F.atom -> F.atom;
 }
 
-let value_type : F.ty -> Ir.ty = function
-  | Bool -> Bool
-  | Int -> Int
-  | Float -> Float
-  | Sum k -> Sum k
-
-let variable (s : F.signal) : Ir.variable = { id = s.id; name = s.name; ty = value_type s.ty }
+let variable (s : F.signal) : Ir.variable = { id = s.id; name = s.name; ty = Layout.ty s.ty }
 let map f list = List.rev (List.rev_map f list)
 
 let results_for_transitions (node : F.node) =

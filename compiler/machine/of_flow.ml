@@ -15,16 +15,10 @@ let callee context k =
   | Some node -> node
   | None -> Diagnostic.bug ~stage:"Machine.Of_flow" "a node is used before it is known"
 
-let value_type : F.ty -> Ir.ty = function
-  | Bool -> Bool
-  | Int -> Int
-  | Float -> Float
-  | Sum k -> Sum k
-
 let variable = Modes.variable
 
 let atom_type : F.atom -> Ir.ty = function
-  | Signal s -> value_type s.ty
+  | Signal s -> Layout.ty s.ty
   | Bool _ -> Bool
   | Int _ -> Int
   | Float _ -> Float
@@ -58,8 +52,18 @@ let without_self_comparison (rhs : F.rhs) : F.rhs =
       match (operator, a.ty) with
       | Less, _ -> Copy (Bool false)
       | _, Float -> Op (Equal, [ x; x ])
-      | _, (Int | Bool | Sum _) -> Copy (Bool true))
+      | _, (Int | Bool | Sum _ | Array _) -> Copy (Bool true))
   | rhs -> rhs
+
+let flow_type : F.atom -> F.ty = function
+  | Signal s -> s.ty
+  | Bool _ -> Bool
+  | Int _ -> Int
+  | Float _ -> Float
+
+let array_type : F.ty -> int * Ir.ty = function
+  | Array (n, element) -> (n, Layout.ty element)
+  | Bool | Int | Float | Sum _ -> broken "an element of what is no array"
 
 (* What an equation without memory computes. *)
 let computed (eq : F.equation) rhs : computed =
@@ -84,7 +88,7 @@ let computed (eq : F.equation) rhs : computed =
       let sum =
         match eq.defines.ty with
         | Sum k -> k
-        | Bool | Int | Float -> broken "a constructor outside a sum"
+        | Bool | Int | Float | Array _ -> broken "a constructor outside a sum"
       in
       make payload (1 + List.length payload) (fun payload -> Construct { sum; constructor; payload })
   | Is_constructor (value, constructor) ->
@@ -93,6 +97,23 @@ let computed (eq : F.equation) rhs : computed =
   | Payload { value; constructor; leaf } ->
       let sum = sum_of value in
       make [ value ] 1 (fun e -> Payload { sum; value = one e; constructor; leaf })
+  | Elements elements ->
+      let _, element = array_type eq.defines.ty in
+      make elements (List.length elements) (fun elements -> Elements { element; elements })
+  | Fill value ->
+      let count, element = array_type eq.defines.ty in
+      make [ value ] count (fun e -> Fill { count; element; value = one e })
+  | Index (array, index) -> make [ array ] 1 (fun e -> Index { array = one e; index })
+  | At { array; index; default } ->
+      let count, element = array_type (flow_type array) in
+      make [ array; index; default ] 3 (function
+        | [ array; index; default ] -> At { count; element; array; index; default }
+        | _ -> broken "an element with a wrong number of operands")
+  | Replace { array; index; value } ->
+      let count, element = array_type eq.defines.ty in
+      make [ array; index; value ] (2 + count) (function
+        | [ array; index; value ] -> Replace { count; element; array; index; value }
+        | _ -> broken "an element with a wrong number of operands")
   | Delay _ | Time | Integral _ | Derivative _ -> broken "memory where none can be"
 
 (* The arguments for those parameters that the callee reads. *)
@@ -131,6 +152,8 @@ let rec zero context (ty : F.ty) : Ir.expr =
           let payload = List.map (zero context) (Layout.leaves first) in
           Construct { sum; constructor = 0; payload }
       | [] -> broken "a sum without constructors")
+  | Array (count, element) ->
+      Fill { count; element = Layout.ty element; value = zero context element }
 
 (* A step of a copy. What is not given is zero. *)
 let try_out context resolve (i : F.instance) (trial : F.trial) state =
@@ -148,6 +171,19 @@ let try_out context resolve (i : F.instance) (trial : F.trial) state =
       (fun ((s : F.signal), a) -> if Option.is_none a then Some (s.id, zero context s.ty) else None)
       given
   in
+  (* Arrays are passed by address, so they need variables. *)
+  let declare (id, (value : Ir.expr)) =
+    match value with
+    | Fill { count; element; _ } ->
+        context.fresh <- context.fresh + 1;
+        let variable : Ir.variable =
+          { id = context.fresh; name = ""; ty = Array (count, element) }
+        in
+        ((id, Ir.Variable variable), [ Ir.Declare { variable; value; span = i.span } ])
+    | value -> ((id, value), [])
+  in
+  let zeros, declared = List.split (List.map declare zeros) in
+  let declared = List.concat declared in
   let rec fill parameters exprs =
     match (parameters, exprs) with
     | [], _ -> []
@@ -159,7 +195,8 @@ let try_out context resolve (i : F.instance) (trial : F.trial) state =
   in
   let statements exprs =
     let arguments = fill atoms exprs in
-    [ Ir.Step { node = i.node; state; arguments; results; on_trial = true; span = i.span } ]
+    declared
+    @ [ Ir.Step { node = i.node; state; arguments; results; on_trial = true; span = i.span } ]
   in
   Action
     {
@@ -171,15 +208,64 @@ let try_out context resolve (i : F.instance) (trial : F.trial) state =
       span = i.span;
     }
 
+let loop context resolve (i : F.instance) (l : F.loop) state =
+  let node = callee context i.node in
+  let forms = Hashtbl.create 16 in
+  let input k (s : F.signal) form = Hashtbl.replace forms s.id (k, form) in
+  List.iteri
+    (fun k (s, form) -> input k s form)
+    (List.combine context.program.nodes.(i.node).inputs l.arguments);
+  let initial =
+    List.filteri (fun k _ -> List.nth l.arguments k = F.Accumulator) i.inputs
+  in
+  let parameters = node.step.parameters in
+  let form (p : Ir.variable) =
+    Option.value (Hashtbl.find_opt forms p.id) ~default:(0, F.Same)
+  in
+  let statements exprs =
+    let accumulators = List.length initial in
+    let first = List.filteri (fun k _ -> k < accumulators) exprs in
+    let others = List.filteri (fun k _ -> k >= accumulators) exprs in
+    let argument p e : Ir.argument =
+      match form p with
+      | k, Accumulator -> Accumulated k
+      | _, Element -> Each e
+      | _, Same -> Same e
+      | _, Counter -> Counted e
+    in
+    [
+      Ir.Loop
+        {
+          node = i.node;
+          state;
+          count = l.count;
+          initial = first;
+          arguments = List.map2 argument parameters others;
+          results = List.map variable i.outputs;
+          span = i.span;
+        };
+    ]
+  in
+  Action
+    {
+      defines = i.outputs;
+      operands = List.map resolve (initial @ arguments context i node.step);
+      statements;
+      always = Option.is_some state;
+      weight = l.count * (2 + node.operations);
+      span = i.span;
+    }
+
 let call context resolve (i : F.instance) state =
   let node = callee context i.node in
   let operands = List.map resolve (arguments context i node.step) in
-  match (state, i.outputs) with
-  | None, [ signal ] when i.trials = [] ->
+  match (i.loop, state, i.outputs) with
+  | Some l, _, _ -> loop context resolve i l state
+  | None, None, [ signal ] when i.trials = [] ->
       let build arguments = Ir.Call { node = i.node; arguments } in
       Computed
         { signal; operands; build; choice = None; weight = 2 + node.operations; span = i.span }
-  | _, _ ->
+  | None, _, _ ->
       let defines = Flow.Schedule.defines (Instance i) in
       let results = results context i defines in
       let statements arguments =
@@ -431,7 +517,7 @@ let reads_of body =
       | Variable v -> Hashtbl.replace reads.variables v.id ()
       | Dt -> reads.seconds <- true
       | Dt_nanoseconds -> reads.nanoseconds <- true
-      | Field _ | Bool _ | Int _ | Float _ | Zero_time | Operation _ | Select _ | Construct _
+      | Elements _ | Fill _ | Index _ | At _ | Replace _ | Field _ | Bool _ | Int _ | Float _ | Zero_time | Operation _ | Select _ | Construct _
       | Is_constructor _ | Payload _ | Call _ | Seconds _ | Later _ ->
           ())
     body;
@@ -453,7 +539,7 @@ let rec alignment context (content : Ir.content) =
           largest (State.fields_of_mode mode)
       in
       List.fold_left of_mode 1 modes
-  | State_of k -> (
+  | State_of k | States_of { node = k; _ } -> (
       match (callee context k).state with
       | first :: _ -> alignment context first.content
       | [] -> 1)
@@ -462,7 +548,7 @@ let stepped body (modes : Ir.mode list) =
   let nodes = Hashtbl.create 8 in
   Walk.statements
     (function
-      | Step { node; _ } -> Hashtbl.replace nodes node ()
+      | Step { node; _ } | Loop { node; _ } -> Hashtbl.replace nodes node ()
       | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Run _ | Return _ -> ())
     body;
   List.iter (fun (mode : Ir.mode) -> Hashtbl.replace nodes mode.node ()) modes;
@@ -525,7 +611,7 @@ let node context k ~is_root =
       outputs =
         (let for_transitions =
            List.map
-             (fun (s : F.signal) -> (s.name, value_type s.ty))
+             (fun (s : F.signal) -> (s.name, Layout.ty s.ty))
              (Modes.results_for_transitions node)
          in
          let own = List.rev_map (fun (name, atom) -> (name, atom_type atom)) node.outputs in

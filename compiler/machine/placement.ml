@@ -45,14 +45,8 @@ let here t block =
 
 let put block statement = block.code <- Statement statement :: block.code
 
-let machine_type : Flow.ty -> Ir.ty = function
-  | Bool -> Bool
-  | Int -> Int
-  | Float -> Float
-  | Sum k -> Sum k
-
 let variable (s : Flow.signal) : Ir.variable =
-  { id = s.id; name = s.name; ty = machine_type s.ty }
+  { id = s.id; name = s.name; ty = Layout.ty s.ty }
 
 (* Expressions *)
 

@@ -76,6 +76,11 @@ let rec expr c ppf (e : Ir.expr) =
       fprintf ppf "%a is %s" (operand c) value (constructor c sum k)
   | Payload { sum; value; constructor = k; leaf } ->
       fprintf ppf "%a.%s.%d" (operand c) value (constructor c sum k) leaf
+  | Elements { elements; _ } -> fprintf ppf "array%a" (list c) elements
+  | Fill { count; value; _ } -> fprintf ppf "fill%a" (list c) [ Int (Int32.of_int count); value ]
+  | Index { array; index } -> fprintf ppf "%a[%d]" (operand c) array index
+  | At { array; index; default; _ } -> fprintf ppf "at%a" (list c) [ array; index; default ]
+  | Replace { array; index; value; _ } -> fprintf ppf "replace%a" (list c) [ array; index; value ]
   | Call { node; arguments } -> fprintf ppf "%s%a" c.program.nodes.(node).name (list c) arguments
   | Seconds e -> fprintf ppf "seconds%a" (list c) [ e ]
   | Later (a, b) -> fprintf ppf "later%a" (list c) [ a; b ]
@@ -83,7 +88,7 @@ let rec expr c ppf (e : Ir.expr) =
 and operand c ppf (e : Ir.expr) =
   match e with
   | Bool _ | Int _ | Float _ | Zero_time | Variable _ | Field _ | Dt | Dt_nanoseconds | Call _
-  | Construct _ | Payload _ | Seconds _ | Later _ ->
+  | Construct _ | Elements _ | Fill _ | Index _ | At _ | Replace _ | Payload _ | Seconds _ | Later _ ->
       expr c ppf e
   | Operation { operator = o; _ } when not (is_symbol (operator o)) -> expr c ppf e
   | Operation _ | Select _ | Is_constructor _ -> fprintf ppf "(%a)" (expr c) e
@@ -119,6 +124,18 @@ let rec statement c indent ppf (s : Ir.statement) =
         c.program.nodes.(node).name
         (match state with Some f -> field f | None -> "")
         (list c) arguments span.start.line
+  | Loop { node; state; count; initial; arguments; results; span } ->
+      let argument : Ir.argument -> string = function
+        | Accumulated k -> sprintf "so far.%d" k
+        | Each e -> asprintf "each %a" (operand c) e
+        | Same e -> asprintf "%a" (expr c) e
+        | Counted e -> asprintf "%a + i" (operand c) e
+      in
+      put "%s = %d times step %s %s(%s) from %a  -- %d" (variables c results) count
+        c.program.nodes.(node).name
+        (match state with Some f -> field f | None -> "")
+        (String.concat ", " (List.map argument arguments))
+        (list c) initial span.start.line
   | Reset { node; state; arguments; span } ->
       put "reset %s %s%a  -- %d" c.program.nodes.(node).name (field state) (list c) arguments
         span.start.line
@@ -146,12 +163,13 @@ let rec statement c indent ppf (s : Ir.statement) =
 and enter c ppf (e : Ir.entry) =
   fprintf ppf "enter %d%a reset%a" e.mode (list c) e.parameters (list c) e.reset
 
-let ty (program : Ir.program) : Ir.ty -> string = function
+let rec ty (program : Ir.program) : Ir.ty -> string = function
   | Bool -> "Bool"
   | Int -> "Int"
   | Float -> "Float"
   | Nanoseconds -> "Nanoseconds"
   | Sum k -> program.sums.(k).name
+  | Array (n, element) -> sprintf "Array %d (%s)" n (ty program element)
 
 let code (program : Ir.program) title ppf (code : Ir.code) =
   let c = { program; names = names () } in
@@ -166,6 +184,8 @@ let node (program : Ir.program) ppf (n : Ir.node) =
         match f.content with
         | Value t -> ty program t
         | State_of k -> sprintf "state of %s" program.nodes.(k).name
+        | States_of { node; count } ->
+            sprintf "%d states of %s" count program.nodes.(node).name
         | Running_mode -> "number of a mode"
         | Modes modes ->
             sprintf "one of %s"

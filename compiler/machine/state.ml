@@ -53,12 +53,7 @@ let derived (s : signal) atom ~suffix ~otherwise =
 
 let remember t (s : signal) memory = Hashtbl.replace t.memories s.id memory
 
-let value (ty : ty) : Ir.content =
-  match ty with
-  | Bool -> Value Bool
-  | Int -> Value Int
-  | Float -> Value Float
-  | Sum k -> Value (Sum k)
+let value (ty : ty) : Ir.content = Value (Layout.ty ty)
 
 let equation t { defines = s; rhs; span } =
   let field ~name ~purpose = new_field t ~name (Value Float) ~purpose span in
@@ -79,7 +74,8 @@ let equation t { defines = s; rhs; span } =
       let value = field ~name ~purpose:"derivative" in
       let input = field ~name:(name ^ "_input") ~purpose:"its last input" in
       remember t s (Differentiated { value; input })
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ -> ()
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+  | At _ | Replace _ -> ()
 
 let kept_name rhs =
   let after operator operand =
@@ -88,7 +84,8 @@ let kept_name rhs =
   match rhs with
   | Op (Elementary e, operand :: _) -> after (Core.Primitive.name (Elementary e)) operand
   | Op (Pow, operand :: _) -> after "pow" operand
-  | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Delay _ | Time | Integral _
+  | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+  | At _ | Replace _ | Delay _ | Time | Integral _
   | Derivative _ ->
       "start_value"
 
@@ -158,7 +155,11 @@ let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : S
       | Instance i ->
           if stateful i.node then
             Hashtbl.replace t.instances i.name
-              (new_field t ~name:i.name (State_of i.node) ~purpose:"" i.span)
+              (new_field t ~name:i.name
+                 (match i.loop with
+                 | None -> State_of i.node
+                 | Some { count; _ } -> States_of { node = i.node; count })
+                 ~purpose:"" i.span)
       | Trial _ -> ()
       | Machine m -> machine_of t ~callee ~statics:statics_of m)
     statics.in_step;

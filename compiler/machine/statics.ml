@@ -16,13 +16,15 @@ let is_expensive = function
         | Minimum | Maximum | Divide | Div | Mod | To_float | Round | Floor | Ceiling | Truncate
         | Not | And | Or ),
         _ )
-  | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Delay _ | Time | Integral _
+  | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+  | At _ | Replace _ | Delay _ | Time | Integral _
   | Derivative _ ->
       false
 
 let is_stateful = function
   | Flow.Ir.Delay _ | Time | Integral _ | Derivative _ -> true
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ -> false
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+  | At _ | Replace _ -> false
 
 (* What is known of a node while it is being divided; tables by signal id. *)
 type work = {

@@ -57,10 +57,14 @@ let branches t (c : computed) =
   | Some (Signal condition, _, _) when Hashtbl.mem t.branching condition.id -> c.choice
   | Some _ | None -> None
 
+(* An array is computed into a variable of its own. *)
+let is_array (s : Flow.signal) =
+  match s.ty with Array _ -> true | Bool | Int | Float | Sum _ -> false
+
 let inlined t (s : Flow.signal) =
   match computed_of t s with
   | Some c
-    when String.equal s.name "" && uses t s = 1
+    when String.equal s.name "" && uses t s = 1 && not (is_array s)
          && (not (Hashtbl.mem t.apart s.id))
          && Option.is_none (branches t c) ->
       Some c

@@ -1,7 +1,7 @@
 (** Which values are used how often, which ones stand inside the expression of
     their one user, and which choices are worth a branch.
 
-    An unnamed value with one use is inlined, unless the expression would grow
+    An unnamed value with one use is inlined (but no array), unless the expression would grow
     past {!expression_size} operations: then its largest operand gets a
     variable of its own. A choice becomes an [If] if what only its branches
     need costs more than the select (or if many values are chosen by one

@@ -5,6 +5,11 @@ let children = function
   | Operation { arguments; _ } | Call { arguments; _ } -> arguments
   | Select { condition; then_; else_ } -> [ condition; then_; else_ ]
   | Construct { payload; _ } -> payload
+  | Elements { elements; _ } -> elements
+  | Fill { value; _ } -> [ value ]
+  | Index { array; _ } -> [ array ]
+  | At { array; index; default; _ } -> [ array; index; default ]
+  | Replace { array; index; value; _ } -> [ array; index; value ]
   | Is_constructor { value; _ } | Payload { value; _ } | Seconds value -> [ value ]
   | Later (a, b) -> [ a; b ]
 
@@ -20,7 +25,7 @@ let rec statements visit body =
       | If { then_; else_; _ } ->
           statements visit then_;
           statements visit else_
-      | Declare _ | Assign _ | Step _ | Reset _ | Enter _ | Run _ | Return _ -> ())
+      | Declare _ | Assign _ | Step _ | Loop _ | Reset _ | Enter _ | Run _ | Return _ -> ())
     body
 
 let entry visit (e : entry) =
@@ -45,12 +50,19 @@ let run visit (run : run) =
   List.iter control run.controls;
   List.iter case run.cases
 
+let argument visit : argument -> unit = function
+  | Accumulated _ -> ()
+  | Each e | Same e | Counted e -> expression visit e
+
 let expressions visit body =
   statements
     (function
       | Declare { value; _ } | Assign { value; _ } | Return { value; _ } -> expression visit value
       | If { condition; _ } -> expression visit condition
       | Step { arguments; _ } | Reset { arguments; _ } -> List.iter (expression visit) arguments
+      | Loop l ->
+          List.iter (expression visit) l.initial;
+          List.iter (argument visit) l.arguments
       | Enter e -> entry visit e.entry
       | Run r -> run visit r)
     body

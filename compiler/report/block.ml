@@ -21,11 +21,12 @@ let scalar bytes = { bytes; alignment = bytes }
 (* Members one after another, all alike. *)
 let run count member = { member with bytes = Amount.times count member.bytes }
 
-let of_value sums (ty : Machine.Ir.ty) =
+let rec of_value sums (ty : Machine.Ir.ty) =
   match ty with
   | Bool -> scalar 1
   | Int -> scalar 4
   | Float | Nanoseconds -> scalar 8
+  | Array (n, element) -> run n (of_value sums element)
   | Sum k ->
       let slots = Machine.Layout.sum sums k in
       let runs =
@@ -33,13 +34,23 @@ let of_value sums (ty : Machine.Ir.ty) =
           (1, scalar 1); (slots.floats, scalar 8); (slots.ints, scalar 4); (slots.bools, scalar 1);
           (slots.tags, scalar 1);
         ]
+        @ List.map
+            (fun (ty, count) -> (count, of_value sums (Machine.Layout.ty ty)))
+            slots.arrays
       in
       let present = List.filter (fun (count, _) -> count > 0) runs in
       snd (of_members (List.map (fun (count, member) -> run count member) present))
 
-let scalars sums (ty : Machine.Ir.ty) =
+let rec scalars sums (ty : Machine.Ir.ty) =
   match ty with
   | Bool | Int | Float | Nanoseconds -> 1
+  | Array (n, element) -> Amount.times n (scalars sums element)
   | Sum k ->
       let slots = Machine.Layout.sum sums k in
-      1 + slots.floats + slots.ints + slots.bools + slots.tags
+      let arrays =
+        List.fold_left
+          (fun sum (ty, count) ->
+            Amount.add sum (Amount.times count (scalars sums (Machine.Layout.ty ty))))
+          0 slots.arrays
+      in
+      Amount.add arrays (1 + slots.floats + slots.ints + slots.bools + slots.tags)

@@ -9,6 +9,9 @@ val of_value : Flow.Ir.sum array -> Machine.Ir.ty -> t
 val scalars : Flow.Ir.sum array -> Machine.Ir.ty -> int
 (** How many numbers, truth values and tags a value is made of. *)
 
+val run : int -> t -> t
+(** So many, one after another. *)
+
 val of_members : t list -> int list * t
 (** The offsets of the members of a struct, and the struct. *)
 

@@ -9,6 +9,12 @@ let rec member index (m : State.member) =
   let holds =
     match m.holds with
     | State.Value purpose -> [ ("holds", string "value"); ("purpose", string purpose) ]
+    | Structs { node = k; count } ->
+        [
+          ("holds", string "structs");
+          ("struct", Json.Int (Hashtbl.find index k));
+          ("count", Json.Int count);
+        ]
     | Struct k -> [ ("holds", string "struct"); ("struct", Json.Int (Hashtbl.find index k)) ]
     | Running_mode -> [ ("holds", string "mode") ]
     | Largest modes -> [ ("holds", string "modes"); ("modes", list (alternative index) modes) ]

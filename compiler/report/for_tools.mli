@@ -3,7 +3,8 @@
     [program]; [entry] ([name], [file], [line]); [state_bytes]; [structs], the
     root's first: each [name], [file], [line], [bytes], [members], and a member
     [name], [line], [offset], [bytes] and [holds], which is [value] (with
-    [purpose]), [struct] (with [struct], an index into [structs]), [mode] or
+    [purpose]), [struct] (with [struct], an index into [structs]), [structs]
+    (likewise, and [count]), [mode] or
     [modes] (with [modes], each with [name], [bytes], [members]);
     [step_operations] by kind, and in it [calls] by function of the C library;
     [reset_stack_bytes], [step_stack_bytes]; [library], the functions of the C

@@ -17,7 +17,7 @@ let of_node (program : M.program) (node : M.node) =
       | M.Run { steps; span; _ } ->
           let modes = List.map mode node.modes in
           found := { name = node.origin; file = span.file; span; modes; steps } :: !found
-      | Declare _ | Assign _ | If _ | Step _ | Reset _ | Enter _ | Return _ -> ())
+      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Enter _ | Return _ -> ())
     node.step.body;
   List.rev !found
 

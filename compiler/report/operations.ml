@@ -14,7 +14,7 @@ let scalars c ty = Block.scalars c.program.sums ty
 let stored c (field : M.field) =
   match field.content with
   | Value ty -> Cost.several (scalars c ty) Stores
-  | State_of _ | Running_mode | Modes _ -> Cost.one Stores
+  | State_of _ | States_of _ | Running_mode | Modes _ -> Cost.one Stores
 
 (* What a copy of the state has to read. *)
 let rec scalars_of_state c fields =
@@ -22,6 +22,7 @@ let rec scalars_of_state c fields =
     match field.content with
     | Value ty -> scalars c ty
     | State_of k -> c.scalars.(k)
+    | States_of { node; count } -> Amount.times count c.scalars.(node)
     | Running_mode -> 1
     | Modes modes ->
         let mode m = scalars_of_state c (Machine.State.fields_of_mode m) in
@@ -40,12 +41,6 @@ let operation (operator : Flow.Ir.operator) (ty : M.ty) =
   | Pow -> Cost.one (Calls "pow")
   | Elementary f -> Cost.one (Calls (Core.Primitive.name (Elementary f)))
 
-let machine_type : Flow.Ir.ty -> M.ty = function
-  | Bool -> Bool
-  | Int -> Int
-  | Float -> Float
-  | Sum k -> Sum k
-
 let rec expression c (e : M.expr) =
   match e with
   | Bool _ | Int _ | Float _ | Zero_time | Variable _ | Dt | Dt_nanoseconds -> Cost.none
@@ -60,8 +55,17 @@ let rec expression c (e : M.expr) =
   | Is_constructor { value; _ } -> Cost.add (Cost.one Choices) (expression c value)
   | Payload { sum; value = Field _; constructor; leaf } ->
       let leaves = Machine.Layout.leaves (List.nth c.program.sums.(sum).constructors constructor) in
-      Cost.several (scalars c (machine_type (List.nth leaves leaf))) Loads
+      Cost.several (scalars c (Machine.Layout.ty (List.nth leaves leaf))) Loads
   | Payload { value; _ } -> expression c value
+  | Elements { elements; _ } -> expressions c elements
+  | Fill { count; value; _ } -> Cost.add (Cost.several count Choices) (expression c value)
+  | Index { array = Field { content = Value (Array (_, element)); _ }; _ } ->
+      Cost.several (scalars c element) Loads
+  | Index { array; _ } -> expression c array
+  | At { array; index; default; _ } ->
+      Cost.sum [ Cost.several 3 Choices; expressions c [ array; index; default ] ]
+  | Replace { array; index; value; _ } ->
+      Cost.sum [ Cost.several 3 Choices; expressions c [ array; index; value ] ]
   | Call { node; arguments } -> Cost.add c.done_.(node).step (expressions c arguments)
   | Seconds e -> Cost.sum [ Cost.one Conversions; Cost.one Divisions; expression c e ]
   | Later (a, b) ->
@@ -146,7 +150,16 @@ let rec statement c (s : M.statement) =
   | Step { node; arguments; on_trial; _ } ->
       let copy = if on_trial then Cost.several c.scalars.(node) Loads else Cost.none in
       Cost.sum [ copy; expressions c arguments; c.done_.(node).step ]
-  | Reset { node; arguments; _ } -> Cost.add (expressions c arguments) c.done_.(node).reset
+  | Loop l ->
+      let argument : M.argument -> Cost.t = function
+        | Accumulated _ -> Cost.none
+        | Each e | Same e | Counted e -> expression c e
+      in
+      let round = Cost.sum [ Cost.one Choices; Cost.one Additions; c.done_.(l.node).step ] in
+      Cost.sum (expressions c l.initial :: Cost.times l.count round :: List.map argument l.arguments)
+  | Reset { node; arguments; state; _ } ->
+      let count = match state.content with States_of { count; _ } -> count | _ -> 1 in
+      Cost.add (expressions c arguments) (Cost.times count c.done_.(node).reset)
   | Enter { entry = e; _ } -> entry c e
   | Run r -> run c r
 

@@ -54,7 +54,9 @@ let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
 let rec calls (e : M.expr) =
   match e with
   | Bool _ | Int _ | Float _ | Zero_time | Dt | Dt_nanoseconds | Variable _ | Field _ -> false
-  | Construct _ | Call _ | Later _ -> true
+  | Construct _ | Call _ | Later _ | Fill _ | At _ | Replace _ -> true
+  | Elements { elements; _ } -> List.exists calls elements
+  | Index { array; _ } -> calls array
   | Payload { value; _ } | Is_constructor { value; _ } | Seconds value -> calls value
   | Select { condition; then_; else_ } -> List.exists calls [ condition; then_; else_ ]
   | Operation { operator; ty; arguments } -> (
@@ -62,7 +64,8 @@ let rec calls (e : M.expr) =
       | Helper | Library -> true
       | Operators -> List.exists calls arguments)
 
-let is_sum (ty : M.ty) = match ty with Sum _ -> true | Bool | Int | Float | Nanoseconds -> false
+let is_sum (ty : M.ty) =
+  match ty with Sum _ -> true | Bool | Int | Float | Nanoseconds | Array _ -> false
 
 (* An expression within one that makes calls, if [calling]. *)
 let rec within c frame ~calling (e : M.expr) =
@@ -94,6 +97,25 @@ let rec within c frame ~calling (e : M.expr) =
       needs_helper frame (List.fold_left Amount.add (2 * fixed) [ whole; whole; whole ]);
       need frame whole;
       within c frame ~calling value
+  | Elements { elements; _ } -> all elements
+  | Fill { count; element; value } ->
+      let made = room c (Array (count, element)) in
+      needs_helper frame (Amount.add (2 * fixed) (Amount.times 3 made));
+      need frame made;
+      all [ value ]
+  | Index { array; _ } ->
+      intermediate ();
+      within c frame ~calling array
+  | At { element; array; index; default; _ } ->
+      needs_helper frame (Amount.add (2 * fixed) (Amount.times 3 (room c element)));
+      need frame (room c element);
+      all [ array; index; default ]
+  | Replace { count; element; array; index; value } ->
+      let made = room c (Array (count, element)) in
+      needs_helper frame
+        (Amount.add (2 * fixed) (Amount.add (Amount.times 3 made) (Amount.times 2 (room c element))));
+      need frame (Amount.add made (room c element));
+      all [ array; index; value ]
   | Call { node; arguments } ->
       List.iter (fun (_, ty) -> need frame (room c ty)) c.program.nodes.(node).outputs;
       call c frame c.done_.(node).step arguments
@@ -117,6 +139,10 @@ and choice c (e : M.expr) =
   | Bool _ | Int _ | Float _ | Zero_time | Dt | Dt_nanoseconds | Field _ | Operation _
   | Is_constructor _ | Seconds _ | Later _ ->
       word
+  | Elements { element; elements } -> room c (Array (List.length elements, element))
+  | Fill { count; element; _ } | Replace { count; element; _ } -> room c (Array (count, element))
+  | At { element; _ } -> room c element
+  | Index { array; _ } -> choice c array
 
 (* What is not passed in registers: sums, and what comes after the first few. *)
 and arguments c frame ~calling es =
@@ -182,17 +208,30 @@ let statement c frame (s : M.statement) =
       List.iter (variable c frame) results;
       need frame (Amount.times word (List.length results));
       call c frame c.done_.(node).step arguments
+  | Loop l ->
+      (* The index, and what the accumulators that are arrays become next. *)
+      need frame word;
+      List.iter (variable c frame) l.results;
+      List.iter (variable c frame) l.results;
+      need frame (Amount.times word (List.length l.results));
+      List.iter (expression c frame) l.initial;
+      let argument : M.argument -> M.expr option = function
+        | Accumulated _ -> None
+        | Each e | Same e | Counted e -> Some e
+      in
+      need frame (Amount.times word (List.length l.arguments));
+      call c frame c.done_.(l.node).step (List.filter_map argument l.arguments)
   | Reset { node; arguments; _ } -> call c frame c.done_.(node).reset arguments
   | Enter { entry = e; _ } -> entry c frame e
   | Run r -> run c frame r
 
-(* The fields of a record are read where they are used. *)
+(* The fields of a record are read where they are used, but for arrays. *)
 let in_place (program : M.program) k =
   k = Array.length program.nodes - 1
   &&
   match program.input with
   | Product { product_name; _ } -> not (String.equal product_name "")
-  | Leaf _ -> false
+  | Leaf _ | Repeated _ -> false
 
 let function_ c k ~results (code : M.code) =
   let frame = { bytes = fixed; helper = 0; callees = [] } in
@@ -200,7 +239,11 @@ let function_ c k ~results (code : M.code) =
   given (c.node.state <> []);
   given c.node.seconds;
   given c.node.nanoseconds;
-  if not (in_place c.program k) then List.iter (variable c frame) code.parameters;
+  let in_place = in_place c.program k in
+  let is_array (v : M.variable) =
+    match v.ty with Array _ -> true | Bool | Int | Float | Nanoseconds | Sum _ -> false
+  in
+  List.iter (fun v -> if is_array v || not in_place then variable c frame v) code.parameters;
   need frame (Amount.times word results);
   Machine.Walk.statements (statement c frame) code.body;
   let longer (a : t) (b : t) = if b.bytes > a.bytes then b else a in

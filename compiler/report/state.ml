@@ -12,6 +12,7 @@ type member = {
 and holds =
   | Value of string
   | Struct of int
+  | Structs of { node : int; count : int }
   | Running_mode
   | Largest of alternative list
 
@@ -61,6 +62,7 @@ and content c node (field : M.field) =
   match field.content with
   | Value ty -> (Block.of_value c.program.sums ty, Value field.purpose)
   | State_of k -> (c.blocks.(k), Struct k)
+  | States_of { node; count } -> (Block.run count c.blocks.(node), Structs { node; count })
   | Running_mode -> (running_mode node, Running_mode)
   | Modes modes ->
       let alternatives = List.map (alternative c node) modes in
@@ -93,7 +95,7 @@ let in_use t =
   and inside found (member : member) =
     match member.holds with
     | Value _ | Running_mode -> found
-    | Struct k -> visit found k
+    | Struct k | Structs { node = k; count = _ } -> visit found k
     | Largest alternatives ->
         List.fold_left
           (fun found (a : alternative) -> List.fold_left inside found a.members)

@@ -14,6 +14,7 @@ type member = {
 and holds =
   | Value of string  (** for the reader: [delay], [integral], … *)
   | Struct of int  (** of that node *)
+  | Structs of { node : int; count : int }  (** an array of them *)
   | Running_mode
   | Largest of alternative list  (** modes, which share this room *)
 

@@ -47,9 +47,14 @@ let state_rows (t : State.t) =
     match m.holds with
     | Value purpose -> row purpose :: rows
     | Running_mode -> row "number of the mode that runs" :: rows
-    | Struct k ->
+    | Struct k | Structs { node = k; count = _ } ->
         let inner = State.definition t k in
         let name = if String.equal inner.name m.name then "" else inner.name in
+        let name =
+          match m.holds with
+          | Structs { count; _ } -> Printf.sprintf "%d times %s" count inner.name
+          | Struct _ | Value _ | Running_mode | Largest _ -> name
+        in
         if Hashtbl.mem shown k then
           row (if String.equal name "" then "as above" else name ^ ", as above") :: rows
         else definition k (depth + 1) (row name :: rows)

@@ -131,6 +131,7 @@ let constructor_name (head : Ir.ty) =
   | Tuple_type parts -> "(" ^ String.concat "," (List.map (fun _ -> "") parts) ^ ")"
   | Function _ -> "(->)"
   | Type_variable name | Representation { variable = name; _ } -> name
+  | Size n -> string_of_int n
 
 (* [area@Circle]: no name of the source has an [@] in it. *)
 let rec definition_name taken text =

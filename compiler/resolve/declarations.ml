@@ -32,7 +32,7 @@ let own (scope : Scope.t) (g : Ir.Global.t) =
 
 let rec types_used scope (t : Ir.ty) found =
   match t.desc with
-  | Type_variable _ | Representation _ -> found
+  | Type_variable _ | Representation _ | Size _ -> found
   | Named { tycon; arguments; _ } ->
       let found = match own scope tycon with Some name -> name :: found | None -> found in
       List.fold_left (fun found t -> types_used scope t found) found arguments

@@ -22,6 +22,7 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   | Number n -> Number (Patterns.number scope n)
   | String text -> String text
   | Tuple es -> Tuple (Long_list.map (expr env) es)
+  | Array es -> Array (Long_list.map (expr env) es)
   | Apply (head, argument) ->
       let head = expr env head in
       Apply { head; argument = expr env argument; style = Juxtaposed }

@@ -117,13 +117,14 @@ let builtin_types ~file =
     builtin "Int" ~unit_arity:1 0;
     builtin "Float" ~unit_arity:1 0;
     builtin "String" 0;
+    builtin "Array" 2;
     builtin "SF" 2;
     builtin "Program" 2;
   ]
 
 let is_builtin (t : tycon) =
   String.equal t.global.module_ prelude
-  && List.mem t.global.name [ "Bool"; "Int"; "Float"; "String"; "SF"; "Program" ]
+  && List.mem t.global.name [ "Bool"; "Int"; "Float"; "String"; "Array"; "SF"; "Program" ]
 
 let builtin_class_names = [ "Eq"; "Ord" ]
 

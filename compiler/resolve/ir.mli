@@ -55,7 +55,7 @@ and type_definition =
   | Alias of ty
   | Data of constructor list  (** at least one *)
   | Builtin
-      (** Float, Int, Bool, String, SF, Program: no declaration in source *)
+      (** Float, Int, Bool, String, Array, SF, Program: no declaration in source *)
 
 and constructor = {
   constructor : Global.t;
@@ -77,6 +77,7 @@ and ty_desc =
   | Representation of { variable : string; unit_ : unit_ }  (** [n[u]] *)
   | Function of ty * ty
   | Tuple_type of ty list  (** none for [()] *)
+  | Size of int  (** of an array; that it stands where a size does is typing's to check *)
 
 and unit_ = { factors : (unit_factor * Syntax.Ir.rational) list; span : Span.t }
 (** A product of powers, as written but flat. *)
@@ -177,6 +178,7 @@ and expr_desc =
   | Number of number
   | String of string
   | Tuple of expr list
+  | Array of expr list
   | Apply of { head : expr; argument : expr; style : apply_style }
       (** a function applied, or a signal function run: typing decides *)
   | Negate of expr

@@ -33,7 +33,7 @@ let unit_ known (u : Ir.unit_) =
 
 let rec ty known (t : Ir.ty) =
   match t.desc with
-  | Type_variable _ -> ()
+  | Type_variable _ | Size _ -> ()
   | Representation { unit_ = u; _ } -> unit_ known u
   | Function (a, b) ->
       ty known a;
@@ -118,7 +118,7 @@ let rec expr known scope (e : Ir.expr) =
   | Constructor g -> ignore (find known.constructors "constructor" g)
   | Number n -> number known n
   | String _ -> ()
-  | Tuple es -> List.iter (expr known scope) es
+  | Tuple es | Array es -> List.iter (expr known scope) es
   | Apply { head; argument; style = _ } ->
       expr known scope head;
       expr known scope argument

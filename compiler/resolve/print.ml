@@ -41,7 +41,7 @@ let units ppf = function
 let rec ty ppf (t : Ir.ty) =
   match t.desc with
   | Function (a, b) -> fprintf ppf "%a -> %a" applied a ty b
-  | Type_variable _ | Named _ | Representation _ | Tuple_type _ -> applied ppf t
+  | Type_variable _ | Named _ | Representation _ | Tuple_type _ | Size _ -> applied ppf t
 
 and applied ppf (t : Ir.ty) =
   match t.desc with
@@ -50,12 +50,13 @@ and applied ppf (t : Ir.ty) =
       fprintf ppf "%a%a%a" global tycon units us (words argument) arguments
   | Representation { variable; unit_ = u } -> fprintf ppf "%s[%a]" variable unit_ u
   | Tuple_type ts -> tuple ty ppf ts
+  | Size n -> pp_print_int ppf n
   | Function _ -> fprintf ppf "(%a)" ty t
 
 and argument ppf (t : Ir.ty) =
   match t.desc with
   | Named { arguments = _ :: _; _ } -> fprintf ppf "(%a)" applied t
-  | Named { arguments = []; _ } | Type_variable _ | Representation _ | Tuple_type _ | Function _ ->
+  | Named { arguments = []; _ } | Type_variable _ | Representation _ | Tuple_type _ | Size _ | Function _ ->
       applied ppf t
 
 let constraint_ ppf (c : Ir.constraint_) =
@@ -142,7 +143,7 @@ let rec expr ppf (e : Ir.expr) =
   | Apply _ -> application ppf e
   | Negate e -> fprintf ppf "-%a" atom e
   | Power { base; exponent } -> fprintf ppf "%a ^ %d" atom base exponent
-  | Local _ | Global _ | Constructor _ | Number _ | String _ | Tuple _ | Record _ | Update _
+  | Local _ | Global _ | Constructor _ | Number _ | String _ | Tuple _ | Array _ | Record _ | Update _
   | Field _ | Annotated _ ->
       atom ppf e
 
@@ -159,6 +160,7 @@ and atom ppf (e : Ir.expr) =
   | Number n -> number ppf n
   | String text -> fprintf ppf "%S" text
   | Tuple es -> tuple expr ppf es
+  | Array es -> fprintf ppf "[%a]" (pp_print_list ~pp_sep:tight_comma expr) es
   | Record { constructor; fields } -> fprintf ppf "%a {%a}" global constructor assignments fields
   | Update { record; fields; candidates } ->
       fprintf ppf "%a {%a : %a}" atom record assignments fields candidate_list candidates

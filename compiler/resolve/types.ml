@@ -138,6 +138,7 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
       let a = ty scope variables a in
       Function (a, ty scope variables b)
   | Tuple_type ts -> Tuple_type (Long_list.map (ty scope variables) ts)
+  | Size n -> Size n
 
 (* Signatures *)
 

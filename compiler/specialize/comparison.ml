@@ -1,7 +1,13 @@
 open Basis
 module Ir = Flow.Ir
 
-type position = { types : Types.table; node : Node.t; span : Span.t }
+type position = {
+  context : Context.t;
+  trail : Context.trail;
+  types : Types.table;
+  node : Node.t;
+  span : Span.t;
+}
 
 let define p target rhs = Node.define p.node target ~span:p.span Bool rhs
 let operate p target operator atoms = define p target (Op (operator, atoms))
@@ -81,6 +87,7 @@ let rec equal p target ty a b : Ir.atom =
           if_ p target test then_ (from (index + 1))
       in
       from 0
+  | Array (count, element), _ -> equal_arrays p target ~count element a b
   | Opaque, _ -> refuse ty
 
 and equal_parts p target pairs : Ir.atom =
@@ -90,6 +97,40 @@ and equal_parts p target pairs : Ir.atom =
   | (ty, a, b) :: others ->
       let first = equal p Node.Unnamed ty a b in
       and_ p target first (equal_parts p Node.Unnamed others)
+
+(* Are all elements so far equal? *)
+and equal_arrays p target ~count element a b : Ir.atom =
+  let round p values : Value.t list =
+    match values with
+    | [ Value.Atom same; a; b ] ->
+        [ Atom (and_ p Node.Unnamed same (equal p Node.Unnamed element a b)) ]
+    | _ -> refuse element
+  in
+  match compare_arrays p [ target ] ~name:"equal" ~count element [ Ir.Bool true ] a b round with
+  | [ Value.Atom same ] -> same
+  | _ -> refuse element
+
+(* Rounds over the elements of two arrays, with such truth values to start. *)
+and compare_arrays p targets ~name ~count element initial a b round =
+  let local name : Core.Ir.Local.t = { id = 0; name; span = p.span } in
+  let accumulator initial : Loop.argument =
+    { form = Accumulator; ty = Bool; value = Atom initial; local = local "so_far" }
+  in
+  let each name value : Loop.argument =
+    { form = Element; ty = element; value; local = local name }
+  in
+  Loop.run p.context p.trail p.node targets ~span:p.span
+    {
+      name;
+      kind = Function;
+      count;
+      key = name;
+      captured = [];
+      arguments = List.map accumulator initial @ [ each "a" a; each "b" b ];
+      final = List.map (fun _ : Core.Ir.ty -> Bool) initial;
+      elements = [];
+    }
+    (fun trail node _ values -> round { p with trail; node } values)
 
 (* What [<] and [<=] differ in: numbers, and products whose parts are equal. *)
 type order = { of_scalars : Ir.operator; of_equals : bool }
@@ -128,6 +169,7 @@ let rec ordered p order target ty a b : Ir.atom =
           if_ p target test here later
       in
       from 0 (Bool false)
+  | Array (count, element), _ -> ordered_arrays p order target ~count element a b
   | Opaque, _ -> refuse ty
 
 and ordered_parts p order target pairs : Ir.atom =
@@ -139,6 +181,26 @@ and ordered_parts p order target pairs : Ir.atom =
       let equal = equal p Node.Unnamed ty a b in
       let rest = ordered_parts p order Node.Unnamed others in
       or_ p target less (and_ p Node.Unnamed equal rest)
+
+(* Is the first array less by the elements so far; are they all equal? *)
+and ordered_arrays p order target ~count element a b : Ir.atom =
+  let round p values : Value.t list =
+    match values with
+    | [ Value.Atom less; Atom same; a; b ] ->
+        let is_less = ordered p strict Node.Unnamed element a b in
+        let is_same = equal p Node.Unnamed element a b in
+        [
+          Atom (or_ p Node.Unnamed less (and_ p Node.Unnamed same is_less));
+          Atom (and_ p Node.Unnamed same is_same);
+        ]
+    | _ -> refuse element
+  in
+  let targets = [ (if order.of_equals then Node.Unnamed else target); Node.Unnamed ] in
+  match
+    compare_arrays p targets ~name:"order" ~count element [ Ir.Bool false; Bool true ] a b round
+  with
+  | [ Value.Atom less; Atom same ] -> if order.of_equals then or_ p target less same else less
+  | _ -> refuse element
 
 let less p target ty a b = ordered p strict target ty a b
 let less_equal p target ty a b = ordered p weak target ty a b

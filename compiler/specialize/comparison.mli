@@ -1,13 +1,19 @@
 (** Equality and order of data, by its structure.
 
-    Products compare their parts in order; sums compare constructors in the
+    Products compare their parts in order, arrays their elements; sums compare constructors in the
     order of their declaration, then payloads. All comes down to [==] and [<]
     of numbers, so with NaN inside, a product is neither equal to, less than
     nor greater than another whose other parts do not decide. *)
 
 open Basis
 
-type position = { types : Types.table; node : Node.t; span : Span.t }
+type position = {
+  context : Context.t;
+  trail : Context.trail;
+  types : Types.table;
+  node : Node.t;
+  span : Span.t;
+}
 (** Where the equations go. *)
 
 val equal : position -> Node.target -> Core.Ir.ty -> Value.t -> Value.t -> Flow.Ir.atom

@@ -124,6 +124,12 @@ let enter t trail ~name ~span =
          t.options.work);
   trail
 
+let report_outside t trail ~span ~index ~size =
+  Diagnostic.error ~code:"E0418" ~at:span "index %d is outside of an array of %d" index size
+  |> Diagnostic.note (Printf.sprintf "the elements are numbered from 0 to %d" (size - 1))
+  |> with_trail trail
+  |> Diagnostic.emit t.sink
+
 let count t trail ~name ~span =
   let before = Option.value (Hashtbl.find_opt t.counts name) ~default:0 in
   Hashtbl.replace t.counts name (before + 1);

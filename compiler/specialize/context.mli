@@ -81,4 +81,7 @@ val count : t -> trail -> name:string -> span:Span.t -> unit
 (** One more specialization of the definition, which may be one too many. May
     raise {!Stopped}. *)
 
+val report_outside : t -> trail -> span:Span.t -> index:int -> size:int -> unit
+(** Of an array whose size depends on the call. *)
+
 val add_node : t -> Flow.Ir.node -> int

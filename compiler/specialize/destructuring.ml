@@ -19,9 +19,9 @@ let rec path types substitution (parameter : Ir.binder) (e : Ir.expr) =
   | Payload { value; field; constructor = _ } -> (
       match (Types.layout types (Types.close substitution value.ty)).kind with
       | Product parts -> below value (List.nth parts field).part
-      | Scalar | Sum _ | Opaque -> None)
+      | Scalar | Sum _ | Array _ | Opaque -> None)
   | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ | Lambda _ | Apply _ | Let _
-  | Tuple _ | Construct _ | Is_constructor _ | If _ | Proc _ ->
+  | Tuple _ | Array _ | Index _ | Construct _ | Is_constructor _ | If _ | Proc _ ->
       None
 
 let note types substitution parameter parts (binder : Ir.binder) value =

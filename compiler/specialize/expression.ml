@@ -10,7 +10,8 @@ type scope = {
 }
 
 let bug format = Diagnostic.bug ~stage:"Specialize.Evaluate" format
-let position (c : Context.t) s span : Operation.position = { types = c.types; node = s.node; span }
+let position (c : Context.t) s span : Operation.position =
+  { context = c; trail = s.trail; types = c.types; node = s.node; span }
 
 let closure (c : Context.t) s target code ~name ~span : Value.closure =
   let name =
@@ -36,8 +37,8 @@ let polymorphic (c : Context.t) s (binder : Ir.binder) parameters body ~span : V
 let rec is_trivial (e : Ir.expr) =
   match e.desc with
   | Local _ | Number _ | Boolean _ | String _ | Primitive _ | Lambda _ | Proc _ -> true
-  | Component (e, _) -> is_trivial e
-  | Tuple parts | Construct { arguments = parts; _ } -> List.for_all is_trivial parts
+  | Component (e, _) | Index (e, _) -> is_trivial e
+  | Tuple parts | Array parts | Construct { arguments = parts; _ } -> List.for_all is_trivial parts
   | Global _ | Method _ | Apply _ | Let _ | Is_constructor _ | Payload _ | If _ -> false
 
 let number ty value : Flow.Ir.atom =
@@ -47,7 +48,8 @@ let number ty value : Flow.Ir.atom =
       | Some n -> Int n
       | None -> bug "the Int %s is out of range" (Exact.to_string value))
   | Float -> Float (Exact.to_float value)
-  | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ ->
+  | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _
+  | Size _ ->
       bug "a number of type %s" (Types.to_string ty)
 
 let bind_types substitution parameters types =
@@ -85,12 +87,14 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
       let entry = polymorphic c s binder parameters value ~span:e.span in
       expr c { s with locals = enter binder entry s.locals } target body
   | Tuple parts -> Product (exprs c s target e parts)
+  | Array elements -> Elements (List.map (expr c s Unnamed) elements)
+  | Index (array, k) -> element c s target ~span:e.span array k
   | Component (e, index) -> Leaves.component (expr c s Unnamed e) index
   | Construct { constructor; arguments; data = _ } -> (
       let ty = Types.close s.types e.ty in
       match (Types.layout c.types ty).kind with
       | Product _ -> Product (exprs c s target e arguments)
-      | Scalar | Sum _ | Opaque ->
+      | Scalar | Sum _ | Array _ | Opaque ->
           let arguments = List.map (expr c s Unnamed) arguments in
           Constructed { constructor; arguments })
   | Is_constructor (value, index) ->
@@ -110,9 +114,18 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
           let else_ = expr c s Unnamed else_ in
           let ty = Types.close s.types e.ty in
           Leaves.select c.types s.node target ~span:e.span ty condition then_ else_
-      | Text _ | Product _ | Constructed _ | Function _ | Signal_function _ | Primitive _
-      | Choice _ | Program _ ->
+      | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Signal_function _
+      | Primitive _ | Choice _ | Program _ ->
           bug "a condition that is no Bool")
+
+and element (c : Context.t) s target ~span (array : Ir.expr) k =
+  let ty = Types.close s.types array.ty in
+  let value = expr c s Unnamed array in
+  match ty with
+  | Array (Size n, _) when k >= n ->
+      Context.report_outside c s.trail ~span ~index:k ~size:n;
+      Unspecified
+  | _ -> Leaves.element c.types s.node target ~span ty value k
 
 (* The parts of a product. *)
 and exprs (c : Context.t) s target (e : Ir.expr) parts =
@@ -122,13 +135,13 @@ and exprs (c : Context.t) s target (e : Ir.expr) parts =
       match (Types.layout c.types (Types.close s.types e.ty)).kind with
       | Product layout ->
           List.map2 (expr c s) (Node.parts target c.types layout) parts
-      | Scalar | Sum _ | Opaque -> bug "a product of type %s" (Types.to_string e.ty))
+      | Scalar | Sum _ | Array _ | Opaque -> bug "a product of type %s" (Types.to_string e.ty))
 
 and spine (c : Context.t) s target (whole : Ir.expr) (f : Ir.expr) arguments =
   match f.desc with
   | Apply (f, argument) -> spine c s target whole f (argument :: arguments)
   | Local _ | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ | Lambda _ | Let _
-  | Tuple _ | Component _ | Construct _ | Is_constructor _ | Payload _ | If _ | Proc _ ->
+  | Tuple _ | Component _ | Array _ | Index _ | Construct _ | Is_constructor _ | Payload _ | If _ | Proc _ ->
       let f = expr c s Unnamed f in
       let arguments = List.map (argument c s) arguments in
       let result = Types.close s.types whole.ty in
@@ -222,10 +235,13 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       match (primitive, all) with
       | Reactimate, [ signal_function ] -> Program signal_function.value
       | ( ( Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
-          | Delayed_recurring_switch | Initially | On_event ),
+          | Delayed_recurring_switch | Initially | On_event | Map_sf ),
           _ ) ->
           Primitive { primitive; types; arguments = all; owner = s.owner }
       | _, _ when missing > 0 -> Primitive { primitive; types; arguments = all; owner = s.owner }
+      | (At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl), _ ->
+          Arrays.apply (position c s span) (evaluator_of_rounds s) target primitive ~result
+            (List.rev all)
       | _, _ -> Operation.apply (position c s span) target primitive ~result (List.rev all))
   | Choice { condition; then_; else_ }, _ ->
       let then_ = apply c s Unnamed ~span ~result then_ arguments in
@@ -233,7 +249,8 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       Leaves.select c.types s.node target ~span result condition then_ else_
   | Unspecified, _ -> Unspecified
   | ( ( Function { code = Proc _ | Generic _; _ }
-      | Atom _ | Text _ | Product _ | Constructed _ | Signal_function _ | Program _ ),
+      | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Signal_function _
+      | Program _ ),
       _ ) ->
       bug "what is applied is no function"
 
@@ -315,6 +332,8 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
   | Primitive { primitive = Derivative; _ } ->
       let input = Leaves.atom c.types s.node ~span input.ty input.value in
       Atom (Node.define s.node target ~span Float (Derivative input))
+  | Primitive { primitive = Map_sf; arguments = [ inner ]; _ } ->
+      Arrays.map_sf (position c s span) (evaluator_of_rounds s) target ~result inner input
   | Choice _
   | Primitive
       {
@@ -326,8 +345,35 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
       Machine.run c (evaluator s) s.trail s.node target ~span ~result signal_function input
   | Unspecified -> Unspecified
   | Signal_function { code = Lambda _ | Generic _; _ }
-  | Atom _ | Text _ | Product _ | Constructed _ | Function _ | Primitive _ | Program _ ->
+  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Primitive _
+  | Program _ ->
       bug "what is run is no signal function"
+
+(* What {!Arrays} needs of evaluation: all of a function in the round's node. *)
+and evaluator_of_rounds s : Arrays.evaluator =
+  let scope trail node : scope =
+    { locals = Variables.empty; types = Variables.empty; node; owner = s.owner; trail }
+  in
+  let rec in_place c trail node ~span ~result (f : Value.t) (arguments : Value.argument list) =
+    match (f, arguments) with
+    | Function { code = Lambda (binder, body); captured; types; name; _ }, first :: others ->
+        let locals = bind binder first.ty first.value captured in
+        let inside = { (scope trail node) with locals; types; owner = name } in
+        in_place c trail node ~span ~result (expr c inside Unnamed body) others
+    | _, [] -> f
+    | _, _ :: _ -> apply c (scope trail node) Unnamed ~span ~result f arguments
+  in
+  {
+    apply =
+      (fun c trail node ~span ~result f arguments ->
+        if node == s.node then apply c (scope trail node) Unnamed ~span ~result f arguments
+        else in_place c trail node ~span ~result f arguments);
+    run =
+      (fun c trail node ~span ~result signal_function input ->
+        if node == s.node then
+          run c (scope trail node) Unnamed ~span ~result signal_function input
+        else (evaluator s).run c trail node ~span ~result signal_function input);
+  }
 
 (* What {!Machine} needs of evaluation, in nodes of its own. *)
 and evaluator s : Machine.evaluator =

@@ -24,9 +24,9 @@ let rec free table (e : Ir.expr) =
   | Let { binder; parameters; value; body } ->
       let in_value = named table binder parameters (free table value) in
       Set.union in_value (Set.remove binder.local.id (free table body))
-  | Tuple parts | Construct { arguments = parts; _ } ->
+  | Tuple parts | Array parts | Construct { arguments = parts; _ } ->
       List.fold_left (fun set part -> Set.union set (free table part)) Set.empty parts
-  | Component (e, _) | Is_constructor (e, _) | Payload { value = e; _ } -> free table e
+  | Component (e, _) | Index (e, _) | Is_constructor (e, _) | Payload { value = e; _ } -> free table e
   | If (condition, then_, else_) ->
       Set.union (free table condition) (Set.union (free table then_) (free table else_))
   | Proc proc -> free_of_proc table proc

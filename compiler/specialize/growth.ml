@@ -25,11 +25,11 @@ let rec nest known (value : Value.t) =
           nest)
   | Primitive { arguments; _ } ->
       deepest (List.map (fun (a : Value.argument) -> nest known a.value) arguments)
-  | Product values | Constructed { arguments = values; _ } ->
+  | Product values | Elements values | Constructed { arguments = values; _ } ->
       deepest (List.map (nest known) values)
   | Choice { then_; else_; _ } -> deepest [ nest known then_; nest known else_ ]
   | Program value -> nest known value
-  | Atom _ | Text _ | Unspecified -> (0, "")
+  | Atom _ | Text _ | Array _ | Unspecified -> (0, "")
 
 and inside known (closure : Value.closure) =
   Variables.fold
@@ -46,14 +46,14 @@ let rec nest_of_mode known (value : Value.t) =
   | Function closure | Signal_function closure -> inside known closure
   | Primitive { arguments; _ } ->
       deepest (List.map (fun (a : Value.argument) -> nest_of_mode known a.value) arguments)
-  | Atom _ | Text _ | Product _ | Constructed _ | Choice _ | Program _ | Unspecified -> (0, "")
+  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Choice _ | Program _ | Unspecified -> (0, "")
 
 let rec head (value : Value.t) =
   match value with
   | Function closure | Signal_function closure -> [ Closure.code_id closure.code ]
   | Primitive { arguments; _ } ->
       List.concat_map (fun (a : Value.argument) -> head a.value) arguments
-  | Atom _ | Text _ | Product _ | Constructed _ | Choice _ | Program _ | Unspecified -> []
+  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Choice _ | Program _ | Unspecified -> []
 
 (* As far back as a circle of modes is long. *)
 let rec before head t steps =

@@ -23,11 +23,25 @@ and add_atoms table node ~span ty (value : Value.t) rest =
           [] fields.(constructor) arguments
       in
       construct_leaf node ~span layout constructor (List.rev payload) :: rest
-  | Unspecified, (Scalar | Product _ | Sum _) -> List.rev_append (zeros table node ~span ty) rest
-  | ( ( Atom _ | Text _ | Product _ | Constructed _ | Function _ | Signal_function _
-      | Primitive _ | Choice _ | Program _ | Unspecified ),
-      (Scalar | Product _ | Sum _ | Opaque) ) ->
+  | Array atoms, Array _ -> List.rev_append atoms rest
+  | Elements values, Array (_, element) ->
+      let rows = List.rev_map (atoms table node ~span element) values in
+      List.rev_append (columns node ~span layout.leaves rows) rest
+  | Unspecified, (Scalar | Product _ | Sum _ | Array _) ->
+      List.rev_append (zeros table node ~span ty) rest
+  | ( ( Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _
+      | Signal_function _ | Primitive _ | Choice _ | Program _ | Unspecified ),
+      (Scalar | Product _ | Sum _ | Array _ | Opaque) ) ->
       bug "a value of type %s has no leaves" (Types.to_string ty)
+
+(* An array for each leaf; the rows are the elements, the last one first. *)
+and columns node ~span (leaves : Types.leaf list) rows =
+  match leaves with
+  | [] -> []
+  | leaf :: others ->
+      let column = List.rev_map List.hd rows in
+      let array = Node.define node Unnamed ~span leaf.leaf (Elements column) in
+      array :: columns node ~span others (List.map List.tl rows)
 
 and construct_leaf node ~span (layout : Types.layout) constructor payload =
   match layout.leaves with
@@ -44,6 +58,11 @@ and zeros table node ~span ty : Ir.atom list =
   | Product parts, _ -> zeros_of_parts table node ~span parts
   | Sum fields, _ ->
       [ construct_leaf node ~span layout 0 (zeros_of_parts table node ~span fields.(0)) ]
+  | Array (_, element), leaves ->
+      List.map2
+        (fun (leaf : Types.leaf) zero -> Node.define node Unnamed ~span leaf.leaf (Fill zero))
+        leaves
+        (zeros table node ~span element)
   | (Scalar | Opaque), _ -> bug "the type %s has no zero" (Types.to_string ty)
 
 and zeros_of_parts table node ~span parts =
@@ -53,12 +72,13 @@ let rec known table ty (value : Value.t) : Ir.atom option list =
   let layout = Types.layout table ty in
   match (value, layout.kind) with
   | Atom atom, _ -> [ Some atom ]
+  | Array atoms, _ -> List.map Option.some atoms
   | Product values, Product parts ->
       List.concat
         (List.map2 (fun (part : Types.part) value -> known table part.ty value) parts values)
-  | ( ( Text _ | Product _ | Constructed _ | Function _ | Signal_function _ | Primitive _
-      | Choice _ | Program _ | Unspecified ),
-      (Scalar | Product _ | Sum _ | Opaque) ) ->
+  | ( ( Text _ | Product _ | Constructed _ | Elements _ | Function _ | Signal_function _
+      | Primitive _ | Choice _ | Program _ | Unspecified ),
+      (Scalar | Product _ | Sum _ | Array _ | Opaque) ) ->
       List.map (fun _ -> None) layout.leaves
 
 let atom table node ~span ty value =
@@ -79,10 +99,19 @@ let value table ty atoms =
             ([], atoms) parts
         in
         (Product (List.rev values), others)
+    | Array _, _ ->
+        let rec split own count atoms =
+          match atoms with
+          | atom :: others when count > 0 -> split (atom :: own) (count - 1) others
+          | [] | _ :: _ -> (Value.Array (List.rev own), atoms)
+        in
+        split [] (List.length (Types.layout table ty).leaves) atoms
     | (Scalar | Sum _), [] | Opaque, _ ->
         bug "a value of type %s cannot be made of leaves" (Types.to_string ty)
   in
   fst (take ty atoms)
+
+let of_leaves = value
 
 let rec component (value : Value.t) index : Value.t =
   match value with
@@ -90,14 +119,15 @@ let rec component (value : Value.t) index : Value.t =
   | Choice { condition; then_; else_ } ->
       Choice { condition; then_ = component then_ index; else_ = component else_ index }
   | Unspecified -> Unspecified
-  | Atom _ | Text _ | Constructed _ | Function _ | Signal_function _ | Primitive _ | Program _ ->
+  | Atom _ | Text _ | Constructed _ | Array _ | Elements _ | Function _ | Signal_function _
+  | Primitive _ | Program _ ->
       bug "component %d of what is no product" index
 
 let construct table ty constructor arguments : Value.t =
   match (Types.layout table ty).kind with
   | Product _ -> Product arguments
   | Sum _ -> Constructed { constructor; arguments }
-  | Scalar | Opaque -> bug "%s has no constructors" (Types.to_string ty)
+  | Scalar | Array _ | Opaque -> bug "%s has no constructors" (Types.to_string ty)
 
 let rec is_constructor table node target ~span ty (value : Value.t) index : Ir.atom =
   match value with
@@ -111,7 +141,7 @@ let rec is_constructor table node target ~span ty (value : Value.t) index : Ir.a
       | Bool a, Bool b when a = b -> Bool a
       | then_, else_ -> Node.define node target ~span Bool (If { condition; then_; else_ }))
   | Unspecified -> Bool false
-  | Text _ | Function _ | Signal_function _ | Primitive _ | Program _ ->
+  | Text _ | Array _ | Elements _ | Function _ | Signal_function _ | Primitive _ | Program _ ->
       bug "a constructor is asked of a %s" (Types.to_string ty)
 
 (* Also of two equal leaves: each needs the condition, which causality is to see.
@@ -142,7 +172,10 @@ let rec select table node target ~span ty condition (a : Value.t) (b : Value.t) 
         in
         let choose_target i (part, target) = choose i part target in
         Product (List.mapi choose_target (List.combine parts targets))
-    | (Scalar | Sum _ | Opaque), _, _ -> Choice { condition; then_ = a; else_ = b }
+    | Array (_, element), Elements of_a, Elements of_b ->
+        Elements
+          (List.map2 (fun a b -> select table node Node.Unnamed ~span element condition a b) of_a of_b)
+    | (Scalar | Sum _ | Array _ | Opaque), _, _ -> Choice { condition; then_ = a; else_ = b }
 
 let rec payload table node target ~span ty (value : Value.t) ~constructor ~field : Value.t =
   let layout = Types.layout table ty in
@@ -158,8 +191,9 @@ let rec payload table node target ~span ty (value : Value.t) ~constructor ~field
       let then_ = of_branch then_ in
       select table node target ~span part.ty condition then_ (of_branch else_)
   | Unspecified, _ -> Unspecified
-  | ( (Atom _ | Text _ | Function _ | Signal_function _ | Primitive _ | Choice _ | Program _),
-      (Scalar | Product _ | Sum _ | Opaque) ) ->
+  | ( ( Atom _ | Text _ | Array _ | Elements _ | Function _ | Signal_function _ | Primitive _
+      | Choice _ | Program _ ),
+      (Scalar | Product _ | Sum _ | Array _ | Opaque) ) ->
       bug "a payload is asked of a %s" (Types.to_string ty)
 
 and payload_of_leaf table node target ~span fields atom ~constructor ~field =
@@ -178,3 +212,29 @@ and payload_of_leaf table node target ~span fields atom ~constructor ~field =
   in
   value table part.ty
     (List.mapi extract (List.combine (Node.leaves target leaves) leaves))
+
+let rec element table node target ~span ty (value : Value.t) k : Value.t =
+  match (value, (Types.layout table ty).kind) with
+  | Elements values, _ -> List.nth values k
+  | Array atoms, Array (_, element) ->
+      let leaves = (Types.layout table element).leaves in
+      let take (target, (leaf : Types.leaf)) array =
+        Node.define node target ~span leaf.leaf (Index (array, k))
+      in
+      let targets = List.combine (Node.leaves target leaves) leaves in
+      of_leaves table element (List.map2 take targets atoms)
+  | Choice { condition; then_; else_ }, Array (_, ty_of_element) ->
+      let of_branch value = element table node Node.Unnamed ~span ty value k in
+      let then_ = of_branch then_ in
+      select table node target ~span ty_of_element condition then_ (of_branch else_)
+  | Unspecified, _ -> Unspecified
+  | ( ( Atom _ | Text _ | Product _ | Constructed _ | Array _ | Function _ | Signal_function _
+      | Primitive _ | Choice _ | Program _ ),
+      (Scalar | Product _ | Sum _ | Array _ | Opaque) ) ->
+      bug "an element of a %s" (Types.to_string ty)
+
+let elements table node ~span ty (value : Value.t) =
+  match (value, (Types.layout table ty).kind) with
+  | Elements values, _ -> values
+  | _, Array (n, _) -> List.init n (element table node Node.Unnamed ~span ty value)
+  | _, (Scalar | Product _ | Sum _ | Opaque) -> bug "the elements of a %s" (Types.to_string ty)

@@ -48,3 +48,10 @@ val select :
   Value.t ->
   Value.t
 (** The first value of the type where the condition holds, else the second. *)
+
+val element :
+  Types.table -> Node.t -> Node.target -> span:Span.t -> Core.Ir.ty -> Value.t -> int -> Value.t
+(** Of an array, by the array's type. *)
+
+val elements : Types.table -> Node.t -> span:Span.t -> Core.Ir.ty -> Value.t -> Value.t list
+(** All of them. *)

@@ -88,7 +88,7 @@ let rec choices m node (value : Value.t) =
       | Some inner ->
           choices m node (m.evaluator.static m.context m.trail node closure inner)
       | None -> One value)
-  | Atom _ | Text _ | Product _ | Constructed _ | Function _ | Primitive _ | Signal_function _
+  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Primitive _ | Signal_function _
   | Program _ | Unspecified ->
       One value
 
@@ -102,14 +102,14 @@ let rec place_of ~otherwise (value : Value.t) =
   | Function { code = Lambda (_, body); _ } -> body.span
   | Function closure | Signal_function closure -> closure.span
   | Choice { then_; _ } -> place_of ~otherwise then_
-  | Atom _ | Text _ | Product _ | Constructed _ | Program _ | Unspecified -> otherwise
+  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Program _ | Unspecified -> otherwise
 
 let name_of (value : Value.t) =
   match value with
   | Primitive { owner; _ } -> owner
   | Signal_function closure -> closure.name
   | Choice _ -> "choice"
-  | Atom _ | Text _ | Product _ | Constructed _ | Function _ | Program _ | Unspecified -> "mode"
+  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Program _ | Unspecified -> "mode"
 
 (* The mode in which a signal function runs, and what it gets for parameters. *)
 let mode_of m node ~from ~at value =
@@ -291,10 +291,17 @@ let rec zero m node ~span (ty : Ir.ty) : Ir.atom =
       | { fields; _ } :: _ ->
           let payload = List.concat_map (fun (_, shape) -> zeros m node ~span shape) fields in
           Node.define node Unnamed ~span ty (Construct { constructor = 0; payload }))
+  | Array (_, element) -> Node.define node Unnamed ~span ty (Fill (zero m node ~span element))
 
 and zeros m node ~span : Ir.shape -> Ir.atom list = function
   | Leaf ty -> [ zero m node ~span ty ]
   | Product product -> List.concat_map (fun (_, shape) -> zeros m node ~span shape) product.parts
+  | Repeated (n, shape) ->
+      let fill zero =
+        let ty : Ir.ty = Array (n, Skeleton.type_of_atom zero) in
+        Node.define node Unnamed ~span ty (Fill zero)
+      in
+      List.map fill (zeros m node ~span shape)
 
 let named (hole : Skeleton.hole) = (hole.path, hole.atom)
 let hole_types holes = List.map (fun (h : Skeleton.hole) -> Skeleton.type_of_atom h.atom) holes

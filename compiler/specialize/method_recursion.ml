@@ -65,9 +65,9 @@ type graph = {
 let rec depth (ty : Ir.ty) =
   let deepest tys = List.fold_left (fun d ty -> max d (depth ty)) 0 tys in
   match ty with
-  | Variable _ | Bool | Int | Float | String -> 1
+  | Variable _ | Bool | Int | Float | String | Size _ -> 1
   | Tuple tys | Data (_, tys) -> 1 + deepest tys
-  | Function (a, b) | Signal_function (a, b) -> 1 + deepest [ a; b ]
+  | Function (a, b) | Signal_function (a, b) | Array (a, b) -> 1 + deepest [ a; b ]
 
 (* No type of a program is as deep, unless it grows from call to call. *)
 let deepest_type = 100

@@ -92,10 +92,10 @@ let settle t ~span signals atoms =
         ignore (define t (Defines [ signal ]) ~span signal.ty (Copy atom)))
     signals atoms
 
-let call t targets ~callee ~node ~span ~statics ~inputs tys =
+let call t targets ?loop ~callee ~node ~span ~statics ~inputs tys =
   let outputs = List.map2 (fun target ty -> target_signal t target ~span ty) targets tys in
   let name = Names.unique t.instance_names callee in
-  t.instances <- { node; name; statics; inputs; outputs; trials = []; span } :: t.instances;
+  t.instances <- { node; name; statics; inputs; outputs; loop; trials = []; span } :: t.instances;
   t.size <- t.size + 1;
   List.map (fun signal -> Ir.Signal signal) outputs
 

@@ -35,6 +35,7 @@ val define : t -> target -> span:Span.t -> Flow.Ir.ty -> Flow.Ir.rhs -> Flow.Ir.
 val call :
   t ->
   target list ->
+  ?loop:Flow.Ir.loop ->
   callee:string ->
   node:int ->
   span:Span.t ->

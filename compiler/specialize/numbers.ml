@@ -15,6 +15,8 @@ let rec in_value table ~inside ty (value : Value.t) =
   else
     match (value, layout.kind) with
     | Product values, Product parts -> in_parts table ~inside parts values
+    | Elements values, Array (_, element) ->
+        List.fold_left (fun sum value -> sum + in_value table ~inside element value) 0 values
     | Constructed { constructor; arguments }, Sum fields ->
         in_parts table ~inside fields.(constructor) arguments
     | (Function closure | Signal_function closure), _ -> in_closure table closure
@@ -24,7 +26,7 @@ let rec in_value table ~inside ty (value : Value.t) =
     | Choice { then_; else_; _ }, _ ->
         in_value table ~inside ty then_ + in_value table ~inside ty else_
     | Program signal_function, _ -> in_value table ~inside ty signal_function
-    | (Atom _ | Text _ | Product _ | Constructed _ | Unspecified), _ -> 0
+    | (Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Unspecified), _ -> 0
 
 and is_number : Flow.Ir.atom option -> bool = function
   | Some (Bool _ | Int _ | Float _) -> true

@@ -3,9 +3,9 @@ module Ir = Core.Ir
 
 let rec is_open : Ir.ty -> bool = function
   | Variable _ -> true
-  | Bool | Int | Float | String -> false
+  | Bool | Int | Float | String | Size _ -> false
   | Tuple parts | Data (_, parts) -> List.exists is_open parts
-  | Function (a, b) | Signal_function (a, b) -> is_open a || is_open b
+  | Function (a, b) | Signal_function (a, b) | Array (a, b) -> is_open a || is_open b
 
 (* With the variables of the definition in it, but larger than one. *)
 let grows : Ir.ty -> bool = function

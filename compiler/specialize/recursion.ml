@@ -26,7 +26,8 @@ let rec holds_functions (ty : Ir.ty) =
   match ty with
   | Function _ | Signal_function _ -> true
   | Tuple parts | Data (_, parts) -> List.exists holds_functions parts
-  | Variable _ | Bool | Int | Float | String -> false
+  | Array (_, element) -> holds_functions element
+  | Variable _ | Bool | Int | Float | String | Size _ -> false
 
 (* First all local vertices, as uses may come before their binding; then the
    edges. [visit] gets an expression and the vertex whose value it belongs to. *)
@@ -35,8 +36,8 @@ let sub_expressions (e : Ir.expr) =
   | Local _ | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ | Let _ | Proc _ -> []
   | Lambda (_, body) -> [ body ]
   | Apply (f, argument) -> [ f; argument ]
-  | Tuple parts | Construct { arguments = parts; _ } -> parts
-  | Component (e, _) | Is_constructor (e, _) | Payload { value = e; _ } -> [ e ]
+  | Tuple parts | Array parts | Construct { arguments = parts; _ } -> parts
+  | Component (e, _) | Index (e, _) | Is_constructor (e, _) | Payload { value = e; _ } -> [ e ]
   | If (condition, then_, else_) -> [ condition; then_; else_ ]
 
 let rhs_expressions : Ir.rhs -> Ir.expr list = function

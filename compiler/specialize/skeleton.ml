@@ -69,6 +69,7 @@ let walk table node numbers : walk =
 let add_number w number = w.key <- Keys.add w.table.keys w.key number
 let key w = w.key
 let text_number table text = Keys.text table.keys text
+let add_text w text = add_number w (text_number w.table text)
 
 (* The first number says what kind of value follows and, with the type, how
    many numbers belong to it; so no two values have the same sequence. *)
@@ -84,6 +85,7 @@ and tag_choice = 8
 and tag_program = 9
 and tag_unspecified = 10
 and tag_numbers = 11
+and tag_elements = 12
 
 let type_id w ty = (Types.layout w.table.types ty).id
 
@@ -119,6 +121,9 @@ let rec add_at w local path ty (value : Value.t) =
         add_number w tag_constructed;
         add_number w constructor;
         List.iter2 (add_part w local path) fields.(constructor) arguments
+    | Elements values, Array (_, element) ->
+        add_number w tag_elements;
+        List.iter (add_at w local path element) values
     | (Function closure | Signal_function closure), _ -> add_closure w closure
     | Primitive { primitive; types; arguments; owner = _ }, _ ->
         add_number w tag_primitive;
@@ -137,7 +142,7 @@ let rec add_at w local path ty (value : Value.t) =
         add_number w tag_program;
         add_at w local path ty signal_function
     | Unspecified, _ -> add_number w tag_unspecified
-    | (Atom _ | Product _ | Constructed _), _ ->
+    | (Atom _ | Product _ | Constructed _ | Array _ | Elements _), _ ->
         bug "a value that is not of type %s" (Types.to_string ty)
 
 and add_part w local path (part : Types.part) value =
@@ -220,7 +225,7 @@ and may_be_closed (w : walk) (entry : Value.entry) =
       | [], _ -> (
           match Closure.forced entry with
           | Function closure | Signal_function closure -> closed_key w closure <> None
-          | Atom _ | Text _ | Product _ | Constructed _ | Primitive _ | Choice _ | Program _
+          | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Primitive _ | Choice _ | Program _
           | Unspecified ->
               true))
 
@@ -275,6 +280,7 @@ let rec value_at c ~inside ty (original : Value.t) : Value.t =
         let argument (part : Types.part) v = value part.ty v in
         Constructed
           { constructor; arguments = List.map2 argument fields.(constructor) arguments }
+    | Elements values, Array (_, element) -> Elements (List.map (value element) values)
     | Function closure, _ -> Function (copy_closure c closure)
     | Signal_function closure, _ -> Signal_function (copy_closure c closure)
     | Primitive { primitive; types; arguments; owner }, _ ->
@@ -285,7 +291,7 @@ let rec value_at c ~inside ty (original : Value.t) : Value.t =
         let then_ = value ty then_ in
         Choice { condition; then_; else_ = value ty else_ }
     | Program signal_function, _ -> Program (value ty signal_function)
-    | (Atom _ | Product _ | Constructed _), _ ->
+    | (Atom _ | Product _ | Constructed _ | Array _ | Elements _), _ ->
         bug "a value that is not of type %s" (Types.to_string ty)
 
 and copy_closure c (closure : Value.closure) : Value.closure =

@@ -49,6 +49,8 @@ val add_captured : walk -> Value.closure -> unit
 val add_number : walk -> int -> unit
 (** Something else that the node depends on. *)
 
+val add_text : walk -> string -> unit
+
 val take_holes : walk -> hole list
 (** Those met since the last time, in order. *)
 

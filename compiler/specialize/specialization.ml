@@ -75,21 +75,22 @@ let handed_on parameters actuals outputs =
   in
   List.map hand_on outputs
 
+let find (c : Context.t) trail request body =
+  match Variables.Table.find_opt c.specializations request.key with
+  | Some known -> known
+  | None ->
+      let add trail =
+        let built = build c request (body trail) in
+        Context.count c trail ~name:request.name ~span:request.call;
+        Variables.Table.replace c.specializations request.key built;
+        built
+      in
+      if Context.nests_deeply c trail then
+        raise (Context.Postponed (fun () -> ignore (add (Context.from_here trail))));
+      add trail
+
 let call (c : Context.t) trail caller target request body =
-  let specialization =
-    match Variables.Table.find_opt c.specializations request.key with
-    | Some known -> known
-    | None ->
-        let add trail =
-          let built = build c request (body trail) in
-          Context.count c trail ~name:request.name ~span:request.call;
-          Variables.Table.replace c.specializations request.key built;
-          built
-        in
-        if Context.nests_deeply c trail then
-          raise (Context.Postponed (fun () -> ignore (add (Context.from_here trail))));
-        add trail
-  in
+  let specialization = find c trail request body in
   let actual (hole : Skeleton.hole) = hole.atom in
   let statics = List.map actual request.statics in
   let inputs = List.map actual request.inputs in

@@ -14,6 +14,14 @@ type request = {
   key : int;
 }
 
+val find :
+  Context.t ->
+  Context.trail ->
+  request ->
+  (Context.trail -> Node.t -> Flow.Ir.atom list -> Value.t) ->
+  Context.specialization
+(** What there is for this key, or else is made as {!call} says. *)
+
 val call :
   Context.t ->
   Context.trail ->

@@ -7,6 +7,7 @@ and kind =
   | Scalar
   | Product of part list
   | Sum of part list array
+  | Array of int * Ir.ty
   | Opaque
 
 and part = { part : string; ty : Ir.ty }
@@ -30,8 +31,11 @@ module Types = Hashtbl.Make (struct
         String.equal a.name b.name
         && String.equal a.module_ b.module_
         && equal_all arguments others
+    | Array (size, element), Array (other_size, other) ->
+        equal size other_size && equal element other
+    | Size m, Size n -> Int.equal m n
     | ( ( Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _
-        | Data _ ),
+        | Data _ | Array _ | Size _ ),
         _ ) ->
         false
 
@@ -48,6 +52,8 @@ module Types = Hashtbl.Make (struct
     | Function (a, b) -> hash_all 11 [ a; b ]
     | Signal_function (a, b) -> hash_all 13 [ a; b ]
     | Data (tycon, arguments) -> hash_all (Hashtbl.hash tycon.name) arguments
+    | Array (size, element) -> hash_all 17 [ size; element ]
+    | Size n -> 19 + n
 
   and hash_all start tys =
     List.fold_left (fun h ty -> ((h * 65_599) + hash ty) land max_int) start tys
@@ -73,26 +79,29 @@ let rec close substitution (ty : Ir.ty) : Ir.ty =
     match ty with
     | Variable v -> (
         match Variables.find_opt v.id substitution with Some closed -> closed | None -> ty)
-    | Bool | Int | Float | String | Tuple [] | Data (_, []) -> ty
+    | Bool | Int | Float | String | Size _ | Tuple [] | Data (_, []) -> ty
     | Tuple parts -> Tuple (List.map (close substitution) parts)
     | Function (a, b) -> Function (close substitution a, close substitution b)
     | Signal_function (a, b) ->
         Signal_function (close substitution a, close substitution b)
     | Data (tycon, arguments) -> Data (tycon, List.map (close substitution) arguments)
+    | Array (size, element) -> Array (close substitution size, close substitution element)
 
 let to_string ty =
   let rec arrow (ty : Ir.ty) =
     match ty with
     | Function (a, b) -> applied a ^ " -> " ^ arrow b
-    | Variable _ | Bool | Int | Float | String | Tuple _ | Signal_function _ | Data _ ->
+    | Variable _ | Bool | Int | Float | String | Tuple _ | Signal_function _ | Data _ | Array _
+    | Size _ ->
         applied ty
   and applied (ty : Ir.ty) =
     match ty with
     | Signal_function (a, b) -> Printf.sprintf "SF %s %s" (atomic a) (atomic b)
     | Data (tycon, (_ :: _ as arguments)) ->
         String.concat " " (tycon.name :: List.map atomic arguments)
+    | Array (size, element) -> String.concat " " [ "Array"; atomic size; atomic element ]
     | Function _ -> "(" ^ arrow ty ^ ")"
-    | Variable _ | Bool | Int | Float | String | Tuple _ | Data (_, []) -> atomic ty
+    | Size _ | Variable _ | Bool | Int | Float | String | Tuple _ | Data (_, []) -> atomic ty
   and atomic (ty : Ir.ty) =
     match ty with
     | Variable v -> v.name
@@ -102,8 +111,9 @@ let to_string ty =
     | String -> "String"
     | Tuple parts -> "(" ^ String.concat ", " (List.map arrow parts) ^ ")"
     | Data (tycon, []) -> tycon.name
+    | Size n -> string_of_int n
     | Function _ -> "(" ^ arrow ty ^ ")"
-    | Signal_function _ | Data (_, _ :: _) -> "(" ^ applied ty ^ ")"
+    | Signal_function _ | Array _ | Data (_, _ :: _) -> "(" ^ applied ty ^ ")"
   in
   arrow ty
 
@@ -151,6 +161,12 @@ and analyse table (ty : Ir.ty) =
   | Variable v ->
       Diagnostic.bug ~stage:"Specialize.Types" "the type variable `%s` has no type" v.name
   | Tuple tys -> product table (positional tys)
+  | Array (Size n, element) ->
+      let { first_order; leaves; _ } = layout table element in
+      let array { path; leaf } = { path; leaf = Flow.Ir.Array (n, leaf) } in
+      (Array (n, element), first_order, List.map array leaves)
+  | Size _ -> (Opaque, false, [])
+  | Array _ -> Diagnostic.bug ~stage:"Specialize.Types" "an array of no size"
   | Data (tycon, arguments) -> (
       match constructors table tycon arguments with
       | [] -> (Opaque, false, [])
@@ -224,7 +240,8 @@ and shape table (ty : Ir.ty) : Flow.Ir.shape =
               parts = List.map (fun (name, ty) -> (name, shape table ty)) only.fields;
             }
       | [] | _ :: _ :: _ -> single_leaf table ty)
-  | Variable _ | Bool | Int | Float | String | Function _ | Signal_function _ ->
+  | Array (Size n, element) -> Repeated (n, shape table element)
+  | Variable _ | Bool | Int | Float | String | Function _ | Signal_function _ | Array _ | Size _ ->
       single_leaf table ty
 
 and single_leaf table ty : Flow.Ir.shape =

@@ -23,7 +23,8 @@ and kind =
   | Scalar  (** Bool, Int or Float *)
   | Product of part list  (** a tuple, or data with one constructor *)
   | Sum of part list array  (** by constructor *)
-  | Opaque  (** functions, signal functions, labels, programs *)
+  | Array of int * Core.Ir.ty  (** size and element *)
+  | Opaque  (** functions, signal functions, labels, programs; a size too *)
 
 and part = { part : string;  (** the field, or the position from 1 *) ty : Core.Ir.ty }
 

@@ -10,13 +10,13 @@ let of_expr ~continuations e =
     | Global (g, types) -> (Definition (g, types), e.span) :: found
     | Method { class_; name; ty; types } -> (Method { class_; name; ty; types }, e.span) :: found
     | Local _ | Primitive _ | Number _ | Boolean _ | String _ -> found
-    | Lambda (_, e) | Component (e, _) | Is_constructor (e, _) | Payload { value = e; _ } ->
+    | Lambda (_, e) | Component (e, _) | Index (e, _) | Is_constructor (e, _) | Payload { value = e; _ } ->
         uses found e
     | Apply (f, argument) when (not continuations) && Cycle.is_continuation argument.ty ->
         uses found f
     | Apply (a, b) -> uses (uses found a) b
     | Let { value; body; binder = _; parameters = _ } -> uses (uses found value) body
-    | Tuple es | Construct { arguments = es; _ } -> List.fold_left uses found es
+    | Tuple es | Array es | Construct { arguments = es; _ } -> List.fold_left uses found es
     | If (a, b, c) -> uses (uses (uses found a) b) c
     | Proc p ->
         let right found (eq : Ir.equation) =

@@ -11,6 +11,9 @@ type t =
   | Product of t list  (** a tuple, or data with one constructor *)
   | Constructed of { constructor : int; arguments : t list }
       (** a sum whose constructor is known *)
+  | Array of Flow.Ir.atom list
+      (** of a first-order type: an array for each leaf of an element *)
+  | Elements of t list  (** an array whose elements are known one by one *)
   | Function of closure  (** its code is a [Lambda] *)
   | Signal_function of closure  (** its code is a [Proc] *)
   | Primitive of {

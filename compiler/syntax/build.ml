@@ -39,13 +39,13 @@ let context (t : Ir.ty) =
   let one (t : Ir.ty) =
     match t.desc with
     | Type { name; units = None; arguments = [ argument ] } -> (name, argument)
-    | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ ->
+    | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _ ->
         Reject.at ~code:"E0110" t.span ~hint:"as in `(Eq a, Ord b) => …`"
           "before `=>` stand classes, each with one type"
   in
   match t.desc with
   | Tuple_type ts -> List.rev (List.rev_map one ts)
-  | Type _ | Type_variable _ | Representation _ | Function _ -> [ one t ]
+  | Type _ | Type_variable _ | Representation _ | Function _ | Size _ -> [ one t ]
 
 let class_ context (head : Ir.ty) members : Ir.declaration_desc =
   let name, (variable : Ir.name) =
@@ -57,14 +57,14 @@ let class_ context (head : Ir.ty) members : Ir.declaration_desc =
           arguments = [ { desc = Type_variable variable; _ } ];
         } ->
         (name, variable)
-    | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ ->
+    | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _ ->
         Reject.at ~code:"E0110" head.span ~hint:"as in `class Shape a where`"
           "the head of a class is its name and one type variable"
   in
   let superclass ((class_ : Ir.qualified), (t : Ir.ty)) =
     match t.desc with
     | Type_variable x when String.equal x.text variable.text -> class_
-    | Type_variable _ | Type _ | Representation _ | Function _ | Tuple_type _ ->
+    | Type_variable _ | Type _ | Representation _ | Function _ | Tuple_type _ | Size _ ->
         Reject.at ~code:"E0110" t.span
           ~hint:(Printf.sprintf "as in `class Eq %s => %s %s`" variable.text name.text variable.text)
           "a superclass speaks of the class's own variable `%s`" variable.text
@@ -75,10 +75,17 @@ let instance context (head : Ir.ty) members : Ir.declaration_desc =
   match head.desc with
   | Type { name = class_; units = None; arguments = [ head ] } ->
       Instance { context; class_; head; members }
-  | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ ->
+  | Type _ | Type_variable _ | Representation _ | Function _ | Tuple_type _ | Size _ ->
       Reject.at ~code:"E0110" head.span
         ~hint:"as in `instance Shape Circle where` or `instance Shape (Maybe a) where`"
         "the head of an instance is a class and one type"
+
+let size location (digits, decimal) =
+  match int_of_string_opt ("0u" ^ digits) with
+  | Some n when not decimal -> n
+  | Some _ | None ->
+      Reject.at ~code:"E0110" (span location) "the size of an array is a whole number, not `%s`"
+        digits
 
 (* Units *)
 

@@ -30,6 +30,9 @@ val instance :
   (Ir.qualified * Ir.ty) list -> Ir.ty -> Ir.declaration list -> Ir.declaration_desc
 (** Likewise. *)
 
+val size : location -> string * bool -> int
+(** A number, and whether it is decimal, as the size of an array. *)
+
 val product : Surface.factor list -> Ir.unit_
 (** A unit, its factors last one first (at least one). *)
 

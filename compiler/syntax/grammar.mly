@@ -28,14 +28,14 @@ let expr = Term.to_expr
 %token MINUS SLASH STAR CARET
 %token LPAREN RPAREN LBRACE RBRACE
 %token UNIT_BRACKET "a `[` directly after a name or number"
-%token RBRACKET
+%token LBRACKET RBRACKET
 %token COMMA BACKTICK UNDERSCORE AT BACKSLASH EQUAL BAR
 %token ARROW LEFT_ARROW TAIL DOUBLE_ARROW DOUBLE_COLON
 %token LET IN WHERE DO OF CASE IF THEN ELSE PROC REC
 %token MODULE IMPORT QUALIFIED AS DATA TYPE UNIT PRIMITIVE CLASS INSTANCE
 %token OPEN CLOSE SEMICOLON END
 /* Never part of a program: */
-%token LBRACKET BAD
+%token BAD
 %token <string> RESERVED
 
 /* A `where` or `-<` after the body of a `proc` belongs to the innermost one. */
@@ -252,6 +252,9 @@ atom:
 | LPAREN t = chain RPAREN { term $loc (Parenthesized t) }
 | LPAREN t = chain COMMA ts = comma_separated(chain) RPAREN
     { term $loc (Tuple (t :: List.rev ts)) }
+| LBRACKET RBRACKET { expression $loc (Array []) }
+| LBRACKET ts = comma_separated(chain) RBRACKET
+    { expression $loc (Array (List.rev_map expr ts)) }
 | LPAREN t = chain DOUBLE_COLON ty = qualified_type RPAREN
     { expression $loc (Annotated { expr = expr t; ty }) }
 | LPAREN t = application operator = infix RPAREN
@@ -329,6 +332,7 @@ simple_type:
 | head = type_head
     { let name, units = head in ty $loc (Type { name; units; arguments = [] }) }
 | x = lower { ty $loc (Type_variable x) }
+| n = NUMBER { ty $loc (Size (size $loc n)) }
 | name = lower UNIT_BRACKET unit_ = unit_ RBRACKET
     { ty $loc (Representation { name; unit_ }) }
 | LPAREN RPAREN { ty $loc (Tuple_type []) }

@@ -103,6 +103,7 @@ and expr_desc =
   | Number of number
   | String of string
   | Tuple of expr list  (** none for [()], else at least two *)
+  | Array of expr list  (** [[a, b]]; that it is not empty is for typing to say *)
   | Apply of expr * expr  (** juxtaposition; also what [f $ x] means *)
   | Binary of { operator : qualified; left : expr; right : expr }
       (** also [a `f` b] *)
@@ -169,6 +170,7 @@ and ty_desc =
   | Representation of { name : name; unit_ : unit_ }  (** [n[u]] *)
   | Function of ty * ty
   | Tuple_type of ty list
+  | Size of int  (** of an array; not negative *)
 
 and unit_ = { desc : unit_desc; span : Span.t }
 

@@ -96,7 +96,7 @@ let expression (desc : Ir.expr_desc) =
   | Variable x | Constructor x -> [ Qualified x ]
   | Number n -> number n []
   | String _ -> []
-  | Tuple es -> expressions es []
+  | Tuple es | Array es -> expressions es []
   | Apply (f, x) -> [ Expression f; Expression x ]
   | Binary { operator; left; right } -> [ Qualified operator; Expression left; Expression right ]
   | Negate e | Parenthesized e -> [ Expression e ]
@@ -135,6 +135,7 @@ let ty (desc : Ir.ty_desc) =
   | Representation { name; unit_ } -> [ Name name; Unit unit_ ]
   | Function (a, b) -> [ Type a; Type b ]
   | Tuple_type ts -> types ts []
+  | Size _ -> []
 
 let unit_ (desc : Ir.unit_desc) =
   match desc with

@@ -69,12 +69,12 @@ let rec type_to b (t : ty) =
       qualified b name;
       Option.iter (in_brackets b) units;
       List.iter (fun t -> text b " "; simple_type b t) arguments
-  | Type_variable _ | Representation _ | Tuple_type _ -> simple_type b t
+  | Type_variable _ | Representation _ | Tuple_type _ | Size _ -> simple_type b t
 
 and argument_of_arrow b t =
   match t.desc with
   | Function _ -> between b "(" ")" (fun () -> type_to b t)
-  | Type _ | Type_variable _ | Representation _ | Tuple_type _ -> type_to b t
+  | Type _ | Type_variable _ | Representation _ | Tuple_type _ | Size _ -> type_to b t
 
 and simple_type b t =
   match t.desc with
@@ -82,6 +82,7 @@ and simple_type b t =
   | Representation { name = x; unit_ } -> text b x.text; in_brackets b [ unit_ ]
   | Tuple_type ts -> between b "(" ")" (fun () -> separated b ", " (type_to b) ts)
   | Type { arguments = []; _ } -> type_to b t
+  | Size n -> text b (string_of_int n)
   | Type _ | Function _ -> between b "(" ")" (fun () -> type_to b t)
 
 let context b constraints =
@@ -153,7 +154,7 @@ let string_literal s =
 (* Can stand as an argument without parentheses. *)
 let is_argument (e : expr) =
   match e.desc with
-  | Variable _ | Constructor _ | Number _ | String _ | Tuple _ | Left_section _ | Right_section _
+  | Variable _ | Constructor _ | Number _ | String _ | Tuple _ | Array _ | Left_section _ | Right_section _
   | Record _ | Update _ | Field _ | Annotated _ | Parenthesized _ ->
       true
   | Apply _ | Binary _ | Negate _ | Power _ | If _ | Case _ | Let _ | Lambda _ | Proc _ -> false
@@ -168,6 +169,7 @@ let rec expr b column (e : expr) =
   | Number n -> number b n
   | String s -> text b (string_literal s)
   | Tuple es -> between b "(" ")" (fun () -> separated b ", " expr es)
+  | Array es -> between b "[" "]" (fun () -> separated b ", " expr es)
   | Apply (f, x) ->
       expr f;
       text b (if is_argument x && is_application f then " " else " $ ");

@@ -28,10 +28,10 @@ let describe found =
   | BACKTICK -> "a backtick"
   | NUMBER _ -> Printf.sprintf "the number `%s`" (shortened (written found))
   | LOWER _ | QUALIFIED_LOWER _ | UPPER _ | QUALIFIED_UPPER _ | FIELD _ | OPERATOR _ | MINUS
-  | SLASH | STAR | CARET | LPAREN | RPAREN | LBRACE | RBRACE | UNIT_BRACKET | RBRACKET | COMMA
+  | SLASH | STAR | CARET | LPAREN | RPAREN | LBRACE | RBRACE | UNIT_BRACKET | LBRACKET | RBRACKET | COMMA
   | UNDERSCORE | AT | BACKSLASH | EQUAL | BAR | ARROW | LEFT_ARROW | TAIL | DOUBLE_ARROW
   | DOUBLE_COLON | LET | IN | WHERE | DO | OF | CASE | IF | THEN | ELSE | PROC | REC | MODULE
-  | IMPORT | QUALIFIED | AS | DATA | TYPE | UNIT | PRIMITIVE | CLASS | INSTANCE | SEMICOLON | END | LBRACKET | BAD
+  | IMPORT | QUALIFIED | AS | DATA | TYPE | UNIT | PRIMITIVE | CLASS | INSTANCE | SEMICOLON | END | BAD
   | RESERVED _ ->
       Printf.sprintf "`%s`" (shortened (written found))
 
@@ -150,24 +150,28 @@ let missing found =
       Some
         (absent found "tasks are not part"
         |> Diagnostic.hint "a `do` with signals follows `proc`, as in `proc x -> do …`")
-  | LBRACKET, Some { token = NUMBER _; _ } ->
-      Some
-        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
-           "a unit directly follows its number, without a blank"
-        |> Diagnostic.hint "as in `0.4[m/s]`")
   | UNIT_BRACKET, Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ }
     when holds_a_unit found ->
       Some
         (Diagnostic.error ~code:"E0110" ~at:(span found.token)
            "a unit stands on a number written out or on a type, not on a name"
         |> Diagnostic.hint "a value has its unit already; to give one to a plain number, multiply: `x * 1[m]`")
-  | (LBRACKET | UNIT_BRACKET), before ->
-      let d = absent found "arrays are not part" in
+  | UNIT_BRACKET, Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ } ->
       Some
-        (match before with
-        | Some { token = UPPER _ | LOWER _ | QUALIFIED_UPPER _; _ } when found.token.token = LBRACKET ->
-            Diagnostic.hint "a unit directly follows its type, as in `Float[m]`" d
-        | Some _ | None -> d)
+        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
+           "a `[` directly after a name starts no index and no array"
+        |> Diagnostic.hint "an element of an array is written `xs ! 0`; an argument needs a blank before it")
+  | LBRACKET, Some { token = DOUBLE_COLON | ARROW; _ } ->
+      Some
+        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
+           "the type of an array is not written in brackets"
+        |> Diagnostic.hint "it has the size first, as in `Array 4 Float`")
+  | LBRACKET, Some { token = UPPER _ | LOWER _ | QUALIFIED_UPPER _; _ } ->
+      Some
+        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
+           "a `[` cannot stand here"
+        |> Diagnostic.hint
+             "a unit directly follows its type, as in `Float[m]`; the type of an array is `Array 4 Float`")
   | _ -> None
 
 let report sink ~text ~state ~before token =

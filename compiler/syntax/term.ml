@@ -11,6 +11,10 @@ let rec to_expr (t : term) : Ir.expr =
   | Negated t -> make (Negate (to_expr t))
   | Tuple ts -> make (Tuple (Long_list.map to_expr ts))
   | Parenthesized t -> make (Parenthesized (to_expr t))
+  | Application { head = { desc = Number _; _ }; arguments = { desc = Expression (Array _); span } :: _ }
+    ->
+      Reject.at ~code:"E0110" span ~hint:"as in `0.4[m/s]`"
+        "a unit directly follows its number, without a blank"
   | Application { head; arguments } ->
       let apply (f : Ir.expr) argument : Ir.expr =
         let argument = to_expr argument in
@@ -84,6 +88,9 @@ and no_expression span (desc : Ir.expr_desc) =
   | Let _ -> no_pattern span "a `let`"
   | Lambda _ -> no_pattern span "a function"
   | Proc _ -> no_pattern span "a `proc`"
+  | Array _ ->
+      Reject.at ~code:"E0114" span ~hint:"give the array a name, and take an element with `xs ! 0`"
+        "an array cannot be part of a pattern"
   | Field _ -> no_pattern span "the selection of a field"
   | Annotated _ ->
       Reject.at ~code:"E0114" span

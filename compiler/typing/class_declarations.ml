@@ -72,6 +72,7 @@ let class_ (ctx : Context.t) (written : Resolve.Ir.class_) =
   let variable : Type.rigid =
     {
       variable = { id = Type.next ctx.reader.supply; name = written.variable.name };
+      kind = Of_types;
       depth = ctx.depth + 1;
     }
   in

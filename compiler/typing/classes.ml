@@ -50,12 +50,13 @@ and structural search ~through class_ found t =
         found
         (compared search ~through class_ tycon)
         arguments
-  | String | Function _ | Signal_function _ | Alias _ -> lacking t
+  | String | Function _ | Signal_function _ | Size _ | Alias _ -> lacking t
   | Flexible _ | Rigid _ | Erroneous -> atoms search ~through class_ found t
 
 and compared search ~through class_ tycon =
   match Hashtbl.find_opt search.compared tycon with
   | Some compared -> compared
+  | None when tycon = Environment.array -> [ false; true ] (* the size, the elements *)
   | None ->
       let environment = search.ctx.reader.environment in
       let { Environment.parameters; definition } = Environment.type_ environment tycon in
@@ -110,7 +111,7 @@ let variable_of t : Ir.variable option =
   match Type.expand t with
   | Rigid r -> Some r.variable
   | Number (r, _) -> open_representation r
-  | Flexible _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Alias _
+  | Flexible _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _ | Alias _
   | Erroneous ->
       None
 

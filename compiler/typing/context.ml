@@ -23,6 +23,7 @@ type group = {
   mutable errors : int;
   mutable waiting : question list;  (** newest first *)
   mutable required : required list;  (** newest first *)
+  mutable sizes : (Type.t * Span.t * string) list;  (** newest first *)
 }
 
 type t = {
@@ -36,7 +37,7 @@ type t = {
   group : group;
 }
 
-let new_group () = { errors = 0; waiting = []; required = [] }
+let new_group () = { errors = 0; waiting = []; required = []; sizes = [] }
 
 let start reader =
   {
@@ -51,7 +52,7 @@ let start reader =
   }
 
 let in_group t = { t with group = new_group () }
-let fresh t = Type.fresh t.reader.supply ~depth:t.depth
+let fresh ?kind t = Type.fresh t.reader.supply ?kind ~depth:t.depth ()
 let fresh_number t = Type.fresh_number t.reader.supply ~depth:t.depth
 
 let report t diagnostic =
@@ -85,6 +86,10 @@ let use t ~at ~name ?said scheme =
       in
       require t { class_; argument; at; by; because })
     instance.required scheme.context;
+  List.iter2
+    (fun (r : Type.rigid) argument ->
+      if r.kind = Of_sizes then t.group.sizes <- (argument, at, name) :: t.group.sizes)
+    scheme.types instance.type_arguments;
   let final () : Ir.instantiation =
     {
       types = List.map Final.ty instance.type_arguments;
@@ -156,6 +161,18 @@ let forgetting_what_errors_need t f =
   let result = f () in
   if t.group.errors > before then t.group.required <- required;
   result
+
+let check_sizes t =
+  let check (size, at, name) =
+    match Type.expand size with
+    | Flexible variable when t.group.errors = 0 ->
+        variable.found <- Some Type.Erroneous;
+        report t (fun _ ->
+            Diagnostic.error ~code:"E0331" ~at "nothing decides the size of the array of `%s`" name
+            |> Diagnostic.hint "annotate it, as in `(e :: Array 4 Float)`, or give the definition a signature")
+    | _ -> ()
+  in
+  List.iter check (List.rev t.group.sizes)
 
 let requirements t = List.rev t.group.required
 

@@ -62,7 +62,7 @@ val in_group : t -> t
 
 (** {1 New types} *)
 
-val fresh : t -> Type.t
+val fresh : ?kind:Type.kind -> t -> Type.t
 val fresh_number : t -> Type.t
 
 (** {1 Diagnostics} *)
@@ -114,6 +114,9 @@ val settle : t -> unit
 val forgetting_what_errors_need : t -> (unit -> 'a) -> 'a
 (** Runs a function; if it reports errors, no class that it asked for is
     demanded: its types are not to be trusted. *)
+
+val check_sizes : t -> unit
+(** Once the group is generalized: reports the first size that nothing decides. *)
 
 val requirements : t -> required list
 (** In the order of the source. *)

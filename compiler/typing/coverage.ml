@@ -109,7 +109,7 @@ let other t (ty : ty) heads =
         (Array.map (fun c -> (c.constructor.name, List.length c.fields)) constructors)
     | None -> Diagnostic.bug ~stage:"Typing.Coverage" "no data type `%s`" tycon.name)
   | Number (_, { base = []; variables = [] }) -> Some (Constructed (smallest 0, []))
-  | Number _ | Variable _ | String | Function _ | Signal_function _ -> Some Anything
+  | Number _ | Variable _ | String | Function _ | Signal_function _ | Size _ -> Some Anything
   | Tuple _ -> None
 
 (* {1 The walk} *)

@@ -81,9 +81,21 @@ let type_ (reader : Written.t) (declared : Resolve.Ir.type_declaration) =
       (fun p -> (p, ({ variable = variable p; depth = 0 } : Units.rigid)))
       declared.unit_parameters
   in
+  let kind =
+    Written.parameter_kinds reader
+      (match declared.definition with
+      | Alias body -> [ body ]
+      | Data constructors ->
+          List.concat_map
+            (fun (c : Resolve.Ir.constructor) ->
+              List.map (fun (f : Resolve.Ir.field) -> f.ty) c.fields)
+            constructors
+      | Builtin -> [])
+  in
   let types =
     List.map
-      (fun p -> (p, ({ variable = variable p; depth = 0 } : Type.rigid)))
+      (fun (p : Resolve.Ir.parameter) ->
+        (p, ({ variable = variable p; kind = kind p.name; depth = 0 } : Type.rigid)))
       declared.type_parameters
   in
   let scope = Written.of_parameters units types in
@@ -104,11 +116,11 @@ let type_ (reader : Written.t) (declared : Resolve.Ir.type_declaration) =
   in
   match declared.definition with
   | Alias body ->
-      add (Alias (Written.ty reader scope body));
+      add (Alias (Written.any reader scope body));
       None
   | Builtin ->
       add Builtin;
-      if declared.tycon = Environment.built_in "Program" then Some (data []) else None
+      if List.mem declared.tycon [ Environment.built_in "Program"; Environment.array ] then Some (data []) else None
   | Data constructors ->
       let result : Type.t =
         Data

@@ -54,6 +54,8 @@ let named_unit t measure =
 let add_type t name type_ = Hashtbl.replace t.types name type_
 let type_ t name = found "type" t.types name
 let built_in name : Ir.Global.t = { module_ = "Prelude"; name }
+let array = built_in "Array"
+let array_of size element : Type.t = Data { tycon = array; units = []; arguments = [ size; element ] }
 let add_constructor t c = Hashtbl.replace t.constructors c.ir.constructor c
 let constructor t name = found "constructor" t.constructors name
 

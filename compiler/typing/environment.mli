@@ -33,6 +33,10 @@ val type_ : t -> Ir.Global.t -> type_
 val built_in : string -> Ir.Global.t
 (** The global of a built-in type or constructor. *)
 
+val array : Ir.Global.t
+val array_of : Type.t -> Type.t -> Type.t
+(** [Array size element] *)
+
 (** {1 Classes} *)
 
 type class_ = {

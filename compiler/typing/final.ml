@@ -27,13 +27,19 @@ let rec final (t : Type.t) : Type.final =
   match t with
   | Flexible { final = Some known; _ } -> known
   | Flexible ({ found; _ } as variable) ->
-      let known = match found with Some t -> final t | None -> unit_type in
+      let known =
+        match (found, variable.kind) with
+        | Some t, _ -> final t
+        | None, Of_types -> unit_type
+        | None, Of_sizes -> leaf (Size 1)
+      in
       variable.final <- Some known;
       known
   | Rigid { variable; _ } -> leaf (Variable variable)
   | Number (r, u) -> leaf (Number (representation r, Units.to_ir u))
   | Bool -> leaf Bool
   | String -> leaf String
+  | Size n -> leaf (Size n)
   | Tuple elements ->
       let elements = List.map final elements in
       compound (Tuple (types elements)) elements

@@ -4,34 +4,45 @@ type t = {
   units : Units.rigid list;
 }
 
+(* How many variables there are already. *)
+type counts = { of_types : int; of_sizes : int; of_representations : int; of_units : int }
+
 type state = {
   supply : Type.supply;
   depth : int;
   mutable found : t;  (** newest first *)
-  mutable counts : int * int * int;
+  mutable counts : counts;
 }
 
 let variable state kind count : Ir.variable =
   { id = Type.next state.supply; name = Variable_name.nth kind count }
 
-let new_type state : Type.rigid =
-  let t, r, u = state.counts in
-  let rigid : Type.rigid = { variable = variable state Type t; depth = state.depth } in
-  state.counts <- (t + 1, r, u);
+let new_type state kind : Type.rigid =
+  let { of_types; of_sizes; _ } = state.counts in
+  let variable =
+    match (kind : Type.kind) with
+    | Of_types ->
+        state.counts <- { state.counts with of_types = of_types + 1 };
+        variable state Type of_types
+    | Of_sizes ->
+        state.counts <- { state.counts with of_sizes = of_sizes + 1 };
+        variable state Size of_sizes
+  in
+  let rigid : Type.rigid = { variable; kind; depth = state.depth } in
   state.found <- { state.found with types = rigid :: state.found.types };
   rigid
 
 let new_representation state : Units.rigid =
-  let t, r, u = state.counts in
-  let rigid : Units.rigid = { variable = variable state Representation r; depth = state.depth } in
-  state.counts <- (t, r + 1, u);
+  let k = state.counts.of_representations in
+  let rigid : Units.rigid = { variable = variable state Representation k; depth = state.depth } in
+  state.counts <- { state.counts with of_representations = k + 1 };
   state.found <- { state.found with representations = rigid :: state.found.representations };
   rigid
 
 let new_unit state () : Units.rigid =
-  let t, r, u = state.counts in
-  let rigid : Units.rigid = { variable = variable state Unit u; depth = state.depth } in
-  state.counts <- (t, r, u + 1);
+  let k = state.counts.of_units in
+  let rigid : Units.rigid = { variable = variable state Unit k; depth = state.depth } in
+  state.counts <- { state.counts with of_units = k + 1 };
   state.found <- { state.found with units = rigid :: state.found.units };
   rigid
 
@@ -45,7 +56,7 @@ let representation state r =
 
 let rec ty state t =
   match Type.repr t with
-  | Flexible variable -> variable.found <- Some (Rigid (new_type state))
+  | Flexible variable -> variable.found <- Some (Rigid (new_type state variable.kind))
   | Number (r, u) ->
       representation state r;
       unit_ state u
@@ -58,12 +69,13 @@ let rec ty state t =
       List.iter (ty state) arguments
   | Alias { units; arguments; expansion; _ } ->
       if units <> [] || arguments <> [] then ty state expansion
-  | Rigid _ | Bool | String | Erroneous -> ()
+  | Rigid _ | Bool | String | Size _ | Erroneous -> ()
 
 let none = { types = []; representations = []; units = [] }
 
 let types supply ~depth ts =
-  let state = { supply; depth; found = none; counts = (0, 0, 0) } in
+  let counts = { of_types = 0; of_sizes = 0; of_representations = 0; of_units = 0 } in
+  let state = { supply; depth; found = none; counts } in
   List.iter (ty state) ts;
   {
     types = List.rev state.found.types;

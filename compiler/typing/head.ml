@@ -10,7 +10,7 @@ type t =
 
 let of_type t =
   match Type.expand t with
-  | Flexible _ | Rigid _ | Erroneous | Alias _ -> None
+  | Flexible _ | Rigid _ | Size _ | Erroneous | Alias _ -> None
   | Number (r, _) -> (
       match Type.representation r with
       | Int -> Some (Int, [])
@@ -35,14 +35,14 @@ let units t =
   | Number (_, u) -> [ u ]
   | Data { units; _ } -> units
   | Flexible _ | Rigid _ | Erroneous | Alias _ | Bool | String | Tuple _ | Function _
-  | Signal_function _ ->
+  | Signal_function _ | Size _ ->
       []
 
 let type_variable t =
   match Type.expand t with
   | Rigid r -> Some r
   | Flexible _ | Erroneous | Alias _ | Number _ | Bool | String | Tuple _ | Function _
-  | Signal_function _ | Data _ ->
+  | Signal_function _ | Data _ | Size _ ->
       None
 
 let distinct ids = List.length (List.sort_uniq Int.compare ids) = List.length ids

@@ -91,6 +91,7 @@ let group ctx declared (g : Resolve.Ir.binding_group) =
   let values = List.map2 check g.bindings expectations in
   settle ctx;
   generalize ctx declared g.bindings expectations;
+  check_sizes ctx;
   let definition (b : Resolve.Ir.binding) value =
     let { Context.scheme; _ } = Hashtbl.find ctx.globals (fst (top b)) in
     definition ctx b scheme value
@@ -110,6 +111,7 @@ let method_definition ctx (inner : Context.t) (m : Class_declarations.method_)
   let value = check ~name:m.name.name b ({ inner with group = ctx.group }, expected) in
   settle ctx;
   ignore (Classes.solve ctx Generalize.none);
+  check_sizes ctx;
   definition ctx b scheme value
 
 let defaults ctx (c : Class_declarations.class_) =

@@ -53,7 +53,7 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
     | Erroneous ->
         fits Erroneous Erroneous;
         true
-    | (Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Alias _) as left ->
+    | (Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _) as left ->
         report ctx (fun words ->
             Mistake.not_a_function words ~head ~position:argument.position ~at:argument.value.span
               left);
@@ -123,12 +123,13 @@ let step expressions ctx ~head ~negative ~previous (function_ : typed) argument 
       known Runs input output
   | _, Erroneous -> erroneous ()
   | ( (Juxtaposed | Operator _),
-      ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Alias _) as left) ) ->
+      ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _) as left) ) ->
       report ctx (fun words ->
           Mistake.not_a_function words ~head ~position:argument.position ~at:argument.value.span left);
       erroneous ()
   | ( Command,
-      ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Alias _ | Function _) as found) ) ->
+      ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _
+       | Function _) as found) ) ->
       report ctx (fun words -> Mistake.not_a_signal_function words ~head found);
       erroneous ()
 

@@ -69,6 +69,7 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
         node e.span ty (fun () -> Tuple (List.map (fun (t : typed) -> t.build ()) elements))
       in
       { ty; build }
+  | Array elements -> array ctx e elements
   | Apply _ -> Infer_application.infer expressions ctx e
   | Negate { desc = Number n; _ } when Literal.is_only_negative n ->
       let ty, value = Literal.number ctx ~negative:true ~at:e.span n in
@@ -123,10 +124,36 @@ and check ctx (e : Resolve.Ir.expr) (expected : Mistake.expected) : Ir.expr late
           (List.rev_map2 (fun e ty -> check ctx e { expected with ty }) elements types)
       in
       build (fun () -> Tuple (List.map (fun build -> build ()) elements))
+  | Array (_ :: _ as elements), Data { tycon; arguments = [ _; element ]; _ }
+    when tycon = Environment.array ->
+      let written = Type.Size (List.length elements) in
+      expect ctx ~subject:e ~at:e.span expected (Environment.array_of written element);
+      let elements = array_elements ctx { expected with ty = element } elements in
+      build (fun () -> Array (List.map (fun build -> build ()) elements))
   | _ ->
       let typed = infer ctx e in
       expect ctx ~subject:e ~at:e.span expected typed.ty;
       typed.build
+
+(* What nothing else asks for, the first element asks of the others. *)
+and array_elements ctx (expected : Mistake.expected) elements =
+  let check (done_, (expected : Mistake.expected)) (element : Resolve.Ir.expr) =
+    let because : Mistake.reason =
+      match expected.because with Unknown -> Element element.span | because -> because
+    in
+    (check ctx element expected :: done_, { expected with because })
+  in
+  List.rev (fst (List.fold_left check ([], expected) elements))
+
+and array ctx (e : Resolve.Ir.expr) elements =
+  if elements = [] then
+    report ctx (fun _ ->
+        Diagnostic.error ~code:"E0333" ~at:e.span "an array has at least one element");
+  let element = Context.fresh ctx in
+  let ty = Environment.array_of (Size (max 1 (List.length elements))) element in
+  let elements = array_elements ctx (Mistake.expecting Unknown element) elements in
+  let build = node e.span ty (fun () -> Array (List.map (fun build -> build ()) elements)) in
+  { ty; build }
 
 and case ctx e scrutinee branches expected =
   let value = infer ctx scrutinee in

@@ -77,7 +77,7 @@ let when_known ctx ~(record : Resolve.Ir.expr) ty (fields : Syntax.Ir.name list)
             found None;
             true
         | ( Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _
-          | Alias _ ) as ty ->
+          | Size _ | Alias _ ) as ty ->
             no_field ctx first ~record ty [];
             found None;
             true

@@ -25,10 +25,11 @@ type ty =
   | Function of ty * ty
   | Signal_function of ty * ty
   | Data of { tycon : Global.t; units : unit_ list; arguments : ty list }
-      (** also [Program i o], with constructor-less data *)
+      (** also [Array n a] and [Program i o], data without constructors *)
+  | Size of int  (** of an array, at least 1; only as an argument of [Data] *)
 
 and variable = { id : int; name : string }
-(** A quantified variable of a type, representation or unit. *)
+(** A quantified variable of a type, size, representation or unit. *)
 
 and representation =
   | Int
@@ -41,7 +42,7 @@ and unit_ = {
 }
 
 and scheme = {
-  types : variable list;  (** quantified; also representations, in [representations] *)
+  types : variable list;  (** quantified, sizes among them *)
   representations : variable list;
   units : variable list;
   context : (class_ * ty) list;
@@ -127,6 +128,8 @@ and expr_desc =
           variable) *)
   | String of string
   | Tuple of expr list
+  | Array of expr list  (** at least one *)
+  | Index of expr * int  (** [a ! k], inside the array if its size is known here *)
   | Apply of expr * expr  (** function to argument, pointwise *)
   | Run of expr * expr  (** an instance of a signal function, on a signal *)
   | Negate of expr

@@ -32,7 +32,7 @@ let report_recursion w (x : Local.t) (e : expr) =
   let why =
     match e.ty with
     | Function _ | Signal_function _ -> "functions may not call themselves"
-    | Variable _ | Number _ | Bool | String | Tuple _ | Data _ ->
+    | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ ->
       "only the equations of a `proc` may be recursive"
   in
   Diagnostic.(
@@ -72,7 +72,7 @@ let rec expr w frames (e : expr) =
   match e.desc with
   | Local (x, _) -> mention w frames x e
   | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> ()
-  | Tuple es -> List.iter (expr w frames) es
+  | Tuple es | Array es -> List.iter (expr w frames) es
   | Apply (f, a) ->
     expr w frames f;
     expr w frames a
@@ -82,7 +82,7 @@ let rec expr w frames (e : expr) =
     | None -> ());
     expr w frames h;
     expr w frames input
-  | Negate a | Power (a, _) | Field (a, _, _) -> expr w frames a
+  | Negate a | Power (a, _) | Field (a, _, _) | Index (a, _) -> expr w frames a
   | If (a, b, c) ->
     expr w frames a;
     expr w frames b;

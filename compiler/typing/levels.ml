@@ -25,7 +25,7 @@ type place = {
   regions : region list;  (** innermost first *)
 }
 
-type walk = { sink : Diagnostic.sink; graph : Level_graph.t }
+type walk = { sink : Diagnostic.sink; graph : Level_graph.t; constants : Constant_index.constants }
 
 let enter place kind =
   {
@@ -143,8 +143,46 @@ let conditional place position =
   | Every_instant -> { place with position }
   | Outside | In_branch | In_guard | In_function _ -> place
 
-(* {1 The walk} *)
+(* {1 The index of an array} *)
 
+let not_constant w (e : expr) problem =
+  let error at format = Diagnostic.error ~code:"E0347" ~at format in
+  (match (problem : Constant_index.problem) with
+  | Variable (x, at) ->
+    error at "the index of `!` must be constant, but `%s` is not" x.name
+    |> Diagnostic.label ~at:x.span (Printf.sprintf "`%s` is bound here" x.name)
+  | Computed at when Span.compare at e.span = 0 -> error at "the index of `!` must be constant"
+  | Computed at ->
+    error e.span "the index of `!` must be constant" |> Diagnostic.label ~at "this is computed")
+  |> Diagnostic.note "an index is a number, a name of one, or arithmetic with such"
+  |> Diagnostic.hint "`at i default xs` takes any index"
+  |> Diagnostic.emit w.sink
+
+let outside w (array : expr) (index : expr) k =
+  let error format = Diagnostic.error ~code:"E0332" ~at:index.span format in
+  match array.ty with
+  | Data { arguments = [ Size n; _ ]; _ } when k >= n || k < 0 ->
+    error "index %d is outside of an array of %d" k n
+    |> Diagnostic.label ~at:array.span (Printf.sprintf "this is `%s`" (Show.ty array.ty))
+    |> Diagnostic.hint (Printf.sprintf "the elements are numbered from 0 to %d" (n - 1))
+    |> Diagnostic.emit w.sink
+  | _ when k < 0 ->
+    error "index %d is outside of every array" k
+    |> Diagnostic.hint "the elements are numbered from 0"
+    |> Diagnostic.emit w.sink
+  | _ -> ()
+
+let index w array (k : expr) =
+  match Constant_index.value w.constants k with
+  | Ok n ->
+    let n = Int32.to_int n in
+    outside w array k n;
+    n
+  | Error problem ->
+    not_constant w k problem;
+    0
+
+(* {1 The walk} *)
 let rec first_variable (p : pattern) =
   match p.desc with
   | Any | Literal _ -> None
@@ -164,8 +202,15 @@ let rec expr w place (e : expr) : expr =
   | Local (x, _) ->
     mention w place x e;
     e
+  | Primitive ({ name = "!"; _ }, _) ->
+    not_constant w e (Computed e.span);
+    e
   | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> e
   | Tuple es -> with_ (Tuple (Long_list.map (expr w place) es))
+  | Array es -> with_ (Array (Long_list.map (expr w place) es))
+  | Apply ({ desc = Apply ({ desc = Primitive ({ name = "!"; _ }, _); _ }, array); _ }, k) ->
+    with_ (Index (expr w place array, index w array k))
+  | Index (array, k) -> with_ (Index (expr w place array, k))
   | Apply (f, a) ->
     let f = expr w place f in
     with_ (Apply (f, expr w place a))
@@ -226,13 +271,19 @@ and binding w place (b : binding) =
     | Bound x, Signal_function _, _ -> expr w (enter place (Binding_of x)) b.value
     | _ -> expr w place b.value
   in
+  (match (level, b.pattern.desc, b.pattern.ty) with
+  | Constant, Bound x, Number _ -> Constant_index.local w.constants x b.value
+  | _ -> ());
   { b with level; value }
 
 let program sink (p : program) =
   let graph = Level_dependencies.program sink p in
   Level_graph.solve graph;
-  let w = { sink; graph } in
+  let w = { sink; graph; constants = Constant_index.create () } in
   let definition (d : definition) =
+    (match d.value.ty with
+    | Number _ -> Constant_index.global w.constants d.name d.value
+    | _ -> ());
     { d with value = expr w { position = Outside; depth = 1; proc_depth = 0; regions = [] } d.value }
   in
   { p with definitions = Long_list.map definition p.definitions }

@@ -43,6 +43,7 @@ let rec same units (a : ty) (b : ty) =
   | Number (r, u), Number (s, v) ->
     same_representation r s && (units = But_for_units || same_unit u v)
   | Bool, Bool | String, String -> true
+  | Size m, Size n -> m = n
   | Tuple ts, Tuple us -> all_same units ts us
   | Function (a, b), Function (c, d) | Signal_function (a, b), Signal_function (c, d) ->
     same units a c && same units b d
@@ -53,7 +54,7 @@ let rec same units (a : ty) (b : ty) =
        || List.compare_lengths a.units b.units = 0
           && List.for_all2 same_unit a.units b.units)
   | ( ( Variable _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _
-      | Data _ ),
+      | Data _ | Size _ ),
       _ ) ->
     false
 
@@ -78,7 +79,7 @@ let rec closed s span : ty -> unit = function
   | Number (r, u) ->
     closed_representation s span r;
     closed_unit s span u
-  | Bool | String -> ()
+  | Bool | String | Size _ -> ()
   | Tuple ts -> List.iter (closed s span) ts
   | Function (a, b) | Signal_function (a, b) ->
     closed s span a;
@@ -100,7 +101,7 @@ let rec substitute by : ty -> ty = function
     match List.assoc_opt v.id by.representations with
     | Some r -> Number (r, u)
     | None -> t)
-  | (Number ((Int | Float), _) | Bool | String) as t -> t
+  | (Number ((Int | Float), _) | Bool | String | Size _) as t -> t
   | Tuple ts -> Tuple (substitutes by ts)
   | Function (a, b) -> Function (substitute by a, substitute by b)
   | Signal_function (a, b) -> Signal_function (substitute by a, substitute by b)
@@ -131,7 +132,7 @@ let field_types s span (ty : ty) (c : constructor) =
       let types = pair span d.type_parameters arguments in
       List.map (fun (_, t) -> substitute { types; representations = [] } t) c.fields
     | None -> fail span "no data type `%s`" tycon.name)
-  | Variable _ | Number _ | String | Tuple _ | Function _ | Signal_function _ ->
+  | Variable _ | Number _ | String | Tuple _ | Function _ | Signal_function _ | Size _ ->
     fail span "the constructor `%s` makes no such type" c.constructor.name
 
 (* {1 Scopes} *)
@@ -164,7 +165,7 @@ let rec pattern s entered (p : pattern) =
   | Literal _ -> (
     match p.ty with
     | Number _ -> entered
-    | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ ->
+    | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _ ->
       fail p.span "a number of no numeric type")
   | Tuple_of ps ->
     let types = List.map (fun (p : pattern) -> p.ty) ps in
@@ -214,12 +215,28 @@ let rec expr s (e : expr) =
   | Number _ -> (
     match e.ty with
     | Number _ -> ()
-    | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ ->
+    | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _ ->
       fail e.span "a number of no numeric type")
   | String _ -> is "a string" String
   | Tuple es ->
     List.iter (expr s) es;
     is "a tuple" (Tuple (List.rev (List.rev_map (fun (e : expr) -> e.ty) es)))
+  | Array es ->
+    List.iter (expr s) es;
+    let n = List.length es in
+    let element =
+      match e.ty with
+      | Data { arguments = [ Size m; element ]; _ } when m = n -> element
+      | _ -> fail e.span "an array of %d of another type" n
+    in
+    List.iter (fun (a : expr) -> agree a.span "an element" ~expected:element ~found:a.ty) es
+  | Index (a, k) -> (
+    expr s a;
+    match a.ty with
+    | Data { arguments = [ Size n; _ ]; _ } when k < 0 || k >= n ->
+      fail e.span "element %d of an array of %d" k n
+    | Data { arguments = [ _; element ]; _ } -> is "an element" element
+    | _ -> fail e.span "an element of what is no array")
   | Apply (f, a) ->
     expr s f;
     expr s a;

@@ -8,6 +8,7 @@ type reason =
   | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }
   | Branch of Span.t
   | Condition
+  | Element of Span.t
   | Value of Span.t
   | Pattern of Span.t
   | Uses of { name : string; at : Span.t }
@@ -25,7 +26,7 @@ open Diagnostic
 let name_of (e : Resolve.Ir.expr) =
   match e.desc with
   | Local { name; _ } | Global { name; _ } | Constructor { name; _ } -> Some name
-  | Number _ | String _ | Tuple _ | Apply _ | Negate _ | Power _ | If _ | Case _ | Let _
+  | Number _ | String _ | Tuple _ | Array _ | Apply _ | Negate _ | Power _ | If _ | Case _ | Let _
   | Lambda _ | Proc _ | Record _ | Update _ | Field _ | Annotated _ ->
       None
 
@@ -66,6 +67,8 @@ let rec explain words reason (expected : Type.t) diagnostic =
       label ~at:other.span (Printf.sprintf "this is %s" (described words other_type)) diagnostic
   | Branch at ->
       label ~at (Printf.sprintf "this branch is %s" (described words expected)) diagnostic
+  | Element at ->
+      label ~at (Printf.sprintf "the first element is %s" (described words expected)) diagnostic
   | Value at -> label ~at (Printf.sprintf "the value is %s" (described words expected)) diagnostic
   | Pattern at ->
       label ~at (Printf.sprintf "the pattern takes %s" (described words expected)) diagnostic

@@ -18,6 +18,7 @@ type reason =
       (** beside the other operand *)
   | Branch of Span.t  (** an earlier branch *)
   | Condition
+  | Element of Span.t  (** of an array: the first one *)
   | Value of Span.t  (** a pattern's: the value that is matched *)
   | Pattern of Span.t  (** a value's: the pattern that takes it apart *)
   | Uses of { name : string; at : Span.t }  (** of what is being defined *)

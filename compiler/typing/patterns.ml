@@ -60,11 +60,11 @@ let always_matches w what (p : pattern) =
 let rec expr w (e : expr) =
   match e.desc with
   | Local _ | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> ()
-  | Tuple es -> List.iter (expr w) es
+  | Tuple es | Array es -> List.iter (expr w) es
   | Apply (a, b) | Run (a, b) ->
     expr w a;
     expr w b
-  | Negate a | Power (a, _) | Field (a, _, _) -> expr w a
+  | Negate a | Power (a, _) | Field (a, _, _) | Index (a, _) -> expr w a
   | If (a, b, c) ->
     expr w a;
     expr w b;

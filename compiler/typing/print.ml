@@ -111,6 +111,11 @@ let rec expr c depth (e : expr) =
     parenthesized c (depth > 0 && text.[0] = '-') (fun () -> put c text)
   | String text -> put c (Printf.sprintf "%S" text)
   | Tuple es -> tuple c (expr c 0) es
+  | Array es -> elements c es
+  | Index (a, k) ->
+    parenthesized c (depth > 0) (fun () ->
+        expr c 1 a;
+        put c (" ! " ^ string_of_int k))
   | Apply ({ desc = Apply ({ desc = Primitive (g, _); _ }, a); _ }, b)
     when operator g.name <> g.name ->
     parenthesized c (depth > 0) (fun () ->
@@ -192,6 +197,19 @@ let rec expr c depth (e : expr) =
   | Field (r, k, index) ->
     expr c 2 r;
     put c ("." ^ field k index)
+
+and elements c es =
+  Format.pp_open_hvbox c.out 1;
+  put c "[";
+  List.iteri
+    (fun i e ->
+      if i > 0 then (
+        put c ",";
+        space c);
+      expr c 0 e)
+    es;
+  put c "]";
+  close c
 
 and words c depth f =
   parenthesized c (depth > 1) (fun () ->

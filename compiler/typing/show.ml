@@ -82,6 +82,7 @@ let rec tree : Ir.ty -> tree = function
   | Number (Representation_variable v, u) -> Word (number (`Variable v.name) (unit_ u))
   | Bool -> Word "Bool"
   | String -> Word "String"
+  | Size n -> Word (string_of_int n)
   | Tuple elements -> Group (List.map tree elements)
   | Function (a, b) ->
       let a = tree a in
@@ -165,13 +166,15 @@ let rec tree_of words depth t =
   if depth > deepest then Word "…"
   else
     match Type.repr t with
-    | Flexible { id; _ } -> Word (of_flexible words id Variable_name.Type)
+    | Flexible { id; kind = Of_types; _ } -> Word (of_flexible words id Variable_name.Type)
+    | Flexible { id; kind = Of_sizes; _ } -> Word (of_flexible words id Variable_name.Size)
     | Rigid { variable; _ } -> Word (of_rigid words variable)
     | Number (r, u) ->
         let r = representation_name words r in
         Word (number r (measure words u))
     | Bool -> Word "Bool"
     | String -> Word "String"
+    | Size n -> Word (string_of_int n)
     | Tuple elements -> Group (List.map continue_ elements)
     | Function (a, b) ->
         let a = continue_ a in
@@ -211,7 +214,7 @@ let rec reserve words depth t =
     | Data { units = us; arguments; _ } | Alias { units = us; arguments; _ } ->
         units us;
         List.iter continue_ arguments
-    | Flexible _ | Bool | String | Erroneous -> ()
+    | Flexible _ | Bool | String | Size _ | Erroneous -> ()
 
 let type_ words t =
   reserve words 0 t;

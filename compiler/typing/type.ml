@@ -9,10 +9,12 @@ type t =
   | Signal_function of t * t
   | Data of { tycon : Ir.Global.t; units : Units.t list; arguments : t list }
   | Alias of { alias : Ir.Global.t; units : Units.t list; arguments : t list; expansion : t }
+  | Size of int
   | Erroneous
 
 and flexible = {
   id : int;
+  kind : kind;
   mutable depth : int;
   mutable found : t option;
   mutable final : final option;
@@ -20,7 +22,8 @@ and flexible = {
 
 and final = { ty : Ir.ty; parts : int; nesting : int }
 
-and rigid = { variable : Ir.variable; depth : int }
+and rigid = { variable : Ir.variable; kind : kind; depth : int }
+and kind = Of_types | Of_sizes
 
 and representation =
   | Int
@@ -52,7 +55,8 @@ let next supply =
   supply.last <- supply.last + 1;
   supply.last
 
-let fresh supply ~depth = Flexible { id = next supply; depth; found = None; final = None }
+let fresh supply ?(kind = Of_types) ~depth () =
+  Flexible { id = next supply; kind; depth; found = None; final = None }
 
 let fresh_representation supply ~depth =
   Flexible_representation { id = next supply; depth; found = None }
@@ -74,6 +78,14 @@ let rec repr = function
 
 let rec expand t = match repr t with Alias { expansion; _ } -> expand expansion | t -> t
 
+let rec kind t =
+  match repr t with
+  | Flexible { kind; _ } | Rigid { kind; _ } -> kind
+  | Size _ -> Of_sizes
+  | Alias { expansion; _ } -> kind expansion
+  | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Erroneous ->
+      Of_types
+
 let rec representation = function
   | Flexible_representation ({ found = Some r; _ } as variable) -> (
       match r with
@@ -84,7 +96,7 @@ let rec representation = function
       | r -> r)
   | r -> r
 
-let shared t = Flexible { id = 0; depth = 0; found = Some t; final = None }
+let shared t = Flexible { id = 0; kind = Of_types; depth = 0; found = Some t; final = None }
 
 module Ids = Map.Make (Int)
 
@@ -132,7 +144,7 @@ let rec apply s t =
           arguments = List.map (apply s) arguments;
           expansion = apply s expansion;
         }
-  | (Flexible _ | Bool | String | Erroneous) as t -> t
+  | (Flexible _ | Bool | String | Size _ | Erroneous) as t -> t
 
 let rec mentions (v : Ir.variable) t =
   match repr t with
@@ -140,7 +152,7 @@ let rec mentions (v : Ir.variable) t =
   | Tuple elements | Data { arguments = elements; _ } -> List.exists (mentions v) elements
   | Function (a, b) | Signal_function (a, b) -> mentions v a || mentions v b
   | Alias { arguments; expansion; _ } -> arguments <> [] && mentions v expansion
-  | Flexible _ | Number _ | Bool | String | Erroneous -> false
+  | Flexible _ | Number _ | Bool | String | Size _ | Erroneous -> false
 
 let by_id id pairs =
   List.fold_left (fun map (variable, by) -> Ids.add (id variable) by map) Ids.empty pairs
@@ -167,7 +179,9 @@ let instantiate supply ~depth scheme =
       { ty = body; type_arguments = []; representation_arguments = []; required = [] }
   | _ ->
       let new_for make variables = List.map (fun v -> (v, make supply ~depth)) variables in
-      let types = new_for fresh scheme.types in
+      let types =
+        List.map (fun (r : rigid) -> (r, fresh supply ~kind:r.kind ~depth ())) scheme.types
+      in
       let representations = new_for fresh_representation scheme.representations in
       let units = new_for fresh_unit scheme.units in
       let unit_id (r : Units.rigid) = r.variable.id in

@@ -15,10 +15,12 @@ type t =
   | Signal_function of t * t
   | Data of { tycon : Ir.Global.t; units : Units.t list; arguments : t list }
   | Alias of { alias : Ir.Global.t; units : Units.t list; arguments : t list; expansion : t }
+  | Size of int  (** of an array; only as an argument *)
   | Erroneous  (** of something that was reported *)
 
 and flexible = {
   id : int;
+  kind : kind;
   mutable depth : int;
   mutable found : t option;
   mutable final : final option;  (** kept by {!Final}, once inference is over *)
@@ -32,8 +34,12 @@ and final = {
 
 and rigid = {
   variable : Ir.variable;
+  kind : kind;
   depth : int;  (** as {!Units.rigid} *)
 }
+
+(** What a variable, and a parameter of a type, stands for. *)
+and kind = Of_types | Of_sizes
 
 and representation =
   | Int
@@ -65,7 +71,9 @@ val next : supply -> int
 
 (** {1 New variables} *)
 
-val fresh : supply -> depth:int -> t
+val fresh : supply -> ?kind:kind -> depth:int -> unit -> t
+(** Of types unless said. *)
+
 val fresh_representation : supply -> depth:int -> representation
 val fresh_unit : supply -> depth:int -> Units.t
 
@@ -73,6 +81,8 @@ val fresh_number : supply -> depth:int -> t
 (** A number of any representation and unit. *)
 
 (** {1 Looking at a type} *)
+
+val kind : t -> kind
 
 val repr : t -> t
 (** Past what was found; an alias stays. *)

@@ -52,7 +52,7 @@ let rec admit (variable : flexible) t =
       List.iter (admit variable) arguments
   | Alias { expansion; units; arguments; _ } ->
       if units <> [] || arguments <> [] then admit variable expansion
-  | Bool | String | Erroneous -> ()
+  | Bool | String | Size _ | Erroneous -> ()
 
 and admit_unit variable unit_ =
   if not (Units.lower ~depth:variable.depth unit_) then clash Escaping
@@ -73,7 +73,7 @@ let rec spoil t =
       spoil b
   | Data { arguments; _ } -> List.iter spoil arguments
   | Alias { arguments; expansion; _ } -> if arguments <> [] then spoil expansion
-  | Rigid _ | Number _ | Bool | String | Erroneous -> ()
+  | Rigid _ | Number _ | Bool | String | Size _ | Erroneous -> ()
 
 let rec unify a b =
   let a = repr a and b = repr b in
@@ -95,6 +95,7 @@ let rec unify a b =
         representations r r';
         units u u'
     | Bool, Bool | String, String -> ()
+    | Size m, Size n when m = n -> ()
     | Tuple xs, Tuple ys when List.compare_lengths xs ys = 0 -> List.iter2 unify xs ys
     | Function (x, y), Function (x', y') | Signal_function (x, y), Signal_function (x', y') ->
         unify x x';
@@ -102,8 +103,8 @@ let rec unify a b =
     | Data x, Data y when x.tycon = y.tycon ->
         List.iter2 units x.units y.units;
         List.iter2 unify x.arguments y.arguments
-    | ( (Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _),
-        (Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _) ) ->
+    | ( (Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _),
+        (Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _) ) ->
         clash (Different (a, b))
 
 let types a b =

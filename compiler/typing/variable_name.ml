@@ -1,7 +1,8 @@
-type kind = Type | Unit | Representation
+type kind = Type | Size | Unit | Representation
 
 let letters = function
   | Type -> "abcdefghijkl"
+  | Size -> "mpqr"
   | Unit -> "uvwxyz"
   | Representation -> "n"
 

@@ -1,6 +1,6 @@
 (** Names for variables that the programmer did not name. *)
 
-type kind = Type | Unit | Representation
+type kind = Type | Size | Unit | Representation
 
 val nth : kind -> int -> string
 (** From 0: [a], [b], … for types, [u], [v], … for units, [n], … for

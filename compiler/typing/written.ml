@@ -86,9 +86,46 @@ let unit_of_type t scope (written : Resolve.Ir.unit_) =
   end;
   measure
 
+(* {1 Sizes} *)
+
+let largest_size = 1_048_576
+
+let check_size t span n =
+  if n < 1 || n > largest_size then
+    Diagnostic.(
+      error ~code:"E0333" ~at:span "the size of an array is from 1 to %d, not %d" largest_size n
+      |> emit t.sink)
+
+let report_kind t span (wanted : Type.kind) found =
+  let words = Show.words ~named_unit:(Environment.named_unit t.environment) in
+  let shown = Show.quoted words found in
+  let diagnostic =
+    match (wanted, Type.expand found) with
+    | Of_types, Rigid _ ->
+        Diagnostic.error ~code:"E0330" ~at:span
+          "%s is the size of an array elsewhere, so it cannot be a type here" shown
+    | Of_sizes, Rigid _ ->
+        Diagnostic.error ~code:"E0330" ~at:span
+          "%s is a type elsewhere, so it cannot be the size of an array here" shown
+    | Of_types, _ -> Diagnostic.error ~code:"E0330" ~at:span "expected a type, found the size %s" shown
+    | Of_sizes, _ ->
+        Diagnostic.error ~code:"E0330" ~at:span "expected the size of an array, found the type %s" shown
+        |> Diagnostic.hint "the size comes first, as in `Array 4 Float`"
+  in
+  Diagnostic.emit t.sink diagnostic
+
+let array_parameters : Type.kind list = [ Of_sizes; Of_types ]
+
+(* What the parameters of a type stand for. *)
+let kinds t tycon =
+  if tycon = Environment.array then array_parameters
+  else
+    let { Environment.parameters; _ } = Environment.type_ t.environment tycon in
+    List.map (fun (r : Type.rigid) -> r.kind) parameters.types
+
 (* {1 Types} *)
 
-let rec ty t scope (written : Resolve.Ir.ty) : Type.t =
+let rec any t scope (written : Resolve.Ir.ty) : Type.t =
   match written.desc with
   | Type_variable name -> Rigid (find "type" scope.types name)
   | Representation { variable; unit_ } ->
@@ -98,12 +135,25 @@ let rec ty t scope (written : Resolve.Ir.ty) : Type.t =
   | Function (a, b) ->
       let a = ty t scope a in
       Function (a, ty t scope b)
+  | Size n ->
+      check_size t written.span n;
+      Size n
   | Tuple_type elements -> Tuple (List.map (ty t scope) elements)
   | Named { tycon; units; arguments } -> named t scope tycon units arguments
 
+and of_kind t scope kind (written : Resolve.Ir.ty) =
+  match any t scope written with
+  | Erroneous -> Type.Erroneous
+  | found when Type.kind found = kind -> found
+  | found ->
+      report_kind t written.span kind found;
+      Erroneous
+
+and ty t scope written = of_kind t scope Of_types written
+
 and named t scope tycon units arguments =
   let units = List.map (unit_of_type t scope) units in
-  let arguments = List.map (ty t scope) arguments in
+  let arguments = List.map2 (of_kind t scope) (kinds t tycon) arguments in
   let { Environment.parameters; definition } = Environment.type_ t.environment tycon in
   match definition with
   | Alias body ->
@@ -128,20 +178,23 @@ and named t scope tycon units arguments =
 
 (* {1 Signatures} *)
 
-(* Variables in the order of their occurrence. *)
-let rec occurring see (written : Resolve.Ir.ty) =
+(* Variables in the order of their occurrence, those of types with the kind
+   that their place asks for. *)
+let rec occurring t kind see (written : Resolve.Ir.ty) =
+  let in_type = occurring t Type.Of_types see in
   match written.desc with
-  | Type_variable name -> see (`Type name)
+  | Type_variable name -> see (`Type (name, kind))
   | Representation { variable; unit_ } ->
       see (`Representation variable);
       occurring_in_unit see unit_
   | Function (a, b) ->
-      occurring see a;
-      occurring see b
-  | Tuple_type elements -> List.iter (occurring see) elements
-  | Named { units; arguments; _ } ->
+      in_type a;
+      in_type b
+  | Tuple_type elements -> List.iter in_type elements
+  | Size _ -> ()
+  | Named { tycon; units; arguments } ->
       List.iter (occurring_in_unit see) units;
-      List.iter (occurring see) arguments
+      List.iter2 (fun kind -> occurring t kind see) (kinds t tycon) arguments
 
 and occurring_in_unit see (written : Resolve.Ir.unit_) =
   List.iter
@@ -150,6 +203,16 @@ and occurring_in_unit see (written : Resolve.Ir.unit_) =
       | Unit_variable name -> see (`Unit name)
       | Declared _ -> ())
     written.factors
+
+let parameter_kinds t (fields : Resolve.Ir.ty list) =
+  let kinds = ref Names.empty in
+  let see = function
+    | `Type (name, kind) ->
+        if not (Names.mem name !kinds) then kinds := Names.add name kind !kinds
+    | `Representation _ | `Unit _ -> ()
+  in
+  List.iter (occurring t Of_types see) fields;
+  fun name -> Option.value (Names.find_opt name !kinds) ~default:Type.Of_types
 
 let class_ (name : Ir.Global.t) : Ir.class_ =
   match name with
@@ -161,9 +224,9 @@ let signature t scope ~depth (written : Resolve.Ir.scheme) =
   let scope = ref scope and types = ref [] and representations = ref [] and units = ref [] in
   let variable name : Ir.variable = { id = Type.next t.supply; name } in
   let see = function
-    | `Type name ->
+    | `Type (name, kind) ->
         if not (Names.mem name !scope.types) then begin
-          let rigid : Type.rigid = { variable = variable name; depth } in
+          let rigid : Type.rigid = { variable = variable name; kind; depth } in
           types := rigid :: !types;
           scope := { !scope with types = Names.add name rigid !scope.types }
         end
@@ -180,8 +243,9 @@ let signature t scope ~depth (written : Resolve.Ir.scheme) =
           scope := { !scope with units = Names.add name rigid !scope.units }
         end
   in
-  List.iter (fun (c : Resolve.Ir.constraint_) -> occurring see c.argument) written.context;
-  occurring see written.ty;
+  let see_all = occurring t Of_types see in
+  List.iter (fun (c : Resolve.Ir.constraint_) -> see_all c.argument) written.context;
+  see_all written.ty;
   let scope = !scope in
   let constraint_ (c : Resolve.Ir.constraint_) =
     (class_ c.class_, ty t scope c.argument)

@@ -16,7 +16,14 @@ type t = { environment : Environment.t; supply : Type.supply; sink : Diagnostic.
 (** What reading a type needs. *)
 
 val ty : t -> scope -> Resolve.Ir.ty -> Type.t
-(** All its variables are in scope. A unit of scale other than 1 is [E0321]. *)
+(** No size. All its variables are in scope. A unit of scale other than 1 is [E0321]. *)
+
+val any : t -> scope -> Resolve.Ir.ty -> Type.t
+(** A type or a size; all its variables are in scope. What stands for the wrong
+    one of them inside is [E0330], a size out of range [E0333]. *)
+
+val parameter_kinds : t -> Resolve.Ir.ty list -> string -> Type.kind
+(** What a parameter stands for, by its name, from where these types use it. *)
 
 val unit_ : t -> scope -> Resolve.Ir.unit_ -> Environment.unit_
 (** With its exact scale. A scaled unit to a power that is no integer is

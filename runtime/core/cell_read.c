@@ -122,6 +122,19 @@ static bool read_float(struct reader *r, double *result)
 
 static bool read_value(struct reader *r, const struct frob_value *value);
 
+static bool read_array(struct reader *r, const struct frob_constructor *array)
+{
+    if (!accept(r, '['))
+        return fail(r, "`[`, the start of an array");
+    for (size_t i = 0; i < array->count; i++) {
+        if (i > 0 && !accept(r, ','))
+            return fail(r, "`,` and the array's next element");
+        if (!read_value(r, array->fields[i].value))
+            return false;
+    }
+    return accept(r, ']') || fail(r, "`]`");
+}
+
 static bool read_tuple(struct reader *r, const struct frob_constructor *tuple)
 {
     if (!accept(r, '('))
@@ -193,6 +206,7 @@ static void clear(struct reader *r, const struct frob_value *value)
         *(uint8_t *)at = 0;
         /* fall through */
     case FROB_PRODUCT:
+    case FROB_ARRAY:
         for (size_t i = 0; i < value->count; i++)
             for (size_t j = 0; j < value->constructors[i].count; j++)
                 clear(r, value->constructors[i].fields[j].value);
@@ -237,6 +251,9 @@ static bool read_value(struct reader *r, const struct frob_value *value)
     case FROB_SUM:
         clear(r, value);
         ok = read_constructor(r, value);
+        break;
+    case FROB_ARRAY:
+        ok = read_array(r, &value->constructors[0]);
         break;
     }
     for (; ok && parentheses > 0; parentheses--)

@@ -33,15 +33,21 @@ static bool add_float(struct frob_text *text, double x)
 static void add_value(struct frob_text *text, const struct frob_value *value,
                       const void *base, enum place place);
 
+static void add_parts(struct frob_text *text, const struct frob_constructor *parts,
+                      const void *base)
+{
+    for (size_t i = 0; i < parts->count; i++) {
+        if (i > 0)
+            frob_text_add(text, ", ");
+        add_value(text, parts->fields[i].value, base, ALONE);
+    }
+}
+
 static void add_tuple(struct frob_text *text, const struct frob_constructor *tuple,
                       const void *base)
 {
     frob_text_add_char(text, '(');
-    for (size_t i = 0; i < tuple->count; i++) {
-        if (i > 0)
-            frob_text_add(text, ", ");
-        add_value(text, tuple->fields[i].value, base, ALONE);
-    }
+    add_parts(text, tuple, base);
     frob_text_add_char(text, ')');
 }
 
@@ -126,6 +132,11 @@ static void add_value(struct frob_text *text, const struct frob_value *value,
             frob_text_add(text, "?"); /* only foreign code can make one */
         break;
     }
+    case FROB_ARRAY:
+        frob_text_add_char(text, '[');
+        add_parts(text, &value->constructors[0], base);
+        frob_text_add_char(text, ']');
+        break;
     }
 }
 

@@ -11,10 +11,12 @@
 static bool has_columns_inside(const struct frob_value *value)
 {
     const struct frob_constructor *product;
+    if (value->kind == FROB_ARRAY)
+        return true;
     if (value->kind != FROB_PRODUCT)
         return false;
     product = &value->constructors[0];
-    /* Tuples and records are columns by their parts; other data with one
+    /* Arrays, tuples and records are columns by their parts; other data with one
      * constructor is a cell. */
     return product->name == NULL || (product->is_record && product->count > 0);
 }
@@ -31,8 +33,11 @@ static void visit_columns(const struct frob_value *value, struct frob_text *path
     product = &value->constructors[0];
     for (size_t i = 0; i < product->count; i++) {
         char number[24];
-        snprintf(number, sizeof number, "%lu", (unsigned long)i + 1);
-        frob_text_add_char(path, '.');
+        bool array = value->kind == FROB_ARRAY;
+        snprintf(number, sizeof number, array ? "[%lu]" : "%lu",
+                 array ? (unsigned long)i : (unsigned long)i + 1);
+        if (!array)
+            frob_text_add_char(path, '.');
         frob_text_add(path, product->name == NULL ? number : product->fields[i].name);
         visit_columns(product->fields[i].value, path, visit, context);
         frob_text_cut(path, length);
@@ -113,7 +118,7 @@ void frob_trace_row(struct frob_text *text, const struct frob_program *program,
 static size_t cell_room(const struct frob_value *value)
 {
     size_t room = 32; /* a number, parentheses and separators */
-    if (value->kind == FROB_PRODUCT || value->kind == FROB_SUM) {
+    if (value->kind == FROB_PRODUCT || value->kind == FROB_SUM || value->kind == FROB_ARRAY) {
         for (size_t i = 0; i < value->count; i++) {
             const struct frob_constructor *c = &value->constructors[i];
             room += c->name == NULL ? 0 : strlen(c->name) + 8;

@@ -28,6 +28,7 @@ let printed : Evaluate.value -> string = function
   | Sum (tag, payload) ->
       let slot = match payload with [ Float x ] -> bits x | _ -> bits 0. in
       Printf.sprintf "%d/%s" tag slot
+  | Array _ -> failwith "no array is made"
 
 let c_float x = Cgen.Print.float_literal x
 
@@ -39,12 +40,14 @@ let set_input place : Evaluate.value -> string = function
   | Sum (tag, payload) ->
       let slot = match payload with [ Float x ] -> c_float x | _ -> "0.0" in
       Printf.sprintf "    %s.tag = %d;\n    %s.f0 = %s;\n" place tag place slot
+  | Array _ -> failwith "no array is made"
 
 let print_output place : Evaluate.value -> string = function
   | Bool _ -> Printf.sprintf "    show_int(%s ? 1 : 0);\n" place
   | Int _ -> Printf.sprintf "    show_int(%s);\n" place
   | Float _ -> Printf.sprintf "    show_float(%s);\n" place
   | Sum _ -> Printf.sprintf "    show_sum(%s.tag, %s.f0);\n" place place
+  | Array _ -> failwith "no array is made"
 
 let members prefix each values =
   String.concat "" (List.mapi (fun k v -> each (Printf.sprintf "%s.f%d" prefix (k + 1)) v) values)

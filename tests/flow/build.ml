@@ -79,7 +79,7 @@ let call ?(statics = []) ?line b index inputs outputs =
     | n -> Printf.sprintf "%s_%d" callee.name (n + 1)
   in
   let span = span b.file (Option.value line ~default:b.line) in
-  b.instances <- { Ir.node = index; name; statics; inputs; outputs; trials = []; span } :: b.instances
+  b.instances <- { Ir.node = index; name; statics; inputs; outputs; loop = None; trials = []; span } :: b.instances
 
 let run ?statics b index inputs name =
   let s = declare b name in

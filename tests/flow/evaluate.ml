@@ -5,6 +5,7 @@ type value =
   | Int of int32
   | Float of float
   | Sum of int * value list
+  | Array of value list
 
 type instant = { dt : float; inputs : value list }
 
@@ -15,13 +16,15 @@ let rec equal a b =
   | Float a, Float b ->
       (Float.is_nan a && Float.is_nan b) || Int64.equal (Int64.bits_of_float a) (Int64.bits_of_float b)
   | Sum (a, payload), Sum (b, other) -> a = b && List.for_all2 equal payload other
-  | (Bool _ | Int _ | Float _ | Sum _), _ -> false
+  | Array a, Array b -> List.for_all2 equal a b
+  | (Bool _ | Int _ | Float _ | Sum _ | Array _), _ -> false
 
 let rec show = function
   | Bool b -> string_of_bool b
   | Int n -> Int32.to_string n
   | Float x -> Printf.sprintf "%h" x
   | Sum (c, payload) -> Printf.sprintf "#%d(%s)" c (String.concat ", " (List.map show payload))
+  | Array elements -> Printf.sprintf "[%s]" (String.concat ", " (List.map show elements))
 
 (* Quiet, unlike OCaml's own before 5.1. *)
 let nan = Int64.float_of_bits 0x7ff8_0000_0000_0000L
@@ -98,14 +101,24 @@ let operation (operator : Ir.operator) arguments =
   | Or, [ Bool a; Bool b ] -> Bool (a || b)
   | _ -> failwith "ill-typed operation"
 
-let zero : Ir.ty -> value = function
+let rec zero : Ir.ty -> value = function
   | Bool -> Bool false
   | Int -> Int 0l
   | Float -> Float 0.
   | Sum _ -> failwith "a sum in a payload"
+  | Array (n, element) -> Array (List.init n (fun _ -> zero element))
 
-let is_true = function Bool b -> b | Int _ | Float _ | Sum _ -> failwith "not a Bool"
-let number = function Float x -> x | Bool _ | Int _ | Sum _ -> failwith "not a Float"
+let is_true = function Bool b -> b | Int _ | Float _ | Sum _ | Array _ -> failwith "not a Bool"
+let number = function Float x -> x | Bool _ | Int _ | Sum _ | Array _ -> failwith "not a Float"
+
+let elements = function
+  | Array elements -> elements
+  | Bool _ | Int _ | Float _ | Sum _ -> failwith "not an array"
+
+(* Beyond every array if it is negative. *)
+let position = function
+  | Int n -> if n < 0l then max_int else Int32.to_int n
+  | Bool _ | Float _ | Sum _ | Array _ -> failwith "not an Int"
 
 (* What a stateful equation remembers: see {!advance}. *)
 type memory = { past : value; total : float }
@@ -122,12 +135,23 @@ let value clock read memory (e : Ir.equation) =
   | Is_constructor (a, constructor) -> (
       match read a with
       | Sum (c, _) -> Bool (c = constructor)
-      | Bool _ | Int _ | Float _ -> failwith "not a sum")
+      | Bool _ | Int _ | Float _ | Array _ -> failwith "not a sum")
   | Payload { value; constructor; leaf } -> (
       match read value with
       | Sum (c, payload) when c = constructor -> List.nth payload leaf
       | Sum _ -> zero e.defines.ty
-      | Bool _ | Int _ | Float _ -> failwith "not a sum")
+      | Bool _ | Int _ | Float _ | Array _ -> failwith "not a sum")
+  | Elements atoms -> Array (List.map read atoms)
+  | Fill a -> (
+      match e.defines.ty with
+      | Array (n, _) -> Array (List.init n (fun _ -> read a))
+      | Bool | Int | Float | Sum _ -> failwith "not an array")
+  | Index (a, k) -> List.nth (elements (read a)) k
+  | At { array; index; default } ->
+      Option.value (List.nth_opt (elements (read array)) (position (read index))) ~default:(read default)
+  | Replace { array; index; value } ->
+      let k = position (read index) in
+      Array (List.mapi (fun i x -> if i = k then read value else x) (elements (read array)))
   | Time -> Float clock.time
   | Delay { init; _ } -> if clock.first then read init else (memory e).past
   | Integral _ ->
@@ -147,7 +171,9 @@ let advance read now (e : Ir.equation) =
   match e.rhs with
   | Delay { next; _ } -> Some { past = read next; total = 0. }
   | Integral a | Derivative a -> Some { past = read a; total = number now }
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Time -> None
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+  | At _ | Replace _ | Time ->
+      None
 
 let constant : Ir.atom -> value option = function
   | Bool b -> Some (Bool b)

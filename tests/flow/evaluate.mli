@@ -7,6 +7,7 @@ type value =
   | Int of int32
   | Float of float
   | Sum of int * value list
+  | Array of value list
 
 type instant = { dt : float; inputs : value list }
 

@@ -29,6 +29,7 @@ let rec value random kind (shape : Interp.Shape.t) : Interp.Value.t =
   | Int -> Int (int random kind)
   | Float -> Float (float random kind)
   | Tuple parts -> Tuple (Array.map known (Array.of_list parts))
+  | Array (n, element) -> Array (Array.init n (fun _ -> known element))
   | Data { constructors; _ } ->
       let constructor = Random.State.int random (List.length constructors) in
       let fields = (List.nth constructors constructor).fields in

@@ -54,16 +54,16 @@ Unknown names: other capitals, units as words, what a later version will have.
   [1]
 
   $ cat > later.frob <<'FROB'
-  > nearest x = foldl min x
+  > t = sleepT 1[s] 0
   > FROB
   $ frobc check later.frob
-  error[E0205]: unknown name `foldl`
-   --> later.frob:1:13
+  error[E0205]: unknown name `sleepT`
+   --> later.frob:1:5
     |
-  1 | nearest x = foldl min x
-    |             ^^^^^
+  1 | t = sleepT 1[s] 0
+    |     ^^^^^^
     |
-    = note: `foldl` is not part of this version of Frob
+    = note: `sleepT` is not part of this version of Frob
   
   1 error
   [1]

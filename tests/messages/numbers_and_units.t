@@ -74,7 +74,7 @@ A unit stands on a literal or a type, never on a name, and touches it.
    --> blank.frob:1:7
     |
   1 | x = 5 [m]
-    |       ^
+    |       ^^^
     |
     = hint: as in `0.4[m/s]`
   

@@ -28,6 +28,7 @@ let rec ty (t : ty) : ty =
     | Representation { name = x; unit_ = u } -> Representation { name = name x; unit_ = unit_ u }
     | Function (a, b) -> Function (ty a, ty b)
     | Tuple_type ts -> Tuple_type (all ty ts)
+    | Size n -> Size n
   in
   { desc; span }
 
@@ -61,6 +62,7 @@ let rec expr (e : expr) : expr =
     | Constructor x -> Constructor (qualified x)
     | Number n -> Number (number n)
     | String s -> String s
+    | Array es -> Array (all expr es)
     | Tuple es -> Tuple (all expr es)
     | Apply (f, x) -> Apply (expr f, expr x)
     | Binary { operator; left; right } ->

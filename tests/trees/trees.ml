@@ -26,7 +26,7 @@ let apply (f : expr) a =
   match f.ty with
   | Function (_, result) -> make (Apply (f, a)) result
   | Signal_function (_, result) -> make (Run (f, a)) result
-  | Variable _ | Number _ | Bool | String | Tuple _ | Data _ -> invalid_arg "apply"
+  | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ -> invalid_arg "apply"
 
 let plus (a : expr) b =
   let on_float = { types = []; representations = [ Float ] } in

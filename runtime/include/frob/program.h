@@ -22,7 +22,8 @@ enum frob_kind {
     FROB_INT,     /* int32_t */
     FROB_FLOAT,   /* double */
     FROB_PRODUCT, /* tuple, record or () */
-    FROB_SUM      /* uint8_t tag, and slots for the payloads */
+    FROB_SUM,     /* uint8_t tag, and slots for the payloads */
+    FROB_ARRAY    /* like a tuple; the fields of its one constructor are the elements */
 };
 
 struct frob_value;
@@ -34,7 +35,7 @@ struct frob_field {
 };
 
 struct frob_constructor {
-    const char *name;  /* as in the source: "Just"; NULL for a tuple */
+    const char *name;  /* as in the source: "Just"; NULL for a tuple or array */
     int is_record;     /* fields are written {name = value} */
     size_t count;      /* of fields */
     const struct frob_field *fields;
@@ -45,7 +46,7 @@ struct frob_value {
     enum frob_kind kind;
     size_t offset; /* of the bool, int32_t, double, or the sum's tag */
     int is_event;  /* a sum that is `Event a`: constructor 0 is NoEvent */
-    size_t count;  /* constructors: 1 for a product, its tag is not stored */
+    size_t count;  /* constructors: 1 for a product or array, its tag is not stored */
     const struct frob_constructor *constructors;
 };
 
@@ -60,7 +61,7 @@ struct frob_program {
     void (*step)(void *state, double dt, const void *input, void *output);
 };
 
-#define FROB_PROGRAM_ABI 1u
+#define FROB_PROGRAM_ABI 2u
 
 /* The symbol that hosts look up. */
 #define FROB_PROGRAM_SYMBOL "frob_program"

@@ -3,7 +3,7 @@
  *
  * The first column is `time`, in seconds with nine decimals. Then comes one
  * column for each scalar, sum or event, named by its path: `in`, `in.1`,
- * `in.odometry.position.x`, `out.turn`. A `()` has no column. */
+ * `in.odometry.position.x`, `in.sonar[0]`, `out.turn`. A `()` has no column. */
 #ifndef FROB_TRACE_H
 #define FROB_TRACE_H
 

@@ -1,0 +1,23 @@
+(** Arrays in C: a struct around an array, so that it can be assigned and
+    returned like any other value; and functions on it. *)
+
+val name : Flow.Ir.sum array -> Machine.Ir.ty -> string
+(** What tells the type from others: [float_16], [maybe_float_3_4]. *)
+
+val element : Ir.expr -> Ir.expr -> Ir.expr
+(** [a.at[i]] *)
+
+val definition : string -> count:int -> element:Ir.ty -> Ir.declaration
+(** The struct of that name. *)
+
+type operation =
+  | At  (** the element of an index, or a default outside *)
+  | Replace
+  | Fill
+
+val operations : operation list
+val suffix : operation -> string
+
+val function_ :
+  operation -> string -> struct_name:string -> count:int -> element:Ir.ty -> Ir.function_
+(** Of that name. *)

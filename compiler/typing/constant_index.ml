@@ -1,0 +1,76 @@
+open Basis
+open Ir
+
+type constants = {
+  locals : (int, expr) Hashtbl.t;
+  globals : (Global.t, expr) Hashtbl.t;
+}
+
+let create () = { locals = Hashtbl.create 16; globals = Hashtbl.create 64 }
+let local c (x : Local.t) e = Hashtbl.replace c.locals x.id e
+let global c name e = Hashtbl.replace c.globals name e
+
+type problem =
+  | Variable of Local.t * Span.t
+  | Computed of Span.t
+
+exception Problem of problem
+
+let fail problem = raise_notrace (Problem problem)
+
+(* As the language reference, section 4, has it. *)
+let div a b =
+  if Int32.equal b 0l then 0l
+  else
+    let quotient = Int32.div a b and rest = Int32.rem a b in
+    if (not (Int32.equal rest 0l)) && Int32.compare rest 0l < 0 <> (Int32.compare b 0l < 0) then
+      Int32.pred quotient
+    else quotient
+
+let mod_ a b = if Int32.equal b 0l then 0l else Int32.sub a (Int32.mul (div a b) b)
+
+let operation = function
+  | "+" -> Some Int32.add
+  | "-" -> Some Int32.sub
+  | "*" -> Some Int32.mul
+  | "div" -> Some div
+  | "mod" -> Some mod_
+  | "min" -> Some min
+  | "max" -> Some max
+  | _ -> None
+
+(* Names that are defined by each other in a circle are reported elsewhere. *)
+let longest_chain = 1_000
+
+let value c e =
+  let rec int depth (e : expr) =
+    if depth > longest_chain then fail (Computed e.span);
+    let int = int (depth + 1) in
+    match e.desc with
+    | Number n -> (
+      match Exact.to_int32 n with Some n -> n | None -> fail (Computed e.span))
+    | Negate a -> Int32.neg (int a)
+    | Apply ({ desc = Apply ({ desc = Primitive (g, _); _ }, a); _ }, b) -> (
+      match operation g.name with
+      | Some operation ->
+        let a = int a in
+        operation a (int b)
+      | None -> fail (Computed e.span))
+    | Local (x, _) -> (
+      match Hashtbl.find_opt c.locals x.id with
+      | Some value -> named x e (fun () -> int value)
+      | None -> fail (Variable (x, e.span)))
+    | Global (g, _) -> (
+      match Hashtbl.find_opt c.globals g with
+      | Some value -> (
+        try int value with Problem _ -> fail (Computed e.span))
+      | None -> fail (Computed e.span))
+    | Primitive _ | Method _ | Constructor _ | String _ | Tuple _ | Array _ | Index _ | Apply _
+    | Run _ | Power _ | If _ | Case _ | Let _ | Lambda _ | Guards _ | Proc _ | Record _ | Update _
+    | Field _ ->
+      fail (Computed e.span)
+  (* The place to show is where the index names it. *)
+  and named x e evaluate =
+    try evaluate () with Problem _ -> fail (Variable (x, e.span))
+  in
+  match int 0 e with n -> Ok n | exception Problem problem -> Error problem
