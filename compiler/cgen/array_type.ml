@@ -26,7 +26,13 @@ let element array index =
   Subscript (elements, index)
 
 let definition name ~count ~element =
-  Struct_definition { name; members = [ { name = "at"; ty = Array (element, count); comment = "" } ]; comment = "" }
+  Struct_definition
+    {
+      name;
+      overlaid = false;
+      members = [ { name = "at"; ty = Array (element, count); comment = "" } ];
+      comment = "";
+    }
 
 type operation = At | Replace | Fill
 

@@ -69,7 +69,7 @@ and record types (product : F.product) =
       name
 
 and define types name members =
-  types.definitions <- Struct_definition { name; members; comment = "" } :: types.definitions
+  types.definitions <- Struct_definition { overlaid = false; name; members; comment = "" } :: types.definitions
 
 (* The paths through the members of a shape, to leaves and to unused bytes. *)
 let paths (shape : F.shape) (members : Ir.member list) member_list_of =

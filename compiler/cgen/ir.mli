@@ -87,7 +87,14 @@ type function_ = {
 }
 
 type declaration =
-  | Struct_definition of { name : string; members : member list; comment : string }
+  | Struct_definition of {
+      name : string;
+      overlaid : bool;
+          (** its memory may have been that of another struct: compilers must not
+              take accesses to the two for independent *)
+      members : member list;
+      comment : string;
+    }
   | Constants of { names : string list; comment : string }  (** an enumeration, from 0 *)
   | Prototype of function_  (** without its body *)
   | Function of function_

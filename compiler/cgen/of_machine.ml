@@ -44,6 +44,26 @@ let mode_numbers (v : V.t) k (node : M.node) =
       let names = List.map (fun (m : V.mode) -> m.constant) (Array.to_list v.nodes.(k).modes) in
       [ Ir.Constants { names; comment = "the modes of " ^ node.origin } ]
 
+(* Modes that exclude each other share memory in a union, and each is stepped
+   through a pointer to its own struct. gcc takes accesses through pointers to
+   different structs for independent, and then reads what the mode before left
+   (seen with gcc 12 -O2), unless the structs say otherwise. *)
+let has_modes (v : V.t) =
+  Array.exists
+    (fun (node : M.node) -> match node.modes with [] | [ _ ] -> false | _ :: _ :: _ -> true)
+    v.program.nodes
+
+let overlaid =
+  {|/* Modes that exclude each other share memory. */
+#ifndef FROB_OVERLAID
+#ifdef __GNUC__
+#define FROB_OVERLAID __attribute__((__may_alias__))
+#else
+#define FROB_OVERLAID
+#endif
+#endif
+|}
+
 let state_struct (v : V.t) k (node : M.node) =
   let members =
     match node.state with
@@ -51,7 +71,10 @@ let state_struct (v : V.t) k (node : M.node) =
     | fields -> List.rev (List.rev_map (member v k) fields)
   in
   mode_numbers v k node
-  @ [ Ir.Struct_definition { name = v.nodes.(k).state; members; comment = "" } ]
+  @ [
+      Ir.Struct_definition
+        { name = v.nodes.(k).state; overlaid = has_modes v; members; comment = "" };
+    ]
 
 let states (v : V.t) =
   let struct_of k node =
@@ -82,6 +105,7 @@ let header (v : V.t) (reset : Ir.function_) (step : Ir.function_) : Ir.file =
       ];
       types v;
       v.records;
+      (if has_modes v then [ Text overlaid ] else []);
       states v;
       [
         Prototype { reset with comment = "" };

@@ -327,9 +327,9 @@ let signature { linkage; result; name; parameters; _ } =
 
 let declaration out = function
   | Text text -> Buffer.add_string out text
-  | Struct_definition { name; members = fields; comment } ->
+  | Struct_definition { name; overlaid; members = fields; comment } ->
       heading out comment;
-      line out ~indent:0 ("struct " ^ name ^ " {");
+      line out ~indent:0 ((if overlaid then "struct FROB_OVERLAID " else "struct ") ^ name ^ " {");
       members out ~indent:4 fields;
       line out ~indent:0 "};"
   | Constants { names; comment } ->

@@ -72,6 +72,7 @@ let definition sums (sum : F.sum) t =
     Struct_definition
       {
         name = t.struct_name;
+        overlaid = false;
         members = List.map member (("tag", Ir.Uint8) :: members sums t);
         comment = "";
       };

@@ -13,7 +13,7 @@ let tools =
     folder = Filename.current_dir_name;
   }
 
-let first = 100
+let first = 0
 
 let agree seed () =
   match Batch.failures tools ~seed ~first ~count:Batch.size with

@@ -45,3 +45,17 @@ A machine is as large as its largest mode, and the number of the mode.
   > EOF
   $ gcc size.c -o size && ./size
   5 doubles
+
+The first mode ends at once; gcc must not read its parameter where the second
+keeps its own (it took the two for independent, at -O2):
+
+  $ cat > overlaid.frob <<'EOF'
+  > main :: SF Int (Either Int Float)
+  > main = proc i -> v where
+  >   v = (switch ((proc x -> drSwitch (constant (Left (-1))) (0, mapE (\k -> arr (\_ -> Left 100)) ((NoEvent :: Event Int)))) &&& (proc p -> mapE (\_ -> Event (NoEvent :: Event Bool)) (when True))) (\_ -> (proc x -> mapE (\_ -> 2) (when False)) >>> dAccumHoldBy (\x y -> Right 1) (Right (-0.0)))) i
+  > EOF
+  $ printf 'time,in\n0,1\n1,1\n' > ones.csv
+  $ both overlaid.frob ones.csv
+  time,out
+  0.000000000,Right (-0)
+  1.000000000,Right (-0)

@@ -43,8 +43,8 @@ In C the running mode is stepped, its event is tested, and only then is an outpu
 chosen.
 
   $ frobc compile three_modes.frob
-  $ sed -n '/^struct three_modes_state/,/^};/p' three_modes.h
-  struct three_modes_state {
+  $ sed -n '/^struct FROB_OVERLAID three_modes_state/,/^};/p' three_modes.h
+  struct FROB_OVERLAID three_modes_state {
       union {
           struct {
               struct three_modes_follow_follow_state state; /* follow at three_modes.frob:5 */
