@@ -80,7 +80,12 @@ let unary n (operator : Flow.Ir.operator) (ty : M.ty) x : Ir.expr =
 
 let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
   let helper h : Ir.expr = Call (V.helper n.v h, [ x; y ]) in
+  (* gcc 12 folds [0.0 - fabs(x)] and the like to the wrong zero, unless the
+     operands are a function's parameters. *)
+  let has_zero = match (a, b) with M.Float 0., _ | _, M.Float 0. -> true | _, _ -> false in
   match (operator, ty) with
+  | Add, Float when has_zero -> helper Float_add
+  | Subtract, Float when has_zero -> helper Float_subtract
   | Add, Float -> Binary (Plus, x, y)
   | Add, Int -> helper Int_add
   | Subtract, Float -> Binary (Minus, x, y)

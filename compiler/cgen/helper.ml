@@ -10,6 +10,8 @@ type t =
   | Int_maximum
   | Int_div
   | Int_mod
+  | Float_add
+  | Float_subtract
   | Float_minimum
   | Float_maximum
   | At_most
@@ -140,6 +142,24 @@ static inline int32_t frob_int_mod(int32_t a, int32_t b)
     }
     rest = a % b;
     return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
+}
+|} );
+    ( Float_add,
+      "frob_add",
+      [],
+      {|/* Of a zero; a function, for gcc 12 folds fabs(x) in such a sum to the wrong zero. */
+static inline double frob_add(double a, double b)
+{
+    return a + b;
+}
+|} );
+    ( Float_subtract,
+      "frob_subtract",
+      [],
+      {|/* From a zero; a function, for gcc 12 folds 0.0 - fabs(x) to the wrong zero. */
+static inline double frob_subtract(double a, double b)
+{
+    return a - b;
 }
 |} );
     ( Float_minimum,

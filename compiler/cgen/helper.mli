@@ -18,6 +18,8 @@ type t =
   | Int_maximum
   | Int_div
   | Int_mod
+  | Float_add  (** of a literal zero *)
+  | Float_subtract  (** likewise *)
   | Float_minimum
   | Float_maximum
   | At_most  (** the minimum of a value and a limit that is not NaN *)
