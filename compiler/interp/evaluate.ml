@@ -159,8 +159,12 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
       Signal_function (fun () -> Arrays.map_sf ~size signal_function)
   | Reactimate, [ signal_function ] -> Thunk.force signal_function
   | _, _ ->
-      if List.length arguments < Core.Primitive.arity p then
+      let arity = Core.Primitive.arity p in
+      if List.length arguments < arity then
         Function (fun argument -> primitive env p types (arguments @ [ argument ]))
+      else if List.length arguments > arity then
+        let own = List.filteri (fun i _ -> i < arity) arguments in
+        apply (primitive env p types own) (List.filteri (fun i _ -> i >= arity) arguments)
       else
         match Arrays.apply apply p ~size:(size env types) arguments with
         | Some value -> value

@@ -88,7 +88,9 @@ let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
       Diagnostic.error ~code:"E0216" ~at "type `%s` takes %s, not %d" tycon.global.name
         (counted expected noun) found
     in
-    (if is_builtin tycon then diagnostic
+    (if String.equal tycon.global.name "Array" && is_builtin tycon then
+     Diagnostic.hint "a size and a type, as in `Array 4 Float`" diagnostic
+    else if is_builtin tycon then diagnostic
     else Diagnostic.label ~at:tycon.span "declared here" diagnostic)
     |> Context.emit scope.context
   in

@@ -126,7 +126,9 @@ let enter t trail ~name ~span =
 
 let report_outside t trail ~span ~index ~size =
   Diagnostic.error ~code:"E0418" ~at:span "index %d is outside of an array of %d" index size
-  |> Diagnostic.note (Printf.sprintf "the elements are numbered from 0 to %d" (size - 1))
+  |> Diagnostic.note
+       (if size = 1 then "its only element has the number 0"
+       else Printf.sprintf "the elements are numbered from 0 to %d" (size - 1))
   |> with_trail trail
   |> Diagnostic.emit t.sink
 

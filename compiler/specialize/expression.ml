@@ -240,8 +240,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
           Primitive { primitive; types; arguments = all; owner = s.owner }
       | _, _ when missing > 0 -> Primitive { primitive; types; arguments = all; owner = s.owner }
       | (At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl), _ ->
-          Arrays.apply (position c s span) (evaluator_of_rounds s) target primitive ~result
-            (List.rev all)
+          on_arrays c s target ~span ~result primitive types (List.rev all)
       | _, _ -> Operation.apply (position c s span) target primitive ~result (List.rev all))
   | Choice { condition; then_; else_ }, _ ->
       let then_ = apply c s Unnamed ~span ~result then_ arguments in
@@ -276,12 +275,18 @@ and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (b
         if not (Types.layout c.types ty).first_order then
           (* What is left is named after this function, not after its use. *)
           expr c (inside (Context.enter c s.trail ~name:closure.name ~span)) Unnamed body
-        else if is_trivial body then expr c (inside s.trail) whole body
+        else if is_trivial body then expr c (inside (trail_of_trivial c s ~span closure body)) whole body
         else if first.ty = Tuple [] && others = [] then
           join s closure (fun () -> expr c (inside s.trail) Unnamed body)
         else call_function c s whole ~span ~result:ty applied binder body
       in
       apply c s target ~span ~result value others
+
+(* Only an index that is outside will want to know where the call is. *)
+and trail_of_trivial (c : Context.t) s ~span (closure : Value.closure) (body : Ir.expr) =
+  match body.desc with
+  | Index _ -> Context.enter c s.trail ~name:closure.name ~span
+  | _ -> s.trail
 
 (* A function of [()] says always the same: it is evaluated in place, once. *)
 and join s (closure : Value.closure) evaluate =
@@ -348,6 +353,25 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
   | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Primitive _
   | Program _ ->
       bug "what is run is no signal function"
+
+(* What comes out may be a function, and be applied to what is left. *)
+and on_arrays (c : Context.t) s target ~span ~result primitive types arguments =
+  let rec split count (ty : Ir.ty) own (others : Value.argument list) =
+    match (ty, others) with
+    | Function (_, ty), first :: others when count > 0 -> split (count - 1) ty (first :: own) others
+    | _, _ -> (ty, List.rev own, others)
+  in
+  let arity = Core.Primitive.arity primitive in
+  match Core.Signature.of_primitive primitive types with
+  | None -> bug "`%s` has other type arguments" (Core.Primitive.name primitive)
+  | Some ty ->
+      let own_result, own, others = split arity ty [] arguments in
+      let target = if others = [] then target else Node.Unnamed in
+      let value =
+        Arrays.apply (position c s span) (evaluator_of_rounds s) target primitive
+          ~result:own_result own
+      in
+      apply c s target ~span ~result value others
 
 (* What {!Arrays} needs of evaluation: all of a function in the round's node. *)
 and evaluator_of_rounds s : Arrays.evaluator =

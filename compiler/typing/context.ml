@@ -168,11 +168,12 @@ let check_sizes t =
     | Flexible variable when t.group.errors = 0 ->
         variable.found <- Some Type.Erroneous;
         report t (fun _ ->
-            Diagnostic.error ~code:"E0331" ~at "nothing decides the size of the array of `%s`" name
+            Diagnostic.error ~code:"E0331" ~at "nothing decides the size of an array where `%s` is used" name
             |> Diagnostic.hint "annotate it, as in `(e :: Array 4 Float)`, or give the definition a signature")
     | _ -> ()
   in
-  List.iter check (List.rev t.group.sizes)
+  (* The last one is the nearest to where the array is made. *)
+  List.iter check t.group.sizes
 
 let requirements t = List.rev t.group.required
 

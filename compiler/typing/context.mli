@@ -116,7 +116,7 @@ val forgetting_what_errors_need : t -> (unit -> 'a) -> 'a
     demanded: its types are not to be trusted. *)
 
 val check_sizes : t -> unit
-(** Once the group is generalized: reports the first size that nothing decides. *)
+(** Once the group is generalized: reports a size that nothing decides. *)
 
 val requirements : t -> required list
 (** In the order of the source. *)

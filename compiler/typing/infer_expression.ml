@@ -135,11 +135,11 @@ and check ctx (e : Resolve.Ir.expr) (expected : Mistake.expected) : Ir.expr late
       expect ctx ~subject:e ~at:e.span expected typed.ty;
       typed.build
 
-(* What nothing else asks for, the first element asks of the others. *)
+(* What the first element is, the others must be. *)
 and array_elements ctx (expected : Mistake.expected) elements =
   let check (done_, (expected : Mistake.expected)) (element : Resolve.Ir.expr) =
     let because : Mistake.reason =
-      match expected.because with Unknown -> Element element.span | because -> because
+      match expected.because with Element _ as first -> first | _ -> Element element.span
     in
     (check ctx element expected :: done_, { expected with because })
   in

@@ -164,7 +164,7 @@ let outside w (array : expr) (index : expr) k =
   | Data { arguments = [ Size n; _ ]; _ } when k >= n || k < 0 ->
     error "index %d is outside of an array of %d" k n
     |> Diagnostic.label ~at:array.span (Printf.sprintf "this is `%s`" (Show.ty array.ty))
-    |> Diagnostic.hint (Printf.sprintf "the elements are numbered from 0 to %d" (n - 1))
+    |> Diagnostic.hint (if n = 1 then "its only element has the number 0" else Printf.sprintf "the elements are numbered from 0 to %d" (n - 1))
     |> Diagnostic.emit w.sink
   | _ when k < 0 ->
     error "index %d is outside of every array" k

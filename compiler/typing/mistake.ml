@@ -158,6 +158,7 @@ let too_general owner ~at ~kind (variable : Ir.variable) needed =
       hint (Printf.sprintf "the type is `%s`; a name in lower case stands for every %s" type_ kind)
   | _ -> Fun.id
 
+let kind_word (r : Type.rigid) = match r.kind with Of_types -> "type" | Of_sizes -> "size"
 let needed words t = Printf.sprintf "it to be %s" (described words t)
 
 (* A single unit variable of a signature against a unit without any. *)
@@ -347,7 +348,7 @@ let mismatch words owner ~subject ~at ~(expected : expected) ~found (clash : Uni
       match (Type.expand expected.ty, Type.expand found) with
       | _, Signal_function _ | _, Function _ when Type.expand found == other ->
           finish (shapes words ~subject ~at ~expected ~found)
-      | _ -> too_general owner ~at ~kind:"type" r.variable (needed words other))
+      | _ -> too_general owner ~at ~kind:(kind_word r) r.variable (needed words other))
   | Different _ -> finish (shapes words ~subject ~at ~expected ~found)
   | Infinite _ ->
       finish
