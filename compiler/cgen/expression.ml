@@ -6,6 +6,7 @@ type names = {
   node : int;
   scope : Name.scope;
   variables : (int, Ir.expr) Hashtbl.t;
+  in_place : (int, Ir.expr list -> Ir.expr) Hashtbl.t;
   indices : (int, string) Hashtbl.t;  (* of loops, by how deep they are in others *)
 }
 
@@ -15,6 +16,7 @@ let names (v : V.t) ~node =
     node;
     scope = Name.scope Identifiers ~within:v.file_scope ~taken:[ "self"; "in"; "out"; "dt"; "dt_ns" ];
     variables = Hashtbl.create 16;
+    in_place = Hashtbl.create 4;
     indices = Hashtbl.create 4;
   }
 
@@ -27,6 +29,8 @@ let index n depth =
       let name = Name.fresh n.scope (String.make 1 (Char.chr (Char.code 'i' + min depth 10))) in
       Hashtbl.replace n.indices depth name;
       name
+
+let read_elements_as n (variable : M.variable) e = Hashtbl.replace n.in_place variable.id e
 
 let read_as n (variable : M.variable) e = Hashtbl.replace n.variables variable.id e
 
@@ -163,8 +167,7 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   | Elements { elements; _ } -> Aggregate [ Aggregate (list elements) ]
   | Fill { count; element; value } ->
       Call (V.array_function n.v Fill (Array (count, element)), [ of_machine n value ])
-  | Index { array; index } ->
-      Array_type.element (of_machine n array) (Integer (Int32.of_int index))
+  | Index { array; index } -> element n array (Ir.Integer (Int32.of_int index))
   | At { count; element; array; index; default } ->
       Call
         ( V.array_function n.v At (Array (count, element)),
@@ -177,6 +180,18 @@ let rec of_machine n (e : M.expr) : Ir.expr =
       Call (n.v.nodes.(node).step, arguments n n.v.program.nodes.(node).step.parameters given)
   | Seconds e -> Binary (Over, Cast (Real, of_machine n e), Float 1e9)
   | Later (a, b) -> Call (V.helper n.v Later, [ of_machine n a; of_machine n b ])
+
+(* Of an array, or of an array of arrays that is read in place. *)
+and element n array index =
+  let rec in_place (e : M.expr) indices =
+    match e with
+    | Variable v -> Option.map (fun read -> read indices) (Hashtbl.find_opt n.in_place v.id)
+    | Index { array; index } -> in_place array (Ir.Integer (Int32.of_int index) :: indices)
+    | _ -> None
+  in
+  match in_place array [ index ] with
+  | Some e -> e
+  | None -> Array_type.element (of_machine n array) index
 
 (* Arrays are passed by address. *)
 and arguments n parameters given =

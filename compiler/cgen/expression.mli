@@ -13,6 +13,13 @@ val index : names -> int -> string
 val read_as : names -> Machine.Ir.variable -> Ir.expr -> unit
 (** How the variable is read from now on. *)
 
+val read_elements_as : names -> Machine.Ir.variable -> (Ir.expr list -> Ir.expr) -> unit
+(** How an element of the array is read, given an index for each dimension; it
+    is not read otherwise. *)
+
+val element : names -> Machine.Ir.expr -> Ir.expr -> Ir.expr
+(** Of an array, by its index. *)
+
 val variable : names -> Machine.Ir.variable -> string
 (** Its name, chosen at the first call. *)
 

@@ -533,6 +533,35 @@ let clock c (node : M.node) =
   in
   times @ mark
 
+let dimensions steps =
+  List.length (List.filter (function Interface.Element _ -> true | Member _ -> false) steps)
+
+(* Is an array read element by element only, never as a whole? *)
+let only_elements_read body (variable : M.variable) ~dimensions =
+  let rec is_chain depth (e : M.expr) =
+    match e with
+    | Variable v -> depth = 0 && v.id = variable.id
+    | Index { array; _ } -> is_chain (depth - 1) array
+    | _ -> false
+  in
+  let reads = ref 0 and of_elements = ref 0 in
+  Machine.Walk.expressions
+    (fun e ->
+      (match e with M.Variable v when v.id = variable.id -> incr reads | _ -> ());
+      if is_chain dimensions e then incr of_elements)
+    body;
+  Machine.Walk.statements
+    (function
+      | M.Loop l ->
+          List.iter
+            (function
+              | M.Each e -> if is_chain (dimensions - 1) e then incr of_elements
+              | Accumulated _ | Same _ | Counted _ -> ())
+            l.arguments
+      | _ -> ())
+    body;
+  !reads = !of_elements
+
 (* Inputs are read where they are used if their member has a name of its own;
    what is only [f1] there gets the programmer's name first. *)
 let inputs c (node : M.node) =
@@ -540,6 +569,9 @@ let inputs c (node : M.node) =
   let take (variable : M.variable) members =
     if is_in_array members then
       if not (Hashtbl.mem c.read variable.id) then []
+      else if only_elements_read node.step.body variable ~dimensions:(dimensions members) then (
+        Expression.read_elements_as c.names variable (path (Name "in") members);
+        [])
       else
         let name = Expression.variable c.names variable in
         [

@@ -47,7 +47,7 @@ let statements names (l : M.loop) ~call =
     | Counted (Int 0l) -> Name index
     | Counted e -> Call (V.helper v Int_add, [ Expression.of_machine names e; Name index ])
     | Each e ->
-        let element = Array_type.element (Expression.of_machine names e) (Name index) in
+        let element = Expression.element names e (Name index) in
         if is_array p.ty then Expression.address element else element
   in
   let arguments = List.map2 argument callee.step.parameters l.arguments in
