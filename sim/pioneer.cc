@@ -2,20 +2,13 @@
 
 #include <algorithm>
 
+#include "p3dx.h"
+
 namespace frob::sim {
 namespace {
 
 // Streams of noise, one for each thing that has some.
 enum Stream : std::uint64_t { drive_stream = 1, odometry_stream, sonar_stream };
-
-using SonarInput = decltype(frob_pioneer_input::sonar);
-using EchoInput = decltype(SonarInput::s0);
-
-constexpr EchoInput SonarInput::*echo_fields[16] = {
-    &SonarInput::s0,  &SonarInput::s1,  &SonarInput::s2,  &SonarInput::s3,
-    &SonarInput::s4,  &SonarInput::s5,  &SonarInput::s6,  &SonarInput::s7,
-    &SonarInput::s8,  &SonarInput::s9,  &SonarInput::s10, &SonarInput::s11,
-    &SonarInput::s12, &SonarInput::s13, &SonarInput::s14, &SonarInput::s15};
 
 constexpr std::uint8_t event_tag = 1; // data Event a = NoEvent | Event a
 
@@ -40,11 +33,10 @@ frob_pioneer_input Pioneer::read(std::int64_t time_ns) {
     input.odometry.heading = believed.heading;
     input.leftWheel = drive_.left_speed();
     input.rightWheel = drive_.right_speed();
-    for (std::size_t i = 0; i < 16; ++i) {
-        EchoInput &echo = input.sonar.*echo_fields[i];
+    for (std::size_t i = 0; i < p3dx::sonars.size(); ++i) {
         if (const std::optional<double> distance = sonar_.take(i)) {
-            echo.tag = event_tag;
-            echo.f0 = *distance;
+            input.sonar[i].tag = event_tag;
+            input.sonar[i].f0 = *distance;
         }
     }
     input.frontBumper = bumpers_.front();

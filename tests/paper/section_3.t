@@ -78,7 +78,7 @@ metres, so it drives, and turns towards the wall that it does not see. The speed
 is what the equations say.
 
   $ columns='odometry.position.x odometry.position.y odometry.heading leftWheel rightWheel'
-  $ columns="$columns $(seq -f sonar.s%g 0 15) frontBumper rearBumper leftStall rightStall battery motorsOn"
+  $ columns="$columns $(seq -f 'sonar[%g]' 0 15) frontBumper rearBumper leftStall rightStall battery motorsOn"
   $ { echo time $columns | sed 's/ /,in./g'
   >   for t in 0 0.1 0.2; do echo "$t,0,0,0,0.1,0.1,,,,,,,,,,,,,,,,,false,false,false,false,12,true"; done
   > } > still.csv

@@ -80,7 +80,7 @@ void events() {
     int occurrences = 0;
     for (int k = 1; k <= 200; ++k) {
         s.advance(k * second / 50);
-        occurrences += s.read().sonar.s3.tag == 1 ? 1 : 0;
+        occurrences += s.read().sonar[3].tag == 1 ? 1 : 0;
     }
     check::that(occurrences == 12, "an echo is an event of one instant only");
 }

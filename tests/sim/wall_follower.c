@@ -24,11 +24,11 @@ struct state {
 
 static double limit(double x, double y) { return fmax(-x, fmin(x, y)); }
 
-/* Keeps the last echo of transducer `s`. */
-#define HOLD(last, s) \
+/* Keeps the last echo of transducer `i`. */
+#define HOLD(last, i) \
     do { \
-        if (input->sonar.s.tag == 1) \
-            (last) = input->sonar.s.f0; \
+        if (input->sonar[i].tag == 1) \
+            (last) = input->sonar[i].f0; \
     } while (0)
 
 static void reset(void *self)
@@ -53,11 +53,11 @@ static void step(void *self, double dt, const void *in, void *out)
     const struct frob_pioneer_input *input = (const struct frob_pioneer_input *)in;
     struct frob_pioneer_output *output = (struct frob_pioneer_output *)out;
     double front, side, v_now;
-    HOLD(s->front[0], s3);
-    HOLD(s->front[1], s4);
-    HOLD(s->side[0], s0);
-    HOLD(s->side[1], s1);
-    HOLD(s->side[2], s2);
+    HOLD(s->front[0], 3);
+    HOLD(s->front[1], 4);
+    HOLD(s->side[0], 0);
+    HOLD(s->side[1], 1);
+    HOLD(s->side[2], 2);
     front = fmin(s->front[0], s->front[1]);
     /* The angles are 90, 50 + 12 and 30 + 12 degrees. */
     side = fmin(s->side[0], fmin(to_the_side(s->side[1], 0.119, 1.0821041),
@@ -80,23 +80,25 @@ static void step(void *self, double dt, const void *in, void *out)
 #define PRODUCT(name, fields) \
     static const struct frob_constructor name##_constructor = { #name, 1, COUNT(fields), fields }; \
     static const struct frob_value name = { FROB_PRODUCT, 0, 0, 1, &name##_constructor };
-#define ECHO(s) \
-    NUMBER(s##_distance, AT(sonar.s.f0)) \
-    static const struct frob_field s##_fields[] = { { NULL, &s##_distance } }; \
-    static const struct frob_constructor s##_constructors[] = { \
-        { "NoEvent", 0, 0, NULL }, { "Event", 0, 1, s##_fields } }; \
-    static const struct frob_value s = { FROB_SUM, AT(sonar.s.tag), 1, 2, s##_constructors };
+#define ECHO(i) \
+    NUMBER(distance_##i, AT(sonar[i].f0)) \
+    static const struct frob_field echo_##i##_fields[] = { { NULL, &distance_##i } }; \
+    static const struct frob_constructor echo_##i##_constructors[] = { \
+        { "NoEvent", 0, 0, NULL }, { "Event", 0, 1, echo_##i##_fields } }; \
+    static const struct frob_value echo_##i = { \
+        FROB_SUM, AT(sonar[i].tag), 1, 2, echo_##i##_constructors };
 
-ECHO(s0) ECHO(s1) ECHO(s2) ECHO(s3) ECHO(s4) ECHO(s5) ECHO(s6) ECHO(s7)
-ECHO(s8) ECHO(s9) ECHO(s10) ECHO(s11) ECHO(s12) ECHO(s13) ECHO(s14) ECHO(s15)
+ECHO(0) ECHO(1) ECHO(2) ECHO(3) ECHO(4) ECHO(5) ECHO(6) ECHO(7)
+ECHO(8) ECHO(9) ECHO(10) ECHO(11) ECHO(12) ECHO(13) ECHO(14) ECHO(15)
 
-static const struct frob_field sonar_fields[] = {
-    { "s0", &s0 },   { "s1", &s1 },   { "s2", &s2 },   { "s3", &s3 },
-    { "s4", &s4 },   { "s5", &s5 },   { "s6", &s6 },   { "s7", &s7 },
-    { "s8", &s8 },   { "s9", &s9 },   { "s10", &s10 }, { "s11", &s11 },
-    { "s12", &s12 }, { "s13", &s13 }, { "s14", &s14 }, { "s15", &s15 },
+static const struct frob_field sonar_elements[] = {
+    { NULL, &echo_0 },  { NULL, &echo_1 },  { NULL, &echo_2 },  { NULL, &echo_3 },
+    { NULL, &echo_4 },  { NULL, &echo_5 },  { NULL, &echo_6 },  { NULL, &echo_7 },
+    { NULL, &echo_8 },  { NULL, &echo_9 },  { NULL, &echo_10 }, { NULL, &echo_11 },
+    { NULL, &echo_12 }, { NULL, &echo_13 }, { NULL, &echo_14 }, { NULL, &echo_15 },
 };
-PRODUCT(sonar, sonar_fields)
+static const struct frob_constructor sonar_constructor = { NULL, 0, COUNT(sonar_elements), sonar_elements };
+static const struct frob_value sonar = { FROB_ARRAY, 0, 0, 1, &sonar_constructor };
 
 NUMBER(x, AT(odometry.position.x))
 NUMBER(y, AT(odometry.position.y))

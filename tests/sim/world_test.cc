@@ -107,7 +107,7 @@ std::vector<double> run(std::uint64_t seed) {
         const frob_pioneer_input input = s.read();
         s.command(now, drive(0.5, std::sin(0.05 * k)));
         for (const double x : {input.odometry.position.x, input.odometry.heading, input.leftWheel,
-                               input.sonar.s0.f0, input.sonar.s3.f0, input.sonar.s12.f0,
+                               input.sonar[0].f0, input.sonar[3].f0, input.sonar[12].f0,
                                s.world().robot_pose().position.x, s.world().box_poses()[0].heading})
             log.push_back(x);
     }

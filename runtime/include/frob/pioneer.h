@@ -27,30 +27,11 @@ struct frob_pose {
     double heading;
 };
 
-struct frob_pioneer_sonar {
-    struct frob_event_float s0;
-    struct frob_event_float s1;
-    struct frob_event_float s2;
-    struct frob_event_float s3;
-    struct frob_event_float s4;
-    struct frob_event_float s5;
-    struct frob_event_float s6;
-    struct frob_event_float s7;
-    struct frob_event_float s8;
-    struct frob_event_float s9;
-    struct frob_event_float s10;
-    struct frob_event_float s11;
-    struct frob_event_float s12;
-    struct frob_event_float s13;
-    struct frob_event_float s14;
-    struct frob_event_float s15;
-};
-
 struct frob_pioneer_input {
     struct frob_pose odometry;
     double leftWheel;
     double rightWheel;
-    struct frob_pioneer_sonar sonar;
+    struct frob_event_float sonar[16];
     bool frontBumper;
     bool rearBumper;
     bool leftStall;
