@@ -1,0 +1,10 @@
+/* hal/posix/clock.h -- CLOCK_MONOTONIC. */
+#ifndef FROB_HAL_POSIX_CLOCK_H
+#define FROB_HAL_POSIX_CLOCK_H
+
+#include "hal/clock.h"
+
+/* Sleeping ends early when a signal arrives. */
+extern const struct frob_clock frob_posix_clock;
+
+#endif

@@ -1,0 +1,32 @@
+/* hal/template/template.h -- a port to copy: it compiles, and does nothing.
+ *
+ * For a new board, copy this folder, and replace each function by what the
+ * board does; docs/porting.md says what each is for and in which order to try
+ * them. A board with one robot needs one line and one clock, so the memory of
+ * both is static here. */
+#ifndef FROB_HAL_TEMPLATE_H
+#define FROB_HAL_TEMPLATE_H
+
+#include "hal/clock.h"
+#include "hal/serial.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Sets up the timer. Call it once, before anything else. */
+void frob_template_clock_start(void);
+
+/* Sets up the UART: 8N1, no flow control, receiving by interrupt. */
+enum frob_status frob_template_serial_open(uint32_t bits_per_s);
+
+extern const struct frob_clock frob_template_clock;
+extern const struct frob_serial frob_template_serial;
+
+/* Writes a line for a person: on a second UART, a display, nowhere. */
+void frob_template_say(const char *text);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
