@@ -1,0 +1,50 @@
+/* scout/command.h -- the commands that the driver sends to a Scout.
+ *
+ * Units of the wire: 0.1 inch (2.54 mm), 0.1 degree, and those per second.
+ * A Scout uses the first two of a command's three axes; the third is 0.
+ * Source: Nomadics' Ndirect 2.6.13. */
+#ifndef FROB_SCOUT_COMMAND_H
+#define FROB_SCOUT_COMMAND_H
+
+#include "drivers/scout/packet.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    FROB_SCOUT_SONARS = 16,
+    /* Sonar rates are in this many milliseconds. */
+    FROB_SCOUT_SONAR_UNIT_MS = 4
+};
+
+/* A command without data: GS, ST, LP, ZR, GET_... */
+struct frob_scout_packet frob_scout_plain(enum frob_scout_type type);
+
+/* AC: acceleration of both wheels, 0.1 inch/s^2. */
+struct frob_scout_packet frob_scout_acceleration(unsigned both);
+
+/* VM: velocities of the first and second axis, 0.1 inch/s. */
+struct frob_scout_packet frob_scout_velocities(long first, long second);
+
+/* DP: the robot's position is now (x, y), 0.1 inch. */
+struct frob_scout_packet frob_scout_define_position(long x, long y);
+
+/* DA: the robot's heading is now this, 0.1 degree; the turret goes with it. */
+struct frob_scout_packet frob_scout_define_heading(long heading);
+
+/* CONF_SN: one sonar every rate * 4 ms, in the order of programs for the
+ * Scout, front first: 0 2 15 1 14 3 13 4 12 5 11 6 10 7 9 8. */
+struct frob_scout_packet frob_scout_sonars_on(unsigned rate);
+
+/* CONF_SN with an order that ends at once. */
+struct frob_scout_packet frob_scout_sonars_off(void);
+
+/* CONF_TM: the robot gives up its motion after this many seconds without a
+ * command; 0 is never. */
+struct frob_scout_packet frob_scout_watchdog(unsigned seconds);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

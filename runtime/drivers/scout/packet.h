@@ -1,0 +1,96 @@
+/* scout/packet.h -- packets of the Nomadic Scout's serial protocol.
+ *
+ * Both directions, 38400 baud 8N1:
+ *
+ *     01  L  0  TYPE  DATA...  SUM  5C
+ *
+ * L counts type, data and sum; two bytes, low byte first. SUM is the sum of all
+ * bytes before it, modulo 256. Numbers are low byte first; signed ones are
+ * sign and magnitude, not two's complement: -100 is 64 80. Every command is
+ * answered by one packet, and the robot sends nothing unasked.
+ *
+ * Source: Nomadics' direct-connection library, Ndirect 2.6.13 (Ndirect.c and
+ * Nclient.h, as in CARMEN's scoutlib). No I/O here, and nothing allocates. */
+#ifndef FROB_SCOUT_PACKET_H
+#define FROB_SCOUT_PACKET_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Commands that a Scout takes; a reply has the type of its command. */
+enum frob_scout_type {
+    FROB_SCOUT_AC = 1,       /* accelerations */
+    FROB_SCOUT_SP = 2,       /* speeds of PR */
+    FROB_SCOUT_PR = 3,       /* move relative */
+    FROB_SCOUT_VM = 5,       /* wheel velocities */
+    FROB_SCOUT_GS = 7,       /* get state */
+    FROB_SCOUT_NAK = 8,      /* reply only: refused */
+    FROB_SCOUT_ST = 9,       /* stop and hold */
+    FROB_SCOUT_LP = 10,      /* motors limp */
+    FROB_SCOUT_DP = 12,      /* define the position */
+    FROB_SCOUT_ZR = 13,      /* zero */
+    FROB_SCOUT_CONF_SN = 15, /* sonar rate and firing order */
+    FROB_SCOUT_CONF_TM = 18, /* watchdog */
+    FROB_SCOUT_GET_SN = 20,  /* sonars */
+    FROB_SCOUT_GET_RC = 21,  /* configuration: the pose */
+    FROB_SCOUT_GET_RV = 22,  /* velocities */
+    FROB_SCOUT_GET_BP = 27,  /* bumpers */
+    FROB_SCOUT_DA = 30,      /* define the heading */
+    FROB_SCOUT_WS = 31,      /* wait until stopped */
+    FROB_SCOUT_MV = 43       /* a command for each axis */
+};
+
+enum {
+    FROB_SCOUT_START = 0x01,
+    FROB_SCOUT_END = 0x5C,
+    /* Longest data taken. A state packet has 42 bytes of it. */
+    FROB_SCOUT_MAX_DATA = 62,
+    FROB_SCOUT_OVERHEAD = 6,
+    FROB_SCOUT_MAX_PACKET = FROB_SCOUT_MAX_DATA + FROB_SCOUT_OVERHEAD
+};
+
+struct frob_scout_packet {
+    uint8_t type;
+    uint8_t count; /* of data, at most FROB_SCOUT_MAX_DATA */
+    uint8_t data[FROB_SCOUT_MAX_DATA];
+};
+
+/* Adds a number to the packet's data; the packet has room for it. A magnitude
+ * over 32767 is sent as 32767: the wire has no more. */
+void frob_scout_add_u8(struct frob_scout_packet *packet, unsigned value);
+void frob_scout_add_u16(struct frob_scout_packet *packet, unsigned value);
+void frob_scout_add_s16(struct frob_scout_packet *packet, long value);
+
+/* Numbers as they lie in data: 0 to 65535, -32767 to 32767, 0 to 2^32 - 1. */
+unsigned frob_scout_get_u16(const uint8_t *bytes);
+int frob_scout_get_s16(const uint8_t *bytes);
+uint32_t frob_scout_get_u32(const uint8_t *bytes);
+
+/* Writes the packet as it goes over the wire; returns how many bytes. */
+size_t frob_scout_write_packet(const struct frob_scout_packet *packet,
+                               uint8_t bytes[FROB_SCOUT_MAX_PACKET]);
+
+/* What was received last. All zero is the state at the beginning.
+ *
+ * A packet is looked for backwards from each byte that can be its last. So
+ * bytes before it, whatever they are, never hide it: each good packet is found
+ * the moment its last byte is in. */
+struct frob_scout_receiver {
+    uint8_t window[128]; /* a ring; a power of two, over FROB_SCOUT_MAX_PACKET */
+    unsigned next;       /* where the next byte goes */
+};
+
+/* Takes a byte. True when it completes a packet, which is then in `packet`;
+ * otherwise `packet` is as it was. */
+bool frob_scout_receive(struct frob_scout_receiver *receiver, uint8_t byte,
+                        struct frob_scout_packet *packet);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
