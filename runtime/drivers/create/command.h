@@ -1,0 +1,54 @@
+/* create/command.h -- the commands that the driver sends to a Create 2.
+ *
+ * An opcode and its data, without frame or checksum: a command must go out
+ * whole, for a lost byte shifts everything after it. Numbers are high byte
+ * first, two's complement. Each function writes a command and returns its
+ * size.
+ *
+ * Sources: libcreate (AutonomyLab), pycreate2, and the manual of the Create 1
+ * where those agree with it. */
+#ifndef FROB_CREATE_COMMAND_H
+#define FROB_CREATE_COMMAND_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum frob_create_opcode {
+    FROB_CREATE_RESET = 7,
+    FROB_CREATE_START = 128, /* from any mode to Passive */
+    FROB_CREATE_SAFE = 131,
+    FROB_CREATE_FULL = 132,
+    FROB_CREATE_POWER_DOWN = 133,
+    FROB_CREATE_DRIVE_DIRECT = 145,
+    FROB_CREATE_STREAM = 148,
+    FROB_CREATE_PAUSE_STREAM = 150,
+    FROB_CREATE_STOP_OI = 173
+};
+
+enum {
+    FROB_CREATE_MAX_SPEED_MM_S = 500, /* of a wheel */
+    FROB_CREATE_MAX_COMMAND = 54      /* bytes: a stream of all single packets */
+};
+
+/* START, SAFE, FULL, ...: commands without data. */
+size_t frob_create_plain(enum frob_create_opcode opcode, uint8_t *bytes);
+
+/* DRIVE_DIRECT: wheel speeds, mm/s, limited to FROB_CREATE_MAX_SPEED_MM_S. The
+ * right wheel is first on the wire. */
+size_t frob_create_drive_direct(int right_mm_s, int left_mm_s, uint8_t *bytes);
+
+/* STREAM: a frame of these packets every 15 ms; count is at most
+ * FROB_CREATE_MAX_IDS. */
+size_t frob_create_stream_request(const uint8_t *ids, size_t count, uint8_t *bytes);
+
+/* PAUSE_STREAM. */
+size_t frob_create_stream_pause(uint8_t *bytes);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,93 @@
+/* create/sensors.h -- sensor packets of the iRobot Create 2's Open Interface.
+ *
+ * A sensor packet has an id and one or two bytes, high byte first, two's
+ * complement where signed. Packets come in streams (see stream.h) or bare, in
+ * answer to a query.
+ *
+ * Sources: libcreate (AutonomyLab), pycreate2, and the manual of the Create 1
+ * where those agree with it. Sources disagree about the bits of overcurrent
+ * (packet 14), so only whether there is any is given. */
+#ifndef FROB_CREATE_SENSORS_H
+#define FROB_CREATE_SENSORS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum frob_create_packet_id {
+    FROB_CREATE_BUMPS_AND_DROPS = 7,
+    FROB_CREATE_CLIFF_LEFT = 9,
+    FROB_CREATE_CLIFF_FRONT_LEFT = 10,
+    FROB_CREATE_CLIFF_FRONT_RIGHT = 11,
+    FROB_CREATE_CLIFF_RIGHT = 12,
+    FROB_CREATE_VIRTUAL_WALL = 13,
+    FROB_CREATE_OVERCURRENT = 14,
+    FROB_CREATE_BUTTONS = 18,
+    FROB_CREATE_CHARGING = 21,
+    FROB_CREATE_VOLTAGE = 22,
+    FROB_CREATE_CURRENT = 23,
+    FROB_CREATE_CHARGE = 25,
+    FROB_CREATE_CAPACITY = 26,
+    FROB_CREATE_MODE = 35,
+    FROB_CREATE_LEFT_COUNTS = 43,
+    FROB_CREATE_RIGHT_COUNTS = 44,
+    FROB_CREATE_LIGHT_BUMPER = 45,
+    FROB_CREATE_LIGHT_LEFT = 46,
+    FROB_CREATE_LIGHT_FRONT_LEFT = 47,
+    FROB_CREATE_LIGHT_CENTER_LEFT = 48,
+    FROB_CREATE_LIGHT_CENTER_RIGHT = 49,
+    FROB_CREATE_LIGHT_FRONT_RIGHT = 50,
+    FROB_CREATE_LIGHT_RIGHT = 51
+};
+
+/* The modes. In OFF and PASSIVE the robot ignores drive commands; SAFE leaves
+ * for PASSIVE by itself at a cliff, a wheel drop or a charger. Any other value
+ * means not driving, too. */
+enum frob_create_mode {
+    FROB_CREATE_MODE_OFF = 0,
+    FROB_CREATE_MODE_PASSIVE = 1,
+    FROB_CREATE_MODE_SAFE = 2,
+    FROB_CREATE_MODE_FULL = 3
+};
+
+/* Six light bumpers and four cliff sensors, from the left to the right. */
+enum { FROB_CREATE_LIGHTS = 6, FROB_CREATE_CLIFFS = 4 };
+
+struct frob_create_sensors {
+    bool bump_right, bump_left;
+    bool drop_right, drop_left;
+    bool cliff[FROB_CREATE_CLIFFS];
+    bool virtual_wall;
+    bool overcurrent;
+    uint8_t buttons;  /* bit 0 clean, 1 spot, 2 dock, 3 minute, 4 hour, 5 day, 6 schedule, 7 clock */
+    uint8_t charging; /* 0 no, 1 reconditioning, 2 full, 3 trickle, 4 waiting, 5 fault */
+    uint16_t battery_mv;
+    int16_t current_ma; /* negative: discharging */
+    uint16_t charge_mah, capacity_mah;
+    uint8_t mode;
+    uint16_t left_counts, right_counts; /* of the encoders; wrap both ways */
+    bool light[FROB_CREATE_LIGHTS];
+    uint16_t light_signal[FROB_CREATE_LIGHTS];
+};
+
+/* Bytes of data of a packet, 1 or 2; 0 if there is no such packet here. All of
+ * the Open Interface's single packets 7 to 58 are known, whether or not they
+ * have a field above. */
+size_t frob_create_packet_size(unsigned id);
+
+/* Reads one packet's data into its field; false, and nothing changed, if no
+ * field is its. */
+bool frob_create_read_packet(unsigned id, const uint8_t *data, struct frob_create_sensors *sensors);
+
+/* How far a wheel turned between two readings, in counts: the difference
+ * modulo 2^16, as long as it is under 2^15 (14 m of way). */
+int frob_create_count_step(uint16_t before, uint16_t now);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
