@@ -1,3 +1,20 @@
+(* Robots share types, and a host that knows several robots includes several
+   headers: what is not this robot's own is defined by the first of them. *)
+let guarded (robot : Robot.t) (declaration : Ir.declaration) : Ir.declaration list =
+  let prefix = "FROB_" in
+  let shared name =
+    let name = String.uppercase_ascii name in
+    let own = prefix ^ String.uppercase_ascii robot.name ^ "_" in
+    if String.starts_with ~prefix:own name then [ declaration ]
+    else
+      let length = String.length prefix in
+      let guard = "FROB_HAS_" ^ String.sub name length (String.length name - length) in
+      [ Text (Printf.sprintf "#ifndef %s\n#define %s\n" guard guard); declaration; Text "#endif\n" ]
+  in
+  match declaration with
+  | Constants { names = name :: _; _ } | Struct_definition { name; _ } -> shared name
+  | _ -> [ declaration ]
+
 let text (robot : Robot.t) (program : Machine.Ir.program) =
   let v = Vocabulary.of_program program in
   let guard = "FROB_" ^ String.uppercase_ascii robot.name ^ "_H" in
@@ -14,8 +31,8 @@ let text (robot : Robot.t) (program : Machine.Ir.program) =
                robot.header robot.module_ robot.module_ guard guard);
           Text "#include <stdbool.h>\n#include <stdint.h>\n";
         ];
-        Vocabulary.type_definitions v ~foreign:true;
-        v.robot_records;
+        List.concat_map (guarded robot) (Vocabulary.type_definitions v ~foreign:true);
+        List.concat_map (guarded robot) v.robot_records;
         [ Text "#endif\n" ];
       ]
   in

@@ -1,6 +1,7 @@
 type t = { module_ : string; name : string; header : string }
 
-let table = [ { module_ = "Pioneer"; name = "pioneer"; header = "frob/pioneer.h" } ]
+let robot module_ name = { module_; name; header = "frob/" ^ name ^ ".h" }
+let table = [ robot "Pioneer" "pioneer"; robot "Scout" "scout"; robot "Create" "create" ]
 let names = List.map (fun robot -> robot.name) table
 let of_name name = List.find_opt (fun robot -> String.equal robot.name name) table
 let of_module name = List.find_opt (fun robot -> String.equal robot.module_ name) table

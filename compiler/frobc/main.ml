@@ -45,6 +45,9 @@ let stages_doc =
   String.concat "; "
     (List.map (fun s -> Printf.sprintf "$(b,%s) (%s)" (Stage.name s) (Stage.meaning s)) Stage.all)
 
+let robot_names =
+  String.concat ", " (List.map (Printf.sprintf "$(b,%s)") Driver.Robots.names)
+
 let general =
   let format =
     let doc = "How diagnostics, and a report, are written: $(b,text), or $(b,json), one object a line." in
@@ -73,7 +76,7 @@ let general =
   in
   let robot =
     let doc =
-      "The robot to compile for: " ^ String.concat ", " (List.map (Printf.sprintf "$(b,%s)") Driver.Robots.names) ^ "."
+      "The robot to compile for: " ^ robot_names ^ "."
     in
     Arg.(value & opt (some string) None & info [ "robot" ] ~docv:"ROBOT" ~doc)
   in
@@ -194,7 +197,7 @@ let header =
     Arg.(
       required
       & pos 0 (some string) None
-      & info [] ~docv:"ROBOT" ~doc:"The robot: $(b,pioneer).")
+      & info [] ~docv:"ROBOT" ~doc:("The robot: " ^ robot_names ^ "."))
   in
   command "header" ~doc:"the C header with a robot's input and output types"
     Term.(const Commands.header $ robot)

@@ -6,26 +6,46 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#ifndef FROB_HAS_EVENT_FLOAT_NO_EVENT
+#define FROB_HAS_EVENT_FLOAT_NO_EVENT
+
 /* Event Float */
 enum {
     FROB_EVENT_FLOAT_NO_EVENT,
     FROB_EVENT_FLOAT_EVENT
 };
 
+#endif
+
+#ifndef FROB_HAS_EVENT_FLOAT
+#define FROB_HAS_EVENT_FLOAT
+
 struct frob_event_float {
     uint8_t tag;
     double f0;
 };
+
+#endif
+
+#ifndef FROB_HAS_VEC2
+#define FROB_HAS_VEC2
 
 struct frob_vec2 {
     double x;
     double y;
 };
 
+#endif
+
+#ifndef FROB_HAS_POSE
+#define FROB_HAS_POSE
+
 struct frob_pose {
     struct frob_vec2 position;
     double heading;
 };
+
+#endif
 
 struct frob_pioneer_input {
     struct frob_pose odometry;
