@@ -6,6 +6,9 @@ PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
   libalcotest-ocaml-dev libqcheck-ocaml-dev libbox2d-dev libtomlplusplus-dev \
   libcairo2-dev pkg-config gcc g++ clang
 
+# What only `make bench` needs.
+BENCH_PACKAGES = valgrind
+
 PREFIX ?= /usr/local
 FROBC = _build/install/default/bin/frobc
 OUT = _build/run
@@ -38,6 +41,7 @@ fuzz: all
 	  --host _build/install/default/lib/frobc/frob-trace --count $(N) --seed $(SEED)
 
 bench: all
+	@sh tests/setup.sh $(BENCH_PACKAGES)
 	@sh tests/bench/run.sh
 
 install: setup

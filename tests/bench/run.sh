@@ -19,7 +19,7 @@ mkdir -p "$out"
 } >_build/bench.json
 
 awk -F'"' '
-    BEGIN { printf "%-14s %-26s %-8s %10s %10s %7s  %s\n", "program", "measure", "compiler", "value", "reference", "ratio", "unit" }
+    BEGIN { printf "%-14s %-26s %-10s %10s %10s %7s  %s\n", "program", "measure", "compiler", "value", "reference", "ratio", "unit" }
     function number(text) { gsub(/[:, ]/, "", text); return text }
-    { printf "%-14s %-26s %-8s %10s %10s %7s  %s\n", $4, $8, $12, number($15), number($17), number($19), $22 }
+    { printf "%-14s %-26s %-10s %10s %10s %7s  %s\n", $4, $8, $12, number($15), number($17), number($19), $22 }
 ' "$out/lines"

@@ -1,19 +1,70 @@
 #!/bin/sh
-# Step time and state of generated C beside hand-written C, under gcc and
-# clang at -O2 (see harness.h). The argument is the folder to work in.
+# Generated C beside C by hand, under gcc and clang at -O2 and -O3: the step's
+# time (see bench.c) and instructions (counted by valgrind, so the same on each
+# run), bytes of state, and bytes of text at -O2. The arguments are the folder
+# to work in, and programs, if not all.
 set -eu
-out=$1
+out=$1/step
+shift
 here=tests/bench/step
 frobc=_build/install/default/bin/frobc
+rounds=201
 # As frobc's own hosts build generated code; hand-written code gets the same.
-exact="-ffp-contract=off -fno-builtin-sin"
+exact="-std=c99 -ffp-contract=off -fno-builtin-sin -fno-builtin-cos"
+warnings="-Wall -Wextra -Werror"
+mkdir -p "$out"
 
-for program in wall_follow pid; do
-    "$frobc" compile "$here/$program.frob" -o "$out"
-done
-for compiler in gcc clang; do
-    "$compiler" -std=c99 -O2 $exact -Wall -Wextra -Werror -I "$out" -I "$here" \
-        "$here"/main.c "$here"/harness.c "$here"/*_by_hand.c \
-        "$out"/wall_follow.c "$out"/pid.c -lm -o "$out/step-$compiler"
-    "$out/step-$compiler"
+# Measure, compiler, value, reference, unit.
+row() {
+    ratio=$(awk "BEGIN { printf \"%.3f\", $3 / $4 }")
+    printf '{"program": "%s", "measure": "%s", "compiler": "%s", "value": %s, "reference": %s, "ratio": %s, "unit": "%s"}\n' \
+        "$program" "$1" "$2" "$3" "$4" "$ratio" "$5"
+}
+
+# Of code and constants, without tables for debuggers and exceptions.
+text_bytes() {
+    size -A "$1" | awk '$1 ~ /^\.(text|rodata)/ { sum += $2 } END { print sum + 0 }'
+}
+
+# Instructions of a pass, a step.
+instructions() {
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$2" "$1" 1 2>&1 |
+        awk '/Collected/ { printf "%.1f", $4 / 16384 }'
+}
+
+measure() {
+    compiler=$1
+    flags="-$2 $exact"
+    label="$compiler -$2"
+    made=$out/$program-$compiler-$2
+    include="-I $out -I $here -I $here/$program -I runtime/include"
+    # shellcheck disable=SC2086
+    {
+        $compiler $flags $warnings $include -c "$out/$program.c" -o "$made-generated.o"
+        $compiler $flags $warnings $include -c "$here/$program/by_hand.c" -o "$made-by_hand.o"
+        $compiler $flags $warnings $include -c "$here/$program/by_hand.c" -DDT_AS_IT_COMES \
+            -o "$made-by_hand_dt_as_it_comes.o"
+        $compiler $flags $warnings $include "$here/$program/bench.c" "$here/bench.c" \
+            "$made-generated.o" "$made-by_hand.o" -lm -o "$made"
+        $compiler $flags $warnings $include "$here/$program/bench.c" "$here/bench.c" \
+            "$made-generated.o" "$made-by_hand_dt_as_it_comes.o" -lm -o "$made-dt_as_it_comes"
+    }
+    set -- $("$made" $rounds)
+    row "step time" "$label" "$1" "$2" ns
+    if [ "$label" = "gcc -O2" ]; then row "state" "$compiler" "$3" "$4" bytes; fi
+    set -- $("$made-dt_as_it_comes" $rounds)
+    row "step time, dt as it comes" "$label" "$1" "$2" ns
+    row "step instructions" "$label" "$(instructions "$made" generated_pass)" \
+        "$(instructions "$made" by_hand_pass)" instructions
+    case $label in
+    *-O2) row "text" "$label" "$(text_bytes "$made-generated.o")" "$(text_bytes "$made-by_hand.o")" bytes ;;
+    esac
+}
+
+if [ $# -eq 0 ]; then set -- wall_follow pid modes; fi
+for program in "$@"; do
+    "$frobc" compile "$here/$program/$program.frob" -o "$out"
+    for level in O2 O3; do
+        for compiler in gcc clang; do measure "$compiler" "$level"; done
+    done
 done

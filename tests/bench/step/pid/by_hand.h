@@ -1,11 +1,11 @@
 /* A PID controller with conditional integration and a limited output, as a
  * careful person writes it in C. */
-#ifndef PID_BY_HAND_H
-#define PID_BY_HAND_H
+#ifndef BY_HAND_H
+#define BY_HAND_H
 
-#include <stdbool.h>
+#include "pid.h"
 
-struct pid_by_hand {
+struct by_hand {
     double sum;     /* the integral of the error */
     double counted; /* the error to be integrated over the next step */
     double before;  /* the error one instant ago */
@@ -13,9 +13,10 @@ struct pid_by_hand {
     bool started;
 };
 
-void pid_by_hand_reset(struct pid_by_hand *self);
+void by_hand_reset(struct by_hand *self);
 
 /* dt in s, not looked at in the first step. */
-double pid_by_hand_step(struct pid_by_hand *self, double dt, double error);
+void by_hand_step(struct by_hand *self, double dt, const struct pid_input *in,
+                  struct pid_output *out);
 
 #endif

@@ -1,10 +1,11 @@
-#include "pid_by_hand.h"
+#include "by_hand.h"
+#include "time_by_hand.h"
 
 #include <math.h>
 
 static const double kp = 2.0, ki = 0.3, kd = 0.1, largest = 1.0;
 
-void pid_by_hand_reset(struct pid_by_hand *self)
+void by_hand_reset(struct by_hand *self)
 {
     self->sum = 0.0;
     self->counted = 0.0;
@@ -13,9 +14,12 @@ void pid_by_hand_reset(struct pid_by_hand *self)
     self->started = false;
 }
 
-double pid_by_hand_step(struct pid_by_hand *self, double dt, double error)
+void by_hand_step(struct by_hand *self, double dt, const struct pid_input *in,
+                  struct pid_output *out)
 {
+    const double error = in->value;
     double wanted;
+    dt = whole_nanoseconds(dt);
     if (!self->started) {
         self->started = true;
     } else if (dt > 0) {
@@ -26,8 +30,9 @@ double pid_by_hand_step(struct pid_by_hand *self, double dt, double error)
     wanted = kp * error + ki * self->sum + kd * self->slope;
     self->counted = fabs(wanted) > largest && ki * error * wanted > 0 ? 0.0 : error;
     if (wanted > largest)
-        return largest;
-    if (wanted < -largest)
-        return -largest;
-    return wanted;
+        out->value = largest;
+    else if (wanted < -largest)
+        out->value = -largest;
+    else
+        out->value = wanted;
 }

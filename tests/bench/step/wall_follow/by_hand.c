@@ -1,4 +1,5 @@
-#include "wall_follow_by_hand.h"
+#include "by_hand.h"
+#include "time_by_hand.h"
 
 #include <math.h>
 
@@ -16,7 +17,7 @@ static double limit(double x, double y)
     return y;
 }
 
-void wall_follow_by_hand_reset(struct wall_follow_by_hand *self)
+void by_hand_reset(struct by_hand *self)
 {
     self->sin_theta_max = sin(theta_max);
     self->s_before = 0.0;
@@ -24,14 +25,16 @@ void wall_follow_by_hand_reset(struct wall_follow_by_hand *self)
     self->started = false;
 }
 
-void wall_follow_by_hand_step(struct wall_follow_by_hand *self, double dt, double v_curr,
-                              double f, double s, double *v, double *omega)
+void by_hand_step(struct by_hand *self, double dt, const struct wall_follow_input *in,
+                  struct wall_follow_output *out)
 {
+    const double v_curr = in->f1, f = in->f2, s = in->f3;
+    dt = whole_nanoseconds(dt);
     if (!self->started)
         self->started = true;
     else if (dt > 0)
         self->s_dot = (s - self->s_before) / dt;
     self->s_before = s;
-    *v = limit(v_max, k_front * (f - distance));
-    *omega = k_turn * (limit(self->sin_theta_max * v_curr, k_side * (s - distance)) - self->s_dot);
+    out->f1 = limit(v_max, k_front * (f - distance));
+    out->f2 = k_turn * (limit(self->sin_theta_max * v_curr, k_side * (s - distance)) - self->s_dot);
 }

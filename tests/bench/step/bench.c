@@ -1,0 +1,94 @@
+#define _POSIX_C_SOURCE 199309L
+#include "bench.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { MOST_ROUNDS = 1001 };
+
+double bench_dt[INSTANTS];
+
+double bench_random(void)
+{
+    static uint64_t state = UINT64_C(0x9e3779b97f4a7c15);
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    return (double)(state >> 11) / 9007199254740992.0;
+}
+
+int bench_chance(double probability)
+{
+    return bench_random() < probability;
+}
+
+static double now_ns(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
+}
+
+static double step_time(void (*pass)(void))
+{
+    const double start = now_ns();
+    pass();
+    return (now_ns() - start) / INSTANTS;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double *values, int count)
+{
+    qsort(values, (size_t)count, sizeof *values, ascending);
+    return values[count / 2];
+}
+
+/* Bit for bit, or equal zeros. */
+static bool equal(const struct bench *bench)
+{
+    for (size_t i = 0; i < bench->doubles; i++) {
+        const double x = bench->generated_outputs[i], y = bench->by_hand_outputs[i];
+        if (memcmp(&x, &y, sizeof x) != 0 && x != y) {
+            const size_t outputs = bench->doubles / INSTANTS;
+            fprintf(stderr, "instant %lu, output %lu: generated %.17g, by hand %.17g\n",
+                    (unsigned long)(i / outputs), (unsigned long)(i % outputs), x, y);
+            return false;
+        }
+    }
+    return true;
+}
+
+int bench_main(const struct bench *bench, int argc, char **argv)
+{
+    static double generated[MOST_ROUNDS], by_hand[MOST_ROUNDS];
+    const int rounds = argc == 2 ? atoi(argv[1]) : 0;
+    if (rounds < 1 || rounds > MOST_ROUNDS) {
+        fprintf(stderr, "usage: %s ROUNDS\n", argv[0]);
+        return 2;
+    }
+    for (size_t i = 0; i < INSTANTS; i++)
+        bench_dt[i] = (double)(int64_t)(19e6 + 2e6 * bench_random()) / 1e9;
+    bench->make_inputs();
+    for (int round = 0; round < rounds; round++) {
+        /* who goes first changes from round to round */
+        if (round % 2 == 0)
+            generated[round] = step_time(bench->generated_pass);
+        by_hand[round] = step_time(bench->by_hand_pass);
+        if (round % 2 != 0)
+            generated[round] = step_time(bench->generated_pass);
+    }
+    if (!equal(bench))
+        return 1;
+    printf("%.4g %.4g %lu %lu\n", median(generated, rounds), median(by_hand, rounds),
+           (unsigned long)bench->generated_bytes, (unsigned long)bench->by_hand_bytes);
+    return 0;
+}

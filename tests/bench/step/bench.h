@@ -1,0 +1,80 @@
+/* bench.h -- one program's generated step beside the same step written by
+ * hand, in one process.
+ *
+ * A program's bench.c says BENCH(name) and defines make_input. Both steps get
+ * the same table of inputs and store all outputs in tables, which must be
+ * equal in the end. The hand-written step takes the generated structs of input
+ * and output, so that it could stand in for the other. */
+#ifndef FROB_BENCH_H
+#define FROB_BENCH_H
+
+#include <stddef.h>
+
+/* So many that a processor does not learn the table's branches by heart. */
+enum { INSTANTS = 16384 };
+
+/* Seconds since the instant before: whole nanoseconds around 20 ms. */
+extern double bench_dt[INSTANTS];
+
+/* The same numbers on every machine: xorshift, not rand(). Uniform in [0, 1). */
+double bench_random(void);
+
+/* True with this probability. */
+int bench_chance(double probability);
+
+/* What one program brings: a pass runs all instants from a reset. The outputs
+ * are structs of doubles, `doubles` of them in all. */
+struct bench {
+    void (*make_inputs)(void);
+    void (*generated_pass)(void);
+    void (*by_hand_pass)(void);
+    const double *generated_outputs;
+    const double *by_hand_outputs;
+    size_t doubles;
+    size_t generated_bytes; /* of state */
+    size_t by_hand_bytes;
+};
+
+/* Runs the rounds, compares the outputs and prints
+ *     STEP_NS STEP_NS_BY_HAND STATE_BYTES STATE_BYTES_BY_HAND
+ * The only argument is the number of rounds; the times are medians. */
+int bench_main(const struct bench *bench, int argc, char **argv);
+
+#define BENCH(program)                                                         \
+    static struct program##_input input[INSTANTS];                             \
+    static struct program##_output generated[INSTANTS], by_hand[INSTANTS];     \
+    static struct program##_state generated_state;                             \
+    static struct by_hand by_hand_state;                                       \
+    static void make_input(size_t i);                                          \
+    static void make_inputs(void)                                              \
+    {                                                                          \
+        for (size_t i = 0; i < INSTANTS; i++)                                  \
+            make_input(i);                                                     \
+    }                                                                          \
+    static void generated_pass(void)                                           \
+    {                                                                          \
+        program##_reset(&generated_state);                                     \
+        for (size_t i = 0; i < INSTANTS; i++)                                  \
+            program##_step(&generated_state, bench_dt[i], &input[i],           \
+                           &generated[i]);                                     \
+    }                                                                          \
+    static void by_hand_pass(void)                                             \
+    {                                                                          \
+        by_hand_reset(&by_hand_state);                                         \
+        for (size_t i = 0; i < INSTANTS; i++)                                  \
+            by_hand_step(&by_hand_state, bench_dt[i], &input[i], &by_hand[i]); \
+    }                                                                          \
+    int main(int argc, char **argv)                                            \
+    {                                                                          \
+        const struct bench bench = {make_inputs,                               \
+                                    generated_pass,                            \
+                                    by_hand_pass,                              \
+                                    (const double *)(const void *)generated,   \
+                                    (const double *)(const void *)by_hand,     \
+                                    sizeof generated / (sizeof(double)),       \
+                                    sizeof generated_state,                    \
+                                    sizeof by_hand_state};                     \
+        return bench_main(&bench, argc, argv);                                 \
+    }
+
+#endif

@@ -1,0 +1,93 @@
+#include "by_hand.h"
+#include "time_by_hand.h"
+
+static const int64_t back_up_ns = 1000000000;
+static const double distance = 0.5, k_side = 0.8, k_slope = 0.3;
+static const double free_way = 0.6;
+
+/* Each mode starts with its own output in the instant in which the mode before
+ * it ends; an edge does not count at a mode's first instant. */
+
+static void follow(const struct by_hand *self, const struct modes_input *in,
+                   struct modes_output *out)
+{
+    out->speed = 0.3;
+    out->turn = k_side * (in->side - distance) - k_slope * self->side_slope;
+}
+
+static void back_up(struct modes_output *out)
+{
+    out->speed = -0.2;
+    out->turn = 0.0;
+}
+
+static void turn(struct modes_output *out)
+{
+    out->speed = 0.0;
+    out->turn = 0.8;
+}
+
+static void start_following(struct by_hand *self, const struct modes_input *in)
+{
+    self->mode = FOLLOW;
+    self->side_before = in->side;
+    self->side_slope = 0.0;
+    self->condition_before = in->bump;
+}
+
+void by_hand_reset(struct by_hand *self)
+{
+    self->side_before = 0.0;
+    self->side_slope = 0.0;
+    self->backing_ns = 0;
+    self->mode = FOLLOW;
+    self->started = false;
+    self->condition_before = true;
+}
+
+void by_hand_step(struct by_hand *self, double dt, const struct modes_input *in,
+                  struct modes_output *out)
+{
+    int64_t ns;
+    if (!self->started) {
+        self->started = true;
+        start_following(self, in);
+        follow(self, in, out);
+        return;
+    }
+    ns = nanoseconds(dt);
+    switch (self->mode) {
+    case FOLLOW:
+        if (in->bump && !self->condition_before) {
+            self->mode = BACK_UP;
+            self->backing_ns = 0;
+            back_up(out);
+            break;
+        }
+        self->condition_before = in->bump;
+        if (ns > 0)
+            self->side_slope = (in->side - self->side_before) / ((double)ns / 1e9);
+        self->side_before = in->side;
+        follow(self, in, out);
+        break;
+    case BACK_UP:
+        self->backing_ns += ns;
+        if (self->backing_ns >= back_up_ns) {
+            self->mode = TURN;
+            self->condition_before = in->front > free_way;
+            turn(out);
+            break;
+        }
+        back_up(out);
+        break;
+    default: /* TURN */
+        if (in->front > free_way && !self->condition_before) {
+            start_following(self, in);
+            follow(self, in, out);
+            break;
+        }
+        self->condition_before = in->front > free_way;
+        turn(out);
+        break;
+    }
+}

@@ -1,0 +1,39 @@
+/* time_by_hand.h -- the language's promise about time, as a careful person
+ * keeps it: dt counts in whole nanoseconds, is never negative or NaN, and at
+ * most 10^9 s. With DT_AS_IT_COMES it is taken as it comes instead. */
+#ifndef TIME_BY_HAND_H
+#define TIME_BY_HAND_H
+
+#include <stdint.h>
+
+#ifdef DT_AS_IT_COMES
+
+static inline double whole_nanoseconds(double seconds)
+{
+    return seconds;
+}
+
+static inline int64_t nanoseconds(double seconds)
+{
+    return (int64_t)(seconds * 1e9 + 0.5);
+}
+
+#else
+
+static inline int64_t nanoseconds(double seconds)
+{
+    if (!(seconds > 0))
+        return 0;
+    if (seconds > 1e9)
+        seconds = 1e9;
+    return (int64_t)(seconds * 1e9 + 0.5);
+}
+
+static inline double whole_nanoseconds(double seconds)
+{
+    return (double)nanoseconds(seconds) / 1e9;
+}
+
+#endif
+
+#endif
