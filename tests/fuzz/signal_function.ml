@@ -56,7 +56,7 @@ and expression s fuel (a : Type.t) (b : Type.t) =
           one_of random
             [
               "(integral >>> arr (\\x -> x / 1[s]))"; "(derivative >>> arr (\\x -> x * 1[s]))";
-              "(lowPass 0.3[s])"; "movingAverage4"; "previous"; "(rateLimit 2[1/s])";
+              "(lowPass 0.3[s])"; "(movingAverage [1, 2, 1])"; "previous"; "(rateLimit 2[1/s])";
             ] );
       ( (match (a, b) with Float, Bool -> 3 | _ -> 0),
         fun () -> "(hysteresis (-0.5) 0.5)" );

@@ -50,7 +50,7 @@ is none; a limit of the slope; a mean.
   $ cat > filters.frob << FROB
   > import Control
   > main :: SF Float (Float, Float, Float, Float)
-  > main = proc x -> (lowPass 0.5[s] x, lowPass (-1[s]) x, rateLimit 2[1/s] x, movingAverage4 x)
+  > main = proc x -> (lowPass 0.5[s] x, lowPass (-1[s]) x, rateLimit 2[1/s] x, movingAverage [1, 1, 1, 1] x)
   > FROB
   $ model filters '{
   >     y = start ? x : y + dt / (0.5 + dt) * (x - y)
@@ -60,6 +60,19 @@ is none; a limit of the slope; a mean.
   >     printf "%.9g,%.9g,%.9g,%.9g\n", y, z, r, (x + x1 + x2 + x3) / 4
   >     x3 = x2; x2 = x1; x1 = x
   >   }'
+
+A window shows the last inputs, the newest first; weights go with them.
+
+  $ cat > windows.frob << FROB
+  > import Control
+  > main :: SF Float (Array 3 Float, Float, Float, Array 2 Int)
+  > main = proc x -> (window 0 x, movingAverage [3, 0, -1] x, movingAverage [0.5] x, shift 1 [2, 3])
+  > FROB
+  $ printf '%s\n' 1 2 4 8 | rows in | trace windows | cells
+  1,0,0,1,1,1,2
+  2,1,0,2.5,2,1,2
+  4,2,1,5.5,4,1,2
+  8,4,2,11,8,1,2
 
 The part of the way that a low-pass goes in a step:
 
