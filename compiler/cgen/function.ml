@@ -1,18 +1,6 @@
 open Basis
-module M = Machine.Ir
 module V = Vocabulary
-
-type context = {
-  v : V.t;
-  names : Expression.names;
-  index : int;
-  node : M.node;
-  write : int -> Ir.expr -> Ir.statement;  (** an output *)
-  read : (int, unit) Hashtbl.t;  (** variables that anything reads *)
-  mutable place : string;  (** the source line last mentioned *)
-}
-
-let plain desc : Ir.statement = { desc; comment = "" }
+open Context
 
 (* An array of numbers written out. *)
 let is_literal : M.expr -> bool = function
@@ -21,48 +9,6 @@ let is_literal : M.expr -> bool = function
   | _ -> false
 
 let is_loop (s : Ir.statement) = match s.desc with Ir.For _ -> true | _ -> false
-
-(* Mentions the source line of a statement unless the one before did. *)
-let comment c (span : Span.t) =
-  let line = span.start.line in
-  let place =
-    if String.equal span.file c.node.file then Printf.sprintf "line %d" line
-    else Printf.sprintf "%s:%d" (Filename.basename span.file) line
-  in
-  if String.equal place c.place then ""
-  else (
-    c.place <- place;
-    place)
-
-let expression c = Expression.of_machine c.names
-
-(* Declarations without values, one for each run of equal types. *)
-let uninitialized c variables =
-  let declare groups (variable : M.variable) =
-    let ty = V.ty c.v variable.ty and name = Expression.variable c.names variable in
-    match groups with
-    | (last, names) :: groups when last = ty -> (last, name :: names) :: groups
-    | groups -> (ty, [ name ]) :: groups
-  in
-  List.rev_map
-    (fun (ty, names) -> plain (Ir.Variables { ty; names = List.rev names }))
-    (List.fold_left declare [] variables)
-
-(* [own]: the address of the state, if there is one. *)
-let step_call c ~node ~own arguments results =
-  let callee = c.v.program.nodes.(node) in
-  let dt = if callee.seconds then [ Ir.Name "dt" ] else [] in
-  let dt_ns = if callee.nanoseconds then [ Ir.Name "dt_ns" ] else [] in
-  Ir.Call (c.v.nodes.(node).step, List.concat [ own; dt; dt_ns; arguments; results ])
-
-let own_state c state =
-  List.map
-    (fun field -> Ir.Unary (Ir.Address, Expression.field c.names field))
-    (Option.to_list state)
-
-(* Arguments of a node's functions. *)
-let for_step c node = Expression.arguments c.names c.v.program.nodes.(node).step.parameters
-let for_reset c node = Expression.arguments c.names c.v.program.nodes.(node).reset.parameters
 
 let place c : M.place -> Ir.expr = function
   | Local variable -> Name (Expression.variable c.names variable)
@@ -133,8 +79,8 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let statements = Loop.statements c.names l ~call in
       let comment = comment c l.span in
       List.rev_append (List.map (fun s -> if is_loop s then { s with comment } else s) statements) rest
-  | Enter { entry; span } -> List.rev_append (enter c entry span) rest
-  | Run run -> List.rev_append (run_modes c run) rest
+  | Enter { entry; span } -> List.rev_append (Modes.enter c entry span) rest
+  | Run run -> List.rev_append (Modes.run c run) rest
   | Return { value; span } ->
       { desc = Return (expression c value); comment = comment c span } :: rest
 
@@ -159,192 +105,6 @@ and step c rest ~node ~own arguments results span =
       { desc = Do call; comment = comment c span } :: List.rev_append declarations rest
 
 and statements c body = List.rev (List.fold_left (statement c) [] body)
-
-(* {1 Machines} *)
-
-and field_with c has =
-  List.find_map
-    (fun (field : M.field) -> if has field.content then Some (Expression.field c.names field) else None)
-    c.node.state
-
-and running_mode c = field_with c (function M.Running_mode -> true | _ -> false)
-
-and enter c (entry : M.entry) span =
-  let mode = List.nth c.node.modes entry.mode in
-  let comment = comment c span in
-  let number =
-    match running_mode c with
-    | Some place -> [ Ir.Assign (place, Name c.v.nodes.(c.index).modes.(entry.mode).constant) ]
-    | None -> []
-  in
-  let parameter (_, field) value =
-    Ir.Assign (Expression.field c.names field, expression c value)
-  in
-  let parameters = List.map2 parameter mode.parameters entry.parameters in
-  let reset =
-    match mode.state with
-    | None -> []
-    | Some state ->
-        let own = Ir.Unary (Address, Expression.field c.names state) in
-        [ Ir.Do (Call (c.v.nodes.(mode.node).reset, own :: for_reset c mode.node entry.reset)) ]
-  in
-  match number @ parameters @ reset with
-  | [] -> []
-  | first :: others -> { Ir.desc = first; comment } :: List.map plain others
-
-(* What a mode enters at its first instant sees no time. *)
-and forget_time c =
-  (if c.node.seconds then [ plain (Ir.Assign (Name "dt", Float 0.)) ] else [])
-  @ if c.node.nanoseconds then [ plain (Ir.Assign (Name "dt_ns", Integer 0l)) ] else []
-
-(* The first alternative that holds. *)
-and first_of alternatives =
-  List.fold_right
-    (fun (condition, then_, comment) else_ ->
-      match condition with
-      | Ir.Boolean true -> then_
-      | condition -> [ { Ir.desc = If { condition; then_; else_ }; comment } ])
-    alternatives []
-
-and run_modes c (run : M.run) =
-  let scope = Expression.scope c.names in
-  let loops = run.steps > 1 in
-  let flag name = Name.fresh scope name in
-  let steps = flag "steps" and entered = flag "entered" in
-  let dropped = if run.drops then flag "dropped" else "" in
-  let controlled = if run.late then flag "controlled" else "" in
-  let set name value = plain (Ir.Assign (Name name, Boolean value)) in
-  let control after (condition, (entry : M.entry)) =
-    (expression c condition, enter c entry run.span @ after, "")
-  in
-  let before =
-    if run.late then [] else first_of (List.map (control (forget_time c)) run.controls)
-  in
-  let after =
-    if not run.late then []
-    else
-      let entering = [ set controlled true; set dropped true; set entered true ] in
-      let alternatives = first_of (List.map (control entering) run.controls) in
-      let idle = Ir.Unary (Not, Name entered) and once = Ir.Unary (Not, Name controlled) in
-      [ plain (Ir.If { condition = Binary (And, idle, once); then_ = alternatives; else_ = [] }) ]
-  in
-  let cases =
-    List.mapi
-      (fun k case ->
-        (c.v.nodes.(c.index).modes.(k).constant, one_case c run ~loops ~entered ~dropped k case))
-      run.cases
-  in
-  let chosen =
-    match (running_mode c, cases) with
-    | None, [ (_, body) ] -> body
-    | Some value, cases -> [ plain (Ir.Switch { value; cases }) ]
-    | None, _ -> Diagnostic.bug ~stage:"Cgen.Function" "modes without a number"
-  in
-  let stepping =
-    if not loops then chosen
-    else
-      let body =
-        (set entered false :: chosen)
-        @ after @ forget_time c
-        @ [ plain (Ir.Add_to (Name steps, Integer 1l)) ]
-      in
-      let more = Ir.Binary (Less, Name steps, Integer (Int32.of_int run.steps)) in
-      [ plain (Ir.Do_while { body; condition = Binary (And, Name entered, more) }) ]
-  in
-  let wake (clock : M.clock) =
-    let since = Expression.field c.names clock.since in
-    let seconds = Ir.Binary (Over, Cast (Real, Name "dt_ns"), Float 1e9) in
-    [ plain (Ir.Assign (Name "dt_ns", since)) ]
-    @ (if c.node.seconds then [ plain (Ir.Assign (Name "dt", seconds)) ] else [])
-    @ [
-        plain (Ir.Assign (since, Integer 0l));
-        plain (Ir.Assign (Expression.field c.names clock.running, Boolean true));
-      ]
-  in
-  let pass (clock : M.clock) =
-    let since = Expression.field c.names clock.since in
-    let running = Expression.field c.names clock.running in
-    let then_ = [ plain (Ir.Assign (since, expression c clock.elapsed)) ] in
-    plain (Ir.If { condition = running; then_; else_ = [] })
-  in
-  let passing = List.map pass (Option.to_list run.clock) in
-  let woken = List.concat_map wake (Option.to_list run.clock) in
-  let variable ty name value = plain (Ir.Variable { ty; name; value }) in
-  let counters =
-    if loops then [ variable Int32 steps (Integer 0l); variable Bool entered (Boolean false) ] else []
-  in
-  let flags =
-    List.filter_map
-      (fun name -> if String.equal name "" then None else Some (variable Bool name (Boolean false)))
-      [ dropped; controlled ]
-  in
-  let instant = woken @ counters @ flags @ before @ stepping in
-  results_of_run c run @ passing
-  @
-  match run.active with
-  | None -> instant
-  | Some active ->
-      [ plain (Ir.If { condition = expression c active; then_ = instant; else_ = [] }) ]
-
-(* With [drops] C compilers cannot see that the first mode gives values. *)
-and results_of_run c (run : M.run) =
-  if (not run.drops) && Option.is_none run.active then List.rev (uninitialized c run.results)
-  else
-    List.map
-      (fun (v : M.variable) ->
-        let name = Expression.variable c.names v and ty = V.ty c.v v.ty in
-        plain (Ir.Variable { ty; name; value = Sum_type.zero c.v.program.sums v.ty }))
-      run.results
-
-and one_case c (run : M.run) ~loops ~entered ~dropped k (case : M.case) =
-  let mode = List.nth c.node.modes k in
-  c.place <- "";
-  let arguments = for_step c mode.node case.arguments in
-  let results = List.map (fun v -> (v, Expression.variable c.names v)) run.results in
-  (* Where results may be dropped they first go to variables of the case. *)
-  let own =
-    if not run.drops then []
-    else
-      List.map
-        (fun ((v : M.variable), result) ->
-          (v, Name.fresh (Expression.scope c.names) result, result))
-        results
-  in
-  let targets =
-    if run.drops then List.map (fun (_, name, _) -> name) own else List.map snd results
-  in
-  let others = List.map (fun v -> (v, Expression.variable c.names v)) case.others in
-  let declare (v : M.variable) name = plain (Ir.Variables { ty = V.ty c.v v.ty; names = [ name ] }) in
-  let declarations =
-    List.map (fun (v, name, _) -> declare v name) own
-    @ List.map (fun (v, name) -> declare v name) others
-  in
-  let all = targets @ List.map snd others in
-  let state = own_state c mode.state in
-  let call =
-    match all with
-    | [ name ] ->
-        Ir.Assign (Name name, step_call c ~node:mode.node ~own:state arguments [])
-    | names ->
-        let address name = Ir.Unary (Address, Name name) in
-        Ir.Do (step_call c ~node:mode.node ~own:state arguments (List.map address names))
-  in
-  let keep =
-    match own with
-    | [] -> []
-    | own ->
-        let then_ =
-          List.map (fun (_, name, result) -> plain (Ir.Assign (Name result, Name name))) own
-        in
-        [ plain (Ir.If { condition = Unary (Not, Name dropped); then_; else_ = [] }) ]
-  in
-  let next (n : M.next) =
-    let drop = if n.delayed then [ plain (Ir.Assign (Name dropped, Boolean true)) ] else [] in
-    let note = if loops then [ plain (Ir.Assign (Name entered, Boolean true)) ] else [] in
-    let condition = expression c n.condition in
-    (condition, enter c n.entry n.span @ drop @ note, "")
-  in
-  declarations @ [ plain call ] @ keep @ first_of (List.map next case.transitions)
 
 (* The programmer's names come before the compiler's: [t1] stays [t1]. *)
 let name_variables names body =
@@ -415,7 +175,7 @@ let reset (v : V.t) k : Ir.function_ =
   let names = Expression.names v ~node:k in
   let parameters = self v k :: parameters v names node.reset.parameters in
   name_variables names node.reset.body;
-  let c = { v; names; index = k; node; write = no_result; read = variables_read node.reset.body; place = "" } in
+  let c = { v; names; index = k; node; write = no_result; read = variables_read node.reset.body; seconds = Given; place = "" } in
   let body = statements c node.reset.body in
   let unread = if reads_state node.reset.body then [] else [ ignored "self" ] in
   {
@@ -448,7 +208,7 @@ let own_step (v : V.t) k : Ir.function_ =
   in
   let places = Array.of_list results in
   let write k value = plain (Ir.Assign (Unary (Dereference, Name (snd places.(k))), value)) in
-  let c = { v; names; index = k; node; write; read = variables_read node.step.body; place = "" } in
+  let c = { v; names; index = k; node; write; read = variables_read node.step.body; seconds = Given; place = "" } in
   let state = if V.has_state v k then [ self v k ] else [] in
   let dt = if node.seconds then [ (Ir.Real, "dt") ] else [] in
   let dt_ns = if node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
@@ -508,22 +268,21 @@ let clock c (node : M.node) =
     | Unseen -> value
     | Marked_by field -> Ir.Conditional (Expression.field c.names field, value, zero)
   in
-  let seconds_of ns = Ir.Call (V.helper c.v Seconds, [ ns; Name "dt" ]) in
+  (* Where a mode is entered no time has passed. *)
+  let dt_ns ty value =
+    let name = "dt_ns" in
+    plain (if node.modes = [] then Ir.Constant { ty; name; value } else Variable { ty; name; value })
+  in
+  let whole () = dt_ns Int64 (at_first (Ir.Integer 0l) (Cast (Int64, rounded ()))) in
   let times =
-    match (node.nanoseconds, node.seconds) with
-    | false, false -> []
-    | false, true ->
-        [ plain (Ir.Assign (Name "dt", at_first (Float 0.) (seconds_of (rounded ())))) ]
-    | true, seconds ->
-        let value = at_first (Ir.Integer 0l) (Cast (Int64, rounded ())) in
-        let name = "dt_ns" in
-        (* Where a mode is entered no time has passed. *)
-        let ns =
-          if node.modes = [] then plain (Ir.Constant { ty = Int64; name; value })
-          else plain (Ir.Variable { ty = Int64; name; value })
-        in
-        let dt () = plain (Ir.Assign (Name "dt", seconds_of (Cast (Real, Name "dt_ns")))) in
-        ns :: (if seconds then [ dt () ] else [])
+    match (node.nanoseconds, node.seconds, c.seconds) with
+    | false, false, _ -> []
+    | true, false, _ | true, true, Where_wanted -> [ whole () ]
+    | false, true, Where_wanted -> [ dt_ns Real (at_first (Float 0.) (rounded ())) ]
+    | false, true, Given ->
+        [ plain (Ir.Assign (Name "dt", at_first (Float 0.) (seconds_of c (rounded ())))) ]
+    | true, true, Given ->
+        [ whole (); plain (Ir.Assign (Name "dt", seconds_of c (Cast (Real, Name "dt_ns")))) ]
   in
   let mark =
     match c.v.program.first_instant with
@@ -600,7 +359,10 @@ let root_step (v : V.t) k : Ir.function_ =
       copy_leaf names outputs.(k) ~from_interface:false (Name "out") value
     else plain (Ir.Assign (path (Name "out") outputs.(k) [], value))
   in
-  let c = { v; names; index = k; node; write; read = variables_read node.step.body; place = "" } in
+  let seconds =
+    if Machine.Time_use.by_one_mode v.program node then Where_wanted else Given
+  in
+  let c = { v; names; index = k; node; write; read = variables_read node.step.body; seconds; place = "" } in
   let inputs = inputs c node in
   name_variables names node.step.body;
   let clock = clock c node in

@@ -269,19 +269,16 @@ static inline int32_t frob_round(double x)
 |} );
     ( Whole_nanoseconds,
       "frob_whole_ns",
-      [],
+      [ Branch ],
       {|/* dt in nanoseconds, a whole number of them, halves to even: adding 2^52
  * leaves no bits for a fraction. NaN and negative give 0; at most 1e9 s. */
 static inline double frob_whole_ns(double dt)
 {
     const double ns = dt * 1e9;
-    if (!(ns > 0.0)) {
-        return 0.0;
+    if (FROB_BRANCH(!(ns > 0.0 && ns < 4503599627370496.0))) {
+        return !(ns > 0.0) ? 0.0 : ns < 1e18 ? ns : 1e18;
     }
-    if (ns < 4503599627370496.0) {
-        return (ns + 4503599627370496.0) - 4503599627370496.0;
-    }
-    return ns < 1e18 ? ns : 1e18;
+    return (ns + 4503599627370496.0) - 4503599627370496.0;
 }
 |} );
     ( Seconds,
@@ -304,7 +301,8 @@ static inline double frob_seconds(double ns, double dt)
       {|/* A local time after some more nanoseconds; stops at the end of time. */
 static inline int64_t frob_later(int64_t time, int64_t ns)
 {
-    return time < INT64_MAX - ns ? time + ns : INT64_MAX;
+    const uint64_t later = (uint64_t)time + (uint64_t)ns;
+    return later < INT64_MAX ? (int64_t)later : INT64_MAX;
 }
 |} );
   ]

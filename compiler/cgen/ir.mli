@@ -69,7 +69,8 @@ and statement_desc =
   | Switch of { value : expr; cases : (string * statement list) list }
       (** by constants, each once; the last one is the default *)
   | For of { index : string; count : int; body : statement list }  (** an Int32, from 0 *)
-  | Do_while of { body : statement list; condition : expr }
+  | Continue  (** of the [For] around it, with the next number *)
+  | Break  (** out of the [For] around it; not in a [Switch] *)
   | Return of expr
 
 type linkage =

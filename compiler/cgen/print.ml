@@ -228,6 +228,11 @@ let line out ~indent ?(column = comment_column) ?(comment = "") text =
 
 let commas values = String.concat ",\001" values
 
+let rec continues = function
+  | [] -> false
+  | [ { desc = Continue; _ } ] -> true
+  | _ :: rest -> continues rest
+
 let rec statement out ~indent { desc; comment } =
   let put text = line out ~indent ~comment text in
   match desc with
@@ -250,10 +255,8 @@ let rec statement out ~indent { desc; comment } =
       put (Printf.sprintf "for (int32_t %s = 0; %s < %d; %s++) {" index index count index);
       List.iter (statement out ~indent:(indent + 4)) body;
       line out ~indent "}"
-  | Do_while { body; condition } ->
-      put "do {";
-      List.iter (statement out ~indent:(indent + 4)) body;
-      line out ~indent ("} while (" ^ with_breaks condition ^ ");")
+  | Continue -> put "continue;"
+  | Break -> put "break;"
   | Switch { value; cases } ->
       put ("switch (" ^ with_breaks value ^ ") {");
       let last = List.length cases - 1 in
@@ -262,7 +265,7 @@ let rec statement out ~indent { desc; comment } =
           if k = last then line out ~indent ~comment:constant "default: {"
           else line out ~indent ("case " ^ constant ^ ": {");
           List.iter (statement out ~indent:(indent + 4)) body;
-          line out ~indent:(indent + 4) "break;";
+          if not (continues body) then line out ~indent:(indent + 4) "break;";
           line out ~indent "}")
         cases;
       line out ~indent "}"

@@ -98,6 +98,16 @@ let first_of c alternatives =
   let tests, entered = List.fold_left test (Cost.none, Cost.none) alternatives in
   Cost.add tests entered
 
+(* Of nanoseconds; see the helpers of the generated C. *)
+let seconds = Cost.(sum [ one Divisions; one Choices; one Additions ])
+
+let is_root (program : M.program) (node : M.node) =
+  let root = program.nodes.(Array.length program.nodes - 1) in
+  String.equal root.name node.name
+
+let has_seconds_where_wanted c =
+  is_root c.program c.node && Machine.Time_use.by_one_mode c.program c.node
+
 (* What a machine with instants of its own does about its time: it goes on where
    the machine has begun, and is read and put back where it is active. *)
 let clock c (clock : M.clock) =
@@ -111,8 +121,14 @@ let run c (r : M.run) =
   let case k (case : M.case) =
     let mode = List.nth c.node.modes k in
     let next (n : M.next) = (n.condition, n.entry) in
+    let seconds =
+      if c.program.nodes.(mode.node).seconds && has_seconds_where_wanted c then
+        Cost.add (Cost.one Conversions) seconds
+      else Cost.none
+    in
     Cost.sum
       [
+        seconds;
         expressions c case.arguments;
         c.done_.(mode.node).step;
         first_of c (List.map next case.transitions);
@@ -125,8 +141,8 @@ let run c (r : M.run) =
   in
   let kept = if r.drops then Cost.one Choices else Cost.none in
   let again =
-    (* Has a mode been entered, may another be stepped; one more step. *)
-    if r.steps > 1 then Cost.add (Cost.several 2 Choices) (Cost.one Additions) else Cost.none
+    (* May another mode be stepped; one more step. *)
+    if r.steps > 1 then Cost.add (Cost.one Choices) (Cost.one Additions) else Cost.none
   in
   let late = if r.late then Cost.several 2 Choices else Cost.none in
   let active =
@@ -168,11 +184,11 @@ and statements c body = List.fold_left (fun cost s -> Cost.add cost (statement c
 (* The root makes whole nanoseconds of the caller's dt, and 0 at the first
    instant; see the helpers of the generated C. *)
 let root_clock (program : M.program) (root : M.node) =
-  let whole = Cost.(sum [ one Multiplications; several 3 Choices; several 2 Additions ]) in
-  let seconds = Cost.(sum [ one Divisions; one Choices; one Additions ]) in
+  let whole = Cost.(sum [ one Multiplications; several 4 Choices; several 2 Additions ]) in
+  let at_once = root.seconds && not (Machine.Time_use.by_one_mode program root) in
   let times =
-    match (root.nanoseconds, root.seconds) with
-    | false, false -> []
+    match (root.nanoseconds, at_once) with
+    | false, false -> if root.seconds then [ whole ] else []
     | false, true -> [ whole; seconds ]
     | true, false -> [ whole; Cost.one Conversions ]
     | true, true -> [ whole; Cost.several 2 Conversions; seconds ]

@@ -86,7 +86,7 @@ Time costs something: the caller's dt is made a whole number of nanoseconds.
     additions                4
     multiplications          1
     divisions                1
-    comparisons and choices  5
+    comparisons and choices  6
     conversions              2
     loads of state           3
     stores of state          2

@@ -66,22 +66,19 @@ chosen.
                         struct three_modes_output *out)
   {
       int64_t dt_ns = self->started ? (int64_t)frob_whole_ns(dt) : 0;
-      dt = frob_seconds((double)dt_ns, dt);
       self->started = true;
       double speed, turn;
-      int32_t steps = 0;
-      bool entered = false;
-      do {
-          entered = false;
+      for (int32_t steps = 0; steps < 2; steps++) {
           switch (self->mode) {
           case THREE_MODES_FOLLOW: {
               bool t1;
-              three_modes_follow_follow_step(&self->modes.follow.state, dt, in->bump, in->side,
-                      &speed, &turn, &t1);
+              three_modes_follow_follow_step(&self->modes.follow.state,
+                      frob_seconds((double)dt_ns, dt), in->bump, in->side, &speed, &turn, &t1);
               if (t1) {
                   self->mode = THREE_MODES_BACK_UP;           /* line 5 */
                   three_modes_follow_backUp_reset(&self->modes.backUp.state);
-                  entered = true;
+                  dt_ns = 0;
+                  continue;
               }
               break;
           }
@@ -92,7 +89,8 @@ chosen.
               if (t2) {
                   self->mode = THREE_MODES_TURN_AWAY;         /* line 6 */
                   three_modes_follow_turnAway_reset(&self->modes.turnAway.state);
-                  entered = true;
+                  dt_ns = 0;
+                  continue;
               }
               break;
           }
@@ -103,15 +101,14 @@ chosen.
               if (t3) {
                   self->mode = THREE_MODES_FOLLOW;            /* line 7 */
                   three_modes_follow_follow_reset(&self->modes.follow.state);
-                  entered = true;
+                  dt_ns = 0;
+                  continue;
               }
               break;
           }
           }
-          dt = 0.0;
-          dt_ns = 0;
-          steps += 1;
-      } while (entered && steps < 2);
+          break;
+      }
       out->speed = speed;                                     /* line 12 */
       out->turn = turn;
   }

@@ -43,13 +43,10 @@ static inline double frob_limit(double x, double y)
 static inline double frob_whole_ns(double dt)
 {
     const double ns = dt * 1e9;
-    if (!(ns > 0.0)) {
-        return 0.0;
+    if (FROB_BRANCH(!(ns > 0.0 && ns < 4503599627370496.0))) {
+        return !(ns > 0.0) ? 0.0 : ns < 1e18 ? ns : 1e18;
     }
-    if (ns < 4503599627370496.0) {
-        return (ns + 4503599627370496.0) - 4503599627370496.0;
-    }
-    return ns < 1e18 ? ns : 1e18;
+    return (ns + 4503599627370496.0) - 4503599627370496.0;
 }
 
 /* Whole nanoseconds in seconds. Almost always that is the dt they come from, and

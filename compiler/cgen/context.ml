@@ -1,0 +1,70 @@
+open Basis
+module M = Machine.Ir
+module V = Vocabulary
+
+type seconds =
+  | Given
+  | Where_wanted
+
+type t = {
+  v : V.t;
+  names : Expression.names;
+  index : int;
+  node : M.node;
+  write : int -> Ir.expr -> Ir.statement;  (** an output *)
+  read : (int, unit) Hashtbl.t;  (** variables that anything reads *)
+  seconds : seconds;
+  mutable place : string;  (** the source line last mentioned *)
+}
+
+let plain desc : Ir.statement = { desc; comment = "" }
+
+(* Mentions the source line of a statement unless the one before did. *)
+let comment c (span : Span.t) =
+  let line = span.start.line in
+  let place =
+    if String.equal span.file c.node.file then Printf.sprintf "line %d" line
+    else Printf.sprintf "%s:%d" (Filename.basename span.file) line
+  in
+  if String.equal place c.place then ""
+  else (
+    c.place <- place;
+    place)
+
+let expression c = Expression.of_machine c.names
+
+(* Declarations without values, one for each run of equal types. *)
+let uninitialized c variables =
+  let declare groups (variable : M.variable) =
+    let ty = V.ty c.v variable.ty and name = Expression.variable c.names variable in
+    match groups with
+    | (last, names) :: groups when last = ty -> (last, name :: names) :: groups
+    | groups -> (ty, [ name ]) :: groups
+  in
+  List.rev_map
+    (fun (ty, names) -> plain (Ir.Variables { ty; names = List.rev names }))
+    (List.fold_left declare [] variables)
+
+let seconds_of c ns = Ir.Call (V.helper c.v Seconds, [ ns; Name "dt" ])
+
+let seconds c =
+  match c.seconds with
+  | Given -> Ir.Name "dt"
+  | Where_wanted when c.node.nanoseconds -> seconds_of c (Cast (Real, Name "dt_ns"))
+  | Where_wanted -> seconds_of c (Name "dt_ns")
+
+(* [own]: the address of the state, if there is one. *)
+let step_call c ~node ~own arguments results =
+  let callee = c.v.program.nodes.(node) in
+  let dt = if callee.seconds then [ seconds c ] else [] in
+  let dt_ns = if callee.nanoseconds then [ Ir.Name "dt_ns" ] else [] in
+  Ir.Call (c.v.nodes.(node).step, List.concat [ own; dt; dt_ns; arguments; results ])
+
+let own_state c state =
+  List.map
+    (fun field -> Ir.Unary (Ir.Address, Expression.field c.names field))
+    (Option.to_list state)
+
+(* Arguments of a node's functions. *)
+let for_step c node = Expression.arguments c.names c.v.program.nodes.(node).step.parameters
+let for_reset c node = Expression.arguments c.names c.v.program.nodes.(node).reset.parameters

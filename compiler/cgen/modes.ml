@@ -1,0 +1,184 @@
+open Basis
+module V = Vocabulary
+open Context
+
+let field_with c has =
+  List.find_map
+    (fun (field : M.field) -> if has field.content then Some (Expression.field c.names field) else None)
+    c.node.state
+
+let running_mode c = field_with c (function M.Running_mode -> true | _ -> false)
+
+let enter c (entry : M.entry) span =
+  let mode = List.nth c.node.modes entry.mode in
+  let comment = comment c span in
+  let number =
+    match running_mode c with
+    | Some place -> [ Ir.Assign (place, Name c.v.nodes.(c.index).modes.(entry.mode).constant) ]
+    | None -> []
+  in
+  let parameter (_, field) value =
+    Ir.Assign (Expression.field c.names field, expression c value)
+  in
+  let parameters = List.map2 parameter mode.parameters entry.parameters in
+  let reset =
+    match mode.state with
+    | None -> []
+    | Some state ->
+        let own = Ir.Unary (Address, Expression.field c.names state) in
+        [ Ir.Do (Call (c.v.nodes.(mode.node).reset, own :: for_reset c mode.node entry.reset)) ]
+  in
+  match number @ parameters @ reset with
+  | [] -> []
+  | first :: others -> { Ir.desc = first; comment } :: List.map plain others
+
+(* What a mode enters at its first instant sees no time. *)
+let forget_time c =
+  let set name zero = [ plain (Ir.Assign (Name name, zero)) ] in
+  match c.seconds with
+  | Where_wanted -> set "dt_ns" (if c.node.nanoseconds then Ir.Integer 0l else Float 0.)
+  | Given ->
+      (if c.node.seconds then set "dt" (Float 0.) else [])
+      @ if c.node.nanoseconds then set "dt_ns" (Integer 0l) else []
+
+(* The first alternative that holds. *)
+let first_of alternatives =
+  List.fold_right
+    (fun (condition, then_, comment) else_ ->
+      match condition with
+      | Ir.Boolean true -> then_
+      | condition -> [ { Ir.desc = If { condition; then_; else_ }; comment } ])
+    alternatives []
+
+(* With [drops] C compilers cannot see that the first mode gives values. *)
+let results_of_run c (run : M.run) =
+  if (not run.drops) && Option.is_none run.active then List.rev (uninitialized c run.results)
+  else
+    List.map
+      (fun (v : M.variable) ->
+        let name = Expression.variable c.names v and ty = V.ty c.v v.ty in
+        plain (Ir.Variable { ty; name; value = Sum_type.zero c.v.program.sums v.ty }))
+      run.results
+
+let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
+  let mode = List.nth c.node.modes k in
+  c.place <- "";
+  let arguments = for_step c mode.node case.arguments in
+  let results = List.map (fun v -> (v, Expression.variable c.names v)) run.results in
+  (* Where results may be dropped they first go to variables of the case. *)
+  let own =
+    if not run.drops then []
+    else
+      List.map
+        (fun ((v : M.variable), result) ->
+          (v, Name.fresh (Expression.scope c.names) result, result))
+        results
+  in
+  let targets =
+    if run.drops then List.map (fun (_, name, _) -> name) own else List.map snd results
+  in
+  let others = List.map (fun v -> (v, Expression.variable c.names v)) case.others in
+  let declare (v : M.variable) name = plain (Ir.Variables { ty = V.ty c.v v.ty; names = [ name ] }) in
+  let declarations =
+    List.map (fun (v, name, _) -> declare v name) own
+    @ List.map (fun (v, name) -> declare v name) others
+  in
+  let all = targets @ List.map snd others in
+  let state = own_state c mode.state in
+  let call =
+    match all with
+    | [ name ] ->
+        Ir.Assign (Name name, step_call c ~node:mode.node ~own:state arguments [])
+    | names ->
+        let address name = Ir.Unary (Address, Name name) in
+        Ir.Do (step_call c ~node:mode.node ~own:state arguments (List.map address names))
+  in
+  let keep =
+    match own with
+    | [] -> []
+    | own ->
+        let then_ =
+          List.map (fun (_, name, result) -> plain (Ir.Assign (Name result, Name name))) own
+        in
+        [ plain (Ir.If { condition = Unary (Not, Name dropped); then_; else_ = [] }) ]
+  in
+  let next (n : M.next) =
+    let drop = if n.delayed then [ plain (Ir.Assign (Name dropped, Boolean true)) ] else [] in
+    let condition = expression c n.condition in
+    (condition, enter c n.entry n.span @ drop @ again, "")
+  in
+  declarations @ [ plain call ] @ keep @ first_of (List.map next case.transitions)
+
+let run c (run : M.run) =
+  let scope = Expression.scope c.names in
+  (* One round steps one mode; another follows if a mode was entered. *)
+  let loops = run.steps > 1 in
+  let flag name = Name.fresh scope name in
+  let steps = if loops then flag "steps" else "" in
+  let dropped = if run.drops then flag "dropped" else "" in
+  let controlled = if run.late then flag "controlled" else "" in
+  let set name value = plain (Ir.Assign (Name name, Boolean value)) in
+  let again = if loops then forget_time c @ [ plain Ir.Continue ] else [] in
+  let control after (condition, (entry : M.entry)) =
+    (expression c condition, enter c entry run.span @ after, "")
+  in
+  let before =
+    if run.late then [] else first_of (List.map (control (forget_time c)) run.controls)
+  in
+  let after =
+    if not run.late then []
+    else
+      let entering = set controlled true :: set dropped true :: again in
+      let alternatives = first_of (List.map (control entering) run.controls) in
+      let condition = Ir.Unary (Not, Name controlled) in
+      [ plain (Ir.If { condition; then_ = alternatives; else_ = [] }) ]
+  in
+  let cases =
+    List.mapi
+      (fun k case ->
+        (c.v.nodes.(c.index).modes.(k).constant, one_case c run ~again ~dropped k case))
+      run.cases
+  in
+  let chosen =
+    match (running_mode c, cases) with
+    | None, [ (_, body) ] -> body
+    | Some value, cases -> [ plain (Ir.Switch { value; cases }) ]
+    | None, _ -> Diagnostic.bug ~stage:"Cgen.Modes" "modes without a number"
+  in
+  let stepping =
+    if not loops then chosen
+    else
+      let body = chosen @ after @ [ plain Ir.Break ] in
+      [ plain (Ir.For { index = steps; count = run.steps; body }) ]
+  in
+  let wake (clock : M.clock) =
+    let since = Expression.field c.names clock.since in
+    let seconds = Ir.Binary (Over, Cast (Real, Name "dt_ns"), Float 1e9) in
+    [ plain (Ir.Assign (Name "dt_ns", since)) ]
+    @ (if c.node.seconds then [ plain (Ir.Assign (Name "dt", seconds)) ] else [])
+    @ [
+        plain (Ir.Assign (since, Integer 0l));
+        plain (Ir.Assign (Expression.field c.names clock.running, Boolean true));
+      ]
+  in
+  let pass (clock : M.clock) =
+    let since = Expression.field c.names clock.since in
+    let running = Expression.field c.names clock.running in
+    let then_ = [ plain (Ir.Assign (since, expression c clock.elapsed)) ] in
+    plain (Ir.If { condition = running; then_; else_ = [] })
+  in
+  let passing = List.map pass (Option.to_list run.clock) in
+  let woken = List.concat_map wake (Option.to_list run.clock) in
+  let variable ty name value = plain (Ir.Variable { ty; name; value }) in
+  let flags =
+    List.filter_map
+      (fun name -> if String.equal name "" then None else Some (variable Bool name (Boolean false)))
+      [ dropped; controlled ]
+  in
+  let instant = woken @ flags @ before @ stepping in
+  results_of_run c run @ passing
+  @
+  match run.active with
+  | None -> instant
+  | Some active ->
+      [ plain (Ir.If { condition = expression c active; then_ = instant; else_ = [] }) ]

@@ -1,0 +1,10 @@
+(** Machines in C: the running mode is stepped in a [switch] by its number; if
+    that enters another, the loop around it goes round once more. *)
+
+open Basis
+
+val enter : Context.t -> Machine.Ir.entry -> Span.t -> Ir.statement list
+(** The number, the parameters, and the state at its start. *)
+
+val run : Context.t -> Machine.Ir.run -> Ir.statement list
+(** One instant, with the declarations of its results before it. *)

@@ -1,0 +1,13 @@
+let by_one_mode (program : Ir.program) (node : Ir.node) =
+  let wanted index = program.nodes.(index).Ir.seconds in
+  let elsewhere = ref false in
+  Walk.expressions (function Ir.Dt -> elsewhere := true | _ -> ()) node.step.body;
+  Walk.statements
+    (function
+      | Ir.Step { node; _ } | Loop { node; _ } -> if wanted node then elsewhere := true
+      | Run { clock = Some _; _ } -> elsewhere := true
+      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Run { clock = None; _ } | Return _ -> ())
+    node.step.body;
+  (not !elsewhere)
+  && List.length node.modes > 1
+  && List.length (List.filter (fun (mode : Ir.mode) -> wanted mode.node) node.modes) = 1
