@@ -17,7 +17,7 @@
  *   driver->stop(device); driver->close(device);
  *
  * Who must stop the robot, and when, is not decided here but in
- * <frob/robot.h>, which hosts use instead of calling drivers themselves.
+ * core/robot.h, which hosts use instead of calling drivers themselves.
  * The wire format of a driver is a module of its own: bytes to structs and
  * back, without any of this. */
 #ifndef FROB_DRIVERS_DRIVER_H
@@ -43,13 +43,6 @@ struct frob_setting {
     const char *meaning; /* a line for the user, with the unit */
 };
 
-/* A number in the output struct that drives something: no more than `most`
- * either way. Every output that moves a robot is in its driver's table. */
-struct frob_output_limit {
-    size_t offset; /* of the double */
-    double most;
-};
-
 struct frob_driver {
     const char *robot; /* "pioneer", as in struct frob_program */
     uint32_t rate;     /* of the line when it is opened, bits per second */
@@ -57,8 +50,16 @@ struct frob_driver {
     size_t input_size, output_size; /* of the structs in <frob/ROBOT.h> */
     const struct frob_setting *settings;
     size_t setting_count;
-    const struct frob_output_limit *limits;
-    size_t limit_count;
+
+    /* Where the numbers that move the robot are in its output struct: the
+     * offset of each double. All are in this table, so that one function can
+     * limit them. */
+    const size_t *drives;
+    size_t drive_count;
+
+    /* The most that drive number `i` may be, either way; of the robot that is
+     * connected, else of the weakest. */
+    double (*most)(const void *device, size_t i);
 
     /* Begins to connect to the robot on a line that was just opened.
      * `settings` are `setting_count` values, in the order of the table, and

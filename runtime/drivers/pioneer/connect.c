@@ -1,0 +1,342 @@
+/* From an open line to a robot whose motors are on and at rest. */
+#include "drivers/pioneer/device.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    SYNC_PATIENCE_MS = 250,
+    SYNC_ATTEMPTS = 2,   /* at one rate */
+    ROUNDS = 3,          /* over all rates */
+    CLOSING_MS = 200,
+    STEP_MS = 20,        /* between the commands that open a session */
+    SWITCHING_MS = 100,  /* the robot's, from HOSTBAUD to the new rate */
+    SIP_PATIENCE_MS = 1000,
+    CONFIG_PATIENCE_MS = 300,
+    CONFIG_ATTEMPTS = 3
+};
+
+/* In the order in which robots are usually found. */
+static const uint32_t rates[] = { 9600, 38400, 19200, 115200, 57600 };
+enum { RATE_COUNT = sizeof rates / sizeof rates[0] };
+
+static int64_t after(const struct frob_pioneer *d, int64_t ms)
+{
+    return frob_now_ns(&d->clock) + ms * frob_pioneer_ms;
+}
+
+static enum frob_status set_rate(struct frob_pioneer *d, uint32_t rate)
+{
+    enum frob_status status = d->serial.operations->set_rate(d->serial.port, rate);
+    if (status == FROB_OK)
+        d->rate = rate;
+    /* A line that has but one rate is tried at that. */
+    return status == FROB_UNSUPPORTED ? FROB_OK : status;
+}
+
+/* Sends a SYNC and waits for its echo. */
+static enum frob_status send_sync(struct frob_pioneer *d, uint8_t sync)
+{
+    d->phase = FROB_PIONEER_SYNC;
+    d->sync = sync;
+    d->until_ns = after(d, SYNC_PATIENCE_MS);
+    return frob_pioneer_send(d, sync);
+}
+
+/* Which rate to try: where a robot has answered before, then the usual ones. */
+static uint32_t rate_to_try(const struct frob_pioneer *d)
+{
+    if (d->settings[FROB_PIONEER_BAUD] > 0.0)
+        return (uint32_t)d->settings[FROB_PIONEER_BAUD];
+    if (d->good_rate != 0) {
+        if (d->tried == 0)
+            return d->good_rate;
+        return rates[(d->tried - 1u) % RATE_COUNT];
+    }
+    return rates[d->tried % RATE_COUNT];
+}
+
+/* A robot that is still in a session takes SYNC0 for PULSE, and would take up
+ * the speed again that its watchdog has stopped. So zeros come first; a robot
+ * that is in none does not heed them. */
+static enum frob_status try_rate(struct frob_pioneer *d)
+{
+    enum frob_status status = set_rate(d, rate_to_try(d));
+    d->attempt = 1;
+    d->receiver.start = d->receiver.end = 0;
+    if (status == FROB_OK)
+        status = d->serial.operations->discard(d->serial.port);
+    if (status == FROB_OK)
+        status = frob_pioneer_send_int(d, FROB_P2OS_VEL, 0);
+    if (status == FROB_OK)
+        status = frob_pioneer_send_int(d, FROB_P2OS_RVEL, 0);
+    return status == FROB_OK ? send_sync(d, 0) : status;
+}
+
+void frob_pioneer_connect(struct frob_pioneer *d)
+{
+    d->tried = 0;
+    d->switch_failed = false;
+    d->phase = FROB_PIONEER_SYNC;
+    d->sync = 0;
+    d->attempt = SYNC_ATTEMPTS; /* so that the first poll begins with the first rate */
+    d->until_ns = frob_now_ns(&d->clock);
+}
+
+/* A setting, or what it leaves to the model. */
+static double chosen(const struct frob_pioneer *d, enum frob_pioneer_setting setting, double model)
+{
+    double value = d->settings[setting];
+    return isnan(value) ? model : value;
+}
+
+static void add(char *text, size_t room, const char *part)
+{
+    size_t length = strlen(text);
+    while (length + 1 < room && *part != '\0')
+        text[length++] = *part++;
+    text[length] = '\0';
+}
+
+static void describe(struct frob_pioneer *d)
+{
+    size_t room = sizeof d->description;
+    d->description[0] = '\0';
+    add(d->description, room, d->identity.robot_class);
+    add(d->description, room, " ");
+    add(d->description, room, d->identity.subclass);
+    add(d->description, room, ", ");
+    add(d->description, room, d->identity.name);
+}
+
+/* The robot has said who it is. */
+static enum frob_status identified(struct frob_pioneer *d)
+{
+    const struct frob_p2os_model *model = frob_p2os_find_model(d->identity.subclass);
+    describe(d);
+    if (model == NULL) {
+        d->phase = FROB_PIONEER_UNKNOWN;
+        frob_pioneer_send(d, FROB_P2OS_CLOSE);
+        return FROB_REFUSED;
+    }
+    d->model = *model;
+    d->model.angle = chosen(d, FROB_PIONEER_ANGLE, model->angle);
+    d->model.distance = chosen(d, FROB_PIONEER_DISTANCE, model->distance);
+    d->model.speed = chosen(d, FROB_PIONEER_SPEED, model->speed);
+    d->model.range = chosen(d, FROB_PIONEER_RANGE, model->range);
+    d->model.difference = chosen(d, FROB_PIONEER_DIFFERENCE, model->difference);
+    d->model.vel2_divisor = chosen(d, FROB_PIONEER_VEL2_DIVISOR, model->vel2_divisor);
+    d->model.switch_rate =
+        (uint32_t)chosen(d, FROB_PIONEER_SWITCH_BAUD, (double)model->switch_rate);
+    d->model.has_flags = chosen(d, FROB_PIONEER_MOTORS_FLAG, (double)model->has_flags) != 0.0;
+    if (d->switch_failed)
+        d->model.switch_rate = 0;
+    d->good_rate = d->rate;
+    d->phase = FROB_PIONEER_OPENING;
+    d->step = 0;
+    d->until_ns = frob_now_ns(&d->clock);
+    return FROB_OK;
+}
+
+/* HOSTBAUD's number for a rate; -1 if it has none. */
+static int32_t baud_number(uint32_t rate)
+{
+    switch (rate) {
+    case 9600:
+        return 0;
+    case 19200:
+        return 1;
+    case 38400:
+        return 2;
+    case 57600:
+        return 3;
+    case 115200:
+        return 4;
+    default:
+        return -1;
+    }
+}
+
+static bool switches(const struct frob_pioneer *d)
+{
+    return d->model.switch_rate != d->rate && baud_number(d->model.switch_rate) >= 0;
+}
+
+/* One command of the session's beginning. Both speeds are zero before the
+ * motors go on. */
+static enum frob_status open_step(struct frob_pioneer *d)
+{
+    enum frob_status status = FROB_OK;
+    int64_t pause_ms = STEP_MS;
+    switch (d->step++) {
+    case 0:
+        status = frob_pioneer_send(d, FROB_P2OS_OPEN);
+        break;
+    case 1:
+        status = frob_pioneer_send(d, FROB_P2OS_PULSE);
+        break;
+    case 2:
+        if (!switches(d)) {
+            d->step = 4;
+            return FROB_OK;
+        }
+        status = frob_pioneer_send_int(d, FROB_P2OS_HOSTBAUD, baud_number(d->model.switch_rate));
+        break;
+    case 3:
+        status = set_rate(d, d->model.switch_rate);
+        pause_ms = SWITCHING_MS;
+        break;
+    case 4:
+        status = frob_pioneer_send_int(d, FROB_P2OS_VEL, 0);
+        break;
+    case 5:
+        status = frob_pioneer_send_int(d, FROB_P2OS_RVEL, 0);
+        break;
+    case 6:
+        status = frob_pioneer_send_int(d, FROB_P2OS_SONAR, 1);
+        break;
+    case 7:
+        status = frob_pioneer_send_int(d, FROB_P2OS_ENABLE, 1);
+        break;
+    default:
+        d->phase = FROB_PIONEER_LISTENING;
+        d->config_asked = 0;
+        d->config_due_ns = frob_now_ns(&d->clock);
+        pause_ms = SIP_PATIENCE_MS;
+        break;
+    }
+    d->until_ns = after(d, pause_ms);
+    return status;
+}
+
+/* Nobody has echoed a SYNC: again, at another rate, or never. */
+static enum frob_status sync_again(struct frob_pioneer *d)
+{
+    unsigned most = ROUNDS * RATE_COUNT;
+    enum frob_status status;
+    if (d->attempt < SYNC_ATTEMPTS) {
+        d->attempt++;
+        return send_sync(d, d->sync);
+    }
+    if (d->tried >= most) {
+        d->phase = FROB_PIONEER_SILENT;
+        return FROB_TIMEOUT;
+    }
+    status = try_rate(d);
+    d->tried++;
+    return status;
+}
+
+/* No SIP: perhaps the robot did not take the new rate. */
+static enum frob_status no_sip(struct frob_pioneer *d)
+{
+    if (d->rate == d->good_rate) {
+        d->phase = FROB_PIONEER_SILENT;
+        return FROB_TIMEOUT;
+    }
+    d->switch_failed = true;
+    d->tried = 0;
+    d->attempt = SYNC_ATTEMPTS;
+    d->phase = FROB_PIONEER_SYNC;
+    return sync_again(d);
+}
+
+static enum frob_status sync_packet(struct frob_pioneer *d, const struct frob_p2os_packet *packet)
+{
+    uint8_t type = packet->body[0];
+    if (type == d->sync && (type < 2 ? packet->length == 1
+                                     : frob_p2os_read_identity(packet, &d->identity))) {
+        d->attempt = 1;
+        return type < 2 ? send_sync(d, (uint8_t)(type + 1)) : identified(d);
+    }
+    if (type <= 2)
+        return FROB_OK; /* the echo of a SYNC that was sent twice */
+    /* The robot is in a session that nobody ended. */
+    d->good_rate = d->rate;
+    d->phase = FROB_PIONEER_CLOSING;
+    d->until_ns = after(d, CLOSING_MS);
+    return frob_pioneer_send(d, FROB_P2OS_CLOSE);
+}
+
+enum frob_status frob_pioneer_connect_packet(struct frob_pioneer *d,
+                                             const struct frob_p2os_packet *packet)
+{
+    struct frob_p2os_sip sip;
+    struct frob_p2os_robot_config config;
+    switch (d->phase) {
+    case FROB_PIONEER_SYNC:
+        return sync_packet(d, packet);
+    case FROB_PIONEER_LISTENING:
+        if (frob_p2os_read_sip(packet, &sip)) {
+            d->has_counters = false;
+            frob_pioneer_take_sip(d, &sip);
+            d->good_rate = d->rate;
+            d->phase = FROB_PIONEER_CONNECTED;
+        }
+        break;
+    case FROB_PIONEER_CONNECTED:
+        if (frob_p2os_read_sip(packet, &sip)) {
+            frob_pioneer_take_sip(d, &sip);
+        } else if (frob_p2os_read_config(packet, &config)) {
+            d->config = config;
+            d->has_config = true;
+        }
+        break;
+    case FROB_PIONEER_CLOSING:
+    case FROB_PIONEER_OPENING:
+    case FROB_PIONEER_SILENT:
+    case FROB_PIONEER_UNKNOWN:
+        break;
+    }
+    return FROB_OK;
+}
+
+/* Without a config packet the driver does without what is in it. */
+static enum frob_status ask_config(struct frob_pioneer *d)
+{
+    if (d->has_config || d->config_asked >= CONFIG_ATTEMPTS ||
+        frob_now_ns(&d->clock) < d->config_due_ns)
+        return FROB_OK;
+    d->config_asked++;
+    d->config_due_ns = after(d, CONFIG_PATIENCE_MS);
+    return frob_pioneer_send(d, FROB_P2OS_CONFIG);
+}
+
+enum frob_status frob_pioneer_connect_advance(struct frob_pioneer *d)
+{
+    int64_t now = frob_now_ns(&d->clock);
+    bool due = now >= d->until_ns;
+    enum frob_status status = FROB_OK;
+    switch (d->phase) {
+    case FROB_PIONEER_SYNC:
+        status = due ? sync_again(d) : FROB_OK;
+        break;
+    case FROB_PIONEER_CLOSING:
+        if (due) {
+            d->serial.operations->discard(d->serial.port);
+            d->receiver.start = d->receiver.end = 0;
+            d->attempt = 1;
+            status = send_sync(d, 0);
+        }
+        break;
+    case FROB_PIONEER_OPENING:
+        status = due ? open_step(d) : FROB_OK;
+        break;
+    case FROB_PIONEER_LISTENING:
+        status = due ? no_sip(d) : FROB_OK;
+        break;
+    case FROB_PIONEER_CONNECTED:
+        if ((double)(now - d->sensed_ns) > d->settings[FROB_PIONEER_SILENCE] * 1e9) {
+            d->phase = FROB_PIONEER_SILENT;
+            return FROB_TIMEOUT;
+        }
+        return ask_config(d);
+    case FROB_PIONEER_SILENT:
+        return FROB_TIMEOUT;
+    case FROB_PIONEER_UNKNOWN:
+        return FROB_REFUSED;
+    }
+    if (status != FROB_OK)
+        return status;
+    return d->phase == FROB_PIONEER_CONNECTED ? FROB_OK : FROB_BUSY_CONNECTING;
+}

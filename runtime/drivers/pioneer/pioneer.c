@@ -1,0 +1,281 @@
+/* The driver's table: starting, polling, commanding, stopping. */
+#include "drivers/pioneer/device.h"
+
+#include <math.h>
+#include <string.h>
+
+#define PI 3.14159265358979323846
+
+enum {
+    PAUSE_MS = 5,    /* between two commands; the AROS manual asks for 3 to 5 */
+    REFRESH_MS = 100 /* a command that does not change is sent this often */
+};
+
+static const struct frob_setting settings[FROB_PIONEER_SETTING_COUNT] = {
+    { "baud", 0, 0, 115200, "bits per second of the line; 0 tries the usual rates" },
+    { "switch-baud", NAN, 0, 115200, "rate to switch to once connected; 0: stay" },
+    { "angle", NAN, 1e-6, 1, "rad of one unit of heading" },
+    { "distance", NAN, 1e-6, 100, "mm of one unit of position" },
+    { "speed", NAN, 1e-6, 100, "mm/s of one unit of a wheel's speed" },
+    { "range", NAN, 1e-6, 100, "mm of one unit of a sonar's range" },
+    { "difference", NAN, 1e-6, 1, "rad/s of turning for each mm/s between wheels, times two" },
+    { "vel2-divisor", NAN, 1, 100, "mm/s of one unit of the command VEL2" },
+    { "max-speed", 1.2, 0.01, 2.2, "m/s that the robot is told at the most" },
+    { "max-turn", 5.2359877559829888, 0.01, 9, "rad/s that the robot is told at the most" },
+    { "wheels", 0, 0, 1, "1: command the wheels (VEL2) instead of speed and turning" },
+    { "no-echo", 5.0, 0.1, 30, "m; a range as far as this means that nothing was heard" },
+    { "motors-flag", NAN, 0, 1, "1: the flags say whether the motors are on" },
+    { "hard-stop", 0, 0, 1, "1: stop without a ramp (E_STOP) in an emergency" },
+    { "silence", 1.0, 0.1, 60, "s without a packet after which the connection is made anew" },
+    { "interval", 0.025, 0.01, 1, "s between commands at the least" },
+};
+
+static struct frob_pioneer *pioneer(void *device)
+{
+    return (struct frob_pioneer *)device;
+}
+
+enum frob_status frob_pioneer_write(struct frob_pioneer *d, const uint8_t *bytes, size_t count)
+{
+    return d->serial.operations->write(d->serial.port, bytes, count);
+}
+
+enum frob_status frob_pioneer_send(struct frob_pioneer *d, uint8_t command)
+{
+    uint8_t packet[FROB_P2OS_COMMAND_MOST];
+    return frob_pioneer_write(d, packet, frob_p2os_command(packet, command));
+}
+
+enum frob_status frob_pioneer_send_int(struct frob_pioneer *d, uint8_t command, int32_t argument)
+{
+    uint8_t packet[FROB_P2OS_COMMAND_MOST];
+    return frob_pioneer_write(d, packet, frob_p2os_command_int(packet, command, argument));
+}
+
+static void start(void *device, const double *values, const struct frob_serial *serial,
+                  const struct frob_clock *clock)
+{
+    struct frob_pioneer *d = pioneer(device);
+    d->settings = values;
+    d->serial = *serial;
+    d->clock = *clock;
+    memset(&d->receiver, 0, sizeof d->receiver);
+    memset(&d->sip, 0, sizeof d->sip);
+    for (size_t i = 0; i < FROB_PIONEER_SONARS; i++) {
+        d->sonar[i].heard_ns = INT64_MIN;
+        d->sonar[i].fresh = false;
+    }
+    d->has_config = false;
+    d->sensed_ns = INT64_MIN;
+    d->sent_ns = INT64_MIN;
+    d->has_wanted = d->second_pending = false;
+    memset(d->wanted, 0, sizeof d->wanted);
+    memset(d->sent, 0, sizeof d->sent);
+    d->description[0] = '\0';
+    frob_pioneer_connect(d);
+}
+
+static bool by_wheels(const struct frob_pioneer *d)
+{
+    return d->settings[FROB_PIONEER_WHEELS] != 0.0;
+}
+
+/* Sends what is wanted: VEL, and RVEL after a pause; or VEL2. */
+static enum frob_status send_first(struct frob_pioneer *d)
+{
+    uint8_t packet[FROB_P2OS_COMMAND_MOST];
+    size_t length;
+    d->sent[0] = d->wanted[0];
+    d->sent[1] = d->wanted[1];
+    d->sent_ns = frob_now_ns(&d->clock);
+    d->has_wanted = false;
+    if (by_wheels(d)) {
+        length = frob_p2os_command_bytes(packet, FROB_P2OS_VEL2, (uint8_t)(d->sent[1] & 0xFF),
+                                         (uint8_t)(d->sent[0] & 0xFF));
+    } else {
+        d->second_pending = true;
+        length = frob_p2os_command_int(packet, FROB_P2OS_VEL, d->sent[0]);
+    }
+    return frob_pioneer_write(d, packet, length);
+}
+
+static enum frob_status send_second(struct frob_pioneer *d)
+{
+    d->second_pending = false;
+    return frob_pioneer_send_int(d, FROB_P2OS_RVEL, d->sent[1]);
+}
+
+/* When the first command may go: at once if it is the first or if it stops. */
+static int64_t first_due_ns(const struct frob_pioneer *d)
+{
+    bool changed = d->wanted[0] != d->sent[0] || d->wanted[1] != d->sent[1];
+    double pause_s = d->settings[FROB_PIONEER_INTERVAL];
+    if (!d->has_wanted)
+        return INT64_MAX;
+    if (d->sent_ns == INT64_MIN || (changed && d->wanted[0] == 0 && d->wanted[1] == 0))
+        return INT64_MIN;
+    return d->sent_ns + (changed ? (int64_t)(pause_s * 1e9) : REFRESH_MS * frob_pioneer_ms);
+}
+
+static int64_t second_due_ns(const struct frob_pioneer *d)
+{
+    return d->second_pending ? d->sent_ns + PAUSE_MS * frob_pioneer_ms : INT64_MAX;
+}
+
+static enum frob_status send_due(struct frob_pioneer *d)
+{
+    int64_t now = frob_now_ns(&d->clock);
+    enum frob_status status = FROB_OK;
+    if (now >= second_due_ns(d))
+        status = send_second(d);
+    else if (!d->second_pending && now >= first_due_ns(d))
+        status = send_first(d);
+    return status;
+}
+
+static enum frob_status poll(void *device)
+{
+    struct frob_pioneer *d = pioneer(device);
+    uint8_t bytes[256];
+    size_t count, used;
+    struct frob_p2os_packet packet;
+    enum frob_status status;
+    do {
+        status = d->serial.operations->read(d->serial.port, bytes, sizeof bytes, &count);
+        for (used = 0; status == FROB_OK && used < count;) {
+            used += frob_p2os_feed(&d->receiver, bytes + used, count - used);
+            while (status == FROB_OK && frob_p2os_next(&d->receiver, &packet))
+                status = frob_pioneer_connect_packet(d, &packet);
+        }
+    } while (status == FROB_OK && count == sizeof bytes);
+    if (status == FROB_OK)
+        status = frob_pioneer_connect_advance(d);
+    if (status == FROB_OK)
+        status = send_due(d);
+    return status;
+}
+
+static int64_t due_ns(const void *device)
+{
+    const struct frob_pioneer *d = (const struct frob_pioneer *)device;
+    int64_t due = second_due_ns(d), first = first_due_ns(d);
+    if (d->phase != FROB_PIONEER_CONNECTED)
+        return d->until_ns;
+    if (!d->second_pending && first < due)
+        due = first;
+    return due;
+}
+
+static int64_t sensed_ns(const void *device)
+{
+    return ((const struct frob_pioneer *)device)->sensed_ns;
+}
+
+static double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+/* m/s and rad/s: what the user allows, the model can, and the robot says. */
+static double most(const void *device, size_t i)
+{
+    const struct frob_pioneer *d = (const struct frob_pioneer *)device;
+    bool known = d->phase == FROB_PIONEER_CONNECTED;
+    double model = i == 0 ? (known ? d->model.most_mm_s : 400.0) / 1000.0
+                          : (known ? d->model.most_deg_s : 100.0) * PI / 180.0;
+    double result =
+        smaller(d->settings[i == 0 ? FROB_PIONEER_MAX_SPEED : FROB_PIONEER_MAX_TURN], model);
+    if (known && d->has_config) {
+        double top = i == 0 ? d->config.speed_top / 1000.0 : d->config.turn_top * PI / 180.0;
+        if (top > 0.0)
+            result = smaller(result, top);
+    }
+    return result;
+}
+
+/* A wheel's speed in units of VEL2, which has seven bits and a sign. */
+static int32_t vel2_units(const struct frob_pioneer *d, double mm_s)
+{
+    double units = mm_s / d->model.vel2_divisor;
+    if (units > 127.0)
+        units = 127.0;
+    if (units < -127.0)
+        units = -127.0;
+    return (int32_t)lround(units);
+}
+
+static enum frob_status command(void *device, const void *output)
+{
+    struct frob_pioneer *d = pioneer(device);
+    const struct frob_pioneer_output *out = (const struct frob_pioneer_output *)output;
+    double forward = out->forward * 1000.0;
+    if (d->phase != FROB_PIONEER_CONNECTED)
+        return FROB_BUSY_CONNECTING;
+    if (by_wheels(d)) {
+        double half = out->turn / d->model.difference;
+        d->wanted[0] = vel2_units(d, forward - half);
+        d->wanted[1] = vel2_units(d, forward + half);
+    } else {
+        d->wanted[0] = (int32_t)lround(forward);
+        d->wanted[1] = (int32_t)lround(out->turn * 180.0 / PI);
+    }
+    d->has_wanted = true;
+    return send_due(d);
+}
+
+/* Both setpoints to zero, for they outlive a stop; then the stop itself. */
+static size_t stopping(const struct frob_pioneer *d, uint8_t *bytes)
+{
+    bool hard = d->settings[FROB_PIONEER_HARD_STOP] != 0.0;
+    size_t length = frob_p2os_command_int(bytes, FROB_P2OS_VEL, 0);
+    length += frob_p2os_command_int(bytes + length, FROB_P2OS_RVEL, 0);
+    return length + frob_p2os_command(bytes + length, hard ? FROB_P2OS_E_STOP : FROB_P2OS_STOP);
+}
+
+static enum frob_status stop(void *device)
+{
+    struct frob_pioneer *d = pioneer(device);
+    uint8_t bytes[3 * FROB_P2OS_COMMAND_MOST];
+    d->wanted[0] = d->wanted[1] = d->sent[0] = d->sent[1] = 0;
+    d->has_wanted = d->second_pending = false;
+    d->sent_ns = frob_now_ns(&d->clock);
+    return frob_pioneer_write(d, bytes, stopping(d, bytes));
+}
+
+static void close(void *device)
+{
+    struct frob_pioneer *d = pioneer(device);
+    stop(device);
+    frob_pioneer_send(d, FROB_P2OS_CLOSE);
+    d->phase = FROB_PIONEER_SILENT;
+}
+
+static const char *describe(const void *device)
+{
+    return ((const struct frob_pioneer *)device)->description;
+}
+
+static const size_t drives[] = { offsetof(struct frob_pioneer_output, forward),
+                                 offsetof(struct frob_pioneer_output, turn) };
+
+const struct frob_driver frob_pioneer_driver = {
+    "pioneer",
+    9600,
+    sizeof(struct frob_pioneer),
+    sizeof(struct frob_pioneer_input),
+    sizeof(struct frob_pioneer_output),
+    settings,
+    FROB_PIONEER_SETTING_COUNT,
+    drives,
+    sizeof drives / sizeof drives[0],
+    most,
+    start,
+    poll,
+    due_ns,
+    sensed_ns,
+    frob_pioneer_sense,
+    command,
+    stop,
+    close,
+    describe,
+};
