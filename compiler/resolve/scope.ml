@@ -86,7 +86,8 @@ let other_meaning t space (name : Syntax.Ir.name) diagnostic =
     Diagnostic.note (Printf.sprintf "`%s` is a constructor, not a type" name.text) diagnostic
   else if String.equal space.noun "name" && String_map.mem name.text (Lazy.force t.records) then
     Diagnostic.note
-      (Printf.sprintf "`%s` is a field: it is read by `record.%s`" name.text name.text)
+      (Printf.sprintf "`%s` is a field: `r.%s` reads it, and the function is `\\r -> r.%s`"
+         name.text name.text name.text)
       diagnostic
   else diagnostic
 

@@ -149,7 +149,7 @@ let reserved = function
   | "_" -> Some UNDERSCORE
   | "class" -> Some CLASS
   | "instance" -> Some INSTANCE
-  | ("foreign" | "deriving") as word -> Some (RESERVED word)
+  | ("foreign" | "deriving" | "newtype") as word -> Some (RESERVED word)
   | _ -> None
 
 let take_name t =

@@ -145,6 +145,10 @@ let missing found =
       Some
         (absent found "`deriving` is not part"
         |> Diagnostic.hint "leave it out: `==` and `<` work on all data without functions")
+  | RESERVED "newtype", _ ->
+      Some
+        (absent found "`newtype` is not part"
+        |> Diagnostic.hint "`data` makes a new type, and one with a single field costs nothing")
   | RESERVED word, _ -> Some (absent found "`%s` is not part" word)
   | DO, _ ->
       Some

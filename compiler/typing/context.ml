@@ -34,6 +34,7 @@ type t = {
   given : (int, Ir.class_ list) Hashtbl.t;
   scope : Written.scope;
   depth : int;
+  left_operand : (Resolve.Ir.expr * string) option;
   group : group;
 }
 
@@ -48,6 +49,7 @@ let start reader =
     given = Hashtbl.create 64;
     scope = Written.empty;
     depth = 1;
+    left_operand = None;
     group = new_group ();
   }
 

@@ -48,6 +48,8 @@ type t = {
       (** what signatures around promise of their variables, by id *)
   scope : Written.scope;
   depth : int;  (** signatures around *)
+  left_operand : (Resolve.Ir.expr * string) option;
+      (** the operand that is being inferred, if it is the left one, and its operator *)
   group : group;
 }
 

@@ -84,6 +84,16 @@ let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option 
   | exception Too_large at -> refuse at "this expression"
   | exception Final.Too_large -> refuse b.span (Printf.sprintf "`%s` or of something in it" name.name)
 
+(* If the definition has the promised type; else the error says it. *)
+let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
+  match Hashtbl.find_opt declared (fst (top b)) with
+  | Some { scheme; at; _ } when errors ctx = 0 ->
+      List.map (fun (r : Type.rigid) -> r.variable) scheme.types
+      @ List.map (fun (r : Units.rigid) -> r.variable) scheme.representations
+      |> List.filter_map (Mistake.variable_like_a_type ~at)
+      |> List.iter (Diagnostic.emit ctx.reader.sink)
+  | Some _ | None -> ()
+
 let group ctx declared (g : Resolve.Ir.binding_group) =
   let ctx = in_group ctx in
   let expectations = List.map (expectation ctx declared ~recursive:g.recursive) g.bindings in
@@ -92,6 +102,7 @@ let group ctx declared (g : Resolve.Ir.binding_group) =
   settle ctx;
   generalize ctx declared g.bindings expectations;
   check_sizes ctx;
+  List.iter (warn_of_variables_like_types ctx declared) g.bindings;
   let definition (b : Resolve.Ir.binding) value =
     let { Context.scheme; _ } = Hashtbl.find ctx.globals (fst (top b)) in
     definition ctx b scheme value

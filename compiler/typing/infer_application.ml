@@ -18,13 +18,44 @@ let spine (e : Resolve.Ir.expr) =
   let head, arguments = go e [] in
   (head, List.mapi (fun i (value, style, span) -> { value; style; span; position = i + 1 }) arguments)
 
+let rec parameters (t : Type.t) =
+  match Type.expand t with
+  | Function (parameter, result) -> parameter :: parameters result
+  | Signal_function (input, _) -> [ input ]
+  | Flexible _ | Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Alias _ | Size _
+  | Erroneous ->
+      []
+
+(* Of each parameter that an earlier one decides: that one, and what it is. Both
+   while the type is as general as it will ever be. *)
+let deciding parameters arguments =
+  let rec of_parameters earlier parameters arguments =
+    match (parameters, arguments) with
+    | [], _ -> List.map (fun _ -> None) arguments
+    | _, [] -> []
+    | parameter :: parameters, argument :: arguments ->
+        let decides (_, (t : Type.t)) =
+          match Type.expand t with Flexible v -> Type.occurs v parameter | _ -> false
+        in
+        List.find_opt decides earlier
+        :: of_parameters (earlier @ [ (argument.value.span, parameter) ]) parameters arguments
+  in
+  of_parameters [] parameters arguments
+
 (* Why the argument must have the parameter's type. *)
-let reason ~(head : Resolve.Ir.expr) ~previous argument : Mistake.reason =
+let reason ~(head : Resolve.Ir.expr) ~decided_by ~before ~previous argument : Mistake.reason =
   match (argument.style, previous) with
   | Operator operator, Some ((other : Resolve.Ir.expr), other_type) ->
       Operand { operator; other; other_type }
   | (Operator _ | Juxtaposed | Command), _ ->
-      Parameter { callee = Mistake.name_of head; at = head.span; position = argument.position }
+      Parameter
+        {
+          callee = Mistake.name_of head;
+          at = head.span;
+          position = argument.position;
+          decided_by;
+          before;
+        }
 
 type decision = Applies | Runs
 
@@ -82,8 +113,7 @@ let looks_negative (head : Resolve.Ir.expr) arguments =
 
 let is_function t = match Type.expand t with Type.Function _ -> true | _ -> false
 
-let step expressions ctx ~head ~negative ~previous (function_ : typed) argument =
-  let because = reason ~head ~previous argument in
+let step expressions ctx ~(head : Resolve.Ir.expr) ~negative ~because ~previous (function_ : typed) argument =
   (* The result, and the type of the argument. *)
   let known decision parameter output =
     let before = errors ctx in
@@ -92,7 +122,12 @@ let step expressions ctx ~head ~negative ~previous (function_ : typed) argument 
       match argument.style with
       | Operator _ ->
           (* its own words, if the other operand does not fit *)
-          let value = expressions.infer ctx argument.value in
+          let left_operand =
+            match (argument.style, previous) with
+            | Operator operator, None -> Some (argument.value, operator)
+            | _ -> None
+          in
+          let value = expressions.infer { ctx with left_operand } argument.value in
           if negative && Option.is_none previous && is_function value.ty then
             report ctx (fun words ->
                 Mistake.negative_argument words ~minus:head.span argument.value value.ty)
@@ -136,15 +171,22 @@ let step expressions ctx ~head ~negative ~previous (function_ : typed) argument 
 let infer expressions ctx e =
   let head, arguments = spine e in
   let negative = looks_negative head arguments in
-  let apply (function_, previous) argument =
+  let before argument =
+    match ctx.left_operand with
+    | Some (operand, operator) when operand == e && argument.span = e.span -> Some operator
+    | Some _ | None -> None
+  in
+  let apply (function_, previous) argument decided_by =
     match previous with
     | Some (_, left) when negative && is_function left ->
         (* what follows the minus was meant otherwise *)
         (function_, previous)
     | _ ->
-        let next, ty = step expressions ctx ~head ~negative ~previous function_ argument in
+        let because = reason ~head ~decided_by ~before:(before argument) ~previous argument in
+        let next, ty = step expressions ctx ~head ~negative ~because ~previous function_ argument in
         (next, Some (argument.value, ty))
   in
   forgetting_what_errors_need ctx (fun () ->
       let start = expressions.infer ctx head in
-      fst (List.fold_left apply (start, None) arguments))
+      let deciding = deciding (parameters start.ty) arguments in
+      fst (List.fold_left2 apply (start, None) arguments deciding))

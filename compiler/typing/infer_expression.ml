@@ -77,7 +77,8 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
   | Negate operand ->
       let ty = Context.fresh_number ctx in
       let because : Mistake.reason =
-        Parameter { callee = Some "-"; at = e.span; position = 1 }
+        Parameter
+          { callee = Some "-"; at = e.span; position = 1; decided_by = None; before = None }
       in
       let operand = check ctx operand (Mistake.expecting because ty) in
       { ty; build = node e.span ty (fun () -> Negate (operand ())) }

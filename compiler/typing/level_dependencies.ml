@@ -28,6 +28,11 @@ let origin (b : binding) : Level_graph.origin =
 
 let name w node p = List.iter (fun x -> Level_graph.name w.graph x node) (variables p)
 
+let rec leads_to_signal_function = function
+  | Signal_function _ -> true
+  | Function (_, result) -> leads_to_signal_function result
+  | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ -> false
+
 let report_recursion w (x : Local.t) (e : expr) =
   let why =
     match e.ty with
@@ -39,6 +44,13 @@ let report_recursion w (x : Local.t) (e : expr) =
     error ~code:"E0346" ~at:e.span "`%s` is used in its own definition" x.name
     |> here why
     |> label ~at:x.span (Printf.sprintf "`%s` is defined here" x.name)
+    |> (if leads_to_signal_function e.ty then
+          hint
+            (Printf.sprintf
+               "at the top level a signal function may go on as itself through a switch: define \
+                `%s` there"
+               x.name)
+        else Fun.id)
     |> emit w.sink)
 
 let mention w frames (x : Local.t) (e : expr) =

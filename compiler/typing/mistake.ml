@@ -4,7 +4,13 @@ type reason =
   | Unknown
   | Signature of { name : string; at : Span.t }
   | Annotation of Span.t
-  | Parameter of { callee : string option; at : Span.t; position : int }
+  | Parameter of {
+      callee : string option;
+      at : Span.t;
+      position : int;
+      decided_by : (Span.t * Type.t) option;
+      before : string option;
+    }
   | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }
   | Branch of Span.t
   | Condition
@@ -48,6 +54,12 @@ let described words t =
 
 (* {1 The other place} *)
 
+let decided words decided_by diagnostic =
+  match decided_by with
+  | Some (at, ty) ->
+      label ~at (Printf.sprintf "because this is %s" (described words ty)) diagnostic
+  | None -> diagnostic
+
 let rec explain words reason (expected : Type.t) diagnostic =
   let is_here at = Span.compare at diagnostic.at = 0 in
   let label ~at text = if is_here at then Fun.id else label ~at text in
@@ -58,11 +70,12 @@ let rec explain words reason (expected : Type.t) diagnostic =
         diagnostic
   | Annotation at ->
       label ~at (Printf.sprintf "the annotation asks for %s" (described words expected)) diagnostic
-  | Parameter { callee; at; position } ->
+  | Parameter { callee; at; position; decided_by; _ } ->
       let callee = match callee with Some name -> "`" ^ name ^ "`" | None -> "this" in
       label ~at
         (Printf.sprintf "argument %d of %s is %s" position callee (described words expected))
         diagnostic
+      |> decided words decided_by
   | Operand { other; other_type; _ } ->
       label ~at:other.span (Printf.sprintf "this is %s" (described words other_type)) diagnostic
   | Branch at ->
@@ -81,12 +94,13 @@ let rec explain words reason (expected : Type.t) diagnostic =
         (Printf.sprintf "the signature of `%s` asks for the output %s" name
            (described words expected))
         diagnostic
-  | Output (Parameter { callee; at; position }) ->
+  | Output (Parameter { callee; at; position; decided_by; _ }) ->
       let callee = match callee with Some name -> "`" ^ name ^ "`" | None -> "this" in
       label ~at
         (Printf.sprintf "argument %d of %s has the output %s" position callee
            (described words expected))
         diagnostic
+      |> decided words decided_by
   | Output reason -> explain words reason expected diagnostic
   | Field { name; at } ->
       label ~at (Printf.sprintf "the field `%s` is %s" name (described words expected)) diagnostic
@@ -142,6 +156,20 @@ let units words ~subject ~at ~(expected : expected) ~found (wanted, given) =
 
 (* {1 Signatures that promise too much} *)
 
+let type_meant (variable : Ir.variable) =
+  match String.capitalize_ascii variable.name with
+  | ( "Float" | "Double" | "Int" | "Integer" | "Bool" | "String" | "Time" | "Distance" | "Velocity"
+    | "Acceleration" | "Angle" ) as type_ ->
+      Some type_
+  | _ -> None
+
+let variable_like_a_type ~at (variable : Ir.variable) =
+  Option.map
+    (fun type_ ->
+      warning ~code:"W0302" ~at "`%s` is a variable here, and stands for every type" variable.name
+      |> hint (Printf.sprintf "the type is `%s`" type_))
+    (type_meant variable)
+
 let too_general owner ~at ~kind (variable : Ir.variable) needed =
   let diagnostic =
     error ~code:"E0306" ~at "the signature promises every %s `%s`, but the definition needs %s" kind
@@ -153,10 +181,10 @@ let too_general owner ~at ~kind (variable : Ir.variable) needed =
         diagnostic
   | None -> diagnostic)
   |>
-  match String.capitalize_ascii variable.name with
-  | ("Float" | "Double" | "Int" | "Integer" | "Bool" | "String") as type_ ->
+  match type_meant variable with
+  | Some type_ ->
       hint (Printf.sprintf "the type is `%s`; a name in lower case stands for every %s" type_ kind)
-  | _ -> Fun.id
+  | None -> Fun.id
 
 let kind_word (r : Type.rigid) = match r.kind with Of_types -> "type" | Of_sizes -> "size"
 let needed words t = Printf.sprintf "it to be %s" (described words t)
@@ -207,6 +235,12 @@ let operand_before (expected : expected) =
 (* As in `f(x, y)`. *)
 let separated_by_commas expected =
   match expected.because with Parameter { position = 1; callee = Some _; _ } -> true | _ -> false
+
+(* For `not x > 0`. *)
+let hint_to_group name operator =
+  hint
+    (Printf.sprintf "application binds tighter than `%s`: write `%s (… %s …)`"
+       operator name operator)
 
 let shapes words ~subject ~at ~(expected : expected) ~found =
   let text t = described words t in
@@ -271,6 +305,14 @@ let shapes words ~subject ~at ~(expected : expected) ~found =
       match expected.because with
       | Condition ->
           error ~code:"E0301" ~at "a condition must be `Bool`, but this is %s" (text found)
+      | Parameter { before = Some operator; callee = Some name; _ }
+        when Type.expand expected.ty = Bool ->
+          error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
+          |> hint_to_group name operator
+      | Operand { operator; other = { desc = Apply { head; style = Juxtaposed; _ }; _ }; _ }
+        when Type.expand expected.ty = Bool && Option.is_some (head_name head) ->
+          error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
+          |> hint_to_group (Option.get (head_name head)) operator
       | Value _ ->
           error ~code:"E0301" ~at "this pattern matches %s, but the value is %s" (text found)
             (text expected.ty)

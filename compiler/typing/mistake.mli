@@ -4,7 +4,7 @@
     arguments · [E0303] a signal function where its signal's value is wanted ·
     [E0304] a function where a signal function is wanted, or the reverse ·
     [E0305] an infinite type · [E0306] a signature more general than its
-    definition · [E0312] Int and Float · [E0320] units · [E0323] exponents. *)
+    definition · [W0302] its variable is named like a type · [E0312] Int and Float · [E0320] units · [E0323] exponents. *)
 
 open Basis
 
@@ -13,7 +13,14 @@ type reason =
   | Unknown
   | Signature of { name : string; at : Span.t }
   | Annotation of Span.t
-  | Parameter of { callee : string option; at : Span.t; position : int }
+  | Parameter of {
+      callee : string option;
+      at : Span.t;
+      position : int;
+      decided_by : (Span.t * Type.t) option;
+          (** an earlier argument, where the parameter's type has that argument's type in it *)
+      before : string option;  (** the operator behind the argument, if it is the last one *)
+    }
   | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }
       (** beside the other operand *)
   | Branch of Span.t  (** an earlier branch *)
@@ -71,6 +78,10 @@ val negative_argument :
 val not_a_signal_function :
   Show.words -> head:Resolve.Ir.expr -> Type.t -> Diagnostic.t
 (** The head of [sf -< e]. *)
+
+val variable_like_a_type : at:Span.t -> Ir.variable -> Diagnostic.t option
+(** A warning [W0302] about a variable of a signature that is named as a type
+    is, but for its first letter. *)
 
 val too_large : at:Span.t -> string -> Diagnostic.t
 (** {!Final.Too_large}, of the type of what is named here. *)

@@ -110,5 +110,8 @@ val instantiate : supply -> depth:int -> scheme -> instance
 val mentions : Ir.variable -> t -> bool
 (** Does a quantified type variable occur in the type? *)
 
+val occurs : flexible -> t -> bool
+(** Likewise of a variable to be found. *)
+
 val substitute :
   types:(rigid * t) list -> units:(Units.rigid * Units.t) list -> t -> t

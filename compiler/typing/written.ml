@@ -141,19 +141,29 @@ let rec any t scope (written : Resolve.Ir.ty) : Type.t =
   | Tuple_type elements -> Tuple (List.map (ty t scope) elements)
   | Named { tycon; units; arguments } -> named t scope tycon units arguments
 
-and of_kind t scope kind (written : Resolve.Ir.ty) =
+and of_kind ?(reported = false) t scope kind (written : Resolve.Ir.ty) =
   match any t scope written with
   | Erroneous -> Type.Erroneous
   | found when Type.kind found = kind -> found
   | found ->
-      report_kind t written.span kind found;
+      if not reported then report_kind t written.span kind found;
       Erroneous
 
 and ty t scope written = of_kind t scope Of_types written
 
 and named t scope tycon units arguments =
   let units = List.map (unit_of_type t scope) units in
-  let arguments = List.map2 (of_kind t scope) (kinds t tycon) arguments in
+  let argument reported kind written =
+    let found = of_kind ~reported t scope kind written in
+    (reported || found = Erroneous, found)
+  in
+  (* two that change places are one mistake *)
+  let _, arguments =
+    List.fold_left_map
+      (fun reported (kind, written) -> argument reported kind written)
+      false
+      (List.combine (kinds t tycon) arguments)
+  in
   let { Environment.parameters; definition } = Environment.type_ t.environment tycon in
   match definition with
   | Alias body ->

@@ -105,12 +105,6 @@ no elements or too many are errors:
      |
      = hint: the size comes first, as in `Array 4 Float`
   
-  error[E0330]: expected a type, found the size `3`
-    --> wrong.frob:12:24
-     |
-  12 | swapped :: Array Float 3 -> Float
-     |                        ^
-  
   error[E0301]: expected `Ring 4`, found `Ring 5`
     --> wrong.frob:18:9
      |
@@ -119,7 +113,7 @@ no elements or too many are errors:
   18 | big r = r
      |         ^
   
-  7 errors
+  6 errors
   [1]
   $ echo 'x = (generate id :: Array 1048577 Int)' > big.frob
   $ frobc check big.frob
