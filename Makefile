@@ -4,7 +4,7 @@
 # What a Debian machine needs, by package.
 PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
   libalcotest-ocaml-dev libqcheck-ocaml-dev libbox2d-dev libtomlplusplus-dev \
-  libcairo2-dev pkg-config gcc g++ clang
+  libcairo2-dev pkg-config gcc g++ clang libtcc-dev tcc
 
 # What only `make bench` needs.
 BENCH_PACKAGES = valgrind
@@ -36,9 +36,7 @@ test: setup
 
 fuzz: all
 	@dune build tests/fuzz/main.exe
-	@_build/default/tests/fuzz/main.exe --library _build/install/default/share/frobc/stdlib \
-	  --headers _build/install/default/share/frobc/include \
-	  --host _build/install/default/lib/frobc/frob-trace --count $(N) --seed $(SEED)
+	@_build/default/tests/fuzz/main.exe --count $(N) --seed $(SEED) --jobs $$(nproc) --sanitize-every 50
 
 bench: all
 	@sh tests/setup.sh $(BENCH_PACKAGES)

@@ -139,8 +139,7 @@ let interpretable options sink sources ~library ~entry file =
   let* core, entry, _ = checked options sink sources ~library ~entry file in
   Some (core, entry)
 
-let machine options sink sources ~library ~entry file =
-  let* _, _, flow = checked options sink sources ~library ~entry file in
+let machine_of options sink flow =
   let* flow =
     stage options sink Flow ~lint:Flow.Lint.program ~print:Flow.Print.program
       (Flow.Optimize.program flow)
@@ -148,13 +147,26 @@ let machine options sink sources ~library ~entry file =
   stage options sink Machine ~lint:Machine.Lint.program ~print:Machine.Print.program
     (Machine.Of_flow.program flow)
 
-let compile options sink sources ~library ~entry file =
-  let* machine = machine options sink sources ~library ~entry file in
+let machine options sink sources ~library ~entry file =
+  let* _, _, flow = checked options sink sources ~library ~entry file in
+  machine_of options sink flow
+
+let c options sink machine =
   let print ppf (files : Cgen.Emit.t) =
     Format.pp_print_string ppf files.header;
     Format.pp_print_string ppf files.source
   in
   stage options sink C ~lint:ignore ~print (Cgen.Emit.program machine)
+
+let compile options sink sources ~library ~entry file =
+  let* machine = machine options sink sources ~library ~entry file in
+  c options sink machine
+
+let for_both_engines options sink sources ~library ~entry file =
+  let* core, entry, flow = checked options sink sources ~library ~entry file in
+  let* machine = machine_of options sink flow in
+  let* files = c options sink machine in
+  Some (core, entry, files)
 
 let robot_header sink sources ~library (robot : Cgen.Robot.t) =
   let options =

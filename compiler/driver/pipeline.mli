@@ -52,6 +52,17 @@ val interpretable :
 (** The program and its entry, for the interpreter: everything that can reject
     a program has looked at it. [None] as for {!compile}. *)
 
+val for_both_engines :
+  options ->
+  Diagnostic.sink ->
+  Source.t ->
+  library:string ->
+  entry:string ->
+  string ->
+  (Core.Ir.program * Core.Ir.Global.t * Cgen.Emit.t) option
+(** What {!interpretable} and {!compile} give, with one run of the stages that
+    they share. *)
+
 val robot_header : Diagnostic.sink -> Source.t -> library:string -> Cgen.Robot.t -> string option
 (** The C header with the input and output structs of a robot, from the types
     in its module of the library, which defines the entry [atRest] on them. *)

@@ -9,9 +9,17 @@ type failure = {
   text : string;
 }
 
+val summary : seed:int -> failure -> string
+(** In a line. *)
+
 val describe : seed:int -> failure -> string
 (** With the program. *)
 
-val failures : Engines.tools -> seed:int -> first:int -> count:int -> failure list
+val failure :
+  Engines.tools -> Engines.c_engine list -> seed:int -> first:int -> count:int -> failure option
+(** Of the whole batch, under its first number. *)
+
+val failures :
+  Engines.tools -> Engines.c_engine list -> seed:int -> first:int -> count:int -> failure list
 (** If the batch fails, each of its programs is tried alone, and those that
     fail are given; if none does, the batch is, under its first number. *)

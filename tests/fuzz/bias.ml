@@ -20,4 +20,5 @@ let all =
   |]
 
 let count = Array.length all
-let of_seed seed = all.((seed + count - 1) mod count)
+
+let of_program ~seed number = all.(abs (seed + (number / 20)) mod count)

@@ -9,8 +9,9 @@ type t = {
   width : int;  (** added to the number of equations *)
 }
 
-val of_seed : int -> t
-(** By turns: even, event-heavy, switch-storms, NaN-heavy, deep, wide. *)
+val of_program : seed:int -> int -> t
+(** Of the program with this number. Twenty have the same; by turns: even,
+    event-heavy, switch-storms, NaN-heavy, deep, wide. *)
 
 val count : int
 (** How many there are. *)

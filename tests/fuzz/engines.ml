@@ -1,87 +1,148 @@
 open Basis
 
-type tools = { library : string; headers : string; trace_host : string; folder : string }
+type tools = { library : string; runtime : string; folder : string }
+type c_engine = Tcc | Sanitized of Sanitized.compiler
 
 type outcome =
   | Agree
   | Rejected of string
   | Failed of string
-  | Differ of { row : int; column : string; c : string; interpreted : string }
+  | Differ of {
+      by : c_engine;
+      row : int;
+      column : string;
+      c : string;
+      interpreted : string;
+      recording : Recording.t;
+    }
+
+let engine_name = function
+  | Tcc -> "C (tcc)"
+  | Sanitized compiler -> Printf.sprintf "C (%s, with sanitizers)" (Sanitized.name compiler)
 
 let describe outcome =
   match outcome with
   | Agree -> "agrees"
   | Rejected text -> "is rejected:\n" ^ text
   | Failed text -> "fails:\n" ^ text
-  | Differ { row; column; c; interpreted } ->
-      Printf.sprintf "differs in row %d of `%s`: C gives %s, the interpreter %s" row column c
-        interpreted
+  | Differ { by; row; column; c; interpreted; _ } ->
+      Printf.sprintf "differs in row %d of `%s`: %s gives %s, the interpreter %s" row column
+        (engine_name by) c interpreted
 
 let options =
   { Driver.Pipeline.dump = None; stop_after = None; lint = true; specialization_limit = 10_000 }
 
-let read path =
-  let channel = open_in_bin path in
-  Fun.protect
-    ~finally:(fun () -> close_in channel)
-    (fun () -> really_input_string channel (in_channel_length channel))
+type subject = {
+  core : Core.Ir.program;
+  entry : Core.Ir.Global.t;
+  input : Interp.Shape.t;
+  output : Interp.Shape.t;
+  files : (string * string) list;
+}
+
+let ( let* ) = Result.bind
+let ( / ) = Filename.concat
+
+(* In a bug of the compiler the programs to look at are those that show it. *)
+let internal_error : exn -> string option = function
+  | Diagnostic.Bug { stage; message } -> Some (Printf.sprintf "internal error in %s: %s" stage message)
+  | Invalid_argument reason | Failure reason -> Some ("internal error: " ^ reason)
+  | Not_found -> Some "internal error: something is not found"
+  | Stack_overflow -> Some "internal error: the stack overflowed"
+  | _ -> None
+
+let guarded act =
+  match act () with
+  | result -> result
+  | exception exn when internal_error exn <> None -> Error (Failed (Option.get (internal_error exn)))
+
+let load tools ~entry file =
+  guarded @@ fun () ->
+  let sink = Diagnostic.sink () and sources = Source.create () in
+  match
+    Driver.Pipeline.for_both_engines options sink sources ~library:tools.library ~entry file
+  with
+  | None -> Error (Rejected (Render_text.diagnostics ~colour:false sources (Diagnostic.all sink)))
+  | Some (core, entry, c) ->
+      let name = Driver.Pipeline.c_name file in
+      let input, output = Interp.Execution.interface core entry in
+      Ok
+        {
+          core;
+          entry;
+          input = Interp.Shape.of_type core input;
+          output = Interp.Shape.of_type core output;
+          files =
+            [ (name ^ ".h", c.header); (name ^ ".c", c.source); (name ^ "_host.c", c.host_table) ];
+        }
+
+let recordings random ~rows subject =
+  let tame = Input.make random Tame subject.input ~rows in
+  let wild = Input.make random Wild subject.input ~rows in
+  [ tame; wild ]
+
+let interpreted subject recording =
+  let execution = Interp.Execution.start subject.core ~entry:subject.entry in
+  let rec instants before found = function
+    | [] -> List.rev found
+    | { Recording.time_ns; value; _ } :: rows ->
+        let seconds = float_of_int (time_ns - before) /. 1e9 in
+        let output = Interp.Execution.instant execution ~seconds value in
+        instants time_ns ((time_ns, output) :: found) rows
+  in
+  match Recording.rows recording with
+  | [] -> Recording.trace subject.output []
+  | { time_ns; _ } :: _ as rows -> Recording.trace subject.output (instants time_ns [] rows)
+
+let failed result = Result.map_error (fun text -> Failed text) result
 
 let write path text =
   let channel = open_out_bin path in
   Fun.protect ~finally:(fun () -> close_out channel) (fun () -> output_string channel text)
 
-(* A stage of the compiler on the file, or its diagnostics. *)
-let through pipeline tools ~entry file =
-  let sink = Diagnostic.sink () and sources = Source.create () in
-  match pipeline options sink sources ~library:tools.library ~entry file with
-  | Some result -> Ok result
-  | None ->
-      Error (Rejected (Render_text.diagnostics ~colour:false sources (Diagnostic.all sink)))
+let in_process tools subject recordings =
+  List.iter
+    (fun (file, text) -> write (tools.folder / file) (In_process.with_whole_registers text))
+    subject.files;
+  let sources =
+    List.filter_map
+      (fun (file, _) ->
+        if Filename.check_suffix file ".c" then Some (tools.folder / file) else None)
+      subject.files
+  in
+  let* program =
+    In_process.compile ~headers:(tools.runtime / "include") ~folder:tools.folder sources
+    |> failed
+  in
+  Fun.protect
+    ~finally:(fun () -> In_process.release program)
+    (fun () ->
+      List.fold_right
+        (fun recording traces ->
+          let* traces = traces in
+          let* trace = failed (In_process.run program recording) in
+          Ok (trace :: traces))
+        recordings (Ok []))
 
-let characters text =
+let traces tools engine subject recordings =
+  match engine with
+  | Tcc -> in_process tools subject recordings
+  | Sanitized compiler ->
+      failed
+        (Sanitized.run compiler ~runtime:tools.runtime ~folder:tools.folder subject.files recordings)
+
+(* {1 Comparing} *)
+
+let cells text =
   let next = ref 0 in
-  fun () ->
+  let characters () =
     if !next = String.length text then None
     else begin
       incr next;
       Some text.[!next - 1]
     end
-
-let interpreted core ~entry input =
-  let out = Buffer.create 65536 in
-  match
-    Interp.Trace.run core ~entry ~name:"input" ~read:(characters input)
-      ~write:(Buffer.add_string out)
-  with
-  | Ok () -> Ok (Buffer.contents out)
-  | Error texts -> Error (Failed (String.concat "\n" texts))
-
-let ( let* ) = Result.bind
-let ( / ) = Filename.concat
-
-(* Of a program that is not run again: it is not kept. *)
-let with_compiled tools ~name (files : Cgen.Emit.t) use =
-  let* program =
-    Driver.Toolchain.shared_object ~headers:tools.headers ~name
-      [
-        (name ^ ".h", files.header);
-        (name ^ ".c", files.source);
-        (name ^ "_host.c", files.host_table);
-      ]
-    |> Result.map_error (fun text -> Failed text)
   in
-  Fun.protect ~finally:(fun () -> Sys.remove program) (fun () -> use program)
-
-let compiled tools program input =
-  write (tools.folder / "in.csv") input;
-  let output = tools.folder / "out.csv" in
-  match Driver.Process.run tools.trace_host [ program; tools.folder / "in.csv"; output ] with
-  | Ok () -> Ok (read output)
-  | Error (Not_found program) -> Error (Failed ("there is no " ^ program))
-  | Error (Failed { errors; _ }) -> Error (Failed errors)
-
-let cells text =
-  let csv = Interp.Csv.reader (characters text) in
+  let csv = Interp.Csv.reader characters in
   let rec rows found =
     match Interp.Csv.next csv with
     | Ok (Some row) -> rows (List.map (fun (c : Interp.Csv.cell) -> c.text) row.cells :: found)
@@ -89,12 +150,12 @@ let cells text =
   in
   rows []
 
-let first_difference c interpreted =
+let first_difference by recording ~c ~interpreted =
   let rec in_row row columns c interpreted =
     match (columns, c, interpreted) with
     | column :: columns, c :: cs, i :: is ->
         if String.equal c i then in_row row columns cs is
-        else Some (Differ { row; column; c; interpreted = i })
+        else Some (Differ { by; row; column; c; interpreted = i; recording })
     | _, _, _ -> None
   in
   let rec in_rows row columns c interpreted =
@@ -109,30 +170,25 @@ let first_difference c interpreted =
   | columns :: c, _ :: interpreted -> in_rows 0 columns c interpreted
   | _, _ -> Failed "a trace is empty"
 
-(* In a bug of the compiler the programs to look at are those that show it. *)
-let internal_error : exn -> string option = function
-  | Diagnostic.Bug { stage; message } -> Some (Printf.sprintf "internal error in %s: %s" stage message)
-  | Invalid_argument reason | Failure reason -> Some ("internal error: " ^ reason)
-  | Not_found -> Some "internal error: something is not found"
-  | Stack_overflow -> Some "internal error: the stack overflowed"
-  | _ -> None
-
-let compare tools random ~rows ~entry file =
-  let outcome () =
-    let* core, global = through Driver.Pipeline.interpretable tools ~entry file in
-    let* files = through Driver.Pipeline.compile tools ~entry file in
-    let shape = Interp.Shape.of_type core (fst (Interp.Execution.interface core global)) in
-    with_compiled tools ~name:(Driver.Pipeline.c_name file) files (fun program ->
-        let on kind =
-          let input = Input.make random kind shape ~rows in
-          let* c = compiled tools program input in
-          let* interpreted = interpreted core ~entry:global input in
-          if String.equal c interpreted then Ok () else Error (first_difference c interpreted)
-        in
-        let* () = on Tame in
-        on Wild)
+let judge tools engines subject recordings =
+  let result =
+    guarded @@ fun () ->
+    let expected = List.map (interpreted subject) recordings in
+    let compare engine recording expected trace =
+      if String.equal trace expected then Ok ()
+      else Error (first_difference engine recording ~c:trace ~interpreted:expected)
+    in
+    let by engine =
+      let* found = traces tools engine subject recordings in
+      let rec all recordings expected found =
+        match (recordings, expected, found) with
+        | r :: recordings, e :: expected, f :: found ->
+            let* () = compare engine r e f in
+            all recordings expected found
+        | _, _, _ -> Ok ()
+      in
+      all recordings expected found
+    in
+    List.fold_left (fun so_far engine -> Result.bind so_far (fun () -> by engine)) (Ok ()) engines
   in
-  match outcome () with
-  | Ok () -> Agree
-  | Error outcome -> outcome
-  | exception exn when internal_error exn <> None -> Failed (Option.get (internal_error exn))
+  match result with Ok () -> Agree | Error outcome -> outcome

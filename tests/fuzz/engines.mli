@@ -2,20 +2,37 @@
 
 type tools = {
   library : string;  (** the folder of the standard library *)
-  headers : string;
-  trace_host : string;
+  runtime : string;  (** the runtime's sources: [include], [core], [hosts] *)
   folder : string;  (** for files on the way *)
 }
+
+(** What runs the C. *)
+type c_engine = Tcc  (** in this process, in no time *) | Sanitized of Sanitized.compiler
 
 type outcome =
   | Agree
   | Rejected of string  (** the diagnostics *)
-  | Failed of string  (** the C compiler or an engine reports an error *)
-  | Differ of { row : int; column : string; c : string; interpreted : string }
-      (** the first difference; the row counts from 0 *)
+  | Failed of string  (** an engine or the C compiler reports an error, or crashes *)
+  | Differ of {
+      by : c_engine;
+      row : int;  (** of the first difference, from 0 *)
+      column : string;
+      c : string;
+      interpreted : string;
+      recording : Recording.t;
+    }
 
 val describe : outcome -> string
 (** What a program does, in words that follow its name. *)
 
-val compare : tools -> Random.State.t -> rows:int -> entry:string -> string -> outcome
-(** Of a file, on two recordings, one tame and one wild. *)
+type subject
+(** A program, ready for both engines. *)
+
+val load : tools -> entry:string -> string -> (subject, outcome) result
+(** Of a file. *)
+
+val recordings : Random.State.t -> rows:int -> subject -> Recording.t list
+(** A tame one and a wild one. *)
+
+val judge : tools -> c_engine list -> subject -> Recording.t list -> outcome
+(** The first disagreement. *)

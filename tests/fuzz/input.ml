@@ -4,7 +4,7 @@ type kind = Tame | Wild
 
 let extreme_floats =
   [
-    Float.nan; Float.infinity; Float.neg_infinity; 0.; -0.; 1e308; -1e308; 5e-324; -2.3e-308;
+    Interp.Number.Float.nan; Float.infinity; Float.neg_infinity; 0.; -0.; 1e308; -1e308; 5e-324; -2.3e-308;
     2147483647.5; -2147483648.5; 0.49999999999999994; 4503599627370497.5; 1e-9;
   ]
 
@@ -44,20 +44,11 @@ let step_ns random =
   | 3 -> 1_000_000_000 * Random.State.int random 1000
   | _ -> Random.State.int random 200_000_000
 
-let quoted cell = if String.contains cell ',' then "\"" ^ cell ^ "\"" else cell
-
 let make random kind shape ~rows =
-  let columns = Interp.Shape.columns "in" shape in
-  let line cells = String.concat "," cells ^ "\n" in
-  let header = line ("time" :: List.map (fun (c : Interp.Shape.column) -> c.name) columns) in
-  let row time =
-    let cells = Interp.Shape.cells shape (value random kind shape) in
-    let cell (c : Interp.Shape.column) value = quoted (Interp.Cell.write c.shape value) in
-    line
-      (Printf.sprintf "%d.%09d" (time / 1_000_000_000) (time mod 1_000_000_000)
-      :: List.map2 cell columns cells)
-  in
   let rec go n time found =
-    if n = 0 then List.rev found else go (n - 1) (time + step_ns random) (row time :: found)
+    if n = 0 then List.rev found
+    else
+      let value = value random kind shape in
+      go (n - 1) (time + step_ns random) ((time, value) :: found)
   in
-  String.concat "" (header :: go rows 0 [])
+  Recording.make shape (go rows 0 [])

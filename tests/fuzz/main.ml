@@ -1,29 +1,53 @@
 (* As many random programs as wanted, through the interpreter and the compiled
-   C. Prints those that fail, and the rate; the exit status is 1 if any did. *)
+   C. Prints those that fail, then a line with count and rate; the exit status
+   is 1 if any failed.
+
+   Other tools start this program: `--count`, `--seed`, `--stop-at-first` and
+   the exit status keep their meaning. Run from the repository's root, nothing
+   else has to be said. *)
 
 open Fuzz
 
 type settings = {
   mutable library : string;
-  mutable headers : string;
-  mutable host : string;
+  mutable runtime : string;
   mutable count : int;
   mutable seed : int;
   mutable first : int;
+  mutable jobs : int;
+  mutable sanitize_every : int;
+  mutable stop_at_first : bool;
 }
 
 let settings () =
-  let s = { library = ""; headers = ""; host = ""; count = 1000; seed = 1; first = 0 } in
+  let s =
+    {
+      library = "stdlib";
+      runtime = "runtime";
+      count = 1000;
+      seed = 1;
+      first = 0;
+      jobs = 1;
+      sanitize_every = 0;
+      stop_at_first = false;
+    }
+  in
   let text name set doc = (name, Arg.String set, doc)
   and number name set doc = (name, Arg.Int set, doc) in
   Arg.parse
     [
-      text "--library" (fun v -> s.library <- v) "DIR the standard library";
-      text "--headers" (fun v -> s.headers <- v) "DIR holds frob/program.h";
-      text "--host" (fun v -> s.host <- v) "FILE the executable frob-trace";
-      number "--count" (fun v -> s.count <- v) "N how many programs";
-      number "--seed" (fun v -> s.seed <- v) "S another seed gives other programs";
-      number "--first" (fun v -> s.first <- v) "N the number of the first program";
+      number "--count" (fun v -> s.count <- v) "N how many programs (1000)";
+      number "--seed" (fun v -> s.seed <- v) "S another seed gives other programs (1)";
+      number "--first" (fun v -> s.first <- v) "N the number of the first program (0)";
+      ( "--stop-at-first",
+        Arg.Unit (fun () -> s.stop_at_first <- true),
+        " end at the first batch of programs with one that fails, and show only that it does" );
+      number "--jobs" (fun v -> s.jobs <- v) "N how many processes at once (1)";
+      number "--sanitize-every"
+        (fun v -> s.sanitize_every <- v)
+        "N every so many batches one goes through gcc or clang as well, with sanitizers (0: none)";
+      text "--library" (fun v -> s.library <- v) "DIR the standard library (stdlib)";
+      text "--runtime" (fun v -> s.runtime <- v) "DIR the runtime's sources (runtime)";
     ]
     (fun other -> raise (Arg.Bad ("what is " ^ other ^ "?")))
     "random programs through the interpreter and the compiled C";
@@ -43,27 +67,69 @@ let rec remove path =
   end
   else Sys.remove path
 
-let () =
-  let s = settings () in
-  let folder = temporary_folder () in
-  at_exit (fun () -> remove folder);
-  Unix.putenv "XDG_CACHE_HOME" folder;
-  let tools =
-    { Engines.library = s.library; headers = s.headers; trace_host = s.host; folder }
-  in
-  let start = Unix.gettimeofday () in
+(* gcc and clang by turns. *)
+let engines s batch : Engines.c_engine list =
+  if s.sanitize_every = 0 || batch mod s.sanitize_every <> s.sanitize_every - 1 then [ Tcc ]
+  else
+    let turn = batch / s.sanitize_every mod 2 in
+    [ Tcc; Sanitized (if turn = 0 then Gcc else Clang) ]
+
+type result = { programs : int; failed : int; sanitized : int }
+
+let nothing = { programs = 0; failed = 0; sanitized = 0 }
+
+let both a b =
+  {
+    programs = a.programs + b.programs;
+    failed = a.failed + b.failed;
+    sanitized = a.sanitized + b.sanitized;
+  }
+
+(* Every so many batches, from the one with the worker's number. *)
+let work s worker ~folder =
+  let tools = { Engines.library = s.library; runtime = s.runtime; folder } in
   let last = s.first + s.count in
-  let rec batches first failed =
-    if first >= last then failed
+  let rec batches batch so_far =
+    let first = s.first + (batch * Batch.size) in
+    if first >= last || (s.stop_at_first && so_far.failed > 0) then so_far
     else
       let count = min Batch.size (last - first) in
-      let failures = Batch.failures tools ~seed:s.seed ~first ~count in
-      List.iter (fun f -> print_endline ("FAIL " ^ Batch.describe ~seed:s.seed f)) failures;
-      batches (first + count) (failed + List.length failures)
+      let engines = engines s batch in
+      let failures =
+        if s.stop_at_first then
+          Option.to_list (Batch.failure tools engines ~seed:s.seed ~first ~count)
+        else Batch.failures tools engines ~seed:s.seed ~first ~count
+      in
+      List.iter
+        (fun f ->
+          print_endline
+            ("FAIL "
+            ^ (if s.stop_at_first then Batch.summary else Batch.describe) ~seed:s.seed f))
+        failures;
+      let sanitized = if List.length engines > 1 then count else 0 in
+      batches (batch + s.jobs)
+        (both so_far { programs = count; failed = List.length failures; sanitized })
   in
-  let failed = batches s.first 0 in
+  batches worker nothing
+
+let () =
+  let s = settings () in
+  (* Many short-lived values: a large nursery saves most of the collector's work. *)
+  Gc.set { (Gc.get ()) with minor_heap_size = 1_000_000; space_overhead = 200 };
+  (* Sanitized programs run in a process that ends: what they hold is no leak. *)
+  Unix.putenv "ASAN_OPTIONS" "detect_leaks=0";
+  let folder = temporary_folder () in
+  at_exit (fun () -> remove folder);
+  let start = Unix.gettimeofday () in
+  let results = Workers.run ~jobs:s.jobs ~folder (work s) in
   let seconds = Unix.gettimeofday () -. start in
-  Printf.printf "%d random programs of seed %d: %d failed; %.1f s, %.1f programs a second\n"
-    s.count s.seed failed seconds
-    (float_of_int s.count /. seconds);
-  if failed > 0 then exit 1
+  let broken = List.filter_map (function Error text -> Some text | Ok _ -> None) results in
+  List.iter (fun text -> print_endline ("FAIL random programs: " ^ text)) broken;
+  let all = List.fold_left both nothing (List.filter_map Result.to_option results) in
+  let ok = all.failed = 0 && broken = [] in
+  Printf.printf
+    "%s %d random programs of seed %d, %d of them with sanitizers: %d failed; %.1f s, %.1f programs a second\n"
+    (if ok then "ok  " else "FAIL")
+    all.programs s.seed all.sanitized all.failed seconds
+    (float_of_int all.programs /. seconds);
+  if not ok then exit 1

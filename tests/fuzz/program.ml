@@ -255,7 +255,7 @@ let define_instances (s : Signal_function.scope) ty =
     paced
 
 let one ~seed number =
-  let bias = Bias.of_seed seed in
+  let bias = Bias.of_program ~seed number in
   let random = Random.State.make [| seed; number |] in
   let prefix = f "p%d" number in
   let out = Buffer.create 4096 in

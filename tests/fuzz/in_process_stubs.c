@@ -1,0 +1,215 @@
+/* Generated C compiled by libtcc into this process, and run there.
+ *
+ * A program that crashes or does not end must not take the judge with it: while
+ * it runs, the signals that tell so lead back here. Nothing of OCaml's is
+ * allocated meanwhile, so what is left behind is plain memory. */
+#define _XOPEN_SOURCE 700
+#include <frob/cell.h>
+#include <frob/trace.h>
+
+#include <libtcc.h>
+
+#include <setjmp.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define CAML_NAME_SPACE
+#include <caml/alloc.h>
+#include <caml/custom.h>
+#include <caml/fail.h>
+#include <caml/memory.h>
+#include <caml/mlvalues.h>
+
+/* Longest time for one recording, in seconds. */
+enum { PATIENCE = 10 };
+
+struct in_process {
+    TCCState *compiler;
+    const struct frob_program *program;
+};
+
+static struct in_process *of_value(value v)
+{
+    return (struct in_process *)Data_custom_val(v);
+}
+
+static void finalize(value v)
+{
+    if (of_value(v)->compiler != NULL)
+        tcc_delete(of_value(v)->compiler);
+}
+
+static struct custom_operations operations = {
+    "frob.fuzz.in_process",  finalize,
+    custom_compare_default,  custom_hash_default,
+    custom_serialize_default, custom_deserialize_default,
+    custom_compare_ext_default, custom_fixed_length_default
+};
+
+struct messages {
+    char text[4096];
+    size_t length;
+};
+
+static void add_message(void *context, const char *message)
+{
+    struct messages *all = (struct messages *)context;
+    size_t length = strlen(message);
+    if (length + 2 > sizeof all->text - all->length)
+        return;
+    memcpy(all->text + all->length, message, length);
+    all->length += length;
+    all->text[all->length++] = '\n';
+    all->text[all->length] = '\0';
+}
+
+/* in_process_compile : string array -> string array -> t -- include folders and files;
+ * raises Failure with what the compiler says. */
+value in_process_compile(value folders, value files)
+{
+    CAMLparam2(folders, files);
+    CAMLlocal1(result);
+    struct messages messages = { "", 0 };
+    TCCState *compiler = tcc_new();
+    bool ok;
+    if (compiler == NULL)
+        caml_failwith("tcc does not start");
+    tcc_set_error_func(compiler, &messages, add_message);
+    tcc_set_options(compiler, "-std=c99");
+    tcc_set_output_type(compiler, TCC_OUTPUT_MEMORY);
+    for (mlsize_t i = 0; i < Wosize_val(folders); i++)
+        tcc_add_include_path(compiler, String_val(Field(folders, i)));
+    ok = tcc_add_library(compiler, "m") == 0;
+    for (mlsize_t i = 0; ok && i < Wosize_val(files); i++)
+        ok = tcc_add_file(compiler, String_val(Field(files, i))) == 0;
+    if (ok)
+        ok = tcc_relocate(compiler, TCC_RELOCATE_AUTO) >= 0;
+    if (!ok) {
+        tcc_delete(compiler);
+        caml_failwith(messages.text);
+    }
+    result = caml_alloc_custom(&operations, sizeof(struct in_process), 0, 1);
+    of_value(result)->compiler = compiler;
+    of_value(result)->program =
+        (const struct frob_program *)tcc_get_symbol(compiler, FROB_PROGRAM_SYMBOL);
+    if (of_value(result)->program == NULL)
+        caml_failwith("the table of the program is not found");
+    CAMLreturn(result);
+}
+
+value in_process_release(value v)
+{
+    tcc_delete(of_value(v)->compiler);
+    of_value(v)->compiler = NULL;
+    of_value(v)->program = NULL;
+    return Val_unit;
+}
+
+static const int signals[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGALRM };
+enum { SIGNALS = sizeof signals / sizeof signals[0] };
+
+static sigjmp_buf back;
+
+static void return_from(int signal)
+{
+    siglongjmp(back, signal);
+}
+
+struct columns {
+    const struct frob_value **values;
+    size_t count;
+};
+
+static void add_column(void *context, const char *name, const struct frob_value *value)
+{
+    struct columns *columns = (struct columns *)context;
+    (void)name;
+    columns->values = (const struct frob_value **)realloc(
+        columns->values, (columns->count + 1) * sizeof *columns->values);
+    if (columns->values == NULL)
+        abort();
+    columns->values[columns->count++] = value;
+}
+
+/* All instants; the rows are written to `text`. The text of a cell that cannot
+ * be read, or NULL. */
+static const char *instants(const struct frob_program *program, const struct columns *columns,
+                            value times, value rows, void *state, void *input, void *output,
+                            struct frob_text *text)
+{
+    struct frob_cell_error error;
+    int64_t before = 0;
+    program->reset(state);
+    for (mlsize_t i = 0; i < Wosize_val(rows); i++) {
+        const int64_t now = (int64_t)Long_val(Field(times, i));
+        for (size_t k = 0; k < columns->count; k++) {
+            const char *cell = String_val(Field(Field(rows, i), k));
+            if (!frob_cell_read(cell, columns->values[k], input, &error))
+                return cell;
+        }
+        program->step(state, i == 0 ? 0.0 : (double)(now - before) / 1e9, input, output);
+        frob_trace_row(text, program, FROB_TRACE_OUT, now, NULL, output);
+        before = now;
+    }
+    return NULL;
+}
+
+/* Memory as a careless caller has it: what is read before it is written shows. */
+static void *litter(size_t size)
+{
+    void *memory = malloc(size + 1);
+    if (memory == NULL)
+        abort();
+    return memset(memory, 0xa5, size + 1);
+}
+
+/* in_process_run : t -> int array -> string array array -> string -- a recording: the
+ * absolute nanoseconds of each row, and its cells. Gives the trace of the output. */
+value in_process_run(value v, value times, value rows)
+{
+    CAMLparam3(v, times, rows);
+    CAMLlocal1(result);
+    const struct frob_program *program = of_value(v)->program;
+    const size_t room = frob_trace_room(program, FROB_TRACE_OUT) * (Wosize_val(rows) + 1);
+    char *buffer = (char *)litter(room);
+    void *state = litter(program->state_size), *input = litter(program->input_size),
+         *output = litter(program->output_size);
+    struct frob_text text = frob_text_in(buffer, room);
+    struct columns columns = { NULL, 0 };
+    struct sigaction action, old[SIGNALS];
+    const char *volatile unread = NULL;
+    int caught;
+
+    frob_trace_columns(program->input, "in", add_column, &columns);
+    frob_trace_header(&text, program, FROB_TRACE_OUT);
+    memset(&action, 0, sizeof action);
+    action.sa_handler = return_from;
+    action.sa_flags = SA_ONSTACK | SA_NODEFER;
+    sigemptyset(&action.sa_mask);
+    for (int i = 0; i < SIGNALS; i++)
+        sigaction(signals[i], &action, &old[i]);
+    caught = sigsetjmp(back, 1);
+    if (caught == 0) {
+        alarm(PATIENCE);
+        unread = instants(program, &columns, times, rows, state, input, output, &text);
+    }
+    alarm(0);
+    for (int i = 0; i < SIGNALS; i++)
+        sigaction(signals[i], &old[i], NULL);
+    if (caught == 0 && unread == NULL)
+        result = caml_alloc_initialized_string(text.length, buffer);
+    free(columns.values);
+    free(state);
+    free(input);
+    free(output);
+    free(buffer);
+    if (caught == SIGALRM)
+        caml_failwith("the compiled program does not come to the end of its recording");
+    if (caught != 0)
+        caml_failwith("the compiled program crashes");
+    if (unread != NULL)
+        caml_failwith("a cell of the input is not read");
+    CAMLreturn(result);
+}

@@ -1,0 +1,77 @@
+type compiler = Gcc | Clang
+
+let name = function Gcc -> "gcc" | Clang -> "clang"
+let ( / ) = Filename.concat
+let ( let* ) = Result.bind
+
+let flags =
+  [
+    "-std=c99"; "-O3"; "-ffp-contract=off"; "-fsanitize=address,undefined,float-cast-overflow";
+    "-fno-sanitize-recover=all";
+  ]
+
+(* The program's own, so that elementary functions are called as they are in
+   the interpreter. *)
+let program_flags = List.filter (fun f -> String.starts_with ~prefix:"-fno-builtin" f) Driver.Toolchain.flags
+
+let host_sources runtime =
+  List.map
+    (fun file -> runtime / file)
+    [
+      "hosts/trace/main.c"; "hosts/trace/csv.c"; "hosts/common/load.c"; "core/text.c";
+      "core/cell_read.c"; "core/cell_write.c"; "core/trace.c";
+    ]
+
+let executed program arguments =
+  match Driver.Process.run program arguments with
+  | Ok () -> Ok ()
+  | Error (Not_found program) -> Error ("there is no " ^ program)
+  | Error (Failed { status; errors }) ->
+      Error (Printf.sprintf "%s ends with status %d:\n%s" program status errors)
+
+let host compiler ~runtime ~folder =
+  let built = folder / ("trace-" ^ name compiler) in
+  if Sys.file_exists built then Ok built
+  else
+    let* () =
+      executed (name compiler)
+        (flags
+        @ [ "-D_POSIX_C_SOURCE=200809L"; "-I"; runtime / "include"; "-o"; built ]
+        @ host_sources runtime @ [ "-ldl"; "-lm" ])
+    in
+    Ok built
+
+let write path text =
+  let channel = open_out_bin path in
+  Fun.protect ~finally:(fun () -> close_out channel) (fun () -> output_string channel text)
+
+let read path =
+  let channel = open_in_bin path in
+  Fun.protect
+    ~finally:(fun () -> close_in channel)
+    (fun () -> really_input_string channel (in_channel_length channel))
+
+let run compiler ~runtime ~folder files recordings =
+  let* host = host compiler ~runtime ~folder in
+  List.iter (fun (file, text) -> write (folder / file) text) files;
+  let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
+  let program = folder / "sanitized.so" in
+  let* () =
+    executed (name compiler)
+      (flags @ program_flags
+      @ [ "-fPIC"; "-shared"; "-I"; runtime / "include"; "-o"; program ]
+      @ List.map (fun (file, _) -> folder / file) sources
+      @ [ "-lm" ])
+  in
+  let trace recording =
+    let input = folder / "in.csv" and output = folder / "out.csv" in
+    write input (Recording.csv recording);
+    let* () = executed host [ program; input; output ] in
+    Ok (read output)
+  in
+  let add recording found =
+    let* found = found in
+    let* trace = trace recording in
+    Ok (trace :: found)
+  in
+  List.fold_right add recordings (Ok [])
