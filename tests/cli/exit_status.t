@@ -111,10 +111,10 @@ A robot that there is not, and a program for no robot:
 
   $ frobc check good.frob --robot pioneer
   $ frobc check good.frob --robot roomba
-  error: there is no robot `roomba`; the robots: pioneer
+  error: there is no robot `roomba`; the robots: pioneer, scout, create
   [2]
   $ frobc run good.frob --robot roomba
-  error: there is no robot `roomba`; the robots: pioneer
+  error: there is no robot `roomba`; the robots: pioneer, scout, create
   [2]
   $ frobc run good.frob
   error: good is a program for no robot; `reactimateRobot` makes one for the pioneer
