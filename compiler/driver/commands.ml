@@ -69,27 +69,27 @@ let status sink =
   else if Diagnostic.has_errors sink then Exit_status.rejected
   else Exit_status.ok
 
-let check_one general ~library file =
+let check_one general ?robot ~library file =
   let* () = readable file in
   let sink = Diagnostic.sink () and sources = Source.create () in
-  Pipeline.check (options general) sink sources ~library file;
+  Pipeline.check ?robot (options general) sink sources ~library file;
   print_diagnostics general sources sink;
   status sink
 
 let check general files =
   let* resources = Resources.find () in
-  let* () = Robots.known general.robot in
-  let statuses = List.map (check_one general ~library:resources.library) files in
+  let* robot = Robots.known general.robot in
+  let statuses = List.map (check_one general ?robot ~library:resources.library) files in
   (* A rejected program outranks a missing file. *)
   if List.mem Exit_status.rejected statuses then Exit_status.rejected
   else List.fold_left max Exit_status.ok statuses
 
 (* Goes on with what a pipeline gives, or gives the status with which to end. *)
 let accepted pipeline general (resources : Resources.t) ~entry file continue =
-  let* () = Robots.known general.robot in
+  let* robot = Robots.known general.robot in
   let* () = readable file in
   let sink = Diagnostic.sink () and sources = Source.create () in
-  let result = pipeline (options general) sink sources ~library:resources.library ~entry file in
+  let result = pipeline ?robot (options general) sink sources ~library:resources.library ~entry file in
   print_diagnostics general sources sink;
   match result with Some result -> continue result | None -> status sink
 
@@ -223,16 +223,16 @@ let run general ~entry run file =
 
 let header robot =
   let* resources = Resources.find () in
-  let* () = Robots.known (Some robot) in
+  let* robot = Robots.known (Some robot) in
   let sink = Diagnostic.sink () and sources = Source.create () in
   match
-    Option.bind (Cgen.Robot.of_name robot)
+    Option.bind robot
       (Pipeline.robot_header sink sources ~library:resources.library)
   with
   | Some text ->
       print_string text;
       Exit_status.ok
-  | None -> Diagnostic.bug ~stage:"Driver" "no header for the robot %s" robot
+  | None -> Diagnostic.bug ~stage:"Driver" "no header for this robot"
 
 let explain code =
   match Explain.find (String.uppercase_ascii code) with

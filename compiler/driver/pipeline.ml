@@ -30,6 +30,12 @@ let parse options sink sources file =
         Option.map ignore
           (stage options sink Parse ~lint:Syntax.Lint.program ~print:Syntax.Print.program parsed)
 
+type front = {
+  resolved : Resolve.Ir.program;
+  typed : Typing.Ir.program;
+  core : Core.Ir.program;
+}
+
 let front options sink sources ~library file =
   let* () = parse options sink sources file in
   let* resolved =
@@ -49,8 +55,30 @@ let front options sink sources ~library file =
   let* typed =
     stage options sink Types ~lint:Typing.Lint.program ~print:Typing.Print.program typed
   in
-  stage options sink Core ~lint:Core.Lint.program ~print:Core.Print.program
-    (Core.Of_typed.program typed)
+  let* core =
+    stage options sink Core ~lint:Core.Lint.program ~print:Core.Print.program
+      (Core.Of_typed.program typed)
+  in
+  Some { resolved; typed; core }
+
+(* Does the programmer say the type of this definition? *)
+let signed (resolved : Resolve.Ir.program) name =
+  let is_it (b : Resolve.Ir.binding) =
+    match b.name with
+    | Top (top, _) -> top = name && Option.is_some b.signature
+    | Inner _ | Destructure _ -> false
+  in
+  List.exists
+    (fun (g : Resolve.Ir.binding_group) -> List.exists is_it g.bindings)
+    resolved.groups
+
+let for_a_robot front entry : Robots.program =
+  {
+    typed = front.typed;
+    core = front.core;
+    entry;
+    signed = signed front.resolved entry;
+  }
 
 let place (core : Core.Ir.program) entry =
   (List.find (fun (d : Core.Ir.definition) -> d.name = entry) core.definitions).span
@@ -83,17 +111,26 @@ let entries (core : Core.Ir.program) =
   | [] -> List.filter (fun (d : Core.Ir.definition) -> d.parameters = []) candidates
   | main -> main
 
-let check options sink sources ~library file =
+(* A program for several robots is checked as it stands, and in what needs a
+   robot, such as its loops, with any that it runs on. *)
+let check_entry ?robot options sink front (d : Core.Ir.definition) =
+  let program = for_a_robot front d.name in
+  let closed =
+    match robot with
+    | None when Robots.is_open program -> Robots.sampled program
+    | robot -> Robots.closed sink robot program
+  in
+  match closed with
+  | Some (core, entry) -> ignore (flow options sink ~name:d.name.name ~entry core)
+  | None -> Specialize.Recursion.check sink front.core
+
+let check ?robot options sink sources ~library file =
   match front options sink sources ~library file with
   | None -> ()
-  | Some core -> (
-      match entries core with
-      | [] -> Specialize.Recursion.check sink core
-      | entries ->
-          List.iter
-            (fun (d : Core.Ir.definition) ->
-              ignore (flow options sink ~name:d.name.name ~entry:d.name core))
-            entries)
+  | Some front -> (
+      match entries front.core with
+      | [] -> Specialize.Recursion.check sink front.core
+      | entries -> List.iter (check_entry ?robot options sink front) entries)
 
 (* The C files are named after the program's file. *)
 let c_name file = Filename.remove_extension (Filename.basename file)
@@ -129,14 +166,15 @@ let find_entry sink (core : Core.Ir.program) ~file entry =
       None
 
 (* A program is rejected for the same reasons whatever is to run it. *)
-let checked options sink sources ~library ~entry file =
-  let* core = front options sink sources ~library file in
-  let* entry = find_entry sink core ~file entry in
+let checked ?robot options sink sources ~library ~entry file =
+  let* front = front options sink sources ~library file in
+  let* entry = find_entry sink front.core ~file entry in
+  let* core, entry = Robots.closed sink robot (for_a_robot front entry) in
   let* flow = flow options sink ~name:(c_name file) ~entry core in
   Some (core, entry, flow)
 
-let interpretable options sink sources ~library ~entry file =
-  let* core, entry, _ = checked options sink sources ~library ~entry file in
+let interpretable ?robot options sink sources ~library ~entry file =
+  let* core, entry, _ = checked ?robot options sink sources ~library ~entry file in
   Some (core, entry)
 
 let machine_of options sink flow =
@@ -147,8 +185,8 @@ let machine_of options sink flow =
   stage options sink Machine ~lint:Machine.Lint.program ~print:Machine.Print.program
     (Machine.Of_flow.program flow)
 
-let machine options sink sources ~library ~entry file =
-  let* _, _, flow = checked options sink sources ~library ~entry file in
+let machine ?robot options sink sources ~library ~entry file =
+  let* _, _, flow = checked ?robot options sink sources ~library ~entry file in
   machine_of options sink flow
 
 let c options sink machine =
@@ -158,8 +196,8 @@ let c options sink machine =
   in
   stage options sink C ~lint:ignore ~print (Cgen.Emit.program machine)
 
-let compile options sink sources ~library ~entry file =
-  let* machine = machine options sink sources ~library ~entry file in
+let compile ?robot options sink sources ~library ~entry file =
+  let* machine = machine ?robot options sink sources ~library ~entry file in
   c options sink machine
 
 let for_both_engines options sink sources ~library ~entry file =

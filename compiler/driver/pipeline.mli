@@ -12,7 +12,7 @@ type options = {
 val c_name : string -> string
 (** The name of the C files and functions for a program's file. *)
 
-val check : options -> Diagnostic.sink -> Source.t -> library:string -> string -> unit
+val check : ?robot:Cgen.Robot.t -> options -> Diagnostic.sink -> Source.t -> library:string -> string -> unit
 (** [check options sink sources ~library file]: everything up to Core; what
     there is to say goes to the sink. *)
 
@@ -20,6 +20,7 @@ val no_entry : string
 (** The code of the diagnostic for an entry that the module does not define. *)
 
 val machine :
+  ?robot:Cgen.Robot.t ->
   options ->
   Diagnostic.sink ->
   Source.t ->
@@ -27,10 +28,12 @@ val machine :
   entry:string ->
   string ->
   Machine.Ir.program option
-(** For one entry of the file's module, everything before C. [None] if the
+(** For one entry of the file's module, everything before C. A program that
+    leaves its robot open is one for [robot]; see {!Robots.closed}. [None] if the
     program was rejected, or if [stop_after] came first. *)
 
 val compile :
+  ?robot:Cgen.Robot.t ->
   options ->
   Diagnostic.sink ->
   Source.t ->
@@ -42,6 +45,7 @@ val compile :
     was rejected, or if [stop_after] came first. *)
 
 val interpretable :
+  ?robot:Cgen.Robot.t ->
   options ->
   Diagnostic.sink ->
   Source.t ->

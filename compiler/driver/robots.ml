@@ -1,8 +1,186 @@
-let names = Cgen.Robot.names
+open Basis
+module Robot = Cgen.Robot
+module Fit = Typing.Fit
+
+type t = Robot.t
+
+let names = List.map (fun (robot : t) -> robot.name) Robot.all
 
 let known = function
-  | None -> Ok ()
-  | Some name when List.mem name names -> Ok ()
-  | Some name ->
-      Error
-        (Printf.sprintf "there is no robot `%s`; the robots: %s" name (String.concat ", " names))
+  | None -> Ok None
+  | Some name -> (
+      match Robot.of_name name with
+      | Some robot -> Ok (Some robot)
+      | None ->
+          Error
+            (Printf.sprintf "there is no robot `%s`; the robots: %s" name
+               (String.concat ", " names)))
+
+type program = {
+  typed : Typing.Ir.program;
+  core : Core.Ir.program;
+  entry : Core.Ir.Global.t;
+  signed : bool;
+}
+
+let input (robot : t) : Core.Ir.Global.t =
+  { module_ = robot.module_; name = Robot.input robot }
+
+let output (robot : t) : Core.Ir.Global.t =
+  { module_ = robot.module_; name = Robot.output robot }
+
+let typed_entry p =
+  List.find (fun (d : Typing.Ir.definition) -> d.name = p.entry) p.typed.definitions
+
+let lacks p robot =
+  Fit.lacks p.typed (typed_entry p)
+    { input = input robot; output = output robot }
+
+let fits p robot = lacks p robot = Some []
+let fitting p = List.filter (fits p) Robot.all
+
+let close p robot =
+  let core_entry =
+    List.find (fun (d : Core.Ir.definition) -> d.name = p.entry) p.core.definitions
+  in
+  let data tycon : Core.Ir.ty = Data (tycon, []) in
+  Core.Closing.program p.core core_entry ~suffix:("@" ^ robot.Robot.name)
+    ~input:(data (input robot))
+    ~output:(data (output robot))
+
+(* {1 Texts} *)
+
+let quoted (robot : t) = Printf.sprintf "`%s`" robot.name
+
+let rec listed word = function
+  | [] -> ""
+  | [ text ] -> text
+  | [ a; b ] -> Printf.sprintf "%s %s %s" a word b
+  | text :: rest -> text ^ ", " ^ listed word rest
+
+let entry_span p = (typed_entry p).span
+
+let not_said p robots =
+  let option (robot : t) = Printf.sprintf "`--robot %s`" robot.name in
+  Diagnostic.error ~code:"E0502" ~at:(entry_span p)
+    "`%s` leaves open which robot it runs on" p.entry.name
+  |> Diagnostic.hint
+       (Printf.sprintf "%s %s all that it asks for: compile it with %s"
+          (listed "and" (List.map quoted robots))
+          (match robots with [ _ ] -> "has" | _ -> "have")
+          (listed "or" (List.map option robots)))
+
+(* Who has the class, of the robots that the program's type allows. *)
+let having p class_ =
+  let has robot =
+    match lacks p robot with
+    | None -> false
+    | Some found -> not (List.exists (fun (l : Fit.lack) -> l.class_ = class_) found)
+  in
+  match List.filter has Robot.all with
+  | [] -> "no robot has it"
+  | [ robot ] -> Printf.sprintf "only %s has it" (quoted robot)
+  | robots -> Printf.sprintf "%s have it" (listed "and" (List.map quoted robots))
+
+let lacking p (robot : t) (lack : Fit.lack) =
+  Diagnostic.error ~code:"E0503" ~at:lack.need.place "%s has no `%s`" (quoted robot)
+    lack.class_.name
+  |> Diagnostic.here (Printf.sprintf "%s needs it" lack.need.by)
+  |> Diagnostic.note (having p lack.class_)
+  |> Diagnostic.note
+       (Printf.sprintf "`%s` is compiled for %s: there is no instance `%s %s`" p.entry.name
+          (quoted robot) lack.class_.name lack.of_.name)
+
+(* What each robot lacks, each need once. *)
+let on_no_robot p candidates =
+  let error =
+    Diagnostic.error ~code:"E0503" ~at:(entry_span p) "no robot has all that `%s` asks for"
+      p.entry.name
+  in
+  let add error (robot : t) =
+    let first (lack : Fit.lack) =
+      Printf.sprintf "%s has no `%s`, which %s needs" (quoted robot) lack.class_.name lack.need.by
+    in
+    match lacks p robot with
+    | Some (lack :: _) ->
+        Diagnostic.label ~at:lack.need.place (first lack) error
+    | Some [] | None -> error
+  in
+  List.fold_left add error candidates
+
+let another p (robot : t) others =
+  Diagnostic.error ~code:"E0503" ~at:(entry_span p) "`%s` is a program for %s, not for %s"
+    p.entry.name
+    (listed "and" (List.map quoted others))
+    (quoted robot)
+  |> Diagnostic.hint
+       "leave the robot open, as in `main :: (HasSonar i, DiffDrive o) => Program i o`"
+
+let mixed p (input : t) (output : t) =
+  Diagnostic.error ~code:"E0503" ~at:(entry_span p)
+    "`%s` senses as %s and acts as %s: that is no robot" p.entry.name (quoted input)
+    (quoted output)
+
+(* {1 Deciding} *)
+
+(* Of a type that is known, the robots that it speaks of. *)
+let robots_of (p : program) =
+  let named found (t : Typing.Ir.ty) =
+    match t with
+    | Data { tycon; _ } ->
+        Option.to_list
+          (List.find_opt (fun r -> input r = tycon || output r = tycon) Robot.all)
+        @ found
+    | _ -> found
+  in
+  match (typed_entry p).scheme.ty with
+  | Data { tycon = { name = "Program"; _ }; arguments = [ input; output ]; _ } ->
+      (named [] input, named [] output)
+  | _ -> ([], [])
+
+let as_it_stands p = Some (p.core, p.entry)
+
+let refuse sink diagnostics =
+  List.iter (Diagnostic.emit sink) diagnostics;
+  None
+
+let closed_program sink asked p =
+  match (robots_of p, asked) with
+  | ([ input ], [ output ]), _ when input <> output -> refuse sink [ mixed p input output ]
+  | ([ input ], _ | [], [ input ]), Some robot when input <> robot ->
+      refuse sink [ another p robot [ input ] ]
+  | _ -> as_it_stands p
+
+let allowed p = List.filter (fun robot -> lacks p robot <> None) Robot.all
+
+let open_program sink asked p =
+  let allowed = allowed p in
+  let asked =
+    match asked with
+    | None when (not p.signed) && fits p Robot.default -> Some Robot.default
+    | asked -> asked
+  in
+  match (allowed, asked) with
+  (* No robot at all: what is wrong with it is said where it is to run. *)
+  | [], _ -> as_it_stands p
+  | _, Some robot -> (
+      match lacks p robot with
+      | Some [] -> Some (close p robot)
+      | Some lacks -> refuse sink (List.map (lacking p robot) lacks)
+      | None -> refuse sink [ another p robot allowed ])
+  | [ robot ], None when fits p robot -> Some (close p robot)
+  | _, None -> (
+      match fitting p with
+      | [] -> refuse sink [ on_no_robot p allowed ]
+      | robots -> refuse sink [ not_said p robots ])
+
+let is_open p = Fit.is_open (typed_entry p)
+
+let closed sink asked p =
+  if is_open p then open_program sink asked p else closed_program sink asked p
+
+let sampled p =
+  match (allowed p, fitting p) with
+  | [], _ -> as_it_stands p
+  | _, [] -> None
+  | _, robot :: _ -> Some (close p robot)

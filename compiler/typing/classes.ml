@@ -118,6 +118,16 @@ let variable_of t : Ir.variable option =
 let given_of ctx (variable : Ir.variable) =
   Option.value (Hashtbl.find_opt ctx.given variable.id) ~default:[]
 
+(* The first that asks for a constraint is told, unless a later one asks for the
+   very class that was promised. *)
+let note ctx (variable : Ir.variable) class_ (required : required) =
+  let constraint_ = (variable.id, class_) in
+  match Hashtbl.find_opt ctx.needs constraint_ with
+  | None -> Hashtbl.replace ctx.needs constraint_ required
+  | Some earlier ->
+      if earlier.class_ <> class_ && required.class_ = class_ then
+        Hashtbl.replace ctx.needs constraint_ required
+
 let give ctx (scheme : Type.scheme) =
   List.iter
     (fun (class_, argument) ->
@@ -140,6 +150,9 @@ let through_instances words { lacking; culprit; through } diagnostic =
   | last :: _ ->
       Diagnostic.label ~at:last.place (Printf.sprintf "this instance asks for `%s`" asks) diagnostic
 
+let is_signal_function t =
+  match Type.expand t with Signal_function _ -> true | _ -> false
+
 let report_lacking ctx required lack =
   let { argument; at; by; _ } : required = required in
   report ctx (fun words ->
@@ -161,6 +174,8 @@ let report_lacking ctx required lack =
         |> through_instances words lack |> explain words required
       in
       match lack.lacking with
+      | Declared _ when is_signal_function lack.culprit ->
+          Diagnostic.hint "`constant e` is the signal function that always gives `e`" diagnostic
       | (Eq | Ord) when (not direct) && lack.through = [] ->
           Diagnostic.note (Printf.sprintf "it contains %s" culprit) diagnostic
       | Eq | Ord | Declared _ -> diagnostic)
@@ -218,11 +233,14 @@ let solve ctx (generalized : Generalize.t) =
     | Quantified (variable, t) -> (
         match Hashtbl.find_opt own variable.id with
         | Some classes ->
+            note ctx variable class_ required;
             if not (entails environment classes class_) then
               Hashtbl.replace own variable.id (class_ :: classes)
-        | None ->
-            if not (entails environment (given_of ctx variable) class_) then
-              not_promised ctx required class_ variable t)
+        | None -> (
+            let promises given = entails environment [ given ] class_ in
+            match List.filter promises (given_of ctx variable) with
+            | [] -> not_promised ctx required class_ variable t
+            | given -> List.iter (fun given -> note ctx variable given required) given))
   in
   List.iter
     (fun (required : required) ->

@@ -9,12 +9,15 @@ and kind =
   | Primitive
   | Method of Ir.Global.t
 
+type constraint_ = int * Ir.class_
+
 type required = {
   class_ : Ir.class_;
   argument : Type.t;
   at : Span.t;
   by : string;
   because : (Span.t * (Show.words -> string)) option;
+  from : constraint_ option;
 }
 
 type question = { attempt : unit -> bool; guess : unit -> bool; give_up : unit -> unit }
@@ -32,6 +35,7 @@ type t = {
   locals : (int, Type.scheme) Hashtbl.t;
   owners : (int, Mistake.owned) Hashtbl.t;
   given : (int, Ir.class_ list) Hashtbl.t;
+  needs : (constraint_, required) Hashtbl.t;
   scope : Written.scope;
   depth : int;
   left_operand : (Resolve.Ir.expr * string) option;
@@ -47,6 +51,7 @@ let start reader =
     locals = Hashtbl.create 1024;
     owners = Hashtbl.create 64;
     given = Hashtbl.create 64;
+    needs = Hashtbl.create 64;
     scope = Written.empty;
     depth = 1;
     left_operand = None;
@@ -86,7 +91,12 @@ let use t ~at ~name ?said scheme =
                 Printf.sprintf "%s asks for `%s` here" by (Show.constraint_ words class_ parameter) ))
           said
       in
-      require t { class_; argument; at; by; because })
+      let from =
+        match Type.expand parameter with
+        | Rigid r -> Some (r.variable.id, class_)
+        | _ -> None
+      in
+      require t { class_; argument; at; by; because; from })
     instance.required scheme.context;
   List.iter2
     (fun (r : Type.rigid) argument ->

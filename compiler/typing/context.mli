@@ -20,17 +20,20 @@ and kind =
   | Primitive
   | Method of Ir.Global.t  (** of the class *)
 
+type constraint_ = int * Ir.class_
+(** Of a quantified variable, by its id. *)
+
 type required = {
   class_ : Ir.class_;
   argument : Type.t;
   at : Span.t;
   by : string;
   because : (Span.t * (Show.words -> string)) option;
+  from : constraint_ option;
 }
 (** A class that something used needs; [by] says what, in backticks;
-    [because] is the other place, where that is said, and what is said there. *)
-
-
+    [because] is the other place, where that is said, and what is said there;
+    [from]: what in the scheme of the used it stands for. *)
 
 (** A question that waits for a type. *)
 type question = {
@@ -46,6 +49,8 @@ type t = {
   owners : (int, Mistake.owned) Hashtbl.t;  (** see {!Mistake.owner} *)
   given : (int, Ir.class_ list) Hashtbl.t;
       (** what signatures around promise of their variables, by id *)
+  needs : (constraint_, required) Hashtbl.t;
+      (** what asked for each constraint in the context of a definition *)
   scope : Written.scope;
   depth : int;  (** signatures around *)
   left_operand : (Resolve.Ir.expr * string) option;

@@ -80,7 +80,7 @@ let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option 
     let value = value () in
     (Final.scheme scheme, value)
   with
-  | scheme, value -> Some { name; scheme; value; doc = b.doc; span = b.span }
+  | scheme, value -> Some { name; scheme; needs = []; value; doc = b.doc; span = b.span }
   | exception Too_large at -> refuse at "this expression"
   | exception Final.Too_large -> refuse b.span (Printf.sprintf "`%s` or of something in it" name.name)
 
@@ -148,7 +148,7 @@ let check_superclasses ctx (i : Class_declarations.instance) =
     let text _ =
       Printf.sprintf "`%s` is a superclass of `%s`" (Show.class_ class_) i.of_class.class_.name
     in
-    require ctx { class_; argument = i.head; at = i.place; by; because = Some (span, text) }
+    require ctx { class_; argument = i.head; at = i.place; by; because = Some (span, text); from = None }
   in
   List.iter require_superclass i.of_class.superclasses;
   ignore (Classes.solve ctx Generalize.none)
@@ -171,6 +171,37 @@ let instance (i : Class_declarations.instance) : Ir.instance =
     methods = List.filter_map implementation i.of_class.methods;
     span = i.place;
   }
+
+(* From use to definition, as long as both are the programmer's. *)
+let need ctx ~is_library ~(otherwise : Ir.need) constraint_ : Ir.need =
+  let rec follow seen otherwise constraint_ : Ir.need =
+    match Hashtbl.find_opt ctx.needs constraint_ with
+    | Some (required : required)
+      when (not (List.mem constraint_ seen)) && not (is_library required.at.file) -> (
+        let found : Ir.need = { place = required.at; by = required.by } in
+        match required.from with
+        | Some inner -> follow (constraint_ :: seen) found inner
+        | None -> found)
+    | Some _ | None -> otherwise
+  in
+  follow [] otherwise constraint_
+
+(* Once all definitions are known. *)
+let with_needs ctx (program : Resolve.Ir.program) (d : Ir.definition) : Ir.definition =
+  let is_library file =
+    List.exists
+      (fun (m : Resolve.Ir.module_) -> m.library && String.equal m.file file)
+      program.modules
+  in
+  let otherwise : Ir.need = { place = d.span; by = Printf.sprintf "`%s`" d.name.name } in
+  let of_constraint (class_, (t : Ir.ty)) =
+    match t with
+    | Variable v -> need ctx ~is_library ~otherwise (v.id, class_)
+    | _ -> otherwise
+  in
+  match d.scheme.context with
+  | [] -> d
+  | context -> { d with needs = List.map of_constraint context }
 
 let program sink (program : Resolve.Ir.program) : Ir.program =
   let reader : Written.t =
@@ -199,5 +230,5 @@ let program sink (program : Resolve.Ir.program) : Ir.program =
     primitives;
     classes = List.map class_declaration classes;
     instances = List.map instance instances;
-    definitions;
+    definitions = List.rev (List.rev_map (with_needs ctx program) definitions);
   }

@@ -106,10 +106,15 @@ and constructor = {
 and definition = {
   name : Global.t;
   scheme : scheme;
+  needs : need list;  (** of the scheme's context, in its order *)
   value : expr;  (** parameters have become [Lambda] *)
   doc : string option;
   span : Span.t;
 }
+
+and need = { place : Span.t; by : string }
+(** What in the program, outside of the library, asks for a class, as near to
+    the class's method as can be; [by] says it, in backticks. *)
 
 (** {1 Expressions} *)
 

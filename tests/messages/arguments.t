@@ -89,15 +89,31 @@ A minus with blanks on both sides, or on none, is a subtraction.
   > main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
   > FROB
   $ frobc check value.frob
-  error[E0301]: expected `SF a b`, found `RobotOutput`
-   --> value.frob:2:25
-    |
-  2 | main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
-    |        ---------------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
-    |        |
-    |        argument 1 of `reactimateRobot` is `SF a b`
-    |
-    = hint: `constant e` is the signal function that always gives `e`
+  error[E0360]: there is no instance `RobotOutput (SF a b)`
+     --> value.frob:2:25
+      |
+    2 | main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
+      |                         ^^^^^^ `roMake` needs it
+      |
+     ::: stdlib/Capability.frob:117:11
+      |
+  117 | roMake :: RobotOutput o => (o -> o) -> o
+      |           ------------------------------ `roMake` asks for `RobotOutput o` here
+      |
+      = hint: `constant e` is the signal function that always gives `e`
   
-  1 error
+  error[E0360]: there is no instance `DiffDrive (SF a b)`
+     --> value.frob:2:33
+      |
+    2 | main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
+      |                                 ^^^^^^^^ `setVelTR` needs it
+      |
+     ::: stdlib/Capability.frob:124:17
+      |
+  124 |     setVelTR :: Velocity -> AngularVelocity -> o -> o
+      |                 ------------------------------------- `setVelTR` asks for `DiffDrive o` here
+      |
+      = hint: `constant e` is the signal function that always gives `e`
+  
+  2 errors
   [1]

@@ -88,7 +88,7 @@ let maybe_of ty = Data { tycon = main "Maybe"; units = []; arguments = [ ty ] }
 
 let program definitions =
   let definition (name, (value : expr)) =
-    { name = main name; scheme = monomorphic value.ty; value; doc = None; span }
+    { name = main name; scheme = monomorphic value.ty; needs = []; value; doc = None; span }
   in
   {
     main_module = "Main";
