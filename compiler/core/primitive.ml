@@ -46,6 +46,11 @@ type t =
   | Map_sf
   | Initially
   | On_event
+  | Make_task
+  | Until_right
+  | Return
+  | Sequence
+  | Run_task
   | Reactimate
 
 and elementary = Sqrt | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2
@@ -109,6 +114,11 @@ let table =
     ("drSwitch", Delayed_recurring_switch, 1);
     ("initially", Initially, 1);
     ("onEvent", On_event, 1);
+    ("mkTask", Make_task, 1);
+    ("untilRight", Until_right, 1);
+    ("return", Return, 1);
+    ("do", Sequence, 2);
+    ("runTask", Run_task, 1);
     ("mapSF", Map_sf, 1);
     ("reactimateRobot", Reactimate, 1);
   ]

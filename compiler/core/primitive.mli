@@ -60,6 +60,12 @@ type t =
   | Map_sf  (** one for each element of an array *)
   | Initially
   | On_event
+  (* tasks *)
+  | Make_task
+  | Until_right
+  | Return
+  | Sequence  (** [do]: a task, and the function that gives the task after it *)
+  | Run_task
   (* programs *)
   | Reactimate  (** [SF i o -> Program i o] *)
 

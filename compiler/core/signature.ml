@@ -5,7 +5,10 @@ let unary a = function_ [ a ] a
 let binary a = function_ [ a; a ] a
 let comparison a = function_ [ a; a ] Bool
 
-let event a = Data ({ module_ = "Prelude"; name = "Event" }, [ a ])
+let prelude name arguments = Data (({ module_ = "Prelude"; name } : Global.t), arguments)
+let event a = prelude "Event" [ a ]
+let either a b = prelude "Either" [ a; b ]
+let task a b c = prelude "Task" [ a; b; c ]
 
 let of_primitive (p : Primitive.t) types =
   match (p, types) with
@@ -35,6 +38,14 @@ let of_primitive (p : Primitive.t) types =
     Some (Function (Function (a, chosen), chosen))
   | On_event, [ a; b ] ->
     Some (Function (Signal_function (a, b), Signal_function (event a, event b)))
+  | Make_task, [ a; b; c ] ->
+    Some (Function (Signal_function (a, Tuple [ b; event c ]), task a b c))
+  | Until_right, [ a; b; c ] ->
+    Some (Function (Signal_function (a, either b c), task a b c))
+  | Return, [ c; a; b ] -> Some (Function (c, task a b c))
+  | Sequence, [ a; b; c; d ] ->
+    Some (function_ [ task a b c; Function (c, task a b d) ] (task a b d))
+  | Run_task, [ a; b; c ] -> Some (Function (task a b c, Signal_function (a, either b c)))
   | At, [ a; n ] -> Some (function_ [ Int; a; Array (n, a) ] a)
   | Length, [ n; a ] -> Some (Function (Array (n, a), Int))
   | Replace, [ a; n ] -> Some (function_ [ Int; a; Array (n, a) ] (Array (n, a)))
@@ -52,13 +63,13 @@ let of_primitive (p : Primitive.t) types =
     let one = Signal_function (a, b) in
     Some (Function (one, Signal_function (Array (n, a), Array (n, b))))
   | Reactimate, [ i; o ] ->
-    let program : Global.t = { module_ = "Prelude"; name = "Program" } in
-    Some (Function (Signal_function (i, o), Data (program, [ i; o ])))
+    Some (Function (Signal_function (i, o), prelude "Program" [ i; o ]))
   | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power
       | Power_literal _ | Elementary _ | Div | Mod | To_float | Round | Floor | Ceiling
       | Truncate | Equal | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum
       | Maximum | And | Or | Delay | Time | Integral | Derivative | Switch | Delayed_switch
       | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Reactimate
+      | Make_task | Until_right | Return | Sequence | Run_task
       | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf ),
       _ ) ->
     None

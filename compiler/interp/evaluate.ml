@@ -68,7 +68,7 @@ let local env (x : Local.t) types =
 
 let is_true : Value.t -> bool = function
   | Bool b -> b
-  | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ ->
+  | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ ->
       bug "a condition that is no Bool"
 
 let rec expr env (e : expr) : Value.t =
@@ -133,7 +133,7 @@ and apply (f : Value.t) arguments =
   match (f, arguments) with
   | _, [] -> f
   | Function f, first :: others -> apply (f first) others
-  | (Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Signal_function _), _ ->
+  | (Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Signal_function _ | Task _), _ ->
       bug "what is applied is no function"
 
 (* A primitive on the arguments that are there: with some missing it is a
@@ -154,6 +154,11 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
       Signal_function (fun () -> Switching.initially env.program.nesting choose)
   | On_event, [ body ] ->
       Signal_function (fun () -> Switching.on_event env.program.nesting body)
+  | Make_task, [ signal_function ] -> Tasks.make signal_function
+  | Until_right, [ signal_function ] -> Tasks.until_right signal_function
+  | Return, [ result ] -> Task (Returns result)
+  | Sequence, [ first; continuation ] -> Task (First (first, continuation))
+  | Run_task, [ task ] -> Signal_function (fun () -> Tasks.run env.program.nesting task)
   | Map_sf, [ signal_function ] ->
       let size = size env types in
       Signal_function (fun () -> Arrays.map_sf ~size signal_function)
@@ -259,7 +264,7 @@ and started env signal_function =
   in
   match Thunk.demand value with
   | Signal_function start -> start ()
-  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ ->
+  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Task _ ->
       bug "what is run is no signal function"
 
 let definition program name = global program name []

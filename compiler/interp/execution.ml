@@ -15,7 +15,7 @@ let start core ~entry =
   let definition = Evaluate.definition (Evaluate.program core) entry in
   match Thunk.demand definition with
   | Signal_function start -> { instance = start (); is_first = true }
-  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ ->
+  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Task _ ->
       bug "`%s` is no signal function" entry.name
 
 let instant t ~seconds input =

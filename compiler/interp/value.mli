@@ -11,8 +11,16 @@ type t =
   | Function of (thunk -> t)
   | Signal_function of (unit -> instance)
       (** starts it; a program is the signal function in it *)
+  | Task of task
 
 and thunk = t Thunk.t
+
+(** An activity that ends. *)
+and task =
+  | Runs of { signal_function : thunk; ended : thunk -> (thunk, thunk) Either.t }
+      (** [ended]: of what it puts out, the output, or what it has ended with *)
+  | Returns of thunk
+  | First of thunk * thunk  (** a task, and the function that gives the one after it *)
 
 (** A signal function that has been started, with its state. In each instant
     first [output] is called, then [commit], each once. *)

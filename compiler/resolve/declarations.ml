@@ -162,7 +162,7 @@ let builtin (_, (t : tycon)) : Ir.type_declaration =
   {
     tycon = t.global;
     unit_parameters = parameters "u" t.unit_arity;
-    type_parameters = parameters "ab" t.type_arity;
+    type_parameters = parameters "abc" t.type_arity;
     definition = Builtin;
     doc = None;
     span = t.span;

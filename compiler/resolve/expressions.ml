@@ -52,6 +52,13 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
       match inputs with
       | [ input ] -> Proc { input; body = proc_body inner body }
       | _ -> Diagnostic.bug ~stage:"Resolve.Expressions" "one pattern became several")
+  | Sequence { statements; result } ->
+      let statement (env, done_) (s : Syntax.Ir.task_statement) =
+        let env, statement = statement env s in
+        (env, statement :: done_)
+      in
+      let env, reversed = List.fold_left statement (env, []) statements in
+      Sequence { statements = List.rev reversed; result = expr env result }
   | Record { constructor; fields } -> record env e.span constructor fields
   | Update { record; fields } ->
       let record = expr env record in
@@ -151,6 +158,19 @@ and statement_items (s : Syntax.Ir.statement) : Bindings.item list =
 and statement_signatures = function
   | Let_equations declarations -> Bindings.signatures declarations
   | Bind _ | Bind_expr _ -> []
+
+(* Tasks *)
+
+and statement env (s : Syntax.Ir.task_statement) : Env.t * Ir.statement =
+  match s with
+  | Task { pattern = None; task; span = _ } -> (env, Task { pattern = None; task = expr env task })
+  | Task { pattern = Some pattern; task; span = _ } ->
+      let task = expr env task in
+      let env, patterns = Patterns.bind env [ pattern ] in
+      (env, Task { pattern = Some (List.hd patterns); task })
+  | Let_values bindings ->
+      let env, declarations = declarations env bindings in
+      (env, Values declarations)
 
 (* Records *)
 

@@ -120,11 +120,12 @@ let builtin_types ~file =
     builtin "Array" 2;
     builtin "SF" 2;
     builtin "Program" 2;
+    builtin "Task" 3;
   ]
 
 let is_builtin (t : tycon) =
   String.equal t.global.module_ prelude
-  && List.mem t.global.name [ "Bool"; "Int"; "Float"; "String"; "Array"; "SF"; "Program" ]
+  && List.mem t.global.name [ "Bool"; "Int"; "Float"; "String"; "Array"; "SF"; "Program"; "Task" ]
 
 let builtin_class_names = [ "Eq"; "Ord" ]
 

@@ -55,7 +55,7 @@ and type_definition =
   | Alias of ty
   | Data of constructor list  (** at least one *)
   | Builtin
-      (** Float, Int, Bool, String, Array, SF, Program: no declaration in source *)
+      (** Float, Int, Bool, String, Array, SF, Task, Program: no declaration in source *)
 
 and constructor = {
   constructor : Global.t;
@@ -188,6 +188,8 @@ and expr_desc =
   | Let of { declarations : declarations; body : expr }
   | Lambda of { parameters : pattern list; body : expr }
   | Proc of { input : pattern; body : proc_body }
+  | Sequence of { statements : statement list; result : expr }
+      (** tasks, one after the other *)
   | Record of { constructor : Global.t; fields : (Syntax.Ir.name * expr) list }
       (** fields exist and are complete; order as written *)
   | Update of { record : expr; fields : (Syntax.Ir.name * expr) list; candidates : Global.t list }
@@ -207,6 +209,11 @@ and number = {
 }
 
 and branch = { pattern : pattern; right : right; span : Span.t }
+
+and statement =
+  | Task of { pattern : pattern option; task : expr }
+      (** what it ends with is bound in all that follows, or dropped *)
+  | Values of declarations
 
 (** All notations of a proc become this: the equations and the output. *)
 and proc_body = {

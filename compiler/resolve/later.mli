@@ -1,4 +1,3 @@
 (** Names of the language reference that this version does not have yet. *)
 
 val is_name : string -> bool
-val is_type : string -> bool

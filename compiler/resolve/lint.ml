@@ -134,6 +134,14 @@ let rec expr known scope (e : Ir.expr) =
   | Proc { input; body } ->
       let scope = declarations known (pattern known scope input) body.equations in
       expr known scope body.output
+  | Sequence { statements; result } ->
+      let statement scope : Ir.statement -> _ = function
+        | Task { pattern = p; task } ->
+            expr known scope task;
+            Option.fold ~none:scope ~some:(pattern known scope) p
+        | Values ds -> declarations known scope ds
+      in
+      expr known (List.fold_left statement scope statements) result
   | Record { constructor; fields } ->
       if find known.constructors "constructor" constructor <> List.length fields then
         broken "a record of %s is not complete" constructor.name;

@@ -138,6 +138,15 @@ let rec expr ppf (e : Ir.expr) =
         expr body
   | Proc { input; body } ->
       fprintf ppf "@[<v 2>proc %a -> %a%a@]" pattern input expr body.output where body.equations
+  | Sequence { statements; result } ->
+      let statement ppf : Ir.statement -> unit = function
+        | Task { pattern = Some p; task } -> fprintf ppf "@[<2>%a <-@ %a@]" pattern p expr task
+        | Task { pattern = None; task } -> expr ppf task
+        | Values ds -> fprintf ppf "@[<v 2>let%a@]" declarations ds
+      in
+      fprintf ppf "@[<v 2>do";
+      List.iter (fprintf ppf "@,%a" statement) statements;
+      fprintf ppf "@,%a@]" expr result
   | Apply { head; argument; style = Command } ->
       fprintf ppf "@[<2>%a -<@ %a@]" application head expr argument
   | Apply _ -> application ppf e
@@ -167,7 +176,7 @@ and atom ppf (e : Ir.expr) =
   | Field { record; field; candidates } ->
       fprintf ppf "%a.%s<%a>" atom record field.text candidate_list candidates
   | Annotated { expr = e; scheme = s } -> fprintf ppf "(%a :: %a)" expr e scheme s
-  | If _ | Case _ | Let _ | Lambda _ | Proc _ | Apply _ | Negate _ | Power _ ->
+  | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ | Apply _ | Negate _ | Power _ ->
       fprintf ppf "(%a)" expr e
 
 and candidate_list ppf gs = pp_print_list ~pp_sep:comma global ppf gs

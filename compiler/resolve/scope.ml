@@ -103,8 +103,7 @@ let other_writing t space name =
     | _ -> None
 
 let is_later space name =
-  (String.equal space.noun "name" && Later.is_name name)
-  || (String.equal space.noun "type" && Later.is_type name)
+  String.equal space.noun "name" && Later.is_name name
 
 let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =

@@ -4,6 +4,7 @@ type vertex = { name : string; span : Span.t }
 
 let is_continuation : Core.Ir.ty -> bool = function
   | Function (_, Signal_function _) -> true
+  | Function (_, Data ({ module_ = "Prelude"; name = "Task" }, _)) -> true
   | Function _ | Signal_function _ | Tuple _ | Data _ | Array _ | Size _ | Variable _ | Bool | Int | Float | String ->
       false
 

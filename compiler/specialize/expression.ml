@@ -235,7 +235,8 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       match (primitive, all) with
       | Reactimate, [ signal_function ] -> Program signal_function.value
       | ( ( Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
-          | Delayed_recurring_switch | Initially | On_event | Map_sf ),
+          | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right
+          | Return | Sequence | Run_task ),
           _ ) ->
           Primitive { primitive; types; arguments = all; owner = s.owner }
       | _, _ when missing > 0 -> Primitive { primitive; types; arguments = all; owner = s.owner }
@@ -348,11 +349,30 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
         _;
       } ->
       Machine.run c (evaluator s) s.trail s.node target ~span ~result signal_function input
+  | Primitive { primitive = Run_task; types = [ _; output; ended ]; _ } ->
+      run_task c s target ~span ~result ~output ~ended signal_function input
   | Unspecified -> Unspecified
   | Signal_function { code = Lambda _ | Generic _; _ }
   | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Primitive _
   | Program _ ->
       bug "what is run is no signal function"
+
+(* [Left] the output, or [Right] what the task has ended with. *)
+and run_task (c : Context.t) s target ~span ~result ~output ~ended signal_function input =
+  let event = Machine.event_type ended in
+  let both : Ir.ty = Tuple [ output; event ] in
+  let value = Machine.run c (evaluator s) s.trail s.node Unnamed ~span ~result:both signal_function input in
+  let shown = Leaves.component value 0 and event_value = Leaves.component value 1 in
+  let types = c.types in
+  match Leaves.is_constructor types s.node Unnamed ~span event event_value 1 with
+  | Bool false -> Value.Constructed { constructor = 0; arguments = [ shown ] }
+  | condition ->
+      let value =
+        Leaves.payload types s.node Unnamed ~span event event_value ~constructor:1 ~field:0
+      in
+      Leaves.select types s.node target ~span result condition
+        (Constructed { constructor = 1; arguments = [ value ] })
+        (Constructed { constructor = 0; arguments = [ shown ] })
 
 (* What comes out may be a function, and be applied to what is left. *)
 and on_arrays (c : Context.t) s target ~span ~result primitive types arguments =

@@ -75,18 +75,30 @@ type choice =
   | One of Value.t
   | If of Ir.atom * choice * choice
 
-let rec choices m node (value : Value.t) =
+let rec choices m node ~span (value : Value.t) =
   match value with
   | Choice { condition; then_; else_ } -> (
       match (then_, else_) with
-      | Unspecified, other | other, Unspecified -> choices m node other
+      | Unspecified, other | other, Unspecified -> choices m node ~span other
       | _, _ ->
-          let then_ = choices m node then_ in
-          If (condition, then_, choices m node else_))
+          let then_ = choices m node ~span then_ in
+          If (condition, then_, choices m node ~span else_))
+  | Primitive { primitive = Run_task; types; arguments = [ task ]; owner } ->
+      let apply ~span = m.evaluator.apply m.context m.trail node ~span in
+      let run value : Value.t =
+        Primitive { primitive = Run_task; types; arguments = [ { task with value } ]; owner }
+      in
+      let rec each : Value.t -> choice = function
+        | Choice { condition; then_; else_ } ->
+            let then_ = each then_ in
+            If (condition, then_, each else_)
+        | task -> One (run task)
+      in
+      each (Task.reduced m.context apply ~span task.value)
   | Signal_function ({ code = Proc proc; _ } as closure) -> (
       match eta proc with
       | Some inner ->
-          choices m node (m.evaluator.static m.context m.trail node closure inner)
+          choices m node ~span (m.evaluator.static m.context m.trail node closure inner)
       | None -> One value)
   | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Primitive _ | Signal_function _
   | Program _ | Unspecified ->
@@ -151,11 +163,12 @@ let transitions m node ~from ~span ~delayed occurs value =
   in
   match (occurs : Ir.atom) with
   | Bool false -> []
-  | occurs -> go occurs (choices m node value) []
+  | occurs -> go occurs (choices m node ~span value) []
 
 (* {1 Events} *)
 
 let event_type ty : Core.Ir.ty = Data ({ module_ = "Prelude"; name = "Event" }, [ ty ])
+let either_type a b : Core.Ir.ty = Data ({ module_ = "Prelude"; name = "Either" }, [ a; b ])
 
 (* [Event] is the second constructor. *)
 let occurrence m node ~span ty event =
@@ -225,6 +238,40 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
   | Primitive { primitive = Initially; arguments = [ chosen ]; _ } ->
       let event : Value.t = Constructed { constructor = 1; arguments = [ input.value ] } in
       (Unspecified, next ~delayed:false input.ty event chosen.value)
+  | Primitive ({ primitive = Run_task; arguments = [ task ]; _ } as runs) -> (
+      let none : Value.t = Constructed { constructor = 0; arguments = [] } in
+      match Task.head task.value with
+      | Ends result ->
+          (Product [ Unspecified; Constructed { constructor = 1; arguments = [ result.value ] } ], [])
+      | Runs { signal_function; primitive; output; result } ->
+          let name = mode.name in
+          let shown, occurs, ended =
+            if primitive = Make_task then
+              let both =
+                run ~name ~result:(Core.Ir.Tuple [ output; event_type result ]) signal_function input
+              in
+              let occurs, ended = occurrence m node ~span:at result (Leaves.component both 1) in
+              (Leaves.component both 0, occurs, ended)
+            else
+              let ty = either_type output result in
+              let either = run ~name ~result:ty signal_function input in
+              let part constructor =
+                Leaves.payload c.types node Unnamed ~span:at ty either ~constructor ~field:0
+              in
+              let occurs = Leaves.is_constructor c.types node Unnamed ~span:at ty either 1 in
+              (part 0, occurs, fun () -> part 1)
+          in
+          let left () =
+            let task = { task with value = Task.after task.value { value = ended (); ty = result } } in
+            Value.Primitive { runs with arguments = [ task ] }
+          in
+          let after =
+            match occurs with
+            | Bool false -> []
+            | _ ->
+                transitions m node ~from:(Some mode.growth) ~span:at ~delayed:false occurs (left ())
+          in
+          (Product [ shown; none ], after))
   | _ -> (run ~name:mode.name ~result:m.result value input, [])
 
 let build m ~input_value ~input_holes (mode : mode) =

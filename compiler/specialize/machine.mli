@@ -36,6 +36,9 @@ type evaluator = {
       (** an expression in a proc that mentions no signal of it *)
 }
 
+val event_type : Core.Ir.ty -> Core.Ir.ty
+(** [Event] of it. *)
+
 val run :
   Context.t ->
   evaluator ->
@@ -47,5 +50,7 @@ val run :
   Value.t ->
   Value.argument ->
   Value.t
-(** An instance of a switch, or of a signal function chosen when it starts.
+(** An instance of a switch, of a signal function chosen when it starts, or of
+    [runTask t], whose [result] is here a pair: the task's output, and an event
+    that occurs from its end on with what it ended with.
     May raise {!Context.Stopped} and {!Context.Postponed}. *)

@@ -209,6 +209,56 @@ let do_body location statements : Ir.proc_body =
       Reject.at ~code:"E0116" (span location) ~hint:last_statement_hint
         "this `do` is empty, so it has no output"
 
+(* A [do] of tasks. Its last statement is a task too, and gives the result. *)
+let task_body location statements : Ir.expr_desc =
+  let last_is what span =
+    Reject.at ~code:"E0116" span ~hint:"end with a task, as in `return x`"
+      "the last statement of a `do` is a task, so it cannot %s" what
+  in
+  let no_command (c : Ir.command) =
+    Reject.at ~code:"E0116" c.span
+      ~hint:"write `proc x -> do` if this is a signal function; a task needs no `-<`"
+      "`-<` runs a signal function, which only the `do` of a `proc` can"
+  in
+  let no_rec span =
+    Reject.at ~code:"E0116" span
+      ~hint:"a task starts itself again by its name, as its last statement"
+      "`rec` belongs to the `do` of a `proc`: tasks come one after the other"
+  in
+  let rec place (statements : Surface.statement list) =
+    match statements with
+    | (Bare_command { span; _ } | Bare_expression { span; _ }) :: _ -> span
+    | (Arrow_bind { left; _ } | Command_bind { left; _ }) :: _ -> left.span
+    | Let ({ span; _ } :: _) :: _ -> span
+    | (Let [] | Rec []) :: others -> place others
+    | Rec inner :: others -> place (inner @ others)
+    | [] -> span location
+  in
+  let statement (s : Surface.statement) : Ir.task_statement =
+    match s with
+    | Arrow_bind { left; right } ->
+        Task
+          {
+            pattern = Some (Term.to_pattern left);
+            task = right;
+            span = Span.merge left.span right.span;
+          }
+    | Bare_expression t -> Task { pattern = None; task = Term.to_expr t; span = t.span }
+    | Let declarations -> Let_values declarations
+    | Command_bind { command; _ } | Bare_command command -> no_command command
+    | Rec inner -> no_rec (place inner)
+  in
+  match (List.rev statements : Surface.statement list) with
+  | Bare_expression result :: before ->
+      Sequence { statements = List.rev_map statement before; result = Term.to_expr result }
+  | Arrow_bind { left; _ } :: _ -> last_is "bind a name" left.span
+  | (Let _ as last) :: _ -> last_is "be a `let`" (place [ last ])
+  | (Bare_command command | Command_bind { command; _ }) :: _ -> no_command command
+  | Rec inner :: _ -> no_rec (place inner)
+  | [] ->
+      Reject.at ~code:"E0116" (span location) ~hint:"end with a task, as in `return x`"
+        "this `do` is empty: there is no task in it"
+
 (* Clauses *)
 
 let second_clause (first : Ir.declaration) (second : Ir.declaration) =

@@ -42,6 +42,10 @@ val scaled_unit : name:Ir.name -> Surface.factor list -> Ir.declaration_desc
 (** The right side of a [unit] declaration, its factors last one first. *)
 
 val do_body : location -> Surface.statement list -> Ir.proc_body
+(** Of a [proc]. *)
+
+val task_body : location -> Surface.statement list -> Ir.expr_desc
+(** Of tasks. *)
 
 val declarations : Ir.declaration list -> Ir.declaration list
 (** A block as it is; rejects several clauses of one function. *)

@@ -199,8 +199,17 @@ field_group:
 /* Terms */
 
 chain:
-| t = last { t }
+| t = plain { t }
+| t = sequence { t }
+
+/* All but `do` alone, which after `proc x ->` is the body of a proc. */
+plain:
+| t = application { t }
+| t = open_ended { t }
 | steps = some(step) t = last { Operators.group steps t }
+
+sequence:
+| DO statements = block(statement) { expression $loc (task_body $loc statements) }
 
 step:
 | operand = application operator = infix { Operand { operand; operator } }
@@ -209,6 +218,7 @@ step:
 last:
 | t = application { t }
 | t = open_ended { t }
+| t = sequence { t }
 
 open_ended:
 | BACKSLASH parameters = some(argument) ARROW body = chain
@@ -290,9 +300,10 @@ branch_guard:
 /* Signal functions */
 
 proc_body:
-| output = chain %prec innermost_proc { Output { output = expr output; equations = [] } }
-| output = chain WHERE equations = locals { Output { output = expr output; equations } }
-| c = command { Command c }
+| output = plain %prec innermost_proc { Output { output = expr output; equations = [] } }
+| output = plain WHERE equations = locals { Output { output = expr output; equations } }
+| f = plain TAIL t = chain
+    { Command { signal_function = expr f; argument = expr t; span = span $loc } }
 | DO statements = block(statement) { do_body $loc statements }
 
 command:

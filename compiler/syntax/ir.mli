@@ -116,6 +116,8 @@ and expr_desc =
   | Let of { bindings : declaration list; body : expr }
   | Lambda of { parameters : pattern list; body : expr }
   | Proc of { input : pattern; body : proc_body }
+  | Sequence of { statements : task_statement list; result : expr }
+      (** a task: [do …] that is not the body of a [proc] *)
   | Record of { constructor : qualified; fields : (name * expr) list }
   | Update of { record : expr; fields : (name * expr) list }
   | Field of { record : expr; field : name }
@@ -145,6 +147,11 @@ and statement =
   | Bind of { pattern : pattern; command : command }  (** [p <- sf -< e] *)
   | Bind_expr of { pattern : pattern; expr : expr; span : Span.t }  (** [p <- e] *)
   | Let_equations of declaration list
+
+and task_statement =
+  | Task of { pattern : pattern option; task : expr; span : Span.t }
+      (** [p <- e], or [e] *)
+  | Let_values of declaration list
 
 (** {1 Patterns} *)
 

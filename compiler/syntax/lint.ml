@@ -53,6 +53,14 @@ let expression span (desc : Ir.expr_desc) =
   | Lambda { parameters; _ } -> at_least 1 "parameters" span parameters
   | Record { fields; _ } | Update { fields; _ } -> at_least 1 "fields" span fields
   | Proc { body; _ } -> proc_body span body
+  | Sequence { statements; result = _ } ->
+      let statement (s : Ir.task_statement) =
+        match s with
+        | Let_values ds -> List.iter local ds
+        | Task { span = inner; _ } ->
+            if not (contains span inner) then broken inner "a statement outside its `do`"
+      in
+      List.iter statement statements
   | Number { digits; _ } ->
       if Exact.of_decimal digits = None && String.length digits < 100 then
         broken span "`%s` is no number" digits

@@ -91,6 +91,12 @@ let proc_body (body : Ir.proc_body) =
   | Do { statements; result } ->
       List.fold_left (fun rest s -> statement s rest) [ Command result ] statements
 
+let task_statement rest (s : Ir.task_statement) =
+  match s with
+  | Task { pattern; task; span = _ } ->
+      Expression task :: Option.fold ~none:rest ~some:(fun p -> Pattern p :: rest) pattern
+  | Let_values ds -> declarations ds rest
+
 let expression (desc : Ir.expr_desc) =
   match desc with
   | Variable x | Constructor x -> [ Qualified x ]
@@ -108,6 +114,8 @@ let expression (desc : Ir.expr_desc) =
   | Let { bindings; body } -> Expression body :: declarations bindings []
   | Lambda { parameters; body } -> Expression body :: patterns parameters []
   | Proc { input; body } -> Pattern input :: proc_body body
+  | Sequence { statements; result } ->
+      List.fold_left task_statement [ Expression result ] statements
   | Record { constructor; fields } -> Qualified constructor :: expression_fields fields []
   | Update { record; fields } -> Expression record :: expression_fields fields []
   | Field { record; field } -> [ Expression record; Name field ]

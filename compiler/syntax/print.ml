@@ -157,12 +157,13 @@ let is_argument (e : expr) =
   | Variable _ | Constructor _ | Number _ | String _ | Tuple _ | Array _ | Left_section _ | Right_section _
   | Record _ | Update _ | Field _ | Annotated _ | Parenthesized _ ->
       true
-  | Apply _ | Binary _ | Negate _ | Power _ | If _ | Case _ | Let _ | Lambda _ | Proc _ -> false
+  | Apply _ | Binary _ | Negate _ | Power _ | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ -> false
 
 let rec is_application (e : expr) =
   match e.desc with Apply (f, x) -> is_argument x && is_application f | _ -> is_argument e
 
 let rec expr b column (e : expr) =
+  let print_expr = expr in
   let expr = expr b column in
   match e.desc with
   | Variable x | Constructor x -> qualified b x
@@ -197,6 +198,11 @@ let rec expr b column (e : expr) =
       text b " -> "; expr body
   | Proc { input; body } ->
       text b "proc "; argument_pattern b input; text b " -> "; proc_body b column body
+  | Sequence { statements; result } ->
+      text b "do";
+      List.iter (fun s -> line b (column + 2); task_statement b (column + 2) s) statements;
+      line b (column + 2);
+      print_expr b (column + 2) result
   | Record { constructor; fields = fs } -> qualified b constructor; fields b column fs
   | Update { record; fields = fs } -> expr record; fields b column fs
   | Field { record; field } -> expr record; text b "."; text b field.text
@@ -224,6 +230,12 @@ and statement b column = function
   | Bind { pattern = p; command = c } -> pattern b p; text b " <- "; command b column c
   | Bind_expr { pattern = p; expr = e; _ } -> pattern b p; text b " <- "; expr b column e
   | Let_equations bindings -> text b "let"; block b column bindings
+
+and task_statement b column = function
+  | Task { pattern = p; task; span = _ } ->
+      Option.iter (fun p -> pattern b p; text b " <- ") p;
+      expr b column task
+  | Let_values bindings -> text b "let"; block b column bindings
 
 and branch b column (x : branch) =
   pattern b x.pattern;

@@ -123,7 +123,7 @@ and choice_around = function
 
 let choice_of_commands found =
   match found.token.token with
-  | TAIL | LEFT_ARROW | DO ->
+  | TAIL | LEFT_ARROW ->
       Option.map
         (fun by ->
           Diagnostic.error ~code:"E0116" ~at:(span found.token)
@@ -150,10 +150,6 @@ let missing found =
         (absent found "`newtype` is not part"
         |> Diagnostic.hint "`data` makes a new type, and one with a single field costs nothing")
   | RESERVED word, _ -> Some (absent found "`%s` is not part" word)
-  | DO, _ ->
-      Some
-        (absent found "tasks are not part"
-        |> Diagnostic.hint "a `do` with signals follows `proc`, as in `proc x -> do …`")
   | UNIT_BRACKET, Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ }
     when holds_a_unit found ->
       Some

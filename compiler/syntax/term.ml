@@ -88,6 +88,7 @@ and no_expression span (desc : Ir.expr_desc) =
   | Let _ -> no_pattern span "a `let`"
   | Lambda _ -> no_pattern span "a function"
   | Proc _ -> no_pattern span "a `proc`"
+  | Sequence _ -> no_pattern span "a `do`"
   | Array _ ->
       Reject.at ~code:"E0114" span ~hint:"give the array a name, and take an element with `xs ! 0`"
         "an array cannot be part of a pattern"

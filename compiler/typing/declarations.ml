@@ -120,7 +120,8 @@ let type_ (reader : Written.t) (declared : Resolve.Ir.type_declaration) =
       None
   | Builtin ->
       add Builtin;
-      if List.mem declared.tycon [ Environment.built_in "Program"; Environment.array ] then Some (data []) else None
+      let opaque = [ Environment.built_in "Program"; Environment.task; Environment.array ] in
+      if List.mem declared.tycon opaque then Some (data []) else None
   | Data constructors ->
       let result : Type.t =
         Data

@@ -56,6 +56,9 @@ let type_ t name = found "type" t.types name
 let built_in name : Ir.Global.t = { module_ = "Prelude"; name }
 let array = built_in "Array"
 let array_of size element : Type.t = Data { tycon = array; units = []; arguments = [ size; element ] }
+let task = built_in "Task"
+let task_of input output result : Type.t = Data { tycon = task; units = []; arguments = [ input; output; result ] }
+let sequence = built_in "do"
 let add_constructor t c = Hashtbl.replace t.constructors c.ir.constructor c
 let constructor t name = found "constructor" t.constructors name
 

@@ -37,6 +37,15 @@ val array : Ir.Global.t
 val array_of : Type.t -> Type.t -> Type.t
 (** [Array size element] *)
 
+val task : Ir.Global.t
+
+val task_of : Type.t -> Type.t -> Type.t -> Type.t
+(** Of input, output and result. *)
+
+val sequence : Ir.Global.t
+(** The primitive that [do] stands for: a task, then the function that gives the
+    task after it. Its name is a keyword, so no program can say it. *)
+
 (** {1 Classes} *)
 
 type class_ = {

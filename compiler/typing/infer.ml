@@ -15,6 +15,23 @@ let primitive ctx (p : Resolve.Ir.primitive) =
   Hashtbl.replace ctx.globals p.name { scheme; kind = Primitive; at = None };
   (p.name, Final.scheme scheme)
 
+(* What [do] stands for: [Task a b c -> (c -> Task a b d) -> Task a b d]. *)
+let sequence ctx =
+  let rigid name : Type.rigid =
+    { variable = { id = Type.next ctx.reader.supply; name }; kind = Of_types; depth = 1 }
+  in
+  let types = List.map rigid [ "a"; "b"; "c"; "d" ] in
+  let body : Type.t =
+    match List.map (fun r -> Type.Rigid r) types with
+    | [ a; b; c; d ] ->
+        let rest : Type.t = Function (c, Environment.task_of a b d) in
+        Function (Environment.task_of a b c, Function (rest, Environment.task_of a b d))
+    | _ -> Erroneous
+  in
+  let scheme : Type.scheme = { types; representations = []; units = []; context = []; body } in
+  Hashtbl.replace ctx.globals Environment.sequence { scheme; kind = Primitive; at = None };
+  (Environment.sequence, Final.scheme scheme)
+
 (* All signatures first: what has one can be used before it is checked. *)
 let signature ctx declared (b : Resolve.Ir.binding) =
   let name, _ = top b in
@@ -209,7 +226,7 @@ let program sink (program : Resolve.Ir.program) : Ir.program =
   in
   let data = Declarations.program reader program in
   let ctx = Context.start reader in
-  let primitives = List.rev (List.rev_map (primitive ctx) program.primitives) in
+  let primitives = List.rev (List.rev_map (primitive ctx) program.primitives) @ [ sequence ctx ] in
   let classes = Class_declarations.classes ctx program in
   let instances = Class_declarations.instances ctx classes program in
   let declared = Hashtbl.create 1024 in

@@ -92,7 +92,7 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
   | Update { record; fields; candidates } ->
       Infer_record.update expressions ctx e ~record fields ~candidates
   | Annotated { expr; scheme } -> Infer_binding.annotated expressions ctx e expr scheme
-  | If _ | Case _ | Let _ | Lambda _ | Proc _ ->
+  | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ ->
       let ty = Context.fresh ctx in
       let build = check ctx e (Mistake.expecting Unknown ty) in
       { ty; build }
@@ -119,6 +119,8 @@ and check ctx (e : Resolve.Ir.expr) (expected : Mistake.expected) : Ir.expr late
       Infer_binding.abstraction ctx ~at:e.span ~name:None parameters expected (fun expected ->
           check ctx body expected)
   | Proc { input; body }, _ -> proc ctx e input body expected
+  | Sequence { statements; result }, _ ->
+      Infer_sequence.check expressions ctx e statements result expected
   | Tuple elements, Tuple types when List.compare_lengths elements types = 0 ->
       let elements =
         List.rev

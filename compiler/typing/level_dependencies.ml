@@ -24,6 +24,7 @@ let variables (p : pattern) =
 let origin (b : binding) : Level_graph.origin =
   match (b.pattern.desc, b.pattern.ty) with
   | Bound _, Signal_function _ -> Bound_signal_function
+  | Bound _, Data { tycon; _ } when tycon = Environment.task -> Bound_signal_function
   | _ -> Derived
 
 let name w node p = List.iter (fun x -> Level_graph.name w.graph x node) (variables p)

@@ -17,6 +17,7 @@ type region = { depth : int; proc_depth : int; kind : kind; mutable reported : b
 and kind =
   | Head of expr
   | Binding_of of Local.t  (** a signal function *)
+  | Binding_of_task of Local.t
 
 type place = {
   position : position;
@@ -44,6 +45,7 @@ let complaint kind what =
   | Head _ -> Printf.sprintf "what is run must be static, but %s" what
   | Binding_of x ->
     Printf.sprintf "`%s` is a signal function and must be static, but %s" x.name what
+  | Binding_of_task x -> Printf.sprintf "`%s` is a task and must be static, but %s" x.name what
 
 (* What the programmer likely wants of the thing that must be static. *)
 let cure = function
@@ -55,9 +57,11 @@ let cure = function
     when name = "switch" || name = "dSwitch" ->
     Diagnostic.hint
       (Printf.sprintf "carry it in the event of the `%s`, or use `initially`" name)
+  | Binding_of_task _ ->
+    Diagnostic.hint "a task gets what it knows at its start by its parameters, and signals by its input"
   | Head _ | Binding_of _ -> Fun.id
 
-let code = function Head _ -> "E0340" | Binding_of _ -> "E0344"
+let code = function Head _ -> "E0340" | Binding_of _ | Binding_of_task _ -> "E0344"
 
 let report w region ~at what explain =
   if not region.reported then (
@@ -269,6 +273,8 @@ and binding w place (b : binding) =
     | Bound x, _, Lambda (patterns, body) ->
       { b.value with desc = Lambda (patterns, function_ w place x.name body) }
     | Bound x, Signal_function _, _ -> expr w (enter place (Binding_of x)) b.value
+    | Bound x, Data { tycon; _ }, _ when tycon = Environment.task ->
+      expr w (enter place (Binding_of_task x)) b.value
     | _ -> expr w place b.value
   in
   (match (level, b.pattern.desc, b.pattern.ty) with

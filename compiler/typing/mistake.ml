@@ -17,6 +17,8 @@ type reason =
   | Element of Span.t
   | Value of Span.t
   | Pattern of Span.t
+  | Statement of Span.t option
+  | Last_statement of reason
   | Uses of { name : string; at : Span.t }
   | Field of { name : string; at : Span.t }
   | Output of reason
@@ -33,7 +35,7 @@ let name_of (e : Resolve.Ir.expr) =
   match e.desc with
   | Local { name; _ } | Global { name; _ } | Constructor { name; _ } -> Some name
   | Number _ | String _ | Tuple _ | Array _ | Apply _ | Negate _ | Power _ | If _ | Case _ | Let _
-  | Lambda _ | Proc _ | Record _ | Update _ | Field _ | Annotated _ ->
+  | Lambda _ | Proc _ | Sequence _ | Record _ | Update _ | Field _ | Annotated _ ->
       None
 
 (* A type in a sentence. A number whose representation is open needs no
@@ -64,7 +66,8 @@ let rec explain words reason (expected : Type.t) diagnostic =
   let is_here at = Span.compare at diagnostic.at = 0 in
   let label ~at text = if is_here at then Fun.id else label ~at text in
   match reason with
-  | Unknown | Condition -> diagnostic
+  | Unknown | Condition | Statement None -> diagnostic
+  | Last_statement reason -> explain words reason expected diagnostic
   | Signature { name; at } ->
       label ~at (Printf.sprintf "the signature of `%s` asks for %s" name (described words expected))
         diagnostic
@@ -80,6 +83,8 @@ let rec explain words reason (expected : Type.t) diagnostic =
       label ~at:other.span (Printf.sprintf "this is %s" (described words other_type)) diagnostic
   | Branch at ->
       label ~at (Printf.sprintf "this branch is %s" (described words expected)) diagnostic
+  | Statement (Some at) ->
+      label ~at (Printf.sprintf "so each task of this `do` is %s" (described words expected)) diagnostic
   | Element at ->
       label ~at (Printf.sprintf "the first element is %s" (described words expected)) diagnostic
   | Value at -> label ~at (Printf.sprintf "the value is %s" (described words expected)) diagnostic
@@ -108,7 +113,7 @@ let rec explain words reason (expected : Type.t) diagnostic =
 (* A variable's own definition is the other place if there is no better one. *)
 let explain_subject subject reason diagnostic =
   match (subject, reason) with
-  | Some ({ desc = Local local; _ } : Resolve.Ir.expr), (Unknown | Condition)
+  | Some ({ desc = Local local; _ } : Resolve.Ir.expr), (Unknown | Condition | Statement None)
     when Span.compare local.span diagnostic.at <> 0 ->
       label ~at:local.span (Printf.sprintf "`%s` is bound here" local.name) diagnostic
   | _ -> diagnostic
@@ -232,6 +237,14 @@ let operand_before (expected : expected) =
   | Operand { other; other_type; _ } when Type.repr other_type == Type.repr expected.ty -> Some other
   | _ -> None
 
+let of_a_sequence expected =
+  match expected.because with Statement _ | Last_statement _ -> true | _ -> false
+
+let is_event t =
+  match Type.expand t with
+  | Data { tycon; _ } -> tycon = Environment.built_in "Event"
+  | _ -> false
+
 (* As in `f(x, y)`. *)
 let separated_by_commas expected =
   match expected.because with Parameter { position = 1; callee = Some _; _ } -> true | _ -> false
@@ -242,9 +255,80 @@ let hint_to_group name operator =
     (Printf.sprintf "application binds tighter than `%s`: write `%s (… %s …)`"
        operator name operator)
 
+(* A task, by what goes in, comes out and what it ends with. *)
+let as_task t =
+  match Type.expand t with
+  | Data { tycon; arguments = [ input; output; result ]; _ } when tycon = Environment.task ->
+      Some (input, output, result)
+  | _ -> None
+
+let is_task t = as_task t <> None
+
+(* How a signal function becomes a task: it ends at its event, or never. *)
+let to_task subject output =
+  let name = match Option.bind subject name_of with Some name -> name | None -> "sf" in
+  match Type.expand output with
+  | Tuple [ _; last ] when is_event last ->
+      hint (Printf.sprintf "`mkTask %s` is the task that ends when its event occurs" name)
+  | _ ->
+      hint
+        (Printf.sprintf
+           "`mkTask (%s &&& event)` ends when the event occurs; `mkTask (%s &&& never)` never does" name
+           name)
+
+let task_and_signal_function words ~subject ~at ~found =
+  match Type.expand found with
+  | Signal_function (_, output) ->
+      error ~code:"E0371" ~at "a signal function stands where a task is needed"
+      |> here (Printf.sprintf "this is %s" (described words found))
+      |> to_task subject output
+  | _ ->
+      let name = match Option.bind subject name_of with Some name -> name | None -> "t" in
+      error ~code:"E0371" ~at "a task stands where a signal function is needed"
+      |> here (Printf.sprintf "this is %s" (described words found))
+      |> hint
+           (Printf.sprintf
+              "`runTask %s` is a signal function: `Left` its output while it runs, then `Right` its \
+               result"
+              name)
+
+(* Two tasks that differ in one thing. *)
+let unlike_tasks words ~at (input, output, result) (input', output', result') =
+  let differ a b =
+    match Type.expand a with
+    | Flexible _ -> false
+    | _ -> not (String.equal (described words a) (described words b))
+  in
+  let says format a b = Some (Printf.sprintf format (described words a) (described words b)) in
+  let text =
+    match (differ input input', differ output output', differ result result') with
+    | false, false, true ->
+        says "expected a task that ends with %s, but this one ends with %s" result result'
+    | false, true, false ->
+        says "expected a task whose output is %s, but that of this one is %s" output output'
+    | true, false, false ->
+        says "expected a task whose input is %s, but that of this one is %s" input input'
+    | _ -> None
+  in
+  Option.map (fun text -> error ~code:"E0301" ~at "%s" text) text
+
+let no_task words ~subject ~at ~found =
+  error ~code:"E0370" ~at "the statements of a `do` are tasks, but this is %s" (described words found)
+  |> hint
+       (match Option.bind subject name_of with
+       | Some name -> Printf.sprintf "`return %s` is the task that ends at once with it" name
+       | None -> "`let x = …` names a value; `return x` is the task that ends at once with it")
+
 let shapes words ~subject ~at ~(expected : expected) ~found =
   let text t = described words t in
   match (Type.expand expected.ty, Type.expand found, operand_before expected) with
+  | wanted, Signal_function _, _ when is_task wanted ->
+      task_and_signal_function words ~subject ~at ~found
+  | Signal_function _, given, _ when is_task given ->
+      task_and_signal_function words ~subject ~at ~found
+  | wanted, (Number _ | Bool | String | Tuple _ | Data _ | Rigid _ as given), _
+    when is_task wanted && (not (is_task given)) && of_a_sequence expected ->
+      no_task words ~subject ~at ~found
   | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Signal_function (input, _), _ ->
       unrun words ~subject ~at ~input ~found |> note (Printf.sprintf "expected %s" (text expected.ty))
   | Signal_function (input, _), (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Some other
@@ -302,21 +386,27 @@ let shapes words ~subject ~at ~(expected : expected) ~found =
            (Printf.sprintf "several arguments stand side by side: `%s %s`" name
               (String.concat " " arguments))
   | _ -> (
-      match expected.because with
-      | Condition ->
+      let tasks =
+        match (as_task expected.ty, as_task found) with
+        | Some wanted, Some given -> unlike_tasks words ~at wanted given
+        | _ -> None
+      in
+      match (tasks, expected.because) with
+      | Some diagnostic, _ -> diagnostic
+      | None, Condition ->
           error ~code:"E0301" ~at "a condition must be `Bool`, but this is %s" (text found)
-      | Parameter { before = Some operator; callee = Some name; _ }
+      | None, Parameter { before = Some operator; callee = Some name; _ }
         when Type.expand expected.ty = Bool ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
           |> hint_to_group name operator
-      | Operand { operator; other = { desc = Apply { head; style = Juxtaposed; _ }; _ }; _ }
+      | None, Operand { operator; other = { desc = Apply { head; style = Juxtaposed; _ }; _ }; _ }
         when Type.expand expected.ty = Bool && Option.is_some (head_name head) ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
           |> hint_to_group (Option.get (head_name head)) operator
-      | Value _ ->
+      | None, Value _ ->
           error ~code:"E0301" ~at "this pattern matches %s, but the value is %s" (text found)
             (text expected.ty)
-      | _ -> error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found))
+      | None, _ -> error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found))
 
 (* Between Int and Float the unit is no matter, unless it is known. *)
 let without_open_unit t =
@@ -428,7 +518,9 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
               (if position = 2 then "one argument" else Printf.sprintf "%d arguments" (position - 1))
               (described words left))
   in
-  diagnostic
+  if is_task left then
+    hint "a task is run by `runTask`: `runTask t` is a signal function" diagnostic
+  else diagnostic
 
 let not_a_signal_function words ~(head : Resolve.Ir.expr) found =
   let diagnostic =

@@ -4,7 +4,9 @@
     arguments · [E0303] a signal function where its signal's value is wanted ·
     [E0304] a function where a signal function is wanted, or the reverse ·
     [E0305] an infinite type · [E0306] a signature more general than its
-    definition · [W0302] its variable is named like a type · [E0312] Int and Float · [E0320] units · [E0323] exponents. *)
+    definition · [W0302] its variable is named like a type · [E0312] Int and Float · [E0320] units · [E0323] exponents ·
+    [E0370] no task in a [do] · [E0371] a task where a signal function is
+    wanted, or the reverse. *)
 
 open Basis
 
@@ -28,6 +30,9 @@ type reason =
   | Element of Span.t  (** of an array: the first one *)
   | Value of Span.t  (** a pattern's: the value that is matched *)
   | Pattern of Span.t  (** a value's: the pattern that takes it apart *)
+  | Statement of Span.t option
+      (** of a [do], and what says of its tasks what goes in and comes out *)
+  | Last_statement of reason  (** of a [do] that is expected for this reason *)
   | Uses of { name : string; at : Span.t }  (** of what is being defined *)
   | Field of { name : string; at : Span.t }
   | Output of reason  (** of the signal function that is expected for this reason *)

@@ -61,6 +61,11 @@ let rec expr w (e : expr) =
   match e.desc with
   | Local _ | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> ()
   | Tuple es | Array es -> List.iter (expr w) es
+  | Apply ({ desc = Apply ({ desc = Primitive (g, _); _ }, task); _ }, { desc = Lambda ([ p ], rest); _ })
+    when g = Environment.sequence ->
+    expr w task;
+    always_matches w "a `<-`" p;
+    expr w rest
   | Apply (a, b) | Run (a, b) ->
     expr w a;
     expr w b

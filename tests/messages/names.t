@@ -54,16 +54,16 @@ Unknown names: other capitals, units as words, what a later version will have.
   [1]
 
   $ cat > later.frob <<'FROB'
-  > t = sleepT 1[s] 0
+  > main = reactimateTask
   > FROB
   $ frobc check later.frob
-  error[E0205]: unknown name `sleepT`
-   --> later.frob:1:5
+  error[E0205]: unknown name `reactimateTask`
+   --> later.frob:1:8
     |
-  1 | t = sleepT 1[s] 0
-    |     ^^^^^^
+  1 | main = reactimateTask
+    |        ^^^^^^^^^^^^^^
     |
-    = note: `sleepT` is not part of this version of Frob
+    = note: `reactimateTask` is not part of this version of Frob
   
   1 error
   [1]

@@ -81,6 +81,8 @@ let rec expr (e : expr) : expr =
     | Lambda { parameters; body } ->
         Lambda { parameters = all pattern parameters; body = expr body }
     | Proc { input; body } -> Proc { input = pattern input; body = proc_body body }
+    | Sequence { statements; result } ->
+        Sequence { statements = all task_statement statements; result = expr result }
     | Record { constructor; fields = fs } ->
         Record { constructor = qualified constructor; fields = fields fs }
     | Update { record; fields = fs } -> Update { record = expr record; fields = fields fs }
@@ -113,6 +115,11 @@ and statement = function
   | Bind_expr { pattern = p; expr = e; span = _ } ->
       Bind_expr { pattern = pattern p; expr = expr e; span }
   | Let_equations ds -> Let_equations (all declaration ds)
+
+and task_statement = function
+  | Task { pattern = p; task; span = _ } ->
+      Task { pattern = Option.map pattern p; task = expr task; span }
+  | Let_values ds -> Let_values (all declaration ds)
 
 and binding (b : binding) : binding =
   let left =

@@ -1,0 +1,35 @@
+(** Tasks, as values: what runs first, and what comes after it.
+
+    A task is a [Primitive]: [mkTask] or [untilRight] of a signal function,
+    [return] of a value, or [do] of a task and of the function that gives the
+    task after it. So where a task stands in a program is itself a task: what
+    is left of it. *)
+
+open Basis
+
+type evaluator = span:Span.t -> result:Core.Ir.ty -> Value.t -> Value.argument -> Value.t
+(** Applies a function. *)
+
+(** What runs first. *)
+type head =
+  | Runs of {
+      signal_function : Value.t;
+      primitive : Core.Primitive.t;  (** [Make_task] or [Until_right] *)
+      output : Core.Ir.ty;  (** while it runs *)
+      result : Core.Ir.ty;  (** what it ends with *)
+    }
+  | Ends of Value.argument  (** all of it has ended *)
+
+val type_of : Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty
+(** Of input, output and result. *)
+
+val reduced : Context.t -> evaluator -> span:Span.t -> Value.t -> Value.t
+(** The same task, or choice of tasks, with a head: what ends at once is done
+    with. Reports tasks that end at once in a circle; then raises
+    {!Context.Stopped}. *)
+
+val head : Value.t -> head
+(** Of a task that is reduced, and no choice. *)
+
+val after : Value.t -> Value.argument -> Value.t
+(** What is left when the head of a reduced task has ended with this. *)

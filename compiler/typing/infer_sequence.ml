@@ -1,0 +1,96 @@
+open Basis
+open Context
+
+(* What a [do] is made of, from the statement on that is being checked. *)
+type sequence = {
+  input : Type.t;
+  output : Type.t;
+  whole : Type.t;  (* the type of what is left, whatever came before *)
+}
+
+let task s result = Environment.task_of s.input s.output result
+
+(* What says the input and the output, which are those of all tasks: the first
+   one if nothing around does. *)
+let rec place ~first (reason : Mistake.reason) =
+  match reason with
+  | Signature { at; _ } | Annotation at | Parameter { at; _ } | Branch at | Uses { at; _ }
+  | Field { at; _ } | Element at ->
+      Some at
+  | Last_statement reason -> place ~first reason
+  | Statement (Some at) -> Some at
+  | Unknown | Operand _ | Condition | Value _ | Pattern _ | Output _ | Statement None -> first
+
+(* [do] applied to a task and to the rest as a function. *)
+let join ctx s ~result ~at (first : Ir.expr) pattern (rest : Ir.expr) : Ir.expr later =
+  match Hashtbl.find_opt ctx.globals Environment.sequence with
+  | None -> Diagnostic.bug ~stage:"Typing.Infer" "no primitive for `do`"
+  | Some _ ->
+      let types = [ s.input; s.output; result ] in
+      let continuation : Type.t = Type.shared (Function (result, s.whole)) in
+      let applied : Type.t = Type.shared (Function (continuation, s.whole)) in
+      let primitive : Type.t = Type.shared (Function (task s result, applied)) in
+      node at s.whole (fun () ->
+          let last =
+            match (Final.ty s.whole : Ir.ty) with
+            | Data { arguments = [ _; _; last ]; _ } -> last
+            | _ -> Tuple []
+          in
+          let instantiation : Ir.instantiation =
+            { types = List.map Final.ty types @ [ last ]; representations = [] }
+          in
+          let head = node at primitive (fun () -> Primitive (Environment.sequence, instantiation)) in
+          let head = node at applied (fun () -> Apply (head (), first)) in
+          let rest = node rest.span continuation (fun () -> Lambda ([ pattern ], rest)) in
+          Apply (head (), rest ()))
+
+let whatever ty (span : Span.t) : Ir.pattern later =
+ fun () -> { desc = Any; ty = Final.ty ty; span = { span with stop = span.start } }
+
+(* [first]: the place of the first task, once there was one. *)
+let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Mistake.expected) statements
+    last : Ir.expr later =
+  match (statements : Resolve.Ir.statement list) with
+  | [] ->
+      let because : Mistake.reason =
+        match expected.because with
+        | Unknown -> Statement (place ~first Unknown)
+        | because -> Last_statement because
+      in
+      expressions.check ctx last { ty = s.whole; because }
+  | Values declarations :: others ->
+      let bindings = Infer_binding.declarations expressions ctx declarations in
+      let rest = from expressions ctx s e ~first expected others last in
+      node e.span s.whole (fun () ->
+          let bindings = bindings () in
+          Let (bindings, rest ()))
+  | Task { pattern; task = written } :: others ->
+      let result = Context.fresh ctx in
+      let before = errors ctx in
+      let value = expressions.check ctx written { ty = task s result; because = Statement (place ~first expected.because) } in
+      (* What is wrong already says nothing about the pattern. *)
+      let result = if errors ctx > before then Type.Erroneous else result in
+      let pattern =
+        match pattern with
+        | None -> whatever result written.span
+        | Some p -> Infer_pattern.check ctx p { ty = result; because = Value written.span }
+      in
+      let first = match first with None -> Some written.span | Some _ -> first in
+      let rest = from expressions ctx s e ~first expected others last in
+      fun () ->
+        let value = value () in
+        let pattern = pattern () in
+        join ctx s ~result ~at:written.span value pattern (rest ()) ()
+
+let check expressions ctx (e : Resolve.Ir.expr) statements last (expected : Mistake.expected) =
+  let input, output, whole =
+    match Type.expand expected.ty with
+    | Data { tycon; arguments = [ input; output; _ ]; _ } when tycon = Environment.task ->
+        (input, output, expected.ty)
+    | _ ->
+        let input = Context.fresh ctx and output = Context.fresh ctx in
+        let whole = Environment.task_of input output (Context.fresh ctx) in
+        expect ctx ~subject:e ~at:e.span expected whole;
+        (input, output, whole)
+  in
+  from expressions ctx { input; output; whole } e ~first:None expected statements last

@@ -1,0 +1,218 @@
+What is no task, tasks that do not fit together, and tasks for signal functions.
+
+  $ cat > mistakes.frob <<'EOF'
+  > wait :: Task Float Float Float
+  > wait = do
+  >     x <- snapT
+  >     sleepT 1[s] 0
+  >     2 * x
+  > 
+  > g :: Task Float Float Float
+  > g = do
+  >     x <- derivative
+  >     sleepT 1[s]
+  >     4
+  >     return x
+  > 
+  > h = proc x -> y where
+  >    y = g x
+  > h2 :: SF Float Float
+  > h2 = g
+  > h3 :: SF Float Float
+  > h3 = switch (constant (1, NoEvent)) (\_ -> g)
+  > 
+  > i :: Bool -> Task Float Float ()
+  > i b = if b then return 1[m] else sleepT 1[s] 2
+  > j b = if b then sleepT 1[s] 2 else return 1[m]
+  > k = do
+  >    sleepT 1[s] 2
+  >    sleepT 1[s] True
+  >    return ()
+  > l = do
+  >    Just x <- return Nothing
+  >    return x
+  > m :: SF Float (Event ())  -> Task Float Float (Either () ())
+  > m sf = timeOut sf 2[s]
+  > EOF
+  $ frobc check mistakes.frob
+  error[E0370]: the statements of a `do` are tasks, but this is `Float`
+   --> mistakes.frob:5:5
+    |
+  1 | wait :: Task Float Float Float
+    |         ---------------------- the signature of `wait` asks for `Task Float Float Float`
+  ...
+  5 |     2 * x
+    |     ^^^^^
+    |
+    = hint: `let x = …` names a value; `return x` is the task that ends at once with it
+  
+  error[E0371]: a signal function stands where a task is needed
+   --> mistakes.frob:9:10
+    |
+  7 | g :: Task Float Float Float
+    |      ---------------------- so each task of this `do` is `Task Float Float a`
+  8 | g = do
+  9 |     x <- derivative
+    |          ^^^^^^^^^^ this is `SF Float[u] Float[u/s]`
+    |
+    = hint: `mkTask (derivative &&& event)` ends when the event occurs; `mkTask (derivative &&& never)` never does
+  
+  error[E0301]: expected `Task Float Float a`, found the function `b -> Task c b ()`
+    --> mistakes.frob:10:5
+     |
+   7 | g :: Task Float Float Float
+     |      ---------------------- so each task of this `do` is `Task Float Float a`
+  ...
+  10 |     sleepT 1[s]
+     |     ^^^^^^^^^^^
+     |
+     = hint: an argument is missing
+  
+  error[E0370]: the statements of a `do` are tasks, but this is a number
+    --> mistakes.frob:11:5
+     |
+   7 | g :: Task Float Float Float
+     |      ---------------------- so each task of this `do` is `Task Float Float a`
+  ...
+  11 |     4
+     |     ^
+     |
+     = hint: `let x = …` names a value; `return x` is the task that ends at once with it
+  
+  error[E0302]: `g` is `Task Float Float Float`, not a function
+    --> mistakes.frob:15:8
+     |
+  15 |    y = g x
+     |        ^ - it is given an argument here
+     |
+     = hint: a task is run by `runTask`: `runTask t` is a signal function
+  
+  error[E0371]: a task stands where a signal function is needed
+    --> mistakes.frob:17:6
+     |
+  16 | h2 :: SF Float Float
+     |       -------------- the signature of `h2` asks for `SF Float Float`
+  17 | h2 = g
+     |      ^ this is `Task Float Float Float`
+     |
+     = hint: `runTask g` is a signal function: `Left` its output while it runs, then `Right` its result
+  
+  error[E0371]: a task stands where a signal function is needed
+    --> mistakes.frob:19:44
+     |
+  19 | h3 = switch (constant (1, NoEvent)) (\_ -> g)
+     |      ------                                ^ this is `Task Float Float Float`
+     |      |
+     |      argument 2 of `switch` is `SF a n[1]`
+     |
+     = hint: `runTask g` is a signal function: `Left` its output while it runs, then `Right` its result
+  
+  error[E0301]: expected a task that ends with `()`, but this one ends with a number of `m`
+    --> mistakes.frob:22:17
+     |
+  21 | i :: Bool -> Task Float Float ()
+     |      --------------------------- the signature of `i` asks for `Task Float Float ()`
+  22 | i b = if b then return 1[m] else sleepT 1[s] 2
+     |                 ^^^^^^^^^^^
+  
+  error[E0301]: expected a task that ends with `()`, but this one ends with a number of `m`
+    --> mistakes.frob:23:36
+     |
+  23 | j b = if b then sleepT 1[s] 2 else return 1[m]
+     |                 -------------      ^^^^^^^^^^^
+     |                 |
+     |                 this branch is `Task a n[1] ()`
+  
+  error[E0301]: expected a task whose output is a number, but that of this one is `Bool`
+    --> mistakes.frob:26:4
+     |
+  25 |    sleepT 1[s] 2
+     |    ------------- so each task of this `do` is `Task a n[1] b`
+  26 |    sleepT 1[s] True
+     |    ^^^^^^^^^^^^^^^^
+  
+  error[E0371]: a signal function stands where a task is needed
+    --> mistakes.frob:32:16
+     |
+  32 | m sf = timeOut sf 2[s]
+     |        ------- ^^ this is `SF Float (Event ())`
+     |        |
+     |        argument 1 of `timeOut` is `Task a b c`
+     |
+     = hint: `mkTask (sf &&& event)` ends when the event occurs; `mkTask (sf &&& never)` never does
+  
+  11 errors
+  [1]
+
+A pattern before `<-` must match always, and a task may not mention a signal, nor
+hold an instance.
+
+  $ cat > patterns.frob <<'EOF'
+  > whole :: Task a Float Int
+  > whole = do
+  >     Just x <- return Nothing
+  >     return x
+  > 
+  > static :: SF Float (Either Float ())
+  > static = proc x -> runTask t () where
+  >     t = sleepT 1[s] x
+  > 
+  > inside :: SF Float (Either Float ())
+  > inside = proc x -> runTask t () where
+  >     t = do
+  >         y <- snapT
+  >         constT (derivative x / 1[1/s])
+  > 
+  > outside :: SF Float Float -> Task Float Float ()
+  > outside sf = do
+  >     y <- snapT
+  >     sleepT 1[s] (sf y)
+  > EOF
+  $ frobc check patterns.frob
+  error[E0351]: the pattern of a `<-` must match every value
+   --> patterns.frob:3:5
+    |
+  3 |     Just x <- return Nothing
+    |     ^^^^^^ does not match `Nothing`
+    |
+    = hint: use `case`
+  
+  error[E0344]: `t` is a task and must be static, but `x` is a signal
+   --> patterns.frob:8:21
+    |
+  7 | static = proc x -> runTask t () where
+    |               - `x` is a signal: it comes from the `proc`'s input here
+  8 |     t = sleepT 1[s] x
+    |                     ^
+    |
+    = hint: a task gets what it knows at its start by its parameters, and signals by its input
+  
+  error[E0343]: `derivative` is run in a function
+    --> patterns.frob:14:17
+     |
+  14 |         constT (derivative x / 1[1/s])
+     |                 ^^^^^^^^^^^^ functions hold no instances
+     |
+     = hint: give it an equation of its own
+  
+  error[E0344]: `t` is a task and must be static, but `x` is a signal
+    --> patterns.frob:14:28
+     |
+  11 | inside = proc x -> runTask t () where
+     |               - `x` is a signal: it comes from the `proc`'s input here
+  ...
+  14 |         constT (derivative x / 1[1/s])
+     |                            ^
+     |
+     = hint: a task gets what it knows at its start by its parameters, and signals by its input
+  
+  error[E0341]: `sf` is run outside of a `proc`
+    --> patterns.frob:19:18
+     |
+  19 |     sleepT 1[s] (sf y)
+     |                  ^^^^ an instance needs a `proc` around it
+     |
+     = hint: write `proc x -> …`, and run it there
+  
+  5 errors
+  [1]
