@@ -148,6 +148,8 @@ let rec of_machine n (e : M.expr) : Ir.expr =
       }
     when x = x' && Option.is_none (literal x) ->
       Call (V.helper n.v Limit, list [ x; y ])
+  | Operation { operator = Less_equal; ty = Float; arguments = [ Float x; In_nanoseconds time ] } ->
+      at_least n time x
   | Operation { operator; ty; arguments = [ a ] } -> unary n operator ty (of_machine n a)
   | Operation { operator; ty; arguments = [ a; b ] } ->
       binary n operator ty (a, of_machine n a) (b, of_machine n b)
@@ -178,8 +180,15 @@ let rec of_machine n (e : M.expr) : Ir.expr =
           [ address (of_machine n array); of_machine n index; of_machine n value ] )
   | Call { node; arguments = given } ->
       Call (n.v.nodes.(node).step, arguments n n.v.program.nodes.(node).step.parameters given)
+  | In_nanoseconds e -> Call (V.helper n.v Time_in_nanoseconds, [ of_machine n e ])
   | Seconds e -> Binary (Over, Cast (Real, of_machine n e), Float 1e9)
   | Later (a, b) -> Call (V.helper n.v Later, [ of_machine n a; of_machine n b ])
+
+(* Integers are quicker to compare than what Floats they make. *)
+and at_least n time x =
+  match Flow.Clock.reaches x with
+  | Some least -> Binary (Less_equal, Long least, of_machine n time)
+  | None -> Binary (Less_equal, Float x, of_machine n (In_nanoseconds time))
 
 (* Of an array, or of an array of arrays that is read in place. *)
 and element n array index =

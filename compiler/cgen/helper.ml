@@ -24,6 +24,7 @@ type t =
   | Round
   | Whole_nanoseconds
   | Seconds
+  | Time_in_nanoseconds
   | Later
   | Branch
 
@@ -293,6 +294,21 @@ static inline double frob_seconds(double ns, double dt)
         return s;
     }
     return dt + 0.0;
+}
+|} );
+    ( Time_in_nanoseconds,
+      "frob_time_in_ns",
+      [ Branch ],
+      {|/* A local time in nanoseconds, as they are made of its seconds; for the first
+ * 13 days the roundings leave no trace. */
+static inline double frob_time_in_ns(int64_t time)
+{
+    double ns = (double)time;
+    if (FROB_BRANCH(time >= INT64_C(0x4000000000000))) {
+        ns = ns / 1e9 * 1e9;
+        return ns < 4503599627370496.0 ? (ns + 4503599627370496.0) - 4503599627370496.0 : ns;
+    }
+    return ns;
 }
 |} );
     ( Later,

@@ -32,6 +32,7 @@ type t =
   | Round
   | Whole_nanoseconds  (** of a dt in seconds *)
   | Seconds  (** of a dt in whole nanoseconds *)
+  | Time_in_nanoseconds  (** of a local time *)
   | Later
   | Branch  (** the condition of an [if] that is to stay one *)
 

@@ -43,6 +43,7 @@ type expr =
   | Name of string
   | Boolean of bool
   | Integer of int32
+  | Long of int64  (** not negative *)
   | Float of float
   | Unary of unary * expr
   | Binary of binary * expr * expr

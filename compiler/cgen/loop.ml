@@ -6,7 +6,7 @@ let is_array (ty : M.ty) = match ty with Array _ -> true | Bool | Int | Float | 
 
 (* Cheap to read again in every round. *)
 let rec is_place : Ir.expr -> bool = function
-  | Name _ | Boolean _ | Integer _ | Float _ -> true
+  | Name _ | Boolean _ | Integer _ | Long _ | Float _ -> true
   | Member (e, _) | Arrow (e, _) | Unary ((Address | Dereference), e) -> is_place e
   | Subscript (e, index) -> is_place e && is_place index
   | Unary ((Negate | Not), _) | Binary _ | Conditional _ | Call _ | Cast _ | Aggregate _ -> false

@@ -79,7 +79,7 @@ let rec declarator ty name =
   | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Members _ | Union _ -> ty_name ty ^ " " ^ name
 
 let precedence = function
-  | Name _ | Boolean _ | Call _ | Member _ | Arrow _ | Subscript _ | Aggregate _ -> postfix
+  | Name _ | Boolean _ | Long _ | Call _ | Member _ | Arrow _ | Subscript _ | Aggregate _ -> postfix
   | Integer i -> if Int32.compare i 0l < 0 then prefix else postfix
   | Float x -> if Float.sign_bit x || not (Float.abs x < Float.infinity) then prefix else postfix
   | Unary _ | Cast _ -> prefix
@@ -104,6 +104,7 @@ and bare b ~depth e =
   | Name name -> add name
   | Boolean value -> add (string_of_bool value)
   | Integer i -> if Int32.equal i Int32.min_int then add "INT32_MIN" else add (Int32.to_string i)
+  | Long i -> add (Printf.sprintf "INT64_C(%Ld)" i)
   | Float x -> add (float_literal x)
   | Unary (operator, e) ->
       add (match operator with Negate -> "-" | Not -> "!" | Address -> "&" | Dereference -> "*");

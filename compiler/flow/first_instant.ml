@@ -76,8 +76,8 @@ let equation a instant values (e : Ir.equation) =
   | At { array; default; index = _ }, _ -> Range.join (read array) (read default)
   | Replace { array; value; index = _ }, _ -> Range.join (read array) (read value)
   | Delay { init; _ }, First -> read init
-  | (Time | Integral _ | Derivative _), First -> Range.zero
-  | Time, Any -> Range.not_negative
+  | (Time _ | Integral _ | Derivative _), First -> Range.zero
+  | Time _, Any -> Range.not_negative
   | (Delay _ | Integral _ | Derivative _), Any -> anything ()
 
 (* The first of the transitions that may occur, up to one that does. *)

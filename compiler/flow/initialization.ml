@@ -1,7 +1,7 @@
 open Basis
 
 let is_stateful : Ir.rhs -> bool = function
-  | Delay _ | Time | Integral _ | Derivative _ -> true
+  | Delay _ | Time _ | Integral _ | Derivative _ -> true
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _ | At _
   | Replace _ -> false
 
@@ -33,7 +33,7 @@ let check_node (program : Ir.program) (node : Ir.node) =
       match e.rhs with
       | Delay { init; next = _ } -> expect "an initial value" init
       | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _ | At _
-  | Replace _ | Time | Integral _
+  | Replace _ | Time _ | Integral _
       | Derivative _ ->
           ())
     node.equations;

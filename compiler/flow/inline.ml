@@ -6,19 +6,64 @@ let small = 8
 (* A call reads like several operations, and hides more. *)
 let size_of_instance = 4
 
+(* What is made of the node's statics alone does not count: where it is inlined
+   they are mostly literals. *)
 let size (node : Ir.node) =
+  let static = Hashtbl.create 8 in
+  List.iter (fun (s : Ir.signal) -> Hashtbl.replace static s.id ()) node.statics;
+  let is_static (atom : Ir.atom) =
+    match atom with
+    | Signal s -> Hashtbl.mem static s.id
+    | Bool _ | Int _ | Float _ -> true
+  in
+  let of_statics (e : Ir.equation) =
+    match e.rhs with
+    | (Op _ | If _) as rhs when List.for_all is_static (Operands.all rhs) ->
+        Hashtbl.replace static e.defines.id ();
+        true
+    | _ -> false
+  in
   let operation (e : Ir.equation) =
     match e.rhs with
     | Copy _ -> 0
+    | _ when node.statics <> [] && of_statics e -> 0
     | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _ | At _
-  | Replace _ | Delay _ | Time | Integral _
-    | Derivative _ ->
+    | Replace _ | Delay _ | Time _ | Integral _ | Derivative _ ->
         1
   in
   List.fold_left
     (fun size e -> size + operation e)
     (size_of_instance * List.length node.instances)
     node.equations
+
+(* What is left of a node's equations when its outputs are all that counts. *)
+let live (node : Ir.node) =
+  let definitions = Hashtbl.create 64 and needed = Hashtbl.create 64 in
+  List.iter (fun (e : Ir.equation) -> Hashtbl.replace definitions e.defines.id e.rhs) node.equations;
+  let rec need (atom : Ir.atom) =
+    match atom with
+    | Signal s when not (Hashtbl.mem needed s.id) ->
+        Hashtbl.replace needed s.id ();
+        Option.iter
+          (fun rhs -> List.iter need (Operands.all rhs))
+          (Hashtbl.find_opt definitions s.id)
+    | Signal _ | Bool _ | Int _ | Float _ -> ()
+  in
+  List.iter (fun (_, atom) -> need atom) node.outputs;
+  List.iter
+    (fun (i : Ir.instance) ->
+      List.iter need i.statics;
+      List.iter need i.inputs)
+    node.instances;
+  let is_needed (e : Ir.equation) = Hashtbl.mem needed e.defines.id in
+  { node with equations = List.filter is_needed node.equations }
+
+(* Expanded equations often simplify; more than so many times they do not. *)
+let shrinks = 4
+
+let becomes_small ~expanded (node : Ir.node) =
+  let now = size node in
+  now <= small || (expanded && now <= shrinks * small && size (live (Simplify.node node)) <= small)
 
 type context = {
   nodes : Ir.node array;  (** callees already done *)
@@ -155,7 +200,7 @@ let without_copies (node : Ir.node) =
       match e.rhs with
       | Copy a -> Substitution.replace substitution e.defines a
       | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
-      | At _ | Replace _ | Delay _ | Time | Integral _ | Derivative _ ->
+      | At _ | Replace _ | Delay _ | Time _ | Integral _ | Derivative _ ->
           ())
     node.equations;
   Substitution.node substitution node
@@ -250,6 +295,7 @@ let program (program : Ir.program) =
       let expanded = if expanded.instances = [] then expanded else open_loops context expanded in
       if expanded != node then changed := true;
       context.nodes.(index) <- expanded;
-      context.is_small.(index) <- Option.is_none expanded.machine && size expanded <= small)
+      context.is_small.(index) <-
+        Option.is_none expanded.machine && becomes_small ~expanded:(expanded != node) expanded)
     program.nodes;
   if !changed then { program with nodes = context.nodes } else program

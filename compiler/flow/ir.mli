@@ -97,6 +97,12 @@ type operator =
   | And
   | Or
 
+type time_unit =
+  | Seconds
+  | Nanoseconds
+      (** whole ones, as the library's [nanoseconds] makes them of the seconds:
+          adding and taking away 2^52; see {!Clock} *)
+
 type equation = { defines : signal; rhs : rhs; span : Span.t }
 
 and rhs =
@@ -119,7 +125,7 @@ and rhs =
       (** [default] outside the array *)
   | Replace of { array : atom; index : atom; value : atom }
       (** the same array with one other element; unchanged if outside *)
-  | Time  (** seconds of local time *)
+  | Time of time_unit  (** local time, as a Float *)
   | Integral of atom
       (** 0, then adds dt times the argument as it was one instant ago *)
   | Derivative of atom

@@ -139,7 +139,7 @@ let equation scope (eq : Ir.equation) =
         stateful scope "delay";
         expect scope "a delay's initial value" ty (type_of scope init);
         type_of scope next
-    | Time ->
+    | Time _ ->
         stateful scope "time";
         Float
     | Integral a ->
@@ -244,7 +244,7 @@ let machine scope modes_of (m : Ir.machine) =
   | _ -> bug "the machine of `%s` may not start" scope.node.name
 
 let is_memory : Ir.rhs -> bool = function
-  | Delay _ | Time | Integral _ | Derivative _ -> true
+  | Delay _ | Time _ | Integral _ | Derivative _ -> true
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _ | At _
   | Replace _ -> false
 

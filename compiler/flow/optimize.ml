@@ -1,9 +1,15 @@
+(* A latch that is a constant simplifies what reads it; it takes a simple
+   condition to see it. *)
+let simplify program =
+  let simple = Simplify.program program in
+  let unlatched = Latch.program simple in
+  if unlatched == simple then simple else Simplify.program unlatched
+
 (* Literals first, as they decide choices; sharing after simplifying, which
    makes equal what looked different; dead code last, for what all of them
    leave behind. *)
 let tidy program =
-  program |> Specific.program |> Simplify.program |> Share.program |> Unreachable.program
-  |> Dead.program
+  program |> Specific.program |> simplify |> Share.program |> Unreachable.program |> Dead.program
 
 let program program =
   (* Before inlining, so that sizes are those of the work that remains, and

@@ -126,7 +126,8 @@ let rhs sums names ppf ~(defines : Ir.signal) : Ir.rhs -> unit = function
   | Replace { array; index; value } ->
       fprintf ppf "replace %a %a %a" (atom names) index (atom names) value (atom names) array
   | Delay { init; next } -> fprintf ppf "delay %a %a" (atom names) init (atom names) next
-  | Time -> pp_print_string ppf "time"
+  | Time Seconds -> pp_print_string ppf "time"
+  | Time Nanoseconds -> pp_print_string ppf "nanoseconds"
   | Integral a -> fprintf ppf "integral %a" (atom names) a
   | Derivative a -> fprintf ppf "derivative %a" (atom names) a
 

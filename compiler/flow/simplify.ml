@@ -136,7 +136,7 @@ let simplify known (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   | Replace { array; index = Int k; value = _ }
     when Int32.to_int k < 0 || Int32.to_int k >= size array ->
       Copy array
-  | Copy _ | Construct _ | Elements _ | Fill _ | At _ | Replace _ | Delay _ | Time | Integral _
+  | Copy _ | Construct _ | Elements _ | Fill _ | At _ | Replace _ | Delay _ | Time _ | Integral _
   | Derivative _ ->
       rhs
 
@@ -146,7 +146,8 @@ let node (node : Ir.node) =
   let visit = function
     | Schedule.Instance _ | Trial _ | Machine _ -> ()
     | Equation e -> (
-        match simplify known e.defines (Operands.map (Substitution.atom substitution) e.rhs) with
+        let rhs = Operands.map (Substitution.atom substitution) e.rhs in
+        match Clock.recognize (definition known) (simplify known e.defines rhs) with
         | Copy a -> Substitution.replace substitution e.defines a
         | rhs -> Hashtbl.replace known e.defines.id rhs)
   in

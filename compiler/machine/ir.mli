@@ -78,6 +78,7 @@ type expr =
   | Call of { node : int; arguments : expr list }
       (** of a node without state and with one output *)
   | Seconds of expr  (** of [Nanoseconds] *)
+  | In_nanoseconds of expr  (** likewise, as a Float: see {!Flow.Clock} *)
   | Later of expr * expr  (** the sum of two [Nanoseconds], saturating *)
 
 type place =

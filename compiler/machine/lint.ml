@@ -160,7 +160,7 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
       match callee.outputs with
       | [ (_, ty) ] -> ty
       | _ -> bug "`%s` is called as if it had one output" callee.name)
-  | Seconds e ->
+  | Seconds e | In_nanoseconds e ->
       check "a time" Nanoseconds e;
       Float
   | Later (a, b) ->

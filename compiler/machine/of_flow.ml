@@ -114,7 +114,7 @@ let computed (eq : F.equation) rhs : computed =
       make [ array; index; value ] (2 + count) (function
         | [ array; index; value ] -> Replace { count; element; array; index; value }
         | _ -> broken "an element with a wrong number of operands")
-  | Delay _ | Time | Integral _ | Derivative _ -> broken "memory where none can be"
+  | Delay _ | Time _ | Integral _ | Derivative _ -> broken "memory where none can be"
 
 (* The arguments for those parameters that the callee reads. *)
 let arguments context (i : F.instance) (code : Ir.code) =
@@ -333,9 +333,9 @@ let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
 (* What advances at the start of a step, before anything is computed. *)
 let advance (eq : F.equation) (memory : State.memory) =
   match memory with
-  | Elapsed field ->
-      let value = Ir.Later (Field field, Dt_nanoseconds) in
-      Some (Ir.Assign { place = Own field; value; span = eq.span })
+  | Elapsed { time; advances; unit = _ } ->
+      let value = Ir.Later (Field time, Dt_nanoseconds) in
+      if advances then Some (Ir.Assign { place = Own time; value; span = eq.span }) else None
   | Integrated { value; input } ->
       let step = operation F.Multiply Float [ Dt; Field input ] in
       let sum = operation F.Add Float [ Field value; step ] in
@@ -347,8 +347,12 @@ let step_equation draft state (eq : F.equation) =
   match State.memory state s with
   | None -> add_computed draft eq
   | Some (Kept field | Delayed field) -> leaf draft s (Field field)
-  | Some (Elapsed field) ->
-      let build _ = Ir.Seconds (Field field) in
+  | Some (Elapsed { time; unit; advances = _ }) ->
+      let build _ : Ir.expr =
+        match unit with
+        | Seconds -> Seconds (Field time)
+        | Nanoseconds -> In_nanoseconds (Field time)
+      in
       add draft
         (Computed { signal = s; operands = []; build; choice = None; weight = 5; span = eq.span })
   | Some (Integrated { value; _ }) -> leaf draft s (Field value)
@@ -453,7 +457,8 @@ let reset_effects context draft state (item : Flow.Schedule.item) =
       | Some (Delayed field), Delay { init; _ } ->
           let operands = [ resolve draft init ] in
           [ work ~operands span (fun e -> [ assign field (one e) span ]) ]
-      | Some (Elapsed field), _ -> [ constant span [ (field, Zero_time) ] ]
+      | Some (Elapsed { advances = false; _ }), _ -> []
+      | Some (Elapsed { time; _ }), _ -> [ constant span [ (time, Zero_time) ] ]
       | Some (Integrated { value; input } | Differentiated { value; input }), _ ->
           [ constant span [ (value, Float 0.); (input, Float 0.) ] ]
       | _, _ -> keep span eq.defines)
@@ -518,7 +523,7 @@ let reads_of body =
       | Dt -> reads.seconds <- true
       | Dt_nanoseconds -> reads.nanoseconds <- true
       | Elements _ | Fill _ | Index _ | At _ | Replace _ | Field _ | Bool _ | Int _ | Float _ | Zero_time | Operation _ | Select _ | Construct _
-      | Is_constructor _ | Payload _ | Call _ | Seconds _ | Later _ ->
+      | Is_constructor _ | Payload _ | Call _ | Seconds _ | In_nanoseconds _ | Later _ ->
           ())
     body;
   reads

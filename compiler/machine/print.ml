@@ -83,12 +83,14 @@ let rec expr c ppf (e : Ir.expr) =
   | Replace { array; index; value; _ } -> fprintf ppf "replace%a" (list c) [ array; index; value ]
   | Call { node; arguments } -> fprintf ppf "%s%a" c.program.nodes.(node).name (list c) arguments
   | Seconds e -> fprintf ppf "seconds%a" (list c) [ e ]
+  | In_nanoseconds e -> fprintf ppf "nanoseconds%a" (list c) [ e ]
   | Later (a, b) -> fprintf ppf "later%a" (list c) [ a; b ]
 
 and operand c ppf (e : Ir.expr) =
   match e with
   | Bool _ | Int _ | Float _ | Zero_time | Variable _ | Field _ | Dt | Dt_nanoseconds | Call _
-  | Construct _ | Elements _ | Fill _ | Index _ | At _ | Replace _ | Payload _ | Seconds _ | Later _ ->
+  | Construct _ | Elements _ | Fill _ | Index _ | At _ | Replace _ | Payload _ | Seconds _ | In_nanoseconds _
+  | Later _ ->
       expr c ppf e
   | Operation { operator = o; _ } when not (is_symbol (operator o)) -> expr c ppf e
   | Operation _ | Select _ | Is_constructor _ -> fprintf ppf "(%a)" (expr c) e

@@ -2,7 +2,7 @@ open Flow.Ir
 
 type memory =
   | Delayed of Ir.field
-  | Elapsed of Ir.field
+  | Elapsed of { time : Ir.field; unit : time_unit; advances : bool }
   | Integrated of { value : Ir.field; input : Ir.field }
   | Differentiated of { value : Ir.field; input : Ir.field }
   | Kept of Ir.field
@@ -12,6 +12,7 @@ type t = {
   instances : (string, Ir.field) Hashtbl.t;
   mutable fields : Ir.field list;  (** last first *)
   mutable machine : machine option;
+  mutable elapsed : Ir.field option;
   mutable count : int;
 }
 
@@ -61,9 +62,17 @@ let equation t { defines = s; rhs; span } =
   | Delay { next; _ } ->
       let name = derived s next ~suffix:"prev" ~otherwise:"delay" in
       remember t s (Delayed (new_field t ~name (value s.ty) ~purpose:"delay" span))
-  | Time ->
-      let name = if String.equal s.name "" then "time" else s.name in
-      remember t s (Elapsed (new_field t ~name (Value Nanoseconds) ~purpose:"time in ns" span))
+  | Time unit ->
+      let time, advances =
+        match t.elapsed with
+        | Some time -> (time, false)
+        | None ->
+            let name = if String.equal s.name "" then "time" else s.name in
+            let time = new_field t ~name (Value Nanoseconds) ~purpose:"time in ns" span in
+            t.elapsed <- Some time;
+            (time, true)
+      in
+      remember t s (Elapsed { time; unit; advances })
   | Integral input ->
       let name = derived s input ~suffix:"integral" ~otherwise:"integral" in
       let value = field ~name ~purpose:"integral" in
@@ -85,7 +94,7 @@ let kept_name rhs =
   | Op (Elementary e, operand :: _) -> after (Core.Primitive.name (Elementary e)) operand
   | Op (Pow, operand :: _) -> after "pow" operand
   | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
-  | At _ | Replace _ | Delay _ | Time | Integral _
+  | At _ | Replace _ | Delay _ | Time _ | Integral _
   | Derivative _ ->
       "start_value"
 
@@ -142,6 +151,7 @@ let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : S
       instances = Hashtbl.create 16;
       fields = [];
       machine = None;
+      elapsed = None;
       count = 0;
     }
   in

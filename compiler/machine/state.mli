@@ -8,7 +8,9 @@ val of_node :
 
 type memory =
   | Delayed of Ir.field
-  | Elapsed of Ir.field  (** local time *)
+  | Elapsed of { time : Ir.field; unit : Flow.Ir.time_unit; advances : bool }
+      (** local time, which a node keeps once: only one of its equations
+          [advances] it *)
   | Integrated of { value : Ir.field; input : Ir.field }
   | Differentiated of { value : Ir.field; input : Ir.field }
   | Kept of Ir.field  (** a costly static value, computed by reset *)

@@ -10,7 +10,7 @@ let children = function
   | Index { array; _ } -> [ array ]
   | At { array; index; default; _ } -> [ array; index; default ]
   | Replace { array; index; value; _ } -> [ array; index; value ]
-  | Is_constructor { value; _ } | Payload { value; _ } | Seconds value -> [ value ]
+  | Is_constructor { value; _ } | Payload { value; _ } | Seconds value | In_nanoseconds value -> [ value ]
   | Later (a, b) -> [ a; b ]
 
 let rec expression visit e =

@@ -41,6 +41,14 @@ let operation (operator : Flow.Ir.operator) (ty : M.ty) =
   | Pow -> Cost.one (Calls "pow")
   | Elementary f -> Cost.one (Calls (Core.Primitive.name (Elementary f)))
 
+(* The largest of times; see the helpers of the generated C. *)
+let in_nanoseconds =
+  Cost.(
+    sum
+      [
+        one Conversions; one Divisions; one Multiplications; several 2 Choices; several 2 Additions;
+      ])
+
 let rec expression c (e : M.expr) =
   match e with
   | Bool _ | Int _ | Float _ | Zero_time | Variable _ | Dt | Dt_nanoseconds -> Cost.none
@@ -68,6 +76,7 @@ let rec expression c (e : M.expr) =
       Cost.sum [ Cost.several 3 Choices; expressions c [ array; index; value ] ]
   | Call { node; arguments } -> Cost.add c.done_.(node).step (expressions c arguments)
   | Seconds e -> Cost.sum [ Cost.one Conversions; Cost.one Divisions; expression c e ]
+  | In_nanoseconds e -> Cost.sum [ in_nanoseconds; expression c e ]
   | Later (a, b) ->
       Cost.sum [ Cost.several 2 Additions; Cost.one Choices; expression c a; expression c b ]
 

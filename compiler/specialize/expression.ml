@@ -331,7 +331,7 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
   | Primitive { primitive = Delay; arguments = [ initial ]; _ } ->
       delay c s target ~span initial input
   | Primitive { primitive = Time; _ } ->
-      Atom (Node.define s.node target ~span Float Time)
+      Atom (Node.define s.node target ~span Float (Time Seconds))
   | Primitive { primitive = Integral; _ } ->
       let input = Leaves.atom c.types s.node ~span input.ty input.value in
       Atom (Node.define s.node target ~span Float (Integral input))

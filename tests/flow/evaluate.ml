@@ -152,7 +152,8 @@ let value clock read memory (e : Ir.equation) =
   | Replace { array; index; value } ->
       let k = position (read index) in
       Array (List.mapi (fun i x -> if i = k then read value else x) (elements (read array)))
-  | Time -> Float clock.time
+  | Time Seconds -> Float clock.time
+  | Time Nanoseconds -> Float (Clock.nanoseconds clock.time)
   | Delay { init; _ } -> if clock.first then read init else (memory e).past
   | Integral _ ->
       if clock.first then Float 0.
@@ -172,7 +173,7 @@ let advance read now (e : Ir.equation) =
   | Delay { next; _ } -> Some { past = read next; total = 0. }
   | Integral a | Derivative a -> Some { past = read a; total = number now }
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
-  | At _ | Replace _ | Time ->
+  | At _ | Replace _ | Time _ ->
       None
 
 let constant : Ir.atom -> value option = function
@@ -333,7 +334,7 @@ let rec reset frame statics =
     | Bool _ | Int _ | Float _ -> true
   in
   let is_static = function
-    | Schedule.Equation { rhs = Delay _ | Time | Integral _ | Derivative _; _ } -> false
+    | Schedule.Equation { rhs = Delay _ | Time _ | Integral _ | Derivative _; _ } -> false
     | Equation e -> List.for_all known (Operands.all e.rhs)
     | Instance i ->
         let child = List.assoc i.name frame.children in

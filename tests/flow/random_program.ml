@@ -117,7 +117,7 @@ let stateful scope =
       let ty = any scope.rng types in
       let init = choose scope ~static:true ty in
       ignore (define scope ty (Delay { init; next = pick ty }))
-  | 1 -> ignore (define scope Float Time)
+  | 1 -> ignore (define scope Float (Time Seconds))
   | 2 -> ignore (define scope Float (Integral (pick Float)))
   | _ -> ignore (define scope Float (Derivative (pick Float)))
 

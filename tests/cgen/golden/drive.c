@@ -23,13 +23,10 @@ typedef char drive_double_is_8_bytes[sizeof(double) == 8 ? 1 : -1];
 static inline double frob_whole_ns(double dt)
 {
     const double ns = dt * 1e9;
-    if (!(ns > 0.0)) {
-        return 0.0;
+    if (FROB_BRANCH(!(ns > 0.0 && ns < 4503599627370496.0))) {
+        return !(ns > 0.0) ? 0.0 : ns < 1e18 ? ns : 1e18;
     }
-    if (ns < 4503599627370496.0) {
-        return (ns + 4503599627370496.0) - 4503599627370496.0;
-    }
-    return ns < 1e18 ? ns : 1e18;
+    return (ns + 4503599627370496.0) - 4503599627370496.0;
 }
 
 /* Whole nanoseconds in seconds. Almost always that is the dt they come from, and
@@ -46,7 +43,8 @@ static inline double frob_seconds(double ns, double dt)
 /* A local time after some more nanoseconds; stops at the end of time. */
 static inline int64_t frob_later(int64_t time, int64_t ns)
 {
-    return time < INT64_MAX - ns ? time + ns : INT64_MAX;
+    const uint64_t later = (uint64_t)time + (uint64_t)ns;
+    return later < INT64_MAX ? (int64_t)later : INT64_MAX;
 }
 
 /* pi, Control.frob:1 */

@@ -1,0 +1,57 @@
+let big = 4503599627370496.
+let exact_below = 0x4000000000000L
+
+let nanoseconds seconds =
+  let ns = seconds *. 1e9 in
+  let ns = if Float.is_nan ns then ns else if ns > 0. then ns else 0. in
+  if ns < big then ns +. big -. big else ns
+
+let of_local_time t = nanoseconds (Int64.to_float t /. 1e9)
+
+(* [of_local_time] never falls. *)
+let reaches number =
+  let reached t = of_local_time t >= number in
+  (* not reached at [low] - 1, reached at [high] *)
+  let rec search low high =
+    if Int64.equal low high then low
+    else
+      let middle = Int64.add low (Int64.div (Int64.sub high low) 2L) in
+      if reached middle then search low middle else search (Int64.succ middle) high
+  in
+  if reached Int64.max_int then Some (search 0L Int64.max_int) else None
+
+let is_big : Ir.atom -> bool = function Float x -> Float.equal x big | _ -> false
+
+let same_signal (a : Ir.atom) (b : Ir.atom) =
+  match (a, b) with Signal a, Signal b -> a.id = b.id | _, _ -> false
+
+let recognize definition (rhs : Ir.rhs) : Ir.rhs =
+  let is_product ns =
+    match definition ns with
+    | Some (Ir.Op (Multiply, ([ seconds; Float 1e9 ] | [ Float 1e9; seconds ]))) ->
+        definition seconds = Some (Ir.Time Seconds)
+    | Some _ | None -> false
+  in
+  let is_not_negative ns =
+    match definition ns with
+    | Some (Ir.Op (Maximum, [ Float zero; product ])) -> Float.equal zero 0. && is_product product
+    | Some _ | None -> false
+  in
+  let is_whole rounded ns =
+    match definition rounded with
+    | Some (Ir.Op (Subtract, [ sum; b ])) -> (
+        is_big b
+        &&
+        match definition sum with
+        | Some (Ir.Op (Add, [ ns'; b ])) -> is_big b && same_signal ns' ns
+        | Some _ | None -> false)
+    | Some _ | None -> false
+  in
+  match rhs with
+  | If { condition; then_; else_ = ns } -> (
+      match definition condition with
+      | Some (Op (Less, [ ns'; b ]))
+        when is_big b && same_signal ns' ns && is_whole then_ ns && is_not_negative ns ->
+          Time Nanoseconds
+      | Some _ | None -> rhs)
+  | _ -> rhs

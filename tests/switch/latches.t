@@ -1,0 +1,88 @@
+The note of `after` that it has occurred is not kept in a mode that ends there, and
+a time is compared as it is kept, in nanoseconds.
+
+  $ cat > pause.frob <<'EOF'
+  > main :: SF Float Float
+  > main = switch (proc x -> (0, after 1.5[s] ())) (\_ -> go)
+  > 
+  > go, pause :: SF Float Float
+  > go = switch (proc x -> (x, edge (x > 9))) (\_ -> pause)
+  > pause = switch (proc x -> (-x, after 2[s] ())) (\_ -> go)
+  > EOF
+  $ frobc compile pause.frob --lint --dump=flow | grep -A3 "nanoseconds"
+    _1 : Float = nanoseconds
+    _2 : Bool = 1500000000.0 <= _1
+    when _2 -> main.go
+    -> (out = 0.0)
+  --
+    _2 : Float = nanoseconds
+    _3 : Bool = 2000000000.0 <= _2
+    when _3 -> main.go
+    -> (out = _1)
+  $ frobc compile pause.frob
+  $ grep "INT64_C" pause.c
+      *out_3 = INT64_C(1500000000) <= self->time;             /* Prelude.frob:313 */
+      *out_3 = INT64_C(2000000000) <= self->time;             /* Prelude.frob:313 */
+
+An edge needs its note: it is true at first.
+
+  $ grep "delay" pause.h
+      bool delay; /* delay at Prelude.frob:339 */
+
+Both engines agree, on a time that is reached exactly as well.
+
+  $ cat > in.csv <<'EOF'
+  > time,in
+  > 0,1
+  > 1,10
+  > 1.499999999,10
+  > 1.5,10
+  > 2,10
+  > 3,5
+  > 4,10
+  > 5.999999999,10
+  > 6.000000001,10
+  > 7,3
+  > 8,10
+  > 10,3
+  > EOF
+  $ frobc trace pause.frob --input in.csv | tee c.csv | cut -d, -f2
+  out
+  0
+  0
+  0
+  10
+  10
+  5
+  -10
+  -10
+  10
+  3
+  -10
+  3
+  $ frobc trace pause.frob --input in.csv --engine interp | cmp - c.csv
+
+A latch that the mode's own output shows is kept, and so is one that another
+condition than its own ends the mode.
+
+  $ cat > shown.frob <<'EOF'
+  > main :: SF (Bool, Bool) Bool
+  > main = switch (proc (a, b) -> (seen a, edge b)) (\_ -> main)
+  > 
+  > seen :: SF Bool Bool
+  > seen = proc a -> y where
+  >   y = a || delay False y
+  > EOF
+  $ frobc compile shown.frob
+  $ grep "delay\|prev" shown.h
+      bool y_prev; /* delay at shown.frob:6 */
+      bool b_prev; /* delay at Prelude.frob:339 */
+  $ printf 'time,in.1,in.2\n0,false,false\n1,true,false\n2,false,false\n3,false,true\n4,false,false\n' > in.csv
+  $ frobc trace shown.frob --input in.csv | tee c.csv | cut -d, -f2
+  out
+  false
+  true
+  true
+  false
+  false
+  $ frobc trace shown.frob --input in.csv --engine interp | cmp - c.csv
