@@ -132,7 +132,7 @@ static void start(void)
     now.now_ns = 1000 * MS;
     frob_fake_line_open(&line, &now);
     serial = frob_fake_serial(&line);
-    clock_ = frob_fake_clock(&now);
+    clock_ = frob_fake_time(&now);
     line.rate = 9600;
     other.rate = 9600;
     other.heeds_hostbaud = true;

@@ -23,8 +23,6 @@ static void commands(void)
                                           0x80, 0x00, 0x00, 0x56, 0x5C };
     static const uint8_t acceleration[] = { 0x01, 0x08, 0x00, 0x01, 0x2C, 0x01, 0x2C,
                                             0x01, 0x00, 0x00, 0x64, 0x5C };
-    static const uint8_t position[] = { 0x01, 0x06, 0x00, 0x0C, 0x01, 0x00, 0x01, 0x80, 0x95, 0x5C };
-    static const uint8_t heading[] = { 0x01, 0x06, 0x00, 0x1E, 0x84, 0x03, 0x84, 0x03, 0x33, 0x5C };
     static const uint8_t watchdog[] = { 0x01, 0x03, 0x00, 0x12, 0x05, 0x1B, 0x5C };
     static const uint8_t sonars[] = { 0x01, 0x13, 0x00, 0x0F, 0x0F, 0x00, 0x02, 0x0F,
                                       0x01, 0x0E, 0x03, 0x0D, 0x04, 0x0C, 0x05, 0x0B,
@@ -34,8 +32,6 @@ static void commands(void)
     sends(frob_scout_velocities(100, -100), velocities, sizeof velocities,
           "velocities, sign and magnitude");
     sends(frob_scout_acceleration(300), acceleration, sizeof acceleration, "acceleration");
-    sends(frob_scout_define_position(1, -1), position, sizeof position, "define the position");
-    sends(frob_scout_define_heading(900), heading, sizeof heading, "define the heading");
     sends(frob_scout_watchdog(5), watchdog, sizeof watchdog, "watchdog");
     sends(frob_scout_sonars_on(15), sonars, sizeof sonars, "sonars on, in the usual order");
     check(off.count == 17 && off.data[1] == 255, "sonars off: an order that ends at once");

@@ -46,3 +46,24 @@ size_t frob_create_stream_pause(uint8_t *bytes)
     bytes[1] = 0;
     return 2;
 }
+
+size_t frob_create_leds(unsigned lights, unsigned colour, unsigned brightness, uint8_t *bytes)
+{
+    bytes[0] = FROB_CREATE_LEDS;
+    bytes[1] = (uint8_t)(lights & 0x0Fu);
+    bytes[2] = (uint8_t)(colour & 0xFFu);
+    bytes[3] = (uint8_t)(brightness & 0xFFu);
+    return 4;
+}
+
+size_t frob_create_note(unsigned note, unsigned duration, uint8_t *bytes)
+{
+    bytes[0] = FROB_CREATE_SONG;
+    bytes[1] = 0; /* the song's number */
+    bytes[2] = 1; /* notes */
+    bytes[3] = (uint8_t)(note & 0xFFu);
+    bytes[4] = (uint8_t)(duration & 0xFFu);
+    bytes[5] = FROB_CREATE_PLAY;
+    bytes[6] = 0;
+    return 7;
+}

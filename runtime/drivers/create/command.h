@@ -18,15 +18,15 @@ extern "C" {
 #endif
 
 enum frob_create_opcode {
-    FROB_CREATE_RESET = 7,
     FROB_CREATE_START = 128, /* from any mode to Passive */
     FROB_CREATE_SAFE = 131,
     FROB_CREATE_FULL = 132,
-    FROB_CREATE_POWER_DOWN = 133,
+    FROB_CREATE_LEDS = 139,
+    FROB_CREATE_SONG = 140,
+    FROB_CREATE_PLAY = 141,
     FROB_CREATE_DRIVE_DIRECT = 145,
     FROB_CREATE_STREAM = 148,
-    FROB_CREATE_PAUSE_STREAM = 150,
-    FROB_CREATE_STOP_OI = 173
+    FROB_CREATE_PAUSE_STREAM = 150
 };
 
 enum {
@@ -47,6 +47,14 @@ size_t frob_create_stream_request(const uint8_t *ids, size_t count, uint8_t *byt
 
 /* PAUSE_STREAM. */
 size_t frob_create_stream_pause(uint8_t *bytes);
+
+/* LEDS: the small lights (bit 0 debris, 1 spot, 2 dock, 3 check), and the colour
+ * (0 green, 255 red) and brightness of the light round the button Clean. */
+size_t frob_create_leds(unsigned lights, unsigned colour, unsigned brightness, uint8_t *bytes);
+
+/* SONG and PLAY: one note, as MIDI counts them (69 is 440 Hz; 31 to 127), for
+ * so many 1/64 s (1 to 255). */
+size_t frob_create_note(unsigned note, unsigned duration, uint8_t *bytes);
 
 #ifdef __cplusplus
 }

@@ -46,7 +46,10 @@ bool frob_create_read_packet(unsigned id, const uint8_t *data, struct frob_creat
         s->virtual_wall = data[0] != 0;
         return true;
     case FROB_CREATE_OVERCURRENT:
-        s->overcurrent = data[0] != 0;
+        s->overcurrent = data[0];
+        return true;
+    case FROB_CREATE_INFRARED:
+        s->infrared = data[0];
         return true;
     case FROB_CREATE_BUTTONS:
         s->buttons = data[0];
@@ -56,9 +59,6 @@ bool frob_create_read_packet(unsigned id, const uint8_t *data, struct frob_creat
         return true;
     case FROB_CREATE_VOLTAGE:
         s->battery_mv = u16(data);
-        return true;
-    case FROB_CREATE_CURRENT:
-        s->current_ma = (int16_t)s16(u16(data));
         return true;
     case FROB_CREATE_CHARGE:
         s->charge_mah = u16(data);
@@ -74,10 +74,6 @@ bool frob_create_read_packet(unsigned id, const uint8_t *data, struct frob_creat
         return true;
     case FROB_CREATE_RIGHT_COUNTS:
         s->right_counts = u16(data);
-        return true;
-    case FROB_CREATE_LIGHT_BUMPER:
-        for (unsigned i = 0; i < FROB_CREATE_LIGHTS; i++)
-            s->light[i] = (data[0] >> i & 1) != 0;
         return true;
     case FROB_CREATE_LIGHT_LEFT:
     case FROB_CREATE_LIGHT_FRONT_LEFT:

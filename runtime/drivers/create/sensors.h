@@ -5,8 +5,7 @@
  * answer to a query.
  *
  * Sources: libcreate (AutonomyLab), pycreate2, and the manual of the Create 1
- * where those agree with it. Sources disagree about the bits of overcurrent
- * (packet 14), so only whether there is any is given. */
+ * where those agree with it. */
 #ifndef FROB_CREATE_SENSORS_H
 #define FROB_CREATE_SENSORS_H
 
@@ -26,16 +25,15 @@ enum frob_create_packet_id {
     FROB_CREATE_CLIFF_RIGHT = 12,
     FROB_CREATE_VIRTUAL_WALL = 13,
     FROB_CREATE_OVERCURRENT = 14,
+    FROB_CREATE_INFRARED = 17,
     FROB_CREATE_BUTTONS = 18,
     FROB_CREATE_CHARGING = 21,
     FROB_CREATE_VOLTAGE = 22,
-    FROB_CREATE_CURRENT = 23,
     FROB_CREATE_CHARGE = 25,
     FROB_CREATE_CAPACITY = 26,
     FROB_CREATE_MODE = 35,
     FROB_CREATE_LEFT_COUNTS = 43,
     FROB_CREATE_RIGHT_COUNTS = 44,
-    FROB_CREATE_LIGHT_BUMPER = 45,
     FROB_CREATE_LIGHT_LEFT = 46,
     FROB_CREATE_LIGHT_FRONT_LEFT = 47,
     FROB_CREATE_LIGHT_CENTER_LEFT = 48,
@@ -62,15 +60,14 @@ struct frob_create_sensors {
     bool drop_right, drop_left;
     bool cliff[FROB_CREATE_CLIFFS];
     bool virtual_wall;
-    bool overcurrent;
+    uint8_t overcurrent; /* bits of the motors */
+    uint8_t infrared; /* the character that the receiver on top sees; 0: none */
     uint8_t buttons;  /* bit 0 clean, 1 spot, 2 dock, 3 minute, 4 hour, 5 day, 6 schedule, 7 clock */
     uint8_t charging; /* 0 no, 1 reconditioning, 2 full, 3 trickle, 4 waiting, 5 fault */
     uint16_t battery_mv;
-    int16_t current_ma; /* negative: discharging */
     uint16_t charge_mah, capacity_mah;
     uint8_t mode;
     uint16_t left_counts, right_counts; /* of the encoders; wrap both ways */
-    bool light[FROB_CREATE_LIGHTS];
     uint16_t light_signal[FROB_CREATE_LIGHTS];
 };
 

@@ -25,22 +25,6 @@ struct frob_scout_packet frob_scout_velocities(long first, long second)
     return packet;
 }
 
-struct frob_scout_packet frob_scout_define_position(long x, long y)
-{
-    struct frob_scout_packet packet = frob_scout_plain(FROB_SCOUT_DP);
-    frob_scout_add_s16(&packet, x);
-    frob_scout_add_s16(&packet, y);
-    return packet;
-}
-
-struct frob_scout_packet frob_scout_define_heading(long heading)
-{
-    struct frob_scout_packet packet = frob_scout_plain(FROB_SCOUT_DA);
-    frob_scout_add_s16(&packet, heading);
-    frob_scout_add_s16(&packet, heading);
-    return packet;
-}
-
 struct frob_scout_packet frob_scout_sonars_on(unsigned rate)
 {
     static const uint8_t order[FROB_SCOUT_SONARS] = { 0,  2, 15, 1, 14, 3, 13, 4,

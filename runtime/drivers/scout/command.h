@@ -1,6 +1,6 @@
 /* scout/command.h -- the commands that the driver sends to a Scout.
  *
- * Units of the wire: 0.1 inch (2.54 mm), 0.1 degree, and those per second.
+ * Units of the wire: 0.1 inch (2.54 mm) and that per second.
  * A Scout uses the first two of a command's three axes; the third is 0.
  * Source: Nomadics' Ndirect 2.6.13. */
 #ifndef FROB_SCOUT_COMMAND_H
@@ -26,12 +26,6 @@ struct frob_scout_packet frob_scout_acceleration(unsigned both);
 
 /* VM: velocities of the first and second axis, 0.1 inch/s. */
 struct frob_scout_packet frob_scout_velocities(long first, long second);
-
-/* DP: the robot's position is now (x, y), 0.1 inch. */
-struct frob_scout_packet frob_scout_define_position(long x, long y);
-
-/* DA: the robot's heading is now this, 0.1 degree; the turret goes with it. */
-struct frob_scout_packet frob_scout_define_heading(long heading);
 
 /* CONF_SN: one sonar every rate * 4 ms, in the order of programs for the
  * Scout, front first: 0 2 15 1 14 3 13 4 12 5 11 6 10 7 9 8. */

@@ -16,7 +16,7 @@ static void sleep_until(void *port, int64_t until_ns)
 
 static const struct frob_clock_operations clock_operations = { now_ns, sleep_until };
 
-struct frob_clock frob_fake_clock(struct frob_fake_clock *clock)
+struct frob_clock frob_fake_time(struct frob_fake_clock *clock)
 {
     struct frob_clock result = { &clock_operations, clock };
     return result;

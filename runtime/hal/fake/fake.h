@@ -23,7 +23,7 @@ struct frob_fake_clock {
     int64_t now_ns;
 };
 
-struct frob_clock frob_fake_clock(struct frob_fake_clock *clock);
+struct frob_clock frob_fake_time(struct frob_fake_clock *clock);
 
 #define FROB_FAKE_ROOM 4096
 

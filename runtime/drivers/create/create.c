@@ -1,0 +1,358 @@
+#include "drivers/create/create.h"
+
+#include "drivers/create/command.h"
+#include "drivers/create/lights.h"
+
+#include <frob/create.h>
+
+#include <math.h>
+#include <string.h>
+
+#define MOST_M_S (FROB_CREATE_MAX_SPEED_MM_S * 1e-3)
+#define MOST_PADDING 8
+
+/* What the stream has. */
+static const uint8_t streamed[] = {
+    FROB_CREATE_BUMPS_AND_DROPS,  FROB_CREATE_CLIFF_LEFT,        FROB_CREATE_CLIFF_FRONT_LEFT,
+    FROB_CREATE_CLIFF_FRONT_RIGHT, FROB_CREATE_CLIFF_RIGHT,      FROB_CREATE_VIRTUAL_WALL,
+    FROB_CREATE_OVERCURRENT,      FROB_CREATE_INFRARED,          FROB_CREATE_BUTTONS,
+    FROB_CREATE_CHARGING,         FROB_CREATE_VOLTAGE,           FROB_CREATE_CHARGE,
+    FROB_CREATE_CAPACITY,         FROB_CREATE_MODE,              FROB_CREATE_LEFT_COUNTS,
+    FROB_CREATE_RIGHT_COUNTS,     FROB_CREATE_LIGHT_LEFT,        FROB_CREATE_LIGHT_FRONT_LEFT,
+    FROB_CREATE_LIGHT_CENTER_LEFT, FROB_CREATE_LIGHT_CENTER_RIGHT, FROB_CREATE_LIGHT_FRONT_RIGHT,
+    FROB_CREATE_LIGHT_RIGHT
+};
+
+/* Frames come every 15 ms. A stream that pauses is asked for again; a robot
+ * that is silent longer is lost. */
+#define ASK_AGAIN_NS INT64_C(150000000)
+#define SILENCE_NS INT64_C(1000000000)
+#define ANSWER_NS INT64_C(500000000)
+#define MOST_ATTEMPTS 3
+/* A frame's sum is a byte: a mode is believed when two frames say so. */
+#define OUT_OF_MODE_FRAMES 2
+
+static int64_t ns(double seconds)
+{
+    return (int64_t)(seconds * 1e9);
+}
+
+static enum frob_status write(struct frob_create *d, const uint8_t *bytes, size_t size)
+{
+    enum frob_status status = d->serial.operations->write(d->serial.port, bytes, size);
+    /* Without room, bytes are lost, which the next command's padding mends. */
+    return status == FROB_TIMEOUT ? FROB_OK : status;
+}
+
+static size_t pad(const struct frob_create *d, uint8_t *bytes)
+{
+    size_t padding = (size_t)d->settings[FROB_CREATE_PADDING];
+    memset(bytes, 0, padding);
+    return padding;
+}
+
+static enum frob_status drive(struct frob_create *d, int right_mm_s, int left_mm_s)
+{
+    uint8_t bytes[MOST_PADDING + FROB_CREATE_MAX_COMMAND];
+    size_t size = pad(d, bytes);
+    size += frob_create_drive_direct(right_mm_s, left_mm_s, bytes + size);
+    return write(d, bytes, size);
+}
+
+static enum frob_status ask_for_stream(struct frob_create *d, int64_t now_ns)
+{
+    uint8_t bytes[MOST_PADDING + FROB_CREATE_MAX_COMMAND];
+    size_t size = pad(d, bytes);
+    size += frob_create_stream_request(streamed, sizeof streamed, bytes + size);
+    d->asked_ns = now_ns;
+    return write(d, bytes, size);
+}
+
+/* START also ends what another program has begun, motion included. */
+static enum frob_status send_start(struct frob_create *d)
+{
+    uint8_t bytes[MOST_PADDING + 1];
+    size_t size = pad(d, bytes);
+    size += frob_create_plain(FROB_CREATE_START, bytes + size);
+    return write(d, bytes, size);
+}
+
+static enum frob_status send_mode(struct frob_create *d)
+{
+    uint8_t bytes[1];
+    bool full = d->settings[FROB_CREATE_IN_FULL] != 0.0;
+    return write(d, bytes, frob_create_plain(full ? FROB_CREATE_FULL : FROB_CREATE_SAFE, bytes));
+}
+
+static enum frob_status begin_stream(struct frob_create *d, int64_t now_ns)
+{
+    enum frob_status status = drive(d, 0, 0);
+    return status == FROB_OK ? ask_for_stream(d, now_ns) : status;
+}
+
+/* Takes the next step of connecting if it is time. The robot needs a pause
+ * after a change of mode. */
+static enum frob_status connect_further(struct frob_create *d, int64_t now_ns)
+{
+    int64_t since_ns = now_ns - d->step_ns;
+    if (d->step == FROB_CREATE_RESTING) {
+        d->step = FROB_CREATE_STARTED;
+        d->step_ns = now_ns;
+        return send_start(d);
+    }
+    if (d->step == FROB_CREATE_STARTED && since_ns >= ns(d->settings[FROB_CREATE_MODE_PAUSE_S])) {
+        d->step = FROB_CREATE_IN_MODE;
+        d->step_ns = now_ns;
+        return send_mode(d);
+    }
+    if (d->step == FROB_CREATE_IN_MODE && since_ns >= ns(d->settings[FROB_CREATE_MODE_PAUSE_S])) {
+        d->step = FROB_CREATE_STREAMING;
+        d->step_ns = now_ns;
+        return begin_stream(d, now_ns);
+    }
+    if (d->step == FROB_CREATE_STREAMING && since_ns >= ANSWER_NS) {
+        if (++d->attempts >= MOST_ATTEMPTS)
+            return FROB_TIMEOUT;
+        d->step = FROB_CREATE_RESTING;
+    }
+    return FROB_OK;
+}
+
+static bool drives_in(const struct frob_create *d, unsigned mode)
+{
+    return mode == (d->settings[FROB_CREATE_IN_FULL] != 0.0 ? FROB_CREATE_MODE_FULL : FROB_CREATE_MODE_SAFE);
+}
+
+/* Takes a frame. One with counts out of reach is damaged, and not taken. */
+static void take(struct frob_create *d, const struct frob_create_sensors *sensors, int64_t now_ns)
+{
+    if (!frob_create_odometry_add(&d->odometry, sensors->left_counts, sensors->right_counts, now_ns,
+                                  d->settings[FROB_CREATE_SEPARATION_M]))
+        return;
+    d->sensors = *sensors;
+    d->heard_ns = now_ns;
+    d->sensed_ns = now_ns;
+    d->out_of_mode = drives_in(d, sensors->mode) ? 0 : d->out_of_mode + 1;
+    if (d->step == FROB_CREATE_STREAMING && d->out_of_mode == 0)
+        d->step = FROB_CREATE_CONNECTED;
+    if (d->step == FROB_CREATE_CONNECTED && d->out_of_mode >= OUT_OF_MODE_FRAMES)
+        d->refused = true;
+    if (d->step == FROB_CREATE_STREAMING && now_ns - d->step_ns >= ANSWER_NS / 2)
+        d->refused = true;
+}
+
+static enum frob_status read_all(struct frob_create *d)
+{
+    uint8_t bytes[256];
+    size_t count;
+    struct frob_create_sensors sensors = d->sensors;
+    /* More than the line brings between two polls, and an end to a line that
+     * never runs dry. */
+    for (int i = 0; i < 16; i++) {
+        enum frob_status status =
+            d->serial.operations->read(d->serial.port, bytes, sizeof bytes, &count);
+        if (status != FROB_OK)
+            return status;
+        if (count == 0)
+            return FROB_OK;
+        for (size_t k = 0; k < count; k++)
+            if (frob_create_stream_receive(&d->stream, bytes[k], &sensors))
+                take(d, &sensors, frob_now_ns(&d->clock));
+    }
+    return FROB_OK;
+}
+
+static void start(void *device, const double *settings, const struct frob_serial *serial,
+                  const struct frob_clock *clock)
+{
+    struct frob_create *d = (struct frob_create *)device;
+    struct frob_create_odometry odometry = d->odometry;
+    memset(d, 0, sizeof *d);
+    d->odometry = odometry;
+    frob_create_odometry_reconnect(&d->odometry);
+    d->settings = settings;
+    d->serial = *serial;
+    d->clock = *clock;
+    d->step = FROB_CREATE_RESTING;
+    d->heard_ns = frob_now_ns(clock);
+    d->sensed_ns = INT64_MIN;
+    frob_create_stream_init(&d->stream, streamed, sizeof streamed, settings[FROB_CREATE_HEADER_IN_SUM] != 0.0);
+    /* A line that cannot has its rate already, or no frame comes. */
+    serial->operations->set_rate(serial->port, (uint32_t)settings[FROB_CREATE_BAUD]);
+    serial->operations->discard(serial->port);
+}
+
+static enum frob_status poll(void *device)
+{
+    struct frob_create *d = (struct frob_create *)device;
+    enum frob_status status = read_all(d);
+    int64_t now_ns = frob_now_ns(&d->clock);
+    if (status != FROB_OK)
+        return status;
+    if (d->refused)
+        return FROB_REFUSED;
+    if (d->step != FROB_CREATE_CONNECTED) {
+        status = connect_further(d, now_ns);
+        return status == FROB_OK ? FROB_BUSY_CONNECTING : status;
+    }
+    if (now_ns - d->heard_ns >= SILENCE_NS)
+        return FROB_TIMEOUT;
+    if (now_ns - d->heard_ns >= ASK_AGAIN_NS && now_ns - d->asked_ns >= ASK_AGAIN_NS)
+        return ask_for_stream(d, now_ns);
+    return FROB_OK;
+}
+
+static int64_t due_ns(const void *device)
+{
+    const struct frob_create *d = (const struct frob_create *)device;
+    int64_t asked_ns;
+    switch (d->step) {
+    case FROB_CREATE_RESTING:
+        return d->heard_ns;
+    case FROB_CREATE_STARTED:
+    case FROB_CREATE_IN_MODE:
+        return d->step_ns + ns(d->settings[FROB_CREATE_MODE_PAUSE_S]);
+    case FROB_CREATE_STREAMING:
+        return d->step_ns + ANSWER_NS;
+    case FROB_CREATE_CONNECTED:
+        break;
+    }
+    asked_ns = d->asked_ns > d->heard_ns ? d->asked_ns : d->heard_ns;
+    return asked_ns + ASK_AGAIN_NS;
+}
+
+static int64_t sensed_ns(const void *device)
+{
+    return ((const struct frob_create *)device)->sensed_ns;
+}
+
+static bool bit(unsigned bits, double number)
+{
+    return (bits >> (unsigned)number & 1u) != 0;
+}
+
+static void sense(void *device, void *into)
+{
+    const struct frob_create *d = (const struct frob_create *)device;
+    const struct frob_create_sensors *s = &d->sensors;
+    struct frob_create_input *input = (struct frob_create_input *)into;
+    memset(input, 0, sizeof *input);
+    input->odometry.position.x = d->odometry.x_m;
+    input->odometry.position.y = d->odometry.y_m;
+    input->odometry.heading = atan2(sin(d->odometry.heading_rad), cos(d->odometry.heading_rad));
+    input->leftWheel = d->odometry.left_m_s;
+    input->rightWheel = d->odometry.right_m_s;
+    input->bumpLeft = s->bump_left;
+    input->bumpRight = s->bump_right;
+    input->leftDrop = s->drop_left;
+    input->rightDrop = s->drop_right;
+    for (size_t i = 0; i < FROB_CREATE_CLIFFS; i++)
+        input->cliffs[i] = s->cliff[i];
+    for (size_t i = 0; i < FROB_CREATE_LIGHTS; i++)
+        input->light[i] = s->light_signal[i];
+    input->virtualWall = s->virtual_wall;
+    input->beacon = s->infrared;
+    input->leftOvercurrent = bit(s->overcurrent, d->settings[FROB_CREATE_LEFT_OVERCURRENT]);
+    input->rightOvercurrent = bit(s->overcurrent, d->settings[FROB_CREATE_RIGHT_OVERCURRENT]);
+    input->cleanButton = (s->buttons & 1u) != 0;
+    input->battery = s->battery_mv * 1e-3;
+    input->charge = s->capacity_mah == 0 ? 0.0 : fmin(1.0, (double)s->charge_mah / s->capacity_mah);
+    input->charging = s->charging >= 1 && s->charging <= 3;
+    input->obeying = drives_in(d, s->mode);
+}
+
+/* Wheel speeds that are too high are lowered together, so that the robot keeps
+ * to its curve. Lights are sent when they change, and each second. */
+static enum frob_status command(void *device, const void *from)
+{
+    struct frob_create *d = (struct frob_create *)device;
+    const struct frob_create_output *output = (const struct frob_create_output *)from;
+    double across = 0.5 * output->turn * d->settings[FROB_CREATE_SEPARATION_M];
+    double left = output->forward - across, right = output->forward + across;
+    double greatest = fmax(fabs(left), fabs(right));
+    double mm_s = greatest > MOST_M_S ? MOST_M_S / greatest * 1e3 : 1e3;
+    int64_t now_ns = frob_now_ns(&d->clock);
+    uint8_t bytes[FROB_CREATE_MAX_COMMAND];
+    size_t size;
+    enum frob_status status;
+    if (d->step != FROB_CREATE_CONNECTED)
+        return FROB_BUSY_CONNECTING;
+    status = drive(d, (int)lround(right * mm_s), (int)lround(left * mm_s));
+    size = frob_create_lights(output, bytes);
+    if (status == FROB_OK &&
+        (memcmp(bytes, d->lights, size) != 0 || now_ns - d->lights_ns >= SILENCE_NS)) {
+        memcpy(d->lights, bytes, sizeof d->lights);
+        d->lights_ns = now_ns;
+        status = write(d, bytes, size);
+    }
+    if (status == FROB_OK && output->tone.tag == FROB_EVENT_TONE_EVENT)
+        status = write(d, bytes, frob_create_tone(output, bytes));
+    return status;
+}
+
+static enum frob_status stop(void *device)
+{
+    return drive((struct frob_create *)device, 0, 0);
+}
+
+/* In mode Passive, which START enters, the robot does not drive. */
+static void close(void *device)
+{
+    struct frob_create *d = (struct frob_create *)device;
+    uint8_t bytes[FROB_CREATE_MAX_COMMAND];
+    drive(d, 0, 0);
+    write(d, bytes, frob_create_stream_pause(bytes));
+    write(d, bytes, frob_create_plain(FROB_CREATE_START, bytes));
+}
+
+static const char *describe(const void *device)
+{
+    const struct frob_create *d = (const struct frob_create *)device;
+    if (!d->refused)
+        return "iRobot Create 2";
+    return d->step == FROB_CREATE_CONNECTED
+               ? "iRobot Create 2, which left the mode in which it drives: a cliff, a wheel drop or a charger"
+               : "iRobot Create 2, which does not enter the mode in which it drives";
+}
+
+static double most(const void *device, size_t i)
+{
+    const struct frob_create *d = (const struct frob_create *)device;
+    return i == 0 ? MOST_M_S : 2.0 * MOST_M_S / d->settings[FROB_CREATE_SEPARATION_M];
+}
+
+static const struct frob_setting settings_table[FROB_CREATE_SETTING_COUNT] = {
+    { "baud", 115200, 300, 115200, "rate of the serial line, bits per second (57600 for a Create 1)" },
+    { "full", 0, 0, 1, "1 for mode Full, in which the robot does not stop at cliffs and wheel drops" },
+    { "header-in-sum", 1, 0, 1, "1 if a frame's header is part of its sum (0 for a Create 1)" },
+    { "wheel-separation", 0.235, 0.1, 1, "between the wheels, m (0.258 for a Create 1)" },
+    { "mode-pause", 0.05, 0.02, 1, "after a change of mode, s" },
+    { "padding", 4, 0, MOST_PADDING, "zeros before each command that drives: they end an incomplete one" },
+    { "right-overcurrent", 3, 0, 7, "its bit in packet 14 (2 according to pycreate2)" },
+    { "left-overcurrent", 4, 0, 7, "its bit in packet 14 (3 according to pycreate2)" },
+};
+
+static const size_t drives[] = { offsetof(struct frob_create_output, forward),
+                                 offsetof(struct frob_create_output, turn) };
+
+const struct frob_driver frob_create_driver = {
+    "create",
+    115200,
+    sizeof(struct frob_create),
+    sizeof(struct frob_create_input),
+    sizeof(struct frob_create_output),
+    settings_table,
+    FROB_CREATE_SETTING_COUNT,
+    drives,
+    sizeof drives / sizeof drives[0],
+    most,
+    start,
+    poll,
+    due_ns,
+    sensed_ns,
+    sense,
+    command,
+    stop,
+    close,
+    describe
+};

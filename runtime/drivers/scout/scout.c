@@ -1,0 +1,291 @@
+#include "drivers/scout/scout.h"
+
+#include <frob/scout.h>
+
+#include <math.h>
+#include <string.h>
+
+#define UNIT_M 0.00254 /* 0.1 inch */
+#define MOST_M_S 1.0   /* of a wheel: 393 units in CARMEN's scoutlib */
+#define SILENCE_NS INT64_C(1000000000)
+#define FORGOTTEN_NS INT64_C(500000000)
+#define MOST_REFUSALS 3
+
+static int64_t ns(double seconds)
+{
+    return (int64_t)(seconds * 1e9);
+}
+
+/* Sends a command; its answer is awaited. A line that has no room now is like
+ * a lost command: the answer does not come. */
+static enum frob_status send(struct frob_scout *d, struct frob_scout_packet packet)
+{
+    uint8_t bytes[FROB_SCOUT_MAX_PACKET];
+    size_t size = frob_scout_write_packet(&packet, bytes);
+    enum frob_status status = d->serial.operations->write(d->serial.port, bytes, size);
+    d->awaited = packet.type;
+    d->sent_ns = frob_now_ns(&d->clock);
+    return status == FROB_TIMEOUT ? FROB_OK : status;
+}
+
+static enum frob_status send_velocity(struct frob_scout *d)
+{
+    d->velocity_waits = false;
+    return send(d, frob_scout_velocities(d->first, d->second));
+}
+
+/* When the state is asked for, if no velocity comes: never while the robot
+ * moves and the host has forgotten it, so that the robot's watchdog ends it. */
+static int64_t ask_ns(const struct frob_scout *d)
+{
+    int64_t at_ns = d->sent_ns + ns(d->settings[FROB_SCOUT_POLL_S]);
+    bool moves = d->first != 0 || d->second != 0;
+    return moves && at_ns - d->commanded_ns >= FORGOTTEN_NS ? INT64_MAX : at_ns;
+}
+
+/* Sends what is due when no answer is awaited. */
+static enum frob_status send_next(struct frob_scout *d, int64_t now_ns)
+{
+    switch (d->step) {
+    case FROB_SCOUT_STOPPING:
+        return send(d, frob_scout_plain(FROB_SCOUT_ST));
+    case FROB_SCOUT_WATCHDOG:
+        return send(d, frob_scout_watchdog((unsigned)d->settings[FROB_SCOUT_WATCHDOG_S]));
+    case FROB_SCOUT_ACCELERATION:
+        return send(d, frob_scout_acceleration((unsigned)lround(d->settings[FROB_SCOUT_ACCELERATION_M_S2] / UNIT_M)));
+    case FROB_SCOUT_SONARS_ON:
+        return send(d, frob_scout_sonars_on((unsigned)d->settings[FROB_SCOUT_SONAR_MS] / FROB_SCOUT_SONAR_UNIT_MS));
+    case FROB_SCOUT_CONNECTED:
+        break;
+    }
+    if (d->velocity_waits)
+        return send_velocity(d);
+    if (now_ns >= ask_ns(d))
+        return send(d, frob_scout_plain(FROB_SCOUT_GS));
+    return FROB_OK;
+}
+
+static void connect_further(struct frob_scout *d)
+{
+    if (d->step == FROB_SCOUT_CONNECTED)
+        return;
+    d->step = (enum frob_scout_step)(d->step + 1);
+    if (d->step == FROB_SCOUT_ACCELERATION && isnan(d->settings[FROB_SCOUT_ACCELERATION_M_S2]))
+        d->step = FROB_SCOUT_SONARS_ON;
+}
+
+static void take_state(struct frob_scout *d, const struct frob_scout_packet *packet, int64_t now_ns)
+{
+    d->state = frob_scout_read_state(packet);
+    d->sensed_ns = now_ns;
+    frob_scout_odometry_add(&d->odometry, &d->state, now_ns);
+    frob_scout_sonar_add(&d->sonar, &d->state, now_ns,
+                         FROB_SCOUT_SONARS * ns(d->settings[FROB_SCOUT_SONAR_MS] * 1e-3));
+}
+
+/* Takes an answer. A command of connecting that is refused ends it; velocities
+ * may be refused now and then, while somebody presses the stop button. */
+static void take(struct frob_scout *d, const struct frob_scout_packet *packet, int64_t now_ns)
+{
+    bool refused = packet->type == FROB_SCOUT_NAK;
+    bool answers = refused || packet->type == d->awaited;
+    d->heard_ns = now_ns;
+    if (frob_scout_is_state(packet))
+        take_state(d, packet, now_ns);
+    if (!answers || d->awaited == 0)
+        return;
+    if (d->awaited == FROB_SCOUT_VM)
+        d->refusals = refused ? d->refusals + 1 : 0;
+    if (refused && (d->step != FROB_SCOUT_CONNECTED || d->refusals >= MOST_REFUSALS))
+        d->refused = true;
+    d->awaited = 0;
+    if (!refused)
+        connect_further(d);
+}
+
+static enum frob_status read_all(struct frob_scout *d)
+{
+    uint8_t bytes[64];
+    size_t count;
+    /* More than the line brings between two polls, and an end to a line that
+     * never runs dry. */
+    for (int i = 0; i < 16; i++) {
+        struct frob_scout_packet packet;
+        enum frob_status status =
+            d->serial.operations->read(d->serial.port, bytes, sizeof bytes, &count);
+        if (status != FROB_OK)
+            return status;
+        if (count == 0)
+            return FROB_OK;
+        for (size_t k = 0; k < count; k++)
+            if (frob_scout_receive(&d->receiver, bytes[k], &packet))
+                take(d, &packet, frob_now_ns(&d->clock));
+    }
+    return FROB_OK;
+}
+
+static void start(void *device, const double *settings, const struct frob_serial *serial,
+                  const struct frob_clock *clock)
+{
+    struct frob_scout *d = (struct frob_scout *)device;
+    struct frob_scout_odometry odometry = d->odometry;
+    memset(d, 0, sizeof *d);
+    d->odometry = odometry;
+    frob_scout_odometry_reconnect(&d->odometry);
+    d->settings = settings;
+    d->serial = *serial;
+    d->clock = *clock;
+    d->step = FROB_SCOUT_STOPPING;
+    d->heard_ns = d->commanded_ns = frob_now_ns(clock);
+    d->sensed_ns = INT64_MIN;
+    /* A line that cannot has its rate already, or no answer comes. */
+    serial->operations->set_rate(serial->port, (uint32_t)settings[FROB_SCOUT_BAUD]);
+    serial->operations->discard(serial->port);
+}
+
+static enum frob_status poll(void *device)
+{
+    struct frob_scout *d = (struct frob_scout *)device;
+    enum frob_status status = read_all(d);
+    int64_t now_ns = frob_now_ns(&d->clock);
+    if (status != FROB_OK)
+        return status;
+    if (d->refused)
+        return FROB_REFUSED;
+    if (now_ns - d->heard_ns >= SILENCE_NS)
+        return FROB_TIMEOUT;
+    if (d->awaited != 0 && now_ns - d->sent_ns >= ns(d->settings[FROB_SCOUT_PATIENCE_S]))
+        d->awaited = 0;
+    if (d->awaited == 0)
+        status = send_next(d, now_ns);
+    if (status != FROB_OK)
+        return status;
+    return d->step == FROB_SCOUT_CONNECTED ? FROB_OK : FROB_BUSY_CONNECTING;
+}
+
+static int64_t due_ns(const void *device)
+{
+    const struct frob_scout *d = (const struct frob_scout *)device;
+    if (d->awaited != 0)
+        return d->sent_ns + ns(d->settings[FROB_SCOUT_PATIENCE_S]);
+    return d->velocity_waits || d->step != FROB_SCOUT_CONNECTED ? d->sent_ns : ask_ns(d);
+}
+
+static int64_t sensed_ns(const void *device)
+{
+    return ((const struct frob_scout *)device)->sensed_ns;
+}
+
+static void sense(void *device, void *into)
+{
+    struct frob_scout *d = (struct frob_scout *)device;
+    struct frob_scout_input *input = (struct frob_scout_input *)into;
+    const struct frob_scout_place *place = &d->odometry.place;
+    double across = 0.5 * d->odometry.turn_rad_s * d->settings[FROB_SCOUT_SEPARATION_M];
+    memset(input, 0, sizeof *input);
+    input->odometry.position.x = place->x_m;
+    input->odometry.position.y = place->y_m;
+    input->odometry.heading = atan2(sin(place->heading_rad), cos(place->heading_rad));
+    input->leftWheel = d->odometry.forward_m_s - across;
+    input->rightWheel = d->odometry.forward_m_s + across;
+    for (size_t i = 0; i < FROB_SCOUT_SONARS; i++) {
+        double distance_m;
+        if (frob_scout_sonar_take(&d->sonar, i, &distance_m)) {
+            input->sonar[i].tag = FROB_EVENT_FLOAT_EVENT;
+            input->sonar[i].f0 = distance_m;
+        }
+    }
+    for (size_t i = 0; i < sizeof input->bumpers / sizeof input->bumpers[0]; i++)
+        input->bumpers[i] = (d->state.bumpers >> i & 1) != 0;
+    input->battery = d->state.motor_v;
+    input->charging = (d->state.motor_status & FROB_SCOUT_CHARGING) != 0;
+    input->emergencyStop = (d->state.motor_status & FROB_SCOUT_EMERGENCY_STOP) != 0;
+}
+
+/* Wheel speeds that are too high are lowered together, so that the robot keeps
+ * to its curve. */
+static enum frob_status command(void *device, const void *from)
+{
+    struct frob_scout *d = (struct frob_scout *)device;
+    const struct frob_scout_output *output = (const struct frob_scout_output *)from;
+    double across = 0.5 * output->turn * d->settings[FROB_SCOUT_SEPARATION_M];
+    double left = output->forward - across, right = output->forward + across;
+    double greatest = fmax(fabs(left), fabs(right));
+    double scale = greatest > MOST_M_S ? MOST_M_S / greatest : 1.0;
+    bool left_first = d->settings[FROB_SCOUT_LEFT_FIRST] != 0.0;
+    if (d->step != FROB_SCOUT_CONNECTED)
+        return FROB_BUSY_CONNECTING;
+    d->first = lround((left_first ? left : right) * scale / UNIT_M);
+    d->second = lround((left_first ? right : left) * scale / UNIT_M);
+    d->velocity_waits = true;
+    d->commanded_ns = frob_now_ns(&d->clock);
+    return d->awaited == 0 ? send_velocity(d) : FROB_OK;
+}
+
+/* ST holds the position. It does not wait for an answer to come. */
+static enum frob_status stop(void *device)
+{
+    struct frob_scout *d = (struct frob_scout *)device;
+    d->velocity_waits = false;
+    d->first = d->second = 0;
+    d->commanded_ns = frob_now_ns(&d->clock);
+    return send(d, frob_scout_plain(FROB_SCOUT_ST));
+}
+
+static void close(void *device)
+{
+    struct frob_scout *d = (struct frob_scout *)device;
+    stop(d);
+    send(d, frob_scout_sonars_off());
+}
+
+static const char *describe(const void *device)
+{
+    const struct frob_scout *d = (const struct frob_scout *)device;
+    if (!d->refused)
+        return "Nomadic Scout";
+    return d->step == FROB_SCOUT_CONNECTED ? "Nomadic Scout, which refuses velocities"
+                                           : "Nomadic Scout, which refuses to be set up";
+}
+
+static double most(const void *device, size_t i)
+{
+    const struct frob_scout *d = (const struct frob_scout *)device;
+    return i == 0 ? MOST_M_S : 2.0 * MOST_M_S / d->settings[FROB_SCOUT_SEPARATION_M];
+}
+
+static const struct frob_setting settings_table[FROB_SCOUT_SETTING_COUNT] = {
+    { "baud", 38400, 4800, 38400, "rate of the serial line, bits per second" },
+    { "watchdog", 1, 1, 255, "the robot stops by itself after this many seconds without a command" },
+    { "left-first", 0, 0, 1, "1 if the first axis of commands is the left wheel" },
+    { "wheel-separation", 0.3452, 0.1, 1, "between the wheels, m (13.59 inches; some have measured 13.4)" },
+    { "acceleration", NAN, 0.01, 10, "of the wheels, m/s^2 (else as the robot has it)" },
+    { "sonar-period", 40, 4, 1020, "between two transducers' turns, ms" },
+    { "poll-period", 0.05, 0.01, 1, "between two states, s" },
+    { "patience", 0.1, 0.02, 1, "until a command without answer is given up, s" },
+};
+
+static const size_t drives[] = { offsetof(struct frob_scout_output, forward),
+                                 offsetof(struct frob_scout_output, turn) };
+
+const struct frob_driver frob_scout_driver = {
+    "scout",
+    38400,
+    sizeof(struct frob_scout),
+    sizeof(struct frob_scout_input),
+    sizeof(struct frob_scout_output),
+    settings_table,
+    FROB_SCOUT_SETTING_COUNT,
+    drives,
+    sizeof drives / sizeof drives[0],
+    most,
+    start,
+    poll,
+    due_ns,
+    sensed_ns,
+    sense,
+    command,
+    stop,
+    close,
+    describe
+};
