@@ -4,7 +4,7 @@
 # What a Debian machine needs, by package.
 PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
   libalcotest-ocaml-dev libqcheck-ocaml-dev libbox2d-dev libtomlplusplus-dev \
-  libcairo2-dev pkg-config gcc g++ clang libtcc-dev tcc
+  libcairo2-dev libmpfr-dev pkg-config gcc g++ clang libtcc-dev tcc
 
 # What only `make bench` needs.
 BENCH_PACKAGES = valgrind
