@@ -41,20 +41,19 @@ module Float = struct
     let magnitude = power ~one:1. ~times:( *. ) x (abs k) in
     if k < 0 then 1. /. magnitude else magnitude
 
-  (* OCaml calls the C library's. *)
   let elementary (f : Core.Primitive.elementary) arguments =
     match (f, arguments) with
     | Sqrt, [ x ] -> sqrt x
-    | Hypot, [ x; y ] -> hypot x y
-    | Exp, [ x ] -> exp x
-    | Log, [ x ] -> log x
-    | Sin, [ x ] -> sin x
-    | Cos, [ x ] -> cos x
-    | Tan, [ x ] -> tan x
-    | Asin, [ x ] -> asin x
-    | Acos, [ x ] -> acos x
-    | Atan, [ x ] -> atan x
-    | Atan2, [ y; x ] -> atan2 y x
+    | Hypot, [ x; y ] -> Elementary.hypot x y
+    | Exp, [ x ] -> Elementary.exp x
+    | Log, [ x ] -> Elementary.log x
+    | Sin, [ x ] -> Elementary.sin x
+    | Cos, [ x ] -> Elementary.cos x
+    | Tan, [ x ] -> Elementary.tan x
+    | Asin, [ x ] -> Elementary.asin x
+    | Acos, [ x ] -> Elementary.acos x
+    | Atan, [ x ] -> Elementary.atan x
+    | Atan2, [ y; x ] -> Elementary.atan2 y x
     | (Sqrt | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2), _ ->
         Basis.Diagnostic.bug ~stage:"Interp" "an elementary function of %d arguments"
           (List.length arguments)

@@ -22,7 +22,7 @@ let values (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
   | Signum, [ Int a ] -> Int (Number.Int.signum a)
   | Signum, [ Float a ] -> Float (Number.Float.signum a)
   | Divide, [ Float a; Float b ] -> Float (a /. b)
-  | Power, [ Float a; Float b ] -> Float (a ** b)
+  | Power, [ Float a; Float b ] -> Float (Elementary.pow a b)
   | Power_literal k, [ Int a ] -> Int (Number.Int.power a k)
   | Power_literal k, [ Float a ] -> Float (Number.Float.power a k)
   | Elementary f, _ -> Float (Number.Float.elementary f (List.map float arguments))

@@ -44,16 +44,16 @@ let half_away x = if x < 0. then Float.ceil (x -. 0.5) else Float.floor (x +. 0.
 let elementary (f : Core.Primitive.elementary) arguments =
   match (f, arguments) with
   | Sqrt, [ x ] -> sqrt x
-  | Hypot, [ x; y ] -> hypot x y
-  | Exp, [ x ] -> exp x
-  | Log, [ x ] -> log x
-  | Sin, [ x ] -> sin x
-  | Cos, [ x ] -> cos x
-  | Tan, [ x ] -> tan x
-  | Asin, [ x ] -> asin x
-  | Acos, [ x ] -> acos x
-  | Atan, [ x ] -> atan x
-  | Atan2, [ x; y ] -> atan2 x y
+  | Hypot, [ x; y ] -> Elementary.hypot x y
+  | Exp, [ x ] -> Elementary.exp x
+  | Log, [ x ] -> Elementary.log x
+  | Sin, [ x ] -> Elementary.sin x
+  | Cos, [ x ] -> Elementary.cos x
+  | Tan, [ x ] -> Elementary.tan x
+  | Asin, [ x ] -> Elementary.asin x
+  | Acos, [ x ] -> Elementary.acos x
+  | Atan, [ x ] -> Elementary.atan x
+  | Atan2, [ x; y ] -> Elementary.atan2 x y
   | _ -> failwith "arity"
 
 let operation (operator : Ir.operator) arguments =
