@@ -99,7 +99,7 @@ let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
   | Divide, Float -> Binary (Over, x, y)
   | Div, Int -> helper Int_div
   | Mod, Int -> helper Int_mod
-  | Pow, Float -> Call ("pow", [ x; y ])
+  | Pow, Float -> Call (V.pow n.v, [ x; y ])
   | Equal, (Bool | Int | Float) -> Binary (Equal, x, y)
   | Less, (Int | Float) -> (
       (* [x > 0] reads better than [0 < x]. *)
@@ -134,7 +134,7 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   | Dt -> Name "dt"
   | Dt_nanoseconds -> Name "dt_ns"
   | Operation { operator = Elementary f; arguments; _ } ->
-      Call (Core.Primitive.name (Elementary f), list arguments)
+      Call (V.elementary n.v f, list arguments)
   (* One test for NaN is enough: where x is NaN, so is -x. *)
   | Operation
       {

@@ -19,7 +19,7 @@ let keywords =
      PLOSS TLOSS float_t double_t int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t \
      uint64_t intptr_t uintptr_t intmax_t uintmax_t size_t ptrdiff_t"
 
-(* Functions that the headers declare; members of structs may have their
+(* Functions that the headers and the runtime declare; members of structs may have their
    names. *)
 let functions =
   table
@@ -29,7 +29,8 @@ let functions =
      isunordered j0 j1 jn ldexp lgamma llrint llround log log10 log1p log2 logb lrint lround modf \
      nan nearbyint nextafter nexttoward pow pow10 remainder remquo rint round scalb scalbln scalbn \
      signbit signgam significand sin sincos sinh sqrt tan tanh tgamma trunc y0 y1 yn abs div labs \
-     time clock main std"
+     time clock main std frob_exp frob_log frob_pow frob_sin frob_cos frob_tan frob_asin frob_acos \
+     frob_atan frob_atan2 frob_hypot frob_angle"
 
 let is_macro_like name =
   let starts prefix =

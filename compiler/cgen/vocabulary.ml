@@ -24,6 +24,7 @@ type t = {
   robot_records : Ir.declaration list;
   robots : Robot.t list;
   helpers : (Helper.t, unit) Hashtbl.t;
+  elementary : (string, unit) Hashtbl.t;
   makers : (int * int, unit) Hashtbl.t;
   projections : (int * int * int, unit) Hashtbl.t;
   arrays : arrays;
@@ -182,6 +183,7 @@ let of_program (program : M.program) =
     robots =
       List.sort_uniq compare (List.filter_map Fun.id [ input_robot; output_robot ]);
     helpers = Hashtbl.create 16;
+    elementary = Hashtbl.create 4;
     makers = Hashtbl.create 16;
     projections = Hashtbl.create 16;
     arrays;
@@ -200,6 +202,19 @@ let ty t (ty : M.ty) : Ir.ty =
 let helper t helper =
   Hashtbl.replace t.helpers helper ();
   Helper.name helper
+
+let runtime_function t name =
+  let name = "frob_" ^ name in
+  Hashtbl.replace t.elementary name ();
+  name
+
+let elementary t (f : Core.Primitive.elementary) =
+  let name = Core.Primitive.name (Elementary f) in
+  match f with
+  | Sqrt -> name
+  | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2 -> runtime_function t name
+
+let pow t = runtime_function t "pow"
 
 let maker t ~sum ~constructor =
   Hashtbl.replace t.makers (sum, constructor) ();

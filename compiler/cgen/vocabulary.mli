@@ -28,6 +28,7 @@ type t = {
   robot_records : Ir.declaration list;  (** those of a robot's header *)
   robots : Robot.t list;  (** whose headers are needed *)
   helpers : (Helper.t, unit) Hashtbl.t;
+  elementary : (string, unit) Hashtbl.t;  (** functions of the runtime's that are called *)
   makers : (int * int, unit) Hashtbl.t;  (** sum, constructor *)
   projections : (int * int * int, unit) Hashtbl.t;  (** sum, constructor, leaf *)
   arrays : arrays;
@@ -41,6 +42,11 @@ and arrays
 val of_program : Machine.Ir.program -> t
 val ty : t -> Machine.Ir.ty -> Ir.ty
 val helper : t -> Helper.t -> string
+
+val elementary : t -> Core.Primitive.elementary -> string
+(** The C function; the square root is <math.h>'s, as exact everywhere. *)
+
+val pow : t -> string
 val maker : t -> sum:int -> constructor:int -> string
 val projection : t -> sum:int -> constructor:int -> leaf:int -> string
 val array_function : t -> Array_type.operation -> Machine.Ir.ty -> string

@@ -152,7 +152,7 @@ let hosted general ~entry file ~host ~arguments =
   compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
       let name = Pipeline.c_name file in
       let* program =
-        Toolchain.shared_object ~headers:resources.headers ~name
+        Toolchain.shared_object ~headers:resources.headers ~runtime:resources.runtime ~name
           [
             (name ^ ".h", files.header);
             (name ^ ".c", files.source);

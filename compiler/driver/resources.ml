@@ -1,6 +1,7 @@
 type t = {
   library : string;
   headers : string;
+  runtime : string;
   trace_host : string;
   simulator : string;
   worlds : string;
@@ -12,6 +13,7 @@ let under prefix =
   {
     library = prefix / "share" / "frobc" / "stdlib";
     headers = prefix / "share" / "frobc" / "include";
+    runtime = prefix / "lib" / "frobc" / "libfrob.a";
     trace_host = prefix / "lib" / "frobc" / "frob-trace";
     simulator = prefix / "lib" / "frobc" / "frob-sim";
     worlds = prefix / "share" / "frobc" / "worlds";

@@ -4,6 +4,7 @@
 type t = {
   library : string;  (** folder of the [.frob] standard library *)
   headers : string;  (** to be passed as [-I]: holds [frob/program.h] … *)
+  runtime : string;  (** the archive [libfrob.a] that generated C is linked with *)
   trace_host : string;  (** the executable [frob-trace] *)
   simulator : string;  (** the executable [frob-sim] *)
   worlds : string;  (** folder of the worlds that come with the simulator *)

@@ -1,9 +1,4 @@
-let elementary =
-  [ "sin"; "cos"; "tan"; "asin"; "acos"; "atan"; "atan2"; "exp"; "log"; "pow"; "hypot" ]
-
-let flags =
-  [ "-std=c99"; "-O2"; "-ffp-contract=off" ]
-  @ List.map (fun name -> "-fno-builtin-" ^ name) elementary
+let flags = [ "-std=c99"; "-O2"; "-ffp-contract=off" ]
 
 let ( / ) = Filename.concat
 let compiler () = match Sys.getenv_opt "CC" with Some cc when cc <> "" -> cc | _ -> "cc"
@@ -48,11 +43,11 @@ let headers_digest folder =
   Array.sort compare files;
   String.concat "" (List.map (fun file -> Digest.file (frob / file)) (Array.to_list files))
 
-let key ~headers ~name files =
+let key ~headers ~runtime ~name files =
   Digest.to_hex
     (Digest.string
        (String.concat "\000"
-          ((name :: compiler () :: headers_digest headers :: flags)
+          ((name :: compiler () :: headers_digest headers :: Digest.file runtime :: flags)
           @ List.concat_map (fun (file, content) -> [ file; content ]) files)))
 
 let explain = function
@@ -64,7 +59,7 @@ let explain = function
   | Process.Failed { status; errors } ->
       Printf.sprintf "the C compiler `%s` failed with status %d:\n%s" (compiler ()) status errors
 
-let compile ~headers ~folder ~result files =
+let compile ~headers ~runtime ~folder ~result files =
   List.iter (fun (file, content) -> write (folder / file) content) files;
   let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
   let built = folder / "program.so" in
@@ -73,7 +68,7 @@ let compile ~headers ~folder ~result files =
       (flags
       @ [ "-fPIC"; "-shared"; "-I"; headers; "-o"; built ]
       @ List.map (fun (file, _) -> folder / file) sources
-      @ [ "-lm" ])
+      @ [ runtime; "-lm" ])
   with
   | Ok () ->
       (* Renaming is atomic, so two runs at once do not see half a file. *)
@@ -85,9 +80,9 @@ let remove_folder folder =
   Array.iter (fun file -> Sys.remove (folder / file)) (Sys.readdir folder);
   Unix.rmdir folder
 
-let shared_object ~headers ~name files =
+let shared_object ~headers ~runtime ~name files =
   let cache = cache_folder () in
-  let key = key ~headers ~name files in
+  let key = key ~headers ~runtime ~name files in
   let result = cache / Printf.sprintf "%s-%s.so" name key in
   if Sys.file_exists result then Ok result
   else begin
@@ -95,5 +90,5 @@ let shared_object ~headers ~name files =
     make_folder folder;
     Fun.protect
       ~finally:(fun () -> remove_folder folder)
-      (fun () -> compile ~headers ~folder ~result files)
+      (fun () -> compile ~headers ~runtime ~folder ~result files)
   end

@@ -2,13 +2,17 @@
 
 val flags : string list
 (** With which generated C must be built to keep its promises: no contraction
-    of floating-point operations, and the C library's own elementary functions
-    also on constants. *)
+    of floating-point operations. *)
 
 val shared_object :
-  headers:string -> name:string -> (string * string) list -> (string, string) result
-(** [shared_object ~headers ~name files] compiles the [.c] files among [files]
-    (name and content) into a shared object and gives its path. Results are
+  headers:string ->
+  runtime:string ->
+  name:string ->
+  (string * string) list ->
+  (string, string) result
+(** [shared_object ~headers ~runtime ~name files] compiles the [.c] files among
+    [files] (name and content) into a shared object, links it with the archive
+    [runtime], and gives its path. Results are
     kept in the user's cache ([XDG_CACHE_HOME], or [~/.cache]), under a name
     made from everything that matters, so the same program is compiled once.
     The error is a text for the user. *)
