@@ -16,7 +16,7 @@ val place : file:string -> Basis.Span.t -> string
 
 val operations : (string * Cost.kind) list
 (** The kinds of operations in the order of the report, by name; without the
-    calls of the C library's functions. *)
+    calls of the elementary functions. *)
 
 val library : t -> string list
-(** The functions of the C library that are called, sorted. *)
+(** The elementary functions that are called, sorted. *)

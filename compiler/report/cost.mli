@@ -6,7 +6,7 @@ type kind =
   | Divisions  (** remainders too *)
   | Choices  (** comparisons, logic, and everything that takes one of two ways *)
   | Conversions  (** between integers, floats and nanoseconds *)
-  | Calls of string  (** of this function of the C library *)
+  | Calls of string  (** of this elementary function, or [fabs] *)
   | Loads  (** of a scalar of the state *)
   | Stores
 
@@ -25,4 +25,4 @@ val times : int -> t -> t
 val count : t -> kind -> int
 
 val calls : t -> (string * int) list
-(** Of the C library's functions, by name. *)
+(** Of elementary functions, by name. *)

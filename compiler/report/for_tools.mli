@@ -6,7 +6,7 @@
     [purpose]), [struct] (with [struct], an index into [structs]), [structs]
     (likewise, and [count]), [mode] or
     [modes] (with [modes], each with [name], [bytes], [members]);
-    [step_operations] by kind, and in it [calls] by function of the C library;
+    [step_operations] by kind, and in it [calls] by elementary function;
     [reset_stack_bytes], [step_stack_bytes]; [library], the functions of the C
     library; [machines] ([name], [file], [line], [modes], [steps]). *)
 

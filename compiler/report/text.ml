@@ -133,7 +133,7 @@ let to_string (t : Bounds.t) =
   let library =
     match Bounds.library t with
     | [] -> ""
-    | _ :: _ -> ", without that of the C library's functions"
+    | _ :: _ -> ", without that of the elementary functions"
   in
   String.concat ""
     ([

@@ -13,6 +13,7 @@ let tools compiler =
   {
     Engines.library = root / "stdlib";
     headers = root / "runtime" / "include";
+    runtime = root / "runtime" / "libfrob.a";
     trace_host =
       (match compiler with
       | Usual -> root / "runtime" / "frob-trace"

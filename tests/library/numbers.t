@@ -153,7 +153,7 @@ Comparisons with NaN are false, except `/=`:
   false,true,true,true,false,false
 
 Powers with a literal exponent are products, exact where those are; on Int they
-wrap. `**` is the C library's.
+wrap. `**` is as `pow` in C99, Annex F.
 
   $ cat > powers.frob << FROB
   > main :: SF (Int, Float) (Int, Int, Float, Float, Float, Float)

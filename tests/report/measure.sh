@@ -46,9 +46,9 @@ END
     build -O0 -fno-builtin
     library=$(sed 's/.*"library":\[\([^]]*\)\].*/\1/' "$work/report.json" | tr -d '"' | tr ',' ' ')
     # gcc copies large structs with memcpy.
-    found=$(awk -v library=1 -f "$here/stack_used.awk" "$work"/*.ci | grep -v '^mem' |
+    found=$(awk -v library=1 -f "$here/stack_used.awk" "$work"/*.ci | grep -v '^mem' | sed 's/^frob_//' |
         LC_ALL=C sort | xargs)
-    same "functions of the C library" "$library" "$found"
+    same "functions of the C library or the runtime" "$library" "$found"
 
     for level in -O0 -O2; do
         build $level

@@ -1,5 +1,5 @@
 What the report states is true of the C: the state has exactly that size, those
-and no other functions of the C library are called, and no function uses more
+and no other functions of the C library or the runtime are called, and no function uses more
 stack, with and without optimization. For the examples,
 
   $ sh measure.sh ../../examples/*/*.frob
