@@ -36,14 +36,7 @@ test: setup
 
 fuzz: all
 	@dune build tests/fuzz/main.exe
-<<<<<<< HEAD
 	@_build/default/tests/fuzz/main.exe --count $(N) --seed $(SEED) --jobs $$(nproc) --sanitize-every 50
-=======
-	@_build/default/tests/fuzz/main.exe --library _build/install/default/share/frobc/stdlib \
-	  --headers _build/install/default/share/frobc/include \
-	  --runtime _build/install/default/lib/frobc/libfrob.a \
-	  --host _build/install/default/lib/frobc/frob-trace --count $(N) --seed $(SEED)
->>>>>>> 81761ed (Generated C calls the runtime's elementary functions)
 
 bench: all
 	@sh tests/setup.sh $(BENCH_PACKAGES)

@@ -1,11 +1,7 @@
 open Basis
 
-<<<<<<< HEAD
 type tools = { library : string; runtime : string; folder : string }
 type c_engine = Tcc | Sanitized of Sanitized.compiler
-=======
-type tools = { library : string; headers : string; runtime : string; trace_host : string; folder : string }
->>>>>>> 81761ed (Generated C calls the runtime's elementary functions)
 
 type outcome =
   | Agree
@@ -145,32 +141,6 @@ let cells text =
       incr next;
       Some text.[!next - 1]
     end
-<<<<<<< HEAD
-=======
-
-let interpreted core ~entry input =
-  let out = Buffer.create 65536 in
-  match
-    Interp.Trace.run core ~entry ~name:"input" ~read:(characters input)
-      ~write:(Buffer.add_string out)
-  with
-  | Ok () -> Ok (Buffer.contents out)
-  | Error texts -> Error (Failed (String.concat "\n" texts))
-
-let ( let* ) = Result.bind
-let ( / ) = Filename.concat
-
-(* Of a program that is not run again: it is not kept. *)
-let with_compiled tools ~name (files : Cgen.Emit.t) use =
-  let* program =
-    Driver.Toolchain.shared_object ~headers:tools.headers ~runtime:tools.runtime ~name
-      [
-        (name ^ ".h", files.header);
-        (name ^ ".c", files.source);
-        (name ^ "_host.c", files.host_table);
-      ]
-    |> Result.map_error (fun text -> Failed text)
->>>>>>> 81761ed (Generated C calls the runtime's elementary functions)
   in
   let csv = Interp.Csv.reader characters in
   let rec rows found =

@@ -2,13 +2,7 @@
 
 type tools = {
   library : string;  (** the folder of the standard library *)
-<<<<<<< HEAD
   runtime : string;  (** the runtime's sources: [include], [core], [hosts] *)
-=======
-  headers : string;
-  runtime : string;
-  trace_host : string;
->>>>>>> 81761ed (Generated C calls the runtime's elementary functions)
   folder : string;  (** for files on the way *)
 }
 

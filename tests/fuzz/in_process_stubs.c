@@ -5,6 +5,7 @@
  * allocated meanwhile, so what is left behind is plain memory. */
 #define _XOPEN_SOURCE 700
 #include <frob/cell.h>
+#include <frob/elementary.h>
 #include <frob/trace.h>
 
 #include <libtcc.h>
@@ -65,6 +66,24 @@ static void add_message(void *context, const char *message)
     all->text[all->length] = '\0';
 }
 
+/* The runtime's elementary functions, as the interpreter calls them. */
+static void add_elementary(TCCState *compiler)
+{
+#define ADD(name) tcc_add_symbol(compiler, #name, (const void *)(intptr_t)name)
+    ADD(frob_exp);
+    ADD(frob_log);
+    ADD(frob_pow);
+    ADD(frob_sin);
+    ADD(frob_cos);
+    ADD(frob_tan);
+    ADD(frob_asin);
+    ADD(frob_acos);
+    ADD(frob_atan);
+    ADD(frob_atan2);
+    ADD(frob_hypot);
+#undef ADD
+}
+
 /* in_process_compile : string array -> string array -> t -- include folders and files;
  * raises Failure with what the compiler says. */
 value in_process_compile(value folders, value files)
@@ -81,6 +100,7 @@ value in_process_compile(value folders, value files)
     tcc_set_output_type(compiler, TCC_OUTPUT_MEMORY);
     for (mlsize_t i = 0; i < Wosize_val(folders); i++)
         tcc_add_include_path(compiler, String_val(Field(folders, i)));
+    add_elementary(compiler);
     ok = tcc_add_library(compiler, "m") == 0;
     for (mlsize_t i = 0; ok && i < Wosize_val(files); i++)
         ok = tcc_add_file(compiler, String_val(Field(files, i))) == 0;

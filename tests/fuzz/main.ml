@@ -10,13 +10,7 @@ open Fuzz
 
 type settings = {
   mutable library : string;
-<<<<<<< HEAD
   mutable runtime : string;
-=======
-  mutable headers : string;
-  mutable runtime : string;
-  mutable host : string;
->>>>>>> 81761ed (Generated C calls the runtime's elementary functions)
   mutable count : int;
   mutable seed : int;
   mutable first : int;
@@ -26,7 +20,6 @@ type settings = {
 }
 
 let settings () =
-<<<<<<< HEAD
   let s =
     {
       library = "stdlib";
@@ -39,14 +32,10 @@ let settings () =
       stop_at_first = false;
     }
   in
-=======
-  let s = { library = ""; headers = ""; runtime = ""; host = ""; count = 1000; seed = 1; first = 0 } in
->>>>>>> 81761ed (Generated C calls the runtime's elementary functions)
   let text name set doc = (name, Arg.String set, doc)
   and number name set doc = (name, Arg.Int set, doc) in
   Arg.parse
     [
-<<<<<<< HEAD
       number "--count" (fun v -> s.count <- v) "N how many programs (1000)";
       number "--seed" (fun v -> s.seed <- v) "S another seed gives other programs (1)";
       number "--first" (fun v -> s.first <- v) "N the number of the first program (0)";
@@ -59,15 +48,6 @@ let settings () =
         "N every so many batches one goes through gcc or clang as well, with sanitizers (0: none)";
       text "--library" (fun v -> s.library <- v) "DIR the standard library (stdlib)";
       text "--runtime" (fun v -> s.runtime <- v) "DIR the runtime's sources (runtime)";
-=======
-      text "--library" (fun v -> s.library <- v) "DIR the standard library";
-      text "--headers" (fun v -> s.headers <- v) "DIR holds frob/program.h";
-      text "--runtime" (fun v -> s.runtime <- v) "FILE the archive libfrob.a";
-      text "--host" (fun v -> s.host <- v) "FILE the executable frob-trace";
-      number "--count" (fun v -> s.count <- v) "N how many programs";
-      number "--seed" (fun v -> s.seed <- v) "S another seed gives other programs";
-      number "--first" (fun v -> s.first <- v) "N the number of the first program";
->>>>>>> 81761ed (Generated C calls the runtime's elementary functions)
     ]
     (fun other -> raise (Arg.Bad ("what is " ^ other ^ "?")))
     "random programs through the interpreter and the compiled C";
@@ -87,7 +67,6 @@ let rec remove path =
   end
   else Sys.remove path
 
-<<<<<<< HEAD
 (* gcc and clang by turns. *)
 let engines s batch : Engines.c_engine list =
   if s.sanitize_every = 0 || batch mod s.sanitize_every <> s.sanitize_every - 1 then [ Tcc ]
@@ -109,17 +88,6 @@ let both a b =
 (* Every so many batches, from the one with the worker's number. *)
 let work s worker ~folder =
   let tools = { Engines.library = s.library; runtime = s.runtime; folder } in
-=======
-let () =
-  let s = settings () in
-  let folder = temporary_folder () in
-  at_exit (fun () -> remove folder);
-  Unix.putenv "XDG_CACHE_HOME" folder;
-  let tools =
-    { Engines.library = s.library; headers = s.headers; runtime = s.runtime; trace_host = s.host; folder }
-  in
-  let start = Unix.gettimeofday () in
->>>>>>> 81761ed (Generated C calls the runtime's elementary functions)
   let last = s.first + s.count in
   let rec batches batch so_far =
     let first = s.first + (batch * Batch.size) in

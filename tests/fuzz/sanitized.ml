@@ -10,10 +10,6 @@ let flags =
     "-fno-sanitize-recover=all";
   ]
 
-(* The program's own, so that elementary functions are called as they are in
-   the interpreter. *)
-let program_flags = List.filter (fun f -> String.starts_with ~prefix:"-fno-builtin" f) Driver.Toolchain.flags
-
 let host_sources runtime =
   List.map
     (fun file -> runtime / file)
@@ -21,6 +17,12 @@ let host_sources runtime =
       "hosts/trace/main.c"; "hosts/trace/csv.c"; "hosts/common/load.c"; "core/text.c";
       "core/cell_read.c"; "core/cell_write.c"; "core/trace.c";
     ]
+
+let elementary runtime =
+  let folder = runtime / "elementary" in
+  List.filter_map
+    (fun file -> if Filename.check_suffix file ".c" then Some (folder / file) else None)
+    (Array.to_list (Sys.readdir folder))
 
 let executed program arguments =
   match Driver.Process.run program arguments with
@@ -58,9 +60,10 @@ let run compiler ~runtime ~folder files recordings =
   let program = folder / "sanitized.so" in
   let* () =
     executed (name compiler)
-      (flags @ program_flags
+      (flags
       @ [ "-fPIC"; "-shared"; "-I"; runtime / "include"; "-o"; program ]
       @ List.map (fun (file, _) -> folder / file) sources
+      @ elementary runtime
       @ [ "-lm" ])
   in
   let trace recording =
