@@ -357,8 +357,21 @@ let bound a (m : Ir.machine) chain =
   let late, strict = List.partition (fun (t : Ir.transition) -> t.delayed) m.controls in
   max (running + longest late) (longest strict)
 
-let check_machine sink a (m : Ir.machine) =
+(* The modes' transitions that cannot occur at a first instant are marked. *)
+let mark a (nodes : Ir.node array) (m : Ir.machine) steps =
+  List.iteri
+    (fun k index ->
+      let node = a.program.nodes.(index) in
+      let transition (t : Ir.transition) =
+        if List.memq t steps.(k) then t
+        else { t with at_entry = Impossible (source a.program node t) }
+      in
+      nodes.(index) <- { nodes.(index) with transitions = map transition node.transitions })
+    m.modes
+
+let check_machine sink a nodes (m : Ir.machine) =
   let steps = at_first_instants a m in
+  mark a nodes m steps;
   let graph = Array.map targets steps in
   let components = Graph.components graph in
   List.iter
@@ -390,7 +403,10 @@ let program sink (program : Ir.program) =
     (* What was found on the way rested on parameters not yet all known. *)
     Hashtbl.reset a.known;
     a.budget <- budget;
-    let node (node : Ir.node) =
-      { node with machine = Option.map (check_machine sink a) node.machine }
-    in
-    { program with nodes = Array.map node program.nodes }
+    let nodes = Array.copy program.nodes in
+    Array.iteri
+      (fun index (node : Ir.node) ->
+        let machine = Option.map (check_machine sink a nodes) node.machine in
+        nodes.(index) <- { (nodes.(index)) with machine })
+      program.nodes;
+    { program with nodes }

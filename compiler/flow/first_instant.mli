@@ -10,5 +10,6 @@
     instant; after three rounds a bound that still moves is infinite. *)
 
 val program : Basis.Diagnostic.sink -> Ir.program -> Ir.program
-(** Emits [E0402] for each circle; fills in [steps]. For a causal program; a
-    program without machines stays as it is. *)
+(** Emits [E0402] for each circle; fills in [steps] of machines and [at_entry] of
+    their modes' transitions. For a causal program; a program without machines
+    stays as it is. *)

@@ -174,8 +174,17 @@ type transition = {
   arguments : atom list;  (** for the statics of the target's node *)
   delayed : bool;
       (** at this instant the output is still that of the mode that is left *)
+  at_entry : at_entry;
   span : Span.t;
 }
+
+(** Whether a mode's transition may occur at the mode's own first instant, which
+    {!First_instant} finds out. *)
+and at_entry =
+  | Possible
+  | Impossible of (string * Span.t) option
+      (** the signal function that has no event there, as far as it is known,
+          and where it runs *)
 
 (** One of several signal functions at a time: a node's state is that of the
     mode that runs, and nothing is left over of the one before.

@@ -56,7 +56,14 @@ let needs = function
       Operands.signals (List.rev_append (List.rev i.statics) (List.filter_map Fun.id trial.given))
   | Machine m -> Operands.signals (Transitions.read_in_step m)
 
-let graph items =
+(* With what the start needs, which is static and so adds no cycles. *)
+let needs_from_start item =
+  match item with
+  | Equation { rhs = Delay { init; _ }; _ } -> Operands.signals [ init ]
+  | Machine m -> Operands.signals (Transitions.atoms m.start) @ needs item
+  | Equation _ | Instance _ | Trial _ -> needs item
+
+let graph ?(needs = needs) items =
   let definer = Hashtbl.create (2 * Array.length items) in
   Array.iteri
     (fun v item -> List.iter (fun (s : Ir.signal) -> Hashtbl.replace definer s.id v) (defines item))
@@ -80,7 +87,7 @@ let of_node (node : Ir.node) =
 
 let as_far_as_possible node =
   let items = Array.of_list (in_source_order node) in
-  in_order items (Graph.components (graph items))
+  in_order items (Graph.components (graph ~needs:needs_from_start items))
 
 let loops (node : Ir.node) =
   let items = Array.of_list (in_source_order node) in

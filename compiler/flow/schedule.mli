@@ -28,7 +28,8 @@ val of_node : Ir.node -> item list
 
 val as_far_as_possible : Ir.node -> item list
 (** Like {!of_node}, but for nodes not yet inlined: within a cycle of items the
-    order is the node's own. *)
+    order is the node's own. What a delay or a machine starts with comes before
+    it too. *)
 
 val loops : Ir.node -> Ir.instance list list
 (** The instances in each cycle of items: those that cannot run as one call.

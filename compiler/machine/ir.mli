@@ -167,7 +167,13 @@ and case = {
   transitions : next list;  (** the first that holds *)
 }
 
-and next = { condition : expr; entry : entry; delayed : bool; span : Span.t }
+and next = {
+  condition : expr;
+  entry : entry;
+  delayed : bool;
+  at_entry : Flow.Ir.at_entry;
+  span : Span.t;
+}
 
 type code = {
   parameters : variable list;

@@ -74,6 +74,7 @@ let case context machine ~inputs (mode : Ir.mode) : Ir.case =
       condition = read_result t.occurs;
       entry = entry context machine read_result t;
       delayed = t.delayed;
+      at_entry = t.at_entry;
       span = t.span;
     }
   in

@@ -55,6 +55,17 @@ let operations cost =
     (List.map kind Bounds.operations
     @ [ ("calls", Json.Object (List.map call (Cost.calls cost))) ])
 
+let transition (t : Hops.transition) =
+  let at_entry =
+    match t.at_entry with
+    | Possible -> [ ("at_first_instant", Json.Bool true) ]
+    | Impossible None -> [ ("at_first_instant", Json.Bool false) ]
+    | Impossible (Some (event, _)) ->
+        [ ("at_first_instant", Json.Bool false); ("event", string event) ]
+  in
+  Json.Object
+    ([ ("from", string t.leaves); ("to", string t.enters); ("line", line t.at) ] @ at_entry)
+
 let machine (m : Hops.machine) =
   Json.Object
     [
@@ -62,6 +73,7 @@ let machine (m : Hops.machine) =
       ("file", file m.file);
       ("line", line m.span);
       ("modes", list string m.modes);
+      ("transitions", list transition m.transitions);
       ("steps", Json.Int m.steps);
     ]
 

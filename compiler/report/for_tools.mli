@@ -8,7 +8,10 @@
     [modes] (with [modes], each with [name], [bytes], [members]);
     [step_operations] by kind, and in it [calls] by elementary function;
     [reset_stack_bytes], [step_stack_bytes]; [library], the functions of the C
-    library; [machines] ([name], [file], [line], [modes], [steps]). *)
+    library; [machines] ([name], [file], [line], [modes], [steps] and
+    [transitions], each with [from], [to], [line], [at_first_instant], which says
+    whether it may occur at the first instant of the mode that it leaves, and
+    [event], the signal function that says when, where it may not). *)
 
 val to_string : Bounds.t -> string
 (** Without a line end. *)

@@ -7,7 +7,15 @@ type machine = {
   file : string;
   span : Span.t;
   modes : string list;
+  transitions : transition list;  (** mode by mode *)
   steps : int;  (** at most so many are stepped within one instant *)
+}
+
+and transition = {
+  leaves : string;  (** a mode *)
+  enters : string;
+  at_entry : Flow.Ir.at_entry;  (** of the mode that it leaves *)
+  at : Span.t;
 }
 
 val of_program : Machine.Ir.program -> machine list

@@ -95,18 +95,6 @@ let entry c (e : M.entry) =
   in
   Cost.sum ((number :: parameters) @ [ expressions c e.parameters; reset ])
 
-(* All conditions are tested and the largest entry is made. *)
-let first_of c alternatives =
-  let test (tests, entered) (condition, e) =
-    let unconditional = condition = M.Bool true in
-    let test =
-      if unconditional then Cost.none else Cost.add (Cost.one Choices) (expression c condition)
-    in
-    (Cost.add tests test, Cost.larger entered (entry c e))
-  in
-  let tests, entered = List.fold_left test (Cost.none, Cost.none) alternatives in
-  Cost.add tests entered
-
 (* Of nanoseconds; see the helpers of the generated C. *)
 let seconds = Cost.(sum [ one Divisions; one Choices; one Additions ])
 
@@ -126,27 +114,20 @@ let clock c (clock : M.clock) =
   in
   Cost.(sum [ goes_on; one Loads; several 2 Stores; seconds ])
 
+let largest = List.fold_left Cost.larger Cost.none
+
+(* What follows an entry, or nothing. *)
+let entries c followed entries =
+  largest (List.map (fun (e : M.entry) -> Cost.add (entry c e) (followed e.mode)) entries)
+
 let run c (r : M.run) =
-  let case k (case : M.case) =
-    let mode = List.nth c.node.modes k in
-    let next (n : M.next) = (n.condition, n.entry) in
-    let seconds =
-      if c.program.nodes.(mode.node).seconds && has_seconds_where_wanted c then
-        Cost.add (Cost.one Conversions) seconds
-      else Cost.none
-    in
-    Cost.sum
-      [
-        seconds;
-        expressions c case.arguments;
-        c.done_.(mode.node).step;
-        first_of c (List.map next case.transitions);
-      ]
+  let modes = Array.of_list c.node.modes and cases = Array.of_list r.cases in
+  let test condition =
+    if condition = M.Bool true then Cost.none
+    else Cost.add (Cost.one Choices) (expression c condition)
   in
   let chosen =
-    match c.node.modes with
-    | [] | [ _ ] -> Cost.none
-    | _ :: _ :: _ -> Cost.add (Cost.one Loads) (Cost.one Choices)
+    if Array.length modes > 1 then Cost.add (Cost.one Loads) (Cost.one Choices) else Cost.none
   in
   let kept = if r.drops then Cost.one Choices else Cost.none in
   let again =
@@ -154,15 +135,49 @@ let run c (r : M.run) =
     if r.steps > 1 then Cost.add (Cost.one Choices) (Cost.one Additions) else Cost.none
   in
   let late = if r.late then Cost.several 2 Choices else Cost.none in
+  (* The step of a mode, all its transitions tested. *)
+  let round k (case : M.case) =
+    let seconds =
+      if c.program.nodes.(modes.(k).node).seconds && has_seconds_where_wanted c then
+        Cost.add (Cost.one Conversions) seconds
+      else Cost.none
+    in
+    let tests = List.map (fun (n : M.next) -> test n.condition) case.transitions in
+    Cost.sum
+      ([ chosen; seconds; expressions c case.arguments; c.done_.(modes.(k).node).step ]
+      @ tests @ [ kept; again; late ])
+  in
+  let rounds = Array.mapi round cases in
+  (* From a mode on: its step, and all that its transitions lead to. *)
+  let from followed takes k =
+    let taken = List.filter takes cases.(k).transitions in
+    Cost.add rounds.(k) (entries c followed (List.map (fun (n : M.next) -> n.entry) taken))
+  in
+  let at_entry (n : M.next) = n.at_entry = Possible in
+  (* From each mode that was just entered, of so many steps. *)
+  let rec entered steps =
+    if steps <= 0 then Array.map (fun _ -> Cost.none) rounds
+    else
+      let after = entered (steps - 1) in
+      Array.mapi (fun k _ -> from (Array.get after) at_entry k) rounds
+  in
+  let after = Array.get (entered (r.steps - 1)) in
+  let running =
+    largest (List.init (Array.length rounds) (from after (fun (_ : M.next) -> true)))
+  in
+  let tests = List.map (fun (condition, _) -> test condition) r.controls in
+  let controlled = entries c after (List.map snd r.controls) in
+  let steps =
+    if r.late then Cost.add running controlled
+    else Cost.larger running (entries c (from after at_entry) (List.map snd r.controls))
+  in
   let active =
     match r.active with
     | None -> Cost.none
     | Some e -> Cost.add (Cost.one Choices) (expression c e)
   in
   let own_time = Option.fold r.clock ~none:Cost.none ~some:(clock c) in
-  let largest = List.fold_left Cost.larger Cost.none (List.mapi case r.cases) in
-  let steps = Cost.times (max 1 r.steps) (Cost.sum [ chosen; largest; kept; again; late ]) in
-  Cost.sum [ own_time; active; first_of c r.controls; steps ]
+  Cost.sum ((own_time :: active :: tests) @ [ steps ])
 
 let rec statement c (s : M.statement) =
   match s with

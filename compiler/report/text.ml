@@ -124,11 +124,37 @@ let machine_line (m : Hops.machine) =
     (String.concat ", " m.modes)
     m.steps
 
+(* Why a switch takes time, or that it may take none. *)
+let first_instant (t : Hops.transition) =
+  match t.at_entry with
+  | Possible -> "may occur"
+  | Impossible (Some (event, _)) -> Printf.sprintf "cannot occur: `%s`" event
+  | Impossible None -> "cannot occur"
+
+let transition_row (t : Hops.transition) =
+  let span = match t.at_entry with Impossible (Some (_, span)) -> span | _ -> t.at in
+  {
+    depth = 1;
+    label = Printf.sprintf "from %s to %s" t.leaves t.enters;
+    amount = "";
+    note = first_instant t;
+    place = Bounds.place ~file:span.file span;
+  }
+
 let to_string (t : Bounds.t) =
   let machines =
     match t.machines with
     | [] -> []
     | machines -> "\nmodes\n" :: List.map machine_line machines
+  in
+  let events =
+    match List.concat_map (fun (m : Hops.machine) -> m.transitions) t.machines with
+    | [] -> []
+    | transitions ->
+        [
+          "\nevents that switch, at the first instant of the mode they leave\n";
+          table (List.map transition_row transitions);
+        ]
   in
   let library =
     match Bounds.library t with
@@ -144,4 +170,4 @@ let to_string (t : Bounds.t) =
        Printf.sprintf "\nstack, in bytes, at most%s\n" library;
        table (stack_rows t);
      ]
-    @ machines)
+    @ machines @ events)

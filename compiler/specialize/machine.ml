@@ -159,7 +159,7 @@ let transitions m node ~from ~span ~delayed occurs value =
         go (both node ~span occurs condition) then_ (go occurs else_ rest)
     | One value ->
         let mode, arguments = mode_of m node ~from ~at:span value in
-        { Ir.occurs; target = mode.number; arguments; delayed; span } :: rest
+        { Ir.occurs; target = mode.number; arguments; delayed; at_entry = Possible; span } :: rest
   in
   match (occurs : Ir.atom) with
   | Bool false -> []

@@ -93,7 +93,8 @@ Time costs something: the caller's dt is made a whole number of nanoseconds.
   
 
 A machine may step several modes within one instant: from far to near, and at once
-to far again. Each may be the largest.
+to far again, where `edge` ends the chain. Of all such chains the largest number of
+each kind counts: two cosines in each step of far, one sine in that of near.
 
   $ cat > modes.frob <<EOF
   > main :: SF Float Float
@@ -108,6 +109,10 @@ to far again. Each may be the largest.
   $ frobc report modes.frob | sed -n '/^modes/,$p'
   modes
     main, modes.frob:2: 2 modes (near, far), at most 3 stepped within one instant
+  
+  events that switch, at the first instant of the mode they leave
+    from near to far    may occur             modes.frob:5
+    from far to near    cannot occur: `edge`  modes.frob:8
   $ operations modes.frob | grep calls
-    calls of cos              6
-    calls of sin              3
+    calls of cos              4
+    calls of sin              1

@@ -49,6 +49,10 @@ Modes share room: it is that of the largest.
   $ frobc report modes.frob | sed -n '/^modes/,$p'
   modes
     main, modes.frob:2: 2 modes (near, far), at most 3 stepped within one instant
+  
+  events that switch, at the first instant of the mode they leave
+    from near to far    may occur             modes.frob:5
+    from far to near    cannot occur: `edge`  modes.frob:8
 
 A struct is shown once, so the report of a million instances is short.
 
