@@ -274,15 +274,18 @@ let clock c (node : M.node) =
     plain (if node.modes = [] then Ir.Constant { ty; name; value } else Variable { ty; name; value })
   in
   let whole () = dt_ns Int64 (at_first (Ir.Integer 0l) (Cast (Int64, rounded ()))) in
+  let seconds ns = plain (Ir.Assign (Name "dt", seconds_of c ns)) in
   let times =
     match (node.nanoseconds, node.seconds, c.seconds) with
     | false, false, _ -> []
     | true, false, _ | true, true, Where_wanted -> [ whole () ]
+    | true, true, Given -> [ whole (); seconds (Cast (Real, Name "dt_ns")) ]
     | false, true, Where_wanted -> [ dt_ns Real (at_first (Float 0.) (rounded ())) ]
-    | false, true, Given ->
-        [ plain (Ir.Assign (Name "dt", at_first (Float 0.) (seconds_of c (rounded ())))) ]
-    | true, true, Given ->
-        [ whole (); plain (Ir.Assign (Name "dt", seconds_of c (Cast (Real, Name "dt_ns")))) ]
+    | false, true, Given -> (
+        (* 0 before all else: after a choice of dt C compilers write the step twice. *)
+        match at_first (Float 0.) (Name "dt") with
+        | Name _ -> [ seconds (rounded ()) ]
+        | dt -> [ plain (Ir.Assign (Name "dt", dt)); seconds (rounded ()) ])
   in
   let mark =
     match c.v.program.first_instant with
@@ -290,7 +293,7 @@ let clock c (node : M.node) =
     | Marked_by field ->
         [ plain (Ir.Assign (Expression.field c.names field, Boolean true)) ]
   in
-  times @ mark
+  forget @ times @ mark
 
 let dimensions steps =
   List.length (List.filter (function Interface.Element _ -> true | Member _ -> false) steps)

@@ -43,9 +43,10 @@ static inline double frob_limit(double x, double y)
  * leaves no bits for a fraction. NaN and negative give 0; at most 1e9 s. */
 static inline double frob_whole_ns(double dt)
 {
-    const double ns = dt * 1e9;
-    if (FROB_BRANCH(!(ns > 0.0 && ns < 4503599627370496.0))) {
-        return !(ns > 0.0) ? 0.0 : ns < 1e18 ? ns : 1e18;
+    double ns = dt * 1e9;
+    ns = ns > 0.0 ? ns : 0.0;
+    if (FROB_BRANCH(ns >= 4503599627370496.0)) {
+        return ns < 1e18 ? ns : 1e18;
     }
     return (ns + 4503599627370496.0) - 4503599627370496.0;
 }
@@ -76,7 +77,8 @@ void wall_follow_step(struct wall_follow_state *self,
                       const struct wall_follow_input *in,
                       struct wall_follow_output *out)
 {
-    dt = self->started ? frob_seconds(frob_whole_ns(dt), dt) : 0.0;
+    dt = self->started ? dt : 0.0;
+    dt = frob_seconds(frob_whole_ns(dt), dt);
     self->started = true;
     const double vCurr = in->f1;
     const double f = in->f2;
