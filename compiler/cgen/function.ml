@@ -293,7 +293,7 @@ let clock c (node : M.node) =
     | Marked_by field ->
         [ plain (Ir.Assign (Expression.field c.names field, Boolean true)) ]
   in
-  forget @ times @ mark
+  times @ mark
 
 let dimensions steps =
   List.length (List.filter (function Interface.Element _ -> true | Member _ -> false) steps)

@@ -65,8 +65,7 @@ chosen.
                         const struct three_modes_input *in,
                         struct three_modes_output *out)
   {
-      dt = self->started ? dt : 0.0;
-      int64_t dt_ns = (int64_t)frob_whole_ns(dt);
+      int64_t dt_ns = self->started ? (int64_t)frob_whole_ns(dt) : 0;
       self->started = true;
       double speed, turn;
       for (int32_t steps = 0; steps < 2; steps++) {

@@ -23,9 +23,10 @@ typedef char drive_double_is_8_bytes[sizeof(double) == 8 ? 1 : -1];
  * leaves no bits for a fraction. NaN and negative give 0; at most 1e9 s. */
 static inline double frob_whole_ns(double dt)
 {
-    const double ns = dt * 1e9;
-    if (FROB_BRANCH(!(ns > 0.0 && ns < 4503599627370496.0))) {
-        return !(ns > 0.0) ? 0.0 : ns < 1e18 ? ns : 1e18;
+    double ns = dt * 1e9;
+    ns = ns > 0.0 ? ns : 0.0;
+    if (FROB_BRANCH(ns >= 4503599627370496.0)) {
+        return ns < 1e18 ? ns : 1e18;
     }
     return (ns + 4503599627370496.0) - 4503599627370496.0;
 }
