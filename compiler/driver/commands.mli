@@ -49,6 +49,14 @@ val header : string -> int
 
 val explain : string -> int
 
+val wrong_use : string -> int
+(** Says what is wrong with the call, and not with the program. *)
+
+val compiled :
+  general -> Resources.t -> entry:string -> string -> (Cgen.Emit.t -> int) -> int
+(** Compiles a file and goes on with the result; tells what is wrong with it
+    otherwise. *)
+
 val report_bug : exn -> int
 (** Says that the compiler itself is at fault; the status is
     {!Exit_status.bug}. *)

@@ -42,3 +42,8 @@ let hand_over program arguments =
   Result.bind
     (start program arguments ~stdout:Unix.stdout ~stderr:Unix.stderr)
     (fun pid -> checked program (wait pid))
+
+let become program arguments =
+  flush_all ();
+  try Unix.execv program (Array.of_list (program :: arguments))
+  with Unix.Unix_error _ -> Not_found program

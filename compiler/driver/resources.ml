@@ -4,6 +4,7 @@ type t = {
   runtime : string;
   trace_host : string;
   simulator : string;
+  server : string;
   worlds : string;
 }
 
@@ -16,6 +17,7 @@ let under prefix =
     runtime = prefix / "lib" / "frobc" / "libfrob.a";
     trace_host = prefix / "lib" / "frobc" / "frob-trace";
     simulator = prefix / "lib" / "frobc" / "frob-sim";
+    server = prefix / "lib" / "frobc" / "frob-serve";
     worlds = prefix / "share" / "frobc" / "worlds";
   }
 

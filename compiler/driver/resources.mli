@@ -7,6 +7,7 @@ type t = {
   runtime : string;  (** the archive [libfrob.a] that generated C is linked with *)
   trace_host : string;  (** the executable [frob-trace] *)
   simulator : string;  (** the executable [frob-sim] *)
+  server : string;  (** the executable [frob-serve], of simulated robots on a line *)
   worlds : string;  (** folder of the worlds that come with the simulator *)
 }
 

@@ -186,6 +186,51 @@ let run =
       const make $ general $ entry $ world $ duration $ rate $ seed $ realtime $ record
       $ picture $ strict $ file)
 
+let serve =
+  let some kind names ~docv ~doc = Arg.(value & opt (some kind) None & info names ~docv ~doc) in
+  let robot =
+    some Arg.string [ "robot" ] ~docv:"ROBOT" ~doc:"The robot; without it, a $(b,pioneer)."
+  in
+  let world =
+    some Arg.string [ "world" ] ~docv:"WORLD.toml"
+      ~doc:"The world it is in. Without it: the room that comes with frobc."
+  in
+  let seed =
+    Arg.(value & opt int 1 & info [ "seed" ] ~docv:"N" ~doc:"Seed of all noise.")
+  in
+  let tcp =
+    some Arg.int [ "tcp" ] ~docv:"PORT"
+      ~doc:"Listen on this port of 127.0.0.1 instead of a pseudo-terminal; 0 takes a free one."
+  in
+  let duration =
+    some time_span [ "for" ] ~docv:"TIME" ~doc:"How long to run. Without it: until it is ended."
+  in
+  let model =
+    some Arg.string [ "model" ] ~docv:"MODEL" ~doc:"The model, such as $(b,p3dx) for a Pioneer."
+  in
+  let log =
+    some Arg.string [ "log" ] ~docv:"FILE"
+      ~doc:"Write each command that arrives, with its time on the monotonic clock."
+  in
+  let link =
+    some Arg.string [ "link" ] ~docv:"PATH" ~doc:"Keep a symbolic link to the device there."
+  in
+  let make robot world seed tcp duration model log link =
+    Driver.Real_robot.serve ~robot { world; seed; tcp; duration; model; log; link }
+  in
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "A simulated robot that speaks its serial protocol, byte by byte and in real time. The \
+         first line on standard output is $(b,device:) and what to connect to: the path of a \
+         pseudo-terminal, or $(b,tcp:127.0.0.1:PORT). At the end there is a summary.";
+      `P "SIGUSR1 pulls the cable; SIGUSR2 plugs it in again, and tells the new device.";
+    ]
+  in
+  command "serve" ~man ~doc:"a simulated robot behind a serial line"
+    Term.(const make $ robot $ world $ seed $ tcp $ duration $ model $ log $ link)
+
 let report =
   command "report" ~doc:"memory, operations and stack of a step, stated before it runs"
     Term.(
@@ -223,7 +268,7 @@ let main =
     ]
   in
   Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
-    [ check; compile; trace; run; report; header; explain ]
+    [ check; compile; trace; run; serve; report; header; explain ]
 
 (* A compilation is short, and most of what it makes lives on in the next
    stage: marking the heap over and over finds little. This halves the time of

@@ -1,0 +1,23 @@
+/* parts.h -- what the files of the POSIX line share. */
+#ifndef FROB_HAL_POSIX_PARTS_H
+#define FROB_HAL_POSIX_PARTS_H
+
+#include "hal/posix/serial.h"
+
+#include <sys/types.h>
+
+/* rate_linux.c: any rate; returns 0, or -1 with errno. Waits until what was
+ * written has left. */
+int frob_posix_set_terminal_rate(int fd, uint32_t bits_per_s);
+
+/* holder_linux.c: a program that has the device open, as `NAME (process N)`.
+ * False if none is found, which may also be for want of rights. */
+bool frob_posix_holder(const char *device, char *name, size_t room);
+
+/* tcp.c: connects to `tcp:HOST:PORT`. */
+enum frob_status frob_posix_connect(int *fd, const char *device, char *message, size_t room);
+
+/* As write; a connection that is gone is an error and no signal. */
+ssize_t frob_posix_send(int fd, const uint8_t *bytes, size_t count);
+
+#endif

@@ -1,0 +1,115 @@
+/* A robot behind TCP: its own computer, a serial server, or a simulator. */
+#include "hal/posix/parts.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#define DEFAULT_PORT "8101"
+
+enum { PATIENCE_MS = 2000 };
+
+bool frob_posix_is_tcp(const char *device)
+{
+    return strncmp(device, "tcp:", 4) == 0;
+}
+
+/* Splits HOST:PORT; a host with colons stands in brackets. */
+static bool split(const char *address, char *host, size_t host_room, char *port, size_t port_room)
+{
+    const char *end, *colon;
+    size_t length;
+    if (*address == '[') {
+        address++;
+        end = strchr(address, ']');
+        if (end == NULL)
+            return false;
+        colon = end[1] == ':' ? end + 1 : NULL;
+    } else {
+        colon = strrchr(address, ':');
+        end = colon != NULL ? colon : address + strlen(address);
+    }
+    length = (size_t)(end - address);
+    if (length == 0 || length >= host_room)
+        return false;
+    memcpy(host, address, length);
+    host[length] = '\0';
+    if (colon != NULL && (colon[1] == '\0' || strlen(colon + 1) >= port_room))
+        return false;
+    snprintf(port, port_room, "%s", colon != NULL ? colon + 1 : DEFAULT_PORT);
+    return true;
+}
+
+/* Waits until the connection stands. 0, or an error number. */
+static int finish(int fd)
+{
+    struct pollfd wait = { fd, POLLOUT, 0 };
+    int error = 0, ready;
+    socklen_t size = sizeof error;
+    do
+        ready = poll(&wait, 1, PATIENCE_MS);
+    while (ready < 0 && errno == EINTR);
+    if (ready == 0)
+        return ETIMEDOUT;
+    if (ready < 0 || getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &size) != 0)
+        return errno;
+    return error;
+}
+
+static int try_address(const struct addrinfo *address, int *fd)
+{
+    int one = 1, error = 0;
+    *fd = socket(address->ai_family, address->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC,
+                 address->ai_protocol);
+    if (*fd < 0)
+        return errno;
+    if (connect(*fd, address->ai_addr, address->ai_addrlen) != 0)
+        error = errno == EINPROGRESS ? finish(*fd) : errno;
+    if (error == 0) {
+        /* A packet shall leave at once, and a dead peer be noticed. */
+        setsockopt(*fd, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
+        setsockopt(*fd, SOL_SOCKET, SO_KEEPALIVE, &one, sizeof one);
+        return 0;
+    }
+    close(*fd);
+    *fd = -1;
+    return error;
+}
+
+enum frob_status frob_posix_connect(int *fd, const char *device, char *message, size_t room)
+{
+    char host[256], port[16];
+    struct addrinfo hints, *addresses = NULL;
+    int failure, error = 0;
+    *fd = -1;
+    if (!split(device + 4, host, sizeof host, port, sizeof port)) {
+        snprintf(message, room, "`%s` is no address; write tcp:HOST:PORT", device);
+        return FROB_NOT_FOUND;
+    }
+    memset(&hints, 0, sizeof hints);
+    hints.ai_socktype = SOCK_STREAM;
+    failure = getaddrinfo(host, port, &hints, &addresses);
+    if (failure != 0) {
+        snprintf(message, room, "there is no host `%s`: %s", host, gai_strerror(failure));
+        return FROB_NOT_FOUND;
+    }
+    for (const struct addrinfo *a = addresses; a != NULL && *fd < 0; a = a->ai_next)
+        error = try_address(a, fd);
+    freeaddrinfo(addresses);
+    if (*fd >= 0)
+        return FROB_OK;
+    snprintf(message, room, "cannot connect to %s, port %s: %s", host, port, strerror(error));
+    return error == ETIMEDOUT ? FROB_TIMEOUT : FROB_NOT_FOUND;
+}
+
+ssize_t frob_posix_send(int fd, const uint8_t *bytes, size_t count)
+{
+    return send(fd, bytes, count, MSG_NOSIGNAL);
+}

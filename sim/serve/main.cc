@@ -1,0 +1,169 @@
+// frob-serve -- a simulated robot behind a serial line.
+//
+// Exit status: 0 when the time is over or it is ended by SIGINT or SIGTERM,
+// after a summary as frob-sim prints it; 2 for wrong use.
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <exception>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include <unistd.h>
+
+#include "options.h"
+#include "pioneer_firmware.h"
+#include "server.h"
+#include "sim.h"
+#include "tcp_port.h"
+#include "terminal.h"
+
+using namespace frob::serve;
+
+namespace {
+
+volatile std::sig_atomic_t ended = 0, pulled = 0, plugged = 0;
+
+void on_signal(int number) {
+    if (number == SIGUSR1) pulled = 1;
+    else if (number == SIGUSR2) plugged = 1;
+    else ended = 1;
+}
+
+void catch_signals() {
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    for (const int number : {SIGINT, SIGTERM, SIGUSR1, SIGUSR2}) sigaction(number, &action, nullptr);
+    action.sa_handler = SIG_IGN;
+    sigaction(SIGPIPE, &action, nullptr);
+}
+
+std::int64_t clock_ns() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
+}
+
+struct SimulationCloser {
+    void operator()(frob_sim *sim) const { frob_sim_close(sim); }
+};
+using Simulation = std::unique_ptr<frob_sim, SimulationCloser>;
+
+// Null after errors, which have been told.
+Simulation open_simulation(const Options &options) {
+    char message[8192];
+    frob_sim_settings settings{};
+    settings.seed = options.seed;
+    settings.wall_distance_m = options.wall_distance_m;
+    Simulation sim(frob_sim_open(options.world.c_str(), &settings, message, sizeof message));
+    if (!sim)
+        for (char *line = std::strtok(message, "\n"); line; line = std::strtok(nullptr, "\n"))
+            std::fprintf(stderr, "error: %s\n", line);
+    return sim;
+}
+
+std::unique_ptr<Firmware> make_firmware(const Options &options, frob_sim *sim) {
+    if (options.robot != "pioneer")
+        throw WrongUse("there is no simulated `" + options.robot + "` on a line; there is: pioneer");
+    const PioneerModel *model = PioneerFirmware::find_model(options.model);
+    if (!model)
+        throw WrongUse("there is no model `" + options.model + "`; there are: p3dx-sh, p3dx, p2dx");
+    return std::make_unique<PioneerFirmware>(sim, *model, options.rate);
+}
+
+std::unique_ptr<Connection> make_connection(const Options &options) {
+    if (options.tcp_port >= 0) return std::make_unique<TcpPort>(options.tcp_port);
+    return std::make_unique<Terminal>();
+}
+
+// Plugs a new line in, and tells its name.
+void plug(Server &server, const Options &options) {
+    server.plug(make_connection(options));
+    const std::string device = server.connection()->device();
+    if (!options.link.empty()) {
+        const std::string next = options.link + ".next";
+        unlink(next.c_str());
+        if (symlink(device.c_str(), next.c_str()) != 0 ||
+            std::rename(next.c_str(), options.link.c_str()) != 0)
+            std::fprintf(stderr, "error: cannot make the link %s: %s\n", options.link.c_str(),
+                         std::strerror(errno));
+    }
+    std::printf("device: %s\n", device.c_str());
+    std::fflush(stdout);
+}
+
+void run(Server &server, const Options &options, std::int64_t started_ns) {
+    const auto end_ns = static_cast<std::int64_t>(options.duration_s * 1e9);
+    plug(server, options);
+    while (!ended) {
+        const std::int64_t time_ns = clock_ns() - started_ns;
+        if (end_ns > 0 && time_ns >= end_ns) break;
+        if (pulled) {
+            pulled = 0;
+            server.plug(nullptr);
+            if (!options.link.empty()) unlink(options.link.c_str());
+        }
+        if (plugged) {
+            plugged = 0;
+            plug(server, options);
+        }
+        server.advance(time_ns);
+        server.wait(time_ns);
+    }
+    server.plug(nullptr);
+    if (!options.link.empty()) unlink(options.link.c_str());
+}
+
+void print_summary(const frob_sim *sim) {
+    const frob_sim_summary s = frob_sim_summarize(sim);
+    std::printf("time simulated: %.3f s\n", s.time_s);
+    std::printf("distance driven: %.3f m\n", s.distance_m);
+    if (s.measured) {
+        std::printf("wall distance to keep: %.3f m\n", s.wall_distance_m);
+        std::printf("mean wall distance error: %.4f m\n", s.mean_error_m);
+        std::printf("largest wall distance error: %.4f m\n", s.largest_error_m);
+    }
+    std::printf("odometry error at the end: %.3f m\n", s.odometry_error_m);
+    std::printf("collisions: %d\n", s.collisions);
+}
+
+int serve(const Options &options) {
+    const Simulation sim = open_simulation(options);
+    if (!sim) return 2;
+    const std::unique_ptr<Firmware> firmware = make_firmware(options, sim.get());
+    const std::int64_t started_ns = clock_ns();
+    std::ofstream log;
+    if (!options.log.empty()) {
+        log.open(options.log);
+        if (!log) throw WrongUse("cannot write " + options.log);
+        firmware->set_log([&](std::int64_t time_ns, const std::string &text) {
+            char time[32];
+            std::snprintf(time, sizeof time, "%.6f",
+                          static_cast<double>(started_ns + time_ns) * 1e-9);
+            log << time << ' ' << text << std::endl;
+        });
+    }
+    Server server(*firmware, options.paced);
+    catch_signals();
+    run(server, options, started_ns);
+    print_summary(sim.get());
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    if (argc == 2 && std::string(argv[1]) == "--help") {
+        std::fputs(usage, stdout);
+        return 0;
+    }
+    try {
+        return serve(read_options(argc, argv));
+    } catch (const std::exception &error) {
+        std::fprintf(stderr, "error: %s\n", error.what());
+        return 2;
+    }
+}

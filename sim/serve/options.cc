@@ -1,0 +1,82 @@
+#include "options.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace frob::serve {
+
+const char usage[] =
+    "usage: frob-serve --world WORLD.toml [OPTION]...\n"
+    "\n"
+    "A simulated robot that speaks its serial protocol, in real time. The first line on\n"
+    "standard output is `device: ` and what to connect to.\n"
+    "\n"
+    "  --robot ROBOT      pioneer\n"
+    "  --model SUBCLASS   p3dx-sh, p3dx or p2dx\n"
+    "  --world FILE       the world the robot is in\n"
+    "  --seed N           of all noise (1)\n"
+    "  --tcp PORT         listen on 127.0.0.1 instead of a pseudo-terminal; 0: any free port\n"
+    "  --for SECONDS      how long to run (until it is ended)\n"
+    "  --rate BITS        per second, of the line at first (9600)\n"
+    "  --unpaced          bytes take no time\n"
+    "  --log FILE         write each command, with the time of the monotonic clock\n"
+    "  --link PATH        keep a symbolic link to the device\n"
+    "  --target METRES    the distance to the wall that is measured against\n"
+    "\n"
+    "SIGUSR1 pulls the cable, SIGUSR2 plugs it in again, on another device.\n";
+
+namespace {
+
+double number(const std::string &option, const std::string &text, double low, double high) {
+    char *end = nullptr;
+    const double x = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !(x >= low && x <= high))
+        throw WrongUse(option + " takes a number from " + std::to_string(low) + " to " +
+                       std::to_string(high) + ", not `" + text + "`");
+    return x;
+}
+
+std::uint64_t whole(const std::string &option, const std::string &text, std::uint64_t most) {
+    char *end = nullptr;
+    const std::uint64_t n = std::strtoull(text.c_str(), &end, 10);
+    if (text.empty() || text[0] < '0' || text[0] > '9' || *end != '\0' || n > most)
+        throw WrongUse(option + " takes a whole number up to " + std::to_string(most) +
+                       ", not `" + text + "`");
+    return n;
+}
+
+void set(Options &o, const std::string &option, const std::string &value) {
+    if (option == "--robot") o.robot = value;
+    else if (option == "--model") o.model = value;
+    else if (option == "--world") o.world = value;
+    else if (option == "--seed") o.seed = whole(option, value, UINT64_MAX);
+    else if (option == "--tcp") o.tcp_port = static_cast<int>(whole(option, value, 65535));
+    else if (option == "--for") o.duration_s = number(option, value, 0.0, 1e6);
+    else if (option == "--rate")
+        o.rate = static_cast<std::uint32_t>(whole(option, value, 4000000));
+    else if (option == "--log") o.log = value;
+    else if (option == "--link") o.link = value;
+    else if (option == "--target") o.wall_distance_m = number(option, value, 0.001, 100.0);
+    else throw WrongUse("unknown option `" + option + "`; `frob-serve --help` lists them");
+}
+
+} // namespace
+
+Options read_options(int argc, char **argv) {
+    Options o;
+    for (int i = 1; i < argc; ++i) {
+        const std::string option = argv[i];
+        if (option == "--unpaced") {
+            o.paced = false;
+        } else if (i + 1 == argc) {
+            throw WrongUse("`" + option + "` is unknown, or needs a value");
+        } else {
+            set(o, option, argv[++i]);
+        }
+    }
+    if (o.world.empty()) throw WrongUse("--world is missing; `frob-serve --help` says how to use it");
+    if (o.rate == 0) throw WrongUse("--rate takes a rate above 0");
+    return o;
+}
+
+} // namespace frob::serve

@@ -1,0 +1,271 @@
+#include "pioneer_firmware.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "geometry.h"
+
+namespace frob::serve {
+namespace {
+
+using sim::pi;
+using sim::radians;
+
+constexpr std::int64_t ms = 1'000'000;
+constexpr std::int64_t sip_period_ns = 100 * ms;
+constexpr std::int64_t servo_period_ns = 20 * ms;
+constexpr std::int64_t watchdog_ns = 2000 * ms;
+constexpr std::int64_t handshake_patience_ns = 10'000 * ms;
+constexpr std::int64_t sonar_turn_ns = 320 * ms; // each transducer's
+constexpr std::size_t backlog = 200;             // bytes; a SIP that finds more is left out
+
+constexpr double no_echo_m = 5.0;
+constexpr double counts_per_turn = 4096.0;
+constexpr double difference = 0.0056; // omega = difference (v_right - v_left) / 2, mm/s
+constexpr double vel2_divisor = 20.0;
+constexpr int top_speed = 2200, top_turn = 500; // mm/s, deg/s
+
+constexpr PioneerModel models[] = {
+    {"p3dx-sh", 1.0, 1.0},
+    {"p3dx", 0.485, 1.0},
+    {"p2dx", 0.84, 0.268},
+};
+
+// Numbers of commands, as in the manuals.
+enum : std::uint8_t {
+    PULSE = 0, OPEN = 1, CLOSE = 2, ENABLE = 4, SETO = 7, VEL = 11, CONFIG = 18, RVEL = 21,
+    ROTATE = 9, SONAR = 28, STOP = 29, VEL2 = 32, HOSTBAUD = 50, E_STOP = 55
+};
+
+std::string name(std::uint8_t number) {
+    switch (number) {
+    case PULSE: return "PULSE";
+    case OPEN: return "OPEN";
+    case CLOSE: return "CLOSE";
+    case ENABLE: return "ENABLE";
+    case SETO: return "SETO";
+    case ROTATE: return "ROTATE";
+    case VEL: return "VEL";
+    case CONFIG: return "CONFIG";
+    case RVEL: return "RVEL";
+    case SONAR: return "SONAR";
+    case STOP: return "STOP";
+    case VEL2: return "VEL2";
+    case HOSTBAUD: return "HOSTBAUD";
+    case E_STOP: return "E_STOP";
+    default: return "COMMAND " + std::to_string(number);
+    }
+}
+
+int rounded(double x) { return static_cast<int>(std::lround(x)); }
+
+} // namespace
+
+PioneerFirmware::PioneerFirmware(frob_sim *sim, const PioneerModel &model, std::uint32_t rate)
+    : sim_(sim), model_(model), first_rate_(rate), rate_(rate) {
+    listen();
+}
+
+const PioneerModel *PioneerFirmware::find_model(const std::string &subclass) {
+    for (const PioneerModel &model : models)
+        if (subclass == model.subclass) return &model;
+    return nullptr;
+}
+
+// Reads the sensors. A transducer that has heard nothing in its turn reads the
+// farthest range.
+void PioneerFirmware::listen() {
+    frob_sim_read(sim_, &sensed_);
+    for (std::size_t i = 0; i < echoes_.size(); ++i) {
+        Echo &echo = echoes_[i];
+        const auto &heard = sensed_.sonar[i];
+        if (heard.tag == FROB_EVENT_FLOAT_EVENT) {
+            echo = {true, heard.f0, now_ns_};
+        } else if (now_ns_ - echo.at_ns > sonar_turn_ns + sonar_turn_ns / 8) {
+            echo = {true, no_echo_m, now_ns_ - sonar_turn_ns / 8};
+        }
+    }
+}
+
+void PioneerFirmware::advance(std::int64_t time_ns) {
+    while (std::min(servo_ns_, open_ ? sip_ns_ : servo_ns_) <= time_ns) {
+        const bool sip = open_ && sip_ns_ <= servo_ns_;
+        now_ns_ = sip ? sip_ns_ : servo_ns_;
+        frob_sim_advance(sim_, now_ns_);
+        (sip ? sip_ns_ : servo_ns_) += sip ? sip_period_ns : servo_period_ns;
+        if (sip) {
+            listen();
+            send_sip();
+        } else {
+            drive();
+        }
+    }
+    now_ns_ = time_ns;
+    frob_sim_advance(sim_, now_ns_);
+    if (session_ && !tripped_ && now_ns_ - heard_ns_ >= watchdog_ns) {
+        tripped_ = true;
+        log(now_ns_, "watchdog");
+        drive();
+    }
+    if (!session_ && expected_sync_ > 0 && now_ns_ - handshake_ns_ > handshake_patience_ns)
+        expected_sync_ = 0;
+}
+
+std::int64_t PioneerFirmware::next_ns() const {
+    return open_ ? std::min(sip_ns_, servo_ns_) : servo_ns_;
+}
+
+// The motors follow the setpoints, if they are on and the watchdog is content.
+void PioneerFirmware::drive() {
+    frob_pioneer_output output{};
+    if (motors_ && !tripped_) {
+        output.forward = forward_;
+        output.turn = turn_;
+    }
+    frob_sim_command(sim_, now_ns_, &output);
+}
+
+void PioneerFirmware::receive(std::uint8_t byte) {
+    const std::optional<P2osCommand> command = reader_.take(byte);
+    if (!command) return;
+    log(now_ns_, name(command->number) +
+                     (command->argument ? " " + std::to_string(*command->argument) : ""));
+    heard_ns_ = now_ns_;
+    tripped_ = false;
+    if (session_)
+        obey(*command);
+    else
+        handshake(*command);
+    drive();
+}
+
+// SYNC0, SYNC1, SYNC2, in this order, each echoed; a SYNC0 begins again.
+void PioneerFirmware::handshake(const P2osCommand &command) {
+    if (command.number == 0) expected_sync_ = 0;
+    if (command.number != expected_sync_ || command.argument) return;
+    handshake_ns_ = now_ns_;
+    if (command.number < 2) {
+        send(P2osBody(command.number).packet());
+        ++expected_sync_;
+        return;
+    }
+    send(P2osBody(2).text("FrobSim").text("Pioneer").text(model_.subclass).packet());
+    expected_sync_ = 0;
+    session_ = true;
+    open_ = motors_ = false;
+    sonar_on_ = true;
+}
+
+void PioneerFirmware::close_session() {
+    session_ = open_ = motors_ = tripped_ = false;
+    forward_ = turn_ = 0.0;
+    rate_ = first_rate_;
+}
+
+void PioneerFirmware::obey(const P2osCommand &command) {
+    const int n = command.argument.value_or(0);
+    switch (command.number) {
+    case OPEN:
+        if (!open_) sip_ns_ = now_ns_ + sip_period_ns;
+        open_ = true;
+        break;
+    case CLOSE:
+        close_session();
+        break;
+    case ENABLE:
+        motors_ = n != 0;
+        if (!motors_) forward_ = turn_ = 0.0;
+        break;
+    case SETO:
+        origin_x_ = sensed_.odometry.position.x;
+        origin_y_ = sensed_.odometry.position.y;
+        origin_heading_ = sensed_.odometry.heading;
+        break;
+    case VEL:
+        forward_ = std::clamp(n, -top_speed, top_speed) / 1000.0;
+        break;
+    case ROTATE:
+    case RVEL:
+        turn_ = radians(std::clamp(n, -top_turn, top_turn));
+        break;
+    case VEL2:
+        if (command.raw.size() >= 2) {
+            const double right = vel2_divisor * static_cast<std::int8_t>(command.raw[0]);
+            const double left = vel2_divisor * static_cast<std::int8_t>(command.raw[1]);
+            forward_ = (right + left) / 2000.0;
+            turn_ = difference * (right - left) / 2.0;
+        }
+        break;
+    case STOP:
+    case E_STOP:
+        forward_ = turn_ = 0.0;
+        break;
+    case SONAR:
+        sonar_on_ = n != 0;
+        break;
+    case CONFIG:
+        send_config();
+        break;
+    case HOSTBAUD: {
+        constexpr std::array<std::uint32_t, 5> rates = {9600, 19200, 38400, 57600, 115200};
+        if (n >= 0 && static_cast<std::size_t>(n) < rates.size())
+            rate_ = rates[static_cast<std::size_t>(n)];
+        break;
+    }
+    default: // PULSE, and what this robot has not
+        break;
+    }
+}
+
+// Offsets and units as in the ARCOS manual, "Standard server information packet".
+void PioneerFirmware::send_sip() {
+    if (waiting_output() > backlog) return;
+    const double c = std::cos(-origin_heading_), s = std::sin(-origin_heading_);
+    const double dx = sensed_.odometry.position.x - origin_x_;
+    const double dy = sensed_.odometry.position.y - origin_y_;
+    const double units = 1000.0 / model_.distance_mm;
+    const double heading =
+        std::remainder(sensed_.odometry.heading - origin_heading_, 2.0 * pi);
+    const bool moving = sensed_.leftWheel != 0.0 || sensed_.rightWheel != 0.0;
+    const int all_bumpers = 0x3E; // five segments
+    P2osBody body(moving ? 0x33 : 0x32);
+    body.u16(rounded((c * dx - s * dy) * units) & 0x7FFF)
+        .u16(rounded((s * dx + c * dy) * units) & 0x7FFF)
+        .u16(rounded(heading / (2.0 * pi) * counts_per_turn))
+        .u16(rounded(sensed_.leftWheel * 1000.0))
+        .u16(rounded(sensed_.rightWheel * 1000.0))
+        .u8(rounded(sensed_.battery * 10.0))
+        .u8((sensed_.leftStall ? 1 : 0) | (sensed_.rearBumper ? all_bumpers : 0))
+        .u8((sensed_.rightStall ? 1 : 0) | (sensed_.frontBumper ? all_bumpers : 0))
+        .u16(rounded(heading / (2.0 * pi) * counts_per_turn))
+        .u16((motors_ ? 1 : 0) | (sonar_on_ ? 6 : 0))
+        .u8(0);
+    int count = 0;
+    for (Echo &echo : echoes_) count += echo.fresh && sonar_on_ ? 1 : 0;
+    body.u8(count);
+    for (std::size_t i = 0; i < echoes_.size(); ++i) {
+        if (echoes_[i].fresh && sonar_on_)
+            body.u8(static_cast<int>(i))
+                .u16(rounded(echoes_[i].range_m * 1000.0 / model_.range_mm));
+        echoes_[i].fresh = false;
+    }
+    body.u8(0).u8(0).u8(0).u8(0).u8(0); // gripper, analog, digital
+    body.u16(rounded(sensed_.battery * 10.0)).u8(0);
+    const double turn_rate = difference * (sensed_.rightWheel - sensed_.leftWheel) * 1000.0 / 2.0;
+    body.u16(rounded(sim::degrees(turn_rate) * 10.0));
+    body.u16(0).u16(0).u8(20).u8(80); // faults, lateral speed, temperature, charge
+    send(body.packet());
+}
+
+void PioneerFirmware::send_config() {
+    P2osBody body(0x20);
+    body.text("Pioneer").text(model_.subclass).text("0").u8(4);
+    body.u16(top_turn).u16(top_speed).u16(300).u16(2000).u16(500); // tops; PWM
+    body.text("FrobSim").u8(100).u8(0).u8(0);                      // SIP's period; bauds
+    body.u16(0).u16(1).u8(1);                                      // gripper, sonars
+    body.u16(115).u16(0).u16(static_cast<int>(watchdog_ns / ms));
+    send(body.packet());
+}
+
+} // namespace frob::serve
