@@ -4,7 +4,8 @@
 # What a Debian machine needs, by package.
 PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
   libalcotest-ocaml-dev libqcheck-ocaml-dev libbox2d-dev libtomlplusplus-dev \
-  libcairo2-dev libmpfr-dev pkg-config gcc g++ clang libtcc-dev tcc
+  libcairo2-dev libmpfr-dev pkg-config gcc g++ clang libclang-rt-14-dev \
+  libtcc-dev tcc
 
 # What only `make bench` needs.
 BENCH_PACKAGES = valgrind
@@ -17,7 +18,10 @@ OUT = _build/run
 N ?= 1000
 SEED ?= $(shell date +%s)
 
-.PHONY: all setup run test fuzz bench install clean
+# For `make fuzz-drivers`: how many bytes for each wire format.
+BYTES ?= 1000000000
+
+.PHONY: all setup run test fuzz fuzz-drivers bench install clean
 
 all: setup
 	dune build @install
@@ -37,6 +41,10 @@ test: setup
 fuzz: all
 	@dune build tests/fuzz/main.exe
 	@_build/default/tests/fuzz/main.exe --count $(N) --seed $(SEED) --jobs $$(nproc) --sanitize-every 50
+
+fuzz-drivers: setup
+	@dune build ./tests/wire/fuzz/fuzz_scout ./tests/wire/fuzz/fuzz_create ./tests/wire/fuzz/fuzz_pioneer
+	@sh tests/wire/fuzz/run.sh _build/default/tests/wire/fuzz $(BYTES) $(SEED) scout create pioneer
 
 bench: all
 	@sh tests/setup.sh $(BENCH_PACKAGES)

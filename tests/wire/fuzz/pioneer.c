@@ -1,0 +1,96 @@
+/* The Pioneer's packets: whatever comes, and in whatever portions, the
+ * receiver finds exactly the packets that a search through all of the bytes
+ * finds. */
+#include "fuzz.h"
+#include "random.h"
+
+#include "drivers/pioneer/packet.h"
+#include "drivers/pioneer/sip.h"
+
+#include <string.h>
+
+size_t fuzz_frame(uint64_t *seed, uint8_t bytes[FUZZ_FRAME])
+{
+    static const uint8_t types[] = { 0x32, 0x33, 0x20, 0x02 };
+    size_t length = 1 + random_below(seed, random_below(seed, 4) == 0 ? 246 : 84);
+    uint16_t sum;
+    bytes[0] = 0xFA;
+    bytes[1] = 0xFB;
+    bytes[2] = (uint8_t)(length + 2);
+    bytes[3] = types[random_below(seed, sizeof types)];
+    for (size_t i = 1; i < length; i++)
+        bytes[3 + i] = (uint8_t)random_below(seed, 256);
+    if (length > 19)
+        bytes[3 + 19] = (uint8_t)random_below(seed, 24); /* sonars in it */
+    sum = frob_p2os_checksum(bytes + 3, length);
+    bytes[3 + length] = (uint8_t)(sum >> 8);
+    bytes[4 + length] = (uint8_t)(sum & 0xFF);
+    return length + 5;
+}
+
+/* The manual's sum, over pairs, written another way than the driver's. */
+static unsigned sum_of(const uint8_t *body, size_t length)
+{
+    unsigned sum = 0;
+    for (size_t i = 0; i < length / 2 * 2; i++)
+        sum = (sum + (i % 2 == 0 ? body[i] * 256u : body[i])) % 65536u;
+    return length % 2 != 0 ? sum ^ body[length - 1] : sum;
+}
+
+/* Where the next packet begins, from `at` on, and where it ends; false if the
+ * bytes end before. A wrong packet costs one byte. */
+static bool next_packet(const uint8_t *bytes, size_t count, size_t *at, size_t *end)
+{
+    for (; *at + 5 < count; ++*at) {
+        size_t announced = bytes[*at + 2];
+        if (bytes[*at] != 0xFA || bytes[*at + 1] != 0xFB || announced < 3 || announced > 249)
+            continue;
+        *end = *at + 3 + announced;
+        if (*end > count)
+            return false;
+        if (sum_of(bytes + *at + 3, announced - 2) == bytes[*end - 2] * 256u + bytes[*end - 1])
+            return true;
+    }
+    return false;
+}
+
+static void read_packet(const struct frob_p2os_packet *packet)
+{
+    struct frob_p2os_sip sip;
+    struct frob_p2os_robot_config config;
+    struct frob_p2os_identity identity;
+    if (frob_p2os_read_sip(packet, &sip) && sip.echo_count > FROB_P2OS_SONARS_MOST)
+        fuzz_fail("a packet has more echoes than there is room for");
+    if (frob_p2os_read_identity(packet, &identity) &&
+        (memchr(identity.name, 0, sizeof identity.name) == NULL ||
+         memchr(identity.robot_class, 0, sizeof identity.robot_class) == NULL ||
+         memchr(identity.subclass, 0, sizeof identity.subclass) == NULL))
+        fuzz_fail("a name has no end");
+    frob_p2os_read_config(packet, &config);
+}
+
+void fuzz_check(const uint8_t *bytes, size_t count)
+{
+    struct frob_p2os_receiver receiver;
+    struct frob_p2os_packet packet;
+    size_t fed = 0, at = 0, end = 0;
+    uint64_t seed = count;
+    memset(&receiver, 0, sizeof receiver);
+    while (fed < count) {
+        size_t portion = 1 + random_below(&seed, 300);
+        size_t used = frob_p2os_feed(&receiver, bytes + fed, portion < count - fed ? portion : count - fed);
+        if (used == 0)
+            fuzz_fail("the receiver takes nothing");
+        fed += used;
+        while (frob_p2os_next(&receiver, &packet)) {
+            if (!next_packet(bytes, fed, &at, &end))
+                fuzz_fail("a packet is found where there is none");
+            if (packet.length != end - at - 5 || memcmp(packet.body, bytes + at + 3, packet.length) != 0)
+                fuzz_fail("a packet is not what was sent");
+            at = end;
+            read_packet(&packet);
+        }
+        if (next_packet(bytes, fed, &at, &end))
+            fuzz_fail("a packet is missed");
+    }
+}
