@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "p3dx.h"
 #include "world.h"
 
 namespace frob::sim {
 namespace {
 
-constexpr double b = p3dx::wheel_separation;
 constexpr double tyre_grip = 60.0;      // N across the wheels before they skid
 constexpr double slip_lasts_s = 0.1;    // then a wheel's slip is drawn anew
 constexpr double stall_after_s = 0.2;
@@ -21,19 +19,29 @@ double approach(double from, double to, double most) {
 
 } // namespace
 
+DifferentialDrive::DifferentialDrive(const Chassis &chassis, const DriveSettings &settings,
+                                     Noise noise)
+    : chassis_(chassis), limits_{settings.max_speed.value_or(chassis.limits.speed),
+                                 settings.max_turn.value_or(chassis.limits.turn),
+                                 settings.acceleration.value_or(chassis.limits.acceleration),
+                                 settings.turn_acceleration.value_or(
+                                     chassis.limits.turn_acceleration)},
+      slip_(settings.slip), noise_(noise) {}
+
 void DifferentialDrive::command(double forward, double turn) {
     const bool rest = std::isnan(forward) || std::isnan(turn);
-    forward_ = rest ? 0.0 : std::clamp(forward, -settings_.max_speed, settings_.max_speed);
-    turn_ = rest ? 0.0 : std::clamp(turn, -settings_.max_turn, settings_.max_turn);
+    forward_ = rest ? 0.0 : std::clamp(forward, -limits_.speed, limits_.speed);
+    turn_ = rest ? 0.0 : std::clamp(turn, -limits_.turn, limits_.turn);
 }
 
 // The firmware limits the accelerations of v and omega, and splits them:
 //   v_left = v - omega b / 2,   v_right = v + omega b / 2.
 void DifferentialDrive::ramp() {
+    const double b = chassis_.wheel_separation;
     const double v = approach((left_.setpoint + right_.setpoint) / 2, forward_,
-                              settings_.acceleration * step_s);
+                              limits_.acceleration * step_s);
     const double omega = approach((right_.setpoint - left_.setpoint) / b, turn_,
-                                  settings_.turn_acceleration * step_s);
+                                  limits_.turn_acceleration * step_s);
     left_.setpoint = v - omega * b / 2;
     right_.setpoint = v + omega * b / 2;
 }
@@ -44,18 +52,18 @@ void DifferentialDrive::draw_slip() {
     if (slip_drawn_ && slip_age_s_ < slip_lasts_s) return;
     slip_drawn_ = true;
     slip_age_s_ = 0.0;
-    left_.lost = 2 * settings_.slip * noise_.uniform();
-    right_.lost = 2 * settings_.slip * noise_.uniform();
+    left_.lost = 2 * slip_ * noise_.uniform();
+    right_.lost = 2 * slip_ * noise_.uniform();
 }
 
 // A wheel brings at most `wheel_force` to the floor. When that is not enough
 // the motor stalls: the wheel turns only as the floor lets it, and the setpoint
 // does not run away from it.
 double DifferentialDrive::push(Wheel &wheel, double contact_speed, double wanted_force) const {
-    const double force = std::clamp(wanted_force, -p3dx::wheel_force, p3dx::wheel_force);
+    const double force = std::clamp(wanted_force, -chassis_.wheel_force, chassis_.wheel_force);
     const bool held = force != wanted_force;
     wheel.measured = held ? contact_speed / (1 - wheel.lost) : wheel.setpoint;
-    if (held) wheel.setpoint = (contact_speed + force * step_s / (p3dx::mass / 2)) / (1 - wheel.lost);
+    if (held) wheel.setpoint = (contact_speed + force * step_s / (chassis_.mass / 2)) / (1 - wheel.lost);
     wheel.strained_s = held && std::abs(contact_speed) < standing ? wheel.strained_s + step_s : 0.0;
     return force;
 }
@@ -67,6 +75,7 @@ double DifferentialDrive::push(Wheel &wheel, double contact_speed, double wanted
 // and across the body, where the wheels do not roll, -m v_across / h.
 // Directions are those at the middle of the step, so that a turn is an arc.
 void DifferentialDrive::advance(b2Body &body) {
+    const double b = chassis_.wheel_separation;
     ramp();
     draw_slip();
     const double left_floor = left_.setpoint * (1 - left_.lost);

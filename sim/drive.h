@@ -3,6 +3,7 @@
 
 #include <box2d/box2d.h>
 
+#include "chassis.h"
 #include "noise.h"
 #include "scene.h"
 
@@ -10,8 +11,8 @@ namespace frob::sim {
 
 class DifferentialDrive {
   public:
-    DifferentialDrive(const DriveSettings &settings, Noise noise)
-        : settings_(settings), noise_(noise) {}
+    // The robot's description must outlive the drive.
+    DifferentialDrive(const Chassis &chassis, const DriveSettings &settings, Noise noise);
 
     // What the robot should do from now on: forward in m/s, turn
     // counter-clockwise in rad/s. Values out of range are limited; if either is
@@ -44,7 +45,9 @@ class DifferentialDrive {
     void draw_slip();
     double push(Wheel &wheel, double contact_speed, double wanted_force) const;
 
-    DriveSettings settings_;
+    const Chassis &chassis_;
+    DriveLimits limits_;
+    double slip_;
     Noise noise_;
     double forward_ = 0.0, turn_ = 0.0;
     Wheel left_, right_;

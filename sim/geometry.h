@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 namespace frob::sim {
 
@@ -65,5 +66,8 @@ inline double squared_distance_to_segment(Vec p, Vec a, Vec b) {
     const Vec apart = p - (a + clamped * along);
     return dot(apart, apart);
 }
+
+// Whether a point is inside of a polygon.
+bool is_inside(const std::vector<Vec> &outline, Vec p);
 
 } // namespace frob::sim

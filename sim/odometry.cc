@@ -2,10 +2,18 @@
 
 #include <cmath>
 
-#include "p3dx.h"
 #include "world.h"
 
 namespace frob::sim {
+
+// A wheel's speed in a step, as its encoder counts.
+double Odometry::counted(double &way, double speed) const {
+    if (chassis_.count == 0.0) return speed;
+    way += step_s * speed;
+    const double whole = chassis_.count * std::trunc(way / chassis_.count);
+    way -= whole;
+    return whole / step_s;
+}
 
 // With d the distance travelled and a the angle turned in a step,
 //   d = h (v_right + v_left) / 2,   a = h (v_right - v_left) / b,
@@ -13,8 +21,9 @@ namespace frob::sim {
 //   a += veer d + noise sqrt(|d|).
 // The position moves along the heading at the middle of the step.
 void Odometry::advance(double left_speed, double right_speed) {
-    const double travelled = step_s * (right_speed + left_speed) / 2;
-    const double turned = step_s * (right_speed - left_speed) / p3dx::wheel_separation;
+    const double left = counted(left_way_, left_speed), right = counted(right_way_, right_speed);
+    const double travelled = step_s * (right + left) / 2;
+    const double turned = step_s * (right - left) / chassis_.wheel_separation;
     const double d = (1 + settings_.distance_error) * travelled;
     double a = (1 + settings_.turn_error) * turned + settings_.veer * travelled;
     if (settings_.heading_noise > 0.0)

@@ -4,7 +4,8 @@
 
 #include <array>
 
-#include "geometry.h"
+#include "chassis.h"
+#include "sonar_ring.h"
 
 namespace frob::sim::p3dx {
 
@@ -45,5 +46,9 @@ constexpr std::array<std::size_t, 2> front_sonars = {3, 4};
 constexpr double sonar_half_angle = radians(12.0); // of the cone
 constexpr double sonar_nearest = 0.1;              // m; what is nearer reads so
 constexpr double sonar_farthest = 5.0;             // m; what is farther gives no echo
+
+// The same, as the rest of the simulator knows robots.
+const Chassis &chassis();
+const SonarRing &ring();
 
 } // namespace frob::sim::p3dx

@@ -13,6 +13,8 @@ constexpr Colour ink{40, 44, 52};
 constexpr Colour faint_ink{118, 125, 137};
 
 constexpr Colour solid{71, 80, 97};
+constexpr Colour hole{214, 219, 228};
+constexpr Colour hole_edge{140, 148, 163};
 constexpr Colour box{226, 183, 107};
 constexpr Colour box_edge{158, 117, 41};
 

@@ -6,7 +6,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "p3dx.h"
 #include "palette.h"
 #include "plot.h"
 #include "png_canvas.h"
@@ -33,7 +32,7 @@ Series line(const Simulation &simulation, const std::string &name, Colour colour
 }
 
 void add_echoes(const Simulation &simulation, std::size_t transducer, Series &series) {
-    for (const Echo &echo : simulation.robot().sonar().echoes())
+    for (const Echo &echo : simulation.robot().echoes())
         if (echo.transducer == transducer)
             series.points.push_back({seconds(echo.time_ns), echo.distance});
 }
@@ -54,11 +53,12 @@ Plot wall_plot(const Simulation &simulation, double end_s) {
     Plot plot{"distance to the wall [m]", 0.0, 0.0, end_s, {}};
     const std::optional<MeasureSettings> &measure = simulation.scene().measure;
     const bool on_left = !measure || measure->side == MeasureSettings::Side::left;
-    Series echoes{on_left ? "echoes of the left sonar" : "echoes of the right sonar",
-                  palette::sonar, Series::Style::dots, {}};
-    add_echoes(simulation, on_left ? p3dx::left_sonar : p3dx::right_sonar, echoes);
+    const RangeFinders &finders = simulation.robot().chassis().range_finders;
+    const std::string side = on_left ? "left " : "right ";
+    Series echoes{"echoes of the " + side + finders.noun, palette::sonar, Series::Style::dots, {}};
+    add_echoes(simulation, on_left ? finders.left : finders.right, echoes);
     if (!measure) {
-        plot.title = on_left ? "left sonar [m]" : "right sonar [m]";
+        plot.title = side + finders.noun + " [m]";
         plot.series = {echoes};
         fit(plot, 0.0, 0.5);
         return plot;
@@ -74,9 +74,9 @@ Plot wall_plot(const Simulation &simulation, double end_s) {
 
 Plot front_plot(const Simulation &simulation, double end_s) {
     Series echoes{"echoes", palette::sonar, Series::Style::dots, {}};
-    for (const std::size_t transducer : p3dx::front_sonars)
-        add_echoes(simulation, transducer, echoes);
-    Plot plot{"front sonars [m]", 0.0, 0.0, end_s, {echoes}};
+    const RangeFinders &finders = simulation.robot().chassis().range_finders;
+    for (const std::size_t transducer : finders.front) add_echoes(simulation, transducer, echoes);
+    Plot plot{std::string("front ") + finders.noun + "s [m]", 0.0, 0.0, end_s, {echoes}};
     fit(plot, 0.0, 1.0);
     return plot;
 }
@@ -101,7 +101,7 @@ Plot turn_plot(const Simulation &simulation, double end_s) {
 }
 
 std::string subtitle(const Simulation &simulation) {
-    const int collisions = simulation.robot().bumpers().collisions();
+    const int collisions = simulation.robot().contacts().collisions();
     const Pose believed =
         from_frame(simulation.scene().start, simulation.robot().odometry().pose());
     char text[160];
@@ -145,7 +145,7 @@ void draw_picture(const Simulation &simulation, const std::string &file) {
     canvas->path({{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}}, true,
                  filled(palette::paper));
     const std::string &name = simulation.scene().name;
-    canvas->text({left, 28.0}, name.empty() ? "Pioneer P3-DX" : name,
+    canvas->text({left, 28.0}, name.empty() ? simulation.robot().chassis().title : name,
                  {17.0, palette::ink, Anchor::start, true});
     canvas->text({left, 46.0}, subtitle(simulation),
                  {12.0, palette::faint_ink, Anchor::start, false});

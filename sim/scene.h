@@ -38,10 +38,11 @@ struct Box {
 };
 
 struct DriveSettings {
-    double max_speed = 1.2;               // m/s
-    double max_turn = radians(300.0);     // rad/s
-    double acceleration = 0.3;            // m/s^2, to speed up and to brake
-    double turn_acceleration = radians(100.0); // rad/s^2
+    // Without a value it is the robot's own, see chassis.h.
+    std::optional<double> max_speed;         // m/s
+    std::optional<double> max_turn;          // rad/s
+    std::optional<double> acceleration;      // m/s^2, to speed up and to brake
+    std::optional<double> turn_acceleration; // rad/s^2
     double slip = 0.0; // mean share of a wheel's travel that is lost
 };
 
@@ -59,8 +60,8 @@ struct SonarSettings {
 };
 
 struct BatterySettings {
-    double voltage = 12.8;  // V at the start
-    double drain = 0.0;     // V/s
+    std::optional<double> voltage; // V at the start; without a value, the robot's own
+    double drain = 0.0;            // V/s
 };
 
 // What the summary says about following a wall.
@@ -71,17 +72,29 @@ struct MeasureSettings {
     double settle = 10.0;  // s that are not counted
 };
 
+// A hole in the floor: a cliff, for a robot that sees one.
+struct Hole {
+    std::vector<Vec> points;
+};
+
+struct LightSettings {
+    double noise = 0.0; // relative standard deviation of a light bumper's signal
+};
+
 struct Scene {
     std::string name;
+    std::string robot; // "pioneer", …; "" if the file does not say
     Pose start;
     std::string start_place; // FILE:LINE:COLUMN, for messages
     std::vector<Wall> walls;
     std::vector<Polygon> polygons;
     std::vector<Circle> circles;
     std::vector<Box> boxes;
+    std::vector<Hole> holes;
     DriveSettings drive;
     OdometrySettings odometry;
     SonarSettings sonar;
+    LightSettings light;
     BatterySettings battery;
     std::optional<MeasureSettings> measure;
 };

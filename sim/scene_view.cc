@@ -1,10 +1,8 @@
 #include "scene_view.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "p3dx.h"
 #include "palette.h"
 #include "plot.h"
 
@@ -85,6 +83,8 @@ void draw_grid(Canvas &canvas, const View &view, const Extent &extent, Vec corne
 }
 
 void draw_solids(View &view, const Scene &scene) {
+    for (const Hole &hole : scene.holes)
+        view.path(hole.points, true, {palette::hole, palette::hole_edge, 1.2, {3.0, 3.0}});
     for (const Wall &wall : scene.walls)
         view.path(wall.points, wall.closed, stroked(palette::solid, view.scale() * wall.thickness));
     for (const Polygon &polygon : scene.polygons)
@@ -156,16 +156,21 @@ void draw_times(View &view, const std::vector<Sample> &samples) {
     }
 }
 
-void draw_start(View &view, const Pose &start) {
-    std::vector<Vec> outline;
-    for (const Vec &corner : p3dx::outline) outline.push_back(from_frame(start, corner));
-    view.path(outline, true, stroked(palette::faded(palette::robot_edge, 0.5), 1.2, {2.0, 4.0}));
+std::vector<Vec> outline_at(const Chassis &chassis, const Pose &pose) {
+    std::vector<Vec> outline = outline_of(chassis);
+    for (Vec &corner : outline) corner = from_frame(pose, corner);
+    return outline;
+}
+
+void draw_start(View &view, const Chassis &chassis, const Pose &start) {
+    view.path(outline_at(chassis, start), true, stroked(palette::faded(palette::robot_edge, 0.5), 1.2, {2.0, 4.0}));
 }
 
 // The last echo of each transducer: its cone, and an arc where it came from.
 void draw_rays(View &view, const Simulation &simulation) {
-    std::array<const Echo *, 16> last{};
-    for (const Echo &echo : simulation.robot().sonar().echoes())
+    const RangeFinders &finders = simulation.robot().chassis().range_finders;
+    std::vector<const Echo *> last(finders.seats.size());
+    for (const Echo &echo : simulation.robot().echoes())
         if (echo.time_ns > simulation.time_ns() - ray_lasts_ns) last[echo.transducer] = &echo;
     for (const Echo *echo : last) {
         if (echo == nullptr) continue;
@@ -173,7 +178,7 @@ void draw_rays(View &view, const Simulation &simulation) {
         for (int i = -6; i <= 6; ++i)
             arc.push_back(echo->from.position +
                           echo->distance * direction(echo->from.heading +
-                                                     p3dx::sonar_half_angle * i / 6.0));
+                                                     finders.half_angle * i / 6.0));
         std::vector<Vec> cone = arc;
         cone.push_back(echo->from.position);
         view.path(cone, true, filled(palette::faded(palette::sonar, 0.13)));
@@ -181,17 +186,17 @@ void draw_rays(View &view, const Simulation &simulation) {
     }
 }
 
-void draw_robot(View &view, const Pose &pose) {
-    std::vector<Vec> outline;
-    for (const Vec &corner : p3dx::outline) outline.push_back(from_frame(pose, corner));
-    view.path(outline, true, {palette::robot, palette::robot_edge, 1.4, {}});
+void draw_robot(View &view, const Chassis &chassis, const Pose &pose) {
+    view.path(outline_at(chassis, pose), true, {palette::robot, palette::robot_edge, 1.4, {}});
     for (const double side : {-1.0, 1.0}) {
-        const Pose wheel = {from_frame(pose, Vec{0.0, side * 0.165}), pose.heading};
-        view.path(corners(wheel, {2 * p3dx::wheel_radius, 0.05}), true,
+        const double apart = 0.462 * chassis.wheel_separation;
+        const Pose wheel = {from_frame(pose, Vec{0.0, side * apart}), pose.heading};
+        view.path(corners(wheel, {2 * chassis.wheel_radius, 0.14 * chassis.wheel_separation}), true,
                   filled(palette::robot_edge));
     }
-    view.path({from_frame(pose, Vec{0.17, 0.0}), from_frame(pose, Vec{0.06, 0.07}),
-               from_frame(pose, Vec{0.06, -0.07})},
+    const double ahead = chassis.range_finders.seats[chassis.range_finders.front[0]].position.x;
+    view.path({from_frame(pose, Vec{ahead, 0.0}), from_frame(pose, Vec{0.36 * ahead, 0.42 * ahead}),
+               from_frame(pose, Vec{0.36 * ahead, -0.42 * ahead})},
               true, filled(palette::paper));
 }
 
@@ -204,6 +209,8 @@ Extent extent(const Simulation &simulation) {
         for (const Vec &p : wall.points) include(result, p, margin + wall.thickness / 2);
     for (const Polygon &polygon : scene.polygons)
         for (const Vec &p : polygon.points) include(result, p, margin);
+    for (const Hole &hole : scene.holes)
+        for (const Vec &p : hole.points) include(result, p, margin);
     for (const Circle &circle : scene.circles)
         include(result, circle.center, margin + circle.radius);
     for (std::size_t i = 0; i < scene.boxes.size(); ++i)
@@ -226,12 +233,12 @@ void draw_scene(Canvas &canvas, const Simulation &simulation, const Extent &exte
     draw_rays(view, simulation);
     draw_solids(view, simulation.scene());
     draw_boxes(view, simulation);
-    draw_start(view, simulation.scene().start);
+    draw_start(view, simulation.robot().chassis(), simulation.scene().start);
     if (!samples.empty()) {
         draw_path(view, samples);
         draw_times(view, samples);
     }
-    draw_robot(view, simulation.world().robot_pose());
+    draw_robot(view, simulation.robot().chassis(), simulation.world().robot_pose());
     canvas.unclip();
     canvas.path(outline, true, stroked(palette::frame, 1.0));
 }

@@ -25,7 +25,18 @@ void say(char *message, std::size_t room, const std::string &text) {
 frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *settings, char *message,
                         std::size_t room) {
     try {
+        if (settings->robot != nullptr && robot_kind(settings->robot) == nullptr) {
+            say(message, room, std::string("there is no simulated ") + settings->robot);
+            return nullptr;
+        }
         Scene scene = read_world_file(world_file);
+        if (scene.robot.empty() && settings->robot != nullptr) scene.robot = settings->robot;
+        if (settings->robot != nullptr && scene.robot != settings->robot) {
+            say(message, room,
+                std::string(world_file) + ": this world is for " + scene.robot + ", not for " +
+                    settings->robot);
+            return nullptr;
+        }
         if (settings->wall_distance_m > 0.0) {
             if (!scene.measure) scene.measure.emplace();
             scene.measure->distance = settings->wall_distance_m;
@@ -41,12 +52,30 @@ frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *setting
 
 void frob_sim_close(frob_sim *sim) { delete sim; }
 
+const char *frob_sim_robot(const frob_sim *sim) { return sim->simulation.kind().name; }
+
+std::size_t frob_sim_input_size(const frob_sim *sim) { return sim->simulation.kind().input_size; }
+
+std::size_t frob_sim_output_size(const frob_sim *sim) {
+    return sim->simulation.kind().output_size;
+}
+
+const char *frob_sim_world_robot(const char *world_file, char *message, std::size_t room) {
+    try {
+        const Scene scene = read_world_file(world_file);
+        return scene.robot.empty() ? "" : robot_kind(scene.robot)->name;
+    } catch (const std::exception &error) {
+        say(message, room, error.what());
+        return nullptr;
+    }
+}
+
 void frob_sim_advance(frob_sim *sim, std::int64_t time_ns) { sim->simulation.advance(time_ns); }
 
-void frob_sim_read(frob_sim *sim, frob_pioneer_input *input) { *input = sim->simulation.read(); }
+void frob_sim_read(frob_sim *sim, void *input) { sim->simulation.read(input); }
 
-void frob_sim_command(frob_sim *sim, std::int64_t time_ns, const frob_pioneer_output *output) {
-    sim->simulation.command(time_ns, *output);
+void frob_sim_command(frob_sim *sim, std::int64_t time_ns, const void *output) {
+    sim->simulation.command(time_ns, output);
 }
 
 frob_sim_summary frob_sim_summarize(const frob_sim *sim) {
@@ -56,7 +85,7 @@ frob_sim_summary frob_sim_summarize(const frob_sim *sim) {
     frob_sim_summary summary{};
     summary.time_s = static_cast<double>(simulation.time_ns()) * 1e-9;
     summary.distance_m = simulation.recorder().distance_driven();
-    summary.collisions = simulation.robot().bumpers().collisions();
+    summary.collisions = simulation.robot().contacts().collisions();
     summary.odometry_error_m =
         length(believed.position - simulation.world().robot_pose().position);
     if (const auto &measured = simulation.wall_distance()) {

@@ -1,6 +1,6 @@
 /* sim.h -- the simulator, for hosts written in C.
  *
- * One simulation is one world file and one Pioneer P3-DX in it. The host owns
+ * One simulation is one world file and one robot in it. The host owns
  * time: it says up to when the physics should run, reads the sensors, steps
  * the controller, and passes on the command.
  *
@@ -21,8 +21,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <frob/pioneer.h>
-
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -30,6 +28,7 @@ extern "C" {
 struct frob_sim;
 
 struct frob_sim_settings {
+    const char *robot;       /* "pioneer", …: what the host can talk to; NULL: any */
     uint64_t seed;           /* of all noise */
     double wall_distance_m;  /* replaces `distance` of the world file's [measure]; 0: as it says */
     int picture;             /* whether to keep what frob_sim_picture shows */
@@ -41,17 +40,28 @@ struct frob_sim *frob_sim_open(const char *world_file, const struct frob_sim_set
                                char *message, size_t room);
 void frob_sim_close(struct frob_sim *sim);
 
+/* The robot, as settings and world files call it: the world's if that names
+ * one, else the settings', else a pioneer; and the sizes of its structs, which
+ * its header <frob/ROBOT.h> declares. */
+const char *frob_sim_robot(const struct frob_sim *sim);
+size_t frob_sim_input_size(const struct frob_sim *sim);
+size_t frob_sim_output_size(const struct frob_sim *sim);
+
+/* The robot that a world file names: an empty text if it leaves it open. NULL
+ * on failure, with a `message` as above. */
+const char *frob_sim_world_robot(const char *world_file, char *message, size_t room);
+
 /* Runs the physics up to this time, which must not go back. Its step is 5 ms;
  * it stops at the last step that does not go beyond. */
 void frob_sim_advance(struct frob_sim *sim, int64_t time_ns);
 
-/* The sensors. An echo is an event of the first reading after it arrived. */
-void frob_sim_read(struct frob_sim *sim, struct frob_pioneer_input *input);
+/* The sensors, as the robot's input struct. An echo is an event of the first reading after it arrived. */
+void frob_sim_read(struct frob_sim *sim, void *input);
 
-/* What the robot does from now on: limited to what it can do, and rest if any
+/* What the robot does from now on, as its output struct: limited to what it can do, and rest if any
  * of it is NaN. `time_ns` is the controller's instant, for the record. */
 void frob_sim_command(struct frob_sim *sim, int64_t time_ns,
-                      const struct frob_pioneer_output *output);
+                      const void *output);
 
 struct frob_sim_summary {
     double time_s;            /* simulated */

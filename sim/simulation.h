@@ -1,10 +1,11 @@
 // A world and the robot in it, through time.
 #pragma once
 
+#include <memory>
 #include <optional>
 
-#include "pioneer.h"
 #include "recorder.h"
+#include "robot.h"
 #include "wall_distance.h"
 
 namespace frob::sim {
@@ -23,21 +24,24 @@ class Simulation {
     void advance(std::int64_t time_ns);
 
     // An instant of the controller: the sensors, and then what it commands.
-    frob_pioneer_input read() { return robot_.read(time_ns_); }
-    void command(std::int64_t time_ns, const frob_pioneer_output &output);
+    // The structs are those of the robot's header.
+    void read(void *input) { robot_->read(time_ns_, input); }
+    void command(std::int64_t time_ns, const void *output);
 
     std::int64_t time_ns() const { return time_ns_; }
     const Scene &scene() const { return scene_; }
     World &world() { return world_; }
     const World &world() const { return world_; }
-    const Pioneer &robot() const { return robot_; }
+    const RobotKind &kind() const { return kind_; }
+    const Robot &robot() const { return *robot_; }
     const Recorder &recorder() const { return recorder_; }
     const std::optional<WallDistance> &wall_distance() const { return wall_distance_; }
 
   private:
     Scene scene_;
+    const RobotKind &kind_;
     World world_;
-    Pioneer robot_;
+    std::unique_ptr<Robot> robot_;
     Recorder recorder_;
     std::optional<WallDistance> wall_distance_;
     std::int64_t time_ns_ = 0;

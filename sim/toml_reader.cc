@@ -155,6 +155,11 @@ double TomlReader::number(std::string_view key, double otherwise, Range range) {
     return node == nullptr ? otherwise : as_number(*node, key, range).value_or(otherwise);
 }
 
+std::optional<double> TomlReader::optional_number(std::string_view key, Range range) {
+    const toml::node *node = find(key);
+    return node == nullptr ? std::nullopt : as_number(*node, key, range);
+}
+
 double TomlReader::needed_number(std::string_view key, Range range) {
     const toml::node *node = need(key);
     return node == nullptr ? 1.0 : as_number(*node, key, range).value_or(1.0);

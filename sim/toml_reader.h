@@ -48,6 +48,7 @@ class TomlReader {
 
     bool boolean(std::string_view key, bool otherwise);
     double number(std::string_view key, double otherwise, Range range);
+    std::optional<double> optional_number(std::string_view key, Range range);
     double needed_number(std::string_view key, Range range);
     int integer(std::string_view key, int otherwise, int least, int most);
     std::string string(std::string_view key);

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "p3dx.h"
-
 namespace frob::sim {
 namespace {
 
@@ -17,17 +15,6 @@ double to_outline(const std::vector<Vec> &points, bool closed, Vec p) {
         nearest =
             std::min(nearest, squared_distance_to_segment(p, points.back(), points.front()));
     return std::sqrt(nearest);
-}
-
-// Counts the edges that a ray to the right crosses.
-bool is_inside(const std::vector<Vec> &outline, Vec p) {
-    bool inside = false;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vec a = outline[i], b = outline[(i + 1) % outline.size()];
-        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
-            inside = !inside;
-    }
-    return inside;
 }
 
 } // namespace
@@ -48,8 +35,8 @@ double clearance(const Scene &scene, Vec point) {
 
 double WallDistance::observe(std::int64_t time_ns, const Pose &robot) {
     const bool left = settings_.side == MeasureSettings::Side::left;
-    const Pose &sonar = p3dx::sonars[left ? p3dx::left_sonar : p3dx::right_sonar];
-    const double distance = clearance(scene_, from_frame(robot, sonar.position));
+    const double distance =
+        clearance(scene_, from_frame(robot, left ? chassis_.left : chassis_.right));
     if (static_cast<double>(time_ns) >= settings_.settle * 1e9) {
         const double error = std::abs(distance - settings_.distance);
         sum_ += error;

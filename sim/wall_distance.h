@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "chassis.h"
 #include "scene.h"
 
 namespace frob::sim {
@@ -15,11 +16,12 @@ double clearance(const Scene &scene, Vec point);
 // The errors of a run.
 class WallDistance {
   public:
-    WallDistance(const Scene &scene, const MeasureSettings &settings)
-        : scene_(scene), settings_(settings) {}
+    // Scene and robot's description must outlive it.
+    WallDistance(const Scene &scene, const Chassis &chassis, const MeasureSettings &settings)
+        : scene_(scene), chassis_(chassis), settings_(settings) {}
 
     // Takes the robot's pose at a controller's instant. Returns the distance
-    // from the transducer that looks to the measured side.
+    // from the robot's measured side.
     double observe(std::int64_t time_ns, const Pose &robot);
 
     // Since the robot settled; NaN if it has not.
@@ -28,6 +30,7 @@ class WallDistance {
 
   private:
     const Scene &scene_;
+    const Chassis &chassis_;
     MeasureSettings settings_;
     double sum_ = 0.0, largest_ = 0.0;
     std::int64_t count_ = 0;

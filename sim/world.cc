@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "p3dx.h"
 #include "triangulate.h"
 
 namespace frob::sim {
@@ -71,29 +70,32 @@ void add_solid(b2Body &body, const Polygon &polygon) {
 }
 
 // The outline, smaller by Box2D's skin, which then reaches to the outline.
-b2Body *add_robot(b2World &physics, const Pose &start) {
+void add_outline(b2Body &robot, const Chassis &chassis) {
+    b2Vec2 corners[b2_maxPolygonVertices];
+    int count = 0;
+    for (const Vec &corner : chassis.outline) {
+        const Vec arm = corner - chassis.center;
+        const double inner = length(arm) - static_cast<double>(b2_polygonRadius);
+        corners[count++] = to_b2(chassis.center + (inner / length(arm)) * arm);
+    }
+    add_polygon(robot, corners, count, true);
+}
+
+b2Body *add_robot(b2World &physics, const Pose &start, const Chassis &chassis) {
     b2BodyDef definition;
     definition.type = b2_dynamicBody;
     definition.position = to_b2(start.position);
     definition.angle = static_cast<float>(start.heading);
     definition.allowSleep = false;
     b2Body *robot = physics.CreateBody(&definition);
-    const Vec middle = {p3dx::body_center, 0.0};
-    b2Vec2 corners[p3dx::outline.size()];
-    for (std::size_t i = 0; i < p3dx::outline.size(); ++i) {
-        const Vec arm = p3dx::outline[i] - middle;
-        const double inner = length(arm) - static_cast<double>(b2_polygonRadius);
-        corners[i] = to_b2(middle + (inner / length(arm)) * arm);
-    }
-    add_polygon(*robot, corners, static_cast<int>(p3dx::outline.size()), true);
-    // Batteries and motors put the middle of mass near the axle. As for a plate
-    // of the body's size: I = m (l^2 + w^2) / 12.
+    if (chassis.outline.empty())
+        add_circle(*robot, chassis.center, chassis.radius);
+    else
+        add_outline(*robot, chassis);
     b2MassData mass;
-    mass.mass = static_cast<float>(p3dx::mass);
+    mass.mass = static_cast<float>(chassis.mass);
     mass.center.SetZero();
-    mass.I = static_cast<float>(p3dx::mass / 12.0 *
-                                (p3dx::body_length * p3dx::body_length +
-                                 p3dx::body_width * p3dx::body_width));
+    mass.I = static_cast<float>(chassis.inertia);
     robot->SetMassData(&mass);
     return robot;
 }
@@ -116,14 +118,14 @@ class NearestHit : public b2RayCastCallback {
 
 } // namespace
 
-World::World(const Scene &scene) : physics_(b2Vec2(0.0f, 0.0f)) {
+World::World(const Scene &scene, const Chassis &chassis) : physics_(b2Vec2(0.0f, 0.0f)) {
     const b2BodyDef at_rest;
     fixed_ = physics_.CreateBody(&at_rest);
     for (const Wall &wall : scene.walls) add_wall(*fixed_, wall);
     for (const Polygon &polygon : scene.polygons) add_solid(*fixed_, polygon);
     for (const Circle &circle : scene.circles) add_circle(*fixed_, circle.center, circle.radius);
     for (const Box &box : scene.boxes) boxes_.push_back(&add_box(box));
-    robot_ = add_robot(physics_, scene.start);
+    robot_ = add_robot(physics_, scene.start, chassis);
 }
 
 // A box rubs on the floor: force at most mu m g, and torque at most that of a

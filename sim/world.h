@@ -7,6 +7,7 @@
 
 #include <box2d/box2d.h>
 
+#include "chassis.h"
 #include "scene.h"
 
 namespace frob::sim {
@@ -19,7 +20,7 @@ constexpr double step_s = 0.005;
 // The scene's solids and boxes and one robot.
 class World {
   public:
-    explicit World(const Scene &scene);
+    World(const Scene &scene, const Chassis &chassis);
 
     World(const World &) = delete;
     World &operator=(const World &) = delete;

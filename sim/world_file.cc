@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "robot.h"
 #include "toml_reader.h"
 #include "triangulate.h"
 
@@ -60,14 +61,17 @@ Box read_box(TomlReader reader) {
     return box;
 }
 
+std::optional<double> in_radians(std::optional<double> angle) {
+    return angle ? std::optional(radians(*angle)) : std::nullopt;
+}
+
 DriveSettings read_drive(TomlReader reader) {
     DriveSettings drive;
-    drive.max_speed = reader.number("max_speed", drive.max_speed, Range::positive);
-    drive.max_turn =
-        radians(reader.number("max_turn_deg", degrees(drive.max_turn), Range::positive));
-    drive.acceleration = reader.number("acceleration", drive.acceleration, Range::positive);
-    drive.turn_acceleration = radians(reader.number(
-        "turn_acceleration_deg", degrees(drive.turn_acceleration), Range::positive));
+    drive.max_speed = reader.optional_number("max_speed", Range::positive);
+    drive.max_turn = in_radians(reader.optional_number("max_turn_deg", Range::positive));
+    drive.acceleration = reader.optional_number("acceleration", Range::positive);
+    drive.turn_acceleration =
+        in_radians(reader.optional_number("turn_acceleration_deg", Range::positive));
     drive.slip = reader.number("slip", drive.slip, Range::share);
     if (drive.slip > 0.5) reader.mistake_at("slip", "`slip` must be at most 0.5");
     reader.finish();
@@ -93,9 +97,35 @@ SonarSettings read_sonar(TomlReader reader) {
     return sonar;
 }
 
+LightSettings read_light(TomlReader reader) {
+    LightSettings light;
+    light.noise = reader.number("noise", light.noise, Range::not_negative);
+    reader.finish();
+    return light;
+}
+
+Hole read_hole(TomlReader reader) {
+    Hole hole;
+    hole.points = reader.needed_points("points", 3, true);
+    if (!hole.points.empty() && !is_simple(hole.points))
+        reader.mistake_at("points", "the edges of this hole cross or touch");
+    reader.finish();
+    return hole;
+}
+
+std::string read_robot(TomlReader &reader) {
+    const std::string robot = reader.string("robot");
+    if (robot.empty() || robot_kind(robot) != nullptr) return robot;
+    std::string known;
+    for (const RobotKind &kind : robot_kinds())
+        known += std::string(known.empty() ? "" : ", ") + kind.name;
+    reader.mistake_at("robot", "there is no robot `" + robot + "`; the robots: " + known);
+    return robot;
+}
+
 BatterySettings read_battery(TomlReader reader) {
     BatterySettings battery;
-    battery.voltage = reader.number("voltage", battery.voltage, Range::positive);
+    battery.voltage = reader.optional_number("voltage", Range::positive);
     battery.drain = reader.number("drain", battery.drain, Range::not_negative);
     reader.finish();
     return battery;
@@ -118,6 +148,7 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root) {
     const auto inside = [&](const toml::table *table) { return TomlReader(mistakes, *table); };
     Scene scene;
     scene.name = reader.string("name");
+    scene.robot = read_robot(reader);
     if (const toml::table *table = reader.table("start")) {
         scene.start = read_start(inside(table));
         scene.start_place = inside(table).place();
@@ -131,6 +162,9 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root) {
         scene.circles.push_back(read_circle(inside(table)));
     for (const toml::table *table : reader.tables("box"))
         scene.boxes.push_back(read_box(inside(table)));
+    for (const toml::table *table : reader.tables("hole"))
+        scene.holes.push_back(read_hole(inside(table)));
+    if (const toml::table *table = reader.table("light")) scene.light = read_light(inside(table));
     if (const toml::table *table = reader.table("drive")) scene.drive = read_drive(inside(table));
     if (const toml::table *table = reader.table("odometry"))
         scene.odometry = read_odometry(inside(table));

@@ -17,6 +17,8 @@
 #include <exception>
 #include <vector>
 
+#include <frob/pioneer.h>
+
 #include "p3dx.h"
 #include "simulation.h"
 #include "world_file.h"
@@ -58,10 +60,11 @@ double run_program(const frob_program &program, const Scene &scene, double durat
             simulation.advance(simulation.time_ns() + step_ns);
             each_step(simulation.world().robot());
         }
-        const frob_pioneer_input input = simulation.read();
+        frob_pioneer_input input;
+        simulation.read(&input);
         frob_pioneer_output output{};
         program.step(state.data(), static_cast<double>(now_ns - before_ns) / 1e9, &input, &output);
-        simulation.command(now_ns, output);
+        simulation.command(now_ns, &output);
         before_ns = now_ns;
     }
     return seconds_since(start);
@@ -69,11 +72,13 @@ double run_program(const frob_program &program, const Scene &scene, double durat
 
 // The sum of all ranges is returned so that no ray can be left out.
 double run_physics(const Scene &scene, const std::vector<Motion> &motions, double &sum) {
-    constexpr std::size_t steps_between_pings = static_cast<std::size_t>(ping_ns / step_ns);
-    World world(scene);
-    const auto ping = [&](std::size_t first, std::size_t turn) {
-        const Pose &transducer = p3dx::sonars[first + firing_order[turn % firing_order.size()]];
-        sum += Sonar::range(world, from_frame(world.robot_pose(), transducer), scene.sonar.rays)
+    const std::size_t steps_between_pings = static_cast<std::size_t>(p3dx::ring().ping_ns / step_ns);
+    World world(scene, p3dx::chassis());
+    const auto ping = [&](std::size_t array, std::size_t turn) {
+        const std::vector<std::size_t> &order = p3dx::ring().arrays[array].order;
+        const Pose &transducer = p3dx::sonars[order[turn % order.size()]];
+        sum += nearest_in_cone(world, from_frame(world.robot_pose(), transducer),
+                               p3dx::sonar_half_angle, p3dx::sonar_farthest, scene.sonar.rays)
                    .value_or(0.0);
     };
     const std::clock_t start = std::clock();
@@ -83,7 +88,7 @@ double run_physics(const Scene &scene, const std::vector<Motion> &motions, doubl
         world.step();
         const std::size_t step = i + 1, turn = step / steps_between_pings;
         if (step % steps_between_pings == 0) ping(0, turn);
-        if (step % steps_between_pings == steps_between_pings / 2) ping(8, turn);
+        if (step % steps_between_pings == steps_between_pings / 2) ping(1, turn);
     }
     return seconds_since(start);
 }

@@ -71,9 +71,9 @@ Running into a wall is told, and with --strict it is a fault.
 
 A program for another robot is refused.
 
-  $ compile scout scout.so
-  $ sim ./scout.so --world $world
-  error: ahead is a program for scout; the simulated robot is a pioneer
+  $ compile rover rover.so
+  $ sim ./rover.so --world $world
+  error: there is no simulated rover
   [2]
 
 Wrong use has status 2, and says what is wrong.

@@ -3,6 +3,7 @@
 
 #include "check.h"
 #include "p3dx.h"
+#include "pioneer_controls.h"
 #include "simulation.h"
 #include "world_file.h"
 
@@ -12,20 +13,13 @@ namespace {
 
 constexpr std::int64_t second = 1'000'000'000;
 
-frob_pioneer_output drive(double forward, double turn) {
-    frob_pioneer_output output{};
-    output.forward = forward;
-    output.turn = turn;
-    return output;
-}
-
 Scene empty_floor(const std::string &settings = "") {
     return parse_world("[start]\nx = 0\ny = 0\n" + settings, "test");
 }
 
 void goes_straight() {
     Simulation s(empty_floor(), 1);
-    s.command(0, drive(0.5, 0.0));
+    command(s, 0, drive(0.5, 0.0));
     s.advance(10 * second);
     const Pose end = s.world().robot_pose();
     // 0.5 m/s at 0.3 m/s^2 takes 5/3 s, on which half the way is lost.
@@ -37,9 +31,9 @@ void goes_straight() {
 
 void turns_on_the_spot() {
     Simulation s(empty_floor(), 1);
-    s.command(0, drive(0.0, 1.0));
+    command(s, 0, drive(0.0, 1.0));
     s.advance(4 * second);
-    s.command(4 * second, drive(0.0, 0.0));
+    command(s, 4 * second, drive(0.0, 0.0));
     s.advance(6 * second);
     const Pose end = s.world().robot_pose();
     // The ramps at both ends make up for each other: 1 rad/s for 4 s.
@@ -49,7 +43,7 @@ void turns_on_the_spot() {
 
 void drives_a_circle() {
     Simulation s(empty_floor(), 1);
-    s.command(0, drive(0.4, 0.8));
+    command(s, 0, drive(0.4, 0.8));
     s.advance(5 * second);
     const Pose start = s.world().robot_pose();
     const Vec center = start.position + 0.5 * direction(start.heading + pi / 2);
@@ -67,7 +61,7 @@ void accelerates_within_limits() {
     double v = 0.0, omega = 0.0, most_v = 0.0, most_omega = 0.0;
     for (int i = 1; i <= 1000; ++i) {
         const bool back = i > 500;
-        s.command(s.time_ns(), back ? drive(-1.0, -2.0) : drive(1.0, 2.0));
+        command(s, s.time_ns(), back ? drive(-1.0, -2.0) : drive(1.0, 2.0));
         s.advance(s.time_ns() + step_ns);
         const double v_now = (s.robot().drive().left_speed() + s.robot().drive().right_speed()) / 2;
         const double omega_now = static_cast<double>(s.world().robot().GetAngularVelocity());
@@ -82,14 +76,14 @@ void accelerates_within_limits() {
 
 void limits_commands() {
     Simulation s(empty_floor(), 1);
-    s.command(0, drive(100.0, -100.0));
+    command(s, 0, drive(100.0, -100.0));
     check::near(s.robot().drive().commanded_forward(), 1.2, 0.0, "a command is limited to top speed");
     check::near(s.robot().drive().commanded_turn(), -radians(300), 0.0,
                 "a turn is limited to top speed");
-    s.command(0, drive(std::numeric_limits<double>::infinity(), 0.0));
+    command(s, 0, drive(std::numeric_limits<double>::infinity(), 0.0));
     check::near(s.robot().drive().commanded_forward(), 1.2, 0.0, "infinity is top speed");
     s.advance(2 * second);
-    s.command(s.time_ns(), drive(0.5, std::numeric_limits<double>::quiet_NaN()));
+    command(s, s.time_ns(), drive(0.5, std::numeric_limits<double>::quiet_NaN()));
     s.advance(8 * second);
     const b2Vec2 v = s.world().robot().GetLinearVelocity();
     check::near(static_cast<double>(v.Length()), 0.0, 1e-6, "NaN in any part of a command is rest");
@@ -97,26 +91,26 @@ void limits_commands() {
 
 void stalls_against_a_wall() {
     Simulation s(empty_floor("[[wall]]\npoints = [[1, -2], [1, 2]]\nthickness = 0.2\n"), 1);
-    s.command(0, drive(0.5, 0.0));
+    command(s, 0, drive(0.5, 0.0));
     s.advance(6 * second);
-    const frob_pioneer_input input = s.read();
+    const frob_pioneer_input input = read(s);
     const double front = p3dx::body_center + p3dx::body_length / 2;
     check::near(s.world().robot_pose().position.x + front, 0.9, 6e-3,
                 "a wall stops the robot at its outline");
     check::that(input.frontBumper && !input.rearBumper, "the front bumper is pressed");
     check::that(input.leftStall && input.rightStall, "both wheels stall");
     check::near(input.leftWheel, 0.0, 0.01, "a stalled wheel stands");
-    check::that(s.robot().bumpers().collisions() == 1, "pushing on is one collision");
-    s.command(s.time_ns(), drive(-0.5, 0.0));
+    check::that(s.robot().contacts().collisions() == 1, "pushing on is one collision");
+    command(s, s.time_ns(), drive(-0.5, 0.0));
     s.advance(8 * second);
-    const frob_pioneer_input away = s.read();
+    const frob_pioneer_input away = read(s);
     check::that(!away.frontBumper && !away.leftStall, "it backs away again");
 }
 
 void odometry_without_errors() {
     Simulation s(empty_floor(), 1);
     for (int i = 0; i < 300; ++i) {
-        s.command(s.time_ns(), drive(0.4 + 0.2 * std::sin(0.1 * i), std::cos(0.07 * i)));
+        command(s, s.time_ns(), drive(0.4 + 0.2 * std::sin(0.1 * i), std::cos(0.07 * i)));
         s.advance(s.time_ns() + second / 10);
     }
     const Pose truth = s.world().robot_pose(), believed = s.robot().odometry().pose();
@@ -128,20 +122,20 @@ void odometry_without_errors() {
 
 void odometry_starts_at_zero() {
     Simulation s(parse_world("[start]\nx = 3\ny = 4\nheading_deg = 90\n", "test"), 1);
-    const frob_pioneer_input input = s.read();
+    const frob_pioneer_input input = read(s);
     check::that(input.odometry.position.x == 0.0 && input.odometry.position.y == 0.0 &&
                     input.odometry.heading == 0.0,
                 "odometry starts at zero wherever the robot does");
-    s.command(0, drive(0.5, 0.0));
+    command(s, 0, drive(0.5, 0.0));
     s.advance(5 * second);
-    check::that(s.read().odometry.position.x > 1.0 &&
-                    std::abs(s.read().odometry.position.y) < 1e-3,
+    check::that(read(s).odometry.position.x > 1.0 &&
+                    std::abs(read(s).odometry.position.y) < 1e-3,
                 "its x is the way the robot looked at the start");
 }
 
 void odometry_drifts() {
     Simulation s(empty_floor("[odometry]\ndistance_error = 0.02\nveer_deg = 2\n"), 1);
-    s.command(0, drive(0.5, 0.0));
+    command(s, 0, drive(0.5, 0.0));
     s.advance(10 * second);
     const double driven = s.world().robot_pose().position.x;
     check::near(s.robot().odometry().pose().heading, radians(2) * driven, 1e-3,
@@ -153,7 +147,7 @@ void odometry_drifts() {
 
 void wheels_slip() {
     Simulation s(empty_floor("[drive]\nslip = 0.1\n"), 1);
-    s.command(0, drive(0.5, 0.0));
+    command(s, 0, drive(0.5, 0.0));
     s.advance(20 * second);
     const double believed = s.robot().odometry().pose().position.x;
     const double driven = length(s.world().robot_pose().position);

@@ -3,6 +3,7 @@
 
 #include "check.h"
 #include "p3dx.h"
+#include "pioneer_controls.h"
 #include "simulation.h"
 #include "world_file.h"
 
@@ -22,7 +23,7 @@ std::vector<double> echoes(const Scene &scene, std::size_t transducer, std::int6
     Simulation s(scene, seed);
     s.advance(time_ns);
     std::vector<double> result;
-    for (const Echo &echo : s.robot().sonar().echoes())
+    for (const Echo &echo : s.robot().echoes())
         if (echo.transducer == transducer) result.push_back(echo.distance);
     return result;
 }
@@ -64,10 +65,10 @@ void firing() {
     bool in_time = true;
     int heard = 0;
     s.advance(2 * second);
-    for (const Echo &echo : s.robot().sonar().echoes()) {
+    for (const Echo &echo : s.robot().echoes()) {
         ++heard;
         if (last.count(echo.transducer) != 0)
-            in_time = in_time && echo.time_ns - last[echo.transducer] == 8 * ping_ns;
+            in_time = in_time && echo.time_ns - last[echo.transducer] == 8 * p3dx::ring().ping_ns;
         last[echo.transducer] = echo.time_ns;
     }
     check::that(last.size() == 16, "all transducers are heard in a room");
@@ -80,7 +81,7 @@ void events() {
     int occurrences = 0;
     for (int k = 1; k <= 200; ++k) {
         s.advance(k * second / 50);
-        occurrences += s.read().sonar[3].tag == 1 ? 1 : 0;
+        occurrences += read(s).sonar[3].tag == 1 ? 1 : 0;
     }
     check::that(occurrences == 12, "an echo is an event of one instant only");
 }
@@ -88,9 +89,9 @@ void events() {
 void arrival() {
     Simulation s(with_start(wall_ahead), 1);
     s.advance(second);
-    for (const Echo &echo : s.robot().sonar().echoes())
+    for (const Echo &echo : s.robot().echoes())
         if (echo.transducer == 3) {
-            const std::int64_t fired = echo.time_ns / ping_ns * ping_ns;
+            const std::int64_t fired = echo.time_ns / p3dx::ring().ping_ns * p3dx::ring().ping_ns;
             check::near(static_cast<double>(echo.time_ns - fired) * 1e-9,
                         2 * echo.distance / 343.0, 1e-6, "sound takes its time, there and back");
             return;

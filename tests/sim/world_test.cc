@@ -1,6 +1,8 @@
 // The world: its physics, its file, what is measured in it, and that it is the
 // same each time.
 #include "check.h"
+#include "p3dx.h"
+#include "pioneer_controls.h"
 #include "simulation.h"
 #include "triangulate.h"
 #include "wall_distance.h"
@@ -11,13 +13,6 @@ using namespace frob::sim;
 namespace {
 
 constexpr std::int64_t second = 1'000'000'000;
-
-frob_pioneer_output drive(double forward, double turn) {
-    frob_pioneer_output output{};
-    output.forward = forward;
-    output.turn = turn;
-    return output;
-}
 
 double kinetic_energy(World &world) {
     double energy = 0.0;
@@ -49,23 +44,23 @@ mass = 1
 
 void boxes_come_to_rest() {
     Simulation s(parse_world(room_with_boxes, "test"), 1);
-    s.command(0, drive(0.6, 0.0));
+    command(s, 0, drive(0.6, 0.0));
     s.advance(4 * second);
     const std::vector<Pose> pushed = s.world().box_poses();
     check::that(pushed[0].position.x > 1.0, "a box is pushed");
-    s.command(4 * second, drive(-0.3, 0.0));
+    command(s, 4 * second, drive(-0.3, 0.0));
     s.advance(10 * second);
     const std::vector<Pose> left = s.world().box_poses();
     s.advance(12 * second);
     check::near(length(s.world().box_poses()[0].position - left[0].position), 0.0, 1e-6,
                 "a box that is left comes to rest");
-    check::that(s.robot().bumpers().collisions() == 0, "pushing a box is no collision");
+    check::that(s.robot().contacts().collisions() == 0, "pushing a box is no collision");
 }
 
 void boxes_rub_on_the_floor() {
     World world(parse_world("[start]\nx = 0\ny = 5\n[[box]]\ncenter = [0, 0]\nsize = [0.4, 0.2]\n"
                             "mass = 3\nfriction = 0.4\n",
-                            "test"));
+                            "test"), p3dx::chassis());
     for (b2Body *b = world.physics().GetBodyList(); b != nullptr; b = b->GetNext())
         if (b != &world.robot()) b->SetLinearVelocity({1.0f, 0.0f});
     for (int i = 0; i < 400; ++i) world.step();
@@ -75,7 +70,7 @@ void boxes_rub_on_the_floor() {
 
 // Bodies are thrown at each other, and nothing drives them.
 void energy_never_grows() {
-    World world(parse_world(room_with_boxes, "test"));
+    World world(parse_world(room_with_boxes, "test"), p3dx::chassis());
     float speed = 3.0f;
     for (b2Body *b = world.physics().GetBodyList(); b != nullptr; b = b->GetNext()) {
         b->SetLinearVelocity({speed, 1.0f - speed});
@@ -104,8 +99,8 @@ std::vector<double> run(std::uint64_t seed) {
     for (int k = 0; k < 600; ++k) {
         const std::int64_t now = k * second / 30;
         s.advance(now);
-        const frob_pioneer_input input = s.read();
-        s.command(now, drive(0.5, std::sin(0.05 * k)));
+        const frob_pioneer_input input = read(s);
+        command(s, now, drive(0.5, std::sin(0.05 * k)));
         for (const double x : {input.odometry.position.x, input.odometry.heading, input.leftWheel,
                                input.sonar[0].f0, input.sonar[3].f0, input.sonar[12].f0,
                                s.world().robot_pose().position.x, s.world().box_poses()[0].heading})
@@ -122,7 +117,7 @@ void determinism() {
 void physics_does_not_depend_on_rate() {
     const auto end = [](int steps) {
         Simulation s(parse_world(room_with_boxes, "test"), 1);
-        s.command(0, drive(0.3, 0.2));
+        command(s, 0, drive(0.3, 0.2));
         for (int k = 1; k <= steps; ++k) s.advance(k * 5 * second / steps);
         return s.world().robot_pose();
     };
@@ -140,7 +135,7 @@ void measure() {
     check::near(clearance(scene, {0.0, 0.0}), 0.9, 1e-12, "clearance is to a wall's surface");
     check::near(clearance(scene, {1.0, -1.5}), 1.0, 1e-12, "clearance is to a polygon's edge");
     check::near(clearance(scene, {2.5, -1.5}), 0.0, 0.0, "clearance is 0 inside");
-    WallDistance measured(scene, *scene.measure);
+    WallDistance measured(scene, p3dx::chassis(), *scene.measure);
     check::that(std::isnan(measured.mean_error()), "nothing is measured before it settles");
     check::near(measured.observe(0, {{0, 0}, 0}), 0.9 - 0.136, 1e-12,
                 "the distance counts from the left transducer");

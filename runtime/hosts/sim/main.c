@@ -8,7 +8,6 @@
 #include "options.h"
 #include "record.h"
 
-#include <frob/pioneer.h>
 #include <sim.h>
 
 #include <errno.h>
@@ -53,38 +52,60 @@ static void show_progress(int64_t now_ns, double duration_s)
     fflush(stderr);
 }
 
-/* Loads the program and makes sure that it is one for this robot. */
+/* Loads the program and makes sure that it is one for a robot. */
 static const struct frob_program *load(const char *path)
 {
     const struct frob_program *program = frob_load(path);
     if (program == NULL)
         return NULL;
     if (program->robot[0] == '\0') {
-        fprintf(stderr, "error: %s is a program for no robot; `reactimateRobot` makes one for the pioneer\n",
+        fprintf(stderr, "error: %s is a program for no robot; `reactimateRobot` makes one\n",
                 program->name);
-        return NULL;
-    }
-    if (strcmp(program->robot, "pioneer") != 0) {
-        fprintf(stderr, "error: %s is a program for %s; the simulated robot is a pioneer\n",
-                program->name, program->robot);
-        return NULL;
-    }
-    if (program->input_size != sizeof(struct frob_pioneer_input) ||
-        program->output_size != sizeof(struct frob_pioneer_output)) {
-        fprintf(stderr, "error: %s was compiled with another <frob/pioneer.h>\n", path);
         return NULL;
     }
     return program;
 }
 
+/* Opens the world with the program's robot in it; NULL with a line for each
+ * mistake on standard error. */
+static struct frob_sim *open_world(const struct options *options,
+                                   const struct frob_program *program)
+{
+    char message[8192];
+    struct frob_sim_settings settings;
+    struct frob_sim *sim;
+    settings.robot = program->robot;
+    settings.seed = options->seed;
+    settings.wall_distance_m = options->wall_distance_m;
+    settings.picture = options->picture != NULL;
+    sim = frob_sim_open(options->world, &settings, message, sizeof message);
+    if (sim == NULL) {
+        for (char *line = strtok(message, "\n"); line != NULL; line = strtok(NULL, "\n"))
+            fprintf(stderr, "error: %s\n", line);
+        return NULL;
+    }
+    if (program->input_size != frob_sim_input_size(sim) ||
+        program->output_size < frob_sim_output_size(sim)) {
+        fprintf(stderr, "error: %s was compiled with another <frob/%s.h>\n", program->name,
+                program->robot);
+        frob_sim_close(sim);
+        return NULL;
+    }
+    return sim;
+}
+
+/* What the controller reads and commands: the structs of the program's robot. */
+struct controls {
+    void *input;
+    void *output;
+};
+
 /* Runs the controller at its instants. Instant k is at the absolute time
  * k / rate, in whole nanoseconds, and dt is the difference of two of them: so
  * nothing adds up. Returns false when the record cannot be written. */
 static bool run(const struct options *options, const struct frob_program *program, void *state,
-                struct frob_sim *sim, struct record *record)
+                struct controls controls, struct frob_sim *sim, struct record *record)
 {
-    struct frob_pioneer_input input;
-    struct frob_pioneer_output output;
     bool progress = options->progress || isatty(STDERR_FILENO);
     int64_t end_ns = (int64_t)llround(options->duration_s * 1e9);
     int64_t before_ns = 0, started_ns = clock_ns(), shown_ns = 0;
@@ -97,11 +118,11 @@ static bool run(const struct options *options, const struct frob_program *progra
         if (options->realtime)
             sleep_until(started_ns + now_ns);
         frob_sim_advance(sim, now_ns);
-        frob_sim_read(sim, &input);
-        memset(&output, 0, sizeof output);
-        program->step(state, (double)(now_ns - before_ns) / 1e9, &input, &output);
-        frob_sim_command(sim, now_ns, &output);
-        ok = record_row(record, now_ns, &input, &output);
+        frob_sim_read(sim, controls.input);
+        memset(controls.output, 0, program->output_size);
+        program->step(state, (double)(now_ns - before_ns) / 1e9, controls.input, controls.output);
+        frob_sim_command(sim, now_ns, controls.output);
+        ok = record_row(record, now_ns, controls.input, controls.output);
         before_ns = now_ns;
         if (progress && (k & 15) == 0 && clock_ns() - shown_ns > 100000000) {
             show_progress(now_ns, options->duration_s);
@@ -147,19 +168,24 @@ static int simulate(const struct options *options, const struct frob_program *pr
     int64_t started_ns;
     double wall_s;
     void *state = calloc(1, program->state_size + 1);
-    if (state == NULL) {
+    struct controls controls;
+    controls.input = calloc(1, program->input_size);
+    controls.output = calloc(1, program->output_size);
+    if (state == NULL || controls.input == NULL || controls.output == NULL) {
         fprintf(stderr, "error: not enough memory for the program's state\n");
         return WRONG_USE;
     }
     if (!record_open(&record, program, options->record))
         status = WRONG_USE;
     started_ns = clock_ns();
-    if (status == DONE && !run(options, program, state, sim, &record))
+    if (status == DONE && !run(options, program, state, controls, sim, &record))
         status = WRONG_USE;
     wall_s = (double)(clock_ns() - started_ns) * 1e-9;
     if (!record_close(&record))
         status = WRONG_USE;
     free(state);
+    free(controls.input);
+    free(controls.output);
     if (status == DONE && options->picture != NULL &&
         !frob_sim_picture(sim, options->picture, message, sizeof message)) {
         fprintf(stderr, "error: %s\n", message);
@@ -178,9 +204,7 @@ static int simulate(const struct options *options, const struct frob_program *pr
 
 int main(int argc, char **argv)
 {
-    char message[8192];
     struct options options;
-    struct frob_sim_settings settings;
     struct frob_sim *sim;
     const struct frob_program *program;
     struct sigaction action;
@@ -194,16 +218,9 @@ int main(int argc, char **argv)
     program = load(options.program);
     if (program == NULL)
         return WRONG_USE;
-    settings.seed = options.seed;
-    settings.wall_distance_m = options.wall_distance_m;
-    settings.picture = options.picture != NULL;
-    sim = frob_sim_open(options.world, &settings, message, sizeof message);
-    if (sim == NULL) {
-        /* A line for each mistake. */
-        for (char *line = strtok(message, "\n"); line != NULL; line = strtok(NULL, "\n"))
-            fprintf(stderr, "error: %s\n", line);
+    sim = open_world(&options, program);
+    if (sim == NULL)
         return WRONG_USE;
-    }
     memset(&action, 0, sizeof action);
     action.sa_handler = interrupt;
     sigaction(SIGINT, &action, NULL);

@@ -1,19 +1,20 @@
-// The bumpers in front and behind, and the count of collisions.
+// What touches the robot, and the count of collisions.
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "world.h"
 
 namespace frob::sim {
 
-class Bumpers {
+class Contacts {
   public:
     // Looks at the contacts; called after each physics step.
     void advance(const World &world);
 
-    bool front() const { return front_; }
-    bool rear() const { return rear_; }
+    // Where something touches the robot, in the robot's frame.
+    const std::vector<Vec> &points() const { return points_; }
 
     // How often the robot ran into something that stands fast. Until it has
     // been free of it for half a second it is the same collision.
@@ -22,7 +23,7 @@ class Bumpers {
   private:
     static constexpr std::int64_t apart_ns = 500'000'000;
 
-    bool front_ = false, rear_ = false;
+    std::vector<Vec> points_;
     int collisions_ = 0;
     std::int64_t free_ns_ = apart_ns;
 };

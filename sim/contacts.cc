@@ -1,13 +1,9 @@
-#include "bumpers.h"
-
-#include "p3dx.h"
+#include "contacts.h"
 
 namespace frob::sim {
 
-// A contact before the middle of the body presses the front bumper, one behind
-// it the rear bumper.
-void Bumpers::advance(const World &world) {
-    front_ = rear_ = false;
+void Contacts::advance(const World &world) {
+    points_.clear();
     bool against_fixed = false;
     const b2Body &robot = world.robot();
     for (const b2ContactEdge *edge = robot.GetContactList(); edge != nullptr; edge = edge->next) {
@@ -18,7 +14,7 @@ void Bumpers::advance(const World &world) {
         contact.GetWorldManifold(&manifold);
         for (int i = 0; i < contact.GetManifold()->pointCount; ++i) {
             const b2Vec2 at = robot.GetLocalPoint(manifold.points[i]);
-            (static_cast<double>(at.x) > p3dx::body_center ? front_ : rear_) = true;
+            points_.push_back({static_cast<double>(at.x), static_cast<double>(at.y)});
         }
     }
     if (against_fixed && free_ns_ >= apart_ns) ++collisions_;

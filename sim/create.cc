@@ -1,0 +1,59 @@
+#include "create.h"
+
+#include <algorithm>
+
+#include "create2.h"
+
+namespace frob::sim {
+
+Create::Create(const Scene &scene, std::uint64_t seed)
+    : Robot(create2::chassis(), scene, seed), holes_(scene.holes),
+      light_(scene.light, Noise(seed, light_stream)) {}
+
+void Create::look(std::int64_t time_ns, const World &world) {
+    light_.advance(time_ns, world);
+    if (holes_.empty()) return;
+    const Pose pose = world.robot_pose();
+    const auto over_hole = [&](Vec place) {
+        const Vec at = from_frame(pose, place);
+        return std::any_of(holes_.begin(), holes_.end(),
+                           [&](const Hole &hole) { return is_inside(hole.points, at); });
+    };
+    for (std::size_t i = 0; i < cliffs_.size(); ++i)
+        cliffs_[i] = over_hole(create2::cliff_radius * direction(create2::cliff_angles[i]));
+    left_drop_ = over_hole({0.0, chassis_.wheel_separation / 2});
+    right_drop_ = over_hole({0.0, -chassis_.wheel_separation / 2});
+    if (left_drop_ || right_drop_) {
+        fallen_ = true;
+        drive_.command(0.0, 0.0);
+    }
+}
+
+void Create::read(std::int64_t time_ns, void *into) {
+    frob_create_input input{};
+    read_motion(input);
+    for (const Vec &at : contacts_.points()) {
+        if (at.x <= 0.0) continue; // the bumper is in front
+        // What presses its middle presses both of its switches.
+        constexpr double middle = 0.02;
+        if (at.y > -middle) input.bumpLeft = true;
+        if (at.y < middle) input.bumpRight = true;
+    }
+    input.leftDrop = left_drop_;
+    input.rightDrop = right_drop_;
+    std::copy(cliffs_.begin(), cliffs_.end(), input.cliffs);
+    std::copy(light_.signals().begin(), light_.signals().end(), input.light);
+    input.leftOvercurrent = drive_.left_stalled();
+    input.rightOvercurrent = drive_.right_stalled();
+    input.battery = battery_voltage(time_ns);
+    input.charge = 1.0;
+    input.obeying = !fallen_;
+    *static_cast<frob_create_input *>(into) = input;
+}
+
+void Create::command(const void *output) {
+    const auto &wanted = *static_cast<const frob_create_output *>(output);
+    if (!fallen_) drive_.command(wanted.forward, wanted.turn);
+}
+
+} // namespace frob::sim

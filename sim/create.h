@@ -1,0 +1,32 @@
+// The simulated Create 2: what its controller reads and commands.
+#pragma once
+
+#include <frob/create.h>
+
+#include "light_bumpers.h"
+#include "robot.h"
+
+namespace frob::sim {
+
+class Create : public Robot {
+  public:
+    Create(const Scene &scene, std::uint64_t seed);
+
+    void read(std::int64_t time_ns, void *input) override;
+
+    // A wheel that hangs stops the robot for good, as in the modes Safe and
+    // Full; cliffs are the controller's business, as in mode Full.
+    void command(const void *output) override;
+
+    const std::vector<Echo> &echoes() const override { return light_.echoes(); }
+
+  private:
+    void look(std::int64_t time_ns, const World &world) override;
+
+    const std::vector<Hole> holes_;
+    LightBumpers light_;
+    std::array<bool, 4> cliffs_{};
+    bool left_drop_ = false, right_drop_ = false, fallen_ = false;
+};
+
+} // namespace frob::sim

@@ -1,0 +1,27 @@
+#include "light_bumpers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "create2.h"
+
+namespace frob::sim {
+
+void LightBumpers::advance(std::int64_t time_ns, const World &world) {
+    if (time_ns % refresh_ns != 0) return;
+    const RangeFinders &bumpers = create2::chassis().range_finders;
+    for (std::size_t i = 0; i < signals_.size(); ++i) {
+        const Pose from = from_frame(world.robot_pose(), bumpers.seats[i]);
+        const std::optional<double> distance =
+            nearest_in_cone(world, from, 0.0, create2::farthest_light, 1);
+        // Drawn in any case: what is seen does not change the noise of the rest.
+        const double gain = 1 + settings_.noise * noise_.normal();
+        const double signal =
+            distance ? gain * create2::light_constant / std::max(*distance * *distance, 1e-6) : 0.0;
+        signals_[i] = static_cast<std::int32_t>(
+            std::lround(std::clamp(signal, 0.0, double{create2::largest_signal})));
+        if (distance && time_ns % keep_ns == 0) echoes_.push_back({time_ns, i, *distance, from});
+    }
+}
+
+} // namespace frob::sim

@@ -1,0 +1,25 @@
+// The simulated Super Scout: what its controller reads and commands.
+#pragma once
+
+#include <frob/scout.h>
+
+#include "robot.h"
+#include "sonar.h"
+
+namespace frob::sim {
+
+class Scout : public Robot {
+  public:
+    Scout(const Scene &scene, std::uint64_t seed);
+
+    void read(std::int64_t time_ns, void *input) override;
+    void command(const void *output) override;
+    const std::vector<Echo> &echoes() const override { return sonar_.echoes(); }
+
+  private:
+    void look(std::int64_t time_ns, const World &world) override { sonar_.advance(time_ns, world); }
+
+    Sonar sonar_;
+};
+
+} // namespace frob::sim
