@@ -56,6 +56,7 @@ using Simulation = std::unique_ptr<frob_sim, SimulationCloser>;
 Simulation open_simulation(const Options &options) {
     char message[8192];
     frob_sim_settings settings{};
+    settings.robot = "pioneer";
     settings.seed = options.seed;
     settings.wall_distance_m = options.wall_distance_m;
     Simulation sim(frob_sim_open(options.world.c_str(), &settings, message, sizeof message));

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <string>
 
+#include <frob/pioneer.h>
+
 #include "firmware.h"
 #include "p2os_packet.h"
 #include "sim.h"
