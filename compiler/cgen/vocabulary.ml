@@ -107,10 +107,15 @@ let name_nodes scope ~name ~root (nodes : M.node array) =
             { state; reset; step = Name.fresh scope (own ^ "_step"); members; modes })
     nodes
 
-let name_array arrays scope ~name sums ty =
+let rec name_array arrays scope ~name sums (ty : M.ty) =
   match Hashtbl.find_opt arrays.names ty with
   | Some name -> name
   | None ->
+      (* The type of its elements is defined with it. *)
+      (match ty with
+      | Array (_, (Array _ as element)) ->
+          ignore (name_array arrays scope ~name sums element : string)
+      | Array _ | Bool | Int | Float | Nanoseconds | Sum _ -> ());
       let prefix = if Hashtbl.mem arrays.of_robots ty then "frob" else name in
       let name = Name.fresh scope (prefix ^ "_" ^ Array_type.name sums ty) in
       Hashtbl.replace arrays.names ty name;
