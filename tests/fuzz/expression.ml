@@ -39,15 +39,34 @@ let odd_floats =
 
 let ints = [ "0"; "1"; "2"; "(-1)"; "(-3)"; "7"; "100"; "65537"; "2147483647"; "(-2147483647 - 1)" ]
 
+let measure s u =
+  let unit = Type.unit_text u in
+  let number number = f "%s[%s]" number unit in
+  if chance s.random s.bias.odd_numbers then
+    one_of s.random [ f "(0[%s] / 0.0)" unit; f "(1[%s] / 0.0)" unit; f "(-%s)" (number "0.0"); number "1.0e300" ]
+  else
+    let scaled =
+      match u with
+      | { metres = 1; seconds = 0 } -> [ "250[mm]"; "0.1[km]"; "3[cm]" ]
+      | { metres = 0; seconds = 1 } -> [ "100[ms]"; "2[min]"; "1[us]" ]
+      | { metres = 0; seconds = -1 } -> [ "5[Hz]"; "30[rpm]" ]
+      | _ -> [ number "0.5" ]
+    in
+    one_of s.random ([ "0"; number "1"; number "2.5"; f "(-%s)" (number "0.1"); number "1.0e10" ] @ scaled)
+
 let construct (data : Type.data) (c : Type.constructor) arguments =
   if Type.is_record data then
     let field (name, _) argument = f "%s = %s" name argument in
     f "%s { %s }" c.name (String.concat ", " (List.map2 field c.fields arguments))
   else String.concat " " (c.name :: arguments)
 
+let array elements = f "[%s]" (String.concat ", " elements)
+
 let rec literal s (ty : Type.t) =
   match ty with
   | Float -> one_of s.random (if chance s.random s.bias.odd_numbers then odd_floats else floats)
+  | Measure u -> measure s u
+  | Array (n, t) -> array (List.init n (fun _ -> literal s t))
   | Int -> one_of s.random ints
   | Bool -> one_of s.random [ "True"; "False" ]
   | Tuple parts -> f "(%s)" (String.concat ", " (List.map (literal s) parts))
@@ -70,13 +89,13 @@ let rec pattern s (ty : Type.t) =
   | Data ({ constructors = [ c ]; _ } as data) when chance s.random 2 ->
       let patterns = List.map (fun (_, t) -> pattern s t) c.fields in
       (f "(%s)" (construct data c (List.map fst patterns)), List.concat_map snd patterns)
-  | Float | Int | Bool | Tuple _ | Data _ -> variable s ty
+  | Float | Measure _ | Int | Bool | Tuple _ | Array _ | Data _ -> variable s ty
 
 (* Patterns that cover a type together, each with its variables. *)
 let rec cover s depth (ty : Type.t) =
   match ty with
   | _ when depth = 0 -> [ pattern s ty ]
-  | Float -> [ variable s ty ]
+  | Float | Measure _ | Array _ -> [ variable s ty ]
   | Int ->
       let number = f "%d" (Random.State.int s.random 4) in
       [ (number, []); pattern s ty ]
@@ -124,7 +143,7 @@ let rec expression s fuel ty =
   let atom () =
     match variables_of s ty with
     | _ :: _ as all when not (chance s.random 6) -> fst (one_of s.random all)
-    | _ -> ( match (ty : Type.t) with Tuple _ -> parts s fuel ty | _ -> literal s ty)
+    | _ -> ( match (ty : Type.t) with Tuple _ | Array _ -> parts s fuel ty | _ -> literal s ty)
   in
   if fuel <= 0 then atom ()
   else
@@ -138,6 +157,7 @@ let rec expression s fuel ty =
           (4, fun () -> case s (fuel - 1) ty);
           (1, fun () -> let_ s (fuel - 1) ty);
           (4, fun () -> polymorphic s (fuel - 1) ty);
+          (2, fun () -> of_array s (fuel - 1) ty);
           (2, fun () -> higher_order s (fuel - 1) ty);
           (1, fun () -> field s (fuel - 1) ty);
           (weight (functions_to s ty <> []) 4, fun () -> call s (fuel - 1) ty);
@@ -161,14 +181,17 @@ and extreme s fuel ty =
 and parts s fuel (ty : Type.t) =
   match ty with
   | Tuple parts -> f "(%s)" (String.concat ", " (List.map (expression s fuel) parts))
-  | Float | Int | Bool | Data _ -> expression s fuel ty
+  | Array (n, t) -> array (List.init n (fun _ -> expression s fuel t))
+  | Float | Measure _ | Int | Bool | Data _ -> expression s fuel ty
 
 and by_type s fuel (ty : Type.t) =
   match ty with
   | Float -> float s fuel
   | Int -> int s fuel
   | Bool -> bool s fuel
+  | Measure u -> quantity s fuel u
   | Tuple _ -> parts s fuel ty
+  | Array (n, t) -> computed_array s fuel n t
   | Data _ when Type.event_payload ty <> None && not (chance s.random 4) ->
       event s fuel (Option.get (Type.event_payload ty))
   | Data data ->
@@ -179,17 +202,85 @@ and by_type s fuel (ty : Type.t) =
         f "(%s { %s = %s })" (typed (expression s fuel ty) ty) name (expression s fuel t)
       else typed (construct data c arguments) ty
 
+(* A function of the values of the instant. *)
+and function_ s fuel arguments result =
+  let inside = elsewhere s in
+  let patterns = List.map (pattern inside) arguments in
+  f "(\\%s -> %s)"
+    (String.concat " " (List.map fst patterns))
+    (expression (bind (List.concat_map snd patterns) inside) fuel result)
+
+and any_array s = (1 + Random.State.int s.random 4, any_type s)
+
+and some_array s fuel (n, t) = typed (expression s fuel (Array (n, t))) (Array (n, t))
+
+and computed_array s fuel n t =
+  let whole : Type.t = Array (n, t) in
+  let other = any_type s and fuel = fuel - 1 in
+  match Random.State.int s.random 8 with
+  | 0 -> f "(map %s %s)" (function_ s fuel [ other ] t) (some_array s fuel (n, other))
+  | 1 -> f "(imap %s %s)" (function_ s fuel [ Int; other ] t) (some_array s fuel (n, other))
+  | 2 ->
+      let third = any_type s in
+      f "(zipWith %s %s %s)" (function_ s fuel [ other; third ] t) (some_array s fuel (n, other))
+        (some_array s fuel (n, third))
+  | 3 ->
+      f "(scanl %s %s %s)" (function_ s fuel [ t; other ] t) (expression s fuel t)
+        (some_array s fuel (n, other))
+  | 4 -> f "(replace %s %s %s)" (index s fuel) (expression s fuel t) (some_array s fuel (n, t))
+  | 5 -> typed (f "generate %s" (function_ s fuel [ Int ] t)) whole
+  | _ -> parts s fuel whole
+
+and index s fuel =
+  if chance s.random 2 then expression s fuel Int else one_of s.random [ "0"; "1"; "2"; "3"; "(-1)"; "4" ]
+
+(* What comes out of an array. *)
+and of_array s fuel ty =
+  let own = (1 + Random.State.int s.random 4, ty) and ((_, element) as other) = any_array s in
+  let key : Type.t =
+    match Random.State.int s.random 4 with 0 -> Int | 1 -> Measure (Type.any_measure s.random) | _ -> Float
+  in
+  match (Random.State.int s.random 8, (ty : Type.t)) with
+  | 0, Int -> f "(length %s)" (some_array s fuel other)
+  | (0 | 1), Bool ->
+      f "(%s %s %s)" (one_of s.random [ "any"; "all" ]) (function_ s fuel [ element ] Bool)
+        (some_array s fuel other)
+  | (0 | 1 | 2), _ ->
+      f "(foldl %s %s %s)" (function_ s fuel [ ty; element ] ty) (expression s fuel ty)
+        (some_array s fuel other)
+  | (3 | 4), _ ->
+      f "(%s %s %s)" (one_of s.random [ "minimumBy"; "maximumBy" ]) (function_ s fuel [ ty ] key)
+        (some_array s fuel own)
+  | 5, _ -> f "(%s ! %d)" (some_array s fuel own) (Random.State.int s.random (fst own))
+  | _, _ -> f "(at %s %s %s)" (index s fuel) (expression s fuel ty) (some_array s fuel own)
+
+and quantity s fuel ({ metres; seconds } as u) =
+  let ty = Type.Measure u in
+  let part () = Random.State.int s.random 3 - 1 in
+  match Random.State.int s.random 10 with
+  | 0 | 1 -> infix s fuel (one_of s.random [ "+"; "-" ]) ty
+  | 2 -> unary s fuel (one_of s.random [ "negate"; "abs" ]) ty
+  | 3 -> extreme s fuel ty
+  | 4 -> binary s fuel (one_of s.random [ "hypot"; "limit"; "deadband" ]) ty
+  | 5 ->
+      let square = Type.measure ~metres:(2 * metres) ~seconds:(2 * seconds) in
+      f "(sqrt %s)" (typed (expression s fuel square) square)
+  | 6 | 7 ->
+      let m = part () and n = part () in
+      let left = Type.measure ~metres:m ~seconds:n
+      and right = Type.measure ~metres:(metres - m) ~seconds:(seconds - n) in
+      f "(%s * %s)" (typed (expression s fuel left) left) (typed (expression s fuel right) right)
+  | _ ->
+      let m = part () and n = part () in
+      let above = Type.measure ~metres:(metres + m) ~seconds:(seconds + n)
+      and below = Type.measure ~metres:m ~seconds:n in
+      f "(%s / %s)" (typed (expression s fuel above) above) (typed (expression s fuel below) below)
+
 and event s fuel payload =
   let ty = Type.event payload in
   let other = any_type s in
   let any event = typed (expression s fuel (Type.event event)) (Type.event event) in
-  let function_ arguments result =
-    let inside = elsewhere s in
-    let patterns = List.map (pattern inside) arguments in
-    f "(\\%s -> %s)"
-      (String.concat " " (List.map fst patterns))
-      (expression (bind (List.concat_map snd patterns) inside) fuel result)
-  in
+  let function_ arguments result = function_ s fuel arguments result in
   match (Random.State.int s.random 9, payload) with
   | 0, _ -> f "(mapE %s %s)" (function_ [ other ] payload) (any other)
   | 1, _ -> f "(tag %s %s)" (any other) (expression s fuel payload)
@@ -201,7 +292,13 @@ and event s fuel payload =
   | _, _ -> typed (f "Event %s" (expression s fuel payload)) ty
 
 and float s fuel =
-  match Random.State.int s.random 12 with
+  match Random.State.int s.random 14 with
+  | 12 ->
+      let u = Type.any_measure s.random in
+      f "(%s / 1[%s])" (expression s fuel (Measure u)) (Type.unit_text u)
+  | 13 ->
+      let ty = Type.Measure (Type.any_measure s.random) in
+      f "(%s %s %s)" "atan2" (typed (expression s fuel ty) ty) (expression s fuel ty)
   | 0 | 1 | 2 | 3 -> infix s fuel (one_of s.random [ "+"; "-"; "*"; "/" ]) Float
   | 4 -> unary s fuel (one_of s.random [ "negate"; "abs"; "signum"; "sqrt" ]) Float
   | 5 -> extreme s fuel Float
@@ -223,7 +320,13 @@ and int s fuel =
   | 5 -> unary s fuel (one_of s.random [ "negate"; "abs"; "signum" ]) Int
   | 6 -> extreme s fuel Int
   | 7 -> f "(%s ^ %s)" (expression s fuel Int) (one_of s.random [ "0"; "1"; "2"; "3"; "9" ])
-  | _ -> unary s fuel (one_of s.random [ "round"; "floor"; "ceiling"; "truncate" ]) Float
+  | n ->
+      (* Of a unit: without it again, as a whole number of them. *)
+      let name = one_of s.random [ "round"; "floor"; "ceiling"; "truncate" ] in
+      if n = 9 && chance s.random 3 then
+        let u = Type.any_measure s.random in
+        f "(div (%s %s) 1[%s])" name (typed (expression s fuel (Measure u)) (Measure u)) (Type.unit_text u)
+      else unary s fuel name Float
 
 and bool s fuel =
   match Random.State.int s.random 9 with
@@ -299,7 +402,7 @@ and polymorphic s fuel ty =
       match (ty : Type.t) with
       | Float | Int -> f "(oneMore %s)" (e ty)
       | Bool -> f "(firstDiffers %s %s)" (typed (e other) other) (e other)
-      | Tuple _ | Data _ -> f "(id %s)" (e ty))
+      | Measure _ | Tuple _ | Array _ | Data _ -> f "(id %s)" (e ty))
   | _ -> f "(id %s)" (e ty)
 
 (* Methods of the classes that all programs share. *)
@@ -318,7 +421,7 @@ and overloaded s fuel ty =
       f "(bigger %s %s)" (e other) (e other)
   | _ when Type.has_instances ~measured:false ty && chance s.random 2 -> f "(next %s)" (e ty)
   | _ when Type.has_instances ~measured:true ty -> f "(largest %s %s)" (e ty) (e ty)
-  | Int | Tuple _ | Data _ -> f "(id %s)" (expression s fuel ty)
+  | Measure _ | Int | Tuple _ | Array _ | Data _ -> f "(id %s)" (expression s fuel ty)
 
 (* Functions that are values of the instant. *)
 and higher_order s fuel ty =
@@ -343,7 +446,7 @@ and field s fuel ty =
   let fields_of : Type.t -> _ = function
     | Data ({ constructors = [ c ]; _ } as data) as record when Type.is_record data ->
         List.filter_map (fun (name, t) -> if t = ty then Some (record, name) else None) c.fields
-    | Float | Int | Bool | Tuple _ | Data _ -> []
+    | Float | Measure _ | Int | Bool | Tuple _ | Array _ | Data _ -> []
   in
   match List.concat_map fields_of s.declared with
   | [] -> by_type s fuel ty

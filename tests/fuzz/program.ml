@@ -80,6 +80,11 @@ instance (Measured a, Measured b) => Measured (a, b) where
     size (x, y) = size x + size y
     smooth = proc (x, y) -> smooth x - smooth y
 
+instance Measured a => Measured (Array n a) where
+    size xs = foldl (\total x -> total + size x) 0 xs
+    bigger xs ys = any (\x -> bigger x (at 0 x ys)) xs
+    smooth = proc xs -> foldl max 0 (mapSF smooth xs)
+
 instance Renewed Float[u] where
     next x = x + x
 
@@ -99,6 +104,10 @@ instance Renewed a => Renewed (Event a) where
 instance (Renewed a, Renewed b) => Renewed (a, b) where
     next (x, y) = if bigger x x then (next x, y) else (x, next y)
 
+instance Renewed a => Renewed (Array n a) where
+    next xs = imap (\i x -> at (i + 1) (next x) xs) xs
+    paced least = proc xs -> tag (foldl mergeE NoEvent (mapSF (paced least) xs)) xs
+
 largest :: Measured a => a -> a -> a
 largest x y = if bigger x y then x else y
 
@@ -111,7 +120,11 @@ sideBySide g h = proc (x, y) -> (g x, h y)
 |}
 
 let input_type : Type.t =
-  Tuple [ Float; Int; Bool; Type.event Float; Type.maybe (Tuple [ Int; Bool ]); Float ]
+  Tuple
+    [
+      Float; Int; Bool; Type.event Float; Type.maybe (Tuple [ Int; Bool ]); Float; Array (3, Float);
+      Measure { metres = 1; seconds = 0 };
+    ]
 
 let define_function (s : Signal_function.scope) name =
   let values = s.values in

@@ -81,7 +81,7 @@ let source m fuel (a : Type.t) b payload =
         match Type.event_payload e with
         | Some x when Type.Tuple [ x; y ] = payload -> [ (8, fun () -> "snapshot") ]
         | Some _ | None -> [])
-    | Float | Int | Tuple _ | Data _ -> []
+    | Float | Measure _ | Int | Tuple _ | Array _ | Data _ -> []
   in
   (if a = payload then [ (4, fun () -> f "(change :: SF %s %s)" (Type.text a) (Type.text b)) ] else [])
   @ (if a = Type.maybe payload then [ (6, fun () -> "edgeJust") ] else [])
@@ -205,9 +205,9 @@ let alternatives m fuel a b =
     @ composed m fuel a b @ [ (1, fun () -> accumulated_functions m fuel a b) ]
     @
     match a with
-    | Tuple [ x; (Float | Int) ] when x = b ->
+    | Tuple [ x; (Float | Measure _ | Int) ] when x = b ->
         [ (3, fun () -> one_of m.values.random [ "atMin"; "atMax" ]) ]
-    | Float | Int | Bool | Tuple _ | Data _ -> []
+    | Float | Measure _ | Int | Bool | Tuple _ | Array _ | Data _ -> []
   and switching =
     [
       (3, fun () -> once_switched m fuel a b);

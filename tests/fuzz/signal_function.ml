@@ -58,6 +58,22 @@ and expression s fuel (a : Type.t) (b : Type.t) =
               "(integral >>> arr (\\x -> x / 1[s]))"; "(derivative >>> arr (\\x -> x * 1[s]))";
               "(lowPass 0.3[s])"; "(movingAverage [1, 2, 1])"; "previous"; "(rateLimit 2[1/s])";
             ] );
+      ( (match (a, b) with
+         | Array (n, _), Array (n', _) when n = n' && fuel > 0 -> 10
+         | _ -> 0),
+        fun () ->
+          match (a, b) with
+          | Array (_, x), Array (_, y) -> f "(mapSF %s)" (sub x y)
+          | _ -> arr () );
+      ( (match (a, b) with
+         | Measure u, Measure v when v = { u with seconds = u.seconds + 1 } -> 6
+         | Measure u, Measure v when v = { u with seconds = u.seconds - 1 } -> 6
+         | _ -> 0),
+        fun () ->
+          match (a, b) with
+          | Measure u, Measure v -> if v.seconds > u.seconds then "integral" else "derivative"
+          | _ -> arr () );
+      ((match b with Measure { metres = 0; seconds = 1 } -> 4 | _ -> 0), fun () -> "time");
       ( (match (a, b) with Float, Bool -> 3 | _ -> 0),
         fun () -> "(hysteresis (-0.5) 0.5)" );
       ((match (a, b) with Bool, Bool -> 2 | _ -> 0), fun () -> "(debounce 0.25[s])");
@@ -83,6 +99,10 @@ and expression s fuel (a : Type.t) (b : Type.t) =
           fun () ->
             let inner = sub (Tuple [ a; middle ]) (Tuple [ b; middle ]) in
             f "(feedback %s %s)" (literal s middle) inner );
+        ( 1,
+          fun () ->
+            let inner = sub (Tuple [ a; middle ]) (Tuple [ b; middle ]) in
+            f "(loop (second (delay %s) >>> %s))" (literal s middle) inner );
         (2, fun () -> inline s fuel a b);
         (1, fun () -> f "(twiceOver %s %s)" (sub a b) (sub b b));
         ( (match b with Tuple [ _; _ ] -> 4 | _ -> 0),
@@ -111,6 +131,9 @@ and maker s =
 
 (* {1 Instances} *)
 
+and typed_expression values fuel ty =
+  f "(%s :: %s)" (Expression.expression values fuel ty) (Type.text ty)
+
 (* An instance in the place of an expression. *)
 and running s values fuel ty =
   let input = Expression.any_type s.values in
@@ -121,6 +144,12 @@ and running s values fuel ty =
   else
     match (ty, Random.State.int s.values.random 4) with
     | Float, 0 -> "(time () / 1[s])"
+    | Measure { metres; seconds }, (0 | 1) ->
+        let rate = Type.measure ~metres ~seconds:(seconds - 1) in
+        f "(integral %s)" (typed_expression values fuel rate)
+    | Measure { metres; seconds }, 2 ->
+        let amount = Type.measure ~metres ~seconds:(seconds + 1) in
+        f "(derivative %s)" (typed_expression values fuel amount)
     | Float, 1 -> f "(derivative %s * 1[s])" (Expression.expression values fuel Float)
     | _ when chance s.values.random 2 ->
         f "(delay %s %s)" (literal s ty) (Expression.expression values fuel ty)
@@ -140,6 +169,9 @@ let equation s ~signals ~later (name, ty) =
   let e ?(scope = signals) fuel ty = Expression.expression scope fuel ty in
   match (Random.State.int random 8, (ty : Type.t)) with
   | 0, Float -> f "%s = integral %s / 1[s]" name (e ~scope:later 2 Float)
+  | (0 | 1), Measure { metres; seconds } ->
+      let rate = Type.measure ~metres ~seconds:(seconds - 1) in
+      f "%s = integral %s" name (typed_expression later 2 rate)
   | (0 | 1 | 2), _ -> f "%s = delay %s %s" name (literal s ty) (e ~scope:later 2 ty)
   | 3, _ ->
       let input = Expression.any_type s.values in

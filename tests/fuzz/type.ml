@@ -1,15 +1,25 @@
 type t =
   | Float
+  | Measure of measure
   | Int
   | Bool
   | Tuple of t list
+  | Array of int * t
   | Data of data
+
+and measure = { metres : int; seconds : int }
 
 and data = { head : string; constructors : constructor list }
 and constructor = { name : string; fields : (string * t) list }
 
+let unit_text { metres; seconds } =
+  let power name = function 0 -> [] | 1 -> [ name ] | k -> [ Printf.sprintf "%s^%d" name k ] in
+  String.concat " " (power "m" metres @ power "s" seconds)
+
 let rec text = function
   | Float -> "Float"
+  | Measure u -> Printf.sprintf "Float[%s]" (unit_text u)
+  | Array (n, t) -> Printf.sprintf "(Array %d %s)" n (text t)
   | Int -> "Int"
   | Bool -> "Bool"
   | Tuple parts -> "(" ^ String.concat ", " (List.map text parts) ^ ")"
@@ -33,7 +43,10 @@ let unit = Tuple []
 
 let event_payload = function
   | Data { constructors = [ { name = "NoEvent"; _ }; { fields = [ (_, t) ]; _ } ]; _ } -> Some t
-  | Float | Int | Bool | Tuple _ | Data _ -> None
+  | Float | Measure _ | Int | Bool | Tuple _ | Array _ | Data _ -> None
+
+let measure ~metres ~seconds =
+  if metres = 0 && seconds = 0 then Float else Measure { metres; seconds }
 
 let either a b =
   Data
@@ -43,7 +56,8 @@ let either a b =
     }
 
 let rec has_instances ~measured = function
-  | Float | Int | Bool -> true
+  | Float | Measure _ | Int | Bool -> true
+  | Array (_, t) -> has_instances ~measured t
   | Tuple [ a; b ] -> has_instances ~measured a && has_instances ~measured b
   | Tuple _ -> false
   | Data { constructors = [ { name = "Left"; fields }; { fields = others; _ } ]; _ } ->
@@ -60,11 +74,22 @@ let is_record data =
 let scalar random =
   match Random.State.int random 5 with 0 | 1 -> Float | 2 | 3 -> Int | _ -> Bool
 
+let measures =
+  [
+    { metres = 1; seconds = 0 }; { metres = 0; seconds = 1 }; { metres = 1; seconds = -1 };
+    { metres = 2; seconds = 0 }; { metres = 1; seconds = -2 }; { metres = 0; seconds = -1 };
+  ]
+
+let any_measure random = List.nth measures (Random.State.int random (List.length measures))
+
 let rec of_depth random ~declared depth =
-  if depth = 0 then scalar random
+  if depth = 0 then
+    if Random.State.int random 8 = 0 then Measure (any_measure random) else scalar random
   else
     let inner () = of_depth random ~declared (depth - 1) in
-    match Random.State.int random 12 with
+    match Random.State.int random 15 with
+    | 12 | 13 -> Array (1 + Random.State.int random 4, inner ())
+    | 14 -> Measure (any_measure random)
     | 0 | 1 -> Tuple [ inner (); inner () ]
     | 2 -> Tuple [ inner (); inner (); inner () ]
     | 3 -> maybe (inner ())
@@ -99,4 +124,4 @@ let declaration = function
       in
       Printf.sprintf "data %s = %s\n" head
         (String.concat " | " (List.map constructor constructors))
-  | Float | Int | Bool | Tuple _ -> invalid_arg "Type.declaration"
+  | Float | Measure _ | Int | Bool | Tuple _ | Array _ -> invalid_arg "Type.declaration"
