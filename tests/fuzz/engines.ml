@@ -54,7 +54,9 @@ let internal_error : exn -> string option = function
 let guarded act =
   match act () with
   | result -> result
-  | exception exn when internal_error exn <> None -> Error (Failed (Option.get (internal_error exn)))
+  | exception exn when internal_error exn <> None ->
+      (* With OCAMLRUNPARAM=b, where it was. *)
+      Error (Failed (Option.get (internal_error exn) ^ "\n" ^ Printexc.get_backtrace ()))
 
 let load tools ~entry file =
   guarded @@ fun () ->
@@ -102,7 +104,7 @@ let write path text =
 
 let in_process tools subject recordings =
   List.iter
-    (fun (file, text) -> write (tools.folder / file) (In_process.with_whole_registers text))
+    (fun (file, text) -> write (tools.folder / file) (In_process.for_tcc text))
     subject.files;
   let sources =
     List.filter_map

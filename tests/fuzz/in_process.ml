@@ -6,16 +6,25 @@ external release : t -> unit = "in_process_release"
 
 (* Where tcc 0.9.27 receives a struct that a function returns in registers, it
    writes whole registers: if the struct's size is no multiple of theirs, over the
-   variable beside it. So all structs get such a size. *)
-let with_whole_registers text =
+   variable beside it. So all structs get such a size. And it does not find that a
+   sum with NaN or infinity in it is constant, so local tables are variables. *)
+let for_tcc text =
   let starts_struct line =
     String.starts_with ~prefix:"struct " line && String.ends_with ~suffix:"{" line
   in
+  let table = "static const " in
+  let adapted after_start line =
+    let indented = String.trim line in
+    let is_local = String.length indented < String.length line in
+    let from = String.length table in
+    if after_start then "_Alignas(8) " ^ indented
+    else if is_local && String.starts_with ~prefix:table indented then
+      "const " ^ String.sub indented from (String.length indented - from)
+    else line
+  in
   let rec go after_start = function
     | [] -> []
-    | line :: lines ->
-        let line = if after_start then "_Alignas(8) " ^ String.trim line else line in
-        line :: go (starts_struct line) lines
+    | line :: lines -> adapted after_start line :: go (starts_struct line) lines
   in
   String.concat "\n" (go false (String.split_on_char '\n' text))
 

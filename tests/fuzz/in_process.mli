@@ -3,7 +3,7 @@
 
 type t
 
-val with_whole_registers : string -> string
+val for_tcc : string -> string
 (** Generated C such as tcc compiles rightly. *)
 
 val compile : headers:string -> folder:string -> string list -> (t, string) result

@@ -115,7 +115,7 @@ let work s worker ~folder =
 let () =
   let s = settings () in
   (* Many short-lived values: a large nursery saves most of the collector's work. *)
-  Gc.set { (Gc.get ()) with minor_heap_size = 1_000_000; space_overhead = 200 };
+  Gc.set { (Gc.get ()) with minor_heap_size = 4_000_000; space_overhead = 1000 };
   (* Sanitized programs run in a process that ends: what they hold is no leak. *)
   Unix.putenv "ASAN_OPTIONS" "detect_leaks=0";
   let folder = temporary_folder () in

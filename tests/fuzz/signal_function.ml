@@ -63,7 +63,8 @@ and expression s fuel (a : Type.t) (b : Type.t) =
          | _ -> 0),
         fun () ->
           match (a, b) with
-          | Array (_, x), Array (_, y) -> f "(mapSF %s)" (sub x y)
+          | Array (_, x), Array (_, y) ->
+              f "(mapSF %s :: SF %s %s)" (sub x y) (Type.text a) (Type.text b)
           | _ -> arr () );
       ( (match (a, b) with
          | Measure u, Measure v when v = { u with seconds = u.seconds + 1 } -> 6
