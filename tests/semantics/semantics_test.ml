@@ -1,5 +1,5 @@
 (* docs/semantics.md: each table is what its program does in both engines, and
-   each event primitive and switch has a passage with its type. The appendix of
+   each event primitive, switch and task has a passage with its type. The appendix of
    docs/language.md: every name of the prelude, with its type. *)
 
 let root = "../.."
@@ -176,11 +176,11 @@ let types_of_the_library () =
 let each_has_a_passage () =
   let of_table ((heading, table) : string * Page.table) =
     match heading with
-    | "Events" | "Switches" -> List.concat_map names (List.tl table.rows)
+    | "Events" | "Switches" | "Tasks" -> List.concat_map names (List.tl table.rows)
     | _ -> []
   in
   let wanted = List.concat_map of_table tables in
-  Alcotest.(check bool) "the appendix has events and switches" true (List.length wanted > 40);
+  Alcotest.(check bool) "the appendix has events, switches and tasks" true (List.length wanted > 60);
   let shown name = List.exists (fun passage -> List.mem name passage.names) passages in
   nothing "without a passage" (List.filter (fun name -> not (shown name)) wanted)
 
@@ -206,7 +206,7 @@ let () =
         [
           Alcotest.test_case "has every name of the prelude" `Quick every_name;
           Alcotest.test_case "has the library's types" `Quick types_of_the_library;
-          Alcotest.test_case "has a passage for each event and switch" `Quick each_has_a_passage;
+          Alcotest.test_case "has a passage for each event, switch and task" `Quick each_has_a_passage;
         ] );
       ("passages", List.concat_map cases passages);
     ]
