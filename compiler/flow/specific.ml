@@ -102,6 +102,20 @@ let parameters (program : Ir.program) =
   done;
   { program with nodes }
 
+(* What all modes put out alike is a literal. *)
+let outputs_of_modes (nodes : Ir.node array) substitution (machine : Ir.machine) =
+  let of_modes = List.map (fun mode -> List.map snd nodes.(mode).outputs) machine.modes in
+  let rec each (outputs : Ir.signal list) rests =
+    match outputs with
+    | [] -> ()
+    | s :: others ->
+        (match List.fold_left join Nothing (List.map List.hd rests) with
+        | Always literal -> Substitution.replace substitution s literal
+        | Nothing | Different -> ());
+        each others (List.map List.tl rests)
+  in
+  each machine.outputs of_modes
+
 (* And here callees before callers. *)
 let outputs (program : Ir.program) =
   let nodes = Array.copy program.nodes in
@@ -130,6 +144,7 @@ let outputs (program : Ir.program) =
               | None -> ())
             i.outputs callee.outputs)
         node.instances;
+      Option.iter (outputs_of_modes nodes substitution) node.machine;
       nodes.(index) <- Substitution.node substitution node)
     nodes;
   { program with nodes }

@@ -64,14 +64,16 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
       | None -> bug "`%s` is not in scope" local.name
       | Some { contents = Polymorphic generic; _ } -> instantiate c s generic types
       | Some entry -> Closure.forced entry)
-  | Global (name, types) -> global c s target e name (List.map (Types.close s.types) types)
+  | Global (name, types) ->
+      let value = global c s target e name (List.map (Types.close s.types) types) in
+      Task.named c ~name:(if name.module_ = "Prelude" then None else Some name.name) ~at:e.span value
   | Method { class_; name; ty; types } -> (
       let types = List.map (Types.close s.types) types in
       match Core.Instance.find c.instances ~class_ ~name (Types.close s.types ty) types with
       | Some (definition, types) -> global c s target e definition types
       | None -> bug "the method `%s` at an open type" name)
   | Primitive (primitive, types) ->
-      Primitive { primitive; types = List.map (Types.close s.types) types; arguments = []; owner = s.owner }
+      Primitive { primitive; types = List.map (Types.close s.types) types; arguments = []; owner = s.owner; at = e.span }
   | Number value -> Atom (number (Types.close s.types e.ty) value)
   | Boolean b -> Atom (Bool b)
   | String text -> Text text
@@ -80,7 +82,9 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
   | Proc proc -> Signal_function (closure c s target (Proc proc) ~name:proc.name ~span:e.span)
   | Apply (f, argument) -> spine c s target e f [ argument ]
   | Let { binder; parameters = []; value; body } ->
+      let at = value.span in
       let value = expr c s (Named binder.local.name) value in
+      let value = Task.named c ~name:(Some binder.local.name) ~at value in
       let ty = Types.close s.types binder.ty in
       expr c { s with locals = bind binder ty value s.locals } target body
   | Let { binder; parameters; value; body } ->
@@ -142,10 +146,12 @@ and spine (c : Context.t) s target (whole : Ir.expr) (f : Ir.expr) arguments =
   | Apply (f, argument) -> spine c s target whole f (argument :: arguments)
   | Local _ | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ | Lambda _ | Let _
   | Tuple _ | Component _ | Array _ | Index _ | Construct _ | Is_constructor _ | Payload _ | If _ | Proc _ ->
+      let name = match f.desc with Global (g, _) when g.module_ <> "Prelude" -> Some g.name | _ -> None in
       let f = expr c s Unnamed f in
       let arguments = List.map (argument c s) arguments in
       let result = Types.close s.types whole.ty in
-      apply c s target ~span:whole.span ~result f arguments
+      let value = apply c s target ~span:whole.span ~result f arguments in
+      Task.named c ~name ~at:whole.span value
 
 and argument (c : Context.t) s (e : Ir.expr) : Value.argument =
   let value = expr c s Unnamed e in
@@ -229,7 +235,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
   | _, [] -> f
   | Function ({ code = Lambda (binder, body); captured; _ } as closure), first :: others ->
       apply_lambda c s target ~span ~result closure captured binder body first others
-  | Primitive { primitive; types; arguments = before; owner = _ }, _ -> (
+  | Primitive { primitive; types; arguments = before; owner = _; at = _ }, _ -> (
       let all = List.rev_append arguments before in
       let missing = Core.Primitive.arity primitive - List.length all in
       match (primitive, all) with
@@ -238,8 +244,9 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
           | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right
           | Return | Sequence | Run_task ),
           _ ) ->
-          Primitive { primitive; types; arguments = all; owner = s.owner }
-      | _, _ when missing > 0 -> Primitive { primitive; types; arguments = all; owner = s.owner }
+          Primitive { primitive; types; arguments = all; owner = s.owner; at = span }
+      | _, _ when missing > 0 ->
+          Primitive { primitive; types; arguments = all; owner = s.owner; at = span }
       | (At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl), _ ->
           on_arrays c s target ~span ~result primitive types (List.rev all)
       | _, _ -> Operation.apply (position c s span) target primitive ~result (List.rev all))
@@ -359,20 +366,18 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
 
 (* [Left] the output, or [Right] what the task has ended with. *)
 and run_task (c : Context.t) s target ~span ~result ~output ~ended signal_function input =
-  let event = Machine.event_type ended in
-  let both : Ir.ty = Tuple [ output; event ] in
-  let value = Machine.run c (evaluator s) s.trail s.node Unnamed ~span ~result:both signal_function input in
-  let shown = Leaves.component value 0 and event_value = Leaves.component value 1 in
-  let types = c.types in
-  match Leaves.is_constructor types s.node Unnamed ~span event event_value 1 with
-  | Bool false -> Value.Constructed { constructor = 0; arguments = [ shown ] }
-  | condition ->
-      let value =
-        Leaves.payload types s.node Unnamed ~span event event_value ~constructor:1 ~field:0
-      in
-      Leaves.select types s.node target ~span result condition
-        (Constructed { constructor = 1; arguments = [ value ] })
-        (Constructed { constructor = 0; arguments = [ shown ] })
+  let parts : Ir.ty = Tuple [ output; Bool; ended ] in
+  let value =
+    Machine.run c (evaluator s) s.trail s.node Unnamed ~span ~result:parts signal_function input
+  in
+  let part = Leaves.component value in
+  let left : Value.t = Constructed { constructor = 0; arguments = [ part 0 ] } in
+  match part 1 with
+  | Atom (Bool false) -> left
+  | Atom condition ->
+      let right : Value.t = Constructed { constructor = 1; arguments = [ part 2 ] } in
+      Leaves.select c.types s.node target ~span result condition right left
+  | _ -> bug "whether a task has ended is no Bool"
 
 (* What comes out may be a function, and be applied to what is left. *)
 and on_arrays (c : Context.t) s target ~span ~result primitive types arguments =
@@ -545,7 +550,8 @@ and proc_body (c : Context.t) s (proc : Ir.proc) : Value.t =
 
 and equation (c : Context.t) s target ty (eq : Ir.equation) =
   match eq.rhs with
-  | Pure e -> expr c s target e
+  | Pure e ->
+      expr c s target e |> Task.named c ~name:(Some eq.binder.local.name) ~at:e.span
   | Run { signal_function; input } ->
       let signal_function = expr c s Unnamed signal_function in
       run c s target ~span:eq.span ~result:ty signal_function (argument c s input)

@@ -83,10 +83,10 @@ let rec choices m node ~span (value : Value.t) =
       | _, _ ->
           let then_ = choices m node ~span then_ in
           If (condition, then_, choices m node ~span else_))
-  | Primitive { primitive = Run_task; types; arguments = [ task ]; owner } ->
+  | Primitive { primitive = Run_task; types; arguments = [ task ]; owner; at } ->
       let apply ~span = m.evaluator.apply m.context m.trail node ~span in
       let run value : Value.t =
-        Primitive { primitive = Run_task; types; arguments = [ { task with value } ]; owner }
+        Primitive { primitive = Run_task; types; arguments = [ { task with value } ]; owner; at }
       in
       let rec each : Value.t -> choice = function
         | Choice { condition; then_; else_ } ->
@@ -123,6 +123,16 @@ let name_of (value : Value.t) =
   | Choice _ -> "choice"
   | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Program _ | Unspecified -> "mode"
 
+let mode_name (value : Value.t) =
+  match value with
+  | Primitive { primitive = Run_task; arguments = [ task ]; _ } -> Task.name task.value
+  | _ -> name_of value
+
+let mode_place ~otherwise (value : Value.t) =
+  match value with
+  | Primitive { primitive = Run_task; arguments = [ task ]; _ } -> Task.place task.value
+  | _ -> place_of ~otherwise value
+
 (* The mode in which a signal function runs, and what it gets for parameters. *)
 let mode_of m node ~from ~at value =
   let walk = Skeleton.walk m.context.keys node Holes in
@@ -133,11 +143,11 @@ let mode_of m node ~from ~at value =
     match Variables.Table.find_opt m.known key with
     | Some known -> known
     | None ->
-        let name = name_of value in
+        let name = mode_name value in
         let growth = Growth.of_value value ~at ~from in
         if Growth.is_endless growth then Growth.report m.context ~name growth;
         Context.count m.context m.trail ~name ~span:at;
-        let place = place_of ~otherwise:at value in
+        let place = mode_place ~otherwise:at value in
         let mode = { number = m.count; value; holes; name; at; place; growth } in
         m.count <- m.count + 1;
         Variables.Table.replace m.known key mode;
@@ -239,10 +249,9 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
       let event : Value.t = Constructed { constructor = 1; arguments = [ input.value ] } in
       (Unspecified, next ~delayed:false input.ty event chosen.value)
   | Primitive ({ primitive = Run_task; arguments = [ task ]; _ } as runs) -> (
-      let none : Value.t = Constructed { constructor = 0; arguments = [] } in
       match Task.head task.value with
       | Ends result ->
-          (Product [ Unspecified; Constructed { constructor = 1; arguments = [ result.value ] } ], [])
+          (Product [ Unspecified; Atom (Bool true); result.value ], [])
       | Runs { signal_function; primitive; output; result } ->
           let name = mode.name in
           let shown, occurs, ended =
@@ -269,9 +278,10 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
             match occurs with
             | Bool false -> []
             | _ ->
-                transitions m node ~from:(Some mode.growth) ~span:at ~delayed:false occurs (left ())
+                let span = Task.next_place task.value in
+                transitions m node ~from:(Some mode.growth) ~span ~delayed:false occurs (left ())
           in
-          (Product [ shown; none ], after))
+          (Product [ shown; Atom (Bool false); Unspecified ], after))
   | _ -> (run ~name:mode.name ~result:m.result value input, [])
 
 let build m ~input_value ~input_holes (mode : mode) =

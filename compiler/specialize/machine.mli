@@ -36,9 +36,6 @@ type evaluator = {
       (** an expression in a proc that mentions no signal of it *)
 }
 
-val event_type : Core.Ir.ty -> Core.Ir.ty
-(** [Event] of it. *)
-
 val run :
   Context.t ->
   evaluator ->
@@ -51,6 +48,6 @@ val run :
   Value.argument ->
   Value.t
 (** An instance of a switch, of a signal function chosen when it starts, or of
-    [runTask t], whose [result] is here a pair: the task's output, and an event
-    that occurs from its end on with what it ended with.
+    [runTask t], whose [result] is here of three parts: the task's output, whether
+    it has ended, and what it ended with.
     May raise {!Context.Stopped} and {!Context.Postponed}. *)

@@ -125,7 +125,7 @@ let rec add_at w local path ty (value : Value.t) =
         add_number w tag_elements;
         List.iter (add_at w local path element) values
     | (Function closure | Signal_function closure), _ -> add_closure w closure
-    | Primitive { primitive; types; arguments; owner = _ }, _ ->
+    | Primitive { primitive; types; arguments; owner = _; at = _ }, _ ->
         add_number w tag_primitive;
         add_number w (text_number w.table (Core.Primitive.name primitive));
         add_number w (List.length types);
@@ -283,9 +283,9 @@ let rec value_at c ~inside ty (original : Value.t) : Value.t =
     | Elements values, Array (_, element) -> Elements (List.map (value element) values)
     | Function closure, _ -> Function (copy_closure c closure)
     | Signal_function closure, _ -> Signal_function (copy_closure c closure)
-    | Primitive { primitive; types; arguments; owner }, _ ->
+    | Primitive { primitive; types; arguments; owner; at }, _ ->
         let argument (a : Value.argument) = { a with value = value_at c ~inside:true a.ty a.value } in
-        Primitive { primitive; types; arguments = List.map argument arguments; owner }
+        Primitive { primitive; types; arguments = List.map argument arguments; owner; at }
     | Choice { then_; else_; condition = _ }, _ ->
         let condition = next_atom c in
         let then_ = value ty then_ in

@@ -20,6 +20,20 @@ type head =
     }
   | Ends of Value.argument  (** all of it has ended *)
 
+val named : Context.t -> name:string option -> at:Span.t -> Value.t -> Value.t
+(** A task that the prelude has made is named after the definition of the program
+    that it is the value of, if any, and placed where the program uses the
+    prelude's function. Any other value is as it was. *)
+
+val name : Value.t -> string
+(** Of what runs first in a reduced task. *)
+
+val place : Value.t -> Span.t
+(** Likewise. *)
+
+val next_place : Value.t -> Span.t
+(** Where it says what runs next. *)
+
 val type_of : Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty
 (** Of input, output and result. *)
 

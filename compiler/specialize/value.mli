@@ -21,6 +21,7 @@ type t =
       types : Core.Ir.ty list;  (** closed *)
       arguments : argument list;  (** the last one first *)
       owner : string;  (** the definition that says so *)
+      at : Basis.Span.t;  (** where; of a task, in the program rather than in the library *)
     }  (** applied to fewer arguments than it takes, or a signal function *)
   | Choice of { condition : Flow.Ir.atom; then_ : t; else_ : t }
       (** an [if] whose condition only the running program knows, of values
