@@ -7,8 +7,10 @@ PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
   libcairo2-dev libmpfr-dev pkg-config gcc g++ clang libclang-rt-14-dev \
   libtcc-dev tcc
 
-# What only `make bench` needs.
+# What only `make bench` needs, and what other tools it compares with, where they
+# can be had.
 BENCH_PACKAGES = valgrind
+COMPARED_PACKAGES = ghc libghc-copilot-dev libghc-copilot-c99-dev
 
 PREFIX ?= /usr/local
 FROBC = _build/install/default/bin/frobc
@@ -48,6 +50,7 @@ fuzz-drivers: setup
 
 bench: all
 	@sh tests/setup.sh $(BENCH_PACKAGES)
+	-@sh tests/setup.sh $(COMPARED_PACKAGES)
 	@sh tests/bench/run.sh
 
 install: setup

@@ -1,14 +1,17 @@
 #!/bin/sh
 # Generated C beside C by hand, under gcc and clang at -O2 and -O3: the step's
 # time (see bench.c) and instructions (counted by valgrind, so the same on each
-# run), bytes of state, and bytes of text at -O2. The arguments are the folder
-# to work in, and programs, if not all.
+# run), bytes of state, and bytes of text at -O2. Some also stand beside what
+# Copilot makes of the same program. The arguments are the folder to work in,
+# and programs, if not all.
 set -eu
 out=$1/step
 shift
 here=tests/bench/step
 frobc=_build/install/default/bin/frobc
 rounds=201
+# The elementary functions.
+library=_build/install/default/lib/frobc/libfrob.a
 # As frobc's own hosts build generated code; hand-written code gets the same.
 exact="-std=c99 -ffp-contract=off"
 warnings="-Wall -Wextra -Werror"
@@ -45,9 +48,9 @@ measure() {
         $compiler $flags $warnings $include -c "$here/$program/by_hand.c" -DDT_AS_IT_COMES \
             -o "$made-by_hand_dt_as_it_comes.o"
         $compiler $flags $warnings $include "$here/$program/bench.c" "$here/bench.c" \
-            "$made-generated.o" "$made-by_hand.o" _build/install/default/lib/frobc/libfrob.a -lm -o "$made"
+            "$made-generated.o" "$made-by_hand.o" _build/install/default/lib/frobc/libfrob.a $library -lm -o "$made"
         $compiler $flags $warnings $include "$here/$program/bench.c" "$here/bench.c" \
-            "$made-generated.o" "$made-by_hand_dt_as_it_comes.o" _build/install/default/lib/frobc/libfrob.a -lm -o "$made-dt_as_it_comes"
+            "$made-generated.o" "$made-by_hand_dt_as_it_comes.o" _build/install/default/lib/frobc/libfrob.a $library -lm -o "$made-dt_as_it_comes"
     }
     set -- $("$made" $rounds)
     row "step time" "$label" "$1" "$2" ns
@@ -61,10 +64,44 @@ measure() {
     esac
 }
 
+# The generated step beside Copilot's: C that `copilot.hs` writes, compiled alike.
+measure_copilot() {
+    tool=$out/$program-copilot
+    mkdir -p "$tool"
+    ghc -v0 -i"$here" -outputdir "$tool" -o "$tool/write" "$here/$program/copilot.hs"
+    (cd "$tool" && ./write)
+    for compiler in gcc clang; do
+        flags="-O2 $exact"
+        include="-I $tool -I $out -I $here -I $here/$program -I runtime/include"
+        # shellcheck disable=SC2086
+        {
+            $compiler $flags $include -c "$tool/copilot.c" -o "$tool/copilot.o"
+            $compiler $flags $include "$here/$program/bench.c" "$here/bench.c" \
+                "$here/$program/copilot_step.c" "$tool/copilot.o" \
+                "$out/$program-$compiler-O2-generated.o" $library -lm -o "$tool/bench"
+        }
+        set -- $("$tool/bench" $rounds)
+        row "step time beside Copilot" "$compiler -O2" "$1" "$2" ns
+        row "state beside Copilot" "$compiler -O2" "$3" \
+            "$(size "$tool/copilot.o" | awk 'NR == 2 { print $2 + $3 }')" bytes
+        row "text beside Copilot" "$compiler -O2" \
+            "$(text_bytes "$out/$program-$compiler-O2-generated.o")" "$(text_bytes "$tool/copilot.o")" bytes
+    done
+}
+
+has_copilot() {
+    command -v ghc >/dev/null && ghc-pkg --simple-output list copilot-c99 2>/dev/null | grep -q copilot
+}
+
 if [ $# -eq 0 ]; then set -- wall_follow pid modes; fi
 for program in "$@"; do
     "$frobc" compile "$here/$program/$program.frob" -o "$out"
     for level in O2 O3; do
         for compiler in gcc clang; do measure "$compiler" "$level"; done
     done
+    if [ -f "$here/$program/copilot.hs" ]; then
+        if has_copilot; then measure_copilot; else
+            printf '{"program": "%s", "measure": "step time beside Copilot", "compiler": "ghc", "value": null, "reference": null, "ratio": null, "unit": "skipped: not installed"}\n' "$program"
+        fi
+    fi
 done

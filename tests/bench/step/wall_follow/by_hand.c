@@ -1,7 +1,7 @@
 #include "by_hand.h"
 #include "time_by_hand.h"
 
-#include <math.h>
+#include <frob/elementary.h>
 
 static const double distance = 0.2;
 static const double v_max = 0.4;
@@ -19,7 +19,7 @@ static double limit(double x, double y)
 
 void by_hand_reset(struct by_hand *self)
 {
-    self->sin_theta_max = sin(theta_max);
+    self->sin_theta_max = frob_sin(theta_max);
     self->s_before = 0.0;
     self->s_dot = 0.0;
     self->started = false;

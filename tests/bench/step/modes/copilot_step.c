@@ -1,0 +1,31 @@
+/* Copilot's program as a step like the others. */
+#include "by_hand.h"
+#include "copilot.h"
+
+double dt, side, front;
+bool bump;
+static struct modes_output *output;
+
+void command(double speed, double turn)
+{
+    output->speed = speed;
+    output->turn = turn;
+}
+
+/* It cannot be restarted. */
+void by_hand_reset(struct by_hand *self)
+{
+    (void)self;
+}
+
+void by_hand_step(struct by_hand *self, double dt_s, const struct modes_input *in,
+                  struct modes_output *out)
+{
+    (void)self;
+    dt = dt_s;
+    bump = in->bump;
+    side = in->side;
+    front = in->front;
+    output = out;
+    step();
+}

@@ -1,0 +1,27 @@
+/* Copilot's program as a step like the others. */
+#include "by_hand.h"
+#include "copilot.h"
+
+double dt, err;
+static struct pid_output *output;
+
+void command(double value)
+{
+    output->value = value;
+}
+
+/* It cannot be restarted. */
+void by_hand_reset(struct by_hand *self)
+{
+    (void)self;
+}
+
+void by_hand_step(struct by_hand *self, double dt_s, const struct pid_input *in,
+                  struct pid_output *out)
+{
+    (void)self;
+    dt = dt_s;
+    err = in->value;
+    output = out;
+    step();
+}

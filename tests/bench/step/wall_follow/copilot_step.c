@@ -1,0 +1,30 @@
+/* Copilot's program as a step like the others. */
+#include "by_hand.h"
+#include "copilot.h"
+
+double dt, v_curr, front, side;
+static struct wall_follow_output *output;
+
+void command(double v, double omega)
+{
+    output->f1 = v;
+    output->f2 = omega;
+}
+
+/* It cannot be restarted. */
+void by_hand_reset(struct by_hand *self)
+{
+    (void)self;
+}
+
+void by_hand_step(struct by_hand *self, double dt_s, const struct wall_follow_input *in,
+                  struct wall_follow_output *out)
+{
+    (void)self;
+    dt = dt_s;
+    v_curr = in->f1;
+    front = in->f2;
+    side = in->f3;
+    output = out;
+    step();
+}
