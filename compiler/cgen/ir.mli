@@ -70,8 +70,11 @@ and statement_desc =
   | Switch of { value : expr; cases : (string * statement list) list }
       (** by constants, each once; the last one is the default *)
   | For of { index : string; count : int; body : statement list }  (** an Int32, from 0 *)
-  | Continue  (** of the [For] around it, with the next number *)
-  | Break  (** out of the [For] around it; not in a [Switch] *)
+  | Repeat of { rounds : string; most : int; body : statement list }
+      (** at least once, again at its end or a [Continue], but not more than so
+          often: [rounds] is an Int32, declared before as 0 *)
+  | Continue  (** of the [For] or [Repeat] around it: the next round, if there is one *)
+  | Break  (** out of the [For] or [Repeat] around it; not in a [Switch] *)
   | Return of expr
 
 type linkage =

@@ -149,7 +149,10 @@ let run c (run : M.run) =
     if not loops then chosen
     else
       let body = chosen @ after @ [ plain Ir.Break ] in
-      [ plain (Ir.For { index = steps; count = run.steps; body }) ]
+      [
+        plain (Ir.Variable { ty = Int32; name = steps; value = Integer 0l });
+        plain (Ir.Repeat { rounds = steps; most = run.steps; body });
+      ]
   in
   let wake (clock : M.clock) =
     let since = Expression.field c.names clock.since in

@@ -256,6 +256,10 @@ let rec statement out ~indent { desc; comment } =
       put (Printf.sprintf "for (int32_t %s = 0; %s < %d; %s++) {" index index count index);
       List.iter (statement out ~indent:(indent + 4)) body;
       line out ~indent "}"
+  | Repeat { rounds; most; body } ->
+      put "do {";
+      List.iter (statement out ~indent:(indent + 4)) body;
+      line out ~indent (Printf.sprintf "} while (++%s < %d);" rounds most)
   | Continue -> put "continue;"
   | Break -> put "break;"
   | Switch { value; cases } ->

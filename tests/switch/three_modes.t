@@ -68,7 +68,8 @@ chosen.
       int64_t dt_ns = self->started ? (int64_t)frob_whole_ns(dt) : 0;
       self->started = true;
       double speed, turn;
-      for (int32_t steps = 0; steps < 2; steps++) {
+      int32_t steps = 0;
+      do {
           switch (self->mode) {
           case THREE_MODES_FOLLOW: {
               bool t1;
@@ -108,7 +109,7 @@ chosen.
           }
           }
           break;
-      }
+      } while (++steps < 2);
       out->speed = speed;                                     /* line 12 */
       out->turn = turn;
   }
