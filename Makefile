@@ -20,10 +20,13 @@ OUT = _build/run
 N ?= 1000
 SEED ?= $(shell date +%s)
 
+# For `make seeds`: how many seeds for each example and robot.
+SEEDS ?= 100
+
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test fuzz fuzz-drivers bench install clean
+.PHONY: all setup run test seeds fuzz fuzz-drivers bench install clean
 
 all: setup
 	dune build @install
@@ -47,6 +50,10 @@ fuzz: all
 fuzz-drivers: setup
 	@dune build ./tests/wire/fuzz/fuzz_scout ./tests/wire/fuzz/fuzz_create ./tests/wire/fuzz/fuzz_pioneer
 	@sh tests/wire/fuzz/run.sh _build/default/tests/wire/fuzz $(BYTES) $(SEED) scout create pioneer
+
+# The examples with many seeds of noise, what a minute is too short for in `make test`.
+seeds: all
+	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh tests/run/all_seeds.sh $(SEEDS)
 
 bench: all
 	@sh tests/setup.sh $(BENCH_PACKAGES)

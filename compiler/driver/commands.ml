@@ -205,13 +205,26 @@ let world_of run (resources : Resources.t) file =
   | None when Sys.file_exists beside -> beside
   | None -> Filename.concat resources.worlds "room.toml"
 
+(* Of a program that leaves its robot open, and of a world that does not, it is
+   the world's. What is wrong with a world, its host says. *)
+let robot_of_world (resources : Resources.t) world =
+  match Process.output resources.simulator [ "--robot-of"; world ] with
+  | Ok "" | Error (Not_found _ | Failed _) -> None
+  | Ok name -> Some (String.trim name)
+
 let run general ~entry run file =
+  let* resources = Resources.find () in
+  let world = world_of run resources file in
+  let robot =
+    match general.robot with Some _ as robot -> robot | None -> robot_of_world resources world
+  in
+  let general = { general with robot } in
   let option name value = match value with Some value -> [ name; value ] | None -> [] in
   let flag name value = if value then [ name ] else [] in
   hosted general ~entry file
     ~host:(fun resources -> resources.Resources.simulator)
-    ~arguments:(fun resources program ->
-      [ program; "--world"; world_of run resources file ]
+    ~arguments:(fun _ program ->
+      [ program; "--world"; world ]
       @ [ "--for"; Printf.sprintf "%.9f" run.duration; "--rate"; Printf.sprintf "%.9g" run.rate ]
       @ [ "--seed"; string_of_int run.seed ]
       @ flag "--realtime" run.realtime

@@ -24,7 +24,7 @@ let read_all path =
     ~finally:(fun () -> close_in channel)
     (fun () -> really_input_string channel (in_channel_length channel))
 
-let run program arguments =
+let output program arguments =
   let log = Filename.temp_file "frobc" ".log" in
   Fun.protect
     ~finally:(fun () -> Sys.remove log)
@@ -33,9 +33,11 @@ let run program arguments =
       let started = start program arguments ~stdout:channel ~stderr:channel in
       Unix.close channel;
       match Result.bind started (fun pid -> checked program (wait pid)) with
-      | Ok 0 -> Ok ()
+      | Ok 0 -> Ok (read_all log)
       | Ok status -> Error (Failed { status; errors = read_all log })
       | Error failure -> Error failure)
+
+let run program arguments = Result.map ignore (output program arguments)
 
 let hand_over program arguments =
   flush_all ();

@@ -7,6 +7,9 @@ type failure =
 val run : string -> string list -> (unit, failure) result
 (** [run program arguments], quietly: its output is kept for the failure. *)
 
+val output : string -> string list -> (string, failure) result
+(** Likewise; what it wrote is the result. *)
+
 val hand_over : string -> string list -> (int, failure) result
 (** Runs a program with our own standard input, output and error; the result is
     its exit status (128 + n if signal n ended it). *)

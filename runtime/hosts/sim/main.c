@@ -202,6 +202,20 @@ static int simulate(const struct options *options, const struct frob_program *pr
     return DONE;
 }
 
+/* Tells the robot of a world: an empty text if it leaves it open. */
+static int tell_robot(const char *world)
+{
+    char message[8192];
+    const char *robot = frob_sim_world_robot(world, message, sizeof message);
+    if (robot == NULL) {
+        fprintf(stderr, "error: %s\n", message);
+        return WRONG_USE;
+    }
+    if (robot[0] != '\0')
+        puts(robot);
+    return DONE;
+}
+
 int main(int argc, char **argv)
 {
     struct options options;
@@ -213,6 +227,8 @@ int main(int argc, char **argv)
         fputs(usage, stdout);
         return DONE;
     }
+    if (argc == 3 && strcmp(argv[1], "--robot-of") == 0)
+        return tell_robot(argv[2]);
     if (!read_options(argc, argv, &options))
         return WRONG_USE;
     program = load(options.program);

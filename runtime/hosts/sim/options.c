@@ -17,7 +17,11 @@ const char usage[] =
     "  --record FILE.csv  write what the program read and commanded\n"
     "  --picture FILE     draw the run, as .svg or .png\n"
     "  --strict           exit with status 4 if the robot ran into something\n"
-    "  --progress         show progress even where it is not a terminal\n";
+    "  --progress         show progress even where it is not a terminal\n"
+    "\n"
+    "       frob-sim --robot-of WORLD.toml\n"
+    "\n"
+    "                     tells the robot that a world names, if it does\n";
 
 static bool number(const char *option, const char *text, double low, double high, double *result)
 {
