@@ -1,19 +1,20 @@
 type t = {
   events : int;
   switches : int;
+  tasks : int;
   library : int;
   odd_numbers : int;
   depth : int;
   width : int;
 }
 
-let even = { events = 12; switches = 3; library = 3; odd_numbers = 20; depth = 0; width = 0 }
+let even = { events = 12; switches = 3; tasks = 1; library = 3; odd_numbers = 20; depth = 0; width = 0 }
 
 let all =
   [|
     even;
     { even with events = 3; library = 8 };
-    { even with events = 5; switches = 14; library = 5 };
+    { even with events = 5; switches = 14; tasks = 4; library = 5 };
     { even with odd_numbers = 2 };
     { even with depth = 1 };
     { even with width = 5 };

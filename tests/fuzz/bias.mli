@@ -3,6 +3,7 @@
 type t = {
   events : int;  (** one type in so many is an event *)
   switches : int;  (** the weight of switches among signal functions *)
+  tasks : int;  (** the weight of tasks among signal functions *)
   library : int;  (** the weight of the event library *)
   odd_numbers : int;  (** one constant in so many is NaN, infinite or extreme *)
   depth : int;  (** added to the depth of expressions *)

@@ -179,6 +179,56 @@ let define_signal_function (s : Signal_function.scope) ~parameters ~input ~signa
   in
   (text, { s with known = { name; parameters; input; output } :: s.known })
 
+let named_parameters values parameters =
+  List.map (fun p -> (Expression.fresh values "p", p)) parameters
+
+let bind_parameters (s : Signal_function.scope) named =
+  let value (name, (p : Signal_function.parameter)) =
+    match p with Value t -> Some (name, t) | Function _ | Signal_function _ -> None
+  in
+  { s with values = Expression.bind (List.filter_map value named) s.values }
+
+(* A call with an argument for each parameter. One that is a signal function is
+   handed on as it came, or starts anew: to grow it would make ever more modes. *)
+let call (s : Signal_function.scope) own (values : Expression.scope) (name, parameters) =
+  let argument (p : Signal_function.parameter) =
+    match p with
+    | Value t -> Expression.expression values 2 t
+    | Function _ | Signal_function _ -> (
+        match List.filter (fun (_, p') -> p' = p) own with
+        | (name, _) :: _ when not (chance values.random 3) -> name
+        | _ -> Signal_function.argument { s with values } 1 p)
+  in
+  String.concat " " (name :: List.map argument parameters)
+
+(* What leads on from the value of an event or the result of a task: into one of
+   the targets, chosen by that value. *)
+let onward (values : Expression.scope) another =
+  let call () = f "(%s)" (another values) in
+  match Random.State.int values.random 4 with
+  | 0 -> f "if %s then %s else %s" (Expression.expression values 2 Bool) (call ()) (call ())
+  | 1 ->
+      let t = Type.maybe Int in
+      f "case (%s :: %s) of Nothing -> %s; Just _ -> %s" (Expression.expression values 2 t)
+        (Type.text t) (call ()) (call ())
+  | 2 ->
+      let x = Expression.fresh values "x" in
+      f "let %s = (%s :: Float) in %s" x
+        (Expression.expression values 2 Float)
+        (another (Expression.bind [ (x, Float) ] values))
+  | _ -> call ()
+
+let signature name parameters result =
+  f "%s :: %s\n" name
+    (String.concat " -> " (List.map Signal_function.parameter_text parameters @ [ result ]))
+
+let group (s : Signal_function.scope) start ~parameter =
+  let random = s.values.random in
+  List.init
+    (1 + Random.State.int random 3)
+    (fun _ ->
+      (Expression.fresh s.values start, List.init (Random.State.int random 3) (fun _ -> parameter ())))
+
 (* Definitions that switch into each other in tail position, with parameters. A
    switch back, to an earlier one or to itself, takes time; one onward may be at
    the first instant. *)
@@ -187,51 +237,81 @@ let define_modes (s : Signal_function.scope) =
   let random = values.random in
   let any () = Expression.any_type values in
   let input = any () and output = any () in
-  let modes =
-    List.init
-      (1 + Random.State.int random 3)
-      (fun _ -> (Expression.fresh values "m", List.init (Random.State.int random 3) (fun _ -> any ())))
+  let brought : Signal_function.parameter = Signal_function (any (), any ()) in
+  let parameter () : Signal_function.parameter =
+    if chance random 3 then brought else Value (any ())
   in
-  let call values (name, parameters) =
-    String.concat " " (name :: List.map (Expression.expression values 2) parameters)
-  in
+  let modes = group s "m" ~parameter in
   let define i (name, parameters) =
-    let named = List.map (fun t -> (Expression.fresh values "p", t)) parameters in
-    let s = { s with values = Expression.bind named values } in
-    let onward = List.filteri (fun k _ -> k > i) modes in
-    let earlier = onward = [] || not (chance random 3) in
-    let target () = one_of random (if earlier then modes else onward) in
-    let continuation (values : Expression.scope) =
-      let another () = f "(%s)" (call values (target ())) in
-      match Random.State.int random 4 with
-      | 0 ->
-          f "if %s then %s else %s" (Expression.expression values 2 Bool) (another ()) (another ())
-      | 1 ->
-          let t = Type.maybe Int in
-          f "case (%s :: %s) of Nothing -> %s; Just _ -> %s" (Expression.expression values 2 t)
-            (Type.text t) (another ()) (another ())
-      | 2 ->
-          let x = Expression.fresh values "x" in
-          f "let %s = (%s :: Float) in %s" x
-            (Expression.expression values 2 Float)
-            (call (Expression.bind [ (x, Float) ] values) (target ()))
-      | _ -> another ()
+    let named = named_parameters values parameters in
+    let inside = bind_parameters s named in
+    let running =
+      List.filter_map
+        (fun (name, (p : Signal_function.parameter)) ->
+          match p with
+          | Signal_function (input, output) ->
+              Some { Signal_function.name; parameters = []; input; output }
+          | Value _ | Function _ -> None)
+        named
     in
-    f "%s :: %s\n%s = %s\n\n" name
-      (String.concat " -> "
-         (List.map Type.text parameters @ [ f "SF %s %s" (Type.text input) (Type.text output) ]))
+    let later = List.filteri (fun k _ -> k > i) modes in
+    let earlier = later = [] || not (chance random 3) in
+    let another values = call inside named values (one_of random (if earlier then modes else later)) in
+    f "%s%s = %s\n\n"
+      (signature name parameters (f "SF %s %s" (Type.text input) (Type.text output)))
       (String.concat " " (name :: List.map fst named))
-      (Reactive.mode (Signal_function.maker s) ~earlier ~continuation 2 input output)
+      (Reactive.mode
+         (Signal_function.maker { inside with known = running @ s.known })
+         ~earlier
+         ~continuation:(fun values -> onward values another)
+         2 input output)
   in
   let texts = List.mapi define modes in
   let known =
-    List.map
-      (fun (name, parameters) ->
-        let parameters = List.map (fun t -> Signal_function.Value t) parameters in
-        { Signal_function.name; parameters; input; output })
-      modes
+    List.map (fun (name, parameters) -> { Signal_function.name; parameters; input; output }) modes
   in
   (String.concat "" texts, { s with known = known @ s.known })
+
+(* Tasks that go on as each other, likewise. *)
+let define_tasks (s : Signal_function.scope) =
+  let values = s.values in
+  let random = values.random in
+  let any () = Expression.any_type values in
+  let input = any () and output = any () and result = any () in
+  let tasks = group s "t" ~parameter:(fun () -> Signal_function.Value (any ())) in
+  let define i (name, parameters) =
+    let named = named_parameters values parameters in
+    let inside = bind_parameters s named in
+    let later = List.filteri (fun k _ -> k > i) tasks in
+    let earlier = later = [] || not (chance random 3) in
+    let first = any () in
+    let text, bound = Expression.pattern inside.values first in
+    let another values =
+      if chance random 3 then f "return (%s :: %s)" (Expression.expression values 2 result) (Type.text result)
+      else call inside named values (one_of random (if earlier then tasks else later))
+    in
+    f "%s%s = do\n    %s <- %s\n    %s\n\n"
+      (signature name parameters
+         (f "Task %s %s %s" (Type.text input) (Type.text output) (Type.text result)))
+      (String.concat " " (name :: List.map fst named))
+      text
+      (Task.task (Signal_function.maker inside) ~slow:earlier 2 input output first)
+      (onward (Expression.bind bound inside.values) another)
+  in
+  let texts = List.mapi define tasks in
+  let run (name, parameters) =
+    let started = Expression.fresh values "s" in
+    let named = List.map fst (named_parameters values parameters) in
+    let output = Type.either output result in
+    ( f "%s%s = runTask (%s)\n\n"
+        (signature started parameters (f "SF %s %s" (Type.text input) (Type.text output)))
+        (String.concat " " (started :: named))
+        (String.concat " " (name :: named)),
+      { Signal_function.name = started; parameters; input; output } )
+  in
+  let runs = List.map run tasks in
+  ( String.concat "" (texts @ List.map fst runs),
+    { s with known = List.map snd runs @ s.known } )
 
 (* Of a declared data type, some methods left to their defaults. *)
 let define_instances (s : Signal_function.scope) ty =
@@ -325,6 +405,7 @@ let one ~seed number =
   let s = functions (Random.State.int random 3) { s with values = { values with methods = true } } in
   let s = signal_functions (Random.State.int random 3) s in
   let s = if chance random (if bias.switches > 5 then 1 else 2) then add (define_modes s) else s in
+  let s = if chance random (if bias.tasks > 1 then 2 else 5) then add (define_tasks s) else s in
   let signals = Signal_function.any_signals s in
   ignore
     (add

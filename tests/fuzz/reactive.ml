@@ -120,15 +120,18 @@ let lively m fuel a payload =
   in
   f "(proc %s -> mapE (\\_ -> %s) (%s))" text (Expression.expression inside fuel payload) event
 
-let mode m ~earlier ~continuation fuel a b =
-  let payload = Expression.any_type m.values in
+let ending m ~slow fuel a b payload =
   let body =
     if chance m.values.random 3 then
       m.signal_function m.values fuel a (Tuple [ b; Type.event payload ])
     else
       f "(%s &&& %s)" (m.signal_function m.values (fuel - 1) a b) (lively m (fuel - 1) a payload)
   in
-  let body = if earlier then f "(%s >>> second notYet)" body else body in
+  if slow then f "(%s >>> second notYet)" body else body
+
+let mode m ~earlier ~continuation fuel a b =
+  let payload = Expression.any_type m.values in
+  let body = ending m ~slow:earlier fuel a b payload in
   let text, bound = Expression.pattern m.values payload in
   f "(%s %s (\\%s -> %s))" (switch m) body text (continuation (Expression.bind bound m.values))
 

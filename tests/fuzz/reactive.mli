@@ -10,6 +10,13 @@ type maker = {
 val alternatives : maker -> int -> Type.t -> Type.t -> (int * (unit -> string)) list
 (** With weights; none, if there is no way to make one of these types. *)
 
+val ending : maker -> slow:bool -> int -> Type.t -> Type.t -> Type.t -> string
+(** [ending m ~slow fuel a b c], of type [SF a (b, Event c)]; if [slow], its event
+    does not occur at its first instant, and the compiler can tell. *)
+
+val time : maker -> string
+(** A constant time, odd ones too. *)
+
 val mode :
   maker ->
   earlier:bool ->

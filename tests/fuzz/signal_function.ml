@@ -26,14 +26,14 @@ let literal s ty = if chance s.values.random 3 then static s 1 ty else Expressio
 
 (* Of one signal function known, with arguments for its parameters. *)
 let rec applied s fuel { name; parameters; _ } =
-  let argument = function
-    | Value t -> static s 1 t
-    | Function (a, b) -> lambda s fuel a b
-    | Signal_function (a, b) -> expression s (fuel - 1) a b
-  in
   match parameters with
   | [] -> name
-  | _ -> f "(%s)" (String.concat " " (name :: List.map argument parameters))
+  | _ -> f "(%s)" (String.concat " " (name :: List.map (argument s fuel) parameters))
+
+and argument s fuel = function
+  | Value t -> static s 1 t
+  | Function (a, b) -> lambda s fuel a b
+  | Signal_function (a, b) -> expression s (fuel - 1) a b
 
 and lambda s fuel a b =
   let values = { s.values with run = None } in
@@ -121,7 +121,9 @@ and expression s fuel (a : Type.t) (b : Type.t) =
             | _ -> arr () );
       ]
   in
-  let reactive = Reactive.alternatives (maker s) fuel a b in
+  let reactive =
+    Reactive.alternatives (maker s) fuel a b @ Task.alternatives (maker s) fuel a b
+  in
   (weighted random (alternatives @ deeper @ reactive)) ()
 
 and maker s =

@@ -21,6 +21,9 @@ type scope = { values : Expression.scope;  (** static *) known : named list }
 val expression : scope -> int -> Type.t -> Type.t -> string
 (** A signal function of these types. *)
 
+val argument : scope -> int -> parameter -> string
+(** For such a parameter. *)
+
 val maker : scope -> Reactive.maker
 
 (** What a proc gives out. *)

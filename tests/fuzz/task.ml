@@ -1,0 +1,141 @@
+open Choice
+
+let f = Printf.sprintf
+let still (values : Expression.scope) = { values with run = None }
+let value (m : Reactive.maker) fuel ty = Expression.expression (still m.values) fuel ty
+let any (m : Reactive.maker) = Expression.any_type m.values
+let with_values (m : Reactive.maker) bound = { m with values = Expression.bind bound m.values }
+let annotated text ty = f "(%s :: %s)" text (Type.text ty)
+
+let lambda (m : Reactive.maker) fuel argument result =
+  let values = still m.values in
+  let text, bound = Expression.pattern values argument in
+  f "(\\%s -> %s)" text (Expression.expression (Expression.bind bound values) fuel result)
+
+let times (m : Reactive.maker) = one_of m.values.random [ "0"; "1"; "2"; "3"; "(-1)" ]
+
+(* One that takes time, as a constant. *)
+let delay_time (m : Reactive.maker) = one_of m.values.random [ "0.05[s]"; "0.3[s]"; "1[us]" ]
+
+let rec task (m : Reactive.maker) ~slow fuel a b (c : Type.t) =
+  let random = m.values.random in
+  let sub ?(slow = slow) = task m ~slow (fuel - 1) in
+  let ended = [ (3, fun () -> f "(mkTask %s)" (Reactive.ending m ~slow (max 1 fuel) a b c)) ] in
+  let at_once =
+    if slow then []
+    else
+      (3, fun () -> f "(return %s)" (annotated (value m 1 c) c))
+      :: (if a = c then [ (3, fun () -> "snapT") ] else [])
+  in
+  let of_nothing =
+    if c <> Type.unit then []
+    else
+      let q = if slow then delay_time m else Reactive.time m in
+      [ (4, fun () -> f "(sleepT %s %s)" q (value m 1 b)) ]
+  in
+  let deeper =
+    if fuel <= 0 then []
+    else
+      [
+        (6, fun () -> sequence m ~slow fuel a b c);
+        ( 2,
+          fun () ->
+            f "(if %s then %s else %s)" (value m 1 Bool) (sub a b c) (sub a b c) );
+        ( 1,
+          fun () ->
+            let other = any m in
+            f "(mapT %s %s)" (lambda m 2 other c) (sub a b other) );
+        ( 1,
+          fun () ->
+            let other = any m in
+            f "(mapOutput %s %s)" (lambda m 2 other b) (sub a other c) );
+        (2, fun () -> side_by_side m ~slow fuel a b c);
+        (1, fun () -> f "(forever %s)" (sub ~slow:true a b (any m)));
+        (1, fun () -> f "(constT %s)" (value m 1 b));
+      ]
+      @ by_result m ~slow fuel a b c
+  in
+  (weighted random (ended @ at_once @ of_nothing @ deeper)) ()
+
+(* What comes first takes the time. *)
+and sequence m ~slow fuel a b c =
+  let first = any m in
+  let text, bound = Expression.pattern m.values first in
+  let before = task m ~slow (fuel - 1) a b first in
+  let rest m = task m ~slow:false (fuel - 1) a b c in
+  if chance m.values.random 4 then f "(do %s; %s)" before (rest m)
+  else f "(do %s <- %s; %s)" text before (rest (with_values m bound))
+
+and side_by_side m ~slow fuel a b c =
+  let output = any m and output' = any m and result = any m and result' = any m in
+  let sub slow = task m ~slow (fuel - 1) a in
+  let both = chance m.values.random 2 in
+  let shown, ends =
+    if both then
+      ( Type.Tuple [ Type.either output result; Type.either output' result' ],
+        Type.Tuple [ result; result' ] )
+    else (Type.Tuple [ output; output' ], Type.either result result')
+  in
+  (* [both] takes time if one does, [race] if both do. *)
+  f "(mapOutput %s (mapT %s (%s %s %s)))" (lambda m 2 shown b) (lambda m 2 ends c)
+    (if both then "both" else "race")
+    (sub slow output result)
+    (sub (slow && not both) output' result')
+
+and by_result m ~slow fuel a b (c : Type.t) =
+  let sub ?(slow = slow) = task m ~slow (fuel - 1) in
+  let observed () =
+    match c with
+    | Tuple [ result; seen ] ->
+        [ (6, fun () -> f "(withSF %s %s)" (sub a b result) (m.signal_function m.values (fuel - 1) a seen)) ]
+    | _ -> []
+  and perhaps () =
+    match c with
+    | Data { constructors = [ { name = "Nothing"; _ }; { fields = [ (_, result) ]; _ } ]; _ } ->
+        let q = if slow then delay_time m else Reactive.time m in
+        (6, fun () -> f "(timeOut %s %s)" (sub a b result) q)
+        ::
+        (* It may not try at all. *)
+        (if slow then [] else [ (3, fun () -> f "(retryT %s %s)" (times m) (sub ~slow:true a b c)) ])
+    | Data { constructors = [ { fields = [ (_, result) ]; _ }; { fields = [ (_, reason) ]; name } ]; _ }
+      when name = "Right" ->
+        let stop = m.signal_function m.values (fuel - 1) a (Type.event reason) in
+        let stop = if slow then f "(%s >>> notYet)" stop else stop in
+        [ (6, fun () -> f "(abortWhen %s %s)" (sub a b result) stop) ]
+    | _ -> []
+  and repeated () =
+    if c <> Type.unit || slow then []
+    else
+      let x = any m in
+      let text, bound = Expression.pattern m.values x in
+      let array = Type.Array (1 + Random.State.int m.values.random 3, x) in
+      [
+        (2, fun () -> f "(repeatT %s %s)" (times m) (sub ~slow:true a b (any m)));
+        ( 2,
+          fun () ->
+            f "(forEachT %s (\\%s -> %s))" (annotated (value m 1 array) array) text
+              (task (with_values m bound) ~slow:true (fuel - 1) a b (any m)) );
+        ( 1,
+          fun () ->
+            f "(%s %s %s)" (one_of m.values.random [ "whenT"; "unlessT" ]) (value m 1 Bool)
+              (sub a b Type.unit) );
+      ]
+  in
+  observed () @ perhaps () @ repeated ()
+
+let alternatives (m : Reactive.maker) fuel a b =
+  let weight = m.values.bias.tasks in
+  let whole : (int * (unit -> string)) list =
+    match (b : Type.t) with
+    | Data { constructors = [ { name = "Left"; fields = [ (_, output) ] }; { fields = [ (_, result) ]; _ } ]; _ } ->
+        [ (3 * weight, fun () -> f "(runTask %s)" (task m ~slow:false (fuel - 1) a output result)) ]
+    | _ -> []
+  and followed () =
+    let result = any m in
+    let text, bound = Expression.pattern m.values result in
+    f "(thenSF %s (\\%s -> %s))"
+      (task m ~slow:false (fuel - 1) a b result)
+      text
+      (m.signal_function (Expression.bind bound m.values) (fuel - 1) a b)
+  in
+  if fuel <= 0 then [] else (weight, followed) :: whole
