@@ -249,20 +249,27 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
       let event : Value.t = Constructed { constructor = 1; arguments = [ input.value ] } in
       (Unspecified, next ~delayed:false input.ty event chosen.value)
   | Primitive ({ primitive = Run_task; arguments = [ task ]; _ } as runs) -> (
+      (* A machine of one task keeps the two parts of what it gives apart; among the
+         modes of a switch the task gives what [runTask] does. *)
+      let output ~shown ~has_ended ~ended : Value.t =
+        match m.result with
+        | Tuple _ -> Product [ shown; Atom (Bool has_ended); ended ]
+        | _ when has_ended -> Constructed { constructor = 1; arguments = [ ended ] }
+        | _ -> Constructed { constructor = 0; arguments = [ shown ] }
+      in
       match Task.head task.value with
-      | Ends result ->
-          (Product [ Unspecified; Atom (Bool true); result.value ], [])
-      | Runs { signal_function; primitive; output; result } ->
+      | Ends result -> (output ~shown:Unspecified ~has_ended:true ~ended:result.value, [])
+      | Runs { signal_function; primitive; output = while_it_runs; result } ->
           let name = mode.name in
           let shown, occurs, ended =
             if primitive = Make_task then
               let both =
-                run ~name ~result:(Core.Ir.Tuple [ output; event_type result ]) signal_function input
+                run ~name ~result:(Core.Ir.Tuple [ while_it_runs; event_type result ]) signal_function input
               in
               let occurs, ended = occurrence m node ~span:at result (Leaves.component both 1) in
               (Leaves.component both 0, occurs, ended)
             else
-              let ty = either_type output result in
+              let ty = either_type while_it_runs result in
               let either = run ~name ~result:ty signal_function input in
               let part constructor =
                 Leaves.payload c.types node Unnamed ~span:at ty either ~constructor ~field:0
@@ -281,7 +288,7 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
                 let span = Task.next_place task.value in
                 transitions m node ~from:(Some mode.growth) ~span ~delayed:false occurs (left ())
           in
-          (Product [ shown; Atom (Bool false); Unspecified ], after))
+          (output ~shown ~has_ended:false ~ended:Unspecified, after))
   | _ -> (run ~name:mode.name ~result:m.result value input, [])
 
 let build m ~input_value ~input_holes (mode : mode) =
