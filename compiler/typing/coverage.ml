@@ -23,6 +23,7 @@ type result = {
 type value =
   | Anything
   | Constructed of string * value list
+  | Record of string * (string * value) list  (** not all of them anything *)
   | Tuple of value list
 
 let show value =
@@ -40,14 +41,25 @@ let show value =
           go true a)
         arguments;
       if argument then put ")"
+    | Record (name, fields) ->
+      put (name ^ " { ");
+      separated
+        (fun (field, value) ->
+          put (field ^ " = ");
+          go false value)
+        fields;
+      put " }"
     | Tuple parts ->
       put "(";
-      List.iteri
-        (fun i part ->
-          if i > 0 then put ", ";
-          go false part)
-        parts;
+      separated (go false) parts;
       put ")"
+  and separated : 'a. ('a -> unit) -> 'a list -> unit =
+   fun put_one parts ->
+    List.iteri
+      (fun i part ->
+        if i > 0 then put ", ";
+        put_one part)
+      parts
   in
   go false value;
   Buffer.contents out
@@ -56,7 +68,8 @@ let show value =
 
 (* What a pattern looks at first. [arity]: parts it then looks at. *)
 type head =
-  | Constructor of { index : int; name : string; arity : int }
+  | Constructor of { index : int; name : string; arity : int; fields : string list }
+      (** of a record the fields' names *)
   | Components of int
   | Number of Exact.t
 
@@ -67,7 +80,8 @@ let rec head (p : pattern) =
   | Tuple_of ps -> Some (Components (List.length ps), ps)
   | Constructed (c, ps) ->
     let name = c.constructor.name and arity = List.length ps in
-    Some (Constructor { index = c.index; name; arity }, ps)
+    let fields = if c.record then List.map fst c.fields else [] in
+    Some (Constructor { index = c.index; name; arity; fields }, ps)
   | Literal n -> Some (Number n, [])
 
 let arity = function Constructor { arity; _ } -> arity | Components n -> n | Number _ -> 0
@@ -79,7 +93,11 @@ let key = function
 
 let rebuild head parts =
   match head with
-  | Constructor { name; _ } -> Constructed (name, parts)
+  | Constructor { name; fields = []; _ } -> Constructed (name, parts)
+  | Constructor { name; fields; _ } -> (
+    match List.filter (fun (_, part) -> part <> Anything) (List.combine fields parts) with
+    | [] -> Constructed (name, parts)
+    | known -> Record (name, known))
   | Components _ -> Tuple parts
   | Number n -> Constructed (Exact.to_string n, [])
 
