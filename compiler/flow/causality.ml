@@ -81,10 +81,15 @@ let named_hops hops =
       in
       Some (List.rev joined)
 
+let by_a_switch passage = Option.is_some passage.through.machine
+
 let through = function
   | [] -> ""
   | via ->
-      let name passage = Printf.sprintf "`%s`" passage.through.Ir.origin in
+      let name passage =
+        (* the node of a switch has the name of the definition that it stands in *)
+        if by_a_switch passage then "a switch" else Printf.sprintf "`%s`" passage.through.Ir.origin
+      in
       ", through " ^ String.concat " and " (List.map name via)
 
 (* A loop may be closed in the library, by [loop] say, around a signal function
@@ -169,6 +174,12 @@ let report_named entry hops =
     | [], false -> hint_within
   in
   let d = List.fold_left label d shown |> Diagnostic.hint hint in
+  let d =
+    if List.exists (fun hop -> List.exists by_a_switch hop.via) hops then
+      Diagnostic.note
+        "an output of a switch needs every input that a signal function in it reads at that instant" d
+    else d
+  in
   if left_out = 0 then d
   else
     Diagnostic.note

@@ -132,6 +132,25 @@ let report_outside t trail ~span ~index ~size =
   |> with_trail trail
   |> Diagnostic.emit t.sink
 
+let report_stored t trail ~span ty =
+  let rec outermost = function [] -> span | [ (_, at) ] -> at | _ :: calls -> outermost calls in
+  let folder (at : Span.t) = Filename.dirname at.file in
+  let is_own at = String.equal (folder at) (folder (outermost trail.calls)) in
+  let rec own = function
+    | (name, at) :: calls -> if is_own at then Some (name, at, calls) else own calls
+    | [] -> None
+  in
+  (match own trail.calls with
+  | Some (name, at, calls) when not (is_own span) ->
+      Diagnostic.error ~code:"E0412" ~at "`%s` cannot keep a value of type `%s`" name ty
+      |> Diagnostic.label ~at:span "it would be stored here, in a `delay`"
+      |> with_trail { trail with calls }
+  | _ ->
+      Diagnostic.error ~code:"E0412" ~at:span "a value of type `%s` cannot be stored in a `delay`" ty
+      |> with_trail trail)
+  |> Diagnostic.note "functions, signal functions and labels exist only while compiling"
+  |> Diagnostic.emit t.sink
+
 let count t trail ~name ~span =
   let before = Option.value (Hashtbl.find_opt t.counts name) ~default:0 in
   Hashtbl.replace t.counts name (before + 1);

@@ -84,4 +84,8 @@ val count : t -> trail -> name:string -> span:Span.t -> unit
 val report_outside : t -> trail -> span:Span.t -> index:int -> size:int -> unit
 (** Of an array whose size depends on the call. *)
 
+val report_stored : t -> trail -> span:Span.t -> string -> unit
+(** A [delay] of a value of this type, which has a function in it. The place is
+    the call in the program's own folder that leads there. *)
+
 val add_node : t -> Flow.Ir.node -> int

@@ -458,11 +458,7 @@ and delay (c : Context.t) s target ~span (initial : Value.argument) (input : Val
     Leaves.value c.types input.ty
       (List.map2 one (List.combine targets layout.leaves) (List.combine inits nexts))
   else (
-    Diagnostic.(
-      error ~code:"E0412" ~at:span "a value of type `%s` cannot be stored in a `delay`"
-        (Types.to_string input.ty)
-      |> note "functions, signal functions and labels exist only while compiling"
-      |> emit c.sink);
+    Context.report_stored c s.trail ~span (Types.to_string input.ty);
     Unspecified)
 
 and run_proc (c : Context.t) s target ~span ~result closure proc input =
@@ -554,4 +550,9 @@ and equation (c : Context.t) s target ty (eq : Ir.equation) =
       expr c s target e |> Task.named c ~name:(Some eq.binder.local.name) ~at:e.span
   | Run { signal_function; input } ->
       let signal_function = expr c s Unnamed signal_function in
-      run c s target ~span:eq.span ~result:ty signal_function (argument c s input)
+      match signal_function with
+      | Primitive { primitive = Delay; _ } when not (Types.layout c.types ty).first_order ->
+          (* before its input, which may need its output *)
+          Context.report_stored c s.trail ~span:eq.span (Types.to_string ty);
+          Unspecified
+      | _ -> run c s target ~span:eq.span ~result:ty signal_function (argument c s input)

@@ -59,7 +59,10 @@ let cure = function
       (Printf.sprintf "carry it in the event of the `%s`, or use `initially`" name)
   | Binding_of_task _ ->
     Diagnostic.hint "a task gets what it knows at its start by its parameters, and signals by its input"
-  | Head _ | Binding_of _ -> Fun.id
+  | Head _ ->
+    Diagnostic.hint
+      "what changes while it runs comes in by its input; `initially` starts it with the value of its first instant"
+  | Binding_of _ -> Fun.id
 
 let code = function Head _ -> "E0340" | Binding_of _ | Binding_of_task _ -> "E0344"
 

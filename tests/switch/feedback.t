@@ -56,8 +56,9 @@ With `switch` it may not: it is one box.
    --> loop.frob:3:5
     |
   3 |     y = switch (proc u -> (10, edge (u > 12))) (\_ -> delay 0) (y + x)
-    |     ^                                                           ----- `y` reads `y` here, through `main`
+    |     ^                                                           ----- `y` reads `y` here, through a switch
     |
+    = note: an output of a switch needs every input that a signal function in it reads at that instant
     = hint: let `y` read its own previous value: `delay x0 y`, where `x0` is the initial value
   
   1 error

@@ -1,0 +1,94 @@
+A function computed from signals lives for an instant. What would keep it is shown
+with the way that leads there, and the call in the program comes first.
+
+  $ cat > held.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> f x where
+  >     f = hold id (Event (\y -> y + x))
+  > FROB
+  $ frobc check held.frob
+  error[E0412]: `hold` cannot keep a value of type `Float -> Float`
+     --> held.frob:3:5
+      |
+    3 |     f = hold id (Event (\y -> y + x))
+      |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+      |
+     ::: stdlib/Prelude.frob:364:20
+      |
+  364 |     y = fromEvent (delay x0 y) e
+      |                    ---------- it would be stored here, in a `delay`
+      |
+      = note: functions, signal functions and labels exist only while compiling
+  
+  1 error
+  [1]
+  $ cat > best.frob <<'FROB'
+  > main :: SF (Float, Float) Float
+  > main = proc (x, y) -> best x where
+  >     best = atMin (\z -> z * x, y)
+  > FROB
+  $ frobc check best.frob
+  error[E0412]: `atMin` cannot keep a value of type `Maybe (Float -> Float, Float)`
+     --> best.frob:3:5
+      |
+    3 |     best = atMin (\z -> z * x, y)
+      |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+      |
+     ::: stdlib/Prelude.frob:453:5
+      |
+  453 |     before = delay Nothing (Just (best, bestKey))
+      |     --------------------------------------------- it would be stored here, in a `delay`
+      |
+      = note: functions, signal functions and labels exist only while compiling
+  
+  1 error
+  [1]
+  $ cat > own.frob <<'FROB'
+  > keep :: a -> SF (Event a) a
+  > keep x0 = proc e -> z where
+  >     z = fromEvent (delay x0 z) e
+  > wrap :: (Float -> Float) -> SF (Event (Float -> Float), Float) Float
+  > wrap f0 = proc (e, x) -> g x where
+  >     pair = (x, keep f0 e)
+  >     g = snd pair
+  > main :: SF Float Float
+  > main = proc x -> wrap id (mapE (\_ y -> x + y) (edge (x > 1)), x)
+  > FROB
+  $ frobc check own.frob
+  error[E0412]: a value of type `Float -> Float` cannot be stored in a `delay`
+   --> own.frob:3:20
+    |
+  3 |     z = fromEvent (delay x0 z) e
+    |                    ^^^^^^^^^^
+  ...
+  6 |     pair = (x, keep f0 e)
+    |                --------- `keep` is called here
+  ...
+  9 | main = proc x -> wrap id (mapE (\_ y -> x + y) (edge (x > 1)), x)
+    |                  ------------------------------------------------ `wrap` is called here
+    |
+    = note: functions, signal functions and labels exist only while compiling
+  
+  1 error
+  [1]
+
+What runs is chosen when it starts; a signal cannot be a parameter of it.
+
+  $ cat > parameter.frob <<'FROB'
+  > import Control
+  > main :: SF (Float, Float) Float
+  > main = proc (x, tau) -> lowPass (tau * 1[s]) x
+  > FROB
+  $ frobc check parameter.frob
+  error[E0340]: what is run must be static, but `tau` is a signal
+   --> parameter.frob:3:34
+    |
+  3 | main = proc (x, tau) -> lowPass (tau * 1[s]) x
+    |                 ---              ^^^
+    |                 |
+    |                 `tau` is a signal: it comes from the `proc`'s input here
+    |
+    = hint: what changes while it runs comes in by its input; `initially` starts it with the value of its first instant
+  
+  1 error
+  [1]
