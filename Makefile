@@ -7,6 +7,11 @@ PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
   libcairo2-dev libmpfr-dev pkg-config gcc g++ clang libclang-rt-14-dev \
   libtcc-dev tcc
 
+# What only `make matrix` needs: compilers and emulators of other machines.
+MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \
+  gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user valgrind \
+  gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
+
 # What only `make bench` needs, and what other tools it compares with, where they
 # can be had.
 BENCH_PACKAGES = valgrind
@@ -26,7 +31,7 @@ SEEDS ?= 100
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test seeds fuzz fuzz-drivers bench install clean
+.PHONY: all setup run test seeds fuzz fuzz-drivers matrix bench install clean
 
 all: setup
 	dune build @install
@@ -54,6 +59,12 @@ fuzz-drivers: setup
 # The examples with many seeds of noise, what a minute is too short for in `make test`.
 seeds: all
 	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh tests/run/all_seeds.sh $(SEEDS)
+
+matrix: all
+	@sh tests/setup.sh $(MATRIX_PACKAGES)
+	@dune build tests/matrix/emit.exe
+	@sh tests/matrix/run.sh _build/default/tests/matrix/emit.exe stdlib runtime $(N) $(SEED) all \
+	  examples/heading_hold/*.frob tests/interp/*.frob
 
 bench: all
 	@sh tests/setup.sh $(BENCH_PACKAGES)

@@ -78,6 +78,8 @@ let load tools ~entry file =
             [ (name ^ ".h", c.header); (name ^ ".c", c.source); (name ^ "_host.c", c.host_table) ];
         }
 
+let files subject = subject.files
+
 let recordings random ~rows subject =
   let tame = Input.make random Tame subject.input ~rows in
   let wild = Input.make random Wild subject.input ~rows in

@@ -31,6 +31,13 @@ type subject
 val load : tools -> entry:string -> string -> (subject, outcome) result
 (** Of a file. *)
 
+val files : subject -> (string * string) list
+(** The names and texts of its C, with the table for hosts. *)
+
+val interpreted : subject -> Recording.t -> string
+(** The trace of the output as the interpreter has it. May raise what a program
+    of its own would show as an internal error. *)
+
 val recordings : Random.State.t -> rows:int -> subject -> Recording.t list
 (** A tame one and a wild one. *)
 

@@ -1,0 +1,74 @@
+#!/bin/sh
+# One program, one meaning, everywhere: random programs and those of FILES, on
+# recorded input, under many compilers and machines, each judged by the
+# reference interpreter.
+#
+# usage: run.sh EMIT LIBRARY RUNTIME COUNT SEED BUILD,BUILD… FILES…
+#
+# A build's name is one of those below; `all` are all. Prints a line for each,
+# `ok` or `FAIL`; the exit status is 1 if any fails.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+emit=$1 library=$2 runtime=$3 count=$4 seed=$5 wanted=$6
+shift 6
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+exact="-std=c99 -ffp-contract=off"
+warnings="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
+
+# NAME | COMPILER AND OPTIONS | WHAT RUNS THE PROGRAM | ONE PROGRAM IN SO MANY
+builds() {
+    cat <<END
+gcc-O0|gcc $exact -O0 $warnings||1
+gcc-O2|gcc $exact -O2 $warnings||1
+gcc-O3|gcc $exact -O3 $warnings||1
+clang-O0|clang $exact -O0 $warnings||1
+clang-O3|clang $exact -O3 $warnings||1
+tcc|tcc -std=c99||1
+sanitizers|gcc $exact -O1 -g -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all||1
+valgrind|gcc $exact -O1 -g|valgrind -q --error-exitcode=9|10
+aarch64|aarch64-linux-gnu-gcc $exact -O2 $warnings -static|qemu-aarch64|1
+armhf|arm-linux-gnueabihf-gcc $exact -O2 $warnings -static|qemu-arm|1
+cortex-m4|arm-none-eabi-gcc $exact -O2 $warnings -mthumb -mcpu=cortex-m4 --specs=rdimon.specs -T $here/cortex_m.ld|sh $here/on_cortex_m.sh|1
+END
+}
+
+mkdir "$work/programs"
+cp -rL "$runtime/include" "$work/include"
+"$emit" --library "$library" --runtime "$runtime" --out "$work/programs" \
+    --count "$count" --seed "$seed" "$@"
+find "$work/programs" -mindepth 1 -maxdepth 1 -type d | sort >"$work/folders"
+
+# What all programs are linked with.
+common() { # NAME, COMPILER
+    mkdir "$work/$1"
+    sources="$here/runner.c $runtime/core/text.c $runtime/core/cell_read.c
+        $runtime/core/cell_write.c $runtime/core/trace.c $runtime/elementary/*.c"
+    [ "$1" != cortex-m4 ] || sources="$sources $here/cortex_m.c"
+    for source in $sources; do
+        # shellcheck disable=SC2086
+        ${2%% -T*} -I "$here" -I "$work/include" -c "$source" -o "$work/$1/$(basename "$source" .c).o"
+    done
+}
+
+failed=0
+builds >"$work/builds"
+while IFS='|' read -r name compiler runner every; do
+    case ",$wanted," in
+    *",all,"* | *",$name,"*) ;;
+    *) continue ;;
+    esac
+    common "$name" "$compiler"
+    awk -v every="$every" 'NR % every == 0' "$work/folders" >"$work/chosen"
+    xargs -P "$(nproc)" -n 1 sh "$here/one.sh" "$name" "$compiler" "$runner" "$work" \
+        <"$work/chosen" >"$work/wrong"
+    rm -rf "${work:?}/$name"
+    if [ -s "$work/wrong" ]; then
+        echo "FAIL $name"
+        cat "$work/wrong"
+        failed=1
+    else
+        echo "ok $name: $(wc -l <"$work/chosen") modules"
+    fi
+done <"$work/builds"
+exit $failed

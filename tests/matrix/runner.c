@@ -1,0 +1,95 @@
+/* Runs the program it is linked with on its recordings, and compares. Reads no
+ * file, so that it runs where there are none. Prints what differs; the exit
+ * status is 1 then. */
+#include <frob/cell.h>
+#include <frob/trace.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "expected.h"
+
+extern const struct frob_program frob_program;
+
+enum { MOST_COLUMNS = 4096 };
+
+static const struct frob_value *columns[MOST_COLUMNS];
+static int column_count;
+
+static void add_column(void *context, const char *name, const struct frob_value *value)
+{
+    (void)context;
+    (void)name;
+    if (column_count == MOST_COLUMNS) {
+        puts("too many columns");
+        exit(2);
+    }
+    columns[column_count++] = value;
+}
+
+/* Memory as a careless caller has it: what is read before it is written shows. */
+static void *litter(size_t size)
+{
+    void *memory = malloc(size + 1);
+    if (memory == NULL) {
+        puts("out of memory");
+        exit(2);
+    }
+    return memset(memory, 0xa5, size + 1);
+}
+
+static uint64_t mix(uint64_t hash, const struct frob_text *text)
+{
+    for (size_t i = 0; i < text->length; i++)
+        hash = (hash ^ (unsigned char)text->data[i]) * UINT64_C(0x100000001b3);
+    return hash;
+}
+
+static uint64_t trace_of(const struct recording *r)
+{
+    const struct frob_program *program = &frob_program;
+    const size_t room = frob_trace_room(program, FROB_TRACE_OUT);
+    char *buffer = (char *)litter(room);
+    void *state = litter(program->state_size), *input = litter(program->input_size),
+         *output = litter(program->output_size);
+    struct frob_text text = frob_text_in(buffer, room);
+    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    int64_t before = 0;
+
+    frob_trace_header(&text, program, FROB_TRACE_OUT);
+    hash = mix(hash, &text);
+    program->reset(state);
+    for (int i = 0; i < r->count; i++) {
+        const struct row *row = &r->rows[i];
+        for (int k = 0; k < column_count; k++) {
+            struct frob_cell_error error;
+            if (!frob_cell_read(row->cells[k], columns[k], input, &error)) {
+                printf("unreadable cell: %s\n", row->cells[k]);
+                exit(2);
+            }
+        }
+        program->step(state, i == 0 ? 0.0 : (double)(row->time_ns - before) / 1e9, input, output);
+        before = row->time_ns;
+        frob_text_clear(&text);
+        frob_trace_row(&text, program, FROB_TRACE_OUT, row->time_ns, NULL, output);
+        hash = mix(hash, &text);
+    }
+    free(buffer);
+    free(state);
+    free(input);
+    free(output);
+    return hash;
+}
+
+int main(void)
+{
+    int differ = 0;
+    frob_trace_columns(frob_program.input, "in", add_column, NULL);
+    for (int i = 0; i < recording_count; i++)
+        if (trace_of(&recordings[i]) != recordings[i].trace) {
+            printf("%s: recording %d: the output differs\n", frob_program.name, i);
+            differ = 1;
+        }
+    return differ;
+}
