@@ -70,7 +70,7 @@ let general =
   in
   let limit =
     let doc =
-      "How many specialized copies of definitions a program may need before it is rejected."
+      "How many specialized copies one definition may have before the program is rejected."
     in
     Arg.(value & opt int 10_000 & info [ "specialization-limit" ] ~docv:"N" ~doc)
   in

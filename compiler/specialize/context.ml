@@ -157,7 +157,10 @@ let count t trail ~name ~span =
   if before >= t.options.limit then
     stop t trail
       (Diagnostic.error ~code:"E0413" ~at:span
-         "`%s` is specialized for more than %d different arguments" name t.options.limit)
+         "`%s` is specialized for more than %d different arguments" name t.options.limit
+      |> Diagnostic.note
+           "it has a copy for each type, function and signal function that it is given, not for each number"
+      |> Diagnostic.hint "the option `--specialization-limit` allows more")
 
 let add_node t node =
   let index = t.node_count in

@@ -4,6 +4,7 @@ type t = {
   head : int list;  (* the code it starts with *)
   depth : int;
   added : string;  (* the function around the deepest nest in it *)
+  name : string;
   at : Span.t;
   from : t option;
   steps : int;  (* how often in a row it has grown *)
@@ -48,6 +49,11 @@ let rec nest_of_mode known (value : Value.t) =
       deepest (List.map (fun (a : Value.argument) -> nest_of_mode known a.value) arguments)
   | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Choice _ | Program _ | Unspecified -> (0, "")
 
+let name_of : Value.t -> string = function
+  | Function closure | Signal_function closure -> closure.name
+  | Primitive { owner; _ } -> owner
+  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Choice _ | Program _ | Unspecified -> ""
+
 let rec head (value : Value.t) =
   match value with
   | Function closure | Signal_function closure -> [ Closure.code_id closure.code ]
@@ -70,14 +76,27 @@ let of_value value ~at ~from =
     | Some earlier when depth > earlier.depth -> earlier.steps + 1
     | Some _ | None -> 0
   in
-  { head; depth; added; at; from; steps }
+  { head; depth; added; name = name_of value; at; from; steps }
 
 let is_endless t = t.steps > 20
 
+(* The modes since the last one of the same code, the first of them first. *)
+let since t =
+  let rec go found = function
+    | Some earlier when earlier.head <> t.head -> go (earlier :: found) earlier.from
+    | Some _ | None -> found
+  in
+  go [] t.from
+
 let report (c : Context.t) ~name t =
+  let on_the_way diagnostic hop =
+    if Span.compare hop.at t.at = 0 || String.equal hop.name "" then diagnostic
+    else Diagnostic.label ~at:hop.at (Printf.sprintf "on the way `%s` starts here" hop.name) diagnostic
+  in
   Diagnostic.(
     error ~code:"E0416" ~at:t.at "`%s` grows each time it starts itself again" name
     |> here (Printf.sprintf "here, with one more `%s`" t.added)
+    |> (fun diagnostic -> List.fold_left on_the_way diagnostic (since t))
     |> note "which signal functions can run must be known, and be finitely many"
     |> hint "start it with the same signal functions each time; numbers may change"
     |> emit c.sink);

@@ -12,11 +12,47 @@ let grows : Ir.ty -> bool = function
   | Variable _ -> false
   | ty -> is_open ty
 
-let report sink (d : Ir.definition) name types ~at =
+type use = { index : int; by : Ir.Global.t; types : Ir.ty list; at : Span.t }
+
+(* How the definition [from] comes to start [target]: the uses on a shortest way. *)
+let way uses from target =
+  let reached = Hashtbl.create 16 in
+  let rec back v found =
+    match Hashtbl.find_opt reached v with
+    | Some (Some (u, use)) -> back u ((u, use) :: found)
+    | Some None | None -> found
+  in
+  let rec search = function
+    | [] -> []
+    | v :: _ when v = target -> back v []
+    | v :: others ->
+        let next =
+          List.filter
+            (fun use ->
+              let is_new = not (Hashtbl.mem reached use.index) in
+              if is_new then Hashtbl.replace reached use.index (Some (v, use));
+              is_new)
+            uses.(v)
+        in
+        search (others @ List.map (fun use -> use.index) next)
+  in
+  Hashtbl.replace reached from None;
+  search [ from ]
+
+let report sink (definitions : Ir.definition array) uses i { index; by; types; at } =
+  let d = definitions.(i) in
+  let label diagnostic (v, use) =
+    Diagnostic.label ~at:use.at
+      (Printf.sprintf "`%s` starts `%s` here" definitions.(v).name.name use.by.name)
+      diagnostic
+  in
   let ty = List.find grows types in
-  Diagnostic.error ~code:"E0417" ~at "`%s` starts itself again at a larger type" name
+  Diagnostic.error ~code:"E0417" ~at "`%s` starts itself again at a larger type" by.name
   |> Diagnostic.here (Printf.sprintf "here a type variable of it becomes `%s`" (Types.to_string ty))
-  |> Diagnostic.label ~at:d.span (Printf.sprintf "`%s` is defined here" d.name.name)
+  |> (fun diagnostic ->
+       match way uses index i with
+       | [] -> Diagnostic.label ~at:d.span (Printf.sprintf "`%s` is defined here" d.name.name) diagnostic
+       | way -> List.fold_left label diagnostic way)
   |> Diagnostic.hint "start it again at the same types"
   |> Diagnostic.emit sink
 
@@ -31,12 +67,12 @@ let check sink (program : Ir.program) =
           (fun (target, at) ->
             match (target : Uses.target) with
             | Definition (g, types) ->
-                Option.map (fun i -> (i, g, types, at)) (Hashtbl.find_opt index g)
+                Option.map (fun index -> { index; by = g; types; at }) (Hashtbl.find_opt index g)
             | Method _ -> None)
           (Uses.of_expr ~continuations:true d.body))
       definitions
   in
-  let graph = Array.map (List.map (fun (i, _, _, _) -> i)) uses in
+  let graph = Array.map (List.map (fun use -> use.index)) uses in
   let components = Graph.components graph in
   let component = Array.make (Array.length definitions) 0 in
   List.iteri (fun k vertices -> List.iter (fun v -> component.(v) <- k) vertices) components;
@@ -44,9 +80,9 @@ let check sink (program : Ir.program) =
     (fun i own ->
       match
         List.find_opt
-          (fun (j, _, types, _) -> component.(j) = component.(i) && List.exists grows types)
+          (fun use -> component.(use.index) = component.(i) && List.exists grows use.types)
           own
       with
-      | Some (_, (g : Ir.Global.t), types, at) -> report sink definitions.(i) g.name types ~at
+      | Some use -> report sink definitions uses i use
       | None -> ())
     uses

@@ -119,3 +119,79 @@ A signal function that travels in an event is not stored.
   
   1 error
   [1]
+
+Growth and larger types through several definitions: the way round is shown.
+
+  $ cat > round.frob <<'FROB'
+  > go, back :: SF Float Float -> SF Float Float
+  > go sf = switch (proc x -> (sf x, edge (x > 1))) (\_ -> back (sf >>> arr (+ 1)))
+  > back sf = switch (proc x -> (sf x, edge (x < 1))) (\_ -> turn (sf &&& sf))
+  > 
+  > turn :: SF Float (Float, Float) -> SF Float Float
+  > turn sf = go (sf >>> arr fst)
+  > 
+  > main = go identity
+  > FROB
+  $ frobc check round.frob
+  error[E0416]: `go` grows each time it starts itself again
+   --> round.frob:3:58
+    |
+  2 | go sf = switch (proc x -> (sf x, edge (x > 1))) (\_ -> back (sf >>> arr (+ 1)))
+    |                                                        ----------------------- on the way `back` starts here
+  3 | back sf = switch (proc x -> (sf x, edge (x < 1))) (\_ -> turn (sf &&& sf))
+    |                                                          ^^^^^^^^^^^^^^^^ here, with one more `>>>`
+    |
+    = note: which signal functions can run must be known, and be finitely many
+    = hint: start it with the same signal functions each time; numbers may change
+  
+  1 error
+  [1]
+  $ cat > larger.frob <<'FROB'
+  > with :: a -> SF Float Float
+  > with v = switch (proc x -> (x, edge (x > 1))) (\_ -> within (Just v))
+  > 
+  > within :: a -> SF Float Float
+  > within v = switch (proc x -> (x, edge (x < 1))) (\_ -> with v)
+  > 
+  > main = with ()
+  > FROB
+  $ frobc check larger.frob
+  error[E0417]: `within` starts itself again at a larger type
+   --> larger.frob:2:54
+    |
+  2 | with v = switch (proc x -> (x, edge (x > 1))) (\_ -> within (Just v))
+    |                                                      ^^^^^^ here a type variable of it becomes `Maybe a`
+  ...
+  5 | within v = switch (proc x -> (x, edge (x < 1))) (\_ -> with v)
+    |                                                        ---- `within` starts `with` here
+    |
+    = hint: start it again at the same types
+  
+  1 error
+  [1]
+
+A definition has a copy for each signal function and type that it gets, and an option
+limits them.
+
+  $ cat > copies.frob <<'FROB'
+  > applied :: (Float -> Float) -> SF Float Float
+  > applied f = proc x -> f (delay 0 x)
+  > 
+  > each :: SF Float Float
+  > each = proc x -> applied sin x + applied (* 2) x + applied (\y -> y - 1) x
+  > 
+  > main = each
+  > FROB
+  $ frobc check copies.frob --specialization-limit 3
+  $ frobc check copies.frob --specialization-limit 2
+  error[E0413]: `applied` is specialized for more than 2 different arguments
+   --> copies.frob:5:52
+    |
+  5 | each = proc x -> applied sin x + applied (* 2) x + applied (\y -> y - 1) x
+    |                                                    ^^^^^^^^^^^^^^^^^^^^^^^ `applied` is called here
+    |
+    = note: it has a copy for each type, function and signal function that it is given, not for each number
+    = hint: the option `--specialization-limit` allows more
+  
+  1 error
+  [1]
