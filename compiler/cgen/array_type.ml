@@ -9,11 +9,12 @@ let name (sums : Flow.Ir.sum array) (ty : Machine.Ir.ty) =
     | Float -> "float"
     | Nanoseconds -> "time"
     | Sum k -> Name.snake sums.(k).name
+    | Foreign f -> Name.snake f.foreign_name
   in
   let rec sizes (ty : Machine.Ir.ty) =
     match ty with
     | Array (n, element) -> string_of_int n :: sizes element
-    | Bool | Int | Float | Nanoseconds | Sum _ -> []
+    | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> []
   in
   String.concat "_" (base ty :: sizes ty)
 

@@ -1,9 +1,27 @@
-type t = { header : string; source : string; host_table : string }
+type t = { header : string; source : string; host_table : string option; foreign : foreign }
+and foreign = { calls : string list; folders : string list }
 
 let program (program : Machine.Ir.program) =
   let files = Of_machine.program program in
   {
     header = Print.file files.header;
     source = Print.file files.source;
-    host_table = Host_table.text program files;
+    host_table =
+      (if
+         List.exists
+           (Flow.Lasting.mentions_foreign program.sums)
+           [ program.input; program.output ]
+       then None
+      else Some (Host_table.text program files));
+    foreign =
+      {
+        calls =
+          List.filter_map
+            (fun (node : Machine.Ir.node) ->
+              Option.map (fun (f : Flow.Ir.foreign) -> f.symbol) node.foreign)
+            (Array.to_list program.nodes);
+        folders =
+          List.sort_uniq String.compare
+            (List.map (fun (h : Flow.Ir.header) -> h.folder) program.headers);
+      };
   }

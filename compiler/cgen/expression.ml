@@ -126,6 +126,7 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   | Int i -> Integer i
   | Float x -> Float x
   | Zero_time -> Integer 0l
+  | Absent ty -> V.absent n.v ty
   | Variable v -> (
       match Hashtbl.find_opt n.variables v.id with
       | Some e -> e
@@ -208,7 +209,7 @@ and arguments n parameters given =
     (fun (p : M.variable) e ->
       match p.ty with
       | Array _ -> address (of_machine n e)
-      | Bool | Int | Float | Sum _ | Nanoseconds -> of_machine n e)
+      | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> of_machine n e)
     parameters given
 
 and payload n ~sum ~constructor ~leaf value : Ir.expr =
@@ -216,3 +217,14 @@ and payload n ~sum ~constructor ~leaf value : Ir.expr =
   match List.nth (Sum_type.payload sums (List.nth sums.(sum).constructors constructor)) leaf with
   | Scalar member -> Member (value, member)
   | Inner _ -> Call (V.projection n.v ~sum ~constructor ~leaf, [ value ])
+
+let parameters n variables =
+  List.map
+    (fun (p : M.variable) ->
+      match p.ty with
+      | Array _ ->
+          let name = Name.fresh n.scope p.name in
+          read_as n p (Unary (Dereference, Name name));
+          (Ir.Pointer_to_const (V.ty n.v p.ty), name)
+      | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> (V.ty n.v p.ty, variable n p))
+    variables

@@ -26,6 +26,9 @@ val variable : names -> Machine.Ir.variable -> string
 val field : names -> Machine.Ir.field -> Ir.expr
 (** [self->x] *)
 
+val parameters : names -> Machine.Ir.variable list -> (Ir.ty * string) list
+(** Of a node's function: an array is passed by address. *)
+
 val address : Ir.expr -> Ir.expr
 
 val arguments : names -> Machine.Ir.variable list -> Machine.Ir.expr list -> Ir.expr list

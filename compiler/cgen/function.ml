@@ -65,7 +65,7 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
         | States_of { count; _ } ->
             let index = Expression.index c.names 0 in
             Ir.For { index; count; body = [ plain (call (Ir.Subscript (own, Name index))) ] }
-        | State_of _ | Value _ | Running_mode | Modes _ -> call own
+        | State_of _ | Value _ | Running_mode | Modes _ | Component _ -> call own
       in
       { desc; comment = comment c span } :: rest
   | Loop l ->
@@ -158,22 +158,10 @@ let place_of (node : M.node) =
 
 let no_result _ _ = Diagnostic.bug ~stage:"Cgen.Function" "a result where there is none"
 
-let parameters (v : V.t) names variables =
-  List.map
-    (fun (variable : M.variable) ->
-      match variable.ty with
-      | Array _ ->
-          let name = Name.fresh (Expression.scope names) variable.name in
-          Expression.read_as names variable (Unary (Dereference, Name name));
-          (Ir.Pointer_to_const (V.ty v variable.ty), name)
-      | Bool | Int | Float | Sum _ | Nanoseconds ->
-          (V.ty v variable.ty, Expression.variable names variable))
-    variables
-
 let reset (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
-  let parameters = self v k :: parameters v names node.reset.parameters in
+  let parameters = self v k :: Expression.parameters names node.reset.parameters in
   name_variables names node.reset.body;
   let c = { v; names; index = k; node; write = no_result; read = variables_read node.reset.body; seconds = Given; place = "" } in
   let body = statements c node.reset.body in
@@ -193,7 +181,7 @@ let inline_size = 12
 let own_step (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
-  let given = parameters v names node.step.parameters in
+  let given = Expression.parameters names node.step.parameters in
   name_variables names node.step.body;
   let single, results =
     match node.outputs with
@@ -223,42 +211,6 @@ let own_step (v : V.t) k : Ir.function_ =
     body = List.rev_append (List.rev unread) (statements c node.step.body);
     comment = place_of node;
   }
-
-let no_path () = Diagnostic.bug ~stage:"Cgen.Function" "a place that no path leads to"
-
-(* A place in the input or output, at these indices of the arrays around it. *)
-let path from steps indices =
-  let step (e, indices) (step : Interface.step) =
-    match (step, indices) with
-    | Member member, _ -> (Ir.Member (e, member), indices)
-    | Element _, index :: others -> (Ir.Subscript (e, index), others)
-    | Element _, [] -> no_path ()
-  in
-  match steps with
-  | Interface.Member first :: rest ->
-      fst (List.fold_left step (Ir.Arrow (from, first), indices) rest)
-  | Element _ :: _ | [] -> no_path ()
-
-(* [body] gets the indices of all arrays around the place. *)
-let for_each names steps body =
-  let rec around (steps : Interface.step list) indices =
-    match steps with
-    | [] -> body (List.rev indices)
-    | Member _ :: rest -> around rest indices
-    | Element count :: rest ->
-        let index = Expression.index names (List.length indices) in
-        plain (Ir.For { index; count; body = [ around rest (Ir.Name index :: indices) ] })
-  in
-  around steps []
-
-let is_in_array = List.exists (function Interface.Element _ -> true | Member _ -> false)
-
-(* Between a place in an array of the input or output and a variable. *)
-let copy_leaf names steps ~from_interface from own =
-  for_each names steps (fun indices ->
-      let outside = path from steps indices in
-      let own = List.fold_left Array_type.element own indices in
-      plain (if from_interface then Ir.Assign (own, outside) else Ir.Assign (outside, own)))
 
 (* dt becomes whole nanoseconds, and 0 where the step cannot know it. *)
 let clock c (node : M.node) =
@@ -295,9 +247,6 @@ let clock c (node : M.node) =
   in
   times @ mark
 
-let dimensions steps =
-  List.length (List.filter (function Interface.Element _ -> true | Member _ -> false) steps)
-
 (* Is an array read element by element only, never as a whole? *)
 let only_elements_read body (variable : M.variable) ~dimensions =
   let rec is_chain depth (e : M.expr) =
@@ -329,19 +278,19 @@ let only_elements_read body (variable : M.variable) ~dimensions =
 let inputs c (node : M.node) =
   let direct = Interface.direct c.v.program.input in
   let take (variable : M.variable) members =
-    if is_in_array members then
+    if Access.is_in_array members then
       if not (Hashtbl.mem c.read variable.id) then []
-      else if only_elements_read node.step.body variable ~dimensions:(dimensions members) then (
-        Expression.read_elements_as c.names variable (path (Name "in") members);
+      else if only_elements_read node.step.body variable ~dimensions:(Access.dimensions members) then (
+        Expression.read_elements_as c.names variable (Access.path (Name "in") members);
         [])
       else
         let name = Expression.variable c.names variable in
         [
           plain (Ir.Variables { ty = V.ty c.v variable.ty; names = [ name ] });
-          copy_leaf c.names members ~from_interface:true (Name "in") (Name name);
+          Access.copy c.names members ~from_interface:true (Name "in") (Name name);
         ]
     else
-    let read = path (Name "in") members [] in
+    let read = Access.path (Name "in") members [] in
     if direct || String.equal variable.name "" then (
       Expression.read_as c.names variable read;
       [])
@@ -358,9 +307,9 @@ let root_step (v : V.t) k : Ir.function_ =
   let names = Expression.names v ~node:k in
   let outputs = Array.of_list v.output.leaves in
   let write k value =
-    if is_in_array outputs.(k) then
-      copy_leaf names outputs.(k) ~from_interface:false (Name "out") value
-    else plain (Ir.Assign (path (Name "out") outputs.(k) [], value))
+    if Access.is_in_array outputs.(k) then
+      Access.copy names outputs.(k) ~from_interface:false (Name "out") value
+    else plain (Ir.Assign (Access.path (Name "out") outputs.(k) [], value))
   in
   let seconds =
     if Machine.Time_use.by_one_mode v.program node then Where_wanted else Given
@@ -371,8 +320,8 @@ let root_step (v : V.t) k : Ir.function_ =
   let clock = clock c node in
   let body = statements c node.step.body in
   let clear steps =
-    for_each names steps (fun indices ->
-        plain (Ir.Assign (path (Name "out") steps indices, Integer 0l)))
+    Access.for_each names steps (fun indices ->
+        plain (Ir.Assign (Access.path (Name "out") steps indices, Integer 0l)))
   in
   let unused = List.map clear v.output.unused in
   let reads_self =

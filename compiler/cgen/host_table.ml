@@ -50,12 +50,15 @@ let take locations =
       locations := rest;
       location
 
+let foreign () = Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a host that knows a foreign type"
+
 (* Of a leaf that lies in one piece. *)
 let rec value_at path (ty : F.ty) =
   match ty with
   | Bool | Int | Float -> Scalar path
   | Sum _ -> Sum { tag = path ^ ".tag"; base = path ^ "."; first = Machine.Layout.none }
   | Array (_, element) -> Array (fun i -> value_at (sprintf "%s.at[%d]" path i) element)
+  | Foreign _ -> foreign ()
 
 let element_of i = function
   | Array location -> location i
@@ -101,6 +104,7 @@ and leaf c (ty : F.ty) location =
   | Int, Scalar path -> scalar "FROB_INT" path
   | Float, Scalar path -> scalar "FROB_FLOAT" path
   | Sum k, Sum { tag; base; first } -> sum c k ~tag ~base ~first
+  | Foreign _, _ -> foreign ()
   | (Bool | Int | Float | Sum _ | Array _), (Scalar _ | Sum _ | Array _) ->
       Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a leaf and its place do not match"
 
@@ -133,7 +137,7 @@ let interface out sums ~prefix (i : Interface.t) whole =
     | Member name :: rest, _ -> locate (if path = "" then name else path ^ "." ^ name) rest ty
     | Element _ :: rest, Array (_, element) ->
         Array (fun i -> locate (sprintf "%s[%d]" path i) rest element)
-    | Element _ :: _, (Bool | Int | Float | Sum _) ->
+    | Element _ :: _, (Bool | Int | Float | Sum _ | Foreign _) ->
         Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an array of a leaf that is none"
   in
   let locate = locate "" in

@@ -6,6 +6,7 @@ type types = {
   scope : Name.scope;
   prefix : string;
   sum : int -> string;
+  foreign : F.foreign_type -> Ir.ty;
   known : (key, string * Ir.member list) Hashtbl.t;
   mutable definitions : Ir.declaration list;  (** last first *)
 }
@@ -18,7 +19,8 @@ type t = {
 
 and step = Member of string | Element of int
 
-let types scope ~prefix ~sum = { scope; prefix; sum; known = Hashtbl.create 8; definitions = [] }
+let types scope ~prefix ~sum ~foreign =
+  { scope; prefix; sum; foreign; known = Hashtbl.create 8; definitions = [] }
 let key (product : F.product) =
   (product.product_module, product.product_name, List.map snd product.parts)
 
@@ -38,6 +40,7 @@ let rec leaf_type types (ty : F.ty) : Ir.ty =
   | Float -> Real
   | Sum k -> Struct (types.sum k)
   | Array (n, element) -> Array (leaf_type types element, n)
+  | Foreign foreign -> types.foreign foreign
 
 let rec members types (product : F.product) : Ir.member list =
   match product.parts with
@@ -92,6 +95,18 @@ let paths (shape : F.shape) (members : Ir.member list) member_list_of =
   | Leaf _ | Repeated _ -> List.iter (part [] shape) members);
   (List.rev !leaves, List.rev !unused)
 
+let with_paths types ~name members (shape : F.shape) =
+  let member_list_of (product : F.product) (ty : Ir.ty) =
+    match ty with
+    | Members members -> members
+    | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Named _ | Union _ | Array _ | Pointer _ | Pointer_to_const _ -> (
+        match Hashtbl.find_opt types.known (key product) with
+        | Some (_, members) -> members
+        | None -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "a record without a struct")
+  in
+  let leaves, unused = paths shape members member_list_of in
+  { struct_name = name; leaves; unused }
+
 let of_shape types ~name (shape : F.shape) =
   let members =
     match shape with
@@ -99,13 +114,13 @@ let of_shape types ~name (shape : F.shape) =
     | Product product -> members types product
   in
   define types name members;
-  let member_list_of (product : F.product) (ty : Ir.ty) =
-    match ty with
-    | Members members -> members
-    | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Union _ | Array _ | Pointer _ | Pointer_to_const _ -> (
-        match Hashtbl.find_opt types.known (key product) with
-        | Some (_, members) -> members
-        | None -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "a record without a struct")
-  in
-  let leaves, unused = paths shape members member_list_of in
-  { struct_name = name; leaves; unused }
+  with_paths types ~name members shape
+
+let of_type types ~name (shape : F.shape) =
+  match shape with
+  | Product ({ product_name; _ } as product) when not (String.equal product_name "") -> (
+      let name = record types product in
+      match Hashtbl.find_opt types.known (key product) with
+      | Some (_, members) -> with_paths types ~name members shape
+      | None -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "a record without a struct")
+  | Product _ | Leaf _ | Repeated _ -> of_shape types ~name:(name ()) shape

@@ -7,8 +7,13 @@
 type types
 (** The record types of one header, as they are met. *)
 
-val types : Name.scope -> prefix:string -> sum:(int -> string) -> types
-(** [sum] gives the struct of a sum. *)
+val types :
+  Name.scope ->
+  prefix:string ->
+  sum:(int -> string) ->
+  foreign:(Flow.Ir.foreign_type -> Ir.ty) ->
+  types
+(** [sum] gives the struct of a sum, [foreign] how C has a foreign type. *)
 
 type t = {
   struct_name : string;
@@ -20,8 +25,13 @@ and step =
   | Member of string
   | Element of int  (** of an array: any of so many *)
 
+val leaf_type : types -> Flow.Ir.ty -> Ir.ty
+
 val of_shape : types -> name:string -> Flow.Ir.shape -> t
 (** [name] is that of the struct, a name of the header's scope. *)
+
+val of_type : types -> name:(unit -> string) -> Flow.Ir.shape -> t
+(** A record has its own struct, whoever uses it; else as {!of_shape}. *)
 
 val definitions : types -> Ir.declaration list
 (** All structs, used before users. *)

@@ -12,6 +12,7 @@ type ty =
   | Int64
   | Real  (** the one type of the language's Float *)
   | Struct of string
+  | Named of string  (** as the user's C calls it: [struct frame], or a [typedef] *)
   | Members of member list  (** a struct without a name, inside another *)
   | Union of member list  (** likewise *)
   | Array of ty * int  (** only of a member *)

@@ -57,7 +57,7 @@ let results_of_run c (run : M.run) =
     List.map
       (fun (v : M.variable) ->
         let name = Expression.variable c.names v and ty = V.ty c.v v.ty in
-        plain (Ir.Variable { ty; name; value = Sum_type.zero c.v.program.sums v.ty }))
+        plain (Ir.Variable { ty; name; value = V.zero c.v v.ty }))
       run.results
 
 let one_case c (run : M.run) ~again ~dropped k (case : M.case) =

@@ -12,7 +12,7 @@ type t = {
 let state_comment (v : V.t) (field : M.field) =
   let what =
     match field.content with
-    | Value _ | Running_mode | Modes _ -> field.purpose
+    | Value _ | Running_mode | Modes _ | Component _ -> field.purpose
     | State_of k | States_of { node = k; _ } -> v.program.nodes.(k).origin
   in
   Printf.sprintf "%s at %s:%d" what (Filename.basename field.span.file) field.span.start.line
@@ -25,6 +25,7 @@ let rec member (v : V.t) k (field : M.field) : Ir.member =
     | Value ty -> V.ty v ty
     | State_of k -> Struct v.nodes.(k).state
     | States_of { node; count } -> Array (Struct v.nodes.(node).state, count)
+    | Component symbol -> Struct (symbol ^ "_state")
     | Running_mode -> if Array.length v.nodes.(k).modes <= 256 then Uint8 else Int32
     | Modes modes -> Union (List.concat (List.mapi (mode v k) modes))
   in
@@ -77,13 +78,80 @@ let state_struct (v : V.t) k (node : M.node) =
     ]
 
 let states (v : V.t) =
-  let struct_of k node =
-    if V.has_state v k || V.is_root v k then state_struct v k node else []
+  let struct_of k (node : M.node) =
+    if Option.is_some node.foreign then []
+    else if V.has_state v k || V.is_root v k then state_struct v k node else []
   in
   List.concat (List.mapi struct_of (Array.to_list v.program.nodes))
 
 (* A robot's own are in its header. *)
-let types (v : V.t) = V.type_definitions v ~foreign:false
+let types (v : V.t) =
+  V.type_definitions v ~of_:(function V.Program | Foreign_code -> true | Robot -> false)
+
+(* {1 The user's C} *)
+
+let foreign_headers (v : V.t) =
+  List.sort_uniq String.compare
+    (List.map (fun (h : Flow.Ir.header) -> Printf.sprintf "\"%s\"" h.header) v.program.headers)
+
+let foreign_interfaces (v : V.t) =
+  List.filter_map (fun (n : V.node) -> n.foreign) (Array.to_list v.nodes)
+
+(* Structs of which only addresses are passed need not be known. *)
+let foreign_structs (v : V.t) =
+  let found = Hashtbl.create 8 in
+  let rec note (ty : Flow.Ir.ty) =
+    match ty with
+    | Foreign { c_type; copyable = false; _ } when String.contains c_type ' ' ->
+        Hashtbl.replace found (c_type ^ ";\n") ()
+    | Foreign _ | Bool | Int | Float -> ()
+    | Array (_, element) -> note element
+    | Sum k ->
+        List.iter
+          (fun c -> List.iter note (Machine.Layout.leaves c))
+          v.program.sums.(k).constructors
+  in
+  let shape shape = List.iter note (Machine.Layout.shape_leaves shape) in
+  shape v.program.input;
+  shape v.program.output;
+  Array.iter
+    (fun (n : M.node) ->
+      Option.iter
+        (fun (f : Flow.Ir.foreign) -> List.iter shape (f.result :: f.arguments))
+        n.foreign)
+    v.program.nodes;
+  let all = List.sort compare (Hashtbl.fold (fun text () all -> text :: all) found []) in
+  match all with [] -> [] | all -> [ Ir.Text (String.concat "" all) ]
+
+let foreign_records (v : V.t) =
+  List.concat_map
+    (fun (d : Ir.declaration) ->
+      match d with Struct_definition { name; _ } -> V.once name [ d ] | d -> [ d ])
+    v.foreign_records
+
+(* What C's own headers declare, in C++ with promises that we cannot repeat. *)
+let declared_by_math =
+  String.split_on_char ' '
+    "acos asin atan atan2 cos sin tan acosh asinh atanh cosh sinh tanh exp exp2 expm1 log log10 \
+     log1p log2 logb pow sqrt cbrt hypot erf erfc tgamma lgamma ceil floor nearbyint rint round \
+     trunc fmod remainder copysign nextafter fdim fmax fmin fma fabs"
+
+let foreign_prototypes (v : V.t) =
+  let add (known, prototypes) (f : Foreign_interface.t) =
+    if List.mem f.symbol known || List.mem f.symbol declared_by_math then (known, prototypes)
+    else (f.symbol :: known, List.rev_append (Foreign_interface.prototypes f) prototypes)
+  in
+  let _, prototypes = List.fold_left add ([], []) (foreign_interfaces v) in
+  match List.rev prototypes with
+  | [] -> []
+  | all -> Ir.Text "/* What the program calls. */\n" :: List.map (fun p -> Ir.Prototype p) all
+
+(* Stand for foreign values that are not there. *)
+let absent (v : V.t) =
+  let variables = Hashtbl.fold (fun (f : Flow.Ir.foreign_type) name all -> (name, f.c_type) :: all) v.absent [] in
+  List.map
+    (fun (name, c_type) -> Ir.Text (Printf.sprintf "static %s %s;\n" c_type name))
+    (List.sort compare variables)
 
 let includes headers = String.concat "" (List.map (Printf.sprintf "#include %s\n") headers)
 
@@ -100,12 +168,19 @@ let header (v : V.t) (reset : Ir.function_) (step : Ir.function_) : Ir.file =
               #ifndef %s\n\
               #define %s\n"
              v.program.name v.name v.name guard guard);
-        Text (includes (robots @ [ "<stdbool.h>"; "<stdint.h>" ]));
+        Text
+          (includes
+             (robots
+             @ [ "<stdbool.h>"; "<stdint.h>" ]
+             @ foreign_headers v));
         Text "#ifdef __cplusplus\nextern \"C\" {\n#endif\n";
       ];
+      foreign_structs v;
       types v;
+      foreign_records v;
       v.records;
       (if has_modes v then [ Text overlaid ] else []);
+      foreign_prototypes v;
       states v;
       [
         Prototype { reset with comment = "" };
@@ -132,10 +207,11 @@ let program (program : M.program) =
   let v = V.of_program program in
   let root = Array.length program.nodes - 1 in
   let functions k =
-    let reset =
-      if V.has_state v k || V.is_root v k then [ Function.reset v k ] else []
-    in
-    reset @ [ Function.step v k ]
+    match v.nodes.(k).foreign with
+    | Some interface -> [ Foreign_call.step v k interface ]
+    | None ->
+        let has_reset = V.has_state v k || V.is_root v k in
+        (if has_reset then [ Function.reset v k ] else []) @ [ Function.step v k ]
   in
   let functions = List.init (root + 1) functions in
   let reset, step =
@@ -143,7 +219,8 @@ let program (program : M.program) =
     | [ reset; step ] -> (reset, step)
     | _ -> Basis.Diagnostic.bug ~stage:"Cgen.Of_machine" "a root without reset and step"
   in
-  let makers = List.map (fun (k, c) -> Sum_type.maker program.sums v.sums k c) (keys v.makers) in
+  let maker (k, c) = Sum_type.maker program.sums ~absent:(V.absent v) v.sums k c in
+  let makers = List.map maker (keys v.makers) in
   let projections =
     List.map
       (fun (k, constructor, leaf) -> Sum_type.projection program.sums v.sums k ~constructor ~leaf)
@@ -161,6 +238,7 @@ let program (program : M.program) =
           Text (checks v);
         ];
         List.map (fun text -> Ir.Text text) (Helper.text (Hashtbl.mem v.helpers));
+        absent v;
         List.map function_ (makers @ projections @ V.array_functions v);
         List.map function_ (List.concat functions);
       ]

@@ -67,8 +67,10 @@ let rec ty_name = function
   | Int64 -> "int64_t"
   | Real -> "double"
   | Struct name -> "struct " ^ name
+  | Named name -> name
   | Members _ -> "struct"
   | Union _ -> "union"
+  | Pointer ((Pointer _ | Pointer_to_const _) as t) -> ty_name t ^ "*"
   | Pointer t -> ty_name t ^ " *"
   | Pointer_to_const t -> "const " ^ ty_name t ^ " *"
 
@@ -76,7 +78,18 @@ let rec declarator ty name =
   match ty with
   | Array (t, n) -> declarator t (Printf.sprintf "%s[%d]" name n)
   | Pointer _ | Pointer_to_const _ -> ty_name ty ^ name
-  | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Members _ | Union _ -> ty_name ty ^ " " ^ name
+  | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Named _ | Members _ | Union _ -> ty_name ty ^ " " ^ name
+
+(* [const T x], [T *const x] *)
+let constant ty name =
+  match ty with
+  | Pointer _ | Pointer_to_const _ -> ty_name ty ^ "const " ^ name
+  | _ -> "const " ^ declarator ty name
+
+(* Several variables of one type: each pointer has its star. *)
+let variables ty names =
+  let separator = match ty with Pointer _ | Pointer_to_const _ -> ",\001*" | _ -> ",\001" in
+  declarator ty (String.concat separator names)
 
 let precedence = function
   | Name _ | Boolean _ | Long _ | Call _ | Member _ | Arrow _ | Subscript _ | Aggregate _ -> postfix
@@ -238,10 +251,10 @@ let rec statement out ~indent { desc; comment } =
   let put text = line out ~indent ~comment text in
   match desc with
   | Constant { ty; name; value } ->
-      put ("const " ^ declarator ty name ^ " = " ^ with_breaks value ^ ";")
+      put (constant ty name ^ " = " ^ with_breaks value ^ ";")
   | Table { ty; name; value } ->
       put ("static const " ^ declarator ty name ^ " = " ^ with_breaks value ^ ";")
-  | Variables { ty; names } -> put (declarator ty (commas names) ^ ";")
+  | Variables { ty; names } -> put (variables ty names ^ ";")
   | Variable { ty; name; value } -> put (declarator ty name ^ " = " ^ with_breaks value ^ ";")
   | Initialize { ty; name; values } ->
       put (declarator ty name ^ " = {" ^ commas (List.map with_breaks values) ^ "};")
@@ -311,7 +324,7 @@ let rec members out ~indent (all : member list) =
       | Union inside ->
           line out ~indent "union {";
           members out ~indent:(indent + 4) inside
-      | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Array _ | Pointer _ | Pointer_to_const _ -> ());
+      | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Named _ | Array _ | Pointer _ | Pointer_to_const _ -> ());
       line out ~indent ~column ~comment:m.comment (text m))
     all
 

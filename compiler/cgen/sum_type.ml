@@ -43,7 +43,7 @@ let payload sums ?(first = Machine.Layout.none) (constructor : F.sum_constructor
       | Sum sum ->
           let first = { used with tags = used.tags + 1 } in
           Inner { sum; tag = tag_slot used.tags; first }
-      | Array _ -> Scalar (array_slot sums ty (Machine.Layout.arrays_before used ty))
+      | Array _ | Foreign _ -> Scalar (array_slot sums ty (Machine.Layout.arrays_before used ty))
     in
     (Machine.Layout.add used (Machine.Layout.leaf sums ty), slot :: slots)
   in
@@ -78,16 +78,17 @@ let definition sums (sum : F.sum) t =
       };
   ]
 
-let rec zero sums (ty : Machine.Ir.ty) : Ir.expr =
+let rec zero sums ~absent (ty : Machine.Ir.ty) : Ir.expr =
   match ty with
+  | Foreign ty -> absent ty
   | Float -> Float 0.
   | Bool -> Boolean false
   | Int | Nanoseconds -> Integer 0l
-  | Sum k -> Aggregate (Integer 0l :: zeros sums (Machine.Layout.sum sums k))
-  | Array (_, element) -> Aggregate [ Aggregate [ zero sums element ] ]
+  | Sum k -> Aggregate (Integer 0l :: zeros sums ~absent (Machine.Layout.sum sums k))
+  | Array (_, element) -> Aggregate [ Aggregate [ zero sums ~absent element ] ]
 
 (* In the order of the members. *)
-and zeros sums (slots : Machine.Layout.slots) =
+and zeros sums ~absent (slots : Machine.Layout.slots) =
   let some count e = List.init count (fun _ -> e) in
   List.concat
     [
@@ -95,7 +96,7 @@ and zeros sums (slots : Machine.Layout.slots) =
       some slots.ints (Ir.Integer 0l);
       some slots.bools (Ir.Boolean false);
       some slots.tags (Ir.Integer 0l);
-      List.concat_map (fun (ty, count) -> some count (zero sums (Machine.Layout.ty ty))) slots.arrays;
+      List.concat_map (fun (ty, count) -> some count (zero sums ~absent (Machine.Layout.ty ty))) slots.arrays;
     ]
 
 (* The function's value, a struct given member by member. *)
@@ -115,7 +116,7 @@ let function_ ~result name parameters values : Ir.function_ =
     comment = "";
   }
 
-let maker sums types sum constructor =
+let maker sums ~absent types sum constructor =
   let t = types.(sum) in
   let slots = payload sums (List.nth sums.(sum).F.constructors constructor) in
   let given = Hashtbl.create 8 in
@@ -139,7 +140,7 @@ let maker sums types sum constructor =
   function_
     ~result:(Struct t.struct_name)
     t.makers.(constructor) parameters
-    (Name t.tags.(constructor) :: List.map2 value (members sums t) (zeros sums t.slots))
+    (Name t.tags.(constructor) :: List.map2 value (members sums t) (zeros sums ~absent t.slots))
 
 let projection_name t ~constructor ~leaf = Printf.sprintf "%s_part%d" t.makers.(constructor) (leaf + 1)
 

@@ -28,13 +28,15 @@ type slot =
 val payload : Flow.Ir.sum array -> ?first:Machine.Layout.slots -> Flow.Ir.sum_constructor -> slot list
 (** The slots of all leaves; [first] slots belong to others. *)
 
-val zero : Flow.Ir.sum array -> Machine.Ir.ty -> Ir.expr
+val zero :
+  Flow.Ir.sum array -> absent:(Flow.Ir.foreign_type -> Ir.expr) -> Machine.Ir.ty -> Ir.expr
 (** Some value of the type, as an initial value. *)
 
 val definition : Flow.Ir.sum array -> Flow.Ir.sum -> t -> Ir.declaration list
 (** The tags' constants and the struct. *)
 
-val maker : Flow.Ir.sum array -> t array -> int -> int -> Ir.function_
+val maker :
+  Flow.Ir.sum array -> absent:(Flow.Ir.foreign_type -> Ir.expr) -> t array -> int -> int -> Ir.function_
 (** Of a sum and a constructor. *)
 
 val projection_name : t -> constructor:int -> leaf:int -> string

@@ -9,19 +9,23 @@ type node = {
   step : string;
   members : (int, string list) Hashtbl.t;
   modes : mode array;
+  foreign : Foreign_interface.t option;
 }
+
+type owner = Program | Robot | Foreign_code
 
 type t = {
   program : M.program;
   name : string;
   file_scope : Name.scope;
   sums : Sum_type.t array;
-  foreign : bool array;
+  owners : owner array;
   nodes : node array;
   input : Interface.t;
   output : Interface.t;
   records : Ir.declaration list;
   robot_records : Ir.declaration list;
+  foreign_records : Ir.declaration list;
   robots : Robot.t list;
   helpers : (Helper.t, unit) Hashtbl.t;
   elementary : (string, unit) Hashtbl.t;
@@ -29,14 +33,21 @@ type t = {
   projections : (int * int * int, unit) Hashtbl.t;
   arrays : arrays;
   operations : (Array_type.operation * M.ty, string) Hashtbl.t;
+  absent : (F.foreign_type, string) Hashtbl.t;
 }
 
 (* Structs of arrays, as they are met. *)
 and arrays = {
   names : (M.ty, string) Hashtbl.t;
-  of_robots : (M.ty, unit) Hashtbl.t;  (** those that are in a robot's header *)
+  array_owners : (M.ty, owner) Hashtbl.t;  (** of those that are not the program's *)
   mutable met : M.ty list;  (** last first *)
 }
+
+let is_array (ty : M.ty) =
+  match ty with Array _ -> true | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> false
+
+let foreign_type (ty : F.foreign_type) : Ir.ty =
+  if ty.copyable then Named ty.c_type else Pointer_to_const (Named ty.c_type)
 
 let is_root t k = k = Array.length t.program.nodes - 1
 let has_state t k = match t.program.nodes.(k).state with [] -> false | _ :: _ -> true
@@ -57,7 +68,7 @@ let name_modes (nodes : M.node array) table scope ~prefix (node : M.node) =
       (fun (field : M.field) ->
         match field.content with
         | Modes _ -> Some (Hashtbl.find table field.id)
-        | Value _ | State_of _ | States_of _ | Running_mode -> None)
+        | Value _ | State_of _ | States_of _ | Running_mode | Component _ -> None)
       node.state
   in
   let name (mode : M.mode) =
@@ -89,22 +100,29 @@ let name_root scope ~name =
   let root_reset = take "_reset" in
   { root_state; root_reset; root_step = take "_step" }
 
-let name_nodes scope ~name ~root (nodes : M.node array) =
+(* What the programs around may know by the same name begins so. *)
+let shared_prefix = "frob"
+let prefix ~name = function Program -> name | Robot | Foreign_code -> shared_prefix
+
+let name_nodes scope ~name ~root ~foreign (nodes : M.node array) =
   let last = Array.length nodes - 1 in
   Array.mapi
     (fun k (node : M.node) ->
       let own = name ^ "_" ^ node.name in
       let prefix = if k = last then name else own in
       let members, modes = members scope ~prefix nodes node in
-      if k = last then
-        { state = root.root_state; reset = root.root_reset; step = root.root_step; members; modes }
+      let names ~state ~reset ~step = { state; reset; step; members; modes; foreign = foreign.(k) } in
+      if k = last then names ~state:root.root_state ~reset:root.root_reset ~step:root.root_step
       else
-        match node.state with
-        | [] -> { state = ""; reset = ""; step = Name.fresh scope own; members; modes }
-        | _ :: _ ->
+        match (node.state, node.foreign) with
+        | [], _ -> names ~state:"" ~reset:"" ~step:(Name.fresh scope own)
+        | _ :: _, Some { symbol; _ } ->
+            names ~state:(Foreign_interface.state symbol) ~reset:(Foreign_interface.reset symbol)
+              ~step:(Name.fresh scope (own ^ "_step"))
+        | _ :: _, None ->
             let state = Name.fresh scope (own ^ "_state") in
             let reset = Name.fresh scope (own ^ "_reset") in
-            { state; reset; step = Name.fresh scope (own ^ "_step"); members; modes })
+            names ~state ~reset ~step:(Name.fresh scope (own ^ "_step")))
     nodes
 
 let rec name_array arrays scope ~name sums (ty : M.ty) =
@@ -115,76 +133,112 @@ let rec name_array arrays scope ~name sums (ty : M.ty) =
       (match ty with
       | Array (_, (Array _ as element)) ->
           ignore (name_array arrays scope ~name sums element : string)
-      | Array _ | Bool | Int | Float | Nanoseconds | Sum _ -> ());
-      let prefix = if Hashtbl.mem arrays.of_robots ty then "frob" else name in
-      let name = Name.fresh scope (prefix ^ "_" ^ Array_type.name sums ty) in
+      | Array _ | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> ());
+      let owner = Option.value (Hashtbl.find_opt arrays.array_owners ty) ~default:Program in
+      let name = Name.fresh scope (prefix ~name owner ^ "_" ^ Array_type.name sums ty) in
       Hashtbl.replace arrays.names ty name;
       arrays.met <- ty :: arrays.met;
       name
 
+(* What C code of the user's is called. *)
+let foreign_names (program : M.program) =
+  let names (node : M.node) =
+    match node.foreign with
+    | None -> []
+    | Some { symbol; _ } when node.state = [] -> [ symbol ]
+    | Some { symbol; _ } -> List.map (( ^ ) symbol) [ "_state"; "_input"; "_output"; "_reset"; "_step" ]
+  in
+  List.concat_map names (Array.to_list program.nodes)
+
 let of_program (program : M.program) =
   let name = Name.identifier program.name in
-  let scope = Name.scope Identifiers ~taken:Helper.names in
+  let scope = Name.scope Identifiers ~taken:(foreign_names program @ Helper.names) in
   let input_name = Name.fresh scope (name ^ "_input") in
   let output_name = Name.fresh scope (name ^ "_output") in
   (* What a host calls and sees has the first choice: the root's names are the
      program's own, its types come before the functions inside. *)
   let root = name_root scope ~name in
-  let arrays = { names = Hashtbl.create 16; of_robots = Hashtbl.create 4; met = [] } in
-  let foreign = Array.make (Array.length program.sums) false in
+  let arrays = { names = Hashtbl.create 16; array_owners = Hashtbl.create 4; met = [] } in
+  let owners = Array.make (Array.length program.sums) Program in
+  let rec mark owner (ty : F.ty) =
+    match ty with
+    | Sum k ->
+        if owners.(k) = Program then owners.(k) <- owner;
+        List.iter
+          (fun (ty, _) ->
+            let array = Machine.Layout.ty ty in
+            if is_array array && not (Hashtbl.mem arrays.array_owners array) then
+              Hashtbl.replace arrays.array_owners array owner;
+            mark owner ty)
+          (Machine.Layout.sum program.sums k).arrays
+    | Array (_, element) -> mark owner element
+    | Bool | Int | Float | Foreign _ -> ()
+  in
+  let mark_leaves owner shape = List.iter (mark owner) (Machine.Layout.shape_leaves shape) in
   let robot_of shape =
     let robot = Robot.of_shape shape in
-    let rec mark (ty : F.ty) =
-      match ty with
-      | Sum k ->
-          foreign.(k) <- true;
-          List.iter
-            (fun (ty, _) ->
-              Hashtbl.replace arrays.of_robots (Machine.Layout.ty ty) ();
-              mark ty)
-            (Machine.Layout.sum program.sums k).arrays
-      | Array (_, element) -> mark element
-      | Bool | Int | Float -> ()
-    in
-    if Option.is_some robot then List.iter mark (Machine.Layout.shape_leaves shape);
+    if Option.is_some robot then mark_leaves Robot shape;
     robot
   in
   let input_robot = robot_of program.input in
   let output_robot = robot_of program.output in
+  Array.iter
+    (fun (node : M.node) ->
+      Option.iter
+        (fun (f : F.foreign) -> List.iter (mark_leaves Foreign_code) (f.result :: f.arguments))
+        node.foreign)
+    program.nodes;
   let sums =
     Array.mapi
       (fun k sum ->
-        let prefix = if foreign.(k) then "frob" else name in
+        let prefix = prefix ~name owners.(k) in
         let slots = Machine.Layout.sum program.sums k in
         let array (ty, _) =
-          (ty, Ir.Struct (name_array arrays scope ~name program.sums (Machine.Layout.ty ty)))
+          match Machine.Layout.ty ty with
+          | Foreign foreign -> (ty, foreign_type foreign)
+          | array -> (ty, Ir.Struct (name_array arrays scope ~name program.sums array))
         in
         Sum_type.name scope ~prefix sum ~slots ~arrays:(List.map array slots.arrays))
       program.sums
   in
   let sum k = sums.(k).struct_name in
-  let own = Interface.types scope ~prefix:name ~sum in
-  let robots = Interface.types scope ~prefix:"frob" ~sum in
+  let own = Interface.types scope ~prefix:name ~sum ~foreign:foreign_type in
+  let shared = Interface.types scope ~prefix:shared_prefix ~sum ~foreign:foreign_type in
   let interface robot struct_name (shape : F.shape) =
     match (robot, shape) with
     | Some _, Product { product_name; _ } ->
-        Interface.of_shape robots ~name:("frob_" ^ Name.snake product_name) shape
+        Interface.of_shape shared ~name:("frob_" ^ Name.snake product_name) shape
     | _, _ -> Interface.of_shape own ~name:struct_name shape
   in
   let input = interface input_robot input_name program.input in
   let output = interface output_robot output_name program.output in
-  let nodes = name_nodes scope ~name ~root program.nodes in
+  let robot_records = Interface.definitions shared in
+  let foreign =
+    Array.map
+      (fun (node : M.node) ->
+        let kind = if node.state = [] then F.Function else F.Signal_function in
+        Option.map
+          (Foreign_interface.of_node shared ~fresh:(Name.fresh scope) kind)
+          node.foreign)
+      program.nodes
+  in
+  let is_robots d = List.memq d robot_records in
+  let foreign_records =
+    List.filter (fun d -> not (is_robots d)) (Interface.definitions shared)
+  in
+  let nodes = name_nodes scope ~name ~root ~foreign program.nodes in
   {
     program;
     name;
     file_scope = scope;
     sums;
-    foreign;
+    owners;
     nodes;
     input;
     output;
     records = Interface.definitions own;
-    robot_records = Interface.definitions robots;
+    robot_records;
+    foreign_records;
     robots =
       List.sort_uniq compare (List.filter_map Fun.id [ input_robot; output_robot ]);
     helpers = Hashtbl.create 16;
@@ -193,6 +247,7 @@ let of_program (program : M.program) =
     projections = Hashtbl.create 16;
     arrays;
     operations = Hashtbl.create 16;
+    absent = Hashtbl.create 4;
   }
 
 let ty t (ty : M.ty) : Ir.ty =
@@ -203,6 +258,19 @@ let ty t (ty : M.ty) : Ir.ty =
   | Float -> Real
   | Nanoseconds -> Int64
   | Sum k -> Struct t.sums.(k).struct_name
+  | Foreign foreign -> foreign_type foreign
+
+let absent t (ty : F.foreign_type) : Ir.expr =
+  if not ty.copyable then Integer 0l
+  else
+    match Hashtbl.find_opt t.absent ty with
+    | Some name -> Name name
+    | None ->
+        let name = Name.fresh t.file_scope (t.name ^ "_no_" ^ Name.snake ty.foreign_name) in
+        Hashtbl.replace t.absent ty name;
+        Name name
+
+let zero t ty = Sum_type.zero t.program.sums ~absent:(absent t) ty
 
 let helper t helper =
   Hashtbl.replace t.helpers helper ();
@@ -240,7 +308,7 @@ let array_function t operation array =
 
 let size_and_element : M.ty -> int * M.ty = function
   | Array (count, element) -> (count, element)
-  | Bool | Int | Float | Nanoseconds | Sum _ ->
+  | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ ->
       Basis.Diagnostic.bug ~stage:"Cgen.Vocabulary" "an array that is none"
 
 let array_functions t =
@@ -257,17 +325,33 @@ let array_functions t =
     (fun array -> List.filter_map (function_ array) Array_type.operations)
     (List.rev t.arrays.met)
 
+(* Several programs, and the user's own header, may define what C code of the
+   user's knows. *)
+let once struct_name declarations =
+  let guard = String.uppercase_ascii struct_name ^ "_DEFINED" in
+  (Ir.Text (Printf.sprintf "#ifndef %s\n#define %s\n" guard guard) :: declarations)
+  @ [ Ir.Text "#endif\n" ]
+
+let shared_once owner struct_name declarations =
+  match owner with
+  | Program | Robot -> declarations
+  | Foreign_code -> once struct_name declarations
+
 (* Each type after those that it is made of. *)
-let type_definitions t ~foreign =
+let type_definitions t ~of_:wanted =
   let sums_done = Array.make (Array.length t.sums) false and arrays_done = Hashtbl.create 16 in
   let definitions = ref [] in
   let add declarations = definitions := List.rev_append declarations !definitions in
   let rec sum k =
     if not sums_done.(k) then (
       sums_done.(k) <- true;
-      List.iter (fun (ty, _) -> array (Machine.Layout.ty ty)) t.sums.(k).slots.arrays;
-      if Bool.equal t.foreign.(k) foreign then
-        add (Sum_type.definition t.program.sums t.program.sums.(k) t.sums.(k)))
+      List.iter
+        (fun ty -> if is_array ty then array ty)
+        (List.map (fun (ty, _) -> Machine.Layout.ty ty) t.sums.(k).slots.arrays);
+      if wanted t.owners.(k) then
+        add
+          (shared_once t.owners.(k) t.sums.(k).struct_name
+             (Sum_type.definition t.program.sums t.program.sums.(k) t.sums.(k))))
   and array array_ty =
     if not (Hashtbl.mem arrays_done array_ty) then (
       Hashtbl.replace arrays_done array_ty ();
@@ -275,10 +359,11 @@ let type_definitions t ~foreign =
       (match element with
       | Sum k -> sum k
       | Array _ -> array element
-      | Bool | Int | Float | Nanoseconds -> ());
-      if Bool.equal (Hashtbl.mem t.arrays.of_robots array_ty) foreign then
+      | Bool | Int | Float | Nanoseconds | Foreign _ -> ());
+      let owner = Option.value (Hashtbl.find_opt t.arrays.array_owners array_ty) ~default:Program in
+      if wanted owner then
         let name = Hashtbl.find t.arrays.names array_ty in
-        add [ Array_type.definition name ~count ~element:(ty t element) ])
+        add (shared_once owner name [ Array_type.definition name ~count ~element:(ty t element) ]))
   in
   Array.iteri (fun k _ -> sum k) t.sums;
   List.iter array (List.rev t.arrays.met);

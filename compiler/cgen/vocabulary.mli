@@ -13,19 +13,27 @@ type node = {
   members : (int, string list) Hashtbl.t;
       (** the members that lead to a field from the state struct, by field *)
   modes : mode array;  (** of its machine *)
+  foreign : Foreign_interface.t option;  (** if it is C code of the user's *)
 }
+
+(** Whose header defines a type. *)
+type owner =
+  | Program
+  | Robot
+  | Foreign_code  (** the program's, for others to know it by the same name *)
 
 type t = {
   program : Machine.Ir.program;
   name : string;  (** the prefix of all names *)
   file_scope : Name.scope;
   sums : Sum_type.t array;
-  foreign : bool array;  (** sums that a robot's header defines *)
+  owners : owner array;  (** of the sums *)
   nodes : node array;
   input : Interface.t;
   output : Interface.t;
   records : Ir.declaration list;  (** the program's own interface structs *)
   robot_records : Ir.declaration list;  (** those of a robot's header *)
+  foreign_records : Ir.declaration list;  (** those that C code of the user's knows *)
   robots : Robot.t list;  (** whose headers are needed *)
   helpers : (Helper.t, unit) Hashtbl.t;
   elementary : (string, unit) Hashtbl.t;  (** functions of the runtime's that are called *)
@@ -34,6 +42,8 @@ type t = {
   arrays : arrays;
   operations : (Array_type.operation * Machine.Ir.ty, string) Hashtbl.t;
       (** functions on arrays, by array type *)
+  absent : (Flow.Ir.foreign_type, string) Hashtbl.t;
+      (** variables that stand for values that are not there *)
 }
 
 and arrays
@@ -41,6 +51,10 @@ and arrays
 
 val of_program : Machine.Ir.program -> t
 val ty : t -> Machine.Ir.ty -> Ir.ty
+val absent : t -> Flow.Ir.foreign_type -> Ir.expr
+val zero : t -> Machine.Ir.ty -> Ir.expr
+(** Some value, as an initial value. *)
+
 val helper : t -> Helper.t -> string
 
 val elementary : t -> Core.Primitive.elementary -> string
@@ -55,9 +69,11 @@ val array_function : t -> Array_type.operation -> Machine.Ir.ty -> string
 val array_functions : t -> Ir.function_ list
 (** All that were asked for. *)
 
-val type_definitions : t -> foreign:bool -> Ir.declaration list
-(** Sums and arrays, used before users: those of a robot's header, or the
-    program's own. To be called when all code is made. *)
+val type_definitions : t -> of_:(owner -> bool) -> Ir.declaration list
+(** Sums and arrays, used before users. To be called when all code is made. *)
+
+val once : string -> Ir.declaration list -> Ir.declaration list
+(** Unless that struct was defined before. *)
 
 val is_root : t -> int -> bool
 val has_state : t -> int -> bool

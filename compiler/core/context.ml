@@ -1,15 +1,33 @@
 open Basis
 
 type data = { declaration : Ir.data; count : int }
-type t = { mutable last : int; data : (Ir.Global.t, data) Hashtbl.t; instances : Instance.table }
 
-let create data instances =
+type t = {
+  mutable last : int;
+  data : (Ir.Global.t, data) Hashtbl.t;
+  instances : Instance.table;
+  foreign : (Ir.Global.t, Primitive.foreign) Hashtbl.t;
+}
+
+let create data instances (foreign : Ir.foreign) =
   let table = Hashtbl.create 64 in
   let add (d : Ir.data) =
     Hashtbl.replace table d.tycon { declaration = d; count = List.length d.constructors }
   in
   List.iter add data;
-  { last = 0; data = table; instances = Instance.table instances }
+  let values = Hashtbl.create 8 in
+  let add_value ((f : Primitive.foreign), _) =
+    Hashtbl.replace values { Ir.Global.module_ = f.module_; name = f.foreign_name } f
+  in
+  List.iter add_value foreign.values;
+  { last = 0; data = table; instances = Instance.table instances; foreign = values }
+
+let primitive t (g : Ir.Global.t) : Primitive.t =
+  match (Hashtbl.find_opt t.foreign g, Primitive.of_name g.name) with
+  | Some foreign, _ -> Foreign foreign
+  | None, Some p -> p
+  | None, None ->
+    Diagnostic.bug ~stage:"Core.Context" "the library declares an unknown primitive `%s`" g.name
 
 let fresh t name span : Ir.Local.t =
   t.last <- t.last - 1;

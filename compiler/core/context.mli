@@ -4,8 +4,10 @@ open Basis
 
 type t
 
-val create : Ir.data list -> Ir.instance list -> t
-(** For a program with these data types and instances. *)
+val create : Ir.data list -> Ir.instance list -> Ir.foreign -> t
+(** For a program with these data types, instances and foreign code. *)
+
+val primitive : t -> Ir.Global.t -> Primitive.t
 
 val instances : t -> Instance.table
 

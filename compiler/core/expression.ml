@@ -25,11 +25,6 @@ let unary primitive (argument : Ir.expr) span =
   in
   Term.apply f argument ty span
 
-let primitive (g : Ir.Global.t) =
-  match Primitive.of_name g.name with
-  | Some p -> p
-  | None -> bug "the library declares an unknown primitive `%s`" g.name
-
 let method_of ctx ~class_ ~name ty types : Ir.expr_desc =
   match Instance.find (Context.instances ctx) ~class_ ~name ty types with
   | Some (definition, types) -> Global (definition, types)
@@ -40,7 +35,7 @@ let rec expr env (e : T.expr) : Ir.expr =
   match e.desc with
   | Local (x, i) -> make (Local (x, Erasure.instantiation i))
   | Global (g, i) -> make (Global (g, Erasure.instantiation i))
-  | Primitive (g, i) -> make (Primitive (primitive g, Erasure.instantiation i))
+  | Primitive (g, i) -> make (Primitive (Context.primitive env.ctx g, Erasure.instantiation i))
   | Method { class_; method_; instantiation } -> (
     match Erasure.instantiation instantiation with
     | ty :: types -> make (method_of env.ctx ~class_ ~name:method_.name ty types)

@@ -36,7 +36,24 @@ type program = {
   data : data list;  (** used before users *)
   instances : instance list;
       (** at most one for each class and type constructor *)
+  foreign : foreign;
   definitions : definition list;  (** dependency order *)
+}
+
+(** What is C code of the user's. *)
+and foreign = {
+  headers : header list;
+  types : foreign_type list;  (** also data without constructors *)
+  values : (Primitive.foreign * ty) list;
+      (** [Function]s or a [Signal_function] of closed first-order types *)
+}
+
+and header = { header : string; of_file : string  (** its path is from that file's folder *) }
+
+and foreign_type = {
+  foreign_type : Global.t;
+  c_type : string;
+  copyable : bool;  (** else a value lives for the instant, and is never copied *)
 }
 
 and instance = {

@@ -5,6 +5,7 @@ type scope = {
   data : (Global.t, Ir.data) Hashtbl.t;
   fields : (Global.t, (string * ty) list array) Hashtbl.t;  (** by constructor *)
   globals : (Global.t, variable list * ty) Hashtbl.t;
+  foreign : (Primitive.foreign * ty) list;
   bound : (int, unit) Hashtbl.t;  (** every variable met so far *)
   locals : (int, variable list * ty) Hashtbl.t;  (** those in scope *)
   parameters : (int, unit) Hashtbl.t;  (** type variables in scope *)
@@ -107,9 +108,13 @@ let rec expr s (e : expr) =
     | None -> fail e.span "`%s.%s` is not defined" g.module_ g.name)
   | Primitive (p, types) -> (
     List.iter (closed s e.span) types;
-    match Signature.of_primitive p types with
-    | Some ty -> is ty
-    | None ->
+    match (Signature.of_primitive p types, p) with
+    | Some ty, _ -> is ty
+    | None, Foreign f when types = [] -> (
+      match List.assoc_opt f s.foreign with
+      | Some ty -> is ty
+      | None -> fail e.span "`%s` is not imported" f.foreign_name)
+    | None, _ ->
       fail e.span "primitive `%s` has %d type arguments" (Primitive.name p)
         (List.length types))
   | Method { ty; types; _ } -> (
@@ -243,6 +248,7 @@ let program (p : program) =
       data = Hashtbl.create 64;
       fields = Hashtbl.create 64;
       globals = Hashtbl.create 256;
+      foreign = p.foreign.values;
       bound = Hashtbl.create 1024;
       locals = Hashtbl.create 64;
       parameters = Hashtbl.create 16;

@@ -26,6 +26,34 @@ let instance (i : T.instance) : Ir.instance =
     methods = List.map (fun ((m : Ir.Global.t), by) -> (m.name, implementation by)) i.methods;
   }
 
+let foreign (f : T.foreign) : Ir.foreign =
+  let value (v : T.foreign_value) : Primitive.foreign * Ir.ty =
+    let rec arity : T.ty -> int = function Function (_, b) -> 1 + arity b | _ -> 0 in
+    let kind : Primitive.foreign_kind =
+      match v.kind with
+      | Foreign_function -> Stateless (arity v.ty)
+      | Foreign_signal_function -> Stateful
+    in
+    ( {
+        module_ = v.name.module_;
+        foreign_name = v.name.name;
+        symbol = v.symbol;
+        kind;
+        span = v.span;
+      },
+      Erasure.ty v.ty )
+  in
+  {
+    headers =
+      List.map (fun (h : T.header) -> { Ir.header = h.header; of_file = h.of_file }) f.headers;
+    types =
+      List.map
+        (fun (t : T.foreign_type) ->
+          { Ir.foreign_type = t.tycon; c_type = t.c_type; copyable = t.copyable })
+        f.foreign_types;
+    values = List.map value f.values;
+  }
+
 let definition ctx (d : T.definition) : Ir.definition =
   {
     name = d.name;
@@ -44,11 +72,13 @@ let program (p : T.program) : Ir.program =
          [] p.data)
   in
   let instances = List.map instance p.instances in
-  let ctx = Context.create data instances in
+  let foreign = foreign p.foreign in
+  let ctx = Context.create data instances foreign in
   let definitions = List.rev (List.rev_map (definition ctx) p.definitions) in
   {
     main_module = p.main_module;
     data;
     instances;
+    foreign;
     definitions = (if instances = [] then definitions else Order.definitions definitions);
   }

@@ -52,8 +52,19 @@ type t =
   | Sequence
   | Run_task
   | Reactimate
+  | Foreign of foreign
 
 and elementary = Sqrt | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2
+
+and foreign = {
+  module_ : string;
+  foreign_name : string;
+  symbol : string;
+  kind : foreign_kind;
+  span : Basis.Span.t;
+}
+
+and foreign_kind = Stateless of int | Stateful
 
 (* name in the library, meaning, number of arguments *)
 let table =
@@ -131,11 +142,17 @@ let row t = List.find_opt (fun (_, other, _) -> other = t) table
 let name t =
   match (t, row t) with
   | Power_literal k, _ -> Printf.sprintf "^%d" k
+  | Foreign f, _ -> f.foreign_name
   | _, Some (name, _, _) -> name
   | _, None -> Basis.Diagnostic.bug ~stage:"Core.Primitive" "a primitive without a row"
+
+let key t =
+  match t with Foreign f -> Printf.sprintf "foreign %s.%s" f.module_ f.foreign_name | _ -> name t
 
 let arity t =
   match (t, row t) with
   | Power_literal _, _ -> 1
+  | Foreign { kind = Stateless arity; _ }, _ -> arity
+  | Foreign { kind = Stateful; _ }, _ -> 0
   | _, Some (_, _, arity) -> arity
   | _, None -> Basis.Diagnostic.bug ~stage:"Core.Primitive" "a primitive without a row"

@@ -68,6 +68,8 @@ type t =
   | Run_task
   (* programs *)
   | Reactimate  (** [SF i o -> Program i o] *)
+  (* declared by programs *)
+  | Foreign of foreign  (** in C *)
 
 (** Functions of the C library; their results are the C library's bits, so no
     call of one is folded, except [Sqrt], which IEEE defines. *)
@@ -84,8 +86,25 @@ and elementary =
   | Atan
   | Atan2
 
+(** C code of the user's. *)
+and foreign = {
+  module_ : string;
+  foreign_name : string;  (** in the program *)
+  symbol : string;  (** in C *)
+  kind : foreign_kind;
+  span : Basis.Span.t;  (** of its declaration *)
+}
+
+and foreign_kind =
+  | Stateless of int  (** a function of so many arguments, at least one *)
+  | Stateful  (** a signal function *)
+
 val of_name : string -> t option
 (** By the name in the library's declaration. *)
 
 val name : t -> string
+
+val key : t -> string
+(** Different for different primitives: one in C may have the name of any. *)
+
 val arity : t -> int

@@ -312,6 +312,19 @@ and equation c eq =
 
 (* {1 Programs} *)
 
+let foreign_type c (t : foreign_type) =
+  put c
+    (Printf.sprintf "foreign type %s = %S%s" t.foreign_type.name t.c_type
+       (if t.copyable then " copyable" else ""));
+  cut c
+
+let foreign_value c ((f : Primitive.foreign), ty) =
+  put c (match f.kind with Stateless _ -> "foreign " | Stateful -> "foreign sf ");
+  put c (f.foreign_name ^ " :: ");
+  type_ c 0 ty;
+  put c (Printf.sprintf " = %S" f.symbol);
+  cut c
+
 let data c (d : data) =
   Format.pp_open_hvbox c.out 2;
   put c ("data " ^ d.tycon.name);
@@ -385,7 +398,11 @@ let program out (p : program) =
   put c ("module " ^ p.main_module);
   cut c;
   let own (g : Global.t) = String.equal g.module_ p.main_module in
-  List.iter (fun (d : Ir.data) -> if own d.tycon then data c d) p.data;
+  let declared (d : Ir.data) = own d.tycon && d.constructors <> [] in
+  List.iter (fun d -> if declared d then data c d) p.data;
+  List.iter (fun t -> if own t.foreign_type then foreign_type c t) p.foreign.types;
+  let own_value ((f : Primitive.foreign), _) = String.equal f.module_ p.main_module in
+  List.iter (fun v -> if own_value v then foreign_value c v) p.foreign.values;
   List.iter (fun (d : definition) -> if own d.name then definition c d) p.definitions;
   List.iter (fun i -> if belongs_to own i then instance c i) p.instances;
   close c;

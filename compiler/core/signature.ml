@@ -70,6 +70,7 @@ let of_primitive (p : Primitive.t) types =
       | Maximum | And | Or | Delay | Time | Integral | Derivative | Switch | Delayed_switch
       | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Reactimate
       | Make_task | Until_right | Return | Sequence | Run_task
-      | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf ),
+      | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf
+      | Foreign _ ),
       _ ) ->
     None

@@ -62,10 +62,13 @@ let readable file =
   | Error Missing -> Error (Printf.sprintf "there is no file %s" file)
   | Error (Unreadable reason) -> Error (Printf.sprintf "cannot read %s: %s" file reason)
 
-(* An entry that is not there is a wrong call, not a wrong program. *)
+(* An entry that is not there, or an engine that cannot run it, is a wrong call,
+   not a wrong program. *)
 let status sink =
-  let no_entry (d : Diagnostic.t) = String.equal d.code Pipeline.no_entry in
-  if List.exists no_entry (Diagnostic.all sink) then Exit_status.wrong_use
+  let wrong_call (d : Diagnostic.t) =
+    List.mem d.code [ Pipeline.no_entry; Pipeline.no_interpreter ]
+  in
+  if List.exists wrong_call (Diagnostic.all sink) then Exit_status.wrong_use
   else if Diagnostic.has_errors sink then Exit_status.rejected
   else Exit_status.ok
 
@@ -146,18 +149,48 @@ let report general ~entry file =
 
 (* {1 Running} *)
 
+let rec all_exist = function
+  | [] -> Ok ()
+  | file :: _ when not (Sys.file_exists file) -> Error (Printf.sprintf "there is no file %s" file)
+  | _ :: others -> all_exist others
+
+let host_table ~entry (files : Cgen.Emit.t) =
+  match files.host_table with
+  | Some table -> Ok table
+  | None ->
+      Error
+        (Printf.sprintf
+           "`%s` takes or gives a value of a foreign type, and a table has no column for one; \
+            compile it, and call it from C"
+           entry)
+
+(* What a C compiler or linker says of the user's C, and what it may mean. *)
+let about_foreign (files : Cgen.Emit.t) ~sources text =
+  match (files.foreign.calls, sources) with
+  | [], _ | _, _ :: _ -> text
+  | calls, [] ->
+      let names = String.concat ", " (List.map (Printf.sprintf "`%s`") calls) in
+      Printf.sprintf "%s\nthe program calls %s in C: name the C files with `--with FILE.c`"
+        (String.trim text) names
+
 (* The program as a shared object, and the host that is to run it. *)
-let hosted general ~entry file ~host ~arguments =
+let hosted general ~entry ~sources file ~host ~arguments =
   let* resources = Resources.find () in
+  let* () = all_exist sources in
   compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
       let name = Pipeline.c_name file in
+      let* host_table = host_table ~entry files in
+      let foreign =
+        if files.foreign.calls = [] && sources = [] then None
+        else Some { Toolchain.sources; folders = files.foreign.folders }
+      in
       let* program =
-        Toolchain.shared_object ~headers:resources.headers ~runtime:resources.runtime ~name
+        Toolchain.shared_object ~headers:resources.headers ~runtime:resources.runtime ~foreign
+          ~name
           [
-            (name ^ ".h", files.header);
-            (name ^ ".c", files.source);
-            (name ^ "_host.c", files.host_table);
+            (name ^ ".h", files.header); (name ^ ".c", files.source); (name ^ "_host.c", host_table);
           ]
+        |> Result.map_error (about_foreign files ~sources)
       in
       let host = host resources in
       match Process.hand_over host (arguments resources program) with
@@ -167,8 +200,8 @@ let hosted general ~entry file ~host ~arguments =
 
 type engine = C | Interpreter
 
-let compiled_trace general ~entry ~input ~output file =
-  hosted general ~entry file
+let compiled_trace general ~entry ~sources ~input ~output file =
+  hosted general ~entry ~sources file
     ~host:(fun resources -> resources.Resources.trace_host)
     ~arguments:(fun _ program -> program :: input :: Option.to_list output)
 
@@ -182,9 +215,9 @@ let interpreted_trace general ~entry ~input ~output file =
           List.iter (Printf.eprintf "error: %s\n") errors;
           Exit_status.wrong_use)
 
-let trace general engine ~entry ~input ~output file =
+let trace general engine ~entry ~sources ~input ~output file =
   match engine with
-  | C -> compiled_trace general ~entry ~input ~output file
+  | C -> compiled_trace general ~entry ~sources ~input ~output file
   | Interpreter -> interpreted_trace general ~entry ~input ~output file
 
 type run = {
@@ -212,7 +245,7 @@ let robot_of_world (resources : Resources.t) world =
   | Ok "" | Error (Not_found _ | Failed _) -> None
   | Ok name -> Some (String.trim name)
 
-let run general ~entry run file =
+let run general ~entry ~sources run file =
   let* resources = Resources.find () in
   let world = world_of run resources file in
   let robot =
@@ -221,7 +254,7 @@ let run general ~entry run file =
   let general = { general with robot } in
   let option name value = match value with Some value -> [ name; value ] | None -> [] in
   let flag name value = if value then [ name ] else [] in
-  hosted general ~entry file
+  hosted general ~entry ~sources file
     ~host:(fun resources -> resources.Resources.simulator)
     ~arguments:(fun _ program ->
       [ program; "--world"; world ]

@@ -23,6 +23,7 @@ val trace :
   general ->
   engine ->
   entry:string ->
+  sources:string list ->
   input:string ->
   output:string option ->
   string ->
@@ -39,7 +40,9 @@ type run = {
   strict : bool;
 }
 
-val run : general -> entry:string -> run -> string -> int
+(** [sources]: the user's C files for a program that calls them. *)
+
+val run : general -> entry:string -> sources:string list -> run -> string -> int
 
 val report : general -> entry:string -> string -> int
 (** Prints what the program needs, in the format of the diagnostics. *)

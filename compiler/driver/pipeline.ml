@@ -173,9 +173,26 @@ let checked ?robot options sink sources ~library ~entry file =
   let* flow = flow options sink ~name:(c_name file) ~entry core in
   Some (core, entry, flow)
 
+let no_interpreter = "E0505"
+
+(* The interpreter runs Frob only. *)
+let refuse_foreign sink core ~entry (flow : Flow.Ir.program) =
+  let refuse at what =
+    Diagnostic.error ~code:no_interpreter ~at "the interpreter cannot run this program: %s" what
+    |> Diagnostic.hint "run it with `--engine c`"
+    |> Diagnostic.emit sink
+  in
+  let calls (node : Flow.Ir.node) = Option.is_some node.foreign in
+  match List.find_opt calls (Array.to_list flow.nodes) with
+  | Some node -> refuse node.span (Printf.sprintf "`%s` is in C" node.origin)
+  | None ->
+      if List.exists (Flow.Lasting.mentions_foreign flow.sums) [ flow.input; flow.output ] then
+        refuse (place core entry) "it takes or gives a value of a foreign type"
+
 let interpretable ?robot options sink sources ~library ~entry file =
-  let* core, entry, _ = checked ?robot options sink sources ~library ~entry file in
-  Some (core, entry)
+  let* core, entry, flow = checked ?robot options sink sources ~library ~entry file in
+  refuse_foreign sink core ~entry flow;
+  if Diagnostic.has_errors sink then None else Some (core, entry)
 
 let machine_of options sink flow =
   let* flow =

@@ -19,6 +19,9 @@ val check : ?robot:Cgen.Robot.t -> options -> Diagnostic.sink -> Source.t -> lib
 val no_entry : string
 (** The code of the diagnostic for an entry that the module does not define. *)
 
+val no_interpreter : string
+(** The code of the diagnostic for a program that the interpreter cannot run. *)
+
 val machine :
   ?robot:Cgen.Robot.t ->
   options ->

@@ -1,5 +1,6 @@
 let flags = [ "-std=c99"; "-O2"; "-ffp-contract=off" ]
 
+type foreign = { sources : string list; folders : string list }
 let ( / ) = Filename.concat
 let compiler () = match Sys.getenv_opt "CC" with Some cc when cc <> "" -> cc | _ -> "cc"
 
@@ -43,11 +44,18 @@ let headers_digest folder =
   Array.sort compare files;
   String.concat "" (List.map (fun file -> Digest.file (frob / file)) (Array.to_list files))
 
-let key ~headers ~runtime ~name files =
+(* A symbol that nobody defines is to be found now, not when a host starts. *)
+let with_foreign = function
+  | None -> []
+  | Some { sources; folders } ->
+      List.concat_map (fun folder -> [ "-I"; folder ]) folders @ sources @ [ "-Wl,--no-undefined" ]
+
+let key ~headers ~runtime ~foreign ~name files =
   Digest.to_hex
     (Digest.string
        (String.concat "\000"
           ((name :: compiler () :: headers_digest headers :: Digest.file runtime :: flags)
+          @ with_foreign foreign
           @ List.concat_map (fun (file, content) -> [ file; content ]) files)))
 
 let explain = function
@@ -59,15 +67,16 @@ let explain = function
   | Process.Failed { status; errors } ->
       Printf.sprintf "the C compiler `%s` failed with status %d:\n%s" (compiler ()) status errors
 
-let compile ~headers ~runtime ~folder ~result files =
+let compile ~headers ~runtime ~foreign ~folder ~result files =
   List.iter (fun (file, content) -> write (folder / file) content) files;
   let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
   let built = folder / "program.so" in
   match
     Process.run (compiler ())
       (flags
-      @ [ "-fPIC"; "-shared"; "-I"; headers; "-o"; built ]
+      @ [ "-fPIC"; "-shared"; "-I"; headers; "-I"; folder; "-o"; built ]
       @ List.map (fun (file, _) -> folder / file) sources
+      @ with_foreign foreign
       @ [ runtime; "-lm" ])
   with
   | Ok () ->
@@ -80,15 +89,16 @@ let remove_folder folder =
   Array.iter (fun file -> Sys.remove (folder / file)) (Sys.readdir folder);
   Unix.rmdir folder
 
-let shared_object ~headers ~runtime ~name files =
+let shared_object ~headers ~runtime ~foreign ~name files =
   let cache = cache_folder () in
-  let key = key ~headers ~runtime ~name files in
+  let key = key ~headers ~runtime ~foreign ~name files in
   let result = cache / Printf.sprintf "%s-%s.so" name key in
-  if Sys.file_exists result then Ok result
+  (* What files of the user's include we do not know: they are compiled anew. *)
+  if foreign = None && Sys.file_exists result then Ok result
   else begin
     let folder = cache / Printf.sprintf "%s.%d" key (Unix.getpid ()) in
     make_folder folder;
     Fun.protect
       ~finally:(fun () -> remove_folder folder)
-      (fun () -> compile ~headers ~runtime ~folder ~result files)
+      (fun () -> compile ~headers ~runtime ~foreign ~folder ~result files)
   end

@@ -1,7 +1,7 @@
 let is_memory (e : Ir.equation) =
   match e.rhs with
   | Delay _ | Time _ | Integral _ | Derivative _ -> true
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
   | At _ | Replace _ ->
       false
 

@@ -43,7 +43,7 @@ let hop program dependencies (node : Dependency.node) (v, w) =
         let reader = List.nth instance.outputs k in
         let via = [ passage program dependencies node instance k w ] in
         Some { reader; read; at = instance.span; via }
-    | Mode_output _, Some _ -> None
+    | Box _, Some _ -> None
   in
   match List.find_map reading node.definitions.(v) with
   | Some hop -> hop

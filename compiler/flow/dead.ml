@@ -11,6 +11,7 @@ type definition =
   | Equation of Ir.rhs
   | Output of { instance : instance; number : int }
   | Mode_output of { owner : int; number : int }
+  | Foreign_result of Ir.signal list  (** the node's inputs *)
 
 (* A machine of the node, with what leads into its modes. *)
 type machine = {
@@ -101,6 +102,10 @@ let prepare (program : Ir.program) =
       (fun (m : Ir.machine) ->
         List.iteri (fun number s -> define s (Mode_output { owner = index; number })) m.outputs)
       node.machine;
+    Option.iter
+      (fun (f : Ir.foreign) ->
+        List.iter (fun s -> define s (Foreign_result node.inputs)) f.results)
+      node.foreign;
     let outputs = Array.of_list (List.rev (List.rev_map snd node.outputs)) in
     {
       parameters;
@@ -150,6 +155,7 @@ let consequences search (s : Ir.signal) =
       | Some (machine, _) ->
           machine.needed_inputs.(number - statics) <- true;
           [ machine.inputs.(number - statics) ])
+  | Foreign_result inputs -> List.map (fun s -> Ir.Signal s) inputs
   | Mode_output { owner; number } ->
       let machine = Option.get search.nodes.(owner).machine in
       let outputs mode =

@@ -4,7 +4,7 @@ type definition =
   | Parameter
   | Equation of Ir.equation
   | Output of Ir.instance * int
-  | Mode_output of Ir.atom list
+  | Box of Ir.atom list
 
 module Inputs = Set.Make (Int)
 
@@ -30,7 +30,7 @@ let reads callee = function
       let passed = passed_by (callee instance.node) instance output in
       let needed = List.filteri (fun i _ -> Inputs.mem i passed) instance.inputs in
       Operands.signals (List.rev_append (List.rev instance.statics) needed)
-  | Mode_output atoms -> Operands.signals atoms
+  | Box atoms -> Operands.signals atoms
 
 let not_delayed = List.filter (fun (t : Ir.transition) -> not t.delayed)
 
@@ -60,10 +60,15 @@ let definitions callee (node : Ir.node) =
   in
   let outputs = List.fold_left outputs equations node.instances in
   let of_machine outputs (machine : Ir.machine) =
-    let definition = Mode_output (needed_by_machine callee machine) in
+    let definition = Box (needed_by_machine callee machine) in
     List.rev_append (List.map (fun s -> (s, definition)) machine.outputs) outputs
   in
-  List.rev (Option.fold node.machine ~none:outputs ~some:(of_machine outputs))
+  let outputs = Option.fold node.machine ~none:outputs ~some:(of_machine outputs) in
+  let of_foreign (f : Ir.foreign) =
+    let definition = Box (List.map (fun s -> Ir.Signal s) node.inputs) in
+    List.rev_append (List.map (fun s -> (s, definition)) f.results) outputs
+  in
+  List.rev (Option.fold node.foreign ~none:outputs ~some:of_foreign)
 
 let of_node callee (node : Ir.node) =
   let all = definitions callee node in

@@ -11,8 +11,9 @@ type definition =
   | Parameter  (** a static or an input of the node *)
   | Equation of Ir.equation
   | Output of Ir.instance * int  (** the instance's output of that number *)
-  | Mode_output of Ir.atom list
-      (** an output of the machine, and what it needs in the same instant *)
+  | Box of Ir.atom list
+      (** an output of the machine, or a result of C, and what it needs in the
+          same instant *)
 
 module Inputs : Set.S with type elt = int
 

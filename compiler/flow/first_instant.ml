@@ -67,7 +67,7 @@ let equation a instant values (e : Ir.equation) =
       | true, true -> Range.join (read then_) (read else_))
   | Construct { constructor; _ }, _ -> Constructors [ constructor ]
   | Is_constructor (value, constructor), _ -> Range.has_constructor (read value) constructor
-  | Payload _, _ -> anything ()
+  | (Payload _ | Absent), _ -> anything ()
   | Elements atoms, _ -> (
       match map read atoms with
       | [] -> anything ()

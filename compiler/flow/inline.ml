@@ -27,7 +27,7 @@ let size (node : Ir.node) =
     match e.rhs with
     | Copy _ -> 0
     | _ when node.statics <> [] && of_statics e -> 0
-    | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _ | At _
+    | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
     | Replace _ | Delay _ | Time _ | Integral _ | Derivative _ ->
         1
   in
@@ -199,7 +199,7 @@ let without_copies (node : Ir.node) =
     (fun (e : Ir.equation) ->
       match e.rhs with
       | Copy a -> Substitution.replace substitution e.defines a
-      | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+      | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
       | At _ | Replace _ | Delay _ | Time _ | Integral _ | Derivative _ ->
           ())
     node.equations;
@@ -296,6 +296,7 @@ let program (program : Ir.program) =
       if expanded != node then changed := true;
       context.nodes.(index) <- expanded;
       context.is_small.(index) <-
-        Option.is_none expanded.machine && becomes_small ~expanded:(expanded != node) expanded)
+        Option.is_none expanded.machine && Option.is_none expanded.foreign
+        && becomes_small ~expanded:(expanded != node) expanded)
     program.nodes;
   if !changed then { program with nodes = context.nodes } else program

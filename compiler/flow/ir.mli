@@ -21,6 +21,16 @@ type ty =
   | Float
   | Sum of int  (** index into [program.sums] *)
   | Array of int * ty  (** size, at least 1, and element *)
+  | Foreign of foreign_type
+
+(** A type of the user's C. *)
+and foreign_type = {
+  foreign_name : string;  (** in the program *)
+  c_type : string;
+  copyable : bool;
+      (** if not, there is only the address of a value, good for the instant: it
+          is never in a state *)
+}
 
 (** Data types with more than one constructor, at closed types. *)
 type sum = {
@@ -125,6 +135,7 @@ and rhs =
       (** [default] outside the array *)
   | Replace of { array : atom; index : atom; value : atom }
       (** the same array with one other element; unchanged if outside *)
+  | Absent  (** a foreign value that is not there, which nothing looks at *)
   | Time of time_unit  (** local time, as a Float *)
   | Integral of atom
       (** 0, then adds dt times the argument as it was one instant ago *)
@@ -165,6 +176,16 @@ and argument =
 and trial = {
   gives : signal list;  (** some of the instance's outputs, in order *)
   given : atom option list;  (** for its inputs; [None]: any value would do *)
+}
+
+(** A node that is C code of the user's: it has no equations, instances or
+    machine, and each result needs all inputs. *)
+type foreign = {
+  symbol : string;  (** its name in C, or what its names begin with *)
+  arguments : shape list;
+      (** of which [inputs] are the leaves; one for a signal function *)
+  result : shape;
+  results : signal list;  (** defined here: the leaves of [result] *)
 }
 
 (** From a running mode of a machine to the next. *)
@@ -220,6 +241,7 @@ type node = {
   outputs : (string * atom) list;  (** name and value of each leaf *)
   equations : equation list;
   instances : instance list;
+  foreign : foreign option;
   machine : machine option;
       (** if there is one, it is all the state there is: the equations are
           operations, the instances functions *)
@@ -233,10 +255,13 @@ and kind =
   | Function  (** no state: equations are operations, instances functions *)
   | Signal_function
 
+type header = { header : string; folder : string  (** its path is from there *) }
+
 type program = {
   name : string;  (** of the C files *)
   sums : sum array;
   nodes : node array;  (** callees before callers; the last is the root *)
+  headers : header list;  (** of the user's C *)
   input : shape;  (** of the root's inputs *)
   output : shape;
 }

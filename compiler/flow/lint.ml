@@ -24,6 +24,7 @@ let rec show scope ty =
   | Sum index when index < Array.length scope.program.sums -> scope.program.sums.(index).name
   | Sum index -> bug "there is no sum %d" index
   | Array (n, element) -> Printf.sprintf "Array %d (%s)" n (show scope element)
+  | Foreign f -> f.foreign_name
 
 let type_of scope (a : Ir.atom) : Ir.ty =
   match a with
@@ -56,7 +57,7 @@ let leaves shape = List.rev (leaves_of_shape shape [])
 (* The payload's leaf types. *)
 let payload scope (ty : Ir.ty) index =
   match ty with
-  | Bool | Int | Float | Array _ -> bug "a %s has no constructors in `%s`" (show scope ty) scope.node.name
+  | Bool | Int | Float | Array _ | Foreign _ -> bug "a %s has no constructors in `%s`" (show scope ty) scope.node.name
   | Sum sum -> (
       match List.nth_opt scope.program.sums.(sum).constructors index with
       | Some c -> List.concat_map (fun (_, shape) -> leaves shape) c.fields
@@ -87,6 +88,12 @@ let check_all scope what expected atoms =
 
 let stateful scope what =
   if scope.node.kind = Function then bug "the function `%s` has a %s" scope.node.name what
+
+(* What a state may hold. *)
+let lasting scope ty =
+  match Lasting.of_the_instant scope.program.sums ty with
+  | Some f -> bug "a `%s` outlives the instant in `%s`" f.foreign_name scope.node.name
+  | None -> ()
 
 let array scope a =
   match type_of scope a with
@@ -135,8 +142,13 @@ let equation scope (eq : Ir.equation) =
         expect scope "an index" Int (type_of scope index);
         expect scope "an element" (snd (array scope a)) (type_of scope value);
         type_of scope a
+    | Absent -> (
+        match ty with
+        | Foreign _ -> ty
+        | _ -> bug "a %s is absent in `%s`" (show scope ty) scope.node.name)
     | Delay { init; next } ->
         stateful scope "delay";
+        lasting scope ty;
         expect scope "a delay's initial value" ty (type_of scope init);
         type_of scope next
     | Time _ ->
@@ -188,6 +200,7 @@ let instance scope names (i : Ir.instance) =
   let callee = scope.program.nodes.(i.node) in
   if callee.kind = Signal_function then stateful scope "signal function";
   check_all scope "a static" (signal_types callee.statics) i.statics;
+  List.iter (lasting scope) (signal_types callee.statics);
   (* A node's outputs may be constants; their types are those of the callee's. *)
   let inputs = signal_types callee.inputs and outputs = List.map output_type callee.outputs in
   let inputs, outputs =
@@ -213,7 +226,8 @@ let transition scope (modes : Ir.node array) (t : Ir.transition) =
   if t.target < 0 || t.target >= Array.length modes then
     bug "a transition in `%s` leads to mode %d" scope.node.name t.target;
   expect scope "the condition of a transition" Bool (type_of scope t.occurs);
-  check_all scope "a parameter of a mode" (signal_types modes.(t.target).statics) t.arguments
+  check_all scope "a parameter of a mode" (signal_types modes.(t.target).statics) t.arguments;
+  List.iter (lasting scope) (signal_types modes.(t.target).statics)
 
 (* [modes_of]: for each node so far the modes of the machine it belongs to. *)
 let machine scope modes_of (m : Ir.machine) =
@@ -245,7 +259,7 @@ let machine scope modes_of (m : Ir.machine) =
 
 let is_memory : Ir.rhs -> bool = function
   | Delay _ | Time _ | Integral _ | Derivative _ -> true
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _ | At _
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
   | Replace _ -> false
 
 (* A node with a machine has no other state. *)
@@ -259,6 +273,16 @@ let only_machine scope =
     || scope.node.transitions <> []
   then bug "`%s` has a machine and other state" scope.node.name
 
+let foreign scope (f : Ir.foreign) =
+  let node = scope.node in
+  if
+    node.equations <> [] || node.instances <> [] || Option.is_some node.machine
+    || node.transitions <> [] || node.statics <> []
+  then bug "`%s` is foreign and has a body" node.name;
+  check_all scope "an argument" (List.concat_map leaves f.arguments)
+    (List.map (fun s -> Ir.Signal s) node.inputs);
+  check_all scope "a result" (leaves f.result) (List.map (fun s -> Ir.Signal s) f.results)
+
 let node program owners names modes_of index (node : Ir.node) =
   if Hashtbl.mem names node.name then bug "there are two nodes `%s`" node.name;
   Hashtbl.add names node.name ();
@@ -269,6 +293,7 @@ let node program owners names modes_of index (node : Ir.node) =
   List.iter (fun (eq : Ir.equation) -> define eq.defines) node.equations;
   List.iter (fun (i : Ir.instance) -> List.iter define i.outputs) node.instances;
   Option.iter (fun (m : Ir.machine) -> List.iter define m.outputs) node.machine;
+  Option.iter (fun (f : Ir.foreign) -> List.iter define f.results) node.foreign;
   if node.kind = Function && node.statics <> [] then
     bug "the function `%s` has statics" node.name;
   List.iter (equation scope) node.equations;
@@ -276,6 +301,7 @@ let node program owners names modes_of index (node : Ir.node) =
   List.iter (instance scope instance_names) node.instances;
   List.iter (fun (_, atom) -> ignore (type_of scope atom)) node.outputs;
   if Option.is_some node.machine then only_machine scope;
+  Option.iter (foreign scope) node.foreign;
   Option.iter (machine scope modes_of) node.machine;
   scope
 

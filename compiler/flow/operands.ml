@@ -16,12 +16,12 @@ let all = function
   | At { array; index; default } -> [ array; index; default ]
   | Replace { array; index; value } -> [ array; index; value ]
   | Delay { init; next } -> [ init; next ]
-  | Time _ -> []
+  | Time _ | Absent -> []
 
 let same_instant = function
   | Delay _ | Integral _ -> []
   | ( Copy _ | Is_constructor _ | Payload _ | Derivative _ | Op _ | If _ | Construct _ | Elements _
-    | Fill _ | Index _ | At _ | Replace _ | Time _ ) as rhs ->
+    | Fill _ | Index _ | At _ | Replace _ | Time _ | Absent ) as rhs ->
       all rhs
 
 (* Most lists are short; a constructor's payload may be long. *)
@@ -57,6 +57,7 @@ let map f = function
       let index = f index in
       Replace { array; index; value = f value }
   | Time unit -> Time unit
+  | Absent -> Absent
   | Integral a -> Integral (f a)
   | Derivative a -> Derivative (f a)
 

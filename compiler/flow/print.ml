@@ -22,6 +22,7 @@ let names_of (node : Ir.node) =
   List.iter (fun (eq : Ir.equation) -> declare names eq.defines) node.equations;
   List.iter (fun (i : Ir.instance) -> List.iter (declare names) i.outputs) node.instances;
   Option.iter (fun (m : Ir.machine) -> List.iter (declare names) m.outputs) node.machine;
+  Option.iter (fun (f : Ir.foreign) -> List.iter (declare names) f.results) node.foreign;
   names
 
 let signal names ppf (s : Ir.signal) =
@@ -90,6 +91,7 @@ let rec ty sums : Ir.ty -> string = function
   | Sum index -> sum_name sums index
   | Array (n, (Array _ as element)) -> sprintf "Array %d (%s)" n (ty sums element)
   | Array (n, element) -> sprintf "Array %d %s" n (ty sums element)
+  | Foreign f -> f.foreign_name
 
 let constructor (sums : Ir.sum array) (ty : Ir.ty) index =
   match ty with
@@ -97,7 +99,7 @@ let constructor (sums : Ir.sum array) (ty : Ir.ty) index =
       match List.nth_opt sums.(sum).constructors index with
       | Some c -> c.constructor
       | None -> sprintf "<constructor %d>" index)
-  | Bool | Int | Float | Sum _ | Array _ -> sprintf "<constructor %d>" index
+  | Bool | Int | Float | Sum _ | Array _ | Foreign _ -> sprintf "<constructor %d>" index
 
 let constructor_of_atom sums (a : Ir.atom) index =
   match a with
@@ -126,6 +128,7 @@ let rhs sums names ppf ~(defines : Ir.signal) : Ir.rhs -> unit = function
   | Replace { array; index; value } ->
       fprintf ppf "replace %a %a %a" (atom names) index (atom names) value (atom names) array
   | Delay { init; next } -> fprintf ppf "delay %a %a" (atom names) init (atom names) next
+  | Absent -> pp_print_string ppf "absent"
   | Time Seconds -> pp_print_string ppf "time"
   | Time Nanoseconds -> pp_print_string ppf "nanoseconds"
   | Integral a -> fprintf ppf "integral %a" (atom names) a
@@ -208,6 +211,10 @@ let node (program : Ir.program) ppf ~modes (n : Ir.node) =
   fprintf ppf "%s %s%a (%a)@\n" kind n.name statics n.statics
     (list (typed sums names))
     n.inputs;
+  Option.iter
+    (fun (f : Ir.foreign) ->
+      fprintf ppf "  (%a) = foreign %s@\n" (list (typed sums names)) f.results f.symbol)
+    n.foreign;
   List.iter (equation sums names ppf) n.equations;
   List.iter (instance program names ppf) n.instances;
   Option.iter (machine program names ppf) n.machine;

@@ -17,12 +17,13 @@ let rec anything (program : Ir.program) : Ir.ty -> t = function
   | Float -> any_float
   | Sum k -> Constructors (List.mapi (fun i _ -> i) program.sums.(k).constructors)
   | Array (_, element) -> anything program element
+  | Foreign _ -> Constructors []
 
 let anything_but_sums : Ir.ty -> t = function
   | Bool -> any_bool
   | Int -> any_int
   | Float -> any_float
-  | Sum _ | Array _ -> bug "an operation gives what is no number"
+  | Sum _ | Array _ | Foreign _ -> bug "an operation gives what is no number"
 
 let float x =
   if Float.is_nan x then Floats { least = infinity; most = neg_infinity; nan = true }

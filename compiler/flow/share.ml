@@ -2,7 +2,7 @@ open Basis
 
 (* What an element is, but for the signals it reads: these are its arguments. *)
 type label =
-  | Parameter of int  (** its signal's id: each is different; outputs of the machine too *)
+  | Parameter of int  (** its signal's id: each is different; outputs of a machine and results of C too *)
   | Equation of Ir.ty * Ir.rhs * constant list  (** the operands in [rhs] are blank *)
   | Instance of int * Ir.loop option * constant list
   | Output of int  (** of the instance that is the only argument *)
@@ -41,7 +41,7 @@ let normal (rhs : Ir.rhs) : Ir.rhs =
   match rhs with
   | Op (operator, arguments) when is_commutative operator ->
       Op (operator, List.stable_sort compare_atoms arguments)
-  | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _ | At _
+  | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
   | Replace _ | Delay _ | Time _
   | Integral _ | Derivative _ ->
       rhs
@@ -88,6 +88,7 @@ let elements_of (node : Ir.node) =
   in
   let instances = Long_list.map instance node.instances in
   Option.iter (fun (m : Ir.machine) -> List.iter parameter m.outputs) node.machine;
+  Option.iter (fun (f : Ir.foreign) -> List.iter parameter f.results) node.foreign;
   (elements, instances)
 
 let numbered labels =

@@ -3,6 +3,7 @@ let iter f (node : Ir.node) =
   List.iter f node.inputs;
   List.iter (fun (e : Ir.equation) -> f e.defines) node.equations;
   List.iter (fun (i : Ir.instance) -> List.iter f i.outputs) node.instances;
+  Option.iter (fun (c : Ir.foreign) -> List.iter f c.results) node.foreign;
   Option.iter (fun (m : Ir.machine) -> List.iter f m.outputs) node.machine
 
 let next_id (program : Ir.program) =

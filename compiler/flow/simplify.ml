@@ -136,7 +136,7 @@ let simplify known (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   | Replace { array; index = Int k; value = _ }
     when Int32.to_int k < 0 || Int32.to_int k >= size array ->
       Copy array
-  | Copy _ | Construct _ | Elements _ | Fill _ | At _ | Replace _ | Delay _ | Time _ | Integral _
+  | Copy _ | Construct _ | Elements _ | Absent | Fill _ | At _ | Replace _ | Delay _ | Time _ | Integral _
   | Derivative _ ->
       rhs
 

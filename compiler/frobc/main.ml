@@ -31,6 +31,13 @@ let entry =
   let doc = "The value to compile: a program or a closed signal function." in
   Arg.(value & opt string "main" & info [ "entry" ] ~docv:"NAME" ~doc)
 
+let sources =
+  let doc =
+    "A C file that a program with foreign code is compiled with, or a compiled one to link; may be \
+     given several times."
+  in
+  Arg.(value & opt_all string [] & info [ "with" ] ~docv:"FILE.c" ~doc)
+
 let stage =
   let parse text =
     match Stage.of_name text with
@@ -120,8 +127,8 @@ let trace =
     let engines = [ ("c", Commands.C); ("interp", Commands.Interpreter) ] in
     Arg.(value & opt (enum engines) Commands.C & info [ "engine" ] ~docv:"ENGINE" ~doc)
   in
-  let run general entry input output engine file =
-    Commands.trace general engine ~entry ~input ~output file
+  let run general entry sources input output engine file =
+    Commands.trace general engine ~entry ~sources ~input ~output file
   in
   let man =
     [
@@ -139,7 +146,7 @@ let trace =
     ]
   in
   command "trace" ~man ~doc:"run a signal function on recorded input"
-    Term.(const run $ general $ entry $ input $ output $ engine $ file)
+    Term.(const run $ general $ entry $ sources $ input $ output $ engine $ file)
 
 let run =
   let some_string names ~docv ~doc = Arg.(value & opt (some string) None & info names ~docv ~doc) in
@@ -176,14 +183,14 @@ let run =
   let strict =
     Arg.(value & flag & info [ "strict" ] ~doc:"End with status 4 when the robot hits something.")
   in
-  let make general entry world duration rate seed realtime record picture strict file =
-    Commands.run general ~entry
+  let make general entry sources world duration rate seed realtime record picture strict file =
+    Commands.run general ~entry ~sources
       { Commands.world; duration; rate; seed; realtime; record; picture; strict }
       file
   in
   command "run" ~doc:"run a robot program in the simulator"
     Term.(
-      const make $ general $ entry $ world $ duration $ rate $ seed $ realtime $ record
+      const make $ general $ entry $ sources $ world $ duration $ rate $ seed $ realtime $ record
       $ picture $ strict $ file)
 
 let serve =

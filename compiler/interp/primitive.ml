@@ -49,7 +49,8 @@ let values (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
       | Or | Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
       | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right
       | Return | Sequence | Run_task
-      | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate ),
+      | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate
+      | Foreign _ ),
       _ ) ->
       bug p
 

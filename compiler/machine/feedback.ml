@@ -58,7 +58,7 @@ let of_node (node : F.node) : t =
               | Some a, Some b when component.(a) = component.(b) ->
                   Hashtbl.replace found eq.defines.id ()
               | _, _ -> ())
-          | If _ | Copy _ | Op _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+          | If _ | Copy _ | Op _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
   | At _ | Replace _ | Delay _ | Time _
           | Integral _ | Derivative _ ->
               ())

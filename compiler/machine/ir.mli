@@ -22,6 +22,7 @@ type ty =
   | Sum of int  (** index into [program.sums] *)
   | Array of int * ty  (** size and element *)
   | Nanoseconds  (** 64 bits, not negative *)
+  | Foreign of Flow.Ir.foreign_type
 
 type variable = {
   id : int;  (** unique in the function *)
@@ -44,6 +45,7 @@ and content =
   | States_of of { node : int; count : int }  (** one for each round of a loop *)
   | Running_mode  (** the number of a mode *)
   | Modes of mode list  (** room for what any one of them keeps *)
+  | Component of string  (** the state of the user's C of that name *)
 
 (** What a machine keeps while this mode runs. *)
 and mode = {
@@ -59,6 +61,7 @@ type expr =
   | Int of int32
   | Float of float
   | Zero_time  (** no nanoseconds *)
+  | Absent of Flow.Ir.foreign_type  (** no value, which nothing looks at *)
   | Variable of variable
   | Field of field  (** of the node's own state *)
   | Dt  (** seconds since the previous instant; 0 at a node's first *)
@@ -188,6 +191,9 @@ type node = {
   span : Span.t;
   state : field list;  (** in the order of the struct: largest alignment first *)
   modes : mode list;  (** of its machine, if there is one *)
+  foreign : Flow.Ir.foreign option;
+      (** its step and reset are the user's C; [reset] and [step] have no body,
+          and its state, if any, is one [Component] *)
   reset : code;  (** empty if there is no state *)
   step : code;
   outputs : (string * ty) list;
@@ -205,6 +211,7 @@ type program = {
   name : string;  (** of the C files *)
   sums : Flow.Ir.sum array;
   nodes : node array;  (** callees before callers; the last is the root *)
+  headers : Flow.Ir.header list;  (** of the user's C *)
   input : Flow.Ir.shape;
   output : Flow.Ir.shape;
   first_instant : first_instant;

@@ -36,6 +36,7 @@ let rec ty : Flow.Ir.ty -> Ir.ty = function
   | Float -> Float
   | Sum k -> Sum k
   | Array (n, element) -> Array (n, ty element)
+  | Foreign f -> Foreign f
 
 let shape_leaves shape =
   (* From the last leaf to the first, so that nothing needs reversing. *)
@@ -59,7 +60,7 @@ let rec leaf sums (ty : Flow.Ir.ty) =
   | Int -> { none with ints = 1 }
   | Bool -> { none with bools = 1 }
   | Sum k -> add { none with tags = 1 } (sum sums k)
-  | Array _ -> { none with arrays = [ (ty, 1) ] }
+  | Array _ | Foreign _ -> { none with arrays = [ (ty, 1) ] }
 
 and sum sums k =
   List.fold_left
@@ -67,6 +68,8 @@ and sum sums k =
       let needs = List.fold_left (fun n ty -> add n (leaf sums ty)) none (leaves constructor) in
       combine max most needs)
     none sums.(k).Flow.Ir.constructors
+
+let largest_alignment = 8
 
 let rec flow_alignment sums (ty : Flow.Ir.ty) =
   match ty with
@@ -80,6 +83,7 @@ let rec flow_alignment sums (ty : Flow.Ir.ty) =
       in
       max of_arrays (if slots.floats > 0 then 8 else if slots.ints > 0 then 4 else 1)
   | Array (_, element) -> flow_alignment sums element
+  | Foreign _ -> largest_alignment
 
 let rec alignment sums (ty : Ir.ty) =
   match ty with
@@ -88,3 +92,4 @@ let rec alignment sums (ty : Ir.ty) =
   | Float | Nanoseconds -> 8
   | Sum k -> flow_alignment sums (Sum k)
   | Array (_, element) -> alignment sums element
+  | Foreign _ -> largest_alignment

@@ -4,14 +4,15 @@
     many doubles, 32-bit integers, bools and inner tags as the constructor
     that needs most of each. A payload that is itself a sum is laid flat into
     the slots: its tag takes an inner-tag slot, its slots follow. An array is a
-    slot of its own, shared with arrays of the same type. *)
+    slot of its own, shared with arrays of the same type; so is a value of a
+    foreign type. *)
 
 type slots = {
   floats : int;
   ints : int;
   bools : int;
   tags : int;
-  arrays : (Flow.Ir.ty * int) list;  (** how many of each type of array; sorted *)
+  arrays : (Flow.Ir.ty * int) list;  (** how many of each type of array, and each foreign type; sorted *)
 }
 
 val none : slots
@@ -32,6 +33,9 @@ val shape_leaves : Flow.Ir.shape -> Flow.Ir.ty list
 
 val sum : Flow.Ir.sum array -> int -> slots
 (** Without the sum's own tag. *)
+
+val largest_alignment : int
+(** Taken for that of the user's structs. *)
 
 val alignment : Flow.Ir.sum array -> Ir.ty -> int
 (** In bytes, on the machines we know. *)

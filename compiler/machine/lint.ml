@@ -31,6 +31,7 @@ let rec show c (ty : Ir.ty) =
   | Sum k when k < Array.length c.program.sums -> c.program.sums.(k).name
   | Sum k -> bug "there is no sum %d" k
   | Array (n, element) -> Printf.sprintf "Array %d (%s)" n (show c element)
+  | Foreign f -> f.foreign_name
 
 let expect c what (wanted : Ir.ty) found =
   if wanted <> found then
@@ -44,7 +45,7 @@ let constructor c sum k =
 let field_type c (f : Ir.field) =
   match Option.map (fun (own : Ir.field) -> own.content) (Hashtbl.find_opt c.state f.id) with
   | Some (Value ty) -> ty
-  | Some (State_of _ | States_of _ | Running_mode | Modes _) -> bug "field `%s` of `%s` is read as a value" f.name c.node.name
+  | Some (State_of _ | States_of _ | Running_mode | Modes _ | Component _) -> bug "field `%s` of `%s` is read as a value" f.name c.node.name
   | None -> bug "field `%s` is not in the state of `%s`" f.name c.node.name
 
 (* The types of an operation's arguments, beside [ty] itself, and of its
@@ -96,6 +97,7 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
   | Int _ -> Int
   | Float _ -> Float
   | Zero_time -> Nanoseconds
+  | Absent ty -> Foreign ty
   | Variable v -> (
       match Known.find_opt v.id known.readable with
       | Some ty ->
@@ -218,7 +220,7 @@ let entered c known =
     (fun known (f : Ir.field) ->
       match f.content with
       | Running_mode | Modes _ -> { known with fields = Known.add f.id () known.fields }
-      | Value _ | State_of _ | States_of _ -> known)
+      | Value _ | State_of _ | States_of _ | Component _ -> known)
     known c.node.state
 
 let run c known (run : Ir.run) =
@@ -367,9 +369,25 @@ let code c (code : Ir.code) =
   if not (Known.is_empty known.pending) then bug "a variable of `%s` never gets its value" c.node.name;
   known
 
+(* Values of which C keeps the memory live for the instant. *)
+let rec lasting c (f : Ir.field) =
+  match f.content with
+  | Value (Foreign { copyable = false; foreign_name; _ }) ->
+      bug "`%s` keeps a `%s`" c.node.name foreign_name
+  | Modes modes ->
+      List.iter (fun (mode : Ir.mode) -> List.iter (lasting c) (State.fields_of_mode mode)) modes
+  | Value _ | State_of _ | States_of _ | Running_mode | Component _ -> ()
+
+let without_body (node : Ir.node) =
+  match (node.step.body, node.reset.body) with
+  | [], [] -> ()
+  | _, _ -> bug "`%s` is foreign and has a body" node.name
+
 let program (program : Ir.program) =
   Array.iteri
     (fun index (node : Ir.node) ->
+      if Option.is_some node.foreign then without_body node
+      else
       let state = Hashtbl.create 16 in
       let know (f : Ir.field) = Hashtbl.replace state f.id f in
       List.iter know node.state;
@@ -378,6 +396,7 @@ let program (program : Ir.program) =
         node.modes;
       let outputs = Array.of_list node.outputs in
       let context () = { program; index; node; state; outputs; declared = Hashtbl.create 16 } in
+      List.iter (lasting (context ())) node.state;
       let after_step = code (context ()) node.step in
       List.iteri
         (fun k _ ->

@@ -52,7 +52,7 @@ let without_self_comparison (rhs : F.rhs) : F.rhs =
       match (operator, a.ty) with
       | Less, _ -> Copy (Bool false)
       | _, Float -> Op (Equal, [ x; x ])
-      | _, (Int | Bool | Sum _ | Array _) -> Copy (Bool true))
+      | _, (Int | Bool | Sum _ | Array _ | Foreign _) -> Copy (Bool true))
   | rhs -> rhs
 
 let flow_type : F.atom -> F.ty = function
@@ -63,7 +63,7 @@ let flow_type : F.atom -> F.ty = function
 
 let array_type : F.ty -> int * Ir.ty = function
   | Array (n, element) -> (n, Layout.ty element)
-  | Bool | Int | Float | Sum _ -> broken "an element of what is no array"
+  | Bool | Int | Float | Sum _ | Foreign _ -> broken "an element of what is no array"
 
 (* What an equation without memory computes. *)
 let computed (eq : F.equation) rhs : computed =
@@ -88,7 +88,7 @@ let computed (eq : F.equation) rhs : computed =
       let sum =
         match eq.defines.ty with
         | Sum k -> k
-        | Bool | Int | Float | Array _ -> broken "a constructor outside a sum"
+        | Bool | Int | Float | Array _ | Foreign _ -> broken "a constructor outside a sum"
       in
       make payload (1 + List.length payload) (fun payload -> Construct { sum; constructor; payload })
   | Is_constructor (value, constructor) ->
@@ -97,6 +97,13 @@ let computed (eq : F.equation) rhs : computed =
   | Payload { value; constructor; leaf } ->
       let sum = sum_of value in
       make [ value ] 1 (fun e -> Payload { sum; value = one e; constructor; leaf })
+  | Absent ->
+      let ty =
+        match eq.defines.ty with
+        | Foreign ty -> ty
+        | Bool | Int | Float | Sum _ | Array _ -> broken "an absent value of the language's own"
+      in
+      make [] 0 (fun _ -> Ir.Absent ty)
   | Elements elements ->
       let _, element = array_type eq.defines.ty in
       make elements (List.length elements) (fun elements -> Elements { element; elements })
@@ -154,6 +161,7 @@ let rec zero context (ty : F.ty) : Ir.expr =
       | [] -> broken "a sum without constructors")
   | Array (count, element) ->
       Fill { count; element = Layout.ty element; value = zero context element }
+  | Foreign ty -> Absent ty
 
 (* A step of a copy. What is not given is zero. *)
 let try_out context resolve (i : F.instance) (trial : F.trial) state =
@@ -522,7 +530,7 @@ let reads_of body =
       | Variable v -> Hashtbl.replace reads.variables v.id ()
       | Dt -> reads.seconds <- true
       | Dt_nanoseconds -> reads.nanoseconds <- true
-      | Elements _ | Fill _ | Index _ | At _ | Replace _ | Field _ | Bool _ | Int _ | Float _ | Zero_time | Operation _ | Select _ | Construct _
+      | Elements _ | Fill _ | Index _ | At _ | Replace _ | Field _ | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Operation _ | Select _ | Construct _
       | Is_constructor _ | Payload _ | Call _ | Seconds _ | In_nanoseconds _ | Later _ ->
           ())
     body;
@@ -537,6 +545,7 @@ let rec alignment context (content : Ir.content) =
   match content with
   | Value ty -> Layout.alignment context.program.sums ty
   | Running_mode -> 1
+  | Component _ -> Layout.largest_alignment
   | Modes modes ->
       let of_mode largest (mode : Ir.mode) =
         List.fold_left
@@ -570,7 +579,41 @@ let sees_first_dt context state (statics : Statics.t) stepped =
   List.exists own (equations statics.in_step)
   || Hashtbl.fold (fun k () any -> any || context.sees_first_dt.(k)) stepped false
 
-let node context k ~is_root =
+(* The calls of the user's C, from the leaves and back, are for {!Cgen}. *)
+let foreign_node context k (node : F.node) (foreign : F.foreign) : Ir.node =
+  let stateful = node.kind = Signal_function in
+  context.sees_first_dt.(k) <- stateful;
+  let state : Ir.field =
+    {
+      id = 0;
+      name = "state";
+      content = Component foreign.symbol;
+      purpose = "of the user's C";
+      span = node.span;
+    }
+  in
+  {
+    name = node.name;
+    origin = node.origin;
+    file = node.file;
+    span = node.span;
+    state = (if stateful then [ state ] else []);
+    modes = [];
+    foreign = Some foreign;
+    reset = { parameters = []; body = [] };
+    step = { parameters = List.map variable node.inputs; body = [] };
+    outputs = List.map (fun (name, atom) -> (name, atom_type atom)) node.outputs;
+    seconds = stateful;
+    nanoseconds = false;
+    operations = 20;
+  }
+
+let rec node context k ~is_root =
+  match context.program.nodes.(k) with
+  | { foreign = Some foreign; _ } as node -> (foreign_node context k node foreign, Ir.Unseen)
+  | { foreign = None; _ } -> own_node context k ~is_root
+
+and own_node context k ~is_root =
   let node = context.program.nodes.(k) in
   let statics = context.statics.(k) in
   let statics_of k = List.map variable context.program.nodes.(k).statics in
@@ -604,6 +647,7 @@ let node context k ~is_root =
       span = node.span;
       state = List.stable_sort by_alignment (fields @ mark);
       modes;
+      foreign = None;
       reset =
         { parameters = parameters (reads_of reset) node.statics; body = reset @ List.map unmark mark };
       step =
@@ -651,6 +695,7 @@ let program (program : F.program) : Ir.program =
   {
     name = program.name;
     sums = program.sums;
+    headers = program.headers;
     nodes = Array.init count (callee context);
     input = program.input;
     output = program.output;

@@ -61,6 +61,7 @@ let rec expr c ppf (e : Ir.expr) =
   | Int i -> fprintf ppf "%ld" i
   | Float x -> pp_print_string ppf (float x)
   | Zero_time -> pp_print_string ppf "0ns"
+  | Absent _ -> pp_print_string ppf "absent"
   | Variable v -> pp_print_string ppf (variable c.names v)
   | Field f -> pp_print_string ppf (field f)
   | Dt -> pp_print_string ppf "dt"
@@ -88,7 +89,7 @@ let rec expr c ppf (e : Ir.expr) =
 
 and operand c ppf (e : Ir.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Variable _ | Field _ | Dt | Dt_nanoseconds | Call _
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Field _ | Dt | Dt_nanoseconds | Call _
   | Construct _ | Elements _ | Fill _ | Index _ | At _ | Replace _ | Payload _ | Seconds _ | In_nanoseconds _
   | Later _ ->
       expr c ppf e
@@ -172,6 +173,7 @@ let rec ty (program : Ir.program) : Ir.ty -> string = function
   | Nanoseconds -> "Nanoseconds"
   | Sum k -> program.sums.(k).name
   | Array (n, element) -> sprintf "Array %d (%s)" n (ty program element)
+  | Foreign f -> f.foreign_name
 
 let code (program : Ir.program) title ppf (code : Ir.code) =
   let c = { program; names = names () } in
@@ -189,6 +191,7 @@ let node (program : Ir.program) ppf (n : Ir.node) =
         | States_of { node; count } ->
             sprintf "%d states of %s" count program.nodes.(node).name
         | Running_mode -> "number of a mode"
+        | Component symbol -> sprintf "state of C's %s" symbol
         | Modes modes ->
             sprintf "one of %s"
               (String.concat ", " (List.map (fun (m : Ir.mode) -> m.name) modes))

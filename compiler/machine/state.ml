@@ -83,7 +83,7 @@ let equation t { defines = s; rhs; span } =
       let value = field ~name ~purpose:"derivative" in
       let input = field ~name:(name ^ "_input") ~purpose:"its last input" in
       remember t s (Differentiated { value; input })
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
   | At _ | Replace _ -> ()
 
 let kept_name rhs =
@@ -93,7 +93,7 @@ let kept_name rhs =
   match rhs with
   | Op (Elementary e, operand :: _) -> after (Core.Primitive.name (Elementary e)) operand
   | Op (Pow, operand :: _) -> after "pow" operand
-  | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+  | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
   | At _ | Replace _ | Delay _ | Time _ | Integral _
   | Derivative _ ->
       "start_value"

@@ -16,14 +16,14 @@ let is_expensive = function
         | Minimum | Maximum | Divide | Div | Mod | To_float | Round | Floor | Ceiling | Truncate
         | Not | And | Or ),
         _ )
-  | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+  | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
   | At _ | Replace _ | Delay _ | Time _ | Integral _
   | Derivative _ ->
       false
 
 let is_stateful = function
   | Flow.Ir.Delay _ | Time _ | Integral _ | Derivative _ -> true
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
   | At _ | Replace _ -> false
 
 (* What is known of a node while it is being divided; tables by signal id. *)
@@ -44,6 +44,10 @@ let cost_of_operands work atoms =
   in
   if List.exists is_costly atoms then Costly else Cheap
 
+(* What C keeps the memory of for an instant is asked for at each instant. *)
+let lasts work (s : Flow.Ir.signal) =
+  Option.is_none (Flow.Lasting.of_the_instant work.program.sums s.ty)
+
 (* Classifies an item, those it needs having been classified. *)
 let classify work item =
   match item with
@@ -59,6 +63,7 @@ let classify work item =
         work.program.nodes.(i.node).kind = Function
         && List.for_all (is_static work) i.statics
         && List.for_all (is_static work) i.inputs
+        && List.for_all (lasts work) i.outputs
       then List.iter (fun (s : Flow.Ir.signal) -> Hashtbl.replace work.static s.id Costly) i.outputs
   | Trial _ | Machine _ ->
       List.iter

@@ -59,7 +59,7 @@ let branches t (c : computed) =
 
 (* An array is computed into a variable of its own. *)
 let is_array (s : Flow.signal) =
-  match s.ty with Array _ -> true | Bool | Int | Float | Sum _ -> false
+  match s.ty with Array _ -> true | Bool | Int | Float | Sum _ | Foreign _ -> false
 
 let inlined t (s : Flow.signal) =
   match computed_of t s with

@@ -18,6 +18,8 @@ let of_alternatives blocks =
 
 let scalar bytes = { bytes; alignment = bytes }
 
+let foreign = { bytes = 0; alignment = Machine.Layout.largest_alignment }
+
 (* Members one after another, all alike. *)
 let run count member = { member with bytes = Amount.times count member.bytes }
 
@@ -27,6 +29,8 @@ let rec of_value sums (ty : Machine.Ir.ty) =
   | Int -> scalar 4
   | Float | Nanoseconds -> scalar 8
   | Array (n, element) -> run n (of_value sums element)
+  | Foreign { copyable = true; _ } -> foreign
+  | Foreign { copyable = false; _ } -> scalar 8
   | Sum k ->
       let slots = Machine.Layout.sum sums k in
       let runs =
@@ -43,7 +47,7 @@ let rec of_value sums (ty : Machine.Ir.ty) =
 
 let rec scalars sums (ty : Machine.Ir.ty) =
   match ty with
-  | Bool | Int | Float | Nanoseconds -> 1
+  | Bool | Int | Float | Nanoseconds | Foreign _ -> 1
   | Array (n, element) -> Amount.times n (scalars sums element)
   | Sum k ->
       let slots = Machine.Layout.sum sums k in

@@ -1,10 +1,14 @@
 (** The room of values and structs on a 64-bit machine, where a C compiler lays
     out the members of a struct in order, each at the next multiple of its
-    alignment, and pads the whole to a multiple of its own. *)
+    alignment, and pads the whole to a multiple of its own. Structs of the
+    user's C have a size that we do not know: they count as none. *)
 
 type t = { bytes : int; alignment : int }
 
 val of_value : Flow.Ir.sum array -> Machine.Ir.ty -> t
+
+val foreign : t
+(** A struct of the user's C. *)
 
 val scalars : Flow.Ir.sum array -> Machine.Ir.ty -> int
 (** How many numbers, truth values and tags a value is made of. *)

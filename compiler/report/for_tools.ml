@@ -89,6 +89,7 @@ let to_string (t : Bounds.t) =
          ( "entry",
            Object [ ("name", string root.name); ("file", file root.file); ("line", line root.span) ] );
          ("state_bytes", Int root.bytes);
+         ("foreign_structs", list string (State.foreign t.program));
          ("structs", list (fun k -> definition index (State.definition t.state k)) structs);
          ("step_operations", operations t.operations.step);
          ("reset_stack_bytes", Int t.stack.reset.bytes);

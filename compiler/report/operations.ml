@@ -14,7 +14,7 @@ let scalars c ty = Block.scalars c.program.sums ty
 let stored c (field : M.field) =
   match field.content with
   | Value ty -> Cost.several (scalars c ty) Stores
-  | State_of _ | States_of _ | Running_mode | Modes _ -> Cost.one Stores
+  | State_of _ | States_of _ | Running_mode | Modes _ | Component _ -> Cost.one Stores
 
 (* What a copy of the state has to read. *)
 let rec scalars_of_state c fields =
@@ -23,7 +23,7 @@ let rec scalars_of_state c fields =
     | Value ty -> scalars c ty
     | State_of k -> c.scalars.(k)
     | States_of { node; count } -> Amount.times count c.scalars.(node)
-    | Running_mode -> 1
+    | Running_mode | Component _ -> 1
     | Modes modes ->
         let mode m = scalars_of_state c (Machine.State.fields_of_mode m) in
         List.fold_left (fun most m -> max most (mode m)) 0 modes
@@ -51,7 +51,7 @@ let in_nanoseconds =
 
 let rec expression c (e : M.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Variable _ | Dt | Dt_nanoseconds -> Cost.none
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Dt | Dt_nanoseconds -> Cost.none
   | Field { content = Value ty; _ } -> Cost.several (scalars c ty) Loads
   | Field _ -> Cost.one Loads
   | Operation { operator; ty; arguments } -> Cost.add (operation operator ty) (expressions c arguments)
@@ -233,7 +233,12 @@ let of_program (program : M.program) =
     (fun k (node : M.node) ->
       let c = { program; node; done_; scalars } in
       scalars.(k) <- scalars_of_state c node.state;
-      done_.(k) <- { reset = statements c node.reset.body; step = statements c node.step.body })
+      match node.foreign with
+      | Some { symbol; _ } ->
+          let stateful = node.state <> [] in
+          let call what = Cost.one (Calls (if stateful then symbol ^ what else symbol)) in
+          done_.(k) <- { reset = call "_reset"; step = call "_step" }
+      | None -> done_.(k) <- { reset = statements c node.reset.body; step = statements c node.step.body })
     program.nodes;
   let last = count - 1 in
   let root = done_.(last) in

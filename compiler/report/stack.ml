@@ -53,7 +53,7 @@ let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
 (* Calls within an expression make it keep intermediate values in memory. *)
 let rec calls (e : M.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Dt | Dt_nanoseconds | Variable _ | Field _ -> false
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Variable _ | Field _ -> false
   | Construct _ | Call _ | In_nanoseconds _ | Later _ | Fill _ | At _ | Replace _ -> true
   | Elements { elements; _ } -> List.exists calls elements
   | Index { array; _ } -> calls array
@@ -65,14 +65,14 @@ let rec calls (e : M.expr) =
       | Operators -> List.exists calls arguments)
 
 let is_sum (ty : M.ty) =
-  match ty with Sum _ -> true | Bool | Int | Float | Nanoseconds | Array _ -> false
+  match ty with Sum _ -> true | Bool | Int | Float | Nanoseconds | Array _ | Foreign _ -> false
 
 (* An expression within one that makes calls, if [calling]. *)
 let rec within c frame ~calling (e : M.expr) =
   let all = List.iter (within c frame ~calling) in
   let intermediate () = if calling then need frame word in
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Dt | Dt_nanoseconds | Variable _ | Field _ -> ()
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Variable _ | Field _ -> ()
   | Operation { operator = And | Or; arguments; _ } ->
       need frame word;
       all arguments
@@ -140,7 +140,7 @@ and choice c (e : M.expr) =
   | Select { then_; _ } -> choice c then_
   | Call { node; _ } ->
       List.fold_left (fun sum (_, ty) -> Amount.add sum (room c ty)) 0 c.program.nodes.(node).outputs
-  | Bool _ | Int _ | Float _ | Zero_time | Dt | Dt_nanoseconds | Field _ | Operation _
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Field _ | Operation _
   | Is_constructor _ | Seconds _ | In_nanoseconds _ | Later _ ->
       word
   | Elements { element; elements } -> room c (Array (List.length elements, element))
@@ -245,7 +245,7 @@ let function_ c k ~results (code : M.code) =
   given c.node.nanoseconds;
   let in_place = in_place c.program k in
   let is_array (v : M.variable) =
-    match v.ty with Array _ -> true | Bool | Int | Float | Nanoseconds | Sum _ -> false
+    match v.ty with Array _ -> true | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> false
   in
   List.iter (fun v -> if is_array v || not in_place then variable c frame v) code.parameters;
   need frame (Amount.times word results);
@@ -253,6 +253,16 @@ let function_ c k ~results (code : M.code) =
   let longer (a : t) (b : t) = if b.bytes > a.bytes then b else a in
   let deepest = List.fold_left longer { bytes = frame.helper; chain = [] } frame.callees in
   { bytes = Amount.add frame.bytes deepest.bytes; chain = k :: deepest.chain }
+
+(* The user's C is given structs of the leaves, and gives others; what it needs
+   itself we do not know. *)
+let foreign_step c (node : M.node) =
+  let leaves =
+    List.map (fun (v : M.variable) -> v.ty) node.step.parameters @ List.map snd node.outputs
+  in
+  let rooms = List.fold_left (fun sum ty -> Amount.add sum (room c ty)) 0 leaves in
+  let calls = Amount.times word (2 + List.length leaves) in
+  Amount.add (2 * fixed) (Amount.add (Amount.times 3 rooms) calls)
 
 (* The root is given the state, dt, its input and its output by address, and its
    step calls the helpers of the clock. *)
@@ -269,6 +279,13 @@ let of_program (program : M.program) state =
     (fun k (node : M.node) ->
       let c = { program; node; state; done_ } in
       let results = List.length node.outputs in
+      if Option.is_some node.foreign then
+        done_.(k) <-
+          {
+            reset = { bytes = fixed; chain = [ k ] };
+            step = { bytes = foreign_step c node; chain = [ k ] };
+          }
+      else
       done_.(k) <-
         { reset = function_ c k ~results:0 node.reset; step = function_ c k ~results node.step })
     program.nodes;

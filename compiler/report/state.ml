@@ -64,6 +64,7 @@ and content c node (field : M.field) =
   | State_of k -> (c.blocks.(k), Struct k)
   | States_of { node; count } -> (Block.run count c.blocks.(node), Structs { node; count })
   | Running_mode -> (running_mode node, Running_mode)
+  | Component symbol -> (Block.foreign, Value (Printf.sprintf "`struct %s_state`" symbol))
   | Modes modes ->
       let alternatives = List.map (alternative c node) modes in
       (Block.of_alternatives (List.map snd alternatives), Largest (List.map fst alternatives))
@@ -105,3 +106,27 @@ let in_use t =
 
 let padding ~bytes members =
   bytes - List.fold_left (fun sum (member : member) -> Amount.add sum member.bytes) 0 members
+
+let foreign (program : M.program) =
+  let rec of_value found (ty : M.ty) =
+    match ty with
+    | Foreign { c_type; copyable = true; _ } -> c_type :: found
+    | Foreign _ | Bool | Int | Float | Nanoseconds -> found
+    | Array (_, element) -> of_value found element
+    | Sum k ->
+        List.fold_left
+          (fun found (ty, _) -> of_value found (Machine.Layout.ty ty))
+          found (Machine.Layout.sum program.sums k).arrays
+  in
+  let rec of_field found (f : M.field) =
+    match f.content with
+    | Value ty -> of_value found ty
+    | Component symbol -> Printf.sprintf "struct %s_state" symbol :: found
+    | Modes modes ->
+        List.fold_left
+          (fun found m -> List.fold_left of_field found (Machine.State.fields_of_mode m))
+          found modes
+    | State_of _ | States_of _ | Running_mode -> found
+  in
+  let of_node found (node : M.node) = List.fold_left of_field found node.state in
+  List.sort_uniq String.compare (Array.fold_left of_node [] program.nodes)

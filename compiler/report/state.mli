@@ -49,3 +49,6 @@ val in_use : t -> int list
 
 val padding : bytes:int -> member list -> int
 (** What of a struct no member has. *)
+
+val foreign : Machine.Ir.program -> string list
+(** The structs of the user's C in the state. Their size is in no number here. *)

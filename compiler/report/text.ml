@@ -156,6 +156,11 @@ let to_string (t : Bounds.t) =
           table (List.map transition_row transitions);
         ]
   in
+  let foreign =
+    match State.foreign t.program with
+    | [] -> ""
+    | structs -> Printf.sprintf ", without %s of the user's C" (String.concat ", " structs)
+  in
   let library =
     match Bounds.library t with
     | [] -> ""
@@ -163,7 +168,7 @@ let to_string (t : Bounds.t) =
   in
   String.concat ""
     ([
-       "state, in bytes\n";
+       Printf.sprintf "state, in bytes%s\n" foreign;
        table (state_rows t.state);
        "\noperations of a step, at most\n";
        table (operation_rows t.operations.step);

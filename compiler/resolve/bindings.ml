@@ -17,7 +17,8 @@ type item = {
 let item (d : Syntax.Ir.declaration) =
   match d.desc with
   | Binding b -> Some { left = b.left; right = Definition b.right; doc = d.doc; span = b.span }
-  | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _ ->
+  | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _
+  | Foreign _ ->
       None
 
 let items declarations = List.filter_map item declarations
@@ -26,7 +27,8 @@ let signatures declarations =
   let add reversed (d : Syntax.Ir.declaration) =
     match d.desc with
     | Signature { names; ty } -> List.fold_left (fun all n -> (n, ty) :: all) reversed names
-    | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _ ->
+    | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _
+  | Foreign _ ->
         reversed
   in
   List.rev (List.fold_left add [] declarations)

@@ -74,7 +74,7 @@ let class_ env ~expr ~command (d : Syntax.Ir.declaration) : Ir.class_ option =
         match m.desc with
         | Signature { names; ty } -> Long_list.map (method_ (Types.scheme scope ty) m.doc) names
         | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
-        | Primitive _ ->
+        | Primitive _ | Foreign _ ->
             []
       in
       Some
@@ -87,7 +87,7 @@ let class_ env ~expr ~command (d : Syntax.Ir.declaration) : Ir.class_ option =
           span = name.span;
         }
   | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Instance _
-  | Primitive _ ->
+  | Primitive _ | Foreign _ ->
       None
 
 let report_circle (scope : Scope.t) (circle : Ir.class_ list) =
@@ -167,7 +167,7 @@ let instance env ~expr ~command taken (d : Syntax.Ir.declaration) : Ir.instance 
       in
       Option.map of_class (Scope.find scope Interface.classes class_)
   | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _
-  | Primitive _ ->
+  | Primitive _ | Foreign _ ->
       None
 
 let instances env ~expr ~command (program : Syntax.Ir.program) =

@@ -41,7 +41,7 @@ let rec types_used scope (t : Ir.ty) found =
 
 let uses scope (d : Ir.type_declaration) =
   match d.definition with
-  | Builtin -> []
+  | Builtin | Foreign _ -> []
   | Alias t -> types_used scope t []
   | Data constructors ->
       let field found (f : Ir.field) = types_used scope f.ty found in
@@ -51,7 +51,7 @@ let uses scope (d : Ir.type_declaration) =
 let report_circle (scope : Scope.t) (circle : Ir.type_declaration list) =
   let names = List.map (fun (d : Ir.type_declaration) -> d.tycon.name) circle in
   let is_data (d : Ir.type_declaration) =
-    match d.definition with Data _ -> true | Alias _ | Builtin -> false
+    match d.definition with Data _ -> true | Alias _ | Builtin | Foreign _ -> false
   in
   (* A type as the place to look at first: data, since it is its size that
      matters, else the first alias. *)
@@ -152,7 +152,12 @@ let declaration (scope : Scope.t) (d : Syntax.Ir.declaration) : Ir.type_declarat
             (index + 1, constructor scope variables tycon index c :: reversed)
           in
           Ir.Data (List.rev (snd (List.fold_left add (0, []) constructors))))
-  | Signature _ | Binding _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _ ->
+  | Foreign (Foreign_type { name; c_type; copyable }) ->
+      declare name { units = []; types = [] } (fun _ _ ->
+          Foreign_code.check_type scope c_type;
+          Ir.Foreign { c_type = c_type.text; copyable })
+  | Signature _ | Binding _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _
+  | Foreign (Foreign_value _ | Foreign_include _) ->
       None
 
 let builtin (_, (t : tycon)) : Ir.type_declaration =
@@ -200,7 +205,7 @@ let unit_declaration (scope : Scope.t) (d : Syntax.Ir.declaration) : Ir.unit_dec
   | Base_unit name -> declare name Ir.Base
   | Scaled_unit { name; scale; unit_ } ->
       declare name (Ir.Scaled (scale, Types.concrete_unit scope unit_))
-  | Signature _ | Binding _ | Type_alias _ | Data _ | Class _ | Instance _ | Primitive _ ->
+  | Signature _ | Binding _ | Type_alias _ | Data _ | Class _ | Instance _ | Primitive _ | Foreign _ ->
       None
 
 let units_used scope (d : Ir.unit_declaration) =

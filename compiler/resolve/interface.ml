@@ -168,7 +168,7 @@ let signed_names declarations =
           (fun names (n : Syntax.Ir.name) -> String_set.add n.text names)
           names signed
     | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
-    | Primitive _ ->
+    | Primitive _ | Foreign _ ->
         names
   in
   List.fold_left add String_set.empty declarations
@@ -195,7 +195,7 @@ let method_names members =
     match d.desc with
     | Signature { names; _ } -> names
     | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
-    | Primitive _ ->
+    | Primitive _ | Foreign _ ->
         []
   in
   List.concat_map names members
@@ -249,6 +249,9 @@ let declared context ~module_ (program : Syntax.Ir.program) =
     | Binding { left = Pattern _; _ } -> names
     | Primitive { names = primitives; _ } ->
         List.fold_left (fun names name -> value names name ~signed:true) names primitives
+    | Foreign (Foreign_value { name; _ }) -> value names name ~signed:true
+    | Foreign (Foreign_type { name; _ }) -> tycon names name { units = []; types = [] } []
+    | Foreign (Foreign_include _) -> names
     | Type_alias { name; parameters; body } ->
         tycon names ~units_optional:(names_a_number parameters body) name parameters []
     | Data { name; parameters; constructors } ->

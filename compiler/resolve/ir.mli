@@ -36,6 +36,7 @@ and module_ = {
   file : string;
   library : bool;  (** from the standard library *)
   exports : string list;  (** values, in source order *)
+  includes : string list;  (** the C headers it is written against *)
 }
 
 (** {1 Types and units} *)
@@ -56,6 +57,7 @@ and type_definition =
   | Data of constructor list  (** at least one *)
   | Builtin
       (** Float, Int, Bool, String, Array, SF, Task, Program: no declaration in source *)
+  | Foreign of { c_type : string; copyable : bool }
 
 and constructor = {
   constructor : Global.t;
@@ -103,7 +105,15 @@ and constraint_ = { class_ : Global.t; argument : ty; span : Span.t }
 (** The class is one of {!program.classes}, or [Prelude]'s [Eq] or [Ord],
     which are built in. *)
 
-and primitive = { name : Global.t; scheme : scheme; doc : string option; span : Span.t }
+and primitive = {
+  name : Global.t;
+  scheme : scheme;
+  foreign : foreign option;  (** none if the language has it built in *)
+  doc : string option;
+  span : Span.t;
+}
+
+and foreign = { kind : Syntax.Ir.foreign_kind; symbol : string  (** in C *) }
 
 (** {1 Classes} *)
 

@@ -73,6 +73,7 @@ let type_declaration known (d : Ir.type_declaration) =
             (fun name -> declare known.constructors "constructor" { d.tycon with name } 0)
             [ "False"; "True" ];
         true
+    | Foreign _ -> false
     | Alias t ->
         ty known t;
         false

@@ -93,6 +93,8 @@ let type_declaration ppf (d : Ir.type_declaration) =
   match d.definition with
   | Builtin -> fprintf ppf "@[<2>builtin %a@]" head ()
   | Alias t -> fprintf ppf "@[<2>type %a =@ %a@]" head () ty t
+  | Foreign { c_type; copyable } ->
+      fprintf ppf "@[<2>foreign type %a =@ %S%s@]" head () c_type (if copyable then " copyable" else "")
   | Data constructors ->
       let bar ppf () = fprintf ppf "@ | " in
       fprintf ppf "@[<2>data %a =@ %a@]" head () (pp_print_list ~pp_sep:bar constructor) constructors

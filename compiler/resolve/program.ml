@@ -34,15 +34,34 @@ let primitives (scope : Scope.t) (program : Syntax.Ir.program) =
   let primitive scheme doc (name : Syntax.Ir.name) : Ir.primitive =
     if not scope.library then report name;
     let global : Ir.Global.t = { module_ = scope.module_; name = name.text } in
-    { name = global; scheme; doc; span = name.span }
+    { name = global; scheme; foreign = None; doc; span = name.span }
   in
   let declaration (d : Syntax.Ir.declaration) =
     match d.desc with
     | Primitive { names; ty } -> Long_list.map (primitive (Types.scheme scope ty) d.doc) names
-    | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ ->
+    | Foreign (Foreign_value { kind; name; ty; symbol }) ->
+        Foreign_code.check_symbol scope symbol;
+        if Interface.is_operator name.text then Bindings.report_operator scope name;
+        let scheme = Types.scheme scope ty in
+        let global : Ir.Global.t = { module_ = scope.module_; name = name.text } in
+        let foreign = Some { Ir.kind; symbol = symbol.text } in
+        [ { Ir.name = global; scheme; foreign; doc = d.doc; span = name.span } ]
+    | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _
+    | Instance _
+    | Foreign (Foreign_type _ | Foreign_include _) ->
         []
   in
   List.concat_map declaration program.declarations
+
+let includes (scope : Scope.t) (program : Syntax.Ir.program) =
+  let declaration (d : Syntax.Ir.declaration) =
+    match d.desc with
+    | Foreign (Foreign_include header) ->
+        Foreign_code.check_header scope header;
+        Some header.text
+    | _ -> None
+  in
+  List.filter_map declaration program.declarations
 
 (* The values a module exports as its own, in source order. *)
 let exported_values (scope : Scope.t) exports =
@@ -69,6 +88,7 @@ let resolve context ~elsewhere exports (m : Modules.t) =
   let units = Declarations.units scope m.syntax in
   let types = Declarations.types scope m.syntax in
   let primitives = primitives scope m.syntax in
+  Foreign_code.check_includes scope m.syntax;
   let groups =
     Bindings.top_level scope ~expr:Expressions.expr ~command:Expressions.command
       m.syntax.declarations
@@ -84,6 +104,7 @@ let resolve context ~elsewhere exports (m : Modules.t) =
       file = m.file;
       library = m.library;
       exports = exported_values scope exported;
+      includes = includes scope m.syntax;
     }
   in
   (exported, { info; types; units; primitives; groups; classes; instances })

@@ -22,6 +22,7 @@ and callee =
 
 type t = {
   sink : Diagnostic.sink;
+  foreign : Core.Ir.foreign;
   options : options;
   types : Types.table;
   free : Free.table;
@@ -36,6 +37,7 @@ type t = {
   building : trail Variables.Table.t;
   counts : (string, int) Hashtbl.t;
   mutable nodes : Flow.Ir.node list;
+  mutable kept : Span.t list;
   mutable node_count : int;
   mutable entered : int;
 }
@@ -46,7 +48,7 @@ let create sink options (program : Core.Ir.program) =
     incr next;
     !next
   in
-  let types = Types.table program.data in
+  let types = Types.table program in
   let free = Free.table () in
   let definitions = Hashtbl.create 256 in
   (* Below the ids of all locals: those without a name are negative too. *)
@@ -57,6 +59,7 @@ let create sink options (program : Core.Ir.program) =
     program.definitions;
   {
     sink;
+    foreign = program.foreign;
     options;
     types;
     free;
@@ -71,6 +74,7 @@ let create sink options (program : Core.Ir.program) =
     building = Variables.Table.create 16;
     counts = Hashtbl.create 64;
     nodes = [];
+    kept = [];
     node_count = 0;
     entered = 0;
   }
@@ -150,6 +154,25 @@ let report_stored t trail ~span ty =
       |> with_trail trail)
   |> Diagnostic.note "functions, signal functions and labels exist only while compiling"
   |> Diagnostic.emit t.sink
+
+let check_lasting t trail ~span tys =
+  let is_reported (_, at) = List.mem at t.kept in
+  match List.find_map (Types.of_the_instant t.types) tys with
+  | None -> ()
+  | Some _ when List.exists is_reported (("", span) :: trail.calls) -> ()
+  | Some name ->
+      t.kept <- span :: t.kept;
+      Diagnostic.error ~code:"E0430" ~at:span "a value of the foreign type `%s` would be kept here"
+        name
+      |> Diagnostic.note
+           (Printf.sprintf "C gives a `%s` for one instant, and may use its memory again after it"
+              name)
+      |> Diagnostic.hint
+           (Printf.sprintf
+              "keep what you need of it; or declare the type `copyable`, if a copy of the struct \
+               is as good as the struct")
+      |> with_trail trail
+      |> Diagnostic.emit t.sink
 
 let count t trail ~name ~span =
   let before = Option.value (Hashtbl.find_opt t.counts name) ~default:0 in

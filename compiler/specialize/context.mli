@@ -41,6 +41,7 @@ and callee =
 
 type t = {
   sink : Diagnostic.sink;
+  foreign : Core.Ir.foreign;
   options : options;
   types : Types.table;
   free : Free.table;
@@ -55,6 +56,7 @@ type t = {
   building : trail Variables.Table.t;  (** machines that are being made, likewise *)
   counts : (string, int) Hashtbl.t;  (** specializations of a definition *)
   mutable nodes : Flow.Ir.node list;  (** the last one first *)
+  mutable kept : Span.t list;  (** where {!check_lasting} found something *)
   mutable node_count : int;
   mutable entered : int;
 }
@@ -87,5 +89,9 @@ val report_outside : t -> trail -> span:Span.t -> index:int -> size:int -> unit
 val report_stored : t -> trail -> span:Span.t -> string -> unit
 (** A [delay] of a value of this type, which has a function in it. The place is
     the call in the program's own folder that leads there. *)
+
+val check_lasting : t -> trail -> span:Span.t -> Flow.Ir.ty list -> unit
+(** E0430 if what is to be in the program's state lives for the instant only,
+    and that was not said of one of the calls that led here. *)
 
 val add_node : t -> Flow.Ir.node -> int

@@ -126,14 +126,34 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
         name;
         sums = Types.sums c.types;
         nodes = Array.of_list (List.rev c.nodes);
+        headers =
+          List.map
+            (fun (h : Ir.header) : Flow.Ir.header ->
+              { header = h.header; folder = Filename.dirname h.of_file })
+            c.foreign.headers;
         input;
         output;
       }
+
+(* In C both would have the struct and the functions of that name. *)
+let refuse_own_name sink ~name (foreign : Ir.foreign) =
+  let refuse ((f : Core.Primitive.foreign), _) =
+    if f.kind = Stateful && String.equal f.symbol name then
+      Diagnostic.error ~code:"E0431" ~at:f.span
+        "the program and the component `%s` in C have one name" name
+      |> Diagnostic.note
+           (Printf.sprintf "both would have `struct %s_state`, `%s_reset` and `%s_step`" name name
+              name)
+      |> Diagnostic.hint "rename the program's file"
+      |> Diagnostic.emit sink
+  in
+  List.iter refuse foreign.values
 
 let program ?(options = Context.default) sink ~name ~entry:(entry : Ir.Global.t)
     (program : Ir.program) =
   let c = Context.create sink options program in
   Recursion.check sink program;
+  refuse_own_name sink ~name program.foreign;
   match Hashtbl.find_opt c.definitions (entry.module_, entry.name) with
   | None ->
       Diagnostic.bug ~stage:"Specialize.Evaluate" "there is no `%s.%s`" entry.module_ entry.name

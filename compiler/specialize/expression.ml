@@ -242,13 +242,15 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       | Reactimate, [ signal_function ] -> Program signal_function.value
       | ( ( Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
           | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right
-          | Return | Sequence | Run_task ),
+          | Return | Sequence | Run_task | Foreign { kind = Stateful; _ } ),
           _ ) ->
           Primitive { primitive; types; arguments = all; owner = s.owner; at = span }
       | _, _ when missing > 0 ->
           Primitive { primitive; types; arguments = all; owner = s.owner; at = span }
       | (At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl), _ ->
           on_arrays c s target ~span ~result primitive types (List.rev all)
+      | Foreign f, _ ->
+          Foreign_code.apply (position c s span) target f ~result (List.rev all)
       | _, _ -> Operation.apply (position c s span) target primitive ~result (List.rev all))
   | Choice { condition; then_; else_ }, _ ->
       let then_ = apply c s Unnamed ~span ~result then_ arguments in
@@ -347,6 +349,8 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
       Atom (Node.define s.node target ~span Float (Derivative input))
   | Primitive { primitive = Map_sf; arguments = [ inner ]; _ } ->
       Arrays.map_sf (position c s span) (evaluator_of_rounds s) target ~result inner input
+  | Primitive { primitive = Foreign f; _ } ->
+      Foreign_code.apply (position c s span) target f ~result [ input ]
   | Choice _
   | Primitive
       {
@@ -448,7 +452,9 @@ and evaluator s : Machine.evaluator =
 
 and delay (c : Context.t) s target ~span (initial : Value.argument) (input : Value.argument) : Value.t =
   let layout = Types.layout c.types input.ty in
-  if layout.first_order then
+  if layout.first_order then (
+    Context.check_lasting c s.trail ~span
+      (List.map (fun (leaf : Types.leaf) -> leaf.leaf) layout.leaves);
     let inits = Leaves.atoms c.types s.node ~span initial.ty initial.value in
     let nexts = Leaves.atoms c.types s.node ~span input.ty input.value in
     let targets = Node.leaves target layout.leaves in
@@ -456,7 +462,7 @@ and delay (c : Context.t) s target ~span (initial : Value.argument) (input : Val
       Node.define s.node target ~span leaf.leaf (Delay { init; next })
     in
     Leaves.value c.types input.ty
-      (List.map2 one (List.combine targets layout.leaves) (List.combine inits nexts))
+      (List.map2 one (List.combine targets layout.leaves) (List.combine inits nexts)))
   else (
     Context.report_stored c s.trail ~span (Types.to_string input.ty);
     Unspecified)
@@ -469,6 +475,7 @@ and run_proc (c : Context.t) s target ~span ~result closure proc input =
   Skeleton.add_number walk (Closure.code_id closure.code);
   Skeleton.add_captured walk closure;
   let statics = Skeleton.take_holes walk in
+  Context.check_lasting c s.trail ~span (Skeleton.types statics);
   if is_used then Skeleton.add walk proc.input.local input.ty input.value;
   let inputs = Skeleton.take_holes walk in
   Specialization.call c trail s.node target

@@ -147,6 +147,7 @@ let mode_of m node ~from ~at value =
         let growth = Growth.of_value value ~at ~from in
         if Growth.is_endless growth then Growth.report m.context ~name growth;
         Context.count m.context m.trail ~name ~span:at;
+        Context.check_lasting m.context m.trail ~span:at (Skeleton.types holes);
         let place = mode_place ~otherwise:at value in
         let mode = { number = m.count; value; holes; name; at; place; growth } in
         m.count <- m.count + 1;
@@ -356,6 +357,7 @@ let rec zero m node ~span (ty : Ir.ty) : Ir.atom =
           let payload = List.concat_map (fun (_, shape) -> zeros m node ~span shape) fields in
           Node.define node Unnamed ~span ty (Construct { constructor = 0; payload }))
   | Array (_, element) -> Node.define node Unnamed ~span ty (Fill (zero m node ~span element))
+  | Foreign _ -> Node.define node Unnamed ~span ty Absent
 
 and zeros m node ~span : Ir.shape -> Ir.atom list = function
   | Leaf ty -> [ zero m node ~span ty ]

@@ -20,7 +20,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   let operate operator : Value.t =
     Atom (define target (Op (operator, List.map atom arguments)))
   in
-  let one : Ir.atom = match leaf with Int -> Int 1l | Bool | Float | Sum _ | Array _ -> Float 1. in
+  let one : Ir.atom = match leaf with Int -> Int 1l | Bool | Float | Sum _ | Array _ | Foreign _ -> Float 1. in
   let times target a b = define target (Op (Multiply, [ a; b ])) in
   (* The halves are unnamed: only the whole is what the programmer wrote. *)
   let rec power target x k : Ir.atom =
@@ -91,5 +91,6 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   | Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
   | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right | Return
   | Sequence | Run_task
-  | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate ->
+  | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate
+  | Foreign _ ->
       bug ()

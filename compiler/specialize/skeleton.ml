@@ -92,6 +92,8 @@ let type_id w ty = (Types.layout w.table.types ty).id
 let type_of_atom (atom : Flow.Ir.atom) : Flow.Ir.ty =
   match atom with Signal s -> s.ty | Bool _ -> Bool | Int _ -> Int | Float _ -> Float
 
+let types holes = List.map (fun hole -> hole.ty) holes
+
 let numbers_of (table : table) closure =
   if Numbers.are_many table.numbers closure then In_key else Holes
 
@@ -127,7 +129,7 @@ let rec add_at w local path ty (value : Value.t) =
     | (Function closure | Signal_function closure), _ -> add_closure w closure
     | Primitive { primitive; types; arguments; owner = _; at = _ }, _ ->
         add_number w tag_primitive;
-        add_number w (text_number w.table (Core.Primitive.name primitive));
+        add_number w (text_number w.table (Core.Primitive.key primitive));
         add_number w (List.length types);
         List.iter (fun ty -> add_number w (type_id w ty)) types;
         add_number w (List.length arguments);

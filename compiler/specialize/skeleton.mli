@@ -21,6 +21,7 @@ type hole = {
   ty : Flow.Ir.ty;
 }
 
+val types : hole list -> Flow.Ir.ty list
 val type_of_atom : Flow.Ir.atom -> Flow.Ir.ty
 
 (** {1 Taking values apart} *)

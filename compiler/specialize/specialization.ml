@@ -24,6 +24,7 @@ let finish c node ~name ~origin ~span ~kind ~statics ~inputs ~outputs ~transitio
       outputs;
       equations = Node.equations node;
       instances = Node.instances node;
+      foreign = None;
       machine = Node.machine node;
       transitions;
       span;

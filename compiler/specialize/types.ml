@@ -60,6 +60,7 @@ module Types = Hashtbl.Make (struct
 end)
 
 type table = {
+  foreign : (string * string, Flow.Ir.foreign_type) Hashtbl.t;
   data : (string * string, Ir.data) Hashtbl.t;
   layouts : layout Types.t;
   mutable sums : Flow.Ir.sum list;  (* the last one first *)
@@ -68,10 +69,16 @@ type table = {
 
 let data_key (tycon : Ir.Global.t) = (tycon.module_, tycon.name)
 
-let table data =
-  let by_name = Hashtbl.create 64 in
-  List.iter (fun (d : Ir.data) -> Hashtbl.replace by_name (data_key d.tycon) d) data;
-  { data = by_name; layouts = Types.create 64; sums = []; sum_count = 0 }
+let table (program : Ir.program) =
+  let by_name = Hashtbl.create 64 and foreign = Hashtbl.create 8 in
+  List.iter (fun (d : Ir.data) -> Hashtbl.replace by_name (data_key d.tycon) d) program.data;
+  List.iter
+    (fun (t : Ir.foreign_type) ->
+      let { Ir.foreign_type = tycon; c_type; copyable } = t in
+      Hashtbl.replace foreign (data_key tycon)
+        { Flow.Ir.foreign_name = tycon.name; c_type; copyable })
+    program.foreign.types;
+  { foreign; data = by_name; layouts = Types.create 64; sums = []; sum_count = 0 }
 
 let rec close substitution (ty : Ir.ty) : Ir.ty =
   if Variables.is_empty substitution then ty
@@ -167,6 +174,8 @@ and analyse table (ty : Ir.ty) =
       (Array (n, element), first_order, List.map array leaves)
   | Size _ -> (Opaque, false, [])
   | Array _ -> Diagnostic.bug ~stage:"Specialize.Types" "an array of no size"
+  | Data (tycon, []) when Hashtbl.mem table.foreign (data_key tycon) ->
+      scalar (Foreign (Hashtbl.find table.foreign (data_key tycon)))
   | Data (tycon, arguments) -> (
       match constructors table tycon arguments with
       | [] -> (Opaque, false, [])
@@ -251,3 +260,10 @@ and single_leaf table ty : Flow.Ir.shape =
       Diagnostic.bug ~stage:"Specialize.Types" "%s has no single leaf" (to_string ty)
 
 let sums table = Array.of_list (List.rev table.sums)
+
+let of_the_instant table ty =
+  if Hashtbl.length table.foreign = 0 then None
+  else
+    Option.map
+      (fun (f : Flow.Ir.foreign_type) -> f.foreign_name)
+      (Flow.Lasting.of_the_instant (sums table) ty)

@@ -6,7 +6,8 @@
 
 type table
 
-val table : Core.Ir.data list -> table
+val table : Core.Ir.program -> table
+(** With its data and foreign types. *)
 
 val close : Value.substitution -> Core.Ir.ty -> Core.Ir.ty
 
@@ -20,7 +21,7 @@ type layout = {
 }
 
 and kind =
-  | Scalar  (** Bool, Int or Float *)
+  | Scalar  (** Bool, Int, Float, or a type of the user's C *)
   | Product of part list  (** a tuple, or data with one constructor *)
   | Sum of part list array  (** by constructor *)
   | Array of int * Core.Ir.ty  (** size and element *)
@@ -40,6 +41,9 @@ val join : string -> string -> string
 
 val shape : table -> Core.Ir.ty -> Flow.Ir.shape
 (** Of a closed first-order type. *)
+
+val of_the_instant : table -> Flow.Ir.ty -> string option
+(** The foreign type, if there is one in it, whose values live for the instant. *)
 
 val sums : table -> Flow.Ir.sum array
 (** All that were met. *)

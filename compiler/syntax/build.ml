@@ -80,6 +80,28 @@ let instance context (head : Ir.ty) members : Ir.declaration_desc =
         ~hint:"as in `instance Shape Circle where` or `instance Shape (Maybe a) where`"
         "the head of an instance is a class and one type"
 
+(* Foreign code *)
+
+let expect_word expected (word : Ir.name) =
+  if not (String.equal word.text expected) then
+    Reject.at ~code:"E0110" word.span
+      ~hint:
+        "as in `foreign name :: Float -> Float = \"c_name\"`, `foreign sf name :: SF Float Float = \
+         \"c_name\"`, `foreign type Name = \"struct name\"` or `foreign include \"name.h\"`"
+      "expected `%s` here, found `%s`" expected word.text
+
+let foreign_signal_function ~word name ty symbol : Ir.declaration_desc =
+  expect_word "sf" word;
+  Foreign (Foreign_value { kind = Foreign_signal_function; name; ty; symbol })
+
+let foreign_type name c_type ~word : Ir.declaration_desc =
+  Option.iter (expect_word "copyable") word;
+  Foreign (Foreign_type { name; c_type; copyable = Option.is_some word })
+
+let foreign_include ~word header : Ir.declaration_desc =
+  expect_word "include" word;
+  Foreign (Foreign_include header)
+
 let size location (digits, decimal) =
   match int_of_string_opt ("0u" ^ digits) with
   | Some n when not decimal -> n

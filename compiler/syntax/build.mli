@@ -30,6 +30,16 @@ val instance :
   (Ir.qualified * Ir.ty) list -> Ir.ty -> Ir.declaration list -> Ir.declaration_desc
 (** Likewise. *)
 
+(** {1 Foreign code}
+
+    [sf], [include] and [copyable] are words only after [foreign]. *)
+
+val foreign_signal_function :
+  word:Ir.name -> Ir.name -> Ir.qualified_type -> Ir.name -> Ir.declaration_desc
+
+val foreign_type : Ir.name -> Ir.name -> word:Ir.name option -> Ir.declaration_desc
+val foreign_include : word:Ir.name -> Ir.name -> Ir.declaration_desc
+
 val size : location -> string * bool -> int
 (** A number, and whether it is decimal, as the size of an array. *)
 

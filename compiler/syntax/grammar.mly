@@ -32,7 +32,7 @@ let expr = Term.to_expr
 %token COMMA BACKTICK UNDERSCORE AT BACKSLASH EQUAL BAR
 %token ARROW LEFT_ARROW TAIL DOUBLE_ARROW DOUBLE_COLON
 %token LET IN WHERE DO OF CASE IF THEN ELSE PROC REC
-%token MODULE IMPORT QUALIFIED AS DATA TYPE UNIT PRIMITIVE CLASS INSTANCE
+%token MODULE IMPORT QUALIFIED AS DATA TYPE UNIT PRIMITIVE FOREIGN CLASS INSTANCE
 %token OPEN CLOSE SEMICOLON END
 /* Never part of a program: */
 %token BAD
@@ -143,6 +143,16 @@ declaration_desc:
 | CLASS head = class_head members = where { class_ (fst head) (snd head) members }
 | INSTANCE head = class_head members = where { instance (fst head) (snd head) members }
 | PRIMITIVE s = signature { Primitive s }
+| FOREIGN name = variable DOUBLE_COLON ty = qualified_type EQUAL symbol = c_text
+    { Foreign (Foreign_value { kind = Foreign_function; name; ty; symbol }) }
+| FOREIGN word = lower name = variable DOUBLE_COLON ty = qualified_type EQUAL symbol = c_text
+    { foreign_signal_function ~word name ty symbol }
+| FOREIGN TYPE name = upper EQUAL c_type = c_text word = option(lower)
+    { foreign_type name c_type ~word }
+| FOREIGN word = lower header = c_text { foreign_include ~word header }
+
+c_text:
+| x = STRING { name $loc x }
 
 class_head:
 | t = type_application { ([], t) }

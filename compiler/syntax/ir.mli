@@ -49,6 +49,19 @@ and declaration_desc =
   | Instance of instance
   | Primitive of signature
       (** [primitive sin :: Float -> Float], only in the standard library *)
+  | Foreign of foreign
+
+(** Texts in C keep their place. *)
+and foreign =
+  | Foreign_value of { kind : foreign_kind; name : name; ty : qualified_type; symbol : name }
+      (** [foreign cubeRoot :: Float -> Float = "cbrt"]; [foreign sf tracker :: … = "blob"] *)
+  | Foreign_type of { name : name; c_type : name; copyable : bool }
+      (** [foreign type Frame = "struct frame" copyable] *)
+  | Foreign_include of name  (** [foreign include "blob.h"] *)
+
+and foreign_kind =
+  | Foreign_function
+  | Foreign_signal_function
 
 and scale = {
   factor : string;  (** decimal text; ["1"] where none is written *)

@@ -149,7 +149,8 @@ let reserved = function
   | "_" -> Some UNDERSCORE
   | "class" -> Some CLASS
   | "instance" -> Some INSTANCE
-  | ("foreign" | "deriving" | "newtype") as word -> Some (RESERVED word)
+  | "foreign" -> Some FOREIGN
+  | ("deriving" | "newtype") as word -> Some (RESERVED word)
   | _ -> None
 
 let take_name t =

@@ -15,7 +15,8 @@ let contains (outer : Span.t) (inner : Span.t) =
 let local (d : Ir.declaration) =
   match d.desc with
   | Signature _ | Binding _ -> ()
-  | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _ ->
+  | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _
+  | Foreign _ ->
       broken d.span "a declaration that belongs to the top level"
 
 let at_least n what span list =

@@ -67,6 +67,10 @@ let declaration (desc : Ir.declaration_desc) =
       Qualified class_ :: Type head :: constraints context (declarations members [])
   | Base_unit name -> [ Name name ]
   | Scaled_unit { name; scale = _; unit_ } -> [ Name name; Unit unit_ ]
+  | Foreign (Foreign_value { kind = _; name; ty; symbol }) ->
+      Name name :: qualified_type ty [ Name symbol ]
+  | Foreign (Foreign_type { name; c_type; copyable = _ }) -> [ Name name; Name c_type ]
+  | Foreign (Foreign_include header) -> [ Name header ]
 
 let binding (b : Ir.binding) =
   let rest = declarations b.right.where [] in

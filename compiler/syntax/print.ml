@@ -300,6 +300,19 @@ and declaration b column (d : declaration) =
   | Scaled_unit { name = x; scale; unit_ } ->
       text b "unit "; text b x.text; text b " = "; scaled b scale unit_
   | Primitive s -> text b "primitive "; signature b s
+  | Foreign f -> text b "foreign "; foreign b f
+
+and foreign b = function
+  | Foreign_value { kind; name; ty; symbol } ->
+      (match kind with Foreign_function -> () | Foreign_signal_function -> text b "sf ");
+      signature b { names = [ name ]; ty };
+      text b " = ";
+      text b (string_literal symbol.text)
+  | Foreign_type { name; c_type; copyable } ->
+      text b "type "; text b name.text; text b " = ";
+      text b (string_literal c_type.text);
+      if copyable then text b " copyable"
+  | Foreign_include header -> text b "include "; text b (string_literal header.text)
 
 and doc b column = function
   | None -> ()

@@ -31,7 +31,7 @@ let describe found =
   | SLASH | STAR | CARET | LPAREN | RPAREN | LBRACE | RBRACE | UNIT_BRACKET | LBRACKET | RBRACKET | COMMA
   | UNDERSCORE | AT | BACKSLASH | EQUAL | BAR | ARROW | LEFT_ARROW | TAIL | DOUBLE_ARROW
   | DOUBLE_COLON | LET | IN | WHERE | DO | OF | CASE | IF | THEN | ELSE | PROC | REC | MODULE
-  | IMPORT | QUALIFIED | AS | DATA | TYPE | UNIT | PRIMITIVE | CLASS | INSTANCE | SEMICOLON | END | BAD
+  | IMPORT | QUALIFIED | AS | DATA | TYPE | UNIT | PRIMITIVE | FOREIGN | CLASS | INSTANCE | SEMICOLON | END | BAD
   | RESERVED _ ->
       Printf.sprintf "`%s`" (shortened (written found))
 
@@ -139,8 +139,24 @@ let holds_a_unit found =
   i < String.length found.text
   && match found.text.[i] with 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false
 
+(* Does the line up to here hold a name and its type, and no more? *)
+let ends_a_signature found =
+  let start = found.token.start.pos_bol in
+  let line = String.sub found.text start (found.token.start.pos_cnum - start) in
+  let has_type =
+    List.exists
+      (fun i -> line.[i] = ':' && line.[i + 1] = ':')
+      (List.init (max 0 (String.length line - 1)) Fun.id)
+  in
+  has_type && not (String.exists (function '=' | '{' | '(' | '\\' -> true | _ -> false) line)
+
 let missing found =
   match (found.token.token, found.before) with
+  | EQUAL, Some _ when ends_a_signature found ->
+      Some
+        (Diagnostic.error ~code:"E0110" ~at:(span found.token)
+           "expected `->`, or the end of the type, found `=`"
+        |> Diagnostic.hint "the definition stands on a line of its own, below its type")
   | RESERVED "deriving", _ ->
       Some
         (absent found "`deriving` is not part"

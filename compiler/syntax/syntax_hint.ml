@@ -118,7 +118,7 @@ let of_token found =
   | LEFT_ARROW, _ when innermost_block found.context <> Do ->
       Some "`<-` belongs to the statements of a `do`; an equation is written with `=`"
   | TAIL, _ -> Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
-  | (EQUAL | DOUBLE_COLON), Some ({ token = UNIT | PRIMITIVE | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC; _ } as word) ->
+  | (EQUAL | DOUBLE_COLON), Some ({ token = UNIT | PRIMITIVE | FOREIGN | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC; _ } as word) ->
       Some (reserved_word (written found word))
   | (EQUAL | BAR), _ when List.exists (line_begins found) [ "class "; "instance " ] ->
       Some "the methods follow `where`, each on a line of its own"
@@ -146,7 +146,7 @@ let of_token found =
       Some "a number ends with a digit: `0` after the point"
   | SLASH, None -> Some "a comment starts with `--`"
   | BAR, _ when after found = '>' -> Some "a function stands before its argument: `f x`"
-  | (UNIT | PRIMITIVE | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC), Some _ ->
+  | (UNIT | PRIMITIVE | FOREIGN | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC), Some _ ->
       Some (reserved_word (written found found.token))
   | END, before when expects_more before && not found.token.last ->
       Some "a definition goes on only in lines that are indented more than its first"

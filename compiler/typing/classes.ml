@@ -63,7 +63,7 @@ and compared search ~through class_ tycon =
       let constructors =
         match definition with
         | Data data -> data.constructors
-        | Alias _ | Builtin ->
+        | Alias _ | Builtin | Foreign ->
             let arguments = List.map (fun r -> Type.Rigid r) parameters.types in
             let culprit = Type.Data { tycon; units = []; arguments } in
             raise_notrace (Lacking { lacking = class_; culprit; through })
@@ -153,11 +153,34 @@ let through_instances words { lacking; culprit; through } diagnostic =
 let is_signal_function t =
   match Type.expand t with Signal_function _ -> true | _ -> false
 
+let foreign_of ctx t =
+  match Type.expand t with
+  | Data { tycon; _ }
+    when (Environment.type_ ctx.reader.environment tycon).definition = Environment.Foreign ->
+      Some tycon
+  | _ -> None
+
+let same_foreign ctx a b =
+  match (foreign_of ctx a, foreign_of ctx b) with
+  | Some a, Some b -> a = b
+  | _, _ -> false
+
+let about_foreign ctx t diagnostic =
+  match foreign_of ctx t with
+  | None -> diagnostic
+  | Some tycon ->
+      Diagnostic.hint
+        (Printf.sprintf "only C knows what is in a `%s`: import a function that compares two" tycon.name)
+        diagnostic
+
 let report_lacking ctx required lack =
   let { argument; at; by; _ } : required = required in
   report ctx (fun words ->
       let culprit = Show.quoted words lack.culprit in
-      let direct = Type.expand argument == Type.expand lack.culprit && lack.through = [] in
+      let direct =
+        lack.through = []
+        && (Type.expand argument == Type.expand lack.culprit || same_foreign ctx argument lack.culprit)
+      in
       let diagnostic =
         match lack.lacking with
         | Declared _ ->
@@ -178,7 +201,9 @@ let report_lacking ctx required lack =
           Diagnostic.hint "`constant e` is the signal function that always gives `e`" diagnostic
       | (Eq | Ord) when (not direct) && lack.through = [] ->
           Diagnostic.note (Printf.sprintf "it contains %s" culprit) diagnostic
-      | Eq | Ord | Declared _ -> diagnostic)
+          |> about_foreign ctx lack.culprit
+      | Eq | Ord -> about_foreign ctx lack.culprit diagnostic
+      | Declared _ -> diagnostic)
 
 let undecided ctx (required : required) class_ =
   report ctx (fun words ->

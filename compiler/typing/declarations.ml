@@ -90,7 +90,7 @@ let type_ (reader : Written.t) (declared : Resolve.Ir.type_declaration) =
             (fun (c : Resolve.Ir.constructor) ->
               List.map (fun (f : Resolve.Ir.field) -> f.ty) c.fields)
             constructors
-      | Builtin -> [])
+      | Builtin | Foreign _ -> [])
   in
   let types =
     List.map
@@ -118,6 +118,9 @@ let type_ (reader : Written.t) (declared : Resolve.Ir.type_declaration) =
   | Alias body ->
       add (Alias (Written.any reader scope body));
       None
+  | Foreign _ ->
+      add Foreign;
+      Some (data [])
   | Builtin ->
       add Builtin;
       let opaque = [ Environment.built_in "Program"; Environment.task; Environment.array ] in

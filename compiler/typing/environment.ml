@@ -7,6 +7,7 @@ type definition =
   | Alias of Type.t
   | Data of Ir.data
   | Builtin
+  | Foreign
 
 type type_ = { parameters : parameters; definition : definition }
 type class_ = { superclasses : Ir.class_ list; place : Span.t }
@@ -77,7 +78,7 @@ let record_of t tycon =
   match (type_ t tycon).definition with
   | Data { constructors = [ { record = true; constructor = name; _ } ]; _ } ->
       Some (constructor t name)
-  | Data _ | Alias _ | Builtin -> None
+  | Data _ | Alias _ | Builtin | Foreign -> None
 
 let field_names t =
   let of_constructor _ c names = List.rev_append (List.rev_map fst c.ir.fields) names in

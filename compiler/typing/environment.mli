@@ -24,6 +24,7 @@ type definition =
   | Alias of Type.t
   | Data of Ir.data
   | Builtin
+  | Foreign
 
 type type_ = { parameters : parameters; definition : definition }
 

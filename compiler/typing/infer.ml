@@ -245,6 +245,7 @@ let program sink (program : Resolve.Ir.program) : Ir.program =
     main_module = program.main_module;
     data;
     primitives;
+    foreign = Foreign_import.program sink program ~environment:reader.environment ~primitives;
     classes = List.map class_declaration classes;
     instances = List.map instance instances;
     definitions = List.rev (List.rev_map (with_needs ctx program) definitions);

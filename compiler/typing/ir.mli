@@ -59,11 +59,32 @@ and class_ =
 type program = {
   main_module : string;
   data : data list;  (** used before users *)
-  primitives : (Global.t * scheme) list;
+  primitives : (Global.t * scheme) list;  (** the foreign ones among them *)
+  foreign : foreign;
   classes : class_declaration list;  (** superclasses before their subclasses *)
   instances : instance list;  (** at most one for each class and type constructor *)
   definitions : definition list;
       (** top level, dependency order; after them those of methods *)
+}
+
+(** What is C code of the user's. *)
+and foreign = {
+  headers : header list;
+  foreign_types : foreign_type list;  (** also data without constructors *)
+  values : foreign_value list;
+}
+
+and header = { header : string; of_file : string  (** its path is from that file's folder *) }
+and foreign_type = { tycon : Global.t; c_type : string; copyable : bool }
+
+and foreign_value = {
+  name : Global.t;
+  kind : Syntax.Ir.foreign_kind;
+  symbol : string;  (** in C *)
+  ty : ty;
+      (** [Function]s of at least one argument, or a [Signal_function], of
+          first-order types without variables, but for units *)
+  span : Span.t;
 }
 
 and class_declaration = {

@@ -175,7 +175,7 @@ and named t scope tycon units arguments =
             ~types:(List.combine parameters.types arguments)
       in
       Alias { alias = tycon; units; arguments; expansion }
-  | Data _ -> Data { tycon; units; arguments }
+  | Data _ | Foreign -> Data { tycon; units; arguments }
   | Builtin -> (
       let measure = match units with [] -> Units.one | u :: _ -> u in
       match (tycon.name, arguments) with

@@ -11,6 +11,6 @@ let generate (name, program) =
   let files = Cgen.Emit.program machine in
   write (name ^ ".h") files.Cgen.Emit.header;
   write (name ^ ".c") files.Cgen.Emit.source;
-  write (name ^ "_host.c") files.Cgen.Emit.host_table
+  Option.iter (write (name ^ "_host.c")) files.Cgen.Emit.host_table
 
 let () = List.iter generate Programs.all

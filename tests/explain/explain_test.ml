@@ -41,14 +41,22 @@ let folder =
 
 let library = "../../stdlib"
 
-let codes_of ~compile files =
+(* How far a program must go for the diagnostic to come. *)
+type stage =
+  | Check
+  | Compile
+  | Interpret
+
+let codes_of stage files =
   let folder = folder () in
   List.iter (fun (name, text) -> write (Filename.concat folder name) text) files;
   let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
   let main = Filename.concat folder (fst (List.hd files)) in
-  if compile then
-    ignore (Driver.Pipeline.compile options sink sources ~library ~entry:"main" main)
-  else Driver.Pipeline.check options sink sources ~library main;
+  (match stage with
+  | Compile -> ignore (Driver.Pipeline.compile options sink sources ~library ~entry:"main" main)
+  | Interpret ->
+      ignore (Driver.Pipeline.interpretable options sink sources ~library ~entry:"main" main)
+  | Check -> Driver.Pipeline.check options sink sources ~library main);
   List.sort_uniq String.compare
     (List.map (fun (d : Basis.Diagnostic.t) -> d.code) (Basis.Diagnostic.all sink))
 
@@ -58,7 +66,10 @@ let beside (info, text) =
   | _ -> None
 
 (* Codes of the last stages need an entry, so the program is compiled. *)
-let is_compiled code = List.mem (String.sub code 0 3) [ "E04"; "E05" ]
+let stage_of code =
+  if String.equal code Driver.Pipeline.no_interpreter then Interpret
+  else if List.mem (String.sub code 0 3) [ "E04"; "E05" ] then Compile
+  else Check
 
 (* The smallest program that nests too deeply is too long for a page. *)
 let faulty_example code blocks =
@@ -71,7 +82,7 @@ let faulty_example code blocks =
 let check_page code () =
   let blocks = blocks (Option.get (Basis.Explain.find code)) in
   let others = List.filter_map beside blocks in
-  let result text = codes_of ~compile:(is_compiled code) (("main.frob", text) :: others) in
+  let result text = codes_of (stage_of code) (("main.frob", text) :: others) in
   Alcotest.(check (list string)) "the example" [ code ] (result (faulty_example code blocks));
   Alcotest.(check (list string)) "the cured example" [] (result (List.assoc "frob" blocks))
 

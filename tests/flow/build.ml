@@ -34,6 +34,7 @@ let node ?(kind = Ir.Signal_function) ?(file = "test.frob") program name outputs
       equations = List.rev b.equations;
       instances = List.rev b.instances;
       machine = None;
+      foreign = None;
       transitions = [];
       span = span file 1;
       file;
@@ -109,6 +110,7 @@ let program ?(sums = [||]) t =
     Ir.name = "test";
     sums;
     nodes;
+    headers = [];
     input = tuple (List.map (fun (s : Ir.signal) -> s.ty) root.inputs);
     output = tuple (List.map (fun (_, a) -> ty_of_atom a) root.outputs);
   }

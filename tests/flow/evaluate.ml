@@ -106,6 +106,7 @@ let rec zero : Ir.ty -> value = function
   | Int -> Int 0l
   | Float -> Float 0.
   | Sum _ -> failwith "a sum in a payload"
+  | Foreign _ -> failwith "a foreign value"
   | Array (n, element) -> Array (List.init n (fun _ -> zero element))
 
 let is_true = function Bool b -> b | Int _ | Float _ | Sum _ | Array _ -> failwith "not a Bool"
@@ -129,6 +130,7 @@ type clock = { dt : float; time : float; first : bool }
 let value clock read memory (e : Ir.equation) =
   match e.rhs with
   | Copy a -> read a
+  | Absent -> failwith "a foreign value"
   | Op (operator, arguments) -> operation operator (List.map read arguments)
   | If { condition; then_; else_ } -> if is_true (read condition) then read then_ else read else_
   | Construct { constructor; payload } -> Sum (constructor, List.map read payload)
@@ -145,7 +147,7 @@ let value clock read memory (e : Ir.equation) =
   | Fill a -> (
       match e.defines.ty with
       | Array (n, _) -> Array (List.init n (fun _ -> read a))
-      | Bool | Int | Float | Sum _ -> failwith "not an array")
+      | Bool | Int | Float | Sum _ | Foreign _ -> failwith "not an array")
   | Index (a, k) -> List.nth (elements (read a)) k
   | At { array; index; default } ->
       Option.value (List.nth_opt (elements (read array)) (position (read index))) ~default:(read default)
@@ -172,7 +174,7 @@ let advance read now (e : Ir.equation) =
   match e.rhs with
   | Delay { next; _ } -> Some { past = read next; total = 0. }
   | Integral a | Derivative a -> Some { past = read a; total = number now }
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Fill _ | Index _
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
   | At _ | Replace _ | Time _ ->
       None
 

@@ -44,7 +44,7 @@ let literal rng : Ir.ty -> Ir.atom option = function
   | Bool -> Some (Bool (chance rng 50))
   | Int -> Some (Int (any rng ints))
   | Float -> Some (Float (any rng floats))
-  | Sum _ | Array _ -> None
+  | Sum _ | Array _ | Foreign _ -> None
 
 let define scope ?(static = false) ty rhs =
   let name = if chance scope.rng 50 then any scope.rng [ "x"; "y"; "z"; "v" ] else "" in
@@ -210,7 +210,7 @@ let instants rng (program : Ir.program) =
     | Bool -> Bool (chance rng 50)
     | Int -> Int (any rng ints)
     | Float -> Float (if chance rng 30 then any rng floats else Random.State.float rng 10.)
-    | Array _ -> failwith "no array is made"
+    | Array _ | Foreign _ -> failwith "no such value is made"
     | Sum _ -> if chance rng 50 then Sum (0, []) else Sum (1, [ Float (any rng floats) ])
   in
   List.init 6 (fun _ ->

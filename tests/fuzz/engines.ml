@@ -75,7 +75,7 @@ let load tools ~entry file =
           input = Interp.Shape.of_type core input;
           output = Interp.Shape.of_type core output;
           files =
-            [ (name ^ ".h", c.header); (name ^ ".c", c.source); (name ^ "_host.c", c.host_table) ];
+            [ (name ^ ".h", c.header); (name ^ ".c", c.source); (name ^ "_host.c", Option.get c.host_table) ];
         }
 
 let files subject = subject.files

@@ -173,6 +173,12 @@ and declaration (d : declaration) : declaration =
     | Base_unit x -> Base_unit (name x)
     | Scaled_unit { name = x; scale; unit_ = u } ->
         Scaled_unit { name = name x; scale; unit_ = unit_ u }
+    | Foreign (Foreign_value { kind; name = x; ty = t; symbol }) ->
+        Foreign
+          (Foreign_value { kind; name = name x; ty = qualified_type t; symbol = name symbol })
+    | Foreign (Foreign_type { name = x; c_type; copyable }) ->
+        Foreign (Foreign_type { name = name x; c_type = name c_type; copyable })
+    | Foreign (Foreign_include header) -> Foreign (Foreign_include (name header))
   in
   { desc; span; doc = d.doc }
 

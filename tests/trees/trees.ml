@@ -94,6 +94,7 @@ let program definitions =
     main_module = "Main";
     data = [ maybe ];
     primitives = [];
+    foreign = { headers = []; foreign_types = []; values = [] };
     classes = [];
     instances = [];
     definitions = List.map definition definitions;

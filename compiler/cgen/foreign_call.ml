@@ -1,0 +1,198 @@
+module F = Flow.Ir
+module M = Machine.Ir
+module V = Vocabulary
+
+let plain desc : Ir.statement = { desc; comment = "" }
+let bug format = Basis.Diagnostic.bug ~stage:"Cgen.Foreign_call" format
+let address name = Ir.Unary (Address, Name name)
+
+(* Splits the leaves of several shapes, given in a row. *)
+let by_shape shapes leaves =
+  let take (parts, leaves) shape =
+    let count = List.length (Machine.Layout.shape_leaves shape) in
+    let own = List.filteri (fun k _ -> k < count) leaves in
+    (own :: parts, List.filteri (fun k _ -> k >= count) leaves)
+  in
+  List.rev (fst (List.fold_left take ([], leaves) shapes))
+
+(* {1 What goes in} *)
+
+let fill names (i : Interface.t) name values =
+  let leaf steps value =
+    if Access.is_in_array steps then
+      Access.copy names steps ~from_interface:false (address name) value
+    else plain (Ir.Assign (Access.path (address name) steps [], value))
+  in
+  let clear steps =
+    Access.for_each names steps (fun indices ->
+        plain (Ir.Assign (Access.path (address name) steps indices, Integer 0l)))
+  in
+  (plain (Ir.Variables { ty = Struct i.struct_name; names = [ name ] })
+  :: List.map2 leaf i.leaves values)
+  @ List.map clear i.unused
+
+(* What makes an argument ready, and the argument itself. *)
+let argument names k (passing : Foreign_interface.passing) values =
+  match (passing, values) with
+  | Nothing, _ -> ([], [])
+  | Value _, [ value ] -> ([], [ value ])
+  | Address _, [ value ] -> ([], [ Expression.address value ])
+  | Elements _, [ Ir.Unary (Dereference, array) ] -> ([], [ Ir.Arrow (array, "at") ])
+  | Struct i, values ->
+      let name = Name.fresh (Expression.scope names) (Printf.sprintf "argument%d" (k + 1)) in
+      (fill names i name values, [ address name ])
+  | (Value _ | Address _ | Elements _), _ -> bug "an argument of other leaves"
+
+(* {1 What comes out} *)
+
+(* Where C's result is, by leaf. *)
+type results =
+  | Whole of Ir.expr  (** one leaf, in one piece *)
+  | Inside of Ir.expr * Interface.t  (** a pointer to the struct *)
+
+let results_of names = function
+  | Whole e -> fun _ -> `Value e
+  | Inside (from, i) ->
+      fun k ->
+        let steps = List.nth i.Interface.leaves k in
+        if Access.is_in_array steps then
+          `Copy (fun target -> Access.copy names steps ~from_interface:true from target)
+        else `Value (Access.path from steps [])
+
+(* The leaf of the result that an output of the node is: some may be unused. *)
+let leaf_number (foreign : F.foreign) name =
+  let rec find k = function
+    | (s : F.signal) :: _ when String.equal s.name name -> k
+    | _ :: others -> find (k + 1) others
+    | [] -> bug "an output that is no result"
+  in
+  find 0 foreign.results
+
+type output = { ty : M.ty; leaf : int; pointer : string  (** [""] if it is returned *) }
+
+let outputs names (node : M.node) foreign =
+  match node.outputs with
+  | [ (name, ty) ] -> [ { ty; leaf = leaf_number foreign name; pointer = "" } ]
+  | several ->
+      List.map
+        (fun (name, ty) ->
+          let pointer = Name.fresh (Expression.scope names) (if name = "out" then "result" else name) in
+          { ty; leaf = leaf_number foreign name; pointer })
+        several
+
+let give output value =
+  plain
+    (if String.equal output.pointer "" then Ir.Return value
+    else Assign (Unary (Dereference, Name output.pointer), value))
+
+(* With a variable for each output between C and what is given. *)
+let through_variables v names ~initial outputs results call =
+  let own output =
+    let name = Name.fresh (Expression.scope names) "value" in
+    let ty = V.ty v output.ty in
+    let declared =
+      if initial then Ir.Variable { ty; name; value = V.zero v output.ty }
+      else Variables { ty; names = [ name ] }
+    in
+    let set =
+      match results_of names results output.leaf with
+      | `Value e -> plain (Ir.Assign (Name name, e))
+      | `Copy copy -> copy (Ir.Name name)
+    in
+    (plain declared, set, give output (Name name))
+  in
+  let all = List.map own outputs in
+  ( List.map (fun (declared, _, _) -> declared) all,
+    call @ List.map (fun (_, set, _) -> set) all,
+    List.map (fun (_, _, give) -> give) all )
+
+let body v names outputs results ~call ~present =
+  let direct output =
+    match results_of names results output.leaf with
+    | `Value e -> Some (give output e)
+    | `Copy _ -> None
+  in
+  let given = List.filter_map direct outputs in
+  if present = [] && List.compare_lengths given outputs = 0 then call @ given
+  else
+    let declared, work, given = through_variables v names ~initial:(present <> []) outputs results call in
+    match present with
+    | [] -> declared @ work @ given
+    | first :: others ->
+        let condition = List.fold_left (fun all e -> Ir.Binary (And, all, e)) first others in
+        declared @ [ plain (Ir.If { condition; then_ = work; else_ = [] }) ] @ given
+
+(* {1 The call} *)
+
+(* Conditions under which what C gets is there. *)
+let present names parameters =
+  List.filter_map
+    (fun (p : M.variable) ->
+      match p.ty with
+      | Foreign { copyable = false; _ } ->
+          Some (Ir.Binary (Not_equal, Expression.of_machine names (Variable p), Integer 0l))
+      | Foreign _ | Bool | Int | Float | Sum _ | Nanoseconds | Array _ -> None)
+    parameters
+
+(* The call with its result, and the variable that this needs. *)
+let call_function v names (node : M.node) symbol arguments (result : Foreign_interface.passing) =
+  let variable ty =
+    let name = Name.fresh (Expression.scope names) "result" in
+    (name, plain (Ir.Variables { ty; names = [ name ] }))
+  in
+  let into (name, declared) pointer results =
+    ([ declared; plain (Ir.Do (Call (symbol, arguments @ [ pointer name ]))) ], results name)
+  in
+  match (result, node.outputs) with
+  | Nothing, _ -> ([ plain (Ir.Do (Call (symbol, arguments))) ], Whole (Integer 0l))
+  | Value _, _ -> ([], Whole (Call (symbol, arguments)))
+  | Address ty, _ -> into (variable ty) address (fun name -> Whole (Name name))
+  | Struct i, _ ->
+      into (variable (Struct i.struct_name)) address (fun name -> Inside (address name, i))
+  | Elements _, [ (_, ty) ] ->
+      into (variable (V.ty v ty)) (fun name -> Member (Name name, "at")) (fun name -> Whole (Name name))
+  | Elements _, _ -> bug "an array of several leaves"
+
+let step (v : V.t) k (interface : Foreign_interface.t) : Ir.function_ =
+  let node = v.program.nodes.(k) in
+  let foreign =
+    match node.foreign with Some foreign -> foreign | None -> bug "a call of what is not foreign"
+  in
+  let names = Expression.names v ~node:k in
+  let given = Expression.parameters names node.step.parameters in
+  let values =
+    by_shape foreign.arguments
+      (List.map (fun p -> Expression.of_machine names (Variable p)) node.step.parameters)
+  in
+  let outputs = outputs names node foreign in
+  let own, call, results =
+    match interface.form with
+    | Function { arguments; result } ->
+        let ready = List.mapi (fun k (p, values) -> argument names k p values) (List.combine arguments values) in
+        let prepared = List.concat_map fst ready and passed = List.concat_map snd ready in
+        let call, results = call_function v names node interface.symbol passed result in
+        ([], prepared @ call, results)
+    | Component { input; output } ->
+        let fill = fill names input "in" (List.concat values) in
+        let declared = plain (Ir.Variables { ty = Struct output.struct_name; names = [ "out" ] }) in
+        let passed = [ Ir.Name "self"; Name "dt"; address "in"; address "out" ] in
+        let call = plain (Ir.Do (Call (Foreign_interface.step interface.symbol, passed))) in
+        let state = Ir.Struct (Foreign_interface.state interface.symbol) in
+        ( [ (Ir.Pointer state, "self"); (Ir.Real, "dt") ],
+          fill @ [ declared; call ],
+          Inside (address "out", output) )
+  in
+  let pointers =
+    List.filter_map
+      (fun o -> if o.pointer = "" then None else Some (Ir.Pointer (V.ty v o.ty), o.pointer))
+      outputs
+  in
+  {
+    linkage = Static_inline;
+    result = (match outputs with [ { ty; pointer = ""; _ } ] -> V.ty v ty | _ -> Void);
+    name = v.nodes.(k).step;
+    parameters = own @ given @ pointers;
+    body =
+      body v names outputs results ~call ~present:(present names node.step.parameters);
+    comment = Printf.sprintf "%s: `%s` in the user's C" node.origin interface.symbol;
+  }

@@ -1,0 +1,11 @@
+(** Code in C: a node without a body for each function or signal function that
+    is imported, called like any other. *)
+
+val apply :
+  Comparison.position ->
+  Node.target ->
+  Core.Primitive.foreign ->
+  result:Core.Ir.ty ->
+  Value.argument list ->
+  Value.t
+(** On all arguments; of a signal function, an instance on its input. *)

@@ -1,0 +1,124 @@
+A component in C is a signal function: it has a state in the program's, is reset where
+it starts, and is given the time since it last ran.
+
+  $ cat > filter.h <<'EOF'
+  > #ifndef FILTER_H
+  > #define FILTER_H
+  > #ifdef __cplusplus
+  > extern "C" {
+  > #endif
+  > struct filter_state { int steps; double sum; };
+  > #ifdef __cplusplus
+  > }
+  > #endif
+  > #endif
+  > EOF
+  $ cat > filter.c <<'EOF'
+  > #include "filters.h"
+  > void filter_reset(struct filter_state *self) { self->steps = 0; self->sum = 0; }
+  > void filter_step(struct filter_state *self, double dt, const struct filter_input *in,
+  >                  struct filter_output *out) {
+  >     self->sum += dt * in->value;
+  >     out->f1 = ++self->steps;
+  >     out->f2.tag = self->steps % 2 ? FROB_EVENT_FLOAT_EVENT : FROB_EVENT_FLOAT_NO_EVENT;
+  >     out->f2.f0 = self->sum;
+  > }
+  > EOF
+
+Two of them run side by side, one more starts afresh in each mode, one runs at its own
+rate, and one for each element of an array:
+
+  $ cat > filters.frob <<'EOF'
+  > foreign include "filter.h"
+  > foreign sf filter :: SF Float (Int, Event Float) = "filter"
+  > 
+  > steps :: SF Float Int
+  > steps = filter >>> arr fst
+  > 
+  > two :: SF Float (Int, Event Float, Event Float)
+  > two = proc x -> (n, a, b) where
+  >     (n, a) = filter x
+  >     (_, b) = filter (2 * x)
+  > 
+  > modes :: SF Float Int
+  > modes = switch (proc x -> (steps x, edge (x > 2))) (\_ -> proc x -> 100 + steps x)
+  > 
+  > main :: SF Float ((Int, Event Float, Event Float), Int, Event Int, Int)
+  > main = proc x -> (two x, modes x, sampleEvery 1[s] steps x, foldl (+) 0 (mapSF steps [x, x])) where
+  > EOF
+  $ frobc check --lint filters.frob
+  $ printf 'time,in\n0,1\n0.5,2\n1,3\n1.5,4\n2,5\n' > in.csv
+  $ frobc trace --lint filters.frob --with filter.c --input in.csv
+  time,out.1.1,out.1.2,out.1.3,out.2,out.3,out.4
+  0.000000000,1,0,0,1,1,2
+  0.500000000,2,,,2,,4
+  1.000000000,3,2.5,5,101,2,6
+  1.500000000,4,,,102,,8
+  2.000000000,5,7,14,103,3,10
+
+The state is part of the program's, which says what it cannot count:
+
+  $ frobc report filters.frob | grep -e '^state' -e 'calls of'
+  state, in bytes, without struct filter_state of the user's C
+    calls of filter_reset     1
+    calls of filter_step      7
+
+The same names in the program's own C would clash:
+
+  $ cp filters.frob filter.frob
+  $ frobc compile filter.frob
+  error[E0431]: the program and the component `filter` in C have one name
+   --> filter.frob:2:12
+    |
+  2 | foreign sf filter :: SF Float (Int, Event Float) = "filter"
+    |            ^^^^^^
+    |
+    = note: both would have `struct filter_state`, `filter_reset` and `filter_step`
+    = hint: rename the program's file
+  
+  1 error
+  [1]
+
+In a loop the whole component is one box: every output needs every input.
+
+  $ cat > loop.frob <<'EOF'
+  > foreign include "filter.h"
+  > foreign sf filter :: SF Float (Int, Event Float) = "filter"
+  > main :: SF Float Int
+  > main = proc x -> n where
+  >     (n, e) = filter (x + toFloat n)
+  > EOF
+  $ frobc compile loop.frob
+  error[E0401]: signal `n` needs its own value in the same instant
+   --> loop.frob:5:6
+    |
+  5 |     (n, e) = filter (x + toFloat n)
+    |      ^                   --------- `n` reads `n` here, through `filter`
+    |
+    = hint: let `n` read its own previous value: `delay x0 n`, where `x0` is the initial value
+  
+  1 error
+  [1]
+
+What comes from C is unknown when a program starts, so it may switch at once:
+
+  $ cat > endless.frob <<'EOF'
+  > foreign include "filter.h"
+  > foreign sf filter :: SF Float (Int, Event Float) = "filter"
+  > main :: SF Float Int
+  > main = switch filter (\_ -> main)
+  > EOF
+  $ frobc compile endless.frob
+  error[E0402]: `main` may switch for ever within one instant
+   --> endless.frob:4:1
+    |
+  4 | main = switch filter (\_ -> main)
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    | |                           |
+    | |                           `main` may start `main` at its own first instant
+    | `filter` may occur at the first instant of `main`
+    |
+    = hint: `notYet` drops an occurrence at the first instant; `edge` has none there
+  
+  1 error
+  [1]
