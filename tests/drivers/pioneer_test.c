@@ -19,7 +19,9 @@ static struct {
     const char *names; /* the answer to SYNC2 after its type */
     size_t names_length;
     uint32_t rate;     /* that it listens and talks at */
-    bool in_session, heeds_hostbaud, silent;
+    bool in_session, open, heeds_hostbaud, silent, motors;
+    uint8_t expected_sync;
+    int enables_lost;  /* so many are lost on their way */
     uint8_t commands[LOG_ROOM];
     int32_t arguments[LOG_ROOM];
     int64_t times[LOG_ROOM];
@@ -67,7 +69,7 @@ static void send_sip(uint8_t battery, const uint8_t *echoes, uint8_t echo_count)
     b[11] = battery;
     b[12] = 0x02; /* a rear bumper */
     b[13] = 0x01; /* right stall */
-    b[16] = 1;    /* motors on */
+    b[16] = other.motors;
     b[19] = echo_count;
     memcpy(b + n, echoes, 3u * echo_count);
     send_body(b, n + 3u * echo_count + 5u);
@@ -89,6 +91,10 @@ static void take(const struct frob_p2os_packet *packet)
     }
     if (!other.in_session) {
         uint8_t body[64] = { number };
+        if (number == 0)
+            other.expected_sync = 0;
+        if (number > 2 || number != other.expected_sync++)
+            return;
         if (number < 2)
             send_body(body, 1);
         if (number == 2) {
@@ -97,7 +103,11 @@ static void take(const struct frob_p2os_packet *packet)
             other.in_session = true;
         }
     } else if (number == FROB_P2OS_CLOSE) {
-        other.in_session = false;
+        other.in_session = other.open = other.motors = false;
+    } else if (number == FROB_P2OS_OPEN) {
+        other.open = true;
+    } else if (number == FROB_P2OS_ENABLE) {
+        other.motors = argument != 0 && other.enables_lost-- <= 0;
     } else if (number == FROB_P2OS_HOSTBAUD && other.heeds_hostbaud) {
         other.rate = argument == 2 ? 38400 : 9600;
     }
@@ -117,7 +127,7 @@ static void let_other_act(void)
                 take(&packet);
         }
     }
-    if (other.in_session && now.now_ns >= other.sip_due) {
+    if (other.open && now.now_ns >= other.sip_due) {
         other.sip_due = now.now_ns + 100 * MS;
         send_sip(128, (const uint8_t *)"", 0);
     }
@@ -212,6 +222,15 @@ static void handshake(void)
               other.arguments[last_of(FROB_P2OS_ENABLE)] == 1,
           "turns the motors on");
     check(count_of(FROB_P2OS_CONFIG) == 3, "asks three times for a config packet, then goes without");
+    start();
+    other.enables_lost = 2;
+    connect_again();
+    check(run(1000) == FROB_ROBOT_READY && other.motors, "an ENABLE that is lost is sent again");
+    start();
+    other.enables_lost = 1000;
+    connect_again();
+    check(run(1500) == FROB_ROBOT_READY && !other.motors,
+          "motors that stay off are the program's to see");
 }
 
 static void rates(void)
@@ -240,7 +259,7 @@ static void sessions(void)
 {
     size_t zero;
     start();
-    other.in_session = true; /* that nobody ended; the robot would take up its speed */
+    other.in_session = other.open = true; /* that nobody ended; the robot would take up its speed */
     connect_again();
     /* CLOSE and SYNC2 have the same number. */
     check(run(1500) == FROB_ROBOT_READY && count_of(FROB_P2OS_CLOSE) == 2,
@@ -248,6 +267,11 @@ static void sessions(void)
     check(other.commands[0] == FROB_P2OS_VEL && other.arguments[0] == 0 &&
               other.commands[1] == FROB_P2OS_RVEL && other.arguments[1] == 0,
           "zeros come before anything that a robot in a session takes for a pulse");
+    start();
+    other.in_session = true; /* its answer to SYNC2 was lost, and OPEN never came */
+    values[FROB_PIONEER_BAUD] = 9600;
+    connect_again();
+    check(run(2500) == FROB_ROBOT_READY, "ends a session in which the robot says nothing");
     start();
     connect_again();
     run(1000);
@@ -400,7 +424,7 @@ static void sensing(void)
           "an echo is remembered with its age");
     other.x = 0;
     connect_again();
-    other.in_session = false;
+    other.in_session = other.open = false;
     run(1500);
     frob_robot_sense(&robot, &in);
     check_near(in.odometry.position.y, -0.032, 1e-12, "odometry outlives a connection");

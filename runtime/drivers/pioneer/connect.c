@@ -13,7 +13,8 @@ enum {
     SWITCHING_MS = 100,  /* the robot's, from HOSTBAUD to the new rate */
     SIP_PATIENCE_MS = 1000,
     CONFIG_PATIENCE_MS = 300,
-    CONFIG_ATTEMPTS = 3
+    CONFIG_ATTEMPTS = 3,
+    ENABLE_ATTEMPTS = 5
 };
 
 /* In the order in which robots are usually found. */
@@ -58,7 +59,9 @@ static uint32_t rate_to_try(const struct frob_pioneer *d)
 
 /* A robot that is still in a session takes SYNC0 for PULSE, and would take up
  * the speed again that its watchdog has stopped. So zeros come first; a robot
- * that is in none does not heed them. */
+ * that is in none does not heed them. A robot whose answer to SYNC2 was lost is
+ * in a session, but says nothing before OPEN: so, when nobody has answered, a
+ * CLOSE comes too. */
 static enum frob_status try_rate(struct frob_pioneer *d)
 {
     enum frob_status status = set_rate(d, rate_to_try(d));
@@ -70,6 +73,8 @@ static enum frob_status try_rate(struct frob_pioneer *d)
         status = frob_pioneer_send_int(d, FROB_P2OS_VEL, 0);
     if (status == FROB_OK)
         status = frob_pioneer_send_int(d, FROB_P2OS_RVEL, 0);
+    if (status == FROB_OK && d->tried > 0)
+        status = frob_pioneer_send(d, FROB_P2OS_CLOSE);
     return status == FROB_OK ? send_sync(d, 0) : status;
 }
 
@@ -197,6 +202,7 @@ static enum frob_status open_step(struct frob_pioneer *d)
         break;
     case 7:
         status = frob_pioneer_send_int(d, FROB_P2OS_ENABLE, 1);
+        d->enabled = 1;
         break;
     default:
         d->phase = FROB_PIONEER_LISTENING;
@@ -258,6 +264,14 @@ static enum frob_status sync_packet(struct frob_pioneer *d, const struct frob_p2
     return frob_pioneer_send(d, FROB_P2OS_CLOSE);
 }
 
+/* Nothing tells that a command has arrived, but whether ENABLE has can be seen.
+ * Only while connecting: later the motors are off because somebody wants it. */
+static bool must_enable_again(const struct frob_pioneer *d, const struct frob_p2os_sip *sip)
+{
+    return d->model.has_flags && (sip->flags & FROB_P2OS_FLAG_MOTORS) == 0 &&
+           d->enabled < ENABLE_ATTEMPTS;
+}
+
 enum frob_status frob_pioneer_connect_packet(struct frob_pioneer *d,
                                              const struct frob_p2os_packet *packet)
 {
@@ -268,6 +282,10 @@ enum frob_status frob_pioneer_connect_packet(struct frob_pioneer *d,
         return sync_packet(d, packet);
     case FROB_PIONEER_LISTENING:
         if (frob_p2os_read_sip(packet, &sip)) {
+            if (must_enable_again(d, &sip)) {
+                d->enabled++;
+                return frob_pioneer_send_int(d, FROB_P2OS_ENABLE, 1);
+            }
             d->has_counters = false;
             frob_pioneer_take_sip(d, &sip);
             d->good_rate = d->rate;

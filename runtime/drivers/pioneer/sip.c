@@ -95,13 +95,13 @@ bool frob_p2os_read_sip(const struct frob_p2os_packet *packet, struct frob_p2os_
     u8(&c); /* digital in */
     u8(&c); /* digital out */
     sip->battery_fine = u16(&c);
-    sip->known |= c.short_ ? 0u : FROB_P2OS_KNOWN_BATTERY;
+    sip->known |= c.short_ ? 0u : (unsigned)FROB_P2OS_KNOWN_BATTERY;
     sip->charge_state = u8(&c);
-    sip->known |= c.short_ ? 0u : FROB_P2OS_KNOWN_CHARGE;
+    sip->known |= c.short_ ? 0u : (unsigned)FROB_P2OS_KNOWN_CHARGE;
     sip->turn_rate = s16(&c);
-    sip->known |= c.short_ ? 0u : FROB_P2OS_KNOWN_TURN_RATE;
+    sip->known |= c.short_ ? 0u : (unsigned)FROB_P2OS_KNOWN_TURN_RATE;
     sip->faults = u16(&c);
-    sip->known |= c.short_ ? 0u : FROB_P2OS_KNOWN_FAULTS;
+    sip->known |= c.short_ ? 0u : (unsigned)FROB_P2OS_KNOWN_FAULTS;
     return true;
 }
 
