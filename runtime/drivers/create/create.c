@@ -10,6 +10,7 @@
 
 #define MOST_M_S (FROB_CREATE_MAX_SPEED_MM_S * 1e-3)
 #define MOST_PADDING 8
+#define LONGEST_COMMAND 513 /* bytes: a song of 255 notes */
 
 /* What the stream has. */
 static const uint8_t streamed[] = {
@@ -51,6 +52,13 @@ static size_t pad(const struct frob_create *d, uint8_t *bytes)
     return padding;
 }
 
+/* Ends whatever command the robot is waiting for the rest of. */
+static enum frob_status flush(struct frob_create *d)
+{
+    static const uint8_t zeros[LONGEST_COMMAND] = { 0 };
+    return d->settings[FROB_CREATE_PADDING] == 0.0 ? FROB_OK : write(d, zeros, sizeof zeros);
+}
+
 static enum frob_status drive(struct frob_create *d, int right_mm_s, int left_mm_s)
 {
     uint8_t bytes[MOST_PADDING + FROB_CREATE_MAX_COMMAND];
@@ -71,10 +79,9 @@ static enum frob_status ask_for_stream(struct frob_create *d, int64_t now_ns)
 /* START also ends what another program has begun, motion included. */
 static enum frob_status send_start(struct frob_create *d)
 {
-    uint8_t bytes[MOST_PADDING + 1];
-    size_t size = pad(d, bytes);
-    size += frob_create_plain(FROB_CREATE_START, bytes + size);
-    return write(d, bytes, size);
+    uint8_t bytes[1];
+    enum frob_status status = flush(d);
+    return status == FROB_OK ? write(d, bytes, frob_create_plain(FROB_CREATE_START, bytes)) : status;
 }
 
 static enum frob_status send_mode(struct frob_create *d)
@@ -290,9 +297,16 @@ static enum frob_status command(void *device, const void *from)
     return status;
 }
 
+/* At once, and again behind zeros if the robot is not heard: noise on the line
+ * may have hit its ear too. */
 static enum frob_status stop(void *device)
 {
-    return drive((struct frob_create *)device, 0, 0);
+    struct frob_create *d = (struct frob_create *)device;
+    enum frob_status status = drive(d, 0, 0);
+    if (status != FROB_OK || frob_now_ns(&d->clock) - d->heard_ns < ASK_AGAIN_NS)
+        return status;
+    status = flush(d);
+    return status == FROB_OK ? drive(d, 0, 0) : status;
 }
 
 /* In mode Passive, which START enters, the robot does not drive. */

@@ -10,7 +10,9 @@
  * Commands have neither frame nor checksum. After a lost byte the robot takes
  * the next command's first byte for data, and can go on so for long; so a few
  * zeros go out before each command that drives: they complete what is
- * incomplete, and are no command themselves.
+ * incomplete, and are no command themselves. Noise can begin a command of up
+ * to 513 bytes (a song), during which the robot hears nothing: when it is
+ * connected to, or stopped because it is not heard, as many zeros go out.
  *
  * What sources disagree on is in the table of settings. */
 #ifndef FROB_DRIVERS_CREATE_CREATE_H

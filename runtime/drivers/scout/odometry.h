@@ -2,8 +2,10 @@
  *
  * Positions are added up from differences, since their field wraps. The place
  * is kept from connection to connection; it is zero, looking along x, where the
- * first state found the robot. Speeds are measured over a fifth of a second: a
- * step of the counters is 2.54 mm. */
+ * first state found the robot. A packet's sum is a byte only, so now and then a
+ * damaged state gets through: places that the robot cannot have reached since
+ * the last state are refused, unless it says so again and again. Speeds are
+ * measured over a fifth of a second: a step of the counters is 2.54 mm. */
 #ifndef FROB_DRIVERS_SCOUT_ODOMETRY_H
 #define FROB_DRIVERS_SCOUT_ODOMETRY_H
 
@@ -22,6 +24,8 @@ struct frob_scout_place {
 struct frob_scout_odometry {
     bool known;             /* the fields of the connection's last state: */
     int x, y, heading;
+    int64_t taken_ns;       /* when it came */
+    unsigned refused;       /* states, one after the other */
     double axes_rad;        /* from the axes of these fields to those of the place */
     struct frob_scout_place place, measured; /* now, and when the measurement of speeds began */
     int64_t measured_ns;
@@ -32,8 +36,9 @@ struct frob_scout_odometry {
  * place for where it is. */
 void frob_scout_odometry_reconnect(struct frob_scout_odometry *odometry);
 
-/* Takes a state that arrived at `now_ns`. */
-void frob_scout_odometry_add(struct frob_scout_odometry *odometry,
+/* Takes a state that arrived at `now_ns`; false if the robot cannot have
+ * reached its place. */
+bool frob_scout_odometry_add(struct frob_scout_odometry *odometry,
                              const struct frob_scout_state *state, int64_t now_ns);
 
 #ifdef __cplusplus

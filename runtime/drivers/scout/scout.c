@@ -76,9 +76,11 @@ static void connect_further(struct frob_scout *d)
 
 static void take_state(struct frob_scout *d, const struct frob_scout_packet *packet, int64_t now_ns)
 {
-    d->state = frob_scout_read_state(packet);
+    struct frob_scout_state state = frob_scout_read_state(packet);
+    if (!frob_scout_odometry_add(&d->odometry, &state, now_ns))
+        return;
+    d->state = state;
     d->sensed_ns = now_ns;
-    frob_scout_odometry_add(&d->odometry, &d->state, now_ns);
     frob_scout_sonar_add(&d->sonar, &d->state, now_ns,
                          FROB_SCOUT_SONARS * ns(d->settings[FROB_SCOUT_SONAR_MS] * 1e-3));
 }
