@@ -25,13 +25,15 @@ OUT = _build/run
 N ?= 1000
 SEED ?= $(shell date +%s)
 
-# For `make seeds`: how many seeds for each example and robot.
+# For `make seeds`: how many seeds for each example and robot; for `make soak`:
+# how many seeds for each robot, and how long each is driven.
 SEEDS ?= 100
+SECONDS ?= 3600
 
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test seeds fuzz fuzz-drivers matrix bench install clean
+.PHONY: all setup run test seeds fuzz fuzz-drivers soak matrix bench install clean
 
 all: setup
 	dune build @install
@@ -65,6 +67,10 @@ matrix: all
 	@dune build tests/matrix/emit.exe
 	@sh tests/matrix/run.sh _build/default/tests/matrix/emit.exe stdlib runtime $(N) $(SEED) all \
 	  examples/heading_hold/*.frob tests/interp/*.frob
+
+soak: setup
+	@dune build ./tests/faults/soak
+	@_build/default/tests/faults/soak $(SEED) $(SEEDS) $(SECONDS)
 
 bench: all
 	@sh tests/setup.sh $(BENCH_PACKAGES)

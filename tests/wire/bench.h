@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <vector>
 
 #include "core/robot.h"
@@ -40,9 +41,14 @@ struct CreateKind {
 
 // What happens to the bytes of one direction. Tests of faults have their own.
 struct NoFaults {
+    // Before each turn of both ends, up to `room` bytes may come by themselves.
+    void begin(std::int64_t /*room*/, std::vector<std::uint8_t> &) {}
     // Adds the bytes that leave the line for `byte` that went into it.
     void pass(std::uint8_t byte, std::vector<std::uint8_t> &out) { out.push_back(byte); }
-    std::int64_t delay_ns() { return 0; }
+    // What went in together has gone in.
+    void end() {}
+    // How much later than the line's rate asks for.
+    std::int64_t delay_ns(std::int64_t) { return 0; }
 };
 
 template <class Kind, class Faults = NoFaults> class Bench {
@@ -60,23 +66,26 @@ template <class Kind, class Faults = NoFaults> class Bench {
         frob_robot_start(&robot, &Kind::driver(), &device, settings.data(), &serial, &clock, 200 * ms);
     }
 
-    // Lets both ends act at the present time.
+    // Lets both ends act at the present time. The driver's bytes reach the robot
+    // at once; the robot's bytes take their time.
     void act() {
-        // The driver's bytes reach the robot at once: its line is as fast.
         std::uint8_t bytes[256];
-        while (const std::size_t count = frob_fake_receive(&line, bytes, sizeof bytes)) {
-            passed_.clear();
+        passed_.clear();
+        to_robot.begin((time.now_ns - moved_ns_) / byte_ns(), passed_);
+        while (const std::size_t count = frob_fake_receive(&line, bytes, sizeof bytes))
             for (std::size_t i = 0; i < count; ++i) to_robot.pass(bytes[i], passed_);
-            wire.receive(passed_.data(), passed_.size());
-        }
+        to_robot.end();
+        wire.receive(passed_.data(), passed_.size());
         move();
         wire.advance(time.now_ns);
         send();
+        polled_ns = time.now_ns;
         state = frob_robot_poll(&robot);
+        if (acted) acted();
     }
 
     // Goes to the time `until_ns`, with both ends acting whenever something is
-    // due, and every 5 ms.
+    // due or all bytes are there, and every 5 ms.
     void run(std::int64_t until_ns) {
         while (time.now_ns < until_ns) {
             act();
@@ -84,7 +93,8 @@ template <class Kind, class Faults = NoFaults> class Bench {
             const std::int64_t due = frob_robot_due_ns(&robot);
             if (due > time.now_ns) next = std::min(next, due);
             if (line.to_driver.count > 0) {
-                const std::int64_t arrival = line.to_driver.arrive_ns[line.to_driver.first];
+                const std::size_t last = line.to_driver.first + line.to_driver.count - 1;
+                const std::int64_t arrival = line.to_driver.arrive_ns[last % FROB_FAKE_ROOM];
                 if (arrival > time.now_ns) next = std::min(next, arrival);
             }
             time.now_ns = next;
@@ -119,7 +129,14 @@ template <class Kind, class Faults = NoFaults> class Bench {
     double true_heading = 0;
     Faults to_robot, to_driver;
     std::int64_t rate = Kind::driver().rate;
+    std::int64_t polled_ns = 0; // when the driver was polled last; it may have waited since
+    std::uint64_t sent_bytes = 0; // to the driver, on all lines
     bool cut = false; // the cable is: bytes go nowhere
+
+    // For tests that watch: both ends have acted; the robot has sent something,
+    // which is on its way as far as it got past the faults.
+    std::function<void()> acted;
+    std::function<void(const std::vector<std::uint8_t> &)> sent;
 
   private:
     // The body has moved as the wire told it before.
@@ -139,18 +156,25 @@ template <class Kind, class Faults = NoFaults> class Bench {
         wire.sense(body, time.now_ns);
     }
 
+    std::int64_t byte_ns() const { return 10 * second / rate; }
+
     void send() {
         passed_.clear();
+        to_driver.begin(std::max<std::int64_t>(0, time.now_ns + ms - busy_ns_) / byte_ns(), passed_);
         for (const std::uint8_t byte : wire.to_client) to_driver.pass(byte, passed_);
+        to_driver.end();
+        sent_.swap(wire.to_client);
         wire.to_client.clear();
-        if (cut) return;
-        const std::int64_t byte_ns = 10 * second / rate;
+        // A robot whose bytes do not get away drops new ones.
+        if (cut || busy_ns_ > time.now_ns + 50 * ms) return;
         for (const std::uint8_t byte : passed_) {
-            busy_ns_ = std::max(busy_ns_, time.now_ns) + byte_ns;
-            frob_fake_send(&line, &byte, 1, busy_ns_ - time.now_ns + to_driver.delay_ns());
+            busy_ns_ = std::max(busy_ns_, time.now_ns) + byte_ns();
+            frob_fake_send(&line, &byte, 1, busy_ns_ - time.now_ns + to_driver.delay_ns(time.now_ns));
         }
+        sent_bytes += passed_.size();
+        if (sent && !sent_.empty()) sent(sent_);
     }
 
     std::int64_t moved_ns_ = 0, busy_ns_ = 0;
-    std::vector<std::uint8_t> passed_;
+    std::vector<std::uint8_t> passed_, sent_;
 };

@@ -1,0 +1,53 @@
+// The Pioneer for the bench: the firmware that `frobc serve` runs, on a body of
+// the bench instead of the simulator's.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "drivers/pioneer/pioneer.h"
+#include "pioneer_firmware.h"
+#include "sim.h"
+
+// The simulator's C interface, as far as the firmware uses it.
+struct frob_sim {
+    frob_pioneer_input body{};
+    frob_pioneer_output output{};
+};
+
+class PioneerWire {
+  public:
+    PioneerWire()
+        : firmware_(&sim_, *frob::serve::PioneerFirmware::find_model("p3dx-sh"), 38400) {}
+
+    void receive(const std::uint8_t *bytes, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) firmware_.receive(bytes[i]);
+        collect();
+    }
+    void sense(const frob_pioneer_input &body, std::int64_t) { sim_.body = body; }
+    void advance(std::int64_t now_ns) {
+        firmware_.advance(now_ns);
+        collect();
+    }
+    frob_pioneer_output output() const { return sim_.output; }
+
+    std::vector<std::uint8_t> to_client;
+
+  private:
+    void collect() {
+        const std::vector<std::uint8_t> sent = firmware_.take_output();
+        to_client.insert(to_client.end(), sent.begin(), sent.end());
+    }
+
+    frob_sim sim_;
+    frob::serve::PioneerFirmware firmware_;
+};
+
+struct PioneerKind {
+    using Wire = PioneerWire;
+    using Input = frob_pioneer_input;
+    using Output = frob_pioneer_output;
+    using Device = frob_pioneer;
+    static const frob_driver &driver() { return frob_pioneer_driver; }
+    static constexpr double separation_m = 2.0 / 5.6;
+};

@@ -1,0 +1,222 @@
+// A host that drives a robot while the line between them fails, in phases: all
+// well, then some faults drawn from the seed, then all well again.
+//
+// Looked at all the time:
+//   - a good packet is found by the driver within the bound of its protocol;
+//   - once readings are stale and the way to the robot is clean, it stands;
+//   - what the program sees and what the robot is told are finite numbers
+//     within the robot's limits;
+// and after each phase of faults: the robot drives again, as it is told.
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <deque>
+#include <string>
+
+#include "bench.h"
+#include "faults.h"
+
+struct SoakResult {
+    std::string failure;      // empty if all held
+    double simulated_s = 0;
+    double slowest_resume_s = 0;
+    double longest_unwanted_s = 0; // the robot moved though readings were stale
+    unsigned faults = 0, connections = 0, stale = 0;
+};
+
+template <class Kind> class Soak {
+  public:
+    explicit Soak(std::uint64_t seed) : seed_(seed) {
+        b_.to_driver.seed(random_next(&seed_));
+        b_.to_robot.seed(random_next(&seed_));
+        b_.acted = [this] { look(); };
+        b_.sent = [this](const std::vector<std::uint8_t> &bytes) { expect(bytes); };
+        Kind::prepare(b_);
+        reconnect();
+    }
+
+    SoakResult run(double for_s) {
+        const std::int64_t end_ns = b_.time.now_ns + static_cast<std::int64_t>(for_s * 1e9);
+        const std::int64_t start_ns = b_.time.now_ns;
+        while (b_.time.now_ns < end_ns && result_.failure.empty()) {
+            well();
+            ++result_.faults;
+            begin_faults();
+            drive(20 * ms + static_cast<std::int64_t>(random_below(&seed_, 3000)) * ms);
+            end_faults();
+        }
+        well();
+        frob_robot_close(&b_.robot);
+        result_.simulated_s = static_cast<double>(b_.time.now_ns - start_ns) * 1e-9;
+        result_.stale = b_.robot.stale;
+        result_.connections = b_.robot.connections;
+        return result_;
+    }
+
+  private:
+    // The host: steps 30 times a second, and connects anew a quarter of a
+    // second after a connection has failed.
+    void drive(std::int64_t for_ns) {
+        const std::int64_t until_ns = b_.time.now_ns + for_ns;
+        while (b_.time.now_ns < until_ns && result_.failure.empty()) {
+            if (b_.state == FROB_ROBOT_READY) {
+                typename Kind::Output output{};
+                frob_robot_sense(&b_.robot, &b_.input);
+                if (!Kind::sane(b_.input)) fail("the program sees what cannot be");
+                output.forward = forward_;
+                output.turn = turn_;
+                frob_robot_command(&b_.robot, &output);
+            } else if (b_.state == FROB_ROBOT_FAILED) {
+                if (failed_ns_ == 0) failed_ns_ = b_.time.now_ns;
+                if (b_.time.now_ns - failed_ns_ >= 250 * ms && !hung_up_) reconnect();
+            }
+            b_.run(std::min(until_ns, b_.time.now_ns + second / 30));
+        }
+    }
+
+    void reconnect() {
+        frob_fake_line_open(&b_.line, &b_.time);
+        b_.line.rate = static_cast<std::uint32_t>(b_.rate);
+        failed_ns_ = 0;
+        expected_.clear();
+        ++session_;
+        b_.start();
+    }
+
+    // Without faults the robot must drive as it is told, soon.
+    void well() {
+        const std::int64_t start_ns = b_.time.now_ns;
+        while (result_.failure.empty()) {
+            drive(100 * ms);
+            const auto output = b_.wire.output();
+            if (b_.state == FROB_ROBOT_READY && std::fabs(output.forward - forward_) < 0.01 &&
+                std::fabs(output.turn - turn_) < 0.05)
+                break;
+            if (b_.time.now_ns - start_ns > 10 * second) fail("driving does not go on after the faults");
+        }
+        result_.slowest_resume_s =
+            std::max(result_.slowest_resume_s, static_cast<double>(b_.time.now_ns - start_ns) * 1e-9);
+        // Then it drives for a while, another way than before.
+        forward_ = 0.05 * (1 + random_below(&seed_, 6)) * (random_below(&seed_, 4) == 0 ? -1 : 1);
+        turn_ = 0.2 * random_below(&seed_, 4);
+        drive(static_cast<std::int64_t>(200 + random_below(&seed_, 1500)) * ms);
+    }
+
+    unsigned rate(unsigned most) {
+        // Rare faults as often as frequent ones.
+        return random_below(&seed_, 3) == 0 ? most >> random_below(&seed_, 10) : 0;
+    }
+
+    Faults::Rates draw() {
+        Faults::Rates rates;
+        rates.dropped = rate(20000);
+        rates.doubled = rate(20000);
+        rates.flipped = rate(20000);
+        rates.garbage = rate(20000);
+        rates.cut = rate(200);
+        return rates;
+    }
+
+    void begin_faults() {
+        Faults::Rates in = draw(), out = draw();
+        if (random_below(&seed_, 4) == 0) in.storm = 1 + random_below(&seed_, 100);
+        if (random_below(&seed_, 8) == 0) out.storm = 1 + random_below(&seed_, 20);
+        if (random_below(&seed_, 4) == 0) in.held_ns = (20 + random_below(&seed_, 500)) * ms;
+        b_.to_driver.set(in);
+        if (random_below(&seed_, 2) == 0) b_.to_robot.set(out);
+        if (random_below(&seed_, 6) == 0) b_.line.blocked = true;
+        if (random_below(&seed_, 6) == 0) b_.line.lost = hung_up_ = true;
+    }
+
+    void end_faults() {
+        b_.to_driver.set({});
+        b_.to_robot.set({});
+        b_.line.blocked = false;
+        // A line that was lost is another when it comes back.
+        if (hung_up_) {
+            hung_up_ = false;
+            b_.wire.to_client.clear();
+        }
+        clean_ns_ = b_.time.now_ns;
+    }
+
+    // A reading that goes out whole must be found when it has arrived, and with
+    // it as many bytes as the protocol's search may need.
+    void expect(const std::vector<std::uint8_t> &bytes) {
+        const frob_fake_queue &queue = b_.line.to_driver;
+        if (!b_.to_driver.untouched() || b_.line.lost || queue.count == 0 ||
+            queue.count + 256 > FROB_FAKE_ROOM || !Kind::is_reading(bytes))
+            return;
+        const std::size_t last = (queue.first + queue.count - 1) % FROB_FAKE_ROOM;
+        expected_.push_back({queue.arrive_ns[last], session_, b_.sent_bytes});
+    }
+
+    void look() {
+        found();
+        safe();
+    }
+
+    void found() {
+        const bool counts = b_.state == FROB_ROBOT_READY || b_.state == FROB_ROBOT_STALE;
+        while (!expected_.empty() && expected_.front().arrival_ns <= b_.polled_ns) {
+            const Expected e = expected_.front();
+            if (counted_session_ != e.session || !counts || b_.line.lost) {
+                expected_.pop_front();
+                continue;
+            }
+            // What comes behind it brings the bytes that the search may need.
+            if (b_.sent_bytes - b_.line.to_driver.count < e.place + Kind::bound) break;
+            if (Kind::driver().sensed_ns(&b_.device) < e.arrival_ns && !Kind::doubts(b_.device))
+                fail("a good packet was not found");
+            expected_.pop_front();
+        }
+        counted_session_ = counts ? session_ : 0;
+    }
+
+    void safe() {
+        const auto output = b_.wire.output();
+        const bool moves = output.forward != 0 || output.turn != 0;
+        if (!std::isfinite(output.forward) || !std::isfinite(output.turn) ||
+            std::fabs(output.forward) > Kind::most_m_s)
+            fail("the robot is told what it cannot do");
+        if (b_.to_robot.any() || b_.line.blocked || b_.line.lost) clean_ns_ = b_.time.now_ns;
+        if (b_.state == FROB_ROBOT_READY || !moves) {
+            unwanted_ns_ = 0;
+            return;
+        }
+        if (unwanted_ns_ == 0) unwanted_ns_ = b_.time.now_ns;
+        const double unwanted_s = static_cast<double>(b_.time.now_ns - unwanted_ns_) * 1e-9;
+        result_.longest_unwanted_s = std::max(result_.longest_unwanted_s, unwanted_s);
+        // Stops are repeated ten times a second, and a failed connection is made
+        // anew after a quarter of a second; but a robot that waits for the rest
+        // of what garbage announced does not hear them until its watchdog ends it.
+        if (b_.time.now_ns - std::max(clean_ns_, unwanted_ns_) > Kind::hearing_ms * ms)
+            fail("the robot moves though readings are stale");
+        if (Kind::watchdog_s > 0 && unwanted_s > Kind::watchdog_s + 3.5)
+            fail("the robot's watchdog does not stop it");
+    }
+
+    void fail(const char *what) {
+        char text[200];
+        if (!result_.failure.empty()) return;
+        std::snprintf(text, sizeof text, "%s, %.3f s after the start", what,
+                      static_cast<double>(b_.time.now_ns - second) * 1e-9);
+        result_.failure = text;
+    }
+
+    struct Expected {
+        std::int64_t arrival_ns;
+        unsigned session;
+        std::uint64_t place; // in the bytes sent
+    };
+
+    Bench<Kind, Faults> b_;
+    std::uint64_t seed_;
+    SoakResult result_;
+    double forward_ = 0.2, turn_ = 0;
+    bool hung_up_ = false;
+    std::int64_t failed_ns_ = 0, clean_ns_ = 0, unwanted_ns_ = 0;
+    unsigned session_ = 0, counted_session_ = 0;
+    std::deque<Expected> expected_;
+};
