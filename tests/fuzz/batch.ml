@@ -1,12 +1,19 @@
 let size = 20
 let rows = 25
 
-type failure = { number : int; outcome : Engines.outcome; text : string }
+type failure = { number : int; recordings : Recording.t list; outcome : Engines.outcome; text : string }
 
 let summary ~seed { number; outcome; _ } =
   Printf.sprintf "program %d of seed %d %s" number seed (Engines.describe outcome)
 
-let describe ~seed failure = Printf.sprintf "%s\n\n%s\n" (summary ~seed failure) failure.text
+let describe ~seed failure =
+  let recording =
+    match failure.outcome with
+    | Differ { recording; _ } -> "\n\nits input:\n\n" ^ Recording.csv recording
+    | Agree | Rejected _ | Failed _ -> ""
+  in
+  Printf.sprintf "%s\n\n%s%s\n" (summary ~seed failure)
+    (String.trim failure.text) recording
 
 let write path text =
   let channel = open_out_bin path in
@@ -18,17 +25,34 @@ let on_input_of batch (tools : Engines.tools) engines ~seed ~first ~count =
   let file = Filename.concat tools.folder "program.frob" in
   write file text;
   let random = Random.State.make [| seed; batch; 1 |] in
-  let outcome =
+  let outcome, recordings =
     match Engines.load tools ~entry:"main" file with
-    | Error outcome -> outcome
+    | Error outcome -> (outcome, [])
     | Ok subject ->
-        Engines.judge tools engines subject (Engines.recordings random ~rows subject)
+        let recordings = Engines.recordings random ~rows subject in
+        (Engines.judge tools engines subject recordings, recordings)
   in
   match outcome with
   | Agree -> None
-  | Rejected _ | Failed _ | Differ _ -> Some { number = first; outcome; text }
+  | Rejected _ | Failed _ | Differ _ -> Some { number = first; recordings; outcome; text }
 
 let failure tools engines ~seed ~first ~count = on_input_of first tools engines ~seed ~first ~count
+
+let patience = 60.
+
+let shrunk tools engines ~seed { number; recordings; outcome; text } =
+  let components = List.init (Program.signals ~seed number) Fun.id in
+  let small =
+    Shrink.program tools engines ~seconds:patience
+      ~first:(List.map (fun component -> Program.alone ~seed number ~component) components)
+      { text; outcome; recordings }
+  in
+  let outcome : Engines.outcome =
+    match (small.outcome, small.recordings) with
+    | Differ found, [ recording ] -> Differ { found with recording }
+    | outcome, _ -> outcome
+  in
+  { number; recordings = small.recordings; outcome; text = small.text }
 
 let failures tools engines ~seed ~first ~count =
   match failure tools engines ~seed ~first ~count with

@@ -5,6 +5,7 @@ val size : int
 
 type failure = {
   number : int;  (** of the program, for its seed *)
+  recordings : Recording.t list;  (** its input, if it came so far *)
   outcome : Engines.outcome;
   text : string;
 }
@@ -13,11 +14,15 @@ val summary : seed:int -> failure -> string
 (** In a line. *)
 
 val describe : seed:int -> failure -> string
-(** With the program. *)
+(** With the program and, if it differs, the recording: as NAME.frob and NAME.csv in
+    [tests/interp] they are a test. *)
 
 val failure :
   Engines.tools -> Engines.c_engine list -> seed:int -> first:int -> count:int -> failure option
 (** Of the whole batch, under its first number. *)
+
+val shrunk : Engines.tools -> Engines.c_engine list -> seed:int -> failure -> failure
+(** A small program that fails in the same way, if one is found in a minute. *)
 
 val failures :
   Engines.tools -> Engines.c_engine list -> seed:int -> first:int -> count:int -> failure list

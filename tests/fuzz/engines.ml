@@ -85,6 +85,9 @@ let recordings random ~rows subject =
   let wild = Input.make random Wild subject.input ~rows in
   [ tame; wild ]
 
+let fits subject recording = Recording.has_shape subject.input recording
+let read_recording subject text = Recording.read subject.input text
+
 let interpreted subject recording =
   let execution = Interp.Execution.start subject.core ~entry:subject.entry in
   let rec instants before found = function

@@ -41,5 +41,11 @@ val interpreted : subject -> Recording.t -> string
 val recordings : Random.State.t -> rows:int -> subject -> Recording.t list
 (** A tame one and a wild one. *)
 
+val fits : subject -> Recording.t -> bool
+(** Whether the recording has the program's columns. *)
+
+val read_recording : subject -> string -> (Recording.t, string) result
+(** From CSV. *)
+
 val judge : tools -> c_engine list -> subject -> Recording.t list -> outcome
 (** The first disagreement. *)

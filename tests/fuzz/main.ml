@@ -85,6 +85,8 @@ let both a b =
     sanitized = a.sanitized + b.sanitized;
   }
 
+let most_shrunk = 3
+
 (* Every so many batches, from the one with the worker's number. *)
 let work s worker ~folder =
   let tools = { Engines.library = s.library; runtime = s.runtime; folder } in
@@ -100,8 +102,14 @@ let work s worker ~folder =
           Option.to_list (Batch.failure tools engines ~seed:s.seed ~first ~count)
         else Batch.failures tools engines ~seed:s.seed ~first ~count
       in
-      List.iter
-        (fun f ->
+      (* A few small ones say more than many. *)
+      let shrunk k f =
+        if s.stop_at_first || so_far.failed + k >= most_shrunk then f
+        else Batch.shrunk tools engines ~seed:s.seed f
+      in
+      List.iteri
+        (fun k f ->
+          let f = shrunk k f in
           print_endline
             ("FAIL "
             ^ (if s.stop_at_first then Batch.summary else Batch.describe) ~seed:s.seed f))

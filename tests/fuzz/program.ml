@@ -411,16 +411,29 @@ let one ~seed number =
     (add
        (define_signal_function s ~parameters:[] ~input:input_type ~signals ~result:All_signals
           prefix));
-  (prefix, Buffer.contents out, Type.Tuple signals)
+  (prefix, Buffer.contents out, signals)
+
+let main ~output body = f "main :: SF %s %s\nmain = proc i -> %s\n" (Type.text input_type) output body
 
 let make ~seed ~first ~count =
   let programs = List.init count (fun i -> one ~seed (first + i)) in
-  let names = List.map (fun (name, _, _) -> name) programs in
   let tuple texts = match texts with [ one ] -> one | _ -> f "(%s)" (String.concat ", " texts) in
   let main =
-    f "main :: SF %s %s\nmain = proc i -> %s\n" (Type.text input_type)
-      (tuple (List.map (fun (_, _, output) -> Type.text output) programs))
-      (tuple (List.map (fun name -> name ^ " i") names))
+    main
+      ~output:(tuple (List.map (fun (_, _, output) -> Type.text (Tuple output)) programs))
+      (tuple (List.map (fun (name, _, _) -> name ^ " i") programs))
   in
   let texts = List.map (fun (_, text, _) -> text) programs in
   String.concat "" ((library :: texts) @ [ main ])
+
+let signals ~seed number =
+  let _, _, signals = one ~seed number in
+  List.length signals
+
+let alone ~seed number ~component =
+  let name, text, signals = one ~seed number in
+  let pattern = List.mapi (fun i _ -> if i = component then "y" else "_") signals in
+  library ^ text
+  ^ main
+      ~output:(Type.text (List.nth signals component))
+      (f "y where\n    (%s) = %s i" (String.concat ", " pattern) name)

@@ -6,3 +6,9 @@
 val make : seed:int -> first:int -> count:int -> string
 (** [count] programs, from the one with the number [first]: each depends only
     on the seed and its own number. *)
+
+val alone : seed:int -> int -> component:int -> string
+(** One program, of whose signals only this one comes out. *)
+
+val signals : seed:int -> int -> int
+(** How many components the output of a program has. *)

@@ -11,6 +11,12 @@ type t
 val make : Interp.Shape.t -> (int * Interp.Value.t) list -> t
 (** Of times in nanoseconds, not falling, and values of this shape. *)
 
+val read : Interp.Shape.t -> string -> (t, string) result
+(** From CSV as {!csv} writes it. *)
+
+val has_shape : Interp.Shape.t -> t -> bool
+(** Whether it has the columns of this shape, with cells of the same kinds. *)
+
 val rows : t -> row list
 
 val first_rows : int -> t -> t

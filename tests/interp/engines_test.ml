@@ -1,6 +1,7 @@
 (* Each program here, and the examples, through the interpreter and through C:
    the same bytes for the same input. Once with tcc, once with the sanitizers of
-   an optimizing compiler, which stop what is out of bounds or undefined. *)
+   an optimizing compiler, which stop what is out of bounds or undefined. The input
+   is random; a recording beside a program, as the fuzzer prints it, is input too. *)
 
 open Fuzz
 
@@ -14,12 +15,29 @@ let tools =
     folder = Filename.current_dir_name;
   }
 
+let read path =
+  let channel = open_in_bin path in
+  Fun.protect
+    ~finally:(fun () -> close_in channel)
+    (fun () -> really_input_string channel (in_channel_length channel))
+
+(* What a program was seen to fail on. *)
+let recorded subject file =
+  let path = Filename.remove_extension file ^ ".csv" in
+  if not (Sys.file_exists path) then []
+  else
+    match Engines.read_recording subject (read path) with
+    | Ok recording -> [ recording ]
+    | Error text -> Alcotest.fail (path ^ ": " ^ text)
+
 let agree engine file () =
   let random = Random.State.make [| 2001 |] in
   let outcome =
     match Engines.load tools ~entry:"main" file with
     | Error outcome -> outcome
-    | Ok subject -> Engines.judge tools [ engine ] subject (Engines.recordings random ~rows:200 subject)
+    | Ok subject ->
+        let random = Engines.recordings random ~rows:200 subject in
+        Engines.judge tools [ engine ] subject (recorded subject file @ random)
   in
   match outcome with
   | Agree -> ()

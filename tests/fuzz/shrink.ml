@@ -1,0 +1,90 @@
+type failing = {
+  text : string;
+  outcome : Engines.outcome;
+  recordings : Recording.t list;
+}
+
+let first_line text = List.hd (String.split_on_char '\n' text)
+
+(* Whether it fails for what may be the same reason. *)
+let alike (a : Engines.outcome) (b : Engines.outcome) =
+  match (a, b) with
+  | Differ _, Differ _ -> true
+  | Rejected a, Rejected b -> String.equal (first_line a) (first_line b)
+  | Failed a, Failed b ->
+      (* What tcc says starts with a place. *)
+      let reason text =
+        match String.index_opt text ':' with
+        | Some i when text.[0] = '/' -> "C" ^ string_of_int (min i 0)
+        | _ -> first_line text
+      in
+      String.equal (reason a) (reason b)
+  | (Agree | Rejected _ | Failed _ | Differ _), _ -> false
+
+let write path text =
+  let channel = open_out_bin path in
+  Fun.protect ~finally:(fun () -> close_out channel) (fun () -> output_string channel text)
+
+let outcome (tools : Engines.tools) engines recordings text : Engines.outcome =
+  let file = Filename.concat tools.folder "program.frob" in
+  write file text;
+  match Engines.load tools ~entry:"main" file with
+  | Error outcome -> outcome
+  | Ok subject ->
+      (* A smaller program may have lost some of its input. *)
+      if List.for_all (Engines.fits subject) recordings then
+        Engines.judge tools engines subject recordings
+      else Agree
+
+(* Where the engines differ, one recording shows it, up to the first difference. *)
+let enough (outcome : Engines.outcome) recordings =
+  match outcome with
+  | Differ { recording; row; _ } -> [ Recording.first_rows (row + 1) recording ]
+  | Agree | Rejected _ | Failed _ -> recordings
+
+let program tools engines ~seconds ~first failing =
+  let last = Unix.gettimeofday () +. seconds in
+  let in_time () = Unix.gettimeofday () < last in
+  let best = ref { failing with recordings = enough failing.outcome failing.recordings } in
+  let accept text recordings =
+    in_time ()
+    &&
+    let found = outcome tools engines recordings text in
+    alike failing.outcome found
+    && begin
+         best := { text; outcome = found; recordings = enough found recordings };
+         true
+       end
+  in
+  let good text = (not (String.equal text !best.text)) && accept text !best.recordings in
+  let parts split separator =
+    ignore (Reduction.without_some ~separator (split !best.text) good : string list)
+  in
+  let rec groups i =
+    if in_time () then
+      match Reduction.at !best.text i with
+      | None -> ()
+      | Some (place, candidates) ->
+          if List.exists good candidates then groups place else groups (place + 1)
+  in
+  let rec rows k =
+    match !best.recordings with
+    | [ recording ] when k >= 0 ->
+        if List.length (Recording.rows recording) > 1 then
+          ignore (accept !best.text [ Recording.without k recording ] : bool);
+        rows (min (k - 1) (List.length (Recording.rows recording) - 2))
+    | _ -> ()
+  in
+  let rec rounds () =
+    let before = !best.text in
+    parts Reduction.paragraphs "\n\n";
+    parts Reduction.lines "\n";
+    groups 0;
+    if in_time () && not (String.equal before !best.text) then rounds ()
+  in
+  ignore (List.exists (fun text -> accept text !best.recordings) first : bool);
+  rounds ();
+  (match !best.recordings with
+  | [ recording ] -> rows (List.length (Recording.rows recording) - 1)
+  | _ -> ());
+  !best
