@@ -296,6 +296,10 @@ let hint sources =
   match sources with
   | "after" :: _ -> "a time of at least 1 ns makes it wait: `after (max 1[ms] q)`"
   | "when" :: _ -> "`edge` occurs when a condition becomes True, not at the first instant"
+  | "elapsed" :: _ -> "a time of at least 1 ns makes it wait: `max 1[ms] q`"
+  | [] ->
+      "something in the circle has to take time: `edge` or `notYet` on an event, `sleepT 10[ms] y` \
+       between tasks"
   | _ -> "`notYet` drops an occurrence at the first instant; `edge` has none there"
 
 let report sink a (m : Ir.machine) steps cycle =

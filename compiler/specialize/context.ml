@@ -79,6 +79,11 @@ let create sink options (program : Core.Ir.program) =
     entered = 0;
   }
 
+let in_prelude (c : t) (at : Span.t) =
+  match Hashtbl.find_opt c.definitions ("Prelude", "id") with
+  | Some { core; _ } -> String.equal core.span.file at.file
+  | None -> false
+
 exception Stopped
 exception Postponed of (unit -> unit)
 

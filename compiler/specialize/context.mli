@@ -63,6 +63,9 @@ type t = {
 
 val create : Diagnostic.sink -> options -> Core.Ir.program -> t
 
+val in_prelude : t -> Span.t -> bool
+(** Not in the program's own modules, nor in the rest of the library. *)
+
 exception Stopped
 (** An error was reported that leaves nothing to go on with. *)
 

@@ -1,6 +1,11 @@
 open Basis
 
-type vertex = { name : string; span : Span.t }
+type vertex = { name : string; span : Span.t; task : bool }
+
+let rec gives_task : Core.Ir.ty -> bool = function
+  | Data ({ module_ = "Prelude"; name = "Task" }, _) -> true
+  | Function (_, result) -> gives_task result
+  | _ -> false
 
 let is_continuation : Core.Ir.ty -> bool = function
   | Function (_, Signal_function _) -> true
@@ -41,5 +46,9 @@ let diagnostic ~vertex ~use cycle =
     (Diagnostic.error ~code:"E0410" ~at:(vertex first).span "%s %s" (named first) message)
     steps
   |> Diagnostic.note
-       "functions may not be recursive; a signal function may start itself again only in the \
-        continuation of a switch"
+       (if List.for_all (fun v -> (vertex v).task) cycle then
+          "a task may start itself again only as the last statement of a `do`, after something that \
+           takes time"
+        else
+          "functions may not be recursive; a signal function may start itself again only in the \
+           continuation of a switch")

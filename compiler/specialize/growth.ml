@@ -8,6 +8,7 @@ type t = {
   at : Span.t;
   from : t option;
   steps : int;  (* how often in a row it has grown *)
+  waiting : Span.t option;  (* of a task: what most often waits for its end *)
 }
 
 let deepest nests =
@@ -44,6 +45,12 @@ and inside known (closure : Value.closure) =
 (* Likewise of what a mode runs, but without the mode's own code. *)
 let rec nest_of_mode known (value : Value.t) =
   match value with
+  | Primitive { primitive = Sequence; arguments; owner; _ } ->
+      (* What is to come after the task that runs. *)
+      let depth, name =
+        deepest (List.map (fun (a : Value.argument) -> nest_of_mode known a.value) arguments)
+      in
+      (1 + depth, if depth = 0 then owner else name)
   | Function closure | Signal_function closure -> inside known closure
   | Primitive { arguments; _ } ->
       deepest (List.map (fun (a : Value.argument) -> nest_of_mode known a.value) arguments)
@@ -56,6 +63,7 @@ let name_of : Value.t -> string = function
 
 let rec head (value : Value.t) =
   match value with
+  | Primitive { primitive = Sequence; arguments = [ _; first ]; _ } -> head first.value
   | Function closure | Signal_function closure -> [ Closure.code_id closure.code ]
   | Primitive { arguments; _ } ->
       List.concat_map (fun (a : Value.argument) -> head a.value) arguments
@@ -68,6 +76,33 @@ let rec before head t steps =
   | Some t when t.head = head -> Some t
   | Some t -> if steps = 0 then None else before head t.from (steps - 1)
 
+(* So often in a row nothing grows that has an end. *)
+let most_steps = 20
+
+(* Of what is to come after a task that runs, what is there again and again; of
+   several the innermost. *)
+let waiting (value : Value.t) =
+  let rec all found (value : Value.t) =
+    match value with
+    | Primitive { primitive = Run_task; arguments = [ task ]; _ } -> all found task.value
+    | Primitive { primitive = Sequence; arguments = [ rest; first ]; _ } -> (
+        match rest.value with
+        | Function { code = Lambda (_, body) as code; _ } ->
+            all ((Closure.code_id code, body.span) :: found) first.value
+        | _ -> all found first.value)
+    | _ -> found
+  in
+  let innermost_first = all [] value in
+  let count id = List.length (List.filter (fun (other, _) -> other = id) innermost_first) in
+  let most best (id, place) =
+    match best with
+    | Some (n, _) when count id <= n -> best
+    | Some _ | None -> Some (count id, place)
+  in
+  match List.fold_left most None innermost_first with
+  | Some (n, place) when n >= most_steps / 2 -> Some place
+  | Some _ | None -> None
+
 let of_value value ~at ~from =
   let head = head value in
   let depth, added = nest_of_mode (Variables.Table.create 16) value in
@@ -76,9 +111,10 @@ let of_value value ~at ~from =
     | Some earlier when depth > earlier.depth -> earlier.steps + 1
     | Some _ | None -> 0
   in
-  { head; depth; added; name = name_of value; at; from; steps }
+  let waiting = if steps > most_steps then waiting value else None in
+  { head; depth; added; name = name_of value; at; from; steps; waiting }
 
-let is_endless t = t.steps > 20
+let is_endless t = t.steps > most_steps
 
 (* The modes since the last one of the same code, the first of them first. *)
 let since t =
@@ -88,16 +124,38 @@ let since t =
   in
   go [] t.from
 
-let report (c : Context.t) ~name t =
+(* The nearest place of the program itself. *)
+let rec in_program c (t : t) =
+  match t.from with
+  | Some before when Context.in_prelude c t.at -> in_program c before
+  | Some _ | None -> t.at
+
+let report_task (c : Context.t) (t : t) place =
+  let at = in_program c t in
+  Diagnostic.(
+    error ~code:"E0420" ~at "a task starts itself again, but not as its last statement"
+    |> here "here it starts once more"
+    |> label ~at:place "this still waits for it to end"
+    |> note "more would wait each time, and memory is fixed"
+    |> hint "make the call the last statement, or put what waits into the branch that ends the task"
+    |> emit c.sink);
+  raise Context.Stopped
+
+let report_growth (c : Context.t) ~name (t : t) =
   let on_the_way diagnostic hop =
     if Span.compare hop.at t.at = 0 || String.equal hop.name "" then diagnostic
     else Diagnostic.label ~at:hop.at (Printf.sprintf "on the way `%s` starts here" hop.name) diagnostic
   in
   Diagnostic.(
-    error ~code:"E0416" ~at:t.at "`%s` grows each time it starts itself again" name
+    error ~code:"E0416" ~at:(in_program c t) "`%s` grows each time it starts itself again" name
     |> here (Printf.sprintf "here, with one more `%s`" t.added)
     |> (fun diagnostic -> List.fold_left on_the_way diagnostic (since t))
     |> note "which signal functions can run must be known, and be finitely many"
     |> hint "start it with the same signal functions each time; numbers may change"
     |> emit c.sink);
   raise Context.Stopped
+
+let report c ~name t =
+  match t.waiting with
+  | Some place -> report_task c t place
+  | None -> report_growth c ~name t

@@ -16,4 +16,4 @@ val of_value : Value.t -> at:Span.t -> from:t option -> t
 val is_endless : t -> bool
 
 val report : Context.t -> name:string -> t -> 'a
-(** E0416; raises {!Context.Stopped}. *)
+(** E0416, or E0420 of a task that is not called last; raises {!Context.Stopped}. *)

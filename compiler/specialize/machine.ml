@@ -118,6 +118,9 @@ let rec place_of ~otherwise (value : Value.t) =
 
 let name_of (value : Value.t) =
   match value with
+  | Primitive
+      { primitive = Run_task; arguments = [ { value = Primitive { owner; _ }; _ } ]; _ } ->
+      owner
   | Primitive { owner; _ } -> owner
   | Signal_function closure -> closure.name
   | Choice _ -> "choice"
@@ -523,7 +526,7 @@ let body (c : Context.t) evaluator trail node ~name ~span ~own_input ~own_result
 
 (* A machine that would be part of its own state. The outermost of the calls
    that lead to it is that of one of its modes. *)
-let refuse_nesting (c : Context.t) ~name ~outside ~inside =
+let refuse_nesting (c : Context.t) ~name ~is_task ~outside ~inside =
   let calls = match Context.since outside inside with [] -> [] | _ :: calls -> List.rev calls in
   match calls with
   | [] -> bug "a machine is made while it is made"
@@ -544,10 +547,16 @@ let refuse_nesting (c : Context.t) ~name ~outside ~inside =
       in
       List.fold_left label error (List.filter own inner)
       |> Diagnostic.note
-           "a signal function may start itself again only as the whole result of a continuation: \
-            then it takes no room"
+           (if is_task then
+              "a task may start itself again only as the last statement of its `do`, with nothing \
+               around it that goes on: then it takes no room"
+            else
+              "a signal function may start itself again only as the whole result of a \
+               continuation: then it takes no room")
       |> Diagnostic.emit c.sink;
       raise Context.Stopped
+
+let is_task : Value.t -> bool = function Primitive { primitive = Run_task; _ } -> true | _ -> false
 
 let run (c : Context.t) evaluator trail node target ~span ~result value (input : Value.argument) =
   let name = name_of value in
@@ -573,7 +582,7 @@ let run (c : Context.t) evaluator trail node target ~span ~result value (input :
   let inputs = Skeleton.take_holes walk in
   let key = Skeleton.key walk in
   Option.iter
-    (fun outside -> refuse_nesting c ~name ~outside ~inside:trail)
+    (fun outside -> refuse_nesting c ~name ~is_task:(is_task value) ~outside ~inside:trail)
     (Variables.Table.find_opt c.building key);
   let make trail node atoms =
     let copy = Skeleton.copy c.keys Holes atoms in

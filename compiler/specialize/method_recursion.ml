@@ -160,7 +160,7 @@ let defaults (program : Ir.program) =
 let report g defaults vertices cycle =
   let vertex v : Cycle.vertex =
     let { core; _ } = vertices.(v).definition in
-    { name = core.name.name; span = core.span }
+    { name = core.name.name; span = core.span; task = Cycle.gives_task core.ty }
   in
   let use a b =
     match List.find_opt (fun (target, _, _) -> target = b) vertices.(a).out with

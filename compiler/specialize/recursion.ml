@@ -11,9 +11,9 @@ type graph = {
   edges : (int, (int * Span.t) list) Hashtbl.t;  (* with the place of the use *)
 }
 
-let vertex g name span =
+let vertex g name ?(ty : Ir.ty = Tuple []) span =
   let number = g.count in
-  g.vertices <- { Cycle.name; span } :: g.vertices;
+  g.vertices <- { Cycle.name; span; task = Cycle.gives_task ty } :: g.vertices;
   g.count <- number + 1;
   number
 
@@ -62,7 +62,7 @@ let rec declare g (e : Ir.expr) =
   | _ -> List.iter (declare g) (sub_expressions e)
 
 and declare_local g (binder : Ir.binder) =
-  let number = vertex g binder.local.name binder.local.span in
+  let number = vertex g binder.local.name ~ty:binder.ty binder.local.span in
   Hashtbl.replace g.locals binder.local.id number
 
 let rec uses g owner (e : Ir.expr) =
@@ -94,10 +94,13 @@ let rec uses g owner (e : Ir.expr) =
   | _ -> List.iter (uses g owner) (sub_expressions e)
 
 let report sink vertices use cycle =
-  Cycle.diagnostic ~vertex:(fun v -> vertices.(v)) ~use cycle
-  |> Diagnostic.hint
-       "a value that depends on its own past is an equation of a `proc`, with `delay`"
-  |> Diagnostic.emit sink
+  let tasks = List.for_all (fun v -> vertices.(v).Cycle.task) cycle in
+  let cure =
+    if tasks then Fun.id
+    else
+      Diagnostic.hint "a value that depends on its own past is an equation of a `proc`, with `delay`"
+  in
+  Cycle.diagnostic ~vertex:(fun v -> vertices.(v)) ~use cycle |> cure |> Diagnostic.emit sink
 
 let check_graph sink (program : Ir.program) =
   let g =
@@ -110,7 +113,7 @@ let check_graph sink (program : Ir.program) =
     }
   in
   let number (d : Ir.definition) =
-    let number = vertex g d.name.name d.span in
+    let number = vertex g d.name.name ~ty:d.ty d.span in
     Hashtbl.replace g.globals (d.name.module_, d.name.name) number
   in
   List.iter number program.definitions;

@@ -19,17 +19,12 @@ let type_of input output result : Core.Ir.ty =
 let is_task (p : Core.Primitive.t) =
   match p with Make_task | Until_right | Return | Sequence -> true | _ -> false
 
-let in_prelude (c : Context.t) (at : Span.t) =
-  match Hashtbl.find_opt c.definitions ("Prelude", "id") with
-  | Some { core; _ } -> String.equal core.span.file at.file
-  | None -> false
-
 let rec named c ~name ~at (value : Value.t) : Value.t =
   match value with
   | Primitive ({ primitive; _ } as p)
-    when is_task primitive && (not (in_prelude c at))
-         && (in_prelude c p.at || Hashtbl.mem c.definitions ("Prelude", p.owner)) ->
-      let at = if in_prelude c p.at then at else p.at in
+    when is_task primitive && (not (Context.in_prelude c at))
+         && (Context.in_prelude c p.at || Hashtbl.mem c.definitions ("Prelude", p.owner)) ->
+      let at = if Context.in_prelude c p.at then at else p.at in
       let owner =
         match name with
         | Some name when Hashtbl.mem c.definitions ("Prelude", p.owner) -> name
@@ -42,7 +37,9 @@ let rec named c ~name ~at (value : Value.t) : Value.t =
   | value -> value
 
 let place_of ~otherwise (continuation : Value.t) =
-  match continuation with Function closure -> closure.span | _ -> otherwise
+  match continuation with
+  | Function { code = Lambda (_, body); _ } -> body.span
+  | _ -> otherwise
 
 (* So many tasks in a row end at once in no program that means it. *)
 let most_at_once = 1000

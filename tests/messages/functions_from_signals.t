@@ -13,9 +13,9 @@ with the way that leads there, and the call in the program comes first.
     3 |     f = hold id (Event (\y -> y + x))
       |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
       |
-     ::: stdlib/Prelude.frob:364:20
+     ::: stdlib/Prelude.frob:369:20
       |
-  364 |     y = fromEvent (delay x0 y) e
+  369 |     y = fromEvent (delay x0 y) e
       |                    ---------- it would be stored here, in a `delay`
       |
       = note: functions, signal functions and labels exist only while compiling
@@ -34,9 +34,9 @@ with the way that leads there, and the call in the program comes first.
     3 |     best = atMin (\z -> z * x, y)
       |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
       |
-     ::: stdlib/Prelude.frob:453:5
+     ::: stdlib/Prelude.frob:458:5
       |
-  453 |     before = delay Nothing (Just (best, bestKey))
+  458 |     before = delay Nothing (Just (best, bestKey))
       |     --------------------------------------------- it would be stored here, in a `delay`
       |
       = note: functions, signal functions and labels exist only while compiling

@@ -27,7 +27,7 @@ a time is compared as it is kept, in nanoseconds.
 An edge needs its note: it is true at first.
 
   $ grep "delay" pause.h
-      bool delay; /* delay at Prelude.frob:339 */
+      bool delay; /* delay at Prelude.frob:344 */
 
 Both engines agree, on a time that is reached exactly as well.
 
@@ -76,7 +76,7 @@ condition than its own ends the mode.
   $ frobc compile shown.frob
   $ grep "delay\|prev" shown.h
       bool y_prev; /* delay at shown.frob:6 */
-      bool b_prev; /* delay at Prelude.frob:339 */
+      bool b_prev; /* delay at Prelude.frob:344 */
   $ printf 'time,in.1,in.2\n0,false,false\n1,true,false\n2,false,false\n3,false,true\n4,false,false\n' > in.csv
   $ frobc trace shown.frob --input in.csv | tee c.csv | cut -d, -f2
   out

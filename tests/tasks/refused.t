@@ -1,0 +1,255 @@
+Recursion of tasks in tail position only, and time in every cycle.
+
+A call that is not the last statement, with what still waits for it.
+
+  $ cat > not_last.frob <<'EOF'
+  > bug :: Float -> Task Float Float ()
+  > bug goal = do
+  >     sleepT 1[s] goal
+  >     bug (goal + 1)
+  >     sleepT 1[s] 0
+  > 
+  > main = runTask (bug 1)
+  > EOF
+  $ frobc check not_last.frob
+  error[E0420]: a task starts itself again, but not as its last statement
+   --> not_last.frob:4:5
+    |
+  4 |     bug (goal + 1)
+    |     ^^^^^^^^^^^^^^ here it starts once more
+  5 |     sleepT 1[s] 0
+    |     ------------- this still waits for it to end
+    |
+    = note: more would wait each time, and memory is fixed
+    = hint: make the call the last statement, or put what waits into the branch that ends the task
+  
+  1 error
+  [1]
+
+A call that something around goes on watching.
+
+  $ cat > watched.frob <<'EOF'
+  > bug :: Float -> Task Float Float ()
+  > bug goal = do
+  >     sleepT 1[s] goal
+  >     r <- bug (goal + 1) `timeOut` 3[s]
+  >     return ()
+  > 
+  > main = runTask (bug 1)
+  > EOF
+  $ frobc check watched.frob
+  error[E0415]: `bug` would run inside itself
+   --> watched.frob:4:10
+    |
+  4 |     r <- bug (goal + 1) `timeOut` 3[s]
+    |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, inside `timeOut`
+    |
+    = note: a task may start itself again only as the last statement of its `do`, with nothing around it that goes on: then it takes no room
+  
+  1 error
+  [1]
+
+A call of itself first, directly or through combinators: no time would pass, and
+nothing would ever be done.
+
+  $ cat > first.frob <<'EOF'
+  > go :: Int -> Task Float Float ()
+  > go n = do
+  >     go (n + 1)
+  >     return ()
+  > 
+  > main = runTask (go 1)
+  > EOF
+  $ frobc check first.frob
+  error[E0410]: `go` calls itself
+   --> first.frob:2:1
+    |
+  2 | go n = do
+    | ^^^^^^^^^
+  3 |     go (n + 1)
+    |     -- `go` uses `go` here
+  4 |     return ()
+    |     ^^^^^^^^^
+    |
+    = note: a task may start itself again only as the last statement of a `do`, after something that takes time
+  
+  1 error
+  [1]
+
+  $ cat > through.frob <<'EOF'
+  > go :: Task Float Float ()
+  > go = forever go
+  > 
+  > a, b :: Task Float Float ()
+  > a = do
+  >   sleepT 1[s] 2
+  >   b
+  > b = mapT id a
+  > 
+  > c, d :: Bool -> Task Float Float ()
+  > c e = if e then sleepT 1[s] 2 else d e
+  > d e = c (not e)
+  > main = runTask (do
+  >   a
+  >   go
+  >   c True)
+  > EOF
+  $ frobc check through.frob
+  error[E0410]: `go` calls itself
+   --> through.frob:2:1
+    |
+  2 | go = forever go
+    | ^^^^^^^^^^^^^^^ `go` uses `go` here
+    |
+    = note: a task may start itself again only as the last statement of a `do`, after something that takes time
+  
+  error[E0410]: `c` calls itself through others
+    --> through.frob:11:1
+     |
+  11 | c e = if e then sleepT 1[s] 2 else d e
+     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+     |                                    |
+     |                                    `c` uses `d` here
+  12 | d e = c (not e)
+     |       - `d` uses `c` here
+     |
+     = note: a task may start itself again only as the last statement of a `do`, after something that takes time
+  
+  2 errors
+  [1]
+
+A cycle that takes no time, with what makes each step possible: by tasks that are
+known to end at once …
+
+  $ cat > at_once.frob <<'EOF'
+  > main :: SF Float (Either () Float)
+  > main = runTask (forever snapT)
+  > EOF
+  $ frobc check at_once.frob
+  error[E0402]: `snapT` may switch for ever within one instant
+     --> at_once.frob:2:25
+      |
+    2 | main = runTask (forever snapT)
+      |                         ^^^^^
+      |
+     ::: stdlib/Prelude.frob:607:5
+      |
+  607 |     forever t
+      |     --------- `snapT` may start `snapT` at its own first instant
+      |
+      = hint: something in the circle has to take time: `edge` or `notYet` on an event, `sleepT 10[ms] y` between tasks
+  
+  1 error
+  [1]
+
+  $ cat > choice.frob <<'EOF'
+  > go :: Int -> Task Float Float ()
+  > go n = do
+  >     x <- snapT
+  >     m <- return (n + 1)
+  >     other m
+  > 
+  > other :: Int -> Task Float Float ()
+  > other m = if m > 10 then return () else go m
+  > 
+  > main = runTask (go 1)
+  > EOF
+  $ frobc check choice.frob
+  error[E0402]: `snapT` may switch for ever within one instant
+   --> choice.frob:3:10
+    |
+  3 |     x <- snapT
+    |          ^^^^^
+  4 |     m <- return (n + 1)
+    |          -------------- `snapT` may start `snapT` at its own first instant
+    |
+    = hint: something in the circle has to take time: `edge` or `notYet` on an event, `sleepT 10[ms] y` between tasks
+  
+  1 error
+  [1]
+
+… that are no more than `return` …
+
+  $ cat > returns.frob <<'EOF'
+  > go :: Int -> Task Float Float ()
+  > go n = do
+  >     m <- return (n + 1)
+  >     other m
+  > 
+  > other :: Int -> Task Float Float ()
+  > other m = do
+  >    return ()
+  >    go m
+  > 
+  > main = runTask (go 1)
+  > EOF
+  $ frobc check returns.frob
+  error[E0402]: these tasks follow each other in no time
+   --> returns.frob:9:4
+    |
+  4 |     other m
+    |     ------- then this, at once
+  ...
+  9 |    go m
+    |    ^^^^ this starts when the one before has ended at once
+    |
+    = note: each cycle of tasks must take time: `return` takes none
+    = hint: put a task into the cycle that takes time, such as `sleepT 10[ms] output`
+  
+  1 error
+  [1]
+
+… or by a time that may be none; known to be one, it is accepted.
+
+  $ cat > may_be_none.frob <<'EOF'
+  > main :: SF Float (Either Float ())
+  > main = runTask t where
+  >    t = do
+  >       x <- snapT
+  >       forever (sleepT (x * 1[s]) 2)
+  > EOF
+  $ frobc check may_be_none.frob
+  error[E0402]: `sleepT` may switch for ever within one instant
+     --> may_be_none.frob:5:16
+      |
+    5 |       forever (sleepT (x * 1[s]) 2)
+      |                ^^^^^^^^^^^^^^^^^^^
+      |
+     ::: stdlib/Prelude.frob:601:39
+      |
+  601 | sleepT q y = untilRight (proc _ -> if elapsed q () then Right () else Left y)
+      |                                       ------------ `elapsed` may occur at the first instant of `sleepT`
+  ...
+  607 |     forever t
+      |     --------- `sleepT` may start `sleepT` at its own first instant
+      |
+      = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
+  
+  1 error
+  [1]
+  $ sed 's/x \* 1\[s\]/max 1[ms] (x * 1[s])/' may_be_none.frob > is_some.frob
+  $ frobc check is_some.frob
+
+Parameters that grow.
+
+  $ cat > grows.frob <<'EOF'
+  > pingpong :: Task Float Float () -> Task Float Float ()
+  > pingpong t = do
+  >    t
+  >    pingpong (t `withSF` time `mapTo` ())
+  > mapTo t x = mapT (\_ -> x) t
+  > main = runTask (pingpong (sleepT 1[s] 3))
+  > EOF
+  $ frobc check grows.frob
+  error[E0416]: `withSF` grows each time it starts itself again
+   --> grows.frob:4:4
+    |
+  4 |    pingpong (t `withSF` time `mapTo` ())
+    |    ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, with one more `withSF`
+    |
+    = note: which signal functions can run must be known, and be finitely many
+    = hint: start it with the same signal functions each time; numbers may change
+  
+  1 error
+  [1]
+
