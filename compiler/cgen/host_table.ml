@@ -129,8 +129,8 @@ and sum c k ~tag ~base ~first =
   in
   value c ~kind:"FROB_SUM" ~offset:(offset c tag) ~is_event ~count:(List.length rows) constructors
 
-let interface out sums ~prefix (i : Interface.t) whole =
-  let c = { out; sums; struct_name = i.struct_name; prefix; count = 0 } in
+(* Of each leaf. *)
+let locations (i : Interface.t) whole =
   let rec locate path (steps : Interface.step list) (ty : F.ty) =
     match (steps, ty) with
     | [], _ -> value_at path ty
@@ -140,9 +140,20 @@ let interface out sums ~prefix (i : Interface.t) whole =
     | Element _ :: _, (Bool | Int | Float | Sum _ | Foreign _) ->
         Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an array of a leaf that is none"
   in
-  let locate = locate "" in
-  let locations = List.rev (List.rev_map2 locate i.leaves (Machine.Layout.shape_leaves whole)) in
-  shape c (ref locations) whole
+  List.rev (List.rev_map2 (locate "") i.leaves (Machine.Layout.shape_leaves whole))
+
+let interface out sums ~prefix (i : Interface.t) whole =
+  let c = { out; sums; struct_name = i.struct_name; prefix; count = 0 } in
+  shape c (ref (locations i whole)) whole
+
+(* The output's last leaf once more, by itself. *)
+let result out (program : Machine.Ir.program) (i : Interface.t) =
+  let c =
+    { out; sums = program.sums; struct_name = i.struct_name; prefix = "result"; count = 0 }
+  in
+  match (snd (Interface.apart program.output), List.rev (locations i program.output)) with
+  | Some ended, last :: _ -> "&" ^ shape c (ref [ last ]) ended
+  | _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a program that ends without a result"
 
 let text (program : Machine.Ir.program) (files : Of_machine.t) =
   let out = Buffer.create 4096 in
@@ -151,6 +162,7 @@ let text (program : Machine.Ir.program) (files : Of_machine.t) =
   bprintf out "#include \"%s.h\"\n#include <frob/program.h>\n#include <stddef.h>\n\n" program.name;
   let input = interface out program.sums ~prefix:"in" files.input program.input in
   let output = interface out program.sums ~prefix:"out" files.output program.output in
+  let result = if program.ends then result out program files.output else "NULL" in
   let robot =
     match (Robot.of_shape program.input, Robot.of_shape program.output) with
     | Some robot, _ | None, Some robot -> robot.name
@@ -180,8 +192,10 @@ const struct frob_program frob_program = {
     &%s,
     reset,
     step,
+    %s,
 };
 |}
     name name name name files.input.struct_name files.output.struct_name (c_string program.name)
-    (c_string robot) name files.input.struct_name files.output.struct_name input output;
+    (c_string robot) name files.input.struct_name files.output.struct_name input output
+    result;
   Buffer.contents out

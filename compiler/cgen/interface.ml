@@ -107,6 +107,27 @@ let with_paths types ~name members (shape : F.shape) =
   let leaves, unused = paths shape members member_list_of in
   { struct_name = name; leaves; unused }
 
+let apart (shape : F.shape) =
+  match shape with
+  | Product product -> (
+      match List.rev product.parts with
+      | (_, result) :: parts when product.record ->
+          (F.Product { product with parts = List.rev parts }, Some result)
+      | [ (_, result); (_, command) ] -> (command, Some result)
+      | _ -> (shape, None))
+  | Leaf _ | Repeated _ -> (shape, None)
+
+let with_result types ~name command (result : F.shape) =
+  let member name ty : Ir.member = { name; ty; comment = "" } in
+  define types name
+    [ member "command" (Struct command.struct_name); member "result" (part_type types result) ];
+  let inside path = Member "command" :: path in
+  {
+    struct_name = name;
+    leaves = List.map inside command.leaves @ [ [ Member "result" ] ];
+    unused = List.map inside command.unused;
+  }
+
 let of_shape types ~name (shape : F.shape) =
   let members =
     match shape with

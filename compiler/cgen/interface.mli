@@ -33,6 +33,14 @@ val of_shape : types -> name:string -> Flow.Ir.shape -> t
 val of_type : types -> name:(unit -> string) -> Flow.Ir.shape -> t
 (** A record has its own struct, whoever uses it; else as {!of_shape}. *)
 
+val apart : Flow.Ir.shape -> Flow.Ir.shape * Flow.Ir.shape option
+(** The output of a program that ends: what it commands, and what it has ended
+    with. *)
+
+val with_result : types -> name:string -> t -> Flow.Ir.shape -> t
+(** A struct of two members: what is commanded, whose struct is defined
+    elsewhere, and what the program has ended with. *)
+
 val definitions : types -> Ir.declaration list
 (** All structs, used before users. *)
 

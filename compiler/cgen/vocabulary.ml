@@ -180,8 +180,11 @@ let of_program (program : M.program) =
     if Option.is_some robot then mark_leaves Robot shape;
     robot
   in
+  let command, result =
+    if program.ends then Interface.apart program.output else (program.output, None)
+  in
   let input_robot = robot_of program.input in
-  let output_robot = robot_of program.output in
+  let output_robot = robot_of command in
   Array.iter
     (fun (node : M.node) ->
       Option.iter
@@ -204,14 +207,18 @@ let of_program (program : M.program) =
   let sum k = sums.(k).struct_name in
   let own = Interface.types scope ~prefix:name ~sum ~foreign:foreign_type in
   let shared = Interface.types scope ~prefix:shared_prefix ~sum ~foreign:foreign_type in
-  let interface robot struct_name (shape : F.shape) =
+  let interface robot struct_name result (shape : F.shape) =
     match (robot, shape) with
+    | Some _, Product { product_name; _ } when Option.is_some result ->
+        let command = Interface.of_shape shared ~name:("frob_" ^ Name.snake product_name) shape in
+        Interface.with_result own ~name:struct_name command (Option.get result)
     | Some _, Product { product_name; _ } ->
         Interface.of_shape shared ~name:("frob_" ^ Name.snake product_name) shape
     | _, _ -> Interface.of_shape own ~name:struct_name shape
   in
-  let input = interface input_robot input_name program.input in
-  let output = interface output_robot output_name program.output in
+  let input = interface input_robot input_name None program.input in
+  let output = interface output_robot output_name result
+      (if Option.is_some output_robot then command else program.output) in
   let robot_records = Interface.definitions shared in
   let foreign =
     Array.map

@@ -52,6 +52,7 @@ type t =
   | Sequence
   | Run_task
   | Reactimate
+  | Ending
   | Foreign of foreign
 
 and elementary = Sqrt | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2
@@ -132,6 +133,7 @@ let table =
     ("runTask", Run_task, 1);
     ("mapSF", Map_sf, 1);
     ("reactimateRobot", Reactimate, 1);
+    ("ending", Ending, 1);
   ]
 
 let of_name text =

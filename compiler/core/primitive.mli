@@ -68,6 +68,7 @@ type t =
   | Run_task
   (* programs *)
   | Reactimate  (** [SF i o -> Program i o] *)
+  | Ending  (** tells the host of the program when it has ended, and with what *)
   (* declared by programs *)
   | Foreign of foreign  (** in C *)
 

@@ -64,11 +64,13 @@ let of_primitive (p : Primitive.t) types =
     Some (Function (one, Signal_function (Array (n, a), Array (n, b))))
   | Reactimate, [ i; o ] ->
     Some (Function (Signal_function (i, o), prelude "Program" [ i; o ]))
+  | Ending, [ i; o; c ] ->
+    Some (Function (Signal_function (i, Tuple [ o; event c ]), Signal_function (i, o)))
   | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power
       | Power_literal _ | Elementary _ | Div | Mod | To_float | Round | Floor | Ceiling
       | Truncate | Equal | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum
       | Maximum | And | Or | Delay | Time | Integral | Derivative | Switch | Delayed_switch
-      | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Reactimate
+      | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Reactimate | Ending
       | Make_task | Until_right | Return | Sequence | Run_task
       | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf
       | Foreign _ ),

@@ -2,3 +2,6 @@
 
 val of_primitive : Primitive.t -> Ir.ty list -> Ir.ty option
 (** At these type arguments; [None] if they are not as many as it takes. *)
+
+val event : Ir.ty -> Ir.ty
+(** [Event a] *)

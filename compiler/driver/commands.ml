@@ -229,6 +229,7 @@ type run = {
   record : string option;
   picture : string option;
   strict : bool;
+  exit_when_done : bool;
 }
 
 let world_of run (resources : Resources.t) file =
@@ -263,6 +264,7 @@ let run general ~entry ~sources run file =
       @ flag "--realtime" run.realtime
       @ option "--record" run.record
       @ option "--picture" run.picture
+      @ flag "--exit-when-done" run.exit_when_done
       @ flag "--strict" run.strict)
 
 (* {1 Explaining} *)

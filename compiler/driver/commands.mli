@@ -38,6 +38,7 @@ type run = {
   record : string option;
   picture : string option;
   strict : bool;
+  exit_when_done : bool;  (** end when the program has ended *)
 }
 
 (** [sources]: the user's C files for a program that calls them. *)

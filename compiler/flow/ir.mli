@@ -264,4 +264,7 @@ type program = {
   headers : header list;  (** of the user's C *)
   input : shape;  (** of the root's inputs *)
   output : shape;
+  ends : bool;
+      (** the last part of the output is an event, at and after the end of the
+          program: what it has ended with *)
 }

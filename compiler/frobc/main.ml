@@ -183,15 +183,21 @@ let run =
   let strict =
     Arg.(value & flag & info [ "strict" ] ~doc:"End with status 4 when the robot hits something.")
   in
-  let make general entry sources world duration rate seed realtime record picture strict file =
+  let exit_when_done =
+    Arg.(
+      value & flag
+      & info [ "exit-when-done" ]
+          ~doc:"End when the program's task has ended, and not after the time that is set.")
+  in
+  let make general entry sources world duration rate seed realtime record picture strict exit_when_done file =
     Commands.run general ~entry ~sources
-      { Commands.world; duration; rate; seed; realtime; record; picture; strict }
+      { Commands.world; duration; rate; seed; realtime; record; picture; strict; exit_when_done }
       file
   in
   command "run" ~doc:"run a robot program in the simulator"
     Term.(
       const make $ general $ entry $ sources $ world $ duration $ rate $ seed $ realtime $ record
-      $ picture $ strict $ file)
+      $ picture $ strict $ exit_when_done $ file)
 
 let serve =
   let some kind names ~docv ~doc = Arg.(value & opt (some kind) None & info names ~docv ~doc) in

@@ -13,7 +13,7 @@ let rec equal (a : Value.t) (b : Value.t) =
       a.constructor = b.constructor
       && List.for_all equal_parts (pairs a.arguments b.arguments)
   | ( ( Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _
-      | Signal_function _ | Task _ ),
+      | Signal_function _ | Task _ | Ending _ ),
       _ ) ->
       refuse ()
 
@@ -31,7 +31,7 @@ let rec ordered ~numbers ~equals (a : Value.t) (b : Value.t) =
         ordered_parts ~numbers ~equals (pairs a.arguments b.arguments)
       else a.constructor < b.constructor
   | ( ( Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _
-      | Signal_function _ | Task _ ),
+      | Signal_function _ | Task _ | Ending _ ),
       _ ) ->
       refuse ()
 

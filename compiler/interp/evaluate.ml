@@ -68,7 +68,7 @@ let local env (x : Local.t) types =
 
 let is_true : Value.t -> bool = function
   | Bool b -> b
-  | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ ->
+  | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->
       bug "a condition that is no Bool"
 
 let rec expr env (e : expr) : Value.t =
@@ -133,7 +133,7 @@ and apply (f : Value.t) arguments =
   match (f, arguments) with
   | _, [] -> f
   | Function f, first :: others -> apply (f first) others
-  | (Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Signal_function _ | Task _), _ ->
+  | (Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Signal_function _ | Task _ | Ending _), _ ->
       bug "what is applied is no function"
 
 (* A primitive on the arguments that are there: with some missing it is a
@@ -163,6 +163,10 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
       let size = size env types in
       Signal_function (fun () -> Arrays.map_sf ~size signal_function)
   | Reactimate, [ signal_function ] -> Thunk.force signal_function
+  | Ending, [ signal_function ] -> (
+      match List.map (closed env.types) types with
+      | [ _; _; result ] -> Ending { signal_function; result }
+      | _ -> bug "`ending` has three types")
   | _, _ ->
       let arity = Core.Primitive.arity p in
       if List.length arguments < arity then
@@ -264,7 +268,7 @@ and started env signal_function =
   in
   match Thunk.demand value with
   | Signal_function start -> start ()
-  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Task _ ->
+  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Task _ | Ending _ ->
       bug "what is run is no signal function"
 
 let definition program name = global program name []

@@ -1,6 +1,10 @@
 open Core.Ir
 
-type t = { instance : Value.instance; mutable is_first : bool }
+type t = {
+  instance : Value.instance;
+  ended : ty option;
+  mutable is_first : bool;
+}
 
 let bug format = Basis.Diagnostic.bug ~stage:"Interp" format
 
@@ -13,10 +17,18 @@ let interface (core : program) (entry : Global.t) =
 
 let start core ~entry =
   let definition = Evaluate.definition (Evaluate.program core) entry in
+  let started ended (value : Value.t) =
+    match value with
+    | Signal_function start -> { instance = start (); ended; is_first = true }
+    | _ -> bug "`%s` is no signal function" entry.name
+  in
   match Thunk.demand definition with
-  | Signal_function start -> { instance = start (); is_first = true }
+  | Signal_function _ as signal_function -> started None signal_function
+  | Ending { signal_function; result } -> started (Some result) (Thunk.demand signal_function)
   | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Task _ ->
       bug "`%s` is no signal function" entry.name
+
+let ended t = t.ended
 
 let instant t ~seconds input =
   let clock = if t.is_first then Clock.first else Clock.after seconds in

@@ -9,6 +9,10 @@ val start : Core.Ir.program -> entry:Core.Ir.Global.t -> t
 (** The entry is a signal function or a program, of a closed type; what the
     compiler would reject has no meaning here. *)
 
+val ended : t -> Core.Ir.ty option
+(** The type of what the program ends with, if it says when it has ended: then
+    each output is a pair, of the program's output and the event of its end. *)
+
 val instant : t -> seconds:float -> Value.t -> Value.t
 (** The output, wholly evaluated, for the input. [seconds]: since the instant
     before; not looked at in the first. *)

@@ -4,7 +4,7 @@ let bug (p : Core.Primitive.t) =
 
 let float : Value.t -> float = function
   | Float x -> x
-  | Bool _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ ->
+  | Bool _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Float is something else"
 
 let values (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
@@ -49,14 +49,14 @@ let values (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
       | Or | Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
       | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right
       | Return | Sequence | Run_task
-      | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate
+      | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate | Ending
       | Foreign _ ),
       _ ) ->
       bug p
 
 let bool p : Value.t -> bool = function
   | Bool b -> b
-  | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ -> bug p
+  | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ -> bug p
 
 let apply (p : Core.Primitive.t) arguments : Value.t =
   match (p, arguments) with

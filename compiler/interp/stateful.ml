@@ -1,6 +1,6 @@
 let float : Value.t -> float = function
   | Float x -> x
-  | Bool _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ ->
+  | Bool _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Float is something else"
 
 let zero = Thunk.known (Value.Float 0.)

@@ -149,13 +149,32 @@ let read_row name header (row : Csv.row) =
 let quoted cell = if String.contains cell ',' then "\"" ^ cell ^ "\"" else cell
 let line cells = String.concat "," cells ^ "\n"
 
-let instants core ~entry ~name ~csv ~header ~write ~input ~output columns =
-  let execution = Execution.start core ~entry in
+(* The columns of the output, and the cells of an instant's. The event of the
+   program's end is one more field of a record. *)
+let outputs core execution output =
+  match Execution.ended execution with
+  | None -> (Shape.columns "out" output, Shape.cells output)
+  | Some ended ->
+      let event = Shape.of_type core (Core.Signature.event ended) in
+      let is_record =
+        match output with Shape.Data { constructors = [ c ]; _ } -> Shape.is_record c | _ -> false
+      in
+      let columns =
+        if is_record then Shape.columns "out" output @ Shape.columns "out.result" event
+        else Shape.columns "out.1" output @ Shape.columns "out.2" event
+      in
+      let cells : Value.t -> Value.t list = function
+        | Tuple [| value; event |] -> Shape.cells output (Thunk.demand value) @ [ Thunk.demand event ]
+        | _ -> Basis.Diagnostic.bug ~stage:"Interp" "a program that ends without a result"
+      in
+      (columns, cells)
+
+let instants execution ~name ~csv ~header ~write ~input (columns, cells) =
   let rec from before =
     match next_row name csv with
     | None -> ()
     | Some row ->
-        let now, cells = read_row name header row in
+        let now, read = read_row name header row in
         let since = match before with Some before -> now - before | None -> 0 in
         if since < 0 then
           reject
@@ -166,12 +185,12 @@ let instants core ~entry ~name ~csv ~header ~write ~input ~output columns =
         let result =
           Execution.instant execution
             ~seconds:(float_of_int since /. 1e9)
-            (Shape.assemble input cells)
+            (Shape.assemble input read)
         in
         let written =
           List.map2
             (fun (column : Shape.column) value -> quoted (Cell.write column.shape value))
-            columns (Shape.cells output result)
+            columns (cells result)
         in
         write (line (stamp now :: written));
         from (Some now)
@@ -194,9 +213,10 @@ let run core ~entry ~name ~read ~write =
                 "the file is empty: its first line must name the columns, `time` first";
             ]
     in
-    let columns = Shape.columns "out" output in
-    write (line ("time" :: List.map (fun (c : Shape.column) -> c.name) columns));
-    instants core ~entry ~name ~csv ~header ~write ~input ~output columns
+    let execution = Execution.start core ~entry in
+    let outputs = outputs core execution output in
+    write (line ("time" :: List.map (fun (c : Shape.column) -> c.name) (fst outputs)));
+    instants execution ~name ~csv ~header ~write ~input outputs
   with
   | () -> Ok ()
   | exception Rejected texts -> Error texts

@@ -12,6 +12,9 @@ type t =
   | Signal_function of (unit -> instance)
       (** starts it; a program is the signal function in it *)
   | Task of task
+  | Ending of { signal_function : thunk; result : Core.Ir.ty }
+      (** a program that ends: beside its output the signal function has the
+          event of its end, with a value of this type *)
 
 and thunk = t Thunk.t
 

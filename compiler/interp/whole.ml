@@ -1,4 +1,4 @@
 let rec evaluate thunk =
   match (Thunk.demand thunk : Value.t) with
   | Tuple parts | Array parts | Data { arguments = parts; _ } -> Array.iter evaluate parts
-  | Bool _ | Int _ | Float _ | Text _ | Function _ | Signal_function _ | Task _ -> ()
+  | Bool _ | Int _ | Float _ | Text _ | Function _ | Signal_function _ | Task _ | Ending _ -> ()

@@ -214,5 +214,6 @@ type program = {
   headers : Flow.Ir.header list;  (** of the user's C *)
   input : Flow.Ir.shape;
   output : Flow.Ir.shape;
+  ends : bool;  (** as {!Flow.Ir.program} *)
   first_instant : first_instant;
 }

@@ -699,5 +699,6 @@ let program (program : F.program) : Ir.program =
     nodes = Array.init count (callee context);
     input = program.input;
     output = program.output;
+    ends = program.ends;
     first_instant = !first_instant;
   }

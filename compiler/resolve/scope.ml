@@ -102,9 +102,6 @@ let other_writing t space name =
     | "constructor" -> known values (String.uncapitalize_ascii name)
     | _ -> None
 
-let is_later space name =
-  String.equal space.noun "name" && Later.is_name name
-
 let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
@@ -126,10 +123,6 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
           (Printf.sprintf "`%s` is in the library: `import %s`" name.text module_)
           diagnostic
     | None, Some other -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
-    | None, None when is_later space name.text ->
-        Diagnostic.note
-          (Printf.sprintf "`%s` is not part of this version of Frob" name.text)
-          diagnostic
     | None, None ->
         Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
   in

@@ -52,6 +52,37 @@ let refuse_cycle (c : Context.t) (local : Ir.Local.t) =
     |> note "functions and signal functions are evaluated while compiling"
     |> emit c.sink)
 
+(* A program that ends has a result beside its output, as one more field where
+   the output is a record. *)
+let result_field = "result"
+
+let with_result (output : Flow.Ir.shape) result : Flow.Ir.shape =
+  match output with
+  | Product ({ record = true; _ } as record) ->
+      Product { record with parts = record.parts @ [ (result_field, result) ] }
+  | Product _ | Leaf _ | Repeated _ ->
+      let parts = [ ("", output); ("", result) ] in
+      Product
+        { product_name = ""; product_module = ""; constructor = ""; record = false; parts }
+
+(* The signal function in a program, and the type of what it ends with. *)
+let in_program (value : Value.t) : Value.t * Ir.ty option =
+  match value with
+  | Program (Primitive { primitive = Ending; types = [ _; _; ended ]; arguments = [ inner ]; _ }) ->
+      (inner.value, Some ended)
+  | Program signal_function -> (signal_function, None)
+  | signal_function -> (signal_function, None)
+
+let output_names (c : Context.t) ~output ~ended =
+  let names ty root =
+    List.map (fun (leaf : Types.leaf) -> Types.join root leaf.path) (Types.layout c.types ty).leaves
+  in
+  match ended with
+  | None -> names output "out"
+  | Some ended ->
+      names output "out" @ names (Core.Signature.event ended) (Types.join "out" result_field)
+
+(* The root node; the type that the program ends with, if it does. *)
 let root c ~unique (core : Ir.definition) ~input ~output =
   let node = Node.create ~fresh:c.Context.fresh in
   let s : Expression.scope =
@@ -63,10 +94,13 @@ let root c ~unique (core : Ir.definition) ~input ~output =
       trail = Context.start;
     }
   in
-  let signal_function =
-    match Expression.expr c s (Named core.name.name) core.body with
-    | Program signal_function -> signal_function
-    | other -> other
+  let signal_function, ended =
+    in_program (Expression.expr c s (Named core.name.name) core.body)
+  in
+  let whole_output : Ir.ty =
+    match ended with
+    | None -> output
+    | Some ended -> Tuple [ output; Core.Signature.event ended ]
   in
   let names, local, name, span =
     match signal_function with
@@ -90,23 +124,25 @@ let root c ~unique (core : Ir.definition) ~input ~output =
     | Signal_function { code = Proc proc; name; captured; types; _ } ->
         let locals = Expression.bind proc.input input value captured in
         Expression.proc_body c { s with locals; types; owner = name } proc
-    | _ -> Expression.run c s Unnamed ~span ~result:output signal_function { value; ty = input }
+    | _ -> Expression.run c s Unnamed ~span ~result:whole_output signal_function { value; ty = input }
   in
-  let atoms = Leaves.atoms c.types node ~span output result in
-  let outputs =
-    List.map2
-      (fun (leaf : Types.leaf) atom -> (Types.join "out" leaf.path, atom))
-      (Types.layout c.types output).leaves atoms
-  in
-  ignore
-    (Specialization.finish c node ~name:node_name ~origin:name ~span ~kind:Signal_function
-       ~statics:[] ~inputs ~outputs ~transitions:[])
+  let is_first_order = (Types.layout c.types whole_output).first_order in
+  if is_first_order then begin
+    let atoms = Leaves.atoms c.types node ~span whole_output result in
+    let outputs = List.combine (output_names c ~output ~ended) atoms in
+    ignore
+      (Specialization.finish c node ~name:node_name ~origin:name ~span ~kind:Signal_function
+         ~statics:[] ~inputs ~outputs ~transitions:[])
+  end
+  else refuse_interface c core "result" (Option.get ended);
+  ended
 
 let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
     Flow.Ir.program option =
   let is_first_order ty = (Types.layout c.types ty).first_order in
   if not (is_first_order input) then refuse_interface c core "input" input;
   if not (is_first_order output) then refuse_interface c core "output" output;
+  let ended = ref None in
   (if not (Diagnostic.has_errors c.sink) then
      (* The root has the first choice of a name, however often it is begun. *)
      let chosen = ref None in
@@ -114,13 +150,18 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
        if Option.is_none !chosen then chosen := Some (Names.unique c.names name);
        Option.value !chosen ~default:name
      in
-     try Context.settle (fun () -> root c ~unique core ~input ~output) with
+     try Context.settle (fun () -> ended := root c ~unique core ~input ~output) with
      | Context.Stopped -> ()
      | Stack_overflow -> refuse_depth c core
      | Closure.Needs_itself local -> refuse_cycle c local);
   if Diagnostic.has_errors c.sink then None
   else
     let input = Types.shape c.types input and output = Types.shape c.types output in
+    let output =
+      match !ended with
+      | None -> output
+      | Some ended -> with_result output (Types.shape c.types (Core.Signature.event ended))
+    in
     Some
       {
         name;
@@ -133,6 +174,7 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
             c.foreign.headers;
         input;
         output;
+        ends = Option.is_some !ended;
       }
 
 (* In C both would have the struct and the functions of that name. *)

@@ -242,7 +242,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       | Reactimate, [ signal_function ] -> Program signal_function.value
       | ( ( Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
           | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right
-          | Return | Sequence | Run_task | Foreign { kind = Stateful; _ } ),
+          | Return | Sequence | Run_task | Ending | Foreign { kind = Stateful; _ } ),
           _ ) ->
           Primitive { primitive; types; arguments = all; owner = s.owner; at = span }
       | _, _ when missing > 0 ->

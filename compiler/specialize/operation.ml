@@ -91,6 +91,6 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   | Delay | Time | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
   | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right | Return
   | Sequence | Run_task
-  | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate
+  | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate | Ending
   | Foreign _ ->
       bug ()

@@ -2,6 +2,8 @@
  * fixed when the program is compiled. */
 #include <frob/cell.h>
 
+#include <string.h>
+
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -149,4 +151,22 @@ void frob_cell_write(struct frob_text *text, const struct frob_value *value,
     } else {
         add_value(text, value, base, ALONE);
     }
+}
+
+/* Every constructor's text counted, as if all stood there. */
+size_t frob_cell_room(const struct frob_value *value)
+{
+    size_t room = 32; /* a number, parentheses and separators */
+    if (value->kind == FROB_PRODUCT || value->kind == FROB_SUM || value->kind == FROB_ARRAY) {
+        for (size_t i = 0; i < value->count; i++) {
+            const struct frob_constructor *c = &value->constructors[i];
+            room += c->name == NULL ? 0 : strlen(c->name) + 8;
+            for (size_t j = 0; j < c->count; j++) {
+                const struct frob_field *field = &c->fields[j];
+                room += frob_cell_room(field->value);
+                room += field->name == NULL ? 0 : strlen(field->name) + 8;
+            }
+        }
+    }
+    return room;
 }

@@ -113,29 +113,10 @@ void frob_trace_row(struct frob_text *text, const struct frob_program *program,
     frob_text_add_char(text, '\n');
 }
 
-/* A bound for one cell: every constructor's text counted, as if all stood
- * there. */
-static size_t cell_room(const struct frob_value *value)
-{
-    size_t room = 32; /* a number, parentheses and separators */
-    if (value->kind == FROB_PRODUCT || value->kind == FROB_SUM || value->kind == FROB_ARRAY) {
-        for (size_t i = 0; i < value->count; i++) {
-            const struct frob_constructor *c = &value->constructors[i];
-            room += c->name == NULL ? 0 : strlen(c->name) + 8;
-            for (size_t j = 0; j < c->count; j++) {
-                const struct frob_field *field = &c->fields[j];
-                room += cell_room(field->value);
-                room += field->name == NULL ? 0 : strlen(field->name) + 8;
-            }
-        }
-    }
-    return room;
-}
-
 static void add_room(void *context, const char *name, const struct frob_value *value)
 {
     size_t *room = (size_t *)context;
-    size_t cell = cell_room(value);
+    size_t cell = frob_cell_room(value);
     size_t heading = strlen(name);
     *room += (cell > heading ? cell : heading) + 4;
 }

@@ -117,7 +117,7 @@ A robot that there is not, and a program for no robot:
   error: there is no robot `roomba`; the robots: pioneer, scout, create
   [2]
   $ frobc run good.frob
-  error: good is a program for no robot; `reactimateRobot` makes one for the pioneer
+  error: good is a program for no robot; `reactimateRobot` makes one
   [2]
 
 Recursion is found in modules without a program too:

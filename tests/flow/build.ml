@@ -113,4 +113,5 @@ let program ?(sums = [||]) t =
     headers = [];
     input = tuple (List.map (fun (s : Ir.signal) -> s.ty) root.inputs);
     output = tuple (List.map (fun (_, a) -> ty_of_atom a) root.outputs);
+    ends = false;
   }

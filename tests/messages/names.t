@@ -53,21 +53,6 @@ Unknown names: other capitals, units as words, what a later version will have.
   2 errors
   [1]
 
-  $ cat > later.frob <<'FROB'
-  > main = reactimateTask
-  > FROB
-  $ frobc check later.frob
-  error[E0205]: unknown name `reactimateTask`
-   --> later.frob:1:8
-    |
-  1 | main = reactimateTask
-    |        ^^^^^^^^^^^^^^
-    |
-    = note: `reactimateTask` is not part of this version of Frob
-  
-  1 error
-  [1]
-
   $ cat > unimported.frob <<'FROB'
   > origin = Geometry.zeroVec
   > FROB

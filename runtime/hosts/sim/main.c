@@ -8,6 +8,7 @@
 #include "options.h"
 #include "record.h"
 
+#include <frob/result.h>
 #include <sim.h>
 
 #include <errno.h>
@@ -94,17 +95,20 @@ static struct frob_sim *open_world(const struct options *options,
     return sim;
 }
 
-/* What the controller reads and commands: the structs of the program's robot. */
-struct controls {
+/* A run: what the controller reads and commands (the structs of the program's
+ * robot), and when it has ended, if it has. */
+struct run {
     void *input;
     void *output;
+    bool ended;
+    int64_t ended_ns;
 };
 
 /* Runs the controller at its instants. Instant k is at the absolute time
  * k / rate, in whole nanoseconds, and dt is the difference of two of them: so
  * nothing adds up. Returns false when the record cannot be written. */
 static bool run(const struct options *options, const struct frob_program *program, void *state,
-                struct controls controls, struct frob_sim *sim, struct record *record)
+                struct run *r, struct frob_sim *sim, struct record *record)
 {
     bool progress = options->progress || isatty(STDERR_FILENO);
     int64_t end_ns = (int64_t)llround(options->duration_s * 1e9);
@@ -118,11 +122,17 @@ static bool run(const struct options *options, const struct frob_program *progra
         if (options->realtime)
             sleep_until(started_ns + now_ns);
         frob_sim_advance(sim, now_ns);
-        frob_sim_read(sim, controls.input);
-        memset(controls.output, 0, program->output_size);
-        program->step(state, (double)(now_ns - before_ns) / 1e9, controls.input, controls.output);
-        frob_sim_command(sim, now_ns, controls.output);
-        ok = record_row(record, now_ns, controls.input, controls.output);
+        frob_sim_read(sim, r->input);
+        memset(r->output, 0, program->output_size);
+        program->step(state, (double)(now_ns - before_ns) / 1e9, r->input, r->output);
+        frob_sim_command(sim, now_ns, r->output);
+        ok = record_row(record, now_ns, r->input, r->output);
+        if (!r->ended && frob_has_ended(program, r->output)) {
+            r->ended = true;
+            r->ended_ns = now_ns;
+        }
+        if (r->ended && options->exit_when_done)
+            break;
         before_ns = now_ns;
         if (progress && (k & 15) == 0 && clock_ns() - shown_ns > 100000000) {
             show_progress(now_ns, options->duration_s);
@@ -157,6 +167,20 @@ static void print_summary(const struct options *options, const struct frob_sim_s
         printf("log: %s\n", options->record);
 }
 
+static void print_result(const struct frob_program *program, const struct run *r)
+{
+    size_t room = frob_result_room(program);
+    char *buffer = (char *)malloc(room);
+    struct frob_text text;
+    printf("finished after: %.3f s\n", (double)r->ended_ns * 1e-9);
+    if (buffer == NULL)
+        return;
+    text = frob_text_in(buffer, room);
+    frob_result_write(&text, program, r->output);
+    printf("result: %s\n", text.data);
+    free(buffer);
+}
+
 /* Runs the program in an opened simulation, and tells how it went. */
 static int simulate(const struct options *options, const struct frob_program *program,
                     struct frob_sim *sim)
@@ -168,33 +192,39 @@ static int simulate(const struct options *options, const struct frob_program *pr
     int64_t started_ns;
     double wall_s;
     void *state = calloc(1, program->state_size + 1);
-    struct controls controls;
-    controls.input = calloc(1, program->input_size);
-    controls.output = calloc(1, program->output_size);
-    if (state == NULL || controls.input == NULL || controls.output == NULL) {
+    struct run r;
+    r.input = calloc(1, program->input_size);
+    r.output = calloc(1, program->output_size);
+    r.ended = false;
+    r.ended_ns = 0;
+    if (state == NULL || r.input == NULL || r.output == NULL) {
         fprintf(stderr, "error: not enough memory for the program's state\n");
         return WRONG_USE;
     }
     if (!record_open(&record, program, options->record))
         status = WRONG_USE;
     started_ns = clock_ns();
-    if (status == DONE && !run(options, program, state, controls, sim, &record))
+    if (status == DONE && !run(options, program, state, &r, sim, &record))
         status = WRONG_USE;
     wall_s = (double)(clock_ns() - started_ns) * 1e-9;
     if (!record_close(&record))
         status = WRONG_USE;
     free(state);
-    free(controls.input);
-    free(controls.output);
+    free(r.input);
     if (status == DONE && options->picture != NULL &&
         !frob_sim_picture(sim, options->picture, message, sizeof message)) {
         fprintf(stderr, "error: %s\n", message);
         status = WRONG_USE;
     }
+    if (status == DONE) {
+        summary = frob_sim_summarize(sim);
+        print_summary(options, &summary, wall_s);
+        if (r.ended)
+            print_result(program, &r);
+    }
+    free(r.output);
     if (status != DONE)
         return status;
-    summary = frob_sim_summarize(sim);
-    print_summary(options, &summary, wall_s);
     if (options->strict && summary.collisions > 0) {
         fprintf(stderr, "error: the robot ran into something\n");
         return FAULT;

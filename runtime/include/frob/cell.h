@@ -20,6 +20,9 @@ extern "C" {
 void frob_cell_write(struct frob_text *text, const struct frob_value *value,
                      const void *base);
 
+/* A bound for the length of a cell. */
+size_t frob_cell_room(const struct frob_value *value);
+
 /* What was wrong with a cell. */
 struct frob_cell_error {
     size_t position;      /* in bytes from the start of the cell */

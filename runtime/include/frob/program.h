@@ -59,9 +59,13 @@ struct frob_program {
     const struct frob_value *output;
     void (*reset)(void *state);
     void (*step)(void *state, double dt, const void *input, void *output);
+    const struct frob_value *result;
+        /* of a program that ends: the event, part of its output, that occurs at
+         * its end and from then on, with what it has ended with; else NULL. The
+         * robot's output struct is at the beginning of the output. */
 };
 
-#define FROB_PROGRAM_ABI 2u
+#define FROB_PROGRAM_ABI 3u
 
 /* The symbol that hosts look up. */
 #define FROB_PROGRAM_SYMBOL "frob_program"

@@ -1,1 +1,0 @@
-let is_name = function "reactimateTask" -> true | _ -> false
