@@ -14,14 +14,34 @@ type item = {
   span : Span.t;
 }
 
-let item (d : Syntax.Ir.declaration) =
-  match d.desc with
-  | Binding b -> Some { left = b.left; right = Definition b.right; doc = d.doc; span = b.span }
-  | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _
-  | Foreign _ ->
-      None
+(* What documents a signature documents what it is the signature of. *)
+let docs declarations =
+  let add docs (d : Syntax.Ir.declaration) =
+    match (d.desc, d.doc) with
+    | Signature { names; _ }, Some doc ->
+        List.fold_left
+          (fun docs (name : Syntax.Ir.name) -> String_map.add name.text doc docs)
+          docs names
+    | _, _ -> docs
+  in
+  List.fold_left add String_map.empty declarations
 
-let items declarations = List.filter_map item declarations
+let items declarations =
+  let docs = docs declarations in
+  let doc (left : Syntax.Ir.left) own =
+    match (own, left) with
+    | None, (Name name | Function_name { name; _ }) -> String_map.find_opt name.text docs
+    | _, _ -> own
+  in
+  let item (d : Syntax.Ir.declaration) =
+    match d.desc with
+    | Binding b ->
+        Some { left = b.left; right = Definition b.right; doc = doc b.left d.doc; span = b.span }
+    | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
+    | Primitive _ | Foreign _ ->
+        None
+  in
+  List.filter_map item declarations
 
 let signatures declarations =
   let add reversed (d : Syntax.Ir.declaration) =

@@ -18,7 +18,7 @@ type item = {
 }
 
 val items : Syntax.Ir.declaration list -> item list
-(** The bindings among declarations. *)
+(** The bindings among declarations; [doc] may be that of the signature. *)
 
 val signatures : Syntax.Ir.declaration list -> (Syntax.Ir.name * Syntax.Ir.qualified_type) list
 (** The signatures among them, one entry for each name. *)
