@@ -14,8 +14,11 @@
 
 #include <unistd.h>
 
+#include "body_firmware.h"
+#include "create_wire.h"
 #include "options.h"
 #include "pioneer_firmware.h"
+#include "scout_wire.h"
 #include "server.h"
 #include "sim.h"
 #include "tcp_port.h"
@@ -56,7 +59,7 @@ using Simulation = std::unique_ptr<frob_sim, SimulationCloser>;
 Simulation open_simulation(const Options &options) {
     char message[8192];
     frob_sim_settings settings{};
-    settings.robot = "pioneer";
+    settings.robot = options.robot.c_str();
     settings.seed = options.seed;
     settings.wall_distance_m = options.wall_distance_m;
     Simulation sim(frob_sim_open(options.world.c_str(), &settings, message, sizeof message));
@@ -67,8 +70,10 @@ Simulation open_simulation(const Options &options) {
 }
 
 std::unique_ptr<Firmware> make_firmware(const Options &options, frob_sim *sim) {
-    if (options.robot != "pioneer")
-        throw WrongUse("there is no simulated `" + options.robot + "` on a line; there is: pioneer");
+    if (options.robot == "scout")
+        return std::make_unique<BodyFirmware<frob::sim::ScoutWire, frob_scout_input>>(sim, options.rate);
+    if (options.robot == "create")
+        return std::make_unique<BodyFirmware<frob::sim::CreateWire, frob_create_input>>(sim, options.rate);
     const PioneerModel *model = PioneerFirmware::find_model(options.model);
     if (!model)
         throw WrongUse("there is no model `" + options.model + "`; there are: p3dx-sh, p3dx, p2dx");

@@ -11,13 +11,13 @@ const char usage[] =
     "A simulated robot that speaks its serial protocol, in real time. The first line on\n"
     "standard output is `device: ` and what to connect to.\n"
     "\n"
-    "  --robot ROBOT      pioneer\n"
-    "  --model SUBCLASS   p3dx-sh, p3dx or p2dx\n"
+    "  --robot ROBOT      pioneer, scout or create\n"
+    "  --model SUBCLASS   of the pioneer: p3dx-sh, p3dx or p2dx\n"
     "  --world FILE       the world the robot is in\n"
     "  --seed N           of all noise (1)\n"
     "  --tcp PORT         listen on 127.0.0.1 instead of a pseudo-terminal; 0: any free port\n"
     "  --for SECONDS      how long to run (until it is ended)\n"
-    "  --rate BITS        per second, of the line at first (9600)\n"
+    "  --rate BITS        per second, of the line at first (what is usual)\n"
     "  --unpaced          bytes take no time\n"
     "  --log FILE         write each command, with the time of the monotonic clock\n"
     "  --link PATH        keep a symbolic link to the device\n"
@@ -60,6 +60,13 @@ void set(Options &o, const std::string &option, const std::string &value) {
     else throw WrongUse("unknown option `" + option + "`; `frob-serve --help` lists them");
 }
 
+std::uint32_t usual_rate(const std::string &robot) {
+    if (robot == "pioneer") return 9600;
+    if (robot == "scout") return 38400;
+    if (robot == "create") return 115200;
+    throw WrongUse("there is no simulated `" + robot + "` on a line; there are: pioneer, scout, create");
+}
+
 } // namespace
 
 Options read_options(int argc, char **argv) {
@@ -75,7 +82,7 @@ Options read_options(int argc, char **argv) {
         }
     }
     if (o.world.empty()) throw WrongUse("--world is missing; `frob-serve --help` says how to use it");
-    if (o.rate == 0) throw WrongUse("--rate takes a rate above 0");
+    if (o.rate == 0) o.rate = usual_rate(o.robot);
     return o;
 }
 

@@ -14,7 +14,7 @@ struct Options {
     std::uint64_t seed = 1;
     int tcp_port = -1;       // a pseudo-terminal instead if negative
     double duration_s = 0.0; // 0: until it is ended
-    std::uint32_t rate = 9600;
+    std::uint32_t rate = 0;        // of the line at first; 0: what is usual for the robot
     bool paced = true;       // bytes take their time
     std::string log;         // of commands; empty: none
     std::string link;        // a symbolic link kept to the device; empty: none

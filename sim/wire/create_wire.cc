@@ -10,6 +10,7 @@ constexpr double mm_per_count = 3.14159265358979323846 * 72.0 / 508.8;
 constexpr double separation_mm = 235.0;
 constexpr int most_mm_s = 500;
 constexpr std::int64_t frame_period_ns = 15000000;
+constexpr std::size_t most_frame = 172; // bytes: at 115200 baud
 constexpr std::uint8_t header = 19;
 
 // Data bytes of single packets from 7 on.
@@ -110,8 +111,36 @@ void CreateWire::drive_curve(int speed_mm_s, int radius_mm) {
     radius_mm_ = radius_mm;
 }
 
+void CreateWire::tell() const {
+    std::string text;
+    switch (command_[0]) {
+    case 7: text = "RESET"; break;
+    case 128: text = "START"; break;
+    case 130: case 131: text = "SAFE"; break;
+    case 132: text = "FULL"; break;
+    case 137: text = "DRIVE"; break;
+    case 139: text = "LEDS"; break;
+    case 140: text = "SONG"; break;
+    case 141: text = "PLAY"; break;
+    case 142: text = "SENSORS"; break;
+    case 145: text = "DRIVE_DIRECT"; break;
+    case 146: text = "DRIVE_PWM"; break;
+    case 148: text = "STREAM"; break;
+    case 149: text = "QUERY_LIST"; break;
+    case 150: text = "PAUSE_STREAM"; break;
+    case 173: text = "STOP_OI"; break;
+    default: text = "OPCODE " + std::to_string(command_[0]); break;
+    }
+    if (command_[0] == 137 || command_[0] == 145 || command_[0] == 146)
+        text += " " + std::to_string(word(1)) + " " + std::to_string(word(3));
+    else
+        for (std::size_t i = 1; i < command_.size(); ++i) text += " " + std::to_string(command_[i]);
+    log(text);
+}
+
 void CreateWire::command() {
     const unsigned opcode = command_[0];
+    if (log && opcode != 0) tell();
     if (opcode == 7 || opcode == 173 || opcode == 133) return enter(Mode::off);
     if (opcode == 128) return enter(Mode::passive);
     if (mode_ == Mode::off) return;
@@ -262,7 +291,7 @@ void CreateWire::send_frame() {
     unsigned sum = 0;
     for (const std::uint8_t byte : frame_) sum += byte;
     frame_.push_back(static_cast<std::uint8_t>(0u - sum));
-    to_client.insert(to_client.end(), frame_.begin(), frame_.end());
+    if (frame_.size() <= most_frame) to_client.insert(to_client.end(), frame_.begin(), frame_.end());
 }
 
 void CreateWire::sense(const frob_create_input &input, std::int64_t now_ns) {

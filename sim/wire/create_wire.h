@@ -10,6 +10,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include <frob/create.h>
@@ -27,11 +29,15 @@ class CreateWire {
     // while moving, a wheel drop, or a charger.
     void sense(const frob_create_input &input, std::int64_t now_ns);
 
-    // Sends what is due by itself until `now_ns`: frames, one every 15 ms.
+    // Sends what is due by itself until `now_ns`: frames, one every 15 ms. A frame
+    // that needs longer than that on the line is not sent.
     void advance(std::int64_t now_ns);
 
     // What goes to the client and has not been cleared.
     std::vector<std::uint8_t> to_client;
+
+    // Told each command: the opcode's name and its numbers.
+    std::function<void(const std::string &)> log;
 
     Mode mode() const { return mode_; }
     int left_mm_s() const { return left_mm_s_; }
@@ -41,6 +47,7 @@ class CreateWire {
 
   private:
     void command();
+    void tell() const;
     void enter(Mode mode);
     void drive_wheels(int right_mm_s, int left_mm_s);
     void drive_curve(int speed_mm_s, int radius_mm);

@@ -155,8 +155,32 @@ void ScoutWire::answer_with_state(unsigned type) {
     answer(type, data);
 }
 
+void ScoutWire::tell(unsigned type, const std::uint8_t *data, std::size_t count) const {
+    std::string text;
+    switch (type) {
+    case 1: text = "AC"; break;
+    case 2: text = "SP"; break;
+    case 3: text = "PR"; break;
+    case 5: text = "VM"; break;
+    case 7: text = "GS"; break;
+    case 9: text = "ST"; break;
+    case 10: text = "LP"; break;
+    case 12: text = "DP"; break;
+    case 15: text = "CONF_SN"; break;
+    case 18: text = "CONF_TM"; break;
+    case 30: text = "DA"; break;
+    default: text = "COMMAND " + std::to_string(type); break;
+    }
+    if (type == 15 || type == 18)
+        for (std::size_t i = 0; i < count; ++i) text += " " + std::to_string(data[i]);
+    else
+        for (std::size_t i = 0; i + 1 < count; i += 2) text += " " + std::to_string(signed_at(data + i));
+    log(text);
+}
+
 void ScoutWire::command(unsigned type, const std::uint8_t *data, std::size_t count) {
     commanded_ns_ = now_ns_;
+    if (log) tell(type, data, count);
     if (data_of(type) != static_cast<int>(count)) return answer(refused, {});
     std::vector<std::uint8_t> reply;
     switch (type) {
@@ -278,7 +302,9 @@ void ScoutWire::sense(const frob_scout_input &input, std::int64_t now_ns) {
 
 void ScoutWire::advance(std::int64_t now_ns) {
     now_ns_ = std::max(now_ns_, now_ns);
-    if (watchdog_s_ != 0 && now_ns_ - commanded_ns_ >= std::int64_t{1000000000} * watchdog_s_) {
+    const bool moves = left_ != 0 || right_ != 0;
+    if (moves && watchdog_s_ != 0 && now_ns_ - commanded_ns_ >= std::int64_t{1000000000} * watchdog_s_) {
+        if (log) log("watchdog");
         moving_ = false;
         left_ = right_ = 0;
     }

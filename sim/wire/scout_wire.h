@@ -10,6 +10,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include <frob/scout.h>
@@ -31,6 +33,9 @@ class ScoutWire {
     // What goes to the client and has not been cleared.
     std::vector<std::uint8_t> to_client;
 
+    // Told each command: its name and its numbers, and when the watchdog acts.
+    std::function<void(const std::string &)> log;
+
     // Wheel speeds, 0.1 inch/s.
     int left() const { return left_; }
     int right() const { return right_; }
@@ -48,6 +53,7 @@ class ScoutWire {
     void put_bumpers(std::vector<std::uint8_t> &to) const;
     void end_waiting();
     void find_packets();
+    void tell(unsigned type, const std::uint8_t *data, std::size_t count) const;
     void command(unsigned type, const std::uint8_t *data, std::size_t count);
     void answer(unsigned type, const std::vector<std::uint8_t> &data);
     void answer_with_state(unsigned type);

@@ -12,6 +12,12 @@ or a port of this machine, for tools that connect by TCP.
   $ frobc serve --robot pioneer --tcp 0 --for 100ms | sed -n '1s/:[0-9]*$/:PORT/p'
   device: tcp:127.0.0.1:PORT
 
+A Scout and a Create are there, too.
+
+  $ for robot in scout create; do frobc serve --robot $robot --for 100ms | sed -n '1s|/dev/pts/[0-9]*|PTY|p'; done
+  device: PTY
+  device: PTY
+
 What is wrong with the call is told.
 
   $ frobc serve --robot pionier
