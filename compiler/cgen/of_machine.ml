@@ -65,7 +65,7 @@ let overlaid =
 #endif
 |}
 
-let state_struct (v : V.t) k (node : M.node) =
+let state_struct (v : V.t) ~overlaid k (node : M.node) =
   let members =
     match node.state with
     | [] -> [ { Ir.name = "unused"; ty = Uint8; comment = "" } ]
@@ -74,13 +74,14 @@ let state_struct (v : V.t) k (node : M.node) =
   mode_numbers v k node
   @ [
       Ir.Struct_definition
-        { name = v.nodes.(k).state; overlaid = has_modes v; members; comment = "" };
+        { name = v.nodes.(k).state; overlaid; members; comment = "" };
     ]
 
 let states (v : V.t) =
+  let overlaid = has_modes v in
   let struct_of k (node : M.node) =
     if Option.is_some node.foreign then []
-    else if V.has_state v k || V.is_root v k then state_struct v k node else []
+    else if V.has_state v k || V.is_root v k then state_struct v ~overlaid k node else []
   in
   List.concat (List.mapi struct_of (Array.to_list v.program.nodes))
 

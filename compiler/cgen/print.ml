@@ -356,9 +356,10 @@ let declaration out = function
   | Constants { names; comment } ->
       heading out comment;
       line out ~indent:0 "enum {";
+      let last = List.length names - 1 in
       List.iteri
         (fun k name ->
-          let comma = if k = List.length names - 1 then "" else "," in
+          let comma = if k = last then "" else "," in
           line out ~indent:4 (name ^ comma))
         names;
       line out ~indent:0 "};"

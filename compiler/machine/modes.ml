@@ -27,10 +27,13 @@ let broken what = Basis.Diagnostic.bug ~stage:"Machine.Modes" "%s" what
 let given value (parameters : Ir.variable list) =
   List.map (fun (v : Ir.variable) -> value v.id) parameters
 
+(* What a machine keeps for each mode. *)
+let targets context = Array.of_list context.kept.State.modes
+
 (* [read] makes an expression of an argument. *)
-let entry context (machine : F.machine) read (t : F.transition) : Ir.entry =
-  let mode = List.nth context.kept.modes t.target in
-  let index = List.nth machine.modes t.target in
+let entry context targets read (t : F.transition) : Ir.entry =
+  let mode : Ir.mode = targets.(t.target) in
+  let index = mode.node in
   let values = Hashtbl.create 8 in
   List.iter2
     (fun (s : F.signal) a -> Hashtbl.replace values s.id a)
@@ -57,7 +60,7 @@ let read_result (atom : F.atom) : Ir.expr =
   | Int n -> Int n
   | Float x -> Float x
 
-let case context machine ~inputs (mode : Ir.mode) : Ir.case =
+let case context targets ~inputs (mode : Ir.mode) : Ir.case =
   let node = context.program.nodes.(mode.node) in
   let values = Hashtbl.create 16 in
   List.iter2 (fun (s : F.signal) e -> Hashtbl.replace values s.id e) node.inputs inputs;
@@ -72,7 +75,7 @@ let case context machine ~inputs (mode : Ir.mode) : Ir.case =
   let next (t : F.transition) : Ir.next =
     {
       condition = read_result t.occurs;
-      entry = entry context machine read_result t;
+      entry = entry context targets read_result t;
       delayed = t.delayed;
       at_entry = t.at_entry;
       span = t.span;
@@ -109,6 +112,7 @@ let step context (m : F.machine) =
     List.exists (fun (t : F.transition) -> t.delayed) context.program.nodes.(mode).transitions
   in
   let results = map variable m.outputs in
+  let targets = targets context in
   let statements exprs =
     let read = reader operands exprs in
     let inputs = map read m.inputs in
@@ -120,11 +124,11 @@ let step context (m : F.machine) =
           steps = m.steps;
           controls =
             List.map
-              (fun (t : F.transition) -> (read t.occurs, entry context m read t))
+              (fun (t : F.transition) -> (read t.occurs, entry context targets read t))
               m.controls;
           late;
           drops = late || List.exists delayed m.modes;
-          cases = List.map (case context m ~inputs) context.kept.modes;
+          cases = List.map (case context targets ~inputs) context.kept.modes;
           results;
           span = m.span;
         };
@@ -138,19 +142,20 @@ let step context (m : F.machine) =
 let start context (m : F.machine) =
   let transitions = Flow.Transitions.map context.resolve m.start in
   let operands = Flow.Transitions.atoms transitions in
+  let targets = targets context in
   let statements exprs =
     let read = reader operands exprs in
     let rec choose : F.transition list -> Ir.statement list = function
       | [] -> broken "a machine without a first mode"
       | ({ occurs = Bool true; span; _ } as t) :: _ ->
-          [ Enter { entry = entry context m read t; span } ]
+          [ Enter { entry = entry context targets read t; span } ]
       | t :: others ->
           [
             If
               {
                 uninitialized = [];
                 condition = read t.occurs;
-                then_ = [ Enter { entry = entry context m read t; span = t.span } ];
+                then_ = [ Enter { entry = entry context targets read t; span = t.span } ];
                 else_ = choose others;
                 predicted = false;
                 span = t.span;
