@@ -18,7 +18,7 @@ let program (program : Machine.Ir.program) =
         calls =
           List.filter_map
             (fun (node : Machine.Ir.node) ->
-              Option.map (fun (f : Flow.Ir.foreign) -> f.symbol) node.foreign)
+              Option.map (fun (f : Flow.Ir.foreign) -> f.import.symbol) node.foreign)
             (Array.to_list program.nodes);
         folders =
           List.sort_uniq String.compare

@@ -161,7 +161,7 @@ let step (v : V.t) k (interface : Foreign_interface.t) : Ir.function_ =
   let names = Expression.names v ~node:k in
   let given = Expression.parameters names node.step.parameters in
   let values =
-    by_shape foreign.arguments
+    by_shape foreign.import.arguments
       (List.map (fun p -> Expression.of_machine names (Variable p)) node.step.parameters)
   in
   let outputs = outputs names node foreign in

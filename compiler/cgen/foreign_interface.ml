@@ -29,9 +29,9 @@ let passing types ~fresh name (shape : F.shape) =
 
 let letter k = if k < 26 then String.make 1 (Char.chr (Char.code 'a' + k)) else Printf.sprintf "a%d" k
 
-let of_node types ~fresh (kind : F.kind) (f : F.foreign) =
+let of_import types ~fresh (f : F.import) =
   let form =
-    match kind with
+    match f.kind with
     | Function ->
         let argument k = passing types ~fresh (Printf.sprintf "%s_%s" f.symbol (letter k)) in
         let arguments = List.mapi argument f.arguments in

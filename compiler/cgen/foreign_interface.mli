@@ -24,7 +24,7 @@ and form =
   | Function of { arguments : passing list; result : passing }
   | Component of { input : Interface.t; output : Interface.t }
 
-val of_node : Interface.types -> fresh:(string -> string) -> Flow.Ir.kind -> Flow.Ir.foreign -> t
+val of_import : Interface.types -> fresh:(string -> string) -> Flow.Ir.import -> t
 (** [fresh] gives the structs without a name of their own one. *)
 
 val state : string -> string

@@ -95,9 +95,6 @@ let foreign_headers (v : V.t) =
   List.sort_uniq String.compare
     (List.map (fun (h : Flow.Ir.header) -> Printf.sprintf "\"%s\"" h.header) v.program.headers)
 
-let foreign_interfaces (v : V.t) =
-  List.filter_map (fun (n : V.node) -> n.foreign) (Array.to_list v.nodes)
-
 (* Structs of which only addresses are passed need not be known. *)
 let foreign_structs (v : V.t) =
   let found = Hashtbl.create 8 in
@@ -115,12 +112,9 @@ let foreign_structs (v : V.t) =
   let shape shape = List.iter note (Machine.Layout.shape_leaves shape) in
   shape v.program.input;
   shape v.program.output;
-  Array.iter
-    (fun (n : M.node) ->
-      Option.iter
-        (fun (f : Flow.Ir.foreign) -> List.iter shape (f.result :: f.arguments))
-        n.foreign)
-    v.program.nodes;
+  List.iter
+    (fun (f : Flow.Ir.import) -> List.iter shape (f.result :: f.arguments))
+    v.program.imports;
   let all = List.sort compare (Hashtbl.fold (fun text () all -> text :: all) found []) in
   match all with [] -> [] | all -> [ Ir.Text (String.concat "" all) ]
 
@@ -138,14 +132,12 @@ let declared_by_math =
      trunc fmod remainder copysign nextafter fdim fmax fmin fma fabs"
 
 let foreign_prototypes (v : V.t) =
-  let add (known, prototypes) (f : Foreign_interface.t) =
-    if List.mem f.symbol known || List.mem f.symbol declared_by_math then (known, prototypes)
-    else (f.symbol :: known, List.rev_append (Foreign_interface.prototypes f) prototypes)
+  let prototypes (f : Foreign_interface.t) =
+    if List.mem f.symbol declared_by_math then [] else Foreign_interface.prototypes f
   in
-  let _, prototypes = List.fold_left add ([], []) (foreign_interfaces v) in
-  match List.rev prototypes with
+  match List.concat_map prototypes v.imports with
   | [] -> []
-  | all -> Ir.Text "/* What the program calls. */\n" :: List.map (fun p -> Ir.Prototype p) all
+  | all -> Ir.Text "/* What is imported. */\n" :: List.map (fun p -> Ir.Prototype p) all
 
 (* Stand for foreign values that are not there. *)
 let absent (v : V.t) =

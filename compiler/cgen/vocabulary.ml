@@ -26,6 +26,7 @@ type t = {
   records : Ir.declaration list;
   robot_records : Ir.declaration list;
   foreign_records : Ir.declaration list;
+  imports : Foreign_interface.t list;
   robots : Robot.t list;
   helpers : (Helper.t, unit) Hashtbl.t;
   elementary : (string, unit) Hashtbl.t;
@@ -116,7 +117,7 @@ let name_nodes scope ~name ~root ~foreign (nodes : M.node array) =
       else
         match (node.state, node.foreign) with
         | [], _ -> names ~state:"" ~reset:"" ~step:(Name.fresh scope own)
-        | _ :: _, Some { symbol; _ } ->
+        | _ :: _, Some { import = { symbol; _ }; _ } ->
             names ~state:(Foreign_interface.state symbol) ~reset:(Foreign_interface.reset symbol)
               ~step:(Name.fresh scope (own ^ "_step"))
         | _ :: _, None ->
@@ -142,13 +143,13 @@ let rec name_array arrays scope ~name sums (ty : M.ty) =
 
 (* What C code of the user's is called. *)
 let foreign_names (program : M.program) =
-  let names (node : M.node) =
-    match node.foreign with
-    | None -> []
-    | Some { symbol; _ } when node.state = [] -> [ symbol ]
-    | Some { symbol; _ } -> List.map (( ^ ) symbol) [ "_state"; "_input"; "_output"; "_reset"; "_step" ]
+  let names (f : F.import) =
+    match f.kind with
+    | Function -> [ f.symbol ]
+    | Signal_function ->
+        List.map (( ^ ) f.symbol) [ "_state"; "_input"; "_output"; "_reset"; "_step" ]
   in
-  List.concat_map names (Array.to_list program.nodes)
+  List.concat_map names program.imports
 
 let of_program (program : M.program) =
   let name = Name.identifier program.name in
@@ -185,12 +186,9 @@ let of_program (program : M.program) =
   in
   let input_robot = robot_of program.input in
   let output_robot = robot_of command in
-  Array.iter
-    (fun (node : M.node) ->
-      Option.iter
-        (fun (f : F.foreign) -> List.iter (mark_leaves Foreign_code) (f.result :: f.arguments))
-        node.foreign)
-    program.nodes;
+  List.iter
+    (fun (f : F.import) -> List.iter (mark_leaves Foreign_code) (f.result :: f.arguments))
+    program.imports;
   let sums =
     Array.mapi
       (fun k sum ->
@@ -220,15 +218,15 @@ let of_program (program : M.program) =
   let output = interface output_robot output_name result
       (if Option.is_some output_robot then command else program.output) in
   let robot_records = Interface.definitions shared in
-  let foreign =
-    Array.map
-      (fun (node : M.node) ->
-        let kind = if node.state = [] then F.Function else F.Signal_function in
-        Option.map
-          (Foreign_interface.of_node shared ~fresh:(Name.fresh scope) kind)
-          node.foreign)
-      program.nodes
+  let imports =
+    List.map (Foreign_interface.of_import shared ~fresh:(Name.fresh scope)) program.imports
   in
+  let interface_of (f : F.foreign) =
+    List.find
+      (fun (i : Foreign_interface.t) -> String.equal i.symbol f.import.symbol)
+      imports
+  in
+  let foreign = Array.map (fun (node : M.node) -> Option.map interface_of node.foreign) program.nodes in
   let is_robots d = List.memq d robot_records in
   let foreign_records =
     List.filter (fun d -> not (is_robots d)) (Interface.definitions shared)
@@ -246,6 +244,7 @@ let of_program (program : M.program) =
     records = Interface.definitions own;
     robot_records;
     foreign_records;
+    imports;
     robots =
       List.sort_uniq compare (List.filter_map Fun.id [ input_robot; output_robot ]);
     helpers = Hashtbl.create 16;

@@ -34,6 +34,7 @@ type t = {
   records : Ir.declaration list;  (** the program's own interface structs *)
   robot_records : Ir.declaration list;  (** those of a robot's header *)
   foreign_records : Ir.declaration list;  (** those that C code of the user's knows *)
+  imports : Foreign_interface.t list;
   robots : Robot.t list;  (** whose headers are needed *)
   helpers : (Helper.t, unit) Hashtbl.t;
   elementary : (string, unit) Hashtbl.t;  (** functions of the runtime's that are called *)

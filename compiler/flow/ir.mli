@@ -178,14 +178,23 @@ and trial = {
   given : atom option list;  (** for its inputs; [None]: any value would do *)
 }
 
+type kind =
+  | Function  (** no state: equations are operations, instances functions *)
+  | Signal_function
+
+(** What is imported from the user's C, whether the program runs it or not. *)
+type import = {
+  symbol : string;  (** its name in C, or what its names begin with *)
+  kind : kind;
+  arguments : shape list;  (** one for a signal function *)
+  result : shape;
+}
+
 (** A node that is C code of the user's: it has no equations, instances or
     machine, and each result needs all inputs. *)
 type foreign = {
-  symbol : string;  (** its name in C, or what its names begin with *)
-  arguments : shape list;
-      (** of which [inputs] are the leaves; one for a signal function *)
-  result : shape;
-  results : signal list;  (** defined here: the leaves of [result] *)
+  import : import;  (** [inputs] are the leaves of its arguments *)
+  results : signal list;  (** defined here: the leaves of its result *)
 }
 
 (** From a running mode of a machine to the next. *)
@@ -251,16 +260,13 @@ type node = {
   file : string;
 }
 
-and kind =
-  | Function  (** no state: equations are operations, instances functions *)
-  | Signal_function
-
 type header = { header : string; folder : string  (** its path is from there *) }
 
 type program = {
   name : string;  (** of the C files *)
   sums : sum array;
   nodes : node array;  (** callees before callers; the last is the root *)
+  imports : import list;  (** each of the user's C once, by symbol *)
   headers : header list;  (** of the user's C *)
   input : shape;  (** of the root's inputs *)
   output : shape;

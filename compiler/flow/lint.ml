@@ -279,9 +279,11 @@ let foreign scope (f : Ir.foreign) =
     node.equations <> [] || node.instances <> [] || Option.is_some node.machine
     || node.transitions <> [] || node.statics <> []
   then bug "`%s` is foreign and has a body" node.name;
-  check_all scope "an argument" (List.concat_map leaves f.arguments)
+  if f.import.kind <> node.kind || not (List.mem f.import scope.program.imports) then
+    bug "`%s` is not as it is imported" node.name;
+  check_all scope "an argument" (List.concat_map leaves f.import.arguments)
     (List.map (fun s -> Ir.Signal s) node.inputs);
-  check_all scope "a result" (leaves f.result) (List.map (fun s -> Ir.Signal s) f.results)
+  check_all scope "a result" (leaves f.import.result) (List.map (fun s -> Ir.Signal s) f.results)
 
 let node program owners names modes_of index (node : Ir.node) =
   if Hashtbl.mem names node.name then bug "there are two nodes `%s`" node.name;

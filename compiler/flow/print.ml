@@ -213,7 +213,7 @@ let node (program : Ir.program) ppf ~modes (n : Ir.node) =
     n.inputs;
   Option.iter
     (fun (f : Ir.foreign) ->
-      fprintf ppf "  (%a) = foreign %s@\n" (list (typed sums names)) f.results f.symbol)
+      fprintf ppf "  (%a) = foreign %s@\n" (list (typed sums names)) f.results f.import.symbol)
     n.foreign;
   List.iter (equation sums names ppf) n.equations;
   List.iter (instance program names ppf) n.instances;

@@ -211,6 +211,7 @@ type program = {
   name : string;  (** of the C files *)
   sums : Flow.Ir.sum array;
   nodes : node array;  (** callees before callers; the last is the root *)
+  imports : Flow.Ir.import list;
   headers : Flow.Ir.header list;  (** of the user's C *)
   input : Flow.Ir.shape;
   output : Flow.Ir.shape;

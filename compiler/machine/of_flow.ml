@@ -587,7 +587,7 @@ let foreign_node context k (node : F.node) (foreign : F.foreign) : Ir.node =
     {
       id = 0;
       name = "state";
-      content = Component foreign.symbol;
+      content = Component foreign.import.symbol;
       purpose = "of the user's C";
       span = node.span;
     }
@@ -695,6 +695,7 @@ let program (program : F.program) : Ir.program =
   {
     name = program.name;
     sums = program.sums;
+    imports = program.imports;
     headers = program.headers;
     nodes = Array.init count (callee context);
     input = program.input;

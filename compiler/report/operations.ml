@@ -234,7 +234,7 @@ let of_program (program : M.program) =
       let c = { program; node; done_; scalars } in
       scalars.(k) <- scalars_of_state c node.state;
       match node.foreign with
-      | Some { symbol; _ } ->
+      | Some { import = { symbol; _ }; _ } ->
           let stateful = node.state <> [] in
           let call what = Cost.one (Calls (if stateful then symbol ^ what else symbol)) in
           done_.(k) <- { reset = call "_reset"; step = call "_step" }

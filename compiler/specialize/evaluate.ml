@@ -157,6 +157,7 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
   if Diagnostic.has_errors c.sink then None
   else
     let input = Types.shape c.types input and output = Types.shape c.types output in
+    let imports = Foreign_code.imports c.types c.foreign in
     let output =
       match !ended with
       | None -> output
@@ -167,6 +168,7 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
         name;
         sums = Types.sums c.types;
         nodes = Array.of_list (List.rev c.nodes);
+        imports;
         headers =
           List.map
             (fun (h : Ir.header) : Flow.Ir.header ->

@@ -2,6 +2,30 @@ module Ir = Flow.Ir
 
 let letter k = if k < 26 then String.make 1 (Char.chr (Char.code 'a' + k)) else Printf.sprintf "a%d" k
 
+let import types (f : Core.Primitive.foreign) ~arguments ~result : Ir.import =
+  {
+    symbol = f.symbol;
+    kind = (match f.kind with Stateless _ -> Function | Stateful -> Signal_function);
+    arguments = List.map (Types.shape types) arguments;
+    result = Types.shape types result;
+  }
+
+let imports types (foreign : Core.Ir.foreign) =
+  let add imports ((f : Core.Primitive.foreign), ty) =
+    let is_known (i : Ir.import) = String.equal i.symbol f.symbol in
+    if List.exists is_known imports then imports
+    else
+      let rec split (ty : Core.Ir.ty) arguments =
+        match (f.kind, ty) with
+        | Stateless _, Function (a, b) -> split b (a :: arguments)
+        | Stateful, Signal_function (a, b) -> ([ a ], b)
+        | _, result -> (List.rev arguments, result)
+      in
+      let arguments, result = split ty [] in
+      import types f ~arguments ~result :: imports
+  in
+  List.rev (List.fold_left add [] foreign.values)
+
 let build (p : Comparison.position) (f : Core.Primitive.foreign) ~result arguments =
   let c = p.context in
   let node = Node.create ~fresh:c.fresh in
@@ -12,28 +36,19 @@ let build (p : Comparison.position) (f : Core.Primitive.foreign) ~result argumen
       (Types.layout c.types ty).leaves
   in
   let types = List.map (fun (a : Value.argument) -> a.ty) arguments in
-  let kind : Ir.kind =
-    match f.kind with Stateless _ -> Function | Stateful -> Signal_function
-  in
+  let import = import c.types f ~arguments:types ~result in
   let results = signals "out" result in
   Context.add_node c
     {
       name = Names.unique c.names f.foreign_name;
       origin = f.foreign_name;
-      kind;
+      kind = import.kind;
       statics = [];
       inputs = List.concat (List.mapi (fun k ty -> signals (letter k) ty) types);
       outputs = List.map (fun (s : Ir.signal) -> (s.name, Ir.Signal s)) results;
       equations = [];
       instances = [];
-      foreign =
-        Some
-          {
-            symbol = f.symbol;
-            arguments = List.map (Types.shape c.types) types;
-            result = Types.shape c.types result;
-            results;
-          };
+      foreign = Some { import; results };
       machine = None;
       transitions = [];
       span = f.span;

@@ -9,3 +9,5 @@ val apply :
   Value.argument list ->
   Value.t
 (** On all arguments; of a signal function, an instance on its input. *)
+
+val imports : Types.table -> Core.Ir.foreign -> Flow.Ir.import list

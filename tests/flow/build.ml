@@ -110,6 +110,7 @@ let program ?(sums = [||]) t =
     Ir.name = "test";
     sums;
     nodes;
+    imports = [];
     headers = [];
     input = tuple (List.map (fun (s : Ir.signal) -> s.ty) root.inputs);
     output = tuple (List.map (fun (_, a) -> ty_of_atom a) root.outputs);

@@ -29,8 +29,8 @@ come out.
 The generated header has the types by names that no program owns, and says what it
 expects. A C file that includes it is checked against it.
 
-  $ sed -n '/What the program calls/,/^struct/p' shapes.h
-  /* What the program calls. */
+  $ sed -n '/What is imported/,/^struct/p' shapes.h
+  /* What is imported. */
   
   double point_apart(const struct frob_point *a, const struct frob_point *b);
   
@@ -38,9 +38,9 @@ expects. A C file that includes it is checked against it.
   
   void maybe_root(double a, struct frob_maybe_float *result);
   
-  void steps(double a, double *result);
-  
   double total(const double *a);
+  
+  void steps(double a, double *result);
   
   void both(const struct both_a *a, struct both_result *result);
   

@@ -55,14 +55,14 @@ Types in C: Frob code passes on what it does not look into.
 
 A value of a foreign type is its address; a copyable one is a struct, and may be kept:
 
-  $ sed -n '/^struct eyes_input/,/^};/p; /^struct eyes_state/,/^};/p' eyes.h
+  $ sed -n '/^struct eyes_input/,/^};/p; /^struct eyes_state/,/^};/p' eyes.h | sed 's/Prelude.frob:.*/Prelude.frob/'
   struct eyes_input {
       const struct frame *left;
       struct eyes_event_frame flash;
   };
   struct eyes_state {
       struct stamp before; /* delay at eyes.frob:16 */
-      double held_prev;    /* delay at Prelude.frob:364 */
+      double held_prev;    /* delay at Prelude.frob
   };
   $ cat > run.c <<'EOF'
   > #include "eyes.h"

@@ -1,0 +1,38 @@
+/* main.c -- two wheels, each with a controller of its own, from C.
+ *
+ * The caller owns the states and the time: reset once, then a step at each
+ * instant with the seconds since the one before. Nothing is shared between the
+ * two, so each could have a thread of its own. */
+#include "wheel.h"
+
+#include <stdio.h>
+
+enum { WHEELS = 2, STEPS = 150 };
+
+/* A wheel on its motor: it comes near 0.1 m/s for each volt, slowly. */
+static double speed_after(double dt, double speed, double volts)
+{
+    return speed + dt * 2.0 * (0.1 * volts - speed);
+}
+
+int main(void)
+{
+    const double wanted[WHEELS] = {0.5, 0.8};
+    struct wheel_state controllers[WHEELS];
+    double speed[WHEELS] = {0.0, 0.0};
+    const double dt = 0.02;
+
+    for (int i = 0; i < WHEELS; i++)
+        wheel_reset(&controllers[i]);
+    for (int step = 0; step <= STEPS; step++)
+        for (int i = 0; i < WHEELS; i++) {
+            const struct wheel_input in = {wanted[i], speed[i]};
+            struct wheel_output out;
+            wheel_step(&controllers[i], dt, &in, &out);
+            if (step % 50 == 0)
+                printf("%.1f s, wheel %d: %.3f m/s, %.2f V%s\n", step * dt, i, speed[i],
+                       out.voltage, out.settled ? ", settled" : "");
+            speed[i] = speed_after(dt, speed[i], out.voltage);
+        }
+    return 0;
+}
