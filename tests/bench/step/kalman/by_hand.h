@@ -1,0 +1,17 @@
+/* A Kalman filter for odometry along a wall, as a careful person writes it in C. */
+#ifndef BY_HAND_H
+#define BY_HAND_H
+
+#include "kalman.h"
+
+struct by_hand {
+    double offset, heading;                    /* the estimate */
+    double var_offset, covariance, var_heading; /* and its covariances */
+};
+
+void by_hand_reset(struct by_hand *self);
+
+void by_hand_step(struct by_hand *self, double dt, const struct kalman_input *in,
+                  struct kalman_output *out);
+
+#endif

@@ -1,0 +1,27 @@
+/* Duty, patrol and caution, one within the other, as a careful person writes it
+ * in C. */
+#ifndef BY_HAND_H
+#define BY_HAND_H
+
+#include "nested.h"
+
+struct by_hand {
+    double speed;      /* while accelerating */
+    int64_t since_ns;  /* the start of the drive or turn */
+    bool started;
+    bool working;
+    bool turning;
+    bool slow;
+    bool duty_before;  /* each of these: what may end a mode, one instant ago */
+    bool close_before;
+    bool near_before;
+    bool free_before;
+};
+
+void by_hand_reset(struct by_hand *self);
+
+/* dt in s, not looked at in the first step. */
+void by_hand_step(struct by_hand *self, double dt, const struct nested_input *in,
+                  struct nested_output *out);
+
+#endif

@@ -1,0 +1,16 @@
+/* An obstacle avoider on a ring of 16 sonars, as a careful person writes it in C. */
+#ifndef BY_HAND_H
+#define BY_HAND_H
+
+#include "obstacles.h"
+
+struct by_hand {
+    double near[16]; /* the smoothed readings */
+};
+
+void by_hand_reset(struct by_hand *self);
+
+void by_hand_step(struct by_hand *self, double dt, const struct obstacles_input *in,
+                  struct obstacles_output *out);
+
+#endif
