@@ -173,8 +173,7 @@ let about_foreign (files : Cgen.Emit.t) ~sources text =
       Printf.sprintf "%s\nthe program calls %s in C: name the C files with `--with FILE.c`"
         (String.trim text) names
 
-(* The program as a shared object, and the host that is to run it. *)
-let hosted general ~entry ~sources file ~host ~arguments =
+let built general kind ~entry ~sources ~archives file continue =
   let* resources = Resources.find () in
   let* () = all_exist sources in
   compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
@@ -185,13 +184,19 @@ let hosted general ~entry ~sources file ~host ~arguments =
         else Some { Toolchain.sources; folders = files.foreign.folders }
       in
       let* program =
-        Toolchain.shared_object ~headers:resources.headers ~runtime:resources.runtime ~foreign
-          ~name
+        Toolchain.build kind ~headers:resources.headers
+          ~archives:(archives resources @ [ resources.runtime ])
+          ~foreign ~name
           [
             (name ^ ".h", files.header); (name ^ ".c", files.source); (name ^ "_host.c", host_table);
           ]
         |> Result.map_error (about_foreign files ~sources)
       in
+      continue resources program)
+
+(* The program as a shared object, and the host that is to run it. *)
+let hosted general ~entry ~sources file ~host ~arguments =
+  built general Shared_object ~entry ~sources ~archives:(fun _ -> []) file (fun resources program ->
       let host = host resources in
       match Process.hand_over host (arguments resources program) with
       | Ok status -> status

@@ -56,10 +56,18 @@ val explain : string -> int
 val wrong_use : string -> int
 (** Says what is wrong with the call, and not with the program. *)
 
-val compiled :
-  general -> Resources.t -> entry:string -> string -> (Cgen.Emit.t -> int) -> int
-(** Compiles a file and goes on with the result; tells what is wrong with it
-    otherwise. *)
+val built :
+  general ->
+  Toolchain.kind ->
+  entry:string ->
+  sources:string list ->
+  archives:(Resources.t -> string list) ->
+  string ->
+  (Resources.t -> string -> int) ->
+  int
+(** Compiles a file, to C and by the C compiler with the user's own [sources]
+    and the archives, and goes on with the path of
+    the result; tells what is wrong with it otherwise. *)
 
 val report_bug : exn -> int
 (** Says that the compiler itself is at fault; the status is

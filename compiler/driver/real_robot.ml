@@ -2,6 +2,7 @@ let ( let* ) result continue =
   match result with Ok value -> continue value | Error text -> Commands.wrong_use text
 
 let option name value = match value with Some value -> [ name; value ] | None -> []
+let flag name value = if value then [ name ] else []
 let seconds = Printf.sprintf "%.9f"
 
 type serve = {
@@ -33,3 +34,58 @@ let serve ~robot serve =
     @ option "--model" serve.model
     @ option "--log" serve.log
     @ option "--link" serve.link)
+
+type run = {
+  device : string;
+  duration : float option;
+  rate : float;
+  record : string option;
+  patience : float option;
+  reconnect : float option;
+  settings : string list;
+  priority : int option;
+  lock_memory : bool;
+  exit_when_done : bool;
+}
+
+let executable general ~entry ~sources file continue =
+  Commands.built general Executable ~entry ~sources
+    ~archives:(fun resources -> [ resources.Resources.robot_host ])
+    file
+    (fun _ program -> continue program)
+
+let run general ~entry ~sources run file =
+  executable general ~entry ~sources file (fun program ->
+      become program
+        ([ "--device"; run.device; "--rate"; Printf.sprintf "%.9g" run.rate ]
+        @ option "--for" (Option.map seconds run.duration)
+        @ option "--record" run.record
+        @ option "--patience" (Option.map seconds run.patience)
+        @ option "--reconnect" (Option.map seconds run.reconnect)
+        @ List.concat_map (fun setting -> [ "--set"; setting ]) run.settings
+        @ option "--priority" (Option.map string_of_int run.priority)
+        @ flag "--lock-memory" run.lock_memory
+        @ flag "--exit-when-done" run.exit_when_done))
+
+let read path =
+  let channel = open_in_bin path in
+  Fun.protect
+    ~finally:(fun () -> close_in channel)
+    (fun () -> really_input_string channel (in_channel_length channel))
+
+(* A program that runs may be replaced: by another file of its name. *)
+let install program path =
+  let next = path ^ ".next" in
+  match
+    let channel = open_out_gen [ Open_wronly; Open_creat; Open_trunc; Open_binary ] 0o777 next in
+    Fun.protect
+      ~finally:(fun () -> close_out channel)
+      (fun () -> output_string channel (read program));
+    Sys.rename next path
+  with
+  | () -> Exit_status.ok
+  | exception Sys_error reason -> Commands.wrong_use ("cannot write " ^ reason)
+
+let build general ~entry ~sources ~output file =
+  executable general ~entry ~sources file (fun program ->
+      install program (Option.value output ~default:(Pipeline.c_name file)))

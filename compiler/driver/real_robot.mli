@@ -13,3 +13,23 @@ type serve = {
 
 val serve : robot:string option -> serve -> int
 (** Becomes the simulated robot. *)
+
+type run = {
+  device : string;  (** a serial line, or [tcp:HOST:PORT] *)
+  duration : float option;  (** s; until it is ended otherwise *)
+  rate : float;  (** Hz *)
+  record : string option;
+  patience : float option;  (** s *)
+  reconnect : float option;  (** s *)
+  settings : string list;  (** of the driver, [NAME=VALUE] *)
+  priority : int option;
+  lock_memory : bool;
+  exit_when_done : bool;  (** when the program's task has ended *)
+}
+
+val run : Commands.general -> entry:string -> sources:string list -> run -> string -> int
+(** Becomes the program that drives the robot. *)
+
+val build :
+  Commands.general -> entry:string -> sources:string list -> output:string option -> string -> int
+(** Writes that program. [sources] are the user's own C files. *)

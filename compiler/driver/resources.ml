@@ -2,6 +2,7 @@ type t = {
   library : string;
   headers : string;
   runtime : string;
+  robot_host : string;
   trace_host : string;
   simulator : string;
   server : string;
@@ -15,6 +16,7 @@ let under prefix =
     library = prefix / "share" / "frobc" / "stdlib";
     headers = prefix / "share" / "frobc" / "include";
     runtime = prefix / "lib" / "frobc" / "libfrob.a";
+    robot_host = prefix / "lib" / "frobc" / "libfrob-robot.a";
     trace_host = prefix / "lib" / "frobc" / "frob-trace";
     simulator = prefix / "lib" / "frobc" / "frob-sim";
     server = prefix / "lib" / "frobc" / "frob-serve";

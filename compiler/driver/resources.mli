@@ -5,6 +5,8 @@ type t = {
   library : string;  (** folder of the [.frob] standard library *)
   headers : string;  (** to be passed as [-I]: holds [frob/program.h] … *)
   runtime : string;  (** the archive [libfrob.a] that generated C is linked with *)
+  robot_host : string;
+      (** the archive [libfrob-robot.a]: the host that drives a robot, without a program *)
   trace_host : string;  (** the executable [frob-trace] *)
   simulator : string;  (** the executable [frob-sim] *)
   server : string;  (** the executable [frob-serve], of simulated robots on a line *)

@@ -50,12 +50,20 @@ let with_foreign = function
   | Some { sources; folders } ->
       List.concat_map (fun folder -> [ "-I"; folder ]) folders @ sources @ [ "-Wl,--no-undefined" ]
 
-let key ~headers ~runtime ~foreign ~name files =
+type kind =
+  | Shared_object
+  | Executable
+
+let suffix = function Shared_object -> ".so" | Executable -> ""
+let kind_flags = function Shared_object -> [ "-fPIC"; "-shared" ] | Executable -> []
+
+let key ~headers ~archives ~foreign ~name kind files =
   Digest.to_hex
     (Digest.string
        (String.concat "\000"
-          ((name :: compiler () :: headers_digest headers :: Digest.file runtime :: flags)
-          @ with_foreign foreign
+          ((name :: suffix kind :: compiler () :: headers_digest headers
+           :: List.map Digest.file archives)
+          @ flags @ with_foreign foreign
           @ List.concat_map (fun (file, content) -> [ file; content ]) files)))
 
 let explain = function
@@ -67,17 +75,18 @@ let explain = function
   | Process.Failed { status; errors } ->
       Printf.sprintf "the C compiler `%s` failed with status %d:\n%s" (compiler ()) status errors
 
-let compile ~headers ~runtime ~foreign ~folder ~result files =
+let compile ~headers ~archives ~foreign ~folder ~result kind files =
   List.iter (fun (file, content) -> write (folder / file) content) files;
   let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
-  let built = folder / "program.so" in
+  let built = folder / "program" in
   match
     Process.run (compiler ())
       (flags
-      @ [ "-fPIC"; "-shared"; "-I"; headers; "-I"; folder; "-o"; built ]
+      @ kind_flags kind
+      @ [ "-I"; headers; "-I"; folder; "-o"; built ]
       @ List.map (fun (file, _) -> folder / file) sources
       @ with_foreign foreign
-      @ [ runtime; "-lm" ])
+      @ archives @ [ "-lm" ])
   with
   | Ok () ->
       (* Renaming is atomic, so two runs at once do not see half a file. *)
@@ -89,10 +98,10 @@ let remove_folder folder =
   Array.iter (fun file -> Sys.remove (folder / file)) (Sys.readdir folder);
   Unix.rmdir folder
 
-let shared_object ~headers ~runtime ~foreign ~name files =
+let build kind ~headers ~archives ~foreign ~name files =
   let cache = cache_folder () in
-  let key = key ~headers ~runtime ~foreign ~name files in
-  let result = cache / Printf.sprintf "%s-%s.so" name key in
+  let key = key ~headers ~archives ~foreign ~name kind files in
+  let result = cache / Printf.sprintf "%s-%s%s" name key (suffix kind) in
   (* What files of the user's include we do not know: they are compiled anew. *)
   if foreign = None && Sys.file_exists result then Ok result
   else begin
@@ -100,5 +109,5 @@ let shared_object ~headers ~runtime ~foreign ~name files =
     make_folder folder;
     Fun.protect
       ~finally:(fun () -> remove_folder folder)
-      (fun () -> compile ~headers ~runtime ~foreign ~folder ~result files)
+      (fun () -> compile ~headers ~archives ~foreign ~folder ~result kind files)
   end

@@ -7,17 +7,21 @@ val flags : string list
 (** The user's C: files to compile or link, and where headers are included from. *)
 type foreign = { sources : string list; folders : string list }
 
-val shared_object :
+type kind =
+  | Shared_object  (** for a host that loads it *)
+  | Executable  (** one of the archives has the host, and its [main] *)
+
+val build :
+  kind ->
   headers:string ->
-  runtime:string ->
+  archives:string list ->
   foreign:foreign option ->
   name:string ->
   (string * string) list ->
   (string, string) result
-(** [shared_object ~headers ~runtime ~name files] compiles the [.c] files among
-    [files] (name and content) into a shared object, links it with the archive
-    [runtime], and gives its path. Results are
-    kept in the user's cache ([XDG_CACHE_HOME], or [~/.cache]), under a name
-    made from everything that matters, so the same program is compiled once;
-    with files of the user's, each time.
-    The error is a text for the user. *)
+(** [build kind ~headers ~archives ~foreign ~name files] compiles the [.c]
+    files among [files] (name and content), links them with the archives, and
+    gives the path of the result. Results are kept in the user's cache
+    ([XDG_CACHE_HOME], or [~/.cache]), under a name made from everything that
+    matters, so the same program is compiled once; with files of the user's,
+    each time. The error is a text for the user. *)

@@ -157,9 +157,11 @@ let run =
          that comes with frobc."
   in
   let duration =
-    Arg.(
-      value & opt time_span 60.
-      & info [ "for" ] ~docv:"TIME" ~doc:"How long to run, as $(b,60s), $(b,500ms), $(b,2min).")
+    let doc =
+      "How long to run, as $(b,60s), $(b,500ms), $(b,2min). Without it: a minute in the \
+       simulator, and until it is ended on a robot."
+    in
+    Arg.(value & opt (some time_span) None & info [ "for" ] ~docv:"TIME" ~doc)
   in
   let rate =
     let doc = "Steps of the controller per second." in
@@ -189,15 +191,75 @@ let run =
       & info [ "exit-when-done" ]
           ~doc:"End when the program's task has ended, and not after the time that is set.")
   in
-  let make general entry sources world duration rate seed realtime record picture strict exit_when_done file =
-    Commands.run general ~entry ~sources
-      { Commands.world; duration; rate; seed; realtime; record; picture; strict; exit_when_done }
-      file
+  let device =
+    some_string [ "device" ] ~docv:"DEV"
+      ~doc:
+        "Run on the robot behind this serial line (a path, best one below \
+         $(b,/dev/serial/by-id)) or this address ($(b,tcp:HOST:PORT)) instead of in the simulator."
   in
-  command "run" ~doc:"run a robot program in the simulator"
+  let span name ~doc = Arg.(value & opt (some time_span) None & info [ name ] ~docv:"TIME" ~doc) in
+  let patience =
+    span "patience"
+      ~doc:
+        "With $(b,--device): how old the newest reading may be, and how long a step may take, \
+         before the robot is stopped (200ms)."
+  in
+  let reconnect =
+    span "reconnect" ~doc:"With $(b,--device): how long to wait for a robot that was lost (30s)."
+  in
+  let settings =
+    let doc =
+      "With $(b,--device): change a setting of the robot's driver; a wrong one lists them all."
+    in
+    Arg.(value & opt_all string [] & info [ "set" ] ~docv:"NAME=VALUE" ~doc)
+  in
+  let priority =
+    let doc = "With $(b,--device): run with this real-time priority, 1 to 99." in
+    Arg.(value & opt (some int) None & info [ "priority" ] ~docv:"N" ~doc)
+  in
+  let lock_memory =
+    let doc = "With $(b,--device): keep the program's memory from being swapped out." in
+    Arg.(value & flag & info [ "lock-memory" ] ~doc)
+  in
+  let on_robot device duration rate record patience reconnect settings priority lock_memory
+      exit_when_done =
+    Option.map
+      (fun device ->
+        {
+          Driver.Real_robot.device; duration; rate; record; patience; reconnect; settings;
+          priority; lock_memory; exit_when_done;
+        })
+      device
+  in
+  let on_robot =
     Term.(
-      const make $ general $ entry $ sources $ world $ duration $ rate $ seed $ realtime $ record
+      const on_robot $ device $ duration $ rate $ record $ patience $ reconnect $ settings
+      $ priority $ lock_memory $ exit_when_done)
+  in
+  let make general entry sources on_robot world duration rate seed realtime record picture strict exit_when_done file =
+    match on_robot with
+    | Some run -> Driver.Real_robot.run general ~entry ~sources run file
+    | None ->
+        let duration = Option.value duration ~default:60. in
+        Commands.run general ~entry ~sources
+          { Commands.world; duration; rate; seed; realtime; record; picture; strict; exit_when_done }
+          file
+  in
+  command "run" ~doc:"run a robot program in the simulator, or on a robot"
+    Term.(
+      const make $ general $ entry $ sources $ on_robot $ world $ duration $ rate $ seed $ realtime $ record
       $ picture $ strict $ exit_when_done $ file)
+
+let build =
+  let output =
+    let doc = "Where to write it; without it, the program's name." in
+    Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"EXE" ~doc)
+  in
+  command "build" ~doc:"the executable that $(b,run --device) would start"
+    Term.(
+      const (fun general entry sources output file ->
+          Driver.Real_robot.build general ~entry ~sources ~output file)
+      $ general $ entry $ sources $ output $ file)
 
 let serve =
   let some kind names ~docv ~doc = Arg.(value & opt (some kind) None & info names ~docv ~doc) in
@@ -281,7 +343,7 @@ let main =
     ]
   in
   Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
-    [ check; compile; trace; run; serve; report; header; explain ]
+    [ check; compile; trace; run; serve; build; report; header; explain ]
 
 (* A compilation is short, and most of what it makes lives on in the next
    stage: marking the heap over and over finds little. This halves the time of

@@ -143,7 +143,7 @@ int serve(const Options &options) {
     const std::int64_t started_ns = clock_ns();
     std::ofstream log;
     if (!options.log.empty()) {
-        log.open(options.log);
+        log.open(options.log, std::ios::app);
         if (!log) throw WrongUse("cannot write " + options.log);
         firmware->set_log([&](std::int64_t time_ns, const std::string &text) {
             char time[32];

@@ -6,7 +6,7 @@
  * summary and the picture are of what has been run. */
 #include "../common/load.h"
 #include "options.h"
-#include "record.h"
+#include "../common/record.h"
 
 #include <frob/result.h>
 #include <sim.h>
@@ -14,6 +14,7 @@
 #include <errno.h>
 #include <math.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>

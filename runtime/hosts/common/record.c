@@ -1,8 +1,11 @@
 #include "record.h"
 
 #include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static bool complain(const struct record *r)
 {
@@ -12,24 +15,34 @@ static bool complain(const struct record *r)
 
 static bool write_text(struct record *r)
 {
-    size_t written = fwrite(r->text.data, 1, r->text.length, r->file);
-    bool ok = written == r->text.length;
+    const char *at = r->text.data;
+    size_t left = r->text.length;
+    while (left > 0) {
+        ssize_t written = write(r->file, at, left);
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written < 0)
+            return complain(r);
+        at += written;
+        left -= (size_t)written;
+    }
     frob_text_clear(&r->text);
-    return ok || complain(r);
+    return true;
 }
 
 bool record_open(struct record *r, const struct frob_program *program, const char *name)
 {
     size_t room;
     memset(r, 0, sizeof *r);
+    r->file = -1;
     if (name == NULL)
         return true;
     room = frob_trace_room(program, FROB_TRACE_IN | FROB_TRACE_OUT);
     r->program = program;
     r->name = name;
-    r->file = fopen(name, "wb");
+    r->file = open(name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     r->buffer = (char *)malloc(room);
-    if (r->file == NULL || r->buffer == NULL)
+    if (r->file < 0 || r->buffer == NULL)
         return complain(r);
     r->text = frob_text_in(r->buffer, room);
     frob_trace_header(&r->text, program, FROB_TRACE_IN | FROB_TRACE_OUT);
@@ -38,7 +51,7 @@ bool record_open(struct record *r, const struct frob_program *program, const cha
 
 bool record_row(struct record *r, int64_t time_ns, const void *in, const void *out)
 {
-    if (r->file == NULL)
+    if (r->file < 0)
         return true;
     frob_trace_row(&r->text, r->program, FROB_TRACE_IN | FROB_TRACE_OUT, time_ns, in, out);
     return write_text(r);
@@ -46,7 +59,7 @@ bool record_row(struct record *r, int64_t time_ns, const void *in, const void *o
 
 bool record_close(struct record *r)
 {
-    bool ok = r->file == NULL || fclose(r->file) == 0;
+    bool ok = r->file < 0 || close(r->file) == 0;
     free(r->buffer);
     return ok || complain(r);
 }

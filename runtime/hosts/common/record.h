@@ -1,17 +1,19 @@
-/* record.h -- writes a run as a CSV trace, with inputs and outputs. */
-#ifndef FROB_HOST_SIM_RECORD_H
-#define FROB_HOST_SIM_RECORD_H
+/* record.h -- writes a run as a CSV trace, with inputs and outputs.
+ *
+ * Each row goes to the file as a whole, at once: a host that is killed loses
+ * no row that was complete. */
+#ifndef FROB_HOST_RECORD_H
+#define FROB_HOST_RECORD_H
 
 #include <frob/trace.h>
 
 #include <stdbool.h>
 #include <stdint.h>
-#include <stdio.h>
 
 struct record {
     const struct frob_program *program;
     const char *name;
-    FILE *file; /* NULL: nothing is recorded */
+    int file; /* -1: nothing is recorded */
     char *buffer;
     struct frob_text text;
 };

@@ -1,0 +1,140 @@
+#include "controller.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "realtime.h"
+
+/* The process: a step for each message, until the supervisor is gone. */
+static void serve(const struct controller *c, int socket, const struct frob_program *program)
+{
+    void *state = calloc(1, program->state_size + 1);
+    void *input = calloc(1, program->input_size + 1);
+    void *output = calloc(1, program->output_size + 1);
+    if (state == NULL || input == NULL || output == NULL) {
+        fprintf(stderr, "error: not enough memory for the program's state\n");
+        _exit(2);
+    }
+    program->reset(state);
+    for (;;) {
+        double dt;
+        ssize_t got = recv(socket, c->message, sizeof dt + c->input_size, 0);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got != (ssize_t)(sizeof dt + c->input_size))
+            _exit(0);
+        memcpy(&dt, c->message, sizeof dt);
+        memcpy(input, c->message + sizeof dt, c->input_size);
+        memset(output, 0, program->output_size);
+        program->step(state, dt, input, output);
+        while (send(socket, output, c->output_size, MSG_NOSIGNAL) < 0)
+            if (errno != EINTR)
+                _exit(0);
+    }
+}
+
+/* Signals from the terminal are the supervisor's to answer. */
+static void leave_signals_to_supervisor(void)
+{
+    sigset_t none;
+    signal(SIGINT, SIG_IGN);
+    signal(SIGHUP, SIG_IGN);
+    signal(SIGTSTP, SIG_IGN);
+    signal(SIGTERM, SIG_DFL);
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, NULL);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+}
+
+bool controller_start(struct controller *c, const struct frob_program *program,
+                      const struct options *options)
+{
+    int sockets[2];
+    size_t room = sizeof(double) + (program->input_size > program->output_size
+                                        ? program->input_size
+                                        : program->output_size);
+    memset(c, 0, sizeof *c);
+    c->socket = -1;
+    c->input_size = program->input_size;
+    c->output_size = program->output_size;
+    c->message = (char *)malloc(room);
+    if (c->message == NULL ||
+        socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, sockets) != 0) {
+        fprintf(stderr, "error: cannot start the controller: %s\n", strerror(errno));
+        return false;
+    }
+    fflush(NULL);
+    c->pid = fork();
+    if (c->pid < 0) {
+        fprintf(stderr, "error: cannot start the controller: %s\n", strerror(errno));
+        c->pid = 0;
+        return false;
+    }
+    if (c->pid == 0) {
+        close(sockets[0]);
+        leave_signals_to_supervisor();
+        realtime_apply(options, REALTIME_CONTROLLER);
+        serve(c, sockets[1], program);
+    }
+    close(sockets[1]);
+    c->socket = sockets[0];
+    return true;
+}
+
+bool controller_ask(struct controller *c, double dt, const void *input)
+{
+    memcpy(c->message, &dt, sizeof dt);
+    memcpy(c->message + sizeof dt, input, c->input_size);
+    return send(c->socket, c->message, sizeof dt + c->input_size, MSG_NOSIGNAL | MSG_DONTWAIT) >= 0;
+}
+
+enum controller_answer controller_take(struct controller *c, void *output)
+{
+    ssize_t got = recv(c->socket, c->message, c->output_size, MSG_DONTWAIT);
+    if (got < 0 && (errno == EAGAIN || errno == EINTR))
+        return CONTROLLER_BUSY;
+    if (got != (ssize_t)c->output_size)
+        return CONTROLLER_GONE;
+    memcpy(output, c->message, c->output_size);
+    return CONTROLLER_ANSWERED;
+}
+
+const char *controller_end(struct controller *c, int patience_ms)
+{
+    static char fate[64];
+    int status = 0;
+    pid_t gone = 0;
+    if (c->pid == 0)
+        return NULL;
+    /* A process that ends closes its socket some time before it is gone. */
+    for (int ms = 0; gone == 0 && ms <= patience_ms; ms++) {
+        static const struct timespec pause = { 0, 1000000 };
+        gone = waitpid(c->pid, &status, WNOHANG);
+        if (gone == 0 && ms < patience_ms)
+            nanosleep(&pause, NULL);
+    }
+    if (gone == 0) {
+        kill(c->pid, SIGKILL);
+        while (waitpid(c->pid, &status, 0) < 0 && errno == EINTR)
+            continue;
+    }
+    c->pid = 0;
+    close(c->socket);
+    free(c->message);
+    if (WIFSIGNALED(status) && !(gone == 0 && WTERMSIG(status) == SIGKILL))
+        snprintf(fate, sizeof fate, "was ended by signal %d (%s)", WTERMSIG(status),
+                 strsignal(WTERMSIG(status)));
+    else if (WIFSIGNALED(status))
+        snprintf(fate, sizeof fate, "was killed");
+    else
+        snprintf(fate, sizeof fate, "ended with status %d", WEXITSTATUS(status));
+    return fate;
+}

@@ -1,0 +1,50 @@
+#include "line.h"
+
+#include <string.h>
+
+#define RETRY_NS INT64_C(100000000)
+#define BY_ID "/dev/serial/by-id"
+
+void line_init(struct line *line, const char *device, uint32_t rate)
+{
+    memset(line, 0, sizeof *line);
+    line->device = device;
+    line->rate = rate;
+    line->port.fd = -1;
+}
+
+enum frob_status line_open(struct line *line, char *message, size_t room)
+{
+    enum frob_status status =
+        frob_posix_open(&line->port, line->device, line->rate, message, room);
+    if (status == FROB_OK &&
+        !frob_posix_lasting_name(BY_ID, line->device, line->lasting, sizeof line->lasting))
+        line->lasting[0] = '\0';
+    return status;
+}
+
+bool line_reopen(struct line *line, int64_t now_ns)
+{
+    char message[512];
+    if (now_ns < line->retry_ns)
+        return false;
+    line->retry_ns = now_ns + RETRY_NS;
+    /* The old path may meanwhile be another device's; the lasting name comes
+     * first. */
+    if (line->lasting[0] != '\0')
+        return frob_posix_open(&line->port, line->lasting, line->rate, message, sizeof message) ==
+               FROB_OK;
+    return frob_posix_open(&line->port, line->device, line->rate, message, sizeof message) ==
+           FROB_OK;
+}
+
+void line_close(struct line *line)
+{
+    frob_posix_close(&line->port);
+    line->retry_ns = 0;
+}
+
+bool line_is_open(const struct line *line)
+{
+    return line->port.fd >= 0;
+}

@@ -1,0 +1,32 @@
+/* line.h -- the robot's line, opened again after it was lost. */
+#ifndef FROB_HOST_ROBOT_LINE_H
+#define FROB_HOST_ROBOT_LINE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "hal/posix/serial.h"
+
+struct line {
+    const char *device;  /* as the user named it */
+    char lasting[512];   /* the adapter's name that outlives unplugging; "" if none */
+    uint32_t rate;
+    struct frob_posix_line port; /* fd is -1 while it is closed */
+    int64_t retry_ns;
+};
+
+/* A line that is not open yet. */
+void line_init(struct line *line, const char *device, uint32_t rate);
+
+/* Opens it; the message is of the device as the user named it. */
+enum frob_status line_open(struct line *line, char *message, size_t room);
+
+/* Tries to open it again, if it is time for that; also under the name that
+ * the adapter has now. True when it is open. */
+bool line_reopen(struct line *line, int64_t now_ns);
+
+void line_close(struct line *line);
+bool line_is_open(const struct line *line);
+
+#endif

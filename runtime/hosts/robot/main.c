@@ -1,0 +1,45 @@
+/* The main program of an executable that drives a robot: `frobc build` links
+ * it with a compiled program, and `frobc run --device` starts that.
+ *
+ * Exit status: 0; 2 for wrong use or a device that cannot be opened; 4 when
+ * the run was ended by a signal or a fault, after the robot was stopped. */
+#include "drivers.h"
+#include "options.h"
+#include "supervisor.h"
+
+#include <stdio.h>
+
+#include "core/robot.h"
+
+enum { DONE = 0, WRONG_USE = 2 };
+
+/* The compiled program. */
+extern const struct frob_program frob_program;
+
+int main(int argc, char **argv)
+{
+    struct options options;
+    const struct frob_driver *driver = find_driver(frob_program.robot);
+    if (driver == NULL) {
+        fprintf(stderr, "error: %s is a program for %s, which has no driver; there are drivers for: %s\n",
+                frob_program.name, frob_program.robot[0] != '\0' ? frob_program.robot : "no robot",
+                driver_names);
+        return WRONG_USE;
+    }
+    if (frob_program.input_size != driver->input_size ||
+        frob_program.output_size < driver->output_size ||
+        driver->output_size > FROB_OUTPUT_MOST || driver->setting_count > SETTINGS_MOST) {
+        fprintf(stderr, "error: %s was compiled with another <frob/%s.h>\n", frob_program.name,
+                driver->robot);
+        return WRONG_USE;
+    }
+    switch (read_options(argc, argv, frob_program.name, driver, &options)) {
+    case OPTIONS_RUN:
+        return supervise(&frob_program, driver, &options);
+    case OPTIONS_SHOWN:
+        return DONE;
+    case OPTIONS_WRONG:
+        break;
+    }
+    return WRONG_USE;
+}

@@ -1,0 +1,152 @@
+#include "options.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char usage[] =
+    "  --device DEV       the serial line, as /dev/ttyUSB0 or a path below\n"
+    "                     /dev/serial/by-id; or tcp:HOST:PORT\n"
+    "  --for SECONDS      how long to run (until it is ended)\n"
+    "  --rate HZ          how often the controller runs (50)\n"
+    "  --record FILE.csv  write what the program read and commanded\n"
+    "  --patience SECONDS how old a reading may be, and how long a step may take,\n"
+    "                     before the robot is stopped (0.2)\n"
+    "  --reconnect SECONDS\n"
+    "                     how long to wait for a robot that was lost (30)\n"
+    "  --set NAME=VALUE   change a setting of the driver, see below\n"
+    "  --priority N       run with real-time priority N, 1 to 99\n"
+    "  --lock-memory      keep all memory from being swapped out\n"
+    "  --exit-when-done   end when the program's task has ended\n"
+    "  --progress         tell about connections even where it is not a terminal\n"
+    "\n"
+    "Exit status: 0 when the time is over; 2 for wrong use or a device that cannot be\n"
+    "opened; 4 when the run was ended by a signal or a fault, with the robot stopped.\n";
+
+static void show_usage(const char *name, const struct frob_driver *driver)
+{
+    printf("usage: %s --device DEV [OPTION]...\n\nRuns the program %s on a %s.\n\n%s\nSettings:\n",
+           name, name, driver->robot, usage);
+    for (size_t i = 0; i < driver->setting_count; i++) {
+        const struct frob_setting *s = &driver->settings[i];
+        printf("  %-18s %s, %g to %g", s->name, s->meaning, s->least, s->greatest);
+        if (isnan(s->initial))
+            printf(" (as the robot or its model has it)\n");
+        else
+            printf(" (%g)\n", s->initial);
+    }
+}
+
+static bool number(const char *option, const char *text, double low, double high, double *result)
+{
+    char *end;
+    double x = strtod(text, &end);
+    if (end == text || *end != '\0' || !(x >= low && x <= high)) {
+        fprintf(stderr, "error: %s takes a number from %g to %g, not `%s`\n", option, low, high,
+                text);
+        return false;
+    }
+    *result = x;
+    return true;
+}
+
+/* NAME=VALUE */
+static bool set(const struct frob_driver *driver, const char *text, double *settings)
+{
+    const char *equals = strchr(text, '=');
+    size_t length = equals != NULL ? (size_t)(equals - text) : strlen(text);
+    for (size_t i = 0; i < driver->setting_count; i++) {
+        const struct frob_setting *s = &driver->settings[i];
+        if (strlen(s->name) == length && strncmp(s->name, text, length) == 0 && equals != NULL)
+            return number(s->name, equals + 1, s->least, s->greatest, &settings[i]);
+    }
+    fprintf(stderr, "error: `%s` is no setting of a %s; write NAME=VALUE with one of:", text,
+            driver->robot);
+    for (size_t i = 0; i < driver->setting_count; i++)
+        fprintf(stderr, "%s %s", i == 0 ? "" : ",", driver->settings[i].name);
+    fprintf(stderr, "\n");
+    return false;
+}
+
+/* With no patience nothing would ever stop the robot, or everything would. */
+static bool patience(const char *text, double *result)
+{
+    double x;
+    if (!number("--patience", text, 0.0, 2.0, &x))
+        return false;
+    if (x < 0.01) {
+        fprintf(stderr, "error: on a robot the watchdog cannot be turned off: --patience takes a "
+                        "number from 0.01 to 2 seconds\n");
+        return false;
+    }
+    *result = x;
+    return true;
+}
+
+static bool valued(const struct frob_driver *driver, struct options *o, const char *name,
+                   const char *value)
+{
+    double x;
+    if (strcmp(name, "--device") == 0)
+        o->device = value;
+    else if (strcmp(name, "--record") == 0)
+        o->record = value;
+    else if (strcmp(name, "--for") == 0)
+        return number(name, value, 0.0, 1e9, &o->duration_s);
+    else if (strcmp(name, "--rate") == 0)
+        return number(name, value, 0.1, 1000.0, &o->rate_hz);
+    else if (strcmp(name, "--patience") == 0)
+        return patience(value, &o->patience_s);
+    else if (strcmp(name, "--reconnect") == 0)
+        return number(name, value, 0.0, 1e6, &o->reconnect_s);
+    else if (strcmp(name, "--set") == 0)
+        return set(driver, value, o->settings);
+    else if (strcmp(name, "--priority") == 0) {
+        if (!number(name, value, 1.0, 99.0, &x))
+            return false;
+        o->priority = (int)x;
+    } else {
+        fprintf(stderr, "error: unknown option `%s`; --help lists them\n", name);
+        return false;
+    }
+    return true;
+}
+
+enum options_result read_options(int argc, char **argv, const char *name,
+                                 const struct frob_driver *driver, struct options *o)
+{
+    memset(o, 0, sizeof *o);
+    o->rate_hz = 50.0;
+    o->patience_s = 0.2;
+    o->reconnect_s = 30.0;
+    for (size_t i = 0; i < driver->setting_count && i < SETTINGS_MOST; i++)
+        o->settings[i] = driver->settings[i].initial;
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--help") == 0) {
+            show_usage(name, driver);
+            return OPTIONS_SHOWN;
+        }
+        if (strcmp(argv[i], "--lock-memory") == 0) {
+            o->lock_memory = true;
+        } else if (strcmp(argv[i], "--exit-when-done") == 0) {
+            o->exit_when_done = true;
+        } else if (strcmp(argv[i], "--progress") == 0) {
+            o->progress = true;
+        } else if (i + 1 == argc) {
+            fprintf(stderr, "error: `%s` is unknown, or needs a value\n", argv[i]);
+            return OPTIONS_WRONG;
+        } else if (!valued(driver, o, argv[i], argv[i + 1])) {
+            return OPTIONS_WRONG;
+        } else {
+            i++;
+        }
+    }
+    if (o->device == NULL) {
+        fprintf(stderr, "error: --device is missing: the serial line of the %s; --help says how to "
+                        "use this\n",
+                driver->robot);
+        return OPTIONS_WRONG;
+    }
+    return OPTIONS_RUN;
+}

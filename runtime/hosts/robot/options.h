@@ -1,0 +1,34 @@
+/* options.h -- the command line of a program that drives a robot. */
+#ifndef FROB_HOST_ROBOT_OPTIONS_H
+#define FROB_HOST_ROBOT_OPTIONS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "drivers/driver.h"
+
+enum { SETTINGS_MOST = 64 };
+
+struct options {
+    const char *device;
+    double duration_s;    /* 0: until it is ended */
+    double rate_hz;       /* of the controller */
+    double patience_s;    /* with old readings and unfinished steps */
+    double reconnect_s;   /* for a lost robot to come back */
+    const char *record;   /* CSV; NULL: none */
+    int priority;         /* real-time, 1 to 99; 0: none */
+    bool lock_memory;
+    bool exit_when_done;  /* when the program's task has ended */
+    bool progress;        /* tell also where it is no terminal */
+    double settings[SETTINGS_MOST]; /* of the driver, in its order */
+};
+
+enum options_result { OPTIONS_RUN, OPTIONS_SHOWN, OPTIONS_WRONG };
+
+/* Reads the command line of a program called `name` for the driver's robot.
+ * OPTIONS_SHOWN: help was asked for and given. OPTIONS_WRONG: a line on
+ * standard error says what. */
+enum options_result read_options(int argc, char **argv, const char *name,
+                                 const struct frob_driver *driver, struct options *options);
+
+#endif

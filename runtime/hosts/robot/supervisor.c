@@ -1,0 +1,424 @@
+#include "supervisor.h"
+
+#include <errno.h>
+#include <math.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "../common/record.h"
+#include "controller.h"
+#include "core/robot.h"
+#include "guard.h"
+#include "hal/posix/clock.h"
+#include "line.h"
+#include "realtime.h"
+#include <frob/result.h>
+
+enum { DONE = 0, WRONG_USE = 2, FAULT = 4 };
+
+#define BEAT_NS INT64_C(20000000)      /* how often the guard hears from here, at least */
+#define FAREWELL_NS INT64_C(300000000) /* for a last stop to reach the robot */
+enum { GIVE_UP = 10 };                 /* patiences, with a step */
+
+static volatile sig_atomic_t ended_by = 0;
+
+static void on_signal(int number)
+{
+    ended_by = number;
+}
+
+struct supervisor {
+    const struct options *options;
+    const struct frob_program *program;
+    const struct frob_driver *driver;
+    int64_t patience_ns, period_ns;
+
+    struct line line;
+    struct frob_robot robot;
+    void *device;
+    struct guard guard;
+    struct controller controller;
+    struct record record;
+    sigset_t waiting_mask; /* signals come only while waiting */
+    bool tells;
+
+    void *input, *output;
+    int64_t first_ns;    /* the first instant; 0: not yet */
+    int64_t instant_ns;  /* the last */
+    int64_t due_ns;      /* the next; 0: when the robot is ready */
+    bool stepping;       /* the controller has been asked and has not answered */
+    bool late;           /* for longer than the patience */
+    int64_t lost_ns;     /* when the robot was lost; 0: it is not */
+
+    uint64_t steps, overruns, late_steps;
+    int64_t longest_ns;
+    bool ended;          /* the program's task */
+    int64_t ended_ns;
+
+    bool over;
+    int status;
+    char cause[512];
+};
+
+static int64_t now_ns(void)
+{
+    return frob_now_ns(&frob_posix_clock);
+}
+
+static void tell(const struct supervisor *s, const char *format, ...)
+{
+    va_list arguments;
+    if (!s->tells)
+        return;
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fputc('\n', stderr);
+}
+
+/* Ends the run; the first cause is the one that is told. */
+static void end(struct supervisor *s, int status, const char *format, ...)
+{
+    va_list arguments;
+    if (s->over)
+        return;
+    s->over = true;
+    s->status = status;
+    va_start(arguments, format);
+    vsnprintf(s->cause, sizeof s->cause, format, arguments);
+    va_end(arguments);
+}
+
+/* {1 The robot} */
+
+/* Begins a session on the line, which has just been opened. */
+static void begin_session(struct supervisor *s)
+{
+    struct frob_serial serial = frob_posix_serial(&s->line.port);
+    frob_robot_start(&s->robot, s->driver, s->device, s->options->settings, &serial,
+                     &frob_posix_clock, s->patience_ns);
+    guard_start(&s->guard, &s->robot, s->patience_ns, s->controller.socket);
+    s->due_ns = 0;
+}
+
+static void leave_line(struct supervisor *s)
+{
+    guard_end(&s->guard);
+    line_close(&s->line);
+    s->due_ns = 0;
+    if (s->lost_ns == 0)
+        s->lost_ns = now_ns();
+}
+
+static const char *reason(enum frob_status status)
+{
+    return status == FROB_TIMEOUT ? "it does not answer" : "its line is gone";
+}
+
+static void robot_failed(struct supervisor *s)
+{
+    enum frob_status status = s->robot.status;
+    if (status == FROB_REFUSED) {
+        const char *who = s->driver->describe(s->device);
+        end(s, FAULT, "the robot cannot be driven%s%s", who[0] != '\0' ? ": " : "", who);
+    } else if (s->robot.connections == 0) {
+        end(s, FAULT, "no %s answers on %s: is it turned on, and is this its line?",
+            s->driver->robot, s->line.device);
+    } else {
+        tell(s, "the robot is lost: %s", reason(status));
+        if (s->options->reconnect_s <= 0.0)
+            end(s, FAULT, "the robot was lost: %s", reason(status));
+        leave_line(s);
+    }
+}
+
+static void look_after_robot(struct supervisor *s)
+{
+    uint32_t connections = s->robot.connections;
+    if (!line_is_open(&s->line) && line_reopen(&s->line, now_ns()))
+        begin_session(s);
+    if (line_is_open(&s->line) && frob_robot_poll(&s->robot) == FROB_ROBOT_FAILED)
+        robot_failed(s);
+    if (s->robot.connections > connections) {
+        tell(s, "connected: %s", s->driver->describe(s->device));
+        s->lost_ns = 0;
+    }
+    if (s->lost_ns != 0 &&
+        (double)(now_ns() - s->lost_ns) > s->options->reconnect_s * 1e9)
+        end(s, FAULT, "the robot was lost, and did not come back within %g s",
+            s->options->reconnect_s);
+}
+
+static bool is_ready(const struct supervisor *s)
+{
+    return line_is_open(&s->line) && s->robot.state == FROB_ROBOT_READY;
+}
+
+static void halt(struct supervisor *s)
+{
+    if (line_is_open(&s->line))
+        frob_robot_halt(&s->robot);
+}
+
+/* {1 The controller} */
+
+/* The step's end: it is recorded, and commanded if it came in time. */
+static void answered(struct supervisor *s)
+{
+    int64_t took_ns = now_ns() - (s->first_ns + s->instant_ns);
+    s->stepping = false;
+    s->steps++;
+    if (took_ns > s->longest_ns)
+        s->longest_ns = took_ns;
+    if (!s->late && is_ready(s))
+        frob_robot_command(&s->robot, s->output);
+    if (!record_row(&s->record, s->instant_ns, s->input, s->output))
+        end(s, FAULT, "the record could not be written");
+    if (!s->ended && frob_has_ended(s->program, s->output)) {
+        s->ended = true;
+        s->ended_ns = s->instant_ns;
+        if (s->options->exit_when_done)
+            end(s, DONE, "%s", "");
+    }
+}
+
+static void look_after_controller(struct supervisor *s)
+{
+    int64_t since_ns = now_ns() - (s->first_ns + s->instant_ns);
+    const char *fate;
+    switch (controller_take(&s->controller, s->output)) {
+    case CONTROLLER_ANSWERED:
+        answered(s);
+        return;
+    case CONTROLLER_GONE:
+        halt(s); /* before anything else */
+        fate = controller_end(&s->controller, 100);
+        end(s, FAULT, "the controller %s", fate != NULL ? fate : "is gone");
+        return;
+    case CONTROLLER_BUSY:
+        break;
+    }
+    if (!s->stepping)
+        return;
+    if (!s->late && since_ns > s->patience_ns) {
+        s->late = true;
+        s->late_steps++;
+        halt(s);
+        tell(s, "a step takes longer than %g s: the robot is stopped", s->options->patience_s);
+    }
+    if (since_ns > GIVE_UP * s->patience_ns)
+        end(s, FAULT, "the controller has not finished a step for %g s",
+            GIVE_UP * s->options->patience_s);
+}
+
+/* Instant k is due at a multiple of the period from when the robot was ready;
+ * dt is measured. An instant that comes when others were due already counts
+ * them as overruns. */
+static void next_instant(struct supervisor *s)
+{
+    int64_t now = now_ns(), missed, before;
+    if (!is_ready(s) || s->over) {
+        s->due_ns = 0;
+        return;
+    }
+    if (s->due_ns == 0)
+        s->due_ns = now;
+    if (now < s->due_ns || s->stepping)
+        return;
+    missed = (now - s->due_ns) / s->period_ns;
+    s->overruns += (uint64_t)missed;
+    s->due_ns += (missed + 1) * s->period_ns;
+    if (s->first_ns == 0)
+        s->first_ns = now;
+    before = s->instant_ns;
+    s->instant_ns = now - s->first_ns;
+    frob_robot_sense(&s->robot, s->input);
+    s->stepping = true;
+    s->late = false;
+    if (!controller_ask(&s->controller, (double)(s->instant_ns - before) / 1e9, s->input))
+        look_after_controller(s);
+}
+
+/* {1 The loop} */
+
+static int64_t earlier(int64_t a, int64_t b)
+{
+    return a < b ? a : b;
+}
+
+static void wait_for_something(struct supervisor *s)
+{
+    int64_t now = now_ns(), until = now + BEAT_NS, left;
+    struct pollfd inputs[2] = { { s->line.port.fd, POLLIN, 0 },
+                                { s->controller.socket, POLLIN, 0 } };
+    struct timespec patience;
+    if (line_is_open(&s->line))
+        until = earlier(until, frob_robot_due_ns(&s->robot));
+    if (is_ready(s) && !s->stepping)
+        until = earlier(until, s->due_ns);
+    if (s->stepping && !s->late)
+        until = earlier(until, s->first_ns + s->instant_ns + s->patience_ns + 1);
+    left = until > now ? until - now : 0;
+    patience.tv_sec = (time_t)(left / 1000000000);
+    patience.tv_nsec = (long)(left % 1000000000);
+    ppoll(inputs, 2, &patience, &s->waiting_mask);
+}
+
+static void run(struct supervisor *s)
+{
+    while (!s->over) {
+        guard_hear(&s->guard);
+        look_after_controller(s);
+        if (!s->over)
+            look_after_robot(s);
+        next_instant(s);
+        if (s->options->duration_s > 0.0 && s->first_ns != 0 &&
+            (double)(now_ns() - s->first_ns) >= s->options->duration_s * 1e9 && !s->stepping)
+            end(s, DONE, "%s", "");
+        if (ended_by != 0)
+            end(s, FAULT, "the run was ended by %s",
+                ended_by == SIGINT ? "an interrupt" : strsignal(ended_by));
+        if (!s->over)
+            wait_for_something(s);
+    }
+}
+
+/* Stops the robot, lets that arrive, and leaves it. */
+static void say_farewell(struct supervisor *s)
+{
+    int64_t until;
+    if (!line_is_open(&s->line))
+        return;
+    halt(s);
+    until = now_ns() + FAREWELL_NS;
+    while (s->robot.state != FROB_ROBOT_CONNECTING && now_ns() < until &&
+           frob_robot_poll(&s->robot) != FROB_ROBOT_FAILED) {
+        struct frob_serial serial = frob_posix_serial(&s->line.port);
+        guard_hear(&s->guard);
+        serial.operations->wait(serial.port, earlier(until, now_ns() + BEAT_NS));
+    }
+    frob_robot_close(&s->robot);
+    guard_end(&s->guard);
+    line_close(&s->line);
+}
+
+static void print_result(const struct supervisor *s)
+{
+    size_t room = frob_result_room(s->program);
+    char *buffer = (char *)malloc(room);
+    struct frob_text text;
+    printf("finished after: %.3f s\n", (double)s->ended_ns * 1e-9);
+    if (buffer == NULL)
+        return;
+    text = frob_text_in(buffer, room);
+    frob_result_write(&text, s->program, s->output);
+    printf("result: %s\n", text.data);
+    free(buffer);
+}
+
+static void print_summary(const struct supervisor *s)
+{
+    const char *who = s->driver->describe(s->device);
+    printf("robot: %s\n", who[0] != '\0' ? who : s->driver->robot);
+    printf("time run: %.3f s\n", (double)s->instant_ns * 1e-9);
+    printf("steps: %llu\n", (unsigned long long)s->steps);
+    printf("overruns: %llu\n", (unsigned long long)s->overruns);
+    printf("late steps: %llu\n", (unsigned long long)s->late_steps);
+    printf("longest step: %.3f ms\n", (double)s->longest_ns * 1e-6);
+    printf("stale readings: %lu\n", (unsigned long)s->robot.stale);
+    printf("connections: %lu\n", (unsigned long)s->robot.connections);
+    if (s->options->record != NULL)
+        printf("log: %s\n", s->options->record);
+    if (s->ended)
+        print_result(s);
+    fflush(stdout);
+}
+
+/* {1 Setting up} */
+
+static void catch_signals(struct supervisor *s)
+{
+    static const int caught[] = { SIGINT, SIGTERM, SIGHUP };
+    struct sigaction action;
+    sigset_t blocked;
+    memset(&action, 0, sizeof action);
+    sigemptyset(&blocked);
+    action.sa_handler = on_signal;
+    for (size_t i = 0; i < sizeof caught / sizeof caught[0]; i++) {
+        sigaction(caught[i], &action, NULL);
+        sigaddset(&blocked, caught[i]);
+    }
+    /* A robot cannot be suspended with Ctrl-Z. */
+    signal(SIGTSTP, SIG_IGN);
+    signal(SIGTTOU, SIG_IGN);
+    signal(SIGPIPE, SIG_IGN);
+    sigprocmask(SIG_BLOCK, &blocked, &s->waiting_mask);
+    for (size_t i = 0; i < sizeof caught / sizeof caught[0]; i++)
+        sigdelset(&s->waiting_mask, caught[i]);
+}
+
+static bool set_up(struct supervisor *s)
+{
+    char message[512];
+    enum frob_status status;
+    s->device = calloc(1, s->driver->device_size + 1);
+    s->input = calloc(1, s->program->input_size + 1);
+    s->output = calloc(1, s->program->output_size + 1);
+    if (s->device == NULL || s->input == NULL || s->output == NULL) {
+        fprintf(stderr, "error: not enough memory\n");
+        return false;
+    }
+    status = line_open(&s->line, message, sizeof message);
+    if (status != FROB_OK) {
+        fprintf(stderr, "error: %s\n", message);
+        return false;
+    }
+    if (!record_open(&s->record, s->program, s->options->record)) {
+        line_close(&s->line);
+        return false;
+    }
+    return true;
+}
+
+int supervise(const struct frob_program *program, const struct frob_driver *driver,
+              const struct options *options)
+{
+    struct supervisor s;
+    memset(&s, 0, sizeof s);
+    s.options = options;
+    s.program = program;
+    s.driver = driver;
+    s.patience_ns = (int64_t)llround(options->patience_s * 1e9);
+    s.period_ns = (int64_t)llround(1e9 / options->rate_hz);
+    s.tells = options->progress || isatty(STDERR_FILENO) != 0;
+    s.record.file = -1;
+    line_init(&s.line, options->device, driver->rate);
+    catch_signals(&s);
+    /* Before the line is open: the controller must not hold it. */
+    if (!controller_start(&s.controller, program, options))
+        return WRONG_USE;
+    s.status = WRONG_USE;
+    if (set_up(&s)) {
+        realtime_apply(options, REALTIME_SUPERVISOR);
+        begin_session(&s);
+        run(&s);
+        say_farewell(&s);
+        print_summary(&s);
+        if (s.status != DONE)
+            fprintf(stderr, "error: %s; the robot %s\n", s.cause,
+                    s.robot.status == FROB_LOST ? "was not reached to be stopped"
+                                                : "was told to stop");
+    }
+    controller_end(&s.controller, 0);
+    if (!record_close(&s.record) && s.status == DONE)
+        s.status = WRONG_USE;
+    free(s.device);
+    free(s.input);
+    free(s.output);
+    return s.status;
+}

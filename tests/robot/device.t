@@ -1,0 +1,48 @@
+A device that cannot be opened is told with what helps.
+
+  $ . ./robot.sh
+  $ frobc run drive.frob --device ./nothing
+  error: there is no device ./nothing; is it plugged in? /dev/serial/by-id lists those that are
+  [2]
+  $ touch file; frobc run drive.frob --device ./file
+  error: ./file is not a serial line
+  [2]
+  $ frobc run drive.frob --device tcp:127.0.0.1:1
+  error: cannot connect to 127.0.0.1, port 1: Connection refused
+  [2]
+  $ frobc run drive.frob --device tcp:127.0.0.1:
+  error: `tcp:127.0.0.1:` is no address; write tcp:HOST:PORT
+  [2]
+
+One that is in use names who uses it.
+
+  $ start_robot
+  $ start_driving
+  $ ./drive --device ./line --for 1 2>&1 | sed 's/[0-9][0-9]*/N/; s/use by [^ ]*/use by PROGRAM/'
+  error: ./line is in use by PROGRAM (process N); end that first
+  $ kill -INT $run; wait $run
+  [4]
+  $ end_robot
+
+Settings are numbers within their bounds; the watchdog cannot be turned off.
+
+  $ frobc run drive.frob --for 1s --device ./line --set max-speed=9
+  error: max-speed takes a number from 0.01 to 2.2, not `9`
+  [2]
+  $ frobc run drive.frob --for 1s --device ./line --set max-sped=1
+  error: `max-sped=1` is no setting of a pioneer; write NAME=VALUE with one of: baud, switch-baud, angle, distance, speed, range, difference, vel2-divisor, max-speed, max-turn, wheels, no-echo, motors-flag, hard-stop, silence, interval
+  [2]
+  $ frobc build drive.frob -o drive
+  $ ./drive --device ./line --patience 0
+  error: on a robot the watchdog cannot be turned off: --patience takes a number from 0.01 to 2 seconds
+  [2]
+  $ ./drive
+  error: --device is missing: the serial line of the pioneer; --help says how to use this
+  [2]
+
+A program for no robot has no driver.
+
+  $ echo 'main = arr (\x -> x + 1.0)' > plain.frob
+  $ frobc run plain.frob --for 1s --device ./line
+  error: plain is a program for no robot, which has no driver; there are drivers for: pioneer, scout, create
+  [2]

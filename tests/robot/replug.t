@@ -1,0 +1,44 @@
+The cable is pulled and plugged in again, and the device has another name then:
+the run goes on, with zero first. The robot's own watchdog is not what stops it
+here, it would take up its old speed.
+
+  $ . ./robot.sh
+  $ start_robot
+  $ start_driving
+  $ before=$(readlink line)
+  $ mark; kill -USR1 $robot; until_true 'grep -q lost messages'
+  $ kill -USR2 $robot; until_true '[ -e line ]'
+  $ plugged=$(awk '{ print $1 }' /proc/uptime)
+  $ until_true 'told "VEL 300"'
+  $ awk -v plugged=$plugged '{ print ($1 - plugged < 5) }' /proc/uptime
+  1
+  $ tail -n +$((marked + 1)) told | awk '$2 == "VEL" { print $3; exit }'
+  0
+  $ kill -INT $run; wait $run
+  [4]
+  $ cat messages
+  connected: Pioneer p3dx-sh, FrobSim
+  the robot is lost: its line is gone
+  connected: Pioneer p3dx-sh, FrobSim
+  error: the run was ended by an interrupt; the robot was told to stop
+  $ grep connections summary
+  connections: 2
+
+A robot that does not come back ends the run.
+
+  $ start_driving --reconnect 0.3
+  $ kill -USR1 $robot; wait $run
+  [4]
+  $ tail -1 messages
+  error: the robot was lost, and did not come back within 0.3 s; the robot was not reached to be stopped
+  $ end_robot
+
+One that was turned off does not answer; the first time that is an error.
+
+  $ start_robot
+  $ kill -STOP $robot
+  $ frobc run drive.frob --for 1s --device ./line --set baud=9600 > /dev/null
+  error: no pioneer answers on ./line: is it turned on, and is this its line?; the robot was told to stop
+  [4]
+  $ kill -CONT $robot
+  $ end_robot

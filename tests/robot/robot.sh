@@ -1,0 +1,50 @@
+# What the tests of real robots share: a simulated one behind a pseudo-terminal,
+# and what it was told.
+
+# Starts the robot, and waits for its line: $robot is its process, `line` a link
+# to the device, `told` the log of commands.
+start_robot () {
+  rm -f line told
+  frobc serve --robot pioneer --world hall.toml --for 120s --link line --log told "$@" > served &
+  robot=$!
+  until_true '[ -e line ]'
+}
+
+# Waits up to 15 s for a condition.
+until_true () {
+  for attempt in $(seq 300); do
+    eval "$1" && return 0
+    sleep 0.05
+  done
+  echo "in vain: $1"
+  return 1
+}
+
+# Starts the program on the robot, and waits until it drives: $run is the
+# process that holds the line, $controller and $guard are its children. What the
+# robot was told before is forgotten.
+start_driving () {
+  : > told
+  [ -e drive ] || frobc build drive.frob --robot pioneer -o drive
+  ./drive --device ./line --for 60 --progress "$@" > summary 2> messages &
+  run=$!
+  until_true 'grep -q "VEL 300" told'
+  set -- $(cat /proc/$run/task/$run/children)
+  controller=$1 guard=$2
+}
+
+mark () { marked=$(wc -l < told); }
+
+# Since the mark the robot was told this.
+told () { tail -n +$((marked + 1)) told | grep -q "$1"; }
+
+# The speed that the robot was told last, once it has been told a stop.
+until_stopped () {
+  until_true 'told STOP'
+  awk '$2 == "VEL" { v = $3 } END { print "last speed:", v }' told
+}
+
+end_robot () {
+  kill $robot
+  wait $robot
+}

@@ -1,0 +1,74 @@
+A program runs on the robot behind a serial line as it runs in the simulator;
+the summary says how it went.
+
+  $ . ./robot.sh
+  $ start_robot
+  $ frobc run drive.frob --device ./line --for 2s --record log.csv | sed 's/: [0-9.]*\( m\{0,1\}s\)$/: N\1/; s/^steps: .*/steps: N/; s/^\(overruns\|late steps\|stale readings\): [0-9]*/\1: N/'
+  robot: Pioneer p3dx-sh, FrobSim
+  time run: N s
+  steps: N
+  overruns: N
+  late steps: N
+  longest step: N ms
+  stale readings: N
+  connections: 1
+  log: log.csv
+
+Before anything else the robot is told zero, and in the end to stop.
+
+  $ awk '{ print $2, $3 }' told | sed -n '1,2p'
+  VEL 0
+  RVEL 0
+  $ until_true 'grep -q "CLOSE" told && tail -1 told | grep -q CLOSE'
+  $ awk '{ print $2, $3 }' told | tail -4
+  VEL 0
+  RVEL 0
+  STOP 
+  CLOSE 
+
+It drove as far as the program said, and odometry says so.
+
+  $ end_robot
+  $ awk '/^distance driven/ { print ($3 > 0.3 && $3 < 0.75) }' served
+  1
+  $ awk -F, 'END { print ($2 > 0.2 && $2 < 0.65) }' log.csv
+  1
+
+The measured times are in the recording, so that replaying it gives the same
+commands, bit for bit.
+
+  $ frobc trace drive.frob --input log.csv --output again.csv
+  $ sed 's/,.*,\([^,]*,[^,]*\)$/,\1/' log.csv | cmp - again.csv
+
+`frobc build` makes the executable that was run; it takes TCP as well.
+
+  $ frobc build drive.frob --robot pioneer -o drive
+  $ rm served
+  $ frobc serve --robot pioneer --world hall.toml --for 60s --tcp 0 > served &
+  $ robot=$!
+  $ until_true 'grep -q device served 2> /dev/null'
+  $ ./drive --device "$(sed 's/device: //' served)" --for 0.2 | head -1
+  robot: Pioneer p3dx-sh, FrobSim
+  $ end_robot
+
+Other models have other factors.
+
+  $ start_robot --model p3dx
+  $ frobc run drive.frob --device ./line --for 1500ms --record log.csv | head -1
+  robot: Pioneer p3dx, FrobSim
+  $ end_robot
+  $ awk '/^distance driven/ { print ($3 > 0.1) }' served
+  1
+  $ awk -F, 'END { print ($2 > 0.1 && $2 < 0.5) }' log.csv
+  1
+
+A task that ends leaves the robot at rest; the summary says with what it ended.
+
+  $ start_robot
+  $ frobc run task.frob --device ./line --exit-when-done --for 10s --record log.csv | sed -n 's/finished after: 0.5.*/finished after: 0.5/p; /^result/p'
+  finished after: 0.5
+  result: true
+  $ frobc trace task.frob --input log.csv --output again.csv
+  $ tail -1 again.csv | cut -d, -f 2-
+  0,0,true
+  $ end_robot
