@@ -93,7 +93,7 @@ has_copilot() {
     command -v ghc >/dev/null && ghc-pkg --simple-output list copilot-c99 2>/dev/null | grep -q copilot
 }
 
-if [ $# -eq 0 ]; then set -- wall_follow pid modes obstacles kalman events nested; fi
+if [ $# -eq 0 ]; then set -- wall_follow pid modes obstacles kalman events nested patrol; fi
 for program in "$@"; do
     "$frobc" compile "$here/$program/$program.frob" -o "$out"
     for level in O2 O3; do

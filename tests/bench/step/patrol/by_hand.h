@@ -1,0 +1,23 @@
+/* Follow a wall; after a bump back up for 1 s and wait for 0.5 s; turn until
+ * the way is free: the state machine that a careful person writes in C. */
+#ifndef BY_HAND_H
+#define BY_HAND_H
+
+#include "patrol.h"
+
+enum by_hand_state { FOLLOW, BACK_UP, WAIT, TURN };
+
+struct by_hand {
+    int64_t since_ns;       /* the state's start, where that matters */
+    uint8_t state;          /* an enum by_hand_state */
+    bool started;
+    bool condition_before;  /* what ends the state, one instant ago */
+};
+
+void by_hand_reset(struct by_hand *self);
+
+/* dt in s, not looked at in the first step. */
+void by_hand_step(struct by_hand *self, double dt, const struct patrol_input *in,
+                  struct patrol_output *out);
+
+#endif
