@@ -199,6 +199,7 @@ let machine_of options sink flow =
     stage options sink Flow ~lint:Flow.Lint.program ~print:Flow.Print.program
       (Flow.Optimize.program flow)
   in
+  let* flow = stage options sink States ~lint:ignore ~print:Report.Diagram.print flow in
   stage options sink Machine ~lint:Machine.Lint.program ~print:Machine.Print.program
     (Machine.Of_flow.program flow)
 

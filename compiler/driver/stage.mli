@@ -8,6 +8,7 @@ type t =
   | Core
   | Specialize
   | Flow
+  | States
   | Machine
   | C
 

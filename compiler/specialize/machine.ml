@@ -104,38 +104,6 @@ let rec choices m node ~span (value : Value.t) =
   | Program _ | Unspecified ->
       One value
 
-(* Where the programmer wrote what a mode runs. *)
-let rec place_of ~otherwise (value : Value.t) =
-  match value with
-  | Primitive { arguments; _ } -> (
-      match List.rev arguments with
-      | first :: _ -> place_of ~otherwise first.value
-      | [] -> otherwise)
-  | Function { code = Lambda (_, body); _ } -> body.span
-  | Function closure | Signal_function closure -> closure.span
-  | Choice { then_; _ } -> place_of ~otherwise then_
-  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Program _ | Unspecified -> otherwise
-
-let name_of (value : Value.t) =
-  match value with
-  | Primitive
-      { primitive = Run_task; arguments = [ { value = Primitive { owner; _ }; _ } ]; _ } ->
-      owner
-  | Primitive { owner; _ } -> owner
-  | Signal_function closure -> closure.name
-  | Choice _ -> "choice"
-  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Program _ | Unspecified -> "mode"
-
-let mode_name (value : Value.t) =
-  match value with
-  | Primitive { primitive = Run_task; arguments = [ task ]; _ } -> Task.name task.value
-  | _ -> name_of value
-
-let mode_place ~otherwise (value : Value.t) =
-  match value with
-  | Primitive { primitive = Run_task; arguments = [ task ]; _ } -> Task.place task.value
-  | _ -> place_of ~otherwise value
-
 (* The mode in which a signal function runs, and what it gets for parameters. *)
 let mode_of m node ~from ~at value =
   let walk = Skeleton.walk m.context.keys node Holes in
@@ -146,12 +114,12 @@ let mode_of m node ~from ~at value =
     match Variables.Table.find_opt m.known key with
     | Some known -> known
     | None ->
-        let name = mode_name value in
+        let name = Origin.mode_name value in
         let growth = Growth.of_value value ~at ~from in
         if Growth.is_endless growth then Growth.report m.context ~name growth;
         Context.count m.context m.trail ~name ~span:at;
         Context.check_lasting m.context m.trail ~span:at (Skeleton.types holes);
-        let place = mode_place ~otherwise:at value in
+        let place = Origin.mode_place ~otherwise:at value in
         let mode = { number = m.count; value; holes; name; at; place; growth } in
         m.count <- m.count + 1;
         Variables.Table.replace m.known key mode;
@@ -225,7 +193,7 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
     m.evaluator.run c trail node ~span:at ~result
   in
   let next ~delayed ty event (continuation : Value.t) =
-    let span = place_of ~otherwise:at continuation in
+    let span = Origin.place ~otherwise:at continuation in
     let occurs, payload = occurrence m node ~span ty event in
     match occurs with
     | Bool false -> []
@@ -559,7 +527,14 @@ let refuse_nesting (c : Context.t) ~name ~is_task ~outside ~inside =
 let is_task : Value.t -> bool = function Primitive { primitive = Run_task; _ } -> true | _ -> false
 
 let run (c : Context.t) evaluator trail node target ~span ~result value (input : Value.argument) =
-  let name = name_of value in
+  let name = Origin.name value in
+  let span =
+    match value with
+    | Primitive { primitive = Run_task; arguments = [ { value = Primitive { at; _ }; _ } ]; _ }
+      when Context.in_prelude c span ->
+        at
+    | _ -> span
+  in
   let trail = Context.enter c trail ~name ~span in
   let own_input, own_result =
     match ((value, input.ty, result) : Value.t * Core.Ir.ty * Core.Ir.ty) with

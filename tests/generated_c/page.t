@@ -26,3 +26,8 @@ From C++, linked with C and compiled as C++ too:
   4.000 V, 2.000 V
   $ clang++ -std=c++17 $flags drive.cc -x c++ cruise.c -o drive_all && ./drive_all
   4.000 V, 2.000 V
+
+The diagram of states:
+
+  $ block frob 2 >patrol.frob
+  $ block dot 1 >shown && frobc compile patrol.frob --dump=states | diff shown -

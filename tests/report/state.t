@@ -42,7 +42,7 @@ Modes share room: it is that of the largest.
           state        24  far                           modes.frob:8
             x_prev      8  delay                         modes.frob:8
             delay       8  delay                         modes.frob:8
-            delay       1  delay                         Prelude.frob:339
+            delay       1  delay                         Prelude.frob:374
             (padding)   7
       mode              1  number of the mode that runs  modes.frob:2
       (padding)         7
@@ -64,10 +64,10 @@ A struct is shown once, so the report of a million instances is short.
   $ echo 'main = f20' >> million.frob
   $ frobc report million.frob | sed '/^$/,$d' | head -5
   state, in bytes
-    >>>                          8388608                 Prelude.frob:210
-      >>>.>>>                    2097152  >>>            Prelude.frob:210
-        >>>.>>>                   524288  >>>            Prelude.frob:210
-          >>>.>>>                 131072  >>>            Prelude.frob:210
+    >>>                          8388608                 Prelude.frob:240
+      >>>.>>>                    2097152  >>>            Prelude.frob:240
+        >>>.>>>                   524288  >>>            Prelude.frob:240
+          >>>.>>>                 131072  >>>            Prelude.frob:240
   $ frobc report million.frob | wc -l
   63
 

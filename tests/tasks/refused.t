@@ -1,5 +1,7 @@
 Recursion of tasks in tail position only, and time in every cycle.
 
+  $ . ./trace.sh
+
 A call that is not the last statement, with what still waits for it.
 
   $ cat > not_last.frob <<'EOF'
@@ -125,22 +127,21 @@ known to end at once …
   > main :: SF Float (Either () Float)
   > main = runTask (forever snapT)
   > EOF
-  $ frobc check at_once.frob
+  $ frobc check at_once.frob 2>&1 | without_lines
   error[E0402]: `snapT` may switch for ever within one instant
      --> at_once.frob:2:25
       |
     2 | main = runTask (forever snapT)
       |                         ^^^^^
       |
-     ::: stdlib/Prelude.frob:607:5
+     ::: stdlib/Prelude.frob
       |
-  607 |     forever t
+      |     forever t
       |     --------- `snapT` may start `snapT` at its own first instant
       |
       = hint: something in the circle has to take time: `edge` or `notYet` on an event, `sleepT 10[ms] y` between tasks
   
   1 error
-  [1]
 
   $ cat > choice.frob <<'EOF'
   > go :: Int -> Task Float Float ()
@@ -208,25 +209,24 @@ known to end at once …
   >       x <- snapT
   >       forever (sleepT (x * 1[s]) 2)
   > EOF
-  $ frobc check may_be_none.frob
+  $ frobc check may_be_none.frob 2>&1 | without_lines
   error[E0402]: `sleepT` may switch for ever within one instant
      --> may_be_none.frob:5:16
       |
     5 |       forever (sleepT (x * 1[s]) 2)
       |                ^^^^^^^^^^^^^^^^^^^
       |
-     ::: stdlib/Prelude.frob:601:39
+     ::: stdlib/Prelude.frob
       |
-  601 | sleepT q y = untilRight (proc _ -> if elapsed q () then Right () else Left y)
+      | sleepT q y = untilRight (proc _ -> if elapsed q () then Right () else Left y)
       |                                       ------------ `elapsed` may occur at the first instant of `sleepT`
   ...
-  607 |     forever t
+      |     forever t
       |     --------- `sleepT` may start `sleepT` at its own first instant
       |
       = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
   
   1 error
-  [1]
   $ sed 's/x \* 1\[s\]/max 1[ms] (x * 1[s])/' may_be_none.frob > is_some.frob
   $ frobc check is_some.frob
 

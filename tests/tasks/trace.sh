@@ -13,3 +13,10 @@ trace() {
 rows() {
     awk -v header="$1" 'BEGIN { print "time," header } { print (NR - 1) / 2 "," $0 }'
 }
+
+# without_lines: a message or table without the numbers of the prelude's lines.
+without_lines() {
+    awk '/::: stdlib/ { library = 1 }
+        library { sub(/^ *[0-9]+ \|/, "    |") }
+        { gsub(/Prelude\.frob:[0-9]+(:[0-9]+)?/, "Prelude.frob"); print }'
+}
