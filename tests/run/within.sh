@@ -1,13 +1,17 @@
 # Reads a run's summary and checks bounds, `within NAME LOW HIGH`...: says what is
-# out of them and ends with status 1, else says nothing.
+# out of them and ends with status 1, else says nothing. What is no number is the
+# same as LOW.
 within () {
   awk -F ': ' -v bounds="$*" '
-    { value[$1] = $2 + 0; seen[$1] = 1 }
+    { value[$1] = $2 + 0; text[$1] = $2; seen[$1] = 1 }
     END {
       n = split(bounds, b, " ")
       for (i = 1; i + 2 <= n; i += 3) {
         name = b[i]; gsub(/_/, " ", name)
         if (!(name in seen)) { print "no line `" name "`"; bad = 1 }
+        else if (b[i + 1] !~ /^[-+.0-9]/) {
+          if (text[name] != b[i + 1]) { print name ": " text[name] " is not " b[i + 1]; bad = 1 }
+        }
         else if (value[name] < b[i + 1] + 0 || value[name] > b[i + 2] + 0) {
           print name ": " value[name] " is not from " b[i + 1] " to " b[i + 2]; bad = 1
         }
