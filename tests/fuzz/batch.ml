@@ -20,8 +20,8 @@ let write path text =
   Fun.protect ~finally:(fun () -> close_out channel) (fun () -> output_string channel text)
 
 (* Input for a batch: what a program does alone, it does on that of its batch. *)
-let on_input_of batch (tools : Engines.tools) engines ~seed ~first ~count =
-  let text = Program.make ~seed ~first ~count in
+let on_input_of ?seen batch (tools : Engines.tools) engines ~seed ~first ~count =
+  let text = Program.make ?seen ~seed ~first ~count () in
   let file = Filename.concat tools.folder "program.frob" in
   write file text;
   let random = Random.State.make [| seed; batch; 1 |] in
@@ -36,7 +36,8 @@ let on_input_of batch (tools : Engines.tools) engines ~seed ~first ~count =
   | Agree -> None
   | Rejected _ | Failed _ | Differ _ -> Some { number = first; recordings; outcome; text }
 
-let failure tools engines ~seed ~first ~count = on_input_of first tools engines ~seed ~first ~count
+let failure ?seen tools engines ~seed ~first ~count =
+  on_input_of ?seen first tools engines ~seed ~first ~count
 
 let patience = 60.
 
@@ -54,8 +55,8 @@ let shrunk tools engines ~seed { number; recordings; outcome; text } =
   in
   { number; recordings = small.recordings; outcome; text = small.text }
 
-let failures tools engines ~seed ~first ~count =
-  match failure tools engines ~seed ~first ~count with
+let failures ?seen tools engines ~seed ~first ~count =
+  match failure ?seen tools engines ~seed ~first ~count with
   | None -> []
   | Some whole -> (
       let alone i = on_input_of first tools engines ~seed ~first:(first + i) ~count:1 in

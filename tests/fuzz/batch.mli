@@ -18,13 +18,25 @@ val describe : seed:int -> failure -> string
     [tests/interp] they are a test. *)
 
 val failure :
-  Engines.tools -> Engines.c_engine list -> seed:int -> first:int -> count:int -> failure option
+  ?seen:Coverage.t ->
+  Engines.tools ->
+  Engines.c_engine list ->
+  seed:int ->
+  first:int ->
+  count:int ->
+  failure option
 (** Of the whole batch, under its first number. *)
 
 val shrunk : Engines.tools -> Engines.c_engine list -> seed:int -> failure -> failure
 (** A small program that fails in the same way, if one is found in a minute. *)
 
 val failures :
-  Engines.tools -> Engines.c_engine list -> seed:int -> first:int -> count:int -> failure list
+  ?seen:Coverage.t ->
+  Engines.tools ->
+  Engines.c_engine list ->
+  seed:int ->
+  first:int ->
+  count:int ->
+  failure list
 (** If the batch fails, each of its programs is tried alone, and those that
     fail are given; if none does, the batch is, under its first number. *)

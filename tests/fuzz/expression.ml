@@ -6,6 +6,7 @@ type scope = {
   prefix : string;
   methods : bool;
   count : int ref;
+  seen : Coverage.t;
   declared : Type.t list;
   variables : (string * Type.t) list;
   functions : (string * Type.t list * Type.t) list;
@@ -17,8 +18,19 @@ let fresh s start =
   Printf.sprintf "%s%s%d" s.prefix start !(s.count)
 
 
+let note s name = Coverage.note s.seen name
+
+let note_type s (ty : Type.t) =
+  match ty with
+  | Array (_, Array _) -> note s "array of arrays"
+  | Array (_, Data data) when Type.is_record data -> note s "array of records"
+  | Measure _ -> note s "unit"
+  | Data { head; _ } when String.starts_with ~prefix:"Series" head -> note s "data with parameters"
+  | Float | Int | Bool | Tuple _ | Array _ | Data _ -> ()
+
 let any_type s =
   let ty = Type.any s.random ~declared:s.declared in
+  note_type s ty;
   if not (chance s.random s.bias.events) then ty
   else Type.event (if chance s.random 3 then Type.unit else ty)
 
@@ -64,7 +76,13 @@ let array elements = f "[%s]" (String.concat ", " elements)
 
 let rec literal s (ty : Type.t) =
   match ty with
-  | Float -> one_of s.random (if chance s.random s.bias.odd_numbers then odd_floats else floats)
+  | Float ->
+      if chance s.random s.bias.odd_numbers then begin
+        let text = one_of s.random odd_floats in
+        if String.equal text "(0.0 / 0.0)" then note s "NaN";
+        text
+      end
+      else one_of s.random floats
   | Measure u -> measure s u
   | Array (n, t) -> array (List.init n (fun _ -> literal s t))
   | Int -> one_of s.random ints
@@ -86,6 +104,8 @@ let rec pattern s (ty : Type.t) =
   | Tuple parts when not (chance s.random 4) ->
       let patterns = List.map (pattern s) parts in
       (f "(%s)" (String.concat ", " (List.map fst patterns)), List.concat_map snd patterns)
+  (* Its size may be known from nowhere else. *)
+  | Data { constructors = [ { name = "Series"; _ } ]; _ } -> variable s ty
   | Data ({ constructors = [ c ]; _ } as data) when chance s.random 2 ->
       let patterns = List.map (fun (_, t) -> pattern s t) c.fields in
       (f "(%s)" (construct data c (List.map fst patterns)), List.concat_map snd patterns)
@@ -199,6 +219,7 @@ and by_type s fuel (ty : Type.t) =
       let arguments = List.map (fun (_, t) -> expression s fuel t) c.fields in
       if Type.is_record data && chance s.random 3 then
         let name, t = one_of s.random c.fields in
+        note s "record update";
         f "(%s { %s = %s })" (typed (expression s fuel ty) ty) name (expression s fuel t)
       else typed (construct data c arguments) ty
 
@@ -248,6 +269,9 @@ and of_array s fuel ty =
   | (0 | 1 | 2), _ ->
       f "(foldl %s %s %s)" (function_ s fuel [ ty; element ] ty) (expression s fuel ty)
         (some_array s fuel other)
+  | 3, _ when chance s.random 3 ->
+      f "(bestBy %s %s %s)" (function_ s fuel [ key; key ] Bool) (function_ s fuel [ ty ] key)
+        (some_array s fuel own)
   | (3 | 4), _ ->
       f "(%s %s %s)" (one_of s.random [ "minimumBy"; "maximumBy" ]) (function_ s fuel [ ty ] key)
         (some_array s fuel own)
@@ -292,10 +316,13 @@ and event s fuel payload =
   | _, _ -> typed (f "Event %s" (expression s fuel payload)) ty
 
 and float s fuel =
-  match Random.State.int s.random 14 with
+  match Random.State.int s.random 15 with
   | 12 ->
       let u = Type.any_measure s.random in
       f "(%s / 1[%s])" (expression s fuel (Measure u)) (Type.unit_text u)
+  | 14 ->
+      let seconds = Type.Measure { metres = 0; seconds = 1 } in
+      f "(nanoseconds %s)" (expression s fuel seconds)
   | 13 ->
       let ty = Type.Measure (Type.any_measure s.random) in
       f "(%s %s %s)" "atan2" (typed (expression s fuel ty) ty) (expression s fuel ty)
@@ -316,7 +343,13 @@ and float s fuel =
 and int s fuel =
   match Random.State.int s.random 10 with
   | 0 | 1 | 2 -> infix s fuel (one_of s.random [ "+"; "-"; "*" ]) Int
-  | 3 | 4 -> binary s fuel (one_of s.random [ "div"; "mod" ]) Int
+  | 3 | 4 ->
+      let name = one_of s.random [ "div"; "mod" ] in
+      if chance s.random 8 then begin
+        note s "division by zero";
+        f "(%s %s 0)" name (expression s fuel Int)
+      end
+      else binary s fuel name Int
   | 5 -> unary s fuel (one_of s.random [ "negate"; "abs"; "signum" ]) Int
   | 6 -> extreme s fuel Int
   | 7 -> f "(%s ^ %s)" (expression s fuel Int) (one_of s.random [ "0"; "1"; "2"; "3"; "9" ])
@@ -356,7 +389,7 @@ and case s fuel ty =
         let guard = expression (bind bound s) (fuel - 1) Bool in
         f "%s | %s -> %s | otherwise -> %s" text guard (result bound) (result bound)
     | 1 ->
-        (* falls through to the same pattern *)
+        note s "guards that fall through";
         f "%s | %s -> %s; %s -> %s" text
           (expression (bind bound s) (fuel - 1) Bool)
           (result bound) text (result bound)
@@ -377,13 +410,33 @@ and let_ s fuel ty =
   f "(let %s = %s in %s)" text (typed value other) (expression (bind bound s) fuel ty)
 
 and lambda s fuel argument ty =
-  let text, bound = pattern s argument in
-  f "(\\%s -> %s)" text (expression (bind bound (elsewhere s)) fuel ty)
+  match (argument, ty) with
+  | (Type.Float, Type.Float | Int, Int) when chance s.random 4 ->
+      note s "section";
+      let operator = one_of s.random [ "+"; "*" ] and inside = elsewhere s in
+      if chance s.random 2 then f "(%s %s)" operator (expression inside fuel ty)
+      else f "(%s %s)" (expression inside fuel ty) operator
+  | _ -> function_ s fuel [ argument ] ty
 
 and polymorphic s fuel ty =
   let e ty = expression s fuel ty and other = any_type s in
-  match Random.State.int s.random 14 with
-  | 13 when s.methods -> overloaded s fuel ty
+  let two () = (any_type s, other) in
+  match Random.State.int s.random 17 with
+  | 13 when s.methods ->
+      note s "method of a class";
+      overloaded s fuel ty
+  | 14 ->
+      let first, second = two () in
+      f "(curry %s %s %s)" (lambda s fuel (Tuple [ first; second ]) ty)
+        (typed (e first) first) (typed (e second) second)
+  | 15 ->
+      let first, second = two () in
+      f "(uncurry %s (%s, %s))" (function_ s fuel [ first; second ] ty) (typed (e first) first)
+        (typed (e second) second)
+  | 16 ->
+      let first, second = two () in
+      f "(flip %s %s %s)" (function_ s fuel [ first; second ] ty) (typed (e second) second)
+        (typed (e first) first)
   | 12 -> f "(fromEvent %s %s)" (e ty) (e (Type.event ty))
   | 0 -> f "(choose %s %s %s)" (e Bool) (e ty) (e ty)
   | 1 -> f "(fst (%s, %s))" (e ty) (typed (e other) other)
@@ -430,7 +483,9 @@ and higher_order s fuel ty =
   let one () = lambda s fuel argument ty in
   match Random.State.int s.random 5 with
   | 0 -> f "(%s %s)" (one ()) (value s)
-  | 1 -> f "((if %s then %s else %s) %s)" (expression s fuel Bool) (one ()) (one ()) (value s)
+  | 1 ->
+      note s "function chosen at run time";
+      f "((if %s then %s else %s) %s)" (expression s fuel Bool) (one ()) (one ()) (value s)
   | 2 ->
       let name = fresh s "g" in
       f "(case (if %s then Just %s else Nothing) of Just %s -> %s %s; Nothing -> %s)"
@@ -452,6 +507,7 @@ and field s fuel ty =
   | [] -> by_type s fuel ty
   | fields ->
       let record, name = one_of s.random fields in
+      note s "record field";
       f "%s.%s" (typed (expression s fuel record) record) name
 
 and call s fuel ty =

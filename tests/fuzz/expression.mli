@@ -6,6 +6,7 @@ type scope = {
   prefix : string;  (** of all names that the program defines *)
   methods : bool;  (** whether the methods of the shared classes may be used *)
   count : int ref;  (** of the names given *)
+  seen : Coverage.t;
   declared : Type.t list;
   variables : (string * Type.t) list;
   functions : (string * Type.t list * Type.t) list;
@@ -16,6 +17,9 @@ type scope = {
 val fresh : scope -> string -> string
 (** A name that starts so. *)
 
+val note : scope -> string -> unit
+(** See {!Coverage.note}. *)
+
 val any_type : scope -> Type.t
 val bind : (string * Type.t) list -> scope -> scope
 
@@ -24,6 +28,9 @@ val literal : scope -> Type.t -> string
 
 val expression : scope -> int -> Type.t -> string
 (** No deeper than the number says. *)
+
+val lambda : scope -> int -> Type.t -> Type.t -> string
+(** A function of one argument. *)
 
 val pattern : scope -> Type.t -> string * (string * Type.t) list
 (** One that always matches, and its variables. *)

@@ -17,6 +17,7 @@ type settings = {
   mutable jobs : int;
   mutable sanitize_every : int;
   mutable stop_at_first : bool;
+  mutable all_constructs : bool;
 }
 
 let settings () =
@@ -30,6 +31,7 @@ let settings () =
       jobs = 1;
       sanitize_every = 0;
       stop_at_first = false;
+      all_constructs = false;
     }
   in
   let text name set doc = (name, Arg.String set, doc)
@@ -42,6 +44,9 @@ let settings () =
       ( "--stop-at-first",
         Arg.Unit (fun () -> s.stop_at_first <- true),
         " end at the first batch of programs with one that fails, and show only that it does" );
+      ( "--all-constructs",
+        Arg.Unit (fun () -> s.all_constructs <- true),
+        " fail also if a construct of the language is never generated" );
       number "--jobs" (fun v -> s.jobs <- v) "N how many processes at once (1)";
       number "--sanitize-every"
         (fun v -> s.sanitize_every <- v)
@@ -74,16 +79,24 @@ let engines s batch : Engines.c_engine list =
     let turn = batch / s.sanitize_every mod 2 in
     [ Tcc; Sanitized (if turn = 0 then Gcc else Clang) ]
 
-type result = { programs : int; failed : int; sanitized : int }
+type result = { programs : int; failed : int; sanitized : int; seen : Coverage.t }
 
-let nothing = { programs = 0; failed = 0; sanitized = 0 }
+let nothing () = { programs = 0; failed = 0; sanitized = 0; seen = Coverage.create () }
 
 let both a b =
+  Coverage.add a.seen b.seen;
   {
+    a with
     programs = a.programs + b.programs;
     failed = a.failed + b.failed;
     sanitized = a.sanitized + b.sanitized;
   }
+
+let read path =
+  let channel = open_in_bin path in
+  Fun.protect
+    ~finally:(fun () -> close_in channel)
+    (fun () -> really_input_string channel (in_channel_length channel))
 
 let most_shrunk = 3
 
@@ -97,10 +110,11 @@ let work s worker ~folder =
     else
       let count = min Batch.size (last - first) in
       let engines = engines s batch in
+      let seen = Coverage.create () in
       let failures =
         if s.stop_at_first then
-          Option.to_list (Batch.failure tools engines ~seed:s.seed ~first ~count)
-        else Batch.failures tools engines ~seed:s.seed ~first ~count
+          Option.to_list (Batch.failure ~seen tools engines ~seed:s.seed ~first ~count)
+        else Batch.failures ~seen tools engines ~seed:s.seed ~first ~count
       in
       (* A few small ones say more than many. *)
       let shrunk k f =
@@ -116,14 +130,14 @@ let work s worker ~folder =
         failures;
       let sanitized = if List.length engines > 1 then count else 0 in
       batches (batch + s.jobs)
-        (both so_far { programs = count; failed = List.length failures; sanitized })
+        (both so_far { programs = count; failed = List.length failures; sanitized; seen })
   in
-  batches worker nothing
+  batches worker (nothing ())
 
 let () =
   let s = settings () in
   (* Many short-lived values: a large nursery saves most of the collector's work. *)
-  Gc.set { (Gc.get ()) with minor_heap_size = 4_000_000; space_overhead = 1000 };
+  Gc.set { (Gc.get ()) with space_overhead = 1000 };
   (* Sanitized programs run in a process that ends: what they hold is no leak. *)
   Unix.putenv "ASAN_OPTIONS" "detect_leaks=0";
   let folder = temporary_folder () in
@@ -133,8 +147,14 @@ let () =
   let seconds = Unix.gettimeofday () -. start in
   let broken = List.filter_map (function Error text -> Some text | Ok _ -> None) results in
   List.iter (fun text -> print_endline ("FAIL random programs: " ^ text)) broken;
-  let all = List.fold_left both nothing (List.filter_map Result.to_option results) in
-  let ok = all.failed = 0 && broken = [] in
+  let all = List.fold_left both (nothing ()) (List.filter_map Result.to_option results) in
+  let prelude = read (Filename.concat s.library "Prelude.frob") in
+  if not s.stop_at_first then
+    Printf.printf "how often each construct was generated:\n%s\n"
+      (Coverage.text ~prelude all.seen);
+  let missing = if s.all_constructs then Coverage.missing ~prelude all.seen else [] in
+  List.iter (Printf.printf "FAIL random programs: `%s` is never generated\n") missing;
+  let ok = all.failed = 0 && broken = [] && missing = [] in
   Printf.printf
     "%s %d random programs of seed %d, %d of them with sanitizers: %d failed; %.1f s, %.1f programs a second\n"
     (if ok then "ok  " else "FAIL")

@@ -24,6 +24,8 @@ oneMore x = 2 * x + 1
 firstDiffers :: Eq a => a -> a -> Bool
 firstDiffers x y = x /= y
 
+data Series[u] n a = Series { step :: Float[u], entries :: Array n a, newest :: Maybe a }
+
 latest :: a -> SF (Event a) a
 latest x0 = proc e -> y where
     before = delay x0 y
@@ -85,6 +87,10 @@ instance Measured a => Measured (Array n a) where
     bigger xs ys = any (\x -> bigger x (at 0 x ys)) xs
     smooth = proc xs -> foldl max 0 (mapSF smooth xs)
 
+instance Measured a => Measured (Series[u] n a) where
+    size s = maybe (signum s.step) size s.newest
+    bigger s t = s.step > t.step || bigger s.entries t.entries
+
 instance Renewed Float[u] where
     next x = x + x
 
@@ -107,6 +113,9 @@ instance (Renewed a, Renewed b) => Renewed (a, b) where
 instance Renewed a => Renewed (Array n a) where
     next xs = imap (\i x -> at (i + 1) (next x) xs) xs
     paced least = proc xs -> tag (foldl mergeE NoEvent (mapSF (paced least) xs)) xs
+
+instance Renewed a => Renewed (Series[u] n a) where
+    next s = s { step = s.step * 2, newest = Just (next (s.entries ! 0)) }
 
 largest :: Measured a => a -> a -> a
 largest x y = if bigger x y then x else y
@@ -243,6 +252,7 @@ let define_modes (s : Signal_function.scope) =
   in
   let modes = group s "m" ~parameter in
   let define i (name, parameters) =
+    Expression.note values "recursion through a switch";
     let named = named_parameters values parameters in
     let inside = bind_parameters s named in
     let running =
@@ -254,6 +264,7 @@ let define_modes (s : Signal_function.scope) =
           | Value _ | Function _ -> None)
         named
     in
+    if running <> [] then Expression.note values "mode with a signal function as parameter";
     let later = List.filteri (fun k _ -> k > i) modes in
     let earlier = later = [] || not (chance random 3) in
     let another values = call inside named values (one_of random (if earlier then modes else later)) in
@@ -280,11 +291,12 @@ let define_tasks (s : Signal_function.scope) =
   let input = any () and output = any () and result = any () in
   let tasks = group s "t" ~parameter:(fun () -> Signal_function.Value (any ())) in
   let define i (name, parameters) =
+    Expression.note values "recursion of a task";
     let named = named_parameters values parameters in
     let inside = bind_parameters s named in
     let later = List.filteri (fun k _ -> k > i) tasks in
     let earlier = later = [] || not (chance random 3) in
-    let first = any () in
+    let first = Task.any_result (Signal_function.maker inside) in
     let text, bound = Expression.pattern inside.values first in
     let another values =
       if chance random 3 then f "return (%s :: %s)" (Expression.expression values 2 result) (Type.text result)
@@ -347,7 +359,7 @@ let define_instances (s : Signal_function.scope) ty =
         f "%s = %s" text (Expression.expression (Expression.bind bound s.values) 3 ty)))
     paced
 
-let one ~seed number =
+let one ~seen ~seed number =
   let bias = Bias.of_program ~seed number in
   let random = Random.State.make [| seed; number |] in
   let prefix = f "p%d" number in
@@ -368,6 +380,7 @@ let one ~seed number =
       methods = false;
       prefix;
       count = ref 0;
+      seen;
       declared;
       variables = [];
       functions = [];
@@ -415,8 +428,9 @@ let one ~seed number =
 
 let main ~output body = f "main :: SF %s %s\nmain = proc i -> %s\n" (Type.text input_type) output body
 
-let make ~seed ~first ~count =
-  let programs = List.init count (fun i -> one ~seed (first + i)) in
+let make ?(seen = Coverage.create ()) ~seed ~first ~count () =
+  let programs = List.init count (fun i -> one ~seen ~seed (first + i)) in
+  List.iter (fun (_, text, _) -> Coverage.count_words seen text) programs;
   let tuple texts = match texts with [ one ] -> one | _ -> f "(%s)" (String.concat ", " texts) in
   let main =
     main
@@ -427,11 +441,11 @@ let make ~seed ~first ~count =
   String.concat "" ((library :: texts) @ [ main ])
 
 let signals ~seed number =
-  let _, _, signals = one ~seed number in
+  let _, _, signals = one ~seen:(Coverage.create ()) ~seed number in
   List.length signals
 
 let alone ~seed number ~component =
-  let name, text, signals = one ~seed number in
+  let name, text, signals = one ~seen:(Coverage.create ()) ~seed number in
   let pattern = List.mapi (fun i _ -> if i = component then "y" else "_") signals in
   library ^ text
   ^ main

@@ -35,6 +35,7 @@ let from_event m fuel payload b =
     else [ (4, fun () -> f "(%s %s)" (one_of m.values.random [ "hold"; "dHold" ]) (literal m b)) ]
   in
   same
+  @ (if b = Int then [ (4, fun () -> "seenBefore") ] else [])
   @ [ (3, fun () -> accumulate (one_of m.values.random [ "accumHoldBy"; "dAccumHoldBy" ]) b) ]
   @
   match known with
@@ -90,11 +91,17 @@ let source m fuel (a : Type.t) b payload =
 (* The event carries functions; they may have captured signals. *)
 let accumulated_functions m fuel a b =
   let values = still m.values in
+  Expression.note values "event of functions";
+  let names, b =
+    match Type.event_payload b with
+    | Some result -> ([ "accum" ], result)
+    | None -> ([ "accumHold"; "dAccumHold" ], b)
+  in
   let text, bound = Expression.pattern values a in
   let payload = Expression.any_type values in
   let inside = Expression.bind bound values in
   f "(proc %s -> %s %s (mapE %s (%s :: %s)))" text
-    (one_of m.values.random [ "accumHold"; "dAccumHold" ])
+    (one_of m.values.random names)
     (literal m b)
     (lambda m ~more:bound [ payload; b ] fuel b)
     (Expression.expression inside fuel (Type.event payload))
@@ -132,6 +139,12 @@ let ending m ~slow fuel a b payload =
 let mode m ~earlier ~continuation fuel a b =
   let payload = Expression.any_type m.values in
   let body = ending m ~slow:earlier fuel a b payload in
+  let holds_switch =
+    match Str.search_forward (Str.regexp "[sS]witch ") body 0 with
+    | _ -> true
+    | exception Not_found -> false
+  in
+  if holds_switch then Expression.note m.values "switch in a switch";
   let text, bound = Expression.pattern m.values payload in
   f "(%s %s (\\%s -> %s))" (switch m) body text (continuation (Expression.bind bound m.values))
 
@@ -159,6 +172,7 @@ let replaced m fuel a b =
     f "(proc %s@%s -> resetOn %s (%s, tag %s ()))" whole text first input event
   else
     let pattern, more = Expression.pattern inside payload in
+    Expression.note m.values "event of signal functions";
     let brought = Expression.bind more inside in
     f "(proc %s@%s -> %s %s (%s, mapE (\\%s -> %s) %s))" whole text
       (one_of m.values.random [ "rSwitch"; "drSwitch" ])
@@ -182,7 +196,10 @@ let composed m fuel a (b : Type.t) =
     f "(%s >>> %s)" (event payload) (through payload)
   in
   let onto_event payload =
-    match (Random.State.int m.values.random 3, payload) with
+    match (Random.State.int m.values.random 5, payload) with
+    | 3, _ -> f "(%s >>> edgeJust)" (value (Type.maybe payload))
+    | 4, Type.Tuple [] ->
+        f "(%s >>> %s)" (value Bool) (one_of m.values.random [ "edge"; "falling"; "when" ])
     | 0, Type.Tuple [ x; y ] -> f "((%s &&& %s) >>> snapshot)" (event x) (value y)
     | 0, _ -> f "((%s &&& %s) >>> sample)" (event (any ())) (value payload)
     | 1, _ -> f "(%s >>> %s)" (event payload) (through payload)
@@ -192,11 +209,14 @@ let composed m fuel a (b : Type.t) =
   @ (match Type.event_payload b with
     | Some payload -> [ (6, fun () -> onto_event payload) ]
     | None -> [])
+  @ (if b = Bool then [ (3, fun () -> f "(elapsed %s)" (time m)) ] else [])
   @ (if b = Int then [ (2, fun () -> f "(%s >>> count >>> hold 0)" (event (any ()))) ] else [])
   @ [
       ( 1,
-        fun () -> f "((%s &&& %s) >>> %s)" (value b) (value Float)
-            (one_of m.values.random [ "atMin"; "atMax" ]) );
+        fun () ->
+          let better = f "(atBest %s)" (lambda m [ Float; Float ] (min fuel 2) Bool) in
+          f "((%s &&& %s) >>> %s)" (value b) (value Float)
+            (one_of m.values.random [ "atMin"; "atMax"; better ]) );
     ]
 
 let alternatives m fuel a b =
@@ -209,7 +229,11 @@ let alternatives m fuel a b =
     @
     match a with
     | Tuple [ x; (Float | Measure _ | Int) ] when x = b ->
-        [ (3, fun () -> one_of m.values.random [ "atMin"; "atMax" ]) ]
+        let key = match a with Tuple [ _; key ] -> key | _ -> Type.Float in
+        [
+          (3, fun () -> one_of m.values.random [ "atMin"; "atMax" ]);
+          (2, fun () -> f "(atBest %s)" (lambda m [ key; key ] (min fuel 2) Bool));
+        ]
     | Float | Measure _ | Int | Bool | Tuple _ | Array _ | Data _ -> []
   and switching =
     [

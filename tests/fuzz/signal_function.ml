@@ -51,6 +51,10 @@ and expression s fuel (a : Type.t) (b : Type.t) =
       (1, fun () -> f "(constant %s)" (literal s b));
       ((if named = [] then 0 else 8), fun () -> applied s fuel (one_of random named));
       ((if a = b then 2 else 0), fun () -> f "(delay %s)" (literal s b));
+      ((if a = b then 1 else 0), fun () -> one_of random [ "returnA"; "identity" ]);
+      ( (match b with Array (_, t) when t = a -> 5 | _ -> 0),
+        fun () -> f "(window %s :: SF %s %s)" (literal s a) (Type.text a) (Type.text b) );
+      ((match b with Bool -> 1 | _ -> 0), fun () -> "atStart");
       ( (match (a, b) with Float, Float -> 4 | _ -> 0),
         fun () ->
           one_of random
@@ -105,6 +109,12 @@ and expression s fuel (a : Type.t) (b : Type.t) =
             let inner = sub (Tuple [ a; middle ]) (Tuple [ b; middle ]) in
             f "(loop (second (delay %s) >>> %s))" (literal s middle) inner );
         (2, fun () -> inline s fuel a b);
+        ( 1,
+          fun () ->
+            let n = 1 + Random.State.int random 3 and element = Expression.any_type s.values in
+            let many : Type.t = Array (n, middle) and results : Type.t = Array (n, element) in
+            f "(%s >>> (mapSF %s :: SF %s %s) >>> %s)" (sub a many) (sub middle element)
+              (Type.text many) (Type.text results) (sub results b) );
         (1, fun () -> f "(twiceOver %s %s)" (sub a b) (sub b b));
         ( (match b with Tuple [ _; _ ] -> 4 | _ -> 0),
           fun () ->
@@ -141,7 +151,13 @@ and typed_expression values fuel ty =
 and running s values fuel ty =
   let input = Expression.any_type s.values in
   let candidates = List.filter (fun n -> n.output = ty) s.known in
-  if candidates <> [] && chance s.values.random 2 then
+  if chance s.values.random 8 then
+    let argument = Expression.any_type s.values in
+    f "(%s %s %s)"
+      (of_functions s fuel input argument ty)
+      (typed_expression values fuel input)
+      (typed_expression { values with run = None } fuel argument)
+  else if candidates <> [] && chance s.values.random 2 then
     let n = one_of s.values.random candidates in
     f "(%s (%s))" (applied s 1 n) (Expression.expression values fuel n.input)
   else
@@ -160,22 +176,64 @@ and running s values fuel ty =
 
 and run s = Some (running s)
 
+(* A signal function whose output is a function; of a switch different modes may give
+   different ones. *)
+and of_functions s fuel a argument result =
+  let values = { s.values with run = None } in
+  let text, bound = Expression.pattern values a in
+  let made values = Expression.lambda (Expression.bind bound values) (min fuel 2) argument result in
+  if chance values.random 2 then begin
+    Expression.note values "function out of a signal function";
+    f "(arr (\\%s -> %s))" text (made values)
+  end
+  else begin
+    Expression.note values "function out of a switch";
+    let payload = Expression.any_type values in
+    let event = Type.event payload in
+    let brought, more = Expression.pattern values payload in
+    f "(%s (proc %s -> (%s, (%s :: %s))) (\\%s -> arr (\\%s -> %s)))"
+      (one_of values.random [ "switch"; "dSwitch" ])
+      text (made values)
+      (Expression.expression (Expression.bind bound values) (min fuel 2) event)
+      (Type.text event) brought text
+      (made (Expression.bind more values))
+  end
+
 (* {1 Procs} *)
 
 and inline s fuel a b =
   let text, bound = Expression.pattern s.values a in
-  let values = { (Expression.bind bound s.values) with run = run s } in
-  f "(proc %s -> %s)" text (Expression.expression values (min fuel 2) b)
+  let outside = Expression.bind bound s.values in
+  let values = { outside with run = run s } in
+  if chance s.values.random 3 then
+    let middle = Expression.any_type s.values in
+    let name, bound = Expression.pattern outside middle in
+    let last, input =
+      if chance s.values.random 2 then ("returnA", b)
+      else
+        let input = Expression.any_type s.values in
+        (expression s (fuel - 1) input b, input)
+    in
+    f "(proc %s -> do %s <- %s -< %s; %s -< %s)" text name
+      (expression s (fuel - 1) a middle)
+      (Expression.expression values 1 a)
+      last
+      (Expression.expression { (Expression.bind bound outside) with run = run s } 1 input)
+  else f "(proc %s -> %s)" text (Expression.expression values (min fuel 2) b)
 
 let equation s ~signals ~later (name, ty) =
   let random = s.values.random in
   let e ?(scope = signals) fuel ty = Expression.expression scope fuel ty in
   match (Random.State.int random 8, (ty : Type.t)) with
-  | 0, Float -> f "%s = integral %s / 1[s]" name (e ~scope:later 2 Float)
+  | 0, Float ->
+      Expression.note s.values "feedback through integral";
+      f "%s = integral %s / 1[s]" name (e ~scope:later 2 Float)
   | (0 | 1), Measure { metres; seconds } ->
       let rate = Type.measure ~metres ~seconds:(seconds - 1) in
       f "%s = integral %s" name (typed_expression later 2 rate)
-  | (0 | 1 | 2), _ -> f "%s = delay %s %s" name (literal s ty) (e ~scope:later 2 ty)
+  | (0 | 1 | 2), _ ->
+      Expression.note s.values "feedback through delay";
+      f "%s = delay %s %s" name (literal s ty) (e ~scope:later 2 ty)
   | 3, _ ->
       let input = Expression.any_type s.values in
       f "%s = %s %s" name (expression s 2 input ty) (e 2 input)
@@ -185,6 +243,7 @@ let equation s ~signals ~later (name, ty) =
    first one of the same instant. *)
 let pair s ~signals ((x, t) as first) (y, u) =
   let with_first = Expression.bind [ first ] signals in
+  Expression.note s.values "pair of signals";
   let a = Expression.any_type s.values and b = Expression.any_type s.values in
   match Random.State.int s.values.random 3 with
   | 0 ->
@@ -201,6 +260,7 @@ let pair s ~signals ((x, t) as first) (y, u) =
         (Expression.expression with_first 2 b)
 
 let local_function s ~signals name argument result =
+  Expression.note s.values "local function";
   let text, bound = Expression.pattern s.values argument in
   let inside = { (Expression.bind bound signals) with Expression.run = None } in
   f "%s %s = %s" name text (Expression.expression inside 2 result)

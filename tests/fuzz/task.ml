@@ -4,6 +4,16 @@ let f = Printf.sprintf
 let still (values : Expression.scope) = { values with run = None }
 let value (m : Reactive.maker) fuel ty = Expression.expression (still m.values) fuel ty
 let any (m : Reactive.maker) = Expression.any_type m.values
+
+(* What a task ends with: often what the combinators make. *)
+let any_result (m : Reactive.maker) =
+  match Random.State.int m.values.random 6 with
+  | 0 | 1 -> Type.unit
+  | 2 -> Type.maybe (any m)
+  | 3 -> Type.either (any m) (any m)
+  | 4 -> Type.Tuple [ any m; any m ]
+  | _ -> any m
+
 let with_values (m : Reactive.maker) bound = { m with values = Expression.bind bound m.values }
 let annotated text ty = f "(%s :: %s)" text (Type.text ty)
 
@@ -25,6 +35,9 @@ let rec task (m : Reactive.maker) ~slow fuel a b (c : Type.t) =
     if slow then []
     else
       (3, fun () -> f "(return %s)" (annotated (value m 1 c) c))
+      :: ( (if fuel > 0 then 2 else 0),
+           fun () ->
+             f "(untilRight %s)" (m.signal_function m.values (fuel - 1) a (Type.either b c)) )
       :: (if a = c then [ (3, fun () -> "snapT") ] else [])
   in
   let of_nothing =
@@ -43,14 +56,14 @@ let rec task (m : Reactive.maker) ~slow fuel a b (c : Type.t) =
             f "(if %s then %s else %s)" (value m 1 Bool) (sub a b c) (sub a b c) );
         ( 1,
           fun () ->
-            let other = any m in
+            let other = any_result m in
             f "(mapT %s %s)" (lambda m 2 other c) (sub a b other) );
         ( 1,
           fun () ->
             let other = any m in
             f "(mapOutput %s %s)" (lambda m 2 other b) (sub a other c) );
         (2, fun () -> side_by_side m ~slow fuel a b c);
-        (1, fun () -> f "(forever %s)" (sub ~slow:true a b (any m)));
+        (1, fun () -> f "(forever %s)" (sub ~slow:true a b (any_result m)));
         (1, fun () -> f "(constT %s)" (value m 1 b));
       ]
       @ by_result m ~slow fuel a b c
@@ -59,7 +72,7 @@ let rec task (m : Reactive.maker) ~slow fuel a b (c : Type.t) =
 
 (* What comes first takes the time. *)
 and sequence m ~slow fuel a b c =
-  let first = any m in
+  let first = any_result m in
   let text, bound = Expression.pattern m.values first in
   let before = task m ~slow (fuel - 1) a b first in
   let rest m = task m ~slow:false (fuel - 1) a b c in
@@ -110,11 +123,11 @@ and by_result m ~slow fuel a b (c : Type.t) =
       let text, bound = Expression.pattern m.values x in
       let array = Type.Array (1 + Random.State.int m.values.random 3, x) in
       [
-        (2, fun () -> f "(repeatT %s %s)" (times m) (sub ~slow:true a b (any m)));
+        (2, fun () -> f "(repeatT %s %s)" (times m) (sub ~slow:true a b (any_result m)));
         ( 2,
           fun () ->
             f "(forEachT %s (\\%s -> %s))" (annotated (value m 1 array) array) text
-              (task (with_values m bound) ~slow:true (fuel - 1) a b (any m)) );
+              (task (with_values m bound) ~slow:true (fuel - 1) a b (any_result m)) );
         ( 1,
           fun () ->
             f "(%s %s %s)" (one_of m.values.random [ "whenT"; "unlessT" ]) (value m 1 Bool)
@@ -131,7 +144,7 @@ let alternatives (m : Reactive.maker) fuel a b =
         [ (3 * weight, fun () -> f "(runTask %s)" (task m ~slow:false (fuel - 1) a output result)) ]
     | _ -> []
   and followed () =
-    let result = any m in
+    let result = any_result m in
     let text, bound = Expression.pattern m.values result in
     f "(thenSF %s (\\%s -> %s))"
       (task m ~slow:false (fuel - 1) a b result)

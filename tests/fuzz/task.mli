@@ -4,5 +4,8 @@ val task : Reactive.maker -> slow:bool -> int -> Type.t -> Type.t -> Type.t -> s
 (** [task m ~slow fuel a b c], of type [Task a b c]. If [slow], it does not end at
     its first instant, so that it can be repeated. *)
 
+val any_result : Reactive.maker -> Type.t
+(** A type that tasks end with. *)
+
 val alternatives : Reactive.maker -> int -> Type.t -> Type.t -> (int * (unit -> string)) list
 (** Signal functions made of tasks, as {!Reactive.alternatives}. *)

@@ -55,6 +55,19 @@ let either a b =
       constructors = [ positional "Left" [ a ]; positional "Right" [ b ] ];
     }
 
+let series u n t =
+  Data
+    {
+      head = Printf.sprintf "Series[%s] %d %s" (unit_text u) n (text t);
+      constructors =
+        [
+          {
+            name = "Series";
+            fields = [ ("step", Measure u); ("entries", Array (n, t)); ("newest", maybe t) ];
+          };
+        ];
+    }
+
 let rec has_instances ~measured = function
   | Float | Measure _ | Int | Bool -> true
   | Array (_, t) -> has_instances ~measured t
@@ -64,6 +77,8 @@ let rec has_instances ~measured = function
       measured && List.for_all (fun (_, t) -> has_instances ~measured t) (fields @ others)
   | Data { constructors = [ { name = "NoEvent" | "Nothing"; _ }; { fields; _ } ]; _ } ->
       List.for_all (fun (_, t) -> has_instances ~measured t) fields
+  | Data { constructors = [ { name = "Series"; fields = [ _; (_, entries); _ ] } ]; _ } ->
+      has_instances ~measured entries
   | Data _ -> true
 
 let is_record data =
@@ -89,7 +104,9 @@ let rec of_depth random ~declared depth =
     let inner () = of_depth random ~declared (depth - 1) in
     match Random.State.int random 15 with
     | 12 | 13 -> Array (1 + Random.State.int random 4, inner ())
-    | 14 -> Measure (any_measure random)
+    | 14 ->
+        if Random.State.bool random then Measure (any_measure random)
+        else series (any_measure random) (1 + Random.State.int random 3) (inner ())
     | 0 | 1 -> Tuple [ inner (); inner () ]
     | 2 -> Tuple [ inner (); inner (); inner () ]
     | 3 -> maybe (inner ())
