@@ -89,6 +89,11 @@ let other_meaning t space (name : Syntax.Ir.name) diagnostic =
       (Printf.sprintf "`%s` is a field: `r.%s` reads it, and the function is `\\r -> r.%s`"
          name.text name.text name.text)
       diagnostic
+  else if String.equal space.noun "name" && is_known t units name.text then
+    Diagnostic.note
+      (Printf.sprintf "`%s` is a unit: it stands in brackets directly after a number, as in `3[%s]`"
+         name.text name.text)
+      diagnostic
   else diagnostic
 
 (* Values and constructors are apart by their first letter only (`true`,
@@ -110,7 +115,7 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
   let is_it (signal : Syntax.Ir.name) = String.equal signal.text name.text in
   let declares (_, names) = String_map.mem name.text (space.table names) in
   let diagnostic =
-    match (List.find_opt declares (Lazy.force t.elsewhere), other_writing t space name.text) with
+    match (List.filter declares (Lazy.force t.elsewhere), other_writing t space name.text) with
     | _ when List.exists is_it (Lazy.force signals) ->
         let signal = List.find is_it (Lazy.force signals) in
         Diagnostic.label ~at:signal.span (Printf.sprintf "this `%s` is a signal of the `proc`" name.text)
@@ -118,12 +123,13 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
         |> Diagnostic.hint
              "a `where` after `do` belongs to the whole definition and sees no signals: write a \
               `let` in the `do`"
-    | Some (module_, _), _ ->
+    | (_ :: _ as modules), _ ->
+        let imports = List.map (fun (module_, _) -> Printf.sprintf "`import %s`" module_) modules in
         Diagnostic.hint
-          (Printf.sprintf "`%s` is in the library: `import %s`" name.text module_)
+          (Printf.sprintf "`%s` is in the library: %s" name.text (String.concat " or " imports))
           diagnostic
-    | None, Some other -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
-    | None, None ->
+    | [], Some other -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
+    | [], None ->
         Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
   in
   Context.emit t.context diagnostic

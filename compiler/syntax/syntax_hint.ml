@@ -89,6 +89,8 @@ let misplaced_line found =
 
 (* {1 By the token} *)
 
+let by_indentation = "blocks are made by indentation; braces write records only"
+
 let assigns found =
   match found.before with
   | Some { token = OPERATOR "!"; _ } -> Some "`/=` says that two values differ"
@@ -130,8 +132,14 @@ let of_token found =
   | DOUBLE_COLON, Some field when opens_with Layout.Brace found.context ->
       if field_of_a_value found field then Some "a field gets its value with `=`"
       else Some "there is a `,` between two fields"
-  | LBRACE, Some { token = OPEN; _ } ->
-      Some "blocks are made by indentation; braces write records only"
+  | BACKSLASH, Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _; _ } ->
+      Some "a lambda among arguments needs parentheses: `f (\\x -> …)`"
+  | (RBRACE | COMMA), Some { token = LOWER _; _ } when opens_with Layout.Brace found.context ->
+      Some "a field is written with its value or pattern, as in `heading = h`"
+  | LBRACE, Some { token = OPEN; _ } -> Some by_indentation
+  | (LOWER _ | UPPER _ | NUMBER _ | LPAREN), Some { token = LOWER _; _ }
+    when opens_with Layout.Brace found.context ->
+      Some "a field gets its value with `=`; if a block was meant, it is made by indentation"
   | (LOWER _ | NUMBER _ | UNDERSCORE | LPAREN), Some ({ token = UPPER _; _ } as constructor)
     when stands_after_proc found constructor ->
       Some "a pattern such as `Just x` needs parentheses here"
@@ -160,6 +168,7 @@ let usual found =
       | ((Block (Top | Let | Where) | Paren), _) :: _ ->
           Some "a function without a name is written `\\x -> …`, a signal function `proc x -> …`"
       | _ -> None)
+  | LBRACE -> Some by_indentation
   | _ -> None
 
 let hint found ~state_hints =

@@ -31,7 +31,9 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
       |> Diagnostic.label ~at:record.span ("this is " ^ described)
       |> suggest name known)
 
+(* Of a record whose type is not known, perhaps for another error. *)
 let no_such_field ctx (name : Syntax.Ir.name) =
+  if errors ctx = 0 then
   report ctx (fun _ ->
       Diagnostic.error ~code:"E0310" ~at:name.span "no type in scope has a field `%s`" name.text
       |> suggest name (Environment.field_names ctx.reader.environment))

@@ -249,6 +249,23 @@ let is_event t =
 let separated_by_commas expected =
   match expected.because with Parameter { position = 1; callee = Some _; _ } -> true | _ -> false
 
+let vector_operator expected =
+  match expected.because with
+  | Parameter { callee = Some operator; _ } | Operand { operator; _ } -> (
+      match operator with
+      | "+" -> Some "`^+^`"
+      | "-" -> Some "`^-^`"
+      | "*" -> Some "`*^` with the number first, and `dot`"
+      | _ -> None)
+  | _ -> None
+
+let ends_a_mode expected =
+  match expected.because with
+  | Parameter { position = 1; callee = Some ("switch" | "dSwitch" | "mkTask"); _ } -> true
+  | _ -> false
+
+let is_pair t = match Type.expand t with Tuple [ _; _ ] -> true | Flexible _ -> true | _ -> false
+
 (* For `not x > 0`. *)
 let hint_to_group name operator =
   hint
@@ -335,6 +352,10 @@ let shapes words ~subject ~at ~(expected : expected) ~found =
     ->
       unrun words ~subject:(Some other) ~at:other.span ~input ~found:expected.ty
       |> label ~at (Printf.sprintf "this is %s" (text found))
+  | Signal_function (_, wanted), Signal_function (_, given), _
+    when ends_a_mode expected && is_pair wanted && not (is_pair given) ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint "it gives its output together with the event that ends it, as `sf &&& e` does"
   | Signal_function _, Function _, _ ->
       error ~code:"E0304" ~at "expected a signal function, found a function: %s" (text found)
       |> hint "`arr` makes a signal function of a function"
@@ -344,6 +365,8 @@ let shapes words ~subject ~at ~(expected : expected) ~found =
       in
       match (expected.because, Type.expand expected.ty) with
       | Parameter { callee = Some "arr"; _ }, _ -> hint "leave out `arr`" diagnostic
+      | Parameter { callee = Some "map"; _ }, _ ->
+          hint "`mapSF` runs a signal function on each element" diagnostic
       | Parameter { callee = Some "."; _ }, _ ->
           hint "signal functions are composed with `>>>`, from left to right" diagnostic
       | Parameter { callee = Some name; _ }, _ ->
@@ -367,6 +390,11 @@ let shapes words ~subject ~at ~(expected : expected) ~found =
                  (if missing = 1 then "" else "s")
            | None ->
                if missing = 1 then "an argument is missing" else "some arguments are missing")
+  | Number _, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ }, _ when Option.is_some (vector_operator expected) ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint
+           (Printf.sprintf "vectors have operators of their own: %s"
+              (Option.get (vector_operator expected)))
   | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint "`constant e` is the signal function that always gives `e`"
@@ -421,7 +449,19 @@ let to_float (e : Resolve.Ir.expr option) =
   | Some name -> Printf.sprintf "write `toFloat %s`" name
   | None -> "`toFloat` makes a `Float` of an `Int`"
 
-let to_int = "`round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`"
+let to_int (e : Resolve.Ir.expr option) =
+  let whole digits =
+    match String.index_opt digits '.' with
+    | Some point
+      when String.for_all (fun c -> c = '0')
+             (String.sub digits (point + 1) (String.length digits - point - 1)) ->
+        Some (String.sub digits 0 point)
+    | Some _ | None -> None
+  in
+  match e with
+  | Some { desc = Number { digits; unit_ = None; _ }; _ } when whole digits <> None ->
+      Printf.sprintf "a whole number has no point: `%s`" (Option.get (whole digits))
+  | _ -> "`round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`"
 
 let representations words ~subject ~at ~(expected : expected) ~found (wanted, given) =
   let text = Show.representation words in
@@ -440,7 +480,7 @@ let representations words ~subject ~at ~(expected : expected) ~found (wanted, gi
   | Parameter { callee = Some "/"; _ }, Float, Int ->
       plain () |> hint "`div` divides whole numbers" |> hint (to_float subject)
   | _, Float, Int -> plain () |> hint (to_float subject)
-  | _, Int, Float -> plain () |> hint to_int
+  | _, Int, Float -> plain () |> hint (to_int subject)
   | _ ->
       plain ()
       |> note (Printf.sprintf "`%s` and `%s` are different representations" (text wanted) (text given))

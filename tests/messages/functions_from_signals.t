@@ -6,43 +6,42 @@ with the way that leads there, and the call in the program comes first.
   > main = proc x -> f x where
   >     f = hold id (Event (\y -> y + x))
   > FROB
-  $ frobc check held.frob
+  $ check() { frobc check "$1" 2>&1 | sed 's/Prelude.frob:[0-9]*/Prelude.frob:N/; s/^[0-9][0-9][0-9] /  N /'; }
+  $ check held.frob
   error[E0412]: `hold` cannot keep a value of type `Float -> Float`
      --> held.frob:3:5
       |
     3 |     f = hold id (Event (\y -> y + x))
       |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
       |
-     ::: stdlib/Prelude.frob:369:20
+     ::: stdlib/Prelude.frob:N:20
       |
-  369 |     y = fromEvent (delay x0 y) e
+    N |     y = fromEvent (delay x0 y) e
       |                    ---------- it would be stored here, in a `delay`
       |
       = note: functions, signal functions and labels exist only while compiling
   
   1 error
-  [1]
   $ cat > best.frob <<'FROB'
   > main :: SF (Float, Float) Float
   > main = proc (x, y) -> best x where
   >     best = atMin (\z -> z * x, y)
   > FROB
-  $ frobc check best.frob
+  $ check best.frob
   error[E0412]: `atMin` cannot keep a value of type `Maybe (Float -> Float, Float)`
      --> best.frob:3:5
       |
     3 |     best = atMin (\z -> z * x, y)
       |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
       |
-     ::: stdlib/Prelude.frob:458:5
+     ::: stdlib/Prelude.frob:N:5
       |
-  458 |     before = delay Nothing (Just (best, bestKey))
+    N |     before = delay Nothing (Just (best, bestKey))
       |     --------------------------------------------- it would be stored here, in a `delay`
       |
       = note: functions, signal functions and labels exist only while compiling
   
   1 error
-  [1]
   $ cat > own.frob <<'FROB'
   > keep :: a -> SF (Event a) a
   > keep x0 = proc e -> z where

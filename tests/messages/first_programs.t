@@ -1,0 +1,154 @@
+What people write in their first programs.
+
+Blocks in braces, and a lambda, a field or a unit as elsewhere:
+
+  $ cat > braces.frob <<'FROB'
+  > avoid = proc i -> {
+  >     x = i
+  > }
+  > FROB
+  $ frobc check braces.frob
+  error[E0110]: expected the output of this `proc`, or `do`, after `->`, found `{`
+   --> braces.frob:1:19
+    |
+  1 | avoid = proc i -> {
+    |                   ^
+    |
+    = hint: blocks are made by indentation; braces write records only
+  
+  1 error
+  [1]
+  $ cat > call.frob <<'FROB'
+  > halve x = do { return x / 2 }
+  > FROB
+  $ frobc check call.frob
+  error[E0110]: expected a statement, found `{`
+   --> call.frob:1:14
+    |
+  1 | halve x = do { return x / 2 }
+    |              ^
+    |
+    = hint: blocks are made by indentation; braces write records only
+  
+  1 error
+  [1]
+  $ cat > lambda.frob <<'FROB'
+  > go :: SF Bool Float
+  > go = switch (constant 1 &&& edge) \_ -> constant 2
+  > 
+  > heading p = case p of
+  >     Pose { heading } -> heading
+  > FROB
+  $ frobc check lambda.frob
+  error[E0110]: expected an operator, an argument, or the end of the expression, found `\`
+   --> lambda.frob:2:35
+    |
+  2 | go = switch (constant 1 &&& edge) \_ -> constant 2
+    |                                   ^
+    |
+    = hint: a lambda among arguments needs parentheses: `f (\x -> …)`
+  
+  error[E0110]: expected `=` after the name of a field, found `}`
+   --> lambda.frob:5:20
+    |
+  5 |     Pose { heading } -> heading
+    |                    ^
+    |
+    = hint: a field is written with its value or pattern, as in `heading = h`
+  
+  2 errors
+  [1]
+  $ cat > unit.frob <<'FROB'
+  > bell :: SF () (Event ())
+  > bell = after 3 [s]
+  > FROB
+  $ frobc check unit.frob
+  error[E0205]: unknown name `s`
+   --> unit.frob:2:17
+    |
+  2 | bell = after 3 [s]
+    |                 ^
+    |
+    = note: `s` is a unit: it stands in brackets directly after a number, as in `3[s]`
+  
+  1 error
+  [1]
+
+A switch from what has no event, an Int with a point, arithmetic of vectors, map for
+mapSF, a name that several modules have:
+
+  $ cat > types.frob <<'FROB'
+  > import Geometry
+  > 
+  > follow, search :: SF Float Float
+  > follow = identity
+  > search = constant 0
+  > 
+  > robot :: SF Float Float
+  > robot = switch follow (\_ -> search)
+  > 
+  > times :: Int -> Float -> Float
+  > times n x = toFloat n * x
+  > 
+  > twice :: Float -> Float
+  > twice x = times 2.0 x
+  > 
+  > way :: Point2 -> Point2 -> Point2
+  > way a b = b - a
+  > 
+  > ages :: SF (Array 3 (Event Float)) (Array 3 Float)
+  > ages = proc es -> map (hold 0) es
+  > FROB
+  $ frobc check types.frob
+  error[E0301]: expected `SF Float (a, Event b)`, found `SF Float Float`
+   --> types.frob:8:16
+    |
+  8 | robot = switch follow (\_ -> search)
+    |         ------ ^^^^^^
+    |         |
+    |         argument 1 of `switch` is `SF Float (a, Event b)`
+    |
+    = hint: it gives its output together with the event that ends it, as `sf &&& e` does
+  
+  error[E0312]: expected `Int`, found `Float`
+    --> types.frob:14:17
+     |
+  14 | twice x = times 2.0 x
+     |           ----- ^^^
+     |           |
+     |           argument 1 of `times` is `Int`
+     |
+     = hint: a whole number has no point: `2`
+  
+  error[E0301]: expected a number, found `Point2`
+    --> types.frob:17:11
+     |
+  17 | way a b = b - a
+     |           ^ - argument 1 of `-` is a number
+     |
+     = hint: vectors have operators of their own: `^-^`
+  
+  error[E0304]: expected a function, found a signal function: `SF (Event n[u]) n[u]`
+    --> types.frob:20:24
+     |
+  20 | ages = proc es -> map (hold 0) es
+     |                   ---  ^^^^^^
+     |                   |
+     |                   argument 1 of `map` is `a -> b`
+     |
+     = hint: `mapSF` runs a signal function on each element
+  
+  4 errors
+  [1]
+  $ echo 'stop = constant resting' > resting.frob
+  $ frobc check resting.frob
+  error[E0205]: unknown name `resting`
+   --> resting.frob:1:17
+    |
+  1 | stop = constant resting
+    |                 ^^^^^^^
+    |
+    = hint: `resting` is in the library: `import Create` or `import Pioneer` or `import Scout`
+  
+  1 error
+  [1]
