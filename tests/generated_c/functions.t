@@ -3,7 +3,7 @@ it is used: numbers and units are no reason for another, other signal functions 
 functions are.
 
   $ steps() { awk '/^\/\* .*, .*\.frob:[0-9]+ \*\/$/ { def = $2 " " $3; next }
-  >   /^[a-z].*\(/ && def != "" && !/_reset\(/ { print def } { def = "" }' "$1" | sort | uniq -c; }
+  >   /^[a-z].*\(/ && def != "" && !/_reset\(/ { print def } { def = "" }' "$1" | sed 's/:.*//' | sort | uniq -c; }
   $ cat > uses.frob <<'FROB'
   > import Control
   > 
@@ -20,11 +20,11 @@ functions are.
   > FROB
   $ frobc compile uses.frob
   $ steps uses.c
-        1 debounce, Control.frob:96
-        1 lowPass, Control.frob:49
-        1 main, uses.frob:7
-        1 rateLimit, Control.frob:57
-        2 smoothed, uses.frob:4
+        1 debounce, Control.frob
+        1 lowPass, Control.frob
+        1 main, uses.frob
+        1 rateLimit, Control.frob
+        2 smoothed, uses.frob
 
 A definition that uses another twice, twenty times over, has a million of the first
 one's states, and no more code for it: one function for each level.
@@ -35,8 +35,8 @@ one's states, and no more code for it: one function for each level.
   $ frobc compile levels.frob
   $ grep -c '^[a-z].*_step(' levels.c
   10
-  $ frobc report levels.frob | sed -n 2p
-    >>>                            8388608                 Prelude.frob:240
+  $ frobc report levels.frob | sed -n '2s/Prelude.*/Prelude/p'
+    >>>                            8388608                 Prelude
   $ sed 's/^main = f20/main = f10/' levels.frob > ten.frob
   $ frobc compile ten.frob
   $ echo $(($(wc -l < levels.c) - $(wc -l < ten.c))) more lines for ten more levels
