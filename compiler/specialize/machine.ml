@@ -94,7 +94,7 @@ let rec choices m node ~span (value : Value.t) =
             If (condition, then_, each else_)
         | task -> One (run task)
       in
-      each (Task.reduced m.context apply ~span task.value)
+      each (Task.reduced m.context node apply ~span task.value)
   | Signal_function ({ code = Proc proc; _ } as closure) -> (
       match eta proc with
       | Some inner ->

@@ -44,63 +44,78 @@ let place_of ~otherwise (continuation : Value.t) =
 (* So many tasks in a row end at once in no program that means it. *)
 let most_at_once = 1000
 
-let report_circle (c : Context.t) ~span places =
-  (* The circle is at the end of the list, its last step first. *)
-  let circle =
-    match places with
-    | [] -> []
-    | last :: before ->
-        let rec until = function
-          | place :: _ when Span.compare place last = 0 -> []
-          | place :: others -> place :: until others
-          | [] -> []
-        in
-        List.rev (last :: until before)
+(* What was gone into, the last one first: a key of it, and its place. *)
+let report_circle (c : Context.t) ~span circle =
+  let at, others =
+    match List.partition (Context.in_prelude c) (List.rev circle) with
+    | of_the_prelude, [] -> (span, of_the_prelude)
+    | _, first :: others -> (first, others)
   in
-  let label d at = Diagnostic.label ~at "then this, at once" d in
-  (match circle with
-  | first :: others ->
-      let others = List.filteri (fun i _ -> i < 10) others in
-      List.fold_left label
-        (Diagnostic.error ~code:"E0402" ~at:first "these tasks follow each other in no time"
-        |> Diagnostic.here "this starts when the one before has ended at once")
-        others
-  | [] -> Diagnostic.error ~code:"E0402" ~at:span "these tasks follow each other in no time")
-  |> Diagnostic.note "each cycle of tasks must take time: `return` takes none"
-  |> Diagnostic.hint "put a task into the cycle that takes time, such as `sleepT 10[ms] output`"
+  let others = List.filteri (fun i _ -> i < 10) (List.sort_uniq Span.compare others) in
+  let label d place =
+    if Span.compare place at = 0 then d else Diagnostic.label ~at:place "then this, at once" d
+  in
+  Diagnostic.error ~code:"E0402" ~at "these tasks may follow each other for ever in no time"
+  |> Diagnostic.here "this starts when the one before has ended at once"
+  |> (fun d -> List.fold_left label d others)
+  |> Diagnostic.note "each cycle of tasks must take time, whichever way it goes: `return` takes none"
+  |> Diagnostic.hint "put a task into the cycle that takes time, such as `sleepT 10[ms] y`"
   |> Diagnostic.emit c.sink;
   raise Context.Stopped
 
 let sequence types owner at first rest : Value.t =
   Primitive { primitive = Sequence; types; arguments = [ rest; first ]; owner; at }
 
-let reduced (c : Context.t) apply ~span task =
-  let rec reduce places count (task : Value.t) : Value.t =
+let unnamed span : Core.Ir.Local.t = { id = 0; name = ""; span }
+
+let reduced (c : Context.t) node apply ~span task =
+  (* Continuation and result without what only the running program knows: the
+     same once more is a circle, and so is what grows for ever. *)
+  let key ~span (rest : Value.argument) (value : Value.argument) =
+    let walk = Skeleton.walk c.keys node Holes in
+    Skeleton.add walk (unnamed span) rest.ty rest.value;
+    Skeleton.add walk (unnamed span) value.ty value.value;
+    Skeleton.key walk
+  in
+  let enter ~span chain rest value =
+    let key = key ~span rest value in
+    let rec since found = function
+      | (k, place) :: _ when k = key -> Some (place :: found)
+      | (_, place) :: others -> since (place :: found) others
+      | [] -> None
+    in
+    match since [] chain with
+    | Some circle -> report_circle c ~span circle
+    | None when List.compare_length_with chain most_at_once >= 0 ->
+        report_circle c ~span (List.filteri (fun i _ -> i < 10) (List.map snd chain))
+    | None -> (key, place_of ~otherwise:span rest.value) :: chain
+  in
+  (* [span]: the nearest place around in the program itself. *)
+  let rec reduce ~span chain (task : Value.t) : Value.t =
     match task with
     | Primitive { primitive = Sequence; types = [ a; b; _; d ] as types; arguments = [ rest; first ]; owner; at }
       ->
-        follow places count types (owner, at) rest
-          { first with value = reduce places count first.value }
+        let span = if Context.in_prelude c at then span else at in
+        follow ~span chain types (owner, at) rest
+          { first with value = reduce ~span chain first.value }
           ~result:(type_of a b d)
     | Choice { condition; then_; else_ } ->
-        let then_ = reduce places count then_ in
-        Choice { condition; then_; else_ = reduce places count else_ }
+        let then_ = reduce ~span chain then_ in
+        Choice { condition; then_; else_ = reduce ~span chain else_ }
     | task -> task
-  and follow places count types origin rest (first : Value.argument) ~result =
+  and follow ~span chain types origin rest (first : Value.argument) ~result =
     match first.value with
     | Primitive { primitive = Return; arguments = [ value ]; _ } ->
-        let place = place_of ~otherwise:span rest.value in
-        let places = place :: places in
-        if count = most_at_once then report_circle c ~span places;
-        reduce places (count + 1) (apply ~span:place ~result rest.value value)
+        let chain = enter ~span chain rest value in
+        reduce ~span chain (apply ~span:(snd (List.hd chain)) ~result rest.value value)
     | Choice { condition; then_; else_ } ->
-        let branch value = follow places count types origin rest { first with value } ~result in
+        let branch value = follow ~span chain types origin rest { first with value } ~result in
         let then_ = branch then_ in
         Choice { condition; then_; else_ = branch else_ }
     | Unspecified -> Unspecified
     | _ -> sequence types (fst origin) (snd origin) first rest
   in
-  reduce [] 0 task
+  reduce ~span [] task
 
 let rec head (task : Value.t) =
   match task with

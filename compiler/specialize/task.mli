@@ -37,9 +37,9 @@ val next_place : Value.t -> Span.t
 val type_of : Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty
 (** Of input, output and result. *)
 
-val reduced : Context.t -> evaluator -> span:Span.t -> Value.t -> Value.t
+val reduced : Context.t -> Node.t -> evaluator -> span:Span.t -> Value.t -> Value.t
 (** The same task, or choice of tasks, with a head: what ends at once is done
-    with. Reports tasks that end at once in a circle; then raises
+    with, in this node. Reports tasks that end at once in a circle; then raises
     {!Context.Stopped}. *)
 
 val head : Value.t -> head

@@ -185,7 +185,7 @@ known to end at once …
   > main = runTask (go 1)
   > EOF
   $ frobc check returns.frob
-  error[E0402]: these tasks follow each other in no time
+  error[E0402]: these tasks may follow each other for ever in no time
    --> returns.frob:9:4
     |
   4 |     other m
@@ -194,8 +194,8 @@ known to end at once …
   9 |    go m
     |    ^^^^ this starts when the one before has ended at once
     |
-    = note: each cycle of tasks must take time: `return` takes none
-    = hint: put a task into the cycle that takes time, such as `sleepT 10[ms] output`
+    = note: each cycle of tasks must take time, whichever way it goes: `return` takes none
+    = hint: put a task into the cycle that takes time, such as `sleepT 10[ms] y`
   
   1 error
   [1]
