@@ -5,7 +5,9 @@
 # to the device, `told` the log of commands.
 start_robot () {
   rm -f line told
-  frobc serve --robot pioneer --world hall.toml --for 120s --link line --log told "$@" > served &
+  world=hall.toml
+  [ "$1" = --world ] && { world=$2; shift 2; }
+  frobc serve --robot pioneer --world $world --for 120s --link line --log told "$@" > served &
   robot=$!
   until_true '[ -e line ]'
 }

@@ -56,6 +56,16 @@ the robot's own watchdog does.
   [1]
   $ until_true '! [ -e /proc/$guard ] && ! [ -e /proc/$controller ]'
 
+A run that is killed loses no row of its recording, and the rows replay.
+
+  $ start_driving --record log.csv; sleep 0.3; kill -KILL $run; wait $run 2> /dev/null
+  [137]
+  $ awk -F, 'NR == 1 { columns = NF } NF != columns { print "row", NR } END { print (NR > 10) }' log.csv
+  1
+  $ frobc trace drive.frob --input log.csv --output again.csv
+  $ sed 's/,.*,\([^,]*,[^,]*\)$/,\1/' log.csv | cmp - again.csv
+  $ until_true '! [ -e /proc/$guard ]'
+
 It is stopped with SIGSTOP: the guard stops the robot until it goes on.
 
   $ start_driving; mark; kill -STOP $run
