@@ -15,6 +15,8 @@ let program program =
   (* Before inlining, so that sizes are those of the work that remains, and
      what is done twice is inlined once. *)
   let tidied = tidy program in
+  (* Before inlining, which takes the joined loops' bodies together. *)
+  let tidied = Fusion.program tidied in
   let inlined = Inline.program tidied in
   (* Inlined equations meet their arguments. *)
   let tidied = if inlined == tidied then tidied else tidy inlined in

@@ -19,6 +19,9 @@ type item =
 val defines : item -> Ir.signal list
 (** What an instance gives on trial it does not define again. *)
 
+val needs : item -> Ir.signal list
+(** Those whose value of the same instant it needs. *)
+
 val in_source_order : Ir.node -> item list
 (** The node's own order: that of its equations, each instance before the
     first equation that is written after it. *)

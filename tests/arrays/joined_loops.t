@@ -1,0 +1,111 @@
+Each program is run by both engines, on rows of input:
+
+  $ both() {
+  >   echo "time,$2" > in.csv; program=$1; shift 2; k=0
+  >   for row; do echo "$k,$row" >> in.csv; k=$((k + 1)); done
+  >   frobc trace $program.frob --input in.csv | tee c.csv | cut -d, -f2-
+  >   frobc trace $program.frob --input in.csv --engine interp | cmp - c.csv
+  > }
+
+Loops over the same elements become one: neither the products nor what is pushed
+is ever an array.
+
+  $ cat > avoid.frob <<'EOF'
+  > main :: SF (Array 4 Float) (Float, Float)
+  > main = proc xs -> (sum (zipWith (*) [1, 2, 3, 4] pushes), sum (zipWith (*) [4, -3, 2, -1] pushes)) where
+  >     pushes = map (\x -> if x < 1 then 1 - x else 0) (mapSF smooth xs)
+  > 
+  > smooth :: SF Float Float
+  > smooth = proc x -> y where
+  >     before = delay 3 y
+  >     y = before + 0.5 * (x - before)
+  > 
+  > sum :: Array n Float -> Float
+  > sum = foldl (+) 0
+  > EOF
+  $ frobc compile avoid.frob --lint
+  $ sed -n '/^void avoid_step/,/^}/p' avoid.c | sed "s, */\*.*,,"
+  void avoid_step(struct avoid_state *self,
+                  double dt,
+                  const struct avoid_input *in,
+                  struct avoid_output *out)
+  {
+      (void)dt;
+      static const struct avoid_float_4 t1 = {{1.0, 2.0, 3.0, 4.0}};
+      static const struct avoid_float_4 t2 = {{4.0, -3.0, 2.0, -1.0}};
+      double t3 = 0.0;
+      double t4 = 0.0;
+      for (int32_t i = 0; i < 4; i++) {
+          avoid_main_loop_step(&self->smooth[i], t3, t4, in->value[i], t1.at[i], t2.at[i], &t3,
+                  &t4);
+      }
+      out->f1 = t3;
+      out->f2 = t4;
+  }
+  $ both avoid 'in[0],in[1],in[2],in[3]' 1,2,3,4 0.5,0.25,0,-1 0,0,nan,9 1,1,1,1
+  out.1,out.2
+  0,0
+  0,0
+  1,0.5625
+  0.5,0.28125
+
+What needs the whole array, or the end of a loop, waits for it: `shares` needs the
+total, so there are two loops here (and two that write arrays of the output).
+
+  $ cat > waits.frob <<'EOF'
+  > main :: SF (Array 3 Float) (Float, Array 3 Float, Array 3 Float, Float)
+  > main = proc xs -> (total, shares, fromFirst, foldl (-) total shares) where
+  >     twice = map (* 2) xs
+  >     total = foldl (+) 0 twice
+  >     shares = map (/ total) twice
+  >     fromFirst = map (\x -> x - twice ! 0) twice
+  > EOF
+  $ frobc compile waits.frob --lint
+  $ grep -c "for (" waits.c
+  4
+  $ both waits 'in[0],in[1],in[2]' 1,2,3 0.5,0.25,0 -1,0,nan 4,1,1
+  out.1,out.2[0],out.2[1],out.2[2],out.3[0],out.3[1],out.3[2],out.4
+  12,0.16666666666666666,0.33333333333333331,0.5,0,2,4,11
+  1.5,0.66666666666666663,0.33333333333333331,0,0,-0.5,-1,0.5
+  nan,nan,nan,nan,0,2,nan,nan
+  12,0.66666666666666663,0.16666666666666666,0.16666666666666666,0,-6,-6,11.000000000000002
+
+A loop that comes from another by way of a third is not joined with it; the third is
+of another size.
+
+  $ cat > around.frob <<'EOF'
+  > main :: SF (Array 3 Float, Array 2 Float) (Float, Float)
+  > main = proc (xs, ys) -> (foldl (\s x -> s * x + least) 1 doubled, foldl (+) least ys) where
+  >     doubled = map (* 2) xs
+  >     least = foldl min 100 (map (\y -> y + foldl max 0 doubled) ys)
+  > EOF
+  $ frobc compile around.frob --lint
+  $ both around 'in.1[0],in.1[1],in.1[2],in.2[0],in.2[1]' 1,2,3,4,5 0,0,0,-1,1 3,2,1,nan,1
+  out.1,out.2
+  358,19
+  -1,-1
+  nan,nan
+
+States, parameters and results stay each loop's own; a loop may run a machine.
+
+  $ cat > states.frob <<'EOF'
+  > main :: SF (Array 3 Float, Float) (Array 3 Float, Array 3 Float, Int)
+  > main = proc (xs, k) -> (ys, zs, n) where
+  >     ys = map (* k) (mapSF toggle xs)
+  >     zs = mapSF (delay 1 >>> delay 2) ys
+  >     n = foldl (\m z -> if z > k then m + 1 else m) 0 zs
+  > 
+  > toggle, negative :: SF Float Float
+  > toggle = switch (proc x -> (x, edge (x > 2))) (\_ -> negative)
+  > negative = switch (proc x -> (-x, edge (x < 1))) (\_ -> toggle)
+  > EOF
+  $ frobc compile states.frob --lint
+  $ grep -c "for (" states.c
+  4
+  $ both states 'in.1[0],in.1[1],in.1[2],in.2' 1,2,3,1 3,2,1,2 0,0,4,1 3,3,3,-1 1,0,1,2
+  out.1[0],out.1[1],out.1[2],out.2[0],out.2[1],out.2[2],out.3
+  1,2,3,2,2,2,3
+  -6,4,2,1,1,1,0
+  0,0,-4,1,2,3,2
+  3,3,3,-6,4,2,2
+  -2,0,-2,0,0,-4,0
