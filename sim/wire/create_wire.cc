@@ -188,12 +188,12 @@ void CreateWire::query(unsigned id) { append(id, to_client); }
 
 // A packet's data, or those of a group's packets; nothing for what is none.
 void CreateWire::append(unsigned id, std::vector<std::uint8_t> &to) {
-    for (const Group &group : groups) {
-        if (group.id != id) continue;
-        for (unsigned part = group.first; part <= group.last; ++part) append(part, to);
+    if (id < 7 || id > 58) {
+        for (const Group &group : groups)
+            if (group.id == id)
+                for (unsigned part = group.first; part <= group.last; ++part) append(part, to);
         return;
     }
-    if (id < 7 || id > 58) return;
     const frob_create_input &s = senses_;
     const double way = 0.5 * (left_way_mm_ + right_way_mm_), turn = right_way_mm_ - left_way_mm_;
     unsigned value = 0;

@@ -50,7 +50,7 @@ struct CreateSoak : CreateKind {
     }
     static bool doubts(const frob_create &d) { return d.odometry.refused > 0; }
     static bool sane(const frob_create_input &i) {
-        return sane_pose(i.odometry) && std::fabs(i.leftWheel) < 3 && std::fabs(i.rightWheel) < 3 &&
+        return sane_pose(i.odometry) && std::fabs(i.leftWheel) < 10 && std::fabs(i.rightWheel) < 10 &&
                i.charge >= 0 && i.charge <= 1;
     }
 };

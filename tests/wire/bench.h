@@ -85,11 +85,11 @@ template <class Kind, class Faults = NoFaults> class Bench {
     }
 
     // Goes to the time `until_ns`, with both ends acting whenever something is
-    // due or all bytes are there, and every 5 ms.
+    // due or all bytes are there, and every `tick_ns`.
     void run(std::int64_t until_ns) {
         while (time.now_ns < until_ns) {
             act();
-            std::int64_t next = std::min(until_ns, time.now_ns + 5 * ms);
+            std::int64_t next = std::min(until_ns, time.now_ns + tick_ns);
             const std::int64_t due = frob_robot_due_ns(&robot);
             if (due > time.now_ns) next = std::min(next, due);
             if (line.to_driver.count > 0) {
@@ -129,6 +129,7 @@ template <class Kind, class Faults = NoFaults> class Bench {
     double true_heading = 0;
     Faults to_robot, to_driver;
     std::int64_t rate = Kind::driver().rate;
+    std::int64_t tick_ns = 5 * ms;
     std::int64_t polled_ns = 0; // when the driver was polled last; it may have waited since
     std::uint64_t sent_bytes = 0; // to the driver, on all lines
     bool cut = false; // the cable is: bytes go nowhere

@@ -93,7 +93,9 @@ static enum frob_status send_mode(struct frob_create *d)
 
 static enum frob_status begin_stream(struct frob_create *d, int64_t now_ns)
 {
-    enum frob_status status = drive(d, 0, 0);
+    enum frob_status status = flush(d);
+    if (status == FROB_OK)
+        status = drive(d, 0, 0);
     return status == FROB_OK ? ask_for_stream(d, now_ns) : status;
 }
 

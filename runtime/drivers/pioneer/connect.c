@@ -13,8 +13,7 @@ enum {
     SWITCHING_MS = 100,  /* the robot's, from HOSTBAUD to the new rate */
     SIP_PATIENCE_MS = 1000,
     CONFIG_PATIENCE_MS = 300,
-    CONFIG_ATTEMPTS = 3,
-    ENABLE_ATTEMPTS = 5
+    CONFIG_ATTEMPTS = 3
 };
 
 /* In the order in which robots are usually found. */
@@ -202,7 +201,7 @@ static enum frob_status open_step(struct frob_pioneer *d)
         break;
     case 7:
         status = frob_pioneer_send_int(d, FROB_P2OS_ENABLE, 1);
-        d->enabled = 1;
+        d->motors_seen = false;
         break;
     default:
         d->phase = FROB_PIONEER_LISTENING;
@@ -265,11 +264,14 @@ static enum frob_status sync_packet(struct frob_pioneer *d, const struct frob_p2
 }
 
 /* Nothing tells that a command has arrived, but whether ENABLE has can be seen.
- * Only while connecting: later the motors are off because somebody wants it. */
-static bool must_enable_again(const struct frob_pioneer *d, const struct frob_p2os_sip *sip)
+ * Only until the motors have been on: later they are off because somebody wants
+ * it. */
+static enum frob_status ask_for_motors(struct frob_pioneer *d, const struct frob_p2os_sip *sip)
 {
-    return d->model.has_flags && (sip->flags & FROB_P2OS_FLAG_MOTORS) == 0 &&
-           d->enabled < ENABLE_ATTEMPTS;
+    if (!d->model.has_flags || d->motors_seen)
+        return FROB_OK;
+    d->motors_seen = (sip->flags & FROB_P2OS_FLAG_MOTORS) != 0;
+    return d->motors_seen ? FROB_OK : frob_pioneer_send_int(d, FROB_P2OS_ENABLE, 1);
 }
 
 enum frob_status frob_pioneer_connect_packet(struct frob_pioneer *d,
@@ -282,20 +284,19 @@ enum frob_status frob_pioneer_connect_packet(struct frob_pioneer *d,
         return sync_packet(d, packet);
     case FROB_PIONEER_LISTENING:
         if (frob_p2os_read_sip(packet, &sip)) {
-            if (must_enable_again(d, &sip)) {
-                d->enabled++;
-                return frob_pioneer_send_int(d, FROB_P2OS_ENABLE, 1);
-            }
             d->has_counters = false;
             frob_pioneer_take_sip(d, &sip);
             d->good_rate = d->rate;
             d->phase = FROB_PIONEER_CONNECTED;
+            return ask_for_motors(d, &sip);
         }
         break;
     case FROB_PIONEER_CONNECTED:
         if (frob_p2os_read_sip(packet, &sip)) {
             frob_pioneer_take_sip(d, &sip);
-        } else if (frob_p2os_read_config(packet, &config)) {
+            return ask_for_motors(d, &sip);
+        }
+        if (frob_p2os_read_config(packet, &config)) {
             d->config = config;
             d->has_config = true;
         }

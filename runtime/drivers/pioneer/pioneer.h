@@ -78,7 +78,7 @@ struct frob_pioneer {
     uint8_t attempt;      /* of what the phase sends */
     uint8_t tried;        /* rates, so far */
     uint8_t step;         /* of opening */
-    uint8_t enabled;      /* how often the motors were asked to be on */
+    bool motors_seen;     /* the motors have been on in this session */
     int64_t until_ns;     /* when the phase loses patience, or sends its next */
     uint32_t rate;        /* of the line now */
     uint32_t good_rate;   /* at which a robot has answered; 0: not known */
