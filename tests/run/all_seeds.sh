@@ -1,15 +1,21 @@
-# What `make seeds` runs: COUNT seeds of each example on each robot that it fits,
-# within the bounds that the examples' READMEs state.
+# What `make seeds` runs: COUNT seeds of each example on each robot, within the bounds
+# that the examples' READMEs state.
 count=$1
 run=$(dirname "$0")
-examples=$run/../../examples
 status=0
-follow="mean_wall_distance_error 0 0.03 largest_wall_distance_error 0 0.15 collisions 0 0"
-for robot in pioneer scout create; do
-  sh "$run/seeds.sh" "$examples/wall_follow" $robot "$count" $follow || status=1
-done
-for robot in pioneer scout create; do
-  sh "$run/seeds.sh" "$examples/bug" $robot "$count" result true true collisions 0 0 \
-    odometry_error_at_the_end 0 1 -- --for 6min --exit-when-done || status=1
-done
+each () {
+  echo "$1:"
+  for robot in pioneer scout create; do
+    example=$1
+    shift
+    sh "$run/seeds.sh" "$run/../../examples/$example" $robot "$count" "$@" || status=1
+    set -- "$example" "$@"
+  done
+}
+each wall_follow mean_wall_distance_error 0 0.03 largest_wall_distance_error 0 0.15 collisions 0 0
+each bug result true true collisions 0 0 odometry_error_at_the_end 0 1 -- --for 6min --exit-when-done
+each corridor collisions 0 0 largest_wall_distance_error 0 0.15 result 8.8 9.2 -- --exit-when-done
+each patrol collisions 0 0 distance_driven 30 45 squares 8 20 -- --for 3min
+each dock collisions 0 0 odometry_error_at_the_end 0 0.1 finished_after 20 40 -- --for 2min --exit-when-done
+each explore longest_stay 0 60 squares 15 70 -- --for 5min
 exit $status

@@ -2,9 +2,10 @@
 #
 #   seeds.sh EXAMPLE_FOLDER ROBOT COUNT CHECKS... [-- OPTIONS_OF_FROBC_RUN...]
 #
-# CHECKS are those of within.sh, for each run. Says which seeds fail them, and in
-# the end how many did.
-. "$(dirname "$0")/within.sh"
+# CHECKS are those of within.sh, for each run and for what wandering.awk adds. Says
+# which seeds fail them, and in the end how many did.
+here=$(dirname "$0")
+. "$here/within.sh"
 example=$1 robot=$2 count=$3
 shift 3
 checks=
@@ -13,10 +14,15 @@ while [ $# -gt 0 ] && [ "$1" != -- ]; do
   shift
 done
 [ $# -eq 0 ] || shift
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+one () {
+  frobc run "$example/$(basename "$example").frob" --robot "$robot" --seed "$seed" --record "$log" "$@"
+  awk -f "$here/wandering.awk" "$log"
+}
 failed=0
 for seed in $(seq 1 "$count"); do
-  frobc run "$example/$(basename "$example").frob" --robot "$robot" --seed "$seed" "$@" |
-    within $checks || { echo "with seed $seed on $robot"; failed=$((failed + 1)); }
+  one "$@" | within $checks || { echo "with seed $seed on $robot"; failed=$((failed + 1)); }
 done
 echo "$robot: $failed of $count seeds out of bounds"
 [ "$failed" -eq 0 ]
