@@ -1,13 +1,14 @@
 # What the tests of real robots share: a simulated one behind a pseudo-terminal,
 # and what it was told.
 
-# Starts the robot, and waits for its line: $robot is its process, `line` a link
-# to the device, `told` the log of commands.
+# Starts the robot ($kind of one), and waits for its line: $robot is its process,
+# `line` a link to the device, `told` the log of commands.
+kind=pioneer
 start_robot () {
   rm -f line told
   world=hall.toml
   [ "$1" = --world ] && { world=$2; shift 2; }
-  frobc serve --robot pioneer --world $world --for 120s --link line --log told "$@" > served &
+  frobc serve --robot $kind --world $world --for 120s --link line --log told "$@" > served &
   robot=$!
   until_true '[ -e line ]'
 }
