@@ -17,6 +17,9 @@ MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \
 BENCH_PACKAGES = valgrind
 COMPARED_PACKAGES = ghc libghc-copilot-dev libghc-copilot-c99-dev
 
+# What only `make fuzz-frontend` needs.
+AFL_PACKAGES = afl++
+
 PREFIX ?= /usr/local
 FROBC = _build/install/default/bin/frobc
 OUT = _build/run
@@ -24,6 +27,14 @@ OUT = _build/run
 # For `make fuzz`: how many random programs, and from which seed.
 N ?= 1000
 SEED ?= $(shell date +%s)
+
+# For `make mutants`: within how many random programs each fault is to be found, and
+# which faults of tests/mutants/list, by number; none: all.
+MUTANT_PROGRAMS ?= 10000
+MUTANTS ?=
+
+# For `make fuzz-frontend`: for how long.
+SECONDS ?= 600
 
 # For `make seeds`: how many seeds for each example and robot; for `make soak`:
 # how many seeds for each robot, and how long each is driven.
@@ -33,7 +44,7 @@ SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test seeds fuzz fuzz-drivers soak matrix bench install clean
+.PHONY: all setup run test seeds fuzz fuzz-frontend mutants fuzz-drivers soak matrix bench install clean
 
 all: setup
 	dune build @install
@@ -53,6 +64,16 @@ test: setup
 fuzz: all
 	@dune build tests/fuzz/main.exe
 	@_build/default/tests/fuzz/main.exe --count $(N) --seed $(SEED) --jobs $$(nproc) --sanitize-every 50
+
+# Deliberate faults in the compiler: the random programs must find each.
+mutants: setup
+	@sh tests/mutants/run.sh $(MUTANT_PROGRAMS) 1 $(MUTANTS)
+
+# The compiler on bytes that are nearly programs, in a build that afl-fuzz can watch.
+fuzz-frontend: setup
+	@sh tests/setup.sh $(AFL_PACKAGES)
+	@OCAMLPARAM='_,afl-instrument=1' dune build --build-dir $(CURDIR)/_build/afl ./tests/frontend/harness.exe
+	@sh tests/frontend/run.sh $(CURDIR)/_build/afl/default/tests/frontend/harness.exe $(CURDIR)/stdlib $(SECONDS)
 
 fuzz-drivers: setup
 	@dune build ./tests/wire/fuzz/fuzz_scout ./tests/wire/fuzz/fuzz_create ./tests/wire/fuzz/fuzz_pioneer
