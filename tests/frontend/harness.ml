@@ -1,0 +1,73 @@
+(* harness.exe LIBRARY FILE...: each file goes through the compiler, from its bytes to
+   C, as far as it gets. Whatever is in it, no exception comes out, and it ends.
+
+   Under afl-fuzz (built with OCAMLPARAM='_,afl-instrument=1') one process takes many
+   inputs, each in the place of the file: the protocol is afl's persistent mode. An
+   exception aborts there, which afl-fuzz counts as a crash. *)
+
+open Basis
+
+let options =
+  { Driver.Pipeline.dump = None; stop_after = None; lint = true; specialization_limit = 10_000 }
+
+let read file =
+  let channel = open_in_bin file in
+  Fun.protect
+    ~finally:(fun () -> close_in channel)
+    (fun () -> really_input_string channel (in_channel_length channel))
+
+(* Most inputs do not parse; those are many a second, as the library is not read. *)
+let parses file =
+  let sink = Diagnostic.sink () in
+  match Syntax.Parse.program sink ~file (read file) with
+  | Some parsed when not (Diagnostic.has_errors sink) ->
+      Syntax.Lint.program parsed;
+      ignore (Format.asprintf "%a" Syntax.Print.program parsed);
+      true
+  | Some _ | None -> false
+
+let show sink sources = ignore (Render_text.diagnostics ~colour:false sources (Diagnostic.all sink))
+
+let run ~library file =
+  if parses file then begin
+    let sink = Diagnostic.sink () and sources = Source.create () in
+    Driver.Pipeline.check options sink sources ~library file;
+    show sink sources;
+    if not (Diagnostic.has_errors sink) then begin
+      let sink = Diagnostic.sink () and sources = Source.create () in
+      ignore (Driver.Pipeline.compile options sink sources ~library ~entry:"main" file);
+      show sink sources
+    end
+  end
+  else
+    (* What does not parse is said too, with its place. *)
+    let sink = Diagnostic.sink () and sources = Source.create () in
+    let text = read file in
+    Source.add sources ~file text;
+    ignore (Syntax.Parse.program sink ~file text);
+    show sink sources
+
+(* {1 afl's persistent mode} *)
+
+external reset_instrumentation : bool -> unit = "caml_reset_afl_instrumentation"
+
+(* afl-fuzz looks for this text in the program. *)
+let marker = "##SIG_AFL_PERSISTENT##"
+let inputs_of_a_process = 1000
+
+let persistently f =
+  ignore (Sys.opaque_identity marker);
+  reset_instrumentation true;
+  for _ = 1 to inputs_of_a_process do
+    f ();
+    Unix.kill (Unix.getpid ()) Sys.sigstop;
+    reset_instrumentation false
+  done;
+  f ()
+
+let () =
+  match Array.to_list Sys.argv with
+  | _ :: library :: files ->
+      let all () = List.iter (run ~library) files in
+      if Option.is_some (Sys.getenv_opt "__AFL_PERSISTENT") then persistently all else all ()
+  | _ -> failwith "harness.exe LIBRARY FILE..."
