@@ -155,6 +155,26 @@ let result out (program : Machine.Ir.program) (i : Interface.t) =
   | Some ended, last :: _ -> "&" ^ shape c (ref [ last ]) ended
   | _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a program that ends without a result"
 
+(* The table of machines, and how many rows it has. *)
+let machines out ~state (list : Machine_table.t list) =
+  let names number (m : Machine_table.t) =
+    let name = sprintf "modes_%d" number in
+    bprintf out "static const char *const %s[] = {%s};\n" name
+      (String.concat ", " (List.map c_string m.modes));
+    name
+  in
+  let row number (m : Machine_table.t) =
+    let within, mode =
+      match m.within with Some (machine, mode) -> (machine + 1, mode) | None -> (0, 0)
+    in
+    sprintf "%s, offsetof(struct %s, %s), %d, %d, %s, %d, %d" (c_string m.name) state m.path
+      (if m.wide then 4 else 1)
+      (List.length m.modes) (names number m) within mode
+  in
+  let rows = List.mapi row list in
+  let c = { out; sums = [||]; struct_name = state; prefix = ""; count = 0 } in
+  (table c "machine" "machines" rows, List.length rows)
+
 let text (program : Machine.Ir.program) (files : Of_machine.t) =
   let out = Buffer.create 4096 in
   let name = files.name in
@@ -163,6 +183,7 @@ let text (program : Machine.Ir.program) (files : Of_machine.t) =
   let input = interface out program.sums ~prefix:"in" files.input program.input in
   let output = interface out program.sums ~prefix:"out" files.output program.output in
   let result = if program.ends then result out program files.output else "NULL" in
+  let machines, machine_count = machines out ~state:(name ^ "_state") files.machines in
   let robot =
     match (Robot.of_shape program.input, Robot.of_shape program.output) with
     | Some robot, _ | None, Some robot -> robot.name
@@ -193,9 +214,11 @@ const struct frob_program frob_program = {
     reset,
     step,
     %s,
+    %s,
+    %d,
 };
 |}
     name name name name files.input.struct_name files.output.struct_name (c_string program.name)
     (c_string robot) name files.input.struct_name files.output.struct_name input output
-    result;
+    result machines machine_count;
   Buffer.contents out

@@ -7,6 +7,7 @@ type t = {
   source : Ir.file;
   input : Interface.t;
   output : Interface.t;
+  machines : Machine_table.t list;
 }
 
 let state_comment (v : V.t) (field : M.field) =
@@ -236,4 +237,11 @@ let program (program : M.program) =
         List.map function_ (List.concat functions);
       ]
   in
-  { name = v.name; header = header v reset step; source; input = v.input; output = v.output }
+  {
+    name = v.name;
+    header = header v reset step;
+    source;
+    input = v.input;
+    output = v.output;
+    machines = Machine_table.of_program v;
+  }

@@ -8,6 +8,7 @@ type t = {
   source : Ir.file;
   input : Interface.t;
   output : Interface.t;
+  machines : Machine_table.t list;
 }
 
 val program : Machine.Ir.program -> t

@@ -205,10 +205,11 @@ let hosted general ~entry ~sources file ~host ~arguments =
 
 type engine = C | Interpreter
 
-let compiled_trace general ~entry ~sources ~input ~output file =
+let compiled_trace general ~entry ~sources ~modes ~input ~output file =
   hosted general ~entry ~sources file
     ~host:(fun resources -> resources.Resources.trace_host)
-    ~arguments:(fun _ program -> program :: input :: Option.to_list output)
+    ~arguments:(fun _ program ->
+      (if modes then [ "--modes" ] else []) @ (program :: input :: Option.to_list output))
 
 (* Speaks as the host of compiled programs does. *)
 let interpreted_trace general ~entry ~input ~output file =
@@ -220,9 +221,12 @@ let interpreted_trace general ~entry ~input ~output file =
           List.iter (Printf.eprintf "error: %s\n") errors;
           Exit_status.wrong_use)
 
-let trace general engine ~entry ~sources ~input ~output file =
+let trace general engine ~entry ~sources ~modes ~input ~output file =
   match engine with
-  | C -> compiled_trace general ~entry ~sources ~input ~output file
+  | C -> compiled_trace general ~entry ~sources ~modes ~input ~output file
+  | Interpreter when modes ->
+      prerr_endline "error: modes are those of the compiled program: `--modes` needs `--engine c`";
+      Exit_status.wrong_use
   | Interpreter -> interpreted_trace general ~entry ~input ~output file
 
 type run = {

@@ -24,6 +24,7 @@ val trace :
   engine ->
   entry:string ->
   sources:string list ->
+  modes:bool ->
   input:string ->
   output:string option ->
   string ->

@@ -127,8 +127,15 @@ let trace =
     let engines = [ ("c", Commands.C); ("interp", Commands.Interpreter) ] in
     Arg.(value & opt (enum engines) Commands.C & info [ "engine" ] ~docv:"ENGINE" ~doc)
   in
-  let run general entry sources input output engine file =
-    Commands.trace general engine ~entry ~sources ~input ~output file
+  let modes =
+    let doc =
+      "Add a column for each machine of switches or tasks, $(b,mode.NAME), with the name of the \
+       mode that runs after the instant."
+    in
+    Arg.(value & flag & info [ "modes" ] ~doc)
+  in
+  let run general entry sources modes input output engine file =
+    Commands.trace general engine ~entry ~sources ~modes ~input ~output file
   in
   let man =
     [
@@ -146,7 +153,7 @@ let trace =
     ]
   in
   command "trace" ~man ~doc:"run a signal function on recorded input"
-    Term.(const run $ general $ entry $ sources $ input $ output $ engine $ file)
+    Term.(const run $ general $ entry $ sources $ modes $ input $ output $ engine $ file)
 
 let run =
   let some_string names ~docv ~doc = Arg.(value & opt (some string) None & info names ~docv ~doc) in

@@ -31,7 +31,7 @@ let is_output column =
     String.length column >= String.length prefix
     && String.equal prefix (String.sub column 0 (String.length prefix))
   in
-  String.equal column "out" || starts "out." || starts "out["
+  String.equal column "out" || starts "out." || starts "out[" || starts "mode."
 
 let header name columns (row : Csv.row) =
   let known = Hashtbl.create 64 and places = Hashtbl.create 64 in

@@ -49,7 +49,8 @@ let refuse_depth (c : Context.t) (core : Ir.definition) =
 let refuse_cycle (c : Context.t) (local : Ir.Local.t) =
   Diagnostic.(
     error ~code:"E0414" ~at:local.span "`%s` holds a function that depends on itself" local.name
-    |> note "functions and signal functions are evaluated while compiling"
+    |> note "functions, signal functions and tasks are evaluated while compiling"
+    |> hint "what starts itself again is a definition of the top level, not of a `where` or `let`"
     |> emit c.sink)
 
 (* A program that ends has a result beside its output, as one more field where

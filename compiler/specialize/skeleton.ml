@@ -12,6 +12,7 @@ type table = {
       (* by closure identity: the key of what it has captured if without holes *)
   closed_with_numbers : int option Table.t;  (* likewise, numbers being no holes *)
   numbers : Numbers.table;
+  visiting : unit Table.t;  (* closures whose captures are being looked at *)
 }
 
 (* So many arguments make a node slower and harder to read than a node of its
@@ -26,6 +27,7 @@ let table types ~fresh =
     closed = Table.create 256;
     closed_with_numbers = Table.create 16;
     numbers = Numbers.table types ~limit:few;
+    visiting = Table.create 16;
   }
 
 type hole = {
@@ -197,14 +199,20 @@ and add_captured w (closure : Value.closure) =
       match entry.contents with
       | Polymorphic generic -> add_closure w generic
       | Known _ | Suspended _ | Being_evaluated ->
-          add_at w entry.local "" entry.local_ty (Closure.forced entry))
+          (* A closure has no name of its own, what it captures has. *)
+          try add_at w entry.local "" entry.local_ty (Closure.forced entry)
+          with Closure.Needs_itself { id = 0; _ } -> raise (Closure.Needs_itself entry.local))
     closure.captured
 
 and closed_key (w : walk) closure =
   let table = closed_keys w.table w.numbers in
   match Table.find_opt table closure.identity with
   | Some known -> known
+  | None when Table.mem w.table.visiting closure.identity ->
+      raise (Closure.Needs_itself { id = 0; name = closure.name; span = closure.span })
   | None ->
+      Table.replace w.table.visiting closure.identity ();
+      Fun.protect ~finally:(fun () -> Table.remove w.table.visiting closure.identity) @@ fun () ->
       let key =
         if Variables.for_all (fun _ entry -> may_be_closed w entry) closure.captured then (
           let own = walk w.table w.node w.numbers in

@@ -69,6 +69,12 @@ void frob_trace_header(struct frob_text *text, const struct frob_program *progra
         frob_trace_columns(program->input, "in", add_name, text);
     if ((parts & FROB_TRACE_OUT) != 0)
         frob_trace_columns(program->output, "out", add_name, text);
+    if ((parts & FROB_TRACE_MODES) != 0) {
+        for (size_t i = 0; i < program->machine_count; i++) {
+            frob_text_add(text, ",mode.");
+            frob_text_add(text, program->machines[i].name);
+        }
+    }
     frob_text_add_char(text, '\n');
 }
 
@@ -95,8 +101,23 @@ static void add_cell(void *context, const char *name, const struct frob_value *v
     }
 }
 
-void frob_trace_row(struct frob_text *text, const struct frob_program *program,
-                    unsigned parts, int64_t time_ns, const void *in, const void *out)
+/* The number of the mode that runs; -1 while the machine is not there. */
+static int32_t running_mode(const struct frob_program *program, size_t i, const void *state)
+{
+    const struct frob_machine *machine = &program->machines[i];
+    const unsigned char *place = (const unsigned char *)state + machine->offset;
+    int32_t number;
+    if (machine->within > 0 &&
+        running_mode(program, machine->within - 1, state) != machine->mode)
+        return -1;
+    if (machine->size == 1)
+        return *place;
+    memcpy(&number, place, sizeof number);
+    return number;
+}
+
+static void add_columns(struct frob_text *text, const struct frob_program *program,
+                        unsigned parts, int64_t time_ns, const void *in, const void *out)
 {
     char stamp[40];
     uint64_t ns = time_ns < 0 ? 0u - (uint64_t)time_ns : (uint64_t)time_ns;
@@ -110,6 +131,26 @@ void frob_trace_row(struct frob_text *text, const struct frob_program *program,
     row.base = out;
     if ((parts & FROB_TRACE_OUT) != 0)
         frob_trace_columns(program->output, "out", add_cell, &row);
+}
+
+void frob_trace_row(struct frob_text *text, const struct frob_program *program,
+                    unsigned parts, int64_t time_ns, const void *in, const void *out)
+{
+    add_columns(text, program, parts, time_ns, in, out);
+    frob_text_add_char(text, '\n');
+}
+
+void frob_trace_row_with_modes(struct frob_text *text, const struct frob_program *program,
+                               unsigned parts, int64_t time_ns, const void *in,
+                               const void *out, const void *state)
+{
+    add_columns(text, program, parts, time_ns, in, out);
+    for (size_t i = 0; i < program->machine_count; i++) {
+        int32_t number = running_mode(program, i, state);
+        frob_text_add_char(text, ',');
+        if (number >= 0 && (size_t)number < program->machines[i].count)
+            frob_text_add(text, program->machines[i].modes[number]);
+    }
     frob_text_add_char(text, '\n');
 }
 
@@ -128,5 +169,15 @@ size_t frob_trace_room(const struct frob_program *program, unsigned parts)
         frob_trace_columns(program->input, "in", add_room, &room);
     if ((parts & FROB_TRACE_OUT) != 0)
         frob_trace_columns(program->output, "out", add_room, &room);
+    if ((parts & FROB_TRACE_MODES) != 0) {
+        for (size_t i = 0; i < program->machine_count; i++) {
+            const struct frob_machine *machine = &program->machines[i];
+            size_t longest = strlen(machine->name) + strlen("mode.");
+            for (size_t k = 0; k < machine->count; k++)
+                if (strlen(machine->modes[k]) > longest)
+                    longest = strlen(machine->modes[k]);
+            room += longest + 1;
+        }
+    }
     return room;
 }

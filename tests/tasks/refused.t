@@ -253,3 +253,25 @@ Parameters that grow.
   1 error
   [1]
 
+
+What starts itself again has a name of the top level.
+
+  $ cat > local.frob <<'EOF'
+  > main :: SF Float (Either Float ())
+  > main = proc x -> runTask go x where
+  >     go = do
+  >         sleepT 1[s] 2
+  >         go
+  > EOF
+  $ frobc check local.frob
+  error[E0414]: `go` holds a function that depends on itself
+   --> local.frob:3:5
+    |
+  3 |     go = do
+    |     ^^
+    |
+    = note: functions, signal functions and tasks are evaluated while compiling
+    = hint: what starts itself again is a definition of the top level, not of a `where` or `let`
+  
+  1 error
+  [1]

@@ -1,9 +1,10 @@
 /* frob-trace -- runs a compiled program on recorded input: CSV in, CSV out.
  *
- *   frob-trace PROGRAM.so IN.csv [OUT.csv]
+ *   frob-trace [--modes] PROGRAM.so IN.csv [OUT.csv]
  *
  * `-` for IN.csv is standard input; without OUT.csv the output goes to
- * standard output. Exit status: 0, or 2 when a file cannot be read or
+ * standard output. With --modes the output has a column for each machine, with
+ * the mode that runs. Exit status: 0, or 2 when a file cannot be read or
  * written or is not a trace of this program. The trace's format is described
  * in <frob/trace.h>. */
 #include "../common/load.h"
@@ -35,6 +36,7 @@ struct trace {
     struct column *columns;
     size_t count, capacity;
     size_t width; /* cells in the header */
+    unsigned parts; /* of the output's rows */
     bool no_memory;
 };
 
@@ -103,8 +105,9 @@ static bool readable(const struct trace *t, enum csv_status status)
 
 static bool is_output(const char *name)
 {
-    return strncmp(name, "out", 3) == 0 &&
-           (name[3] == '\0' || name[3] == '.' || name[3] == '[');
+    return strncmp(name, "mode.", 5) == 0 ||
+           (strncmp(name, "out", 3) == 0 &&
+            (name[3] == '\0' || name[3] == '.' || name[3] == '['));
 }
 
 static struct column *find_column(struct trace *t, const char *name)
@@ -256,7 +259,7 @@ static bool flush(const struct trace *t, struct frob_text *text, const char *out
 static int run(struct trace *t, const char *output_name)
 {
     const struct frob_program *program = t->program;
-    size_t room = frob_trace_room(program, FROB_TRACE_OUT);
+    size_t room = frob_trace_room(program, t->parts);
     char *buffer = (char *)malloc(room);
     void *state = calloc(1, program->state_size + 1);
     void *input = calloc(1, program->input_size + 1);
@@ -269,7 +272,7 @@ static int run(struct trace *t, const char *output_name)
     } else {
         struct frob_text text = frob_text_in(buffer, room);
         enum csv_status status = CSV_END;
-        frob_trace_header(&text, program, FROB_TRACE_OUT);
+        frob_trace_header(&text, program, t->parts);
         ok = flush(t, &text, output_name);
         program->reset(state);
         while (ok && (status = csv_next(&t->csv)) == CSV_ROW) {
@@ -282,7 +285,10 @@ static int run(struct trace *t, const char *output_name)
             if (!ok)
                 break;
             program->step(state, first ? 0.0 : (double)(now - before) / 1e9, input, output);
-            frob_trace_row(&text, program, FROB_TRACE_OUT, now, NULL, output);
+            if ((t->parts & FROB_TRACE_MODES) != 0)
+                frob_trace_row_with_modes(&text, program, t->parts, now, NULL, output, state);
+            else
+                frob_trace_row(&text, program, t->parts, now, NULL, output);
             ok = flush(t, &text, output_name);
             before = now;
             first = false;
@@ -299,11 +305,18 @@ static int run(struct trace *t, const char *output_name)
 int main(int argc, char **argv)
 {
     struct trace t = { 0 };
-    const char *output_name = argc > 3 ? argv[3] : "standard output";
+    const char *output_name;
     FILE *input;
     int status = WRONG_USE;
+    t.parts = FROB_TRACE_OUT;
+    if (argc > 1 && strcmp(argv[1], "--modes") == 0) {
+        t.parts |= FROB_TRACE_MODES;
+        argc--;
+        argv++;
+    }
+    output_name = argc > 3 ? argv[3] : "standard output";
     if (argc < 3 || argc > 4) {
-        fprintf(stderr, "usage: frob-trace PROGRAM.so IN.csv [OUT.csv]\n");
+        fprintf(stderr, "usage: frob-trace [--modes] PROGRAM.so IN.csv [OUT.csv]\n");
         return WRONG_USE;
     }
     t.program = frob_load(argv[1]);

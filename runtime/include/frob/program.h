@@ -50,6 +50,17 @@ struct frob_value {
     const struct frob_constructor *constructors;
 };
 
+/* Several modes, of which one runs at a time: a switch, or a task. */
+struct frob_machine {
+    const char *name;         /* from the source; unique in the program */
+    size_t offset;            /* in the state, of the number of the mode that runs */
+    size_t size;              /* of that number: 1 (uint8_t) or 4 (int32_t) */
+    size_t count;             /* of modes */
+    const char *const *modes; /* names, by number */
+    size_t within;            /* 0, or n + 1: this one is in a mode of machine n, … */
+    int32_t mode;             /* … the mode of this number, and is there only while it runs */
+};
+
 struct frob_program {
     unsigned abi;          /* FROB_PROGRAM_ABI */
     const char *name;      /* of the program */
@@ -63,9 +74,11 @@ struct frob_program {
         /* of a program that ends: the event, part of its output, that occurs at
          * its end and from then on, with what it has ended with; else NULL. The
          * robot's output struct is at the beginning of the output. */
+    const struct frob_machine *machines; /* each after the one it is within */
+    size_t machine_count;
 };
 
-#define FROB_PROGRAM_ABI 3u
+#define FROB_PROGRAM_ABI 4u
 
 /* The symbol that hosts look up. */
 #define FROB_PROGRAM_SYMBOL "frob_program"

@@ -179,4 +179,7 @@ const struct frob_program frob_program = {
     &out_value_25,
     reset,
     step,
+    NULL,
+    NULL,
+    0,
 };

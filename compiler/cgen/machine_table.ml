@@ -1,0 +1,75 @@
+module M = Machine.Ir
+module V = Vocabulary
+
+type t = {
+  name : string;
+  path : string;
+  wide : bool;
+  modes : string list;
+  within : (int * int) option;
+}
+
+(* Nobody reads more columns of modes than that. *)
+let longest_array = 64
+
+type search = { v : V.t; names : (string, unit) Hashtbl.t; mutable found : t list; mutable count : int }
+
+let unique s name =
+  let rec try_ n =
+    let candidate = if n = 1 then name else Printf.sprintf "%s_%d" name n in
+    if Hashtbl.mem s.names candidate then try_ (n + 1) else candidate
+  in
+  let name = try_ 1 in
+  Hashtbl.replace s.names name ();
+  name
+
+let join path name = if String.equal path "" then name else path ^ "." ^ name
+
+(* [element]: of the arrays that the path goes through, as in [[2]]. *)
+let rec node s k ~path ~element ~within =
+  let node_ = s.v.program.nodes.(k) in
+  let path_of (field : M.field) =
+    join path (String.concat "." (Hashtbl.find s.v.nodes.(k).members field.id))
+  in
+  let is_running (field : M.field) = field.content = Running_mode in
+  let machine =
+    match List.find_opt is_running node_.state with
+    | None -> None
+    | Some field ->
+        s.found <-
+          {
+            name = unique s (node_.origin ^ element);
+            path = path_of field;
+            wide = Array.length s.v.nodes.(k).modes > 256;
+            modes = List.map (fun (m : V.mode) -> m.member) (Array.to_list s.v.nodes.(k).modes);
+            within;
+          }
+          :: s.found;
+        s.count <- s.count + 1;
+        Some (s.count - 1)
+  in
+  let rec field ~within (f : M.field) =
+    match f.content with
+    | Value _ | Running_mode | Component _ -> ()
+    | State_of inner -> node s inner ~path:(path_of f) ~element ~within
+    | States_of { node = inner; count } when count <= longest_array ->
+        for i = 0 to count - 1 do
+          let number = Printf.sprintf "[%d]" i in
+          node s inner ~path:(path_of f ^ number) ~element:(element ^ number) ~within
+        done
+    | States_of _ -> ()
+    | Modes modes ->
+        List.iteri
+          (fun number mode ->
+            let within =
+              match machine with Some m -> Some (m, number) | None -> within
+            in
+            List.iter (field ~within) (Machine.State.fields_of_mode mode))
+          modes
+  in
+  List.iter (field ~within) node_.state
+
+let of_program (v : V.t) =
+  let s = { v; names = Hashtbl.create 16; found = []; count = 0 } in
+  node s (Array.length v.program.nodes - 1) ~path:"" ~element:"" ~within:None;
+  List.rev s.found
