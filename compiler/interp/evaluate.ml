@@ -7,6 +7,7 @@ type program = {
   definitions : (Global.t, definition) Hashtbl.t;
   values : (Global.t * ty list, Value.thunk) Hashtbl.t;
       (** of definitions, at types without variables *)
+  floats : (Exact.t, float) Hashtbl.t;  (** literals, rounded once: that takes long *)
   nesting : Thunk.nesting;
 }
 
@@ -26,7 +27,13 @@ let nesting program = program.nesting
 let program (core : Core.Ir.program) =
   let definitions = Hashtbl.create 256 in
   List.iter (fun (d : definition) -> Hashtbl.replace definitions d.name d) core.definitions;
-  { instances = Instance.table core.instances; definitions; values = Hashtbl.create 256; nesting = Thunk.nesting () }
+  {
+    instances = Instance.table core.instances;
+    definitions;
+    values = Hashtbl.create 256;
+    floats = Hashtbl.create 64;
+    nesting = Thunk.nesting ();
+  }
 
 (* {1 Types} Only number literals and methods ask for types. *)
 
@@ -44,13 +51,22 @@ let with_types (parameters : variable list) arguments types =
     (fun types (v : variable) argument -> Variables.add v.id argument types)
     types parameters arguments
 
+let rounded program value =
+  match Hashtbl.find_opt program.floats value with
+  | Some float -> float
+  | None ->
+      let float = Exact.to_float value in
+      Hashtbl.replace program.floats value float;
+      float
+
 let number env ty value : Value.t =
-  match (closed env.types ty, Exact.to_int32 value) with
-  | Int, Some n -> Int n
-  | Float, _ -> Float (Exact.to_float value)
-  | (Int | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _
-    | Size _), _ ->
-      bug "the number %s is of another type" (Exact.to_string value)
+  let wrong () = bug "the number %s is of another type" (Exact.to_string value) in
+  match closed env.types ty with
+  | Int -> ( match Exact.to_int32 value with Some n -> Int n | None -> wrong ())
+  | Float -> Float (rounded env.program value)
+  | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _ | Size _
+    ->
+      wrong ()
 
 (* {1 Expressions} *)
 
