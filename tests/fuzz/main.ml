@@ -137,7 +137,7 @@ let work s worker ~folder =
 let () =
   let s = settings () in
   (* Many short-lived values: a large nursery saves most of the collector's work. *)
-  Gc.set { (Gc.get ()) with space_overhead = 1000 };
+  Gc.set { (Gc.get ()) with minor_heap_size = 1_000_000; space_overhead = 1000; max_overhead = 1_000_000 };
   (* Sanitized programs run in a process that ends: what they hold is no leak. *)
   Unix.putenv "ASAN_OPTIONS" "detect_leaks=0";
   let folder = temporary_folder () in

@@ -10,6 +10,9 @@ let flags =
     "-fno-sanitize-recover=all";
   ]
 
+(* Generated C promises to have none. *)
+let warnings = [ "-Wall"; "-Wextra"; "-Wpedantic"; "-Wconversion"; "-Wshadow"; "-Werror" ]
+
 let host_sources runtime =
   List.map
     (fun file -> runtime / file)
@@ -57,12 +60,20 @@ let run compiler ~runtime ~folder files recordings =
   let* host = host compiler ~runtime ~folder in
   List.iter (fun (file, text) -> write (folder / file) text) files;
   let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
+  let generated = List.map (fun (file, _) -> folder / file) sources in
+  (* It is C++ too. *)
+  let* () =
+    executed
+      (match compiler with Gcc -> "g++" | Clang -> "clang++")
+      ([ "-x"; "c++"; "-std=c++17"; "-fsyntax-only"; "-I"; runtime / "include" ]
+      @ warnings @ generated)
+  in
   let program = folder / "sanitized.so" in
   let* () =
     executed (name compiler)
-      (flags
+      (flags @ warnings
       @ [ "-fPIC"; "-shared"; "-I"; runtime / "include"; "-o"; program ]
-      @ List.map (fun (file, _) -> folder / file) sources
+      @ generated
       @ elementary runtime
       @ [ "-lm" ])
   in

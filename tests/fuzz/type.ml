@@ -103,7 +103,13 @@ let rec of_depth random ~declared depth =
   else
     let inner () = of_depth random ~declared (depth - 1) in
     match Random.State.int random 15 with
-    | 12 | 13 -> Array (1 + Random.State.int random 4, inner ())
+    | 12 | 13 ->
+        let size =
+          if Random.State.int random 12 = 0 then 5 + Random.State.int random 30
+          else 1 + Random.State.int random 4
+        in
+        (* Large ones of small elements. *)
+        Array (size, if size > 4 then scalar random else inner ())
     | 14 ->
         if Random.State.bool random then Measure (any_measure random)
         else series (any_measure random) (1 + Random.State.int random 3) (inner ())
