@@ -88,6 +88,7 @@ matrix: all
 	@dune build tests/matrix/emit.exe
 	@sh tests/matrix/run.sh _build/default/tests/matrix/emit.exe stdlib runtime $(N) $(SEED) all \
 	  examples/heading_hold/*.frob tests/interp/*.frob
+	@sh tests/targets/run.sh
 
 soak: setup
 	@dune build ./tests/faults/soak

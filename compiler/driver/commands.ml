@@ -173,7 +173,14 @@ let about_foreign (files : Cgen.Emit.t) ~sources text =
       Printf.sprintf "%s\nthe program calls %s in C: name the C files with `--with FILE.c`"
         (String.trim text) names
 
-let built general kind ~entry ~sources ~archives file continue =
+type linked = {
+  machine : Toolchain.machine option;
+  inputs : string list;
+  includes : string list;
+  generated : (string * string) list;
+}
+
+let built general kind ~entry ~sources ~linked file continue =
   let* resources = Resources.find () in
   let* () = all_exist sources in
   compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
@@ -184,19 +191,23 @@ let built general kind ~entry ~sources ~archives file continue =
         else Some { Toolchain.sources; folders = files.foreign.folders }
       in
       let* program =
-        Toolchain.build kind ~headers:resources.headers
-          ~archives:(archives resources @ [ resources.runtime ])
-          ~foreign ~name
-          [
-            (name ^ ".h", files.header); (name ^ ".c", files.source); (name ^ "_host.c", host_table);
-          ]
+        let linked = linked resources ~name in
+        Toolchain.build ?machine:linked.machine kind ~headers:resources.headers
+          ~inputs:linked.inputs ~includes:linked.includes ~foreign ~name
+          ([
+             (name ^ ".h", files.header); (name ^ ".c", files.source); (name ^ "_host.c", host_table);
+           ]
+          @ linked.generated)
         |> Result.map_error (about_foreign files ~sources)
       in
       continue resources program)
 
+let with_runtime (resources : Resources.t) ~name:_ =
+  { machine = None; inputs = [ resources.runtime ]; includes = []; generated = [] }
+
 (* The program as a shared object, and the host that is to run it. *)
 let hosted general ~entry ~sources file ~host ~arguments =
-  built general Shared_object ~entry ~sources ~archives:(fun _ -> []) file (fun resources program ->
+  built general Shared_object ~entry ~sources ~linked:with_runtime file (fun resources program ->
       let host = host resources in
       match Process.hand_over host (arguments resources program) with
       | Ok status -> status

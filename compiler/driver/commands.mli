@@ -57,18 +57,26 @@ val explain : string -> int
 val wrong_use : string -> int
 (** Says what is wrong with the call, and not with the program. *)
 
+(** What generated C is linked with, and for what; see {!Toolchain.build}. *)
+type linked = {
+  machine : Toolchain.machine option;  (** this one if [None] *)
+  inputs : string list;
+  includes : string list;
+  generated : (string * string) list;  (** more files, name and content *)
+}
+
 val built :
   general ->
   Toolchain.kind ->
   entry:string ->
   sources:string list ->
-  archives:(Resources.t -> string list) ->
+  linked:(Resources.t -> name:string -> linked) ->
   string ->
   (Resources.t -> string -> int) ->
   int
-(** Compiles a file, to C and by the C compiler with the user's own [sources]
-    and the archives, and goes on with the path of
-    the result; tells what is wrong with it otherwise. *)
+(** Compiles a file, to C and by the C compiler with the user's own [sources],
+    and goes on with the path of the result; tells what is wrong with it
+    otherwise. [name] is that of the C files. *)
 
 val report_bug : exn -> int
 (** Says that the compiler itself is at fault; the status is

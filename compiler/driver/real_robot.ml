@@ -48,14 +48,14 @@ type run = {
   exit_when_done : bool;
 }
 
-let executable general ~entry ~sources file continue =
-  Commands.built general Executable ~entry ~sources
-    ~archives:(fun resources -> [ resources.Resources.robot_host ])
-    file
+let executable general target ~entry ~sources file continue =
+  Commands.built general Executable ~entry ~sources ~linked:(Target.linked target) file
     (fun _ program -> continue program)
 
+let this_machine = Option.get (Target.of_name "host")
+
 let run general ~entry ~sources run file =
-  executable general ~entry ~sources file (fun program ->
+  executable general this_machine ~entry ~sources file (fun program ->
       become program
         ([ "--device"; run.device; "--rate"; Printf.sprintf "%.9g" run.rate ]
         @ option "--for" (Option.map seconds run.duration)
@@ -86,6 +86,16 @@ let install program path =
   | () -> Exit_status.ok
   | exception Sys_error reason -> Commands.wrong_use ("cannot write " ^ reason)
 
-let build general ~entry ~sources ~output file =
-  executable general ~entry ~sources file (fun program ->
-      install program (Option.value output ~default:(Pipeline.c_name file)))
+let build general ~entry ~sources ~target ~output file =
+  match Target.of_name target with
+  | None ->
+      Commands.wrong_use
+        (Printf.sprintf "there is no target `%s`; the targets: %s" target
+           (String.concat ", " Target.names))
+  | Some target ->
+      executable general target ~entry ~sources file (fun program ->
+          let path = Option.value output ~default:(Pipeline.c_name file) in
+          match (install program path, Target.size_tool target) with
+          | 0, Some tool -> (
+              match Process.hand_over tool [ path ] with Ok status -> status | Error _ -> 0)
+          | status, _ -> status)

@@ -31,5 +31,11 @@ val run : Commands.general -> entry:string -> sources:string list -> run -> stri
 (** Becomes the program that drives the robot. *)
 
 val build :
-  Commands.general -> entry:string -> sources:string list -> output:string option -> string -> int
-(** Writes that program. [sources] are the user's own C files. *)
+  Commands.general ->
+  entry:string ->
+  sources:string list ->
+  target:string ->
+  output:string option ->
+  string ->
+  int
+(** Writes that program, for a {!Target}. [sources] are the user's own C files. *)

@@ -3,6 +3,8 @@ type t = {
   headers : string;
   runtime : string;
   robot_host : string;
+  runtime_sources : string;
+  elementary : string;
   trace_host : string;
   simulator : string;
   server : string;
@@ -17,6 +19,8 @@ let under prefix =
     headers = prefix / "share" / "frobc" / "include";
     runtime = prefix / "lib" / "frobc" / "libfrob.a";
     robot_host = prefix / "lib" / "frobc" / "libfrob-robot.a";
+    runtime_sources = prefix / "share" / "frobc" / "runtime";
+    elementary = prefix / "share" / "frobc" / "elementary";
     trace_host = prefix / "lib" / "frobc" / "frob-trace";
     simulator = prefix / "lib" / "frobc" / "frob-sim";
     server = prefix / "lib" / "frobc" / "frob-serve";

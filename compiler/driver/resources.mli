@@ -7,6 +7,8 @@ type t = {
   runtime : string;  (** the archive [libfrob.a] that generated C is linked with *)
   robot_host : string;
       (** the archive [libfrob-robot.a]: the host that drives a robot, without a program *)
+  runtime_sources : string;  (** of the robot hosts, with their drivers and ports *)
+  elementary : string;  (** folder of the sources of [runtime] *)
   trace_host : string;  (** the executable [frob-trace] *)
   simulator : string;  (** the executable [frob-sim] *)
   server : string;  (** the executable [frob-serve], of simulated robots on a line *)

@@ -2,7 +2,16 @@ let flags = [ "-std=c99"; "-O2"; "-ffp-contract=off" ]
 
 type foreign = { sources : string list; folders : string list }
 let ( / ) = Filename.concat
-let compiler () = match Sys.getenv_opt "CC" with Some cc when cc <> "" -> cc | _ -> "cc"
+
+type machine = { compiler : string; cure : string; options : string list }
+
+let this_machine () =
+  {
+    compiler = (match Sys.getenv_opt "CC" with Some cc when cc <> "" -> cc | _ -> "cc");
+    cure =
+      "install one (on Debian: apt-get install gcc) or name yours in the environment variable CC";
+    options = [];
+  }
 
 let rec make_folder path =
   if not (Sys.file_exists path) then begin
@@ -57,50 +66,48 @@ type kind =
 let suffix = function Shared_object -> ".so" | Executable -> ""
 let kind_flags = function Shared_object -> [ "-fPIC"; "-shared" ] | Executable -> []
 
-let key ~headers ~archives ~foreign ~name kind files =
+let key machine ~headers ~inputs ~includes ~foreign ~name kind files =
   Digest.to_hex
     (Digest.string
        (String.concat "\000"
-          ((name :: suffix kind :: compiler () :: headers_digest headers
-           :: List.map Digest.file archives)
-          @ flags @ with_foreign foreign
+          ((name :: suffix kind :: machine.compiler :: headers_digest headers
+           :: List.map Digest.file (inputs @ includes))
+          @ flags @ machine.options @ with_foreign foreign
           @ List.concat_map (fun (file, content) -> [ file; content ]) files)))
 
-let explain = function
+let explain machine = function
   | Process.Not_found program ->
-      Printf.sprintf
-        "there is no C compiler `%s` here; install one (on Debian: apt-get install gcc) or name \
-         yours in the environment variable CC"
-        program
+      Printf.sprintf "there is no C compiler `%s` here; %s" program machine.cure
   | Process.Failed { status; errors } ->
-      Printf.sprintf "the C compiler `%s` failed with status %d:\n%s" (compiler ()) status errors
+      Printf.sprintf "the C compiler `%s` failed with status %d:\n%s" machine.compiler status errors
 
-let compile ~headers ~archives ~foreign ~folder ~result kind files =
+let compile machine ~headers ~inputs ~foreign ~folder ~result kind files =
   List.iter (fun (file, content) -> write (folder / file) content) files;
   let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
   let built = folder / "program" in
   match
-    Process.run (compiler ())
-      (flags
+    Process.run machine.compiler
+      (flags @ machine.options
       @ kind_flags kind
       @ [ "-I"; headers; "-I"; folder; "-o"; built ]
       @ List.map (fun (file, _) -> folder / file) sources
       @ with_foreign foreign
-      @ archives @ [ "-lm" ])
+      @ inputs @ [ "-lm" ])
   with
   | Ok () ->
       (* Renaming is atomic, so two runs at once do not see half a file. *)
       Sys.rename built result;
       Ok result
-  | Error failure -> Error (explain failure)
+  | Error failure -> Error (explain machine failure)
 
 let remove_folder folder =
   Array.iter (fun file -> Sys.remove (folder / file)) (Sys.readdir folder);
   Unix.rmdir folder
 
-let build kind ~headers ~archives ~foreign ~name files =
+let build ?machine kind ~headers ~inputs ?(includes = []) ~foreign ~name files =
+  let machine = match machine with Some machine -> machine | None -> this_machine () in
   let cache = cache_folder () in
-  let key = key ~headers ~archives ~foreign ~name kind files in
+  let key = key machine ~headers ~inputs ~includes ~foreign ~name kind files in
   let result = cache / Printf.sprintf "%s-%s%s" name key (suffix kind) in
   (* What files of the user's include we do not know: they are compiled anew. *)
   if foreign = None && Sys.file_exists result then Ok result
@@ -109,5 +116,5 @@ let build kind ~headers ~archives ~foreign ~name files =
     make_folder folder;
     Fun.protect
       ~finally:(fun () -> remove_folder folder)
-      (fun () -> compile ~headers ~archives ~foreign ~folder ~result kind files)
+      (fun () -> compile machine ~headers ~inputs ~foreign ~folder ~result kind files)
   end

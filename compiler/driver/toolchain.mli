@@ -9,19 +9,32 @@ type foreign = { sources : string list; folders : string list }
 
 type kind =
   | Shared_object  (** for a host that loads it *)
-  | Executable  (** one of the archives has the host, and its [main] *)
+  | Executable  (** one of the inputs has the host, and its [main] *)
+
+type machine = {
+  compiler : string;  (** the program *)
+  cure : string;  (** what to do if it is missing *)
+  options : string list;  (** beyond {!flags} *)
+}
+
+val this_machine : unit -> machine
+(** With the compiler of [CC], else [cc]. *)
 
 val build :
+  ?machine:machine ->
   kind ->
   headers:string ->
-  archives:string list ->
+  inputs:string list ->
+  ?includes:string list ->
   foreign:foreign option ->
   name:string ->
   (string * string) list ->
   (string, string) result
-(** [build kind ~headers ~archives ~foreign ~name files] compiles the [.c]
-    files among [files] (name and content), links them with the archives, and
-    gives the path of the result. Results are kept in the user's cache
-    ([XDG_CACHE_HOME], or [~/.cache]), under a name made from everything that
-    matters, so the same program is compiled once; with files of the user's,
-    each time. The error is a text for the user. *)
+(** [build kind ~headers ~inputs ~includes ~foreign ~name files] compiles the
+    [.c] files among [files] (name and content), links them with the archives
+    and sources [inputs], which include [includes], and gives the path of the
+    result; for this machine, with its C compiler, unless told otherwise.
+    Results are kept in the user's cache ([XDG_CACHE_HOME], or [~/.cache]),
+    under a name made from everything that matters, so the same program is
+    compiled once; with files of the user's, each time. The error is a text for
+    the user. *)

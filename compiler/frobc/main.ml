@@ -262,11 +262,21 @@ let build =
     let doc = "Where to write it; without it, the program's name." in
     Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"EXE" ~doc)
   in
+  let target =
+    let describe name =
+      let meaning = Option.fold ~none:"" ~some:Driver.Target.meaning (Driver.Target.of_name name) in
+      Printf.sprintf "$(b,%s) (%s)" name meaning
+    in
+    let doc =
+      "The machine to build for: " ^ String.concat "; " (List.map describe Driver.Target.names) ^ "."
+    in
+    Arg.(value & opt string "host" & info [ "target" ] ~docv:"TARGET" ~doc)
+  in
   command "build" ~doc:"the executable that $(b,run --device) would start"
     Term.(
-      const (fun general entry sources output file ->
-          Driver.Real_robot.build general ~entry ~sources ~output file)
-      $ general $ entry $ sources $ output $ file)
+      const (fun general entry sources target output file ->
+          Driver.Real_robot.build general ~entry ~sources ~target ~output file)
+      $ general $ entry $ sources $ target $ output $ file)
 
 let serve =
   let some kind names ~docv ~doc = Arg.(value & opt (some kind) None & info names ~docv ~doc) in

@@ -2,6 +2,8 @@
 //
 // Exit status: 0 when the time is over or it is ended by SIGINT or SIGTERM,
 // after a summary as frob-sim prints it; 2 for wrong use.
+#include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -129,8 +131,12 @@ void print_summary(const frob_sim *sim) {
     std::printf("distance driven: %.3f m\n", s.distance_m);
     if (s.measured) {
         std::printf("wall distance to keep: %.3f m\n", s.wall_distance_m);
-        std::printf("mean wall distance error: %.4f m\n", s.mean_error_m);
-        std::printf("largest wall distance error: %.4f m\n", s.largest_error_m);
+        if (std::isnan(s.mean_error_m)) {
+            std::printf("wall distance error: not measured, the run ended while settling\n");
+        } else {
+            std::printf("mean wall distance error: %.4f m\n", s.mean_error_m);
+            std::printf("largest wall distance error: %.4f m\n", s.largest_error_m);
+        }
     }
     std::printf("odometry error at the end: %.3f m\n", s.odometry_error_m);
     std::printf("collisions: %d\n", s.collisions);

@@ -10,6 +10,9 @@
  * written has left. */
 int frob_posix_set_terminal_rate(int fd, uint32_t bits_per_s);
 
+/* rate_standard.c: the same, for the usual rates only, on any system. */
+int frob_posix_set_standard_rate(int fd, uint32_t bits_per_s);
+
 /* holder_linux.c: a program that has the device open, as `NAME (process N)`.
  * False if none is found, which may also be for want of rights. */
 bool frob_posix_holder(const char *device, char *name, size_t room);

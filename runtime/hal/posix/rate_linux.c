@@ -1,9 +1,10 @@
 /* Linux takes any rate through its own termios2, whose header cannot be
- * included beside <termios.h>. */
+ * included beside <termios.h>. Emulators of Linux may lack it. */
 #include "hal/posix/parts.h"
 
 #include <asm/ioctls.h>
 #include <asm/termbits.h>
+#include <errno.h>
 
 /* As in <sys/ioctl.h>, which would include the other termios. */
 extern int ioctl(int fd, unsigned long request, ...);
@@ -12,7 +13,7 @@ int frob_posix_set_terminal_rate(int fd, uint32_t bits_per_s)
 {
     struct termios2 settings;
     if (ioctl(fd, TCGETS2, &settings) != 0)
-        return -1;
+        return errno == ENOSYS ? frob_posix_set_standard_rate(fd, bits_per_s) : -1;
     settings.c_cflag &= ~(tcflag_t)(CBAUD | CBAUD << IBSHIFT);
     settings.c_cflag |= BOTHER | BOTHER << IBSHIFT;
     settings.c_ispeed = bits_per_s;

@@ -1,0 +1,131 @@
+type kind =
+  | Prebuilt  (** this machine, with the host that comes with frobc *)
+  | Linux of string list
+  | Board of { port : string; script : string; options : string list }
+
+type t = {
+  name : string;
+  meaning : string;
+  compiler : string option;  (** this machine's if [None] *)
+  package : string;
+  kind : kind;
+}
+
+let table =
+  [
+    { name = "host"; meaning = "this machine"; compiler = None; package = "gcc"; kind = Prebuilt };
+    {
+      name = "linux";
+      meaning = "this machine, with the host compiled from its sources";
+      compiler = None;
+      package = "gcc";
+      kind = Linux [];
+    };
+    {
+      name = "aarch64-linux";
+      meaning = "ARM, 64 bits";
+      compiler = Some "aarch64-linux-gnu-gcc";
+      package = "gcc-aarch64-linux-gnu libc6-dev-arm64-cross";
+      kind = Linux [];
+    };
+    {
+      name = "armhf-linux";
+      meaning = "ARM, 32 bits, with floating-point unit";
+      compiler = Some "arm-linux-gnueabihf-gcc";
+      package = "gcc-arm-linux-gnueabihf libc6-dev-armhf-cross";
+      kind = Linux [];
+    };
+    {
+      name = "cortex-m";
+      meaning = "a board without an operating system, that qemu calls mps2-an386";
+      compiler = Some "arm-none-eabi-gcc";
+      package = "gcc-arm-none-eabi libnewlib-arm-none-eabi";
+      kind =
+        Board
+          {
+            port = "cortex_m";
+            script = "mps2_an386.ld";
+            options = [ "-mthumb"; "-mcpu=cortex-m4" ];
+          };
+    };
+  ]
+
+let names = List.map (fun t -> t.name) table
+let of_name name = List.find_opt (fun t -> String.equal t.name name) table
+let meaning t = t.meaning
+let ( / ) = Filename.concat
+
+let machine t options =
+  match t.compiler with
+  | None -> { (Toolchain.this_machine ()) with options }
+  | Some compiler ->
+      { compiler; cure = Printf.sprintf "on Debian: apt-get install %s" t.package; options }
+
+let files folder =
+  let names = Sys.readdir folder in
+  Array.sort compare names;
+  List.map (fun name -> folder / name) (Array.to_list names)
+
+let with_suffix suffix = List.filter (fun file -> Filename.check_suffix file suffix)
+
+(* Sources in these folders of the runtime, and the headers that any of them
+   may include. *)
+let from_sources (resources : Resources.t) folders =
+  let runtime = resources.runtime_sources in
+  let drivers = runtime / "drivers" in
+  let folders =
+    List.map (fun folder -> runtime / folder) folders
+    @ List.filter Sys.is_directory (files drivers)
+  in
+  let all = List.concat_map files folders @ files resources.elementary in
+  (with_suffix ".c" all, with_suffix ".h" (all @ files drivers @ files (runtime / "hal")))
+
+(* Without a heap the program's state is a variable. *)
+let state_of name =
+  ( name ^ "_memory.c",
+    Printf.sprintf
+      "#include \"%s.h\"\n\nstatic struct %s_state state;\nvoid *const frob_program_state = &state;\n"
+      name name )
+
+let linked t (resources : Resources.t) ~name =
+  let include_ = [ "-I"; resources.runtime_sources ] in
+  match t.kind with
+  | Prebuilt ->
+      {
+        Commands.machine = None;
+        inputs = [ resources.robot_host; resources.runtime ];
+        includes = [];
+        generated = [];
+      }
+  | Linux options ->
+      let inputs, includes =
+        from_sources resources [ "core"; "hal/posix"; "hosts/common"; "hosts/robot" ]
+      in
+      {
+        machine = Some (machine t (options @ ("-D_GNU_SOURCE" :: include_)));
+        inputs;
+        includes;
+        generated = [];
+      }
+  | Board { port; script; options } ->
+      let inputs, includes =
+        from_sources resources [ "core"; "hal" / port; "hosts" / port ]
+      in
+      let script = resources.runtime_sources / "hal" / port / script in
+      let options =
+        options
+        @ [ "-ffunction-sections"; "-fdata-sections"; "-Wl,--gc-sections"; "-nostartfiles" ]
+        @ [ "--specs=nano.specs"; "--specs=nosys.specs"; "-T"; script ]
+      in
+      {
+        machine = Some (machine t (options @ include_));
+        inputs;
+        includes = script :: includes;
+        generated = [ state_of name ];
+      }
+
+let size_tool t =
+  match (t.kind, t.compiler) with
+  | Board _, Some compiler when Filename.check_suffix compiler "gcc" ->
+      Some (Filename.chop_suffix compiler "gcc" ^ "size")
+  | (Board _ | Prebuilt | Linux _), _ -> None
