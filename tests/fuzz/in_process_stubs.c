@@ -176,6 +176,17 @@ static const char *instants(const struct frob_program *program, const struct col
     return NULL;
 }
 
+/* The same once more, from the state as it was left: what `reset` leaves over of it
+ * shows. */
+static bool same_again(const struct frob_program *program, const struct columns *columns,
+                       value times, value rows, void *state, void *input, void *output,
+                       const struct frob_text *first, struct frob_text *second)
+{
+    frob_trace_header(second, program, FROB_TRACE_OUT);
+    return instants(program, columns, times, rows, state, input, output, second) == NULL &&
+           strcmp(first->data, second->data) == 0;
+}
+
 /* Memory as a careless caller has it: what is read before it is written shows. */
 static void *litter(size_t size)
 {
@@ -193,10 +204,12 @@ value in_process_run(value v, value times, value rows)
     CAMLlocal1(result);
     const struct frob_program *program = of_value(v)->program;
     const size_t room = frob_trace_room(program, FROB_TRACE_OUT) * (Wosize_val(rows) + 1);
-    char *buffer = (char *)litter(room);
+    char *buffer = (char *)litter(room), *buffer_again = (char *)litter(room);
     void *state = litter(program->state_size), *input = litter(program->input_size),
          *output = litter(program->output_size);
     struct frob_text text = frob_text_in(buffer, room);
+    struct frob_text again = frob_text_in(buffer_again, room);
+    volatile bool restarts = true;
     struct columns columns = { NULL, 0 };
     struct sigaction action, old[SIGNALS];
     const char *volatile unread = NULL;
@@ -214,22 +227,26 @@ value in_process_run(value v, value times, value rows)
     if (caught == 0) {
         alarm(PATIENCE);
         unread = instants(program, &columns, times, rows, state, input, output, &text);
+        restarts = same_again(program, &columns, times, rows, state, input, output, &text, &again);
     }
     alarm(0);
     for (int i = 0; i < SIGNALS; i++)
         sigaction(signals[i], &old[i], NULL);
-    if (caught == 0 && unread == NULL)
+    if (caught == 0 && unread == NULL && restarts)
         result = caml_alloc_initialized_string(text.length, buffer);
     free(columns.values);
     free(state);
     free(input);
     free(output);
     free(buffer);
+    free(buffer_again);
     if (caught == SIGALRM)
         caml_failwith("the compiled program does not come to the end of its recording");
     if (caught != 0)
         caml_failwith("the compiled program crashes");
     if (unread != NULL)
         caml_failwith("a cell of the input is not read");
+    if (!restarts)
+        caml_failwith("after a second reset the compiled program runs otherwise");
     CAMLreturn(result);
 }
