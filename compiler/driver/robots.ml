@@ -34,6 +34,7 @@ let typed_entry p =
 
 let lacks p robot =
   Fit.lacks p.typed (typed_entry p)
+    ~others:(List.concat_map (fun robot -> [ input robot; output robot ]) Robot.all)
     { input = input robot; output = output robot }
 
 let fits p robot = lacks p robot = Some []
@@ -174,10 +175,13 @@ let open_program sink asked p =
       | [] -> refuse sink [ on_no_robot p allowed ]
       | robots -> refuse sink [ not_said p robots ])
 
-let is_open p = Fit.is_open (typed_entry p)
+let is_open p = Fit.openness (typed_entry p) = Open_program
 
 let closed sink asked p =
-  if is_open p then open_program sink asked p else closed_program sink asked p
+  match (Fit.openness (typed_entry p), asked) with
+  | Open_program, _ | Open_signal_function, Some _ -> open_program sink asked p
+  | Open_signal_function, None -> as_it_stands p
+  | Closed, _ -> closed_program sink asked p
 
 let sampled p =
   match (allowed p, fitting p) with

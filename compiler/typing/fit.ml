@@ -1,4 +1,6 @@
 type robot = { input : Ir.Global.t; output : Ir.Global.t }
+type openness = Closed | Open_signal_function | Open_program
+
 type lack = { class_ : Ir.Global.t; of_ : Ir.Global.t; need : Ir.need }
 
 let ends (d : Ir.definition) =
@@ -6,18 +8,33 @@ let ends (d : Ir.definition) =
   | Data { tycon; arguments = [ input; output ]; _ }
     when tycon = Environment.built_in "Program" ->
       Some (input, output)
+  | Signal_function (input, output) -> Some (input, output)
   | _ -> None
 
-let is_open (d : Ir.definition) =
-  match ends d with
-  | Some _ -> d.scheme.types <> []
-  | None -> false
+let openness (d : Ir.definition) =
+  match (d.scheme.types, d.scheme.ty, ends d) with
+  | [], _, _ | _, _, None -> Closed
+  | _ :: _, Signal_function _, Some _ -> Open_signal_function
+  | _ :: _, _, Some _ -> Open_program
 
-(* The variable, if it is one, and the type that it has to be. *)
-let matches (t : Ir.ty) tycon =
+let rec is_closed (t : Ir.ty) =
+  match t with
+  | Variable _ | Number (Representation_variable _, _) -> false
+  | Number _ | Bool | String | Size _ -> true
+  | Tuple parts -> List.for_all is_closed parts
+  | Function (a, b) | Signal_function (a, b) -> is_closed a && is_closed b
+  | Data { arguments; _ } -> List.for_all is_closed arguments
+
+let is_anybodys (t : Ir.ty) others =
+  match t with Data { tycon; _ } -> List.mem tycon others | _ -> false
+
+(* The variable, if it is one, and the type that it has to be. A signal function
+   that is no program may also give, or take, what is no robot's. *)
+let matches ~program ~others (t : Ir.ty) tycon =
   match t with
   | Variable v -> Some [ (v.id, tycon) ]
   | Data { tycon = t; _ } when t = tycon -> Some []
+  | t when (not program) && is_closed t && not (is_anybodys t others) -> Some []
   | _ -> None
 
 let has_instance (program : Ir.program) class_ tycon =
@@ -26,11 +43,16 @@ let has_instance (program : Ir.program) class_ tycon =
       i.class_ = class_ && match i.head with Data { tycon = t; _ } -> t = tycon | _ -> false)
     program.instances
 
-let lacks (program : Ir.program) (d : Ir.definition) robot =
+let lacks (program : Ir.program) (d : Ir.definition) ~others robot =
   match ends d with
   | None -> None
   | Some (input, output) -> (
+      let matches =
+        let program = match d.scheme.ty with Signal_function _ -> false | _ -> true in
+        matches ~program ~others
+      in
       match (matches input robot.input, matches output robot.output) with
+      | Some [], Some [] -> None
       | Some inputs, Some outputs
         when not (robot.input <> robot.output && input = output) ->
           let types = inputs @ outputs in

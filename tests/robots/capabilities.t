@@ -1,0 +1,116 @@
+What each capability is on each robot. `--robot` says of what signal functions are, too,
+that ask for capabilities. A robot's input is read from a row that says
+only what is not 0, false, or no event.
+
+  $ trace () {
+  >   robot=$1 program=$2; shift 2
+  >   echo time | frobc trace $program --robot $robot --input - 2>&1 |
+  >     sed -n 's/.*the header for this program is `\(.*\)`/\1/p' | tr ',' '\n' > columns
+  >   tr '\n' ',' < columns | sed 's/,$//' > in.csv
+  >   echo >> in.csv
+  >   for row in "$@"; do
+  >     echo "$row" | tr ' ' '\n' > said
+  >     awk -F= 'FILENAME == "said" { value[$1] = $2; next }
+  >       { v = $0 in value ? value[$0] : $0 == "time" ? 0 : /sonar/ ? "" : /umper|Stall|motorsOn|bump|Drop|cliffs|virtualWall|Overcurrent|Button|charging|obeying|emergencyStop/ ? "false" : 0
+  >         printf "%s%s", (FNR > 1 ? "," : ""), v } END { print "" }' said columns >> in.csv
+  >   done
+  >   frobc trace --lint $program --robot $robot --input in.csv > compiled.csv
+  >   frobc trace $program --robot $robot --input in.csv --engine interp | cmp - compiled.csv
+  >   cat compiled.csv
+  > }
+
+Odometry and the battery, on all three. The robots differ in how far apart their
+wheels are.
+
+  $ cat > common.frob <<'FROB'
+  > import Geometry
+  > import Robot
+  > main :: (HasOdometry i, HasBattery i) => SF i (Point2, Velocity, AngularVelocity, Float[V])
+  > main = proc i -> (place i, velocity i, turnRate i, batteryVoltage i)
+  > FROB
+  $ for robot in pioneer scout create; do
+  >   trace $robot common.frob "in.odometry.position.x=1 in.odometry.position.y=2 in.leftWheel=0.1 in.rightWheel=0.3 in.battery=12" | sed 1d
+  > done
+  0.000000000,1,2,0.20000000000000001,0.55999999999999994,12
+  0.000000000,1,2,0.20000000000000001,0.57937427578215517,12
+  0.000000000,1,2,0.20000000000000001,0.85106382978723405,12
+
+Bumpers: a Pioneer has one in front, that counts for both sides; a Scout's are six, of
+which the first is in front; a Create's are in front.
+
+  $ cat > bumpers.frob <<'FROB'
+  > import Robot
+  > main :: HasBumpers i => SF i (Bool, Bool, Bool, Bool)
+  > main = arr (\i -> (bumpedLeft i, bumpedRight i, bumpedBehind i, bumped i))
+  > FROB
+  $ trace pioneer bumpers.frob in.frontBumper=true in.rearBumper=true time=1
+  time,out.1,out.2,out.3,out.4
+  0.000000000,true,true,false,true
+  0.000000000,false,false,true,true
+  1.000000000,false,false,false,false
+  $ trace scout bumpers.frob in.bumpers[0]=true in.bumpers[1]=true in.bumpers[2]=true in.bumpers[3]=true in.bumpers[4]=true in.bumpers[5]=true | sed 1d
+  0.000000000,true,true,false,true
+  0.000000000,true,false,false,true
+  0.000000000,false,false,true,true
+  0.000000000,false,false,true,true
+  0.000000000,false,false,true,true
+  0.000000000,false,true,false,true
+  $ trace create bumpers.frob in.bumpLeft=true in.bumpRight=true | sed 1d
+  0.000000000,true,false,false,true
+  0.000000000,false,true,false,true
+
+A ring of sonars tells of each where it sits and what it heard.
+
+  $ cat > ring.frob <<'FROB'
+  > import Geometry
+  > import Robot
+  > main :: HasSonarRing i => SF i (Distance, Distance, Angle, Angle, Event Distance)
+  > main = arr (\i -> left (sonars i ! 4)) where
+  >     left s = (s.seat.position.x, s.seat.position.y, s.seat.heading, s.halfAngle, s.echo)
+  > FROB
+  $ trace pioneer ring.frob in.sonar[4]=1.5 | sed 1d
+  0.000000000,0.16600000000000001,-0.027,-0.17453292519943295,0.20943951023931956,1.5
+  $ trace scout ring.frob in.sonar[4]=1.5 time=1 | sed 1d
+  0.000000000,1.2246467991473533e-17,0.20000000000000001,1.5707963267948966,0.17453292519943295,1.5
+  1.000000000,1.2246467991473533e-17,0.20000000000000001,1.5707963267948966,0.17453292519943295,
+
+Distances: what is heard straight ahead, on the left and on the right of a robot
+that stands still is as far as the echo says; at first, as far as it sees.
+
+  $ cat > distances.frob <<'FROB'
+  > import Robot
+  > main :: HasSonar i => SF i (Distance, Distance, Distance, Distance)
+  > main = proc i -> (frontSonar i, sideSonar i, rightSonar i, sonarReach i)
+  > FROB
+  $ trace pioneer distances.frob time=0 "time=1 in.sonar[0]=1 in.sonar[7]=2" | sed 1d
+  0.000000000,5,5,5,5
+  1.000000000,5,1,2,5
+  $ trace scout distances.frob time=0 "time=1 in.sonar[0]=3 in.sonar[4]=1 in.sonar[12]=2" | sed 1d
+  0.000000000,6.4770000000000003,6.4770000000000003,6.4770000000000003,6.4770000000000003
+  1.000000000,3,1,2,6.4770000000000003
+  $ trace create distances.frob time=0 "time=1 in.light[2]=250 in.light[3]=10 in.light[5]=9" | sed 1d
+  0.000000000,0.5,0.5,0.5,0.5
+  1.000000000,0.10994802246432496,0.14219524194891453,0.20076599666389083,0.5
+
+What only a Create has.
+
+  $ cat > create.frob <<'FROB'
+  > import Robot
+  > main :: (HasCliffs i, HasStall i, HasBeacon i, HasLight o, HasSound o, DiffDrive o) => Program i o
+  > main = reactimateRobot (proc i -> command i) where
+  >     tone i = if cliffRight i then Event (Tone { pitch = 440[Hz], lasting = 0.5[s] }) else NoEvent
+  >     light i = if cliffLeft i then On else Off
+  >     v i = case beaconSeen i of
+  >         Just n -> 0.1[m/s] * toFloat n
+  >         Nothing -> if wheelDropped i || stalled i then -0.1[m/s] else 0
+  >     command i = roMake (setVelTR (v i) 0 . setLight (light i) . playTone (tone i))
+  > FROB
+  $ trace create create.frob in.cliffs[0]=true in.cliffs[1]=true in.cliffs[2]=true in.cliffs[3]=true in.beacon=3 in.leftDrop=true in.rightOvercurrent=true | cut -d, -f1,2,5,10-
+  time,out.forward,out.powerLight,out.tone
+  0.000000000,0,1,
+  0.000000000,0,1,
+  0.000000000,0,0,"Tone {pitch = 440, lasting = 0.5}"
+  0.000000000,0,0,"Tone {pitch = 440, lasting = 0.5}"
+  0.000000000,0.30000000000000004,0,
+  0.000000000,-0.10000000000000001,0,
+  0.000000000,-0.10000000000000001,0,
