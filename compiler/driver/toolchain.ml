@@ -53,11 +53,21 @@ let headers_digest folder =
   Array.sort compare files;
   String.concat "" (List.map (fun file -> Digest.file (frob / file)) (Array.to_list files))
 
+let is_cpp file = List.mem (Filename.extension file) [ ".cc"; ".cpp"; ".cxx" ]
+let include_flags folders = List.concat_map (fun folder -> [ "-I"; folder ]) folders
+
+(* C++ is compiled first: what is linked in its place. *)
+let object_of ~folder number file =
+  if is_cpp file then folder / Printf.sprintf "cpp_%d.o" number else file
+
 (* A symbol that nobody defines is to be found now, not when a host starts. *)
-let with_foreign = function
+let with_foreign ~folder = function
   | None -> []
   | Some { sources; folders } ->
-      List.concat_map (fun folder -> [ "-I"; folder ]) folders @ sources @ [ "-Wl,--no-undefined" ]
+      include_flags folders
+      @ List.mapi (object_of ~folder) sources
+      @ (if List.exists is_cpp sources then [ "-lstdc++" ] else [])
+      @ [ "-Wl,--no-undefined" ]
 
 type kind =
   | Shared_object
@@ -72,7 +82,8 @@ let key machine ~headers ~inputs ~includes ~foreign ~name kind files =
        (String.concat "\000"
           ((name :: suffix kind :: machine.compiler :: headers_digest headers
            :: List.map Digest.file (inputs @ includes))
-          @ flags @ machine.options @ with_foreign foreign
+          @ flags @ machine.options
+          @ Option.fold foreign ~none:[] ~some:(fun f -> f.sources @ ("" :: f.folders))
           @ List.concat_map (fun (file, content) -> [ file; content ]) files)))
 
 let explain machine = function
@@ -81,19 +92,40 @@ let explain machine = function
   | Process.Failed { status; errors } ->
       Printf.sprintf "the C compiler `%s` failed with status %d:\n%s" machine.compiler status errors
 
+(* A C compiler takes C++ for what it is, but not with the flags of C. *)
+let compile_cpp machine ~headers ~folder foreign =
+  let one { folders; _ } number file =
+    Process.run machine.compiler
+      ([ "-std=c++17"; "-O2"; "-ffp-contract=off"; "-fPIC"; "-c" ]
+      @ machine.options
+      @ include_flags (headers :: folder :: folders)
+      @ [ "-o"; object_of ~folder number file; file ])
+  in
+  match foreign with
+  | None -> Ok ()
+  | Some ({ sources; _ } as foreign) ->
+      List.fold_left
+        (fun result (number, file) ->
+          match result with
+          | Ok () when is_cpp file -> one foreign number file
+          | result -> result)
+        (Ok ())
+        (List.mapi (fun number file -> (number, file)) sources)
+
 let compile machine ~headers ~inputs ~foreign ~folder ~result kind files =
   List.iter (fun (file, content) -> write (folder / file) content) files;
   let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
   let built = folder / "program" in
-  match
+  let link () =
     Process.run machine.compiler
       (flags @ machine.options
       @ kind_flags kind
       @ [ "-I"; headers; "-I"; folder; "-o"; built ]
       @ List.map (fun (file, _) -> folder / file) sources
-      @ with_foreign foreign
+      @ with_foreign ~folder foreign
       @ inputs @ [ "-lm" ])
-  with
+  in
+  match Result.bind (compile_cpp machine ~headers ~folder foreign) link with
   | Ok () ->
       (* Renaming is atomic, so two runs at once do not see half a file. *)
       Sys.rename built result;

@@ -4,7 +4,8 @@ val flags : string list
 (** With which generated C must be built to keep its promises: no contraction
     of floating-point operations. *)
 
-(** The user's C: files to compile or link, and where headers are included from. *)
+(** The user's C and C++: files to compile or link, and where headers are included
+    from. *)
 type foreign = { sources : string list; folders : string list }
 
 type kind =

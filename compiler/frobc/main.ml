@@ -33,8 +33,8 @@ let entry =
 
 let sources =
   let doc =
-    "A C file that a program with foreign code is compiled with, or a compiled one to link; may be \
-     given several times."
+    "A C or C++ file that a program with foreign code is compiled with, or a compiled one to link; \
+     may be given several times."
   in
   Arg.(value & opt_all string [] & info [ "with" ] ~docv:"FILE.c" ~doc)
 

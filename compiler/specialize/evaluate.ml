@@ -182,8 +182,10 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
 
 (* In C both would have the struct and the functions of that name. *)
 let refuse_own_name sink ~name (foreign : Ir.foreign) =
+  let same_name ((f : Core.Primitive.foreign), _) =
+    f.kind = Stateful && String.equal f.symbol name
+  in
   let refuse ((f : Core.Primitive.foreign), _) =
-    if f.kind = Stateful && String.equal f.symbol name then
       Diagnostic.error ~code:"E0431" ~at:f.span
         "the program and the component `%s` in C have one name" name
       |> Diagnostic.note
@@ -192,7 +194,16 @@ let refuse_own_name sink ~name (foreign : Ir.foreign) =
       |> Diagnostic.hint "rename the program's file"
       |> Diagnostic.emit sink
   in
-  List.iter refuse foreign.values
+  let refuse_header (h : Ir.header) =
+    if String.equal h.header (name ^ ".h") then
+      Diagnostic.error ~code:"E0431" ~at:(Span.start_of_file h.of_file)
+        "the program's own header would be `%s`, which it includes" h.header
+      |> Diagnostic.hint "rename the program's file, or the header"
+      |> Diagnostic.emit sink
+  in
+  match List.find_opt same_name foreign.values with
+  | Some component -> refuse component
+  | None -> List.iter refuse_header foreign.headers
 
 let program ?(options = Context.default) sink ~name ~entry:(entry : Ir.Global.t)
     (program : Ir.program) =

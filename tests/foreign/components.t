@@ -79,6 +79,21 @@ The same names in the program's own C would clash:
   1 error
   [1]
 
+Nor can its header have the name of the program's:
+
+  $ sed 's/filter.h/same.h/' filters.frob > same.frob
+  $ frobc compile same.frob
+  error[E0431]: the program's own header would be `same.h`, which it includes
+   --> same.frob:1:1
+    |
+  1 | foreign include "same.h"
+    | ^
+    |
+    = hint: rename the program's file, or the header
+  
+  1 error
+  [1]
+
 In a loop the whole component is one box: every output needs every input.
 
   $ cat > loop.frob <<'EOF'
