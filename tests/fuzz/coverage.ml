@@ -40,7 +40,10 @@ let syntax =
 let noted =
   [
     "array of arrays"; "array of records"; "recursion through a switch"; "recursion of a task";
-    "mode with a signal function as parameter"; "switch in a switch"; "event of signal functions";
+    "mode with a signal function as parameter"; "mode with a function as parameter";
+    "task with a signal function as parameter"; "task with a function as parameter";
+    "guards and where"; "array of signal functions"; "switch into the signal function of an event";
+    "switch in a switch"; "event of signal functions";
     "event of functions"; "function out of a signal function"; "function out of a switch";
     "feedback through delay"; "feedback through integral"; "pair of signals"; "local function";
     "section"; "record update"; "record field"; "guards that fall through"; "data with parameters";

@@ -141,37 +141,55 @@ let define_function (s : Signal_function.scope) name =
   let result = Expression.any_type values in
   let patterns = List.map (Expression.pattern values) parameters in
   let inside = Expression.bind (List.concat_map snd patterns) values in
+  let head = String.concat " " (name :: List.map fst patterns) in
+  let definition =
+    if chance values.random 3 then begin
+      Expression.note values "guards and where";
+      let local = (Expression.fresh values "l", Expression.any_type values) in
+      let within = Expression.bind [ local ] inside in
+      f "%s\n    | %s = %s\n    | otherwise = %s\n  where\n    %s = (%s :: %s)" head
+        (Expression.expression within 2 Bool)
+        (Expression.expression within 2 result)
+        (Expression.expression within 2 result)
+        (fst local)
+        (Expression.expression inside 2 (snd local))
+        (Type.text (snd local))
+    end
+    else f "%s = %s" head (Expression.expression inside 3 result)
+  in
   let text =
-    f "%s :: %s\n%s = %s\n\n" name
+    f "%s :: %s\n%s\n\n" name
       (String.concat " -> " (List.map Type.text (parameters @ [ result ])))
-      (String.concat " " (name :: List.map fst patterns))
-      (Expression.expression inside 3 result)
+      definition
   in
   (text, { s with values = { values with functions = (name, parameters, result) :: values.functions } })
 
+let named_parameters values parameters =
+  List.map (fun p -> (Expression.fresh values "p", p)) parameters
+
+(* Parameters in scope: as values, functions and signal functions. *)
+let bind_parameters (s : Signal_function.scope) named : Signal_function.scope =
+  let some choose = List.filter_map choose named in
+  let values =
+    some (fun (name, (p : Signal_function.parameter)) ->
+        match p with Value t -> Some (name, t) | Function _ | Signal_function _ -> None)
+  and functions =
+    some (fun (name, (p : Signal_function.parameter)) ->
+        match p with Function (a, b) -> Some (name, [ a ], b) | Value _ | Signal_function _ -> None)
+  and running =
+    some (fun (name, (p : Signal_function.parameter)) ->
+        match p with
+        | Signal_function (input, output) ->
+            Some { Signal_function.name; parameters = []; input; output }
+        | Value _ | Function _ -> None)
+  in
+  let inside = Expression.bind values s.values in
+  { values = { inside with functions = functions @ inside.functions }; known = running @ s.known }
+
 let define_signal_function (s : Signal_function.scope) ~parameters ~input ~signals ~result name =
   let values = s.values in
-  let named = List.map (fun p -> (Expression.fresh values "p", p)) parameters in
-  let value (name, (p : Signal_function.parameter)) =
-    match p with Value t -> Some (name, t) | Function _ | Signal_function _ -> None
-  and function_ (name, (p : Signal_function.parameter)) =
-    match p with Function (a, b) -> Some (name, [ a ], b) | Value _ | Signal_function _ -> None
-  and signal_function (name, (p : Signal_function.parameter)) =
-    match p with
-    | Signal_function (input, output) ->
-        Some { Signal_function.name; parameters = []; input; output }
-    | Value _ | Function _ -> None
-  in
-  let inside =
-    {
-      Signal_function.values =
-        {
-          (Expression.bind (List.filter_map value named) values) with
-          functions = List.filter_map function_ named @ values.functions;
-        };
-      known = List.filter_map signal_function named @ s.known;
-    }
-  in
+  let named = named_parameters values parameters in
+  let inside = bind_parameters s named in
   let output : Type.t =
     match (result : Signal_function.output) with
     | Computed output -> output
@@ -187,15 +205,6 @@ let define_signal_function (s : Signal_function.scope) ~parameters ~input ~signa
       (Signal_function.body inside ~indent:"    " ~input ~signals result)
   in
   (text, { s with known = { name; parameters; input; output } :: s.known })
-
-let named_parameters values parameters =
-  List.map (fun p -> (Expression.fresh values "p", p)) parameters
-
-let bind_parameters (s : Signal_function.scope) named =
-  let value (name, (p : Signal_function.parameter)) =
-    match p with Value t -> Some (name, t) | Function _ | Signal_function _ -> None
-  in
-  { s with values = Expression.bind (List.filter_map value named) s.values }
 
 (* A call with an argument for each parameter. One that is a signal function is
    handed on as it came, or starts anew: to grow it would make ever more modes. *)
@@ -231,12 +240,29 @@ let signature name parameters result =
   f "%s :: %s\n" name
     (String.concat " -> " (List.map Signal_function.parameter_text parameters @ [ result ]))
 
-let group (s : Signal_function.scope) start ~parameter =
+(* Some definitions, with the same kind of parameter in several of them. *)
+let group (s : Signal_function.scope) start =
   let random = s.values.random in
+  let any () = Expression.any_type s.values in
+  let brought : Signal_function.parameter =
+    if chance random 3 then Function (any (), any ()) else Signal_function (any (), any ())
+  in
+  let parameter () : Signal_function.parameter =
+    if chance random 3 then brought else Value (any ())
+  in
   List.init
     (1 + Random.State.int random 3)
     (fun _ ->
       (Expression.fresh s.values start, List.init (Random.State.int random 3) (fun _ -> parameter ())))
+
+let note_brought values what named =
+  List.iter
+    (fun (_, (p : Signal_function.parameter)) ->
+      match p with
+      | Signal_function _ -> Expression.note values (what ^ " with a signal function as parameter")
+      | Function _ -> Expression.note values (what ^ " with a function as parameter")
+      | Value _ -> ())
+    named
 
 (* Definitions that switch into each other in tail position, with parameters. A
    switch back, to an earlier one or to itself, takes time; one onward may be at
@@ -246,25 +272,12 @@ let define_modes (s : Signal_function.scope) =
   let random = values.random in
   let any () = Expression.any_type values in
   let input = any () and output = any () in
-  let brought : Signal_function.parameter = Signal_function (any (), any ()) in
-  let parameter () : Signal_function.parameter =
-    if chance random 3 then brought else Value (any ())
-  in
-  let modes = group s "m" ~parameter in
+  let modes = group s "m" in
   let define i (name, parameters) =
     Expression.note values "recursion through a switch";
     let named = named_parameters values parameters in
     let inside = bind_parameters s named in
-    let running =
-      List.filter_map
-        (fun (name, (p : Signal_function.parameter)) ->
-          match p with
-          | Signal_function (input, output) ->
-              Some { Signal_function.name; parameters = []; input; output }
-          | Value _ | Function _ -> None)
-        named
-    in
-    if running <> [] then Expression.note values "mode with a signal function as parameter";
+    note_brought values "mode" named;
     let later = List.filteri (fun k _ -> k > i) modes in
     let earlier = later = [] || not (chance random 3) in
     let another values = call inside named values (one_of random (if earlier then modes else later)) in
@@ -272,7 +285,7 @@ let define_modes (s : Signal_function.scope) =
       (signature name parameters (f "SF %s %s" (Type.text input) (Type.text output)))
       (String.concat " " (name :: List.map fst named))
       (Reactive.mode
-         (Signal_function.maker { inside with known = running @ s.known })
+         (Signal_function.maker inside)
          ~earlier
          ~continuation:(fun values -> onward values another)
          2 input output)
@@ -289,10 +302,11 @@ let define_tasks (s : Signal_function.scope) =
   let random = values.random in
   let any () = Expression.any_type values in
   let input = any () and output = any () and result = any () in
-  let tasks = group s "t" ~parameter:(fun () -> Signal_function.Value (any ())) in
+  let tasks = group s "t" in
   let define i (name, parameters) =
     Expression.note values "recursion of a task";
     let named = named_parameters values parameters in
+    note_brought values "task" named;
     let inside = bind_parameters s named in
     let later = List.filteri (fun k _ -> k > i) tasks in
     let earlier = later = [] || not (chance random 3) in

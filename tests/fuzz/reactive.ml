@@ -152,6 +152,21 @@ let once_switched m fuel a b =
   mode m ~earlier:false fuel a b ~continuation:(fun values ->
       m.signal_function values (fuel - 1) a b)
 
+(* What comes after is the event's value. *)
+let brought m fuel a b =
+  Expression.note m.values "switch into the signal function of an event";
+  let text, bound = Expression.pattern m.values a in
+  let inside = Expression.bind bound (still m.values) in
+  let payload = Expression.any_type m.values in
+  let whole = Expression.fresh m.values "w" in
+  let pattern, more = Expression.pattern inside payload in
+  let after = Expression.fresh m.values "q" in
+  f "(%s (proc %s@%s -> (%s, mapE (\\%s -> %s) (%s %s))) (\\%s -> %s))" (switch m) whole text
+    (Expression.expression inside 1 b)
+    pattern
+    (m.signal_function (Expression.bind more inside) (fuel - 1) a b)
+    (lively m (fuel - 1) a payload) whole after after
+
 let parenthesized ty text = f "(%s :: %s)" text (Type.text ty)
 
 (* Restarted or replaced at events; what replaces it captures signals. *)
@@ -240,6 +255,7 @@ let alternatives m fuel a b =
       (3, fun () -> once_switched m fuel a b);
       (3, fun () -> replaced m fuel a b);
       (1, fun () -> initially m fuel a b);
+      (1, fun () -> brought m fuel a b);
     ]
   in
   if fuel <= 0 then [] else scaled library events @ scaled switches switching

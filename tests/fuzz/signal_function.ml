@@ -115,6 +115,11 @@ and expression s fuel (a : Type.t) (b : Type.t) =
             let many : Type.t = Array (n, middle) and results : Type.t = Array (n, element) in
             f "(%s >>> (mapSF %s :: SF %s %s) >>> %s)" (sub a many) (sub middle element)
               (Type.text many) (Type.text results) (sub results b) );
+        ( (if a = b then 1 else 0),
+          fun () ->
+            Expression.note s.values "array of signal functions";
+            let stages = List.init (1 + Random.State.int random 3) (fun _ -> sub a b) in
+            f "(foldl (>>>) identity [%s])" (String.concat ", " stages) );
         (1, fun () -> f "(twiceOver %s %s)" (sub a b) (sub b b));
         ( (match b with Tuple [ _; _ ] -> 4 | _ -> 0),
           fun () ->

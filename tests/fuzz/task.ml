@@ -128,7 +128,7 @@ and by_result m ~slow fuel a b (c : Type.t) =
           fun () ->
             f "(forEachT %s (\\%s -> %s))" (annotated (value m 1 array) array) text
               (task (with_values m bound) ~slow:true (fuel - 1) a b (any_result m)) );
-        ( 1,
+        ( 4,
           fun () ->
             f "(%s %s %s)" (one_of m.values.random [ "whenT"; "unlessT" ]) (value m 1 Bool)
               (sub a b Type.unit) );
