@@ -24,6 +24,21 @@ here, it would take up its old speed.
   $ grep connections summary
   connections: 2
 
+However often that happens, nothing is left open.
+
+  $ start_driving
+  $ open_files () { ls /proc/$run/fd | wc -l; }
+  $ files=$(open_files)
+  $ for i in 1 2 3 4 5; do
+  >   kill -USR1 $robot; until_true '[ $(grep -c lost messages) = $i ]'
+  >   kill -USR2 $robot; until_true '[ $(grep -c connected messages) = $((i + 1)) ]'
+  > done
+  $ [ $(open_files) = $files ]
+  $ wc -w < /proc/$run/task/$run/children
+  2
+  $ kill -INT $run; wait $run
+  [4]
+
 A robot that does not come back ends the run.
 
   $ start_driving --reconnect 0.3
