@@ -99,7 +99,7 @@ let () =
     if first < s.count then begin
       let count = min Batch.size (s.count - first) in
       let file = s.out / "program.frob" in
-      write file (Program.make ~seed:s.seed ~first ~count);
+      write file (Program.make ~seed:s.seed ~first ~count ());
       emit s tools ~name:(Printf.sprintf "random_%d" first) ~seed:(-1 - first) file;
       modules (first + count)
     end

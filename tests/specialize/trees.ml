@@ -108,5 +108,6 @@ let program definitions =
         };
       ];
     instances = [];
+    foreign = { headers = []; types = []; values = [] };
     definitions;
   }
