@@ -70,39 +70,49 @@ let choice known condition then_ else_ : Ir.rhs =
                 If { condition = positive; then_ = else_; else_ = then_ }
             | Some _ | None -> If { condition; then_; else_ }))
 
+(* Choices of values are as deep as a [case] in a [case]; what is deeper is left
+   as it is. *)
+let deepest = 16
+
+(* An equation of its own for what an atom cannot say. *)
+let atom (add : Ir.ty -> Ir.rhs -> Ir.atom) ty (rhs : Ir.rhs) =
+  match rhs with Copy a -> a | rhs -> add ty rhs
+
 (* Which constructor an atom has, as a Bool, where that can be told without
    looking at its tag. *)
-let has_constructor known value constructor : Ir.rhs option =
-  let is value =
+let has_constructor known add value constructor : Ir.rhs option =
+  let rec test depth value : Ir.rhs option =
     match definition known value with
-    | Some (Ir.Construct c) -> Some (c.constructor = constructor)
+    | Some (Construct c) -> Some (Copy (Bool (c.constructor = constructor)))
+    | Some (If { condition; then_; else_ }) when depth < deepest -> (
+        match (test (depth + 1) then_, test (depth + 1) else_) with
+        | Some then_, Some else_ ->
+            let then_ = atom add Bool then_ in
+            Some (choice known condition then_ (atom add Bool else_))
+        | None, _ | _, None -> None)
     | Some _ | None -> None
   in
-  match definition known value with
-  | Some (Construct c) -> Some (Copy (Bool (c.constructor = constructor)))
-  | Some (If { condition; then_; else_ }) -> (
-      match (is then_, is else_) with
-      | Some then_, Some else_ -> Some (choice known condition (Bool then_) (Bool else_))
-      | None, _ | _, None -> None)
-  | Some _ | None -> None
+  test 0 value
 
 (* The leaf of a payload. A value of another constructor has an unspecified
    one there, so where only one branch has it, it is taken. *)
-let payload known value constructor leaf : Ir.rhs option =
-  let of_construct value =
+let payload known add ty value constructor leaf : Ir.rhs option =
+  let rec part depth value =
     match definition known value with
-    | Some (Ir.Construct c) when c.constructor = constructor -> `Leaf (List.nth c.payload leaf)
-    | Some (Ir.Construct _) -> `Other_constructor
+    | Some (Ir.Construct c) when c.constructor = constructor ->
+        `Leaf (Ir.Copy (List.nth c.payload leaf))
+    | Some (Construct _) -> `Other_constructor
+    | Some (If { condition; then_; else_ }) when depth < deepest -> (
+        match (part (depth + 1) then_, part (depth + 1) else_) with
+        | `Leaf a, `Leaf b ->
+            let a = atom add ty a in
+            `Leaf (choice known condition a (atom add ty b))
+        | `Leaf a, `Other_constructor | `Other_constructor, `Leaf a -> `Leaf a
+        | `Other_constructor, `Other_constructor -> `Other_constructor
+        | `Unknown, _ | _, `Unknown -> `Unknown)
     | Some _ | None -> `Unknown
   in
-  match (of_construct value, definition known value) with
-  | `Leaf a, _ -> Some (Copy a)
-  | (`Other_constructor | `Unknown), Some (If { condition; then_; else_ }) -> (
-      match (of_construct then_, of_construct else_) with
-      | `Leaf a, `Leaf b -> Some (choice known condition a b)
-      | `Leaf a, `Other_constructor | `Other_constructor, `Leaf a -> Some (Copy a)
-      | (`Leaf _ | `Other_constructor | `Unknown), _ -> None)
-  | (`Other_constructor | `Unknown), _ -> None
+  match part 0 value with `Leaf rhs -> Some rhs | `Other_constructor | `Unknown -> None
 
 let element known array k : Ir.rhs option =
   match definition known array with
@@ -114,7 +124,7 @@ let size : Ir.atom -> int = function
   | Signal { ty = Array (n, _); _ } -> n
   | Signal _ | Bool _ | Int _ | Float _ -> 0
 
-let simplify known (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
+let simplify known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   match rhs with
   | Op (operator, arguments) -> (
       match Fold.operation operator arguments with
@@ -122,9 +132,9 @@ let simplify known (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
       | None -> operation known operator arguments)
   | If { condition; then_; else_ } -> choice known condition then_ else_
   | Is_constructor (value, constructor) ->
-      Option.value (has_constructor known value constructor) ~default:rhs
+      Option.value (has_constructor known (add defines) value constructor) ~default:rhs
   | Payload { value; constructor; leaf } ->
-      Option.value (payload known value constructor leaf) ~default:rhs
+      Option.value (payload known (add defines) defines.ty value constructor leaf) ~default:rhs
   | Delay { init; next } when same next init || same next (Signal defines) ->
       (* [init] is static: it is the same at every instant. *)
       Copy init
@@ -140,14 +150,22 @@ let simplify known (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   | Derivative _ ->
       rhs
 
-let node (node : Ir.node) =
+let node_with fresh (node : Ir.node) =
   let known : known = Hashtbl.create 64 in
   let substitution = Substitution.create () in
+  let added = ref [] in
+  let add (like : Ir.signal) ty rhs : Ir.atom =
+    let id = fresh () in
+    let defines : Ir.signal = { id; name = ""; ty; group = id; span = like.span } in
+    Hashtbl.replace known id rhs;
+    added := { Ir.defines; rhs; span = like.span } :: !added;
+    Signal defines
+  in
   let visit = function
     | Schedule.Instance _ | Trial _ | Machine _ -> ()
     | Equation e -> (
         let rhs = Operands.map (Substitution.atom substitution) e.rhs in
-        match Clock.recognize (definition known) (simplify known e.defines rhs) with
+        match Clock.recognize (definition known) (simplify known add e.defines rhs) with
         | Copy a -> Substitution.replace substitution e.defines a
         | rhs -> Hashtbl.replace known e.defines.id rhs)
   in
@@ -158,6 +176,21 @@ let node (node : Ir.node) =
         Option.map (fun rhs -> { e with rhs }) (Hashtbl.find_opt known e.defines.id))
       node.equations
   in
-  Substitution.node substitution { node with equations }
+  Substitution.node substitution { node with equations = List.rev_append !added equations }
 
-let program (program : Ir.program) = { program with nodes = Array.map node program.nodes }
+let node node =
+  let next = ref 0 in
+  let fresh () =
+    decr next;
+    !next
+  in
+  node_with fresh node
+
+let program (program : Ir.program) =
+  let next = ref (Signals.next_id program) in
+  let fresh () =
+    let id = !next in
+    incr next;
+    id
+  in
+  { program with nodes = Array.map (node_with fresh) program.nodes }

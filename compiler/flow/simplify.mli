@@ -3,8 +3,11 @@
     Nothing is rewritten that could change a bit of any output: on Float only
     identities that hold for every value (not [x + 0], which turns -0 into 0).
     Names that the programmer gave to copies go on to what is copied, where
-    that had none. Expects no particular order, but sees most in an acyclic
-    node; linear. *)
+    that had none. What is asked of a choice between values that are known is a
+    choice between answers. Expects no particular order, but sees most in an
+    acyclic node; linear. *)
 
 val node : Ir.node -> Ir.node
+(** Only to be looked at: the signals that it adds have no ids of the program. *)
+
 val program : Ir.program -> Ir.program
