@@ -40,6 +40,14 @@ let refuse_interface (c : Context.t) (core : Ir.definition) what ty =
     |> note "functions, signal functions and labels exist only while compiling"
     |> emit c.sink)
 
+let refuse_ends (c : Context.t) (core : Ir.definition) =
+  Diagnostic.(
+    error ~code:"E0411" ~at:core.span
+      "`%s` cannot run: it chooses between programs that do not end with results of one type"
+      core.name.name
+    |> hint "let it choose between tasks, in one `reactimateTask`"
+    |> emit c.sink)
+
 (* What {!Context.enter} does not count: functions that capture functions. *)
 let refuse_depth (c : Context.t) (core : Ir.definition) =
   Diagnostic.(
@@ -66,9 +74,16 @@ let with_result (output : Flow.Ir.shape) result : Flow.Ir.shape =
       Product
         { product_name = ""; product_module = ""; constructor = ""; record = false; parts }
 
-(* The signal function in a program, and the type of what it ends with. *)
-let in_program (value : Value.t) : Value.t * Ir.ty option =
+exception Unlike_ends
+
+(* The signal function in a program, and the type of what it ends with. Of
+   several, between which it chooses when it starts, it must be one. *)
+let rec in_program (value : Value.t) : Value.t * Ir.ty option =
   match value with
+  | Choice { condition; then_; else_ } ->
+      let then_, ended = in_program then_ and else_, ended' = in_program else_ in
+      if ended <> ended' then raise_notrace Unlike_ends;
+      (Choice { condition; then_; else_ }, ended)
   | Program (Primitive { primitive = Ending; types = [ _; _; ended ]; arguments = [ inner ]; _ }) ->
       (inner.value, Some ended)
   | Program signal_function -> (signal_function, None)
@@ -153,6 +168,7 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
      in
      try Context.settle (fun () -> ended := root c ~unique core ~input ~output) with
      | Context.Stopped -> ()
+     | Unlike_ends -> refuse_ends c core
      | Stack_overflow -> refuse_depth c core
      | Closure.Needs_itself local -> refuse_cycle c local);
   if Diagnostic.has_errors c.sink then None

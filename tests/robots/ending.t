@@ -103,3 +103,39 @@ Where the output is no record, the result stands beside it.
   1.000000000,Dark,7
   2.000000000,Dark,7
   $ frobc trace lamp.frob --input in.csv --engine interp | cmp - compiled.csv
+
+A program may choose between tasks when it starts, even between programs of them, if
+they end with results of one type.
+
+  $ cat > choice.frob <<'FROB'
+  > import Robot
+  > type PioneerTask c = Task RobotInput RobotOutput c
+  > short, long :: PioneerTask Int
+  > short = mapT (const 1) (sleepT 1[s] (roMake id))
+  > long = mapT (const 2) (sleepT 2[s] (roMake id))
+  > isLong = sin 1 > 0
+  > 
+  > task = reactimateTask (if isLong then long else short)
+  > program = if isLong then reactimateTask long else reactimateTask short
+  > unlike = if isLong then reactimateTask long else reactimateRobot (constant (roMake id))
+  > FROB
+  $ for entry in task program; do
+  >   frobc run choice.frob --entry $entry --for 3s --rate 1 --record run.csv | grep "finished\|result"
+  >   frobc trace --lint choice.frob --entry $entry --input run.csv > compiled.csv
+  >   frobc trace choice.frob --entry $entry --input run.csv --engine interp | cmp - compiled.csv
+  > done
+  finished after: 2.000 s
+  result: 2
+  finished after: 2.000 s
+  result: 2
+  $ frobc compile choice.frob --entry unlike
+  error[E0411]: `unlike` cannot run: it chooses between programs that do not end with results of one type
+    --> choice.frob:10:1
+     |
+  10 | unlike = if isLong then reactimateTask long else reactimateRobot (constant (roMake id))
+     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+     |
+     = hint: let it choose between tasks, in one `reactimateTask`
+  
+  1 error
+  [1]
