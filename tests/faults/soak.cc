@@ -20,7 +20,7 @@ static bool sane_pose(const frob_pose &pose) {
 }
 
 struct ScoutSoak : ScoutKind {
-    static constexpr unsigned bound = 0; // bytes, after a good packet, until it is found
+    static constexpr unsigned overlapped = 0;
     static constexpr double most_m_s = 1.01, watchdog_s = 1;
     static constexpr int hearing_ms = 1200;
     static void prepare(Bench<ScoutSoak, Faults> &) {}
@@ -32,7 +32,7 @@ struct ScoutSoak : ScoutKind {
 };
 
 struct CreateSoak : CreateKind {
-    static constexpr unsigned bound = 0;
+    static constexpr unsigned overlapped = 0;
     static constexpr double most_m_s = 0.5, watchdog_s = 0;
     static constexpr int hearing_ms = 500;
     static void prepare(Bench<CreateSoak, Faults> &) {}
@@ -56,7 +56,9 @@ struct CreateSoak : CreateKind {
 };
 
 struct PioneerSoak : PioneerKind {
-    static constexpr unsigned bound = FROB_P2OS_PACKET_MOST;
+    // Garbage and the beginning of a good packet can make a packet together, which
+    // hides that one.
+    static constexpr unsigned overlapped = 1;
     static constexpr double most_m_s = 2.2, watchdog_s = 2;
     static constexpr int hearing_ms = 2200;
     static void prepare(Bench<PioneerSoak, Faults> &b) {

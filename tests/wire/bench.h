@@ -131,7 +131,6 @@ template <class Kind, class Faults = NoFaults> class Bench {
     std::int64_t rate = Kind::driver().rate;
     std::int64_t tick_ns = 5 * ms;
     std::int64_t polled_ns = 0; // when the driver was polled last; it may have waited since
-    std::uint64_t sent_bytes = 0; // to the driver, on all lines
     bool cut = false; // the cable is: bytes go nowhere
 
     // For tests that watch: both ends have acted; the robot has sent something,
@@ -172,7 +171,6 @@ template <class Kind, class Faults = NoFaults> class Bench {
             busy_ns_ = std::max(busy_ns_, time.now_ns) + byte_ns();
             frob_fake_send(&line, &byte, 1, busy_ns_ - time.now_ns + to_driver.delay_ns(time.now_ns));
         }
-        sent_bytes += passed_.size();
         if (sent && !sent_.empty()) sent(sent_);
     }
 

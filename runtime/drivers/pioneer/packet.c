@@ -71,38 +71,46 @@ size_t frob_p2os_feed(struct frob_p2os_receiver *receiver, const uint8_t *bytes,
     return count;
 }
 
+enum look { NOT_HERE, NOT_YET, HERE };
+
+/* Is there a packet at the beginning of these bytes? */
+static enum look look(const uint8_t *at, size_t there)
+{
+    size_t count;
+    if (at[0] != HEADER_1 || (there > 1 && at[1] != HEADER_2))
+        return NOT_HERE;
+    if (there < 3)
+        return NOT_YET;
+    count = at[2];
+    if (count < FROB_P2OS_COUNT_LEAST || count > FROB_P2OS_COUNT_MOST)
+        return NOT_HERE;
+    if (there < count + 3)
+        return NOT_YET;
+    return frob_p2os_checksum(at + 3, count - 2) ==
+                   (uint16_t)((uint16_t)(at[count + 1] << 8) | at[count + 2])
+               ? HERE
+               : NOT_HERE;
+}
+
 bool frob_p2os_next(struct frob_p2os_receiver *receiver, struct frob_p2os_packet *packet)
 {
-    for (;;) {
-        const uint8_t *at = receiver->bytes + receiver->start;
-        size_t there = receiver->end - receiver->start;
-        size_t count;
-        if (there == 0)
-            return false;
-        if (at[0] != HEADER_1 || (there > 1 && at[1] != HEADER_2)) {
-            receiver->start++;
-            continue;
+    bool waiting = false; /* for the rest of what may be a packet, from `start` on */
+    for (size_t i = receiver->start; i < receiver->end; i++) {
+        const uint8_t *at = receiver->bytes + i;
+        switch (look(at, receiver->end - i)) {
+        case HERE:
+            packet->body = at + 3;
+            packet->length = at[2] - 2u;
+            receiver->start = i + at[2] + 3u;
+            return true;
+        case NOT_YET:
+            waiting = true;
+            break;
+        case NOT_HERE:
+            if (!waiting)
+                receiver->start = i + 1;
+            break;
         }
-        if (there < 3)
-            return false;
-        count = at[2];
-        if (count < FROB_P2OS_COUNT_LEAST || count > FROB_P2OS_COUNT_MOST) {
-            receiver->bad++;
-            receiver->start++;
-            continue;
-        }
-        if (there < count + 3)
-            return false;
-        if (frob_p2os_checksum(at + 3, count - 2) !=
-            (uint16_t)((uint16_t)(at[count + 1] << 8) | at[count + 2])) {
-            receiver->bad++;
-            receiver->start++;
-            continue;
-        }
-        receiver->good++;
-        receiver->start += count + 3;
-        packet->body = at + 3;
-        packet->length = count - 2;
-        return true;
     }
+    return false;
 }

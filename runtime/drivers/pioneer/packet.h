@@ -51,14 +51,13 @@ struct frob_p2os_packet {
 };
 
 /* Finds packets in a stream of bytes. A bad packet costs one byte: the search
- * goes on behind its FA, so a good packet after garbage is found as soon as
- * the bytes that the garbage announced have come, FROB_P2OS_PACKET_MOST at the
- * most. All zero is an empty receiver. */
+ * goes on behind its FA. What may be a packet but is not complete does not hide
+ * a good one behind it either. So a good packet after garbage is found with its
+ * last byte, whatever the garbage announced (unless the sums make a packet of
+ * the garbage and the good one's beginning). All zero is an empty receiver. */
 struct frob_p2os_receiver {
     uint8_t bytes[2 * FROB_P2OS_PACKET_MOST];
-    size_t start, end; /* of what is not yet looked at */
-    uint32_t good;     /* packets */
-    uint32_t bad;      /* packets with a wrong checksum or count */
+    size_t start, end; /* of what is not yet looked at, or not complete */
 };
 
 /* Adds bytes; gives how many it took, at least one if there are any and

@@ -1,6 +1,6 @@
 /* The Pioneer's packets: whatever comes, and in whatever portions, the
- * receiver finds exactly the packets that a search through all of the bytes
- * finds. */
+ * receiver finds exactly the packets that are whole by then, each as soon as it
+ * is. */
 #include "fuzz.h"
 #include "random.h"
 
@@ -37,18 +37,16 @@ static unsigned sum_of(const uint8_t *body, size_t length)
     return length % 2 != 0 ? sum ^ body[length - 1] : sum;
 }
 
-/* Where the next packet begins, from `at` on, and where it ends; false if the
- * bytes end before. A wrong packet costs one byte. */
-static bool next_packet(const uint8_t *bytes, size_t count, size_t *at, size_t *end)
+/* The first packet from `from` on that is whole: where it begins and ends. */
+static bool next_packet(const uint8_t *bytes, size_t count, size_t from, size_t *at, size_t *end)
 {
-    for (; *at + 5 < count; ++*at) {
+    for (*at = from; *at + 5 < count; ++*at) {
         size_t announced = bytes[*at + 2];
         if (bytes[*at] != 0xFA || bytes[*at + 1] != 0xFB || announced < 3 || announced > 249)
             continue;
         *end = *at + 3 + announced;
-        if (*end > count)
-            return false;
-        if (sum_of(bytes + *at + 3, announced - 2) == bytes[*end - 2] * 256u + bytes[*end - 1])
+        if (*end <= count &&
+            sum_of(bytes + *at + 3, announced - 2) == bytes[*end - 2] * 256u + bytes[*end - 1])
             return true;
     }
     return false;
@@ -73,7 +71,7 @@ void fuzz_check(const uint8_t *bytes, size_t count)
 {
     struct frob_p2os_receiver receiver;
     struct frob_p2os_packet packet;
-    size_t fed = 0, at = 0, end = 0;
+    size_t fed = 0, from = 0, at = 0, end = 0;
     uint64_t seed = count;
     memset(&receiver, 0, sizeof receiver);
     while (fed < count) {
@@ -81,16 +79,19 @@ void fuzz_check(const uint8_t *bytes, size_t count)
         size_t used = frob_p2os_feed(&receiver, bytes + fed, portion < count - fed ? portion : count - fed);
         if (used == 0)
             fuzz_fail("the receiver takes nothing");
+        /* What began longer ago than the longest packet has been whole before. */
+        if (fed > FROB_P2OS_PACKET_MOST && from < fed - FROB_P2OS_PACKET_MOST)
+            from = fed - FROB_P2OS_PACKET_MOST;
         fed += used;
         while (frob_p2os_next(&receiver, &packet)) {
-            if (!next_packet(bytes, fed, &at, &end))
+            if (!next_packet(bytes, fed, from, &at, &end))
                 fuzz_fail("a packet is found where there is none");
             if (packet.length != end - at - 5 || memcmp(packet.body, bytes + at + 3, packet.length) != 0)
                 fuzz_fail("a packet is not what was sent");
-            at = end;
+            from = end;
             read_packet(&packet);
         }
-        if (next_packet(bytes, fed, &at, &end))
+        if (next_packet(bytes, fed, from, &at, &end))
             fuzz_fail("a packet is missed");
     }
 }
