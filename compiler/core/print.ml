@@ -5,7 +5,7 @@ open Ir
    stack: expressions are ten thousand deep. *)
 type context = {
   out : Format.formatter;
-  main_module : string;
+  qualifies : Global.t -> bool;  (** is the name written with its module? *)
   data : (Global.t, Ir.data) Hashtbl.t;
   names : (int, string) Hashtbl.t;  (** of the definition's variables *)
   uses : (string, int) Hashtbl.t;  (** how many of them have a name *)
@@ -45,8 +45,7 @@ let operator text =
   match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> text | _ -> "(" ^ text ^ ")"
 
 let global c (g : Global.t) =
-  if String.equal g.module_ c.main_module || operator g.name <> g.name then operator g.name
-  else g.module_ ^ "." ^ g.name
+  if c.qualifies g && operator g.name = g.name then g.module_ ^ "." ^ g.name else operator g.name
 
 let local c (x : Local.t) =
   match Hashtbl.find_opt c.names x.id with
@@ -382,22 +381,22 @@ let belongs_to own (i : instance) =
   in
   match List.find_map given i.methods with Some g -> own g | None -> own i.class_
 
-let context out main_module =
+let context out qualifies =
   {
     out;
-    main_module;
+    qualifies;
     data = Hashtbl.create 64;
     names = Hashtbl.create 64;
     uses = Hashtbl.create 64;
   }
 
 let program out (p : program) =
-  let c = context out p.main_module in
+  let own (g : Global.t) = String.equal g.module_ p.main_module in
+  let c = context out (fun g -> not (own g)) in
   List.iter (fun (d : data) -> Hashtbl.replace c.data d.tycon d) p.data;
   Format.pp_open_vbox out 0;
   put c ("module " ^ p.main_module);
   cut c;
-  let own (g : Global.t) = String.equal g.module_ p.main_module in
   let declared (d : Ir.data) = own d.tycon && d.constructors <> [] in
   List.iter (fun d -> if declared d then data c d) p.data;
   List.iter (fun t -> if own t.foreign_type then foreign_type c t) p.foreign.types;
@@ -408,4 +407,12 @@ let program out (p : program) =
   close c;
   Format.pp_print_flush out ()
 
-let ty out t = type_ (context out "Prelude") 0 t
+let ty out t = type_ (context out (fun g -> g.module_ <> "Prelude")) 0 t
+
+let type_name t =
+  let text = Buffer.create 64 in
+  let out = Format.formatter_of_buffer text in
+  Format.pp_set_margin out 1_000_000;
+  type_ (context out (fun _ -> false)) 0 t;
+  Format.pp_print_flush out ();
+  Buffer.contents text

@@ -9,3 +9,7 @@
 
 val program : Format.formatter -> Ir.program -> unit
 val ty : Format.formatter -> Ir.ty -> unit
+
+val type_name : Ir.ty -> string
+(** On one line, as the programmer would write it: without units, and without
+    the modules of names. *)

@@ -94,35 +94,7 @@ let rec close substitution (ty : Ir.ty) : Ir.ty =
     | Data (tycon, arguments) -> Data (tycon, List.map (close substitution) arguments)
     | Array (size, element) -> Array (close substitution size, close substitution element)
 
-let to_string ty =
-  let rec arrow (ty : Ir.ty) =
-    match ty with
-    | Function (a, b) -> applied a ^ " -> " ^ arrow b
-    | Variable _ | Bool | Int | Float | String | Tuple _ | Signal_function _ | Data _ | Array _
-    | Size _ ->
-        applied ty
-  and applied (ty : Ir.ty) =
-    match ty with
-    | Signal_function (a, b) -> Printf.sprintf "SF %s %s" (atomic a) (atomic b)
-    | Data (tycon, (_ :: _ as arguments)) ->
-        String.concat " " (tycon.name :: List.map atomic arguments)
-    | Array (size, element) -> String.concat " " [ "Array"; atomic size; atomic element ]
-    | Function _ -> "(" ^ arrow ty ^ ")"
-    | Size _ | Variable _ | Bool | Int | Float | String | Tuple _ | Data (_, []) -> atomic ty
-  and atomic (ty : Ir.ty) =
-    match ty with
-    | Variable v -> v.name
-    | Bool -> "Bool"
-    | Int -> "Int"
-    | Float -> "Float"
-    | String -> "String"
-    | Tuple parts -> "(" ^ String.concat ", " (List.map arrow parts) ^ ")"
-    | Data (tycon, []) -> tycon.name
-    | Size n -> string_of_int n
-    | Function _ -> "(" ^ arrow ty ^ ")"
-    | Signal_function _ | Array _ | Data (_, _ :: _) -> "(" ^ applied ty ^ ")"
-  in
-  arrow ty
+let to_string = Core.Print.type_name
 
 let join name path =
   match (name, path) with "", other | other, "" -> other | _, _ -> name ^ "." ^ path
