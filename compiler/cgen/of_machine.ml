@@ -70,7 +70,7 @@ let state_struct (v : V.t) ~overlaid k (node : M.node) =
   let members =
     match node.state with
     | [] -> [ { Ir.name = "unused"; ty = Uint8; comment = "" } ]
-    | fields -> List.rev (List.rev_map (member v k) fields)
+    | fields -> Basis.Long_list.map (member v k) fields
   in
   mode_numbers v k node
   @ [

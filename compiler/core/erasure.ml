@@ -20,7 +20,7 @@ let rec ty : Typing.Ir.ty -> Ir.ty = function
     Array (ty size, ty element)
   | Data { tycon; units = _; arguments } -> Data (tycon, tys arguments)
 
-and tys ts = List.rev (List.rev_map ty ts)
+and tys ts = Basis.Long_list.map ty ts
 
 let instantiation (i : Typing.Ir.instantiation) =
   match (i.types, i.representations) with
@@ -41,4 +41,4 @@ let rec substitute by : Ir.ty -> Ir.ty = function
   | Data (tycon, ts) -> Data (tycon, substitutes by ts)
   | Array (size, element) -> Array (substitute by size, substitute by element)
 
-and substitutes by ts = List.rev (List.rev_map (substitute by) ts)
+and substitutes by ts = Basis.Long_list.map (substitute by) ts

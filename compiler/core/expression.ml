@@ -70,7 +70,7 @@ let rec expr env (e : T.expr) : Ir.expr =
       Term.variable binder e.span)
   | Record (c, fields) ->
     let env = inside env in
-    let values = List.rev (List.rev_map (fun (i, value) -> (i, expr env value)) fields) in
+    let values = Long_list.map (fun (i, value) -> (i, expr env value)) fields in
     let in_order = List.sort (fun (i, _) (j, _) -> Int.compare i j) values in
     make (construct e.ty c (List.map snd in_order))
   | Update (record, c, fields) -> update (inside env) e record c fields
@@ -78,7 +78,7 @@ let rec expr env (e : T.expr) : Ir.expr =
     let value = expr (inside env) record in
     make (Payload { value; constructor = c.index; field })
 
-and exprs env es = List.rev (List.rev_map (expr env) es)
+and exprs env es = Long_list.map (expr env) es
 
 and construct (ty : T.ty) (c : T.constructor) arguments : Ir.expr_desc =
   match ty with
@@ -163,7 +163,7 @@ and case env (e : T.expr) scrutinee branches =
       value = (fun ~fall -> expr { env with fall } b.value);
     }
   in
-  let branches = List.rev (List.rev_map branch branches) in
+  let branches = Long_list.map branch branches in
   once env value (fun root -> Matching.case env.ctx ~root e.span branches)
 
 and falls (e : T.expr) =

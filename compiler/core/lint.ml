@@ -147,7 +147,7 @@ let rec expr s (e : expr) =
   | Let _ -> lets s e.ty [] e
   | Tuple parts ->
     List.iter (expr s) parts;
-    is (Tuple (List.rev (List.rev_map (fun (e : expr) -> e.ty) parts)))
+    is (Tuple (Long_list.map (fun (e : expr) -> e.ty) parts))
   | Array elements -> (
     List.iter (expr s) elements;
     match e.ty with

@@ -11,7 +11,7 @@ let data (d : T.data) : Ir.data =
   {
     tycon = d.tycon;
     parameters = List.map Erasure.variable d.type_parameters;
-    constructors = List.rev (List.rev_map constructor d.constructors);
+    constructors = Basis.Long_list.map constructor d.constructors;
     span = d.span;
   }
 
@@ -74,7 +74,7 @@ let program (p : T.program) : Ir.program =
   let instances = List.map instance p.instances in
   let foreign = foreign p.foreign in
   let ctx = Context.create data instances foreign in
-  let definitions = List.rev (List.rev_map (definition ctx) p.definitions) in
+  let definitions = Basis.Long_list.map (definition ctx) p.definitions in
   {
     main_module = p.main_module;
     data;

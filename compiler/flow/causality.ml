@@ -227,7 +227,7 @@ let report program entry dependencies uses index component =
   let cycle = Graph.shortest_cycle node.Dependency.graph component in
   let next = match cycle with [] -> [] | v :: rest -> List.rev (v :: List.rev rest) in
   let edges = List.rev (List.rev_map2 (fun v w -> (v, w)) cycle next) in
-  let hops = List.rev (List.rev_map (hop program dependencies node) edges) in
+  let hops = Long_list.map (hop program dependencies node) edges in
   let d = match named_hops hops with Some hops -> report_named entry hops | None -> report_unnamed hops in
   match own_use program entry uses index with
   | None -> d

@@ -106,7 +106,7 @@ let prepare (program : Ir.program) =
       (fun (f : Ir.foreign) ->
         List.iter (fun s -> define s (Foreign_result node.inputs)) f.results)
       node.foreign;
-    let outputs = Array.of_list (List.rev (List.rev_map snd node.outputs)) in
+    let outputs = Array.of_list (Basis.Long_list.map snd node.outputs) in
     {
       parameters;
       outputs;
@@ -215,7 +215,7 @@ let sweep search (program : Ir.program) =
         incr count
       end)
     program.nodes;
-  let flags signals = List.rev (List.rev_map is_needed signals) in
+  let flags signals = Basis.Long_list.map is_needed signals in
   let is_given (i : Ir.instance) (s : Ir.signal) =
     List.exists2
       (fun is_needed (output : Ir.signal) -> is_needed && output.id = s.id)
@@ -279,7 +279,7 @@ let sweep search (program : Ir.program) =
         | None -> if index = root then node.inputs else List.filter is_needed node.inputs);
       outputs = select (Array.to_list search.nodes.(index).needed_outputs) node.outputs;
       equations = List.filter (fun (e : Ir.equation) -> is_needed e.defines) node.equations;
-      instances = List.rev (List.rev_map instance instances);
+      instances = Basis.Long_list.map instance instances;
       machine = Option.bind node.machine (fun m -> machine (Option.get search.nodes.(index).machine) m);
       transitions =
         (match search.nodes.(index).mode_of with

@@ -125,7 +125,7 @@ let of_node callee (node : Ir.node) =
     | Signal s -> needs.(vertex s)
     | Bool _ | Int _ | Float _ -> Inputs.empty
   in
-  let passed = Array.of_list (List.rev (List.rev_map (fun (_, a) -> needed a) node.outputs)) in
+  let passed = Array.of_list (Long_list.map (fun (_, a) -> needed a) node.outputs) in
   let decisive =
     List.fold_left
       (fun inputs a -> Inputs.union inputs (needed a))

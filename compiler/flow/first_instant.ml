@@ -32,7 +32,7 @@ let type_of_atom : Ir.atom -> Ir.ty = function
   | Int _ -> Int
   | Float _ -> Float
 
-let map f list = List.rev (List.rev_map f list)
+let map = Long_list.map
 
 (* What the signals of a node may be; what is not there may be anything. *)
 type values = (int, Range.t) Hashtbl.t

@@ -30,7 +30,7 @@ let map_list f = function
   | [ a; b ] ->
       let a = f a in
       [ a; f b ]
-  | atoms -> List.rev (List.rev_map f atoms)
+  | atoms -> Basis.Long_list.map f atoms
 
 let map f = function
   | Copy a -> Copy (f a)

@@ -9,7 +9,7 @@ type context = {
 }
 
 let variable (s : F.signal) : Ir.variable = { id = s.id; name = s.name; ty = Layout.ty s.ty }
-let map f list = List.rev (List.rev_map f list)
+let map = Basis.Long_list.map
 
 let results_for_transitions (node : F.node) =
   let seen = Hashtbl.create 8 in

@@ -539,7 +539,7 @@ let reads_of body =
 let parameters reads signals =
   List.filter
     (fun (v : Ir.variable) -> Hashtbl.mem reads.variables v.id)
-    (List.rev (List.rev_map variable signals))
+    (Long_list.map variable signals)
 
 let rec alignment context (content : Ir.content) =
   match content with
@@ -653,7 +653,7 @@ and own_node context k ~is_root =
       step =
         {
           parameters =
-            (if is_root then List.rev (List.rev_map variable node.inputs)
+            (if is_root then Long_list.map variable node.inputs
              else parameters reads (List.rev_append (List.rev node.statics) node.inputs));
           body;
         };

@@ -297,7 +297,7 @@ let of_fragment (fragment : Fragment.t) =
         List.rev
           (List.rev_map (fun (field, atom, _, span) -> plain (Ir.Own field, atom, span))
              fragment.states);
-      results = List.rev (List.rev_map plain fragment.results);
+      results = Basis.Long_list.map plain fragment.results;
     }
   in
   find_predicted t;
@@ -308,7 +308,7 @@ let of_fragment (fragment : Fragment.t) =
   count_all t;
   find_branching t;
   bound_sizes t;
-  t.results <- List.rev (List.rev_map (result_write t) fragment.results);
+  t.results <- Basis.Long_list.map (result_write t) fragment.results;
   t
 
 let writes t = t.writes

@@ -105,7 +105,7 @@ let order_block usage writes =
       ~reads:(fun k -> reads usage (atoms writes.(k).Fragment.update))
       ~writes:(fun k -> written writes.(k))
   in
-  List.rev (List.rev_map (fun k -> { write = writes.(k); early = early.(k) }) order)
+  Long_list.map (fun k -> { write = writes.(k); early = early.(k) }) order
 
 (* Units under construction: writes of each branch, last first. *)
 type building =
@@ -166,4 +166,4 @@ let of_usage usage =
     in
     { writes; early = early.(k) }
   in
-  List.rev (List.rev_map unit_ order)
+  Long_list.map unit_ order

@@ -47,7 +47,7 @@ type context = { program : M.program; blocks : Block.t array  (** of the nodes b
 let rec members c node fields =
   let contents = List.rev_map (content c node) fields in
   let contents = List.rev contents in
-  let offsets, block = Block.of_members (List.rev (List.rev_map fst contents)) in
+  let offsets, block = Block.of_members (Long_list.map fst contents) in
   let member (placed, fields, offsets) (room, holds) =
     match (fields, offsets) with
     | (field : M.field) :: fields, offset :: offsets ->

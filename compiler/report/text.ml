@@ -28,7 +28,7 @@ let table rows =
     let rec length n = if n > 0 && text.[n - 1] = ' ' then length (n - 1) else n in
     String.sub text 0 (length (String.length text)) ^ "\n"
   in
-  String.concat "" (List.rev (List.rev_map line rows))
+  String.concat "" (Basis.Long_list.map line rows)
 
 let number n = if n >= Amount.most then "2^53 or more" else string_of_int n
 

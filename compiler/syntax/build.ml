@@ -44,7 +44,7 @@ let context (t : Ir.ty) =
           "before `=>` stand classes, each with one type"
   in
   match t.desc with
-  | Tuple_type ts -> List.rev (List.rev_map one ts)
+  | Tuple_type ts -> Long_list.map one ts
   | Type _ | Type_variable _ | Representation _ | Function _ | Size _ -> [ one t ]
 
 let class_ context (head : Ir.ty) members : Ir.declaration_desc =

@@ -54,7 +54,7 @@ let create lexer =
 let context t =
   let stack = t.outer in
   let origin (entry : entry) = { by = entry.by; column = entry.column } in
-  lazy (List.rev (List.rev_map (fun (entry : entry) -> (entry.opener, origin entry)) stack))
+  lazy (Basis.Long_list.map (fun (entry : entry) -> (entry.opener, origin entry)) stack)
 
 let nothing = { bracket = None; let_ = false; if_ = false; then_ = false; case = false }
 

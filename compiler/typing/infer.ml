@@ -226,7 +226,7 @@ let program sink (program : Resolve.Ir.program) : Ir.program =
   in
   let data = Declarations.program reader program in
   let ctx = Context.start reader in
-  let primitives = List.rev (List.rev_map (primitive ctx) program.primitives) @ [ sequence ctx ] in
+  let primitives = Long_list.map (primitive ctx) program.primitives @ [ sequence ctx ] in
   let classes = Class_declarations.classes ctx program in
   let instances = Class_declarations.instances ctx classes program in
   let declared = Hashtbl.create 1024 in
@@ -248,5 +248,5 @@ let program sink (program : Resolve.Ir.program) : Ir.program =
     foreign = Foreign_import.program sink program ~environment:reader.environment ~primitives;
     classes = List.map class_declaration classes;
     instances = List.map instance instances;
-    definitions = List.rev (List.rev_map (with_needs ctx program) definitions);
+    definitions = Long_list.map (with_needs ctx program) definitions;
   }

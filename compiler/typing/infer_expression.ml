@@ -63,7 +63,7 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
       { ty; build = node e.span ty (fun () -> Number value) }
   | String text -> { ty = String; build = node e.span String (fun () -> String text) }
   | Tuple elements ->
-      let elements = List.rev (List.rev_map (infer ctx) elements) in
+      let elements = Long_list.map (infer ctx) elements in
       let ty = Type.shared (Tuple (List.map (fun (t : typed) -> t.ty) elements)) in
       let build =
         node e.span ty (fun () -> Tuple (List.map (fun (t : typed) -> t.build ()) elements))

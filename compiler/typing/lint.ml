@@ -107,7 +107,7 @@ let rec substitute by : ty -> ty = function
   | Signal_function (a, b) -> Signal_function (substitute by a, substitute by b)
   | Data d -> Data { d with arguments = substitutes by d.arguments }
 
-and substitutes by ts = List.rev (List.rev_map (substitute by) ts)
+and substitutes by ts = Long_list.map (substitute by) ts
 
 let pair span (variables : variable list) values =
   if List.compare_lengths variables values <> 0 then
@@ -220,7 +220,7 @@ let rec expr s (e : expr) =
   | String _ -> is "a string" String
   | Tuple es ->
     List.iter (expr s) es;
-    is "a tuple" (Tuple (List.rev (List.rev_map (fun (e : expr) -> e.ty) es)))
+    is "a tuple" (Tuple (Long_list.map (fun (e : expr) -> e.ty) es))
   | Array es ->
     List.iter (expr s) es;
     let n = List.length es in

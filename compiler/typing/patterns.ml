@@ -12,7 +12,7 @@ let rec falls (e : expr) =
 
 let case w (scrutinee : expr) branches =
   let row (b : branch) : Coverage.row = { pattern = b.pattern; guarded = falls b.value } in
-  let result = Coverage.check w.coverage (List.rev (List.rev_map row branches)) in
+  let result = Coverage.check w.coverage (Long_list.map row branches) in
   (match result.missing with
   | None -> ()
   | Some value ->
