@@ -110,6 +110,8 @@ let constants table ty value =
   in
   List.map (fun atom -> Option.bind atom text) (Leaves.known table.types ty value)
 
+let deepest_nest = 10_000
+
 let rec add_at w local path ty (value : Value.t) =
   let layout = Types.layout w.table.types ty in
   if layout.first_order then add_leaves w local path ty layout value
@@ -204,12 +206,15 @@ and add_captured w (closure : Value.closure) =
           with Closure.Needs_itself { id = 0; _ } -> raise (Closure.Needs_itself entry.local))
     closure.captured
 
+(* Deeper nests of functions in functions than [deepest_nest] are refused, as a
+   stack that overflows is, which the system may notice too late. *)
 and closed_key (w : walk) closure =
   let table = closed_keys w.table w.numbers in
   match Table.find_opt table closure.identity with
   | Some known -> known
   | None when Table.mem w.table.visiting closure.identity ->
       raise (Closure.Needs_itself { id = 0; name = closure.name; span = closure.span })
+  | None when Table.length w.table.visiting >= deepest_nest -> raise Stack_overflow
   | None ->
       Table.replace w.table.visiting closure.identity ();
       Fun.protect ~finally:(fun () -> Table.remove w.table.visiting closure.identity) @@ fun () ->
