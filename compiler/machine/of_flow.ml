@@ -345,7 +345,7 @@ let advance (eq : F.equation) (memory : State.memory) =
       let value = Ir.Later (Field time, Dt_nanoseconds) in
       if advances then Some (Ir.Assign { place = Own time; value; span = eq.span }) else None
   | Integrated { value; input } ->
-      let step = operation F.Multiply Float [ Dt; Field input ] in
+      let step = operation F.Multiply Float [ Dt; input ] in
       let sum = operation F.Add Float [ Field value; step ] in
       Some (Assign { place = Own value; value = sum; span = eq.span })
   | Delayed _ | Differentiated _ | Kept _ -> None
@@ -378,7 +378,7 @@ let next_state draft state (eq : F.equation) =
   match (State.memory state eq.defines, eq.rhs) with
   | Some (Delayed field), Delay { next; _ } ->
       Some (field, resolve draft next, Some eq.defines, eq.span)
-  | Some (Integrated { input; _ }), Integral atom -> Some (input, resolve draft atom, None, eq.span)
+  | Some (Integrated { input = Field input; _ }), Integral atom -> Some (input, resolve draft atom, None, eq.span)
   | _, _ -> None
 
 let equations items =
@@ -467,8 +467,9 @@ let reset_effects context draft state (item : Flow.Schedule.item) =
           [ work ~operands span (fun e -> [ assign field (one e) span ]) ]
       | Some (Elapsed { advances = false; _ }), _ -> []
       | Some (Elapsed { time; _ }), _ -> [ constant span [ (time, Zero_time) ] ]
-      | Some (Integrated { value; input } | Differentiated { value; input }), _ ->
+      | Some (Integrated { value; input = Field input } | Differentiated { value; input }), _ ->
           [ constant span [ (value, Float 0.); (input, Float 0.) ] ]
+      | Some (Integrated { value; _ }), _ -> [ constant span [ (value, Float 0.) ] ]
       | _, _ -> keep span eq.defines)
   | Instance i -> (
       match State.instance state i with
@@ -574,7 +575,8 @@ let sees_first_dt context state (statics : Statics.t) stepped =
   let own (eq : F.equation) =
     match State.memory state eq.defines with
     | Some (Elapsed _ | Differentiated _) -> true
-    | Some (Delayed _ | Integrated _ | Kept _) | None -> false
+    | Some (Integrated { input = Field _; _ } | Delayed _ | Kept _) | None -> false
+    | Some (Integrated _) -> true
   in
   List.exists own (equations statics.in_step)
   || Hashtbl.fold (fun k () any -> any || context.sees_first_dt.(k)) stepped false

@@ -3,7 +3,7 @@ open Flow.Ir
 type memory =
   | Delayed of Ir.field
   | Elapsed of { time : Ir.field; unit : time_unit; advances : bool }
-  | Integrated of { value : Ir.field; input : Ir.field }
+  | Integrated of { value : Ir.field; input : Ir.expr }
   | Differentiated of { value : Ir.field; input : Ir.field }
   | Kept of Ir.field
 
@@ -76,7 +76,12 @@ let equation t { defines = s; rhs; span } =
   | Integral input ->
       let name = derived s input ~suffix:"integral" ~otherwise:"integral" in
       let value = field ~name ~purpose:"integral" in
-      let input = field ~name:(name ^ "_input") ~purpose:"its last input" in
+      let input : Ir.expr =
+        match input with
+        | Float x when Float.is_finite x -> Float x
+        | Signal _ | Bool _ | Int _ | Float _ ->
+            Field (field ~name:(name ^ "_input") ~purpose:"its last input")
+      in
       remember t s (Integrated { value; input })
   | Derivative input ->
       let name = derived s input ~suffix:"derivative" ~otherwise:"derivative" in

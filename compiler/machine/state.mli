@@ -11,7 +11,8 @@ type memory =
   | Elapsed of { time : Ir.field; unit : Flow.Ir.time_unit; advances : bool }
       (** local time, which a node keeps once: only one of its equations
           [advances] it *)
-  | Integrated of { value : Ir.field; input : Ir.field }
+  | Integrated of { value : Ir.field; input : Ir.expr }
+      (** [input]: the last one, which is a field, or a number for ever *)
   | Differentiated of { value : Ir.field; input : Ir.field }
   | Kept of Ir.field  (** a costly static value, computed by reset *)
 
