@@ -155,6 +155,32 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   | Operation { operator; ty; arguments = [ a; b ] } ->
       binary n operator ty (a, of_machine n a) (b, of_machine n b)
   | Operation _ -> bad ()
+  (* What [minimumBy] and [maximumBy] of the elements themselves fold. *)
+  | Select
+      {
+        condition =
+          Operation
+            {
+              operator = And;
+              arguments =
+                [
+                  Operation
+                    {
+                      operator = Not;
+                      arguments =
+                        [ Operation { operator = Less_equal; ty = Float; arguments = [ a; b ] } ];
+                      _;
+                    };
+                  Operation { operator = Equal; arguments = [ x; x' ]; _ };
+                ];
+              _;
+            };
+        then_ = x'';
+        else_;
+      }
+    when x = x' && x = x'' && Option.is_none (literal x)
+         && ((a = else_ && b = x) || (a = x && b = else_)) ->
+      Call (V.helper n.v (if a = else_ then Least else Largest), list [ else_; x ])
   | Select { condition; then_ = Bool true; else_ } ->
       Binary (Or, of_machine n condition, of_machine n else_)
   | Select { condition; then_; else_ = Bool false } ->

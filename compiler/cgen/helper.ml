@@ -14,6 +14,8 @@ type t =
   | Float_subtract
   | Float_minimum
   | Float_maximum
+  | Least
+  | Largest
   | At_most
   | At_least
   | Limit
@@ -181,6 +183,26 @@ static inline double frob_max(double a, double b)
 {
     const double more = b > a ? b : a;
     return b == b ? more : b;
+}
+|} );
+    ( Least,
+      "frob_least",
+      [],
+      {|/* The smaller, the first of two equal ones; a number rather than NaN. */
+static inline double frob_least(double a, double b)
+{
+    const double less = b < a ? b : a;
+    return a == a ? less : b == b ? b : a;
+}
+|} );
+    ( Largest,
+      "frob_largest",
+      [],
+      {|/* The larger, the first of two equal ones; a number rather than NaN. */
+static inline double frob_largest(double a, double b)
+{
+    const double more = b > a ? b : a;
+    return a == a ? more : b == b ? b : a;
 }
 |} );
     ( At_most,

@@ -22,6 +22,8 @@ type t =
   | Float_subtract  (** likewise *)
   | Float_minimum
   | Float_maximum
+  | Least  (** a number rather than NaN, unlike [Float_minimum] *)
+  | Largest
   | At_most  (** the minimum of a value and a limit that is not NaN *)
   | At_least
   | Limit  (** [max (-x) (min x y)] *)

@@ -81,6 +81,10 @@ let rec within c frame ~calling (e : M.expr) =
       intermediate ();
       all arguments
   | Select { condition; then_; else_ } ->
+      (* Such a one may be a helper in C: the least number. *)
+      (match condition with
+      | Operation { operator = And; _ } -> needs_helper frame helper
+      | _ -> ());
       need frame (choice c then_);
       all [ condition; then_; else_ ]
   | Construct { sum; payload; _ } ->

@@ -109,3 +109,29 @@ States, parameters and results stay each loop's own; a loop may run a machine.
   0,0,-4,1,2,3,2
   3,3,3,-6,4,2,2
   -2,0,-2,0,0,-4,0
+
+The least and the largest element are one comparison each; their keys are
+themselves, so only one of the two is kept. NaN never wins over a number, the first
+of equal ones wins.
+
+  $ cat > extremes.frob <<'EOF'
+  > main :: SF (Array 3 Float) (Float, Float, Float)
+  > main = proc xs -> (least, maximumBy id xs, 1 / least) where
+  >     least = minimumBy id xs
+  > EOF
+  $ frobc compile extremes.frob --lint
+  $ grep "return frob_" extremes.c | sed "s, */\*.*,,"
+      return frob_least(t1, t2);
+      return frob_largest(t1, t2);
+  $ both extremes 'in[0],in[1],in[2]' 1,2,3 3,2,1 nan,2,1 1,nan,2 2,1,nan nan,nan,1 nan,nan,nan 0,-0,0 -0,0,-0 inf,-inf,nan
+  out.1,out.2,out.3
+  1,3,1
+  1,3,1
+  1,2,1
+  1,2,1
+  1,2,1
+  1,1,1
+  nan,nan,nan
+  0,0,inf
+  -0,-0,-inf
+  -inf,inf,-0
