@@ -315,8 +315,39 @@ and event s fuel payload =
   | _, Tuple [ x; y ] -> f "(pairEvents %s %s)" (any x) (any y)
   | _, _ -> typed (f "Event %s" (expression s fuel payload)) ty
 
+(* What may be taken for its operand, or for a constant, and often must not. *)
+and nearly_nothing s fuel ty =
+  let e = expression s fuel ty in
+  match (ty : Type.t) with
+  | Float ->
+      let zero = one_of s.random [ "0.0"; "(-0.0)" ] in
+      one_of s.random
+        [
+          f "(%s + %s)" e zero; f "(%s + %s)" zero e; f "(%s - %s)" e zero; f "(%s - %s)" zero e;
+          f "(%s * 1.0)" e; f "(1.0 * %s)" e; f "(%s * %s)" e zero; f "(%s / 1.0)" e;
+          f "(%s / %s)" zero e; f "(%s * (-1.0))" e; f "(%s / 2.0)" e;
+        ]
+  | _ ->
+      one_of s.random
+        [
+          f "(%s + 0)" e; f "(0 - %s)" e; f "(%s * 1)" e; f "(%s * 0)" e; f "(0 * %s)" e;
+          f "(div %s 1)" e; f "(mod %s 1)" e; f "(div 0 %s)" e; f "(%s * (-1))" e; f "(div %s (-1))" e;
+        ]
+
+(* The same two operands both ways round, or an operand with itself. *)
+and both_ways s ty operators =
+  let operand () = typed (expression s 0 ty) ty in
+  let x = operand () in
+  let y = if chance s.random 4 then x else operand () in
+  let operator = one_of s.random operators in
+  (f "(%s %s %s)" x operator y, f "(%s %s %s)" y operator x)
+
 and float s fuel =
-  match Random.State.int s.random 15 with
+  match Random.State.int s.random 18 with
+  | 15 -> nearly_nothing s fuel Float
+  | 16 | 17 ->
+      let one, other = both_ways s Float [ "+"; "-"; "*"; "/" ] in
+      f "(%s %s %s)" one (one_of s.random [ "+"; "-"; "*"; "/" ]) other
   | 12 ->
       let u = Type.any_measure s.random in
       f "(%s / 1[%s])" (expression s fuel (Measure u)) (Type.unit_text u)
@@ -341,7 +372,11 @@ and float s fuel =
   | _ -> unary s fuel "toFloat" Int
 
 and int s fuel =
-  match Random.State.int s.random 10 with
+  match Random.State.int s.random 13 with
+  | 10 -> nearly_nothing s fuel Int
+  | 11 | 12 ->
+      let one, other = both_ways s Int [ "+"; "-"; "*"; "`div`"; "`mod`" ] in
+      f "(%s %s %s)" one (one_of s.random [ "+"; "-"; "*" ]) other
   | 0 | 1 | 2 -> infix s fuel (one_of s.random [ "+"; "-"; "*" ]) Int
   | 3 | 4 ->
       let name = one_of s.random [ "div"; "mod" ] in
@@ -362,7 +397,11 @@ and int s fuel =
       else unary s fuel name Float
 
 and bool s fuel =
-  match Random.State.int s.random 9 with
+  match Random.State.int s.random 11 with
+  | 9 | 10 ->
+      let ty = one_of s.random [ Type.Float; Float; Int; any_type s ] in
+      let one, other = both_ways s ty [ "=="; "/="; "<"; "<="; ">"; ">=" ] in
+      f "(%s %s %s)" one (one_of s.random [ "=="; "&&"; "||" ]) other
   | 8 ->
       let ty = Type.event (any_type s) in
       f "(isEvent %s)" (typed (expression s fuel ty) ty)
