@@ -54,7 +54,12 @@ let executable general target ~entry ~sources file continue =
 
 let this_machine = Option.get (Target.of_name "host")
 
-let run general ~entry ~sources run file =
+let run general ~entry ~sources ~simulated run file =
+  let* () =
+    match simulated with
+    | [] -> Ok ()
+    | option :: _ -> Error (Printf.sprintf "%s is for the simulator, and not for a robot" option)
+  in
   executable general this_machine ~entry ~sources file (fun program ->
       become program
         ([ "--device"; run.device; "--rate"; Printf.sprintf "%.9g" run.rate ]

@@ -27,8 +27,16 @@ type run = {
   exit_when_done : bool;  (** when the program's task has ended *)
 }
 
-val run : Commands.general -> entry:string -> sources:string list -> run -> string -> int
-(** Becomes the program that drives the robot. *)
+val run :
+  Commands.general ->
+  entry:string ->
+  sources:string list ->
+  simulated:string list ->
+  run ->
+  string ->
+  int
+(** Becomes the program that drives the robot. [simulated]: options that were
+    given but make sense in the simulator only. *)
 
 val build :
   Commands.general ->

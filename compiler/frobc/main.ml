@@ -245,7 +245,10 @@ let run =
   in
   let make general entry sources on_robot world duration rate seed realtime record picture strict exit_when_done file =
     match on_robot with
-    | Some run -> Driver.Real_robot.run general ~entry ~sources run file
+    | Some run ->
+        let given name = Option.map (fun _ -> name) in
+        let simulated = List.filter_map Fun.id [ given "--world" world; given "--picture" picture ] in
+        Driver.Real_robot.run general ~entry ~sources ~simulated run file
     | None ->
         let duration = Option.value duration ~default:60. in
         Commands.run general ~entry ~sources

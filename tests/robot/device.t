@@ -40,6 +40,12 @@ Settings are numbers within their bounds; the watchdog cannot be turned off.
   error: --device is missing: the serial line of the pioneer; --help says how to use this
   [2]
 
+Options of the simulator have no meaning on a robot.
+
+  $ frobc run drive.frob --device ./line --world hall.toml
+  error: --world is for the simulator, and not for a robot
+  [2]
+
 A program for no robot has no driver.
 
   $ echo 'main = arr (\x -> x + 1.0)' > plain.frob

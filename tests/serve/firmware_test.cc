@@ -138,6 +138,65 @@ void clients() {
     check::that(c.packets.size() == count && !c.firmware.in_session(), "CLOSE ends it all");
 }
 
+// What AriaCoda sends on a serial port, in its order.
+void aria() {
+    Client c;
+    c.send({0x57, 0x4D, 0x53, 0x32, 0x0D});
+    for (const std::uint8_t sync : {0, 1, 2}) {
+        c.send(P2osBody(sync).packet());
+        c.wait(120 * ms);
+    }
+    c.command(1, 1); // OPEN 1
+    c.send(P2osBody(0).packet());
+    for (int i = 0; i < 5; ++i) {
+        c.command(18, 1);
+        c.wait(210 * ms);
+    }
+    check::that(c.count(0x20) >= 1 && c.count(0x32) >= 8, "AriaCoda: config and SIPs come");
+    c.command(62, 0);
+    c.command(4, 1);
+    c.command(6, 750);
+    c.command(10, 100);
+    for (int i = 0; i < 8; ++i) {
+        c.command(11, 200);
+        c.send(P2osBody(0).packet());
+        c.wait(500 * ms);
+    }
+    check::that(!c.firmware.watchdog_tripped() && c.count(0x33) > 30,
+                "AriaCoda: a pulse each half second keeps it driving");
+    check::near(driven(c.sim.get()), 0.2 * (4.0 - 0.33), 0.03, "AriaCoda: it drives");
+    c.command(4, 0);
+    c.command(2, 1); // CLOSE 1
+    check::that(!c.firmware.in_session(), "AriaCoda: CLOSE with an argument");
+}
+
+// What Player's p2os driver sends.
+void player() {
+    Client c;
+    for (const std::uint8_t sync : {0, 1, 2}) {
+        c.send(P2osBody(sync).packet());
+        c.wait(500 * ms);
+    }
+    c.send(P2osBody(1).packet());
+    c.send(P2osBody(0).packet());
+    c.command(28, 0);
+    c.wait(300 * ms);
+    check::that(c.count(0x32) >= 2 && c.packets.back()[3 + 19] == 0, "Player: sonars are off at first");
+    c.command(28, 1);
+    c.command(4, 0);
+    c.send({0xFA, 0xFB, 4, 7, 0x3B, 0x07, 0x3B}); // SETO with a type and no value
+    c.wait(400 * ms);
+    check::that(c.packets.back()[3 + 19] > 0, "Player: then they are on");
+    c.command(11, 200);
+    c.wait(1000 * ms);
+    check::near(driven(c.sim.get()), 0.0, 1e-6, "Player: without motor power it stands");
+    c.command(4, 1);
+    c.command(11, 200);
+    c.command(21, 10);
+    c.wait(1500 * ms);
+    check::that(driven(c.sim.get()) > 0.1, "Player: with motor power it drives");
+}
+
 void watchdog() {
     Client c;
     c.shake_hands();
@@ -276,6 +335,8 @@ void driver(const char *model) {
 int main() {
     handshake();
     clients();
+    aria();
+    player();
     watchdog();
     sonars();
     pacing();
