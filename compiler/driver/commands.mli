@@ -57,6 +57,22 @@ val explain : string -> int
 val wrong_use : string -> int
 (** Says what is wrong with the call, and not with the program. *)
 
+val compiled : general -> Resources.t -> entry:string -> string -> (Cgen.Emit.t -> int) -> int
+(** Compiles a file to C and goes on with it; tells what is wrong with it
+    otherwise. *)
+
+val host_table : entry:string -> Cgen.Emit.t -> (string, string) result
+(** The table by which hosts read and write the program's values. *)
+
+val write : string -> string -> (unit, string) result
+(** [write path text] *)
+
+val writable_folder : string -> (unit, string) result
+(** Makes the folder, and those above it, if they are not there. *)
+
+val all_exist : string list -> (unit, string) result
+(** Whether the files named on the command line are there. *)
+
 (** What generated C is linked with, and for what; see {!Toolchain.build}. *)
 type linked = {
   machine : Toolchain.machine option;  (** this one if [None] *)

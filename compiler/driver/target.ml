@@ -80,7 +80,6 @@ let from_sources (resources : Resources.t) folders =
   let all = List.concat_map files folders @ files resources.elementary in
   (with_suffix ".c" all, with_suffix ".h" (all @ files drivers @ files (runtime / "hal")))
 
-(* Without a heap the program's state is a variable. *)
 let state_of name =
   ( name ^ "_memory.c",
     Printf.sprintf
@@ -109,7 +108,7 @@ let linked t (resources : Resources.t) ~name =
       }
   | Board { port; script; options } ->
       let inputs, includes =
-        from_sources resources [ "core"; "hal" / port; "hosts" / port ]
+        from_sources resources [ "core"; "hal" / port; "hosts/board"; "hosts" / port ]
       in
       let script = resources.runtime_sources / "hal" / port / script in
       let options =

@@ -13,3 +13,7 @@ val linked : t -> Resources.t -> name:string -> Commands.linked
 val size_tool : t -> string option
 (** The program that tells how much memory an executable needs, where that is
     of interest. *)
+
+val state_of : string -> string * string
+(** The file, name and content, with the memory of a program's state, for hosts
+    without a heap. *)

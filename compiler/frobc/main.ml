@@ -281,6 +281,20 @@ let build =
           Driver.Real_robot.build general ~entry ~sources ~target ~output file)
       $ general $ entry $ sources $ target $ output $ file)
 
+let export =
+  let folder =
+    let doc =
+      "Write a library folder for PlatformIO: library.json, the C in $(b,src), and a main program \
+       for boards with the Arduino framework in $(b,examples)."
+    in
+    Arg.(required & opt (some string) None & info [ "platformio" ] ~docv:"DIR" ~doc)
+  in
+  command "export" ~doc:"a robot program as a library for other build tools"
+    Term.(
+      const (fun general entry sources folder file ->
+          Driver.Export.platformio general ~entry ~sources ~folder file)
+      $ general $ entry $ sources $ folder $ file)
+
 let serve =
   let some kind names ~docv ~doc = Arg.(value & opt (some kind) None & info names ~docv ~doc) in
   let robot =
@@ -363,7 +377,7 @@ let main =
     ]
   in
   Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
-    [ check; compile; trace; run; serve; build; report; header; explain ]
+    [ check; compile; trace; run; serve; build; export; report; header; explain ]
 
 (* A compilation is short, and most of what it makes lives on in the next
    stage: marking the heap over and over finds little. This halves the time of

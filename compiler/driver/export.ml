@@ -1,0 +1,91 @@
+let ( / ) = Filename.concat
+
+(* All or the first error. *)
+let rec each f = function
+  | [] -> Ok ()
+  | x :: others -> Result.bind (f x) (fun () -> each f others)
+
+let read path =
+  match open_in_bin path with
+  | exception Sys_error reason -> Error ("cannot read " ^ reason)
+  | channel ->
+      Fun.protect
+        ~finally:(fun () -> close_in channel)
+        (fun () -> Ok (really_input_string channel (in_channel_length channel)))
+
+let files folder =
+  let names = Sys.readdir folder in
+  Array.sort compare names;
+  List.filter (fun name -> not (Sys.is_directory (folder / name))) (Array.to_list names)
+
+(* Copies the files of a folder, not those of the folders in it. *)
+let copy_folder source target =
+  Result.bind (Commands.writable_folder target) (fun () ->
+      each
+        (fun name -> Result.bind (read (source / name)) (Commands.write (target / name)))
+        (files source))
+
+let manifest name =
+  Printf.sprintf
+    {|{
+  "name": "%s",
+  "version": "0.1.0",
+  "description": "The Frob program %s, with the runtime that drives its robot",
+  "frameworks": "*",
+  "platforms": "*",
+  "headers": "%s.h",
+  "build": {
+    "flags": ["-ffp-contract=off"]
+  }
+}
+|}
+    name name name
+
+(* What of the runtime a board needs: everything but ports and other hosts. *)
+let runtime_folders (resources : Resources.t) =
+  let runtime = resources.runtime_sources in
+  let drivers = Sys.readdir (runtime / "drivers") in
+  Array.sort compare drivers;
+  let robots =
+    List.filter
+      (fun name -> Sys.is_directory (runtime / "drivers" / name))
+      (Array.to_list drivers)
+  in
+  [ (resources.headers / "frob", "frob"); (resources.elementary, "elementary") ]
+  @ List.map
+      (fun folder -> (runtime / folder, folder))
+      ([ "core"; "hal"; "drivers"; "hosts/board" ] @ List.map (fun r -> "drivers" / r) robots)
+
+let write_library (resources : Resources.t) ~folder ~name ~sources generated =
+  let ( let* ) = Result.bind in
+  let source = folder / "src" and example = folder / "examples" / "drive" in
+  let* () = Commands.writable_folder source in
+  let* () = Commands.write (folder / "library.json") (manifest name) in
+  let* () = each (fun (file, text) -> Commands.write (source / file) text) generated in
+  let* () =
+    each
+      (fun file -> Result.bind (read file) (Commands.write (source / Filename.basename file)))
+      sources
+  in
+  let* () =
+    each (fun (from, into) -> copy_folder from (source / into)) (runtime_folders resources)
+  in
+  copy_folder (resources.runtime_sources / "hosts" / "arduino") example
+
+let platformio general ~entry ~sources ~folder file =
+  let ( let* ) result continue =
+    match result with Ok value -> continue value | Error text -> Commands.wrong_use text
+  in
+  let* resources = Resources.find () in
+  let* () = Commands.all_exist sources in
+  Commands.compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
+      let name = Pipeline.c_name file in
+      let* table = Commands.host_table ~entry files in
+      let generated =
+        [
+          (name ^ ".h", files.header); (name ^ ".c", files.source); (name ^ "_host.c", table);
+          Target.state_of name;
+        ]
+      in
+      let* () = write_library resources ~folder ~name ~sources generated in
+      Exit_status.ok)

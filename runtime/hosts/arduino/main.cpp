@@ -1,0 +1,94 @@
+// The main program on a board with the Arduino framework: the robot on Serial1,
+// what is said to a person on Serial. Copied by `frobc export --platformio`.
+//
+// Nothing here watches over the loop: a step of a Frob program always ends, but
+// C code that it calls may not. Where your board has a timer, let its interrupt
+// call loop_watch(now_ns(nullptr)) ten times a second, or use its watchdog.
+#include <Arduino.h>
+
+#include "hosts/board/loop.h"
+
+static_assert(sizeof(double) == 8, "Frob needs a double of 64 bits, which this board lacks");
+
+// micros() wraps after 71 minutes; it is read far more often.
+static int64_t now_ns(void *)
+{
+    static uint32_t before = 0;
+    static int64_t passed_us = 0;
+    const uint32_t now = micros();
+    passed_us += static_cast<uint32_t>(now - before);
+    before = now;
+    return passed_us * 1000;
+}
+
+static void sleep_until(void *, int64_t until_ns)
+{
+    while (now_ns(nullptr) < until_ns)
+        yield();
+}
+
+static frob_status line_read(void *, uint8_t *bytes, size_t room, size_t *count)
+{
+    for (*count = 0; *count < room && Serial1.available() > 0;)
+        bytes[(*count)++] = static_cast<uint8_t>(Serial1.read());
+    return FROB_OK;
+}
+
+static frob_status line_write(void *, const uint8_t *bytes, size_t count)
+{
+    const int64_t until = now_ns(nullptr) + FROB_WRITE_PATIENCE_NS;
+    for (size_t i = 0; i < count; ++i) {
+        while (Serial1.availableForWrite() <= 0)
+            if (now_ns(nullptr) >= until)
+                return FROB_TIMEOUT;
+        Serial1.write(bytes[i]);
+    }
+    return FROB_OK;
+}
+
+static frob_status line_wait(void *, int64_t until_ns)
+{
+    while (Serial1.available() <= 0) {
+        if (now_ns(nullptr) >= until_ns)
+            return FROB_TIMEOUT;
+        yield();
+    }
+    return FROB_OK;
+}
+
+static frob_status line_set_rate(void *, uint32_t bits_per_s)
+{
+    Serial1.flush();
+    Serial1.begin(bits_per_s);
+    return FROB_OK;
+}
+
+static frob_status line_discard(void *)
+{
+    while (Serial1.available() > 0)
+        Serial1.read();
+    return FROB_OK;
+}
+
+static const frob_clock_operations clock_operations = { now_ns, sleep_until };
+static const frob_serial_operations line_operations = { line_read, line_write, line_wait,
+                                                        line_set_rate, line_discard };
+static const frob_clock board_clock = { &clock_operations, nullptr };
+static const frob_serial board_line = { &line_operations, nullptr };
+static bool running = false;
+
+void setup()
+{
+    const uint32_t rate = loop_line_rate();
+    Serial.begin(115200);
+    Serial1.begin(rate != 0 ? rate : 9600);
+    running = loop_start(&board_line, &board_clock);
+    if (!running)
+        Serial.println("this program is not for a robot with a driver here");
+}
+
+void loop()
+{
+    if (running)
+        line_wait(nullptr, loop_round());
+}

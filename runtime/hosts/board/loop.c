@@ -1,0 +1,165 @@
+#include "hosts/board/loop.h"
+
+#include <string.h>
+
+#include <frob/create.h>
+#include <frob/pioneer.h>
+#include <frob/program.h>
+#include <frob/scout.h>
+
+#include "core/robot.h"
+#include "drivers/create/create.h"
+#include "drivers/pioneer/pioneer.h"
+#include "drivers/scout/scout.h"
+
+/* The compiled program, and the memory of its state, which `frobc` defines
+ * beside it. */
+extern const struct frob_program frob_program;
+extern void *const frob_program_state;
+
+#ifndef FROB_RATE_HZ
+#define FROB_RATE_HZ 50
+#endif
+#define MS INT64_C(1000000)
+#define PERIOD_NS (1000 * MS / FROB_RATE_HZ)
+#define PATIENCE_NS (200 * MS)
+#define STOP_PERIOD_NS (100 * MS)
+
+enum { SETTINGS_MOST = 32, RESULT_MOST = 256 };
+
+static union {
+    struct frob_pioneer pioneer;
+    struct frob_scout scout;
+    struct frob_create create;
+} device;
+
+static union {
+    struct frob_pioneer_input pioneer;
+    struct frob_scout_input scout;
+    struct frob_create_input create;
+} input;
+
+/* The robot's struct, and behind it what a task has ended with. */
+static union {
+    double aligned;
+    unsigned char bytes[FROB_OUTPUT_MOST + RESULT_MOST];
+} output;
+
+static const struct frob_driver *driver;
+static struct frob_serial line;
+static struct frob_clock time_;
+static double settings[SETTINGS_MOST];
+static struct frob_robot robot;
+static int64_t due_ns;    /* the next instant; 0: when the robot is ready */
+static int64_t before_ns; /* the last instant; 0: there was none */
+static volatile int64_t alive_ns; /* when the loop last came round; 0: not running */
+static int64_t stopped_ns;
+static struct loop_counts counts;
+
+static const struct frob_driver *find_driver(void)
+{
+    static const struct frob_driver *const drivers[] = { &frob_pioneer_driver, &frob_scout_driver,
+                                                         &frob_create_driver };
+    for (size_t i = 0; i < sizeof drivers / sizeof drivers[0]; i++)
+        if (strcmp(drivers[i]->robot, frob_program.robot) == 0)
+            return drivers[i];
+    return NULL;
+}
+
+static bool fits(const struct frob_driver *d)
+{
+    return d != NULL && frob_program.input_size == d->input_size &&
+           d->input_size <= sizeof input && d->device_size <= sizeof device &&
+           frob_program.output_size >= d->output_size &&
+           frob_program.output_size <= sizeof output && d->setting_count <= SETTINGS_MOST;
+}
+
+uint32_t loop_line_rate(void)
+{
+    const struct frob_driver *d = find_driver();
+    return d != NULL ? d->rate : 0;
+}
+
+static void connect(void)
+{
+    due_ns = 0;
+    frob_robot_start(&robot, driver, &device, settings, &line, &time_, PATIENCE_NS);
+}
+
+bool loop_start(const struct frob_serial *serial, const struct frob_clock *clock)
+{
+    const struct frob_driver *found = find_driver();
+    if (!fits(found))
+        return false;
+    for (size_t i = 0; i < found->setting_count; i++)
+        settings[i] = found->settings[i].initial;
+    line = *serial;
+    time_ = *clock;
+    driver = found;
+    frob_program.reset(frob_program_state);
+    connect();
+    return true;
+}
+
+/* The robot's stop needs nothing that the loop, which is stuck, may be in the
+ * middle of, but the line: a packet that it breaks off is one that the robot
+ * drops. */
+void loop_watch(int64_t now_ns)
+{
+    if (alive_ns == 0 || now_ns - alive_ns <= PATIENCE_NS || now_ns - stopped_ns < STOP_PERIOD_NS)
+        return;
+    if (stopped_ns < alive_ns)
+        counts.late++;
+    stopped_ns = now_ns;
+    frob_robot_halt(&robot);
+}
+
+void loop_stop(void)
+{
+    if (driver != NULL)
+        frob_robot_halt(&robot);
+}
+
+/* The command of a step that took too long is out of date. */
+static void instant(int64_t now)
+{
+    frob_robot_sense(&robot, &input);
+    memset(&output, 0, sizeof output);
+    frob_program.step(frob_program_state, before_ns == 0 ? 0.0 : (double)(now - before_ns) / 1e9,
+                      &input, &output);
+    before_ns = now;
+    counts.steps++;
+    if (frob_now_ns(&time_) - now <= PATIENCE_NS)
+        frob_robot_command(&robot, &output);
+}
+
+int64_t loop_round(void)
+{
+    int64_t now = frob_now_ns(&time_), until = now + PERIOD_NS;
+    enum frob_robot_state state;
+    alive_ns = now;
+    state = frob_robot_poll(&robot);
+    if (state == FROB_ROBOT_FAILED) {
+        connect(); /* for as long as it takes */
+    } else if (state != FROB_ROBOT_READY) {
+        due_ns = 0;
+    } else if (now >= due_ns) {
+        if (due_ns == 0)
+            due_ns = now;
+        counts.overruns += (uint32_t)((now - due_ns) / PERIOD_NS);
+        due_ns += ((now - due_ns) / PERIOD_NS + 1) * PERIOD_NS;
+        instant(now);
+    }
+    if (due_ns != 0 && due_ns < until)
+        until = due_ns;
+    if (frob_robot_due_ns(&robot) < until)
+        until = frob_robot_due_ns(&robot);
+    return until;
+}
+
+struct loop_counts loop_count(void)
+{
+    counts.stale = robot.stale;
+    counts.connections = robot.connections;
+    return counts;
+}

@@ -1,0 +1,52 @@
+/* board/loop.h -- the loop of a host without an operating system: the robot's
+ * line, the program's step at a fixed rate with measured dt, and what stops
+ * the robot. A board's main function opens the line and the clock, and calls
+ *
+ *   loop_start(&serial, &clock);
+ *   for (;;)
+ *       wait until bytes arrive or loop_round();
+ *
+ * There is no second process here. What stands for the supervisor is
+ * loop_watch, which the interrupt of a timer calls: when a step has not ended
+ * within the patience, or the loop does not come round, it tells the robot to
+ * stop, and again ten times a second, until the loop is back. */
+#ifndef FROB_HOST_BOARD_LOOP_H
+#define FROB_HOST_BOARD_LOOP_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "hal/clock.h"
+#include "hal/serial.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Begins to connect to the program's robot; both must stay. False if there is
+ * no driver for it. */
+bool loop_start(const struct frob_serial *serial, const struct frob_clock *clock);
+
+/* The rate of the robot's line at first, bits per second; 0 without a driver. */
+uint32_t loop_line_rate(void);
+
+/* One round: what has arrived, what is due, perhaps a step. Gives when it
+ * wants to be called next if no byte comes before. */
+int64_t loop_round(void);
+
+/* From a timer's interrupt, ten times a second or more often. */
+void loop_watch(int64_t now_ns);
+
+/* Tells the robot to stop, whatever the loop is doing: for faults. */
+void loop_stop(void);
+
+struct loop_counts {
+    uint32_t steps, overruns, late, stale, connections;
+};
+
+struct loop_counts loop_count(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
