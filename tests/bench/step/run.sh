@@ -89,6 +89,24 @@ measure_copilot() {
     done
 }
 
+# Text for a microcontroller, as programs for one are compiled.
+measure_cortex() {
+    flags="-mcpu=cortex-m4 -mthumb -Os $exact $warnings"
+    include="-I $out -I $here -I $here/$program -I runtime/include"
+    # shellcheck disable=SC2086
+    {
+        arm-none-eabi-gcc $flags $include -c "$out/$program.c" -o "$out/$program-m4-generated.o"
+        arm-none-eabi-gcc $flags $include -c "$here/$program/by_hand.c" -o "$out/$program-m4-by_hand.o"
+    }
+    row "text" "Cortex-M4" "$(text_bytes "$out/$program-m4-generated.o")" \
+        "$(text_bytes "$out/$program-m4-by_hand.o")" bytes
+}
+
+skipped() {
+    printf '{"program": "%s", "measure": "%s", "compiler": "%s", "value": null, "reference": null, "ratio": null, "unit": "skipped: not installed"}\n' \
+        "$program" "$1" "$2"
+}
+
 has_copilot() {
     command -v ghc >/dev/null && ghc-pkg --simple-output list copilot-c99 2>/dev/null | grep -q copilot
 }
@@ -100,8 +118,7 @@ for program in "$@"; do
         for compiler in gcc clang; do measure "$compiler" "$level"; done
     done
     if [ -f "$here/$program/copilot.hs" ]; then
-        if has_copilot; then measure_copilot; else
-            printf '{"program": "%s", "measure": "step time beside Copilot", "compiler": "ghc", "value": null, "reference": null, "ratio": null, "unit": "skipped: not installed"}\n' "$program"
-        fi
+        if has_copilot; then measure_copilot; else skipped "step time beside Copilot" ghc; fi
     fi
+    if command -v arm-none-eabi-gcc >/dev/null; then measure_cortex; else skipped "text" Cortex-M4; fi
 done
