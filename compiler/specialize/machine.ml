@@ -75,16 +75,18 @@ type choice =
   | One of Value.t
   | If of Ir.atom * choice * choice
 
-let rec choices m node ~span (value : Value.t) =
+(* [input]: of this instant, where it is known that what is chosen runs on it at once. *)
+let rec choices m node ?input ~span (value : Value.t) =
   match value with
   | Choice { condition; then_; else_ } -> (
       match (then_, else_) with
-      | Unspecified, other | other, Unspecified -> choices m node ~span other
+      | Unspecified, other | other, Unspecified -> choices m node ?input ~span other
       | _, _ ->
-          let then_ = choices m node ~span then_ in
-          If (condition, then_, choices m node ~span else_))
+          let then_ = choices m node ?input ~span then_ in
+          If (condition, then_, choices m node ?input ~span else_))
   | Primitive { primitive = Run_task; types; arguments = [ task ]; owner; at } ->
       let apply ~span = m.evaluator.apply m.context m.trail node ~span in
+      let run_now ~span ~result = m.evaluator.run m.context m.trail node ~span ~result in
       let run value : Value.t =
         Primitive { primitive = Run_task; types; arguments = [ { task with value } ]; owner; at }
       in
@@ -94,11 +96,11 @@ let rec choices m node ~span (value : Value.t) =
             If (condition, then_, each else_)
         | task -> One (run task)
       in
-      each (Task.reduced m.context node apply ~span task.value)
+      each (Task.reduced m.context node apply (At_once.result m.context run_now node input) ~span task.value)
   | Signal_function ({ code = Proc proc; _ } as closure) -> (
       match eta proc with
       | Some inner ->
-          choices m node ~span (m.evaluator.static m.context m.trail node closure inner)
+          choices m node ?input ~span (m.evaluator.static m.context m.trail node closure inner)
       | None -> One value)
   | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Primitive _ | Signal_function _
   | Program _ | Unspecified ->
@@ -134,7 +136,7 @@ let both node ~span (a : Ir.atom) (b : Ir.atom) : Ir.atom =
   | _, _ -> Node.define node Unnamed ~span Bool (Op (And, [ a; b ]))
 
 (* In order, of which the first that occurs counts. *)
-let transitions m node ~from ~span ~delayed occurs value =
+let transitions m node ?input ~from ~span ~delayed occurs value =
   let rec go occurs choice rest =
     match choice with
     | If (condition, then_, else_) ->
@@ -145,19 +147,17 @@ let transitions m node ~from ~span ~delayed occurs value =
   in
   match (occurs : Ir.atom) with
   | Bool false -> []
-  | occurs -> go occurs (choices m node ~span value) []
+  | occurs -> go occurs (choices m node ?input ~span value) []
 
 (* {1 Events} *)
 
-let event_type ty : Core.Ir.ty = Data ({ module_ = "Prelude"; name = "Event" }, [ ty ])
-let either_type a b : Core.Ir.ty = Data ({ module_ = "Prelude"; name = "Either" }, [ a; b ])
 
 (* [Event] is the second constructor. *)
 let occurrence m node ~span ty event =
   let types = m.context.types in
-  let occurs = Leaves.is_constructor types node Unnamed ~span (event_type ty) event 1 in
+  let occurs = Leaves.is_constructor types node Unnamed ~span (At_once.event_type ty) event 1 in
   let value () =
-    Leaves.payload types node Unnamed ~span (event_type ty) event ~constructor:1 ~field:0
+    Leaves.payload types node Unnamed ~span (At_once.event_type ty) event ~constructor:1 ~field:0
   in
   (occurs, value)
 
@@ -202,7 +202,7 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
         let after =
           m.evaluator.apply c m.trail node ~span ~result:(signal_function m) continuation argument
         in
-        transitions m node ~from:(Some mode.growth) ~span ~delayed occurs after
+        transitions m node ~input ~from:(Some mode.growth) ~span ~delayed occurs after
   in
   match value with
   | Primitive
@@ -212,7 +212,7 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
         types = [ _; _; ty ];
         _;
       } ->
-      let result : Core.Ir.ty = Tuple [ m.result; event_type ty ] in
+      let result : Core.Ir.ty = Tuple [ m.result; At_once.event_type ty ] in
       let outputs = run ~name:(Core.Primitive.name primitive) ~result before.value input in
       let delayed = primitive = Delayed_switch in
       ( Leaves.component outputs 0,
@@ -236,12 +236,12 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
           let shown, occurs, ended =
             if primitive = Make_task then
               let both =
-                run ~name ~result:(Core.Ir.Tuple [ while_it_runs; event_type result ]) signal_function input
+                run ~name ~result:(Core.Ir.Tuple [ while_it_runs; At_once.event_type result ]) signal_function input
               in
               let occurs, ended = occurrence m node ~span:at result (Leaves.component both 1) in
               (Leaves.component both 0, occurs, ended)
             else
-              let ty = either_type while_it_runs result in
+              let ty = At_once.either_type while_it_runs result in
               let either = run ~name ~result:ty signal_function input in
               let part constructor =
                 Leaves.payload c.types node Unnamed ~span:at ty either ~constructor ~field:0
@@ -258,7 +258,7 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
             | Bool false -> []
             | _ ->
                 let span = Task.next_place task.value in
-                transitions m node ~from:(Some mode.growth) ~span ~delayed:false occurs (left ())
+                transitions m node ~input ~from:(Some mode.growth) ~span ~delayed:false occurs (left ())
           in
           (output ~shown ~has_ended:false ~ended:Unspecified, after))
   | _ -> (run ~name:mode.name ~result:m.result value input, [])
@@ -442,7 +442,7 @@ let parts m node ~span (value : Value.t) (input : Value.t) =
         | Bool true -> event
         | Bool false -> none
         | occurs ->
-            Leaves.select m.context.types node Unnamed ~span (event_type m.result) occurs event none
+            Leaves.select m.context.types node Unnamed ~span (At_once.event_type m.result) occurs event none
       in
       { (plain first.value (payload ())) with active = Some occurs; complete }
   | _ -> plain value input

@@ -58,7 +58,7 @@ let report_circle (c : Context.t) ~span circle =
   Diagnostic.error ~code:"E0402" ~at "these tasks may follow each other for ever in no time"
   |> Diagnostic.here "this starts when the one before has ended at once"
   |> (fun d -> List.fold_left label d others)
-  |> Diagnostic.note "each cycle of tasks must take time, whichever way it goes: `return` takes none"
+  |> Diagnostic.note "each cycle of tasks must take time, whichever way it goes: `return` and `snapT` take none"
   |> Diagnostic.hint "put a task into the cycle that takes time, such as `sleepT 10[ms] y`"
   |> Diagnostic.emit c.sink;
   raise Context.Stopped
@@ -66,9 +66,23 @@ let report_circle (c : Context.t) ~span circle =
 let sequence types owner at first rest : Value.t =
   Primitive { primitive = Sequence; types; arguments = [ rest; first ]; owner; at }
 
+let rec head (task : Value.t) =
+  match task with
+  | Primitive { primitive = Sequence; arguments = [ _; first ]; _ } -> head first.value
+  | Primitive
+      {
+        primitive = (Make_task | Until_right) as primitive;
+        types = [ _; output; result ];
+        arguments = [ signal_function ];
+        _;
+      } ->
+      Runs { signal_function = signal_function.value; primitive; output; result }
+  | Primitive { primitive = Return; arguments = [ value ]; _ } -> Ends value
+  | _ -> bug "what is no task, or not reduced"
+
 let unnamed span : Core.Ir.Local.t = { id = 0; name = ""; span }
 
-let reduced (c : Context.t) node apply ~span task =
+let reduced (c : Context.t) node apply ends_at_once ~span task =
   (* Continuation and result without what only the running program knows: the
      same once more is a circle, and so is what grows for ever. *)
   let key ~span (rest : Value.argument) (value : Value.argument) =
@@ -102,6 +116,10 @@ let reduced (c : Context.t) node apply ~span task =
     | Choice { condition; then_; else_ } ->
         let then_ = reduce ~span chain then_ in
         Choice { condition; then_; else_ = reduce ~span chain else_ }
+    | Primitive { primitive = Make_task | Until_right; types = [ a; b; c ]; owner; at; _ } -> (
+        match ends_at_once (head task) with
+        | Some result -> Primitive { primitive = Return; types = [ c; a; b ]; arguments = [ result ]; owner; at }
+        | None -> task)
     | task -> task
   and follow ~span chain types origin rest (first : Value.argument) ~result =
     match first.value with
@@ -116,20 +134,6 @@ let reduced (c : Context.t) node apply ~span task =
     | _ -> sequence types (fst origin) (snd origin) first rest
   in
   reduce ~span [] task
-
-let rec head (task : Value.t) =
-  match task with
-  | Primitive { primitive = Sequence; arguments = [ _; first ]; _ } -> head first.value
-  | Primitive
-      {
-        primitive = (Make_task | Until_right) as primitive;
-        types = [ _; output; result ];
-        arguments = [ signal_function ];
-        _;
-      } ->
-      Runs { signal_function = signal_function.value; primitive; output; result }
-  | Primitive { primitive = Return; arguments = [ value ]; _ } -> Ends value
-  | _ -> bug "what is no task, or not reduced"
 
 let rec after (task : Value.t) result : Value.t =
   match task with

@@ -37,9 +37,17 @@ val next_place : Value.t -> Span.t
 val type_of : Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty
 (** Of input, output and result. *)
 
-val reduced : Context.t -> Node.t -> evaluator -> span:Span.t -> Value.t -> Value.t
+val reduced :
+  Context.t ->
+  Node.t ->
+  evaluator ->
+  (head -> Value.argument option) ->
+  span:Span.t ->
+  Value.t ->
+  Value.t
 (** The same task, or choice of tasks, with a head: what ends at once is done
-    with, in this node. Reports tasks that end at once in a circle; then raises
+    with, in this node. The function says what a task ends with at once, if it
+    is known to do so. Reports tasks that end at once in a circle; then raises
     {!Context.Stopped}. *)
 
 val head : Value.t -> head

@@ -128,18 +128,19 @@ known to end at once …
   > main = runTask (forever snapT)
   > EOF
   $ frobc check at_once.frob 2>&1 | without_lines
-  error[E0402]: `snapT` may switch for ever within one instant
-     --> at_once.frob:2:25
+  error[E0402]: these tasks may follow each other for ever in no time
+     --> at_once.frob:2:17
       |
     2 | main = runTask (forever snapT)
-      |                         ^^^^^
+      |                 ^^^^^^^^^^^^^ this starts when the one before has ended at once
       |
      ::: stdlib/Prelude.frob
       |
       |     forever t
-      |     --------- `snapT` may start `snapT` at its own first instant
+      |     --------- then this, at once
       |
-      = hint: something in the circle has to take time: `edge` or `notYet` on an event, `sleepT 10[ms] y` between tasks
+      = note: each cycle of tasks must take time, whichever way it goes: `return` and `snapT` take none
+      = hint: put a task into the cycle that takes time, such as `sleepT 10[ms] y`
   
   1 error
 
@@ -156,15 +157,16 @@ known to end at once …
   > main = runTask (go 1)
   > EOF
   $ frobc check choice.frob
-  error[E0402]: `snapT` may switch for ever within one instant
-   --> choice.frob:3:10
+  error[E0402]: these tasks may follow each other for ever in no time
+   --> choice.frob:5:5
     |
-  3 |     x <- snapT
-    |          ^^^^^
   4 |     m <- return (n + 1)
-    |          -------------- `snapT` may start `snapT` at its own first instant
+    |          -------------- then this, at once
+  5 |     other m
+    |     ^^^^^^^ this starts when the one before has ended at once
     |
-    = hint: something in the circle has to take time: `edge` or `notYet` on an event, `sleepT 10[ms] y` between tasks
+    = note: each cycle of tasks must take time, whichever way it goes: `return` and `snapT` take none
+    = hint: put a task into the cycle that takes time, such as `sleepT 10[ms] y`
   
   1 error
   [1]
@@ -194,7 +196,7 @@ known to end at once …
   9 |    go m
     |    ^^^^ this starts when the one before has ended at once
     |
-    = note: each cycle of tasks must take time, whichever way it goes: `return` takes none
+    = note: each cycle of tasks must take time, whichever way it goes: `return` and `snapT` take none
     = hint: put a task into the cycle that takes time, such as `sleepT 10[ms] y`
   
   1 error

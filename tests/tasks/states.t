@@ -43,18 +43,16 @@ inside a state, and what comes from outside.
       label="main, bug.frob:21";
       start1 [shape=point];
       state1_0 [label="driveTo\nline 2"];
-      state1_1 [label="snapT\nline 6"];
+      state1_1 [label="timeOut\nline 7"];
       state1_2 [label="ended\nline 17"];
-      state1_3 [label="timeOut\nline 7"];
-      state1_4 [label="sleepT\nline 8"];
+      state1_3 [label="sleepT\nline 8"];
       start1 -> state1_0;
       state1_0 -> state1_2 [label="edge"];
       state1_0 -> state1_1 [label="edge"];
-      state1_1 -> state1_3 [style=dashed];
-      state1_3 -> state1_4 [label="elapsed"];
-      state1_4 -> state1_0 [label="elapsed"];
+      state1_1 -> state1_3 [label="elapsed"];
+      state1_3 -> state1_0 [label="elapsed"];
     }
-    state1_3 -> start0 [style=dotted, arrowhead=none];
+    state1_1 -> start0 [style=dotted, arrowhead=none];
   }
 
   $ cat > outside.frob <<'EOF'
@@ -81,14 +79,13 @@ The report says how many states an instant can pass through.
 
   $ frobc report bug.frob | sed -n '/^modes/,$p' | without_lines
   modes
-    main, bug.frob:21: 5 modes (driveTo, snapT, ended, timeOut, sleepT), at most 3 stepped within one instant
+    main, bug.frob:21: 4 modes (driveTo, timeOut, ended, sleepT), at most 2 stepped within one instant
     circle, bug.frob:11: 3 modes (sleepT, circle, ended), at most 2 stepped within one instant
   
   events that switch, at the first instant of the mode they leave
-    from driveTo to ended     cannot occur: `edge`     bug.frob:2
-    from driveTo to snapT     cannot occur: `edge`     bug.frob:2
-    from snapT to timeOut     may occur                bug.frob:7
-    from timeOut to sleepT    cannot occur: `elapsed`  Prelude.frob
-    from sleepT to driveTo    cannot occur: `elapsed`  Prelude.frob
-    from sleepT to circle     cannot occur: `elapsed`  Prelude.frob
-    from circle to ended      cannot occur: `edge`     bug.frob:12
+    from driveTo to ended      cannot occur: `edge`     bug.frob:2
+    from driveTo to timeOut    cannot occur: `edge`     bug.frob:2
+    from timeOut to sleepT     cannot occur: `elapsed`  Prelude.frob
+    from sleepT to driveTo     cannot occur: `elapsed`  Prelude.frob
+    from sleepT to circle      cannot occur: `elapsed`  Prelude.frob
+    from circle to ended       cannot occur: `edge`     bug.frob:12
