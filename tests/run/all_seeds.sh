@@ -16,6 +16,6 @@ each wall_follow mean_wall_distance_error 0 0.03 largest_wall_distance_error 0 0
 each bug result true true collisions 0 0 odometry_error_at_the_end 0 1 -- --for 6min --exit-when-done
 each corridor collisions 0 0 largest_wall_distance_error 0 0.15 result 8.8 9.2 -- --exit-when-done
 each patrol collisions 0 0 distance_driven 30 45 squares 8 20 -- --for 3min
-each dock collisions 0 0 odometry_error_at_the_end 0 0.1 finished_after 20 40 -- --for 2min --exit-when-done
+each dock collisions 0 0 odometry_error_at_the_end 0 0.2 finished_after 20 40 -- --for 2min --exit-when-done
 each explore longest_stay 0 60 squares 15 70 -- --for 5min
 exit $status

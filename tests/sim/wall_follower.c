@@ -131,14 +131,14 @@ static const struct frob_field output_fields[] = { { "forward", &forward }, { "t
 PRODUCT(pioneer_output, output_fields)
 
 const struct frob_program frob_program = {
-    FROB_PROGRAM_ABI,
-    "wall_follower",
-    "pioneer",
-    sizeof(struct state),
-    sizeof(struct frob_pioneer_input),
-    sizeof(struct frob_pioneer_output),
-    &pioneer_input,
-    &pioneer_output,
-    reset,
-    step,
+    .abi = FROB_PROGRAM_ABI,
+    .name = "wall_follower",
+    .robot = "pioneer",
+    .state_size = sizeof(struct state),
+    .input_size = sizeof(struct frob_pioneer_input),
+    .output_size = sizeof(struct frob_pioneer_output),
+    .input = &pioneer_input,
+    .output = &pioneer_output,
+    .reset = reset,
+    .step = step,
 };
