@@ -142,8 +142,11 @@ let () =
   Unix.putenv "ASAN_OPTIONS" "detect_leaks=0";
   let folder = temporary_folder () in
   at_exit (fun () -> remove folder);
+  let leave = Sys.Signal_handle (fun _ -> exit 1) in
+  List.iter (fun signal -> Sys.set_signal signal leave) [ Sys.sigint; Sys.sigterm ];
   let start = Unix.gettimeofday () in
-  let results = Workers.run ~jobs:s.jobs ~folder (work s) in
+  let enough r = s.stop_at_first && r.failed > 0 in
+  let results = Workers.run ~jobs:s.jobs ~folder ~enough (work s) in
   let seconds = Unix.gettimeofday () -. start in
   let broken = List.filter_map (function Error text -> Some text | Ok _ -> None) results in
   List.iter (fun text -> print_endline ("FAIL random programs: " ^ text)) broken;

@@ -7,6 +7,9 @@ let start ~folder work i =
   flush_all ();
   match Unix.fork () with
   | 0 ->
+      List.iter
+        (fun signal -> Sys.set_signal signal Sys.Signal_default)
+        [ Sys.sigint; Sys.sigterm ];
       let status =
         match work i ~folder:own with
         | answer ->
@@ -23,17 +26,44 @@ let start ~folder work i =
       Unix._exit status
   | pid -> (pid, result)
 
-let answer (pid, result) =
-  match Unix.waitpid [] pid with
-  | _, WEXITED 0 ->
+let answer result (status : Unix.process_status) =
+  match status with
+  | WEXITED 0 ->
       let channel = open_in_bin result in
       Fun.protect
         ~finally:(fun () -> close_in channel)
         (fun () -> Ok (Marshal.from_channel channel))
-  | _, WEXITED status -> Error (Printf.sprintf "a process ended with status %d" status)
-  | _, (WSIGNALED signal | WSTOPPED signal) ->
+  | WEXITED status -> Error (Printf.sprintf "a process ended with status %d" status)
+  | WSIGNALED signal | WSTOPPED signal ->
       Error (Printf.sprintf "a process was ended by signal %d" signal)
 
-let run ~jobs ~folder work =
-  let started = List.init jobs (start ~folder work) in
-  List.map answer started
+(* It may have ended by itself, as when all of them get a signal. *)
+let end_process (pid, _) =
+  try
+    Unix.kill pid Sys.sigkill;
+    ignore (Unix.waitpid [] pid : int * Unix.process_status)
+  with Unix.Unix_error ((ESRCH | ECHILD), _, _) -> ()
+
+let run ~jobs ~folder ~enough work =
+  let running = ref (List.init jobs (start ~folder work)) in
+  let end_all () =
+    let all = !running in
+    running := [];
+    List.iter end_process all
+  in
+  at_exit end_all;
+  let rec collect answers =
+    if !running = [] then answers
+    else
+      let pid, status = Unix.wait () in
+      match List.partition (fun (other, _) -> other = pid) !running with
+      | [ (_, result) ], others -> (
+          running := others;
+          match answer result status with
+          | Ok value as answer when enough value ->
+              end_all ();
+              answer :: answers
+          | answer -> collect (answer :: answers))
+      | _, _ -> collect answers
+  in
+  collect []
