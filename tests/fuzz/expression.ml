@@ -42,7 +42,7 @@ let typed text ty = f "(%s :: %s)" text (Type.text ty)
 
 let floats =
   [
-    "0.0"; "1.0"; "(-1.0)"; "0.5"; "(-0.5)"; "1.5"; "2.5"; "(-2.5)"; "3"; "0.1"; "100.0"; "1.0e10";
+    "0.0"; "(-0.0)"; "1.0"; "(-1.0)"; "0.5"; "(-0.5)"; "1.5"; "2.5"; "(-2.5)"; "3"; "0.1"; "100.0"; "1.0e10";
     "(-1.0e-10)"; "2147483648.0"; "30[deg]"; "pi";
   ]
 
@@ -325,7 +325,9 @@ and nearly_nothing s fuel ty =
         [
           f "(%s + %s)" e zero; f "(%s + %s)" zero e; f "(%s - %s)" e zero; f "(%s - %s)" zero e;
           f "(%s * 1.0)" e; f "(1.0 * %s)" e; f "(%s * %s)" e zero; f "(%s / 1.0)" e;
-          f "(%s / %s)" zero e; f "(%s * (-1.0))" e; f "(%s / 2.0)" e;
+          f "(%s / %s)" zero e; f "(%s * (-1.0))" e; f "(%s / 2.0)" e; f "(max %s %s)" e zero;
+          f "(max %s %s)" zero e; f "(min %s %s)" e zero; f "(min %s %s)" zero e;
+          f "(max %s (min %s %s))" zero e zero; f "(limit %s %s)" zero e; f "(1.0 / %s)" e;
         ]
   | _ ->
       one_of s.random
@@ -343,8 +345,8 @@ and both_ways s ty operators =
   (f "(%s %s %s)" x operator y, f "(%s %s %s)" y operator x)
 
 and float s fuel =
-  match Random.State.int s.random 18 with
-  | 15 -> nearly_nothing s fuel Float
+  match Random.State.int s.random 19 with
+  | 15 | 18 -> nearly_nothing s fuel Float
   | 16 | 17 ->
       let one, other = both_ways s Float [ "+"; "-"; "*"; "/" ] in
       f "(%s %s %s)" one (one_of s.random [ "+"; "-"; "*"; "/" ]) other

@@ -8,7 +8,7 @@ let extreme_floats =
     2147483647.5; -2147483648.5; 0.49999999999999994; 4503599627370497.5; 1e-9;
   ]
 
-let plain_floats = [ 0.; 1.; -1.; 0.5; -0.5; 1.5; 2.5; -2.5; 3.; 0.1 ]
+let plain_floats = [ 0.; -0.; 1.; -1.; 0.5; -0.5; 1.5; 2.5; -2.5; 3.; 0.1 ]
 
 let float random kind =
   match Random.State.int random 4 with

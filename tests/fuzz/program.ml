@@ -209,13 +209,21 @@ let define_signal_function (s : Signal_function.scope) ~parameters ~input ~signa
 (* A call with an argument for each parameter. One that is a signal function is
    handed on as it came, or starts anew: to grow it would make ever more modes. *)
 let call (s : Signal_function.scope) own (values : Expression.scope) (name, parameters) =
+  let is_own name = List.mem_assoc name own in
+  let functions = List.filter (fun (name, _, _) -> not (is_own name)) values.functions in
+  let anew : Signal_function.scope =
+    {
+      values = { values with functions };
+      known = List.filter (fun (n : Signal_function.named) -> not (is_own n.name)) s.known;
+    }
+  in
   let argument (p : Signal_function.parameter) =
     match p with
     | Value t -> Expression.expression values 2 t
     | Function _ | Signal_function _ -> (
         match List.filter (fun (_, p') -> p' = p) own with
         | (name, _) :: _ when not (chance values.random 3) -> name
-        | _ -> Signal_function.argument { s with values } 1 p)
+        | _ -> Signal_function.argument anew 1 p)
   in
   String.concat " " (name :: List.map argument parameters)
 

@@ -6,11 +6,18 @@ type failing = {
 
 let first_line text = List.hd (String.split_on_char '\n' text)
 
+(* Of the first error among the diagnostics: [error\[E0301\]]. *)
+let first_code text =
+  let lines = String.split_on_char '\n' text in
+  match List.find_opt (String.starts_with ~prefix:"error") lines with
+  | Some line -> List.hd (String.split_on_char ':' line)
+  | None -> ""
+
 (* Whether it fails for what may be the same reason. *)
 let alike (a : Engines.outcome) (b : Engines.outcome) =
   match (a, b) with
   | Differ _, Differ _ -> true
-  | Rejected a, Rejected b -> String.equal (first_line a) (first_line b)
+  | Rejected a, Rejected b -> String.equal (first_code a) (first_code b)
   | Failed a, Failed b ->
       (* What tcc says starts with a place. *)
       let reason text =
