@@ -72,3 +72,18 @@ A task that ends leaves the robot at rest; the summary says with what it ended.
   $ tail -1 again.csv | cut -d, -f 2-
   0,0,true
   $ end_robot
+
+Real-time priority and locked memory are for whom the system allows them; others
+are told how to be allowed, and the run goes on.
+
+  $ start_robot
+  $ without_rights () {
+  >   if [ "$(id -u)" = 0 ]; then set -- setpriv --bounding-set -sys_nice,-ipc_lock,-sys_resource "$@"; fi
+  >   prlimit --rtprio=0 --memlock=65536 "$@"
+  > }
+  $ without_rights ./drive --device ./line --for 0.2 --priority 50 --lock-memory 2>&1 > summary | sed 's/: [^:;]*;/: REASON;/'
+  warning: real-time priority 50: REASON; the run goes on without. Run it as root, or allow it with a line `YOU - rtprio 50` in /etc/security/limits.conf
+  warning: locking memory: REASON; the run goes on without. Run it as root, or allow it with a line `YOU - memlock unlimited` in /etc/security/limits.conf
+  $ grep -c "connections: 1" summary
+  1
+  $ end_robot
