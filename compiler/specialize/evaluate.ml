@@ -22,6 +22,12 @@ let refuse_entry (c : Context.t) (core : Ir.definition) =
         ~cure:(Printf.sprintf "define another with the argument, as in `main = %s …`" name)
   | Function (_, Function _), _ ->
       refuse (Printf.sprintf "it is a function, `%s`, not a signal function" ty)
+  | Data ({ module_ = "Prelude"; name = "Task" }, _), _ ->
+      refuse
+        (Printf.sprintf "it is a task, `%s`, not a signal function" ty)
+        ~cure:
+          (Printf.sprintf
+             "`runTask %s` is one; on a robot, `reactimateTask %s` is the program" name name)
   | Function _, _ ->
       refuse
         (Printf.sprintf "it is a function, `%s`, not a signal function" ty)

@@ -216,3 +216,18 @@ hold an instance.
   
   5 errors
   [1]
+
+A program is no task, but what runs one.
+
+  $ printf 'main :: Task Float Float ()\nmain = sleepT 1[s] 2\n' > entry.frob
+  $ frobc compile entry.frob
+  error[E0411]: `main` cannot run: it is a task, `Task Float Float ()`, not a signal function
+   --> entry.frob:2:1
+    |
+  2 | main = sleepT 1[s] 2
+    | ^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: `runTask main` is one; on a robot, `reactimateTask main` is the program
+  
+  1 error
+  [1]
