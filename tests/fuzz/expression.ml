@@ -206,6 +206,7 @@ and parts s fuel (ty : Type.t) =
 
 and by_type s fuel (ty : Type.t) =
   match ty with
+  | (Float | Int) when chance s.random 10 -> by_rule s fuel ty
   | Float -> float s fuel
   | Int -> int s fuel
   | Bool -> bool s fuel
@@ -222,6 +223,26 @@ and by_type s fuel (ty : Type.t) =
         note s "record update";
         f "(%s { %s = %s })" (typed (expression s fuel ty) ty) name (expression s fuel t)
       else typed (construct data c arguments) ty
+
+(* What compilers have rules for: numbers that change nothing, or everything, and one
+   operation on the same two numbers in both orders. *)
+and by_rule s fuel (ty : Type.t) =
+  let point = match ty with Int -> "" | _ -> ".0" in
+  let zero = one_of s.random [ "0" ^ point; "0" ^ point; f "(-0%s)" point ] and one = "1" ^ point in
+  if chance s.random 3 then begin
+    note s "both orders";
+    let operator = one_of s.random [ "+"; "-"; "*" ] and outer = one_of s.random [ "-"; "*" ] in
+    let a = fresh s "a" and b = fresh s "b" in
+    f "((\\%s %s -> (%s %s %s) %s (%s %s %s)) %s %s)" a b a operator b outer b operator a
+      (typed (expression s fuel ty) ty)
+      (typed (expression s fuel ty) ty)
+  end
+  else
+    let e = typed (expression s fuel ty) ty in
+    let same operator number =
+      one_of s.random [ f "(%s %s %s)" e operator number; f "(%s %s %s)" number operator e ]
+    in
+    one_of s.random [ same "+" zero; same "+" zero; same "-" zero; same "*" one; same "*" zero; f "(%s - %s)" e e ]
 
 (* A function of the values of the instant. *)
 and function_ s fuel arguments result =
