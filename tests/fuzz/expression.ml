@@ -242,7 +242,8 @@ and by_rule s fuel (ty : Type.t) =
     let same operator number =
       one_of s.random [ f "(%s %s %s)" e operator number; f "(%s %s %s)" number operator e ]
     in
-    one_of s.random [ same "+" zero; same "+" zero; same "-" zero; same "*" one; same "*" zero; f "(%s - %s)" e e ]
+    let limited () = f "(%s %s %s)" (one_of s.random [ "min"; "max" ]) zero e in
+    one_of s.random [ limited (); limited (); same "+" zero; same "+" zero; same "-" zero; same "*" one; same "*" zero; f "(%s - %s)" e e ]
 
 (* A function of the values of the instant. *)
 and function_ s fuel arguments result =
