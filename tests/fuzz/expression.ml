@@ -1,160 +1,9 @@
 open Choice
+open Scope
 
-type scope = {
-  random : Random.State.t;
-  bias : Bias.t;
-  prefix : string;
-  methods : bool;
-  count : int ref;
-  seen : Coverage.t;
-  declared : Type.t list;
-  variables : (string * Type.t) list;
-  functions : (string * Type.t list * Type.t) list;
-  run : (scope -> int -> Type.t -> string) option;
-}
-
-let fresh s start =
-  incr s.count;
-  Printf.sprintf "%s%s%d" s.prefix start !(s.count)
-
-
-let note s name = Coverage.note s.seen name
-
-let note_type s (ty : Type.t) =
-  match ty with
-  | Array (_, Array _) -> note s "array of arrays"
-  | Array (_, Data data) when Type.is_record data -> note s "array of records"
-  | Measure _ -> note s "unit"
-  | Data { head; _ } when String.starts_with ~prefix:"Series" head -> note s "data with parameters"
-  | Float | Int | Bool | Tuple _ | Array _ | Data _ -> ()
-
-let any_type s =
-  let ty = Type.any s.random ~declared:s.declared in
-  note_type s ty;
-  if not (chance s.random s.bias.events) then ty
-  else Type.event (if chance s.random 3 then Type.unit else ty)
-
-let bind variables s = { s with variables = variables @ s.variables }
 let f = Printf.sprintf
-let typed text ty = f "(%s :: %s)" text (Type.text ty)
-
-(* {1 Constants} *)
-
-let floats =
-  [
-    "0.0"; "(-0.0)"; "1.0"; "(-1.0)"; "0.5"; "(-0.5)"; "1.5"; "2.5"; "(-2.5)"; "3"; "0.1"; "100.0"; "1.0e10";
-    "(-1.0e-10)"; "2147483648.0"; "30[deg]"; "pi";
-  ]
-
-let odd_floats =
-  [ "(0.0 / 0.0)"; "(1.0 / 0.0)"; "((-1.0) / 0.0)"; "(-0.0)"; "1.0e300"; "(-1.0e300)"; "5.0e-324" ]
-
-let ints = [ "0"; "1"; "2"; "(-1)"; "(-3)"; "7"; "100"; "65537"; "2147483647"; "(-2147483647 - 1)" ]
-
-let measure s u =
-  let unit = Type.unit_text u in
-  let number number = f "%s[%s]" number unit in
-  if chance s.random s.bias.odd_numbers then
-    one_of s.random [ f "(0[%s] / 0.0)" unit; f "(1[%s] / 0.0)" unit; f "(-%s)" (number "0.0"); number "1.0e300" ]
-  else
-    let scaled =
-      match u with
-      | { metres = 1; seconds = 0 } -> [ "250[mm]"; "0.1[km]"; "3[cm]" ]
-      | { metres = 0; seconds = 1 } -> [ "100[ms]"; "2[min]"; "1[us]" ]
-      | { metres = 0; seconds = -1 } -> [ "5[Hz]"; "30[rpm]" ]
-      | _ -> [ number "0.5" ]
-    in
-    one_of s.random ([ "0"; number "1"; number "2.5"; f "(-%s)" (number "0.1"); number "1.0e10" ] @ scaled)
-
-let construct (data : Type.data) (c : Type.constructor) arguments =
-  if Type.is_record data then
-    let field (name, _) argument = f "%s = %s" name argument in
-    f "%s { %s }" c.name (String.concat ", " (List.map2 field c.fields arguments))
-  else String.concat " " (c.name :: arguments)
-
-let array elements = f "[%s]" (String.concat ", " elements)
-
-let rec literal s (ty : Type.t) =
-  match ty with
-  | Float ->
-      if chance s.random s.bias.odd_numbers then begin
-        let text = one_of s.random odd_floats in
-        if String.equal text "(0.0 / 0.0)" then note s "NaN";
-        text
-      end
-      else one_of s.random floats
-  | Measure u -> measure s u
-  | Array (n, t) -> array (List.init n (fun _ -> literal s t))
-  | Int -> one_of s.random ints
-  | Bool -> one_of s.random [ "True"; "False" ]
-  | Tuple parts -> f "(%s)" (String.concat ", " (List.map (literal s) parts))
-  | Data data ->
-      let c = one_of s.random data.constructors in
-      typed (construct data c (List.map (fun (_, t) -> literal s t) c.fields)) ty
-
-(* {1 Patterns} *)
-
-let variable s ty =
-  let name = fresh s "x" in
-  (name, [ (name, ty) ])
-
-let rec pattern s (ty : Type.t) =
-  match ty with
-  | _ when chance s.random 8 -> ("_", [])
-  | Tuple parts when not (chance s.random 4) ->
-      let patterns = List.map (pattern s) parts in
-      (f "(%s)" (String.concat ", " (List.map fst patterns)), List.concat_map snd patterns)
-  (* Its size may be known from nowhere else. *)
-  | Data { constructors = [ { name = "Series"; _ } ]; _ } -> variable s ty
-  | Data ({ constructors = [ c ]; _ } as data) when chance s.random 2 ->
-      let patterns = List.map (fun (_, t) -> pattern s t) c.fields in
-      (f "(%s)" (construct data c (List.map fst patterns)), List.concat_map snd patterns)
-  | Float | Measure _ | Int | Bool | Tuple _ | Array _ | Data _ -> variable s ty
-
-(* Patterns that cover a type together, each with its variables. *)
-let rec cover s depth (ty : Type.t) =
-  match ty with
-  | _ when depth = 0 -> [ pattern s ty ]
-  | Float | Measure _ | Array _ -> [ variable s ty ]
-  | Int ->
-      let number = f "%d" (Random.State.int s.random 4) in
-      [ (number, []); pattern s ty ]
-  | Bool -> [ ("True", []); ("False", []) ]
-  | Tuple parts ->
-      let all = one_split s depth parts in
-      List.map (fun (texts, bound) -> (f "(%s)" (String.concat ", " texts), bound)) all
-  | Data data ->
-      let of_constructor (c : Type.constructor) =
-        List.map
-          (fun (texts, bound) -> (f "(%s)" (construct data c texts), bound))
-          (one_split s depth (List.map snd c.fields))
-      in
-      let all = List.concat_map of_constructor data.constructors in
-      List.map
-        (fun (text, bound) ->
-          if chance s.random 6 then
-            let name = fresh s "w" in
-            (f "%s@%s" name text, (name, ty) :: bound)
-          else (text, bound))
-        all
-
-(* Of several parts only one is covered by more than one pattern. *)
-and one_split s depth parts =
-  let chosen = Random.State.int s.random (max 1 (List.length parts)) in
-  let rec go i = function
-    | [] -> [ ([], []) ]
-    | ty :: others ->
-        let here = if i = chosen then cover s (depth - 1) ty else [ pattern s ty ] in
-        let rest = go (i + 1) others in
-        List.concat_map
-          (fun (text, bound) ->
-            List.map (fun (texts, more) -> (text :: texts, bound @ more)) rest)
-          here
-  in
-  (* Names are bound once: patterns are made again for each row. *)
-  match parts with [] -> [ ([], []) ] | _ -> go 0 parts
-
-(* {1 Expressions} *)
+let typed = Constant.annotated
+let literal = Constant.literal
 
 let variables_of s ty = List.filter (fun (_, t) -> t = ty) s.variables
 let functions_to s ty = List.filter (fun (_, _, result) -> result = ty) s.functions
@@ -201,7 +50,7 @@ and extreme s fuel ty =
 and parts s fuel (ty : Type.t) =
   match ty with
   | Tuple parts -> f "(%s)" (String.concat ", " (List.map (expression s fuel) parts))
-  | Array (n, t) -> array (List.init n (fun _ -> expression s fuel t))
+  | Array (n, t) -> Constant.array (List.init n (fun _ -> expression s fuel t))
   | Float | Measure _ | Int | Bool | Data _ -> expression s fuel ty
 
 and by_type s fuel (ty : Type.t) =
@@ -222,7 +71,7 @@ and by_type s fuel (ty : Type.t) =
         let name, t = one_of s.random c.fields in
         note s "record update";
         f "(%s { %s = %s })" (typed (expression s fuel ty) ty) name (expression s fuel t)
-      else typed (construct data c arguments) ty
+      else typed (Constant.construct data c arguments) ty
 
 (* What compilers have rules for: numbers that change nothing, or everything, and one
    operation on the same two numbers in both orders. *)
@@ -248,7 +97,7 @@ and by_rule s fuel (ty : Type.t) =
 (* A function of the values of the instant. *)
 and function_ s fuel arguments result =
   let inside = elsewhere s in
-  let patterns = List.map (pattern inside) arguments in
+  let patterns = List.map (Pattern.any inside) arguments in
   f "(\\%s -> %s)"
     (String.concat " " (List.map fst patterns))
     (expression (bind (List.concat_map snd patterns) inside) fuel result)
@@ -463,13 +312,13 @@ and case s fuel ty =
     | first :: others -> first :: shortened others
     | [] -> []
   in
-  let branches = shortened (cover s 2 scrutinized) in
+  let branches = shortened (Pattern.cover s 2 scrutinized) in
   f "(case %s of %s)" value (String.concat "; " (List.map branch branches))
 
 and let_ s fuel ty =
   let other = any_type s in
   let value = expression s fuel other in
-  let text, bound = pattern s other in
+  let text, bound = Pattern.any s other in
   f "(let %s = %s in %s)" text (typed value other) (expression (bind bound s) fuel ty)
 
 and lambda s fuel argument ty =

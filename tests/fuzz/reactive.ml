@@ -1,27 +1,27 @@
 open Choice
 
 type maker = {
-  values : Expression.scope;
-  signal_function : Expression.scope -> int -> Type.t -> Type.t -> string;
+  values : Scope.t;
+  signal_function : Scope.t -> int -> Type.t -> Type.t -> string;
 }
 
 let f = Printf.sprintf
-let still (values : Expression.scope) = { values with run = None }
+let still (values : Scope.t) = { values with run = None }
 
 let time m =
   one_of m.values.random
     [ "0"; "0.05[s]"; "0.1[s]"; "0.3[s]"; "1[s]"; "(-1[s])"; "(0[s] / 0.0)"; "(1[s] / 0.0)"; "1[us]" ]
 
 let number m = one_of m.values.random [ "0"; "1"; "2"; "3"; "(-1)" ]
-let literal m ty = Expression.literal m.values ty
+let literal m ty = Constant.literal m.values ty
 
 (* A function of the values of the instant, with what more is in scope. *)
 let lambda m ?(more = []) arguments fuel result =
-  let values = still (Expression.bind more m.values) in
-  let patterns = List.map (Expression.pattern values) arguments in
+  let values = still (Scope.bind more m.values) in
+  let patterns = List.map (Pattern.any values) arguments in
   f "(\\%s -> %s)"
     (String.concat " " (List.map fst patterns))
-    (Expression.expression (Expression.bind (List.concat_map snd patterns) values) fuel result)
+    (Expression.expression (Scope.bind (List.concat_map snd patterns) values) fuel result)
 
 (* {1 The event library} *)
 
@@ -91,15 +91,15 @@ let source m fuel (a : Type.t) b payload =
 (* The event carries functions; they may have captured signals. *)
 let accumulated_functions m fuel a b =
   let values = still m.values in
-  Expression.note values "event of functions";
+  Scope.note values "event of functions";
   let names, b =
     match Type.event_payload b with
     | Some result -> ([ "accum" ], result)
     | None -> ([ "accumHold"; "dAccumHold" ], b)
   in
-  let text, bound = Expression.pattern values a in
-  let payload = Expression.any_type values in
-  let inside = Expression.bind bound values in
+  let text, bound = Pattern.any values a in
+  let payload = Scope.any_type values in
+  let inside = Scope.bind bound values in
   f "(proc %s -> %s %s (mapE %s (%s :: %s)))" text
     (one_of m.values.random names)
     (literal m b)
@@ -113,8 +113,8 @@ let switch m = one_of m.values.random [ "switch"; "dSwitch" ]
 
 (* An event that comes and goes, often with a value of the input. *)
 let lively m fuel a payload =
-  let text, bound = Expression.pattern m.values a in
-  let inside = Expression.bind bound (still m.values) in
+  let text, bound = Pattern.any m.values a in
+  let inside = Scope.bind bound (still m.values) in
   let condition () = Expression.expression inside fuel Bool in
   let event =
     match Random.State.int m.values.random 6 with
@@ -137,16 +137,16 @@ let ending m ~slow fuel a b payload =
   if slow then f "(%s >>> second notYet)" body else body
 
 let mode m ~earlier ~continuation fuel a b =
-  let payload = Expression.any_type m.values in
+  let payload = Scope.any_type m.values in
   let body = ending m ~slow:earlier fuel a b payload in
   let holds_switch =
     match Str.search_forward (Str.regexp "[sS]witch ") body 0 with
     | _ -> true
     | exception Not_found -> false
   in
-  if holds_switch then Expression.note m.values "switch in a switch";
-  let text, bound = Expression.pattern m.values payload in
-  f "(%s %s (\\%s -> %s))" (switch m) body text (continuation (Expression.bind bound m.values))
+  if holds_switch then Scope.note m.values "switch in a switch";
+  let text, bound = Pattern.any m.values payload in
+  f "(%s %s (\\%s -> %s))" (switch m) body text (continuation (Scope.bind bound m.values))
 
 let once_switched m fuel a b =
   mode m ~earlier:false fuel a b ~continuation:(fun values ->
@@ -154,27 +154,27 @@ let once_switched m fuel a b =
 
 (* What comes after is the event's value. *)
 let brought m fuel a b =
-  Expression.note m.values "switch into the signal function of an event";
-  let text, bound = Expression.pattern m.values a in
-  let inside = Expression.bind bound (still m.values) in
-  let payload = Expression.any_type m.values in
-  let whole = Expression.fresh m.values "w" in
-  let pattern, more = Expression.pattern inside payload in
-  let after = Expression.fresh m.values "q" in
+  Scope.note m.values "switch into the signal function of an event";
+  let text, bound = Pattern.any m.values a in
+  let inside = Scope.bind bound (still m.values) in
+  let payload = Scope.any_type m.values in
+  let whole = Scope.fresh m.values "w" in
+  let pattern, more = Pattern.any inside payload in
+  let after = Scope.fresh m.values "q" in
   f "(%s (proc %s@%s -> (%s, mapE (\\%s -> %s) (%s %s))) (\\%s -> %s))" (switch m) whole text
     (Expression.expression inside 1 b)
     pattern
-    (m.signal_function (Expression.bind more inside) (fuel - 1) a b)
+    (m.signal_function (Scope.bind more inside) (fuel - 1) a b)
     (lively m (fuel - 1) a payload) whole after after
 
 let parenthesized ty text = f "(%s :: %s)" text (Type.text ty)
 
 (* Restarted or replaced at events; what replaces it captures signals. *)
 let replaced m fuel a b =
-  let text, bound = Expression.pattern m.values a in
-  let whole = Expression.fresh m.values "w" in
-  let inside = Expression.bind ((whole, a) :: bound) (still m.values) in
-  let inner = Expression.any_type m.values and payload = Expression.any_type m.values in
+  let text, bound = Pattern.any m.values a in
+  let whole = Scope.fresh m.values "w" in
+  let inside = Scope.bind ((whole, a) :: bound) (still m.values) in
+  let inner = Scope.any_type m.values and payload = Scope.any_type m.values in
   let event =
     if chance m.values.random 3 then
       let ty = Type.event payload in
@@ -186,9 +186,9 @@ let replaced m fuel a b =
   if chance m.values.random 3 then
     f "(proc %s@%s -> resetOn %s (%s, tag %s ()))" whole text first input event
   else
-    let pattern, more = Expression.pattern inside payload in
-    Expression.note m.values "event of signal functions";
-    let brought = Expression.bind more inside in
+    let pattern, more = Pattern.any inside payload in
+    Scope.note m.values "event of signal functions";
+    let brought = Scope.bind more inside in
     f "(proc %s@%s -> %s %s (%s, mapE (\\%s -> %s) %s))" whole text
       (one_of m.values.random [ "rSwitch"; "drSwitch" ])
       first input pattern
@@ -196,15 +196,15 @@ let replaced m fuel a b =
       event
 
 let initially m fuel a b =
-  let text, bound = Expression.pattern m.values a in
+  let text, bound = Pattern.any m.values a in
   f "(initially (\\%s -> %s))" text
-    (m.signal_function (Expression.bind bound m.values) (fuel - 1) a b)
+    (m.signal_function (Scope.bind bound m.values) (fuel - 1) a b)
 
 (* Ways through an event on the way, where the types leave few. *)
 let composed m fuel a (b : Type.t) =
   let event payload = lively m (fuel - 1) a payload in
   let value ty = m.signal_function m.values (fuel - 1) a ty in
-  let any () = Expression.any_type m.values in
+  let any () = Scope.any_type m.values in
   let through payload = weighted m.values.random (from_event m fuel payload b) () in
   let through_event () =
     let payload = if chance m.values.random 2 then b else any () in

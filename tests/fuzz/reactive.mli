@@ -1,8 +1,8 @@
 (** Random signal functions of events: the event library and the switches. *)
 
 type maker = {
-  values : Expression.scope;  (** static *)
-  signal_function : Expression.scope -> int -> Type.t -> Type.t -> string;
+  values : Scope.t;  (** static *)
+  signal_function : Scope.t -> int -> Type.t -> Type.t -> string;
       (** a signal function of these types, no deeper than the number says,
           that may use the scope's variables as static values *)
 }
@@ -20,7 +20,7 @@ val time : maker -> string
 val mode :
   maker ->
   earlier:bool ->
-  continuation:(Expression.scope -> string) ->
+  continuation:(Scope.t -> string) ->
   int ->
   Type.t ->
   Type.t ->

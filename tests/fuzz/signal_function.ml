@@ -19,10 +19,10 @@ let parameter_text = function
   | Function (a, b) -> f "(%s -> %s)" (Type.text a) (Type.text b)
   | Signal_function (a, b) -> f "SF %s %s" (Type.text a) (Type.text b)
 
-type scope = { values : Expression.scope; known : named list }
+type scope = { values : Scope.t; known : named list }
 
 let static s fuel ty = Expression.expression { s.values with run = None } fuel ty
-let literal s ty = if chance s.values.random 3 then static s 1 ty else Expression.literal s.values ty
+let literal s ty = if chance s.values.random 3 then static s 1 ty else Constant.literal s.values ty
 
 (* Of one signal function known, with arguments for its parameters. *)
 let rec applied s fuel { name; parameters; _ } =
@@ -37,8 +37,8 @@ and argument s fuel = function
 
 and lambda s fuel a b =
   let values = { s.values with run = None } in
-  let text, bound = Expression.pattern values a in
-  f "(\\%s -> %s)" text (Expression.expression (Expression.bind bound values) (min fuel 2) b)
+  let text, bound = Pattern.any values a in
+  f "(\\%s -> %s)" text (Expression.expression (Scope.bind bound values) (min fuel 2) b)
 
 and expression s fuel (a : Type.t) (b : Type.t) =
   let random = s.values.random in
@@ -95,7 +95,7 @@ and expression s fuel (a : Type.t) (b : Type.t) =
   let deeper =
     if fuel <= 0 then []
     else
-      let middle = Expression.any_type s.values in
+      let middle = Scope.any_type s.values in
       [
         (4, fun () -> f "(%s >>> %s)" (sub a middle) (sub middle b));
         (1, fun () -> f "(%s <<< %s)" (sub middle b) (sub a middle));
@@ -111,13 +111,13 @@ and expression s fuel (a : Type.t) (b : Type.t) =
         (2, fun () -> inline s fuel a b);
         ( 1,
           fun () ->
-            let n = 1 + Random.State.int random 3 and element = Expression.any_type s.values in
+            let n = 1 + Random.State.int random 3 and element = Scope.any_type s.values in
             let many : Type.t = Array (n, middle) and results : Type.t = Array (n, element) in
             f "(%s >>> (mapSF %s :: SF %s %s) >>> %s)" (sub a many) (sub middle element)
               (Type.text many) (Type.text results) (sub results b) );
         ( (if a = b then 1 else 0),
           fun () ->
-            Expression.note s.values "array of signal functions";
+            Scope.note s.values "array of signal functions";
             let stages = List.init (1 + Random.State.int random 3) (fun _ -> sub a b) in
             f "(foldl (>>>) identity [%s])" (String.concat ", " stages) );
         (1, fun () -> f "(twiceOver %s %s)" (sub a b) (sub b b));
@@ -154,10 +154,10 @@ and typed_expression values fuel ty =
 
 (* An instance in the place of an expression. *)
 and running s values fuel ty =
-  let input = Expression.any_type s.values in
+  let input = Scope.any_type s.values in
   let candidates = List.filter (fun n -> n.output = ty) s.known in
   if chance s.values.random 8 then
-    let argument = Expression.any_type s.values in
+    let argument = Scope.any_type s.values in
     f "(%s %s %s)"
       (of_functions s fuel input argument ty)
       (typed_expression values fuel input)
@@ -185,45 +185,45 @@ and run s = Some (running s)
    different ones. *)
 and of_functions s fuel a argument result =
   let values = { s.values with run = None } in
-  let text, bound = Expression.pattern values a in
-  let made values = Expression.lambda (Expression.bind bound values) (min fuel 2) argument result in
+  let text, bound = Pattern.any values a in
+  let made values = Expression.lambda (Scope.bind bound values) (min fuel 2) argument result in
   if chance values.random 2 then begin
-    Expression.note values "function out of a signal function";
+    Scope.note values "function out of a signal function";
     f "(arr (\\%s -> %s))" text (made values)
   end
   else begin
-    Expression.note values "function out of a switch";
-    let payload = Expression.any_type values in
+    Scope.note values "function out of a switch";
+    let payload = Scope.any_type values in
     let event = Type.event payload in
-    let brought, more = Expression.pattern values payload in
+    let brought, more = Pattern.any values payload in
     f "(%s (proc %s -> (%s, (%s :: %s))) (\\%s -> arr (\\%s -> %s)))"
       (one_of values.random [ "switch"; "dSwitch" ])
       text (made values)
-      (Expression.expression (Expression.bind bound values) (min fuel 2) event)
+      (Expression.expression (Scope.bind bound values) (min fuel 2) event)
       (Type.text event) brought text
-      (made (Expression.bind more values))
+      (made (Scope.bind more values))
   end
 
 (* {1 Procs} *)
 
 and inline s fuel a b =
-  let text, bound = Expression.pattern s.values a in
-  let outside = Expression.bind bound s.values in
+  let text, bound = Pattern.any s.values a in
+  let outside = Scope.bind bound s.values in
   let values = { outside with run = run s } in
   if chance s.values.random 3 then
-    let middle = Expression.any_type s.values in
-    let name, bound = Expression.pattern outside middle in
+    let middle = Scope.any_type s.values in
+    let name, bound = Pattern.any outside middle in
     let last, input =
       if chance s.values.random 2 then ("returnA", b)
       else
-        let input = Expression.any_type s.values in
+        let input = Scope.any_type s.values in
         (expression s (fuel - 1) input b, input)
     in
     f "(proc %s -> do %s <- %s -< %s; %s -< %s)" text name
       (expression s (fuel - 1) a middle)
       (Expression.expression values 1 a)
       last
-      (Expression.expression { (Expression.bind bound outside) with run = run s } 1 input)
+      (Expression.expression { (Scope.bind bound outside) with run = run s } 1 input)
   else f "(proc %s -> %s)" text (Expression.expression values (min fuel 2) b)
 
 let equation s ~signals ~later (name, ty) =
@@ -231,25 +231,25 @@ let equation s ~signals ~later (name, ty) =
   let e ?(scope = signals) fuel ty = Expression.expression scope fuel ty in
   match (Random.State.int random 8, (ty : Type.t)) with
   | 0, Float ->
-      Expression.note s.values "feedback through integral";
+      Scope.note s.values "feedback through integral";
       f "%s = integral %s / 1[s]" name (e ~scope:later 2 Float)
   | (0 | 1), Measure { metres; seconds } ->
       let rate = Type.measure ~metres ~seconds:(seconds - 1) in
       f "%s = integral %s" name (typed_expression later 2 rate)
   | (0 | 1 | 2), _ ->
-      Expression.note s.values "feedback through delay";
+      Scope.note s.values "feedback through delay";
       f "%s = delay %s %s" name (literal s ty) (e ~scope:later 2 ty)
   | 3, _ ->
-      let input = Expression.any_type s.values in
+      let input = Scope.any_type s.values in
       f "%s = %s %s" name (expression s 2 input ty) (e 2 input)
   | _, _ -> f "%s = %s" name (e (3 + s.values.bias.depth) ty)
 
 (* Two signals that are found together: the second component may need the
    first one of the same instant. *)
 let pair s ~signals ((x, t) as first) (y, u) =
-  let with_first = Expression.bind [ first ] signals in
-  Expression.note s.values "pair of signals";
-  let a = Expression.any_type s.values and b = Expression.any_type s.values in
+  let with_first = Scope.bind [ first ] signals in
+  Scope.note s.values "pair of signals";
+  let a = Scope.any_type s.values and b = Scope.any_type s.values in
   match Random.State.int s.values.random 3 with
   | 0 ->
       f "(%s, %s) = (%s, %s)" x y
@@ -265,46 +265,46 @@ let pair s ~signals ((x, t) as first) (y, u) =
         (Expression.expression with_first 2 b)
 
 let local_function s ~signals name argument result =
-  Expression.note s.values "local function";
-  let text, bound = Expression.pattern s.values argument in
-  let inside = { (Expression.bind bound signals) with Expression.run = None } in
+  Scope.note s.values "local function";
+  let text, bound = Pattern.any s.values argument in
+  let inside = { (Scope.bind bound signals) with Scope.run = None } in
   f "%s %s = %s" name text (Expression.expression inside 2 result)
 
 type output = Computed of Type.t | All_signals
 
 let any_signals s =
-  List.init (2 + s.values.bias.width + Random.State.int s.values.random 5) (fun _ -> Expression.any_type s.values)
+  List.init (2 + s.values.bias.width + Random.State.int s.values.random 5) (fun _ -> Scope.any_type s.values)
 
 let body s ~indent ~input ~signals output =
   let random = s.values.random in
-  let text, bound = Expression.pattern s.values input in
-  let fresh start = Expression.fresh s.values start in
+  let text, bound = Pattern.any s.values input in
+  let fresh start = Scope.fresh s.values start in
   (* Static values and signal functions first: what is run may use them. *)
-  let constant = (fresh "k", Expression.any_type s.values) in
+  let constant = (fresh "k", Scope.any_type s.values) in
   let constant_text = f "%s = (%s :: %s)" (fst constant) (static s 2 (snd constant)) (Type.text (snd constant)) in
-  let s = { s with values = Expression.bind [ constant ] s.values } in
+  let s = { s with values = Scope.bind [ constant ] s.values } in
   let local =
-    let input = Expression.any_type s.values and output = Expression.any_type s.values in
+    let input = Scope.any_type s.values and output = Scope.any_type s.values in
     { name = fresh "sf"; parameters = []; input; output }
   in
   let local_text = f "%s = %s" local.name (expression s 2 local.input local.output) in
   let s = { s with known = local :: s.known } in
   let signals = List.map (fun t -> (fresh "v", t)) signals in
-  let instances values = { values with Expression.run = run s } in
-  let later = instances (Expression.bind (bound @ signals) s.values) in
-  let h = (fresh "h", Expression.any_type s.values, Expression.any_type s.values) in
+  let instances values = { values with Scope.run = run s } in
+  let later = instances (Scope.bind (bound @ signals) s.values) in
+  let h = (fresh "h", Scope.any_type s.values, Scope.any_type s.values) in
   let rec equations found known = function
     | [] -> (known, found)
     | first :: second :: others when chance random 4 ->
         let text = pair s ~signals:(instances known) first second in
-        equations (text :: found) (Expression.bind [ first; second ] known) others
+        equations (text :: found) (Scope.bind [ first; second ] known) others
     | first :: others ->
         let text = equation s ~signals:(instances known) ~later first in
-        equations (text :: found) (Expression.bind [ first ] known) others
+        equations (text :: found) (Scope.bind [ first ] known) others
   in
   let name, argument, result = h in
-  let h_text = local_function s ~signals:(Expression.bind bound s.values) name argument result in
-  let known = Expression.bind bound s.values in
+  let h_text = local_function s ~signals:(Scope.bind bound s.values) name argument result in
+  let known = Scope.bind bound s.values in
   let known = { known with functions = (name, [ argument ], result) :: known.functions } in
   let known, found = equations [ h_text; local_text; constant_text ] known signals in
   let result =

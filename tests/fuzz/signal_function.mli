@@ -16,7 +16,7 @@ type named = {
 val parameter_text : parameter -> string
 (** Its type. *)
 
-type scope = { values : Expression.scope;  (** static *) known : named list }
+type scope = { values : Scope.t;  (** static *) known : named list }
 
 val expression : scope -> int -> Type.t -> Type.t -> string
 (** A signal function of these types. *)

@@ -1,9 +1,9 @@
 open Choice
 
 let f = Printf.sprintf
-let still (values : Expression.scope) = { values with run = None }
+let still (values : Scope.t) = { values with run = None }
 let value (m : Reactive.maker) fuel ty = Expression.expression (still m.values) fuel ty
-let any (m : Reactive.maker) = Expression.any_type m.values
+let any (m : Reactive.maker) = Scope.any_type m.values
 
 (* What a task ends with: often what the combinators make. *)
 let any_result (m : Reactive.maker) =
@@ -14,13 +14,13 @@ let any_result (m : Reactive.maker) =
   | 4 -> Type.Tuple [ any m; any m ]
   | _ -> any m
 
-let with_values (m : Reactive.maker) bound = { m with values = Expression.bind bound m.values }
+let with_values (m : Reactive.maker) bound = { m with values = Scope.bind bound m.values }
 let annotated text ty = f "(%s :: %s)" text (Type.text ty)
 
 let lambda (m : Reactive.maker) fuel argument result =
   let values = still m.values in
-  let text, bound = Expression.pattern values argument in
-  f "(\\%s -> %s)" text (Expression.expression (Expression.bind bound values) fuel result)
+  let text, bound = Pattern.any values argument in
+  f "(\\%s -> %s)" text (Expression.expression (Scope.bind bound values) fuel result)
 
 let times (m : Reactive.maker) = one_of m.values.random [ "0"; "1"; "2"; "3"; "(-1)" ]
 
@@ -73,7 +73,7 @@ let rec task (m : Reactive.maker) ~slow fuel a b (c : Type.t) =
 (* What comes first takes the time. *)
 and sequence m ~slow fuel a b c =
   let first = any_result m in
-  let text, bound = Expression.pattern m.values first in
+  let text, bound = Pattern.any m.values first in
   let before = task m ~slow (fuel - 1) a b first in
   let rest m = task m ~slow:false (fuel - 1) a b c in
   if chance m.values.random 4 then f "(do %s; %s)" before (rest m)
@@ -120,7 +120,7 @@ and by_result m ~slow fuel a b (c : Type.t) =
     if c <> Type.unit || slow then []
     else
       let x = any m in
-      let text, bound = Expression.pattern m.values x in
+      let text, bound = Pattern.any m.values x in
       let array = Type.Array (1 + Random.State.int m.values.random 3, x) in
       [
         (2, fun () -> f "(repeatT %s %s)" (times m) (sub ~slow:true a b (any_result m)));
@@ -145,10 +145,10 @@ let alternatives (m : Reactive.maker) fuel a b =
     | _ -> []
   and followed () =
     let result = any_result m in
-    let text, bound = Expression.pattern m.values result in
+    let text, bound = Pattern.any m.values result in
     f "(thenSF %s (\\%s -> %s))"
       (task m ~slow:false (fuel - 1) a b result)
       text
-      (m.signal_function (Expression.bind bound m.values) (fuel - 1) a b)
+      (m.signal_function (Scope.bind bound m.values) (fuel - 1) a b)
   in
   if fuel <= 0 then [] else (weight, followed) :: whole

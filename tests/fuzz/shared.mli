@@ -1,0 +1,3 @@
+(** What all random programs may use: the text of [shared.frob]. *)
+
+val text : string
