@@ -12,11 +12,10 @@ MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \
   gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user valgrind \
   gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 
-# What only `make bench` needs, and what it compares with or compiles for, where
-# that can be had.
-BENCH_PACKAGES = valgrind gcc-arm-none-eabi
-COMPARED_PACKAGES = ghc libghc-copilot-dev libghc-copilot-c99-dev gcc-arm-none-eabi \
-  libnewlib-arm-none-eabi
+# What only `make bench` needs, and what other tools it compares with, where they
+# can be had.
+BENCH_PACKAGES = valgrind gcc-arm-none-eabi libnewlib-arm-none-eabi
+COMPARED_PACKAGES = ghc libghc-copilot-dev libghc-copilot-c99-dev
 
 # What only `make fuzz-frontend` needs.
 AFL_PACKAGES = afl++

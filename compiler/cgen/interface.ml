@@ -66,7 +66,7 @@ and record types (product : F.product) =
   | Some (name, _) -> name
   | None ->
       let members = members types product in
-      let name = Name.fresh types.scope (types.prefix ^ "_" ^ Name.snake product.product_name) in
+      let name = Name.fresh types.scope (types.prefix ^ "_" ^ Name.short (Name.snake product.product_name)) in
       Hashtbl.replace types.known (key product) (name, members);
       define types name members;
       name

@@ -97,6 +97,15 @@ let snake text =
     text;
   identifier (Buffer.contents buffer)
 
+let longest = 48
+
+let short name =
+  if String.length name <= longest then name
+  else
+    match String.rindex_from_opt name longest '_' with
+    | Some k when k > longest / 2 -> String.sub name 0 k
+    | Some _ | None -> String.sub name 0 longest
+
 let rec numbered scope base separator =
   let count = 1 + Option.value (Hashtbl.find_opt scope.counts base) ~default:0 in
   Hashtbl.replace scope.counts base count;

@@ -24,3 +24,7 @@ val identifier : string -> string
 val snake : string -> string
 (** For types: [Maybe Float] becomes [maybe_float], [PioneerInput]
     [pioneer_input]. *)
+
+val short : string -> string
+(** The words of a type's name that fit in 48 characters: types are nested, and
+    so are their names. Different names may become one; {!fresh} numbers them. *)

@@ -9,7 +9,7 @@ type t = {
 }
 
 let name scope ~prefix (sum : F.sum) ~slots ~arrays =
-  let struct_name = Name.fresh scope (prefix ^ "_" ^ Name.snake sum.name) in
+  let struct_name = Name.fresh scope (prefix ^ "_" ^ Name.short (Name.snake sum.name)) in
   let constructor (c : F.sum_constructor) = struct_name ^ "_" ^ Name.snake c.constructor in
   let all = Array.of_list (List.map constructor sum.constructors) in
   {
