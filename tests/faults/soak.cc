@@ -22,7 +22,7 @@ static bool sane_pose(const frob_pose &pose) {
 struct ScoutSoak : ScoutKind {
     static constexpr unsigned overlapped = 0;
     static constexpr double most_m_s = 1.01, watchdog_s = 1;
-    static constexpr int hearing_ms = 1200;
+    static constexpr int hearing_ms = 500;
     static void prepare(Bench<ScoutSoak, Faults> &) {}
     static bool is_reading(const std::vector<std::uint8_t> &bytes) { return bytes.size() == 48; }
     static bool doubts(const frob_scout &d) { return d.odometry.refused > 0; }

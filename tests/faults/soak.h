@@ -55,6 +55,8 @@ template <class Kind> class Soak {
     }
 
   private:
+    static constexpr std::int64_t patience_ns = 200 * ms; // of Bench::start
+
     // The host: steps 30 times a second, and connects anew a quarter of a
     // second after a connection has failed.
     void drive(std::int64_t for_ns) {
@@ -181,17 +183,19 @@ template <class Kind> class Soak {
         // one follows soon.
         if (b_.time.now_ns - clean_ns_ > 200 * ms && std::fabs(output.forward) > Kind::most_m_s)
             fail("the robot is told what it cannot do");
-        if (b_.state == FROB_ROBOT_READY || !moves) {
+        const std::int64_t sensed_ns = Kind::driver().sensed_ns(&b_.device);
+        const bool fresh = sensed_ns != INT64_MIN && b_.time.now_ns - sensed_ns <= patience_ns + 40 * ms;
+        if ((b_.state == FROB_ROBOT_READY && fresh) || !moves) {
             unwanted_ns_ = 0;
             return;
         }
         if (unwanted_ns_ == 0) unwanted_ns_ = b_.time.now_ns;
         const double unwanted_s = static_cast<double>(b_.time.now_ns - unwanted_ns_) * 1e-9;
         result_.longest_unwanted_s = std::max(result_.longest_unwanted_s, unwanted_s);
-        // Stops are repeated ten times a second, and a failed connection is made
-        // anew after a quarter of a second; but a robot that waits for the rest
-        // of what garbage announced does not hear them until its watchdog ends it.
-        if (b_.time.now_ns - std::max(clean_ns_, unwanted_ns_) > Kind::hearing_ms * ms)
+        // A robot that waits for the rest of what garbage announced does not hear
+        // stops until its watchdog ends that; one that hears is stopped at once.
+        const std::int64_t hearing_ns = b_.time.now_ns - clean_ns_ - Kind::hearing_ms * ms;
+        if (hearing_ns > 0 && b_.time.now_ns - unwanted_ns_ > std::min(hearing_ns, 120 * ms))
             fail("the robot moves though readings are stale");
         if (Kind::watchdog_s > 0 && unwanted_s > Kind::watchdog_s + 3.5)
             fail("the robot's watchdog does not stop it");

@@ -85,6 +85,23 @@ static void libcreate() {
     check(robot.right_mm_s() == 500 && robot.left_mm_s() == -500, "libcreate: drive PWM");
 }
 
+// pyroombaadapter 0.3.0: packets one by one, and DRIVE instead of wheels.
+static void pyroombaadapter() {
+    CreateWire robot;
+    frob_create_input body{};
+    body.battery = 16;
+    robot.sense(body, 0);
+    ask(robot, {173});
+    ask(robot, {128});
+    ask(robot, {131});
+    check(ask(robot, {142, 35}) == Bytes{2}, "pyroombaadapter: the mode alone");
+    check(ask(robot, {142, 22}) == (Bytes{0x3E, 0x80}), "pyroombaadapter: the voltage alone, high byte first");
+    check(ask(robot, {149, 2, 43, 35}) == (Bytes{0, 0, 2}), "pyroombaadapter: a list of packets");
+    ask(robot, {137, 0, 58, 0, 1});
+    check(robot.left_mm_s() == -58 && robot.right_mm_s() == 58,
+          "pyroombaadapter: turn counter-clockwise in place");
+}
+
 static void create_in_safe_mode() {
     CreateWire robot;
     frob_create_input body{};
@@ -190,6 +207,7 @@ static void scout_moves() {
 int main() {
     pycreate2();
     libcreate();
+    pyroombaadapter();
     create_in_safe_mode();
     scout_programs();
     scout_moves();

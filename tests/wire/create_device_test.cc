@@ -141,6 +141,29 @@ static void lights_and_tones() {
           "create: tones out of range are brought into it");
 }
 
+static void counts_out_of_reach_are_refused() {
+    frob_create_odometry o{};
+    std::int64_t now_ns = second;
+    bool taken = frob_create_odometry_add(&o, 65500, 100, now_ns, 0.235);
+    for (int i = 1; i <= 100; ++i) {
+        now_ns += 15 * ms;
+        taken = taken && frob_create_odometry_add(&o, static_cast<std::uint16_t>(65500 + 10 * i),
+                                                  static_cast<std::uint16_t>(100 + 10 * i), now_ns, 0.235);
+    }
+    check(taken, "create: counts that wrap are taken");
+    check_near(o.x_m, 1000 * FROB_CREATE_METRES_PER_COUNT, 1e-9, "create: a thousand counts are 0.44 m");
+    check_near(o.left_m_s, 10 * FROB_CREATE_METRES_PER_COUNT / 0.015, 0.01, "create: speed from counts");
+    const double before = o.x_m;
+    check(!frob_create_odometry_add(&o, 30000, 1100, now_ns + 15 * ms, 0.235) && o.x_m == before,
+          "create: counts out of reach are refused");
+    check(frob_create_odometry_add(&o, 974, 1110, now_ns + 30 * ms, 0.235) && o.x_m > before,
+          "create: and the next good ones are taken");
+    const double there = o.x_m;
+    for (int i = 1; i <= 5; ++i)
+        taken = frob_create_odometry_add(&o, 0, static_cast<std::uint16_t>(20000 + i), now_ns + 100 * ms, 0.235);
+    check(taken && std::fabs(o.x_m - there) < 0.01, "create: a robot that counts anew keeps its place");
+}
+
 static void keeps_its_place_when_connected_again() {
     CreateBench b;
     b.start();
@@ -163,6 +186,7 @@ int main() {
     stops_when_frames_stay_away();
     a_lost_byte_is_felt_once();
     lights_and_tones();
+    counts_out_of_reach_are_refused();
     keeps_its_place_when_connected_again();
     return check_status();
 }

@@ -86,6 +86,29 @@ static void watchdog_ends_what_is_forgotten() {
     check(b.wire.left() == 0, "scout: the robot's watchdog ends a motion that the host forgot");
 }
 
+static void places_out_of_reach_are_refused() {
+    frob_scout_odometry o{};
+    frob_scout_state state{};
+    std::int64_t now_ns = second;
+    bool taken = true;
+    state.heading = 900; // the counters' axes are turned a quarter
+    for (int i = 0; i <= 50; ++i, now_ns += 50 * ms) {
+        state.y = (32760 + 10 * i) & 0x7FFF; // 200 a second, over the counter's end
+        taken = taken && frob_scout_odometry_add(&o, &state, now_ns);
+    }
+    check(taken, "scout: places that wrap are taken");
+    check_near(o.place.x_m, 500 * 0.00254, 1e-9, "scout: ahead, whatever the counters' axes are");
+    check_near(o.place.y_m, 0, 1e-9, "scout: and nothing aside");
+    check_near(o.forward_m_s, 200 * 0.00254, 0.02, "scout: speed from places");
+    frob_scout_state damaged = state;
+    damaged.x = 5000;
+    check(!frob_scout_odometry_add(&o, &damaged, now_ns), "scout: places out of reach are refused");
+    check(frob_scout_odometry_add(&o, &state, now_ns + 50 * ms), "scout: and the next good one is taken");
+    for (int i = 1; i <= 5; ++i) taken = frob_scout_odometry_add(&o, &damaged, now_ns + 100 * ms);
+    check(taken, "scout: a robot that counts anew is believed in the end");
+    check_near(o.place.x_m, 500 * 0.00254, 1e-9, "scout: and keeps its place");
+}
+
 static void keeps_its_place_when_connected_again() {
     ScoutBench b;
     b.body.odometry.heading = b.true_heading = 2.0;
@@ -107,6 +130,7 @@ int main() {
     senses();
     stops_when_states_stay_away();
     watchdog_ends_what_is_forgotten();
+    places_out_of_reach_are_refused();
     keeps_its_place_when_connected_again();
     return check_status();
 }

@@ -8,6 +8,8 @@
 #define UNIT_M 0.00254 /* 0.1 inch */
 #define MOST_M_S 1.0   /* of a wheel: 393 units in CARMEN's scoutlib */
 #define SILENCE_NS INT64_C(1000000000)
+#define UNHEARD_NS INT64_C(150000000)
+#define LONGEST_PACKET 259 /* bytes: a length of 255 */
 #define FORGOTTEN_NS INT64_C(500000000)
 #define MOST_REFUSALS 3
 
@@ -34,6 +36,17 @@ static enum frob_status send_velocity(struct frob_scout *d)
     return send(d, frob_scout_velocities(d->first, d->second));
 }
 
+/* ST holds the position. It does not wait for an answer to come. */
+static enum frob_status send_stop(struct frob_scout *d)
+{
+    static const uint8_t zeros[LONGEST_PACKET] = { 0 };
+    enum frob_status status = send(d, frob_scout_plain(FROB_SCOUT_ST));
+    if (status != FROB_OK || d->sent_ns - d->heard_ns < UNHEARD_NS)
+        return status;
+    status = d->serial.operations->write(d->serial.port, zeros, (size_t)d->settings[FROB_SCOUT_FLUSH]);
+    return status == FROB_LOST ? status : send(d, frob_scout_plain(FROB_SCOUT_ST));
+}
+
 /* When the state is asked for, if no velocity comes: never while the robot
  * moves and the host has forgotten it, so that the robot's watchdog ends it. */
 static int64_t ask_ns(const struct frob_scout *d)
@@ -48,7 +61,7 @@ static enum frob_status send_next(struct frob_scout *d, int64_t now_ns)
 {
     switch (d->step) {
     case FROB_SCOUT_STOPPING:
-        return send(d, frob_scout_plain(FROB_SCOUT_ST));
+        return send_stop(d);
     case FROB_SCOUT_WATCHDOG:
         return send(d, frob_scout_watchdog((unsigned)d->settings[FROB_SCOUT_WATCHDOG_S]));
     case FROB_SCOUT_ACCELERATION:
@@ -224,14 +237,13 @@ static enum frob_status command(void *device, const void *from)
     return d->awaited == 0 ? send_velocity(d) : FROB_OK;
 }
 
-/* ST holds the position. It does not wait for an answer to come. */
 static enum frob_status stop(void *device)
 {
     struct frob_scout *d = (struct frob_scout *)device;
     d->velocity_waits = false;
     d->first = d->second = 0;
     d->commanded_ns = frob_now_ns(&d->clock);
-    return send(d, frob_scout_plain(FROB_SCOUT_ST));
+    return send_stop(d);
 }
 
 static void close(void *device)
@@ -265,6 +277,7 @@ static const struct frob_setting settings_table[FROB_SCOUT_SETTING_COUNT] = {
     { "sonar-period", 40, 4, 1020, "between two transducers' turns, ms" },
     { "poll-period", 0.05, 0.01, 1, "between two states, s" },
     { "patience", 0.1, 0.02, 1, "until a command without answer is given up, s" },
+    { "flush", LONGEST_PACKET, 0, LONGEST_PACKET, "zeros before a stop of a robot that is not heard" },
 };
 
 static const size_t drives[] = { offsetof(struct frob_scout_output, forward),

@@ -6,6 +6,10 @@
  * at the start. Any command feeds it, the question for the state too: so a
  * robot that was told to move is asked only while the host goes on telling it.
  *
+ * Noise can begin a packet of up to 259 bytes, whose end the robot awaits before
+ * it hears anything else. So a stop that comes because the robot is not heard
+ * is sent again behind as many zeros.
+ *
  * What sources disagree on is in the table of settings. */
 #ifndef FROB_DRIVERS_SCOUT_SCOUT_H
 #define FROB_DRIVERS_SCOUT_SCOUT_H
@@ -33,6 +37,7 @@ enum frob_scout_setting {
     FROB_SCOUT_SONAR_MS,
     FROB_SCOUT_POLL_S,
     FROB_SCOUT_PATIENCE_S,
+    FROB_SCOUT_FLUSH,
     FROB_SCOUT_SETTING_COUNT
 };
 
