@@ -1,0 +1,39 @@
+A robot's program calls C as any other does, in the simulator and in the executable for
+the robot; what it shares with the robot's header has that header's types.
+
+  $ cat > slow.h <<'EOF'
+  > struct slow_state { int steps; };
+  > EOF
+  $ cat > drive.frob <<'EOF'
+  > import Robot
+  > import Geometry
+  > 
+  > foreign steer :: Distance -> Maybe Distance -> AngularVelocity = "steer"
+  > foreign sf slow :: SF Pose Velocity = "slow"
+  > foreign include "slow.h"
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR v w) where
+  >     v = slow (robotPose i)
+  >     f = frontSonar i
+  >     w = steer f (if f > 1[m] then Just f else Nothing))
+  > EOF
+  $ cat > slow.c <<'EOF'
+  > #include "drive.h"
+  > double steer(double a, const struct frob_maybe_float *b) {
+  >     return b->tag == FROB_MAYBE_FLOAT_JUST ? 0.1 * b->f0 : -0.1 * a;
+  > }
+  > void slow_reset(struct slow_state *self) { self->steps = 0; }
+  > void slow_step(struct slow_state *self, double dt, const struct slow_input *in, struct slow_output *out) {
+  >     out->value = in->position.x < 0.2 || ++self->steps < 10 ? 0.2 : 0.0 * dt;
+  > }
+  > EOF
+  $ frobc run drive.frob --robot pioneer --with slow.c --for 4s | grep -v 'per second'
+  time simulated: 4.000 s
+  distance driven: 0.308 m
+  odometry error at the end: 0.000 m
+  collisions: 0
+  $ frobc build drive.frob --robot pioneer --with slow.c -o drive && test -x drive
+  $ frobc compile drive.frob --robot pioneer
+  $ grep -c 'struct frob_vec2 {' drive.h
+  0
+  [1]
