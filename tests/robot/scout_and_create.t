@@ -71,3 +71,26 @@ its line; and a Scout, which has one, in any case.
   >   until_true 'tail -n 3 told | grep -q "ST$\|DRIVE_DIRECT 0 0"'
   >   end_robot
   > done
+
+Their cable is pulled and plugged in again: the run goes on, with zero first. The
+Create drives on meanwhile; the Scout's watchdog stops it after a second.
+
+  $ for kind in scout create; do
+  >   start_robot
+  >   frobc build forward.frob --robot $kind -o forward
+  >   ./forward --device ./line --for 60 --progress > summary 2> messages &
+  >   run=$!
+  >   until_true 'grep -q "VM 118 118\|DRIVE_DIRECT 300 300" told'
+  >   kill -USR1 $robot; until_true 'grep -q lost messages'
+  >   [ $kind = create ] || until_true 'grep -q watchdog told'
+  >   mark; kill -USR2 $robot; until_true '[ -e line ]'
+  >   until_true 'told "VM 118 118\|DRIVE_DIRECT 300 300"'
+  >   tail -n +$((marked + 1)) told | awk '{ sub(/^[0-9.]* /, "") } /^(VM|ST$|DRIVE)/ { print; exit }'
+  >   kill -INT $run; wait $run
+  >   grep connections summary
+  >   end_robot
+  > done
+  ST
+  connections: 2
+  DRIVE_DIRECT 0 0
+  connections: 2
