@@ -187,7 +187,7 @@ let built general kind ~entry ~sources ~linked file continue =
       let name = Pipeline.c_name file in
       let* host_table = host_table ~entry files in
       let foreign =
-        if files.foreign.calls = [] && sources = [] then None
+        if files.foreign.folders = [] && files.foreign.calls = [] && sources = [] then None
         else Some { Toolchain.sources; folders = files.foreign.folders }
       in
       let* program =

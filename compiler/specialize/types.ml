@@ -72,11 +72,17 @@ let data_key (tycon : Ir.Global.t) = (tycon.module_, tycon.name)
 let table (program : Ir.program) =
   let by_name = Hashtbl.create 64 and foreign = Hashtbl.create 8 in
   List.iter (fun (d : Ir.data) -> Hashtbl.replace by_name (data_key d.tycon) d) program.data;
+  (* Of two with one name, each has its module's in front. *)
+  let shared name =
+    let has_name (t : Ir.foreign_type) = String.equal t.foreign_type.name name in
+    List.length (List.filter has_name program.foreign.types) > 1
+  in
   List.iter
     (fun (t : Ir.foreign_type) ->
       let { Ir.foreign_type = tycon; c_type; copyable } = t in
+      let name = if shared tycon.name then tycon.module_ ^ "." ^ tycon.name else tycon.name in
       Hashtbl.replace foreign (data_key tycon)
-        { Flow.Ir.foreign_name = tycon.name; c_type; copyable })
+        { Flow.Ir.foreign_name = name; c_type; copyable })
     program.foreign.types;
   { foreign; data = by_name; layouts = Types.create 64; sums = []; sum_count = 0 }
 
