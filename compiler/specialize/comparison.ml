@@ -10,7 +10,12 @@ type position = {
 }
 
 let define p target rhs = Node.define p.node target ~span:p.span Bool rhs
-let operate p target operator atoms = define p target (Op (operator, atoms))
+(* Of constants it is known at once: what depends on it is then chosen here. *)
+let operate p target operator atoms =
+  match Flow.Fold.operation operator atoms with
+  | Some known -> known
+  | None -> define p target (Op (operator, atoms))
+
 
 let not_ p target (a : Ir.atom) : Ir.atom =
   match a with

@@ -18,7 +18,10 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   in
   let define target rhs = Node.define p.node target ~span:p.span leaf rhs in
   let operate operator : Value.t =
-    Atom (define target (Op (operator, List.map atom arguments)))
+    let arguments = List.map atom arguments in
+    match Flow.Fold.operation operator arguments with
+    | Some known -> Value.Atom known
+    | None -> Atom (define target (Op (operator, arguments)))
   in
   let one : Ir.atom = match leaf with Int -> Int 1l | Bool | Float | Sum _ | Array _ | Foreign _ -> Float 1. in
   let times target a b = define target (Op (Multiply, [ a; b ])) in

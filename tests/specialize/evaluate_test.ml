@@ -66,27 +66,27 @@ signal function main (i : Float)
 
 (* The ids of variables without a name are negative. *)
 let functions_are_no_definitions () =
-  let constant, constant' = define "constant" (number 1. + number 2.) in
-  let ignored = local (-1) "" float in
-  let function_ = lambda [ ignored ] (number 3. * number 4.) in
+  let z = local 30 "z" float and unnamed = local (-1) "" float in
+  let definition, definition' = define "twice" (lambda [ z ] (var z + var z)) in
+  let function_ = lambda [ unnamed ] (var unnamed * var unnamed) in
   let body =
     proc "main" i
-      [ x := global constant' []; y := apply function_ [ var i ] ]
+      [ x := apply (global definition' []) [ var i ]; y := apply function_ [ var i ] ]
       (tuple [ var x; var y ])
   in
   check
-    {|function constant ()
-  _1 : Float = 1.0 + 2.0
+    {|function twice (z : Float)
+  _1 : Float = z + z
   -> (out = _1)
-function main_2 ()
-  _1 : Float = 3.0 * 4.0
-  -> (out = _1)
+function main_2 (_1 : Float)
+  _2 : Float = _1 * _1
+  -> (out = _2)
 signal function main (i : Float)
-  (x : Float) = constant as constant()
-  (y : Float) = main_2 as main()
+  (x : Float) = twice as twice(i)
+  (y : Float) = main_2 as main(i)
   -> (out.1 = x, out.2 = y)
 |}
-    [ constant; fst (define "main" body) ]
+    [ definition; fst (define "main" body) ]
 
 (* (>>>) f g = proc x -> g (f x), at a, b, c *)
 let compose =

@@ -1,0 +1,27 @@
+Repetitions stand within repetitions. An inner one that has something to do takes
+time, so the outer one does not go round in no time: how often it runs is known
+where it is a literal, and an array has at least one element.
+
+  $ . ./trace.sh
+  $ cat > rounds.frob <<'FROB'
+  > main :: SF Float (Either Float Int)
+  > main = runTask (do
+  >     repeatT 2 (repeatT 3 (sleepT 0.5[s] 1))
+  >     forEachT [[1, 2], [3, 4]] (\row -> forEachT row (\y -> sleepT 0.5[s] y))
+  >     return 7)
+  > FROB
+  $ yes 0 | head -12 | rows in | trace rounds | cut -d, -f2 | xargs
+  out Left 1 Left 1 Left 1 Left 1 Left 1 Left 1 Left 1 Left 2 Left 3 Left 4 Right 7 Right 7
+
+One that may have nothing to do is refused:
+
+  $ cat > maybe.frob <<'FROB'
+  > pause :: Int -> Task Float Float ()
+  > pause n = repeatT n (sleepT 0.5[s] (toFloat n))
+  > 
+  > main :: SF Float (Either Float ())
+  > main = runTask (repeatT 2 (forEachT [0, 1] pause))
+  > FROB
+  $ frobc check maybe.frob 2>&1 | head -2
+  error[E0402]: these tasks may follow each other for ever in no time
+     --> maybe.frob:5:28
