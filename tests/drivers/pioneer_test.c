@@ -19,7 +19,7 @@ static struct {
     const char *names; /* the answer to SYNC2 after its type */
     size_t names_length;
     uint32_t rate;     /* that it listens and talks at */
-    bool in_session, open, heeds_hostbaud, silent, motors;
+    bool in_session, open, heeds_hostbaud, keeps_rate, silent, motors;
     uint8_t expected_sync;
     int enables_lost;  /* so many are lost on their way */
     uint8_t commands[LOG_ROOM];
@@ -104,6 +104,8 @@ static void take(const struct frob_p2os_packet *packet)
         }
     } else if (number == FROB_P2OS_CLOSE) {
         other.in_session = other.open = other.motors = false;
+        if (!other.keeps_rate)
+            other.rate = 9600;
     } else if (number == FROB_P2OS_OPEN) {
         other.open = true;
     } else if (number == FROB_P2OS_ENABLE) {
@@ -287,6 +289,15 @@ static void sessions(void)
         else if (other.commands[zero] == FROB_P2OS_VEL)
             all = all && other.arguments[zero] == 0;
     }
+    start();
+    connect_again();
+    run(1000);
+    run_commanding(500, 0.3, 0.0);
+    connect_again();
+    check(run(800) == FROB_ROBOT_READY, "a robot that is still in its session is back in 0.8 s");
+    other.keeps_rate = true;
+    connect_again();
+    check(run(2500) == FROB_ROBOT_READY, "in 2.5 s if it keeps the session's rate");
     start();
     other.names = "x\0Pioneer\0p9zz";
     other.names_length = 15;

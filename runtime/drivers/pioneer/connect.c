@@ -135,7 +135,7 @@ static enum frob_status identified(struct frob_pioneer *d)
     d->model.has_flags = chosen(d, FROB_PIONEER_MOTORS_FLAG, (double)model->has_flags) != 0.0;
     if (d->switch_failed)
         d->model.switch_rate = 0;
-    d->good_rate = d->rate;
+    d->good_rate = d->sync_rate = d->rate;
     d->phase = FROB_PIONEER_OPENING;
     d->step = 0;
     d->until_ns = frob_now_ns(&d->clock);
@@ -321,6 +321,20 @@ static enum frob_status ask_config(struct frob_pioneer *d)
     return frob_pioneer_send(d, FROB_P2OS_CONFIG);
 }
 
+/* A robot whose session has ended is back at the rate at which it shook hands,
+ * if that is known. One that is not is found as at first, a little later. */
+static enum frob_status sync_after_close(struct frob_pioneer *d)
+{
+    enum frob_status status = FROB_OK;
+    if (d->sync_rate != 0 && d->sync_rate != d->rate)
+        status = set_rate(d, d->sync_rate);
+    if (status == FROB_OK)
+        status = d->serial.operations->discard(d->serial.port);
+    d->receiver.start = d->receiver.end = 0;
+    d->attempt = 1;
+    return status == FROB_OK ? send_sync(d, 0) : status;
+}
+
 enum frob_status frob_pioneer_connect_advance(struct frob_pioneer *d)
 {
     int64_t now = frob_now_ns(&d->clock);
@@ -331,12 +345,7 @@ enum frob_status frob_pioneer_connect_advance(struct frob_pioneer *d)
         status = due ? sync_again(d) : FROB_OK;
         break;
     case FROB_PIONEER_CLOSING:
-        if (due) {
-            d->serial.operations->discard(d->serial.port);
-            d->receiver.start = d->receiver.end = 0;
-            d->attempt = 1;
-            status = send_sync(d, 0);
-        }
+        status = due ? sync_after_close(d) : FROB_OK;
         break;
     case FROB_PIONEER_OPENING:
         status = due ? open_step(d) : FROB_OK;

@@ -82,6 +82,7 @@ struct frob_pioneer {
     int64_t until_ns;     /* when the phase loses patience, or sends its next */
     uint32_t rate;        /* of the line now */
     uint32_t good_rate;   /* at which a robot has answered; 0: not known */
+    uint32_t sync_rate;   /* at which it has shaken hands; 0: not known */
     bool switch_failed;   /* at the switched rate nothing was heard */
 
     struct frob_p2os_identity identity;
