@@ -9,8 +9,8 @@ let simplify program =
    makes equal what looked different; dead code last, for what all of them
    leave behind. *)
 let tidy program =
-  program |> Specific.program |> simplify |> Share.program |> Twins.program |> Unreachable.program
-  |> Dead.program
+  program |> Specific.program |> simplify |> Share.program |> Twins.program
+  |> Twin_parameters.program |> Unreachable.program |> Dead.program
 
 let program program =
   (* Before inlining, so that sizes are those of the work that remains, and
