@@ -250,6 +250,7 @@ type run = {
   picture : string option;
   strict : bool;
   exit_when_done : bool;
+  console : bool;
 }
 
 let world_of run (resources : Resources.t) file =
@@ -285,6 +286,7 @@ let run general ~entry ~sources run file =
       @ option "--record" run.record
       @ option "--picture" run.picture
       @ flag "--exit-when-done" run.exit_when_done
+      @ flag "--console" run.console
       @ flag "--strict" run.strict)
 
 (* {1 Explaining} *)

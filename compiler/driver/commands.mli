@@ -40,6 +40,7 @@ type run = {
   picture : string option;
   strict : bool;
   exit_when_done : bool;  (** end when the program has ended *)
+  console : bool;  (** keys typed on standard input are the program's *)
 }
 
 (** [sources]: the user's C files for a program that calls them. *)

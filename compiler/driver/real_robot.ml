@@ -46,6 +46,7 @@ type run = {
   priority : int option;
   lock_memory : bool;
   exit_when_done : bool;
+  console : bool;
 }
 
 let executable general target ~entry ~sources file continue =
@@ -70,7 +71,8 @@ let run general ~entry ~sources ~simulated run file =
         @ List.concat_map (fun setting -> [ "--set"; setting ]) run.settings
         @ option "--priority" (Option.map string_of_int run.priority)
         @ flag "--lock-memory" run.lock_memory
-        @ flag "--exit-when-done" run.exit_when_done))
+        @ flag "--exit-when-done" run.exit_when_done
+        @ flag "--console" run.console))
 
 let read path =
   let channel = open_in_bin path in

@@ -25,6 +25,7 @@ type run = {
   priority : int option;
   lock_memory : bool;
   exit_when_done : bool;  (** when the program's task has ended *)
+  console : bool;
 }
 
 val run :

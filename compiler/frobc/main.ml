@@ -198,6 +198,10 @@ let run =
       & info [ "exit-when-done" ]
           ~doc:"End when the program's task has ended, and not after the time that is set.")
   in
+  let console =
+    let doc = "Give the keys that are typed to the program, one at each instant." in
+    Arg.(value & flag & info [ "console" ] ~doc)
+  in
   let device =
     some_string [ "device" ] ~docv:"DEV"
       ~doc:
@@ -229,21 +233,21 @@ let run =
     Arg.(value & flag & info [ "lock-memory" ] ~doc)
   in
   let on_robot device duration rate record patience reconnect settings priority lock_memory
-      exit_when_done =
+      exit_when_done console =
     Option.map
       (fun device ->
         {
           Driver.Real_robot.device; duration; rate; record; patience; reconnect; settings;
-          priority; lock_memory; exit_when_done;
+          priority; lock_memory; exit_when_done; console;
         })
       device
   in
   let on_robot =
     Term.(
       const on_robot $ device $ duration $ rate $ record $ patience $ reconnect $ settings
-      $ priority $ lock_memory $ exit_when_done)
+      $ priority $ lock_memory $ exit_when_done $ console)
   in
-  let make general entry sources on_robot world duration rate seed realtime record picture strict exit_when_done file =
+  let make general entry sources on_robot world duration rate seed realtime record picture strict exit_when_done console file =
     match on_robot with
     | Some run ->
         let given name = Option.map (fun _ -> name) in
@@ -252,13 +256,13 @@ let run =
     | None ->
         let duration = Option.value duration ~default:60. in
         Commands.run general ~entry ~sources
-          { Commands.world; duration; rate; seed; realtime; record; picture; strict; exit_when_done }
+          { Commands.world; duration; rate; seed; realtime; record; picture; strict; exit_when_done; console }
           file
   in
   command "run" ~doc:"run a robot program in the simulator, or on a robot"
     Term.(
       const make $ general $ entry $ sources $ on_robot $ world $ duration $ rate $ seed $ realtime $ record
-      $ picture $ strict $ exit_when_done $ file)
+      $ picture $ strict $ exit_when_done $ console $ file)
 
 let build =
   let output =

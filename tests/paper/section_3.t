@@ -78,9 +78,9 @@ metres, so it drives, and turns towards the wall that it does not see. The speed
 is what the equations say.
 
   $ columns='odometry.position.x odometry.position.y odometry.heading leftWheel rightWheel'
-  $ columns="$columns $(seq -f 'sonar[%g]' 0 15) frontBumper rearBumper leftStall rightStall battery motorsOn"
+  $ columns="$columns $(seq -f 'sonar[%g]' 0 15) frontBumper rearBumper leftStall rightStall battery motorsOn key"
   $ { echo time $columns | sed 's/ /,in./g'
-  >   for t in 0 0.1 0.2; do echo "$t,0,0,0,0.1,0.1,,,,,,,,,,,,,,,,,false,false,false,false,12,true"; done
+  >   for t in 0 0.1 0.2; do echo "$t,0,0,0,0.1,0.1,,,,,,,,,,,,,,,,,false,false,false,false,12,true,"; done
   > } > still.csv
   $ trace wall_follow_1 < still.csv
   time,out.forward,out.turn

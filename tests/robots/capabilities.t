@@ -11,7 +11,7 @@ only what is not 0, false, or no event.
   >   for row in "$@"; do
   >     echo "$row" | tr ' ' '\n' > said
   >     awk -F= 'FILENAME == "said" { value[$1] = $2; next }
-  >       { v = $0 in value ? value[$0] : $0 == "time" ? 0 : /sonar/ ? "" : /umper|Stall|motorsOn|bump|Drop|cliffs|virtualWall|Overcurrent|Button|charging|obeying|emergencyStop/ ? "false" : 0
+  >       { v = $0 in value ? value[$0] : $0 == "time" ? 0 : /sonar|key/ ? "" : /umper|Stall|motorsOn|bump|Drop|cliffs|virtualWall|Overcurrent|Button|charging|obeying|emergencyStop/ ? "false" : 0
   >         printf "%s%s", (FNR > 1 ? "," : ""), v } END { print "" }' said columns >> in.csv
   >   done
   >   frobc trace --lint $program --robot $robot --input in.csv > compiled.csv

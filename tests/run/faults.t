@@ -24,7 +24,7 @@ A command that is not a number is rest: of a robot that drives, it stops it.
   > EOF
   $ frobc run dead_sensor.frob --for 20s --strict --record log.csv | grep collisions
   collisions: 0
-  $ tail -1 log.csv | cut -d, -f5,6,29,30
+  $ tail -1 log.csv | cut -d, -f5,6,30,31
   0,0,nan,0
 
 A world file that cannot be read or used is wrong use, and every mistake in it has

@@ -18,6 +18,7 @@ static const char usage[] =
     "  --set NAME=VALUE   change a setting of the driver, see below\n"
     "  --priority N       run with real-time priority N, 1 to 99\n"
     "  --lock-memory      keep all memory from being swapped out\n"
+    "  --console          the program reads the keys that are typed, one each instant\n"
     "  --exit-when-done   end when the program's task has ended\n"
     "  --progress         tell about connections even where it is not a terminal\n"
     "\n"
@@ -129,6 +130,8 @@ enum options_result read_options(int argc, char **argv, const char *name,
         }
         if (strcmp(argv[i], "--lock-memory") == 0) {
             o->lock_memory = true;
+        } else if (strcmp(argv[i], "--console") == 0) {
+            o->console = true;
         } else if (strcmp(argv[i], "--exit-when-done") == 0) {
             o->exit_when_done = true;
         } else if (strcmp(argv[i], "--progress") == 0) {

@@ -18,6 +18,7 @@ struct options {
     const char *record;   /* CSV; NULL: none */
     int priority;         /* real-time, 1 to 99; 0: none */
     bool lock_memory;
+    bool console;         /* keys typed on standard input are the program's */
     bool exit_when_done;  /* when the program's task has ended */
     bool progress;        /* tell also where it is no terminal */
     double settings[SETTINGS_MOST]; /* of the driver, in its order */

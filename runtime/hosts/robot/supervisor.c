@@ -10,6 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../common/console.h"
 #include "../common/record.h"
 #include "controller.h"
 #include "core/robot.h"
@@ -17,6 +18,7 @@
 #include "hal/posix/clock.h"
 #include "line.h"
 #include "realtime.h"
+#include <frob/console.h>
 #include <frob/result.h>
 
 enum { DONE = 0, WRONG_USE = 2, FAULT = 4 };
@@ -44,6 +46,7 @@ struct supervisor {
     struct guard guard;
     struct controller controller;
     struct record record;
+    struct console console;
     sigset_t waiting_mask; /* signals come only while waiting */
     bool tells;
 
@@ -238,6 +241,7 @@ static void next_instant(struct supervisor *s)
     before = s->instant_ns;
     s->instant_ns = now - s->first_ns;
     frob_robot_sense(&s->robot, s->input);
+    frob_console_key(s->program, s->input, console_key(&s->console));
     s->stepping = true;
     s->late = false;
     if (!controller_ask(&s->controller, (double)(s->instant_ns - before) / 1e9, s->input))
@@ -406,7 +410,10 @@ int supervise(const struct frob_program *program, const struct frob_driver *driv
     if (set_up(&s)) {
         realtime_apply(options, REALTIME_SUPERVISOR);
         begin_session(&s);
+        if (options->console)
+            console_open(&s.console);
         run(&s);
+        console_close(&s.console);
         say_farewell(&s);
         print_summary(&s);
         if (s.status != DONE)

@@ -4,10 +4,12 @@
  * use, an unreadable file, or a program for another robot; 4 with --strict if
  * the robot ran into something. An interrupt ends the run early, and the
  * summary and the picture are of what has been run. */
+#include "../common/console.h"
 #include "../common/load.h"
 #include "options.h"
 #include "../common/record.h"
 
+#include <frob/console.h>
 #include <frob/result.h>
 #include <sim.h>
 
@@ -101,6 +103,7 @@ static struct frob_sim *open_world(const struct options *options,
 struct run {
     void *input;
     void *output;
+    struct console console;
     bool ended;
     int64_t ended_ns;
 };
@@ -124,6 +127,7 @@ static bool run(const struct options *options, const struct frob_program *progra
             sleep_until(started_ns + now_ns);
         frob_sim_advance(sim, now_ns);
         frob_sim_read(sim, r->input);
+        frob_console_key(program, r->input, console_key(&r->console));
         memset(r->output, 0, program->output_size);
         program->step(state, (double)(now_ns - before_ns) / 1e9, r->input, r->output);
         frob_sim_command(sim, now_ns, r->output);
@@ -196,6 +200,7 @@ static int simulate(const struct options *options, const struct frob_program *pr
     struct run r;
     r.input = calloc(1, program->input_size);
     r.output = calloc(1, program->output_size);
+    memset(&r.console, 0, sizeof r.console);
     r.ended = false;
     r.ended_ns = 0;
     if (state == NULL || r.input == NULL || r.output == NULL) {
@@ -205,8 +210,11 @@ static int simulate(const struct options *options, const struct frob_program *pr
     if (!record_open(&record, program, options->record))
         status = WRONG_USE;
     started_ns = clock_ns();
+    if (options->console)
+        console_open(&r.console);
     if (status == DONE && !run(options, program, state, &r, sim, &record))
         status = WRONG_USE;
+    console_close(&r.console);
     wall_s = (double)(clock_ns() - started_ns) * 1e-9;
     if (!record_close(&record))
         status = WRONG_USE;

@@ -16,6 +16,7 @@ const char usage[] =
     "  --realtime         as fast as the clock, not as fast as possible\n"
     "  --record FILE.csv  write what the program read and commanded\n"
     "  --picture FILE     draw the run, as .svg or .png\n"
+    "  --console          the program reads the keys that are typed, one each instant\n"
     "  --exit-when-done   end when the program has ended, not after the time that is set\n"
     "  --strict           exit with status 4 if the robot ran into something\n"
     "  --progress         show progress even where it is not a terminal\n"
@@ -58,6 +59,8 @@ static bool *flag(struct options *o, const char *name)
         return &o->strict;
     if (strcmp(name, "--progress") == 0)
         return &o->progress;
+    if (strcmp(name, "--console") == 0)
+        return &o->console;
     if (strcmp(name, "--exit-when-done") == 0)
         return &o->exit_when_done;
     return NULL;

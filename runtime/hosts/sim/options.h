@@ -13,6 +13,7 @@ struct options {
     uint64_t seed;
     double wall_distance_m;    /* 0: as the world file says */
     bool realtime, strict, progress;
+    bool console;              /* keys typed on standard input are the program's */
     bool exit_when_done;       /* end the run when the program has ended */
     const char *record;        /* CSV; NULL: none */
     const char *picture;       /* NULL: none */

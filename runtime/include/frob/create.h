@@ -6,6 +6,27 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#ifndef FROB_HAS_EVENT_INT_NO_EVENT
+#define FROB_HAS_EVENT_INT_NO_EVENT
+
+/* Event Int */
+enum {
+    FROB_EVENT_INT_NO_EVENT,
+    FROB_EVENT_INT_EVENT
+};
+
+#endif
+
+#ifndef FROB_HAS_EVENT_INT
+#define FROB_HAS_EVENT_INT
+
+struct frob_event_int {
+    uint8_t tag;
+    int32_t i0;
+};
+
+#endif
+
 #ifndef FROB_HAS_EVENT_TONE_NO_EVENT
 #define FROB_HAS_EVENT_TONE_NO_EVENT
 
@@ -67,6 +88,7 @@ struct frob_create_input {
     double charge;
     bool charging;
     bool obeying;
+    struct frob_event_int key;
 };
 
 struct frob_create_output {

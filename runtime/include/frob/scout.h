@@ -27,6 +27,27 @@ struct frob_event_float {
 
 #endif
 
+#ifndef FROB_HAS_EVENT_INT_NO_EVENT
+#define FROB_HAS_EVENT_INT_NO_EVENT
+
+/* Event Int */
+enum {
+    FROB_EVENT_INT_NO_EVENT,
+    FROB_EVENT_INT_EVENT
+};
+
+#endif
+
+#ifndef FROB_HAS_EVENT_INT
+#define FROB_HAS_EVENT_INT
+
+struct frob_event_int {
+    uint8_t tag;
+    int32_t i0;
+};
+
+#endif
+
 #ifndef FROB_HAS_VEC2
 #define FROB_HAS_VEC2
 
@@ -56,6 +77,7 @@ struct frob_scout_input {
     double battery;
     bool charging;
     bool emergencyStop;
+    struct frob_event_int key;
 };
 
 struct frob_scout_output {
