@@ -78,9 +78,13 @@ static enum frob_status send_next(struct frob_scout *d, int64_t now_ns)
     return FROB_OK;
 }
 
-static void connect_further(struct frob_scout *d)
+/* Takes the next step of connecting if this answers the command of the present
+ * one; a stop that came between does not. */
+static void connect_further(struct frob_scout *d, uint8_t answered)
 {
-    if (d->step == FROB_SCOUT_CONNECTED)
+    static const uint8_t commands[] = { FROB_SCOUT_ST, FROB_SCOUT_CONF_TM, FROB_SCOUT_AC,
+                                        FROB_SCOUT_CONF_SN };
+    if (d->step == FROB_SCOUT_CONNECTED || answered != commands[d->step])
         return;
     d->step = (enum frob_scout_step)(d->step + 1);
     if (d->step == FROB_SCOUT_ACCELERATION && isnan(d->settings[FROB_SCOUT_ACCELERATION_M_S2]))
@@ -115,7 +119,7 @@ static void take(struct frob_scout *d, const struct frob_scout_packet *packet, i
         d->refused = true;
     d->awaited = 0;
     if (!refused)
-        connect_further(d);
+        connect_further(d, packet->type);
 }
 
 static enum frob_status read_all(struct frob_scout *d)
