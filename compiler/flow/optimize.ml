@@ -8,9 +8,21 @@ let simplify program =
 (* Literals first, as they decide choices; sharing after simplifying, which
    makes equal what looked different; dead code last, for what all of them
    leave behind. *)
-let tidy program =
+let tidy_once program =
   program |> Specific.program |> simplify |> Share.program |> Twins.program
   |> Twin_parameters.program |> Unreachable.program |> Dead.program
+
+let modes (program : Ir.program) =
+  Array.fold_left
+    (fun n (node : Ir.node) ->
+      Option.fold node.machine ~none:n ~some:(fun (m : Ir.machine) -> n + List.length m.modes))
+    0 program.nodes
+
+(* Of a machine with fewer modes more can be said: what is left may put out the
+   same literal, or get it. *)
+let rec tidy program =
+  let tidied = tidy_once program in
+  if modes tidied < modes program then tidy tidied else tidied
 
 let program program =
   (* Before inlining, so that sizes are those of the work that remains, and

@@ -1,0 +1,66 @@
+States that exclude one another share memory, and what a task needs now and again
+later is kept once.
+
+  $ . ./trace.sh
+  $ cat > lamp.frob <<'EOF'
+  > lamp :: Float -> Task Float Float ()
+  > lamp level = do
+  >     sleepT 1[s] level
+  >     mkTask (proc x -> (level * x, edge (x > level)))
+  >     sleepT 2[s] (-level)
+  > 
+  > main :: SF Float Float
+  > main = mapT abs snapT `thenSF` (\level -> runTask (forever (lamp level)) >>> arr (either id (\() -> 0)))
+  > EOF
+  $ frobc report lamp.frob | sed -n '/^state/,/^$/p' | without_lines
+  state, in bytes
+    thenSF                 40                                Prelude.frob
+      modes                32  room for one of these         Prelude.frob
+        snapT               0  mode                          lamp.frob:8
+        thenSF             32  mode                          Prelude.frob
+          state            32  thenSF                        Prelude.frob
+            modes          24  room for one of these         lamp.frob:8
+              sleepT       16  mode                          lamp.frob:3
+                level       8  parameter                     lamp.frob:3
+                state       8  sleepT                        lamp.frob:3
+                  time      8  time in ns                    Prelude.frob
+              lamp         16  mode                          lamp.frob:4
+                level       8  parameter                     lamp.frob:4
+                state       1  lamp                          lamp.frob:4
+                  delay     1  delay                         Prelude.frob
+                (padding)   7
+              sleepT       24  mode                          lamp.frob:5
+                level       8  parameter                     lamp.frob:5
+                y           8  parameter                     lamp.frob:5
+                state       8  sleepT                        lamp.frob:5
+                  time      8  time in ns                    Prelude.frob
+            mode            1  number of the mode that runs  lamp.frob:8
+            (padding)       7
+      mode                  1  number of the mode that runs  Prelude.frob
+      started               1  past the first instant        Prelude.frob
+      (padding)             6
+  
+
+A task that never ends keeps nothing about its end: this one is one number for the
+time and one for the state, as by hand.
+
+  $ cat > blink.frob <<'EOF'
+  > main :: SF () Float
+  > main = runTask (forever (do
+  >     sleepT 1[s] 1
+  >     sleepT 1[s] 0)) >>> arr (either id id)
+  > EOF
+  $ frobc compile blink.frob
+  $ sed -n '/^struct.* blink_state/,/^};/p' blink.h
+  struct FROB_OVERLAID blink_state {
+      union {
+          struct {
+              struct blink_forever_sleepT_state state; /* sleepT at blink.frob:3 */
+          } sleepT;
+          struct {
+              struct blink_forever_sleepT_2_state state; /* sleepT at blink.frob:4 */
+          } sleepT_2;
+      } modes;      /* what they keep at blink.frob:2 */
+      uint8_t mode; /* the mode that runs at blink.frob:2 */
+      bool started; /* past the first instant at Prelude.frob:240 */
+  };
