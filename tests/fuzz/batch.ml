@@ -1,4 +1,4 @@
-let size = 20
+let size = Bias.alike
 let rows = 25
 
 type failure = { number : int; recordings : Recording.t list; outcome : Engines.outcome; text : string }
@@ -36,9 +36,6 @@ let on_input_of ?seen batch (tools : Engines.tools) engines ~seed ~first ~count 
   | Agree -> None
   | Rejected _ | Failed _ | Differ _ -> Some { number = first; recordings; outcome; text }
 
-let failure ?seen tools engines ~seed ~first ~count =
-  on_input_of ?seen first tools engines ~seed ~first ~count
-
 let patience = 60.
 
 let shrunk tools engines ~seed { number; recordings; outcome; text } =
@@ -55,11 +52,23 @@ let shrunk tools engines ~seed { number; recordings; outcome; text } =
   in
   { number; recordings = small.recordings; outcome; text = small.text }
 
+(* A program that is alone is the whole: what it is made of is at the root. *)
+let is_one_by_one first = first / size mod 8 = 7
+
 let failures ?seen tools engines ~seed ~first ~count =
-  match failure ?seen tools engines ~seed ~first ~count with
-  | None -> []
-  | Some whole -> (
-      let alone i = on_input_of first tools engines ~seed ~first:(first + i) ~count:1 in
-      match List.filter_map alone (List.init count Fun.id) with
-      | [] -> [ whole ]
-      | failures -> failures)
+  let alone ?seen i = on_input_of ?seen first tools engines ~seed ~first:(first + i) ~count:1 in
+  if is_one_by_one first then List.filter_map (alone ?seen) (List.init count Fun.id)
+  else
+    match on_input_of ?seen first tools engines ~seed ~first ~count with
+    | None -> []
+    | Some whole -> (
+        match List.filter_map (fun i -> alone i) (List.init count Fun.id) with
+        | [] -> [ whole ]
+        | failures -> failures)
+
+let first_failure ?seen tools engines ~seed ~first ~count =
+  if is_one_by_one first then
+    List.find_map
+      (fun i -> on_input_of ?seen first tools engines ~seed ~first:(first + i) ~count:1)
+      (List.init count Fun.id)
+  else on_input_of ?seen first tools engines ~seed ~first ~count

@@ -17,7 +17,7 @@ val describe : seed:int -> failure -> string
 (** With the program and, if it differs, the recording: as NAME.frob and NAME.csv in
     [tests/interp] they are a test. *)
 
-val failure :
+val first_failure :
   ?seen:Coverage.t ->
   Engines.tools ->
   Engines.c_engine list ->
@@ -25,7 +25,7 @@ val failure :
   first:int ->
   count:int ->
   failure option
-(** Of the whole batch, under its first number. *)
+(** Only whether there is one: that of the whole batch, under its first number. *)
 
 val shrunk : Engines.tools -> Engines.c_engine list -> seed:int -> failure -> failure
 (** A small program that fails in the same way, if one is found in a minute. *)
@@ -38,5 +38,5 @@ val failures :
   first:int ->
   count:int ->
   failure list
-(** If the batch fails, each of its programs is tried alone, and those that
+(** Now and then the programs of a batch are tried one by one. If another batch fails, each of its programs is tried alone, and those that
     fail are given; if none does, the batch is, under its first number. *)

@@ -22,4 +22,5 @@ let all =
 
 let count = Array.length all
 
-let of_program ~seed number = all.(abs (seed + (number / 20)) mod count)
+let alike = 20
+let of_program ~seed number = all.(abs (seed + (number / alike)) mod count)

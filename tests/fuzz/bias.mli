@@ -10,9 +10,12 @@ type t = {
   width : int;  (** added to the number of equations *)
 }
 
+val alike : int
+(** So many programs in a row are of one kind. *)
+
 val of_program : seed:int -> int -> t
-(** Of the program with this number. Twenty have the same; by turns: even,
-    event-heavy, switch-storms, NaN-heavy, deep, wide. *)
+(** Of the program with this number, by turns: even, event-heavy, switch-storms,
+    NaN-heavy, deep, wide. *)
 
 val count : int
 (** How many there are. *)

@@ -113,7 +113,7 @@ let work s worker ~folder =
       let seen = Coverage.create () in
       let failures =
         if s.stop_at_first then
-          Option.to_list (Batch.failure ~seen tools engines ~seed:s.seed ~first ~count)
+          Option.to_list (Batch.first_failure ~seen tools engines ~seed:s.seed ~first ~count)
         else Batch.failures ~seen tools engines ~seed:s.seed ~first ~count
       in
       (* A few small ones say more than many. *)

@@ -9,6 +9,20 @@ let input_type : Type.t =
       Measure { metres = 1; seconds = 0 };
     ]
 
+let scope ~seen ~seed ~random ~prefix ~declared number =
+  {
+    Scope.random;
+    bias = Bias.of_program ~seed number;
+    methods = false;
+    prefix;
+    count = ref 0;
+    seen;
+    declared;
+    variables = [];
+    functions = [];
+    run = None;
+  }
+
 let one ~seen ~seed number =
   let bias = Bias.of_program ~seed number in
   let random = Random.State.make [| seed; number |] in
@@ -23,20 +37,7 @@ let one ~seen ~seed number =
       []
       (if chance random 2 then [ 'A'; 'B' ] else [ 'A' ])
   in
-  let values =
-    {
-      Scope.random;
-      bias;
-      methods = false;
-      prefix;
-      count = ref 0;
-      seen;
-      declared;
-      variables = [];
-      functions = [];
-      run = None;
-    }
-  in
+  let values = scope ~seen ~seed ~random ~prefix ~declared number in
   let any () = Scope.any_type values in
   let add (text, s) =
     Buffer.add_string out text;
@@ -76,19 +77,63 @@ let one ~seen ~seed number =
           prefix));
   (prefix, Buffer.contents out, signals)
 
-let main ~output body = f "main :: SF %s %s\nmain = proc i -> %s\n" (Type.text input_type) output body
+(* {1 How they run} *)
+
+(* Some run always; others are started late, started again or run now and then. *)
+type kind = Always | After_switch | After_delayed_switch | Restarted | Replaced | At_events
+
+let kinds = [| Always; After_switch; Restarted; At_events; Replaced; After_delayed_switch; Always |]
+
+(* Values of so many parts are as much as tcc takes in one expression. *)
+let most_parts = 150
+
+let events =
+  [ "edge b"; "when (x > 0.0)"; "tag e ()"; "after 0.3[s] ()"; "every 0.2[s] ()"; "now () ()" ]
+
+let signature name output = f "%s :: SF %s %s\n" name (Type.text input_type) (Type.text output)
+
+(* Defines what runs the signal function of that name so. *)
+let running ~seed number name output =
+  let random = Random.State.make [| seed; number; 2 |] in
+  let seen = Coverage.create () in
+  let literal () =
+    Constant.literal (scope ~seen ~seed ~random ~prefix:"k" ~declared:[] number) output
+  in
+  let input = "proc i@(x, n, b, e, m, y, xs, d)" and event = one_of random events in
+  let late switch = f "%s (%s -> (%s, %s)) (\\_ -> %s)" switch input (literal ()) event name in
+  let text =
+    match kinds.(number mod Array.length kinds) with
+    | _ when Type.scalars output > most_parts -> name
+    | Always -> name
+    | After_switch -> late "switch"
+    | After_delayed_switch -> late "dSwitch"
+    | Restarted -> f "%s -> resetOn %s (i, %s)" input name event
+    | Replaced -> f "%s -> rSwitch %s (i, mapE (\\_ -> %s) (%s))" input name name event
+    | At_events -> f "%s -> hold %s (onEvent %s (tag (%s) i))" input (literal ()) name event
+  in
+  let run = name ^ "run" in
+  (run, f "%s%s = %s\n\n" (signature run output) run text)
 
 let make ?(seen = Coverage.create ()) ~seed ~first ~count () =
-  let programs = List.init count (fun i -> one ~seen ~seed (first + i)) in
-  List.iter (fun (_, text, _) -> Coverage.count_words seen text) programs;
-  let tuple texts = match texts with [ one ] -> one | _ -> f "(%s)" (String.concat ", " texts) in
-  let main =
-    main
-      ~output:(tuple (List.map (fun (_, _, output) -> Type.text (Tuple output)) programs))
-      (tuple (List.map (fun (name, _, _) -> name ^ " i") programs))
+  let define i =
+    let number = first + i in
+    let name, text, signals = one ~seen ~seed number in
+    Coverage.count_words seen text;
+    let output = Type.Tuple signals in
+    let run, definition = running ~seed number name output in
+    (run, output, text ^ definition)
   in
-  let texts = List.map (fun (_, text, _) -> text) programs in
-  String.concat "" ((Shared.text :: texts) @ [ main ])
+  let programs = List.init count define in
+  let main =
+    match programs with
+    | [ (run, output, _) ] -> f "%smain = %s\n" (signature "main" output) run
+    | _ ->
+        let all (run, _, _) = run ^ " i" in
+        f "%smain = proc i -> (%s)\n"
+          (signature "main" (Tuple (List.map (fun (_, output, _) -> output) programs)))
+          (String.concat ", " (List.map all programs))
+  in
+  String.concat "" (Shared.text :: List.map (fun (_, _, text) -> text) programs) ^ main
 
 let signals ~seed number =
   let _, _, signals = one ~seen:(Coverage.create ()) ~seed number in
@@ -96,8 +141,9 @@ let signals ~seed number =
 
 let alone ~seed number ~component =
   let name, text, signals = one ~seen:(Coverage.create ()) ~seed number in
-  let pattern = List.mapi (fun i _ -> if i = component then "y" else "_") signals in
-  Shared.text ^ text
-  ^ main
-      ~output:(Type.text (List.nth signals component))
-      (f "y where\n    (%s) = %s i" (String.concat ", " pattern) name)
+  let pattern = List.mapi (fun i _ -> if i = component then "z" else "_") signals in
+  let chosen = name ^ "one" and output = List.nth signals component in
+  let run, definition = running ~seed number chosen output in
+  f "%s%s%s%s = proc i -> z where\n    (%s) = %s i\n\n%s%smain = %s\n" Shared.text text
+    (signature chosen output) chosen (String.concat ", " pattern) name definition
+    (signature "main" output) run

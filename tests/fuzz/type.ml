@@ -12,6 +12,15 @@ and measure = { metres : int; seconds : int }
 and data = { head : string; constructors : constructor list }
 and constructor = { name : string; fields : (string * t) list }
 
+let rec scalars = function
+  | Float | Measure _ | Int | Bool -> 1
+  | Tuple parts -> sum parts
+  | Array (n, t) -> n * scalars t
+  | Data { constructors; _ } ->
+      List.fold_left (fun n c -> n + sum (List.map snd c.fields)) 1 constructors
+
+and sum types = List.fold_left (fun n t -> n + scalars t) 0 types
+
 let unit_text { metres; seconds } =
   let power name = function 0 -> [] | 1 -> [ name ] | k -> [ Printf.sprintf "%s^%d" name k ] in
   String.concat " " (power "m" metres @ power "s" seconds)

@@ -28,6 +28,9 @@ val event_payload : t -> t option
 val measure : metres:int -> seconds:int -> t
 (** A Float with a unit of these exponents, or without. *)
 
+val scalars : t -> int
+(** How many a value has at most, or more. *)
+
 val unit_text : measure -> string
 (** As it stands between brackets. *)
 
