@@ -397,6 +397,7 @@ static void sensing(void)
     struct frob_pioneer_input in;
     double range, age;
     start();
+    values[FROB_PIONEER_CARRY_ON] = 0.0;
     other.x = 0x7FF0;
     other.y = 100;
     other.heading = 1024; /* a quarter turn: the counters' axes lie so */
@@ -441,6 +442,25 @@ static void sensing(void)
     check_near(in.odometry.position.y, -0.032, 1e-12, "odometry outlives a connection");
 }
 
+/* 100 and 200 mm/s, 0.28 rad/s: 50 ms after a packet. */
+static void between_packets(void)
+{
+    struct frob_pioneer_input in;
+    start();
+    connect_again();
+    run(1000);
+    send_sip(128, (const uint8_t *)"", 0);
+    other.sip_due = now.now_ns + 1000 * MS;
+    run(2);
+    now.now_ns = device.sensed_ns + 50 * MS;
+    frob_robot_sense(&robot, &in);
+    check_near(in.odometry.position.x, 0.0075, 1e-6, "between packets odometry goes on");
+    check_near(in.odometry.heading, 0.014, 1e-9, "and turns");
+    now.now_ns = device.sensed_ns + 900 * MS;
+    frob_robot_sense(&robot, &in);
+    check_near(in.odometry.position.x, 0.03, 1e-4, "but not for longer than 0.2 s");
+}
+
 int main(void)
 {
     handshake();
@@ -450,5 +470,6 @@ int main(void)
     stale();
     halting();
     sensing();
+    between_packets();
     return check_status();
 }

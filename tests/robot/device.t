@@ -30,7 +30,7 @@ Settings are numbers within their bounds; the watchdog cannot be turned off.
   error: max-speed takes a number from 0.01 to 2.2, not `9`
   [2]
   $ frobc run drive.frob --for 1s --device ./line --set max-sped=1
-  error: `max-sped=1` is no setting of a pioneer; write NAME=VALUE with one of: baud, switch-baud, angle, distance, speed, range, difference, vel2-divisor, max-speed, max-turn, wheels, no-echo, motors-flag, hard-stop, silence, interval
+  error: `max-sped=1` is no setting of a pioneer; write NAME=VALUE with one of: baud, switch-baud, angle, distance, speed, range, difference, vel2-divisor, max-speed, max-turn, wheels, no-echo, motors-flag, hard-stop, silence, interval, carry-on
   [2]
   $ frobc build drive.frob -o drive
   $ ./drive --device ./line --patience 0

@@ -28,6 +28,7 @@ static const struct frob_setting settings[FROB_PIONEER_SETTING_COUNT] = {
     { "hard-stop", 0, 0, 1, "1: stop without a ramp (E_STOP) in an emergency" },
     { "silence", 1.0, 0.1, 60, "s without a packet after which the connection is made anew" },
     { "interval", 0.025, 0.01, 1, "s between commands at the least" },
+    { "carry-on", 1, 0, 1, "1: between packets, odometry goes on by the wheels' speeds" },
 };
 
 static struct frob_pioneer *pioneer(void *device)

@@ -6,6 +6,9 @@
 
 #define PI 3.14159265358979323846
 
+/* For longer than this the speeds of a packet say nothing. */
+#define CARRIED_MOST_S 0.2
+
 /* The way between two values of a counter of 15 bits, the shorter one. A jump
  * that no robot can make between two SIPs is a counter that was set back. */
 static int32_t counted(uint16_t from, uint16_t to)
@@ -63,13 +66,36 @@ void frob_pioneer_take_sip(struct frob_pioneer *d, const struct frob_p2os_sip *s
     }
 }
 
+/* Where the robot is by now: packets come ten times a second, and a program
+ * that steps between them would see it stand and then jump. With the wheels'
+ * speeds v_left and v_right, in the time t since the packet,
+ *   d = t (v_right + v_left) / 2,   a = t difference (v_right - v_left) / 2,
+ * along the heading at the middle of the turn. The next packet sets it right. */
+static struct frob_pose carried_on(const struct frob_pioneer *d)
+{
+    struct frob_pose pose = d->odometry;
+    double left = d->sip.left * d->model.speed, right = d->sip.right * d->model.speed; /* mm/s */
+    double t = (double)(frob_now_ns(&d->clock) - d->sensed_ns) / 1e9;
+    double way, angle;
+    if (d->settings[FROB_PIONEER_CARRY_ON] == 0.0)
+        return pose;
+    if (t > CARRIED_MOST_S)
+        t = CARRIED_MOST_S;
+    way = t * (right + left) / 2.0 / 1000.0;
+    angle = t * d->model.difference * (right - left) / 2.0;
+    pose.position.x += way * cos(pose.heading + angle / 2.0);
+    pose.position.y += way * sin(pose.heading + angle / 2.0);
+    pose.heading = wrapped(pose.heading + angle);
+    return pose;
+}
+
 void frob_pioneer_sense(void *device, void *input)
 {
     struct frob_pioneer *d = (struct frob_pioneer *)device;
     struct frob_pioneer_input *in = (struct frob_pioneer_input *)input;
     const struct frob_p2os_sip *sip = &d->sip;
     memset(in, 0, sizeof *in);
-    in->odometry = d->odometry;
+    in->odometry = carried_on(d);
     in->leftWheel = sip->left * d->model.speed / 1000.0;
     in->rightWheel = sip->right * d->model.speed / 1000.0;
     for (size_t i = 0; i < FROB_PIONEER_SONARS; i++) {
