@@ -108,10 +108,21 @@ let stands_after_proc found (t : Layout.token) =
   let start = t.start.pos_cnum - String.length word in
   start >= 0 && String.sub found.text start (String.length word) = word
 
-let line_begins found word =
-  let start = found.token.start.pos_bol in
-  start + String.length word <= String.length found.text
-  && String.equal word (String.sub found.text start (String.length word))
+(* The first line of the definition at the left edge that the found token is in. *)
+let first_line_of_definition found =
+  let rec start i =
+    if i = 0 then 0
+    else if found.text.[i - 1] = '\n' && not (is_blank (char_at found i)) then i
+    else start (i - 1)
+  in
+  let first = start found.token.start.pos_bol in
+  let last = Option.value (String.index_from_opt found.text first '\n') ~default:(String.length found.text) in
+  String.sub found.text first (last - first)
+
+let lacks_where found =
+  match String.split_on_char ' ' (first_line_of_definition found) with
+  | ("class" | "instance") :: words -> not (List.mem "where" words)
+  | _ -> false
 
 let of_token found =
   match (found.token.token, found.before) with
@@ -122,7 +133,7 @@ let of_token found =
   | TAIL, _ -> Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
   | (EQUAL | DOUBLE_COLON), Some ({ token = UNIT | PRIMITIVE | FOREIGN | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC; _ } as word) ->
       Some (reserved_word (written found word))
-  | (EQUAL | BAR), _ when List.exists (line_begins found) [ "class "; "instance " ] ->
+  | (EQUAL | BAR | DOUBLE_COLON), _ when lacks_where found ->
       Some "the methods follow `where`, each on a line of its own"
   | EQUAL, Some { stop; _ } when stop.pos_cnum = found.token.start.pos_cnum && assigns found <> None ->
       assigns found
@@ -132,6 +143,8 @@ let of_token found =
   | DOUBLE_COLON, Some field when opens_with Layout.Brace found.context ->
       if field_of_a_value found field then Some "a field gets its value with `=`"
       else Some "there is a `,` between two fields"
+  | DO, Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _; _ } ->
+      Some "a `do` among arguments needs parentheses, or a `$` before it"
   | BACKSLASH, Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _; _ } ->
       Some "a lambda among arguments needs parentheses: `f (\\x -> …)`"
   | (RBRACE | COMMA), Some { token = LOWER _; _ } when opens_with Layout.Brace found.context ->

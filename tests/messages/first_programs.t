@@ -152,3 +152,36 @@ mapSF, a name that several modules have:
   
   1 error
   [1]
+
+A class or instance without its `where`, a `do` as an argument:
+
+  $ cat > instance.frob <<'FROB'
+  > class Sized a where
+  >     size :: a -> Float
+  > 
+  > instance Sized Bool
+  >     size b = 1
+  > 
+  > dance :: Task () Float ()
+  > dance = forever do
+  >     sleepT 1[s] 0
+  > FROB
+  $ frobc check instance.frob
+  error[E0110]: expected `where` or the end of the declaration, found `=`
+   --> instance.frob:5:12
+    |
+  5 |     size b = 1
+    |            ^
+    |
+    = hint: the methods follow `where`, each on a line of its own
+  
+  error[E0110]: expected an operator, an argument, or the end of the expression, found `do`
+   --> instance.frob:8:17
+    |
+  8 | dance = forever do
+    |                 ^^
+    |
+    = hint: a `do` among arguments needs parentheses, or a `$` before it
+  
+  2 errors
+  [1]
