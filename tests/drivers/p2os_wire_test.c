@@ -54,7 +54,7 @@ static size_t feed(struct frob_p2os_receiver *r, const void *bytes, size_t count
 
 static void receiving(void)
 {
-    struct frob_p2os_receiver r = { { 0 }, 0, 0 };
+    struct frob_p2os_receiver r = { { 0 }, 0, 0, false };
     struct frob_p2os_packet p;
     static const char pulse[] = "\xFA\xFB\x03\x00\x00\x00";
     bool split = true;
@@ -75,6 +75,28 @@ static void receiving(void)
           "a packet within a bad packet is found");
 }
 
+/* A robot that looks to -90.5 degrees and creeps at 7 mm/s: its SIP has FA FB 07
+ * in it, and zeros, which are their own checksum. */
+static void data_like_a_packet(void)
+{
+    struct frob_p2os_receiver r = { { 0 }, 0, 0, false };
+    struct frob_p2os_packet p = { NULL, 0 };
+    uint8_t packet[64] = { 0xFA, 0xFB, 22, 0x32, 0, 0, 0, 0, 0xFA, 0xFB, 0x07 };
+    uint16_t sum = frob_p2os_checksum(packet + 3, 20);
+    size_t found = 0, others = 0;
+    packet[23] = (uint8_t)(sum >> 8);
+    packet[24] = (uint8_t)(sum & 0xFF);
+    feed(&r, "\xFA\xFB\x03\x00\x00\x00", 6, &p);
+    for (int round = 0; round < 10; round++) {
+        for (size_t i = 0; i < 25; i++) {
+            size_t packets = feed(&r, packet + i, 1, &p);
+            found += packets == 1 && i == 24 && p.length == 20;
+            others += packets == 1 && i != 24;
+        }
+    }
+    check(found == 10 && others == 0, "data that looks like a packet is none");
+}
+
 /* After any garbage, the next good packet is found with its last byte, unless
  * both together happen to be one: of so many, very few. */
 static void garbage_hides_nothing(void)
@@ -82,7 +104,7 @@ static void garbage_hides_nothing(void)
     uint32_t seed = 1;
     int missed = 0;
     for (int round = 0; round < 20000; round++) {
-        struct frob_p2os_receiver r = { { 0 }, 0, 0 };
+        struct frob_p2os_receiver r = { { 0 }, 0, 0, false };
         struct frob_p2os_packet p = { NULL, 0 };
         uint8_t garbage[64];
         for (size_t i = 0; i < sizeof garbage; i++) {
@@ -143,7 +165,7 @@ static void names(void)
 {
     static const char wire[] = "\xFA\xFB\x18\x02"
                                "AMRISim\0Pioneer\0p3dx\0\xEB\xBD";
-    struct frob_p2os_receiver r = { { 0 }, 0, 0 };
+    struct frob_p2os_receiver r = { { 0 }, 0, 0, false };
     struct frob_p2os_packet p;
     struct frob_p2os_identity who;
     size_t count;
@@ -185,6 +207,7 @@ int main(void)
 {
     commands();
     receiving();
+    data_like_a_packet();
     garbage_hides_nothing();
     sip();
     names();

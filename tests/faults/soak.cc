@@ -56,11 +56,11 @@ struct CreateSoak : CreateKind {
 };
 
 struct PioneerSoak : PioneerKind {
-    // Garbage and the beginning of a good packet can make a packet together, which
-    // hides that one.
-    static constexpr unsigned overlapped = 1;
+    // Garbage can begin like a packet right behind a good one, or make a packet
+    // together with the beginning of a good one: 252 bytes, six SIPs at the most.
+    static constexpr unsigned overlapped = 6;
     static constexpr double most_m_s = 2.2, watchdog_s = 2;
-    static constexpr int hearing_ms = 2200;
+    static constexpr int hearing_ms = 3500;
     static void prepare(Bench<PioneerSoak, Faults> &b) {
         b.settings[FROB_PIONEER_BAUD] = 38400;
         b.settings[FROB_PIONEER_SWITCH_BAUD] = 0;

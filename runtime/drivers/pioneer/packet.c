@@ -102,11 +102,15 @@ bool frob_p2os_next(struct frob_p2os_receiver *receiver, struct frob_p2os_packet
             packet->body = at + 3;
             packet->length = at[2] - 2u;
             receiver->start = i + at[2] + 3u;
+            receiver->in_step = true;
             return true;
         case NOT_YET:
+            if (receiver->in_step)
+                return false;
             waiting = true;
             break;
         case NOT_HERE:
+            receiver->in_step = false;
             if (!waiting)
                 receiver->start = i + 1;
             break;

@@ -51,13 +51,17 @@ struct frob_p2os_packet {
 };
 
 /* Finds packets in a stream of bytes. A bad packet costs one byte: the search
- * goes on behind its FA. What may be a packet but is not complete does not hide
- * a good one behind it either. So a good packet after garbage is found with its
- * last byte, whatever the garbage announced (unless the sums make a packet of
- * the garbage and the good one's beginning). All zero is an empty receiver. */
+ * goes on behind its FA. What begins right behind a good packet is waited for to
+ * its end, for the data of a packet may look like one. Anything else that may be
+ * a packet and is not complete does not hide a good one behind it: so a good
+ * packet after garbage is found with its last byte, whatever the garbage
+ * announced (unless the sums make a packet of the garbage and the good one's
+ * beginning, or garbage that begins like a packet follows a good one at once).
+ * All zero is an empty receiver. */
 struct frob_p2os_receiver {
     uint8_t bytes[2 * FROB_P2OS_PACKET_MOST];
     size_t start, end; /* of what is not yet looked at, or not complete */
+    bool in_step;      /* `start` is right behind a good packet */
 };
 
 /* Adds bytes; gives how many it took, at least one if there are any and

@@ -37,9 +37,21 @@ static unsigned sum_of(const uint8_t *body, size_t length)
     return length % 2 != 0 ? sum ^ body[length - 1] : sum;
 }
 
-/* The first packet from `from` on that is whole: where it begins and ends. */
-static bool next_packet(const uint8_t *bytes, size_t count, size_t from, size_t *at, size_t *end)
+/* May the bytes from `at` on become a packet when more of them come? */
+static bool is_begun(const uint8_t *bytes, size_t count, size_t at)
 {
+    return at < count && bytes[at] == 0xFA && (at + 1 >= count || bytes[at + 1] == 0xFB) &&
+           (at + 2 >= count ||
+            (bytes[at + 2] >= 3 && bytes[at + 2] <= 249 && at + 3 + bytes[at + 2] > count));
+}
+
+/* The first packet from `from` on that is whole: where it begins and ends. What
+ * is begun right `behind` another packet is waited for. */
+static bool next_packet(const uint8_t *bytes, size_t count, size_t from, bool behind, size_t *at,
+                        size_t *end)
+{
+    if (behind && is_begun(bytes, count, from))
+        return false;
     for (*at = from; *at + 5 < count; ++*at) {
         size_t announced = bytes[*at + 2];
         if (bytes[*at] != 0xFA || bytes[*at + 1] != 0xFB || announced < 3 || announced > 249)
@@ -73,6 +85,7 @@ void fuzz_check(const uint8_t *bytes, size_t count)
     struct frob_p2os_packet packet;
     size_t fed = 0, from = 0, at = 0, end = 0;
     uint64_t seed = count;
+    bool behind = false;
     memset(&receiver, 0, sizeof receiver);
     while (fed < count) {
         size_t portion = 1 + random_below(&seed, 300);
@@ -80,18 +93,21 @@ void fuzz_check(const uint8_t *bytes, size_t count)
         if (used == 0)
             fuzz_fail("the receiver takes nothing");
         /* What began longer ago than the longest packet has been whole before. */
-        if (fed > FROB_P2OS_PACKET_MOST && from < fed - FROB_P2OS_PACKET_MOST)
+        if (fed > FROB_P2OS_PACKET_MOST && from < fed - FROB_P2OS_PACKET_MOST) {
             from = fed - FROB_P2OS_PACKET_MOST;
+            behind = false;
+        }
         fed += used;
         while (frob_p2os_next(&receiver, &packet)) {
-            if (!next_packet(bytes, fed, from, &at, &end))
+            if (!next_packet(bytes, fed, from, behind, &at, &end))
                 fuzz_fail("a packet is found where there is none");
             if (packet.length != end - at - 5 || memcmp(packet.body, bytes + at + 3, packet.length) != 0)
                 fuzz_fail("a packet is not what was sent");
             from = end;
+            behind = true;
             read_packet(&packet);
         }
-        if (next_packet(bytes, fed, from, &at, &end))
+        if (next_packet(bytes, fed, from, behind, &at, &end))
             fuzz_fail("a packet is missed");
     }
 }
