@@ -88,7 +88,14 @@ and expression s fuel (a : Type.t) (b : Type.t) =
         fun () -> f "((paced :: Float -> SF %s %s) %s)" (Type.text a) (Type.text b) (literal s Float) );
       ( (if s.values.methods && a = b && Type.has_instances ~measured:false a then 3 else 0),
         fun () -> f "((renewing :: %s -> SF %s %s) %s)" (Type.text a) (Type.text a) (Type.text b) (literal s a) );
-      ((match b with Float -> 1 | _ -> 0), fun () -> "(time >>> arr (\\x -> x / 1[s]))");
+      ( (match b with Float -> 2 | _ -> 0),
+        fun () ->
+          one_of random
+            [
+              "(time >>> arr (\\x -> x / 1[s]))";
+              (* It shows if a mode sees a dt at its own first instant. *)
+              "(time >>> arr (\\x -> x + 1[s]) >>> derivative)";
+            ] );
       ((if a = Type.event b then 6 else 0), fun () -> f "(latest %s)" (literal s b));
     ]
   in
