@@ -169,7 +169,8 @@ static const char *instants(const struct frob_program *program, const struct col
             if (!frob_cell_read(cell, columns->values[k], input, &error))
                 return cell;
         }
-        program->step(state, i == 0 ? 0.0 : (double)(now - before) / 1e9, input, output);
+        /* The first dt is not to be looked at, so it may be anything. */
+        program->step(state, i == 0 ? 123.456 : (double)(now - before) / 1e9, input, output);
         frob_trace_row(text, program, FROB_TRACE_OUT, now, NULL, output);
         before = now;
     }
