@@ -1,0 +1,109 @@
+module F = Flow.Ir
+open Basis
+open Fragment
+
+let atom_type : F.atom -> Ir.ty = function
+  | Signal s -> Layout.ty s.ty
+  | Bool _ -> Bool
+  | Int _ -> Int
+  | Float _ -> Float
+
+let broken what = Diagnostic.bug ~stage:"Machine.Computation" "%s" what
+
+let sum_of (atom : F.atom) =
+  match atom with
+  | Signal { ty = Sum k; _ } -> k
+  | Signal _ | Bool _ | Int _ | Float _ -> broken "a constructor test on what is not a sum"
+
+let operation operator ty arguments : Ir.expr = Operation { operator; ty; arguments }
+
+let operator_weight : F.operator -> int = function
+  | Add | Subtract | Multiply | Negate | Absolute | Equal | Less | Less_equal | Not | And | Or
+  | To_float ->
+      1
+  | Signum | Minimum | Maximum | Truncate | Floor | Ceiling | Round -> 2
+  | Divide -> 5
+  | Div | Mod -> 8
+  | Elementary Sqrt -> 5
+  | Elementary (Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2) | Pow -> 20
+
+let one = function [ e ] -> e | _ -> broken "an operation with a wrong number of operands"
+
+(* Compilers warn of a comparison of something with itself, unless it is
+   [x == x], which asks whether x is a number. *)
+let without_self_comparison (rhs : F.rhs) : F.rhs =
+  match rhs with
+  | Op ((Less | Less_equal | Equal) as operator, [ (Signal a as x); Signal b ]) when a.id = b.id -> (
+      match (operator, a.ty) with
+      | Less, _ -> Copy (Bool false)
+      | _, Float -> Op (Equal, [ x; x ])
+      | _, (Int | Bool | Sum _ | Array _ | Foreign _) -> Copy (Bool true))
+  | rhs -> rhs
+
+let flow_type : F.atom -> F.ty = function
+  | Signal s -> s.ty
+  | Bool _ -> Bool
+  | Int _ -> Int
+  | Float _ -> Float
+
+let array_type : F.ty -> int * Ir.ty = function
+  | Array (n, element) -> (n, Layout.ty element)
+  | Bool | Int | Float | Sum _ | Foreign _ -> broken "an element of what is no array"
+
+(* What an equation without memory computes. *)
+let computed (eq : F.equation) rhs : computed =
+  let make ?choice operands weight build =
+    { signal = eq.defines; operands; build; choice; weight; span = eq.span }
+  in
+  match (rhs : F.rhs) with
+  | Copy a -> make [ a ] 0 one
+  | Op (operator, operands) ->
+      let ty = match operands with a :: _ -> atom_type a | [] -> broken "an operation on nothing" in
+      make operands (operator_weight operator) (operation operator ty)
+  | If { condition; then_; else_ } ->
+      let choice =
+        match condition with
+        | Signal _ -> Some (condition, then_, else_)
+        | Bool _ | Int _ | Float _ -> None
+      in
+      make ?choice [ condition; then_; else_ ] 1 (function
+        | [ condition; then_; else_ ] -> Select { condition; then_; else_ }
+        | _ -> broken "a choice with a wrong number of operands")
+  | Construct { constructor; payload } ->
+      let sum =
+        match eq.defines.ty with
+        | Sum k -> k
+        | Bool | Int | Float | Array _ | Foreign _ -> broken "a constructor outside a sum"
+      in
+      make payload (1 + List.length payload) (fun payload -> Construct { sum; constructor; payload })
+  | Is_constructor (value, constructor) ->
+      let sum = sum_of value in
+      make [ value ] 1 (fun e -> Is_constructor { sum; value = one e; constructor })
+  | Payload { value; constructor; leaf } ->
+      let sum = sum_of value in
+      make [ value ] 1 (fun e -> Payload { sum; value = one e; constructor; leaf })
+  | Absent ->
+      let ty =
+        match eq.defines.ty with
+        | Foreign ty -> ty
+        | Bool | Int | Float | Sum _ | Array _ -> broken "an absent value of the language's own"
+      in
+      make [] 0 (fun _ -> Ir.Absent ty)
+  | Elements elements ->
+      let _, element = array_type eq.defines.ty in
+      make elements (List.length elements) (fun elements -> Elements { element; elements })
+  | Fill value ->
+      let count, element = array_type eq.defines.ty in
+      make [ value ] count (fun e -> Fill { count; element; value = one e })
+  | Index (array, index) -> make [ array ] 1 (fun e -> Index { array = one e; index })
+  | At { array; index; default } ->
+      let count, element = array_type (flow_type array) in
+      make [ array; index; default ] 3 (function
+        | [ array; index; default ] -> At { count; element; array; index; default }
+        | _ -> broken "an element with a wrong number of operands")
+  | Replace { array; index; value } ->
+      let count, element = array_type eq.defines.ty in
+      make [ array; index; value ] (2 + count) (function
+        | [ array; index; value ] -> Replace { count; element; array; index; value }
+        | _ -> broken "an element with a wrong number of operands")
+  | Delay _ | Time _ | Integral _ | Derivative _ -> broken "memory where none can be"

@@ -1,0 +1,31 @@
+type t = {
+  variables : (int, unit) Hashtbl.t;
+  mutable seconds : bool;
+  mutable nanoseconds : bool;
+  mutable operations : int;
+}
+
+let of_body body =
+  let reads =
+    {
+      variables = Hashtbl.create 16;
+      seconds = false;
+      nanoseconds = false;
+      operations = 0;
+    }
+  in
+  Walk.expressions
+    (fun (e : Ir.expr) ->
+      reads.operations <- reads.operations + (match Walk.children e with [] -> 0 | _ :: _ -> 1);
+      match e with
+      | Variable v -> Hashtbl.replace reads.variables v.id ()
+      | Dt -> reads.seconds <- true
+      | Dt_nanoseconds -> reads.nanoseconds <- true
+      | Elements _ | Fill _ | Index _ | At _ | Replace _ | Field _ | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Operation _ | Select _ | Construct _
+      | Is_constructor _ | Payload _ | Call _ | Seconds _ | In_nanoseconds _ | Later _ ->
+          ())
+    body;
+  reads
+
+let parameters reads variables =
+  List.filter (fun (v : Ir.variable) -> Hashtbl.mem reads.variables v.id) variables
