@@ -72,8 +72,9 @@ type t =
   (* declared by programs *)
   | Foreign of foreign  (** in C *)
 
-(** Functions of the C library; their results are the C library's bits, so no
-    call of one is folded, except [Sqrt], which IEEE defines. *)
+(** The runtime's elementary functions ([frob/elementary.h]), and [Sqrt], which
+    IEEE 754 defines and the C library has. The compiler folds calls of [Sqrt]
+    only. *)
 and elementary =
   | Sqrt
   | Hypot

@@ -91,7 +91,7 @@ type operator =
   | Maximum
   (* Float *)
   | Divide
-  | Pow  (** the C library's [pow] *)
+  | Pow  (** the runtime's [pow] *)
   | Elementary of Core.Primitive.elementary
   (* Int *)
   | Div
