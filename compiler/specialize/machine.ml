@@ -151,7 +151,6 @@ let transitions m node ?input ~from ~span ~delayed occurs value =
 
 (* {1 Events} *)
 
-
 (* [Event] is the second constructor. *)
 let occurrence m node ~span ty event =
   let types = m.context.types in
@@ -290,107 +289,6 @@ let build m ~input_value ~input_holes (mode : mode) =
   let output, transitions = behaviour m node mode value input in
   { mode; node; statics; inputs; output; transitions }
 
-(* {1 Outputs} *)
-
-(* The leaves of a mode's output. *)
-type leaves = { key : int option;  (* [None] if any value would do *) holes : Skeleton.hole list }
-
-let output_leaves m (b : built) =
-  let first_order = (Types.layout m.context.types m.result).first_order in
-  match b.output with
-  | Unspecified when not first_order -> { key = None; holes = [] }
-  | output ->
-      let walk = Skeleton.walk m.context.keys b.node Holes in
-      Skeleton.add walk (unnamed b.mode.place) m.result output;
-      let holes = Skeleton.take_holes walk in
-      { key = Some (Skeleton.key walk); holes }
-
-(* What different skeletons modes may give, with a mode that gives each: more
-   than one where the output holds functions. *)
-let variants built leaves =
-  let add variants b l =
-    match l.key with
-    | Some key when not (List.exists (fun (other, _, _) -> other = key) variants) ->
-        (key, b, l.holes) :: variants
-    | Some _ | None -> variants
-  in
-  List.rev (List.fold_left2 add [] built leaves)
-
-let rec zero m node ~span (ty : Ir.ty) : Ir.atom =
-  match ty with
-  | Bool -> Bool false
-  | Int -> Int 0l
-  | Float -> Float 0.
-  | Sum k -> (
-      match (Types.sums m.context.types).(k).constructors with
-      | [] -> bug "a sum without constructors"
-      | { fields; _ } :: _ ->
-          let payload = List.concat_map (fun (_, shape) -> zeros m node ~span shape) fields in
-          Node.define node Unnamed ~span ty (Construct { constructor = 0; payload }))
-  | Array (_, element) -> Node.define node Unnamed ~span ty (Fill (zero m node ~span element))
-  | Foreign _ -> Node.define node Unnamed ~span ty Absent
-
-and zeros m node ~span : Ir.shape -> Ir.atom list = function
-  | Leaf ty -> [ zero m node ~span ty ]
-  | Product product -> List.concat_map (fun (_, shape) -> zeros m node ~span shape) product.parts
-  | Repeated (n, shape) ->
-      let fill zero =
-        let ty : Ir.ty = Array (n, Skeleton.type_of_atom zero) in
-        Node.define node Unnamed ~span ty (Fill zero)
-      in
-      List.map fill (zeros m node ~span shape)
-
-let named (hole : Skeleton.hole) = (hole.path, hole.atom)
-let hole_types holes = List.map (fun (h : Skeleton.hole) -> Skeleton.type_of_atom h.atom) holes
-
-(* The outputs of a mode: its leaves; of several variants first which of them it
-   is, then the leaves of all, those of the others being zero. *)
-let outputs m variants (b : built) l =
-  match variants with
-  | [ _ ] when Option.is_some l.key -> List.map named l.holes
-  | _ ->
-      let own (key, _, _) = l.key = Some key in
-      let leaves ((_, _, holes) as variant) =
-        if own variant then List.map named l.holes
-        else
-          List.map (fun ty -> ("", zero m b.node ~span:b.mode.place ty)) (hole_types holes)
-      in
-      let rec number k = function
-        | variant :: others -> if own variant then k else number (k + 1) others
-        | [] -> 0
-      in
-      let all = List.concat_map leaves variants in
-      if List.length variants = 1 then all
-      else ("variant", Ir.Int (Int32.of_int (number 0 variants))) :: all
-
-(* The output of the machine in its own node, and the signals it is made of. *)
-let output m node ~span variants : Value.t * Ir.signal list =
-  let c = m.context in
-  let signal ~name ty = Node.signal node ~name ~span ty in
-  let value (_, (b : built), holes) =
-    let names = List.map (fun (h : Skeleton.hole) -> h.path) holes in
-    let signals = List.map2 (fun name ty -> signal ~name ty) names (hole_types holes) in
-    let atoms = List.map (fun s -> Ir.Signal s) signals in
-    (Skeleton.value (Skeleton.copy c.keys Holes atoms) m.result b.output, signals)
-  in
-  match List.map value variants with
-  | [] -> (Unspecified, [])
-  | [ only ] -> only
-  | several ->
-      let variant = signal ~name:"variant" Int in
-      let is number : Ir.atom =
-        Node.define node Unnamed ~span Bool
-          (Op (Equal, [ Signal variant; Int (Int32.of_int number) ]))
-      in
-      let rec choose number = function
-        | [] -> bug "an output without variants"
-        | [ (last, _) ] -> last
-        | (value, _) :: others ->
-            let rest = choose (number + 1) others in
-            Leaves.select c.types node Unnamed ~span m.result (is number) value rest
-      in
-      (choose 0 several, variant :: List.concat_map snd several)
-
 let finish m name (b : built) outputs =
   let output (path, atom) = (Types.join "out" path, atom) in
   Specialization.finish m.context b.node
@@ -473,12 +371,13 @@ let body (c : Context.t) evaluator trail node ~name ~span ~own_input ~own_result
     | Some mode -> all (build m ~input_value ~input_holes mode :: built)
   in
   let built = all [] in
-  let leaves = List.map (output_leaves m) built in
-  let variants = variants built leaves in
-  let modes =
-    List.map2 (fun b leaves -> finish m name b (outputs m variants b leaves)) built leaves
-  in
-  let value, outputs = output m node ~span variants in
+  let given b : Mode_output.given = { node = b.node; place = b.mode.place; value = b.output } in
+  let leaves b = Mode_output.leaves c own_result (given b) in
+  let leaves = List.map leaves built in
+  let variants = Mode_output.variants (List.map given built) leaves in
+  let mode b leaves = finish m name b (Mode_output.of_mode c variants (given b) leaves) in
+  let modes = List.map2 mode built leaves in
+  let value, outputs = Mode_output.of_machine c node ~span own_result variants in
   Node.set_machine node
     {
       modes;
