@@ -33,13 +33,13 @@ SEED ?= $(shell date +%s)
 MUTANT_PROGRAMS ?= 10000
 MUTANTS ?=
 
-# For `make fuzz-frontend`: for how long.
-SECONDS ?= 600
-
 # For `make seeds`: how many seeds for each example and robot; for `make soak`:
-# how many seeds for each robot, and how long each is driven.
+# how many seeds for each robot.
 SEEDS ?= 100
-SECONDS ?= 3600
+
+# For how long `make fuzz-frontend` runs, and each robot of `make soak` is driven.
+fuzz-frontend: SECONDS ?= 600
+soak: SECONDS ?= 3600
 
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
