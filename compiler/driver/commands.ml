@@ -123,7 +123,18 @@ let writable_folder path =
   | exception Unix.Unix_error (reason, _, _) ->
       Error (Printf.sprintf "cannot make the folder %s: %s" path (Unix.error_message reason))
 
+(* As other compilers' [-o] takes a file. *)
+let not_a_file ~folder file =
+  let name = Pipeline.c_name file in
+  let is_c = List.exists (Filename.check_suffix folder) [ ".c"; ".h" ] in
+  if (not is_c) || (Sys.file_exists folder && Sys.is_directory folder) then Ok ()
+  else
+    Error
+      (Printf.sprintf "-o takes the folder for %s.c and %s.h; %s is the name of a file (-o %s)" name
+         name folder (Filename.dirname folder))
+
 let compile general entry folder file =
+  let* () = not_a_file ~folder file in
   let* resources = Resources.find () in
   compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
       if general.dump <> None then Exit_status.ok

@@ -139,3 +139,9 @@ What has not got a closed type cannot be compiled:
   
   1 error
   [1]
+
+`-o` is a folder:
+
+  $ frobc compile gain.frob -o elsewhere/gain.c
+  error: -o takes the folder for gain.c and gain.h; elsewhere/gain.c is the name of a file (-o elsewhere)
+  [2]
