@@ -40,6 +40,9 @@ struct bench {
  * The only argument is the number of rounds; the times are medians. */
 int bench_main(const struct bench *bench, int argc, char **argv);
 
+/* Kept apart whatever the compiler sees, so that its instructions can be counted. */
+#define BENCH_PASS __attribute__((noinline))
+
 #define BENCH(program)                                                         \
     static struct program##_input input[INSTANTS];                             \
     static struct program##_output generated[INSTANTS], by_hand[INSTANTS];     \
@@ -51,14 +54,14 @@ int bench_main(const struct bench *bench, int argc, char **argv);
         for (size_t i = 0; i < INSTANTS; i++)                                  \
             make_input(i);                                                     \
     }                                                                          \
-    static void generated_pass(void)                                           \
+    static BENCH_PASS void generated_pass(void)                                \
     {                                                                          \
         program##_reset(&generated_state);                                     \
         for (size_t i = 0; i < INSTANTS; i++)                                  \
             program##_step(&generated_state, bench_dt[i], &input[i],           \
                            &generated[i]);                                     \
     }                                                                          \
-    static void by_hand_pass(void)                                             \
+    static BENCH_PASS void by_hand_pass(void)                                  \
     {                                                                          \
         by_hand_reset(&by_hand_state);                                         \
         for (size_t i = 0; i < INSTANTS; i++)                                  \

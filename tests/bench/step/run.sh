@@ -1,7 +1,8 @@
 #!/bin/sh
-# Generated C beside C by hand, under gcc and clang at -O2 and -O3: the step's
-# time (see bench.c) and instructions (counted by valgrind, so the same on each
-# run), bytes of state, and bytes of text at -O2. Some also stand beside what
+# Generated C beside C by hand, under gcc and clang at -O2 and -O3, each also with
+# link-time optimization, which takes the step into the loop that calls it: the
+# step's time (see bench.c) and instructions (counted by valgrind, so the same on
+# each run), bytes of state, and bytes of text at -O2. Some also stand beside what
 # Copilot makes of the same program. The arguments are the folder to work in,
 # and programs, if not all.
 set -eu
@@ -31,7 +32,7 @@ text_bytes() {
 
 # Instructions of a pass, a step.
 instructions() {
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$2" "$1" 1 2>&1 |
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$2*" "$1" 1 2>&1 |
         awk '/Collected/ { printf "%.1f", $4 / 16384 }'
 }
 
@@ -62,6 +63,22 @@ measure() {
     case $label in
     *-O2) row "text" "$label" "$(text_bytes "$made-generated.o")" "$(text_bytes "$made-by_hand.o")" bytes ;;
     esac
+}
+
+# The same, and the bench, as one unit.
+measure_linked() {
+    compiler=$1
+    flags="-$2 -flto $exact"
+    label="$compiler -$2 -flto"
+    made=$out/$program-$compiler-$2-lto
+    include="-I $out -I $here -I $here/$program -I runtime/include"
+    # shellcheck disable=SC2086
+    $compiler $flags $warnings $include "$here/$program/bench.c" "$here/bench.c" \
+        "$out/$program.c" "$here/$program/by_hand.c" $library -lm -o "$made"
+    set -- $("$made" $rounds)
+    row "step time" "$label" "$1" "$2" ns
+    row "step instructions" "$label" "$(instructions "$made" generated_pass)" \
+        "$(instructions "$made" by_hand_pass)" instructions
 }
 
 # The generated step beside Copilot's: C that `copilot.hs` writes, compiled alike.
@@ -111,11 +128,14 @@ has_copilot() {
     command -v ghc >/dev/null && ghc-pkg --simple-output list copilot-c99 2>/dev/null | grep -q copilot
 }
 
-if [ $# -eq 0 ]; then set -- wall_follow pid modes obstacles kalman events nested patrol; fi
+if [ $# -eq 0 ]; then set -- wall_follow pid modes obstacles kalman events nested patrol bug; fi
 for program in "$@"; do
     "$frobc" compile "$here/$program/$program.frob" -o "$out"
     for level in O2 O3; do
-        for compiler in gcc clang; do measure "$compiler" "$level"; done
+        for compiler in gcc clang; do
+            measure "$compiler" "$level"
+            measure_linked "$compiler" "$level"
+        done
     done
     if [ -f "$here/$program/copilot.hs" ]; then
         if has_copilot; then measure_copilot; else skipped "step time beside Copilot" ghc; fi
