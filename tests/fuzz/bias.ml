@@ -6,9 +6,10 @@ type t = {
   odd_numbers : int;
   depth : int;
   width : int;
+  chains : int;
 }
 
-let even = { events = 12; switches = 3; tasks = 1; library = 3; odd_numbers = 20; depth = 0; width = 0 }
+let even = { events = 12; switches = 3; tasks = 1; library = 3; odd_numbers = 20; depth = 0; width = 0; chains = 1 }
 
 let all =
   [|
@@ -18,6 +19,7 @@ let all =
     { even with odd_numbers = 2 };
     { even with depth = 1 };
     { even with width = 5 };
+    { even with chains = 8 };
   |]
 
 let count = Array.length all

@@ -8,6 +8,7 @@ type t = {
   odd_numbers : int;  (** one constant in so many is NaN, infinite or extreme *)
   depth : int;  (** added to the depth of expressions *)
   width : int;  (** added to the number of equations *)
+  chains : int;  (** the weight of chains of array functions among expressions *)
 }
 
 val alike : int
@@ -15,7 +16,7 @@ val alike : int
 
 val of_program : seed:int -> int -> t
 (** Of the program with this number, by turns: even, event-heavy, switch-storms,
-    NaN-heavy, deep, wide. *)
+    NaN-heavy, deep, wide, array-heavy. *)
 
 val count : int
 (** How many there are. *)

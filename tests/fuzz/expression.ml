@@ -25,6 +25,7 @@ let rec expression s fuel ty =
           (2, fun () -> conditional s (fuel - 1) ty);
           (4, fun () -> case s (fuel - 1) ty);
           (1, fun () -> let_ s (fuel - 1) ty);
+          ((if fuel > 1 then s.bias.chains else 0), fun () -> chain s ty);
           (4, fun () -> polymorphic s (fuel - 1) ty);
           (2, fun () -> of_array s (fuel - 1) ty);
           (2, fun () -> higher_order s (fuel - 1) ty);
@@ -320,6 +321,16 @@ and let_ s fuel ty =
   let value = expression s fuel other in
   let text, bound = Pattern.any s other in
   f "(let %s = %s in %s)" text (typed value other) (expression (bind bound s) fuel ty)
+
+(* Arrays and what comes out of them, each with a name. Where it stands many times
+   over, as in a lambda, it is short of fuel and left out. *)
+and chain s ty =
+  let makers = { Chain.expression; instances = None } in
+  let bindings = Chain.make s makers (Chain.size s) in
+  let equation { Chain.name; text; _ } = f "%s = %s" name text in
+  f "(let %s in %s)"
+    (String.concat "; " (List.map equation bindings))
+    (Chain.result s makers bindings ty)
 
 and lambda s fuel argument ty =
   match (argument, ty) with

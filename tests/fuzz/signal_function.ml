@@ -271,6 +271,35 @@ let pair s ~signals ((x, t) as first) (y, u) =
         (Expression.expression signals 2 a)
         (Expression.expression with_first 2 b)
 
+(* Equations of a chain of arrays, the last of which often comes round to the first,
+   an instant later, and the signals in which they are shown. *)
+let chain s ~signals ~shown =
+  let values : Scope.t = s.values in
+  let makers =
+    { Chain.expression = Expression.expression; instances = Some (fun a b -> expression s 1 a b) }
+  in
+  let n = Chain.size signals and t = Scope.any_type values in
+  let before = (Scope.fresh values "d", Type.Array (n, t)) in
+  let is_fed_back = chance values.random 2 in
+  let scope = if is_fed_back then Scope.bind [ before ] signals else signals in
+  let bindings =
+    if is_fed_back then Chain.make scope makers ~last:t n else Chain.make scope makers n
+  in
+  let equation { Chain.name; text; _ } = f "%s = %s" name text in
+  let feedback =
+    if not is_fed_back then []
+    else begin
+      Scope.note values "chain in feedback";
+      let last = List.nth bindings (List.length bindings - 1) in
+      [ f "%s = delay %s %s" (fst before) (literal s (snd before)) last.Chain.name ]
+    end
+  in
+  let comes_to (name, ty) =
+    f "%s = %s" name (Constant.annotated (Chain.result scope makers bindings ty) ty)
+  in
+  let found = List.rev_map (fun { Chain.name; ty; _ } -> (name, ty)) bindings in
+  (List.map comes_to shown @ feedback @ List.map equation bindings, shown @ found)
+
 let local_function s ~signals name argument result =
   Scope.note s.values "local function";
   let text, bound = Pattern.any s.values argument in
@@ -309,11 +338,23 @@ let body s ~indent ~input ~signals output =
         let text = equation s ~signals:(instances known) ~later first in
         equations (text :: found) (Scope.bind [ first ] known) others
   in
+  let chain_texts, chain_signals, others =
+    if not (chance random (max 2 (10 / s.values.bias.chains))) then ([], [], signals)
+    else
+      let shows (_, (ty : Type.t)) =
+        match ty with
+        | Float | Int | Bool -> not (chance random 3)
+        | Measure _ | Tuple _ | Array _ | Data _ -> false
+      in
+      let shown, others = List.partition shows signals in
+      let texts, found = chain s ~signals:(instances (Scope.bind bound s.values)) ~shown in
+      (texts, found, others)
+  in
   let name, argument, result = h in
   let h_text = local_function s ~signals:(Scope.bind bound s.values) name argument result in
-  let known = Scope.bind bound s.values in
+  let known = Scope.bind (chain_signals @ bound) s.values in
   let known = { known with functions = (name, [ argument ], result) :: known.functions } in
-  let known, found = equations [ h_text; local_text; constant_text ] known signals in
+  let known, found = equations ([ h_text; local_text; constant_text ] @ chain_texts) known others in
   let result =
     match output with
     | Computed t -> Expression.expression (instances known) 3 t

@@ -1,0 +1,132 @@
+open Choice
+open Scope
+
+type binding = { name : string; ty : Type.t; text : string }
+
+type makers = {
+  expression : Scope.t -> int -> Type.t -> string;
+  instances : (Type.t -> Type.t -> string) option;
+}
+
+let f = Printf.sprintf
+let annotated = Constant.annotated
+
+(* Few types, so that what came out of one loop is found in the body of the next. *)
+let element s usual = if chance s.random 6 then any_type s else one_of s.random usual
+
+(* A function of the elements. Its parameters and what the chain has made come
+   first, of all else in scope only a little. *)
+let lambda s makers arguments result =
+  let named = List.map (fun ty -> (fresh s "e", ty)) arguments in
+  let inside = bind named { s with run = None } in
+  f "(\\%s -> %s)"
+    (String.concat " " (List.map fst named))
+    (annotated (makers.expression inside (1 + Random.State.int s.random 2) result) result)
+
+(* Of the latest more often than of the earlier ones. *)
+let latest s list = one_of s.random (List.filteri (fun k _ -> k = 0 || not (chance s.random 3)) list)
+
+(* With their types: a parameter's may be known from nowhere else. *)
+let arrays_of n variables =
+  List.filter_map
+    (fun (name, (ty : Type.t)) ->
+      match ty with Array (k, t) when k = n -> Some (annotated name ty, t) | _ -> None)
+    variables
+
+let new_array s makers ~n arrays (t : Type.t) =
+  let any () = latest s arrays in
+  let lambda = lambda s makers in
+  let value ty = annotated (makers.expression { s with run = None } 1 ty) ty in
+  let index () = one_of s.random [ value Int; f "%d" (Random.State.int s.random n) ] in
+  let of_one make = match arrays with [] -> None | _ -> Some (make (any ())) in
+  let made =
+    match Random.State.int s.random 12 with
+    | 0 | 1 | 2 -> of_one (fun (a, u) -> f "map %s %s" (lambda [ u ] t) a)
+    | 3 -> of_one (fun (a, u) -> f "imap %s %s" (lambda [ Int; u ] t) a)
+    | 4 | 5 | 6 ->
+        of_one (fun (a, u) ->
+            let b, v = any () in
+            f "zipWith %s %s %s" (lambda [ u; v ] t) a b)
+    | 7 | 8 -> of_one (fun (a, u) -> f "scanl %s %s %s" (lambda [ t; u ] t) (value t) a)
+    | 9 -> (
+        match List.filter (fun (_, u) -> u = t) arrays with
+        | [] -> None
+        | same -> Some (f "replace %s %s %s" (index ()) (value t) (fst (latest s same))))
+    | 10 ->
+        Option.bind makers.instances (fun instance ->
+            of_one (fun (a, u) -> f "(mapSF %s) %s" (instance u t) a))
+    | _ -> None
+  in
+  match made with Some text -> text | None -> f "generate %s" (lambda [ Int ] t)
+
+let fold s makers (a, u) result =
+  let value = annotated (makers.expression { s with run = None } 0 result) result in
+  f "foldl %s %s %s" (lambda s makers [ result; u ] result) value a
+
+let new_value s makers ~n arrays usual : Type.t * string =
+  let ((a, u) as array) = latest s arrays in
+  match Random.State.int s.random 7 with
+  | 0 ->
+      let name = one_of s.random [ "minimumBy"; "maximumBy" ] in
+      (u, f "%s %s %s" name (lambda s makers [ u ] (one_of s.random [ Type.Float; Int ])) a)
+  | 1 -> (Bool, f "%s %s %s" (one_of s.random [ "any"; "all" ]) (lambda s makers [ u ] Bool) a)
+  | 2 -> (u, f "%s ! %d" a (Random.State.int s.random n))
+  | _ ->
+      let result = element s usual in
+      (result, fold s makers array result)
+
+(* Short ones are written out, without a loop. *)
+let size s =
+  let known = List.filter_map (fun (_, (ty : Type.t)) -> match ty with Array (n, _) -> Some n | _ -> None) s.variables in
+  if known <> [] && chance s.random 2 then one_of s.random known
+  else one_of s.random [ 2; 3; 4; 5; 6; 7; 12 ]
+
+let make s makers ?last n =
+  note s "chain of array functions";
+  let usual = [ one_of s.random [ Type.Float; Int ]; one_of s.random [ Type.Float; Int; Bool ] ] in
+  let rec go known found k =
+    let arrays = arrays_of n known.variables in
+    let add ty text =
+      let name = fresh s "c" in
+      let binding = { name; ty; text = annotated text ty } in
+      go (bind [ (name, ty) ] known) (binding :: found) (k - 1)
+    in
+    let add_array t = add (Type.Array (n, t)) (new_array known makers ~n arrays t) in
+    if k < 0 then List.rev found
+    else if k = 0 then match last with Some t -> add_array t | None -> List.rev found
+    else if arrays = [] || not (chance s.random 3) then add_array (element s usual)
+    else
+      let ty, text = new_value known makers ~n arrays usual in
+      add ty text
+  in
+  let near k (_, (ty : Type.t)) = k < 3 || match ty with Array (size, _) -> size = n | _ -> false in
+  go { s with variables = List.filteri near s.variables } [] (3 + Random.State.int s.random 5)
+
+(* {1 What the chain comes to} *)
+
+(* An element as a number that tells it from others. *)
+let number (ty : Type.t) e =
+  match ty with
+  | Float -> Some (f "round (64.0 * %s)" e)
+  | Measure u -> Some (f "round (64.0 * (%s / 1[%s]))" e (Type.unit_text u))
+  | Int -> Some e
+  | Bool -> Some (f "(if %s then 1 else 0)" e)
+  | Tuple _ | Array _ | Data _ -> None
+
+(* In order, so that it shows if two elements are exchanged. *)
+let digest (name, (ty : Type.t)) =
+  match ty with
+  | Array (_, t) ->
+      Option.map (fun e -> f "foldl (\\h e -> 31 * h + %s) 7 %s" e name) (number t "e")
+  | Float | Measure _ | Int | Bool | Tuple _ | Data _ -> number ty name
+
+let result s makers bindings (ty : Type.t) =
+  let variables = List.rev_map (fun b -> (b.name, b.ty)) bindings in
+  let inside = bind variables { s with run = None } in
+  let digests = List.filter_map digest (List.filteri (fun k _ -> k < 4) variables) in
+  let whole = f "(%s)" (String.concat " + 17 * " (List.map (f "(%s)") ("0" :: digests))) in
+  match ty with
+  | Int when not (chance s.random 4) -> whole
+  | Float when not (chance s.random 4) -> f "toFloat %s" whole
+  | Bool when not (chance s.random 4) -> f "(mod %s 3 == 0)" whole
+  | _ -> makers.expression inside 2 ty
