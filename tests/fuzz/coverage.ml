@@ -39,7 +39,8 @@ let syntax =
 
 let noted =
   [
-    "array of arrays"; "array of records"; "chain of array functions"; "chain in feedback"; "recursion through a switch"; "recursion of a task";
+    "array of arrays"; "array of records"; "chain of array functions"; "chain in feedback";
+    "array of functions"; "recursion through a switch"; "recursion of a task";
     "mode with a signal function as parameter"; "mode with a function as parameter";
     "task with a signal function as parameter"; "task with a function as parameter";
     "guards and where"; "array of signal functions"; "switch into the signal function of an event";

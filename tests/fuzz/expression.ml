@@ -404,8 +404,9 @@ and higher_order s fuel ty =
   let argument = any_type s in
   let value s = typed (expression s fuel argument) argument in
   let one () = lambda s fuel argument ty in
-  match Random.State.int s.random 5 with
+  match Random.State.int s.random 6 with
   | 0 -> f "(%s %s)" (one ()) (value s)
+  | 4 -> array_of_functions s fuel argument ty
   | 1 ->
       note s "function chosen at run time";
       f "((if %s then %s else %s) %s)" (expression s fuel Bool) (one ()) (one ()) (value s)
@@ -419,6 +420,41 @@ and higher_order s fuel ty =
   | _ ->
       let middle = any_type s in
       f "((%s . %s) %s)" (lambda s fuel middle ty) (lambda s fuel argument middle) (value s)
+
+(* Made at run time, each with what it captured; some are used. *)
+and array_of_functions s fuel argument ty =
+  note s "array of functions";
+  let n = 1 + Random.State.int s.random 3 in
+  let whole = f "(Array %d (%s -> %s))" n (Type.text argument) (Type.text ty) in
+  let inside = elsewhere s in
+  let number = fresh s "k" in
+  let counted = bind [ (number, Type.Int) ] inside in
+  let written () =
+    Constant.array (List.init n (fun _ -> function_ s fuel [ argument ] ty))
+  in
+  let rec made tries =
+    match Random.State.int s.random (if tries = 0 then 2 else 5) with
+    | 0 | 1 -> written ()
+    | 2 ->
+        let other = any_type s in
+        let name = fresh s "e" in
+        f "(map (\\%s -> %s) (%s :: Array %d %s))" name
+          (function_ (bind [ (name, other) ] inside) fuel [ argument ] ty)
+          (expression s fuel (Array (n, other)))
+          n (Type.text other)
+    | 3 -> f "(if %s then %s else %s)" (expression s fuel Bool) (made 0) (made 0)
+    | _ -> f "(generate (\\%s -> %s))" number (function_ counted fuel [ argument ] ty)
+  in
+  let array = f "(%s :: %s)" (made 1) whole in
+  let value s = typed (expression s fuel argument) argument in
+  match Random.State.int s.random 3 with
+  | 0 -> f "((%s ! %d) %s)" array (Random.State.int s.random n) (value s)
+  | 1 ->
+      let g = fresh s "g" and last = fresh s "r" in
+      f "(foldl (\\%s %s -> choose (%s == %s) (%s %s) %s) %s %s)" last g last last g (value inside) last
+        (typed (expression s fuel ty) ty)
+        array
+  | _ -> f "(at %s %s %s %s)" (index s fuel) (function_ s fuel [ argument ] ty) array (value s)
 
 and field s fuel ty =
   let fields_of : Type.t -> _ = function

@@ -91,3 +91,93 @@ What runs is chosen when it starts; a signal cannot be a parameter of it.
   
   1 error
   [1]
+
+An array of functions is refused where each of them would be: in what is stored, in
+the input or the output of the program.
+
+  $ cat > stored.frob <<'FROB'
+  > main :: SF (Float, Int) Float
+  > main = proc (x, i) -> at i id fs 2 where
+  >     fs = delay [abs, negate] [\y -> y + x, negate]
+  > FROB
+  $ frobc check stored.frob
+  error[E0412]: a value of type `Array 2 (Float -> Float)` cannot be stored in a `delay`
+   --> stored.frob:3:5
+    |
+  3 |     fs = delay [abs, negate] [\y -> y + x, negate]
+    |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = note: functions, signal functions and labels exist only while compiling
+  
+  1 error
+  [1]
+  $ cat > made.frob <<'FROB'
+  > main :: SF (Array 3 Float, Int) (Float, Int)
+  > main = proc (xs, i) -> (at i id (fst last) 2, snd last) where
+  >     last = hold ([id, id, id], 0) (tag (edge (i > 0)) (map (\x y -> x * y) xs, i))
+  > FROB
+  $ check made.frob
+  error[E0412]: `hold` cannot keep a value of type `(Array 3 (Float -> Float), Int)`
+     --> made.frob:3:5
+      |
+    3 |     last = hold ([id, id, id], 0) (tag (edge (i > 0)) (map (\x y -> x * y) xs, i))
+      |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+      |
+     ::: stdlib/Prelude.frob:N:20
+      |
+    N |     y = fromEvent (delay x0 y) e
+      |                    ---------- it would be stored here, in a `delay`
+      |
+      = note: functions, signal functions and labels exist only while compiling
+  
+  1 error
+  $ cat > output.frob <<'FROB'
+  > main :: SF Float (Maybe (Array 2 (Float -> Float)))
+  > main = proc x -> Just (generate (\k y -> y + x))
+  > FROB
+  $ frobc check output.frob
+  error[E0412]: the output of `main` cannot be of type `Maybe (Array 2 (Float -> Float))`
+   --> output.frob:2:1
+    |
+  2 | main = proc x -> Just (generate (\k y -> y + x))
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = note: functions, signal functions and labels exist only while compiling
+  
+  1 error
+  [1]
+  $ cat > run.frob <<'FROB'
+  > main :: SF (Array 3 Float) Float
+  > main = proc xs -> foldl (>>>) identity (map (\x -> arr (\y -> x * y)) xs) 2
+  > FROB
+  $ frobc check run.frob
+  error[E0340]: what is run must be static, but `xs` is a signal
+   --> run.frob:2:71
+    |
+  2 | main = proc xs -> foldl (>>>) identity (map (\x -> arr (\y -> x * y)) xs) 2
+    |             --                                                        ^^
+    |             |
+    |             `xs` is a signal: it comes from the `proc`'s input here
+    |
+    = hint: what changes while it runs comes in by its input; `initially` starts it with the value of its first instant
+  
+  1 error
+  [1]
+  $ cat > grows.frob <<'FROB'
+  > main :: SF (Float, Int) Float
+  > main = go [id, negate]
+  > go :: Array 2 (Float -> Float) -> SF (Float, Int) Float
+  > go fs = switch (proc (x, i) -> (at i id fs x, tag (edge (i > 1)) (map (\f y -> f (x + y)) fs))) go
+  > FROB
+  $ frobc check grows.frob
+  error[E0416]: `go` grows each time it starts itself again
+   --> grows.frob:4:9
+    |
+  4 | go fs = switch (proc (x, i) -> (at i id fs x, tag (edge (i > 1)) (map (\f y -> f (x + y)) fs))) go
+    |         ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, with one more `go`
+    |
+    = note: which signal functions can run must be known, and be finitely many
+    = hint: start it with the same signal functions each time; numbers may change
+  
+  1 error
+  [1]
