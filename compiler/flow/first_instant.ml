@@ -34,8 +34,8 @@ let type_of_atom : Ir.atom -> Ir.ty = function
 
 let map = Long_list.map
 
-(* What the signals of a node may be; what is not there may be anything. *)
-type values = (int, Range.t) Hashtbl.t
+(* What is not there may be anything. *)
+type values = Assumption.values
 
 let read a (values : values) (atom : Ir.atom) =
   match (atom, Range.of_constant atom) with
@@ -65,9 +65,14 @@ let equation a instant values (e : Ir.equation) =
       | true, false -> read then_
       | false, _ -> read else_
       | true, true -> Range.join (read then_) (read else_))
-  | Construct { constructor; _ }, _ -> Constructors [ constructor ]
+  | Construct { constructor; payload }, _ ->
+      Constructors [ (constructor, Some (map read payload)) ]
   | Is_constructor (value, constructor), _ -> Range.has_constructor (read value) constructor
-  | (Payload _ | Absent), _ -> anything ()
+  | Payload { value; constructor; leaf }, _ -> (
+      match Range.payload (read value) constructor leaf with
+      | Some known -> known
+      | None -> anything ())
+  | Absent, _ -> anything ()
   | Elements atoms, _ -> (
       match map read atoms with
       | [] -> anything ()
@@ -80,15 +85,32 @@ let equation a instant values (e : Ir.equation) =
   | Time _, Any -> Range.not_negative
   | (Delay _ | Integral _ | Derivative _), Any -> anything ()
 
-(* The first of the transitions that may occur, up to one that does. *)
-let rec possible a values (transitions : Ir.transition list) =
-  match transitions with
-  | [] -> []
-  | t :: others ->
-      let occurs = read a values t.occurs in
-      if not (Range.may_be_true occurs) then possible a values others
-      else if Range.may_be_false occurs then t :: possible a values others
-      else [ t ]
+(* The transitions that may be the first to occur. *)
+let possible a instant node values (transitions : Ir.transition list) =
+  let equations =
+    lazy
+      (List.filter_map
+         (function
+           | Schedule.Equation e -> Some e
+           | Instance _ | Trial _ | Machine _ -> None)
+         (schedule a node))
+  in
+  let at_once before (t : Ir.transition) =
+    let not_before (t : Ir.transition) = (t.occurs, false) in
+    Assumption.possible values ~read:(read a) ~evaluate:(equation a instant)
+      (Lazy.force equations)
+      ((t.occurs, true) :: List.rev_map not_before before)
+  in
+  let rec first before = function
+    | [] -> []
+    | (t : Ir.transition) :: others ->
+        let occurs = read a values t.occurs in
+        if not (Range.may_be_true occurs) then first before others
+        else if not (Range.may_be_false occurs) then if at_once before t then [ t ] else []
+        else if at_once before t then t :: first (t :: before) others
+        else first (t :: before) others
+  in
+  first [] transitions
 
 let parameters a index =
   List.mapi
@@ -140,13 +162,13 @@ and evaluate a instant index ~statics ~inputs =
           let outputs = outputs a instant i.node ~statics ~inputs in
           bind values i.outputs outputs
       | Trial (_, trial) -> bind values trial.gives (anything_of a trial.gives)
-      | Machine m -> bind values m.outputs (machine a instant values m))
+      | Machine m -> bind values m.outputs (machine a instant index values m))
     (schedule a index);
   values
 
 (* The outputs of a machine at its own first instant: those of all modes in
    which it may come to stay. *)
-and machine a instant values (m : Ir.machine) =
+and machine a instant index values (m : Ir.machine) =
   match (instant, m.active) with
   | Any, _ | First, Some _ -> anything_of a m.outputs
   | First, None ->
@@ -167,18 +189,18 @@ and machine a instant values (m : Ir.machine) =
           let index = modes.(target) in
           let node = a.program.nodes.(index) in
           let inside = evaluate a First index ~statics:(parameters a index) ~inputs in
-          let next = possible a inside node.transitions in
+          let next = possible a First index inside node.transitions in
           let stays (t : Ir.transition) = t.delayed || Range.may_be_false (read a inside t.occurs) in
           if List.for_all stays next then
             add (map (fun (_, atom) -> read a inside atom) node.outputs);
           List.iter (fun (t : Ir.transition) -> if not t.delayed then visit t.target) next)
       in
       let enter (t : Ir.transition) = visit t.target in
-      let controls = possible a values m.controls in
+      let controls = possible a instant index values m.controls in
       let strict = List.filter (fun (t : Ir.transition) -> not t.delayed) controls in
       List.iter enter strict;
       let surely (t : Ir.transition) = not (Range.may_be_false (read a values t.occurs)) in
-      if not (List.exists surely strict) then List.iter enter (possible a values m.start);
+      if not (List.exists surely strict) then List.iter enter (possible a instant index values m.start);
       Option.value !results ~default:(anything_of a m.outputs)
 
 (* {1 Parameters} *)
@@ -257,15 +279,16 @@ let at_first_instants a (m : Ir.machine) =
       let values =
         evaluate a First index ~statics:(parameters a index) ~inputs:(anything_of a node.inputs)
       in
-      possible a values node.transitions
+      possible a First index values node.transitions
   in
   Array.of_list (map of_mode m.modes)
 
 let targets = map (fun (t : Ir.transition) -> t.target)
 
 (* The signal function whose event makes a transition occur, as far as one can
-   follow it in the mode itself. *)
-let source (program : Ir.program) (node : Ir.node) (t : Ir.transition) =
+   follow it in the mode itself; not one that is known not to do so at the first
+   instant, among these [values]. *)
+let source ?values a (node : Ir.node) (t : Ir.transition) =
   let definer = Hashtbl.create 32 in
   let define item (s : Ir.signal) = Hashtbl.replace definer s.id item in
   List.iter
@@ -276,16 +299,21 @@ let source (program : Ir.program) (node : Ir.node) (t : Ir.transition) =
       | Trial _ | Machine _ -> ())
     (Schedule.in_source_order node);
   let seen = Hashtbl.create 32 in
+  let surely_false (s : Ir.signal) =
+    match Option.map (fun values -> read a values (Signal s)) values with
+    | Some (Range.Bools { true_ = false; _ }) -> true
+    | Some _ | None -> false
+  in
   let rec search = function
     | [] -> None
-    | (s : Ir.signal) :: others when Hashtbl.mem seen s.id -> search others
+    | (s : Ir.signal) :: others when Hashtbl.mem seen s.id || surely_false s -> search others
     | s :: others -> (
         Hashtbl.replace seen s.id ();
         match Hashtbl.find_opt definer s.id with
         | None | Some (Schedule.Machine _ | Trial _) -> search others
         | Some (Equation e) -> search (others @ Operands.(signals (same_instant e.rhs)))
         | Some (Instance i) -> (
-            match program.nodes.(i.node) with
+            match a.program.nodes.(i.node) with
             | { kind = Signal_function; origin; _ } -> Some (origin, i.span)
             | { kind = Function; _ } -> search (others @ Operands.signals i.inputs)))
   in
@@ -300,7 +328,9 @@ let hint sources =
   | [] ->
       "something in the circle has to take time: `edge` or `notYet` on an event, `sleepT 10[ms] y` \
        between tasks"
-  | _ -> "`notYet` drops an occurrence at the first instant; `edge` has none there"
+  | _ ->
+      "`notYet` drops an occurrence at the first instant; `edge` has none there; `sleepT 10[ms] y` \
+       takes time between tasks"
 
 let report sink a (m : Ir.machine) steps cycle =
   let modes = Array.of_list m.modes in
@@ -313,7 +343,12 @@ let report sink a (m : Ir.machine) steps cycle =
   let hops = pairs (List.hd cycle) cycle in
   let hop (v, w) =
     let t = List.find (fun (t : Ir.transition) -> t.target = w) steps.(v) in
-    (v, w, t, source a.program a.program.nodes.(modes.(v)) t)
+    let node = a.program.nodes.(modes.(v)) in
+    let values =
+      evaluate a First modes.(v) ~statics:(parameters a modes.(v))
+        ~inputs:(anything_of a node.inputs)
+    in
+    (v, w, t, source ~values a node t)
   in
   let hops = map hop hops in
   let first = List.hd cycle in
@@ -321,16 +356,21 @@ let report sink a (m : Ir.machine) steps cycle =
     Diagnostic.error ~code:"E0402" ~at:a.program.nodes.(modes.(first)).span
       "`%s` may switch for ever within one instant" (name first)
   in
+  (* Once, where modes of one name do the same. *)
+  let label ~at text (d : Diagnostic.t) =
+    let there (l : Diagnostic.label) = l.at = at && String.equal l.text text in
+    if List.exists there d.labels then d else Diagnostic.label ~at text d
+  in
   let label d (v, w, (t : Ir.transition), source) =
     let d =
       match source with
       | Some (origin, at) ->
-          Diagnostic.label ~at
+          label ~at
             (Printf.sprintf "`%s` may occur at the first instant of `%s`" origin (name v))
             d
       | None -> d
     in
-    Diagnostic.label ~at:t.span
+    label ~at:t.span
       (Printf.sprintf "`%s` may start `%s` at its own first instant" (name v) (name w))
       d
   in
@@ -368,7 +408,7 @@ let mark a (nodes : Ir.node array) (m : Ir.machine) steps =
       let node = a.program.nodes.(index) in
       let transition (t : Ir.transition) =
         if List.memq t steps.(k) then t
-        else { t with at_entry = Impossible (source a.program node t) }
+        else { t with at_entry = Impossible (source a node t) }
       in
       nodes.(index) <- { nodes.(index) with transitions = map transition node.transitions })
     m.modes

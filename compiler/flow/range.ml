@@ -2,7 +2,7 @@ type t =
   | Bools of { true_ : bool; false_ : bool }
   | Ints of { least : int; most : int }
   | Floats of { least : float; most : float; nan : bool }
-  | Constructors of int list
+  | Constructors of (int * t list option) list
 
 let bug format = Basis.Diagnostic.bug ~stage:"Flow.Range" format
 let least_int = Int32.to_int Int32.min_int
@@ -15,7 +15,7 @@ let rec anything (program : Ir.program) : Ir.ty -> t = function
   | Bool -> any_bool
   | Int -> any_int
   | Float -> any_float
-  | Sum k -> Constructors (List.mapi (fun i _ -> i) program.sums.(k).constructors)
+  | Sum k -> Constructors (List.mapi (fun i _ -> (i, None)) program.sums.(k).constructors)
   | Array (_, element) -> anything program element
   | Foreign _ -> Constructors []
 
@@ -38,14 +38,16 @@ let of_constant : Ir.atom -> t option = function
 let zero = float 0.
 let not_negative = Floats { least = 0.; most = infinity; nan = false }
 
-let rec union a b =
+let rec union merge a b =
   match (a, b) with
   | [], c | c, [] -> c
-  | x :: xs, y :: _ when x < y -> x :: union xs b
-  | x :: _, y :: ys when y < x -> y :: union a ys
-  | x :: xs, _ :: ys -> x :: union xs ys
+  | ((k, _) as x) :: xs, (l, _) :: _ when k < l -> x :: union merge xs b
+  | (k, _) :: _, ((l, _) as y) :: ys when l < k -> y :: union merge a ys
+  | (k, Some p) :: xs, (_, Some q) :: ys ->
+      (k, Some (List.rev (List.rev_map2 merge p q))) :: union merge xs ys
+  | (k, _) :: xs, _ :: ys -> (k, None) :: union merge xs ys
 
-let join a b =
+let rec join a b =
   match (a, b) with
   | Bools a, Bools b -> Bools { true_ = a.true_ || b.true_; false_ = a.false_ || b.false_ }
   | Ints a, Ints b -> Ints { least = min a.least b.least; most = max a.most b.most }
@@ -56,11 +58,16 @@ let join a b =
           most = Float.max a.most b.most;
           nan = a.nan || b.nan;
         }
-  | Constructors a, Constructors b -> Constructors (union a b)
+  | Constructors a, Constructors b -> Constructors (union join a b)
   | (Bools _ | Ints _ | Floats _ | Constructors _), _ -> bug "values of different types"
 
-let widen a b =
-  match (a, join a b) with
+let rec widen a b =
+  match (a, b) with
+  | Constructors a, Constructors b -> Constructors (union widen a b)
+  | _ -> widened a (join a b)
+
+and widened a joined =
+  match (a, joined) with
   | Ints a, Ints j ->
       Ints
         {
@@ -82,8 +89,14 @@ let may_be_false = function Bools b -> b.false_ | _ -> bug "a condition that is 
 let has_constructor t k =
   match t with
   | Constructors ks ->
-      Bools { true_ = List.mem k ks; false_ = List.exists (fun other -> other <> k) ks }
+      Bools { true_ = List.mem_assoc k ks; false_ = List.exists (fun (other, _) -> other <> k) ks }
   | Bools _ | Ints _ | Floats _ -> bug "a constructor of what is no sum"
+
+let payload t k leaf =
+  match t with
+  | Constructors [ (only, Some leaves) ] when only = k -> List.nth_opt leaves leaf
+  | Constructors _ -> None
+  | Bools _ | Ints _ | Floats _ -> bug "the payload of what is no sum"
 
 (* The number that a range is alone. Zeros have a sign, which a range forgets. *)
 let constant : t -> Ir.atom option = function

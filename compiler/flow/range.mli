@@ -1,13 +1,14 @@
 (** Sets of values, as an analysis knows them: numbers as ranges, values of data
-    types as the constructors they may have, arrays as all their elements
-    together. *)
+    types as the constructors they may have and what may be in each, arrays as all
+    their elements together. *)
 
 type t =
   | Bools of { true_ : bool; false_ : bool }  (** which it may be *)
   | Ints of { least : int; most : int }
   | Floats of { least : float; most : float; nan : bool }
       (** no numbers at all if [least > most]; the bounds are no NaN *)
-  | Constructors of int list  (** ascending *)
+  | Constructors of (int * t list option) list
+      (** ascending; with the leaves of the payload, where anything is known of them *)
 
 val anything : Ir.program -> Ir.ty -> t
 val of_constant : Ir.atom -> t option
@@ -26,5 +27,10 @@ val widen : t -> t -> t
 val may_be_true : t -> bool
 val may_be_false : t -> bool
 val has_constructor : t -> int -> t
+
+val payload : t -> int -> int -> t option
+(** A leaf of what is in a value that has this constructor and surely no other;
+    [None]: it may be anything. *)
+
 val operation : Ir.operator -> t list -> Ir.ty -> t
 (** [Ir.ty]: of the result. *)

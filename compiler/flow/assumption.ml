@@ -1,0 +1,172 @@
+type values = (int, Range.t) Hashtbl.t
+
+exception Contradiction
+
+type t = {
+  values : values;
+  read : values -> Ir.atom -> Range.t;
+  definitions : (int, Ir.rhs) Hashtbl.t;
+  narrowed : (int, unit) Hashtbl.t;  (** signals of which more is known now *)
+  followed : (int, unit) Hashtbl.t;
+      (** in this round, and not again while no more is known of them: signals
+          are shared *)
+  mutable changed : bool;
+}
+
+let read t atom = t.read t.values atom
+let truth b = Range.Bools { true_ = b; false_ = not b }
+
+let narrow t (s : Ir.signal) range =
+  Hashtbl.replace t.values s.id range;
+  Hashtbl.replace t.narrowed s.id ();
+  Hashtbl.remove t.followed s.id;
+  t.changed <- true
+
+let follow_once t (s : Ir.signal) follow =
+  match Hashtbl.find_opt t.definitions s.id with
+  | Some rhs when not (Hashtbl.mem t.followed s.id) ->
+      Hashtbl.replace t.followed s.id ();
+      follow rhs
+  | Some _ | None -> ()
+
+let can_be t atom b = (if b then Range.may_be_true else Range.may_be_false) (read t atom)
+
+(* An atom with the same value, as near to where it was made as one can follow it in
+   [steps]: out of the branch that is taken, out of the constructor it was put in. *)
+let origin t atom =
+  let steps = ref 1000 in
+  let rec go (atom : Ir.atom) =
+    decr steps;
+    match atom with
+    | Signal s when !steps > 0 -> (
+        match Hashtbl.find_opt t.definitions s.id with
+        | Some (Copy atom) -> go atom
+        | Some (If { condition; then_; _ }) when not (can_be t condition false) -> go then_
+        | Some (If { condition; else_; _ }) when not (can_be t condition true) -> go else_
+        | Some (Payload { value; constructor; leaf }) -> (
+            match made (go value) with
+            | Some (k, payload) when k = constructor -> go (List.nth payload leaf)
+            | Some _ | None -> atom)
+        | Some _ | None -> atom)
+    | _ -> atom
+  and made : Ir.atom -> (int * Ir.atom list) option = function
+    | Signal s -> (
+        match Hashtbl.find_opt t.definitions s.id with
+        | Some (Construct { constructor; payload }) -> Some (constructor, payload)
+        | Some _ | None -> None)
+    | Bool _ | Int _ | Float _ -> None
+  in
+  go atom
+
+(* An atom is true, or false. *)
+let rec assume t (atom : Ir.atom) b =
+  if not (can_be t atom b) then raise Contradiction;
+  match atom with
+  | Signal s ->
+      if can_be t atom (not b) then narrow t s (truth b);
+      follow_once t s (function
+        | Payload _ -> back t atom (fun made -> assume t made b)
+        | rhs -> follow t rhs b)
+  | Bool _ | Int _ | Float _ -> ()
+
+and follow t (rhs : Ir.rhs) b =
+  match rhs with
+  | Copy atom -> assume t atom b
+  | Op (Not, [ x ]) -> assume t x (not b)
+  | Op (And, [ x; y ]) -> both t x y ~all:true b
+  | Op (Or, [ x; y ]) -> both t x y ~all:false b
+  | If { condition; then_; else_ } ->
+      choice t condition
+        ~then_:(can_be t then_ b, fun () -> assume t then_ b)
+        ~else_:(can_be t else_ b, fun () -> assume t else_ b)
+  | Is_constructor (value, k) -> restrict t value (fun (other, _) -> (other = k) = b)
+  | Op _ | Construct _ | Payload _ | Delay _ | Elements _ | Fill _ | Index _ | At _ | Replace _
+  | Absent | Time _ | Integral _ | Derivative _ ->
+      ()
+
+and back t atom continue =
+  let made = origin t atom in
+  if made <> atom then continue made
+
+(* Both are [all] if the result is; else one that surely is leaves the other. *)
+and both t x y ~all b =
+  if b = all then (
+    assume t x b;
+    assume t y b)
+  else (
+    if not (can_be t x b) then assume t y b;
+    if not (can_be t y b) then assume t x b)
+
+and choice t condition ~then_:(then_possible, then_) ~else_:(else_possible, else_) =
+  if not then_possible then assume t condition false;
+  if not else_possible then assume t condition true;
+  if not (can_be t condition false) then then_ ();
+  if not (can_be t condition true) then else_ ()
+
+(* A value of a data type has one of these constructors. *)
+and restrict t (atom : Ir.atom) allowed =
+  match read t atom with
+  | Bools _ | Ints _ | Floats _ -> ()
+  | Constructors before -> (
+      let left = List.filter allowed before in
+      if left = [] then raise Contradiction;
+      match atom with
+      | Bool _ | Int _ | Float _ -> ()
+      | Signal s ->
+          if List.compare_lengths left before < 0 then narrow t s (Constructors left);
+          follow_once t s (function
+            | Copy atom -> restrict t atom allowed
+            | Payload _ -> back t atom (fun made -> restrict t made allowed)
+            | If { condition; then_; else_ } ->
+                choice t condition
+                  ~then_:(some t then_ allowed, fun () -> restrict t then_ allowed)
+                  ~else_:(some t else_ allowed, fun () -> restrict t else_ allowed)
+            | _ -> ()))
+
+and some t atom allowed =
+  match read t atom with
+  | Constructors found -> List.exists allowed found
+  | Bools _ | Ints _ | Floats _ -> true
+
+(* What is known of a signal both ways. *)
+let meet (known : Range.t) (computed : Range.t) : Range.t =
+  match (known, computed) with
+  | Bools a, Bools b when (a.true_ && b.true_) || (a.false_ && b.false_) ->
+      Bools { true_ = a.true_ && b.true_; false_ = a.false_ && b.false_ }
+  | Bools _, Bools _ -> raise Contradiction
+  | Constructors a, Constructors b -> (
+      match List.filter (fun (k, _) -> List.mem_assoc k a) b with
+      | [] -> raise Contradiction
+      | left -> Constructors left)
+  | _ -> computed
+
+let forward t evaluate equations =
+  List.iter
+    (fun (e : Ir.equation) ->
+      let computed = evaluate t.values e in
+      Hashtbl.replace t.values e.defines.id
+        (match Hashtbl.find_opt t.values e.defines.id with
+        | Some known when Hashtbl.mem t.narrowed e.defines.id -> meet known computed
+        | Some _ | None -> computed))
+    equations
+
+(* Each round follows one more thing that came out of another; few conditions
+   need more. *)
+let rounds = 4
+
+let possible values ~read ~evaluate equations assumed =
+  let definitions = Hashtbl.create 64 in
+  List.iter (fun (e : Ir.equation) -> Hashtbl.replace definitions e.defines.id e.rhs) equations;
+  let t =
+    { values = Hashtbl.copy values; read; definitions; narrowed = Hashtbl.create 16;
+      followed = Hashtbl.create 16; changed = false }
+  in
+  let rec again round =
+    t.changed <- false;
+    Hashtbl.reset t.followed;
+    List.iter (fun (atom, b) -> assume t atom b) assumed;
+    if t.changed && round < rounds then (
+      forward t evaluate equations;
+      again (round + 1))
+  in
+  match again 1 with () -> true | exception Contradiction -> false

@@ -1,0 +1,94 @@
+Of the ways in which a task can go on, a later one counts only where those before it do
+not, and only with what its result can then be. A time-out of 20 s does not end at the
+first instant, so here a task that ends at once goes on to one that takes time.
+
+  $ cat > visit.frob <<'FROB'
+  > import Geometry
+  > import Robot
+  > 
+  > visit :: (HasSonar i, DiffDrive o) => Point2 -> Task i o ()
+  > visit goal = do
+  >     r <- driveTo goal `timeOut` 20[s]
+  >     case r of
+  >         Just True -> sleepT 2[s] (roMake (setVelTR 0 1[1/s]))
+  >         Just False -> sleepT 1[s] (roMake (setVelTR (-0.1[m/s]) 0))
+  >         Nothing -> return ()
+  > 
+  > patrol :: (HasSonar i, DiffDrive o) => Task i o ()
+  > patrol = do
+  >     visit Vec2 { x = 3[m], y = 0 }
+  >     visit zeroVec
+  >     patrol
+  > 
+  > main = reactimateTask (watching patrol)
+  > FROB
+  $ frobc check visit.frob
+  $ frobc check --lint visit.frob
+
+With a choice that takes no time it may go round for ever, if it is at its goal at the
+start; so it may if the time-out can be at once.
+
+  $ sed 's/Just True -> .*/Just True -> return ()/' visit.frob > at_once.frob
+  $ frobc check at_once.frob 2>&1 | grep -v '^ *|* *$'
+  error[E0402]: `timeOut` may switch for ever within one instant
+    --> at_once.frob:6:10
+   6 |     r <- driveTo goal `timeOut` 20[s]
+     |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+   7 |     case r of
+     |     ---------
+  ...
+  10 |         Nothing -> return ()
+     |         -------------------- `timeOut` may start `timeOut` at its own first instant
+    ::: stdlib/Driving.frob:41:16
+  41 | driveTo goal = mkTask (proc i -> (roMake (setVelTR v omega), mergeE (tag arrived True) (tag blocked False)) where
+     |                --------------------------------------------------------------------------------------------------
+  ...
+  51 |     blocked = when (looks && ahead < min blockedAt (norm way)))
+     |     ----------------------------------------------------------- `driveTo` may occur at the first instant of `timeOut`
+     = hint: `notYet` drops an occurrence at the first instant; `edge` has none there; `sleepT 10[ms] y` takes time between tasks
+  1 error
+  $ sed 's/20\[s\]/0[s]/' visit.frob > no_time.frob
+  $ frobc check no_time.frob 2>&1 | grep -v '^ *|* *$'
+  error[E0402]: `timeOut` may switch for ever within one instant
+     --> no_time.frob:6:10
+    6 |     r <- driveTo goal `timeOut` 0[s]
+      |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    7 |     case r of
+      |     ---------
+  ...
+   10 |         Nothing -> return ()
+      |         -------------------- `timeOut` may start `timeOut` at its own first instant
+     ::: stdlib/Prelude.frob:653:11
+  653 |     where late = elapsed q ())
+      |           ------------------- `elapsed` may occur at the first instant of `timeOut`
+      = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
+  1 error
+
+Both engines agree on what happens when the task does end at its first instant.
+
+  $ cat > ended.frob <<'FROB'
+  > step :: Task Int Int ()
+  > step = do
+  >     r <- mkTask (proc n -> (n, mergeE (tag (when (n == 1)) True) (tag (when (n == 2)) False))) `timeOut` 2[s]
+  >     case r of
+  >         Just True -> sleepT 1[s] 100
+  >         Just False -> sleepT 1[s] 200
+  >         Nothing -> return ()
+  > 
+  > main :: SF Int (Either Int ())
+  > main = runTask (forever step)
+  > FROB
+  $ printf 'time,in\n0,1\n1,2\n2,0\n3,0\n4,0\n5,2\n5.5,2\n6,1\n7,0\n' > in.csv
+  $ frobc trace ended.frob --input in.csv
+  time,out
+  0.000000000,Left 100
+  1.000000000,Left 200
+  2.000000000,Left 0
+  3.000000000,Left 0
+  4.000000000,Left 0
+  5.000000000,Left 200
+  5.500000000,Left 200
+  6.000000000,Left 100
+  7.000000000,Left 0
+  $ frobc trace ended.frob --input in.csv > c.csv
+  $ frobc trace ended.frob --input in.csv --engine interp | diff - c.csv
