@@ -59,7 +59,10 @@ let ( let* ) result continue =
 let readable file =
   match Resolve.Files.on_disk.read file with
   | Ok _ -> Ok ()
-  | Error Missing -> Error (Printf.sprintf "there is no file %s" file)
+  | Error Missing ->
+      let program = file ^ ".frob" in
+      let hint = if Sys.file_exists program then "; did you mean " ^ program ^ "?" else "" in
+      Error (Printf.sprintf "there is no file %s%s" file hint)
   | Error (Unreadable reason) -> Error (Printf.sprintf "cannot read %s: %s" file reason)
 
 (* An entry that is not there, or an engine that cannot run it, is a wrong call,
@@ -316,6 +319,8 @@ let header robot =
   | None -> Diagnostic.bug ~stage:"Driver" "no header for this robot"
 
 let explain code =
+  let is_number = code <> "" && String.for_all (fun c -> c >= '0' && c <= '9') code in
+  let code = if is_number then Printf.sprintf "E%04d" (int_of_string code) else code in
   match Explain.find (String.uppercase_ascii code) with
   | Some page ->
       print_string page;

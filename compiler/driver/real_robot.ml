@@ -97,7 +97,8 @@ let build general ~entry ~sources ~target ~output file =
   match Target.of_name target with
   | None ->
       Commands.wrong_use
-        (Printf.sprintf "there is no target `%s`; the targets: %s" target
+        (Printf.sprintf "there is no target `%s`; the targets: %s; for Arduino there is \
+                         `frobc export --platformio`" target
            (String.concat ", " Target.names))
   | Some target ->
       executable general target ~entry ~sources file (fun program ->

@@ -177,9 +177,13 @@ let open_program sink asked p =
 
 let is_open p = Fit.openness (typed_entry p) = Open_program
 
+(* A signal function that asks for capabilities has to be of a robot. *)
+let asks p = (typed_entry p).scheme.context <> [] && fitting p <> []
+
 let closed sink asked p =
   match (Fit.openness (typed_entry p), asked) with
   | Open_program, _ | Open_signal_function, Some _ -> open_program sink asked p
+  | Open_signal_function, None when asks p -> open_program sink asked p
   | Open_signal_function, None -> as_it_stands p
   | Closed, _ -> closed_program sink asked p
 

@@ -33,6 +33,15 @@ let is_output column =
   in
   String.equal column "out" || starts "out." || starts "out[" || starts "mode."
 
+(* The header that is wanted follows: of a robot's input the names are many. *)
+let shortened names =
+  let most = 4 in
+  if List.length names <= most then String.concat ", " names
+  else
+    Printf.sprintf "%s and %d others"
+      (String.concat ", " (List.filteri (fun i _ -> i < most - 1) names))
+      (List.length names - most + 1)
+
 let header name columns (row : Csv.row) =
   let known = Hashtbl.create 64 and places = Hashtbl.create 64 in
   List.iter (fun (c : Shape.column) -> Hashtbl.replace known c.name ()) columns;
@@ -65,7 +74,7 @@ let header name columns (row : Csv.row) =
       let names = List.map (fun (c : Shape.column) -> c.name) columns in
       [
         complaint name row width "missing: %s; the header for this program is `%s`"
-          (String.concat ", " missing)
+          (shortened missing)
           (String.concat "," ("time" :: names));
       ]
   in

@@ -4,6 +4,8 @@ val of_module : Scope.t -> Syntax.Ir.header option -> Interface.names
 (** All that it declares, or what its header lists, imported names
     included. *)
 
+val texts : Syntax.Ir.name list -> Interface.String_set.t
+
 val imported :
   Context.t -> Syntax.Ir.import option -> module_:string -> Interface.names -> Scope.import
 (** The part of a module's exports that an import takes; [None] is the

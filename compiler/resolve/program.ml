@@ -12,19 +12,31 @@ type resolved = {
   instances : Ir.instance list;
 }
 
-(* What each module of the library declares: for those that did not import it.
-   Reads the library only when first asked. *)
+(* What each module of the library declares, or exports of others' if it lists that:
+   for those that did not import it. Reads the library only when first asked. *)
 let library_names ~(files : Files.t) ~library =
-  let declared_in module_ =
+  let read module_ =
     match files.read (Filename.concat library (module_ ^ ".frob")) with
     | Error _ -> None
     | Ok text ->
         let sink = Diagnostic.sink () in
         Option.map
-          (fun syntax -> (module_, Interface.declared (Context.create sink) ~module_ syntax))
+          (fun (syntax : Syntax.Ir.program) ->
+            let own = Interface.declared (Context.create sink) ~module_ syntax in
+            (module_, own, Option.bind syntax.header (fun header -> header.exports)))
           (Syntax.Parse.program sink ~file:module_ text)
   in
-  lazy (List.filter_map declared_in (files.modules_in library))
+  let names_of modules =
+    let everything = List.fold_left (fun all (_, own, _) -> union all own) empty modules in
+    List.map
+      (fun (module_, own, exports) ->
+        match exports with
+        | None -> { Scope.module_; names = own; gathers = false }
+        | Some listed ->
+            { Scope.module_; names = select everything (Exports.texts listed); gathers = true })
+      modules
+  in
+  lazy (names_of (List.filter_map read (files.modules_in library)))
 
 let primitives (scope : Scope.t) (program : Syntax.Ir.program) =
   let report (name : Syntax.Ir.name) =

@@ -9,6 +9,8 @@ type import = {
   span : Span.t;
 }
 
+type of_library = { module_ : string; names : Interface.names; gathers : bool }
+
 type t = {
   context : Context.t;
   module_ : string;
@@ -16,7 +18,7 @@ type t = {
   own : Interface.names;
   imports : import list;
   complete : bool;
-  elsewhere : (string * Interface.names) list Lazy.t;
+  elsewhere : of_library list Lazy.t;
   records : tycon list String_map.t Lazy.t;
   records_of : Ir.Global.t list String_map.t Lazy.t;
 }
@@ -107,15 +109,27 @@ let other_writing t space name =
     | "constructor" -> known values (String.uncapitalize_ascii name)
     | _ -> None
 
+(* Words that are operators in other languages. *)
+let operator_word space name =
+  match (space.noun, name) with
+  | "name", ("and" | "AND") -> Some "a && b"
+  | "name", ("or" | "OR") -> Some "a || b"
+  | "name", "xor" -> Some "a /= b"
+  | _ -> None
+
 let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
     |> other_meaning t space name
   in
   let is_it (signal : Syntax.Ir.name) = String.equal signal.text name.text in
-  let declares (_, names) = String_map.mem name.text (space.table names) in
+  let has (m : of_library) = String_map.mem name.text (space.table m.names) in
+  let with_it =
+    let all = List.filter has (Lazy.force t.elsewhere) in
+    match List.filter (fun m -> m.gathers) all with [] -> all | gathering -> gathering
+  in
   let diagnostic =
-    match (List.filter declares (Lazy.force t.elsewhere), other_writing t space name.text) with
+    match (with_it, other_writing t space name.text) with
     | _ when List.exists is_it (Lazy.force signals) ->
         let signal = List.find is_it (Lazy.force signals) in
         Diagnostic.label ~at:signal.span (Printf.sprintf "this `%s` is a signal of the `proc`" name.text)
@@ -124,18 +138,22 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
              "a `where` after `do` belongs to the whole definition and sees no signals: write a \
               `let` in the `do`"
     | (_ :: _ as modules), _ ->
-        let imports = List.map (fun (module_, _) -> Printf.sprintf "`import %s`" module_) modules in
+        let imports = List.map (fun (m : of_library) -> Printf.sprintf "`import %s`" m.module_) modules in
         Diagnostic.hint
           (Printf.sprintf "`%s` is in the library: %s" name.text (String.concat " or " imports))
           diagnostic
     | [], Some other -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
+    | [], None when Option.is_some (operator_word space name.text) ->
+        Diagnostic.hint
+          (Printf.sprintf "write `%s`" (Option.get (operator_word space name.text)))
+          diagnostic
     | [], None ->
         Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
   in
   Context.emit t.context diagnostic
 
 let report_unknown_module t (qualifier : Syntax.Ir.name) =
-  let of_library (module_, _) = String.equal module_ qualifier.text in
+  let of_library (m : of_library) = String.equal m.module_ qualifier.text in
   let diagnostic =
     Diagnostic.error ~code:"E0215" ~at:qualifier.span "no module `%s` is imported here"
       qualifier.text

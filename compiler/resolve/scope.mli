@@ -12,6 +12,13 @@ type import = {
   span : Span.t;
 }
 
+(** A module of the library, for hints. *)
+type of_library = {
+  module_ : string;
+  names : Interface.names;  (** what it declares, or what its header lists *)
+  gathers : bool;  (** its header lists names of others too: it is what one imports *)
+}
+
 type t = {
   context : Context.t;
   module_ : string;
@@ -21,8 +28,8 @@ type t = {
   complete : bool;
       (** every import was found; otherwise an unknown name is not reported,
           since it may be the missing module's *)
-  elsewhere : (string * Interface.names) list Lazy.t;
-      (** the modules of the library with what they declare, for hints *)
+  elsewhere : of_library list Lazy.t;
+      (** the modules of the library *)
   records : Interface.tycon list Interface.String_map.t Lazy.t;
       (** the record types in scope, by the name of a field *)
   records_of : Ir.Global.t list Interface.String_map.t Lazy.t;
@@ -36,7 +43,7 @@ val create :
   own:Interface.names ->
   imports:import list ->
   complete:bool ->
-  elsewhere:(string * Interface.names) list Lazy.t ->
+  elsewhere:of_library list Lazy.t ->
   t
 
 val find : t -> 'a Interface.space -> Syntax.Ir.qualified -> 'a option

@@ -12,6 +12,10 @@ let refuse_entry (c : Context.t) (core : Ir.definition) =
   in
   let rec result : Ir.ty -> Ir.ty = function Function (_, ty) -> result ty | ty -> ty in
   match (core.ty, result core.ty) with
+  | Data ({ name = "Program"; _ }, [ _; (Function _ | Float | Int | Bool | Tuple _) ]), _ ->
+      refuse
+        (Printf.sprintf "its type is `%s`, and what comes out is not what a robot takes" ty)
+        ~cure:"the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`"
   | (Signal_function _ | Data ({ name = "Program"; _ }, _)), _ ->
       refuse
         (Printf.sprintf "its type `%s` leaves open what comes in or goes out" ty)

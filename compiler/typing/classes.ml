@@ -226,7 +226,8 @@ let not_promised ctx (required : required) class_ (variable : Ir.variable) t =
           error by
           |> (if Span.compare place required.at = 0 then Fun.id else Diagnostic.label ~at:place by)
           |> explain words required
-          |> Diagnostic.hint (Printf.sprintf "begin %s with `%s =>`" by needed))
+          |> Diagnostic.hint (Printf.sprintf "begin %s with `%s =>`, or add it to what stands there: `(…, %s) =>`" by
+                  needed needed))
 
 (* {1 Solving} *)
 

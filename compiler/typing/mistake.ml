@@ -120,6 +120,13 @@ let explain_subject subject reason diagnostic =
 
 (* {1 Units} *)
 
+(* Written as an angle and nothing else: which is a number without a unit. *)
+let angle : Resolve.Ir.unit_ option -> string option = function
+  | Some { factors = [ (Declared { name = ("deg" | "rad") as name; _ }, _) ]; _ } -> Some name
+  | Some _ | None -> None
+
+let is_per_second words u = String.equal (Show.measure words u) "1/s"
+
 (* A plain number written where one with a unit is needed. *)
 let unit_of_literal words ~subject ~(expected : expected) (wanted, given) diagnostic =
   let write (e : Resolve.Ir.expr option) unit_ =
@@ -127,6 +134,11 @@ let unit_of_literal words ~subject ~(expected : expected) (wanted, given) diagno
     | Some { desc = Number { digits; unit_ = None; _ }; _ }
       when Units.flexible_powers unit_ = [] && Units.rigid_powers unit_ = [] ->
         Some (Printf.sprintf "write `%s[%s]` if that is its unit" digits (Show.measure words unit_))
+    | Some { desc = Number { digits; unit_ = written; _ }; _ } when is_per_second words unit_ ->
+        let per_second angle =
+          Printf.sprintf "write `%s[%s/s]` if that is how far it turns in a second" digits angle
+        in
+        Option.map per_second (angle written)
     | _ -> None
   in
   let other = match expected.because with Operand { other; _ } -> Some other | _ -> None in
@@ -245,9 +257,18 @@ let is_event t =
   | Data { tycon; _ } -> tycon = Environment.built_in "Event"
   | _ -> false
 
+let is_number t = match Type.expand t with Number _ -> true | _ -> false
+
 (* As in `f(x, y)`. *)
 let separated_by_commas expected =
   match expected.because with Parameter { position = 1; callee = Some _; _ } -> true | _ -> false
+
+(* Of a place, written as a pair. *)
+let vector_fields wanted elements =
+  match (wanted, List.length elements) with
+  | Type.Data { tycon = { name = "Vec2"; _ }; _ }, 2 -> Some "`Vec2 { x = a, y = b }`"
+  | Type.Data { tycon = { name = "Vec3"; _ }; _ }, 3 -> Some "`Vec3 { x = a, y = b, z = c }`"
+  | _ -> None
 
 let vector_operator expected =
   match expected.because with
@@ -405,6 +426,10 @@ let shapes words ~subject ~at ~(expected : expected) ~found =
       |> (match subject with
          | Some { desc = Tuple _; _ } -> Fun.id
          | _ -> here (Printf.sprintf "this is %s" (text found)))
+  | wanted, Tuple (_ :: _ as elements), _ when vector_fields wanted elements <> None ->
+      error ~code:"E0301" ~at "expected %s, found a tuple of %d" (text expected.ty)
+        (List.length elements)
+      |> hint (Printf.sprintf "a vector has its fields by name: %s" (Option.get (vector_fields wanted elements)))
   | (Number _ | Bool | String | Data _), Tuple (_ :: _ as elements), _ when separated_by_commas expected ->
       let name = match expected.because with Parameter { callee = Some f; _ } -> f | _ -> "f" in
       let arguments = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) elements in
@@ -423,6 +448,10 @@ let shapes words ~subject ~at ~(expected : expected) ~found =
       | Some diagnostic, _ -> diagnostic
       | None, Condition ->
           error ~code:"E0301" ~at "a condition must be `Bool`, but this is %s" (text found)
+          |> if is_event found then hint "`isEvent e` tells whether it occurs now" else Fun.id
+      | None, _ when is_number expected.ty && is_event found ->
+          error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+          |> hint "an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`"
       | None, Parameter { before = Some operator; callee = Some name; _ }
         when Type.expand expected.ty = Bool ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)

@@ -76,7 +76,7 @@ What is missing is named where it is needed, with the place that asks for it.
   29 | e3 x = area x
      |        ^^^^
      |
-     = hint: begin the signature of `e3` with `Shape a =>`
+     = hint: begin the signature of `e3` with `Shape a =>`, or add it to what stands there: `(…, Shape a) =>`
   
   error[E0360]: there is no instance `Shape Float`
     --> needed.frob:31:6
@@ -200,7 +200,7 @@ What an instance may be, and what it must give.
   18 | instance Derived (Maybe a)
      |          ^^^^^^^^^^^^^^^^
      |
-     = hint: begin the instance of `Derived` with `Base a =>`
+     = hint: begin the instance of `Derived` with `Base a =>`, or add it to what stands there: `(…, Base a) =>`
   
   error[E0306]: the signature promises every unit `u`, but the definition needs it to be `1`
     --> declared.frob:22:14

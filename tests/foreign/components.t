@@ -133,7 +133,7 @@ What comes from C is unknown when a program starts, so it may switch at once:
     | |                           `main` may start `main` at its own first instant
     | `filter` may occur at the first instant of `main`
     |
-    = hint: `notYet` drops an occurrence at the first instant; `edge` has none there
+    = hint: `notYet` drops an occurrence at the first instant; `edge` has none there; `sleepT 10[ms] y` takes time between tasks
   
   1 error
   [1]

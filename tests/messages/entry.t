@@ -64,13 +64,13 @@ A program that leaves its robot open cannot be run as it stands.
   > main = reactimateRobot (proc i -> 0.3[m/s])
   > FROB
   $ frobc check robot.frob
-  error[E0411]: `main` cannot run: its type `Program a Float` leaves open what comes in or goes out
+  error[E0411]: `main` cannot run: its type is `Program a Float`, and what comes out is not what a robot takes
    --> robot.frob:2:1
     |
   2 | main = reactimateRobot (proc i -> 0.3[m/s])
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: give it a signature without variables, such as `main :: SF Float Float`
+    = hint: the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`
   
   1 error
   [1]

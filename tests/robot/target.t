@@ -17,7 +17,7 @@ All the sources are installed.
 Other targets are named; a compiler that is missing is told with what helps.
 
   $ frobc build drive.frob --target arduino
-  error: there is no target `arduino`; the targets: host, linux, aarch64-linux, armhf-linux, cortex-m
+  error: there is no target `arduino`; the targets: host, linux, aarch64-linux, armhf-linux, cortex-m; for Arduino there is `frobc export --platformio`
   [2]
   $ mkdir tools; ln -s "$(command -v frobc)" tools/frobc
   $ export FROB_HOME=$(dirname "$(command -v frobc)")/..

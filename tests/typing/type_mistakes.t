@@ -121,7 +121,7 @@ What cannot be compared, what nothing decides, what a signature leaves out.
   6 | either3 x y = x == y
     |                 ^^
     |
-    = hint: begin the signature of `either3` with `Eq a =>`
+    = hint: begin the signature of `either3` with `Eq a =>`, or add it to what stands there: `(…, Eq a) =>`
   
   3 errors
   [1]

@@ -118,17 +118,26 @@ static struct column *find_column(struct trace *t, const char *name)
     return NULL;
 }
 
-/* All that the header lacks at once, and what it should be. */
+/* What the header lacks, and what it should be: of a robot's input the names are
+ * many, so not all of them twice. */
 static void complain_missing(const struct trace *t)
 {
+    enum { MOST = 4 };
     const char *comma = "";
+    size_t missing = 0, named = 0;
+    for (size_t i = 0; i < t->count; i++)
+        missing += t->columns[i].found ? 0 : 1;
+    const size_t most = missing <= MOST ? missing : MOST - 1;
     fprintf(stderr, "error: %s:%lu:1: missing: ", t->input_name, t->csv.line);
-    for (size_t i = 0; i < t->count; i++) {
+    for (size_t i = 0; i < t->count && named < most; i++) {
         if (!t->columns[i].found) {
             fprintf(stderr, "%s`%s`", comma, t->columns[i].name);
             comma = ", ";
+            named++;
         }
     }
+    if (named < missing)
+        fprintf(stderr, " and %lu others", (unsigned long)(missing - named));
     fputs("; the header for this program is `time", stderr);
     for (size_t i = 0; i < t->count; i++)
         fprintf(stderr, ",%s", t->columns[i].name);

@@ -1,0 +1,212 @@
+What goes wrong in one's first programs for a robot.
+
+A name that is not imported: the module that gathers what programs for robots need.
+
+  $ cat > no_import.frob <<'FROB'
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] 0))
+  > FROB
+  $ frobc check no_import.frob
+  error[E0205]: unknown name `reactimateRobot`
+   --> no_import.frob:1:8
+    |
+  1 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] 0))
+    |        ^^^^^^^^^^^^^^^
+    |
+    = hint: `reactimateRobot` is in the library: `import Robot`
+  
+  error[E0205]: unknown name `roMake`
+   --> no_import.frob:1:35
+    |
+  1 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] 0))
+    |                                   ^^^^^^
+    |
+    = hint: `roMake` is in the library: `import Robot`
+  
+  error[E0205]: unknown name `setVelTR`
+   --> no_import.frob:1:43
+    |
+  1 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] 0))
+    |                                           ^^^^^^^^
+    |
+    = hint: `setVelTR` is in the library: `import Robot`
+  
+  3 errors
+  [1]
+
+An angle where a speed of turning is needed.
+
+  $ cat > degrees.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0 30[deg]))
+  > FROB
+  $ frobc check degrees.frob
+  error[E0320]: expected the unit `1/s`, found none
+   --> degrees.frob:2:54
+    |
+  2 | main = reactimateRobot (proc i -> roMake (setVelTR 0 30[deg]))
+    |                                           --------   ^^^^^^^ this is `Float`
+    |                                           |
+    |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
+    |
+    = hint: write `30[deg/s]` if that is how far it turns in a second
+  
+  1 error
+  [1]
+  $ sed 's,30.deg.,30[deg/s],' degrees.frob > turning.frob
+  $ frobc check turning.frob
+
+An event where a truth or a number is needed.
+
+  $ cat > events.frob <<'FROB'
+  > import Robot
+  > 
+  > stops :: HasBumpers i => SF i Float
+  > stops = proc i -> if edge (bumped i) then 0 else 1
+  > 
+  > more :: SF (Event Float) Float
+  > more = proc e -> e + 1
+  > FROB
+  $ frobc check events.frob
+  error[E0301]: a condition must be `Bool`, but this is `Event ()`
+   --> events.frob:4:22
+    |
+  4 | stops = proc i -> if edge (bumped i) then 0 else 1
+    |                      ^^^^^^^^^^^^^^^
+    |
+    = hint: `isEvent e` tells whether it occurs now
+  
+  error[E0301]: expected a number, found `Event Float`
+   --> events.frob:7:18
+    |
+  7 | more = proc e -> e + 1
+    |                  ^ - argument 1 of `+` is a number
+    |
+    = hint: an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`
+  
+  2 errors
+  [1]
+
+A place written as a pair.
+
+  $ cat > place.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (driveTo (3, 4))
+  > FROB
+  $ frobc check place.frob
+  error[E0301]: expected `Point2`, found a tuple of 2
+   --> place.frob:2:32
+    |
+  2 | main = reactimateTask (driveTo (3, 4))
+    |                        ------- ^^^^^^
+    |                        |
+    |                        argument 1 of `driveTo` is `Point2`
+    |
+    = hint: a vector has its fields by name: `Vec2 { x = a, y = b }`
+  
+  1 error
+  [1]
+
+The output of a robot without `roMake`.
+
+  $ cat > no_make.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> setVelTR 0.1[m/s] 0)
+  > FROB
+  $ frobc check no_make.frob
+  error[E0411]: `main` cannot run: its type is `Program a (b -> b)`, and what comes out is not what a robot takes
+   --> no_make.frob:2:1
+    |
+  2 | main = reactimateRobot (proc i -> setVelTR 0.1[m/s] 0)
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`
+  
+  1 error
+  [1]
+
+A signature that asks for too little.
+
+  $ cat > asks.frob <<'FROB'
+  > import Robot
+  > 
+  > main :: DiffDrive o => Program i o
+  > main = reactimateRobot (proc i -> roMake (setVelTR (if bumped i then 0 else 0.1[m/s]) 0))
+  > FROB
+  $ frobc check asks.frob
+  error[E0309]: `bumped` needs `HasBumpers i`, which the signature of `main` does not promise
+    --> asks.frob:4:56
+     |
+   3 | main :: DiffDrive o => Program i o
+     |         -------------------------- the signature of `main`
+   4 | main = reactimateRobot (proc i -> roMake (setVelTR (if bumped i then 0 else 0.1[m/s]) 0))
+     |                                                        ^^^^^^
+     |
+    ::: stdlib/Capability.frob:76:11
+     |
+  76 | bumped :: HasBumpers i => i -> Bool
+     |           ------------------------- `bumped` asks for `HasBumpers i` here
+     |
+     = hint: begin the signature of `main` with `HasBumpers i =>`, or add it to what stands there: `(…, HasBumpers i) =>`
+  
+  1 error
+  [1]
+
+A signal function of a robot is a program for any that has what it asks for; without a
+signature it is for a Pioneer, as a program is.
+
+  $ cat > logger.frob <<'FROB'
+  > import Robot
+  > 
+  > logger :: HasOdometry i => SF i Float[m]
+  > logger = proc i -> integral (abs (velocity i))
+  > 
+  > main = proc i -> roMake (setVelTR 0.1[m/s] 0)
+  > FROB
+  $ frobc compile logger.frob --entry logger
+  error[E0502]: `logger` leaves open which robot it runs on
+   --> logger.frob:4:1
+    |
+  4 | logger = proc i -> integral (abs (velocity i))
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: `pioneer`, `scout` and `create` have all that it asks for: compile it with `--robot pioneer`, `--robot scout` or `--robot create`
+  
+  1 error
+  [1]
+  $ frobc compile logger.frob --entry logger --robot scout
+  $ frobc run logger.frob --for 1s | head -1
+  time simulated: 1.000 s
+
+Words that are operators.
+
+  $ cat > words.frob <<'FROB'
+  > f :: Bool -> Bool -> Bool
+  > f x y = x and y
+  > FROB
+  $ frobc check words.frob
+  error[E0205]: unknown name `and`
+   --> words.frob:2:11
+    |
+  2 | f x y = x and y
+    |           ^^^
+    |
+    = hint: write `a && b`
+  
+  1 error
+  [1]
+
+A table that lacks most of what the robot senses.
+
+  $ printf 'time,in.odometry.heading\n0,1\n' > in.csv
+  $ frobc trace logger.frob --input in.csv 2>&1 | cut -d';' -f1
+  error: in.csv:1:1: missing: `in.odometry.position.x`, `in.odometry.position.y`, `in.leftWheel` and 24 others
+  $ frobc trace logger.frob --input in.csv --engine interp 2>&1 | cut -d';' -f1
+  error: in.csv:1:1: missing: `in.odometry.position.x`, `in.odometry.position.y`, `in.leftWheel` and 24 others
+
+A program named without its ending, a number for a code.
+
+  $ frobc run logger
+  error: there is no file logger; did you mean logger.frob?
+  [2]
+  $ frobc explain 402 | head -1
+  # signal functions that may switch for ever within one instant
