@@ -39,7 +39,7 @@ let table =
       {|/* The condition of a branch that is to stay one, for the processor to predict:
  * a select in its place would have each step wait for the one before. */
 #ifdef __GNUC__
-#define FROB_BRANCH(condition) __builtin_expect((condition), 0)
+#define FROB_BRANCH(condition) (__builtin_expect((condition), 0) != 0)
 #else
 #define FROB_BRANCH(condition) (condition)
 #endif
@@ -50,7 +50,8 @@ let table =
       {|/* The number that a 32-bit register holds, read as signed. */
 static inline int32_t frob_wrap(uint32_t u)
 {
-    return u <= 0x7fffffffu ? (int32_t)u : (int32_t)(u - 0x80000000u) + INT32_MIN;
+    const uint32_t above = u - 0x80000000u;
+    return u <= 0x7fffffffu ? (int32_t)u : (int32_t)above + INT32_MIN;
 }
 |} );
     ( Int_add,
@@ -341,7 +342,7 @@ static inline double frob_time_in_ns(int64_t time)
 static inline int64_t frob_later(int64_t time, int64_t ns)
 {
     const uint64_t later = (uint64_t)time + (uint64_t)ns;
-    return later < INT64_MAX ? (int64_t)later : INT64_MAX;
+    return later < (uint64_t)INT64_MAX ? (int64_t)later : INT64_MAX;
 }
 |} );
   ]

@@ -53,8 +53,9 @@
   #include "gain.h"
   #include <math.h>
   
-  #ifdef __FAST_MATH__
-  #error "the program's numbers are IEEE doubles: compile without -ffast-math"
+  #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) || \
+      defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+  #error "the program's numbers are IEEE doubles: compile without -ffast-math and its parts"
   #endif
   #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
   #error "the program's numbers are IEEE doubles: FLT_EVAL_METHOD must be 0"
@@ -118,7 +119,7 @@ Another entry, and one that is not there:
   [2]
   $ frobc compile two.frob --entry fast
   $ grep fast two.c
-  #error "the program's numbers are IEEE doubles: compile without -ffast-math"
+  #error "the program's numbers are IEEE doubles: compile without -ffast-math and its parts"
   /* fast, two.frob:3 */
   /* fast, two.frob:3 */
 

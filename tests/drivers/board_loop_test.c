@@ -7,6 +7,7 @@
 #include "drivers/pioneer/protocol.h"
 #include "hal/fake/fake.h"
 #include "hosts/board/loop.h"
+#include <frob/arithmetic.h>
 #include <frob/pioneer.h>
 #include <frob/program.h>
 
@@ -44,6 +45,13 @@ static void step(void *s, double dt, const void *in, void *out)
     o->turn = 0.0;
 }
 
+static unsigned arithmetic_faults;
+
+static unsigned arithmetic(void)
+{
+    return arithmetic_faults;
+}
+
 const struct frob_program frob_program = { .abi = FROB_PROGRAM_ABI,
                                            .name = "drive",
                                            .robot = "pioneer",
@@ -51,7 +59,8 @@ const struct frob_program frob_program = { .abi = FROB_PROGRAM_ABI,
                                            .input_size = sizeof(struct frob_pioneer_input),
                                            .output_size = sizeof(struct frob_pioneer_output),
                                            .reset = reset,
-                                           .step = step };
+                                           .step = step,
+                                           .arithmetic = arithmetic };
 
 /* {1 The robot} */
 
@@ -127,7 +136,12 @@ int main(void)
     frob_fake_line_open(&line, &now);
     serial = frob_fake_serial(&line);
     clock_ = frob_fake_time(&now);
-    check(loop_line_rate() == 9600 && loop_start(&serial, &clock_), "a program for a robot");
+    arithmetic_faults = FROB_ARITHMETIC_CONTRACTION;
+    check(loop_start(&serial, &clock_) != NULL && loop_count().steps == 0,
+          "a program with other arithmetic does not begin");
+    arithmetic_faults = 0;
+    check(loop_line_rate() == 9600 && loop_start(&serial, &clock_) == NULL,
+          "a program for a robot");
     run(1500);
     check(loop_count().connections == 1 && robot.speed == 300, "connects and drives");
     before = loop_count();

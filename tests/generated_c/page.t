@@ -8,9 +8,18 @@ run. Blocks of code by language and number:
   $ block c 1 >shown && sed -n '/^struct cruise_input/,/^ .*out);/p' cruise.h | diff shown -
   $ block c 2 >shown && sed -n '/^\/\* main/,$p' cruise.c | diff shown -
 
+The question about arithmetic:
+
+  $ block c 3 >ask.c && echo 'int main(void) { return !may_drive(); }' >>ask.c
+  $ include=$(dirname "$(command -v frobc)")/../share/frobc/include
+  $ gcc -O2 -ffp-contract=off -I "$include" ask.c -o ask && ./ask
+  $ gcc -O2 -ffast-math -I "$include" ask.c -o ask && ./ask
+  this must not drive: its arithmetic takes floating-point numbers for real ones: compile without -ffast-math and its parts
+  [1]
+
 From C:
 
-  $ block c 3 >drive.c
+  $ block c 4 >drive.c
   $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
   $ gcc -std=c99 -O2 -ffp-contract=off $flags cruise.c drive.c -lm -o drive_c && ./drive_c
   4.000 V at 0.000 m/s

@@ -48,6 +48,7 @@ A PNG picture is one, and a picture that is neither is refused.
 Running into a wall is told, and with --strict it is a fault.
 
   $ cat > ahead.c <<EOF
+  > #include <frob/arithmetic.h>
   > #include <frob/pioneer.h>
   > #include <frob/program.h>
   > static void reset(void *self) { (void)self; }
@@ -59,7 +60,8 @@ Running into a wall is told, and with --strict it is a fault.
   > }
   > const struct frob_program frob_program = {
   >     FROB_PROGRAM_ABI, "ahead", ROBOT, 0, sizeof(struct frob_pioneer_input),
-  >     sizeof(struct frob_pioneer_output), NULL, NULL, reset, step };
+  >     sizeof(struct frob_pioneer_output), NULL, NULL, reset, step,
+  >     frob_arithmetic_faults };
   > EOF
   $ compile () { gcc -shared -fPIC -I../../runtime/include "-DROBOT=\"$1\"" ahead.c -o $2; }
   $ compile pioneer ahead.so

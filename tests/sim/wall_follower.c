@@ -2,6 +2,7 @@
  * paper's control law (section 3) for a wall on the left, and sonar signals
  * held and smoothed. With it the simulator and its host are tested without
  * the compiler. */
+#include <frob/arithmetic.h>
 #include <frob/pioneer.h>
 #include <frob/program.h>
 
@@ -141,4 +142,5 @@ const struct frob_program frob_program = {
     .output = &pioneer_output,
     .reset = reset,
     .step = step,
+    .arithmetic = frob_arithmetic_faults,
 };

@@ -82,9 +82,10 @@ void setup()
     const uint32_t rate = loop_line_rate();
     Serial.begin(115200);
     Serial1.begin(rate != 0 ? rate : 9600);
-    running = loop_start(&board_line, &board_clock);
+    const char *const why_not = loop_start(&board_line, &board_clock);
+    running = why_not == nullptr;
     if (!running)
-        Serial.println("this program is not for a robot with a driver here");
+        Serial.println(why_not);
 }
 
 void loop()

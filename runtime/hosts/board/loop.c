@@ -1,7 +1,9 @@
 #include "hosts/board/loop.h"
 
+#include <stdbool.h>
 #include <string.h>
 
+#include <frob/arithmetic.h>
 #include <frob/create.h>
 #include <frob/pioneer.h>
 #include <frob/program.h>
@@ -86,11 +88,15 @@ static void connect(void)
     frob_robot_start(&robot, driver, &device, settings, &line, &time_, PATIENCE_NS);
 }
 
-bool loop_start(const struct frob_serial *serial, const struct frob_clock *clock)
+const char *loop_start(const struct frob_serial *serial, const struct frob_clock *clock)
 {
     const struct frob_driver *found = find_driver();
     if (!fits(found))
-        return false;
+        return "this program is not for a robot with a driver here";
+    /* In the program, and in what clamps its commands. */
+    if ((frob_program.arithmetic() | frob_arithmetic_faults()) != 0)
+        return "this program must not drive: its arithmetic is not IEEE 754's; was it compiled "
+               "with -ffast-math, or without -ffp-contract=off?";
     for (size_t i = 0; i < found->setting_count; i++)
         settings[i] = found->settings[i].initial;
     line = *serial;
@@ -98,7 +104,7 @@ bool loop_start(const struct frob_serial *serial, const struct frob_clock *clock
     driver = found;
     frob_program.reset(frob_program_state);
     connect();
-    return true;
+    return NULL;
 }
 
 /* The robot's stop needs nothing that the loop, which is stuck, may be in the

@@ -13,7 +13,6 @@
 #ifndef FROB_HOST_BOARD_LOOP_H
 #define FROB_HOST_BOARD_LOOP_H
 
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "hal/clock.h"
@@ -23,9 +22,10 @@
 extern "C" {
 #endif
 
-/* Begins to connect to the program's robot; both must stay. False if there is
- * no driver for it. */
-bool loop_start(const struct frob_serial *serial, const struct frob_clock *clock);
+/* Begins to connect to the program's robot; both must stay. NULL, or if it must
+ * not begin the reason, a line for a person: there is no driver for the robot, or
+ * arithmetic here is not what the program is compiled for (<frob/arithmetic.h>). */
+const char *loop_start(const struct frob_serial *serial, const struct frob_clock *clock);
 
 /* The rate of the robot's line at first, bits per second; 0 without a driver. */
 uint32_t loop_line_rate(void);

@@ -3,9 +3,12 @@
 #include <dlfcn.h>
 #include <stdio.h>
 
+#include <frob/arithmetic.h>
+
 const struct frob_program *frob_load(const char *path)
 {
     const struct frob_program *program;
+    unsigned faults;
     void *object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (object == NULL) {
         fprintf(stderr, "error: %s is not a compiled program: %s\n", path, dlerror());
@@ -19,6 +22,12 @@ const struct frob_program *frob_load(const char *path)
     }
     if (program->abi != FROB_PROGRAM_ABI) {
         fprintf(stderr, "error: %s was compiled for another version of the runtime\n", path);
+        return NULL;
+    }
+    faults = program->arithmetic() | frob_arithmetic_faults();
+    if (faults != 0) {
+        fprintf(stderr, "error: %s cannot be run: its arithmetic %s\n", path,
+                frob_arithmetic_reason(faults));
         return NULL;
     }
     return program;

@@ -4,8 +4,9 @@
 
 #include <frob/program.h>
 
-/* Loads a program. NULL on failure, with one line on standard error. The
- * program stays loaded until the process ends. */
+/* Loads a program. NULL on failure, and if arithmetic in it or here is not what
+ * programs are compiled for (<frob/arithmetic.h>), with one line on standard
+ * error. The program stays loaded until the process ends. */
 const struct frob_program *frob_load(const char *path);
 
 #endif

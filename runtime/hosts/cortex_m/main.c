@@ -47,10 +47,13 @@ static void tell(int64_t now_ns)
 int main(void)
 {
     uint32_t rate = loop_line_rate();
+    const char *why_not;
     board_clock_start(loop_watch);
     board_serial_open(rate != 0 ? rate : 9600);
-    if (!loop_start(&board_serial, &board_clock)) {
-        board_say("this program is not for a robot with a driver here\n");
+    why_not = loop_start(&board_serial, &board_clock);
+    if (why_not != NULL) {
+        board_say(why_not);
+        board_say("\n");
         return 1;
     }
     for (;;) {

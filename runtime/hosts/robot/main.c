@@ -1,13 +1,16 @@
 /* The main program of an executable that drives a robot: `frobc build` links
  * it with a compiled program, and `frobc run --device` starts that.
  *
- * Exit status: 0; 2 for wrong use or a device that cannot be opened; 4 when
+ * Exit status: 0; 2 for wrong use, arithmetic that the program was not compiled
+ * for (<frob/arithmetic.h>), or a device that cannot be opened; 4 when
  * the run was ended by a signal or a fault, after the robot was stopped. */
 #include "drivers.h"
 #include "options.h"
 #include "supervisor.h"
 
 #include <stdio.h>
+
+#include <frob/arithmetic.h>
 
 #include "core/robot.h"
 
@@ -20,6 +23,8 @@ int main(int argc, char **argv)
 {
     struct options options;
     const struct frob_driver *driver = find_driver(frob_program.robot);
+    /* In the program, and in what clamps its commands. */
+    const unsigned faults = frob_program.arithmetic() | frob_arithmetic_faults();
     if (driver == NULL) {
         fprintf(stderr, "error: %s is a program for %s, which has no driver; there are drivers for: %s\n",
                 frob_program.name, frob_program.robot[0] != '\0' ? frob_program.robot : "no robot",
@@ -31,6 +36,11 @@ int main(int argc, char **argv)
         driver->output_size > FROB_OUTPUT_MOST || driver->setting_count > SETTINGS_MOST) {
         fprintf(stderr, "error: %s was compiled with another <frob/%s.h>\n", frob_program.name,
                 driver->robot);
+        return WRONG_USE;
+    }
+    if (faults != 0) {
+        fprintf(stderr, "error: %s must not drive a robot: its arithmetic %s\n", frob_program.name,
+                frob_arithmetic_reason(faults));
         return WRONG_USE;
     }
     switch (read_options(argc, argv, frob_program.name, driver, &options)) {

@@ -70,6 +70,7 @@ struct frob_program {
     const struct frob_value *output;
     void (*reset)(void *state);
     void (*step)(void *state, double dt, const void *input, void *output);
+    unsigned (*arithmetic)(void); /* frob_arithmetic_faults, compiled as the program is */
     const struct frob_value *result;
         /* of a program that ends: the event, part of its output, that occurs at
          * its end and from then on, with what it has ended with; else NULL. The
@@ -78,7 +79,7 @@ struct frob_program {
     size_t machine_count;
 };
 
-#define FROB_PROGRAM_ABI 4u
+#define FROB_PROGRAM_ABI 5u
 
 /* The symbol that hosts look up. */
 #define FROB_PROGRAM_SYMBOL "frob_program"

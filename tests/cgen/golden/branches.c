@@ -3,8 +3,9 @@
 #include <frob/elementary.h>
 #include <math.h>
 
-#ifdef __FAST_MATH__
-#error "the program's numbers are IEEE doubles: compile without -ffast-math"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+#error "the program's numbers are IEEE doubles: compile without -ffast-math and its parts"
 #endif
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
 #error "the program's numbers are IEEE doubles: FLT_EVAL_METHOD must be 0"

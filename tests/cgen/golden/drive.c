@@ -3,8 +3,9 @@
 #include <frob/elementary.h>
 #include <math.h>
 
-#ifdef __FAST_MATH__
-#error "the program's numbers are IEEE doubles: compile without -ffast-math"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+#error "the program's numbers are IEEE doubles: compile without -ffast-math and its parts"
 #endif
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
 #error "the program's numbers are IEEE doubles: FLT_EVAL_METHOD must be 0"
@@ -14,7 +15,7 @@ typedef char drive_double_is_8_bytes[sizeof(double) == 8 ? 1 : -1];
 /* The condition of a branch that is to stay one, for the processor to predict:
  * a select in its place would have each step wait for the one before. */
 #ifdef __GNUC__
-#define FROB_BRANCH(condition) __builtin_expect((condition), 0)
+#define FROB_BRANCH(condition) (__builtin_expect((condition), 0) != 0)
 #else
 #define FROB_BRANCH(condition) (condition)
 #endif
@@ -46,7 +47,7 @@ static inline double frob_seconds(double ns, double dt)
 static inline int64_t frob_later(int64_t time, int64_t ns)
 {
     const uint64_t later = (uint64_t)time + (uint64_t)ns;
-    return later < INT64_MAX ? (int64_t)later : INT64_MAX;
+    return later < (uint64_t)INT64_MAX ? (int64_t)later : INT64_MAX;
 }
 
 /* pi, Control.frob:1 */

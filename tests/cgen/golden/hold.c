@@ -2,8 +2,9 @@
 #include "hold.h"
 #include <math.h>
 
-#ifdef __FAST_MATH__
-#error "the program's numbers are IEEE doubles: compile without -ffast-math"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+#error "the program's numbers are IEEE doubles: compile without -ffast-math and its parts"
 #endif
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
 #error "the program's numbers are IEEE doubles: FLT_EVAL_METHOD must be 0"
@@ -13,7 +14,8 @@ typedef char hold_double_is_8_bytes[sizeof(double) == 8 ? 1 : -1];
 /* The number that a 32-bit register holds, read as signed. */
 static inline int32_t frob_wrap(uint32_t u)
 {
-    return u <= 0x7fffffffu ? (int32_t)u : (int32_t)(u - 0x80000000u) + INT32_MIN;
+    const uint32_t above = u - 0x80000000u;
+    return u <= 0x7fffffffu ? (int32_t)u : (int32_t)above + INT32_MIN;
 }
 
 static inline int32_t frob_int_add(int32_t a, int32_t b)

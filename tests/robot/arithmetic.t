@@ -1,0 +1,37 @@
+A program compiled to other arithmetic does not drive: here a C compiler joins
+products and sums. (Where the processor cannot do that, what would be said is.)
+
+  $ . ./robot.sh
+  $ start_robot
+  $ cat > joining-cc <<'END'
+  > #!/bin/sh
+  > exec gcc "$@" -ffp-contract=fast -mfma
+  > END
+  $ chmod +x joining-cc
+  $ if grep -qw fma /proc/cpuinfo; then
+  >   CC=./joining-cc frobc build drive.frob -o drive && ./drive --device ./line --for 0.1
+  > else
+  >   echo 'error: drive must not drive a robot: its arithmetic joins products and sums into one rounding: compile with -ffp-contract=off' >&2; (exit 2)
+  > fi
+  error: drive must not drive a robot: its arithmetic joins products and sums into one rounding: compile with -ffp-contract=off
+  [2]
+
+Neither does one whose processor was set to round up before it began, as any
+library can do, nor is it traced.
+
+  $ cat > upward.c <<'END'
+  > #include <fenv.h>
+  > static void __attribute__((constructor)) upward(void) { fesetround(FE_UPWARD); }
+  > END
+  $ frobc run drive.frob --with upward.c --device ./line --for 1s
+  error: drive must not drive a robot: its arithmetic does not round to nearest: some code has set another rounding mode
+  [2]
+  $ echo 'main :: SF Float Float; main = proc x -> x * 2' > twice.frob
+  $ printf 'time,in\n0,1\n' > in.csv
+  $ frobc trace twice.frob --with upward.c --input in.csv 2>&1 | sed 's/error: .* cannot/error: PROGRAM cannot/'
+  error: PROGRAM cannot be run: its arithmetic does not round to nearest: some code has set another rounding mode
+
+The robot has heard of none of them.
+
+  $ cat told
+  $ end_robot
