@@ -119,6 +119,8 @@ let address : Ir.expr -> Ir.expr = function
   | Unary (Dereference, pointer) -> pointer
   | e -> Unary (Address, e)
 
+let is_whole_period period = period >= 1. && period < 0x1p63
+
 let rec of_machine n (e : M.expr) : Ir.expr =
   let list = List.map (of_machine n) in
   match e with
@@ -210,6 +212,12 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   | In_nanoseconds e -> Call (V.helper n.v Time_in_nanoseconds, [ of_machine n e ])
   | Seconds e -> Binary (Over, Cast (Real, of_machine n e), Float 1e9)
   | Later (a, b) -> Call (V.helper n.v Later, [ of_machine n a; of_machine n b ])
+  | Reached { time; period = Float period } when is_whole_period period ->
+      Binary (Less_equal, Long (Int64.of_float period), of_machine n time)
+  | Reached { time; period } -> Call (V.helper n.v Reached, list [ time; period ])
+  | Rest { time; period = Float period } when is_whole_period period ->
+      Binary (Remainder, of_machine n time, Long (Int64.of_float period))
+  | Rest { time; period } -> Call (V.helper n.v Rest, list [ time; period ])
 
 (* Integers are quicker to compare than what Floats they make. *)
 and at_least n time x =

@@ -28,6 +28,8 @@ type t =
   | Seconds
   | Time_in_nanoseconds
   | Later
+  | Reached
+  | Rest
   | Branch
 
 (* Helper, its name, what it calls (earlier in the table), its text. *)
@@ -343,6 +345,24 @@ static inline int64_t frob_later(int64_t time, int64_t ns)
 {
     const uint64_t later = (uint64_t)time + (uint64_t)ns;
     return later < (uint64_t)INT64_MAX ? (int64_t)later : INT64_MAX;
+}
+|} );
+    ( Reached,
+      "frob_reached",
+      [],
+      {|/* Has a time in nanoseconds come to so many? Not if that is NaN. */
+static inline bool frob_reached(int64_t time, double period)
+{
+    return period < 9223372036854775808.0 && (period < 0.0 || (int64_t)period <= time);
+}
+|} );
+    ( Rest,
+      "frob_rest",
+      [],
+      {|/* Of a time that has come to a period, what is left after whole ones. */
+static inline int64_t frob_rest(int64_t time, double period)
+{
+    return period < 1.0 ? 0 : time % (int64_t)period;
 }
 |} );
   ]

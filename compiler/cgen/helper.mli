@@ -36,6 +36,8 @@ type t =
   | Seconds  (** of a dt in whole nanoseconds *)
   | Time_in_nanoseconds  (** of a local time *)
   | Later
+  | Reached
+  | Rest
   | Branch  (** the condition of an [if] that is to stay one *)
 
 val name : t -> string

@@ -30,6 +30,7 @@ type unary =
 type binary =
   | Times
   | Over
+  | Remainder
   | Plus
   | Minus
   | Less

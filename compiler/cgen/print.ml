@@ -6,7 +6,7 @@ let prefix = 14
 let conditional = 3
 
 let level = function
-  | Times | Over -> 13
+  | Times | Over | Remainder -> 13
   | Plus | Minus -> 12
   | Less | Less_equal | Greater -> 10
   | Equal | Not_equal -> 9
@@ -16,6 +16,7 @@ let level = function
 let symbol = function
   | Times -> "*"
   | Over -> "/"
+  | Remainder -> "%"
   | Plus -> "+"
   | Minus -> "-"
   | Less -> "<"
@@ -31,7 +32,7 @@ let symbol = function
    want to. *)
 let operand_levels operator =
   match operator with
-  | Times | Over | Plus | Minus -> (level operator, level operator + 1)
+  | Times | Over | Remainder | Plus | Minus -> (level operator, level operator + 1)
   | Less | Less_equal | Greater | Equal | Not_equal -> (11, 11)
   | And -> (level operator, level operator + 1)
   | Or -> (level operator, level operator + 1)

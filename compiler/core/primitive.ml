@@ -37,6 +37,8 @@ type t =
   | Scanl
   | Delay
   | Time
+  | Time_since
+  | Ticks
   | Integral
   | Derivative
   | Switch
@@ -118,6 +120,8 @@ let table =
     (* Of a signal function, the static arguments count, not the signal. *)
     ("delay", Delay, 1);
     ("time", Time, 0);
+    ("timeSince", Time_since, 0);
+    ("ticks", Ticks, 1);
     ("integral", Integral, 0);
     ("derivative", Derivative, 0);
     ("switch", Switch, 2);

@@ -51,6 +51,8 @@ type t =
   (* signal functions *)
   | Delay
   | Time
+  | Time_since
+  | Ticks
   | Integral
   | Derivative
   | Switch

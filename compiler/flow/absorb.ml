@@ -1,6 +1,6 @@
 let is_memory (e : Ir.equation) =
   match e.rhs with
-  | Delay _ | Time _ | Integral _ | Derivative _ -> true
+  | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ -> true
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
   | At _ | Replace _ ->
       false

@@ -26,16 +26,22 @@ let same_signal (a : Ir.atom) (b : Ir.atom) =
   match (a, b) with Signal a, Signal b -> a.id = b.id | _, _ -> false
 
 let recognize definition (rhs : Ir.rhs) : Ir.rhs =
-  let is_product ns =
+  let time seconds =
+    match definition seconds with
+    | Some (Ir.Time { unit = Seconds; restart }) -> Some restart
+    | Some _ | None -> None
+  in
+  (* Of what time it is the product: when that starts again. *)
+  let product ns =
     match definition ns with
     | Some (Ir.Op (Multiply, ([ seconds; Float 1e9 ] | [ Float 1e9; seconds ]))) ->
-        definition seconds = Some (Ir.Time Seconds)
-    | Some _ | None -> false
+        time seconds
+    | Some _ | None -> None
   in
-  let is_not_negative ns =
+  let not_negative ns =
     match definition ns with
-    | Some (Ir.Op (Maximum, [ Float zero; product ])) -> Float.equal zero 0. && is_product product
-    | Some _ | None -> false
+    | Some (Ir.Op (Maximum, [ Float zero; ns' ])) when Float.equal zero 0. -> product ns'
+    | Some _ | None -> None
   in
   let is_whole rounded ns =
     match definition rounded with
@@ -50,8 +56,8 @@ let recognize definition (rhs : Ir.rhs) : Ir.rhs =
   match rhs with
   | If { condition; then_; else_ = ns } -> (
       match definition condition with
-      | Some (Op (Less, [ ns'; b ]))
-        when is_big b && same_signal ns' ns && is_whole then_ ns && is_not_negative ns ->
-          Time Nanoseconds
+      | Some (Op (Less, [ ns'; b ])) when is_big b && same_signal ns' ns && is_whole then_ ns ->
+          Option.fold (not_negative ns) ~none:rhs ~some:(fun restart ->
+              Ir.Time { unit = Nanoseconds; restart })
       | Some _ | None -> rhs)
   | _ -> rhs

@@ -83,6 +83,7 @@ let equation a instant values (e : Ir.equation) =
   | Delay { init; _ }, First -> read init
   | (Time _ | Integral _ | Derivative _), First -> Range.zero
   | Time _, Any -> Range.not_negative
+  | Ticks _, _ -> anything ()
   | (Delay _ | Integral _ | Derivative _), Any -> anything ()
 
 (* The transitions that may be the first to occur. *)

@@ -1,7 +1,7 @@
 open Basis
 
 let is_stateful : Ir.rhs -> bool = function
-  | Delay _ | Time _ | Integral _ | Derivative _ -> true
+  | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ -> true
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
   | Replace _ -> false
 
@@ -32,6 +32,7 @@ let check_node (program : Ir.program) (node : Ir.node) =
     (fun (e : Ir.equation) ->
       match e.rhs with
       | Delay { init; next = _ } -> expect "an initial value" init
+      | Ticks period -> expect "a period" period
       | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
   | Replace _ | Time _ | Integral _
       | Derivative _ ->

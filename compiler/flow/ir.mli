@@ -136,7 +136,13 @@ and rhs =
   | Replace of { array : atom; index : atom; value : atom }
       (** the same array with one other element; unchanged if outside *)
   | Absent  (** a foreign value that is not there, which nothing looks at *)
-  | Time of time_unit  (** local time, as a Float *)
+  | Time of { unit : time_unit; restart : atom }
+      (** local time, and 0 where [restart] holds and from then on the time since,
+          as a Float *)
+  | Ticks of atom
+      (** of a static number of nanoseconds, a whole one (a fraction is dropped):
+          does it or a multiple of it lie between this local time and the one an
+          instant ago, which does not count? Always if less than 1, never if NaN *)
   | Integral of atom
       (** 0, then adds dt times the argument as it was one instant ago *)
   | Derivative of atom

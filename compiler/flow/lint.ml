@@ -151,9 +151,14 @@ let equation scope (eq : Ir.equation) =
         lasting scope ty;
         expect scope "a delay's initial value" ty (type_of scope init);
         type_of scope next
-    | Time _ ->
+    | Time { restart; unit = _ } ->
         stateful scope "time";
+        expect scope "when a time starts again" Bool (type_of scope restart);
         Float
+    | Ticks period ->
+        stateful scope "ticks";
+        expect scope "a period" Float (type_of scope period);
+        Bool
     | Integral a ->
         stateful scope "integral";
         expect scope "an integral" Float (type_of scope a);
@@ -258,7 +263,7 @@ let machine scope modes_of (m : Ir.machine) =
   | _ -> bug "the machine of `%s` may not start" scope.node.name
 
 let is_memory : Ir.rhs -> bool = function
-  | Delay _ | Time _ | Integral _ | Derivative _ -> true
+  | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ -> true
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
   | Replace _ -> false
 

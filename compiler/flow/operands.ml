@@ -7,7 +7,9 @@ let all = function
   | Fill a
   | Index (a, _)
   | Integral a
-  | Derivative a ->
+  | Derivative a
+  | Time { restart = a; unit = _ }
+  | Ticks a ->
       [ a ]
   | Op (_, arguments) -> arguments
   | If { condition; then_; else_ } -> [ condition; then_; else_ ]
@@ -16,12 +18,12 @@ let all = function
   | At { array; index; default } -> [ array; index; default ]
   | Replace { array; index; value } -> [ array; index; value ]
   | Delay { init; next } -> [ init; next ]
-  | Time _ | Absent -> []
+  | Absent -> []
 
 let same_instant = function
   | Delay _ | Integral _ -> []
   | ( Copy _ | Is_constructor _ | Payload _ | Derivative _ | Op _ | If _ | Construct _ | Elements _
-    | Fill _ | Index _ | At _ | Replace _ | Time _ | Absent ) as rhs ->
+    | Fill _ | Index _ | At _ | Replace _ | Time _ | Ticks _ | Absent ) as rhs ->
       all rhs
 
 (* Most lists are short; a constructor's payload may be long. *)
@@ -56,7 +58,8 @@ let map f = function
       let array = f array in
       let index = f index in
       Replace { array; index; value = f value }
-  | Time unit -> Time unit
+  | Time { unit; restart } -> Time { unit; restart = f restart }
+  | Ticks a -> Ticks (f a)
   | Absent -> Absent
   | Integral a -> Integral (f a)
   | Derivative a -> Derivative (f a)

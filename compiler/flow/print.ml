@@ -129,8 +129,12 @@ let rhs sums names ppf ~(defines : Ir.signal) : Ir.rhs -> unit = function
       fprintf ppf "replace %a %a %a" (atom names) index (atom names) value (atom names) array
   | Delay { init; next } -> fprintf ppf "delay %a %a" (atom names) init (atom names) next
   | Absent -> pp_print_string ppf "absent"
-  | Time Seconds -> pp_print_string ppf "time"
-  | Time Nanoseconds -> pp_print_string ppf "nanoseconds"
+  | Time { unit; restart } -> (
+      let unit = match unit with Seconds -> "time" | Nanoseconds -> "nanoseconds" in
+      match restart with
+      | Bool false -> pp_print_string ppf unit
+      | Signal _ | Bool _ | Int _ | Float _ -> fprintf ppf "%s since %a" unit (atom names) restart)
+  | Ticks a -> fprintf ppf "ticks %a" (atom names) a
   | Integral a -> fprintf ppf "integral %a" (atom names) a
   | Derivative a -> fprintf ppf "derivative %a" (atom names) a
 

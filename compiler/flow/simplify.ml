@@ -23,6 +23,18 @@ let is_int : Ir.atom -> bool = function
 let positive_zero (a : Ir.atom) = same a (Float 0.)
 let negative_zero (a : Ir.atom) = same a (Float (-0.))
 
+(* False at the first instant, then True. *)
+let not_first known a =
+  match definition known a with
+  | Some (Delay { init = Bool false; next = Bool true }) -> true
+  | Some _ | None -> false
+
+(* False at the first instant too. *)
+let ticks_later known a =
+  match definition known a with
+  | Some (Ticks (Float period)) -> period >= 1.
+  | Some _ | None -> false
+
 let operation known (operator : Ir.operator) (arguments : Ir.atom list) : Ir.rhs =
   let unchanged = Ir.Op (operator, arguments) in
   match (operator, arguments) with
@@ -40,6 +52,7 @@ let operation known (operator : Ir.operator) (arguments : Ir.atom list) : Ir.rhs
   | Less, [ a; b ] when same a b -> Copy (Bool false)
   | (And | Or), [ a; b ] when same a b -> Copy a
   | And, ([ a; Bool true ] | [ Bool true; a ]) -> Copy a
+  | And, [ a; b ] when (not_first known a && ticks_later known b) -> Copy b
   | And, ([ _; Bool false ] | [ Bool false; _ ]) -> Copy (Bool false)
   | Or, ([ a; Bool false ] | [ Bool false; a ]) -> Copy a
   | Or, ([ _; Bool true ] | [ Bool true; _ ]) -> Copy (Bool true)
@@ -138,6 +151,9 @@ let simplify known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   | Delay { init; next } when same next init || same next (Signal defines) ->
       (* [init] is static: it is the same at every instant. *)
       Copy init
+  | Ticks (Float period) when Float.is_nan period -> Copy (Bool false)
+  | Ticks (Float period) when period < 1. -> Copy (Bool true)
+  | Time { restart = Bool true; unit = _ } -> Copy (Float 0.)
   | Index (array, k) -> Option.value (element known array k) ~default:rhs
   | At { array; index = Int k; default } ->
       let k = Int32.to_int k in
@@ -146,7 +162,7 @@ let simplify known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   | Replace { array; index = Int k; value = _ }
     when Int32.to_int k < 0 || Int32.to_int k >= size array ->
       Copy array
-  | Copy _ | Construct _ | Elements _ | Absent | Fill _ | At _ | Replace _ | Delay _ | Time _ | Integral _
+  | Copy _ | Construct _ | Elements _ | Absent | Fill _ | At _ | Replace _ | Delay _ | Time _ | Ticks _ | Integral _
   | Derivative _ ->
       rhs
 

@@ -158,6 +158,9 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
   match (p, arguments) with
   | Delay, [ initial ] -> Signal_function (fun () -> Stateful.delay initial)
   | Time, [] -> Signal_function Stateful.time
+  | Time_since, [] ->
+      Signal_function (fun () -> Stateful.time_since env.program.nesting)
+  | Ticks, [ period ] -> Signal_function (fun () -> Stateful.ticks env.program.nesting period)
   | Integral, [] -> Signal_function Stateful.integral
   | Derivative, [] -> Signal_function (fun () -> Stateful.derivative env.program.nesting)
   | (Switch | Delayed_switch), [ before; continuation ] ->

@@ -33,6 +33,50 @@ let time () : Value.instance =
     successor;
   }
 
+let bool : Value.t -> bool = function
+  | Bool b -> b
+  | Float _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->
+      Basis.Diagnostic.bug ~stage:"Interp" "a Bool is something else"
+
+let time_since nesting : Value.instance =
+  let before = ref 0L and now = ref (Thunk.known 0L) in
+  {
+    output =
+      (fun instant restart ->
+        let before = !before in
+        let time () = if bool (Thunk.force restart) then 0L else Clock.later before instant in
+        let time = Thunk.equation nesting ~name:"timeSince" time in
+        now := time;
+        Thunk.delay (fun () -> Value.Float (Clock.seconds (Thunk.force time))));
+    commit = (fun () -> before := Thunk.demand !now);
+    successor;
+  }
+
+(* Nothing lasts 2^63 ns. *)
+let ticks nesting period : Value.instance =
+  let before = ref 0L and now = ref (Thunk.known (0L, false)) in
+  let rest time period =
+    if period < 1. then Some 0L
+    else if period < 0x1p63 && Int64.compare (Int64.of_float period) time <= 0 then
+      Some (Int64.rem time (Int64.of_float period))
+    else None
+  in
+  {
+    output =
+      (fun instant _ ->
+        let time = Clock.later !before instant in
+        let tick () =
+          match rest time (float (Thunk.force period)) with
+          | Some rest -> (rest, true)
+          | None -> (time, false)
+        in
+        let tick = Thunk.equation nesting ~name:"ticks" tick in
+        now := tick;
+        Thunk.delay (fun () -> Value.Bool (snd (Thunk.force tick))));
+    commit = (fun () -> before := fst (Thunk.demand !now));
+    successor;
+  }
+
 let integral () : Value.instance =
   let sum = ref 0. and before = ref 0. and now = ref zero in
   {

@@ -83,6 +83,11 @@ type expr =
   | Seconds of expr  (** of [Nanoseconds] *)
   | In_nanoseconds of expr  (** likewise, as a Float: see {!Flow.Clock} *)
   | Later of expr * expr  (** the sum of two [Nanoseconds], saturating *)
+  | Reached of { time : expr; period : expr }
+      (** are these [Nanoseconds] at least so many? A Float, whose fraction is dropped *)
+  | Rest of { time : expr; period : expr }
+      (** what is left of [Nanoseconds] that have [Reached] it after as many whole
+          periods as there are; 0 if it is less than 1 *)
 
 type place =
   | Local of variable

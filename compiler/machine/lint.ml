@@ -169,6 +169,14 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
       check "a time" Nanoseconds a;
       check "a time" Nanoseconds b;
       Nanoseconds
+  | Reached { time; period } ->
+      check "a time" Nanoseconds time;
+      check "a period" Float period;
+      Bool
+  | Rest { time; period } ->
+      check "a time" Nanoseconds time;
+      check "a period" Float period;
+      Nanoseconds
 
 and callee c k : Ir.node =
   if k < 0 || k >= c.index then bug "`%s` calls a node that is not before it" c.node.name;

@@ -238,21 +238,61 @@ let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
 (* What advances at the start of a step, before anything is computed. *)
 let advance (eq : F.equation) (memory : State.memory) =
   match memory with
-  | Elapsed { time; advances; unit = _ } ->
+  | Elapsed { time; advances; restart = Bool false; unit = _ } ->
       let value = Ir.Later (Field time, Dt_nanoseconds) in
       if advances then Some (Ir.Assign { place = Own time; value; span = eq.span }) else None
   | Integrated { value; input } ->
       let step = operation F.Multiply Float [ Dt; input ] in
       let sum = operation F.Add Float [ Field value; step ] in
       Some (Assign { place = Own value; value = sum; span = eq.span })
-  | Delayed _ | Differentiated _ | Kept _ -> None
+  | Ticked { time; period = _ } ->
+      let value = Ir.Later (Field time, Dt_nanoseconds) in
+      Some (Assign { place = Own time; value; span = eq.span })
+  | Elapsed _ | Delayed _ | Differentiated _ | Kept _ -> None
+
+(* Where it does not start again, it goes on. *)
+let start_again draft time restart span =
+  let statements restart =
+    let value =
+      Ir.Select
+        {
+          condition = one restart;
+          then_ = Zero_time;
+          else_ = Later (Field time, Dt_nanoseconds);
+        }
+    in
+    [ Ir.Assign { place = Own time; value; span } ]
+  in
+  add draft (work ~operands:[ restart ] span statements)
+
+let tick draft (s : F.signal) time period span =
+  let statements period =
+    let period = one period and due = variable s in
+    [
+      Ir.Declare { variable = due; value = Reached { time = Field time; period }; span };
+      Ir.If
+        {
+          uninitialized = [];
+          condition = Variable due;
+          then_ = [ Assign { place = Own time; value = Rest { time = Field time; period }; span } ];
+          else_ = [];
+          predicted = false;
+          span;
+        };
+    ]
+  in
+  add draft
+    (Action { defines = [ s ]; operands = [ period ]; statements; always = true; weight = 8; span })
 
 let step_equation draft state (eq : F.equation) =
   let s = eq.defines in
   match State.memory state s with
   | None -> add_computed draft eq
   | Some (Kept field | Delayed field) -> leaf draft s (Field field)
-  | Some (Elapsed { time; unit; advances = _ }) ->
+  | Some (Elapsed { time; unit; restart; advances }) ->
+      (match resolve draft restart with
+      | Bool false -> ()
+      | restart -> if advances then start_again draft time restart eq.span);
       let build _ : Ir.expr =
         match unit with
         | Seconds -> Seconds (Field time)
@@ -260,6 +300,7 @@ let step_equation draft state (eq : F.equation) =
       in
       add draft
         (Computed { signal = s; operands = []; build; choice = None; weight = 5; span = eq.span })
+  | Some (Ticked { time; period }) -> tick draft s time (resolve draft period) eq.span
   | Some (Integrated { value; _ }) -> leaf draft s (Field value)
   | Some (Differentiated { value; input }) ->
       leaf draft s (Field value);
@@ -363,7 +404,7 @@ let reset_effects context draft state (item : Flow.Schedule.item) =
           let operands = [ resolve draft init ] in
           [ work ~operands span (fun e -> [ assign field (one e) span ]) ]
       | Some (Elapsed { advances = false; _ }), _ -> []
-      | Some (Elapsed { time; _ }), _ -> [ constant span [ (time, Zero_time) ] ]
+      | Some (Elapsed { time; _ } | Ticked { time; _ }), _ -> [ constant span [ (time, Zero_time) ] ]
       | Some (Integrated { value; input = Field input } | Differentiated { value; input }), _ ->
           [ constant span [ (value, Float 0.); (input, Float 0.) ] ]
       | Some (Integrated { value; _ }), _ -> [ constant span [ (value, Float 0.) ] ]
@@ -438,7 +479,7 @@ let stepped body (modes : Ir.mode list) =
 let sees_first_dt context state (statics : Statics.t) stepped =
   let own (eq : F.equation) =
     match State.memory state eq.defines with
-    | Some (Elapsed _ | Differentiated _) -> true
+    | Some (Elapsed _ | Ticked _ | Differentiated _) -> true
     | Some (Integrated { input = Field _; _ } | Delayed _ | Kept _) | None -> false
     | Some (Integrated _) -> true
   in

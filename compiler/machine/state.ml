@@ -2,7 +2,8 @@ open Flow.Ir
 
 type memory =
   | Delayed of Ir.field
-  | Elapsed of { time : Ir.field; unit : time_unit; advances : bool }
+  | Elapsed of { time : Ir.field; unit : time_unit; restart : atom; advances : bool }
+  | Ticked of { time : Ir.field; period : atom }
   | Integrated of { value : Ir.field; input : Ir.expr }
   | Differentiated of { value : Ir.field; input : Ir.field }
   | Kept of Ir.field
@@ -12,7 +13,7 @@ type t = {
   instances : (string, Ir.field) Hashtbl.t;
   mutable fields : Ir.field list;  (** last first *)
   mutable machine : machine option;
-  mutable elapsed : Ir.field option;
+  mutable elapsed : (int option * Ir.field) list;  (** by the signal that starts it again *)
   mutable count : int;
 }
 
@@ -62,17 +63,22 @@ let equation t { defines = s; rhs; span } =
   | Delay { next; _ } ->
       let name = derived s next ~suffix:"prev" ~otherwise:"delay" in
       remember t s (Delayed (new_field t ~name (value s.ty) ~purpose:"delay" span))
-  | Time unit ->
+  | Time { unit; restart } ->
+      let key = match restart with Signal s -> Some s.id | Bool _ | Int _ | Float _ -> None in
       let time, advances =
-        match t.elapsed with
+        match List.assoc_opt key t.elapsed with
         | Some time -> (time, false)
         | None ->
             let name = if String.equal s.name "" then "time" else s.name in
             let time = new_field t ~name (Value Nanoseconds) ~purpose:"time in ns" span in
-            t.elapsed <- Some time;
+            t.elapsed <- (key, time) :: t.elapsed;
             (time, true)
       in
-      remember t s (Elapsed { time; unit; advances })
+      remember t s (Elapsed { time; unit; restart; advances })
+  | Ticks period ->
+      let name = derived s period ~suffix:"ticks" ~otherwise:"ticks" in
+      let time = new_field t ~name (Value Nanoseconds) ~purpose:"ns since the last tick" span in
+      remember t s (Ticked { time; period })
   | Integral input ->
       let name = derived s input ~suffix:"integral" ~otherwise:"integral" in
       let value = field ~name ~purpose:"integral" in
@@ -99,7 +105,7 @@ let kept_name rhs =
   | Op (Elementary e, operand :: _) -> after (Core.Primitive.name (Elementary e)) operand
   | Op (Pow, operand :: _) -> after "pow" operand
   | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-  | At _ | Replace _ | Delay _ | Time _ | Integral _
+  | At _ | Replace _ | Delay _ | Time _ | Ticks _ | Integral _
   | Derivative _ ->
       "start_value"
 
@@ -156,7 +162,7 @@ let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : S
       instances = Hashtbl.create 16;
       fields = [];
       machine = None;
-      elapsed = None;
+      elapsed = [];
       count = 0;
     }
   in

@@ -17,12 +17,12 @@ let is_expensive = function
         | Not | And | Or ),
         _ )
   | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-  | At _ | Replace _ | Delay _ | Time _ | Integral _
+  | At _ | Replace _ | Delay _ | Time _ | Ticks _ | Integral _
   | Derivative _ ->
       false
 
 let is_stateful = function
-  | Flow.Ir.Delay _ | Time _ | Integral _ | Derivative _ -> true
+  | Flow.Ir.Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ -> true
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
   | At _ | Replace _ -> false
 

@@ -79,6 +79,11 @@ let rec expression c (e : M.expr) =
   | In_nanoseconds e -> Cost.sum [ in_nanoseconds; expression c e ]
   | Later (a, b) ->
       Cost.sum [ Cost.several 2 Additions; Cost.one Choices; expression c a; expression c b ]
+  | Reached { time; period } ->
+      Cost.sum [ Cost.one Conversions; Cost.several 2 Choices; expressions c [ time; period ] ]
+  | Rest { time; period } ->
+      Cost.sum
+        [ Cost.one Conversions; Cost.one Divisions; Cost.one Choices; expressions c [ time; period ] ]
 
 and expressions c es = List.fold_left (fun cost e -> Cost.add cost (expression c e)) Cost.none es
 

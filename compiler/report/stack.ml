@@ -54,7 +54,7 @@ let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
 let rec calls (e : M.expr) =
   match e with
   | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Variable _ | Field _ -> false
-  | Construct _ | Call _ | In_nanoseconds _ | Later _ | Fill _ | At _ | Replace _ -> true
+  | Construct _ | Call _ | In_nanoseconds _ | Later _ | Reached _ | Rest _ | Fill _ | At _ | Replace _ -> true
   | Elements { elements; _ } -> List.exists calls elements
   | Index { array; _ } -> calls array
   | Payload { value; _ } | Is_constructor { value; _ } | Seconds value -> calls value
@@ -130,7 +130,7 @@ let rec within c frame ~calling (e : M.expr) =
       needs_helper frame helper;
       need frame word;
       all [ e ]
-  | Later (a, b) ->
+  | Later (a, b) | Reached { time = a; period = b } | Rest { time = a; period = b } ->
       needs_helper frame helper;
       need frame word;
       all [ a; b ]
@@ -145,7 +145,7 @@ and choice c (e : M.expr) =
   | Call { node; _ } ->
       List.fold_left (fun sum (_, ty) -> Amount.add sum (room c ty)) 0 c.program.nodes.(node).outputs
   | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Field _ | Operation _
-  | Is_constructor _ | Seconds _ | In_nanoseconds _ | Later _ ->
+  | Is_constructor _ | Seconds _ | In_nanoseconds _ | Later _ | Reached _ | Rest _ ->
       word
   | Elements { element; elements } -> room c (Array (List.length elements, element))
   | Fill { count; element; _ } | Replace { count; element; _ } -> room c (Array (count, element))

@@ -27,6 +27,22 @@ Sources of events: what occurs at the first instant, and when after that.
   1.000000000,,,(),()
   1.100000000,,,,
 
+`ticks` counts nanoseconds, and `timeSince` starts again where its input is True:
+
+  $ cat > counted.frob <<EOF
+  > main :: SF Bool (Bool, Bool, Bool, Bool, Time)
+  > main = proc b -> (ticks 200000000 (), ticks 300000000.9 (), ticks 0.9 (), ticks (0 / 0) (), timeSince b)
+  > EOF
+  $ printf 'time,in\n0,false\n0.2,false\n0.3,true\n0.4,false\n1,false\n1.1,true\n' > times.csv
+  $ frobc trace counted.frob --input times.csv
+  time,out.1,out.2,out.3,out.4,out.5
+  0.000000000,false,false,true,false,0
+  0.200000000,true,false,true,false,0.20000000000000001
+  0.300000000,false,true,true,false,0
+  0.400000000,true,false,true,false,0.10000000000000001
+  1.000000000,true,true,true,false,0.69999999999999996
+  1.100000000,false,false,true,false,0
+
 Edges of truth values: `edge` and `falling` never occur at the first instant,
 `edgeFrom False` may; `when` is no edge.
 

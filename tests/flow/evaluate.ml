@@ -126,6 +126,16 @@ type memory = { past : value; total : float }
 
 type clock = { dt : float; time : float; first : bool }
 
+let time clock read memory (e : Ir.equation) (restart : Ir.atom) =
+  if restart = Bool false then clock.time
+  else if clock.first || is_true (read restart) then 0.
+  else (memory e).total +. clock.dt
+
+let since_tick clock memory (e : Ir.equation) =
+  if clock.first then 0. else (memory e).total +. Clock.nanoseconds clock.dt
+
+let is_due period time = period < 1. || Float.trunc period <= time
+
 (* The value of an equation, given how to read operands and memory. *)
 let value clock read memory (e : Ir.equation) =
   match e.rhs with
@@ -154,8 +164,10 @@ let value clock read memory (e : Ir.equation) =
   | Replace { array; index; value } ->
       let k = position (read index) in
       Array (List.mapi (fun i x -> if i = k then read value else x) (elements (read array)))
-  | Time Seconds -> Float clock.time
-  | Time Nanoseconds -> Float (Clock.nanoseconds clock.time)
+  | Time { unit; restart } -> (
+      let time = time clock read memory e restart in
+      match unit with Seconds -> Float time | Nanoseconds -> Float (Clock.nanoseconds time))
+  | Ticks period -> Bool (is_due (number (read period)) (since_tick clock memory e))
   | Delay { init; _ } -> if clock.first then read init else (memory e).past
   | Integral _ ->
       if clock.first then Float 0.
@@ -170,12 +182,17 @@ let value clock read memory (e : Ir.equation) =
         else Float ((number (read a) -. number m.past) /. clock.dt)
 
 (* What it remembers for the next instant, its value now being [now]. *)
-let advance read now (e : Ir.equation) =
+let advance clock read memory now (e : Ir.equation) =
   match e.rhs with
   | Delay { next; _ } -> Some { past = read next; total = 0. }
   | Integral a | Derivative a -> Some { past = read a; total = number now }
+  | Time { restart; unit = _ } -> Some { past = now; total = time clock read memory e restart }
+  | Ticks period ->
+      let period = number (read period) and time = since_tick clock memory e in
+      let rest = if period < 1. then 0. else Float.rem time (Float.trunc period) in
+      Some { past = now; total = (if is_due period time then rest else time) }
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-  | At _ | Replace _ | Time _ ->
+  | At _ | Replace _ ->
       None
 
 let constant : Ir.atom -> value option = function
@@ -262,7 +279,7 @@ let by_demand (program : Ir.program) instants =
     List.iter
       (fun (e : Ir.equation) ->
         let read = ask clock frame argument in
-        match advance read (read (Signal e.defines)) e with
+        match advance clock read (remembered frame) (read (Signal e.defines)) e with
         | Some m -> advances := (frame, e.defines.id, m) :: !advances
         | None -> ())
       frame.node.equations;
@@ -308,7 +325,7 @@ let rec call frame clock statics inputs =
   let outputs = List.map (fun (_, a) -> read frame.now a) frame.node.outputs in
   let advance_equation (e : Ir.equation) =
     let now = Hashtbl.find frame.now e.defines.id in
-    Option.map (fun m -> (e.defines.id, m)) (advance (read frame.now) now e)
+    Option.map (fun m -> (e.defines.id, m)) (advance clock (read frame.now) (remembered frame) now e)
   in
   let memories = List.filter_map advance_equation frame.node.equations in
   List.iter (fun (id, m) -> Hashtbl.replace frame.memory id m) memories;

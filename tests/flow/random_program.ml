@@ -112,13 +112,15 @@ let operation scope ~static =
 
 let stateful scope =
   let pick ty = choose scope ~static:false ty in
-  match Random.State.int scope.rng 4 with
+  match Random.State.int scope.rng 6 with
   | 0 ->
       let ty = any scope.rng types in
       let init = choose scope ~static:true ty in
       ignore (define scope ty (Delay { init; next = pick ty }))
-  | 1 -> ignore (define scope Float (Time Seconds))
+  | 1 -> ignore (define scope Float (Time { unit = Seconds; restart = Bool false }))
   | 2 -> ignore (define scope Float (Integral (pick Float)))
+  | 3 -> ignore (define scope Float (Time { unit = Seconds; restart = pick Bool }))
+  | 4 -> ignore (define scope Bool (Ticks (choose scope ~static:true Float)))
   | _ -> ignore (define scope Float (Derivative (pick Float)))
 
 (* What callers have to know of the nodes built so far. *)

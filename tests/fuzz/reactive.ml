@@ -152,6 +152,13 @@ let once_switched m fuel a b =
   mode m ~earlier:false fuel a b ~continuation:(fun values ->
       m.signal_function values (fuel - 1) a b)
 
+(* Of a period that is known to the compiler, or of any. *)
+let ticks m =
+  match Random.State.int m.values.random 3 with
+  | 0 -> f "(ticks %s)" (Expression.expression (still m.values) 1 Type.Float)
+  | 1 -> f "(ticks (nanoseconds %s))" (time m)
+  | _ -> f "(ticks %s)" (one_of m.values.random [ "200000000.5"; "0.9"; "1"; "1000000000000000000.0" ])
+
 (* What comes after is the event's value. *)
 let brought m fuel a b =
   Scope.note m.values "switch into the signal function of an event";
@@ -224,7 +231,7 @@ let composed m fuel a (b : Type.t) =
   @ (match Type.event_payload b with
     | Some payload -> [ (6, fun () -> onto_event payload) ]
     | None -> [])
-  @ (if b = Bool then [ (3, fun () -> f "(elapsed %s)" (time m)) ] else [])
+  @ (if b = Bool then [ (3, fun () -> f "(elapsed %s)" (time m)); (3, fun () -> ticks m) ] else [])
   @ (if b = Int then [ (2, fun () -> f "(%s >>> count >>> hold 0)" (event (any ()))) ] else [])
   @ [
       ( 1,

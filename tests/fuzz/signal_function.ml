@@ -79,6 +79,11 @@ and expression s fuel (a : Type.t) (b : Type.t) =
           | Measure u, Measure v -> if v.seconds > u.seconds then "integral" else "derivative"
           | _ -> arr () );
       ((match b with Measure { metres = 0; seconds = 1 } -> 4 | _ -> 0), fun () -> "time");
+      ( (match (a, b) with Bool, Measure { metres = 0; seconds = 1 } -> 8 | Bool, Float -> 3 | _ -> 0),
+        fun () ->
+          match b with
+          | Float -> one_of random [ "(timeSince >>> arr nanoseconds)"; "(timeSince >>> arr (\\x -> x / 1[s]))" ]
+          | _ -> "timeSince" );
       ( (match (a, b) with Float, Bool -> 3 | _ -> 0),
         fun () -> "(hysteresis (-0.5) 0.5)" );
       ((match (a, b) with Bool, Bool -> 2 | _ -> 0), fun () -> "(debounce 0.25[s])");
