@@ -290,10 +290,17 @@ let to_int32 t =
         if n >= -0x8000_0000 && n <= 0x7fff_ffff then Some (Int32.of_int n) else None
     | None -> None
 
-(* Scale by a power of two until the quotient has at least 64 bits, keep its
-   top bits and whether anything was left over (sticky), and let the rounding
-   to 53 bits (fewer below the normal range) be done once, on an integer. *)
-let to_float_by_bits t =
+(* A binary format: the bits of a significand, the exponents of the smallest number
+   and of the largest power of two. *)
+type format = { bits : int; smallest : int; largest : int }
+
+let binary64 = { bits = 53; smallest = -1074; largest = 1023 }
+let binary32 = { bits = 24; smallest = -149; largest = 127 }
+
+(* Scale by a power of two until the quotient has one bit more than the format,
+   keep its top bits and whether anything was left over (sticky), and let the
+   rounding (to fewer bits below the normal range) be done once, on an integer. *)
+let rounded_by_bits format t =
   if Natural.is_zero t.numerator then 0.
   else begin
     let two_to n = Natural.power (Natural.of_int 2) n in
@@ -314,14 +321,18 @@ let to_float_by_bits t =
     let e = ref (guess - 15) in
     while at_least (!e + 1) do incr e done;
     let exponent = !e in
-    (* bits kept: 53, or fewer for subnormal numbers *)
-    let lowest = max (exponent - 52) (-1074) in
+    let lowest = max (exponent - format.bits + 1) format.smallest in
     let q, rest = quotient (1 - lowest) in
     (* q = floor (n/d * 2^(1-lowest)): one extra bit, and the sticky rest *)
     let q = match Natural.to_int_opt q with Some q -> q | None -> assert false in
     let kept = q / 2 and half = q mod 2 = 1 and sticky = not (Natural.is_zero rest) in
     let rounded = if half && (sticky || kept mod 2 = 1) then kept + 1 else kept in
-    let magnitude = if exponent > 1023 then infinity else ldexp (float_of_int rounded) lowest in
+    let magnitude =
+      if exponent > format.largest then infinity
+      else
+        let magnitude = ldexp (float_of_int rounded) lowest in
+        if magnitude >= ldexp 2. format.largest then infinity else magnitude
+    in
     if t.negative then -.magnitude else magnitude
   end
 
@@ -332,7 +343,9 @@ let to_float t =
       (* Both are doubles, so the one rounding is that of the division. *)
       let magnitude = float_of_int n /. float_of_int d in
       if t.negative then -.magnitude else magnitude
-  | _, _ -> to_float_by_bits t
+  | _, _ -> rounded_by_bits binary64 t
+
+let to_single t = rounded_by_bits binary32 t
 
 let to_string t =
   let sign = if t.negative then "-" else "" in

@@ -33,5 +33,8 @@ val to_int32 : t -> int32 option
 val to_float : t -> float
 (** The nearest double, ties to even; infinite beyond the range. *)
 
+val to_single : t -> float
+(** Likewise the nearest number of single precision. *)
+
 val to_string : t -> string
 (** A readable exact form: an integer, a finite decimal, or [p/q]. *)

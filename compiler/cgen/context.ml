@@ -45,12 +45,17 @@ let uninitialized c variables =
     (fun (ty, names) -> plain (Ir.Variables { ty; names = List.rev names }))
     (List.fold_left declare [] variables)
 
+let in_seconds c ns = Ir.Binary (Over, Cast (V.real c.v, ns), V.float c.v 1e9)
+
 let seconds_of c ns = Ir.Call (V.helper c.v Seconds, [ ns; Name "dt" ])
+
+let is_integer c = c.node.nanoseconds || c.v.program.real = Single
 
 let seconds c =
   match c.seconds with
   | Given -> Ir.Name "dt"
-  | Where_wanted when c.node.nanoseconds -> seconds_of c (Cast (Real, Name "dt_ns"))
+  | Where_wanted when c.v.program.real = Single -> in_seconds c (Name "dt_ns")
+  | Where_wanted when c.node.nanoseconds -> seconds_of c (Cast (V.real c.v, Name "dt_ns"))
   | Where_wanted -> seconds_of c (Name "dt_ns")
 
 (* [own]: the address of the state, if there is one. *)

@@ -32,7 +32,14 @@ val uninitialized : t -> M.variable list -> Ir.statement list
 (** Declarations without values, last first, one for each run of equal types. *)
 
 val seconds_of : t -> Ir.expr -> Ir.expr
-(** Of nanoseconds that were made of [dt]. *)
+(** Of nanoseconds that were made of [dt], a double: mostly that. *)
+
+val in_seconds : t -> Ir.expr -> Ir.expr
+(** Of nanoseconds, 64 bits. *)
+
+val is_integer : t -> bool
+(** Is the root's [dt_ns] one? In single precision it always is; in double only
+    where the program counts in nanoseconds. *)
 
 val step_call :
   t -> node:int -> own:Ir.expr list -> Ir.expr list -> Ir.expr list -> Ir.expr

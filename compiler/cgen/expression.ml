@@ -70,11 +70,11 @@ let unary n (operator : Flow.Ir.operator) (ty : M.ty) x : Ir.expr =
   match (operator, ty) with
   | Negate, Float -> Unary (Negate, x)
   | Negate, Int -> helper Int_negate
-  | Absolute, Float -> Call ("fabs", [ x ])
+  | Absolute, Float -> Call (V.math_function n.v "fabs", [ x ])
   | Absolute, Int -> helper Int_absolute
   | Signum, Float -> helper Float_signum
   | Signum, Int -> helper Int_signum
-  | To_float, Int -> Cast (Real, x)
+  | To_float, Int -> Cast (V.real n.v, x)
   | Round, Float -> helper Round
   | Floor, Float -> helper Floor
   | Ceiling, Float -> helper Ceiling
@@ -126,7 +126,7 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   match e with
   | Bool b -> Boolean b
   | Int i -> Integer i
-  | Float x -> Float x
+  | Float x -> V.float n.v x
   | Zero_time -> Integer 0l
   | Absent ty -> V.absent n.v ty
   | Variable v -> (
@@ -210,7 +210,7 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   | Call { node; arguments = given } ->
       Call (n.v.nodes.(node).step, arguments n n.v.program.nodes.(node).step.parameters given)
   | In_nanoseconds e -> Call (V.helper n.v Time_in_nanoseconds, [ of_machine n e ])
-  | Seconds e -> Binary (Over, Cast (Real, of_machine n e), Float 1e9)
+  | Seconds e -> Binary (Over, Cast (V.real n.v, of_machine n e), V.float n.v 1e9)
   | Later (a, b) -> Call (V.helper n.v Later, [ of_machine n a; of_machine n b ])
   | Reached { time; period = Float period } when is_whole_period period ->
       Binary (Less_equal, Long (Int64.of_float period), of_machine n time)
@@ -221,9 +221,9 @@ let rec of_machine n (e : M.expr) : Ir.expr =
 
 (* Integers are quicker to compare than what Floats they make. *)
 and at_least n time x =
-  match Flow.Clock.reaches x with
+  match Flow.Clock.reaches n.v.program.real x with
   | Some least -> Binary (Less_equal, Long least, of_machine n time)
-  | None -> Binary (Less_equal, Float x, of_machine n (In_nanoseconds time))
+  | None -> Binary (Less_equal, V.float n.v x, of_machine n (In_nanoseconds time))
 
 (* Of an array, or of an array of arrays that is read in place. *)
 and element n array index =

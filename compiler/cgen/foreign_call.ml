@@ -178,7 +178,7 @@ let step (v : V.t) k (interface : Foreign_interface.t) : Ir.function_ =
         let passed = [ Ir.Name "self"; Name "dt"; address "in"; address "out" ] in
         let call = plain (Ir.Do (Call (Foreign_interface.step interface.symbol, passed))) in
         let state = Ir.Struct (Foreign_interface.state interface.symbol) in
-        ( [ (Ir.Pointer state, "self"); (Ir.Real, "dt") ],
+        ( [ (Ir.Pointer state, "self"); (Ir.Real Double, "dt") ],
           fill @ [ declared; call ],
           Inside (address "out", output) )
   in

@@ -60,7 +60,7 @@ let prototypes t =
         prototype ~result:Void (step t.symbol)
           [
             self;
-            (Real, "dt");
+            (Real Double, "dt");
             (Pointer_to_const (Struct input.struct_name), "in");
             (Pointer (Struct output.struct_name), "out");
           ];

@@ -198,7 +198,7 @@ let own_step (v : V.t) k : Ir.function_ =
   let write k value = plain (Ir.Assign (Unary (Dereference, Name (snd places.(k))), value)) in
   let c = { v; names; index = k; node; write; read = variables_read node.step.body; seconds = Given; place = "" } in
   let state = if V.has_state v k then [ self v k ] else [] in
-  let dt = if node.seconds then [ (Ir.Real, "dt") ] else [] in
+  let dt = if node.seconds then [ (V.real v, "dt") ] else [] in
   let dt_ns = if node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
   let unread =
     if V.has_state v k && not (reads_state node.step.body) then [ ignored "self" ] else []
@@ -212,14 +212,15 @@ let own_step (v : V.t) k : Ir.function_ =
     comment = place_of node;
   }
 
+let at_first c zero value =
+  match c.v.program.first_instant with
+  | Unseen -> value
+  | Marked_by field -> Ir.Conditional (Expression.field c.names field, value, zero)
+
 (* dt becomes whole nanoseconds, and 0 where the step cannot know it. *)
-let clock c (node : M.node) =
+let double_clock c (node : M.node) =
   let rounded () = Ir.Call (V.helper c.v Whole_nanoseconds, [ Name "dt" ]) in
-  let at_first zero value =
-    match c.v.program.first_instant with
-    | Unseen -> value
-    | Marked_by field -> Ir.Conditional (Expression.field c.names field, value, zero)
-  in
+  let at_first zero value = at_first c zero value in
   (* Where a mode is entered no time has passed. *)
   let dt_ns ty value =
     let name = "dt_ns" in
@@ -227,17 +228,35 @@ let clock c (node : M.node) =
   in
   let whole () = dt_ns Int64 (at_first (Ir.Integer 0l) (Cast (Int64, rounded ()))) in
   let seconds ns = plain (Ir.Assign (Name "dt", seconds_of c ns)) in
-  let times =
-    match (node.nanoseconds, node.seconds, c.seconds) with
+  match (node.nanoseconds, node.seconds, c.seconds) with
     | false, false, _ -> []
     | true, false, _ | true, true, Where_wanted -> [ whole () ]
-    | true, true, Given -> [ whole (); seconds (Cast (Real, Name "dt_ns")) ]
-    | false, true, Where_wanted -> [ dt_ns Real (at_first (Float 0.) (rounded ())) ]
+    | true, true, Given -> [ whole (); seconds (Cast (V.real c.v, Name "dt_ns")) ]
+    | false, true, Where_wanted -> [ dt_ns (V.real c.v) (at_first (V.float c.v 0.) (rounded ())) ]
     | false, true, Given -> (
         (* 0 before all else: after a choice of dt C compilers write the step twice. *)
-        match at_first (Float 0.) (Name "dt") with
+        match at_first (V.float c.v 0.) (Name "dt") with
         | Name _ -> [ seconds (rounded ()) ]
         | dt -> [ plain (Ir.Assign (Name "dt", dt)); seconds (rounded ()) ])
+
+(* Nanoseconds are given. *)
+let single_clock c (node : M.node) =
+  if not (node.nanoseconds || node.seconds) then []
+  else
+    let dt_ns = Ir.Name "dt_ns" in
+    let span = Ir.Call (V.helper c.v Time_span, [ dt_ns ]) in
+    let seconds ty name value =
+      if node.modes = [] then Ir.Constant { ty; name; value } else Variable { ty; name; value }
+    in
+    plain (Ir.Assign (dt_ns, at_first c (Ir.Integer 0l) span))
+    ::
+    (match (node.seconds, c.seconds) with
+    | true, Given -> [ plain (seconds (V.real c.v) "dt" (in_seconds c dt_ns)) ]
+    | true, Where_wanted | false, _ -> [])
+
+let clock c node =
+  let times =
+    match c.v.program.real with Double -> double_clock c node | Single -> single_clock c node
   in
   let mark =
     match c.v.program.first_instant with
@@ -302,6 +321,18 @@ let inputs c (node : M.node) =
   in
   List.concat (List.rev (List.rev_map2 take node.step.parameters c.v.input.leaves))
 
+(* Seconds are made nanoseconds first: a float has too few bits for these. *)
+let step_in_seconds (v : V.t) (step : Ir.function_) : Ir.function_ =
+  let rounded = Ir.Call (V.helper v Whole_nanoseconds, [ Name "dt" ]) in
+  let parameter (ty, name) = if name = "dt_ns" then (V.real v, "dt") else (ty, name) in
+  let argument (_, name) = if name = "dt_ns" then rounded else Ir.Name name in
+  {
+    step with
+    name = v.in_seconds;
+    parameters = List.map parameter step.parameters;
+    body = [ plain (Ir.Do (Call (step.name, List.map argument step.parameters))) ];
+  }
+
 let root_step (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
@@ -331,6 +362,7 @@ let root_step (v : V.t) k : Ir.function_ =
   let reads_input =
     List.exists (fun (v : M.variable) -> Hashtbl.mem c.read v.id) node.step.parameters
   in
+  let dt : Ir.ty * string = match v.program.real with Double -> (V.real v, "dt") | Single -> (Int64, "dt_ns") in
   let ignore_unless read name = if read then [] else [ ignored name ] in
   {
     linkage = External;
@@ -339,7 +371,7 @@ let root_step (v : V.t) k : Ir.function_ =
     parameters =
       [
         self v k;
-        (Real, "dt");
+        dt;
         (Pointer_to_const (Struct v.input.struct_name), "in");
         (Pointer (Struct v.output.struct_name), "out");
       ];
@@ -347,7 +379,7 @@ let root_step (v : V.t) k : Ir.function_ =
       List.concat
         [
           ignore_unless reads_self "self";
-          ignore_unless (node.seconds || node.nanoseconds) "dt";
+          ignore_unless (node.seconds || node.nanoseconds) (snd dt);
           ignore_unless reads_input "in";
           clock;
           inputs;
@@ -357,4 +389,10 @@ let root_step (v : V.t) k : Ir.function_ =
     comment = place_of node;
   }
 
-let step v k = if V.is_root v k then root_step v k else own_step v k
+let steps (v : V.t) k =
+  if not (V.is_root v k) then [ own_step v k ]
+  else
+    let step = root_step v k in
+    match v.program.real with
+    | Double -> [ step ]
+    | Single -> [ step; step_in_seconds v step ]

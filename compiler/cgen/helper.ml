@@ -27,6 +27,7 @@ type t =
   | Whole_nanoseconds
   | Seconds
   | Time_in_nanoseconds
+  | Time_span
   | Later
   | Reached
   | Rest
@@ -154,7 +155,7 @@ static inline int32_t frob_int_mod(int32_t a, int32_t b)
       "frob_add",
       [],
       {|/* Of a zero; a function, for gcc 12 folds fabs(x) in such a sum to the wrong zero. */
-static inline double frob_add(double a, double b)
+static inline @R frob_add(@R a, @R b)
 {
     return a + b;
 }
@@ -163,7 +164,7 @@ static inline double frob_add(double a, double b)
       "frob_subtract",
       [],
       {|/* From a zero; a function, for gcc 12 folds 0.0 - fabs(x) to the wrong zero. */
-static inline double frob_subtract(double a, double b)
+static inline @R frob_subtract(@R a, @R b)
 {
     return a - b;
 }
@@ -172,9 +173,9 @@ static inline double frob_subtract(double a, double b)
       "frob_min",
       [],
       {|/* NaN if either is; the first of two equal ones. */
-static inline double frob_min(double a, double b)
+static inline @R frob_min(@R a, @R b)
 {
-    const double less = b < a ? b : a;
+    const @R less = b < a ? b : a;
     return b == b ? less : b;
 }
 |} );
@@ -182,9 +183,9 @@ static inline double frob_min(double a, double b)
       "frob_max",
       [],
       {|/* NaN if either is; the first of two equal ones. */
-static inline double frob_max(double a, double b)
+static inline @R frob_max(@R a, @R b)
 {
-    const double more = b > a ? b : a;
+    const @R more = b > a ? b : a;
     return b == b ? more : b;
 }
 |} );
@@ -192,9 +193,9 @@ static inline double frob_max(double a, double b)
       "frob_least",
       [],
       {|/* The smaller, the first of two equal ones; a number rather than NaN. */
-static inline double frob_least(double a, double b)
+static inline @R frob_least(@R a, @R b)
 {
-    const double less = b < a ? b : a;
+    const @R less = b < a ? b : a;
     return a == a ? less : b == b ? b : a;
 }
 |} );
@@ -202,9 +203,9 @@ static inline double frob_least(double a, double b)
       "frob_largest",
       [],
       {|/* The larger, the first of two equal ones; a number rather than NaN. */
-static inline double frob_largest(double a, double b)
+static inline @R frob_largest(@R a, @R b)
 {
-    const double more = b > a ? b : a;
+    const @R more = b > a ? b : a;
     return a == a ? more : b == b ? b : a;
 }
 |} );
@@ -212,7 +213,7 @@ static inline double frob_largest(double a, double b)
       "frob_at_most",
       [],
       {|/* The minimum with a limit that is not NaN; NaN if x is. */
-static inline double frob_at_most(double x, double limit)
+static inline @R frob_at_most(@R x, @R limit)
 {
     return limit < x ? limit : x;
 }
@@ -221,7 +222,7 @@ static inline double frob_at_most(double x, double limit)
       "frob_at_least",
       [],
       {|/* The maximum with a limit that is not NaN; NaN if x is. */
-static inline double frob_at_least(double x, double limit)
+static inline @R frob_at_least(@R x, @R limit)
 {
     return limit > x ? limit : x;
 }
@@ -230,10 +231,10 @@ static inline double frob_at_least(double x, double limit)
       "frob_limit",
       [],
       {|/* max (-x) (min x y): y within x of 0; NaN if either is. */
-static inline double frob_limit(double x, double y)
+static inline @R frob_limit(@R x, @R y)
 {
-    const double high = y < x ? y : x;
-    const double both = high > -x ? high : -x;
+    const @R high = y < x ? y : x;
+    const @R both = high > -x ? high : -x;
     return y == y ? both : y;
 }
 |} );
@@ -241,21 +242,21 @@ static inline double frob_limit(double x, double y)
       "frob_signum",
       [],
       {|/* Of a zero or NaN, itself. */
-static inline double frob_signum(double x)
+static inline @R frob_signum(@R x)
 {
-    return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x;
+    return x > 0.0@f ? 1.0@f : x < 0.0@f ? -1.0@f : x;
 }
 |} );
     ( Truncate,
       "frob_truncate",
       [],
       {|/* To an integer, toward 0; saturates, and NaN gives 0. */
-static inline int32_t frob_truncate(double x)
+static inline int32_t frob_truncate(@R x)
 {
-    if (x >= 2147483647.0) {
+    if (x >= 2147483648.0@f) {
         return INT32_MAX;
     }
-    if (x <= -2147483648.0) {
+    if (x <= -2147483648.0@f) {
         return INT32_MIN;
     }
     return x == x ? (int32_t)x : 0;
@@ -264,33 +265,33 @@ static inline int32_t frob_truncate(double x)
     ( Floor,
       "frob_floor",
       [ Truncate ],
-      {|static inline int32_t frob_floor(double x)
+      {|static inline int32_t frob_floor(@R x)
 {
     const int32_t n = frob_truncate(x);
-    return (double)n > x && n > INT32_MIN ? n - 1 : n;
+    return (@R)n > x && n > INT32_MIN ? n - 1 : n;
 }
 |} );
     ( Ceiling,
       "frob_ceiling",
       [ Truncate ],
-      {|static inline int32_t frob_ceiling(double x)
+      {|static inline int32_t frob_ceiling(@R x)
 {
     const int32_t n = frob_truncate(x);
-    return (double)n < x && n < INT32_MAX ? n + 1 : n;
+    return (@R)n < x && n < INT32_MAX ? n + 1 : n;
 }
 |} );
     ( Round,
       "frob_round",
       [ Truncate ],
       {|/* To the nearest integer, halves away from 0. */
-static inline int32_t frob_round(double x)
+static inline int32_t frob_round(@R x)
 {
     const int32_t n = frob_truncate(x);
-    const double rest = x - (double)n;
-    if (rest >= 0.5 && n < INT32_MAX) {
+    const @R rest = x - (@R)n;
+    if (rest >= 0.5@f && n < INT32_MAX) {
         return n + 1;
     }
-    return rest <= -0.5 && n > INT32_MIN ? n - 1 : n;
+    return rest <= -0.5@f && n > INT32_MIN ? n - 1 : n;
 }
 |} );
     ( Whole_nanoseconds,
@@ -337,6 +338,16 @@ static inline double frob_time_in_ns(int64_t time)
     return ns;
 }
 |} );
+    ( Time_span,
+      "frob_span",
+      [],
+      {|/* A dt in nanoseconds: not negative, at most 1e18. */
+static inline int64_t frob_span(int64_t dt_ns)
+{
+    const int64_t most = INT64_C(1000000000000000000);
+    return dt_ns > 0 ? (dt_ns < most ? dt_ns : most) : 0;
+}
+|} );
     ( Later,
       "frob_later",
       [],
@@ -351,21 +362,64 @@ static inline int64_t frob_later(int64_t time, int64_t ns)
       "frob_reached",
       [],
       {|/* Has a time in nanoseconds come to so many? Not if that is NaN. */
-static inline bool frob_reached(int64_t time, double period)
+static inline bool frob_reached(int64_t time, @R period)
 {
-    return period < 9223372036854775808.0 && (period < 0.0 || (int64_t)period <= time);
+    return period < 9223372036854775808.0@f && (period < 0.0@f || (int64_t)period <= time);
 }
 |} );
     ( Rest,
       "frob_rest",
       [],
       {|/* Of a time that has come to a period, what is left after whole ones. */
-static inline int64_t frob_rest(int64_t time, double period)
+static inline int64_t frob_rest(int64_t time, @R period)
 {
-    return period < 1.0 ? 0 : time % (int64_t)period;
+    return period < 1.0@f ? 0 : time % (int64_t)period;
 }
 |} );
   ]
+
+(* In single precision time is counted in integers, and seconds are only read. *)
+let single_text t text =
+  match t with
+  | Whole_nanoseconds ->
+      {|/* dt in nanoseconds: of whole seconds and of their fraction, for a float has too
+ * few bits for both. NaN and negative give 0; at most 1e9 s. */
+static inline int64_t frob_whole_ns(float dt)
+{
+    if (!(dt > 0.0f)) {
+        return 0;
+    }
+    if (dt >= 1e9f) {
+        return INT64_C(1000000000000000000);
+    }
+    const int32_t s = (int32_t)dt;
+    return (int64_t)s * 1000000000 + (int32_t)((dt - (float)s) * 1e9f + 0.5f);
+}
+|}
+  | Time_in_nanoseconds ->
+      {|/* A local time in nanoseconds, as they are made of its seconds: adding 2^23 leaves
+ * no bits for a fraction. */
+static inline float frob_time_in_ns(int64_t time)
+{
+    const float ns = (float)time / 1e9f * 1e9f;
+    return ns < 8388608.0f ? (ns + 8388608.0f) - 8388608.0f : ns;
+}
+|}
+  | _ -> text
+
+let single_calls t calls =
+  match t with Whole_nanoseconds | Time_in_nanoseconds -> [] | _ -> calls
+
+(* In the table @R stands for the type of a Float, @f for what ends its literals. *)
+let in_precision (real : Basis.Real.t) text =
+  match String.split_on_char '@' text with
+  | [] -> text
+  | first :: marked ->
+      let expand piece =
+        let rest = String.sub piece 1 (String.length piece - 1) in
+        (match piece.[0] with 'R' -> Print.real_name real | _ -> Print.real_suffix real) ^ rest
+      in
+      String.concat "" (first :: List.map expand marked)
 
 let name t =
   match List.find_opt (fun (other, _, _, _) -> other = t) table with
@@ -375,12 +429,14 @@ let name t =
 let names = List.map (fun (_, name, _, _) -> name) table
 
 (* From the last row to the first, so that callers come before callees. *)
-let text wanted =
+let text ~(real : Basis.Real.t) wanted =
   let needed = Hashtbl.create 16 in
   List.fold_left
     (fun texts (t, _, calls, text) ->
       if wanted t || Hashtbl.mem needed t then (
+        let calls = match real with Double -> calls | Single -> single_calls t calls in
         List.iter (fun callee -> Hashtbl.replace needed callee ()) calls;
-        text :: texts)
+        let text = match real with Double -> text | Single -> single_text t text in
+        in_precision real text :: texts)
       else texts)
     [] (List.rev table)

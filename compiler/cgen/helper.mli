@@ -35,6 +35,7 @@ type t =
   | Whole_nanoseconds  (** of a dt in seconds *)
   | Seconds  (** of a dt in whole nanoseconds *)
   | Time_in_nanoseconds  (** of a local time *)
+  | Time_span  (** nanoseconds within bounds; in single precision only *)
   | Later
   | Reached
   | Rest
@@ -43,6 +44,6 @@ type t =
 val name : t -> string
 val names : string list
 
-val text : (t -> bool) -> string list
-(** The C text of those wanted and of what they need themselves, in an order
+val text : real:Basis.Real.t -> (t -> bool) -> string list
+(** The C text, in the precision of the program, of those wanted and of what they need themselves, in an order
     that compiles. *)

@@ -10,10 +10,10 @@ type context = {
   mutable count : int;
 }
 
-(* Where a leaf lies, as paths of members. *)
+(* Where a leaf lies, as paths of members, and the kind of what Floats it has. *)
 type location =
-  | Scalar of string
-  | Sum of { tag : string; base : string; first : Machine.Layout.slots }
+  | Scalar of { path : string; number : string }
+  | Sum of { tag : string; base : string; first : Machine.Layout.slots; number : string }
   | Array of (int -> location)  (** of each element *)
 
 let c_string text = "\"" ^ String.escaped text ^ "\""
@@ -53,11 +53,11 @@ let take locations =
 let foreign () = Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a host that knows a foreign type"
 
 (* Of a leaf that lies in one piece. *)
-let rec value_at path (ty : F.ty) =
+let rec value_at number path (ty : F.ty) =
   match ty with
-  | Bool | Int | Float -> Scalar path
-  | Sum _ -> Sum { tag = path ^ ".tag"; base = path ^ "."; first = Machine.Layout.none }
-  | Array (_, element) -> Array (fun i -> value_at (sprintf "%s.at[%d]" path i) element)
+  | Bool | Int | Float -> Scalar { path; number }
+  | Sum _ -> Sum { tag = path ^ ".tag"; base = path ^ "."; first = Machine.Layout.none; number }
+  | Array (_, element) -> Array (fun i -> value_at number (sprintf "%s.at[%d]" path i) element)
   | Foreign _ -> foreign ()
 
 let element_of i = function
@@ -100,20 +100,20 @@ and constructor c locations ~name ~record parts =
 and leaf c (ty : F.ty) location =
   let scalar kind path = value c ~kind ~offset:(offset c path) ~is_event:false ~count:0 "NULL" in
   match (ty, location) with
-  | Bool, Scalar path -> scalar "FROB_BOOL" path
-  | Int, Scalar path -> scalar "FROB_INT" path
-  | Float, Scalar path -> scalar "FROB_FLOAT" path
-  | Sum k, Sum { tag; base; first } -> sum c k ~tag ~base ~first
+  | Bool, Scalar { path; _ } -> scalar "FROB_BOOL" path
+  | Int, Scalar { path; _ } -> scalar "FROB_INT" path
+  | Float, Scalar { path; number } -> scalar number path
+  | Sum k, Sum { tag; base; first; number } -> sum c k ~tag ~base ~first ~number
   | Foreign _, _ -> foreign ()
   | (Bool | Int | Float | Sum _ | Array _), (Scalar _ | Sum _ | Array _) ->
       Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a leaf and its place do not match"
 
-and sum c k ~tag ~base ~first =
+and sum c k ~tag ~base ~first ~number =
   let sum = c.sums.(k) in
   let locate (slot : Sum_type.slot) ty =
     match slot with
-    | Scalar member -> value_at (base ^ member) ty
-    | Inner { sum = _; tag; first } -> Sum { tag = base ^ tag; base; first }
+    | Scalar member -> value_at number (base ^ member) ty
+    | Inner { sum = _; tag; first } -> Sum { tag = base ^ tag; base; first; number }
   in
   let row (ctor : F.sum_constructor) =
     let slots = Sum_type.payload c.sums ~first ctor in
@@ -129,29 +129,40 @@ and sum c k ~tag ~base ~first =
   in
   value c ~kind:"FROB_SUM" ~offset:(offset c tag) ~is_event ~count:(List.length rows) constructors
 
+(* The kind of the Floats of a leaf. *)
+let number (program : Machine.Ir.program) (side : Border.side) steps =
+  match (program.real, side.robot) with
+  | Double, _ -> "FROB_FLOAT"
+  | Single, Some _ when not (Border.is_result program side steps) -> "FROB_ROUNDED"
+  | Single, (Some _ | None) -> "FROB_SINGLE"
+
 (* Of each leaf. *)
-let locations (i : Interface.t) whole =
-  let rec locate path (steps : Interface.step list) (ty : F.ty) =
+let locations (program : Machine.Ir.program) (side : Border.side) whole =
+  let rec locate number path (steps : Interface.step list) (ty : F.ty) =
     match (steps, ty) with
-    | [], _ -> value_at path ty
-    | Member name :: rest, _ -> locate (if path = "" then name else path ^ "." ^ name) rest ty
+    | [], _ -> value_at number path ty
+    | Member name :: rest, _ ->
+        locate number (if path = "" then name else path ^ "." ^ name) rest ty
     | Element _ :: rest, Array (_, element) ->
-        Array (fun i -> locate (sprintf "%s[%d]" path i) rest element)
+        Array (fun i -> locate number (sprintf "%s[%d]" path i) rest element)
     | Element _ :: _, (Bool | Int | Float | Sum _ | Foreign _) ->
         Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an array of a leaf that is none"
   in
-  List.rev (List.rev_map2 (locate "") i.leaves (Machine.Layout.shape_leaves whole))
+  let leaf steps = locate (number program side steps) "" steps in
+  List.rev (List.rev_map2 leaf side.host.leaves (Machine.Layout.shape_leaves whole))
 
-let interface out sums ~prefix (i : Interface.t) whole =
-  let c = { out; sums; struct_name = i.struct_name; prefix; count = 0 } in
-  shape c (ref (locations i whole)) whole
+let interface out (program : Machine.Ir.program) ~prefix (side : Border.side) whole =
+  let c =
+    { out; sums = program.sums; struct_name = side.host.struct_name; prefix; count = 0 }
+  in
+  shape c (ref (locations program side whole)) whole
 
 (* The output's last leaf once more, by itself. *)
-let result out (program : Machine.Ir.program) (i : Interface.t) =
+let result out (program : Machine.Ir.program) (side : Border.side) =
   let c =
-    { out; sums = program.sums; struct_name = i.struct_name; prefix = "result"; count = 0 }
+    { out; sums = program.sums; struct_name = side.host.struct_name; prefix = "result"; count = 0 }
   in
-  match (snd (Interface.apart program.output), List.rev (locations i program.output)) with
+  match (snd (Interface.apart program.output), List.rev (locations program side program.output)) with
   | Some ended, last :: _ -> "&" ^ shape c (ref [ last ]) ended
   | _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a program that ends without a result"
 
@@ -178,11 +189,15 @@ let machines out ~state (list : Machine_table.t list) =
 let text (program : Machine.Ir.program) (files : Of_machine.t) =
   let out = Buffer.create 4096 in
   let name = files.name in
+  let input_side = Border.input program files.input in
+  let output_side = Border.output program files.output in
   bprintf out "/* %s_host.c -- generated by frobc: the table for hosts. */\n" program.name;
-  bprintf out "#include \"%s.h\"\n#include <frob/arithmetic.h>\n#include <frob/program.h>\n#include <stddef.h>\n\n" program.name;
-  let input = interface out program.sums ~prefix:"in" files.input program.input in
-  let output = interface out program.sums ~prefix:"out" files.output program.output in
-  let result = if program.ends then result out program files.output else "NULL" in
+  bprintf out "#include \"%s.h\"\n%s#include <frob/arithmetic.h>\n#include <frob/program.h>\n#include <stddef.h>\n\n" program.name
+    (Border.includes [ input_side; output_side ]);
+  bprintf out "%s" (Border.definitions program files.sums output_side);
+  let input = interface out program ~prefix:"in" input_side program.input in
+  let output = interface out program ~prefix:"out" output_side program.output in
+  let result = if program.ends then result out program output_side else "NULL" in
   let machines, machine_count = machines out ~state:(name ^ "_state") files.machines in
   let robot =
     match (Robot.of_shape program.input, Robot.of_shape program.output) with
@@ -195,12 +210,7 @@ static void reset(void *state)
 {
     %s_reset((struct %s_state *)state);
 }
-
-static void step(void *state, double dt, const void *in, void *out)
-{
-    %s_step((struct %s_state *)state, dt, (const struct %s *)in, (struct %s *)out);
-}
-
+%s
 extern const struct frob_program frob_program;
 const struct frob_program frob_program = {
     FROB_PROGRAM_ABI,
@@ -219,7 +229,9 @@ const struct frob_program frob_program = {
     %d,
 };
 |}
-    name name name name files.input.struct_name files.output.struct_name (c_string program.name)
-    (c_string robot) name files.input.struct_name files.output.struct_name input output
+    name name
+    (Border.step program files.sums ~name ~input:input_side ~output:output_side)
+    (c_string program.name) (c_string robot) name input_side.host.struct_name
+    output_side.host.struct_name input output
     result machines machine_count;
   Buffer.contents out

@@ -3,6 +3,7 @@ module F = Flow.Ir
 type key = string * string * F.shape list
 
 type types = {
+  real : Basis.Real.t;
   scope : Name.scope;
   prefix : string;
   sum : int -> string;
@@ -19,8 +20,8 @@ type t = {
 
 and step = Member of string | Element of int
 
-let types scope ~prefix ~sum ~foreign =
-  { scope; prefix; sum; foreign; known = Hashtbl.create 8; definitions = [] }
+let types scope ~real ~prefix ~sum ~foreign =
+  { real; scope; prefix; sum; foreign; known = Hashtbl.create 8; definitions = [] }
 let key (product : F.product) =
   (product.product_module, product.product_name, List.map snd product.parts)
 
@@ -37,7 +38,7 @@ let rec leaf_type types (ty : F.ty) : Ir.ty =
   match ty with
   | Bool -> Bool
   | Int -> Int32
-  | Float -> Real
+  | Float -> Real types.real
   | Sum k -> Struct (types.sum k)
   | Array (n, element) -> Array (leaf_type types element, n)
   | Foreign foreign -> types.foreign foreign
@@ -99,7 +100,7 @@ let with_paths types ~name members (shape : F.shape) =
   let member_list_of (product : F.product) (ty : Ir.ty) =
     match ty with
     | Members members -> members
-    | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Named _ | Union _ | Array _ | Pointer _ | Pointer_to_const _ -> (
+    | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Union _ | Array _ | Pointer _ | Pointer_to_const _ -> (
         match Hashtbl.find_opt types.known (key product) with
         | Some (_, members) -> members
         | None -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "a record without a struct")

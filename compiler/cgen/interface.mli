@@ -9,11 +9,12 @@ type types
 
 val types :
   Name.scope ->
+  real:Basis.Real.t ->
   prefix:string ->
   sum:(int -> string) ->
   foreign:(Flow.Ir.foreign_type -> Ir.ty) ->
   types
-(** [sum] gives the struct of a sum, [foreign] how C has a foreign type. *)
+(** [real] is the type of a Float, [sum] gives the struct of a sum, [foreign] how C has a foreign type. *)
 
 type t = {
   struct_name : string;

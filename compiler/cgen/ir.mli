@@ -10,7 +10,7 @@ type ty =
   | Uint8
   | Int32
   | Int64
-  | Real  (** the one type of the language's Float *)
+  | Real of Basis.Real.t
   | Struct of string
   | Named of string  (** as the user's C calls it: [struct frame], or a [typedef] *)
   | Members of member list  (** a struct without a name, inside another *)
@@ -46,7 +46,7 @@ type expr =
   | Boolean of bool
   | Integer of int32
   | Long of int64  (** not negative *)
-  | Float of float
+  | Float of Basis.Real.t * float
   | Unary of unary * expr
   | Binary of binary * expr * expr
   | Conditional of expr * expr * expr

@@ -36,9 +36,9 @@ let enter c (entry : M.entry) span =
 let forget_time c =
   let set name zero = [ plain (Ir.Assign (Name name, zero)) ] in
   match c.seconds with
-  | Where_wanted -> set "dt_ns" (if c.node.nanoseconds then Ir.Integer 0l else Float 0.)
+  | Where_wanted -> set "dt_ns" (if is_integer c then Ir.Integer 0l else V.float c.v 0.)
   | Given ->
-      (if c.node.seconds then set "dt" (Float 0.) else [])
+      (if c.node.seconds then set "dt" (V.float c.v 0.) else [])
       @ if c.node.nanoseconds then set "dt_ns" (Integer 0l) else []
 
 (* The first alternative that holds. *)
@@ -156,7 +156,7 @@ let run c (run : M.run) =
   in
   let wake (clock : M.clock) =
     let since = Expression.field c.names clock.since in
-    let seconds = Ir.Binary (Over, Cast (Real, Name "dt_ns"), Float 1e9) in
+    let seconds = in_seconds c (Name "dt_ns") in
     [ plain (Ir.Assign (Name "dt_ns", since)) ]
     @ (if c.node.seconds then [ plain (Ir.Assign (Name "dt", seconds)) ] else [])
     @ [

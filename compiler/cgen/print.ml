@@ -46,18 +46,21 @@ let tidy_exponent text =
       let exponent = String.sub text (k + 1) (String.length text - k - 1) in
       Printf.sprintf "%se%d" mantissa (int_of_string (String.concat "" (String.split_on_char '+' exponent)))
 
-let float_literal x =
-  let rec shortest digits =
-    let text = Printf.sprintf "%.*g" digits x in
-    if digits >= 17 || Float.equal (float_of_string text) x then text else shortest (digits + 1)
+let real_name : Basis.Real.t -> string = function Double -> "double" | Single -> "float"
+let real_suffix : Basis.Real.t -> string = function Double -> "" | Single -> "f"
+
+let float_literal real x =
+  let named name = Printf.sprintf "(%s)%s" (real_name real) name in
+  let decimal () =
+    if Float.is_integer x && Float.abs x < 1e7 then Printf.sprintf "%.1f" x
+    else
+      let text = tidy_exponent (Basis.Real.shortest real x) in
+      if String.exists (function '.' | 'e' -> true | _ -> false) text then text else text ^ ".0"
   in
-  if Float.is_nan x then "(double)NAN"
-  else if Float.equal x Float.infinity then "(double)INFINITY"
-  else if Float.equal x Float.neg_infinity then "-(double)INFINITY"
-  else if Float.is_integer x && Float.abs x < 1e7 then Printf.sprintf "%.1f" x
-  else
-    let text = tidy_exponent (shortest 1) in
-    if String.exists (function '.' | 'e' -> true | _ -> false) text then text else text ^ ".0"
+  if Float.is_nan x then named "NAN"
+  else if Float.equal x Float.infinity then named "INFINITY"
+  else if Float.equal x Float.neg_infinity then "-" ^ named "INFINITY"
+  else decimal () ^ real_suffix real
 
 let rec ty_name = function
   | Array (t, _) -> ty_name t
@@ -66,7 +69,7 @@ let rec ty_name = function
   | Uint8 -> "uint8_t"
   | Int32 -> "int32_t"
   | Int64 -> "int64_t"
-  | Real -> "double"
+  | Real real -> real_name real
   | Struct name -> "struct " ^ name
   | Named name -> name
   | Members _ -> "struct"
@@ -79,7 +82,7 @@ let rec declarator ty name =
   match ty with
   | Array (t, n) -> declarator t (Printf.sprintf "%s[%d]" name n)
   | Pointer _ | Pointer_to_const _ -> ty_name ty ^ name
-  | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Named _ | Members _ | Union _ -> ty_name ty ^ " " ^ name
+  | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Members _ | Union _ -> ty_name ty ^ " " ^ name
 
 (* [const T x], [T *const x] *)
 let constant ty name =
@@ -95,7 +98,7 @@ let variables ty names =
 let precedence = function
   | Name _ | Boolean _ | Long _ | Call _ | Member _ | Arrow _ | Subscript _ | Aggregate _ -> postfix
   | Integer i -> if Int32.compare i 0l < 0 then prefix else postfix
-  | Float x -> if Float.sign_bit x || not (Float.abs x < Float.infinity) then prefix else postfix
+  | Float (_, x) -> if Float.sign_bit x || not (Float.abs x < Float.infinity) then prefix else postfix
   | Unary _ | Cast _ -> prefix
   | Binary (operator, _, _) -> level operator
   | Conditional _ -> conditional
@@ -119,7 +122,7 @@ and bare b ~depth e =
   | Boolean value -> add (string_of_bool value)
   | Integer i -> if Int32.equal i Int32.min_int then add "INT32_MIN" else add (Int32.to_string i)
   | Long i -> add (Printf.sprintf "INT64_C(%Ld)" i)
-  | Float x -> add (float_literal x)
+  | Float (real, x) -> add (float_literal real x)
   | Unary (operator, e) ->
       add (match operator with Negate -> "-" | Not -> "!" | Address -> "&" | Dereference -> "*");
       (* Never two minus signs together. *)
@@ -325,7 +328,7 @@ let rec members out ~indent (all : member list) =
       | Union inside ->
           line out ~indent "union {";
           members out ~indent:(indent + 4) inside
-      | Void | Bool | Uint8 | Int32 | Int64 | Real | Struct _ | Named _ | Array _ | Pointer _ | Pointer_to_const _ -> ());
+      | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Array _ | Pointer _ | Pointer_to_const _ -> ());
       line out ~indent ~column ~comment:m.comment (text m))
     all
 

@@ -4,11 +4,12 @@ type t = {
   struct_name : string;
   tags : string array;
   makers : string array;
+  real : Basis.Real.t;
   slots : Machine.Layout.slots;
   arrays : (F.ty * Ir.ty) list;
 }
 
-let name scope ~prefix (sum : F.sum) ~slots ~arrays =
+let name scope ~prefix ~real (sum : F.sum) ~slots ~arrays =
   let struct_name = Name.fresh scope (prefix ^ "_" ^ Name.short (Name.snake sum.name)) in
   let constructor (c : F.sum_constructor) = struct_name ^ "_" ^ Name.snake c.constructor in
   let all = Array.of_list (List.map constructor sum.constructors) in
@@ -16,6 +17,7 @@ let name scope ~prefix (sum : F.sum) ~slots ~arrays =
     struct_name;
     tags = Array.map (fun name -> Name.fresh scope (String.uppercase_ascii name)) all;
     makers = Array.map (Name.fresh scope) all;
+    real;
     slots;
     arrays;
   }
@@ -58,7 +60,7 @@ let members sums ?(first = Machine.Layout.none) t =
   in
   List.concat
     [
-      some slots.floats first.floats float_slot Ir.Real;
+      some slots.floats first.floats float_slot (Ir.Real t.real);
       some slots.ints first.ints int_slot Ir.Int32;
       some slots.bools first.bools bool_slot Ir.Bool;
       some slots.tags first.tags tag_slot Ir.Uint8;
@@ -78,25 +80,25 @@ let definition sums (sum : F.sum) t =
       };
   ]
 
-let rec zero sums ~absent (ty : Machine.Ir.ty) : Ir.expr =
+let rec zero real sums ~absent (ty : Machine.Ir.ty) : Ir.expr =
   match ty with
   | Foreign ty -> absent ty
-  | Float -> Float 0.
+  | Float -> Float (real, 0.)
   | Bool -> Boolean false
   | Int | Nanoseconds -> Integer 0l
-  | Sum k -> Aggregate (Integer 0l :: zeros sums ~absent (Machine.Layout.sum sums k))
-  | Array (_, element) -> Aggregate [ Aggregate [ zero sums ~absent element ] ]
+  | Sum k -> Aggregate (Integer 0l :: zeros real sums ~absent (Machine.Layout.sum sums k))
+  | Array (_, element) -> Aggregate [ Aggregate [ zero real sums ~absent element ] ]
 
 (* In the order of the members. *)
-and zeros sums ~absent (slots : Machine.Layout.slots) =
+and zeros real sums ~absent (slots : Machine.Layout.slots) =
   let some count e = List.init count (fun _ -> e) in
   List.concat
     [
-      some slots.floats (Ir.Float 0.);
+      some slots.floats (Ir.Float (real, 0.));
       some slots.ints (Ir.Integer 0l);
       some slots.bools (Ir.Boolean false);
       some slots.tags (Ir.Integer 0l);
-      List.concat_map (fun (ty, count) -> some count (zero sums ~absent (Machine.Layout.ty ty))) slots.arrays;
+      List.concat_map (fun (ty, count) -> some count (zero real sums ~absent (Machine.Layout.ty ty))) slots.arrays;
     ]
 
 (* The function's value, a struct given member by member. *)
@@ -140,7 +142,7 @@ let maker sums ~absent types sum constructor =
   function_
     ~result:(Struct t.struct_name)
     t.makers.(constructor) parameters
-    (Name t.tags.(constructor) :: List.map2 value (members sums t) (zeros sums ~absent t.slots))
+    (Name t.tags.(constructor) :: List.map2 value (members sums t) (zeros t.real sums ~absent t.slots))
 
 let projection_name t ~constructor ~leaf = Printf.sprintf "%s_part%d" t.makers.(constructor) (leaf + 1)
 

@@ -6,6 +6,7 @@ type t = {
   struct_name : string;
   tags : string array;  (** constants, by constructor *)
   makers : string array;  (** functions, by constructor *)
+  real : Basis.Real.t;  (** of its Floats *)
   slots : Machine.Layout.slots;
   arrays : (Flow.Ir.ty * Ir.ty) list;  (** their structs *)
 }
@@ -13,6 +14,7 @@ type t = {
 val name :
   Name.scope ->
   prefix:string ->
+  real:Basis.Real.t ->
   Flow.Ir.sum ->
   slots:Machine.Layout.slots ->
   arrays:(Flow.Ir.ty * Ir.ty) list ->
@@ -28,9 +30,13 @@ type slot =
 val payload : Flow.Ir.sum array -> ?first:Machine.Layout.slots -> Flow.Ir.sum_constructor -> slot list
 (** The slots of all leaves; [first] slots belong to others. *)
 
-val zero :
+val zero : Basis.Real.t ->
   Flow.Ir.sum array -> absent:(Flow.Ir.foreign_type -> Ir.expr) -> Machine.Ir.ty -> Ir.expr
 (** Some value of the type, as an initial value. *)
+
+val members :
+  Flow.Ir.sum array -> ?first:Machine.Layout.slots -> t -> (string * Ir.ty) list
+(** Of its struct, without the tag. *)
 
 val definition : Flow.Ir.sum array -> Flow.Ir.sum -> t -> Ir.declaration list
 (** The tags' constants and the struct. *)

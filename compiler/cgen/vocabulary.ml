@@ -21,6 +21,7 @@ type t = {
   sums : Sum_type.t array;
   owners : owner array;
   nodes : node array;
+  in_seconds : string;
   input : Interface.t;
   output : Interface.t;
   records : Ir.declaration list;
@@ -93,13 +94,16 @@ let members scope ~prefix nodes (node : M.node) =
   let modes = name_modes nodes table scope ~prefix node in
   (table, modes)
 
-type root = { root_state : string; root_reset : string; root_step : string }
+(* With [root_in_seconds] as a step of its own, the root's is in nanoseconds. *)
+type root = { root_state : string; root_reset : string; root_step : string; root_in_seconds : string }
 
-let name_root scope ~name =
+let name_root scope ~name ~(real : Basis.Real.t) =
   let take suffix = Name.fresh scope (name ^ suffix) in
   let root_state = take "_state" in
   let root_reset = take "_reset" in
-  { root_state; root_reset; root_step = take "_step" }
+  let root_in_seconds = take "_step" in
+  let root_step = match real with Double -> root_in_seconds | Single -> take "_step_ns" in
+  { root_state; root_reset; root_step; root_in_seconds }
 
 (* What the programs around may know by the same name begins so. *)
 let shared_prefix = "frob"
@@ -158,7 +162,7 @@ let of_program (program : M.program) =
   let output_name = Name.fresh scope (name ^ "_output") in
   (* What a host calls and sees has the first choice: the root's names are the
      program's own, its types come before the functions inside. *)
-  let root = name_root scope ~name in
+  let root = name_root scope ~name ~real:program.real in
   let arrays = { names = Hashtbl.create 16; array_owners = Hashtbl.create 4; met = [] } in
   let owners = Array.make (Array.length program.sums) Program in
   let rec mark owner (ty : F.ty) =
@@ -176,8 +180,10 @@ let of_program (program : M.program) =
     | Bool | Int | Float | Foreign _ -> ()
   in
   let mark_leaves owner shape = List.iter (mark owner) (Machine.Layout.shape_leaves shape) in
+  (* Robots' structs are of doubles; the program's own are as it computes, and its
+     table for hosts converts. *)
   let robot_of shape =
-    let robot = Robot.of_shape shape in
+    let robot = match program.real with Double -> Robot.of_shape shape | Single -> None in
     if Option.is_some robot then mark_leaves Robot shape;
     robot
   in
@@ -199,12 +205,12 @@ let of_program (program : M.program) =
           | Foreign foreign -> (ty, foreign_type foreign)
           | array -> (ty, Ir.Struct (name_array arrays scope ~name program.sums array))
         in
-        Sum_type.name scope ~prefix sum ~slots ~arrays:(List.map array slots.arrays))
+        Sum_type.name scope ~prefix ~real:program.real sum ~slots ~arrays:(List.map array slots.arrays))
       program.sums
   in
   let sum k = sums.(k).struct_name in
-  let own = Interface.types scope ~prefix:name ~sum ~foreign:foreign_type in
-  let shared = Interface.types scope ~prefix:shared_prefix ~sum ~foreign:foreign_type in
+  let own = Interface.types scope ~real:program.real ~prefix:name ~sum ~foreign:foreign_type in
+  let shared = Interface.types scope ~real:Double ~prefix:shared_prefix ~sum ~foreign:foreign_type in
   let interface robot struct_name result (shape : F.shape) =
     match (robot, shape) with
     | Some _, Product { product_name; _ } when Option.is_some result ->
@@ -239,6 +245,7 @@ let of_program (program : M.program) =
     sums;
     owners;
     nodes;
+    in_seconds = root.root_in_seconds;
     input;
     output;
     records = Interface.definitions own;
@@ -256,12 +263,15 @@ let of_program (program : M.program) =
     absent = Hashtbl.create 4;
   }
 
+let real t = Ir.Real t.program.real
+let float t x = Ir.Float (t.program.real, x)
+
 let ty t (ty : M.ty) : Ir.ty =
   match ty with
   | Array _ -> Struct (name_array t.arrays t.file_scope ~name:t.name t.program.sums ty)
   | Bool -> Bool
   | Int -> Int32
-  | Float -> Real
+  | Float -> real t
   | Nanoseconds -> Int64
   | Sum k -> Struct t.sums.(k).struct_name
   | Foreign foreign -> foreign_type foreign
@@ -276,21 +286,23 @@ let absent t (ty : F.foreign_type) : Ir.expr =
         Hashtbl.replace t.absent ty name;
         Name name
 
-let zero t ty = Sum_type.zero t.program.sums ~absent:(absent t) ty
+let zero t ty = Sum_type.zero t.program.real t.program.sums ~absent:(absent t) ty
 
 let helper t helper =
   Hashtbl.replace t.helpers helper ();
   Helper.name helper
 
+let math_function t name = name ^ Print.real_suffix t.program.real
+
 let runtime_function t name =
-  let name = "frob_" ^ name in
+  let name = math_function t ("frob_" ^ name) in
   Hashtbl.replace t.elementary name ();
   name
 
 let elementary t (f : Core.Primitive.elementary) =
   let name = Core.Primitive.name (Elementary f) in
   match f with
-  | Sqrt -> name
+  | Sqrt -> math_function t name
   | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2 -> runtime_function t name
 
 let pow t = runtime_function t "pow"

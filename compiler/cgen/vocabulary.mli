@@ -29,6 +29,7 @@ type t = {
   sums : Sum_type.t array;
   owners : owner array;  (** of the sums *)
   nodes : node array;
+  in_seconds : string;  (** the root's step whose dt is in seconds *)
   input : Interface.t;
   output : Interface.t;
   records : Ir.declaration list;  (** the program's own interface structs *)
@@ -57,6 +58,14 @@ val zero : t -> Machine.Ir.ty -> Ir.expr
 (** Some value, as an initial value. *)
 
 val helper : t -> Helper.t -> string
+
+val real : t -> Ir.ty
+(** Of a Float. *)
+
+val float : t -> float -> Ir.expr
+
+val math_function : t -> string -> string
+(** As the C library's [<math.h>] calls it for the program's precision. *)
 
 val elementary : t -> Core.Primitive.elementary -> string
 (** The C function; the square root is <math.h>'s, as exact everywhere. *)

@@ -33,6 +33,7 @@ and variable = { id : int; name : string }
 
 type program = {
   main_module : string;
+  real : Real.t;  (** the precision of [Float] *)
   data : data list;  (** used before users *)
   instances : instance list;
       (** at most one for each class and type constructor *)

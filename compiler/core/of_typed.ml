@@ -77,6 +77,7 @@ let program (p : T.program) : Ir.program =
   let definitions = Basis.Long_list.map (definition ctx) p.definitions in
   {
     main_module = p.main_module;
+    real = p.real;
     data;
     instances;
     foreign;

@@ -8,6 +8,7 @@ type general = {
   stop_after : Stage.t option;
   lint : bool;
   specialization_limit : int;
+  real : Real.t;
   robot : string option;
 }
 
@@ -49,6 +50,7 @@ let options general =
     stop_after = general.stop_after;
     lint = general.lint;
     specialization_limit = general.specialization_limit;
+    real = general.real;
   }
 
 let ( let* ) result continue =

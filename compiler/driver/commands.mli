@@ -9,6 +9,7 @@ type general = {
   stop_after : Stage.t option;
   lint : bool;
   specialization_limit : int;
+  real : Basis.Real.t;  (** the precision of [Float] *)
   robot : string option;  (** the robot to compile for, where the program leaves it open *)
 }
 

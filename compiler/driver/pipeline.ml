@@ -5,6 +5,7 @@ type options = {
   stop_after : Stage.t option;
   lint : bool;
   specialization_limit : int;
+  real : Real.t;
 }
 
 let ( let* ) = Option.bind
@@ -46,7 +47,7 @@ let front options sink sources ~library file =
   let* resolved =
     stage options sink Resolve ~lint:Resolve.Lint.program ~print:Resolve.Print.program resolved
   in
-  let typed = Typing.Infer.program sink resolved in
+  let typed = Typing.Infer.program sink ~real:options.real resolved in
   (* Levels and patterns read types: after an error there they would only
      repeat it in other words. *)
   let* typed = if Diagnostic.has_errors sink then None else Some typed in
@@ -165,21 +166,15 @@ let find_entry sink (core : Core.Ir.program) ~file entry =
       Diagnostic.emit sink diagnostic;
       None
 
-(* A program is rejected for the same reasons whatever is to run it. *)
-let checked ?robot options sink sources ~library ~entry file =
-  let* front = front options sink sources ~library file in
-  let* entry = find_entry sink front.core ~file entry in
-  let* core, entry = Robots.closed sink robot (for_a_robot front entry) in
-  let* flow = flow options sink ~name:(c_name file) ~entry core in
-  Some (core, entry, flow)
-
 let no_interpreter = "E0505"
+let no_single_precision = "E0506"
 
-(* The interpreter runs Frob only. *)
-let refuse_foreign sink core ~entry (flow : Flow.Ir.program) =
+(* The interpreter runs Frob only; and the user's C has doubles, which a program of
+   single precision would pass as what they are not. *)
+let refuse_foreign sink core ~entry ~what_for ~code ~hint (flow : Flow.Ir.program) =
   let refuse at what =
-    Diagnostic.error ~code:no_interpreter ~at "the interpreter cannot run this program: %s" what
-    |> Diagnostic.hint "run it with `--engine c`"
+    Diagnostic.error ~code ~at "%s: %s" what_for what
+    |> Diagnostic.hint hint
     |> Diagnostic.emit sink
   in
   let calls (node : Flow.Ir.node) = Option.is_some node.foreign in
@@ -189,9 +184,22 @@ let refuse_foreign sink core ~entry (flow : Flow.Ir.program) =
       if List.exists (Flow.Lasting.mentions_foreign flow.sums) [ flow.input; flow.output ] then
         refuse (place core entry) "it takes or gives a value of a foreign type"
 
+(* A program is rejected for the same reasons whatever is to run it. *)
+let checked ?robot options sink sources ~library ~entry file =
+  let* front = front options sink sources ~library file in
+  let* entry = find_entry sink front.core ~file entry in
+  let* core, entry = Robots.closed sink robot (for_a_robot front entry) in
+  let* flow = flow options sink ~name:(c_name file) ~entry core in
+  if options.real = Single then
+    refuse_foreign sink core ~entry flow ~code:no_single_precision
+      ~what_for:"this program cannot be one of single precision"
+      ~hint:"compile it without `--real float`";
+  if Diagnostic.has_errors sink then None else Some (core, entry, flow)
+
 let interpretable ?robot options sink sources ~library ~entry file =
   let* core, entry, flow = checked ?robot options sink sources ~library ~entry file in
-  refuse_foreign sink core ~entry flow;
+  refuse_foreign sink core ~entry flow ~code:no_interpreter
+    ~what_for:"the interpreter cannot run this program" ~hint:"run it with `--engine c`";
   if Diagnostic.has_errors sink then None else Some (core, entry)
 
 let machine_of options sink flow =
@@ -226,7 +234,7 @@ let for_both_engines options sink sources ~library ~entry file =
 
 let robot_header sink sources ~library (robot : Cgen.Robot.t) =
   let options =
-    { dump = None; stop_after = None; lint = false; specialization_limit = 10_000 }
+    { dump = None; stop_after = None; lint = false; specialization_limit = 10_000; real = Double }
   in
   let file = Filename.concat library (robot.module_ ^ ".frob") in
   let* machine = machine options sink sources ~library ~entry:"atRest" file in

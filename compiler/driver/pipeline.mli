@@ -7,6 +7,7 @@ type options = {
   stop_after : Stage.t option;
   lint : bool;  (** check each stage's promises *)
   specialization_limit : int;
+  real : Real.t;  (** the precision of [Float] *)
 }
 
 val c_name : string -> string
@@ -21,6 +22,10 @@ val no_entry : string
 
 val no_interpreter : string
 (** The code of the diagnostic for a program that the interpreter cannot run. *)
+
+val no_single_precision : string
+(** The code of the diagnostic for a program that cannot be compiled in single
+    precision. *)
 
 val machine :
   ?robot:Cgen.Robot.t ->

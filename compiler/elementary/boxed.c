@@ -1,16 +1,29 @@
-/* What bytecode calls: the same functions on OCaml's boxed numbers. */
+/* What OCaml calls: the same functions on OCaml's numbers, which are doubles; for
+ * bytecode, on boxed ones. A single is a double that a float can hold. */
 #include <caml/alloc.h>
 #include <caml/mlvalues.h>
 #include <frob/elementary.h>
 
-#define ONE(name)                              \
-  value frob_boxed_##name(value x) {           \
-    return caml_copy_double(frob_##name(Double_val(x))); \
+#define ONE(name)                                                        \
+  value frob_boxed_##name(value x) {                                     \
+    return caml_copy_double(frob_##name(Double_val(x)));                 \
+  }                                                                      \
+  double frob_single_##name(double x) {                                  \
+    return (double)frob_##name##f((float)x);                             \
+  }                                                                      \
+  value frob_boxed_single_##name(value x) {                              \
+    return caml_copy_double(frob_single_##name(Double_val(x)));          \
   }
 
-#define TWO(name)                              \
-  value frob_boxed_##name(value x, value y) {  \
-    return caml_copy_double(frob_##name(Double_val(x), Double_val(y))); \
+#define TWO(name)                                                        \
+  value frob_boxed_##name(value x, value y) {                            \
+    return caml_copy_double(frob_##name(Double_val(x), Double_val(y)));  \
+  }                                                                      \
+  double frob_single_##name(double x, double y) {                        \
+    return (double)frob_##name##f((float)x, (float)y);                   \
+  }                                                                      \
+  value frob_boxed_single_##name(value x, value y) {                     \
+    return caml_copy_double(frob_single_##name(Double_val(x), Double_val(y))); \
   }
 
 ONE(exp)

@@ -1,16 +1,18 @@
-let big = 4503599627370496.
+open Basis
+
 let exact_below = 0x4000000000000L
 
-let nanoseconds seconds =
-  let ns = seconds *. 1e9 in
+let nanoseconds real seconds =
+  let rounded = Real.round real and big = Real.all_whole_from real in
+  let ns = rounded (seconds *. 1e9) in
   let ns = if Float.is_nan ns then ns else if ns > 0. then ns else 0. in
-  if ns < big then ns +. big -. big else ns
+  if ns < big then rounded (rounded (ns +. big) -. big) else ns
 
-let of_local_time t = nanoseconds (Int64.to_float t /. 1e9)
+let of_local_time real t = nanoseconds real (Real.round real (Real.of_int64 real t /. 1e9))
 
 (* [of_local_time] never falls. *)
-let reaches number =
-  let reached t = of_local_time t >= number in
+let reaches real number =
+  let reached t = of_local_time real t >= number in
   (* not reached at [low] - 1, reached at [high] *)
   let rec search low high =
     if Int64.equal low high then low
@@ -20,12 +22,15 @@ let reaches number =
   in
   if reached Int64.max_int then Some (search 0L Int64.max_int) else None
 
-let is_big : Ir.atom -> bool = function Float x -> Float.equal x big | _ -> false
+let is_big real : Ir.atom -> bool = function
+  | Float x -> Float.equal x (Real.all_whole_from real)
+  | _ -> false
 
 let same_signal (a : Ir.atom) (b : Ir.atom) =
   match (a, b) with Signal a, Signal b -> a.id = b.id | _, _ -> false
 
-let recognize definition (rhs : Ir.rhs) : Ir.rhs =
+let recognize real definition (rhs : Ir.rhs) : Ir.rhs =
+  let is_big = is_big real in
   let time seconds =
     match definition seconds with
     | Some (Ir.Time { unit = Seconds; restart }) -> Some restart

@@ -58,7 +58,7 @@ let equation a instant values (e : Ir.equation) =
   let anything () = Range.anything a.program e.defines.ty in
   match (e.rhs, instant) with
   | Copy atom, _ -> read atom
-  | Op (operator, arguments), _ -> Range.operation operator (map read arguments) e.defines.ty
+  | Op (operator, arguments), _ -> Range.operation a.program.real operator (map read arguments) e.defines.ty
   | If { condition; then_; else_ }, _ -> (
       let condition = read condition in
       match (Range.may_be_true condition, Range.may_be_false condition) with

@@ -39,13 +39,14 @@ let on_ints operator a b : Ir.atom option =
    others tell apart. *)
 let nan = Int64.float_of_bits 0x7ff8_0000_0000_0000L
 
-let on_floats operator a b : Ir.atom option =
+let on_floats real operator a b : Ir.atom option =
+  let rounded x = Some (Ir.Float (Basis.Real.round real x)) in
   let nan_or x = Some (Float (if Float.is_nan a || Float.is_nan b then nan else x)) in
   match operator with
-  | Add -> Some (Float (a +. b))
-  | Subtract -> Some (Float (a -. b))
-  | Multiply -> Some (Float (a *. b))
-  | Divide -> Some (Float (a /. b))
+  | Add -> rounded (a +. b)
+  | Subtract -> rounded (a -. b)
+  | Multiply -> rounded (a *. b)
+  | Divide -> rounded (a /. b)
   | Equal -> Some (Bool (a = b))
   | Less -> Some (Bool (a < b))
   | Less_equal -> Some (Bool (a <= b))
@@ -55,22 +56,22 @@ let on_floats operator a b : Ir.atom option =
   | Ceiling | Truncate | Not | And | Or ->
       None
 
-let on_int operator a : Ir.atom option =
+let on_int real operator a : Ir.atom option =
   match operator with
   | Negate -> Some (Int (Int32.neg a))
   | Absolute -> Some (Int (Int32.abs a))
   | Signum -> Some (Int (Int32.of_int (Int32.compare a 0l)))
-  | To_float -> Some (Float (Int32.to_float a))
+  | To_float -> Some (Float (Basis.Real.round real (Int32.to_float a)))
   | Add | Subtract | Multiply | Equal | Less | Less_equal | Minimum | Maximum | Divide | Pow
   | Elementary _ | Div | Mod | Round | Floor | Ceiling | Truncate | Not | And | Or ->
       None
 
-let on_float operator a : Ir.atom option =
+let on_float real operator a : Ir.atom option =
   match operator with
   | Negate -> Some (Float (-.a))
   | Absolute -> Some (Float (Float.abs a))
   | Signum -> Some (Float (if a > 0. then 1. else if a < 0. then -1. else a))
-  | Elementary Sqrt -> Some (Float (Float.sqrt a))
+  | Elementary Sqrt -> Some (Float (Basis.Real.round real (Float.sqrt a)))
   | Round -> Some (Int (saturate (Float.round a)))
   | Floor -> Some (Int (saturate (Float.floor a)))
   | Ceiling -> Some (Int (saturate (Float.ceil a)))
@@ -80,12 +81,12 @@ let on_float operator a : Ir.atom option =
   | Mod | To_float | Not | And | Or ->
       None
 
-let operation operator (arguments : Ir.atom list) : Ir.atom option =
+let operation real operator (arguments : Ir.atom list) : Ir.atom option =
   match (operator, arguments) with
   | _, [ Int a; Int b ] -> on_ints operator a b
-  | _, [ Float a; Float b ] -> on_floats operator a b
-  | _, [ Int a ] -> on_int operator a
-  | _, [ Float a ] -> on_float operator a
+  | _, [ Float a; Float b ] -> on_floats real operator a b
+  | _, [ Int a ] -> on_int real operator a
+  | _, [ Float a ] -> on_float real operator a
   | Not, [ Bool a ] -> Some (Bool (not a))
   | And, [ Bool a; Bool b ] -> Some (Bool (a && b))
   | Or, [ Bool a; Bool b ] -> Some (Bool (a || b))

@@ -1,8 +1,9 @@
-(** Operations on constants, computed exactly as the generated C would.
+(** Operations on constants, computed exactly as the generated C would, in the
+    program's precision.
 
     Calls of the runtime's elementary functions ([sin], [pow] …) are not folded;
     [sqrt], which IEEE 754 defines, is. *)
 
-val operation : Ir.operator -> Ir.atom list -> Ir.atom option
+val operation : Basis.Real.t -> Ir.operator -> Ir.atom list -> Ir.atom option
 (** The constant that the operation gives, if all its arguments are constants
     and it can be known. *)

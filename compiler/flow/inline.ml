@@ -61,9 +61,9 @@ let live (node : Ir.node) =
 (* Expanded equations often simplify; more than so many times they do not. *)
 let shrinks = 4
 
-let becomes_small ~expanded (node : Ir.node) =
+let becomes_small real ~expanded (node : Ir.node) =
   let now = size node in
-  now <= small || (expanded && now <= shrinks * small && size (live (Simplify.node node)) <= small)
+  now <= small || (expanded && now <= shrinks * small && size (live (Simplify.node real node)) <= small)
 
 type context = {
   nodes : Ir.node array;  (** callees already done *)
@@ -297,6 +297,6 @@ let program (program : Ir.program) =
       context.nodes.(index) <- expanded;
       context.is_small.(index) <-
         Option.is_none expanded.machine && Option.is_none expanded.foreign
-        && becomes_small ~expanded:(expanded != node) expanded)
+        && becomes_small program.real ~expanded:(expanded != node) expanded)
     program.nodes;
   if !changed then { program with nodes = context.nodes } else program

@@ -270,6 +270,7 @@ type header = { header : string; folder : string  (** its path is from there *) 
 
 type program = {
   name : string;  (** of the C files *)
+  real : Real.t;  (** the precision of [Float]; each [atom] of that type has it *)
   sums : sum array;
   nodes : node array;  (** callees before callers; the last is the root *)
   imports : import list;  (** each of the user's C once, by symbol *)

@@ -110,7 +110,8 @@ let ints least most =
   if least < least_int || most > most_int then any_int else Ints { least; most }
 
 (* Bounds that came out as NaN: then anything may have. *)
-let floats ~nan bounds =
+let floats real ~nan bounds =
+  let bounds = List.map (Basis.Real.round real) bounds in
   if List.exists Float.is_nan bounds then any_float
   else
     Floats
@@ -125,17 +126,17 @@ let no_numbers least most = (least : float) > most
 
 (* Rounding keeps the order of numbers, so bounds of results are results of
    bounds. *)
-let on_floats (operator : Ir.operator) (al, ah, a_nan) (bl, bh, b_nan) : t option =
+let on_floats real (operator : Ir.operator) (al, ah, a_nan) (bl, bh, b_nan) : t option =
   let nan = a_nan || b_nan in
   if no_numbers al ah || no_numbers bl bh then None
   else
     match operator with
-    | Add -> Some (floats ~nan [ al +. bl; ah +. bh ])
-    | Subtract -> Some (floats ~nan [ al -. bh; ah -. bl ])
-    | Multiply -> Some (floats ~nan (corners ( *. ) (al, ah) (bl, bh)))
-    | Divide when bl > 0. || bh < 0. -> Some (floats ~nan (corners ( /. ) (al, ah) (bl, bh)))
-    | Minimum -> Some (floats ~nan [ Float.min al bl; Float.min ah bh ])
-    | Maximum -> Some (floats ~nan [ Float.max al bl; Float.max ah bh ])
+    | Add -> Some (floats real ~nan [ al +. bl; ah +. bh ])
+    | Subtract -> Some (floats real ~nan [ al -. bh; ah -. bl ])
+    | Multiply -> Some (floats real ~nan (corners ( *. ) (al, ah) (bl, bh)))
+    | Divide when bl > 0. || bh < 0. -> Some (floats real ~nan (corners ( /. ) (al, ah) (bl, bh)))
+    | Minimum -> Some (floats real ~nan [ Float.min al bl; Float.min ah bh ])
+    | Maximum -> Some (floats real ~nan [ Float.max al bl; Float.max ah bh ])
     | Less -> Some (Bools { true_ = al < bh; false_ = ah >= bl || nan })
     | Less_equal -> Some (Bools { true_ = al <= bh; false_ = ah > bl || nan })
     | Equal ->
@@ -158,7 +159,7 @@ let on_ints (operator : Ir.operator) (al, ah) (bl, bh) : t option =
       Some (Bools { true_ = al <= bh && bl <= ah; false_ = not (al = ah && bl = bh && al = bl) })
   | _ -> None
 
-let on_ranges (operator : Ir.operator) arguments =
+let on_ranges real (operator : Ir.operator) arguments =
   match (operator, arguments) with
   | And, [ Bools a; Bools b ] ->
       Some (Bools { true_ = a.true_ && b.true_; false_ = a.false_ || b.false_ })
@@ -173,22 +174,22 @@ let on_ranges (operator : Ir.operator) arguments =
       in
       Some (Floats { a with least; most })
   | To_float, [ Ints a ] ->
-      Some (Floats { least = float_of_int a.least; most = float_of_int a.most; nan = false })
+      Some (floats real ~nan:false [ float_of_int a.least; float_of_int a.most ])
   | _, [ Floats a; Floats b ] ->
-      on_floats operator (a.least, a.most, a.nan) (b.least, b.most, b.nan)
+      on_floats real operator (a.least, a.most, a.nan) (b.least, b.most, b.nan)
   | _, [ Ints a; Ints b ] -> on_ints operator (a.least, a.most) (b.least, b.most)
   | _, _ -> None
 
-let operation operator arguments ty =
+let operation real operator arguments ty =
   let constants = List.filter_map constant arguments in
   let folded =
     if List.compare_lengths constants arguments = 0 then
-      Option.bind (Fold.operation operator constants) of_constant
+      Option.bind (Fold.operation real operator constants) of_constant
     else None
   in
   match folded with
   | Some known -> known
   | None -> (
-      match on_ranges operator arguments with
+      match on_ranges real operator arguments with
       | Some known -> known
       | None -> anything_but_sums ty)

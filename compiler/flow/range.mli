@@ -32,5 +32,5 @@ val payload : t -> int -> int -> t option
 (** A leaf of what is in a value that has this constructor and surely no other;
     [None]: it may be anything. *)
 
-val operation : Ir.operator -> t list -> Ir.ty -> t
+val operation : Basis.Real.t -> Ir.operator -> t list -> Ir.ty -> t
 (** [Ir.ty]: of the result. *)

@@ -137,10 +137,10 @@ let size : Ir.atom -> int = function
   | Signal { ty = Array (n, _); _ } -> n
   | Signal _ | Bool _ | Int _ | Float _ -> 0
 
-let simplify known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
+let simplify real known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   match rhs with
   | Op (operator, arguments) -> (
-      match Fold.operation operator arguments with
+      match Fold.operation real operator arguments with
       | Some constant -> Copy constant
       | None -> operation known operator arguments)
   | If { condition; then_; else_ } -> choice known condition then_ else_
@@ -166,7 +166,7 @@ let simplify known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   | Derivative _ ->
       rhs
 
-let node_with fresh (node : Ir.node) =
+let node_with real fresh (node : Ir.node) =
   let known : known = Hashtbl.create 64 in
   let substitution = Substitution.create () in
   let added = ref [] in
@@ -181,7 +181,7 @@ let node_with fresh (node : Ir.node) =
     | Schedule.Instance _ | Trial _ | Machine _ -> ()
     | Equation e -> (
         let rhs = Operands.map (Substitution.atom substitution) e.rhs in
-        match Clock.recognize (definition known) (simplify known add e.defines rhs) with
+        match Clock.recognize real (definition known) (simplify real known add e.defines rhs) with
         | Copy a -> Substitution.replace substitution e.defines a
         | rhs -> Hashtbl.replace known e.defines.id rhs)
   in
@@ -194,13 +194,13 @@ let node_with fresh (node : Ir.node) =
   in
   Substitution.node substitution { node with equations = List.rev_append !added equations }
 
-let node node =
+let node real node =
   let next = ref 0 in
   let fresh () =
     decr next;
     !next
   in
-  node_with fresh node
+  node_with real fresh node
 
 let program (program : Ir.program) =
   let next = ref (Signals.next_id program) in
@@ -209,4 +209,4 @@ let program (program : Ir.program) =
     incr next;
     id
   in
-  { program with nodes = Array.map (node_with fresh) program.nodes }
+  { program with nodes = Array.map (node_with program.real fresh) program.nodes }

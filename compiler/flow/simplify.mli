@@ -7,7 +7,7 @@
     choice between answers. Expects no particular order, but sees most in an
     acyclic node; linear. *)
 
-val node : Ir.node -> Ir.node
+val node : Basis.Real.t -> Ir.node -> Ir.node
 (** Only to be looked at: the signals that it adds have no ids of the program. *)
 
 val program : Ir.program -> Ir.program

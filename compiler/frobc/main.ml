@@ -87,10 +87,18 @@ let general =
     in
     Arg.(value & opt (some string) None & info [ "robot" ] ~docv:"ROBOT" ~doc)
   in
-  let make format dump stop_after lint specialization_limit robot =
-    { Commands.format; dump; stop_after; lint; specialization_limit; robot }
+  let real =
+    let doc =
+      "What the program computes $(b,Float) with: $(b,double), or $(b,float), single precision, \
+       for microcontrollers that have no other arithmetic."
+    in
+    let precisions = [ ("double", Basis.Real.Double); ("float", Single) ] in
+    Arg.(value & opt (enum precisions) Basis.Real.Double & info [ "real" ] ~docv:"TYPE" ~doc)
   in
-  Term.(const make $ format $ dump $ stop_after $ lint $ limit $ robot)
+  let make format dump stop_after lint specialization_limit robot real =
+    { Commands.format; dump; stop_after; lint; specialization_limit; robot; real }
+  in
+  Term.(const make $ format $ dump $ stop_after $ lint $ limit $ robot $ real)
 
 let time_span =
   let parse text = Result.map_error (fun message -> `Msg message) (Driver.Time_span.parse text) in

@@ -6,11 +6,14 @@ let bug format = Basis.Diagnostic.bug ~stage:"Interp.Cell" format
    parentheses. *)
 type place = Alone | Argument
 
-let float x =
+let float (real : Basis.Real.t) x =
   if Float.is_nan x then "nan"
   else if x = Float.infinity then "inf"
   else if x = Float.neg_infinity then "-inf"
-  else Printf.sprintf "%.17g" x
+  else
+    match real with
+    | Double -> Printf.sprintf "%.17g" x
+    | Single -> Basis.Real.shortest real x
 
 let separated separator f = function
   | [] -> ()
@@ -37,7 +40,7 @@ let write shape value =
     match (shape, value) with
     | Bool, Bool b -> put (string_of_bool b)
     | Int, Int n -> number place (Int32.to_string n)
-    | Float, Float x -> number place (float x)
+    | Float real, Float x -> number place (float real x)
     | Tuple shapes, Tuple values ->
         put "(";
         separated
@@ -54,7 +57,7 @@ let write shape value =
         put "]"
     | Data { constructors; _ }, Data { constructor; arguments } ->
         constructed place (List.nth constructors constructor) (Array.to_list arguments)
-    | (Bool | Int | Float | Tuple _ | Array _ | Data _), _ -> bug "a value that is not of its type"
+    | (Bool | Int | Float _ | Tuple _ | Array _ | Data _), _ -> bug "a value that is not of its type"
   and constructed place (c : Shape.constructor) arguments =
     let fields = List.combine c.fields arguments in
     if Shape.is_record c then (
@@ -161,7 +164,7 @@ let exponent r =
     if not (digits r) then r.at <- start
   end
 
-let read_float r : Value.t =
+let read_float real r : Value.t =
   let what = "a number" in
   skip_blanks r;
   let start = r.at in
@@ -189,7 +192,7 @@ let read_float r : Value.t =
           if not (whole || fraction) then fail what;
           exponent r)
     in
-    Float (float_of_string (without_plus text))
+    Float (Basis.Real.round real (float_of_string (without_plus text)))
   end
 
 let parenthesis = "`)`"
@@ -197,7 +200,7 @@ let parenthesis = "`)`"
 let rec read_value r (shape : Shape.t) : Value.t =
   match shape with
   | Tuple shapes -> read_tuple r shapes
-  | Bool | Int | Float | Array _ | Data _ ->
+  | Bool | Int | Float _ | Array _ | Data _ ->
       let rec opened count = if accept r '(' then opened (count + 1) else count in
       let rec close count =
         if count > 0 then begin
@@ -217,7 +220,7 @@ and read_bare r (shape : Shape.t) : Value.t =
       else if accept_word r "false" || accept_word r "False" then Bool false
       else fail "`true` or `false`"
   | Int -> read_int r
-  | Float -> read_float r
+  | Float real -> read_float real r
   | Tuple shapes -> read_tuple r shapes
   | Array (n, element) -> read_array r n element
   | Data { constructors; is_event = _ } ->
@@ -282,7 +285,7 @@ let read_cell r (shape : Shape.t) : Value.t =
       if r.at = String.length r.text then Data { constructor = 0; arguments = [||] }
       else
         Data { constructor = 1; arguments = [| Thunk.known (read_value r occurrence) |] }
-  | Bool | Int | Float | Tuple _ | Array _ | Data _ -> read_value r shape
+  | Bool | Int | Float _ | Tuple _ | Array _ | Data _ -> read_value r shape
 
 let read shape text =
   let r = { text; at = 0 } in

@@ -1,8 +1,7 @@
-type instant = { ns : int64; dt : float }
+type instant = int64
 
-let seconds ns = Int64.to_float ns /. 1e9
-let of_nanoseconds ns = { ns; dt = seconds ns }
-let first = of_nanoseconds 0L
+let seconds real ns = Basis.Real.round real (Basis.Real.of_int64 real ns /. 1e9)
+let first = 0L
 
 (* Beyond 2^52 a double has no fraction. *)
 let to_nearest_even x =
@@ -17,8 +16,8 @@ let to_nearest_even x =
 
 let after seconds =
   let ns = seconds *. 1e9 in
-  if ns > 0. then of_nanoseconds (Int64.of_float (Float.min 1e18 (to_nearest_even ns))) else first
+  if ns > 0. then Int64.of_float (Float.min 1e18 (to_nearest_even ns)) else first
 
 let later time instant =
-  if Int64.compare time (Int64.sub Int64.max_int instant.ns) > 0 then Int64.max_int
-  else Int64.add time instant.ns
+  if Int64.compare time (Int64.sub Int64.max_int instant) > 0 then Int64.max_int
+  else Int64.add time instant

@@ -3,6 +3,7 @@ open Core.Ir
 module Variables = Map.Make (Stdlib.Int)
 
 type program = {
+  real : Real.t;  (** the precision of [Float] *)
   instances : Instance.table;
   definitions : (Global.t, definition) Hashtbl.t;
   values : (Global.t * ty list, Value.thunk) Hashtbl.t;
@@ -28,6 +29,7 @@ let program (core : Core.Ir.program) =
   let definitions = Hashtbl.create 256 in
   List.iter (fun (d : definition) -> Hashtbl.replace definitions d.name d) core.definitions;
   {
+    real = core.real;
     instances = Instance.table core.instances;
     definitions;
     values = Hashtbl.create 256;
@@ -55,7 +57,7 @@ let rounded program value =
   match Hashtbl.find_opt program.floats value with
   | Some float -> float
   | None ->
-      let float = Exact.to_float value in
+      let float = Real.of_exact program.real value in
       Hashtbl.replace program.floats value float;
       float
 
@@ -157,12 +159,12 @@ and apply (f : Value.t) arguments =
 and primitive env (p : Core.Primitive.t) types arguments : Value.t =
   match (p, arguments) with
   | Delay, [ initial ] -> Signal_function (fun () -> Stateful.delay initial)
-  | Time, [] -> Signal_function Stateful.time
+  | Time, [] -> Signal_function (fun () -> Stateful.time env.program.real)
   | Time_since, [] ->
-      Signal_function (fun () -> Stateful.time_since env.program.nesting)
+      Signal_function (fun () -> Stateful.time_since env.program.real env.program.nesting)
   | Ticks, [ period ] -> Signal_function (fun () -> Stateful.ticks env.program.nesting period)
-  | Integral, [] -> Signal_function Stateful.integral
-  | Derivative, [] -> Signal_function (fun () -> Stateful.derivative env.program.nesting)
+  | Integral, [] -> Signal_function (fun () -> Stateful.integral env.program.real)
+  | Derivative, [] -> Signal_function (fun () -> Stateful.derivative env.program.real env.program.nesting)
   | (Switch | Delayed_switch), [ before; continuation ] ->
       let delayed = p = Delayed_switch in
       Signal_function (fun () -> Switching.switch env.program.nesting ~delayed before continuation)
@@ -196,7 +198,7 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
       else
         match Arrays.apply apply p ~size:(size env types) arguments with
         | Some value -> value
-        | None -> Primitive.apply p arguments
+        | None -> Primitive.apply env.program.real p arguments
 
 (* Of the array that a primitive makes: its last type argument. *)
 and size env types =

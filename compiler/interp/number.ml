@@ -1,4 +1,4 @@
-module Real = Float
+module Stdlib_float = Float
 
 (* [x ^ k] by squaring: the order of the multiplications is part of the
    language, for it decides how the result is rounded. *)
@@ -32,18 +32,28 @@ module Float = struct
   let signum x = if x > 0. then 1. else if x < 0. then -1. else x
 
   let extreme wins a b =
-    if Real.is_nan a || Real.is_nan b then nan else if wins b a then b else a
+    if Stdlib_float.is_nan a || Stdlib_float.is_nan b then nan else if wins b a then b else a
 
   let minimum = extreme (fun b a -> b < a)
   let maximum = extreme (fun b a -> b > a)
 
-  let power x k =
-    let magnitude = power ~one:1. ~times:( *. ) x (abs k) in
-    if k < 0 then 1. /. magnitude else magnitude
+  let add real a b = Basis.Real.round real (a +. b)
+  let subtract real a b = Basis.Real.round real (a -. b)
+  let multiply real a b = Basis.Real.round real (a *. b)
+  let divide real a b = Basis.Real.round real (a /. b)
 
-  let elementary (f : Core.Primitive.elementary) arguments =
+  let power real x k =
+    let magnitude = power ~one:1. ~times:(multiply real) x (abs k) in
+    if k < 0 then divide real 1. magnitude else magnitude
+
+  let pow real x y =
+    let module Elementary = (val Elementary.of_precision real) in
+    Elementary.pow x y
+
+  let elementary (real : Basis.Real.t) (f : Core.Primitive.elementary) arguments =
+    let module Elementary = (val Elementary.of_precision real) in
     match (f, arguments) with
-    | Sqrt, [ x ] -> sqrt x
+    | Sqrt, [ x ] -> Basis.Real.round real (sqrt x)
     | Hypot, [ x; y ] -> Elementary.hypot x y
     | Exp, [ x ] -> Elementary.exp x
     | Log, [ x ] -> Elementary.log x
@@ -61,12 +71,12 @@ end
 
 let whole rounded x =
   let n = rounded x in
-  if Real.is_nan n then 0l
+  if Stdlib_float.is_nan n then 0l
   else if n <= -2147483648. then Int32.min_int
   else if n >= 2147483647. then Int32.max_int
   else Int32.of_float n
 
-let round = whole Real.round
-let floor = whole Real.floor
-let ceiling = whole Real.ceil
-let truncate = whole Real.trunc
+let round = whole Stdlib_float.round
+let floor = whole Stdlib_float.floor
+let ceiling = whole Stdlib_float.ceil
+let truncate = whole Stdlib_float.trunc

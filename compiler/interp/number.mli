@@ -27,8 +27,15 @@ module Float : sig
   (** NaN if either is; else the first of two equal ones. *)
 
   val maximum : float -> float -> float
-  val power : float -> int -> float
-  val elementary : Core.Primitive.elementary -> float list -> float
+  (** {1 In a precision} Of numbers of that precision, the nearest of it. *)
+
+  val add : Basis.Real.t -> float -> float -> float
+  val subtract : Basis.Real.t -> float -> float -> float
+  val multiply : Basis.Real.t -> float -> float -> float
+  val divide : Basis.Real.t -> float -> float -> float
+  val pow : Basis.Real.t -> float -> float -> float
+  val power : Basis.Real.t -> float -> int -> float
+  val elementary : Basis.Real.t -> Core.Primitive.elementary -> float list -> float
 end
 
 (** {1 Conversions} NaN gives 0; what is out of range, the nearest in range. *)

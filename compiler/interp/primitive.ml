@@ -7,28 +7,28 @@ let float : Value.t -> float = function
   | Bool _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Float is something else"
 
-let values (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
+let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
   match (p, arguments) with
   | Add, [ Int a; Int b ] -> Int (Int32.add a b)
-  | Add, [ Float a; Float b ] -> Float (a +. b)
+  | Add, [ Float a; Float b ] -> Float (Number.Float.add real a b)
   | Subtract, [ Int a; Int b ] -> Int (Int32.sub a b)
-  | Subtract, [ Float a; Float b ] -> Float (a -. b)
+  | Subtract, [ Float a; Float b ] -> Float (Number.Float.subtract real a b)
   | Multiply, [ Int a; Int b ] -> Int (Int32.mul a b)
-  | Multiply, [ Float a; Float b ] -> Float (a *. b)
+  | Multiply, [ Float a; Float b ] -> Float (Number.Float.multiply real a b)
   | Negate, [ Int a ] -> Int (Int32.neg a)
   | Negate, [ Float a ] -> Float (-.a)
   | Absolute, [ Int a ] -> Int (Number.Int.absolute a)
   | Absolute, [ Float a ] -> Float (Float.abs a)
   | Signum, [ Int a ] -> Int (Number.Int.signum a)
   | Signum, [ Float a ] -> Float (Number.Float.signum a)
-  | Divide, [ Float a; Float b ] -> Float (a /. b)
-  | Power, [ Float a; Float b ] -> Float (Elementary.pow a b)
+  | Divide, [ Float a; Float b ] -> Float (Number.Float.divide real a b)
+  | Power, [ Float a; Float b ] -> Float (Number.Float.pow real a b)
   | Power_literal k, [ Int a ] -> Int (Number.Int.power a k)
-  | Power_literal k, [ Float a ] -> Float (Number.Float.power a k)
-  | Elementary f, _ -> Float (Number.Float.elementary f (List.map float arguments))
+  | Power_literal k, [ Float a ] -> Float (Number.Float.power real a k)
+  | Elementary f, _ -> Float (Number.Float.elementary real f (List.map float arguments))
   | Div, [ Int a; Int b ] -> Int (Number.Int.div a b)
   | Mod, [ Int a; Int b ] -> Int (Number.Int.modulo a b)
-  | To_float, [ Int a ] -> Float (Int32.to_float a)
+  | To_float, [ Int a ] -> Float (Basis.Real.round real (Int32.to_float a))
   | Round, [ Float a ] -> Int (Number.round a)
   | Floor, [ Float a ] -> Int (Number.floor a)
   | Ceiling, [ Float a ] -> Int (Number.ceiling a)
@@ -58,8 +58,8 @@ let bool p : Value.t -> bool = function
   | Bool b -> b
   | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ -> bug p
 
-let apply (p : Core.Primitive.t) arguments : Value.t =
+let apply real (p : Core.Primitive.t) arguments : Value.t =
   match (p, arguments) with
   | And, [ a; b ] -> Bool (bool p (Thunk.force a) && bool p (Thunk.force b))
   | Or, [ a; b ] -> Bool (bool p (Thunk.force a) || bool p (Thunk.force b))
-  | _, _ -> values p (List.map Thunk.force arguments)
+  | _, _ -> values real p (List.map Thunk.force arguments)

@@ -1,7 +1,7 @@
 type t =
   | Bool
   | Int
-  | Float
+  | Float of Basis.Real.t
   | Tuple of t list
   | Array of int * t
   | Data of { is_event : bool; constructors : constructor list }
@@ -22,7 +22,7 @@ let of_type (program : Core.Ir.program) ty =
     match ty with
     | Bool -> Bool
     | Int -> Int
-    | Float -> Float
+    | Float -> Float program.real
     | Tuple parts -> Tuple (List.map shape parts)
     | Variable v -> bug "the type variable `%s`" v.name
     | Data (tycon, arguments) -> (
@@ -46,7 +46,7 @@ let parts = function
   | Array (n, element) -> Some (List.init n (fun i -> (Printf.sprintf "[%d]" i, element)))
   | Data { constructors = [ record ]; _ } when is_record record ->
       Some (List.map (fun (name, part) -> ("." ^ name, part)) record.fields)
-  | Bool | Int | Float | Data _ -> None
+  | Bool | Int | Float _ | Data _ -> None
 
 type column = { name : string; shape : t }
 
@@ -89,6 +89,6 @@ let assemble shape cells =
         match shape with
         | Data _ -> (Data { constructor = 0; arguments = values }, rest)
         | Array _ -> (Array values, rest)
-        | Bool | Int | Float | Tuple _ -> (Tuple values, rest))
+        | Bool | Int | Float _ | Tuple _ -> (Tuple values, rest))
   in
   fst (take shape cells)

@@ -3,7 +3,7 @@
 type t =
   | Bool
   | Int
-  | Float
+  | Float of Basis.Real.t
   | Tuple of t list
   | Array of int * t
   | Data of { is_event : bool; constructors : constructor list }

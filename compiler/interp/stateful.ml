@@ -1,3 +1,5 @@
+open Number.Float
+
 let float : Value.t -> float = function
   | Float x -> x
   | Bool _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->
@@ -22,13 +24,13 @@ let delay initial : Value.instance =
     successor;
   }
 
-let time () : Value.instance =
+let time real : Value.instance =
   let now = ref 0L in
   {
     output =
       (fun instant _ ->
         now := Clock.later !now instant;
-        Thunk.known (Value.Float (Clock.seconds !now)));
+        Thunk.known (Value.Float (Clock.seconds real !now)));
     commit = ignore;
     successor;
   }
@@ -38,7 +40,7 @@ let bool : Value.t -> bool = function
   | Float _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Bool is something else"
 
-let time_since nesting : Value.instance =
+let time_since real nesting : Value.instance =
   let before = ref 0L and now = ref (Thunk.known 0L) in
   {
     output =
@@ -47,7 +49,7 @@ let time_since nesting : Value.instance =
         let time () = if bool (Thunk.force restart) then 0L else Clock.later before instant in
         let time = Thunk.equation nesting ~name:"timeSince" time in
         now := time;
-        Thunk.delay (fun () -> Value.Float (Clock.seconds (Thunk.force time))));
+        Thunk.delay (fun () -> Value.Float (Clock.seconds real (Thunk.force time))));
     commit = (fun () -> before := Thunk.demand !now);
     successor;
   }
@@ -77,19 +79,19 @@ let ticks nesting period : Value.instance =
     successor;
   }
 
-let integral () : Value.instance =
+let integral real : Value.instance =
   let sum = ref 0. and before = ref 0. and now = ref zero in
   {
     output =
       (fun instant input ->
-        sum := !sum +. (instant.dt *. !before);
+        sum := add real !sum (multiply real (Clock.seconds real instant) !before);
         now := input;
         Thunk.known (Value.Float !sum));
     commit = (fun () -> before := float (Thunk.demand !now));
     successor;
   }
 
-let derivative nesting : Value.instance =
+let derivative real nesting : Value.instance =
   let before = ref 0. and slope_before = ref 0. in
   let now = ref zero and slope_now = ref zero in
   {
@@ -97,8 +99,8 @@ let derivative nesting : Value.instance =
       (fun instant input ->
         let before = !before and slope_before = !slope_before in
         let slope () =
-          if instant.ns = 0L then slope_before
-          else (float (Thunk.force input) -. before) /. instant.dt
+          if Int64.equal instant 0L then slope_before
+          else divide real (subtract real (float (Thunk.force input)) before) (Clock.seconds real instant)
         in
         now := input;
         slope_now := Thunk.equation nesting ~name:"derivative" (fun () -> Value.Float (slope ()));

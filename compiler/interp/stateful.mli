@@ -5,8 +5,8 @@
 val delay : Value.thunk -> Value.instance
 (** From the initial value. *)
 
-val time : unit -> Value.instance
-val time_since : Thunk.nesting -> Value.instance
+val time : Basis.Real.t -> Value.instance
+val time_since : Basis.Real.t -> Thunk.nesting -> Value.instance
 (** Since the input was last True, or else since the start; 0 where it is. *)
 
 val ticks : Thunk.nesting -> Value.thunk -> Value.instance
@@ -14,5 +14,5 @@ val ticks : Thunk.nesting -> Value.thunk -> Value.instance
     later than the instant before, and not later than this one? Always if it is less
     than 1, never if it is NaN. *)
 
-val integral : unit -> Value.instance
-val derivative : Thunk.nesting -> Value.instance
+val integral : Basis.Real.t -> Value.instance
+val derivative : Basis.Real.t -> Thunk.nesting -> Value.instance

@@ -106,7 +106,7 @@ let on_event nesting body : Value.instance =
   let since = ref None and ran = ref nothing in
   let output instant input =
     let elapsed = Option.map (fun ns -> Clock.later ns instant) !since in
-    let own = Option.fold elapsed ~none:Clock.first ~some:Clock.of_nanoseconds in
+    let own = Option.value elapsed ~default:Clock.first in
     since := elapsed;
     let body = !body in
     ran :=

@@ -214,6 +214,7 @@ type first_instant =
 
 type program = {
   name : string;  (** of the C files *)
+  real : Real.t;  (** the precision of [Float] *)
   sums : Flow.Ir.sum array;
   nodes : node array;  (** callees before callers; the last is the root *)
   imports : Flow.Ir.import list;

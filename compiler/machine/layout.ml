@@ -71,25 +71,26 @@ and sum sums k =
 
 let largest_alignment = 8
 
-let rec flow_alignment sums (ty : Flow.Ir.ty) =
+let rec flow_alignment real sums (ty : Flow.Ir.ty) =
   match ty with
   | Bool -> 1
   | Int -> 4
-  | Float -> 8
+  | Float -> Basis.Real.bytes real
   | Sum k ->
       let slots = sum sums k in
       let of_arrays =
-        List.fold_left (fun most (ty, _) -> max most (flow_alignment sums ty)) 1 slots.arrays
+        List.fold_left (fun most (ty, _) -> max most (flow_alignment real sums ty)) 1 slots.arrays
       in
-      max of_arrays (if slots.floats > 0 then 8 else if slots.ints > 0 then 4 else 1)
-  | Array (_, element) -> flow_alignment sums element
+      max of_arrays (if slots.floats > 0 then Basis.Real.bytes real else if slots.ints > 0 then 4 else 1)
+  | Array (_, element) -> flow_alignment real sums element
   | Foreign _ -> largest_alignment
 
-let rec alignment sums (ty : Ir.ty) =
+let rec alignment real sums (ty : Ir.ty) =
   match ty with
   | Bool -> 1
   | Int -> 4
-  | Float | Nanoseconds -> 8
-  | Sum k -> flow_alignment sums (Sum k)
-  | Array (_, element) -> alignment sums element
+  | Float -> Basis.Real.bytes real
+  | Nanoseconds -> 8
+  | Sum k -> flow_alignment real sums (Sum k)
+  | Array (_, element) -> alignment real sums element
   | Foreign _ -> largest_alignment

@@ -1,7 +1,7 @@
 (** How values lie in memory, as far as the language fixes it.
 
     A sum is a struct of a tag and slots that all its constructors share: as
-    many doubles, 32-bit integers, bools and inner tags as the constructor
+    many Floats, 32-bit integers, bools and inner tags as the constructor
     that needs most of each. A payload that is itself a sum is laid flat into
     the slots: its tag takes an inner-tag slot, its slots follow. An array is a
     slot of its own, shared with arrays of the same type; so is a value of a
@@ -37,5 +37,5 @@ val sum : Flow.Ir.sum array -> int -> slots
 val largest_alignment : int
 (** Taken for that of the user's structs. *)
 
-val alignment : Flow.Ir.sum array -> Ir.ty -> int
+val alignment : Basis.Real.t -> Flow.Ir.sum array -> Ir.ty -> int
 (** In bytes, on the machines we know. *)

@@ -449,7 +449,7 @@ let parameters reads signals = Reads.parameters reads (Long_list.map variable si
 
 let rec alignment context (content : Ir.content) =
   match content with
-  | Value ty -> Layout.alignment context.program.sums ty
+  | Value ty -> Layout.alignment context.program.real context.program.sums ty
   | Running_mode -> 1
   | Component _ -> Layout.largest_alignment
   | Modes modes ->
@@ -608,5 +608,6 @@ let program (program : F.program) : Ir.program =
     input = program.input;
     output = program.output;
     ends = program.ends;
+    real = program.real;
     first_instant = !first_instant;
   }

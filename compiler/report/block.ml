@@ -23,23 +23,24 @@ let foreign = { bytes = 0; alignment = Machine.Layout.largest_alignment }
 (* Members one after another, all alike. *)
 let run count member = { member with bytes = Amount.times count member.bytes }
 
-let rec of_value sums (ty : Machine.Ir.ty) =
+let rec of_value real sums (ty : Machine.Ir.ty) =
   match ty with
   | Bool -> scalar 1
   | Int -> scalar 4
-  | Float | Nanoseconds -> scalar 8
-  | Array (n, element) -> run n (of_value sums element)
+  | Float -> scalar (Basis.Real.bytes real)
+  | Nanoseconds -> scalar 8
+  | Array (n, element) -> run n (of_value real sums element)
   | Foreign { copyable = true; _ } -> foreign
   | Foreign { copyable = false; _ } -> scalar 8
   | Sum k ->
       let slots = Machine.Layout.sum sums k in
       let runs =
         [
-          (1, scalar 1); (slots.floats, scalar 8); (slots.ints, scalar 4); (slots.bools, scalar 1);
+          (1, scalar 1); (slots.floats, scalar (Basis.Real.bytes real)); (slots.ints, scalar 4); (slots.bools, scalar 1);
           (slots.tags, scalar 1);
         ]
         @ List.map
-            (fun (ty, count) -> (count, of_value sums (Machine.Layout.ty ty)))
+            (fun (ty, count) -> (count, of_value real sums (Machine.Layout.ty ty)))
             slots.arrays
       in
       let present = List.filter (fun (count, _) -> count > 0) runs in

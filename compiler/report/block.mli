@@ -5,7 +5,7 @@
 
 type t = { bytes : int; alignment : int }
 
-val of_value : Flow.Ir.sum array -> Machine.Ir.ty -> t
+val of_value : Basis.Real.t -> Flow.Ir.sum array -> Machine.Ir.ty -> t
 
 val foreign : t
 (** A struct of the user's C. *)

@@ -33,7 +33,7 @@ let need frame bytes = frame.bytes <- Amount.add frame.bytes bytes
 let needs_helper frame bytes = frame.helper <- max frame.helper bytes
 
 let room c ty =
-  Amount.round_up (Block.of_value c.program.sums ty).bytes ~alignment:word
+  Amount.round_up (Block.of_value c.program.real c.program.sums ty).bytes ~alignment:word
 
 let variable c frame (v : M.variable) = need frame (room c v.ty)
 

@@ -60,7 +60,7 @@ let rec members c node fields =
 
 and content c node (field : M.field) =
   match field.content with
-  | Value ty -> (Block.of_value c.program.sums ty, Value field.purpose)
+  | Value ty -> (Block.of_value c.program.real c.program.sums ty, Value field.purpose)
   | State_of k -> (c.blocks.(k), Struct k)
   | States_of { node; count } -> (Block.run count c.blocks.(node), Structs { node; count })
   | Running_mode -> (running_mode node, Running_mode)

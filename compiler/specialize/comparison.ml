@@ -12,7 +12,7 @@ type position = {
 let define p target rhs = Node.define p.node target ~span:p.span Bool rhs
 (* Of constants it is known at once: what depends on it is then chosen here. *)
 let operate p target operator atoms =
-  match Flow.Fold.operation operator atoms with
+  match Flow.Fold.operation p.context.real operator atoms with
   | Some known -> known
   | None -> define p target (Op (operator, atoms))
 

@@ -22,6 +22,7 @@ and callee =
 
 type t = {
   sink : Diagnostic.sink;
+  real : Real.t;
   foreign : Core.Ir.foreign;
   options : options;
   types : Types.table;
@@ -59,6 +60,7 @@ let create sink options (program : Core.Ir.program) =
     program.definitions;
   {
     sink;
+    real = program.real;
     foreign = program.foreign;
     options;
     types;

@@ -41,6 +41,7 @@ and callee =
 
 type t = {
   sink : Diagnostic.sink;
+  real : Real.t;
   foreign : Core.Ir.foreign;
   options : options;
   types : Types.table;

@@ -193,6 +193,7 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
     Some
       {
         name;
+        real = c.real;
         sums = Types.sums c.types;
         nodes = Array.of_list (List.rev c.nodes);
         imports;

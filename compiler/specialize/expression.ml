@@ -41,13 +41,13 @@ let rec is_trivial (e : Ir.expr) =
   | Tuple parts | Array parts | Construct { arguments = parts; _ } -> List.for_all is_trivial parts
   | Global _ | Method _ | Apply _ | Let _ | Is_constructor _ | Payload _ | If _ -> false
 
-let number ty value : Flow.Ir.atom =
+let number real ty value : Flow.Ir.atom =
   match (ty : Ir.ty) with
   | Int -> (
       match Exact.to_int32 value with
       | Some n -> Int n
       | None -> bug "the Int %s is out of range" (Exact.to_string value))
-  | Float -> Float (Exact.to_float value)
+  | Float -> Float (Real.of_exact real value)
   | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _
   | Size _ ->
       bug "a number of type %s" (Types.to_string ty)
@@ -74,7 +74,7 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
       | None -> bug "the method `%s` at an open type" name)
   | Primitive (primitive, types) ->
       Primitive { primitive; types = List.map (Types.close s.types) types; arguments = []; owner = s.owner; at = e.span }
-  | Number value -> Atom (number (Types.close s.types e.ty) value)
+  | Number value -> Atom (number c.real (Types.close s.types e.ty) value)
   | Boolean b -> Atom (Bool b)
   | String text -> Text text
   | Lambda (binder, body) ->

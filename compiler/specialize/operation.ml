@@ -19,7 +19,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   let define target rhs = Node.define p.node target ~span:p.span leaf rhs in
   let operate operator : Value.t =
     let arguments = List.map atom arguments in
-    match Flow.Fold.operation operator arguments with
+    match Flow.Fold.operation p.context.real operator arguments with
     | Some known -> Value.Atom known
     | None -> Atom (define target (Op (operator, arguments)))
   in

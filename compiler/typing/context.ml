@@ -31,6 +31,7 @@ type group = {
 
 type t = {
   reader : Written.t;
+  real : Real.t;
   globals : (Ir.Global.t, entry) Hashtbl.t;
   locals : (int, Type.scheme) Hashtbl.t;
   owners : (int, Mistake.owned) Hashtbl.t;
@@ -44,9 +45,10 @@ type t = {
 
 let new_group () = { errors = 0; waiting = []; required = []; sizes = [] }
 
-let start reader =
+let start reader ~real =
   {
     reader;
+    real;
     globals = Hashtbl.create 1024;
     locals = Hashtbl.create 1024;
     owners = Hashtbl.create 64;

@@ -44,6 +44,7 @@ type question = {
 
 type t = {
   reader : Written.t;
+  real : Real.t;
   globals : (Ir.Global.t, entry) Hashtbl.t;
   locals : (int, Type.scheme) Hashtbl.t;  (** by id, which is unique *)
   owners : (int, Mistake.owned) Hashtbl.t;  (** see {!Mistake.owner} *)
@@ -61,7 +62,7 @@ type t = {
 and group
 (** The top-level binding group being inferred. *)
 
-val start : Written.t -> t
+val start : Written.t -> real:Real.t -> t
 (** Outside of all groups. *)
 
 val in_group : t -> t

@@ -220,12 +220,12 @@ let with_needs ctx (program : Resolve.Ir.program) (d : Ir.definition) : Ir.defin
   | [] -> d
   | context -> { d with needs = List.map of_constraint context }
 
-let program sink (program : Resolve.Ir.program) : Ir.program =
+let program sink ~real (program : Resolve.Ir.program) : Ir.program =
   let reader : Written.t =
     { environment = Environment.create (); supply = Type.supply (); sink }
   in
   let data = Declarations.program reader program in
-  let ctx = Context.start reader in
+  let ctx = Context.start reader ~real in
   let primitives = Long_list.map (primitive ctx) program.primitives @ [ sequence ctx ] in
   let classes = Class_declarations.classes ctx program in
   let instances = Class_declarations.instances ctx classes program in
@@ -243,6 +243,7 @@ let program sink (program : Resolve.Ir.program) : Ir.program =
   List.iter (check_superclasses ctx) instances;
   {
     main_module = program.main_module;
+    real;
     data;
     primitives;
     foreign = Foreign_import.program sink program ~environment:reader.environment ~primitives;

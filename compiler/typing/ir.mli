@@ -58,6 +58,7 @@ and class_ =
 
 type program = {
   main_module : string;
+  real : Real.t;  (** the precision of [Float] *)
   data : data list;  (** used before users *)
   primitives : (Global.t * scheme) list;  (** the foreign ones among them *)
   foreign : foreign;

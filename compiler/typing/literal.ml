@@ -34,19 +34,25 @@ let too_large (ctx : Context.t) ~at (n : Resolve.Ir.number) representation =
   in
   Context.ask ctx { attempt; guess; give_up = ignore }
 
-let out_of_range ~at (n : Resolve.Ir.number) =
-  Diagnostic.error ~code:"E0315" ~at "the number `%s` is out of range" n.digits
+let out_of_range (ctx : Context.t) ~at (n : Resolve.Ir.number) =
+  let diagnostic =
+    Diagnostic.error ~code:"E0315" ~at "the number `%s` is out of range" n.digits
+  in
+  match ctx.real with
+  | Double -> diagnostic
+  | Single ->
+      Diagnostic.note "with `--real float` the largest number is 3.4028234663852886e38" diagnostic
 
-(* Only such digits can be beyond a double. *)
+(* Only such digits can be beyond what a Float holds. *)
 let is_long digits =
-  String.length digits > 100 || String.exists (fun c -> c = 'e' || c = 'E') digits
+  String.length digits > 25 || String.exists (fun c -> c = 'e' || c = 'E') digits
 
 let number (ctx : Context.t) ~negative ~at (n : Resolve.Ir.number) =
   let magnitude =
     match Exact.of_decimal n.digits with
     | Some value -> value
     | None ->
-        Context.report ctx (fun _ -> out_of_range ~at n);
+        Context.report ctx (fun _ -> out_of_range ctx ~at n);
         Exact.one
   in
   let is_zero = Exact.equal magnitude Exact.zero in
@@ -65,6 +71,6 @@ let number (ctx : Context.t) ~negative ~at (n : Resolve.Ir.number) =
   in
   let value = if scaled then Exact.multiply signed scale else signed in
   if not (n.decimal || scaled || fits signed) then too_large ctx ~at n representation;
-  if is_long n.digits && Float.abs (Exact.to_float value) = infinity then
-    Context.report ctx (fun _ -> out_of_range ~at n);
+  if is_long n.digits && Float.abs (Real.of_exact ctx.real value) = infinity then
+    Context.report ctx (fun _ -> out_of_range ctx ~at n);
   (Type.Number (representation, measure), value)

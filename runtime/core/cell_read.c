@@ -120,6 +120,15 @@ static bool read_float(struct reader *r, double *result)
     return true;
 }
 
+/* Rounded to a double, and that to a float. */
+static bool read_single(struct reader *r, float *result)
+{
+    double x = 0.0;
+    bool ok = read_float(r, &x);
+    *result = (float)x;
+    return ok;
+}
+
 static bool read_value(struct reader *r, const struct frob_value *value);
 
 static bool read_array(struct reader *r, const struct frob_constructor *array)
@@ -200,7 +209,11 @@ static void clear(struct reader *r, const struct frob_value *value)
         *(int32_t *)(void *)at = 0;
         break;
     case FROB_FLOAT:
+    case FROB_ROUNDED:
         *(double *)(void *)at = 0.0;
+        break;
+    case FROB_SINGLE:
+        *(float *)(void *)at = 0.0f;
         break;
     case FROB_SUM:
         *(uint8_t *)at = 0;
@@ -243,7 +256,11 @@ static bool read_value(struct reader *r, const struct frob_value *value)
         ok = read_int(r, (int32_t *)(void *)bytes(r, value->offset));
         break;
     case FROB_FLOAT:
+    case FROB_ROUNDED:
         ok = read_float(r, (double *)(void *)bytes(r, value->offset));
+        break;
+    case FROB_SINGLE:
+        ok = read_single(r, (float *)(void *)bytes(r, value->offset));
         break;
     case FROB_PRODUCT:
         ok = tuple ? read_tuple(r, &value->constructors[0]) : read_constructor(r, value);

@@ -7,6 +7,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 /* Where a value stands decides whether it needs parentheses. */
 enum place { ALONE, ARGUMENT };
@@ -16,7 +17,25 @@ static const char *bytes(const void *base, size_t offset)
     return (const char *)base + offset;
 }
 
-static bool add_float(struct frob_text *text, double x)
+static bool reads_back(const char *digits, float x)
+{
+    double read = strtod(digits, NULL);
+    return (float)read == x && (float)nextafter(read, INFINITY) == x &&
+           (float)nextafter(read, -INFINITY) == x;
+}
+
+/* The fewest digits that are read back as the same float, whether what reads
+ * them rounds to a double first or not. */
+static void write_single(char *digits, size_t size, double x)
+{
+    for (int precision = 1; precision <= 9; precision++) {
+        snprintf(digits, size, "%.*g", precision, x);
+        if (reads_back(digits, (float)x))
+            break;
+    }
+}
+
+static bool add_float(struct frob_text *text, double x, bool is_single)
 {
     char digits[32];
     if (isnan(x)) {
@@ -27,7 +46,10 @@ static bool add_float(struct frob_text *text, double x)
         frob_text_add(text, x < 0 ? "-inf" : "inf");
         return x < 0;
     }
-    snprintf(digits, sizeof digits, "%.17g", x);
+    if (is_single)
+        write_single(digits, sizeof digits, x);
+    else
+        snprintf(digits, sizeof digits, "%.17g", x);
     frob_text_add(text, digits);
     return digits[0] == '-';
 }
@@ -91,11 +113,11 @@ static void add_constructor(struct frob_text *text,
 }
 
 /* A negative number needs parentheses where it is an argument. */
-static void add_number(struct frob_text *text, double x, enum place place)
+static void add_number(struct frob_text *text, double x, bool is_single, enum place place)
 {
     char digits[48];
     struct frob_text number = frob_text_in(digits, sizeof digits);
-    if (add_float(&number, x) && place == ARGUMENT) {
+    if (add_float(&number, x, is_single) && place == ARGUMENT) {
         frob_text_add_char(text, '(');
         frob_text_add(text, digits);
         frob_text_add_char(text, ')');
@@ -121,7 +143,13 @@ static void add_value(struct frob_text *text, const struct frob_value *value,
         break;
     }
     case FROB_FLOAT:
-        add_number(text, *(const double *)(const void *)at, place);
+        add_number(text, *(const double *)(const void *)at, false, place);
+        break;
+    case FROB_SINGLE:
+        add_number(text, (double)*(const float *)(const void *)at, true, place);
+        break;
+    case FROB_ROUNDED:
+        add_number(text, (double)(float)*(const double *)(const void *)at, true, place);
         break;
     case FROB_PRODUCT:
         add_constructor(text, &value->constructors[0], base, place);

@@ -30,7 +30,7 @@ let printed : Evaluate.value -> string = function
       Printf.sprintf "%d/%s" tag slot
   | Array _ -> failwith "no array is made"
 
-let c_float x = Cgen.Print.float_literal x
+let c_float x = Cgen.Print.float_literal Double x
 
 let set_input place : Evaluate.value -> string = function
   | Bool b -> Printf.sprintf "    %s = %b;\n" place b

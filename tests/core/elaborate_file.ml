@@ -4,7 +4,7 @@
 open Basis
 
 let check sink (program : Resolve.Ir.program) =
-  let typed = Typing.Infer.program sink program in
+  let typed = Typing.Infer.program sink ~real:Double program in
   if Diagnostic.has_errors sink then None
   else
     let typed = Typing.Levels.program sink typed in

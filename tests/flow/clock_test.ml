@@ -24,7 +24,7 @@ let exact () =
 let reaches () =
   let check number =
     let reached t = of_library t >= number in
-    match Clock.reaches number with
+    match Clock.reaches Double number with
     | None -> if reached Int64.max_int then Alcotest.failf "%h is reached" number
     | Some least ->
         if not (reached least) then Alcotest.failf "%h is not reached at %Ld" number least;

@@ -42,6 +42,7 @@ let to_int x =
 let half_away x = if x < 0. then Float.ceil (x -. 0.5) else Float.floor (x +. 0.5)
 
 let elementary (f : Core.Primitive.elementary) arguments =
+  let module Elementary = (val Elementary.of_precision Double) in
   match (f, arguments) with
   | Sqrt, [ x ] -> sqrt x
   | Hypot, [ x; y ] -> Elementary.hypot x y
@@ -132,7 +133,7 @@ let time clock read memory (e : Ir.equation) (restart : Ir.atom) =
   else (memory e).total +. clock.dt
 
 let since_tick clock memory (e : Ir.equation) =
-  if clock.first then 0. else (memory e).total +. Clock.nanoseconds clock.dt
+  if clock.first then 0. else (memory e).total +. Clock.nanoseconds Double clock.dt
 
 let is_due period time = period < 1. || Float.trunc period <= time
 
@@ -166,7 +167,7 @@ let value clock read memory (e : Ir.equation) =
       Array (List.mapi (fun i x -> if i = k then read value else x) (elements (read array)))
   | Time { unit; restart } -> (
       let time = time clock read memory e restart in
-      match unit with Seconds -> Float time | Nanoseconds -> Float (Clock.nanoseconds time))
+      match unit with Seconds -> Float time | Nanoseconds -> Float (Clock.nanoseconds Double time))
   | Ticks period -> Bool (is_due (number (read period)) (since_tick clock memory e))
   | Delay { init; _ } -> if clock.first then read init else (memory e).past
   | Integral _ ->

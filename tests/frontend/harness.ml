@@ -8,7 +8,7 @@
 open Basis
 
 let options =
-  { Driver.Pipeline.dump = None; stop_after = None; lint = true; specialization_limit = 10_000 }
+  { Driver.Pipeline.dump = None; stop_after = None; lint = true; specialization_limit = 10_000; real = Double }
 
 let read file =
   let channel = open_in_bin file in

@@ -1,10 +1,11 @@
 let size = Bias.alike
 let rows = 25
 
-type failure = { number : int; recordings : Recording.t list; outcome : Engines.outcome; text : string }
+type failure = { number : int; recordings : Recording.t list; outcome : Engines.outcome; text : string; real : Basis.Real.t }
 
-let summary ~seed { number; outcome; _ } =
-  Printf.sprintf "program %d of seed %d %s" number seed (Engines.describe outcome)
+let summary ~seed { number; outcome; real; _ } =
+  let precision = match real with Double -> "" | Single -> " in single precision" in
+  Printf.sprintf "program %d of seed %d%s %s" number seed precision (Engines.describe outcome)
 
 let describe ~seed failure =
   let recording =
@@ -21,7 +22,7 @@ let write path text =
 
 (* Input for a batch: what a program does alone, it does on that of its batch. *)
 let on_input_of ?seen batch (tools : Engines.tools) engines ~seed ~first ~count =
-  let text = Program.make ?seen ~seed ~first ~count () in
+  let text = Constant.in_range tools.real (Program.make ?seen ~seed ~first ~count ()) in
   let file = Filename.concat tools.folder "program.frob" in
   write file text;
   let random = Random.State.make [| seed; batch; 1 |] in
@@ -34,15 +35,15 @@ let on_input_of ?seen batch (tools : Engines.tools) engines ~seed ~first ~count 
   in
   match outcome with
   | Agree -> None
-  | Rejected _ | Failed _ | Differ _ -> Some { number = first; recordings; outcome; text }
+  | Rejected _ | Failed _ | Differ _ -> Some { number = first; recordings; outcome; text; real = tools.real }
 
 let patience = 60.
 
-let shrunk tools engines ~seed { number; recordings; outcome; text } =
+let shrunk (tools : Engines.tools) engines ~seed { number; recordings; outcome; text; real } =
   let components = List.init (Program.signals ~seed number) Fun.id in
   let small =
     Shrink.program tools engines ~seconds:patience
-      ~first:(List.map (fun component -> Program.alone ~seed number ~component) components)
+      ~first:(List.map (fun component -> Constant.in_range real (Program.alone ~seed number ~component)) components)
       { text; outcome; recordings }
   in
   let outcome : Engines.outcome =
@@ -50,7 +51,7 @@ let shrunk tools engines ~seed { number; recordings; outcome; text } =
     | Differ found, [ recording ] -> Differ { found with recording }
     | outcome, _ -> outcome
   in
-  { number; recordings = small.recordings; outcome; text = small.text }
+  { number; recordings = small.recordings; outcome; text = small.text; real }
 
 (* A program that is alone is the whole: what it is made of is at the root. Other
    C compilers than tcc are too slow for that. *)

@@ -8,6 +8,7 @@ type failure = {
   recordings : Recording.t list;  (** its input, if it came so far *)
   outcome : Engines.outcome;
   text : string;
+  real : Basis.Real.t;
 }
 
 val summary : seed:int -> failure -> string

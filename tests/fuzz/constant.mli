@@ -10,3 +10,6 @@ val construct : Type.data -> Type.constructor -> string list -> string
 (** With these arguments; also as a pattern. *)
 
 val array : string list -> string
+
+val in_range : Basis.Real.t -> string -> string
+(** A program's text, its literals made ones of that precision. *)

@@ -1,6 +1,6 @@
 open Basis
 
-type tools = { library : string; runtime : string; folder : string }
+type tools = { library : string; runtime : string; folder : string; real : Real.t }
 type c_engine = Tcc | Sanitized of Sanitized.compiler
 
 type outcome =
@@ -29,8 +29,8 @@ let describe outcome =
       Printf.sprintf "differs in row %d of `%s`: %s gives %s, the interpreter %s" row column
         (engine_name by) c interpreted
 
-let options =
-  { Driver.Pipeline.dump = None; stop_after = None; lint = true; specialization_limit = 10_000 }
+let options real =
+  { Driver.Pipeline.dump = None; stop_after = None; lint = true; specialization_limit = 10_000; real }
 
 type subject = {
   core : Core.Ir.program;
@@ -62,7 +62,7 @@ let load tools ~entry file =
   guarded @@ fun () ->
   let sink = Diagnostic.sink () and sources = Source.create () in
   match
-    Driver.Pipeline.for_both_engines options sink sources ~library:tools.library ~entry file
+    Driver.Pipeline.for_both_engines (options tools.real) sink sources ~library:tools.library ~entry file
   with
   | None -> Error (Rejected (Render_text.diagnostics ~colour:false sources (Diagnostic.all sink)))
   | Some (core, entry, c) ->

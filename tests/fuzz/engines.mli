@@ -4,6 +4,7 @@ type tools = {
   library : string;  (** the folder of the standard library *)
   runtime : string;  (** the runtime's sources: [include], [core], [hosts] *)
   folder : string;  (** for files on the way *)
+  real : Basis.Real.t;  (** what the program computes with *)
 }
 
 (** What runs the C. *)

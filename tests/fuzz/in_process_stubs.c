@@ -69,7 +69,12 @@ static void add_message(void *context, const char *message)
 /* The runtime's elementary functions, as the interpreter calls them. */
 static void add_elementary(TCCState *compiler)
 {
-#define ADD(name) tcc_add_symbol(compiler, #name, (const void *)(intptr_t)name)
+#define ONE(name) tcc_add_symbol(compiler, #name, (const void *)(intptr_t)name)
+#define ADD(name) \
+    do { \
+        ONE(name); \
+        ONE(name##f); \
+    } while (0)
     ADD(frob_exp);
     ADD(frob_log);
     ADD(frob_pow);
@@ -82,6 +87,7 @@ static void add_elementary(TCCState *compiler)
     ADD(frob_atan2);
     ADD(frob_hypot);
 #undef ADD
+#undef ONE
 }
 
 /* in_process_compile : string array -> string array -> t -- include folders and files;

@@ -5,7 +5,7 @@ type kind = Tame | Wild
 let extreme_floats =
   [
     Interp.Number.Float.nan; Float.infinity; Float.neg_infinity; 0.; -0.; 1e308; -1e308; 5e-324; -2.3e-308;
-    2147483647.5; -2147483648.5; 0.49999999999999994; 4503599627370497.5; 1e-9;
+    2147483647.5; -2147483648.5; 3.4028234663852886e38; 1e-45; 1e-39; 8388609.; 16777217.; 0.49999999999999994; 4503599627370497.5; 1e-9;
   ]
 
 let plain_floats = [ 0.; -0.; 1.; -1.; 0.5; -0.5; 1.5; 2.5; -2.5; 3.; 0.1 ]
@@ -27,7 +27,7 @@ let rec value random kind (shape : Interp.Shape.t) : Interp.Value.t =
   match shape with
   | Bool -> Bool (Random.State.bool random)
   | Int -> Int (int random kind)
-  | Float -> Float (float random kind)
+  | Float real -> Float (Basis.Real.round real (float random kind))
   | Tuple parts -> Tuple (Array.map known (Array.of_list parts))
   | Array (n, element) -> Array (Array.init n (fun _ -> known element))
   | Data { constructors; _ } ->

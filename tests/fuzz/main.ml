@@ -18,6 +18,7 @@ type settings = {
   mutable sanitize_every : int;
   mutable stop_at_first : bool;
   mutable all_constructs : bool;
+  mutable real : string;
 }
 
 let settings () =
@@ -32,6 +33,7 @@ let settings () =
       sanitize_every = 0;
       stop_at_first = false;
       all_constructs = false;
+      real = "both";
     }
   in
   let text name set doc = (name, Arg.String set, doc)
@@ -51,6 +53,9 @@ let settings () =
       number "--sanitize-every"
         (fun v -> s.sanitize_every <- v)
         "N every so many batches one goes through gcc or clang as well, with sanitizers (0: none)";
+      ( "--real",
+        Arg.Symbol ([ "double"; "float"; "both" ], fun v -> s.real <- v),
+        " what the programs compute with; both: every third batch with float (both)" );
       text "--library" (fun v -> s.library <- v) "DIR the standard library (stdlib)";
       text "--runtime" (fun v -> s.runtime <- v) "DIR the runtime's sources (runtime)";
     ]
@@ -79,6 +84,12 @@ let engines s batch : Engines.c_engine list =
     let turn = batch / s.sanitize_every mod 2 in
     [ Tcc; Sanitized (if turn = 0 then Gcc else Clang) ]
 
+let real s batch : Basis.Real.t =
+  match s.real with
+  | "double" -> Double
+  | "float" -> Single
+  | _ -> if batch mod 3 = 1 then Single else Double
+
 type result = { programs : int; failed : int; sanitized : int; seen : Coverage.t }
 
 let nothing () = { programs = 0; failed = 0; sanitized = 0; seen = Coverage.create () }
@@ -102,7 +113,6 @@ let most_shrunk = 3
 
 (* Every so many batches, from the one with the worker's number. *)
 let work s worker ~folder =
-  let tools = { Engines.library = s.library; runtime = s.runtime; folder } in
   let last = s.first + s.count in
   let rec batches batch so_far =
     let first = s.first + (batch * Batch.size) in
@@ -110,6 +120,9 @@ let work s worker ~folder =
     else
       let count = min Batch.size (last - first) in
       let engines = engines s batch in
+      let tools =
+        { Engines.library = s.library; runtime = s.runtime; folder; real = real s batch }
+      in
       let seen = Coverage.create () in
       let failures =
         if s.stop_at_first then

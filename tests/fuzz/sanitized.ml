@@ -61,12 +61,13 @@ let run compiler ~runtime ~folder files recordings =
   List.iter (fun (file, text) -> write (folder / file) text) files;
   let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
   let generated = List.map (fun (file, _) -> folder / file) sources in
-  (* It is C++ too. *)
+  (* It is C++ too, and in single precision has no doubles. *)
   let* () =
     executed
       (match compiler with Gcc -> "g++" | Clang -> "clang++")
       ([ "-x"; "c++"; "-std=c++17"; "-fsyntax-only"; "-I"; runtime / "include" ]
-      @ warnings @ generated)
+      @ ("-Wdouble-promotion" :: warnings)
+      @ generated)
   in
   let program = folder / "sanitized.so" in
   let* () =

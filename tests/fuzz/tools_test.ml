@@ -10,6 +10,7 @@ let tools =
     Engines.library = root / "stdlib";
     runtime = root / "runtime";
     folder = Filename.current_dir_name;
+    real = Basis.Real.Double;
   }
 
 let strings = Alcotest.(list string)
@@ -35,11 +36,11 @@ let shape : Interp.Shape.t =
   let constructor name fields = { Interp.Shape.name; fields } in
   Tuple
     [
-      Float; Array (2, Int);
+      Float Double; Array (2, Int);
       Data
         {
           is_event = true;
-          constructors = [ constructor "NoEvent" []; constructor "Event" [ ("", Tuple [ Bool; Float ]) ] ];
+          constructors = [ constructor "NoEvent" []; constructor "Event" [ ("", Tuple [ Bool; Float Single ]) ] ];
         };
     ]
 

@@ -8,11 +8,12 @@ open Fuzz
 let root = "../.."
 let ( / ) = Filename.concat
 
-let tools =
+let tools real =
   {
     Engines.library = root / "stdlib";
     runtime = root / "runtime";
     folder = Filename.current_dir_name;
+    real;
   }
 
 let read path =
@@ -30,7 +31,8 @@ let recorded subject file =
     | Ok recording -> [ recording ]
     | Error text -> Alcotest.fail (path ^ ": " ^ text)
 
-let agree engine file () =
+let agree ?(real = Basis.Real.Double) engine file () =
+  let tools = tools real in
   let random = Random.State.make [| 2001 |] in
   let outcome =
     match Engines.load tools ~entry:"main" file with
@@ -43,9 +45,9 @@ let agree engine file () =
   | Agree -> ()
   | Rejected _ | Failed _ | Differ _ -> Alcotest.fail (Engines.describe outcome)
 
-let case engine file =
+let case ?real engine file =
   let words = String.concat " " (String.split_on_char '_' (Filename.basename file)) in
-  Alcotest.test_case (Filename.remove_extension words) `Quick (agree engine file)
+  Alcotest.test_case (Filename.remove_extension words) `Quick (agree ?real engine file)
 
 let programs =
   Sys.readdir Filename.current_dir_name
@@ -64,4 +66,5 @@ let () =
       ("constructs", List.map (case Tcc) programs);
       ("examples", List.map (case Tcc) examples);
       ("under the sanitizers", List.map (case (Sanitized Gcc)) (programs @ examples));
+      ("in single precision", List.map (case ~real:Single Tcc) (programs @ examples));
     ]

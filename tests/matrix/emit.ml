@@ -91,16 +91,20 @@ let emit s tools ~name ~seed file =
 
 let () =
   let s = settings () in
-  let tools = { Engines.library = s.library; runtime = s.runtime; folder = s.out } in
+  let tools real = { Engines.library = s.library; runtime = s.runtime; folder = s.out; real } in
+  let named file = Filename.remove_extension (Filename.basename file) in
   List.iteri
-    (fun i file -> emit s tools ~name:(Filename.remove_extension (Filename.basename file)) ~seed:i file)
+    (fun i file ->
+      emit s (tools Basis.Real.Double) ~name:(named file) ~seed:i file;
+      emit s (tools Single) ~name:(named file ^ "_single") ~seed:i file)
     s.files;
   let rec modules first =
     if first < s.count then begin
       let count = min Batch.size (s.count - first) in
       let file = s.out / "program.frob" in
-      write file (Program.make ~seed:s.seed ~first ~count ());
-      emit s tools ~name:(Printf.sprintf "random_%d" first) ~seed:(-1 - first) file;
+      let real : Basis.Real.t = if Int.rem (Int.div first Batch.size) 3 = 1 then Single else Double in
+      write file (Constant.in_range real (Program.make ~seed:s.seed ~first ~count ()));
+      emit s (tools real) ~name:(Printf.sprintf "random_%d" first) ~seed:(-1 - first) file;
       modules (first + count)
     end
   in

@@ -14,7 +14,7 @@ let diagnostics file =
   | None -> ()
   | Some resolved ->
       Resolve.Lint.program resolved;
-      let typed = Typing.Infer.program sink resolved in
+      let typed = Typing.Infer.program sink ~real:Double resolved in
       if not (Diagnostic.has_errors sink) then
         Typing.Patterns.check sink (Typing.Levels.program sink typed));
   List.map

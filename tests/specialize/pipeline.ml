@@ -8,7 +8,7 @@ let sound sink value = if Diagnostic.has_errors sink then None else Some value
 let flow sink source ~files ~library file =
   let remember ~file text = Source.add source ~file text in
   let* resolved = Resolve.Program.load sink ~files ~remember ~library file in
-  let* typed = sound sink (Typing.Infer.program sink resolved) in
+  let* typed = sound sink (Typing.Infer.program sink ~real:Double resolved) in
   let typed = Typing.Levels.program sink typed in
   Typing.Patterns.check sink typed;
   let* typed = sound sink typed in

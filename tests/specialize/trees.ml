@@ -94,6 +94,7 @@ let from_just (e : expr) =
 let program definitions =
   {
     main_module = "Main";
+    real = Double;
     data =
       [
         {

@@ -92,6 +92,7 @@ let program definitions =
   in
   {
     main_module = "Main";
+    real = Double;
     data = [ maybe ];
     primitives = [];
     foreign = { headers = []; foreign_types = []; values = [] };

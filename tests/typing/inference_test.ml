@@ -21,7 +21,7 @@ let infer text =
   let files = Resolve.Files.in_memory (("main.frob", text) :: Lazy.force library_texts) in
   let remember ~file:_ _ = () in
   let typed =
-    Option.map (Typing.Infer.program sink)
+    Option.map (Typing.Infer.program sink ~real:Double)
       (Resolve.Program.load sink ~files ~remember ~library:"stdlib" "main.frob")
   in
   match typed with

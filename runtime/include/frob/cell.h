@@ -1,7 +1,8 @@
 /* frob/cell.h -- one value of a program's input or output as the text of one
  * cell of a trace.
  *
- * Numbers have 17 significant digits (`nan`, `inf`, `-inf`), truth values are
+ * Numbers have 17 significant digits, floats as few as are read back as the same
+ * float (`nan`, `inf`, `-inf`), truth values are
  * `true` and `false`, everything else stands as Frob would write it: `Just
  * 2.5`, `At (-0.3)`, `Left (1, true)`, `Pose {heading = 1}`. An event that is
  * the whole cell is empty when it does not occur, else its value. */

@@ -45,6 +45,19 @@ double frob_atan2(double y, double x);
  * way; within 0.51 ulp, 1 ulp where the result is subnormal. */
 double frob_hypot(double x, double y);
 
+/* In single precision: the same, of the float as a double, rounded to a float. */
+float frob_expf(float x);
+float frob_logf(float x);
+float frob_powf(float x, float y);
+float frob_sinf(float x);
+float frob_cosf(float x);
+float frob_tanf(float x);
+float frob_asinf(float x);
+float frob_acosf(float x);
+float frob_atanf(float x);
+float frob_atan2f(float y, float x);
+float frob_hypotf(float x, float y);
+
 #ifdef __cplusplus
 }
 #endif

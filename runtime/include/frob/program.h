@@ -21,6 +21,8 @@ enum frob_kind {
     FROB_BOOL,    /* C bool */
     FROB_INT,     /* int32_t */
     FROB_FLOAT,   /* double */
+    FROB_SINGLE,  /* float */
+    FROB_ROUNDED, /* double, of which the program sees the nearest float */
     FROB_PRODUCT, /* tuple, record or () */
     FROB_SUM,     /* uint8_t tag, and slots for the payloads */
     FROB_ARRAY    /* like a tuple; the fields of its one constructor are the elements */
@@ -44,7 +46,7 @@ struct frob_constructor {
 /* One value inside the input or output struct. */
 struct frob_value {
     enum frob_kind kind;
-    size_t offset; /* of the bool, int32_t, double, or the sum's tag */
+    size_t offset; /* of the bool, int32_t, double, float, or the sum's tag */
     int is_event;  /* a sum that is `Event a`: constructor 0 is NoEvent */
     size_t count;  /* constructors: 1 for a product or array, its tag is not stored */
     const struct frob_constructor *constructors;

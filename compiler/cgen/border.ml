@@ -1,0 +1,187 @@
+module F = Flow.Ir
+open Printf
+
+type side = { own : Interface.t; host : Interface.t; robot : Robot.t option }
+
+let bug format = Basis.Diagnostic.bug ~stage:"Cgen.Border" format
+
+(* Of a program of single precision. *)
+let robot_of (program : Machine.Ir.program) shape =
+  match program.real with Double -> None | Single -> Robot.of_shape shape
+
+let robot_struct (shape : F.shape) =
+  match shape with
+  | Product { product_name; _ } -> "frob_" ^ Name.snake product_name
+  | Leaf _ | Repeated _ -> bug "a robot's type that is no record"
+
+let same own = { own; host = own; robot = None }
+
+let input (program : Machine.Ir.program) own =
+  match robot_of program program.input with
+  | None -> same own
+  | robot -> { own; host = { own with struct_name = robot_struct program.input }; robot }
+
+let host_output = "host_output"
+
+let output (program : Machine.Ir.program) (own : Interface.t) =
+  let command, result =
+    if program.ends then Interface.apart program.output else (program.output, None)
+  in
+  match (robot_of program command, result, List.rev own.leaves) with
+  | None, _, _ -> same own
+  | robot, None, _ -> { own; host = { own with struct_name = robot_struct command }; robot }
+  | robot, Some _, last :: leaves ->
+      let inside path = Interface.Member "command" :: path in
+      let leaves = List.rev (last :: List.map inside leaves) in
+      { own; host = { own with struct_name = host_output; leaves }; robot }
+  | _, Some _, [] -> bug "a program that ends without a result"
+
+let includes sides =
+  let header side = Option.map (fun (r : Robot.t) -> sprintf "#include <%s>\n" r.header) side.robot in
+  String.concat "" (List.sort_uniq compare (List.filter_map header sides))
+
+let rec last = function [] -> bug "no leaf" | [ x ] -> x | _ :: others -> last others
+
+let definitions (program : Machine.Ir.program) (sums : Sum_type.t array) side =
+  if side.robot = None || side.host.struct_name <> host_output then ""
+  else
+    match last (Machine.Layout.shape_leaves program.output) with
+    | Sum k ->
+        sprintf "struct %s {\n    struct %s command;\n    struct %s result;\n};\n\n" host_output
+          (robot_struct (fst (Interface.apart program.output)))
+          sums.(k).struct_name
+    | Bool | Int | Float | Array _ | Foreign _ -> bug "an end that is no event"
+
+(* {1 Converting} *)
+
+let index depth = Char.chr (Char.code 'i' + depth)
+
+(* [root] ends in what selects a member. *)
+let path root (steps : Interface.step list) =
+  let add (text, depth) (step : Interface.step) =
+    match step with
+    | Member name when String.equal text root -> (text ^ name, depth)
+    | Member name -> (sprintf "%s.%s" text name, depth)
+    | Element _ -> (sprintf "%s[%c]" text (index depth), depth + 1)
+  in
+  fst (List.fold_left add (root, 0) steps)
+
+let sizes steps =
+  List.filter_map (function Interface.Element n -> Some n | Member _ -> None) steps
+
+(* Assignments of one leaf, as lines without indentation. *)
+let rec assignments (program : Machine.Ir.program) sums (ty : F.ty) ~to_ ~from ~cast =
+  let equal to_ from = sprintf "%s = %s;" to_ from in
+  let scalar (ty : Ir.ty) to_ from =
+    match ty with Real _ -> sprintf "%s = (%s)%s;" to_ cast from | _ -> equal to_ from
+  in
+  match ty with
+  | Float -> [ scalar (Real program.real) to_ from ]
+  | Bool | Int -> [ equal to_ from ]
+  | Sum k ->
+      let member (name, ty) =
+        match (ty : Ir.ty) with
+        | Struct _ -> bug "an array inside a robot's sum"
+        | ty -> scalar ty (to_ ^ "." ^ name) (from ^ "." ^ name)
+      in
+      List.map member (("tag", Ir.Uint8) :: Sum_type.members program.sums sums.(k))
+  | Array (_, element) -> assignments program sums element ~to_ ~from ~cast
+  | Foreign _ -> bug "a robot's value of a foreign type"
+
+let copy out steps assignments =
+  let sizes = sizes steps in
+  let indent k = String.make (4 * (k + 1)) ' ' in
+  List.iteri
+    (fun k size ->
+      let i = index k in
+      bprintf out "%sfor (int %c = 0; %c < %d; %c++) {\n" (indent k) i i size i)
+    sizes;
+  let depth = List.length sizes in
+  List.iter
+    (fun line -> bprintf out "%s%s\n" (indent depth) line)
+    assignments;
+  List.iteri (fun k _ -> bprintf out "%s}\n" (indent (depth - 1 - k))) sizes
+
+(* What a program has ended with is its own, in both structs. *)
+let is_result (program : Machine.Ir.program) side steps =
+  program.ends && side.host.struct_name = host_output && steps == last side.host.leaves
+
+let convert out program sums shape side ~own ~host ~inward =
+  let leaf ty own_steps host_steps =
+    let own = path own own_steps and host = path host host_steps in
+    let lines =
+      if is_result program side host_steps then [ sprintf "%s = %s;" host own ]
+      else if inward then assignments program sums ty ~to_:own ~from:host ~cast:"float"
+      else assignments program sums ty ~to_:host ~from:own ~cast:"double"
+    in
+    copy out own_steps lines
+  in
+  let rec go types own host =
+    match (types, own, host) with
+    | ty :: types, own_steps :: own, host_steps :: host ->
+        leaf ty own_steps host_steps;
+        go types own host
+    | [], [], [] -> ()
+    | _, _, _ -> bug "the two sides have different leaves"
+  in
+  go (Machine.Layout.shape_leaves shape) side.own.leaves side.host.leaves
+
+(* {1 The step} *)
+
+let whole_ns =
+  {|
+/* dt in nanoseconds, a whole number of them, halves to even: adding 2^52 leaves no
+ * bits for a fraction. NaN and negative give 0; at most 1e9 s. */
+static int64_t whole_ns(double dt)
+{
+    double ns = dt * 1e9;
+    ns = ns > 0.0 ? ns : 0.0;
+    if (ns >= 4503599627370496.0)
+        return (int64_t)(ns < 1e18 ? ns : 1e18);
+    return (int64_t)((ns + 4503599627370496.0) - 4503599627370496.0);
+}
+|}
+
+let double_step ~name ~(input : side) ~(output : side) =
+  sprintf
+    {|
+static void step(void *state, double dt, const void *in, void *out)
+{
+    %s_step((struct %s_state *)state, dt, (const struct %s *)in, (struct %s *)out);
+}
+|}
+    name name input.host.struct_name output.host.struct_name
+
+let single_step (program : Machine.Ir.program) sums ~name ~input ~output =
+  let out = Buffer.create 1024 in
+  Buffer.add_string out whole_ns;
+  let own_type side = "struct " ^ side.own.struct_name in
+  let host_type side = "struct " ^ side.host.struct_name in
+  bprintf out "\nstatic void step(void *state, double dt, const void *in, void *out)\n{\n";
+  let given side ~constant name =
+    match side.robot with
+    | None -> sprintf "(%s%s *)%s" constant (own_type side) name
+    | Some _ -> sprintf "&own_%s" name
+  in
+  let declare side ~constant name =
+    if side.robot <> None then begin
+      bprintf out "    %s%s *host_%s = (%s%s *)%s;\n" constant (host_type side) name constant
+        (host_type side) name;
+      bprintf out "    %s own_%s;\n" (own_type side) name
+    end
+  in
+  declare input ~constant:"const " "in";
+  declare output ~constant:"" "out";
+  if input.robot <> None then
+    convert out program sums program.input input ~own:"own_in." ~host:"host_in->" ~inward:true;
+  bprintf out "    %s_step_ns((struct %s_state *)state, whole_ns(dt), %s, %s);\n" name name
+    (given input ~constant:"const " "in") (given output ~constant:"" "out");
+  if output.robot <> None then
+    convert out program sums program.output output ~own:"own_out." ~host:"host_out->" ~inward:false;
+  bprintf out "}\n";
+  Buffer.contents out
+
+let step (program : Machine.Ir.program) sums ~name ~input ~output =
+  match program.real with
+  | Double -> double_step ~name ~input ~output
+  | Single -> single_step program sums ~name ~input ~output

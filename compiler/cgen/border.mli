@@ -1,0 +1,31 @@
+(** Between a program of single precision and its hosts.
+
+    Robots' structs are of doubles whatever a program computes with, as their
+    drivers and the simulator are; a program of single precision has structs of
+    its own. The table for hosts describes the robot's, and its step converts:
+    an input's doubles are rounded to floats, an output's floats are doubles
+    already. Time too is converted there, to whole nanoseconds. In double
+    precision both sides are the same, and nothing is converted. *)
+
+(** The input or the output. *)
+type side = {
+  own : Interface.t;  (** of the program *)
+  host : Interface.t;
+  robot : Robot.t option;  (** whose struct the host's is, if that is not the program's *)
+}
+
+val input : Machine.Ir.program -> Interface.t -> side
+val output : Machine.Ir.program -> Interface.t -> side
+
+val is_result : Machine.Ir.program -> side -> Interface.step list -> bool
+(** Does this lead, in the host's struct, to what the program has ended with? That
+    is the program's own in both structs. *)
+
+val includes : side list -> string
+(** Of the robots' headers, as lines. *)
+
+val definitions : Machine.Ir.program -> Sum_type.t array -> side -> string
+(** Of the host's output where it is a robot's and what a program has ended with. *)
+
+val step : Machine.Ir.program -> Sum_type.t array -> name:string -> input:side -> output:side -> string
+(** The table's step, and what it needs: C functions, as text. *)
