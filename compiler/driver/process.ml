@@ -14,6 +14,9 @@ let start program arguments ~stdout ~stderr =
   with
   | pid -> Ok pid
   | exception Unix.Unix_error ((Unix.ENOENT | Unix.EACCES), _, _) -> Error (Not_found program)
+  (* such as ENOEXEC, of a program for another machine; the status is a shell's *)
+  | exception Unix.Unix_error (reason, _, _) ->
+      Error (Failed { status = 126; errors = Unix.error_message reason })
 
 (* Where processes are made by fork, a missing program shows as status 127. *)
 let checked program status = if status = 127 then Error (Not_found program) else Ok status
