@@ -9,6 +9,7 @@ type t = {
   simulator : string;
   server : string;
   worlds : string;
+  selftest : string;
 }
 
 let ( / ) = Filename.concat
@@ -25,6 +26,7 @@ let under prefix =
     simulator = prefix / "lib" / "frobc" / "frob-sim";
     server = prefix / "lib" / "frobc" / "frob-serve";
     worlds = prefix / "share" / "frobc" / "worlds";
+    selftest = prefix / "share" / "frobc" / "selftest";
   }
 
 let is_complete t = Sys.file_exists (t.library / "Prelude.frob")

@@ -13,6 +13,7 @@ type t = {
   simulator : string;  (** the executable [frob-sim] *)
   server : string;  (** the executable [frob-serve], of simulated robots on a line *)
   worlds : string;  (** folder of the worlds that come with the simulator *)
+  selftest : string;  (** folder of the programs and the C of {!Selftest} *)
 }
 
 val find : unit -> (t, string) result

@@ -55,6 +55,14 @@ let stages_doc =
 let robot_names =
   String.concat ", " (List.map (Printf.sprintf "$(b,%s)") Driver.Robots.names)
 
+let real =
+  let doc =
+    "What the program computes $(b,Float) with: $(b,double), or $(b,float), single precision, \
+     for microcontrollers that have no other arithmetic."
+  in
+  let precisions = [ ("double", Basis.Real.Double); ("float", Single) ] in
+  Arg.(value & opt (enum precisions) Basis.Real.Double & info [ "real" ] ~docv:"TYPE" ~doc)
+
 let general =
   let format =
     let doc = "How diagnostics, and a report, are written: $(b,text), or $(b,json), one object a line." in
@@ -86,14 +94,6 @@ let general =
       "The robot to compile for: " ^ robot_names ^ "."
     in
     Arg.(value & opt (some string) None & info [ "robot" ] ~docv:"ROBOT" ~doc)
-  in
-  let real =
-    let doc =
-      "What the program computes $(b,Float) with: $(b,double), or $(b,float), single precision, \
-       for microcontrollers that have no other arithmetic."
-    in
-    let precisions = [ ("double", Basis.Real.Double); ("float", Single) ] in
-    Arg.(value & opt (enum precisions) Basis.Real.Double & info [ "real" ] ~docv:"TYPE" ~doc)
   in
   let make format dump stop_after lint specialization_limit robot real =
     { Commands.format; dump; stop_after; lint; specialization_limit; robot; real }
@@ -368,6 +368,45 @@ let header =
   command "header" ~doc:"the C header with a robot's input and output types"
     Term.(const Commands.header $ robot)
 
+let selftest =
+  let some names ~docv ~doc = Arg.(value & opt (some string) None & info names ~docv ~doc) in
+  let cc =
+    some [ "cc" ] ~docv:"CC"
+      ~doc:
+        "The C compiler, a command, perhaps with options. Without it: that of the environment \
+         variable $(b,CC), or $(b,cc)."
+  in
+  let cflags =
+    some [ "cflags" ] ~docv:"FLAGS"
+      ~doc:
+        (Printf.sprintf
+           "Its options, separated by spaces, for compiling and for linking. Without them: \
+            $(b,%s)."
+           (String.concat " " Driver.Toolchain.flags))
+  in
+  let runner =
+    some [ "runner" ] ~docv:"COMMAND"
+      ~doc:"What runs the programs that a cross compiler makes, such as $(b,qemu-aarch64)."
+  in
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Compiles programs that together have every construct of the C that frobc writes, runs \
+         them, and compares their outputs with those of the reference interpreter, bit for bit. \
+         Prints a line for each of them and the verdict. What is wrong is said on standard error: \
+         numbers that are not IEEE 754's (contraction, $(b,-ffast-math), other rounding), code \
+         that does not compile, outputs that differ, and what the compiler warns of.";
+      `P
+        "The exit status is 0 if the compiler is fit, 1 if it is not, and 2 if it could not be \
+         tried.";
+    ]
+  in
+  command "selftest" ~man ~doc:"whether a C compiler, with its options, is fit for generated C"
+    Term.(
+      const (fun cc cflags runner real -> Driver.Selftest.run { cc; cflags; runner; real })
+      $ cc $ cflags $ runner $ real)
+
 let explain =
   let code =
     Arg.(
@@ -389,7 +428,7 @@ let main =
     ]
   in
   Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
-    [ check; compile; trace; run; serve; build; export; report; header; explain ]
+    [ check; compile; trace; run; serve; build; export; report; selftest; header; explain ]
 
 (* A compilation is short, and most of what it makes lives on in the next
    stage: marking the heap over and over finds little. This halves the time of
@@ -397,10 +436,18 @@ let main =
    The minor heap stays as it is: a larger one leaves the processor's cache. *)
 let collect_seldom () = Gc.set { (Gc.get ()) with space_overhead = 1000 }
 
+(* The flags of a C compiler begin as options do: `--cflags -O2`. *)
+let rec with_flags = function
+  | "--cflags" :: flags :: rest -> ("--cflags=" ^ flags) :: with_flags rest
+  | argument :: rest -> argument :: with_flags rest
+  | [] -> []
+
+let argv = Array.of_list (with_flags (Array.to_list Sys.argv))
+
 let () =
   collect_seldom ();
   let status =
-    match Cmd.eval_value ~catch:false main with
+    match Cmd.eval_value ~catch:false ~argv main with
     | Ok (`Ok status) -> status
     | Ok (`Version | `Help) -> Driver.Exit_status.ok
     | Error (`Parse | `Term) -> Driver.Exit_status.wrong_use

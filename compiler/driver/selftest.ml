@@ -1,0 +1,280 @@
+open Basis
+
+type compiler = { cc : string option; cflags : string option; runner : string option; real : Real.t }
+
+let ( / ) = Filename.concat
+let ( let* ) = Result.bind
+
+type group = {
+  name : string;  (** of the program's file *)
+  entry : string;
+  meant : string;  (** the entry that the interpreter runs, which means the same *)
+  sources : string list;  (** C that the program calls *)
+}
+
+let group name = { name; entry = "main"; meant = "main"; sources = [] }
+
+let groups =
+  List.map group [ "numbers"; "functions"; "time"; "data"; "arrays"; "switches"; "tasks" ]
+  @ [ { (group "foreign") with meant = "meant"; sources = [ "calls.c" ] } ]
+
+(* A program that calls C computes in doubles. *)
+let groups_in (real : Real.t) =
+  match real with Double -> groups | Single -> List.filter (fun g -> g.sources = []) groups
+
+let programs real = List.map (fun g -> (g.name ^ ".frob", g.entry)) (groups_in real)
+
+(* {1 The compiler and what it makes} *)
+
+type t = {
+  compile : string list;  (** the command, and the flags *)
+  run : string list;
+  resources : Resources.t;
+  folder : string;
+  real : Real.t;
+  mutable warned : bool;
+}
+
+(* Why it goes no further: the compiler cannot be tried, or is not fit. *)
+type failure =
+  | Untried of string
+  | Unfit of string
+
+let words text = List.filter (( <> ) "") (String.split_on_char ' ' text)
+let command t = String.concat " " t.compile
+
+let call = function
+  | [] -> Error (Process.Not_found "")
+  | program :: arguments -> Process.output program arguments
+
+(* A compiler can have much to say. *)
+let beginning text =
+  let lines = String.split_on_char '\n' (String.trim text) in
+  let shown = List.filteri (fun k _ -> k < 20) lines in
+  String.concat "\n" (if List.length lines > 20 then shown @ [ "…" ] else shown)
+
+(* What it says is handed on: an exit status of 0 with a text is a warning. *)
+let compiled t arguments =
+  match call (t.compile @ arguments) with
+  | Ok said -> Ok (String.trim said)
+  | Error (Not_found program) ->
+      Error (Untried (Printf.sprintf "there is no C compiler `%s` here" program))
+  | Error (Failed { status; errors }) ->
+      Error (Unfit (Printf.sprintf "`%s` fails with status %d:\n%s" (command t) status (beginning errors)))
+
+let warn t said =
+  if not (String.equal said "") then begin
+    t.warned <- true;
+    prerr_endline ("warning: the compiler warns:\n" ^ beginning said)
+  end
+
+(* A program is right if it says so at its end: not every runner hands on a
+   status. The error is all that was said instead. *)
+let ran t program =
+  let last text =
+    match List.rev (words (String.map (function '\n' | '\r' -> ' ' | c -> c) text)) with
+    | last :: _ -> last
+    | [] -> ""
+  in
+  match call (t.run @ [ program ]) with
+  | Ok said | Error (Failed { status = _; errors = said }) when last said = "right" -> Ok ()
+  | Ok said -> Error said
+  | Error (Failed { status; errors }) ->
+      Error (if errors = "" then Printf.sprintf "it ends with status %d" status else errors)
+  | Error (Not_found program) -> Error (Printf.sprintf "there is no `%s` here" program)
+
+let include_flags t =
+  List.concat_map
+    (fun folder -> [ "-I"; folder ])
+    [ t.resources.headers; t.folder; t.resources.selftest ]
+
+let write path text = Result.map_error (fun reason -> Untried reason) (Commands.write path text)
+
+(* {1 Before anything of ours is tried} *)
+
+let works t =
+  let source = t.folder / "hello.c" and program = t.folder / "hello" in
+  let* () = write source "#include <stdio.h>\nint main(void)\n{\n    puts(\"right\");\n    return 0;\n}\n" in
+  let* said =
+    Result.map_error
+      (function
+        | Unfit text -> Untried ("the C compiler does not compile a program of one line: " ^ text)
+        | Untried _ as failure -> failure)
+      (compiled t [ "-o"; program; source ])
+  in
+  warn t said;
+  Result.map_error
+    (fun said ->
+      Untried
+        (Printf.sprintf "what `%s` compiles does not run here%s: %s" (command t)
+           (if t.run = [] then "; name a command that runs it with --runner"
+           else Printf.sprintf " with `%s`" (String.concat " " t.run))
+           (beginning said)))
+    (ran t program)
+
+let arithmetic t =
+  let program = t.folder / "arithmetic" in
+  let* said =
+    compiled t (include_flags t @ [ "-o"; program; t.resources.selftest / "arithmetic.c"; "-lm" ])
+  in
+  warn t said;
+  Result.map_error
+    (fun said -> Unfit (Printf.sprintf "arithmetic compiled by `%s` %s" (command t) (beginning said)))
+    (ran t program)
+
+(* {1 What all programs are linked with} *)
+
+let common t =
+  let core = List.map (fun file -> t.resources.runtime_sources / "core" / file) in
+  let elementary =
+    List.filter (fun file -> Filename.check_suffix file ".c")
+      (List.sort compare (Array.to_list (Sys.readdir t.resources.elementary)))
+  in
+  (t.resources.selftest / "runner.c")
+  :: core [ "text.c"; "cell_read.c"; "cell_write.c"; "trace.c" ]
+  @ List.map (fun file -> t.resources.elementary / file) elementary
+
+let objects t =
+  List.fold_left
+    (fun made source ->
+      let* made = made in
+      let result = t.folder / (Filename.remove_extension (Filename.basename source) ^ ".o") in
+      let* said = compiled t (include_flags t @ [ "-c"; "-o"; result; source ]) in
+      warn t said;
+      Ok (result :: made))
+    (Ok []) (common t)
+
+(* {1 A program} *)
+
+let options real =
+  { Pipeline.dump = None; stop_after = None; lint = false; specialization_limit = 10_000; real }
+
+(* The program, its table for hosts, and the output that it must have. *)
+let made t group =
+  let file = t.resources.selftest / (group.name ^ ".frob") in
+  let options = options t.real and library = t.resources.library in
+  let sink = Diagnostic.sink () in
+  match
+    ( Pipeline.compile options sink (Source.create ()) ~library ~entry:group.entry file,
+      Pipeline.interpretable options sink (Source.create ()) ~library ~entry:group.meant file )
+  with
+  | Some (files : Cgen.Emit.t), Some (core, entry) -> (
+      let output = Buffer.create 10_000 and at = ref 0 in
+      let read () =
+        if !at = String.length Sample_input.csv then None
+        else (
+          incr at;
+          Some Sample_input.csv.[!at - 1])
+      in
+      let name = "the input of the self-test" in
+      let write = Buffer.add_string output in
+      match (files.host_table, Interp.Trace.run core ~entry ~name ~read ~write) with
+      | Some table, Ok () -> (files, table, Buffer.contents output)
+      | _, Error errors -> Diagnostic.bug ~stage:"Driver.Selftest" "%s" (String.concat "; " errors)
+      | None, _ -> Diagnostic.bug ~stage:"Driver.Selftest" "no host can run %s" file)
+  | _, _ -> Diagnostic.bug ~stage:"Driver.Selftest" "%s is rejected" file
+
+let c_string text =
+  let character = function
+    | '"' -> "\\\""
+    | '\\' -> "\\\\"
+    | '\n' -> "\\n"
+    | c -> String.make 1 c
+  in
+  "\"" ^ String.concat "" (List.map character (List.of_seq (String.to_seq text))) ^ "\""
+
+(* See recording.h. Arrays of their own, since C++ has no compound literals. *)
+let recording output =
+  let lines = List.tl (List.filter (( <> ) "") (String.split_on_char '\n' output)) in
+  let cells k (row : Sample_input.row) =
+    Printf.sprintf "static const char *const cells_%d[] = { %s };\n" k
+      (String.concat ", " (List.map c_string row.cells))
+  and row k ((row : Sample_input.row), line) =
+    Printf.sprintf "    { INT64_C(%d), cells_%d,\n      %s },\n" row.time_ns k (c_string (line ^ "\n"))
+  in
+  Printf.sprintf
+    "#include \"recording.h\"\n\n%sconst struct recorded_row recorded_rows[] = {\n%s};\n\
+     const int recorded_row_count = %d;\n"
+    (String.concat "" (List.mapi cells Sample_input.rows))
+    (String.concat "" (List.mapi row (List.combine Sample_input.rows lines)))
+    (List.length lines)
+
+let tried t objects group =
+  let files, table, output = made t group in
+  let path suffix = t.folder / (group.name ^ suffix) in
+  let* () = write (path ".h") files.header in
+  let* () = write (path ".c") files.source in
+  let* () = write (path "_host.c") table in
+  let* () = write (path "_recording.c") (recording output) in
+  let sources =
+    List.map path [ ".c"; "_host.c"; "_recording.c" ]
+    @ List.map (fun file -> t.resources.selftest / file) group.sources
+  in
+  let* said =
+    compiled t (include_flags t @ [ "-o"; path "" ] @ sources @ objects @ [ "-lm" ])
+  in
+  warn t said;
+  Result.map_error
+    (fun said -> Unfit (Printf.sprintf "%s.frob, compiled by `%s`:\n%s" group.name (command t) (beginning said)))
+    (ran t (path ""))
+
+(* {1 The verdict} *)
+
+let line name value = Printf.printf "%s: %s\n%!" name value
+
+(* All groups are tried, but nothing more when the compiler cannot be. *)
+let groups_failed t objects =
+  List.fold_left
+    (fun failed group ->
+      match tried t objects group with
+      | Ok () ->
+          line group.name "right";
+          failed
+      | Error (Untried text | Unfit text) ->
+          line group.name "wrong";
+          prerr_endline ("error: " ^ text);
+          true)
+    false (groups_in t.real)
+
+let judged t =
+  line "compiler" (command t);
+  let* () = works t in
+  let* () = arithmetic t in
+  line "arithmetic" "right";
+  let* objects = objects t in
+  Ok (groups_failed t objects)
+
+let verdict t = function
+  | Ok false ->
+      line "verdict" (if t.warned then "fit, with warnings" else "fit");
+      Exit_status.ok
+  | Ok true ->
+      line "verdict" "unfit";
+      Exit_status.rejected
+  | Error (Unfit text) ->
+      prerr_endline ("error: " ^ text);
+      line "verdict" "unfit";
+      Exit_status.rejected
+  | Error (Untried text) -> Commands.wrong_use text
+
+let rec remove path =
+  if Sys.is_directory path then (
+    Array.iter (fun name -> remove (path / name)) (Sys.readdir path);
+    Unix.rmdir path)
+  else Sys.remove path
+
+let run compiler =
+  match Resources.find () with
+  | Error text -> Commands.wrong_use text
+  | Ok resources -> (
+      let folder =
+        Filename.get_temp_dir_name () / Printf.sprintf "frobc-selftest-%d" (Unix.getpid ())
+      in
+      let cc = Option.value compiler.cc ~default:(Toolchain.this_machine ()).compiler in
+      let flags = Option.fold compiler.cflags ~none:Toolchain.flags ~some:words in
+      let run = Option.fold compiler.runner ~none:[] ~some:words in
+      let compile = words cc @ flags in
+      let t = { compile; run; resources; folder; real = compiler.real; warned = false } in
+      match Commands.writable_folder folder with
+      | Error text -> Commands.wrong_use text
+      | Ok () -> Fun.protect ~finally:(fun () -> remove folder) (fun () -> verdict t (judged t)))

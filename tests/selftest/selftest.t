@@ -1,0 +1,108 @@
+`frobc selftest` tells whether a C compiler, called as the user calls it, is fit for
+what frobc writes.
+
+  $ frobc selftest --cc gcc
+  compiler: gcc -std=c99 -O2 -ffp-contract=off
+  arithmetic: right
+  numbers: right
+  functions: right
+  time: right
+  data: right
+  arrays: right
+  switches: right
+  tasks: right
+  foreign: right
+  verdict: fit
+
+  $ verdict () { frobc selftest "$@" 2> errors | grep -v ': right' && cat errors; }
+  $ verdict --cc clang --cflags "-O3 -ffp-contract=off -march=native"
+  compiler: clang -O3 -ffp-contract=off -march=native
+  verdict: fit
+  $ verdict --cc tcc --cflags ""
+  compiler: tcc
+  verdict: fit
+  $ CC="gcc -O1" verdict --cflags "-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all" | tail -1
+  verdict: fit
+  $ verdict --cc g++ --cflags "-std=c++17 -Wall -Wextra -Werror"
+  compiler: g++ -std=c++17 -Wall -Wextra -Werror
+  verdict: fit
+
+Numbers that are not IEEE 754's:
+
+  $ frobc selftest --cc gcc --cflags "-O2 -ffast-math"
+  compiler: gcc -O2 -ffast-math
+  error: arithmetic compiled by `gcc -O2 -ffast-math` takes floating-point numbers for real ones: compile without -ffast-math and its parts
+  verdict: unfit
+  [1]
+  $ if grep -qw fma /proc/cpuinfo; then frobc selftest --cc gcc --cflags "-O2 -ffp-contract=fast -mfma" 2>&1 | tail -2; else
+  >   echo 'error: arithmetic compiled by `gcc -O2 -ffp-contract=fast -mfma` joins products and sums into one rounding: compile with -ffp-contract=off
+  > verdict: unfit'; fi
+  error: arithmetic compiled by `gcc -O2 -ffp-contract=fast -mfma` joins products and sums into one rounding: compile with -ffp-contract=off
+  verdict: unfit
+
+A compiler with a fault of its own, here in the square root: everything is tried,
+and the first step that differs is shown.
+
+  $ frobc selftest --cc gcc --cflags "-Dsqrt=fabs" 2>&1 | grep -v right
+  compiler: gcc -Dsqrt=fabs
+  functions: wrong
+  error: functions.frob, compiled by `gcc -Dsqrt=fabs`:
+  step 1: out.1.1 is 1.127 and must be nan
+  verdict: unfit
+
+One that refuses some of it, and one that warns:
+
+  $ cat > strict-cc <<'END'
+  > #!/bin/sh
+  > case "$*" in *tasks.c*) echo "tasks.c:1: no such luck" >&2; exit 7 ;; esac
+  > case "$*" in *time.c*) echo "time.c:2: mind the time" >&2 ;; esac
+  > exec gcc "$@"
+  > END
+  $ chmod +x strict-cc
+  $ frobc selftest --cc ./strict-cc --cflags -O1 2>&1 | grep -v right
+  compiler: ./strict-cc -O1
+  warning: the compiler warns:
+  time.c:2: mind the time
+  tasks: wrong
+  error: `./strict-cc -O1` fails with status 7:
+  tasks.c:1: no such luck
+  verdict: unfit
+  $ sed -i /tasks/d strict-cc
+  $ frobc selftest --cc ./strict-cc --cflags -O1 2>&1 | grep -v right
+  compiler: ./strict-cc -O1
+  warning: the compiler warns:
+  time.c:2: mind the time
+  verdict: fit, with warnings
+
+What cannot be tried is neither fit nor unfit: a compiler that is not there, one
+that compiles nothing, one for another machine.
+
+  $ frobc selftest --cc nocc
+  compiler: nocc -std=c99 -O2 -ffp-contract=off
+  error: there is no C compiler `nocc` here
+  [2]
+  $ frobc selftest --cc gcc --cflags --no-such-flag
+  compiler: gcc --no-such-flag
+  error: the C compiler does not compile a program of one line: `gcc --no-such-flag` fails with status 1:
+  gcc: error: unrecognized command-line option '--no-such-flag'; did you mean '--no-mudflap'?
+  [2]
+  $ cat > cross-cc <<'END'
+  > #!/bin/sh
+  > while [ $# -gt 0 ]; do [ "$1" = -o ] && result=$2; shift; done
+  > printf '\177ELF of another machine' > "$result"; chmod +x "$result"
+  > END
+  $ chmod +x cross-cc
+  $ frobc selftest --cc ./cross-cc
+  compiler: ./cross-cc -std=c99 -O2 -ffp-contract=off
+  error: what `./cross-cc -std=c99 -O2 -ffp-contract=off` compiles does not run here; name a command that runs it with --runner: Exec format error
+  [2]
+  $ frobc selftest --cc gcc --runner no-emulator
+  compiler: gcc -std=c99 -O2 -ffp-contract=off
+  error: what `gcc -std=c99 -O2 -ffp-contract=off` compiles does not run here with `no-emulator`: there is no `no-emulator` here
+  [2]
+
+An emulator, or anything that runs a program:
+
+  $ verdict --cc gcc --runner "env FROB=1"
+  compiler: gcc -std=c99 -O2 -ffp-contract=off
+  verdict: fit
