@@ -333,6 +333,19 @@ let hint sources =
       "`notYet` drops an occurrence at the first instant; `edge` has none there; `sleepT 10[ms] y` \
        takes time between tasks"
 
+(* A mode of a switch is left by an event, a task ends: both start what comes next. *)
+let circle names =
+  let different =
+    List.rev
+      (List.fold_left (fun found name -> if List.mem name found then found else name :: found) [] names)
+  in
+  match different with
+  | [ one ] -> Printf.sprintf "`%s` may start itself again" one
+  | [ one; other ] -> Printf.sprintf "`%s` and `%s` may start each other" one other
+  | one :: others ->
+      Printf.sprintf "`%s` and %d others may start each other" one (List.length others)
+  | [] -> Diagnostic.bug ~stage:"Flow.First_instant" "a circle without modes"
+
 let report sink a (m : Ir.machine) steps cycle =
   let modes = Array.of_list m.modes in
   let name k = a.program.nodes.(modes.(k)).origin in
@@ -352,10 +365,9 @@ let report sink a (m : Ir.machine) steps cycle =
     (v, w, t, source ~values a node t)
   in
   let hops = map hop hops in
-  let first = List.hd cycle in
   let d =
-    Diagnostic.error ~code:"E0402" ~at:a.program.nodes.(modes.(first)).span
-      "`%s` may switch for ever within one instant" (name first)
+    Diagnostic.error ~code:"E0402" ~at:a.program.nodes.(modes.(List.hd cycle)).span
+      "%s for ever within one instant" (circle (map name cycle))
   in
   (* Once, where modes of one name do the same. *)
   let label ~at text (d : Diagnostic.t) =

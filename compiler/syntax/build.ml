@@ -233,14 +233,24 @@ let do_body location statements : Ir.proc_body =
 
 (* A [do] of tasks. Its last statement is a task too, and gives the result. *)
 let task_body location statements : Ir.expr_desc =
+  (* Where the whole starts. *)
+  let keyword text =
+    let { Span.start; _ } as whole = span location in
+    { whole with stop = { start with column = start.column + String.length text } }
+  in
   let last_is what span =
     Reject.at ~code:"E0116" span ~hint:"end with a task, as in `return x`"
       "the last statement of a `do` is a task, so it cannot %s" what
   in
   let no_command (c : Ir.command) =
-    Reject.at ~code:"E0116" c.span
-      ~hint:"write `proc x -> do` if this is a signal function; a task needs no `-<`"
+    Diagnostic.error ~code:"E0116" ~at:c.span
       "`-<` runs a signal function, which only the `do` of a `proc` can"
+    |> Diagnostic.label ~at:(keyword "do")
+         "tasks stand here, as in each `do` that does not follow `proc … ->` directly"
+    |> Diagnostic.hint
+         "a signal function is `proc x -> do …`, with all its statements in that one `do`; a task \
+          needs no `-<`"
+    |> Reject.diagnostic
   in
   let no_rec span =
     Reject.at ~code:"E0116" span

@@ -124,7 +124,7 @@ What comes from C is unknown when a program starts, so it may switch at once:
   > main = switch filter (\_ -> main)
   > EOF
   $ frobc compile endless.frob
-  error[E0402]: `main` may switch for ever within one instant
+  error[E0402]: `main` may start itself again for ever within one instant
    --> endless.frob:4:1
     |
   4 | main = switch filter (\_ -> main)

@@ -67,3 +67,50 @@ A function or signal function that is not opened as one.
   
   1 error
   [1]
+
+The statements of a `proc` stand in one `do`; another one within it is one of tasks.
+
+  $ cat > within.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> do
+  >     y <- delay 0 -< x
+  >     do
+  >         z <- delay 0 -< y
+  >         returnA -< z
+  > FROB
+  $ frobc check within.frob
+  error[E0116]: `-<` runs a signal function, which only the `do` of a `proc` can
+   --> within.frob:6:9
+    |
+  4 |     do
+    |     -- tasks stand here, as in each `do` that does not follow `proc … ->` directly
+  5 |         z <- delay 0 -< y
+  6 |         returnA -< z
+    |         ^^^^^^^^^^^^
+    |
+    = hint: a signal function is `proc x -> do …`, with all its statements in that one `do`; a task needs no `-<`
+  
+  1 error
+  [1]
+  $ cat > chosen.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> do
+  >     y <- delay 0 -< x
+  >     if y > 0
+  >       then do
+  >         returnA -< y
+  >       else returnA -< x
+  > FROB
+  $ frobc check chosen.frob
+  error[E0116]: `-<` runs a signal function, which only the `do` of a `proc` can
+   --> chosen.frob:6:9
+    |
+  5 |       then do
+    |            -- tasks stand here, as in each `do` that does not follow `proc … ->` directly
+  6 |         returnA -< y
+    |         ^^^^^^^^^^^^
+    |
+    = hint: a signal function is `proc x -> do …`, with all its statements in that one `do`; a task needs no `-<`
+  
+  1 error
+  [1]

@@ -11,7 +11,7 @@ makes each step possible.
   > main = go 0.5
   > EOF
   $ frobc check ever.frob
-  error[E0402]: `go` may switch for ever within one instant
+  error[E0402]: `go` and `rest` may start each other for ever within one instant
    --> ever.frob:2:16
     |
   2 | go v = switch (proc x -> (x + v, tag (when (x > 2)) x)) (\w -> rest w)
@@ -70,3 +70,21 @@ at the first instant.
   3.000000000,4
   4.000000000,1
   5.000000000,5
+
+One that starts itself again, and several.
+
+  $ cat > itself.frob <<'EOF'
+  > main :: SF Float Float
+  > main = switch (proc x -> (x, when (x > 1))) (\_ -> main)
+  > EOF
+  $ frobc check itself.frob 2>&1 | head -1
+  error[E0402]: `main` may start itself again for ever within one instant
+  $ cat > three.frob <<'EOF'
+  > one, two, three :: SF Float Float
+  > one = switch (proc x -> (x, when (x > 1))) (\_ -> two)
+  > two = switch (proc x -> (x, when (x > 2))) (\_ -> three)
+  > three = switch (proc x -> (x, when (x > 3))) (\_ -> one)
+  > main = one
+  > EOF
+  $ frobc check three.frob 2>&1 | head -1
+  error[E0402]: `one` and 2 others may start each other for ever within one instant

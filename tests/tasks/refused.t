@@ -212,7 +212,7 @@ known to end at once …
   >       forever (sleepT (x * 1[s]) 2)
   > EOF
   $ frobc check may_be_none.frob 2>&1 | without_lines
-  error[E0402]: `sleepT` may switch for ever within one instant
+  error[E0402]: `sleepT` may start itself again for ever within one instant
      --> may_be_none.frob:5:16
       |
     5 |       forever (sleepT (x * 1[s]) 2)
