@@ -225,7 +225,10 @@ let program (program : M.program) =
       (fun (k, constructor, leaf) -> Sum_type.projection program.sums v.sums k ~constructor ~leaf)
       (keys v.projections)
   in
-  let function_ f = Ir.Function f in
+  let wide, functions =
+    Wide.functions ~struct_name:(Name.fresh v.file_scope)
+      (List.concat ((makers @ projections @ V.array_functions v) :: functions))
+  in
   let source =
     List.concat
       [
@@ -238,8 +241,8 @@ let program (program : M.program) =
         ];
         List.map (fun text -> Ir.Text text) (Helper.text ~real:v.program.real (Hashtbl.mem v.helpers));
         absent v;
-        List.map function_ (makers @ projections @ V.array_functions v);
-        List.map function_ (List.concat functions);
+        wide;
+        List.map (fun f -> Ir.Function f) functions;
       ]
   in
   {

@@ -67,6 +67,23 @@ let rec calls (e : M.expr) =
 let is_sum (ty : M.ty) =
   match ty with Sum _ -> true | Bool | Int | Float | Nanoseconds | Array _ | Foreign _ -> false
 
+(* What a call with very many parameters has in structs, arrays that it is given by
+   their addresses. State, seconds and nanoseconds may be parameters too. *)
+let in_structs c frame given results =
+  if List.length given + List.length results > Machine.Parameters.most - 3 then begin
+    let by_address (ty : M.ty) =
+      match ty with
+      | Array _ -> word
+      | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> room c ty
+    in
+    List.iter (fun ty -> need frame (by_address ty)) given;
+    List.iter (fun ty -> need frame (room c ty)) results;
+    need frame (2 * word)
+  end
+
+(* A function of a node's. *)
+type callee = Step of int | Reset of int
+
 (* An expression within one that makes calls, if [calling]. *)
 let rec within c frame ~calling (e : M.expr) =
   let all = List.iter (within c frame ~calling) in
@@ -92,6 +109,9 @@ let rec within c frame ~calling (e : M.expr) =
       let given = Amount.times word (List.length payload) in
       needs_helper frame (List.fold_left Amount.add (2 * fixed) [ made; made; made; given ]);
       need frame made;
+      (* A maker's parameters are all of its payload. *)
+      if List.compare_length_with payload Machine.Parameters.most > 0 then
+        need frame (Amount.add given (Amount.add made word));
       arguments c frame ~calling payload
   | Is_constructor { value; _ } ->
       intermediate ();
@@ -122,7 +142,7 @@ let rec within c frame ~calling (e : M.expr) =
       all [ array; index; value ]
   | Call { node; arguments } ->
       List.iter (fun (_, ty) -> need frame (room c ty)) c.program.nodes.(node).outputs;
-      call c frame c.done_.(node).step arguments
+      call c frame (Step node) arguments
   | Seconds e ->
       intermediate ();
       within c frame ~calling e
@@ -164,7 +184,15 @@ and arguments c frame ~calling es =
     es
 
 and call c frame callee es =
-  frame.callees <- callee :: frame.callees;
+  let bounds, given, results =
+    match callee with
+    | Step k ->
+        let node = c.program.nodes.(k) in
+        (c.done_.(k).step, node.step.parameters, node.outputs)
+    | Reset k -> (c.done_.(k).reset, c.program.nodes.(k).reset.parameters, [])
+  in
+  in_structs c frame (List.map (fun (v : M.variable) -> v.ty) given) (List.map snd results);
+  frame.callees <- bounds :: frame.callees;
   arguments c frame ~calling:(List.exists calls es) es
 
 let expression c frame e = within c frame ~calling:(calls e) e
@@ -172,7 +200,7 @@ let expression c frame e = within c frame ~calling:(calls e) e
 let entry c frame (e : M.entry) =
   let mode = List.nth c.node.modes e.mode in
   List.iter (expression c frame) e.parameters;
-  if Option.is_some mode.state then call c frame c.done_.(mode.node).reset e.reset
+  if Option.is_some mode.state then call c frame (Reset mode.node) e.reset
 
 let run c frame (r : M.run) =
   let results = List.fold_left (fun sum (v : M.variable) -> Amount.add sum (room c v.ty)) 0 r.results in
@@ -193,7 +221,7 @@ let run c frame (r : M.run) =
       need frame addresses;
       List.iter (variable c frame) case.others;
       need frame (Amount.times word (List.length case.others));
-      call c frame c.done_.(mode.node).step case.arguments;
+      call c frame (Step mode.node) case.arguments;
       List.iter
         (fun (n : M.next) ->
           expression c frame n.condition;
@@ -215,7 +243,7 @@ let statement c frame (s : M.statement) =
         need frame (Amount.round_up (State.definition c.state node).bytes ~alignment:word);
       List.iter (variable c frame) results;
       need frame (Amount.times word (List.length results));
-      call c frame c.done_.(node).step arguments
+      call c frame (Step node) arguments
   | Loop l ->
       (* The index, and what the accumulators that are arrays become next. *)
       need frame word;
@@ -228,8 +256,8 @@ let statement c frame (s : M.statement) =
         | Each e | Same e | Counted e -> Some e
       in
       need frame (Amount.times word (List.length l.arguments));
-      call c frame c.done_.(l.node).step (List.filter_map argument l.arguments)
-  | Reset { node; arguments; _ } -> call c frame c.done_.(node).reset arguments
+      call c frame (Step l.node) (List.filter_map argument l.arguments)
+  | Reset { node; arguments; _ } -> call c frame (Reset node) arguments
   | Enter { entry = e; _ } -> entry c frame e
   | Run r -> run c frame r
 
