@@ -209,4 +209,4 @@ A program named without its ending, a number for a code.
   error: there is no file logger; did you mean logger.frob?
   [2]
   $ frobc explain 402 | head -1
-  # signal functions that may switch for ever within one instant
+  # signal functions or tasks that may start each other for ever within one instant
