@@ -217,7 +217,7 @@ let program (program : M.program) =
         let has_reset = V.has_state v k || V.is_root v k in
         (if has_reset then [ Function.reset v k ] else []) @ Function.steps v k
   in
-  let functions = List.init (root + 1) functions in
+  let of_nodes = List.init (root + 1) functions in
   let maker (k, c) = Sum_type.maker program.sums ~absent:(V.absent v) v.sums k c in
   let makers = List.map maker (keys v.makers) in
   let projections =
@@ -227,7 +227,7 @@ let program (program : M.program) =
   in
   let wide, functions =
     Wide.functions ~struct_name:(Name.fresh v.file_scope)
-      (List.concat ((makers @ projections @ V.array_functions v) :: functions))
+      (List.concat ((makers @ projections @ V.array_functions v) :: of_nodes))
   in
   let source =
     List.concat
@@ -247,7 +247,7 @@ let program (program : M.program) =
   in
   {
     name = v.name;
-    header = header v (List.nth functions root);
+    header = header v (List.nth of_nodes root);
     source;
     input = v.input;
     output = v.output;
