@@ -44,7 +44,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test seeds fuzz fuzz-frontend mutants fuzz-drivers soak matrix bench install clean
+.PHONY: all setup run test seeds fuzz fuzz-frontend mutants fuzz-drivers soak elementary matrix bench install clean
 
 all: setup
 	dune build @install
@@ -91,6 +91,13 @@ matrix: all
 	@sh tests/matrix/run.sh _build/default/tests/matrix/emit.exe stdlib runtime $(N) $(SEED) all \
 	  examples/heading_hold/*.frob tests/interp/*.frob
 	@sh tests/targets/run.sh
+
+# The elementary functions of single precision on every float; of two arguments, on as
+# many pairs. An hour's work for two processors.
+elementary: setup
+	@dune build ./tests/elementary/single_errors_fast
+	@echo exp log sin cos tan asin acos atan pow atan2 hypot | tr ' ' '\n' | \
+	  xargs -P $$(nproc) -n 1 _build/default/tests/elementary/single_errors_fast 1
 
 soak: setup
 	@dune build ./tests/faults/soak

@@ -37,6 +37,25 @@ static uint64_t mix(uint64_t hash, double x) {
   return hash;
 }
 
+/* The singles as doubles. */
+#define SINGLE(name) \
+  static double single_##name(double x) { return (double)frob_##name##f((float)x); }
+#define SINGLE_OF_TWO(name)                        \
+  static double single_##name(double x, double y) { \
+    return (double)frob_##name##f((float)x, (float)y); \
+  }
+SINGLE(exp)
+SINGLE(log)
+SINGLE(sin)
+SINGLE(cos)
+SINGLE(tan)
+SINGLE(asin)
+SINGLE(acos)
+SINGLE(atan)
+SINGLE_OF_TWO(atan2)
+SINGLE_OF_TWO(hypot)
+SINGLE_OF_TWO(pow)
+
 enum { COUNT = 20000 };
 
 static void one(char const *name, double (*f)(double), uint64_t range) {
@@ -66,5 +85,16 @@ int main(void) {
   two("atan2", frob_atan2, 40);
   two("hypot", frob_hypot, 40);
   two("pow", frob_pow, 6);
+  one("expf", single_exp, 8);
+  one("logf", single_log, 120);
+  one("sinf", single_sin, 120);
+  one("cosf", single_cos, 40);
+  one("tanf", single_tan, 40);
+  one("asinf", single_asin, 1);
+  one("acosf", single_acos, 1);
+  one("atanf", single_atan, 60);
+  two("atan2f", single_atan2, 40);
+  two("hypotf", single_hypot, 40);
+  two("powf", single_pow, 4);
   return 0;
 }
