@@ -50,7 +50,7 @@ type run = {
 }
 
 let executable general target ~entry ~sources file continue =
-  Commands.built general Executable ~entry ~sources ~linked:(Target.linked target) file
+  Commands.built general Executable ~entry ~sources ~linked:(Target.linked target ~real:general.Commands.real) file
     (fun _ program -> continue program)
 
 let this_machine = Option.get (Target.of_name "host")

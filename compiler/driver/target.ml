@@ -1,7 +1,12 @@
 type kind =
   | Prebuilt  (** this machine, with the host that comes with frobc *)
   | Linux of string list
-  | Board of { port : string; script : string; options : string list }
+  | Board of {
+      port : string;
+      script : string;
+      options : string list;
+      single : string list;  (** options for its unit for floats, which has no doubles *)
+    }
 
 type t = {
   name : string;
@@ -46,6 +51,7 @@ let table =
             port = "cortex_m";
             script = "mps2_an386.ld";
             options = [ "-mthumb"; "-mcpu=cortex-m4" ];
+            single = [ "-mfpu=fpv4-sp-d16"; "-mfloat-abi=hard" ];
           };
     };
   ]
@@ -86,7 +92,7 @@ let state_of name =
       "#include \"%s.h\"\n\nstatic struct %s_state state;\nvoid *const frob_program_state = &state;\n"
       name name )
 
-let linked t (resources : Resources.t) ~name =
+let linked t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
   let include_ = [ "-I"; resources.runtime_sources ] in
   match t.kind with
   | Prebuilt ->
@@ -106,13 +112,14 @@ let linked t (resources : Resources.t) ~name =
         includes;
         generated = [];
       }
-  | Board { port; script; options } ->
+  | Board { port; script; options; single } ->
       let inputs, includes =
         from_sources resources [ "core"; "hal" / port; "hosts/board"; "hosts" / port ]
       in
       let script = resources.runtime_sources / "hal" / port / script in
       let options =
         options
+        @ (match real with Double -> [] | Single -> single)
         @ [ "-ffunction-sections"; "-fdata-sections"; "-Wl,--gc-sections"; "-nostartfiles" ]
         @ [ "--specs=nano.specs"; "--specs=nosys.specs"; "-T"; script ]
       in

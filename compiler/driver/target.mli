@@ -8,7 +8,7 @@ val of_name : string -> t option
 val meaning : t -> string
 (** In a few words, for the user. *)
 
-val linked : t -> Resources.t -> name:string -> Commands.linked
+val linked : t -> real:Basis.Real.t -> Resources.t -> name:string -> Commands.linked
 
 val size_tool : t -> string option
 (** The program that tells how much memory an executable needs, where that is
