@@ -14,6 +14,7 @@ type t = {
   write : int -> Ir.expr -> Ir.statement;  (** an output *)
   read : (int, unit) Hashtbl.t;  (** variables that anything reads *)
   seconds : seconds;
+  nanoseconds : Ir.ty;  (** of [dt_ns]: [Int64] or [Real] *)
   mutable place : string;  (** the source line last mentioned *)
 }
 
@@ -49,20 +50,27 @@ let in_seconds c ns = Ir.Binary (Over, Cast (V.real c.v, ns), V.float c.v 1e9)
 
 let seconds_of c ns = Ir.Call (V.helper c.v Seconds, [ ns; Name "dt" ])
 
-let is_integer c = c.node.nanoseconds || c.v.program.real = Single
-
 let seconds c =
   match c.seconds with
   | Given -> Ir.Name "dt"
   | Where_wanted when c.v.program.real = Single -> in_seconds c (Name "dt_ns")
-  | Where_wanted when c.node.nanoseconds -> seconds_of c (Cast (V.real c.v, Name "dt_ns"))
-  | Where_wanted -> seconds_of c (Name "dt_ns")
+  | Where_wanted ->
+      let ns = Ir.Name "dt_ns" in
+      seconds_of c (if c.nanoseconds = Int64 then Cast (V.real c.v, ns) else ns)
+
+let nanoseconds c =
+  if c.nanoseconds = Int64 then Ir.Name "dt_ns" else Cast (Int64, Name "dt_ns")
+
+type time =
+  | Passed
+  | None_passed  (** the callee's first instant *)
 
 (* [own]: the address of the state, if there is one. *)
-let step_call c ~node ~own arguments results =
+let step_call ?(time = Passed) c ~node ~own arguments results =
   let callee = c.v.program.nodes.(node) in
-  let dt = if callee.seconds then [ seconds c ] else [] in
-  let dt_ns = if callee.nanoseconds then [ Ir.Name "dt_ns" ] else [] in
+  let given passed zero = match time with Passed -> [ passed c ] | None_passed -> [ zero ] in
+  let dt = if callee.seconds then given seconds (V.float c.v 0.) else [] in
+  let dt_ns = if callee.nanoseconds then given nanoseconds (Ir.Integer 0l) else [] in
   Ir.Call (c.v.nodes.(node).step, List.concat [ own; dt; dt_ns; arguments; results ])
 
 let own_state c state =

@@ -18,6 +18,8 @@ type t = {
   write : int -> Ir.expr -> Ir.statement;  (** an output *)
   read : (int, unit) Hashtbl.t;  (** variables that anything reads *)
   seconds : seconds;
+  nanoseconds : Ir.ty;
+      (** of [dt_ns]: [Int64], or [Real Double]: see {!Machine.Time_use.nanoseconds_in_floats} *)
   mutable place : string;  (** the source line last mentioned *)
 }
 
@@ -37,12 +39,12 @@ val seconds_of : t -> Ir.expr -> Ir.expr
 val in_seconds : t -> Ir.expr -> Ir.expr
 (** Of nanoseconds, 64 bits. *)
 
-val is_integer : t -> bool
-(** Is the root's [dt_ns] one? In single precision it always is; in double only
-    where the program counts in nanoseconds. *)
+type time =
+  | Passed
+  | None_passed  (** the callee's first instant *)
 
 val step_call :
-  t -> node:int -> own:Ir.expr list -> Ir.expr list -> Ir.expr list -> Ir.expr
+  ?time:time -> t -> node:int -> own:Ir.expr list -> Ir.expr list -> Ir.expr list -> Ir.expr
 (** With the address of the state, if there is one, arguments and results. *)
 
 val own_state : t -> M.field option -> Ir.expr list

@@ -80,6 +80,7 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let comment = comment c l.span in
       List.rev_append (List.map (fun s -> if is_loop s then { s with comment } else s) statements) rest
   | Enter { entry; span } -> List.rev_append (Modes.enter c entry span) rest
+  | Await { span } -> List.rev_append (Modes.await c span) rest
   | Run run -> List.rev_append (Modes.run c run) rest
   | Return { value; span } ->
       { desc = Return (expression c value); comment = comment c span } :: rest
@@ -121,7 +122,7 @@ let name_variables names body =
         | Run { results; cases; _ } ->
             List.iter visit results;
             List.iter (fun (case : M.case) -> List.iter visit case.others) cases
-        | Assign _ | Reset _ | Enter _ | Return _ -> ())
+        | Assign _ | Reset _ | Enter _ | Await _ | Return _ -> ())
       body
   in
   declared (named true);
@@ -144,7 +145,7 @@ let reads_state body =
       | Assign { place = Own _; _ }
       | Step { state = Some _; _ }
       | Loop { state = Some _; _ }
-      | Reset _ | Enter _ | Run _ ->
+      | Reset _ | Enter _ | Await _ | Run _ ->
           found := true
       | Declare _ | Assign _ | If _ | Step _ | Loop _ | Return _ -> ())
     body;
@@ -163,7 +164,7 @@ let reset (v : V.t) k : Ir.function_ =
   let names = Expression.names v ~node:k in
   let parameters = self v k :: Expression.parameters names node.reset.parameters in
   name_variables names node.reset.body;
-  let c = { v; names; index = k; node; write = no_result; read = variables_read node.reset.body; seconds = Given; place = "" } in
+  let c = { v; names; index = k; node; write = no_result; read = variables_read node.reset.body; seconds = Given; nanoseconds = Int64; place = "" } in
   let body = statements c node.reset.body in
   let unread = if reads_state node.reset.body then [] else [ ignored "self" ] in
   {
@@ -196,7 +197,7 @@ let own_step (v : V.t) k : Ir.function_ =
   in
   let places = Array.of_list results in
   let write k value = plain (Ir.Assign (Unary (Dereference, Name (snd places.(k))), value)) in
-  let c = { v; names; index = k; node; write; read = variables_read node.step.body; seconds = Given; place = "" } in
+  let c = { v; names; index = k; node; write; read = variables_read node.step.body; seconds = Given; nanoseconds = Int64; place = "" } in
   let state = if V.has_state v k then [ self v k ] else [] in
   let dt = if node.seconds then [ (V.real v, "dt") ] else [] in
   let dt_ns = if node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
@@ -214,7 +215,7 @@ let own_step (v : V.t) k : Ir.function_ =
 
 let at_first c zero value =
   match c.v.program.first_instant with
-  | Unseen -> value
+  | Unseen | Marked_by_mode -> value
   | Marked_by field -> Ir.Conditional (Expression.field c.names field, value, zero)
 
 (* dt becomes whole nanoseconds, and 0 where the step cannot know it. *)
@@ -222,17 +223,22 @@ let double_clock c (node : M.node) =
   let rounded () = Ir.Call (V.helper c.v Whole_nanoseconds, [ Name "dt" ]) in
   let at_first zero value = at_first c zero value in
   (* Where a mode is entered no time has passed. *)
-  let dt_ns ty value =
-    let name = "dt_ns" in
-    plain (if node.modes = [] then Ir.Constant { ty; name; value } else Variable { ty; name; value })
+  let whole () =
+    let ty = c.nanoseconds and name = "dt_ns" in
+    let value =
+      if ty = Int64 then at_first (Ir.Integer 0l) (Cast (Int64, rounded ()))
+      else at_first (V.float c.v 0.) (rounded ())
+    in
+    plain
+      (if Modes.forgets_time node then Ir.Variable { ty; name; value } else Constant { ty; name; value })
   in
-  let whole () = dt_ns Int64 (at_first (Ir.Integer 0l) (Cast (Int64, rounded ()))) in
   let seconds ns = plain (Ir.Assign (Name "dt", seconds_of c ns)) in
   match (node.nanoseconds, node.seconds, c.seconds) with
     | false, false, _ -> []
-    | true, false, _ | true, true, Where_wanted -> [ whole () ]
-    | true, true, Given -> [ whole (); seconds (Cast (V.real c.v, Name "dt_ns")) ]
-    | false, true, Where_wanted -> [ dt_ns (V.real c.v) (at_first (V.float c.v 0.) (rounded ())) ]
+    | true, false, _ | _, true, Where_wanted -> [ whole () ]
+    | true, true, Given ->
+        let ns = Ir.Name "dt_ns" in
+        [ whole (); seconds (if c.nanoseconds = Int64 then Cast (V.real c.v, ns) else ns) ]
     | false, true, Given -> (
         (* 0 before all else: after a choice of dt C compilers write the step twice. *)
         match at_first (V.float c.v 0.) (Name "dt") with
@@ -246,7 +252,7 @@ let single_clock c (node : M.node) =
     let dt_ns = Ir.Name "dt_ns" in
     let span = Ir.Call (V.helper c.v Time_span, [ dt_ns ]) in
     let seconds ty name value =
-      if node.modes = [] then Ir.Constant { ty; name; value } else Variable { ty; name; value }
+      if Modes.forgets_time node then Ir.Variable { ty; name; value } else Constant { ty; name; value }
     in
     plain (Ir.Assign (dt_ns, at_first c (Ir.Integer 0l) span))
     ::
@@ -260,7 +266,7 @@ let clock c node =
   in
   let mark =
     match c.v.program.first_instant with
-    | Unseen -> []
+    | Unseen | Marked_by_mode -> []
     | Marked_by field ->
         [ plain (Ir.Assign (Expression.field c.names field, Boolean true)) ]
   in
@@ -333,6 +339,14 @@ let step_in_seconds (v : V.t) (step : Ir.function_) : Ir.function_ =
     body = [ plain (Ir.Do (Call (step.name, List.map argument step.parameters))) ];
   }
 
+(* Structs that share memory might otherwise be where the input is. *)
+let input (v : V.t) : Ir.ty =
+  let input = Ir.Struct v.input.struct_name in
+  if V.has_modes v then (
+    ignore (V.helper v Restrict : string);
+    Only_way_to input)
+  else Pointer_to_const input
+
 let root_step (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
@@ -345,7 +359,10 @@ let root_step (v : V.t) k : Ir.function_ =
   let seconds =
     if Machine.Time_use.by_one_mode v.program node then Where_wanted else Given
   in
-  let c = { v; names; index = k; node; write; read = variables_read node.step.body; seconds; place = "" } in
+  let nanoseconds : Ir.ty =
+    if Machine.Time_use.nanoseconds_in_floats v.program node then V.real v else Int64
+  in
+  let c = { v; names; index = k; node; write; read = variables_read node.step.body; seconds; nanoseconds; place = "" } in
   let inputs = inputs c node in
   name_variables names node.step.body;
   let clock = clock c node in
@@ -357,7 +374,7 @@ let root_step (v : V.t) k : Ir.function_ =
   let unused = List.map clear v.output.unused in
   let reads_self =
     reads_state node.step.body
-    || match v.program.first_instant with Marked_by _ -> true | Unseen -> false
+    || match v.program.first_instant with Marked_by _ | Marked_by_mode -> true | Unseen -> false
   in
   let reads_input =
     List.exists (fun (v : M.variable) -> Hashtbl.mem c.read v.id) node.step.parameters
@@ -372,7 +389,7 @@ let root_step (v : V.t) k : Ir.function_ =
       [
         self v k;
         dt;
-        (Pointer_to_const (Struct v.input.struct_name), "in");
+        (input v, "in");
         (Pointer (Struct v.output.struct_name), "out");
       ];
     body =

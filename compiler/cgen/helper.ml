@@ -32,6 +32,7 @@ type t =
   | Reached
   | Rest
   | Branch
+  | Restrict
 
 (* Helper, its name, what it calls (earlier in the table), its text. *)
 let table =
@@ -45,6 +46,19 @@ let table =
 #define FROB_BRANCH(condition) (__builtin_expect((condition), 0) != 0)
 #else
 #define FROB_BRANCH(condition) (condition)
+#endif
+|} );
+    ( Restrict,
+      "FROB_RESTRICT",
+      [],
+      {|/* The step writes nothing of its input. Compilers could not know, as modes have
+ * structs that may share memory with any other. */
+#ifndef __cplusplus
+#define FROB_RESTRICT restrict
+#elif defined(__GNUC__)
+#define FROB_RESTRICT __restrict__
+#else
+#define FROB_RESTRICT
 #endif
 |} );
     ( Wrap,

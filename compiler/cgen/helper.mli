@@ -40,6 +40,7 @@ type t =
   | Reached
   | Rest
   | Branch  (** the condition of an [if] that is to stay one *)
+  | Restrict  (** a macro: nothing else leads to what a pointer leads to *)
 
 val name : t -> string
 val names : string list

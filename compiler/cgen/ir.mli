@@ -18,6 +18,9 @@ type ty =
   | Array of ty * int  (** only of a member *)
   | Pointer of ty
   | Pointer_to_const of ty
+  | Only_way_to of ty
+      (** [Pointer_to_const] of a parameter: nothing that the function writes is there.
+          Only the definition says so, not a prototype *)
 
 and member = { name : string; ty : ty; comment : string  (** or [""] *) }
 

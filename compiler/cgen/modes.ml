@@ -9,6 +9,16 @@ let field_with c has =
 
 let running_mode c = field_with c (function M.Running_mode -> true | _ -> false)
 
+let waiting_mode c =
+  match c.v.nodes.(c.index).waiting with
+  | Some constant -> constant
+  | None -> Diagnostic.bug ~stage:"Cgen.Modes" "a machine that does not wait for its first step"
+
+let await c span =
+  match running_mode c with
+  | Some place -> [ { Ir.desc = Assign (place, Name (waiting_mode c)); comment = comment c span } ]
+  | None -> Diagnostic.bug ~stage:"Cgen.Modes" "one mode that waits"
+
 let enter c (entry : M.entry) span =
   let mode = List.nth c.node.modes entry.mode in
   let comment = comment c span in
@@ -32,14 +42,27 @@ let enter c (entry : M.entry) span =
   | [] -> []
   | first :: others -> { Ir.desc = first; comment } :: List.map plain others
 
+let goes_round (run : M.run) = run.steps > 1 && not (Machine.Direct.is_direct run)
+
+let forgets_time (node : M.node) =
+  let found = ref false in
+  Machine.Walk.statements
+    (function
+      | M.Run run ->
+          if goes_round run || run.controls <> [] || Option.is_some run.clock then found := true
+      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Enter _ | Await _ | Return _ -> ())
+    node.step.body;
+  !found
+
 (* What a mode enters at its first instant sees no time. *)
 let forget_time c =
   let set name zero = [ plain (Ir.Assign (Name name, zero)) ] in
+  let no_nanoseconds () = set "dt_ns" (if c.nanoseconds = Int64 then Ir.Integer 0l else V.float c.v 0.) in
   match c.seconds with
-  | Where_wanted -> set "dt_ns" (if is_integer c then Ir.Integer 0l else V.float c.v 0.)
+  | Where_wanted -> no_nanoseconds ()
   | Given ->
       (if c.node.seconds then set "dt" (V.float c.v 0.) else [])
-      @ if c.node.nanoseconds then set "dt_ns" (Integer 0l) else []
+      @ if c.node.nanoseconds then no_nanoseconds () else []
 
 (* The first alternative that holds. *)
 let first_of alternatives =
@@ -60,10 +83,27 @@ let results_of_run c (run : M.run) =
         plain (Ir.Variable { ty; name; value = V.zero c.v v.ty }))
       run.results
 
+let declare c (v : M.variable) name = plain (Ir.Variables { ty = V.ty c.v v.ty; names = [ name ] })
+
+(* A mode's step, with the names of its results. *)
+let step ?time c (mode : M.mode) (case : M.case) results =
+  let state = own_state c mode.state in
+  let call = step_call ?time c ~node:mode.node ~own:state (for_step c mode.node case.arguments) in
+  match results with
+  | [ name ] -> plain (Ir.Assign (Name name, call []))
+  | names -> plain (Ir.Do (call (List.map (fun name -> Ir.Unary (Address, Name name)) names)))
+
+(* The first instant of a mode, in which nothing ends it. *)
+let first_step c (run : M.run) (entry : M.entry) =
+  let case = List.nth run.cases entry.mode in
+  let results = List.map (Expression.variable c.names) run.results in
+  let ignored = List.map (fun v -> (v, Name.fresh (Expression.scope c.names) "")) case.others in
+  List.map (fun (v, name) -> declare c v name) ignored
+  @ [ step ~time:None_passed c (List.nth c.node.modes entry.mode) case (results @ List.map snd ignored) ]
+
 let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
   let mode = List.nth c.node.modes k in
   c.place <- "";
-  let arguments = for_step c mode.node case.arguments in
   let results = List.map (fun v -> (v, Expression.variable c.names v)) run.results in
   (* Where results may be dropped they first go to variables of the case. *)
   let own =
@@ -78,21 +118,11 @@ let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
     if run.drops then List.map (fun (_, name, _) -> name) own else List.map snd results
   in
   let others = List.map (fun v -> (v, Expression.variable c.names v)) case.others in
-  let declare (v : M.variable) name = plain (Ir.Variables { ty = V.ty c.v v.ty; names = [ name ] }) in
   let declarations =
-    List.map (fun (v, name, _) -> declare v name) own
-    @ List.map (fun (v, name) -> declare v name) others
+    List.map (fun (v, name, _) -> declare c v name) own
+    @ List.map (fun (v, name) -> declare c v name) others
   in
-  let all = targets @ List.map snd others in
-  let state = own_state c mode.state in
-  let call =
-    match all with
-    | [ name ] ->
-        Ir.Assign (Name name, step_call c ~node:mode.node ~own:state arguments [])
-    | names ->
-        let address name = Ir.Unary (Address, Name name) in
-        Ir.Do (step_call c ~node:mode.node ~own:state arguments (List.map address names))
-  in
+  let call = step c mode case (targets @ List.map snd others) in
   let keep =
     match own with
     | [] -> []
@@ -105,20 +135,22 @@ let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
   let next (n : M.next) =
     let drop = if n.delayed then [ plain (Ir.Assign (Name dropped, Boolean true)) ] else [] in
     let condition = expression c n.condition in
-    (condition, enter c n.entry n.span @ drop @ again, "")
+    (condition, enter c n.entry n.span @ drop @ again n.entry, "")
   in
-  declarations @ [ plain call ] @ keep @ first_of (List.map next case.transitions)
+  declarations @ [ call ] @ keep @ first_of (List.map next case.transitions)
 
 let run c (run : M.run) =
   let scope = Expression.scope c.names in
   (* One round steps one mode; another follows if a mode was entered. *)
-  let loops = run.steps > 1 in
+  let direct = Machine.Direct.is_direct run in
+  let loops = goes_round run in
   let flag name = Name.fresh scope name in
   let steps = if loops then flag "steps" else "" in
   let dropped = if run.drops then flag "dropped" else "" in
   let controlled = if run.late then flag "controlled" else "" in
   let set name value = plain (Ir.Assign (Name name, Boolean value)) in
   let again = if loops then forget_time c @ [ plain Ir.Continue ] else [] in
+  let entered = if direct then first_step c run else fun _ -> again in
   let control after (condition, (entry : M.entry)) =
     (expression c condition, enter c entry run.span @ after, "")
   in
@@ -133,16 +165,23 @@ let run c (run : M.run) =
       let condition = Ir.Unary (Not, Name controlled) in
       [ plain (Ir.If { condition; then_ = alternatives; else_ = [] }) ]
   in
+  let waiting =
+    match run.start with
+    | None -> []
+    | Some entry ->
+        c.place <- "";
+        [ (waiting_mode c, enter c entry run.span @ first_step c run entry) ]
+  in
   let cases =
     List.mapi
       (fun k case ->
-        (c.v.nodes.(c.index).modes.(k).constant, one_case c run ~again ~dropped k case))
+        (c.v.nodes.(c.index).modes.(k).constant, one_case c run ~again:entered ~dropped k case))
       run.cases
   in
   let chosen =
     match (running_mode c, cases) with
     | None, [ (_, body) ] -> body
-    | Some value, cases -> [ plain (Ir.Switch { value; cases }) ]
+    | Some value, cases -> [ plain (Ir.Switch { value; cases = waiting @ cases }) ]
     | None, _ -> Diagnostic.bug ~stage:"Cgen.Modes" "modes without a number"
   in
   let stepping =

@@ -1,10 +1,19 @@
-(** Machines in C: the running mode is stepped in a [switch] by its number; if
-    that enters another, the loop around it goes round once more. *)
+(** Machines in C: the running mode is stepped in a [switch] by its number. What
+    that enters is stepped there too if it does not end at once
+    ({!Machine.Direct}); else the loop around the [switch] goes round once more. *)
 
 open Basis
 
 val enter : Context.t -> Machine.Ir.entry -> Span.t -> Ir.statement list
 (** The number, the parameters, and the state at its start. *)
+
+val forgets_time : Machine.Ir.node -> bool
+(** Whether the code of [run] assigns to the time that has passed: 0 where a mode
+    is entered before the [switch] or goes round, its own of a machine that has
+    instants of its own. *)
+
+val await : Context.t -> Span.t -> Ir.statement list
+(** The number that stands for no mode. *)
 
 val run : Context.t -> Machine.Ir.run -> Ir.statement list
 (** One instant, with the declarations of its results before it. *)

@@ -45,17 +45,13 @@ let mode_numbers (v : V.t) k (node : M.node) =
   | [] | [ _ ] -> []
   | _ :: _ :: _ ->
       let names = List.map (fun (m : V.mode) -> m.constant) (Array.to_list v.nodes.(k).modes) in
+      let names = names @ Option.to_list v.nodes.(k).waiting in
       [ Ir.Constants { names; comment = "the modes of " ^ node.origin } ]
 
 (* Modes that exclude each other share memory in a union, and each is stepped
    through a pointer to its own struct. gcc takes accesses through pointers to
    different structs for independent, and then reads what the mode before left
    (seen with gcc 12 -O2), unless the structs say otherwise. *)
-let has_modes (v : V.t) =
-  Array.exists
-    (fun (node : M.node) -> match node.modes with [] | [ _ ] -> false | _ :: _ :: _ -> true)
-    v.program.nodes
-
 let overlaid =
   {|/* Modes that exclude each other share memory. */
 #ifndef FROB_OVERLAID
@@ -80,7 +76,7 @@ let state_struct (v : V.t) ~overlaid k (node : M.node) =
     ]
 
 let states (v : V.t) =
-  let overlaid = has_modes v in
+  let overlaid = V.has_modes v in
   let struct_of k (node : M.node) =
     if Option.is_some node.foreign then []
     else if V.has_state v k || V.is_root v k then state_struct v ~overlaid k node else []
@@ -180,7 +176,7 @@ let header (v : V.t) (functions : Ir.function_ list) : Ir.file =
       types v;
       foreign_records v;
       v.records;
-      (if has_modes v then [ Text overlaid ] else []);
+      (if V.has_modes v then [ Text overlaid ] else []);
       foreign_prototypes v;
       states v;
       List.map (fun (f : Ir.function_) -> Ir.Prototype { f with comment = "" }) functions;

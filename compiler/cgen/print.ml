@@ -74,25 +74,26 @@ let rec ty_name = function
   | Named name -> name
   | Members _ -> "struct"
   | Union _ -> "union"
-  | Pointer ((Pointer _ | Pointer_to_const _) as t) -> ty_name t ^ "*"
+  | Pointer ((Pointer _ | Pointer_to_const _ | Only_way_to _) as t) -> ty_name t ^ "*"
   | Pointer t -> ty_name t ^ " *"
   | Pointer_to_const t -> "const " ^ ty_name t ^ " *"
+  | Only_way_to t -> "const " ^ ty_name t ^ " *FROB_RESTRICT "
 
 let rec declarator ty name =
   match ty with
   | Array (t, n) -> declarator t (Printf.sprintf "%s[%d]" name n)
-  | Pointer _ | Pointer_to_const _ -> ty_name ty ^ name
+  | Pointer _ | Pointer_to_const _ | Only_way_to _ -> ty_name ty ^ name
   | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Members _ | Union _ -> ty_name ty ^ " " ^ name
 
 (* [const T x], [T *const x] *)
 let constant ty name =
   match ty with
-  | Pointer _ | Pointer_to_const _ -> ty_name ty ^ "const " ^ name
+  | Pointer _ | Pointer_to_const _ | Only_way_to _ -> ty_name ty ^ "const " ^ name
   | _ -> "const " ^ declarator ty name
 
 (* Several variables of one type: each pointer has its star. *)
 let variables ty names =
-  let separator = match ty with Pointer _ | Pointer_to_const _ -> ",\001*" | _ -> ",\001" in
+  let separator = match ty with Pointer _ | Pointer_to_const _ | Only_way_to _ -> ",\001*" | _ -> ",\001" in
   declarator ty (String.concat separator names)
 
 let precedence = function
@@ -328,7 +329,7 @@ let rec members out ~indent (all : member list) =
       | Union inside ->
           line out ~indent "union {";
           members out ~indent:(indent + 4) inside
-      | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Array _ | Pointer _ | Pointer_to_const _ -> ());
+      | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Array _ | Pointer _ | Pointer_to_const _ | Only_way_to _ -> ());
       line out ~indent ~column ~comment:m.comment (text m))
     all
 
@@ -350,6 +351,13 @@ let signature { linkage; result; name; parameters; _ } =
   else
     head ^ String.concat (",\n" ^ String.make (String.length head) ' ') parameters ^ ")"
 
+(* What only a definition says of its parameters. *)
+let declared function_ =
+  let plain (ty, name) =
+    match ty with Only_way_to t -> (Pointer_to_const t, name) | ty -> (ty, name)
+  in
+  { function_ with parameters = List.map plain function_.parameters }
+
 let declaration out = function
   | Text text -> Buffer.add_string out text
   | Struct_definition { name; overlaid; members = fields; comment } ->
@@ -369,7 +377,7 @@ let declaration out = function
       line out ~indent:0 "};"
   | Prototype function_ ->
       heading out function_.comment;
-      Buffer.add_string out (signature function_ ^ ";\n")
+      Buffer.add_string out (signature (declared function_) ^ ";\n")
   | Function function_ ->
       heading out function_.comment;
       Buffer.add_string out (signature function_ ^ "\n");

@@ -9,6 +9,7 @@ type node = {
   step : string;
   members : (int, string list) Hashtbl.t;
   modes : mode array;
+  waiting : string option;
   foreign : Foreign_interface.t option;
 }
 
@@ -52,6 +53,11 @@ let foreign_type (ty : F.foreign_type) : Ir.ty =
   if ty.copyable then Named ty.c_type else Pointer_to_const (Named ty.c_type)
 
 let is_root t k = k = Array.length t.program.nodes - 1
+let has_modes t =
+  Array.exists
+    (fun (node : M.node) -> match node.modes with [] | [ _ ] -> false | _ :: _ :: _ -> true)
+    t.program.nodes
+
 let has_state t k = match t.program.nodes.(k).state with [] -> false | _ :: _ -> true
 
 (* The members of a struct with these fields, each after [path]. *)
@@ -73,6 +79,9 @@ let name_modes (nodes : M.node array) table scope ~prefix (node : M.node) =
         | Value _ | State_of _ | States_of _ | Running_mode | Component _ -> None)
       node.state
   in
+  let constant name =
+    Name.fresh scope (String.uppercase_ascii (Name.identifier (prefix ^ "_" ^ Name.snake name)))
+  in
   let name (mode : M.mode) =
     let definition = nodes.(mode.node).origin in
     let member = Name.fresh modes definition in
@@ -81,18 +90,21 @@ let name_modes (nodes : M.node array) table scope ~prefix (node : M.node) =
     let constant =
       match node.modes with
       | [] | [ _ ] -> ""
-      | _ :: _ :: _ ->
-          Name.fresh scope (String.uppercase_ascii (Name.identifier (prefix ^ "_" ^ Name.snake member)))
+      | _ :: _ :: _ -> constant member
     in
     { constant; member }
   in
-  Array.of_list (List.map name node.modes)
+  let modes = Array.of_list (List.map name node.modes) in
+  let waits =
+    List.exists (function M.Await _ -> true | _ -> false) node.reset.body
+  in
+  (modes, if waits then Some (constant "start") else None)
 
 let members scope ~prefix nodes (node : M.node) =
   let table = Hashtbl.create 16 in
   name_members table [] node.state;
-  let modes = name_modes nodes table scope ~prefix node in
-  (table, modes)
+  let modes, waiting = name_modes nodes table scope ~prefix node in
+  (table, modes, waiting)
 
 (* With [root_in_seconds] as a step of its own, the root's is in nanoseconds. *)
 type root = { root_state : string; root_reset : string; root_step : string; root_in_seconds : string }
@@ -115,8 +127,8 @@ let name_nodes scope ~name ~root ~foreign (nodes : M.node array) =
     (fun k (node : M.node) ->
       let own = name ^ "_" ^ node.name in
       let prefix = if k = last then name else own in
-      let members, modes = members scope ~prefix nodes node in
-      let names ~state ~reset ~step = { state; reset; step; members; modes; foreign = foreign.(k) } in
+      let members, modes, waiting = members scope ~prefix nodes node in
+      let names ~state ~reset ~step = { state; reset; step; members; modes; waiting; foreign = foreign.(k) } in
       if k = last then names ~state:root.root_state ~reset:root.root_reset ~step:root.root_step
       else
         match (node.state, node.foreign) with

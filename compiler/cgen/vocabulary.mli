@@ -13,6 +13,7 @@ type node = {
   members : (int, string list) Hashtbl.t;
       (** the members that lead to a field from the state struct, by field *)
   modes : mode array;  (** of its machine *)
+  waiting : string option;  (** the number in place of a mode's, up to the first step *)
   foreign : Foreign_interface.t option;  (** if it is C code of the user's *)
 }
 
@@ -87,3 +88,7 @@ val once : string -> Ir.declaration list -> Ir.declaration list
 
 val is_root : t -> int -> bool
 val has_state : t -> int -> bool
+
+val has_modes : t -> bool
+(** Whether there is a machine of more than one mode. *)
+

@@ -119,6 +119,9 @@ type statement =
   | Reset of { node : int; state : field; arguments : expr list; span : Span.t }
       (** of all states that the field holds *)
   | Enter of { entry : entry; span : Span.t }
+  | Await of { span : Span.t }
+      (** of the root's reset: no mode runs until the first step, which enters
+          the [start] of its [Run] *)
   | Run of run
   | Return of { value : expr; span : Span.t }  (** last; one output only *)
 
@@ -151,6 +154,7 @@ and entry = {
 and run = {
   active : expr option;  (** if it does not hold, nothing runs, and the results are any *)
   clock : clock option;  (** with [active], if a mode looks at dt *)
+  start : entry option;  (** of the first instant, if the reset left it to the step *)
   steps : int;  (** at most so many modes are stepped *)
   controls : (expr * entry) list;  (** the first that holds *)
   late : bool;  (** they come after the mode that runs, not before *)
@@ -207,10 +211,12 @@ type node = {
   operations : int;  (** a rough count of the step's own, without callees *)
 }
 
-(** Whether the first instant's dt can be seen, and so must be made 0. *)
+(** Whether the first instant's dt can be seen, and so must be made 0: it is if
+    a mode is entered there. *)
 type first_instant =
   | Unseen
   | Marked_by of field  (** a Bool of the root, false until the first step *)
+  | Marked_by_mode  (** no mode of the root's machine runs until the first step *)
 
 type program = {
   name : string;  (** of the C files *)

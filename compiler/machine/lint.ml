@@ -257,6 +257,9 @@ let run c known (run : Ir.run) =
       expect c "a clock" Nanoseconds (field_type c clock.since);
       expect c "a clock" Bool (field_type c clock.running))
     run.clock;
+  Option.iter (enter c known) run.start;
+  if Option.is_some run.start && not (Direct.is_direct run) then
+    bug "`%s` starts in a step that goes round" c.node.name;
   if run.steps < 1 then bug "`%s` may not run any mode" c.node.name;
   List.iter
     (fun (e, entry) ->
@@ -357,6 +360,9 @@ let rec statement c depth known (s : Ir.statement) =
       { known with fields = Known.add state.id () known.fields }
   | Enter { entry; _ } ->
       enter c known entry;
+      entered c known
+  | Await _ ->
+      if c.program.first_instant <> Marked_by_mode then bug "`%s` awaits nothing" c.node.name;
       entered c known
   | Run r -> run c known r
   | Return { value; _ } -> (

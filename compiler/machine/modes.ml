@@ -121,6 +121,7 @@ let step context (m : F.machine) =
         {
           active = Option.map read m.active;
           clock = context.kept.clock;
+          start = None;
           steps = m.steps;
           controls =
             List.map
@@ -138,6 +139,13 @@ let step context (m : F.machine) =
     List.fold_left (fun sum mode -> sum + (context.callee mode).Ir.operations) 4 m.modes
   in
   Action { defines = m.outputs; operands; statements; always = true; weight; span = m.span }
+
+let first context (m : F.machine) =
+  let is_literal (atom : F.atom) = match atom with Signal _ -> false | Bool _ | Int _ | Float _ -> true in
+  match Flow.Transitions.map context.resolve m.start with
+  | ({ occurs = Bool true; arguments; _ } as t) :: _ when List.for_all is_literal arguments ->
+      Some (entry context (targets context) read_result t)
+  | _ -> None
 
 let start context (m : F.machine) =
   let transitions = Flow.Transitions.map context.resolve m.start in

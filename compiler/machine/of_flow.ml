@@ -469,7 +469,7 @@ let stepped body (modes : Ir.mode list) =
   Walk.statements
     (function
       | Step { node; _ } | Loop { node; _ } -> Hashtbl.replace nodes node ()
-      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Run _ | Return _ -> ())
+      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Await _ | Run _ | Return _ -> ())
     body;
   List.iter (fun (mode : Ir.mode) -> Hashtbl.replace nodes mode.node ()) modes;
   nodes
@@ -485,6 +485,25 @@ let sees_first_dt context state (statics : Statics.t) stepped =
   in
   List.exists own (equations statics.in_step)
   || Hashtbl.fold (fun k () any -> any || context.sees_first_dt.(k)) stepped false
+
+(* The number of a mode may be one byte. *)
+let most_modes_and_none = 255
+
+(* A machine of the root's that enters its first mode in the first step, where
+   that is short: its number then tells that there was no step before. *)
+let started_by_step first (body : Ir.statement list) (reset : Ir.statement list) =
+  let run (s : Ir.statement) : Ir.statement =
+    match s with
+    | Run run when Direct.is_direct run && Option.is_none run.active -> Run { run with start = first }
+    | s -> s
+  in
+  let body' = List.map run body in
+  if List.for_all2 ( == ) body body' then None
+  else
+    let await (s : Ir.statement) : Ir.statement =
+      match s with Enter { span; _ } -> Await { span } | s -> s
+    in
+    Some (body', List.map await reset)
 
 (* The calls of the user's C, from the leaves and back, are for {!Cgen}. *)
 let foreign_node context k (node : F.node) (foreign : F.foreign) : Ir.node =
@@ -532,8 +551,19 @@ and own_node context k ~is_root =
   let reads = Reads.of_body body in
   let reset = reset_body context state node statics in
   let fields = State.fields state in
+  let sees_first_dt = is_root && context.sees_first_dt.(k) in
+  let first =
+    match node.machine with
+    | Some m when sees_first_dt && List.length modes > 1 && List.length modes <= most_modes_and_none ->
+        Modes.first (modes_context context (draft ()) state) m
+    | Some _ | None -> None
+  in
+  let started_by_step =
+    if Option.is_some first then started_by_step first body reset else None
+  in
+  let body, reset = Option.value started_by_step ~default:(body, reset) in
   let mark =
-    if is_root && context.sees_first_dt.(k) then
+    if sees_first_dt && Option.is_none started_by_step then
       [ State.new_field state ~name:"started" (Value Bool) ~purpose:"past the first instant" node.span ]
     else []
   in
@@ -578,7 +608,9 @@ and own_node context k ~is_root =
     }
   in
   let first_instant : Ir.first_instant =
-    match mark with [] -> Unseen | field :: _ -> Marked_by field
+    match mark with
+    | field :: _ -> Marked_by field
+    | [] -> if Option.is_some started_by_step then Marked_by_mode else Unseen
   in
   (translated, first_instant)
 

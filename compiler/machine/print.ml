@@ -145,11 +145,13 @@ let rec statement c indent ppf (s : Ir.statement) =
       put "reset %s %s%a  -- %d" c.program.nodes.(node).name (field state) (list c) arguments
         span.start.line
   | Enter { entry; _ } -> put "%a" (enter c) entry
-  | Run { active; clock = _; steps; controls; late; drops; cases; results; span } ->
+  | Await _ -> put "await the first instant"
+  | Run { active; clock = _; start; steps; controls; late; drops; cases; results; span } ->
       Option.iter (put "if %a" (expr c)) active;
       put "%s = run, at most %d steps%s  -- %d" (variables c results) steps
         (if drops then ", may drop results" else "")
         span.start.line;
+      Option.iter (put "  at the first instant %a" (enter c)) start;
       let control (condition, e) =
         put "  %s %a -> %a" (if late then "then" else "first") (expr c) condition (enter c) e
       in

@@ -25,7 +25,7 @@ let rec statements visit body =
       | If { then_; else_; _ } ->
           statements visit then_;
           statements visit else_
-      | Declare _ | Assign _ | Step _ | Loop _ | Reset _ | Enter _ | Run _ | Return _ -> ())
+      | Declare _ | Assign _ | Step _ | Loop _ | Reset _ | Enter _ | Await _ | Run _ | Return _ -> ())
     body
 
 let entry visit (e : entry) =
@@ -47,6 +47,7 @@ let run visit (run : run) =
   in
   Option.iter (expression visit) run.active;
   Option.iter (fun (clock : clock) -> expression visit clock.elapsed) run.clock;
+  Option.iter (entry visit) run.start;
   List.iter control run.controls;
   List.iter case run.cases
 
@@ -64,5 +65,6 @@ let expressions visit body =
           List.iter (expression visit) l.initial;
           List.iter (argument visit) l.arguments
       | Enter e -> entry visit e.entry
+      | Await _ -> ()
       | Run r -> run visit r)
     body

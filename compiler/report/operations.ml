@@ -126,6 +126,7 @@ let entries c followed entries =
   largest (List.map (fun (e : M.entry) -> Cost.add (entry c e) (followed e.mode)) entries)
 
 let run c (r : M.run) =
+  let direct = Machine.Direct.is_direct r in
   let modes = Array.of_list c.node.modes and cases = Array.of_list r.cases in
   let test condition =
     if condition = M.Bool true then Cost.none
@@ -137,22 +138,28 @@ let run c (r : M.run) =
   let kept = if r.drops then Cost.one Choices else Cost.none in
   let again =
     (* May another mode be stepped; one more step. *)
-    if r.steps > 1 then Cost.add (Cost.one Choices) (Cost.one Additions) else Cost.none
+    if r.steps > 1 && not direct then Cost.add (Cost.one Choices) (Cost.one Additions) else Cost.none
   in
   let late = if r.late then Cost.several 2 Choices else Cost.none in
+  let is_root = is_root c.program c.node in
+  let in_floats = is_root && Machine.Time_use.nanoseconds_in_floats c.program c.node in
+  let own_step k = c.done_.(modes.(k).node).step in
   (* The step of a mode, all its transitions tested. *)
   let round k (case : M.case) =
+    let node = c.program.nodes.(modes.(k).node) in
     let seconds =
-      if c.program.nodes.(modes.(k).node).seconds && has_seconds_where_wanted c then
-        Cost.add (Cost.one Conversions) seconds
-      else Cost.none
+      Cost.add
+        (if node.seconds && has_seconds_where_wanted c then seconds else Cost.none)
+        (if node.nanoseconds && in_floats then Cost.one Conversions else Cost.none)
     in
     let tests = List.map (fun (n : M.next) -> test n.condition) case.transitions in
     Cost.sum
-      ([ chosen; seconds; expressions c case.arguments; c.done_.(modes.(k).node).step ]
+      ([ chosen; seconds; expressions c case.arguments; own_step k ]
       @ tests @ [ kept; again; late ])
   in
   let rounds = Array.mapi round cases in
+  (* The first step of a mode, where nothing is tested. *)
+  let first_step k = Cost.add (expressions c cases.(k).M.arguments) (own_step k) in
   (* From a mode on: its step, and all that its transitions lead to. *)
   let from followed takes k =
     let taken = List.filter takes cases.(k).transitions in
@@ -166,7 +173,12 @@ let run c (r : M.run) =
       let after = entered (steps - 1) in
       Array.mapi (fun k _ -> from (Array.get after) at_entry k) rounds
   in
-  let after = Array.get (entered (r.steps - 1)) in
+  let after = if direct then first_step else Array.get (entered (r.steps - 1)) in
+  let start =
+    match r.start with
+    | None -> Cost.none
+    | Some entry -> Cost.add chosen (entries c first_step [ entry ])
+  in
   let running =
     largest (List.init (Array.length rounds) (from after (fun (_ : M.next) -> true)))
   in
@@ -174,7 +186,7 @@ let run c (r : M.run) =
   let controlled = entries c after (List.map snd r.controls) in
   let steps =
     if r.late then Cost.add running controlled
-    else Cost.larger running (entries c (from after at_entry) (List.map snd r.controls))
+    else largest [ running; start; entries c (from after at_entry) (List.map snd r.controls) ]
   in
   let active =
     match r.active with
@@ -206,6 +218,7 @@ let rec statement c (s : M.statement) =
       let count = match state.content with States_of { count; _ } -> count | _ -> 1 in
       Cost.add (expressions c arguments) (Cost.times count c.done_.(node).reset)
   | Enter { entry = e; _ } -> entry c e
+  | Await _ -> Cost.one Stores
   | Run r -> run c r
 
 and statements c body = List.fold_left (fun cost s -> Cost.add cost (statement c s)) Cost.none body
@@ -215,16 +228,20 @@ and statements c body = List.fold_left (fun cost s -> Cost.add cost (statement c
 let root_clock (program : M.program) (root : M.node) =
   let whole = Cost.(sum [ one Multiplications; several 4 Choices; several 2 Additions ]) in
   let at_once = root.seconds && not (Machine.Time_use.by_one_mode program root) in
+  (* To integers, and back. *)
+  let conversions n =
+    if Machine.Time_use.nanoseconds_in_floats program root then Cost.none else Cost.several n Conversions
+  in
   let times =
     match (root.nanoseconds, at_once) with
     | false, false -> if root.seconds then [ whole ] else []
     | false, true -> [ whole; seconds ]
-    | true, false -> [ whole; Cost.one Conversions ]
-    | true, true -> [ whole; Cost.several 2 Conversions; seconds ]
+    | true, false -> [ whole; conversions 1 ]
+    | true, true -> [ whole; conversions 2; seconds ]
   in
   let first =
     match (program.first_instant, times) with
-    | Unseen, _ -> []
+    | (Unseen | Marked_by_mode), _ -> []
     | Marked_by _, [] -> [ Cost.one Stores ]
     | Marked_by _, _ :: _ -> Cost.[ one Stores; one Loads; one Choices ]
   in

@@ -202,6 +202,16 @@ let entry c frame (e : M.entry) =
   List.iter (expression c frame) e.parameters;
   if Option.is_some mode.state then call c frame (Reset mode.node) e.reset
 
+(* What enters a mode may step it as well. *)
+let entry_and_step c frame (r : M.run) (e : M.entry) =
+  entry c frame e;
+  if Machine.Direct.is_direct r then begin
+    let case = List.nth r.cases e.mode in
+    List.iter (variable c frame) case.others;
+    need frame (Amount.times word (List.length case.others + List.length r.results));
+    call c frame c.done_.((List.nth c.node.modes e.mode).node).step case.arguments
+  end
+
 let run c frame (r : M.run) =
   let results = List.fold_left (fun sum (v : M.variable) -> Amount.add sum (room c v.ty)) 0 r.results in
   let addresses = Amount.times word (List.length r.results) in
@@ -214,6 +224,7 @@ let run c frame (r : M.run) =
       expression c frame condition;
       entry c frame e)
     r.controls;
+  Option.iter (entry_and_step c frame r) r.start;
   List.iteri
     (fun k (case : M.case) ->
       let mode = List.nth c.node.modes k in
@@ -225,7 +236,7 @@ let run c frame (r : M.run) =
       List.iter
         (fun (n : M.next) ->
           expression c frame n.condition;
-          entry c frame n.entry)
+          entry_and_step c frame r n.entry)
         case.transitions)
     r.cases
 
@@ -235,6 +246,7 @@ let statement c frame (s : M.statement) =
       variable c frame v;
       expression c frame value
   | Assign { value; _ } | Return { value; _ } -> expression c frame value
+  | Await _ -> ()
   | If { uninitialized; condition; _ } ->
       List.iter (variable c frame) uninitialized;
       expression c frame condition

@@ -57,59 +57,63 @@ chosen.
           } turnAway;
       } modes;      /* what they keep at three_modes.frob:12 */
       uint8_t mode; /* the mode that runs at three_modes.frob:12 */
-      bool started; /* past the first instant at three_modes.frob:12 */
   };
   $ sed -n '/^void three_modes_step/,$p' three_modes.c
   void three_modes_step(struct three_modes_state *self,
                         double dt,
-                        const struct three_modes_input *in,
+                        const struct three_modes_input *FROB_RESTRICT in,
                         struct three_modes_output *out)
   {
-      int64_t dt_ns = self->started ? (int64_t)frob_whole_ns(dt) : 0;
-      self->started = true;
+      const double dt_ns = frob_whole_ns(dt);
       double speed, turn;
-      int32_t steps = 0;
-      do {
-          switch (self->mode) {
-          case THREE_MODES_FOLLOW: {
-              bool t1;
-              three_modes_follow_follow_step(&self->modes.follow.state,
-                      frob_seconds((double)dt_ns, dt), in->bump, in->side, &speed, &turn, &t1);
-              if (t1) {
-                  self->mode = THREE_MODES_BACK_UP;           /* line 5 */
-                  three_modes_follow_backUp_reset(&self->modes.backUp.state);
-                  dt_ns = 0;
-                  continue;
-              }
-              break;
-          }
-          case THREE_MODES_BACK_UP: {
-              bool t2;
-              three_modes_follow_backUp_step(&self->modes.backUp.state, dt_ns, &speed, &turn,
-                      &t2);
-              if (t2) {
-                  self->mode = THREE_MODES_TURN_AWAY;         /* line 6 */
-                  three_modes_follow_turnAway_reset(&self->modes.turnAway.state);
-                  dt_ns = 0;
-                  continue;
-              }
-              break;
-          }
-          default: {                                          /* THREE_MODES_TURN_AWAY */
-              bool t3;
-              three_modes_follow_turnAway_step(&self->modes.turnAway.state, in->front, &speed,
-                      &turn, &t3);
-              if (t3) {
-                  self->mode = THREE_MODES_FOLLOW;            /* line 7 */
-                  three_modes_follow_follow_reset(&self->modes.follow.state);
-                  dt_ns = 0;
-                  continue;
-              }
-              break;
-          }
+      switch (self->mode) {
+      case THREE_MODES_START: {
+          self->mode = THREE_MODES_FOLLOW;                    /* line 12 */
+          three_modes_follow_follow_reset(&self->modes.follow.state);
+          bool t4;
+          three_modes_follow_follow_step(&self->modes.follow.state, 0.0, in->bump, in->side,
+                  &speed, &turn, &t4);
+          break;
+      }
+      case THREE_MODES_FOLLOW: {
+          bool t1;
+          three_modes_follow_follow_step(&self->modes.follow.state, frob_seconds(dt_ns, dt),
+                  in->bump, in->side, &speed, &turn, &t1);
+          if (t1) {
+              self->mode = THREE_MODES_BACK_UP;               /* line 5 */
+              three_modes_follow_backUp_reset(&self->modes.backUp.state);
+              bool t5;
+              three_modes_follow_backUp_step(&self->modes.backUp.state, 0, &speed, &turn, &t5);
           }
           break;
-      } while (++steps < 2);
+      }
+      case THREE_MODES_BACK_UP: {
+          bool t2;
+          three_modes_follow_backUp_step(&self->modes.backUp.state, (int64_t)dt_ns, &speed, &turn,
+                  &t2);
+          if (t2) {
+              self->mode = THREE_MODES_TURN_AWAY;             /* line 6 */
+              three_modes_follow_turnAway_reset(&self->modes.turnAway.state);
+              bool t6;
+              three_modes_follow_turnAway_step(&self->modes.turnAway.state, in->front, &speed,
+                      &turn, &t6);
+          }
+          break;
+      }
+      default: {                                              /* THREE_MODES_TURN_AWAY */
+          bool t3;
+          three_modes_follow_turnAway_step(&self->modes.turnAway.state, in->front, &speed, &turn,
+                  &t3);
+          if (t3) {
+              self->mode = THREE_MODES_FOLLOW;                /* line 7 */
+              three_modes_follow_follow_reset(&self->modes.follow.state);
+              bool t7;
+              three_modes_follow_follow_step(&self->modes.follow.state, 0.0, in->bump, in->side,
+                      &speed, &turn, &t7);
+          }
+          break;
+      }
+      }
       out->speed = speed;                                     /* line 12 */
       out->turn = turn;
   }
