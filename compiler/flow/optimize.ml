@@ -1,7 +1,7 @@
 (* A latch that is a constant simplifies what reads it; it takes a simple
    condition to see it. *)
 let simplify program =
-  let simple = Simplify.program program in
+  let simple = Condition.program (Simplify.program program) in
   let unlatched = Latch.program simple in
   if unlatched == simple then simple else Simplify.program unlatched
 

@@ -54,6 +54,7 @@ let keeps_outputs pass evaluate seed =
 let random_tests =
   [
     random "simplify keeps every bit" 400 (keeps_outputs Simplify.program Evaluate.by_demand);
+    random "condition keeps every bit" 400 (keeps_outputs Condition.program Evaluate.by_demand);
     random "share keeps every bit" 400 (keeps_outputs Share.program Evaluate.by_demand);
     random "dead keeps every bit" 400 (keeps_outputs Dead.program Evaluate.by_demand);
     random "specific keeps every bit" 400 (keeps_outputs Specific.program Evaluate.by_demand);
@@ -107,6 +108,20 @@ let names_of_copies () =
             let x = Build.input b "x" in
             let t = Build.op b Negate [ x ] in
             [ ("", Build.let_ b "speed" (Copy t)) ])))
+
+(* Whether one of two events occurs, said by cases. *)
+let conditions_in_cases () =
+  check
+    [ "signal function main (a : Bool, b : Bool)"; "either : Bool = a || b"; "-> ( = either)" ]
+    (Optimize.program
+       (build (fun n ->
+            let ty : Ir.ty = Bool in
+            let a = Build.input ~ty n "a" and b = Build.input ~ty n "b" in
+            let choice condition then_ else_ = Build.let_ ~ty n "" (If { condition; then_; else_ }) in
+            let both = choice a b (Bool false) in
+            let only_a = choice a (Build.let_ ~ty n "" (Op (Not, [ b ]))) (Bool false) in
+            let one = choice only_a a b in
+            [ ("", Build.let_ ~ty n "either" (If { condition = both; then_ = Bool true; else_ = one })) ])))
 
 let known_constructors () =
   let p = Build.create () in
@@ -255,6 +270,7 @@ let example_tests =
     case "simplify: the C library is not folded, sqrt is" libm_stays;
     case "simplify: a copy's name goes on" names_of_copies;
     case "simplify: known constructors need no tag" known_constructors;
+    case "condition: one that is said by cases" conditions_in_cases;
     case "share: equal feedback loops are one" shared_counters;
     case "share: 0 and -0 are different" different_counters;
     case "share and specific: instances, literals, unread outputs" shared_instances;

@@ -1,0 +1,80 @@
+type t = {
+  definitions : (int, Ir.rhs) Hashtbl.t;
+  values : (int, bool) Hashtbl.t;  (** by signal *)
+}
+
+(* Deeper than a person writes a condition, and not so deep that it takes long. *)
+let depth = 6
+
+let rec value ?(depth = depth) t (atom : Ir.atom) =
+  let value a = if depth = 0 then None else value ~depth:(depth - 1) t a in
+  match atom with
+  | Bool b -> Some b
+  | Int _ | Float _ -> None
+  | Signal s -> (
+      match Hashtbl.find_opt t.values s.id with
+      | Some b -> Some b
+      | None -> (
+          match Hashtbl.find_opt t.definitions s.id with
+          | Some (Copy a) -> value a
+          | Some (Op (Not, [ a ])) -> Option.map not (value a)
+          | Some (Op (And, [ a; b ])) -> (
+              match (value a, value b) with
+              | Some false, _ | _, Some false -> Some false
+              | Some true, Some true -> Some true
+              | None, _ | _, None -> None)
+          | Some (Op (Or, [ a; b ])) -> (
+              match (value a, value b) with
+              | Some true, _ | _, Some true -> Some true
+              | Some false, Some false -> Some false
+              | None, _ | _, None -> None)
+          | Some (If { condition; then_; else_ }) -> (
+              match (value condition, value then_, value else_) with
+              | Some true, v, _ | Some false, _, v -> v
+              | None, v, v' -> if v = v' then v else None)
+          | Some _ | None -> None))
+
+(* Learns that an atom has this value, and what follows for its operands. *)
+let rec learn ?(depth = depth) t (atom : Ir.atom) b =
+  let learn a b = if depth > 0 then learn ~depth:(depth - 1) t a b in
+  match atom with
+  | Bool _ | Int _ | Float _ -> ()
+  | Signal s -> (
+      Hashtbl.replace t.values s.id b;
+      match (Hashtbl.find_opt t.definitions s.id, b) with
+      | Some (Copy a), _ -> learn a b
+      | Some (Op (Not, [ a ])), _ -> learn a (not b)
+      | Some (Op (And, [ x; y ])), true | Some (Op (Or, [ x; y ])), false ->
+          learn x b;
+          learn y b
+      | Some (Op (And, [ x; y ])), false | Some (Op (Or, [ x; y ])), true -> (
+          let other = not b in
+          match (value t x, value t y) with
+          | Some v, None when Bool.equal v other -> learn y b
+          | None, Some v when Bool.equal v other -> learn x b
+          | _, _ -> ())
+      | _, _ -> ())
+
+let definitions (node : Ir.node) =
+  let definitions = Hashtbl.create 64 in
+  List.iter
+    (fun (e : Ir.equation) ->
+      if e.defines.ty = Bool then Hashtbl.replace definitions e.defines.id e.rhs)
+    node.equations;
+  definitions
+
+let at_an_instant (node : Ir.node) =
+  let definitions = definitions node in
+  fun known ->
+    let t = { definitions; values = Hashtbl.create 16 } in
+    List.iter (fun ((s : Ir.signal), b) -> Hashtbl.replace t.values s.id b) known;
+    t
+
+let while_running (node : Ir.node) =
+  let at_an_instant = at_an_instant node in
+  fun known ->
+    let t = at_an_instant known in
+    List.iter (fun (transition : Ir.transition) -> learn t transition.occurs false) node.transitions;
+    t
+
+let value t atom = value t atom
