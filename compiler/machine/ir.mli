@@ -83,6 +83,7 @@ type expr =
   | Seconds of expr  (** of [Nanoseconds] *)
   | In_nanoseconds of expr  (** likewise, as a Float: see {!Flow.Clock} *)
   | Later of expr * expr  (** the sum of two [Nanoseconds], saturating *)
+  | Soon of expr * expr  (** likewise, if it is known to be far from where that saturates *)
   | Reached of { time : expr; period : expr }
       (** are these [Nanoseconds] at least so many? A Float, whose fraction is dropped *)
   | Rest of { time : expr; period : expr }

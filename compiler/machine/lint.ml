@@ -165,7 +165,7 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
   | Seconds e | In_nanoseconds e ->
       check "a time" Nanoseconds e;
       Float
-  | Later (a, b) ->
+  | Later (a, b) | Soon (a, b) ->
       check "a time" Nanoseconds a;
       check "a time" Nanoseconds b;
       Nanoseconds

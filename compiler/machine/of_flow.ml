@@ -8,6 +8,7 @@ type context = {
   statics : Statics.t array;
   done_ : Ir.node option array;  (** the nodes already translated *)
   sees_first_dt : bool array;
+  is_limited : int -> bool;  (** see {!Flow.Time_limit} *)
   mutable fresh : int;  (** larger than every id of a signal *)
 }
 
@@ -236,10 +237,12 @@ let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
   add draft (work ~operands:[ atom; atom ] span statements)
 
 (* What advances at the start of a step, before anything is computed. *)
-let advance (eq : F.equation) (memory : State.memory) =
+let advance ~limited (eq : F.equation) (memory : State.memory) =
   match memory with
   | Elapsed { time; advances; restart = Bool false; unit = _ } ->
-      let value = Ir.Later (Field time, Dt_nanoseconds) in
+      let value =
+        if limited then Ir.Soon (Field time, Dt_nanoseconds) else Later (Field time, Dt_nanoseconds)
+      in
       if advances then Some (Ir.Assign { place = Own time; value; span = eq.span }) else None
   | Integrated { value; input } ->
       let step = operation F.Multiply Float [ Dt; input ] in
@@ -338,7 +341,7 @@ let modes_context context draft state : Modes.context =
 let output_span (node : F.node) (atom : F.atom) =
   match atom with Signal s -> s.span | Bool _ | Int _ | Float _ -> node.span
 
-let step_body context state (node : F.node) ~is_root (statics : Statics.t) =
+let step_body context state (node : F.node) ~limited ~is_root (statics : Statics.t) =
   let d = draft () in
   let parameter (s : F.signal) = leaf d s (Variable (variable s)) in
   List.iter parameter node.statics;
@@ -360,7 +363,7 @@ let step_body context state (node : F.node) ~is_root (statics : Statics.t) =
   let equations = equations statics.in_step in
   let advances =
     List.filter_map
-      (fun (eq : F.equation) -> Option.bind (State.memory state eq.defines) (advance eq))
+      (fun (eq : F.equation) -> Option.bind (State.memory state eq.defines) (advance ~limited eq))
       equations
   in
   let for_transitions = List.map (fun s -> F.Signal s) (Modes.results_for_transitions node) in
@@ -544,7 +547,7 @@ and own_node context k ~is_root =
   let statics = context.statics.(k) in
   let statics_of k = List.map variable context.program.nodes.(k).statics in
   let state = State.of_node ~callee:(callee context) ~statics:statics_of statics in
-  let body = step_body context state node ~is_root statics in
+  let body = step_body context state node ~limited:(context.is_limited k) ~is_root statics in
   let modes = Option.fold (State.machine state) ~none:[] ~some:(fun (m : State.machine) -> m.modes) in
   let stepped = stepped body modes in
   context.sees_first_dt.(k) <- sees_first_dt context state statics stepped;
@@ -622,6 +625,7 @@ let program (program : F.program) : Ir.program =
       statics = Statics.program program;
       done_ = Array.make count None;
       sees_first_dt = Array.make count false;
+      is_limited = Flow.Time_limit.is_limited program;
       fresh = Flow.Signals.next_id program;
     }
   in

@@ -86,6 +86,7 @@ let rec expr c ppf (e : Ir.expr) =
   | Seconds e -> fprintf ppf "seconds%a" (list c) [ e ]
   | In_nanoseconds e -> fprintf ppf "nanoseconds%a" (list c) [ e ]
   | Later (a, b) -> fprintf ppf "later%a" (list c) [ a; b ]
+  | Soon (a, b) -> fprintf ppf "soon%a" (list c) [ a; b ]
   | Reached { time; period } -> fprintf ppf "reached%a" (list c) [ time; period ]
   | Rest { time; period } -> fprintf ppf "rest%a" (list c) [ time; period ]
 
@@ -93,7 +94,7 @@ and operand c ppf (e : Ir.expr) =
   match e with
   | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Field _ | Dt | Dt_nanoseconds | Call _
   | Construct _ | Elements _ | Fill _ | Index _ | At _ | Replace _ | Payload _ | Seconds _ | In_nanoseconds _
-  | Later _ | Reached _ | Rest _ ->
+  | Later _ | Soon _ | Reached _ | Rest _ ->
       expr c ppf e
   | Operation { operator = o; _ } when not (is_symbol (operator o)) -> expr c ppf e
   | Operation _ | Select _ | Is_constructor _ -> fprintf ppf "(%a)" (expr c) e

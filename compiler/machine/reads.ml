@@ -22,7 +22,7 @@ let of_body body =
       | Dt -> reads.seconds <- true
       | Dt_nanoseconds -> reads.nanoseconds <- true
       | Elements _ | Fill _ | Index _ | At _ | Replace _ | Field _ | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Operation _ | Select _ | Construct _
-      | Is_constructor _ | Payload _ | Call _ | Seconds _ | In_nanoseconds _ | Later _ | Reached _ | Rest _ ->
+      | Is_constructor _ | Payload _ | Call _ | Seconds _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ ->
           ())
     body;
   reads

@@ -11,7 +11,7 @@ let children = function
   | At { array; index; default; _ } -> [ array; index; default ]
   | Replace { array; index; value; _ } -> [ array; index; value ]
   | Is_constructor { value; _ } | Payload { value; _ } | Seconds value | In_nanoseconds value -> [ value ]
-  | Later (a, b) | Reached { time = a; period = b } | Rest { time = a; period = b } -> [ a; b ]
+  | Later (a, b) | Soon (a, b) | Reached { time = a; period = b } | Rest { time = a; period = b } -> [ a; b ]
 
 let rec expression visit e =
   visit e;

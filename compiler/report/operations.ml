@@ -77,6 +77,7 @@ let rec expression c (e : M.expr) =
   | Call { node; arguments } -> Cost.add c.done_.(node).step (expressions c arguments)
   | Seconds e -> Cost.sum [ Cost.one Conversions; Cost.one Divisions; expression c e ]
   | In_nanoseconds e -> Cost.sum [ in_nanoseconds; expression c e ]
+  | Soon (a, b) -> Cost.sum [ Cost.one Additions; expression c a; expression c b ]
   | Later (a, b) ->
       Cost.sum [ Cost.several 2 Additions; Cost.one Choices; expression c a; expression c b ]
   | Reached { time; period } ->

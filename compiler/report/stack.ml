@@ -58,6 +58,7 @@ let rec calls (e : M.expr) =
   | Elements { elements; _ } -> List.exists calls elements
   | Index { array; _ } -> calls array
   | Payload { value; _ } | Is_constructor { value; _ } | Seconds value -> calls value
+  | Soon (a, b) -> calls a || calls b
   | Select { condition; then_; else_ } -> List.exists calls [ condition; then_; else_ ]
   | Operation { operator; ty; arguments } -> (
       match code_of operator ty with
@@ -150,6 +151,9 @@ let rec within c frame ~calling (e : M.expr) =
       needs_helper frame helper;
       need frame word;
       all [ e ]
+  | Soon (a, b) ->
+      intermediate ();
+      all [ a; b ]
   | Later (a, b) | Reached { time = a; period = b } | Rest { time = a; period = b } ->
       needs_helper frame helper;
       need frame word;
@@ -165,7 +169,7 @@ and choice c (e : M.expr) =
   | Call { node; _ } ->
       List.fold_left (fun sum (_, ty) -> Amount.add sum (room c ty)) 0 c.program.nodes.(node).outputs
   | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Field _ | Operation _
-  | Is_constructor _ | Seconds _ | In_nanoseconds _ | Later _ | Reached _ | Rest _ ->
+  | Is_constructor _ | Seconds _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ ->
       word
   | Elements { element; elements } -> room c (Array (List.length elements, element))
   | Fill { count; element; _ } | Replace { count; element; _ } -> room c (Array (count, element))

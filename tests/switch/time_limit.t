@@ -1,0 +1,41 @@
+A local time stops at the end of time, after 292 years. Where a mode ends long before
+that, its time is added up without a thought of it.
+
+  $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
+  $ advances () { frobc compile "$1".frob --lint && grep "time +=\|time = frob" "$1".c | sed "s, */\*.*,,"; }
+  $ cat > ends.frob <<'EOF'
+  > main :: SF Float Float
+  > main = switch (proc x -> (x, mergeE (after 2[s] ()) (edge (x > 3)))) (\_ -> switch (proc _ -> (5, after 3[s] ())) (\_ -> main))
+  > EOF
+  $ advances ends
+      self->time += dt_ns;
+      self->time += dt_ns;
+
+Not where something else ends the mode, where the limit is near the end of time, or
+where not the time alone decides.
+
+  $ cat > goes_on.frob <<'EOF'
+  > main :: SF Float Float
+  > main = switch (proc x -> (time () / 1[s], edge (x > 3))) (\_ -> switch (proc x -> (x, after 5e9[s] ())) (\_ -> never_again))
+  > 
+  > never_again :: SF Float Float
+  > never_again = switch (proc x -> (x, gate (after 2[s] ()) (x > 3))) (\_ -> main)
+  > EOF
+  $ advances goes_on
+      self->time = frob_later(self->time, dt_ns);
+      self->time = frob_later(self->time, dt_ns);
+      self->time = frob_later(self->time, dt_ns);
+
+In a signal function that has instants of its own dt is as long as it is: here no
+event comes for 380 years.
+
+  $ cat > seldom.frob <<'EOF'
+  > main :: SF (Event Float) (Event Float)
+  > main = onEvent (switch (proc x -> (x, after 5[s] ())) (\_ -> constant (-1)))
+  > EOF
+  $ advances seldom
+      self->time = frob_later(self->time, dt_ns);
+  $ awk 'BEGIN { print "time,in\n0,1\n3,2"; for (i = 1; i <= 12; i++) print i "e9," (i == 12 ? 3 : "") }' > seldom.csv
+  $ both seldom.frob seldom.csv | grep -v ",$"
+  error: seldom.csv:4:1: `1e9` is not a time in seconds
+  [1]
