@@ -213,7 +213,7 @@ let entry_and_step c frame (r : M.run) (e : M.entry) =
     let case = List.nth r.cases e.mode in
     List.iter (variable c frame) case.others;
     need frame (Amount.times word (List.length case.others + List.length r.results));
-    call c frame c.done_.((List.nth c.node.modes e.mode).node).step case.arguments
+    call c frame (Step (List.nth c.node.modes e.mode).node) case.arguments
   end
 
 let run c frame (r : M.run) =
