@@ -79,9 +79,12 @@ fuzz-drivers: setup
 	@dune build ./tests/wire/fuzz/fuzz_scout ./tests/wire/fuzz/fuzz_create ./tests/wire/fuzz/fuzz_pioneer
 	@sh tests/wire/fuzz/run.sh _build/default/tests/wire/fuzz $(BYTES) $(SEED) scout create pioneer
 
-# The examples with many seeds of noise, and BUG in real time behind each robot's
-# line: what a minute is too short for in `make test`.
+# The examples with many seeds of noise, in the simulator and through each robot's
+# driver and line, and BUG in real time behind each line: what a minute is too short
+# for in `make test`.
 seeds: all
+	@dune build ./tests/line/frob-line
+	@sh tests/line/seeds.sh $(CURDIR)/$(FROBC) _build/default/tests/line/frob-line examples $(SEEDS)
 	@sh tests/robot/bug.sh $(CURDIR)/$(FROBC) $(CURDIR)/examples
 	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh tests/run/all_seeds.sh $(SEEDS)
 

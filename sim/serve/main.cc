@@ -3,7 +3,6 @@
 // Exit status: 0 when the time is over or it is ended by SIGINT or SIGTERM,
 // after a summary as frob-sim prints it; 2 for wrong use.
 #include <cerrno>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -16,13 +15,11 @@
 
 #include <unistd.h>
 
-#include "body_firmware.h"
-#include "create_wire.h"
 #include "options.h"
-#include "pioneer_firmware.h"
-#include "scout_wire.h"
+#include "robots.h"
 #include "server.h"
 #include "sim.h"
+#include "summary.h"
 #include "tcp_port.h"
 #include "terminal.h"
 
@@ -71,17 +68,6 @@ Simulation open_simulation(const Options &options) {
     return sim;
 }
 
-std::unique_ptr<Firmware> make_firmware(const Options &options, frob_sim *sim) {
-    if (options.robot == "scout")
-        return std::make_unique<BodyFirmware<frob::sim::ScoutWire, frob_scout_input>>(sim, options.rate);
-    if (options.robot == "create")
-        return std::make_unique<BodyFirmware<frob::sim::CreateWire, frob_create_input>>(sim, options.rate);
-    const PioneerModel *model = PioneerFirmware::find_model(options.model);
-    if (!model)
-        throw WrongUse("there is no model `" + options.model + "`; there are: p3dx-sh, p3dx, p2dx");
-    return std::make_unique<PioneerFirmware>(sim, *model, options.rate);
-}
-
 std::unique_ptr<Connection> make_connection(const Options &options) {
     if (options.tcp_port >= 0) return std::make_unique<TcpPort>(options.tcp_port);
     return std::make_unique<Terminal>();
@@ -125,27 +111,13 @@ void run(Server &server, const Options &options, std::int64_t started_ns) {
     if (!options.link.empty()) unlink(options.link.c_str());
 }
 
-void print_summary(const frob_sim *sim) {
-    const frob_sim_summary s = frob_sim_summarize(sim);
-    std::printf("time simulated: %.3f s\n", s.time_s);
-    std::printf("distance driven: %.3f m\n", s.distance_m);
-    if (s.measured) {
-        std::printf("wall distance to keep: %.3f m\n", s.wall_distance_m);
-        if (std::isnan(s.mean_error_m)) {
-            std::printf("wall distance error: not measured, the run ended while settling\n");
-        } else {
-            std::printf("mean wall distance error: %.4f m\n", s.mean_error_m);
-            std::printf("largest wall distance error: %.4f m\n", s.largest_error_m);
-        }
-    }
-    std::printf("odometry error at the end: %.3f m\n", s.odometry_error_m);
-    std::printf("collisions: %d\n", s.collisions);
-}
-
 int serve(const Options &options) {
     const Simulation sim = open_simulation(options);
     if (!sim) return 2;
-    const std::unique_ptr<Firmware> firmware = make_firmware(options, sim.get());
+    const std::unique_ptr<Firmware> firmware =
+        make_firmware(options.robot, options.model, options.rate, sim.get());
+    if (!firmware)
+        throw WrongUse("there is no model `" + options.model + "`; there are: p3dx-sh, p3dx, p2dx");
     const std::int64_t started_ns = clock_ns();
     std::ofstream log;
     if (!options.log.empty()) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "robots.h"
+
 namespace frob::serve {
 
 const char usage[] =
@@ -60,13 +62,6 @@ void set(Options &o, const std::string &option, const std::string &value) {
     else throw WrongUse("unknown option `" + option + "`; `frob-serve --help` lists them");
 }
 
-std::uint32_t usual_rate(const std::string &robot) {
-    if (robot == "pioneer") return 9600;
-    if (robot == "scout") return 38400;
-    if (robot == "create") return 115200;
-    throw WrongUse("there is no simulated `" + robot + "` on a line; there are: pioneer, scout, create");
-}
-
 } // namespace
 
 Options read_options(int argc, char **argv) {
@@ -82,7 +77,11 @@ Options read_options(int argc, char **argv) {
         }
     }
     if (o.world.empty()) throw WrongUse("--world is missing; `frob-serve --help` says how to use it");
-    if (o.rate == 0) o.rate = usual_rate(o.robot);
+    const std::uint32_t usual = usual_rate(o.robot);
+    if (usual == 0)
+        throw WrongUse("there is no simulated `" + o.robot +
+                       "` on a line; there are: pioneer, scout, create");
+    if (o.rate == 0) o.rate = usual;
     return o;
 }
 

@@ -58,10 +58,12 @@ void Server::advance(std::int64_t time_ns) {
     send(time_ns);
 }
 
+std::int64_t Server::due_ns() const {
+    return std::min({firmware_.next_ns(), to_robot_.next_ns(), to_client_.next_ns()});
+}
+
 void Server::wait(std::int64_t time_ns) const {
-    const std::int64_t due =
-        std::min({firmware_.next_ns(), to_robot_.next_ns(), to_client_.next_ns()});
-    const std::int64_t left = std::clamp<std::int64_t>(due - time_ns, 0, most_wait_ns);
+    const std::int64_t left = std::clamp<std::int64_t>(due_ns() - time_ns, 0, most_wait_ns);
     const timespec patience{0, static_cast<long>(left)};
     pollfd input{connection_ ? connection_->descriptor() : -1, POLLIN, 0};
     ppoll(&input, 1, &patience, nullptr);

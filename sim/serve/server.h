@@ -22,6 +22,9 @@ class Server {
     // Moves the robot and the bytes to this time.
     void advance(std::int64_t time_ns);
 
+    // When something happens next: the robot does something, or a byte arrives.
+    std::int64_t due_ns() const;
+
     // Waits until a byte comes or something is due; signals end it.
     void wait(std::int64_t time_ns) const;
 

@@ -1,0 +1,21 @@
+// The kinds of robots that can be behind a line.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "firmware.h"
+#include "sim.h"
+
+namespace frob::serve {
+
+// What is usual for the robot, in bits per second; 0 if there is no such robot.
+std::uint32_t usual_rate(const std::string &robot);
+
+// The firmware of a robot in front of its simulated body, which must outlive it;
+// a Pioneer's is of that model. Null if there is no such robot or model.
+std::unique_ptr<Firmware> make_firmware(const std::string &robot, const std::string &model,
+                                        std::uint32_t rate, frob_sim *sim);
+
+} // namespace frob::serve

@@ -1,0 +1,25 @@
+#include "summary.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace frob::serve {
+
+void print_summary(const frob_sim *sim) {
+    const frob_sim_summary s = frob_sim_summarize(sim);
+    std::printf("time simulated: %.3f s\n", s.time_s);
+    std::printf("distance driven: %.3f m\n", s.distance_m);
+    if (s.measured) {
+        std::printf("wall distance to keep: %.3f m\n", s.wall_distance_m);
+        if (std::isnan(s.mean_error_m)) {
+            std::printf("wall distance error: not measured, the run ended while settling\n");
+        } else {
+            std::printf("mean wall distance error: %.4f m\n", s.mean_error_m);
+            std::printf("largest wall distance error: %.4f m\n", s.largest_error_m);
+        }
+    }
+    std::printf("odometry error at the end: %.3f m\n", s.odometry_error_m);
+    std::printf("collisions: %d\n", s.collisions);
+}
+
+} // namespace frob::serve

@@ -1,0 +1,39 @@
+#!/bin/sh
+# Examples through each robot's driver and line, with many seeds of noise: what
+# they reach in the simulator they reach here, also when an adapter to USB keeps
+# bytes back for 16 ms and a step takes 5 ms. Says which seeds are out of bounds.
+#
+# usage: seeds.sh FROBC FROB_LINE EXAMPLES COUNT
+frobc=$1 line=$2 examples=$3 count=$4
+. "$(dirname "$0")/../run/within.sh"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# frobc keeps the shared objects that it makes; here it has a cache for this one.
+compile () { # EXAMPLE ROBOT
+  XDG_CACHE_HOME=$work/$1-$2 "$frobc" run "$examples/$1/$1.frob" --robot "$2" \
+    --world "$examples/$1/world.toml" --for 10ms >"$work/said" || { cat "$work/said"; return 1; }
+  echo "$work/$1-$2"/frobc/*.so
+}
+
+status=0
+each () { # EXAMPLE SECONDS BOUNDS...
+  example=$1 for_s=$2
+  shift 2
+  for robot in pioneer scout create; do
+    program=$(compile "$example" "$robot") || exit 2
+    failed=0
+    for seed in $(seq 1 "$count"); do
+      for slow in "adapter=0" "adapter=16 step=5"; do
+        "$line" "$program" "$robot" "$examples/$example/world.toml" "$seed" "$for_s" $slow |
+          within connections 1 1 stale_readings 0 0 collisions 0 0 "$@" ||
+          { echo "$example on a $robot, seed $seed, $slow"; failed=$((failed + 1)); }
+      done
+    done
+    echo "$example on a $robot behind its line: $failed of $((2 * count)) runs out of bounds"
+    [ "$failed" -eq 0 ] || status=1
+  done
+}
+each bug 360 result true true odometry_error_at_the_end 0 1
+each wall_follow 60 mean_wall_distance_error 0 0.03 largest_wall_distance_error 0 0.2
+exit $status
