@@ -4,6 +4,7 @@
 
 #include "drivers/scout/command.h"
 #include "drivers/scout/packet.h"
+#include "drivers/scout/sonar.h"
 #include "drivers/scout/state.h"
 
 #include <string.h>
@@ -167,8 +168,35 @@ static void errors(void)
     check(accepted == 0, "a packet with a wrong bit or without a byte is no packet");
 }
 
+/* States come every 20 ms; a transducer's turn is every 640 ms. Its reading is
+ * the same in the first two turns, and another in the third, whose echo comes
+ * 30 ms later. It is heard once a turn, and the old reading not once more. */
+static void turns(void)
+{
+    struct frob_scout_sonar sonar;
+    struct frob_scout_state state;
+    double distance_m[8], d;
+    int64_t at_ms[8];
+    size_t count = 0;
+    memset(&sonar, 0, sizeof sonar);
+    memset(&state, 0, sizeof state);
+    for (int64_t ms = 0; ms < 2560; ms += 20) {
+        state.sonar_in[3] = (uint8_t)(ms < 1280 + 30 ? 40 : 30);
+        frob_scout_sonar_add(&sonar, &state, ms * 1000000, 640 * INT64_C(1000000));
+        if (frob_scout_sonar_take(&sonar, 3, &d) && count < 8) {
+            distance_m[count] = d;
+            at_ms[count++] = ms;
+        }
+    }
+    check(count == 4 && at_ms[0] == 0 && at_ms[1] == 720 && at_ms[2] == 1320 && at_ms[3] == 2040,
+          "a transducer is heard once in each of its turns");
+    check(count == 4 && distance_m[1] > 1.0 && distance_m[2] < 0.8 && distance_m[3] < 0.8,
+          "an old reading is not taken for new when the next one is late");
+}
+
 int main(void)
 {
+    turns();
     commands();
     numbers();
     state();

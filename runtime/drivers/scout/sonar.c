@@ -1,14 +1,27 @@
 #include "drivers/scout/sonar.h"
 
+/* What has not changed is new when its turn is over by an eighth of a round: an
+ * echo comes sooner or later by its distance, and the state that tells of it
+ * later still. Its time is that of its turn, so turns do not drift. */
+static bool is_new(struct frob_scout_sonar *sonar, size_t i, uint8_t reading_in, int64_t now_ns,
+                   int64_t round_ns)
+{
+    int64_t since_ns = now_ns - sonar->new_ns[i];
+    bool differs = reading_in != sonar->reading_in[i];
+    if (!differs && since_ns < round_ns + round_ns / 8)
+        return false;
+    sonar->new_ns[i] = differs || since_ns > 2 * round_ns ? now_ns : sonar->new_ns[i] + round_ns;
+    return true;
+}
+
 void frob_scout_sonar_add(struct frob_scout_sonar *sonar, const struct frob_scout_state *state,
                           int64_t now_ns, int64_t round_ns)
 {
     for (size_t i = 0; i < FROB_SCOUT_SONARS; i++) {
-        if (state->sonar_in[i] == sonar->reading_in[i] && now_ns - sonar->new_ns[i] < round_ns)
-            continue;
-        sonar->reading_in[i] = state->sonar_in[i];
-        sonar->new_ns[i] = now_ns;
-        sonar->is_new[i] = true;
+        if (is_new(sonar, i, state->sonar_in[i], now_ns, round_ns)) {
+            sonar->reading_in[i] = state->sonar_in[i];
+            sonar->is_new[i] = true;
+        }
     }
 }
 

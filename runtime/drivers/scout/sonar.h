@@ -2,7 +2,9 @@
  *
  * A state has the last reading of every transducer and does not say which are
  * new. The transducers take turns, so a reading is taken for new if it is
- * another than before, or if a whole round has passed since the last. */
+ * another than before, or if a whole round and somewhat more has passed since the
+ * last. Never sooner: an old reading that is taken for new puts what was heard
+ * where the robot was a round ago to where it is now. */
 #ifndef FROB_DRIVERS_SCOUT_SONAR_H
 #define FROB_DRIVERS_SCOUT_SONAR_H
 
