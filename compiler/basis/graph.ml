@@ -33,14 +33,14 @@ let components graph =
           search ((w, graph.(w)) :: (v, edges) :: path)
         end
         else begin
-          if on_stack.(w) then low.(v) <- min low.(v) number.(w);
+          if on_stack.(w) then low.(v) <- Int.min low.(v) number.(w);
           search ((v, edges) :: path)
         end
     | (v, []) :: path ->
         if low.(v) = number.(v) then
           found := List.sort Int.compare (pop_until v []) :: !found;
         (match path with
-        | (parent, _) :: _ -> low.(parent) <- min low.(parent) low.(v)
+        | (parent, _) :: _ -> low.(parent) <- Int.min low.(parent) low.(v)
         | [] -> ());
         search path
   in
@@ -54,7 +54,7 @@ let components graph =
 
 let is_cyclic graph = function
   | [] -> false
-  | [ v ] -> List.mem v graph.(v)
+  | [ v ] -> List.exists (Int.equal v) graph.(v)
   | _ -> true
 
 (* How many edges a search for a shortest cycle may look at. *)

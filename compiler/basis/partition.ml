@@ -123,5 +123,5 @@ let congruence ~labels ~arguments =
   in
   work ();
   let smallest = Array.make n max_int in
-  Array.iteri (fun e c -> smallest.(c) <- min smallest.(c) e) t.class_of;
+  Array.iteri (fun e c -> smallest.(c) <- Int.min smallest.(c) e) t.class_of;
   Array.map (fun c -> smallest.(c)) t.class_of

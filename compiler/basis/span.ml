@@ -3,8 +3,9 @@ type t = { file : string; start : position; stop : position }
 
 let make ~file ~start ~stop = { file; start; stop }
 
-let earlier a b = if compare (a.line, a.column) (b.line, b.column) <= 0 then a else b
-let later a b = if compare (a.line, a.column) (b.line, b.column) >= 0 then a else b
+let is_before a b = a.line < b.line || (a.line = b.line && a.column < b.column)
+let earlier a b = if is_before b a then b else a
+let later a b = if is_before a b then b else a
 
 let merge a b =
   if String.equal a.file b.file then

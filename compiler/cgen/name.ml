@@ -33,10 +33,7 @@ let functions =
      frob_atan frob_atan2 frob_hypot frob_angle"
 
 let is_macro_like name =
-  let starts prefix =
-    String.length name >= String.length prefix
-    && String.equal prefix (String.sub name 0 (String.length prefix))
-  in
+  let starts prefix = String.starts_with ~prefix name in
   (* FP_NAN, M_PI, INT32_MAX, … *)
   List.exists starts
     [ "FP_"; "M_"; "MATH_"; "INT"; "UINT"; "FLT_"; "DBL_"; "SIZE_MAX"; "WCHAR"; "WINT" ]

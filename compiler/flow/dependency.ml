@@ -72,20 +72,20 @@ let definitions callee (node : Ir.node) =
 
 let of_node callee (node : Ir.node) =
   let all = definitions callee node in
-  let vertices = Hashtbl.create 64 in
+  let vertices = Int_table.create 64 in
   List.iter
     (fun ((s : Ir.signal), _) ->
-      if not (Hashtbl.mem vertices s.group) then
-        Hashtbl.add vertices s.group (Hashtbl.length vertices))
+      if not (Int_table.mem vertices s.group) then
+        Int_table.add vertices s.group (Int_table.length vertices))
     all;
   let vertex (s : Ir.signal) =
-    match Hashtbl.find_opt vertices s.group with
+    match Int_table.find_opt vertices s.group with
     | Some v -> v
     | None ->
         Diagnostic.bug ~stage:"Flow.Dependency" "`%s` (%d) is not defined in `%s`" s.name s.id
           node.name
   in
-  let n = Hashtbl.length vertices in
+  let n = Int_table.length vertices in
   let defined_by = Array.make n [] in
   List.iter
     (fun (s, definition) ->

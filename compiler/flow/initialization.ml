@@ -6,10 +6,10 @@ let is_stateful : Ir.rhs -> bool = function
   | Replace _ -> false
 
 let check_node (program : Ir.program) (node : Ir.node) =
-  let static = Hashtbl.create 64 in
-  let add (s : Ir.signal) = Hashtbl.replace static s.id () in
+  let static = Int_table.create 64 in
+  let add (s : Ir.signal) = Int_table.replace static s.id () in
   let is_static : Ir.atom -> bool = function
-    | Signal s -> Hashtbl.mem static s.id
+    | Signal s -> Int_table.mem static s.id
     | Bool _ | Int _ | Float _ -> true
   in
   let is_function (i : Ir.instance) = program.nodes.(i.node).kind = Function in

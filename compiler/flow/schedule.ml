@@ -64,13 +64,13 @@ let needs_from_start item =
   | Equation _ | Instance _ | Trial _ -> needs item
 
 let graph ?(needs = needs) items =
-  let definer = Hashtbl.create (2 * Array.length items) in
+  let definer = Int_table.create (2 * Array.length items) in
   Array.iteri
-    (fun v item -> List.iter (fun (s : Ir.signal) -> Hashtbl.replace definer s.id v) (defines item))
+    (fun v item -> List.iter (fun (s : Ir.signal) -> Int_table.replace definer s.id v) (defines item))
     items;
   (* What no item defines is a parameter. *)
   Array.map
-    (fun item -> List.filter_map (fun (s : Ir.signal) -> Hashtbl.find_opt definer s.id) (needs item))
+    (fun item -> List.filter_map (fun (s : Ir.signal) -> Int_table.find_opt definer s.id) (needs item))
     items
 
 let in_order items components =

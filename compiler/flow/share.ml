@@ -54,7 +54,7 @@ type elements = {
   mutable labels : label list;
   mutable arguments : argument list list;  (** both: last first *)
   mutable count : int;
-  of_signal : (int, int) Hashtbl.t;
+  of_signal : int Int_table.t;
 }
 
 let add elements label arguments =
@@ -66,8 +66,8 @@ let add elements label arguments =
 let signals atoms = Long_list.map (fun s -> Signal s) (Operands.signals atoms)
 
 let elements_of (node : Ir.node) =
-  let elements = { labels = []; arguments = []; count = 0; of_signal = Hashtbl.create 64 } in
-  let define (s : Ir.signal) element = Hashtbl.replace elements.of_signal s.id element in
+  let elements = { labels = []; arguments = []; count = 0; of_signal = Int_table.create 64 } in
+  let define (s : Ir.signal) element = Int_table.replace elements.of_signal s.id element in
   let parameter (s : Ir.signal) = define s (add elements (Parameter s.id) []) in
   List.iter parameter node.statics;
   List.iter parameter node.inputs;
@@ -107,7 +107,7 @@ let node (node : Ir.node) =
   let elements, instances = elements_of node in
   let element = function
     | Element e -> e
-    | Signal s -> Hashtbl.find elements.of_signal s.id
+    | Signal s -> Int_table.find elements.of_signal s.id
   in
   let arguments =
     Array.of_list

@@ -8,6 +8,6 @@ let iter f (node : Ir.node) =
 
 let next_id (program : Ir.program) =
   let next = ref 0 in
-  let note (s : Ir.signal) = next := max !next (1 + max s.id s.group) in
+  let note (s : Ir.signal) = next := Int.max !next (1 + Int.max s.id s.group) in
   Array.iter (iter note) program.nodes;
   !next

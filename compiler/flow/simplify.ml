@@ -1,9 +1,11 @@
+open Basis
+
 (* What the operands of later equations are known to be: the right sides seen
    so far, simplified, by signal id. *)
-type known = (int, Ir.rhs) Hashtbl.t
+type known = Ir.rhs Int_table.t
 
 let definition (known : known) : Ir.atom -> Ir.rhs option = function
-  | Signal s -> Hashtbl.find_opt known s.id
+  | Signal s -> Int_table.find_opt known s.id
   | Bool _ | Int _ | Float _ -> None
 
 (* The same value, bit for bit. *)
@@ -167,13 +169,13 @@ let simplify real known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
       rhs
 
 let node_with real fresh (node : Ir.node) =
-  let known : known = Hashtbl.create 64 in
+  let known : known = Int_table.create 64 in
   let substitution = Substitution.create () in
   let added = ref [] in
   let add (like : Ir.signal) ty rhs : Ir.atom =
     let id = fresh () in
     let defines : Ir.signal = { id; name = ""; ty; group = id; span = like.span } in
-    Hashtbl.replace known id rhs;
+    Int_table.replace known id rhs;
     added := { Ir.defines; rhs; span = like.span } :: !added;
     Signal defines
   in
@@ -183,13 +185,13 @@ let node_with real fresh (node : Ir.node) =
         let rhs = Operands.map (Substitution.atom substitution) e.rhs in
         match Clock.recognize real (definition known) (simplify real known add e.defines rhs) with
         | Copy a -> Substitution.replace substitution e.defines a
-        | rhs -> Hashtbl.replace known e.defines.id rhs)
+        | rhs -> Int_table.replace known e.defines.id rhs)
   in
   List.iter visit (Schedule.as_far_as_possible node);
   let equations =
     List.filter_map
       (fun (e : Ir.equation) ->
-        Option.map (fun rhs -> { e with rhs }) (Hashtbl.find_opt known e.defines.id))
+        Option.map (fun rhs -> { e with rhs }) (Int_table.find_opt known e.defines.id))
       node.equations
   in
   Substitution.node substitution { node with equations = List.rev_append !added equations }

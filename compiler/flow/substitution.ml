@@ -1,16 +1,16 @@
 open Basis
 
 type t = {
-  atoms : (int, Ir.atom) Hashtbl.t;  (** by the id of the signal replaced *)
-  names : (int, Ir.signal) Hashtbl.t;  (** whose name and place a signal takes over *)
+  atoms : Ir.atom Int_table.t;  (** by the id of the signal replaced *)
+  names : Ir.signal Int_table.t;  (** whose name and place a signal takes over *)
 }
 
-let create () = { atoms = Hashtbl.create 16; names = Hashtbl.create 8 }
-let is_replaced t (s : Ir.signal) = Hashtbl.mem t.atoms s.id
+let create () = { atoms = Int_table.create 16; names = Int_table.create 8 }
+let is_replaced t (s : Ir.signal) = Int_table.mem t.atoms s.id
 
 let rec last t = function
   | Ir.Signal s as atom -> (
-      match Hashtbl.find_opt t.atoms s.id with
+      match Int_table.find_opt t.atoms s.id with
       | Some next -> last t next
       | None -> atom)
   | (Bool _ | Int _ | Float _) as atom -> atom
@@ -18,15 +18,15 @@ let rec last t = function
 (* Every signal on the way is pointed at the end, so chains stay short. *)
 let rec shorten t goal = function
   | Ir.Signal s -> (
-      match Hashtbl.find_opt t.atoms s.id with
+      match Int_table.find_opt t.atoms s.id with
       | Some next ->
-          Hashtbl.replace t.atoms s.id goal;
+          Int_table.replace t.atoms s.id goal;
           shorten t goal next
       | None -> ())
   | Bool _ | Int _ | Float _ -> ()
 
 let renamed t (s : Ir.signal) =
-  match Hashtbl.find_opt t.names s.id with
+  match Int_table.find_opt t.names s.id with
   | Some named -> { s with name = named.name; span = named.span }
   | None -> s
 
@@ -39,12 +39,12 @@ let atom t a =
 
 let replace t (s : Ir.signal) by =
   let goal = last t by in
-  Hashtbl.replace t.atoms s.id goal;
+  Int_table.replace t.atoms s.id goal;
   match goal with
   | Signal target ->
       let name = (renamed t s).name in
       if name <> "" && (renamed t target).name = "" then
-        Hashtbl.replace t.names target.id (renamed t s)
+        Int_table.replace t.names target.id (renamed t s)
   | Bool _ | Int _ | Float _ -> ()
 
 let apply t (node : Ir.node) =
@@ -79,4 +79,4 @@ let apply t (node : Ir.node) =
     transitions = Transitions.map (atom t) node.transitions;
   }
 
-let node t node = if Hashtbl.length t.atoms = 0 then node else apply t node
+let node t node = if Int_table.length t.atoms = 0 then node else apply t node

@@ -1,21 +1,21 @@
 module F = Flow.Ir
 open Basis
 
-type t = (int, unit) Hashtbl.t
+type t = unit Int_table.t
 
-let none : t = Hashtbl.create 1
-let mem (t : t) (s : F.signal) = Hashtbl.mem t s.id
+let none : t = Int_table.create 1
+let mem (t : t) (s : F.signal) = Int_table.mem t s.id
 
 (* An edge means "is computed from", at this instant or an earlier one. An
    instance is a vertex between its outputs and its inputs. *)
 let graph (node : F.node) =
-  let vertices = Hashtbl.create 64 in
+  let vertices = Int_table.create 64 in
   let count = ref 0 in
   let add () =
     incr count;
     !count - 1
   in
-  let define (s : F.signal) = Hashtbl.replace vertices s.id (add ()) in
+  let define (s : F.signal) = Int_table.replace vertices s.id (add ()) in
   List.iter (fun (eq : F.equation) -> define eq.defines) node.equations;
   let instances =
     List.rev_map
@@ -24,7 +24,7 @@ let graph (node : F.node) =
         (add (), i))
       node.instances
   in
-  let vertex (s : F.signal) = Hashtbl.find_opt vertices s.id in
+  let vertex (s : F.signal) = Int_table.find_opt vertices s.id in
   let graph = Array.make !count [] in
   let define (s : F.signal) successors =
     Option.iter (fun v -> graph.(v) <- successors) (vertex s)
@@ -49,14 +49,14 @@ let of_node (node : F.node) : t =
       List.iteri
         (fun k -> List.iter (fun v -> component.(v) <- k))
         (Graph.components graph);
-      let found = Hashtbl.create 8 in
+      let found = Int_table.create 8 in
       List.iter
         (fun (eq : F.equation) ->
           match eq.rhs with
           | If { condition = Signal c; _ } -> (
               match (vertex c, vertex eq.defines) with
               | Some a, Some b when component.(a) = component.(b) ->
-                  Hashtbl.replace found eq.defines.id ()
+                  Int_table.replace found eq.defines.id ()
               | _, _ -> ())
           | If _ | Copy _ | Op _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
   | At _ | Replace _ | Delay _ | Time _ | Ticks _

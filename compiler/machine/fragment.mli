@@ -44,7 +44,7 @@ type update =
 type write = { place : Ir.place; update : update; span : Span.t }
 
 type t = {
-  leaves : (int, Ir.expr) Hashtbl.t;
+  leaves : Ir.expr Int_table.t;
       (** signals that are read in place: parameters, state *)
   items : item array;
   results : (Ir.place * atom * Span.t) list;  (** written before any state *)

@@ -1,3 +1,5 @@
+open Basis
+
 module F = Flow.Ir
 open Fragment
 
@@ -12,11 +14,11 @@ let variable (s : F.signal) : Ir.variable = { id = s.id; name = s.name; ty = Lay
 let map = Basis.Long_list.map
 
 let results_for_transitions (node : F.node) =
-  let seen = Hashtbl.create 8 in
+  let seen = Int_table.create 8 in
   let is_new (s : F.signal) =
-    (not (Hashtbl.mem seen s.id))
+    (not (Int_table.mem seen s.id))
     &&
-    (Hashtbl.replace seen s.id ();
+    (Int_table.replace seen s.id ();
      true)
   in
   List.filter is_new (Flow.Operands.signals (Flow.Transitions.atoms node.transitions))
@@ -34,12 +36,12 @@ let targets context = Array.of_list context.kept.State.modes
 let entry context targets read (t : F.transition) : Ir.entry =
   let mode : Ir.mode = targets.(t.target) in
   let index = mode.node in
-  let values = Hashtbl.create 8 in
+  let values = Int_table.create 8 in
   List.iter2
-    (fun (s : F.signal) a -> Hashtbl.replace values s.id a)
+    (fun (s : F.signal) a -> Int_table.replace values s.id a)
     context.program.nodes.(index).statics t.arguments;
   let value id =
-    match Hashtbl.find_opt values id with
+    match Int_table.find_opt values id with
     | Some atom -> read atom
     | None -> broken "a mode starts with what is no parameter"
   in
@@ -62,13 +64,13 @@ let read_result (atom : F.atom) : Ir.expr =
 
 let case context targets ~inputs (mode : Ir.mode) : Ir.case =
   let node = context.program.nodes.(mode.node) in
-  let values = Hashtbl.create 16 in
-  List.iter2 (fun (s : F.signal) e -> Hashtbl.replace values s.id e) node.inputs inputs;
+  let values = Int_table.create 16 in
+  List.iter2 (fun (s : F.signal) e -> Int_table.replace values s.id e) node.inputs inputs;
   List.iter
-    (fun ((v : Ir.variable), field) -> Hashtbl.replace values v.id (Ir.Field field))
+    (fun ((v : Ir.variable), field) -> Int_table.replace values v.id (Ir.Field field))
     mode.parameters;
   let value id =
-    match Hashtbl.find_opt values id with
+    match Int_table.find_opt values id with
     | Some e -> e
     | None -> broken "a mode's step reads what it is not given"
   in
@@ -89,17 +91,17 @@ let case context targets ~inputs (mode : Ir.mode) : Ir.case =
 
 (* The expressions of an action's operands, by the atom they are of. *)
 let reader operands exprs =
-  let signals = Hashtbl.create 16 in
+  let signals = Int_table.create 16 in
   List.iter2
     (fun (atom : F.atom) e ->
       match atom with
-      | Signal s -> Hashtbl.replace signals s.id e
+      | Signal s -> Int_table.replace signals s.id e
       | Bool _ | Int _ | Float _ -> ())
     operands exprs;
   fun (atom : F.atom) ->
     match atom with
     | Signal s -> (
-        match Hashtbl.find_opt signals s.id with
+        match Int_table.find_opt signals s.id with
         | Some e -> e
         | None -> broken "an operand is missing")
     | Bool _ | Int _ | Float _ -> read_result atom

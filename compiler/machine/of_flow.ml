@@ -24,13 +24,13 @@ let broken what = Diagnostic.bug ~stage:"Machine.Of_flow" "%s" what
 (* The arguments for those parameters that the callee reads. *)
 let arguments context (i : F.instance) (code : Ir.code) =
   let node = context.program.nodes.(i.node) in
-  let given = Hashtbl.create 16 in
-  let add (s : F.signal) atom = Hashtbl.replace given s.id atom in
+  let given = Int_table.create 16 in
+  let add (s : F.signal) atom = Int_table.replace given s.id atom in
   List.iter2 add node.statics i.statics;
   List.iter2 add node.inputs i.inputs;
   List.map
     (fun (parameter : Ir.variable) ->
-      match Hashtbl.find_opt given parameter.id with
+      match Int_table.find_opt given parameter.id with
       | Some atom -> atom
       | None -> broken "a parameter that is neither static nor input")
     code.parameters
@@ -116,8 +116,8 @@ let try_out context resolve (i : F.instance) (trial : F.trial) state =
 
 let loop context resolve (i : F.instance) (l : F.loop) state =
   let node = callee context i.node in
-  let forms = Hashtbl.create 16 in
-  let input k (s : F.signal) form = Hashtbl.replace forms s.id (k, form) in
+  let forms = Int_table.create 16 in
+  let input k (s : F.signal) form = Int_table.replace forms s.id (k, form) in
   List.iteri
     (fun k (s, form) -> input k s form)
     (List.combine context.program.nodes.(i.node).inputs l.arguments);
@@ -126,7 +126,7 @@ let loop context resolve (i : F.instance) (l : F.loop) state =
   in
   let parameters = node.step.parameters in
   let form (p : Ir.variable) =
-    Option.value (Hashtbl.find_opt forms p.id) ~default:(0, F.Same)
+    Option.value (Int_table.find_opt forms p.id) ~default:(0, F.Same)
   in
   let statements exprs =
     let accumulators = List.length initial in
@@ -189,24 +189,24 @@ let call context resolve (i : F.instance) state =
 
 (* A fragment under construction. Unnamed copies are looked through. *)
 type draft = {
-  copies : (int, F.atom) Hashtbl.t;
-  leaves : (int, Ir.expr) Hashtbl.t;
+  copies : F.atom Int_table.t;
+  leaves : Ir.expr Int_table.t;
   mutable items : item list;  (** last first *)
 }
 
-let draft () = { copies = Hashtbl.create 16; leaves = Hashtbl.create 16; items = [] }
+let draft () = { copies = Int_table.create 16; leaves = Int_table.create 16; items = [] }
 let add draft item = draft.items <- item :: draft.items
-let leaf draft (s : F.signal) e = Hashtbl.replace draft.leaves s.id e
+let leaf draft (s : F.signal) e = Int_table.replace draft.leaves s.id e
 
 let resolve draft (atom : F.atom) =
   match atom with
-  | Signal s -> Option.value (Hashtbl.find_opt draft.copies s.id) ~default:atom
+  | Signal s -> Option.value (Int_table.find_opt draft.copies s.id) ~default:atom
   | Bool _ | Int _ | Float _ -> atom
 
 let add_computed draft (eq : F.equation) =
   match without_self_comparison (Flow.Operands.map (resolve draft) eq.rhs) with
   | Copy atom when String.equal eq.defines.name "" ->
-      Hashtbl.replace draft.copies eq.defines.id atom
+      Int_table.replace draft.copies eq.defines.id atom
   | rhs -> add draft (Computed (computed eq rhs))
 
 let work ?(operands = []) span statements =
@@ -468,13 +468,13 @@ let rec alignment context (content : Ir.content) =
       | [] -> 1)
 
 let stepped body (modes : Ir.mode list) =
-  let nodes = Hashtbl.create 8 in
+  let nodes = Int_table.create 8 in
   Walk.statements
     (function
-      | Step { node; _ } | Loop { node; _ } -> Hashtbl.replace nodes node ()
+      | Step { node; _ } | Loop { node; _ } -> Int_table.replace nodes node ()
       | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Await _ | Run _ | Return _ -> ())
     body;
-  List.iter (fun (mode : Ir.mode) -> Hashtbl.replace nodes mode.node ()) modes;
+  List.iter (fun (mode : Ir.mode) -> Int_table.replace nodes mode.node ()) modes;
   nodes
 
 (* Whether the dt of the first instant shows in what a node computes: an
@@ -487,7 +487,7 @@ let sees_first_dt context state (statics : Statics.t) stepped =
     | Some (Integrated _) -> true
   in
   List.exists own (equations statics.in_step)
-  || Hashtbl.fold (fun k () any -> any || context.sees_first_dt.(k)) stepped false
+  || Int_table.fold (fun k () any -> any || context.sees_first_dt.(k)) stepped false
 
 (* The number of a mode may be one byte. *)
 let most_modes_and_none = 255
@@ -577,7 +577,7 @@ and own_node context k ~is_root =
     compare (alignment context b.content) (alignment context a.content)
   in
   let any property =
-    Hashtbl.fold (fun k () any -> any || property (callee context k)) stepped false
+    Int_table.fold (fun k () any -> any || property (callee context k)) stepped false
   in
   let translated : Ir.node =
     {

@@ -26,7 +26,7 @@ type use = { block : block; position : int }
 
 type t = {
   usage : Usage.t;
-  uses : (int, use list) Hashtbl.t;  (** of signals that get variables *)
+  uses : use list Int_table.t;  (** of signals that get variables *)
   open_branches : (int * int, branch) Hashtbl.t;  (** by block and condition *)
   root : block;
   mutable next_position : int;
@@ -51,8 +51,8 @@ let variable (s : Flow.signal) : Ir.variable =
 (* Expressions *)
 
 let record t (s : Flow.signal) use =
-  let others = Option.value (Hashtbl.find_opt t.uses s.id) ~default:[] in
-  Hashtbl.replace t.uses s.id (use :: others)
+  let others = Option.value (Int_table.find_opt t.uses s.id) ~default:[] in
+  Int_table.replace t.uses s.id (use :: others)
 
 (* [leaf] says how to read a leaf. *)
 let rec tree ?(leaf = Fun.id) t use (atom : atom) : Ir.expr =
@@ -153,19 +153,19 @@ let rec store ?leaf t ~branch block (w : write) =
 
 (* Values that a block needs before it writes state: fields that would be
    overwritten too early, and values that read such fields. *)
-type early = { saved : (int, Ir.variable * Ir.field) Hashtbl.t; mutable apart : Flow.signal list }
+type early = { saved : (Ir.variable * Ir.field) Int_table.t; mutable apart : Flow.signal list }
 
-let no_early () = { saved = Hashtbl.create 4; apart = [] }
+let no_early () = { saved = Int_table.create 4; apart = [] }
 
 let save t early (e : Ir.expr) : Ir.expr =
   match e with
   | Field ({ content = Value ty; _ } as field) ->
       let variable : Ir.variable =
-        match Hashtbl.find_opt early.saved field.id with
+        match Int_table.find_opt early.saved field.id with
         | Some (variable, _) -> variable
         | None ->
             let variable : Ir.variable = { id = -fresh t; name = field.name; ty } in
-            Hashtbl.replace early.saved field.id (variable, field);
+            Int_table.replace early.saved field.id (variable, field);
             variable
       in
       Variable variable
@@ -182,7 +182,7 @@ let set_apart t early atoms =
 
 let place_early t block early =
   List.iter (fun s -> record t s (here t block)) early.apart;
-  Hashtbl.fold (fun id saved list -> (id, saved) :: list) early.saved []
+  Int_table.fold (fun id saved list -> (id, saved) :: list) early.saved []
   |> List.sort (fun (a, _) (b, _) -> compare b a)
   |> List.iter (fun (_, (variable, (field : Ir.field))) ->
          put block (Declare { variable; value = Field field; span = field.span }))
@@ -226,10 +226,10 @@ let place_units t units =
   place_early t t.root early
 
 let place_return t units (value, span) =
-  let written = Hashtbl.create 16 in
+  let written = Int_table.create 16 in
   let note (w : Write_order.write) =
     match w.write.place with
-    | Own field -> Hashtbl.replace written field.id ()
+    | Own field -> Int_table.replace written field.id ()
     | Local _ | Result _ -> ()
   in
   List.iter
@@ -243,7 +243,7 @@ let place_return t units (value, span) =
   let early = no_early () in
   let reads = Write_order.reads t.usage [ value ] in
   let leaf =
-    if Hashtbl.fold (fun field () any -> any || Hashtbl.mem written field) reads false then (
+    if Int_table.fold (fun field () any -> any || Int_table.mem written field) reads false then (
       set_apart t early [ value ];
       save t early)
     else Fun.id
@@ -253,7 +253,7 @@ let place_return t units (value, span) =
 
 (* Items, from the last to the first. *)
 
-let uses_of t (s : Flow.signal) = Option.value (Hashtbl.find_opt t.uses s.id) ~default:[]
+let uses_of t (s : Flow.signal) = Option.value (Int_table.find_opt t.uses s.id) ~default:[]
 
 let place_computed t (c : computed) uses =
   let block = block_for t uses in
@@ -309,7 +309,7 @@ let statements (fragment : Fragment.t) =
   let t =
     {
       usage;
-      uses = Hashtbl.create 64;
+      uses = Int_table.create 64;
       open_branches = Hashtbl.create 16;
       root;
       next_position = 0;

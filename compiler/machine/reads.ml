@@ -1,5 +1,7 @@
+open Basis
+
 type t = {
-  variables : (int, unit) Hashtbl.t;
+  variables : unit Int_table.t;
   mutable seconds : bool;
   mutable nanoseconds : bool;
   mutable operations : int;
@@ -8,7 +10,7 @@ type t = {
 let of_body body =
   let reads =
     {
-      variables = Hashtbl.create 16;
+      variables = Int_table.create 16;
       seconds = false;
       nanoseconds = false;
       operations = 0;
@@ -18,7 +20,7 @@ let of_body body =
     (fun (e : Ir.expr) ->
       reads.operations <- reads.operations + (match Walk.children e with [] -> 0 | _ :: _ -> 1);
       match e with
-      | Variable v -> Hashtbl.replace reads.variables v.id ()
+      | Variable v -> Int_table.replace reads.variables v.id ()
       | Dt -> reads.seconds <- true
       | Dt_nanoseconds -> reads.nanoseconds <- true
       | Elements _ | Fill _ | Index _ | At _ | Replace _ | Field _ | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Operation _ | Select _ | Construct _
@@ -28,4 +30,4 @@ let of_body body =
   reads
 
 let parameters reads variables =
-  List.filter (fun (v : Ir.variable) -> Hashtbl.mem reads.variables v.id) variables
+  List.filter (fun (v : Ir.variable) -> Int_table.mem reads.variables v.id) variables

@@ -1,7 +1,9 @@
 (** What a function's body turned out to read. *)
 
+open Basis
+
 type t = {
-  variables : (int, unit) Hashtbl.t;  (** by id *)
+  variables : unit Int_table.t;  (** by id *)
   mutable seconds : bool;  (** dt as a number *)
   mutable nanoseconds : bool;  (** dt as a whole number of nanoseconds *)
   mutable operations : int;  (** how many expressions have parts *)

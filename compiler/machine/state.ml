@@ -1,3 +1,4 @@
+open Basis
 open Flow.Ir
 
 type memory =
@@ -9,7 +10,7 @@ type memory =
   | Kept of Ir.field
 
 type t = {
-  memories : (int, memory) Hashtbl.t;
+  memories : memory Int_table.t;
   instances : (string, Ir.field) Hashtbl.t;
   mutable fields : Ir.field list;  (** last first *)
   mutable machine : machine option;
@@ -40,7 +41,7 @@ let fields_of_mode (mode : Ir.mode) =
   List.map snd mode.parameters @ Option.to_list mode.state
 
 let fields t = List.rev t.fields
-let memory t (s : signal) = Hashtbl.find_opt t.memories s.id
+let memory t (s : signal) = Int_table.find_opt t.memories s.id
 let instance t (i : instance) = Hashtbl.find_opt t.instances i.name
 
 let atom_name = function Signal s -> s.name | Bool _ | Int _ | Float _ -> ""
@@ -53,7 +54,7 @@ let derived (s : signal) atom ~suffix ~otherwise =
   | "", operand -> operand ^ "_" ^ suffix
   | name, _ -> name
 
-let remember t (s : signal) memory = Hashtbl.replace t.memories s.id memory
+let remember t (s : signal) memory = Int_table.replace t.memories s.id memory
 
 let value (ty : ty) : Ir.content = Value (Layout.ty ty)
 
@@ -158,7 +159,7 @@ let machine_of t ~callee ~statics (m : Flow.Ir.machine) =
 let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : Statics.t) =
   let t =
     {
-      memories = Hashtbl.create 16;
+      memories = Int_table.create 16;
       instances = Hashtbl.create 16;
       fields = [];
       machine = None;
@@ -184,10 +185,10 @@ let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : S
       | Trial _ -> ()
       | Machine m -> machine_of t ~callee ~statics:statics_of m)
     statics.in_step;
-  let is_kept = Hashtbl.create 16 in
-  List.iter (fun (s : signal) -> Hashtbl.replace is_kept s.id ()) statics.kept;
+  let is_kept = Int_table.create 16 in
+  List.iter (fun (s : signal) -> Int_table.replace is_kept s.id ()) statics.kept;
   let keep ~name span (s : signal) =
-    if Hashtbl.mem is_kept s.id then
+    if Int_table.mem is_kept s.id then
       let name = if String.equal s.name "" then name else s.name in
       remember t s (Kept (new_field t ~name (value s.ty) ~purpose:"known at the start" span))
   in

@@ -29,17 +29,17 @@ let is_stateful = function
 (* What is known of a node while it is being divided; tables by signal id. *)
 type work = {
   program : Flow.Ir.program;
-  static : (int, cost) Hashtbl.t;
-  definer : (int, Flow.Schedule.item) Hashtbl.t;
+  static : cost Int_table.t;
+  definer : Flow.Schedule.item Int_table.t;
 }
 
 let is_static work = function
-  | Flow.Ir.Signal s -> Hashtbl.mem work.static s.id
+  | Flow.Ir.Signal s -> Int_table.mem work.static s.id
   | Bool _ | Int _ | Float _ -> true
 
 let cost_of_operands work atoms =
   let is_costly = function
-    | Flow.Ir.Signal s -> Hashtbl.find_opt work.static s.id = Some Costly
+    | Flow.Ir.Signal s -> Int_table.find_opt work.static s.id = Some Costly
     | Bool _ | Int _ | Float _ -> false
   in
   if List.exists is_costly atoms then Costly else Cheap
@@ -52,22 +52,22 @@ let lasts work (s : Flow.Ir.signal) =
 let classify work item =
   match item with
   | Flow.Schedule.Equation e ->
-      Hashtbl.replace work.definer e.defines.id item;
+      Int_table.replace work.definer e.defines.id item;
       let operands = Flow.Operands.all e.rhs in
       if (not (is_stateful e.rhs)) && List.for_all (is_static work) operands then
-        Hashtbl.replace work.static e.defines.id
+        Int_table.replace work.static e.defines.id
           (if is_expensive e.rhs then Costly else cost_of_operands work operands)
   | Instance i ->
-      List.iter (fun (s : Flow.Ir.signal) -> Hashtbl.replace work.definer s.id item) i.outputs;
+      List.iter (fun (s : Flow.Ir.signal) -> Int_table.replace work.definer s.id item) i.outputs;
       if
         work.program.nodes.(i.node).kind = Function
         && List.for_all (is_static work) i.statics
         && List.for_all (is_static work) i.inputs
         && List.for_all (lasts work) i.outputs
-      then List.iter (fun (s : Flow.Ir.signal) -> Hashtbl.replace work.static s.id Costly) i.outputs
+      then List.iter (fun (s : Flow.Ir.signal) -> Int_table.replace work.static s.id Costly) i.outputs
   | Trial _ | Machine _ ->
       List.iter
-        (fun (s : Flow.Ir.signal) -> Hashtbl.replace work.definer s.id item)
+        (fun (s : Flow.Ir.signal) -> Int_table.replace work.definer s.id item)
         (Flow.Schedule.defines item)
 
 let operands_of_item = function
@@ -79,16 +79,16 @@ let operands_of_item = function
 (* All signals from which [roots] are computed by static definitions, with
    themselves; [stop] ends the walk at a signal. *)
 let closure work ~stop roots =
-  let seen = Hashtbl.create 16 in
+  let seen = Int_table.create 16 in
   let rec walk = function
     | [] -> seen
-    | (s : Flow.Ir.signal) :: rest when Hashtbl.mem seen s.id -> walk rest
+    | (s : Flow.Ir.signal) :: rest when Int_table.mem seen s.id -> walk rest
     | s :: rest ->
-        Hashtbl.replace seen s.id ();
+        Int_table.replace seen s.id ();
         if stop s then walk rest
         else
           let operands =
-            match Hashtbl.find_opt work.definer s.id with
+            match Int_table.find_opt work.definer s.id with
             | Some item -> Flow.Operands.signals (operands_of_item item)
             | None -> []
           in
@@ -97,7 +97,7 @@ let closure work ~stop roots =
   walk roots
 
 let defines_one_of table item =
-  List.exists (fun (s : Flow.Ir.signal) -> Hashtbl.mem table s.id) (Flow.Schedule.defines item)
+  List.exists (fun (s : Flow.Ir.signal) -> Int_table.mem table s.id) (Flow.Schedule.defines item)
 
 (* What an item that is not static reads at its start, and in each step. *)
 let read_at_start (program : Flow.Ir.program) = function
@@ -126,15 +126,15 @@ let of_function (node : Flow.Ir.node) =
   { at_reset = []; kept = []; in_step = Flow.Schedule.of_node node; read_by_step = node.statics }
 
 let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) =
-  let work = { program; static = Hashtbl.create 64; definer = Hashtbl.create 64 } in
-  List.iter (fun (s : Flow.Ir.signal) -> Hashtbl.replace work.static s.id Cheap) node.statics;
+  let work = { program; static = Int_table.create 64; definer = Int_table.create 64 } in
+  List.iter (fun (s : Flow.Ir.signal) -> Int_table.replace work.static s.id Cheap) node.statics;
   let items = Flow.Schedule.of_node node in
   List.iter (classify work) items;
   let is_static_item = function
-    | Flow.Schedule.Equation e -> Hashtbl.mem work.static e.defines.id
+    | Flow.Schedule.Equation e -> Int_table.mem work.static e.defines.id
     | Instance i -> (
         match i.outputs with
-        | s :: _ -> Hashtbl.mem work.static s.id
+        | s :: _ -> Int_table.mem work.static s.id
         | [] -> false)
     | Trial _ | Machine _ -> false
   in
@@ -150,24 +150,24 @@ let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) 
   let outputs =
     List.rev_append (Flow.Transitions.atoms node.transitions) (List.rev_map snd node.outputs)
   in
-  let static_only = List.filter (fun (s : Flow.Ir.signal) -> Hashtbl.mem work.static s.id) in
+  let static_only = List.filter (fun (s : Flow.Ir.signal) -> Int_table.mem work.static s.id) in
   let read = gather (read_in_step program callee) in
   let in_step = static_only (Flow.Operands.signals (List.rev_append outputs read)) in
-  let is_costly (s : Flow.Ir.signal) = Hashtbl.find_opt work.static s.id = Some Costly in
+  let is_costly (s : Flow.Ir.signal) = Int_table.find_opt work.static s.id = Some Costly in
   (* A cheap static reads cheap ones only, so the walk ends at what is kept. *)
   let needed_in_step = closure work ~stop:is_costly in_step in
   let kept =
     List.concat_map
       (fun item ->
         List.filter
-          (fun (s : Flow.Ir.signal) -> is_costly s && Hashtbl.mem needed_in_step s.id)
+          (fun (s : Flow.Ir.signal) -> is_costly s && Int_table.mem needed_in_step s.id)
           (Flow.Schedule.defines item))
       static_items
   in
   let at_reset_roots = List.rev_append (Flow.Operands.signals at_start) kept in
   let needed_at_reset = closure work ~stop:(fun _ -> false) at_reset_roots in
-  let is_kept = Hashtbl.create 16 in
-  List.iter (fun (s : Flow.Ir.signal) -> Hashtbl.replace is_kept s.id ()) kept;
+  let is_kept = Int_table.create 16 in
+  List.iter (fun (s : Flow.Ir.signal) -> Int_table.replace is_kept s.id ()) kept;
   let runs_in_step item =
     (not (is_static_item item))
     || (defines_one_of needed_in_step item && not (defines_one_of is_kept item))
@@ -177,7 +177,7 @@ let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) 
     kept;
     in_step = List.filter runs_in_step items;
     read_by_step =
-      List.filter (fun (s : Flow.Ir.signal) -> Hashtbl.mem needed_in_step s.id) node.statics;
+      List.filter (fun (s : Flow.Ir.signal) -> Int_table.mem needed_in_step s.id) node.statics;
   }
 
 let program (program : Flow.Ir.program) =

@@ -1,3 +1,5 @@
+open Basis
+
 module Flow = Flow.Ir
 open Fragment
 
@@ -9,12 +11,12 @@ type guard =
 
 type t = {
   fragment : Fragment.t;
-  item_of : (int, int) Hashtbl.t;
-  uses : (int, int) Hashtbl.t;
-  apart : (int, unit) Hashtbl.t;
-  taken : (int, unit) Hashtbl.t;  (** choices absorbed by writes *)
-  branching : (int, unit) Hashtbl.t;  (** conditions worth an [If] *)
-  predicted : (int, unit) Hashtbl.t;  (** those of choices in {!Feedback} *)
+  item_of : int Int_table.t;
+  uses : int Int_table.t;
+  apart : unit Int_table.t;
+  taken : unit Int_table.t;  (** choices absorbed by writes *)
+  branching : unit Int_table.t;  (** conditions worth an [If] *)
+  predicted : unit Int_table.t;  (** those of choices in {!Feedback} *)
   mutable writes : write list;
   mutable results : write list;
 }
@@ -28,12 +30,12 @@ let branch_count = 4
 (* A choice inside a choice inside … of one write. *)
 let update_depth = 8
 
-let get table key ~default = Option.value (Hashtbl.find_opt table key) ~default
-let leaf t (s : Flow.signal) = Hashtbl.find_opt t.fragment.leaves s.id
+let get table key ~default = Option.value (Int_table.find_opt table key) ~default
+let leaf t (s : Flow.signal) = Int_table.find_opt t.fragment.leaves s.id
 let uses t (s : Flow.signal) = get t.uses s.id ~default:0
 
 let item_of t (s : Flow.signal) =
-  Option.map (fun k -> (k, t.fragment.items.(k))) (Hashtbl.find_opt t.item_of s.id)
+  Option.map (fun k -> (k, t.fragment.items.(k))) (Int_table.find_opt t.item_of s.id)
 
 let item_uses t k =
   match t.fragment.items.(k) with
@@ -46,15 +48,15 @@ let computed_of t s =
   | Some (_, Action _) | None -> None
 
 let predicted t = function
-  | Flow.Signal s -> Hashtbl.mem t.predicted s.id
+  | Flow.Signal s -> Int_table.mem t.predicted s.id
   | Bool _ | Int _ | Float _ -> false
 
-let absorbed t (s : Flow.signal) = Hashtbl.mem t.taken s.id
-let keep_apart t (s : Flow.signal) = Hashtbl.replace t.apart s.id ()
+let absorbed t (s : Flow.signal) = Int_table.mem t.taken s.id
+let keep_apart t (s : Flow.signal) = Int_table.replace t.apart s.id ()
 
 let branches t (c : computed) =
   match c.choice with
-  | Some (Signal condition, _, _) when Hashtbl.mem t.branching condition.id -> c.choice
+  | Some (Signal condition, _, _) when Int_table.mem t.branching condition.id -> c.choice
   | Some _ | None -> None
 
 (* An array is computed into a variable of its own. *)
@@ -65,7 +67,7 @@ let inlined t (s : Flow.signal) =
   match computed_of t s with
   | Some c
     when String.equal s.name "" && uses t s = 1 && not (is_array s)
-         && (not (Hashtbl.mem t.apart s.id))
+         && (not (Int_table.mem t.apart s.id))
          && Option.is_none (branches t c) ->
       Some c
   | Some _ | None -> None
@@ -75,7 +77,7 @@ let inlined t (s : Flow.signal) =
 
 let count t atom =
   match atom with
-  | Flow.Signal s -> Hashtbl.replace t.uses s.id (uses t s + 1)
+  | Flow.Signal s -> Int_table.replace t.uses s.id (uses t s + 1)
   | Bool _ | Int _ | Float _ -> ()
 
 let rec update_atoms update rest =
@@ -99,7 +101,7 @@ let backwards t visit =
 let operands = function Computed c -> c.operands | Action a -> a.operands
 
 let count_all t =
-  Hashtbl.reset t.uses;
+  Int_table.reset t.uses;
   let write w = List.iter (count t) (update_atoms w.update []) in
   List.iter write t.results;
   List.iter write t.writes;
@@ -144,7 +146,7 @@ let rec absorb t (atom : atom) update =
   | Signal s, Branch { then_; else_; _ } when uses t s = 1 -> (
       match computed_of t s with
       | Some { choice = Some (_, a, b); _ } ->
-          Hashtbl.replace t.taken s.id ();
+          Int_table.replace t.taken s.id ();
           absorb t a then_;
           absorb t b else_
       | Some _ | None -> ())
@@ -162,8 +164,8 @@ let find_predicted t =
     (function
       | Computed { choice = Some (Signal c, _, _); signal; _ }
         when Feedback.mem t.fragment.feedback signal ->
-          Hashtbl.replace t.predicted c.id ();
-          Hashtbl.replace t.branching c.id ()
+          Int_table.replace t.predicted c.id ();
+          Int_table.replace t.branching c.id ()
       | Computed _ | Action _ -> ())
     t.fragment.items
 
@@ -174,16 +176,16 @@ let meet a b =
   | Under _, Under _ | Anywhere, _ | _, Anywhere -> Anywhere
 
 let find_branching t =
-  let guards = Hashtbl.create 64 and weights = Hashtbl.create 16 in
+  let guards = Int_table.create 64 and weights = Int_table.create 16 in
   let guard (s : Flow.signal) = get guards s.id ~default:Nowhere in
   let under g = function
-    | Flow.Signal s -> Hashtbl.replace guards s.id (meet (guard s) g)
+    | Flow.Signal s -> Int_table.replace guards s.id (meet (guard s) g)
     | Bool _ | Int _ | Float _ -> ()
   in
   let charge c weight =
     let total = get weights c ~default:0 + weight in
-    Hashtbl.replace weights c total;
-    if total >= branch_weight then Hashtbl.replace t.branching c ()
+    Int_table.replace weights c total;
+    if total >= branch_weight then Int_table.replace t.branching c ()
   in
   let rec write g = function
     | Keep -> ()
@@ -226,7 +228,7 @@ let find_branching t =
 (* Sizes: from the first item to the last. *)
 
 let bound_sizes t =
-  let sizes = Hashtbl.create 64 in
+  let sizes = Int_table.create 64 in
   let size = function
     | Flow.Signal s when Option.is_some (inlined t s) -> get sizes s.id ~default:1
     | Signal _ | Bool _ | Int _ | Float _ -> 0
@@ -247,7 +249,7 @@ let bound_sizes t =
   in
   Array.iter
     (function
-      | Computed c when uses t c.signal > 0 -> Hashtbl.replace sizes c.signal.id (fit c.operands)
+      | Computed c when uses t c.signal > 0 -> Int_table.replace sizes c.signal.id (fit c.operands)
       | Computed _ | Action _ -> ())
     t.fragment.items
 
@@ -260,7 +262,7 @@ let rec taken_apart t depth (atom : atom) =
       | Some c when depth > 0 && String.equal s.name "" && uses t s = 1 -> (
           match branches t c with
           | Some (condition, then_, else_) ->
-              Hashtbl.replace t.taken s.id ();
+              Int_table.replace t.taken s.id ();
               let then_ = taken_apart t (depth - 1) then_ in
               Branch { condition; then_; else_ = taken_apart t (depth - 1) else_ }
           | None -> Set atom)
@@ -277,10 +279,10 @@ let choice t c =
     (branches t c)
 
 let of_fragment (fragment : Fragment.t) =
-  let item_of = Hashtbl.create 64 in
+  let item_of = Int_table.create 64 in
   Array.iteri
     (fun k item ->
-      let define (s : Flow.signal) = Hashtbl.replace item_of s.id k in
+      let define (s : Flow.signal) = Int_table.replace item_of s.id k in
       match item with Computed c -> define c.signal | Action a -> List.iter define a.defines)
     fragment.items;
   let plain (place, atom, span) = { place; update = Set atom; span } in
@@ -288,11 +290,11 @@ let of_fragment (fragment : Fragment.t) =
     {
       fragment;
       item_of;
-      uses = Hashtbl.create 64;
-      apart = Hashtbl.create 16;
-      taken = Hashtbl.create 16;
-      branching = Hashtbl.create 16;
-      predicted = Hashtbl.create 16;
+      uses = Int_table.create 64;
+      apart = Int_table.create 16;
+      taken = Int_table.create 16;
+      branching = Int_table.create 16;
+      predicted = Int_table.create 16;
       writes =
         List.rev
           (List.rev_map (fun (field, atom, _, span) -> plain (Ir.Own field, atom, span))

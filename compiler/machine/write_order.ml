@@ -25,7 +25,7 @@ let atoms update =
   prepend update []
 
 let reads usage atoms =
-  let fields = Hashtbl.create 8 and seen = Hashtbl.create 8 in
+  let fields = Int_table.create 8 and seen = Int_table.create 8 in
   let rec visit = function
     | [] -> ()
     | [] :: rest -> visit rest
@@ -36,15 +36,15 @@ let reads usage atoms =
         | Signal s -> (
             match Usage.leaf usage s with
             | Some (Field field) ->
-                Hashtbl.replace fields field.id ();
+                Int_table.replace fields field.id ();
                 visit rest
             | Some _ -> visit rest
             | None -> (
                 match Usage.item_of usage s with
                 | Some (_, Action { always = true; _ }) | None -> visit rest
                 | Some (k, (Computed { operands; _ } | Action { operands; _ })) ->
-                    let times = 1 + Option.value (Hashtbl.find_opt seen k) ~default:0 in
-                    Hashtbl.replace seen k times;
+                    let times = 1 + Option.value (Int_table.find_opt seen k) ~default:0 in
+                    Int_table.replace seen k times;
                     if times = Usage.item_uses usage k then visit (operands :: rest)
                     else visit rest)))
   in
@@ -56,15 +56,15 @@ let reads usage atoms =
    had to be made early to break a circle. *)
 let sequence ~count ~reads ~writes =
   let early = Array.make count false and finished = Array.make count false in
-  let writer = Hashtbl.create 16 and waits = Array.make count 0 in
+  let writer = Int_table.create 16 and waits = Array.make count 0 in
   for k = 0 to count - 1 do
-    List.iter (fun field -> Hashtbl.replace writer field k) (writes k)
+    List.iter (fun field -> Int_table.replace writer field k) (writes k)
   done;
   (* The things that must wait for k, because k reads what they write. *)
   let blocked =
     Array.init count (fun k ->
-        let fields = List.sort compare (Hashtbl.fold (fun f () l -> f :: l) (reads k) []) in
-        List.filter (fun other -> other <> k) (List.filter_map (Hashtbl.find_opt writer) fields))
+        let fields = List.sort compare (Int_table.fold (fun f () l -> f :: l) (reads k) []) in
+        List.filter (fun other -> other <> k) (List.filter_map (Int_table.find_opt writer) fields))
   in
   Array.iter (List.iter (fun other -> waits.(other) <- waits.(other) + 1)) blocked;
   let module Ready = Set.Make (Int) in
@@ -118,7 +118,7 @@ type building =
     }
 
 let gather writes =
-  let by_condition = Hashtbl.create 16 in
+  let by_condition = Int_table.create 16 in
   let extend building first second =
     match building with
     | One _ -> ()
@@ -131,13 +131,13 @@ let gather writes =
     | Branch { condition = Signal c as condition; then_; else_ } -> (
         let branch update = match update with Keep -> [] | Set _ | Branch _ -> [ { w with update } ] in
         let first = branch then_ and second = branch else_ in
-        match Hashtbl.find_opt by_condition c.id with
+        match Int_table.find_opt by_condition c.id with
         | Some building ->
             extend building first second;
             units
         | None ->
             let building = Many { condition; span = w.span; first; second } in
-            Hashtbl.replace by_condition c.id building;
+            Int_table.replace by_condition c.id building;
             building :: units)
     | Keep | Set _ | Branch _ -> One w :: units
   in

@@ -25,7 +25,7 @@ and write = {
 
 val of_usage : Usage.t -> unit_ list
 
-val reads : Usage.t -> Fragment.atom list -> (int, unit) Hashtbl.t
+val reads : Usage.t -> Fragment.atom list -> unit Int_table.t
 (** The fields that are read for these values when they are computed as late
     as possible. *)
 

@@ -1,12 +1,7 @@
 include Map.Make (Int)
 module Set = Set.Make (Int)
 
-module Table = Hashtbl.Make (struct
-  type t = int
-
-  let equal = Int.equal
-  let hash n = n land max_int
-end)
+module Table = Basis.Int_table
 
 let restrict keys map =
   Set.fold

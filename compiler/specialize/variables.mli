@@ -6,5 +6,4 @@ module Set : Set.S with type elt = int
 val restrict : Set.t -> 'a t -> 'a t
 (** The entries of the given keys only; linear in the keys, not in the map. *)
 
-(** Tables by any number. *)
-module Table : Hashtbl.S with type key = int
+module Table = Basis.Int_table

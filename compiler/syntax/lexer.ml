@@ -316,23 +316,25 @@ let punctuation = function
   | "^" -> CARET
   | operator -> OPERATOR operator
 
-module Symbols = Set.Make (String)
-
+(* By their first character, the longest first. *)
 let symbols =
-  Symbols.of_list
-    ([ "("; ")"; "{"; "}"; "]"; ","; ";"; "`"; "@"; "\\"; "="; "|"; "->"; "<-"; "-<"; "=>"; "::" ]
-    @ Operators.symbols)
+  let all =
+    [ "("; ")"; "{"; "}"; "]"; ","; ";"; "`"; "@"; "\\"; "="; "|"; "->"; "<-"; "-<"; "=>"; "::" ]
+    @ Operators.symbols
+  in
+  let longest_first a b = Int.compare (String.length b) (String.length a) in
+  Array.init 256 (fun code ->
+      List.filter (fun symbol -> Char.code symbol.[0] = code) all
+      |> List.sort_uniq String.compare |> List.stable_sort longest_first)
+
+let stands_here t symbol =
+  let rec same i = i = String.length symbol || (peek t i = symbol.[i] && same (i + 1)) in
+  same 1
 
 let symbol t =
-  let rec longest n =
-    if n = 0 then None
-    else if t.at + n <= String.length t.text && Symbols.mem (String.sub t.text t.at n) symbols then Some n
-    else longest (n - 1)
-  in
-  match longest 3 with
-  | Some n ->
-      let text = String.sub t.text t.at n in
-      t.at <- t.at + n;
+  match List.find_opt (stands_here t) symbols.(Char.code (peek t 0)) with
+  | Some text ->
+      t.at <- t.at + String.length text;
       punctuation text
   | None -> unexpected t
 

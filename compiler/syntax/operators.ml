@@ -19,14 +19,15 @@ let table =
 
 let symbols = List.concat_map (fun (_, _, symbols) -> symbols) table
 
+let precedences =
+  List.concat_map (fun (level, side, symbols) -> List.map (fun s -> (s, (level, side))) symbols) table
+  |> List.to_seq |> Hashtbl.of_seq
+
 (* A name in backticks binds like [!], but [div] and [mod] like [*]. *)
 let precedence (operator : Ir.qualified) =
   match operator.name.text with
   | "div" | "mod" -> (7, Left)
-  | text -> (
-      match List.find_opt (fun (_, _, symbols) -> List.mem text symbols) table with
-      | Some (level, side, _) -> (level, side)
-      | None -> (9, Left))
+  | text -> Option.value (Hashtbl.find_opt precedences text) ~default:(9, Left)
 
 let minus_level = 6
 let comparison_level = 4

@@ -32,8 +32,8 @@ type group = {
 type t = {
   reader : Written.t;
   real : Real.t;
-  globals : (Ir.Global.t, entry) Hashtbl.t;
-  locals : (int, Type.scheme) Hashtbl.t;
+  globals : entry Resolve.Global_table.t;
+  locals : Type.scheme Int_table.t;
   owners : (int, Mistake.owned) Hashtbl.t;
   given : (int, Ir.class_ list) Hashtbl.t;
   needs : (constraint_, required) Hashtbl.t;
@@ -49,8 +49,8 @@ let start reader ~real =
   {
     reader;
     real;
-    globals = Hashtbl.create 1024;
-    locals = Hashtbl.create 1024;
+    globals = Resolve.Global_table.create 1024;
+    locals = Int_table.create 1024;
     owners = Hashtbl.create 64;
     given = Hashtbl.create 64;
     needs = Hashtbl.create 64;
@@ -82,7 +82,6 @@ let require t required = t.group.required <- required :: t.group.required
 
 let use t ~at ~name ?said scheme =
   let instance = Type.instantiate t.reader.supply ~depth:t.depth scheme in
-  let by = "`" ^ name ^ "`" in
   List.iter2
     (fun (class_, argument) (_, parameter) ->
       let because =
@@ -90,7 +89,7 @@ let use t ~at ~name ?said scheme =
           (fun place ->
             ( place,
               fun words ->
-                Printf.sprintf "%s asks for `%s` here" by (Show.constraint_ words class_ parameter) ))
+                Printf.sprintf "`%s` asks for `%s` here" name (Show.constraint_ words class_ parameter) ))
           said
       in
       let from =
@@ -98,7 +97,7 @@ let use t ~at ~name ?said scheme =
         | Rigid r -> Some (r.variable.id, class_)
         | _ -> None
       in
-      require t { class_; argument; at; by; because; from })
+      require t { class_; argument; at; by = "`" ^ name ^ "`"; because; from })
     instance.required scheme.context;
   List.iter2
     (fun (r : Type.rigid) argument ->

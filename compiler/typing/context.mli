@@ -45,8 +45,8 @@ type question = {
 type t = {
   reader : Written.t;
   real : Real.t;
-  globals : (Ir.Global.t, entry) Hashtbl.t;
-  locals : (int, Type.scheme) Hashtbl.t;  (** by id, which is unique *)
+  globals : entry Resolve.Global_table.t;
+  locals : Type.scheme Int_table.t;  (** by id, which is unique *)
   owners : (int, Mistake.owned) Hashtbl.t;  (** see {!Mistake.owner} *)
   given : (int, Ir.class_ list) Hashtbl.t;
       (** what signatures around promise of their variables, by id *)

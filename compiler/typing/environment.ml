@@ -1,4 +1,5 @@
 open Basis
+module Global_table = Resolve.Global_table
 
 type unit_ = { measure : Units.t; scale : Exact.t }
 type parameters = { units : Units.rigid list; types : Type.rigid list }
@@ -15,31 +16,31 @@ type instance = { context : (Ir.class_ * int) list; place : Span.t }
 type constructor = { ir : Ir.constructor; tycon : Ir.Global.t; scheme : Type.scheme }
 
 type t = {
-  units : (Ir.Global.t, unit_) Hashtbl.t;
+  units : unit_ Global_table.t;
   named : (Ir.unit_, string) Hashtbl.t;
-  types : (Ir.Global.t, type_) Hashtbl.t;
-  constructors : (Ir.Global.t, constructor) Hashtbl.t;
-  classes : (Ir.Global.t, class_) Hashtbl.t;
+  types : type_ Global_table.t;
+  constructors : constructor Global_table.t;
+  classes : class_ Global_table.t;
   instances : (Ir.Global.t * Head.t, instance) Hashtbl.t;
 }
 
 let create () =
   {
-    units = Hashtbl.create 64;
+    units = Global_table.create 64;
     named = Hashtbl.create 16;
-    types = Hashtbl.create 64;
-    constructors = Hashtbl.create 64;
-    classes = Hashtbl.create 16;
+    types = Global_table.create 64;
+    constructors = Global_table.create 64;
+    classes = Global_table.create 16;
     instances = Hashtbl.create 64;
   }
 
 let found what table (name : Ir.Global.t) =
-  match Hashtbl.find_opt table name with
+  match Global_table.find_opt table name with
   | Some entry -> entry
   | None -> Diagnostic.bug ~stage:"Typing.Environment" "no %s %s.%s" what name.module_ name.name
 
 let add_unit t (name : Ir.Global.t) unit_ =
-  Hashtbl.replace t.units name unit_;
+  Global_table.replace t.units name unit_;
   let measure = Units.to_ir unit_.measure in
   if
     Exact.equal unit_.scale Exact.one
@@ -52,7 +53,7 @@ let unit_ t name = found "unit" t.units name
 let named_unit t measure =
   if Units.is_open measure then None else Hashtbl.find_opt t.named (Units.to_ir measure)
 
-let add_type t name type_ = Hashtbl.replace t.types name type_
+let add_type t name type_ = Global_table.replace t.types name type_
 let type_ t name = found "type" t.types name
 let built_in name : Ir.Global.t = { module_ = "Prelude"; name }
 let array = built_in "Array"
@@ -60,10 +61,10 @@ let array_of size element : Type.t = Data { tycon = array; units = []; arguments
 let task = built_in "Task"
 let task_of input output result : Type.t = Data { tycon = task; units = []; arguments = [ input; output; result ] }
 let sequence = built_in "do"
-let add_constructor t c = Hashtbl.replace t.constructors c.ir.constructor c
+let add_constructor t c = Global_table.replace t.constructors c.ir.constructor c
 let constructor t name = found "constructor" t.constructors name
 
-let add_class t name c = Hashtbl.replace t.classes name c
+let add_class t name c = Global_table.replace t.classes name c
 let class_ t name = found "class" t.classes name
 
 let superclasses t : Ir.class_ -> Ir.class_ list = function
@@ -82,7 +83,7 @@ let record_of t tycon =
 
 let field_names t =
   let of_constructor _ c names = List.rev_append (List.rev_map fst c.ir.fields) names in
-  List.sort_uniq String.compare (Hashtbl.fold of_constructor t.constructors [])
+  List.sort_uniq String.compare (Global_table.fold of_constructor t.constructors [])
 
 let fields constructor ty =
   let rec split fields count ty =

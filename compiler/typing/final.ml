@@ -18,7 +18,7 @@ let limited (final : Type.final) =
 
 let compound ty (inside : Type.final list) =
   let parts = List.fold_left (fun n (f : Type.final) -> n + f.parts) 1 inside in
-  let nesting = List.fold_left (fun n (f : Type.final) -> max n f.nesting) 0 inside in
+  let nesting = List.fold_left (fun n (f : Type.final) -> Int.max n f.nesting) 0 inside in
   limited { ty; parts; nesting = nesting + 1 }
 
 let types = List.map (fun (f : Type.final) -> f.ty)
@@ -47,7 +47,7 @@ let rec final (t : Type.t) : Type.final =
       (* Further arguments are no deeper than the first. *)
       let a = final a in
       let b = final b in
-      let nesting = max (a.nesting + 1) b.nesting in
+      let nesting = Int.max (a.nesting + 1) b.nesting in
       limited { ty = Function (a.ty, b.ty); parts = 1 + a.parts + b.parts; nesting }
   | Signal_function (a, b) ->
       let a = final a in

@@ -1,5 +1,6 @@
 open Basis
 open Context
+module Global_table = Resolve.Global_table
 
 type declared = { scheme : Type.scheme; inner : Context.t; at : Span.t }
 (* by a top-level signature; [inner] is where the definition is checked *)
@@ -12,7 +13,7 @@ let top (b : Resolve.Ir.binding) =
 
 let primitive ctx (p : Resolve.Ir.primitive) =
   let scheme, _ = with_signature ctx ~name:p.name.name p.scheme in
-  Hashtbl.replace ctx.globals p.name { scheme; kind = Primitive; at = None };
+  Global_table.replace ctx.globals p.name { scheme; kind = Primitive; at = None };
   (p.name, Final.scheme scheme)
 
 (* What [do] stands for: [Task a b c -> (c -> Task a b d) -> Task a b d]. *)
@@ -29,7 +30,7 @@ let sequence ctx =
     | _ -> Erroneous
   in
   let scheme : Type.scheme = { types; representations = []; units = []; context = []; body } in
-  Hashtbl.replace ctx.globals Environment.sequence { scheme; kind = Primitive; at = None };
+  Global_table.replace ctx.globals Environment.sequence { scheme; kind = Primitive; at = None };
   (Environment.sequence, Final.scheme scheme)
 
 (* All signatures first: what has one can be used before it is checked. *)
@@ -39,12 +40,12 @@ let signature ctx declared (b : Resolve.Ir.binding) =
   | None -> ()
   | Some written ->
       let scheme, inner = with_signature ctx ~name:name.name written in
-      Hashtbl.replace ctx.globals name { scheme; kind = Defined; at = Some written.span };
-      Hashtbl.replace declared name { scheme; inner; at = written.span }
+      Global_table.replace ctx.globals name { scheme; kind = Defined; at = Some written.span };
+      Global_table.replace declared name { scheme; inner; at = written.span }
 
 let expectation ctx declared ~recursive (b : Resolve.Ir.binding) : Context.t * Mistake.expected =
   let name, at = top b in
-  match Hashtbl.find_opt declared name with
+  match Global_table.find_opt declared name with
   | Some { scheme; inner; at } ->
       Classes.give ctx scheme;
       ( { inner with group = ctx.group },
@@ -52,7 +53,7 @@ let expectation ctx declared ~recursive (b : Resolve.Ir.binding) : Context.t * M
   | None ->
       let ty = Context.fresh ctx in
       let scheme = Type.monomorphic ty in
-      Hashtbl.replace ctx.globals name { scheme; kind = Recursive; at = None };
+      Global_table.replace ctx.globals name { scheme; kind = Recursive; at = None };
       let because = if recursive then Mistake.Uses { name = name.name; at } else Unknown in
       (ctx, { ty; because })
 
@@ -65,7 +66,7 @@ let check ~name (b : Resolve.Ir.binding) (inner, expected) =
 let generalize ctx declared bindings expectations =
   let unsigned =
     List.filter
-      (fun (b, _) -> not (Hashtbl.mem declared (fst (top b))))
+      (fun (b, _) -> not (Global_table.mem declared (fst (top b))))
       (List.combine bindings expectations)
   in
   let types = List.map (fun (_, (_, (e : Mistake.expected))) -> e.ty) unsigned in
@@ -82,7 +83,7 @@ let generalize ctx declared bindings expectations =
           body;
         }
       in
-      Hashtbl.replace ctx.globals (fst (top b)) { scheme; kind = Defined; at = None })
+      Global_table.replace ctx.globals (fst (top b)) { scheme; kind = Defined; at = None })
     unsigned types
 
 (* Types that are too large would only do harm later: the definition is left
@@ -103,7 +104,7 @@ let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option 
 
 (* If the definition has the promised type; else the error says it. *)
 let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
-  match Hashtbl.find_opt declared (fst (top b)) with
+  match Global_table.find_opt declared (fst (top b)) with
   | Some { scheme; at; _ } when errors ctx = 0 ->
       List.map (fun (r : Type.rigid) -> r.variable) scheme.types
       @ List.map (fun (r : Units.rigid) -> r.variable) scheme.representations
@@ -121,7 +122,7 @@ let group ctx declared (g : Resolve.Ir.binding_group) =
   check_sizes ctx;
   List.iter (warn_of_variables_like_types ctx declared) g.bindings;
   let definition (b : Resolve.Ir.binding) value =
-    let { Context.scheme; _ } = Hashtbl.find ctx.globals (fst (top b)) in
+    let { Context.scheme; _ } = Global_table.find ctx.globals (fst (top b)) in
     definition ctx b scheme value
   in
   List.filter_map Fun.id (List.map2 definition g.bindings values)
@@ -229,7 +230,7 @@ let program sink ~real (program : Resolve.Ir.program) : Ir.program =
   let primitives = Long_list.map (primitive ctx) program.primitives @ [ sequence ctx ] in
   let classes = Class_declarations.classes ctx program in
   let instances = Class_declarations.instances ctx classes program in
-  let declared = Hashtbl.create 1024 in
+  let declared = Global_table.create 1024 in
   List.iter
     (fun (g : Resolve.Ir.binding_group) -> List.iter (signature ctx declared) g.bindings)
     program.groups;

@@ -121,7 +121,7 @@ let declare ctx (local : Ir.Local.t) (written : Resolve.Ir.scheme) =
   let scheme =
     local_scheme ctx ~name:("`" ^ local.name ^ "`") ~at:local.span written scheme
   in
-  Hashtbl.replace ctx.locals local.id scheme;
+  Int_table.replace ctx.locals local.id scheme;
   { scheme; inner; at = written.span }
 
 let rec right expressions ctx (r : Resolve.Ir.right) expected =
@@ -162,7 +162,7 @@ and prepare ctx signed (b : Resolve.Ir.binding) =
       | Some declared -> `Signed (local, declared)
       | None ->
           let ty = Context.fresh ctx in
-          Hashtbl.replace ctx.locals local.id (Type.monomorphic ty);
+          Int_table.replace ctx.locals local.id (Type.monomorphic ty);
           `Plain (local, ty))
   | Destructure pattern ->
       let ty = Context.fresh ctx in

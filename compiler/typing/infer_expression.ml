@@ -24,7 +24,7 @@ let reference ctx ~at ~name ?said scheme desc =
 
 (* Within its own group a definition is used at its own variables. *)
 let own_instantiation ctx name : Ir.instantiation =
-  let { scheme; _ } = Hashtbl.find ctx.globals name in
+  let { scheme; _ } = Resolve.Global_table.find ctx.globals name in
   let scheme = Final.scheme scheme in
   {
     types = List.map (fun v -> Ir.Variable v) scheme.types;
@@ -32,7 +32,7 @@ let own_instantiation ctx name : Ir.instantiation =
   }
 
 let global ctx (e : Resolve.Ir.expr) (name : Ir.Global.t) =
-  match Hashtbl.find_opt ctx.globals name with
+  match Resolve.Global_table.find_opt ctx.globals name with
   | Some { scheme; kind; at } ->
       reference ctx ~at:e.span ~name:name.name ?said:at scheme (fun instantiation ->
           match kind with
@@ -44,7 +44,7 @@ let global ctx (e : Resolve.Ir.expr) (name : Ir.Global.t) =
       Diagnostic.bug ~stage:"Typing.Infer" "%s.%s is used before it is typed" name.module_ name.name
 
 let local ctx (e : Resolve.Ir.expr) (local : Ir.Local.t) =
-  match Hashtbl.find_opt ctx.locals local.id with
+  match Int_table.find_opt ctx.locals local.id with
   | Some scheme ->
       reference ctx ~at:e.span ~name:local.name scheme (fun instantiation ->
           Local (local, instantiation))

@@ -1,12 +1,13 @@
+open Basis
 open Context
 
 let bind ctx (local : Ir.Local.t) (expected : Mistake.expected) =
-  match Hashtbl.find_opt ctx.locals local.id with
+  match Int_table.find_opt ctx.locals local.id with
   | Some declared ->
       expect ctx ~at:local.span
         { ty = declared.body; because = Signature { name = local.name; at = local.span } }
         expected.ty
-  | None -> Hashtbl.replace ctx.locals local.id (Type.monomorphic expected.ty)
+  | None -> Int_table.replace ctx.locals local.id (Type.monomorphic expected.ty)
 
 let rec check ctx (p : Resolve.Ir.pattern) (expected : Mistake.expected) : Ir.pattern later =
   let node desc () : Ir.pattern =

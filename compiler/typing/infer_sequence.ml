@@ -23,7 +23,7 @@ let rec place ~first (reason : Mistake.reason) =
 
 (* [do] applied to a task and to the rest as a function. *)
 let join ctx s ~result ~at (first : Ir.expr) pattern (rest : Ir.expr) : Ir.expr later =
-  match Hashtbl.find_opt ctx.globals Environment.sequence with
+  match Resolve.Global_table.find_opt ctx.globals Environment.sequence with
   | None -> Diagnostic.bug ~stage:"Typing.Infer" "no primitive for `do`"
   | Some _ ->
       let types = [ s.input; s.output; result ] in

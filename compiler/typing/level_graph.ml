@@ -21,13 +21,13 @@ and dependent =
   | Contained of node
 
 type t = {
-  variables : (int, node) Hashtbl.t;
+  variables : node Int_table.t;
   signals : node Queue.t;  (** to be propagated *)
   statics : node Queue.t;
 }
 
 let create () =
-  { variables = Hashtbl.create 1024; signals = Queue.create (); statics = Queue.create () }
+  { variables = Int_table.create 1024; signals = Queue.create (); statics = Queue.create () }
 
 let node t ~depth origin =
   let make level cause = { depth; origin; level; cause; dependents = [] } in
@@ -42,8 +42,8 @@ let node t ~depth origin =
     Queue.add n t.signals;
     n
 
-let name t (x : Ir.Local.t) node = Hashtbl.replace t.variables x.id node
-let find t (x : Ir.Local.t) = Hashtbl.find_opt t.variables x.id
+let name t (x : Ir.Local.t) node = Int_table.replace t.variables x.id node
+let find t (x : Ir.Local.t) = Int_table.find_opt t.variables x.id
 let depth node = node.depth
 let level node = node.level
 let origin node = node.origin

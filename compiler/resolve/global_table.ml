@@ -1,0 +1,7 @@
+include Hashtbl.Make (struct
+  type t = Ir.Global.t
+
+  (* Few modules have a name in common. *)
+  let hash (x : t) = Hashtbl.hash x.name
+  let equal (a : t) (b : t) = String.equal a.name b.name && String.equal a.module_ b.module_
+end)
