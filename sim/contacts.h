@@ -4,20 +4,21 @@
 #include <cstdint>
 #include <vector>
 
-#include "world.h"
+#include "body.h"
 
 namespace frob::sim {
 
 class Contacts {
   public:
     // Looks at the contacts; called after each physics step.
-    void advance(const World &world);
+    void advance(const Body &body);
 
     // Where something touches the robot, in the robot's frame.
     const std::vector<Vec> &points() const { return points_; }
 
-    // How often the robot ran into something that stands fast. Until it has
-    // been free of it for half a second it is the same collision.
+    // How often the robot ran into something that stands fast, or another robot
+    // and it into each other: then each counts it. Until it has been free of all
+    // that for half a second it is the same collision.
     int collisions() const { return collisions_; }
 
   private:

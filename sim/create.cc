@@ -10,10 +10,10 @@ Create::Create(const Scene &scene, std::uint64_t seed)
     : Robot(create2::chassis(), scene, seed), holes_(scene.holes),
       light_(scene.light, Noise(seed, light_stream)) {}
 
-void Create::look(std::int64_t time_ns, const World &world) {
-    light_.advance(time_ns, world);
+void Create::look(std::int64_t time_ns, const Body &body) {
+    light_.advance(time_ns, body);
     if (holes_.empty()) return;
-    const Pose pose = world.robot_pose();
+    const Pose pose = body.pose();
     const auto over_hole = [&](Vec place) {
         const Vec at = from_frame(pose, place);
         return std::any_of(holes_.begin(), holes_.end(),

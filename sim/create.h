@@ -19,9 +19,10 @@ class Create : public Robot {
     void command(const void *output) override;
 
     const std::vector<Echo> &echoes() const override { return light_.echoes(); }
+    void forget_echoes() override { light_.forget_echoes(); }
 
   private:
-    void look(std::int64_t time_ns, const World &world) override;
+    void look(std::int64_t time_ns, const Body &body) override;
 
     const std::vector<Hole> holes_;
     LightBumpers light_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world.h"
+#include "body.h"
 
 namespace frob::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "world.h"
+#include "body.h"
 
 namespace frob::sim {
 
@@ -18,7 +18,7 @@ struct Echo {
 
 // The distance to the nearest thing anywhere in a transducer's cone: what is
 // heard first. `rays` are cast.
-std::optional<double> nearest_in_cone(const World &world, const Pose &transducer,
+std::optional<double> nearest_in_cone(const Body &body, const Pose &transducer,
                                       double half_angle, double reach, int rays);
 
 } // namespace frob::sim

@@ -7,13 +7,13 @@
 
 namespace frob::sim {
 
-void LightBumpers::advance(std::int64_t time_ns, const World &world) {
+void LightBumpers::advance(std::int64_t time_ns, const Body &body) {
     if (time_ns % refresh_ns != 0) return;
     const RangeFinders &bumpers = create2::chassis().range_finders;
     for (std::size_t i = 0; i < signals_.size(); ++i) {
-        const Pose from = from_frame(world.robot_pose(), bumpers.seats[i]);
+        const Pose from = from_frame(body.pose(), bumpers.seats[i]);
         const std::optional<double> distance =
-            nearest_in_cone(world, from, 0.0, create2::farthest_light, 1);
+            nearest_in_cone(body, from, 0.0, create2::farthest_light, 1);
         // Drawn in any case: what is seen does not change the noise of the rest.
         const double gain = 1 + settings_.noise * noise_.normal();
         const double signal =

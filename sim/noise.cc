@@ -10,6 +10,12 @@ Noise::Noise(std::uint64_t seed, std::uint64_t stream)
     state_ = next();
 }
 
+std::uint64_t Noise::seed_of_robot(std::uint64_t seed, std::uint64_t robot) {
+    // Streams of sensors have small numbers.
+    constexpr std::uint64_t streams_of_robots = 1u << 20;
+    return robot == 0 ? seed : Noise(seed, streams_of_robots + robot).next();
+}
+
 // splitmix64: a counter, and a mixing of its bits.
 // Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014.
 std::uint64_t Noise::next() {

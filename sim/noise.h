@@ -12,6 +12,10 @@ class Noise {
   public:
     Noise(std::uint64_t seed, std::uint64_t stream);
 
+    // The seed of one of several robots in a world: of the first it is the run's
+    // own, so that more robots do not change what it draws.
+    static std::uint64_t seed_of_robot(std::uint64_t seed, std::uint64_t robot);
+
     // Uniform in [0, 1), in steps of 2^-53.
     double uniform();
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "world.h"
+#include "body.h"
 
 namespace frob::sim {
 

@@ -101,15 +101,23 @@ Plot turn_plot(const Simulation &simulation, double end_s) {
 }
 
 std::string subtitle(const Simulation &simulation) {
-    const int collisions = simulation.robot().contacts().collisions();
-    const Pose believed =
-        from_frame(simulation.scene().start, simulation.robot().odometry().pose());
+    int collisions = 0;
+    double driven = 0.0;
+    for (std::size_t k = 0; k < simulation.robots(); ++k) {
+        collisions += simulation.robot(k).contacts().collisions();
+        driven += simulation.recorder(k).distance_driven();
+    }
     char text[160];
-    std::snprintf(text, sizeof text,
-                  "%.4g s, %.2f m driven, %d collision%s, odometry (dotted) off by %.2f m",
-                  seconds(simulation.time_ns()), simulation.recorder().distance_driven(),
-                  collisions, collisions == 1 ? "" : "s",
-                  length(believed.position - simulation.world().robot_pose().position));
+    const int length_so_far =
+        std::snprintf(text, sizeof text, "%.4g s, %.2f m driven, %d collision%s, ",
+                      seconds(simulation.time_ns()), driven, collisions, collisions == 1 ? "" : "s");
+    const auto rest = static_cast<std::size_t>(length_so_far);
+    if (simulation.robots() > 1)
+        std::snprintf(text + rest, sizeof text - rest, "%zu robots; the plots are the first one's",
+                      simulation.robots());
+    else
+        std::snprintf(text + rest, sizeof text - rest, "odometry (dotted) off by %.2f m",
+                      length(simulation.believed().position - simulation.body().pose().position));
     return text;
 }
 

@@ -23,10 +23,10 @@ Robot::Robot(const Chassis &chassis, const Scene &scene, std::uint64_t seed)
       drive_(chassis, scene.drive, Noise(seed, drive_stream)),
       odometry_(chassis, scene.odometry, Noise(seed, odometry_stream)) {}
 
-void Robot::sense(std::int64_t time_ns, const World &world) {
+void Robot::sense(std::int64_t time_ns, const Body &body) {
     if (time_ns > 0) odometry_.advance(drive_.left_speed(), drive_.right_speed());
-    look(time_ns, world);
-    contacts_.advance(world);
+    look(time_ns, body);
+    contacts_.advance(body);
 }
 
 double Robot::battery_voltage(std::int64_t time_ns) const {

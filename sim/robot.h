@@ -22,11 +22,11 @@ class Robot {
     Robot &operator=(const Robot &) = delete;
 
     // Moves the motors, before a physics step.
-    void push(World &world) { drive_.advance(world.robot()); }
+    void push(Body &body) { drive_.advance(body.rigid()); }
 
     // Reads the sensors, after a physics step that ended at `time_ns`; also
     // once before the first.
-    void sense(std::int64_t time_ns, const World &world);
+    void sense(std::int64_t time_ns, const Body &body);
 
     // What the controller sees, as the robot's input struct. An event is in it
     // once, at the first instant after it happened.
@@ -35,8 +35,10 @@ class Robot {
     // What the controller wants, as the robot's output struct.
     virtual void command(const void *output) = 0;
 
-    // All echoes so far, in order of arrival, for the picture.
+    // All echoes, in order of arrival, for the picture; where there is to be none
+    // they are forgotten again and again, and take no memory.
     virtual const std::vector<Echo> &echoes() const = 0;
+    virtual void forget_echoes() = 0;
 
     const Chassis &chassis() const { return chassis_; }
     const DifferentialDrive &drive() const { return drive_; }
@@ -48,7 +50,7 @@ class Robot {
     Robot(const Chassis &chassis, const Scene &scene, std::uint64_t seed);
 
     // The robot's own sensors.
-    virtual void look(std::int64_t time_ns, const World &world) = 0;
+    virtual void look(std::int64_t time_ns, const Body &body) = 0;
 
     // Streams of noise, one for each thing that has some.
     enum Stream : std::uint64_t { drive_stream = 1, odometry_stream, sonar_stream, light_stream };

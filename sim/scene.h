@@ -37,6 +37,12 @@ struct Box {
     double friction = 0.5; // coefficient between box and floor
 };
 
+// Where a robot starts.
+struct Start {
+    Pose pose;
+    std::string place; // in the file, FILE:LINE:COLUMN, for messages
+};
+
 struct DriveSettings {
     // Without a value it is the robot's own, see chassis.h.
     std::optional<double> max_speed;         // m/s
@@ -84,8 +90,7 @@ struct LightSettings {
 struct Scene {
     std::string name;
     std::string robot; // "pioneer", …; "" if the file does not say
-    Pose start;
-    std::string start_place; // FILE:LINE:COLUMN, for messages
+    std::vector<Start> starts; // a robot at each; one or more
     std::vector<Wall> walls;
     std::vector<Polygon> polygons;
     std::vector<Circle> circles;

@@ -167,10 +167,10 @@ void draw_start(View &view, const Chassis &chassis, const Pose &start) {
 }
 
 // The last echo of each transducer: its cone, and an arc where it came from.
-void draw_rays(View &view, const Simulation &simulation) {
-    const RangeFinders &finders = simulation.robot().chassis().range_finders;
+void draw_rays(View &view, const Simulation &simulation, std::size_t robot) {
+    const RangeFinders &finders = simulation.robot(robot).chassis().range_finders;
     std::vector<const Echo *> last(finders.seats.size());
-    for (const Echo &echo : simulation.robot().echoes())
+    for (const Echo &echo : simulation.robot(robot).echoes())
         if (echo.time_ns > simulation.time_ns() - ray_lasts_ns) last[echo.transducer] = &echo;
     for (const Echo *echo : last) {
         if (echo == nullptr) continue;
@@ -204,7 +204,7 @@ void draw_robot(View &view, const Chassis &chassis, const Pose &pose) {
 
 Extent extent(const Simulation &simulation) {
     const Scene &scene = simulation.scene();
-    Extent result{scene.start.position, scene.start.position};
+    Extent result{scene.starts.front().pose.position, scene.starts.front().pose.position};
     for (const Wall &wall : scene.walls)
         for (const Vec &p : wall.points) include(result, p, margin + wall.thickness / 2);
     for (const Polygon &polygon : scene.polygons)
@@ -216,29 +216,33 @@ Extent extent(const Simulation &simulation) {
     for (std::size_t i = 0; i < scene.boxes.size(); ++i)
         for (const Pose &pose : {scene.boxes[i].pose, simulation.world().box_poses()[i]})
             include(result, pose.position, margin + length(scene.boxes[i].size) / 2);
-    for (const Sample &sample : simulation.recorder().samples())
-        include(result, sample.pose.position, 0.5);
+    for (std::size_t k = 0; k < simulation.robots(); ++k)
+        for (const Sample &sample : simulation.recorder(k).samples())
+            include(result, sample.pose.position, 0.5);
     return result;
 }
 
 void draw_scene(Canvas &canvas, const Simulation &simulation, const Extent &extent, Vec corner,
                 Vec size) {
-    const std::vector<Sample> &samples = simulation.recorder().samples();
+    const Chassis &chassis = simulation.robot().chassis();
+    const std::size_t robots = simulation.robots();
     View view(canvas, extent, corner, size);
     const std::vector<Vec> outline = {
         corner, {corner.x + size.x, corner.y}, corner + size, {corner.x, corner.y + size.y}};
     canvas.path(outline, true, filled(palette::floor));
     draw_grid(canvas, view, extent, corner, size);
     canvas.clip(corner, size);
-    draw_rays(view, simulation);
+    for (std::size_t k = 0; k < robots; ++k) draw_rays(view, simulation, k);
     draw_solids(view, simulation.scene());
     draw_boxes(view, simulation);
-    draw_start(view, simulation.robot().chassis(), simulation.scene().start);
-    if (!samples.empty()) {
+    for (const Start &start : simulation.scene().starts) draw_start(view, chassis, start.pose);
+    for (std::size_t k = 0; k < robots; ++k) {
+        const std::vector<Sample> &samples = simulation.recorder(k).samples();
+        if (samples.empty()) continue;
         draw_path(view, samples);
-        draw_times(view, samples);
+        if (robots == 1) draw_times(view, samples);
     }
-    draw_robot(view, simulation.robot().chassis(), simulation.world().robot_pose());
+    for (std::size_t k = 0; k < robots; ++k) draw_robot(view, chassis, simulation.body(k).pose());
     canvas.unclip();
     canvas.path(outline, true, stroked(palette::frame, 1.0));
 }

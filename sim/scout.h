@@ -15,9 +15,10 @@ class Scout : public Robot {
     void read(std::int64_t time_ns, void *input) override;
     void command(const void *output) override;
     const std::vector<Echo> &echoes() const override { return sonar_.echoes(); }
+    void forget_echoes() override { sonar_.forget_echoes(); }
 
   private:
-    void look(std::int64_t time_ns, const World &world) override { sonar_.advance(time_ns, world); }
+    void look(std::int64_t time_ns, const Body &body) override { sonar_.advance(time_ns, body); }
 
     Sonar sonar_;
 };

@@ -70,25 +70,36 @@ const char *frob_sim_world_robot(const char *world_file, char *message, std::siz
     }
 }
 
+std::size_t frob_sim_robots(const frob_sim *sim) { return sim->simulation.robots(); }
+
 void frob_sim_advance(frob_sim *sim, std::int64_t time_ns) { sim->simulation.advance(time_ns); }
 
-void frob_sim_read(frob_sim *sim, void *input) { sim->simulation.read(input); }
+void frob_sim_read(frob_sim *sim, void *input) { frob_sim_read_robot(sim, 0, input); }
 
-void frob_sim_command(frob_sim *sim, std::int64_t time_ns, const void *output) {
-    sim->simulation.command(time_ns, output);
+void frob_sim_read_robot(frob_sim *sim, std::size_t robot, void *input) {
+    sim->simulation.read(input, robot);
 }
 
-frob_sim_summary frob_sim_summarize(const frob_sim *sim) {
+void frob_sim_command(frob_sim *sim, std::int64_t time_ns, const void *output) {
+    frob_sim_command_robot(sim, 0, time_ns, output);
+}
+
+void frob_sim_command_robot(frob_sim *sim, std::size_t robot, std::int64_t time_ns,
+                            const void *output) {
+    sim->simulation.command(time_ns, output, robot);
+}
+
+frob_sim_summary frob_sim_summarize(const frob_sim *sim) { return frob_sim_summarize_robot(sim, 0); }
+
+frob_sim_summary frob_sim_summarize_robot(const frob_sim *sim, std::size_t robot) {
     const Simulation &simulation = sim->simulation;
-    const Pose believed =
-        from_frame(simulation.scene().start, simulation.robot().odometry().pose());
     frob_sim_summary summary{};
     summary.time_s = static_cast<double>(simulation.time_ns()) * 1e-9;
-    summary.distance_m = simulation.recorder().distance_driven();
-    summary.collisions = simulation.robot().contacts().collisions();
+    summary.distance_m = simulation.recorder(robot).distance_driven();
+    summary.collisions = simulation.robot(robot).contacts().collisions();
     summary.odometry_error_m =
-        length(believed.position - simulation.world().robot_pose().position);
-    if (const auto &measured = simulation.wall_distance()) {
+        length(simulation.believed(robot).position - simulation.body(robot).pose().position);
+    if (const auto &measured = simulation.wall_distance(robot)) {
         summary.measured = 1;
         summary.wall_distance_m = simulation.scene().measure->distance;
         summary.mean_error_m = measured->mean_error();

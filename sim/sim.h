@@ -1,6 +1,6 @@
 /* sim.h -- the simulator, for hosts written in C.
  *
- * One simulation is one world file and one robot in it. The host owns
+ * One simulation is one world file and the robots in it. The host owns
  * time: it says up to when the physics should run, reads the sensors, steps
  * the controller, and passes on the command.
  *
@@ -51,22 +51,29 @@ size_t frob_sim_output_size(const struct frob_sim *sim);
  * on failure, with a `message` as above. */
 const char *frob_sim_world_robot(const char *world_file, char *message, size_t room);
 
+/* How many robots there are, all of that kind, numbered from 0 in the order of
+ * the world file. What takes no number is about robot 0, in a world of several too. */
+size_t frob_sim_robots(const struct frob_sim *sim);
+
 /* Runs the physics up to this time, which must not go back. Its step is 5 ms;
  * it stops at the last step that does not go beyond. */
 void frob_sim_advance(struct frob_sim *sim, int64_t time_ns);
 
 /* The sensors, as the robot's input struct. An echo is an event of the first reading after it arrived. */
 void frob_sim_read(struct frob_sim *sim, void *input);
+void frob_sim_read_robot(struct frob_sim *sim, size_t robot, void *input);
 
 /* What the robot does from now on, as its output struct: limited to what it can do, and rest if any
  * of it is NaN. `time_ns` is the controller's instant, for the record. */
 void frob_sim_command(struct frob_sim *sim, int64_t time_ns,
                       const void *output);
+void frob_sim_command_robot(struct frob_sim *sim, size_t robot, int64_t time_ns,
+                            const void *output);
 
 struct frob_sim_summary {
     double time_s;            /* simulated */
     double distance_m;        /* along the path */
-    int collisions;           /* with what stands fast */
+    int collisions;           /* with what stands fast, and with other robots */
     double odometry_error_m;  /* between where the robot is and believes to be */
     int measured;             /* the world file says what to measure: */
     double wall_distance_m;   /* that the robot should keep */
@@ -75,8 +82,9 @@ struct frob_sim_summary {
 };
 
 struct frob_sim_summary frob_sim_summarize(const struct frob_sim *sim);
+struct frob_sim_summary frob_sim_summarize_robot(const struct frob_sim *sim, size_t robot);
 
-/* Draws the world, the path, and the signals. The file's name ends in .svg or
+/* Draws the world, the paths, and the signals of robot 0. The file's name ends in .svg or
  * .png. Returns 1, or 0 with a line in `message`. Without `picture` in the
  * settings there is no path and no signal to be drawn. */
 int frob_sim_picture(const struct frob_sim *sim, const char *file, char *message, size_t room);

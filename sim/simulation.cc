@@ -1,6 +1,7 @@
 #include "simulation.h"
 
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "world_file.h"
@@ -12,47 +13,68 @@ const RobotKind &kind_of(const Scene &scene) {
     return scene.robot.empty() ? robot_kinds().front() : *robot_kind(scene.robot);
 }
 
+std::string called(std::size_t robot, std::size_t robots) {
+    return robots == 1 ? "the robot" : "robot " + std::to_string(robot + 1);
+}
+
 } // namespace
 
 Simulation::Simulation(Scene scene, std::uint64_t seed, bool keeps_samples)
-    : scene_(std::move(scene)), kind_(kind_of(scene_)), world_(scene_, kind_.chassis()),
-      robot_(kind_.make(scene_, seed)), recorder_(keeps_samples) {
-    if (world_.robot_overlaps())
-        throw WorldFileError(scene_.start_place +
-                             ": the robot would start inside a wall or another thing");
-    if (scene_.measure) wall_distance_.emplace(scene_, kind_.chassis(), *scene_.measure);
-    robot_->sense(0, world_);
+    : scene_(std::move(scene)), kind_(kind_of(scene_)), world_(scene_, kind_.chassis()) {
+    for (std::size_t k = 0; k < scene_.starts.size(); ++k) {
+        if (body(k).overlaps())
+            throw WorldFileError(scene_.starts[k].place + ": " + called(k, scene_.starts.size()) +
+                                 " would start inside a wall or another thing");
+        members_.push_back({kind_.make(scene_, Noise::seed_of_robot(seed, k)),
+                            Recorder(keeps_samples), std::nullopt});
+        if (scene_.measure)
+            members_.back().wall_distance.emplace(scene_, kind_.chassis(), *scene_.measure);
+    }
+    for (std::size_t k = 0; k < members_.size(); ++k) members_[k].robot->sense(0, body(k));
 }
 
 void Simulation::advance(std::int64_t time_ns) {
+    std::vector<Body> &bodies = world_.robots();
     while (time_ns_ + step_ns <= time_ns) {
-        robot_->push(world_);
+        for (std::size_t k = 0; k < bodies.size(); ++k) members_[k].robot->push(bodies[k]);
         world_.step();
         time_ns_ += step_ns;
-        robot_->sense(time_ns_, world_);
+        for (std::size_t k = 0; k < bodies.size(); ++k) members_[k].robot->sense(time_ns_, bodies[k]);
     }
 }
 
-void Simulation::command(std::int64_t time_ns, const void *output) {
-    robot_->command(output);
-    const Pose pose = world_.robot_pose();
-    const double wall_distance = wall_distance_ ? wall_distance_->observe(time_ns, pose)
-                                                : std::numeric_limits<double>::quiet_NaN();
-    recorder_.arrive(pose.position);
-    if (!recorder_.keeps_samples()) return;
-    const b2Vec2 velocity = world_.robot().GetLinearVelocity();
+void Simulation::read(void *input, std::size_t robot) { members_[robot].robot->read(time_ns_, input); }
+
+Pose Simulation::believed(std::size_t robot) const {
+    return from_frame(scene_.starts[robot].pose, members_[robot].robot->odometry().pose());
+}
+
+void Simulation::command(std::int64_t time_ns, const void *output, std::size_t robot) {
+    Member &member = members_[robot];
+    member.robot->command(output);
+    const Pose pose = body(robot).pose();
+    const double wall_distance = member.wall_distance
+                                     ? member.wall_distance->observe(time_ns, pose)
+                                     : std::numeric_limits<double>::quiet_NaN();
+    member.recorder.arrive(pose.position);
+    if (!member.recorder.keeps_samples()) {
+        member.robot->forget_echoes();
+        return;
+    }
+    const b2Body &rigid = body(robot).rigid();
+    const b2Vec2 velocity = rigid.GetLinearVelocity();
     Sample sample{};
     sample.time_ns = time_ns;
     sample.pose = pose;
-    sample.believed = from_frame(scene_.start, robot_->odometry().pose());
+    sample.believed = believed(robot);
     sample.forward = dot({static_cast<double>(velocity.x), static_cast<double>(velocity.y)},
                          direction(pose.heading));
-    sample.turn = static_cast<double>(world_.robot().GetAngularVelocity());
-    sample.commanded_forward = robot_->drive().commanded_forward();
-    sample.commanded_turn = robot_->drive().commanded_turn();
+    sample.turn = static_cast<double>(rigid.GetAngularVelocity());
+    sample.commanded_forward = member.robot->drive().commanded_forward();
+    sample.commanded_turn = member.robot->drive().commanded_turn();
     sample.wall_distance = wall_distance;
-    sample.collisions = robot_->contacts().collisions();
-    recorder_.add(sample);
+    sample.collisions = member.robot->contacts().collisions();
+    member.recorder.add(sample);
 }
 
 } // namespace frob::sim

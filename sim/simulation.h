@@ -1,4 +1,4 @@
-// A world and the robot in it, through time.
+// A world and the robots in it, through time.
 #pragma once
 
 #include <memory>
@@ -7,12 +7,20 @@
 #include "recorder.h"
 #include "robot.h"
 #include "wall_distance.h"
+#include "world.h"
 
 namespace frob::sim {
 
+// One of the robots, and what is known of its run.
+struct Member {
+    std::unique_ptr<Robot> robot;
+    Recorder recorder;
+    std::optional<WallDistance> wall_distance;
+};
+
 class Simulation {
   public:
-    // Throws WorldFileError if the robot starts inside something. Samples are
+    // Throws WorldFileError if a robot starts inside something. Samples are
     // for a picture; without one they need not be kept.
     Simulation(Scene scene, std::uint64_t seed, bool keeps_samples = true);
 
@@ -23,27 +31,34 @@ class Simulation {
     // of its own: it stops at the last one that does not go beyond.
     void advance(std::int64_t time_ns);
 
-    // An instant of the controller: the sensors, and then what it commands.
-    // The structs are those of the robot's header.
-    void read(void *input) { robot_->read(time_ns_, input); }
-    void command(std::int64_t time_ns, const void *output);
+    // An instant of a robot's controller: the sensors, and then what it
+    // commands. The structs are those of the robot's header.
+    void read(void *input, std::size_t robot = 0);
+    void command(std::int64_t time_ns, const void *output, std::size_t robot = 0);
 
     std::int64_t time_ns() const { return time_ns_; }
     const Scene &scene() const { return scene_; }
     World &world() { return world_; }
     const World &world() const { return world_; }
     const RobotKind &kind() const { return kind_; }
-    const Robot &robot() const { return *robot_; }
-    const Recorder &recorder() const { return recorder_; }
-    const std::optional<WallDistance> &wall_distance() const { return wall_distance_; }
+
+    // Robots are numbered from 0, in the order of the scene's starts.
+    std::size_t robots() const { return members_.size(); }
+    const Body &body(std::size_t robot = 0) const { return world_.robots()[robot]; }
+    const Robot &robot(std::size_t robot = 0) const { return *members_[robot].robot; }
+    const Recorder &recorder(std::size_t robot = 0) const { return members_[robot].recorder; }
+    const std::optional<WallDistance> &wall_distance(std::size_t robot = 0) const {
+        return members_[robot].wall_distance;
+    }
+
+    // Where a robot believes to be, by odometry that began at its true start.
+    Pose believed(std::size_t robot = 0) const;
 
   private:
     Scene scene_;
     const RobotKind &kind_;
     World world_;
-    std::unique_ptr<Robot> robot_;
-    Recorder recorder_;
-    std::optional<WallDistance> wall_distance_;
+    std::vector<Member> members_;
     std::int64_t time_ns_ = 0;
 };
 

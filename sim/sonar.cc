@@ -17,14 +17,14 @@ Sonar::Sonar(const RangeFinders &seats, const SonarRing &ring, const SonarSettin
     for (const SonarArray &array : ring.arrays) arrays_.push_back({&array, array.first_ping_ns});
 }
 
-void Sonar::fire(Array &array, std::int64_t time_ns, const World &world) {
+void Sonar::fire(Array &array, std::int64_t time_ns, const Body &body) {
     const std::vector<std::size_t> &order = array.transducers->order;
     const std::size_t transducer = order[array.turn];
     array.turn = (array.turn + 1) % order.size();
     array.next_ping_ns += ring_.ping_ns;
-    const Pose from = from_frame(world.robot_pose(), seats_.seats[transducer]);
+    const Pose from = from_frame(body.pose(), seats_.seats[transducer]);
     const std::optional<double> truth =
-        nearest_in_cone(world, from, seats_.half_angle, ring_.farthest, settings_.rays);
+        nearest_in_cone(body, from, seats_.half_angle, ring_.farthest, settings_.rays);
     // Drawn in any case: a lost echo does not change the noise of later ones.
     const double error = settings_.noise * noise_.normal();
     const bool lost = noise_.uniform() < settings_.dropout;
@@ -35,14 +35,14 @@ void Sonar::fire(Array &array, std::int64_t time_ns, const World &world) {
     array.echo = {array.arrival_ns, transducer, heard, from};
 }
 
-void Sonar::advance(std::int64_t time_ns, const World &world) {
+void Sonar::advance(std::int64_t time_ns, const Body &body) {
     for (Array &array : arrays_) {
         if (time_ns >= array.arrival_ns) {
             array.arrival_ns = never;
             fresh_[array.echo.transducer] = array.echo.distance;
             echoes_.push_back(array.echo);
         }
-        if (time_ns >= array.next_ping_ns) fire(array, time_ns, world);
+        if (time_ns >= array.next_ping_ns) fire(array, time_ns, body);
     }
 }
 

@@ -6,10 +6,12 @@
 #include <optional>
 #include <vector>
 
+#include "body.h"
+#include "chassis.h"
 #include "echo.h"
 #include "noise.h"
+#include "scene.h"
 #include "sonar_ring.h"
-#include "world.h"
 
 namespace frob::sim {
 
@@ -21,7 +23,7 @@ class Sonar {
 
     // Fires and listens; called after each physics step, with the time since
     // the start.
-    void advance(std::int64_t time_ns, const World &world);
+    void advance(std::int64_t time_ns, const Body &body);
 
     // The echo of this transducer that arrived since it was last taken, if
     // there was one.
@@ -37,9 +39,9 @@ class Sonar {
             }
     }
 
-    // All echoes that arrived so far, in order of arrival.
+    // All echoes that arrived since they were last forgotten, in order of arrival.
     const std::vector<Echo> &echoes() const { return echoes_; }
-
+    void forget_echoes() { echoes_.clear(); }
 
   private:
     static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
@@ -52,7 +54,7 @@ class Sonar {
         Echo echo{};
     };
 
-    void fire(Array &array, std::int64_t time_ns, const World &world);
+    void fire(Array &array, std::int64_t time_ns, const Body &body);
 
     const RangeFinders &seats_;
     const SonarRing &ring_;

@@ -241,6 +241,13 @@ std::vector<const toml::table *> TomlReader::tables(std::string_view key) {
     return tables;
 }
 
+std::vector<const toml::table *> TomlReader::table_or_tables(std::string_view key) {
+    const toml::node *node = table_.get(key);
+    if (node != nullptr && node->is_array()) return tables(key);
+    if (const toml::table *only = table(key)) return {only};
+    return {};
+}
+
 void TomlReader::mistake(const std::string &message) {
     mistakes_.add(table_.source(), message);
 }

@@ -61,6 +61,9 @@ class TomlReader {
     // The tables of `[[key]]`; none if it does not occur.
     std::vector<const toml::table *> tables(std::string_view key);
 
+    // The one table of `[key]`, or those of `[[key]]`.
+    std::vector<const toml::table *> table_or_tables(std::string_view key);
+
     // Where this table starts, `FILE:LINE:COLUMN`.
     std::string place() const { return mistakes_.place(table_.source().begin); }
 

@@ -87,6 +87,7 @@ b2Body *add_robot(b2World &physics, const Pose &start, const Chassis &chassis) {
     definition.position = to_b2(start.position);
     definition.angle = static_cast<float>(start.heading);
     definition.allowSleep = false;
+    mark_as_robot(definition);
     b2Body *robot = physics.CreateBody(&definition);
     if (chassis.outline.empty())
         add_circle(*robot, chassis.center, chassis.radius);
@@ -100,22 +101,6 @@ b2Body *add_robot(b2World &physics, const Pose &start, const Chassis &chassis) {
     return robot;
 }
 
-class NearestHit : public b2RayCastCallback {
-  public:
-    explicit NearestHit(const b2Body *ignored) : ignored_(ignored) {}
-
-    float ReportFixture(b2Fixture *fixture, const b2Vec2 &, const b2Vec2 &, float share) override {
-        if (fixture->GetBody() == ignored_) return -1.0f;
-        nearest = share;
-        return share; // look on only for something nearer
-    }
-
-    std::optional<float> nearest;
-
-  private:
-    const b2Body *ignored_;
-};
-
 } // namespace
 
 World::World(const Scene &scene, const Chassis &chassis) : physics_(b2Vec2(0.0f, 0.0f)) {
@@ -125,7 +110,7 @@ World::World(const Scene &scene, const Chassis &chassis) : physics_(b2Vec2(0.0f,
     for (const Polygon &polygon : scene.polygons) add_solid(*fixed_, polygon);
     for (const Circle &circle : scene.circles) add_circle(*fixed_, circle.center, circle.radius);
     for (const Box &box : scene.boxes) boxes_.push_back(&add_box(box));
-    robot_ = add_robot(physics_, scene.start, chassis);
+    for (const Start &start : scene.starts) robots_.emplace_back(*add_robot(physics_, start.pose, chassis));
 }
 
 // A box rubs on the floor: force at most mu m g, and torque at most that of a
@@ -158,31 +143,6 @@ b2Body &World::add_box(const Box &box) {
 
 void World::step() {
     physics_.Step(static_cast<float>(step_s), velocity_iterations, position_iterations);
-}
-
-std::optional<double> World::ray(Vec origin, double angle, double reach) const {
-    NearestHit hit(robot_);
-    physics_.RayCast(&hit, to_b2(origin), to_b2(origin + reach * direction(angle)));
-    if (!hit.nearest) return std::nullopt;
-    return reach * static_cast<double>(*hit.nearest);
-}
-
-Pose World::robot_pose() const {
-    const b2Vec2 at = robot_->GetPosition();
-    return {{static_cast<double>(at.x), static_cast<double>(at.y)},
-            wrap_angle(static_cast<double>(robot_->GetAngle()))};
-}
-
-bool World::robot_overlaps() const {
-    const b2Shape *outline = robot_->GetFixtureList()->GetShape();
-    for (const b2Body *body = physics_.GetBodyList(); body != nullptr; body = body->GetNext()) {
-        if (body == robot_) continue;
-        for (const b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext())
-            if (b2TestOverlap(f->GetShape(), 0, outline, 0, body->GetTransform(),
-                              robot_->GetTransform()))
-                return true;
-    }
-    return false;
 }
 
 std::vector<Pose> World::box_poses() const {

@@ -1,6 +1,7 @@
 #include "world_file.h"
 
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -11,13 +12,25 @@
 namespace frob::sim {
 namespace {
 
-Pose read_start(TomlReader reader) {
-    Pose start;
-    start.position.x = reader.needed_number("x", Range::any);
-    start.position.y = reader.needed_number("y", Range::any);
-    start.heading = radians(reader.number("heading_deg", 0.0, Range::any));
+constexpr int most_robots = 10'000;
+
+// One robot, or a block of `count` in rows of `columns`, `spacing` apart: the
+// first row goes from (x, y) along x, the next stands beside it along y.
+void read_start(TomlReader reader, std::vector<Start> &starts) {
+    Pose pose;
+    pose.position.x = reader.needed_number("x", Range::any);
+    pose.position.y = reader.needed_number("y", Range::any);
+    pose.heading = radians(reader.number("heading_deg", 0.0, Range::any));
+    const int count = reader.integer("count", 1, 1, most_robots);
+    const int square = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
+    const int columns = reader.integer("columns", square, 1, most_robots);
+    const double spacing = count > 1 ? reader.needed_number("spacing", Range::size)
+                                     : reader.number("spacing", 1.0, Range::size);
+    for (int k = 0; k < count; ++k) {
+        const Vec place = {static_cast<double>(k % columns), static_cast<double>(k / columns)};
+        starts.push_back({{pose.position + spacing * place, pose.heading}, reader.place()});
+    }
     reader.finish();
-    return start;
 }
 
 Wall read_wall(TomlReader reader) {
@@ -149,11 +162,14 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root) {
     Scene scene;
     scene.name = reader.string("name");
     scene.robot = read_robot(reader);
-    if (const toml::table *table = reader.table("start")) {
-        scene.start = read_start(inside(table));
-        scene.start_place = inside(table).place();
-    } else if (root.get("start") == nullptr)
+    for (const toml::table *table : reader.table_or_tables("start"))
+        read_start(inside(table), scene.starts);
+    const toml::node *start = root.get("start");
+    if (start == nullptr || (start->is_array() && start->as_array()->empty()))
         reader.mistake("a world needs a table [start] with `x` and `y`, where the robot starts");
+    if (scene.starts.size() > most_robots)
+        reader.mistake("a world has at most " + std::to_string(most_robots) + " robots, this one " +
+                       std::to_string(scene.starts.size()));
     for (const toml::table *table : reader.tables("wall"))
         scene.walls.push_back(read_wall(inside(table)));
     for (const toml::table *table : reader.tables("polygon"))

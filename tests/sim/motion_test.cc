@@ -21,7 +21,7 @@ void goes_straight() {
     Simulation s(empty_floor(), 1);
     command(s, 0, drive(0.5, 0.0));
     s.advance(10 * second);
-    const Pose end = s.world().robot_pose();
+    const Pose end = s.body().pose();
     // 0.5 m/s at 0.3 m/s^2 takes 5/3 s, on which half the way is lost.
     check::near(end.position.x, 0.5 * (10.0 - 0.5 * 5.0 / 3.0), 2e-3,
                 "goes straight: the distance is that of speed and acceleration");
@@ -35,7 +35,7 @@ void turns_on_the_spot() {
     s.advance(4 * second);
     command(s, 4 * second, drive(0.0, 0.0));
     s.advance(6 * second);
-    const Pose end = s.world().robot_pose();
+    const Pose end = s.body().pose();
     // The ramps at both ends make up for each other: 1 rad/s for 4 s.
     check::near(end.heading, wrap_angle(4.0), 2e-3, "turns on the spot: by rate and time");
     check::near(length(end.position), 0.0, 1e-3, "turns on the spot: stays there");
@@ -45,13 +45,13 @@ void drives_a_circle() {
     Simulation s(empty_floor(), 1);
     command(s, 0, drive(0.4, 0.8));
     s.advance(5 * second);
-    const Pose start = s.world().robot_pose();
+    const Pose start = s.body().pose();
     const Vec center = start.position + 0.5 * direction(start.heading + pi / 2);
     double worst = 0.0;
     for (int i = 1; i <= 100; ++i) {
         s.advance(5 * second + i * second / 10);
         worst = std::max(worst,
-                         std::abs(length(s.world().robot_pose().position - center) - 0.5));
+                         std::abs(length(s.body().pose().position - center) - 0.5));
     }
     check::near(worst, 0.0, 3e-3, "a circle has the radius v / omega");
 }
@@ -64,7 +64,7 @@ void accelerates_within_limits() {
         command(s, s.time_ns(), back ? drive(-1.0, -2.0) : drive(1.0, 2.0));
         s.advance(s.time_ns() + step_ns);
         const double v_now = (s.robot().drive().left_speed() + s.robot().drive().right_speed()) / 2;
-        const double omega_now = static_cast<double>(s.world().robot().GetAngularVelocity());
+        const double omega_now = static_cast<double>(s.body().rigid().GetAngularVelocity());
         most_v = std::max(most_v, std::abs(v_now - v) / step_s);
         most_omega = std::max(most_omega, std::abs(omega_now - omega) / step_s);
         v = v_now;
@@ -85,7 +85,7 @@ void limits_commands() {
     s.advance(2 * second);
     command(s, s.time_ns(), drive(0.5, std::numeric_limits<double>::quiet_NaN()));
     s.advance(8 * second);
-    const b2Vec2 v = s.world().robot().GetLinearVelocity();
+    const b2Vec2 v = s.body().rigid().GetLinearVelocity();
     check::near(static_cast<double>(v.Length()), 0.0, 1e-6, "NaN in any part of a command is rest");
 }
 
@@ -95,7 +95,7 @@ void stalls_against_a_wall() {
     s.advance(6 * second);
     const frob_pioneer_input input = read(s);
     const double front = p3dx::body_center + p3dx::body_length / 2;
-    check::near(s.world().robot_pose().position.x + front, 0.9, 6e-3,
+    check::near(s.body().pose().position.x + front, 0.9, 6e-3,
                 "a wall stops the robot at its outline");
     check::that(input.frontBumper && !input.rearBumper, "the front bumper is pressed");
     check::that(input.leftStall && input.rightStall, "both wheels stall");
@@ -113,7 +113,7 @@ void odometry_without_errors() {
         command(s, s.time_ns(), drive(0.4 + 0.2 * std::sin(0.1 * i), std::cos(0.07 * i)));
         s.advance(s.time_ns() + second / 10);
     }
-    const Pose truth = s.world().robot_pose(), believed = s.robot().odometry().pose();
+    const Pose truth = s.body().pose(), believed = s.robot().odometry().pose();
     check::near(length(truth.position - believed.position), 0.0, 5e-3,
                 "without errors odometry is the truth, after 30 s of curves");
     check::near(wrap_angle(truth.heading - believed.heading), 0.0, 2e-3,
@@ -137,7 +137,7 @@ void odometry_drifts() {
     Simulation s(empty_floor("[odometry]\ndistance_error = 0.02\nveer_deg = 2\n"), 1);
     command(s, 0, drive(0.5, 0.0));
     s.advance(10 * second);
-    const double driven = s.world().robot_pose().position.x;
+    const double driven = s.body().pose().position.x;
     check::near(s.robot().odometry().pose().heading, radians(2) * driven, 1e-3,
                 "odometry veers by its setting");
     const double chord = 1.02 * driven;
@@ -150,7 +150,7 @@ void wheels_slip() {
     command(s, 0, drive(0.5, 0.0));
     s.advance(20 * second);
     const double believed = s.robot().odometry().pose().position.x;
-    const double driven = length(s.world().robot_pose().position);
+    const double driven = length(s.body().pose().position);
     check::near(driven / believed, 0.9, 0.02, "slipping wheels lose the share that is set");
 }
 

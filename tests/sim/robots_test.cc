@@ -121,7 +121,7 @@ void create_wheels() {
     const double count = create2::chassis().count;
     check::near(count, 0.00044456, 1e-8, "a count is 0.44456 mm");
     check::near(way / count, std::round(way / count), 1e-6, "straight ahead, odometry is whole counts");
-    check::near(way, s.world().robot_pose().position.x, 2 * count, "and right to a count");
+    check::near(way, s.body().pose().position.x, 2 * count, "and right to a count");
 }
 
 void create_cliffs() {

@@ -62,7 +62,7 @@ void boxes_rub_on_the_floor() {
                             "mass = 3\nfriction = 0.4\n",
                             "test"), p3dx::chassis());
     for (b2Body *b = world.physics().GetBodyList(); b != nullptr; b = b->GetNext())
-        if (b != &world.robot()) b->SetLinearVelocity({1.0f, 0.0f});
+        if (b != &world.robots()[0].rigid()) b->SetLinearVelocity({1.0f, 0.0f});
     for (int i = 0; i < 400; ++i) world.step();
     check::near(world.box_poses()[0].position.x, 1.0 / (2 * 0.4 * 9.81), 4e-3,
                 "a box slides v^2 / (2 mu g)");
@@ -103,7 +103,7 @@ std::vector<double> run(std::uint64_t seed) {
         command(s, now, drive(0.5, std::sin(0.05 * k)));
         for (const double x : {input.odometry.position.x, input.odometry.heading, input.leftWheel,
                                input.sonar[0].f0, input.sonar[3].f0, input.sonar[12].f0,
-                               s.world().robot_pose().position.x, s.world().box_poses()[0].heading})
+                               s.body().pose().position.x, s.world().box_poses()[0].heading})
             log.push_back(x);
     }
     return log;
@@ -119,7 +119,7 @@ void physics_does_not_depend_on_rate() {
         Simulation s(parse_world(room_with_boxes, "test"), 1);
         command(s, 0, drive(0.3, 0.2));
         for (int k = 1; k <= steps; ++k) s.advance(k * 5 * second / steps);
-        return s.world().robot_pose();
+        return s.body().pose();
     };
     const Pose a = end(7), b = end(1000);
     check::that(a.position.x == b.position.x && a.heading == b.heading,

@@ -6,11 +6,11 @@
  * summary and the picture are of what has been run. */
 #include "../common/console.h"
 #include "../common/load.h"
+#include "controllers.h"
 #include "options.h"
-#include "../common/record.h"
+#include "summary.h"
 
 #include <frob/console.h>
-#include <frob/result.h>
 #include <sim.h>
 
 #include <errno.h>
@@ -98,45 +98,26 @@ static struct frob_sim *open_world(const struct options *options,
     return sim;
 }
 
-/* A run: what the controller reads and commands (the structs of the program's
- * robot), and when it has ended, if it has. */
-struct run {
-    void *input;
-    void *output;
-    struct console console;
-    bool ended;
-    int64_t ended_ns;
-};
-
-/* Runs the controller at its instants. Instant k is at the absolute time
+/* Runs the controllers at their instants. Instant k is at the absolute time
  * k / rate, in whole nanoseconds, and dt is the difference of two of them: so
- * nothing adds up. Returns false when the record cannot be written. */
-static bool run(const struct options *options, const struct frob_program *program, void *state,
-                struct run *r, struct frob_sim *sim, struct record *record)
+ * nothing adds up. Returns false when a record cannot be written. */
+static bool run(const struct options *options, struct controllers *controllers,
+                struct console *console)
 {
     bool progress = options->progress || isatty(STDERR_FILENO);
     int64_t end_ns = (int64_t)llround(options->duration_s * 1e9);
     int64_t before_ns = 0, started_ns = clock_ns(), shown_ns = 0;
     bool ok = true;
-    program->reset(state);
     for (int64_t k = 0; ok && !interrupted; k++) {
         int64_t now_ns = (int64_t)llround((double)k * 1e9 / options->rate_hz);
         if (now_ns > end_ns)
             break;
         if (options->realtime)
             sleep_until(started_ns + now_ns);
-        frob_sim_advance(sim, now_ns);
-        frob_sim_read(sim, r->input);
-        frob_console_key(program, r->input, console_key(&r->console));
-        memset(r->output, 0, program->output_size);
-        program->step(state, (double)(now_ns - before_ns) / 1e9, r->input, r->output);
-        frob_sim_command(sim, now_ns, r->output);
-        ok = record_row(record, now_ns, r->input, r->output);
-        if (!r->ended && frob_has_ended(program, r->output)) {
-            r->ended = true;
-            r->ended_ns = now_ns;
-        }
-        if (r->ended && options->exit_when_done)
+        frob_sim_advance(controllers->sim, now_ns);
+        ok = controllers_step(controllers, now_ns, (double)(now_ns - before_ns) / 1e9,
+                              console_key(console));
+        if (controllers->running == 0 && options->exit_when_done)
             break;
         before_ns = now_ns;
         if (progress && (k & 15) == 0 && clock_ns() - shown_ns > 100000000) {
@@ -149,93 +130,35 @@ static bool run(const struct options *options, const struct frob_program *progra
     return ok;
 }
 
-static void print_summary(const struct options *options, const struct frob_sim_summary *s,
-                          double wall_s)
-{
-    printf("time simulated: %.3f s\n", s->time_s);
-    printf("distance driven: %.3f m\n", s->distance_m);
-    if (s->measured) {
-        printf("wall distance to keep: %.3f m\n", s->wall_distance_m);
-        if (isnan(s->mean_error_m)) {
-            printf("wall distance error: not measured, the run ended while settling\n");
-        } else {
-            printf("mean wall distance error: %.4f m\n", s->mean_error_m);
-            printf("largest wall distance error: %.4f m\n", s->largest_error_m);
-        }
-    }
-    printf("odometry error at the end: %.3f m\n", s->odometry_error_m);
-    printf("collisions: %d\n", s->collisions);
-    printf("simulated seconds per second: %.0f\n", wall_s > 0.0 ? s->time_s / wall_s : 0.0);
-    if (options->picture != NULL)
-        printf("picture: %s\n", options->picture);
-    if (options->record != NULL)
-        printf("log: %s\n", options->record);
-}
-
-static void print_result(const struct frob_program *program, const struct run *r)
-{
-    size_t room = frob_result_room(program);
-    char *buffer = (char *)malloc(room);
-    struct frob_text text;
-    printf("finished after: %.3f s\n", (double)r->ended_ns * 1e-9);
-    if (buffer == NULL)
-        return;
-    text = frob_text_in(buffer, room);
-    frob_result_write(&text, program, r->output);
-    printf("result: %s\n", text.data);
-    free(buffer);
-}
-
 /* Runs the program in an opened simulation, and tells how it went. */
 static int simulate(const struct options *options, const struct frob_program *program,
                     struct frob_sim *sim)
 {
     char message[1024];
-    struct record record;
-    struct frob_sim_summary summary;
-    int status = DONE;
-    int64_t started_ns;
+    struct controllers controllers;
+    struct console console;
+    bool ok = controllers_open(&controllers, program, sim, options->record);
+    int64_t started_ns = clock_ns();
     double wall_s;
-    void *state = calloc(1, program->state_size + 1);
-    struct run r;
-    r.input = calloc(1, program->input_size);
-    r.output = calloc(1, program->output_size);
-    memset(&r.console, 0, sizeof r.console);
-    r.ended = false;
-    r.ended_ns = 0;
-    if (state == NULL || r.input == NULL || r.output == NULL) {
-        fprintf(stderr, "error: not enough memory for the program's state\n");
-        return WRONG_USE;
-    }
-    if (!record_open(&record, program, options->record))
-        status = WRONG_USE;
-    started_ns = clock_ns();
+    int collisions = 0;
+    memset(&console, 0, sizeof console);
     if (options->console)
-        console_open(&r.console);
-    if (status == DONE && !run(options, program, state, &r, sim, &record))
-        status = WRONG_USE;
-    console_close(&r.console);
+        console_open(&console);
+    ok = ok && run(options, &controllers, &console);
+    console_close(&console);
     wall_s = (double)(clock_ns() - started_ns) * 1e-9;
-    if (!record_close(&record))
-        status = WRONG_USE;
-    free(state);
-    free(r.input);
-    if (status == DONE && options->picture != NULL &&
+    if (ok && options->picture != NULL &&
         !frob_sim_picture(sim, options->picture, message, sizeof message)) {
         fprintf(stderr, "error: %s\n", message);
-        status = WRONG_USE;
+        ok = false;
     }
-    if (status == DONE) {
-        summary = frob_sim_summarize(sim);
-        print_summary(options, &summary, wall_s);
-        if (r.ended)
-            print_result(program, &r);
-    }
-    free(r.output);
-    if (status != DONE)
-        return status;
-    if (options->strict && summary.collisions > 0) {
-        fprintf(stderr, "error: the robot ran into something\n");
+    if (ok)
+        collisions = summary_print(options, &controllers, wall_s);
+    if (!controllers_close(&controllers) || !ok)
+        return WRONG_USE;
+    if (options->strict && collisions > 0) {
+        fprintf(stderr, controllers.count == 1 ? "error: the robot ran into something\n"
+                                               : "error: a robot ran into something\n");
         return FAULT;
     }
     return DONE;

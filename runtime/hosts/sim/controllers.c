@@ -1,0 +1,103 @@
+#include "controllers.h"
+
+#include <frob/console.h>
+#include <frob/result.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* LOG.csv, or LOG-3.csv for the third of several. NULL without memory. */
+static char *name_of_record(const char *name, size_t robot, size_t count)
+{
+    const char *slash = strrchr(name, '/'), *dot = strrchr(name, '.');
+    size_t stem = strlen(name), room = stem + 32;
+    char *result = (char *)malloc(room);
+    if (dot != NULL && dot != name && (slash == NULL || dot > slash + 1))
+        stem = (size_t)(dot - name);
+    if (result != NULL && count == 1)
+        snprintf(result, room, "%s", name);
+    else if (result != NULL)
+        snprintf(result, room, "%.*s-%zu%s", (int)stem, name, robot + 1, name + stem);
+    return result;
+}
+
+static bool open_one(struct controllers *c, size_t robot, const char *record)
+{
+    const struct frob_program *program = c->program;
+    struct controller *one = &c->each[robot];
+    one->record.file = -1;
+    one->state = calloc(1, program->state_size + 1);
+    one->input = calloc(1, program->input_size);
+    one->output = calloc(1, program->output_size);
+    one->result = calloc(1, program->output_size);
+    if (record != NULL)
+        one->record_name = name_of_record(record, robot, c->count);
+    if (one->state == NULL || one->input == NULL || one->output == NULL || one->result == NULL ||
+        (record != NULL && one->record_name == NULL)) {
+        fprintf(stderr, "error: not enough memory for the program's state\n");
+        return false;
+    }
+    if (!record_open(&one->record, program, one->record_name))
+        return false;
+    program->reset(one->state);
+    return true;
+}
+
+bool controllers_open(struct controllers *c, const struct frob_program *program,
+                      struct frob_sim *sim, const char *record)
+{
+    memset(c, 0, sizeof *c);
+    c->program = program;
+    c->sim = sim;
+    c->each = (struct controller *)calloc(frob_sim_robots(sim), sizeof *c->each);
+    if (c->each == NULL) {
+        fprintf(stderr, "error: not enough memory for the robots\n");
+        return false;
+    }
+    c->running = c->count = frob_sim_robots(sim);
+    for (size_t k = 0; k < c->count; k++)
+        c->each[k].record.file = -1;
+    for (size_t k = 0; k < c->count; k++)
+        if (!open_one(c, k, record))
+            return false;
+    return true;
+}
+
+bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s, int key)
+{
+    const struct frob_program *program = c->program;
+    bool ok = true;
+    for (size_t k = 0; k < c->count; k++) {
+        struct controller *one = &c->each[k];
+        frob_sim_read_robot(c->sim, k, one->input);
+        frob_console_key(program, one->input, key);
+        memset(one->output, 0, program->output_size);
+        program->step(one->state, dt_s, one->input, one->output);
+        frob_sim_command_robot(c->sim, k, now_ns, one->output);
+        ok = record_row(&one->record, now_ns, one->input, one->output) && ok;
+        if (!one->ended && frob_has_ended(program, one->output)) {
+            one->ended = true;
+            one->ended_ns = now_ns;
+            memcpy(one->result, one->output, program->output_size);
+            c->running--;
+        }
+    }
+    return ok;
+}
+
+bool controllers_close(struct controllers *c)
+{
+    bool ok = true;
+    for (size_t k = 0; k < c->count; k++) {
+        struct controller *one = &c->each[k];
+        ok = record_close(&one->record) && ok;
+        free(one->state);
+        free(one->input);
+        free(one->output);
+        free(one->result);
+        free(one->record_name);
+    }
+    free(c->each);
+    return ok;
+}

@@ -1,0 +1,51 @@
+/* controllers.h -- the program, once for each robot of the simulation.
+ *
+ * The robots share the code and nothing else: each has a state of its own, its
+ * own input and output, and its own record. */
+#ifndef FROB_SIM_CONTROLLERS_H
+#define FROB_SIM_CONTROLLERS_H
+
+#include "../common/record.h"
+
+#include <frob/program.h>
+#include <sim.h>
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct controller {
+    void *state;
+    void *input;
+    void *output;
+    struct record record;
+    char *record_name; /* NULL: nothing is recorded */
+    bool ended;        /* the program's task has, … */
+    int64_t ended_ns;  /* … at this time, … */
+    void *result;      /* … with this output */
+};
+
+struct controllers {
+    const struct frob_program *program;
+    struct frob_sim *sim;
+    size_t count;
+    size_t running; /* those that have not ended */
+    struct controller *each;
+};
+
+/* Makes a controller for each robot. `record` is the file for the rows of the
+ * only robot; of several, robot k has NAME-k.csv for NAME.csv, from 1. NULL:
+ * nothing is recorded. False when there is not enough memory or a file cannot
+ * be written, with a line on standard error; close it then, too. */
+bool controllers_open(struct controllers *c, const struct frob_program *program,
+                      struct frob_sim *sim, const char *record);
+
+/* An instant of all of them, `dt_s` after the one before: each reads its sensors,
+ * steps and commands. `key` is what was typed, for all. False when a record
+ * cannot be written. */
+bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s, int key);
+
+/* False when a record cannot be closed. */
+bool controllers_close(struct controllers *c);
+
+#endif
