@@ -92,7 +92,7 @@ matrix: all
 	@sh tests/setup.sh $(MATRIX_PACKAGES)
 	@dune build tests/matrix/emit.exe
 	@sh tests/matrix/run.sh _build/default/tests/matrix/emit.exe stdlib runtime $(N) $(SEED) all \
-	  examples/heading_hold/*.frob tests/interp/*.frob
+	  $$(grep -L '^foreign' examples/*/*.frob) tests/interp/*.frob
 	@sh tests/targets/run.sh
 
 # The elementary functions of single precision on every float; of two arguments, on as

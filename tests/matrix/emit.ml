@@ -1,6 +1,6 @@
 (* Programs with recordings and what they must answer, as C that needs no files:
-   for each program a folder with its generated C, its table for hosts, and
-   expected.c (see expected.h); in for_tcc the same C such as tcc compiles it. Programs are random ones, many in a module, and
+   for each program a folder with its generated C, its table for hosts, expected.c
+   and state.c (see expected.h); in for_tcc the same C such as tcc compiles it. Programs are random ones, many in a module, and
    files that are named. *)
 
 open Fuzz
@@ -71,6 +71,21 @@ let expected subject recordings =
     (String.concat "" (List.mapi entry recordings))
     (List.length recordings)
 
+let machine (tools : Engines.tools) file =
+  let options =
+    {
+      Driver.Pipeline.dump = None;
+      stop_after = None;
+      lint = false;
+      specialization_limit = 10_000;
+      real = tools.real;
+    }
+  in
+  let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
+  match Driver.Pipeline.machine options sink sources ~library:tools.library ~entry:"main" file with
+  | Some machine -> machine
+  | None -> failwith (file ^ " has no state to compare")
+
 let emit s tools ~name ~seed file =
   match Engines.load tools ~entry:"main" file with
   | Error outcome ->
@@ -87,6 +102,7 @@ let emit s tools ~name ~seed file =
         write (folder / "for_tcc" / file) (In_process.for_tcc text)
       in
       List.iter write_file (Engines.files subject);
+      write_file ("state.c", State.text (machine tools file));
       write (folder / "expected.c") (expected subject recordings)
 
 let () =

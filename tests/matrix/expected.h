@@ -18,4 +18,12 @@ struct recording {
 extern const struct recording recordings[];
 extern const int recording_count;
 
+/* Mixes the program's state into the hash, field by field in the struct's order,
+ * without padding and what no mode that runs holds. */
+void hash_state(uint64_t *hash, const void *state);
+
+/* Of one number: all NaNs are one. */
+void mix_int(uint64_t *hash, int64_t number);
+void mix_real(uint64_t *hash, double number);
+
 #endif

@@ -1,7 +1,8 @@
 #!/bin/sh
 # One program, one meaning, everywhere: random programs and those of FILES, on
 # recorded input, under many compilers and machines, each judged by the
-# reference interpreter.
+# reference interpreter; what the interpreter does not know, each field of the state
+# after each instant, is compared with that under the first of them.
 #
 # usage: run.sh EMIT LIBRARY RUNTIME COUNT SEED BUILD,BUILD… FILES…
 #
@@ -33,7 +34,7 @@ cortex-m4|arm-none-eabi-gcc $exact -O2 $warnings -mthumb -mcpu=cortex-m4 --specs
 END
 }
 
-mkdir "$work/programs"
+mkdir "$work/programs" "$work/states"
 cp -rL "$runtime/include" "$work/include"
 "$emit" --library "$library" --runtime "$runtime" --out "$work/programs" \
     --count "$count" --seed "$seed" "$@"
@@ -59,16 +60,19 @@ while IFS='|' read -r name compiler runner every; do
     *) continue ;;
     esac
     common "$name" "$compiler"
-    awk -v every="$every" 'NR % every == 0' "$work/folders" >"$work/chosen"
-    xargs -P "$(nproc)" -n 1 sh "$here/one.sh" "$name" "$compiler" "$runner" "$work" \
-        <"$work/chosen" >"$work/wrong"
+    awk -v every="$every" 'NR % every == 1 % every' "$work/folders" >"$work/chosen"
+    mkdir "$work/wrong"
+    xargs -r -P "$(nproc)" -n 1 sh "$here/one.sh" "$name" "$compiler" "$runner" "$work" \
+        <"$work/chosen"
     rm -rf "${work:?}/$name"
-    if [ -s "$work/wrong" ]; then
+    find "$work/wrong" -type f -size +0 | sort >"$work/failures"
+    if [ -s "$work/failures" ]; then
         echo "FAIL $name"
-        cat "$work/wrong"
+        xargs cat <"$work/failures"
         failed=1
     else
         echo "ok $name: $(wc -l <"$work/chosen") modules"
     fi
+    rm -r "$work/wrong"
 done <"$work/builds"
 exit $failed

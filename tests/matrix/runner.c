@@ -1,6 +1,7 @@
 /* Runs the program it is linked with on its recordings, and compares. Reads no
  * file, so that it runs where there are none. Prints what differs; the exit
- * status is 1 then. */
+ * status is 1 then. The last line tells what became of the state, for it to be
+ * compared with that of other machines. */
 #include <frob/cell.h>
 #include <frob/trace.h>
 
@@ -46,7 +47,31 @@ static uint64_t mix(uint64_t hash, const struct frob_text *text)
     return hash;
 }
 
-static uint64_t trace_of(const struct recording *r)
+void mix_int(uint64_t *hash, int64_t number)
+{
+    for (int i = 0; i < 64; i += 8)
+        *hash = (*hash ^ (((uint64_t)number >> i) & 0xff)) * UINT64_C(0x100000001b3);
+}
+
+void mix_real(uint64_t *hash, double number)
+{
+    int64_t bits = 0x7ff8000000000000;
+    if (number == number)
+        memcpy(&bits, &number, sizeof bits);
+    mix_int(hash, bits);
+}
+
+/* The same state elsewhere; what it leaves is littered. */
+static void *moved(void *state, size_t size)
+{
+    void *elsewhere = litter(size);
+    memcpy(elsewhere, state, size);
+    memset(state, 0xa5, size);
+    free(state);
+    return elsewhere;
+}
+
+static uint64_t trace_of(const struct recording *r, uint64_t *state_hash)
 {
     const struct frob_program *program = &frob_program;
     const size_t room = frob_trace_room(program, FROB_TRACE_OUT);
@@ -71,6 +96,9 @@ static uint64_t trace_of(const struct recording *r)
         }
         program->step(state, i == 0 ? 0.0 : (double)(row->time_ns - before) / 1e9, input, output);
         before = row->time_ns;
+        hash_state(state_hash, state);
+        if (i == r->count / 2)
+            state = moved(state, program->state_size);
         frob_text_clear(&text);
         frob_trace_row(&text, program, FROB_TRACE_OUT, row->time_ns, NULL, output);
         hash = mix(hash, &text);
@@ -85,11 +113,14 @@ static uint64_t trace_of(const struct recording *r)
 int main(void)
 {
     int differ = 0;
+    uint64_t state_hash = UINT64_C(0xcbf29ce484222325);
     frob_trace_columns(frob_program.input, "in", add_column, NULL);
     for (int i = 0; i < recording_count; i++)
-        if (trace_of(&recordings[i]) != recordings[i].trace) {
+        if (trace_of(&recordings[i], &state_hash) != recordings[i].trace) {
             printf("%s: recording %d: the output differs\n", frob_program.name, i);
             differ = 1;
         }
+    printf("state %08lx%08lx\n", (unsigned long)(state_hash >> 32),
+           (unsigned long)(state_hash & 0xffffffff));
     return differ;
 }
