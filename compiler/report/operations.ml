@@ -102,7 +102,16 @@ let entry c (e : M.entry) =
   Cost.sum ((number :: parameters) @ [ expressions c e.parameters; reset ])
 
 (* Of nanoseconds; see the helpers of the generated C. *)
-let seconds = Cost.(sum [ one Divisions; one Choices; one Additions ])
+let seconds (real : Basis.Real.t) =
+  match real with
+  | Double -> Cost.(sum [ one Divisions; one Choices; one Additions ])
+  | Single -> Cost.one Divisions
+
+(* Of the root's integers in single precision. *)
+let seconds_where_wanted c =
+  match c.program.real with
+  | Double -> seconds Double
+  | Single -> Cost.add (Cost.one Conversions) (seconds Single)
 
 let is_root (program : M.program) (node : M.node) =
   let root = program.nodes.(Array.length program.nodes - 1) in
@@ -150,7 +159,7 @@ let run c (r : M.run) =
     let node = c.program.nodes.(modes.(k).node) in
     let seconds =
       Cost.add
-        (if node.seconds && has_seconds_where_wanted c then seconds else Cost.none)
+        (if node.seconds && has_seconds_where_wanted c then seconds_where_wanted c else Cost.none)
         (if node.nanoseconds && in_floats then Cost.one Conversions else Cost.none)
     in
     let tests = List.map (fun (n : M.next) -> test n.condition) case.transitions in
@@ -224,10 +233,15 @@ let rec statement c (s : M.statement) =
 
 and statements c body = List.fold_left (fun cost s -> Cost.add cost (statement c s)) Cost.none body
 
-(* The root makes whole nanoseconds of the caller's dt, and 0 at the first
-   instant; see the helpers of the generated C. *)
+(* The root makes whole nanoseconds of the caller's dt, in double precision, or keeps
+   them in bounds, and 0 at the first instant; see the helpers of the generated C. *)
 let root_clock (program : M.program) (root : M.node) =
-  let whole = Cost.(sum [ one Multiplications; several 4 Choices; several 2 Additions ]) in
+  let seconds = seconds program.real in
+  let whole =
+    match program.real with
+    | Double -> Cost.(sum [ one Multiplications; several 4 Choices; several 2 Additions ])
+    | Single -> Cost.several 2 Choices
+  in
   let at_once = root.seconds && not (Machine.Time_use.by_one_mode program root) in
   (* To integers, and back. *)
   let conversions n =
@@ -236,6 +250,9 @@ let root_clock (program : M.program) (root : M.node) =
   let times =
     match (root.nanoseconds, at_once) with
     | false, false -> if root.seconds then [ whole ] else []
+    | false, true when program.real = Single -> [ whole; Cost.one Conversions; seconds ]
+    | true, false when program.real = Single -> [ whole ]
+    | true, true when program.real = Single -> [ whole; Cost.one Conversions; seconds ]
     | false, true -> [ whole; seconds ]
     | true, false -> [ whole; conversions 1 ]
     | true, true -> [ whole; conversions 2; seconds ]

@@ -314,10 +314,12 @@ let foreign_step c (node : M.node) =
 
 (* The root is given the state, dt, its input and its output by address, and its
    step calls the helpers of the clock. *)
-let root (node : M.node) bounds =
+let root (program : M.program) (node : M.node) bounds =
   let more (t : t) bytes = { t with bytes = Amount.add t.bytes bytes } in
   let clock = if node.seconds || node.nanoseconds then helper + (2 * word) else 0 in
-  { reset = more bounds.reset word; step = more bounds.step ((4 * word) + clock) }
+  (* In single precision a step in seconds calls it. *)
+  let outer = match program.real with Double -> 0 | Single -> fixed + (5 * word) in
+  { reset = more bounds.reset word; step = more bounds.step ((4 * word) + clock + outer) }
 
 let of_program (program : M.program) state =
   let nothing = { bytes = 0; chain = [] } in
@@ -337,4 +339,4 @@ let of_program (program : M.program) state =
       done_.(k) <-
         { reset = function_ c k ~results:0 node.reset; step = function_ c k ~results node.step })
     program.nodes;
-  root program.nodes.(count - 1) done_.(count - 1)
+  root program program.nodes.(count - 1) done_.(count - 1)

@@ -2,12 +2,14 @@
 # measure.sh FILE...: compares what frobc report states of programs with what gcc
 # makes of their C: the size of the state, the functions of the C library that
 # are called, the stack. Says what differs; programs that are rejected do not count.
+# REAL, if set, is what they compute with.
 
 here=$(dirname "$0")
 headers=$here/../../runtime/include
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 measured=0
+real=${REAL:-double}
 
 stated() { sed "s/.*\"$1\":\([0-9]*\).*/\1/" "$work/report.json"; }
 used() { awk -v root="$name$1" -f "$here/stack_used.awk" "$work"/*.ci; }
@@ -26,13 +28,13 @@ build() {
 for file; do
     name=$(basename "$file" .frob)
     rm -f "$work"/*
-    frobc report "$file" --format=json >"$work/report.json" 2>"$work/errors"
+    frobc report "$file" --real "$real" --format=json >"$work/report.json" 2>"$work/errors"
     case $? in
         0) ;;
         1) continue ;; # other tests show why it is rejected
         *) cat "$work/errors"; continue ;;
     esac
-    frobc compile "$file" -o "$work" 2>"$work/errors" || cat "$work/errors"
+    frobc compile "$file" --real "$real" -o "$work" 2>"$work/errors" || cat "$work/errors"
     measured=$((measured + 1))
 
     cat >"$work/size.c" <<END
@@ -47,6 +49,7 @@ END
     library=$(sed 's/.*"library":\[\([^]]*\)\].*/\1/' "$work/report.json" | tr -d '"' | tr ',' ' ')
     # gcc copies large structs with memcpy.
     found=$(awk -v library=1 -f "$here/stack_used.awk" "$work"/*.ci | grep -v '^mem' | sed 's/^frob_//' |
+        if [ "$real" = float ]; then sed 's/f$//'; else cat; fi |
         LC_ALL=C sort | xargs)
     same "functions of the C library or the runtime" "$library" "$found"
 

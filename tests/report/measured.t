@@ -47,8 +47,15 @@ for modes with parameters, with instants of their own, and within modes,
   $ sh measure.sh modes.frob
   all measured
 
+in single precision,
+
+  $ REAL=float sh measure.sh $(grep -l '^main' ../interp/*.frob) modes.frob ../../examples/wall_follow/wall_follow.frob
+  all measured
+
 and for random ones.
 
   $ for seed in 1 2 3 4; do ./random_programs.exe $seed 10 > random_$seed.frob; done
   $ sh measure.sh random_*.frob
+  all measured
+  $ REAL=float sh measure.sh random_*.frob
   all measured

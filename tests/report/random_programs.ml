@@ -1,5 +1,8 @@
-(* Writes a module of random programs, with a [main] that runs all of them. *)
+(* Writes a module of random programs, with a [main] that runs all of them. Their numbers
+   are in range in single precision too. *)
 
 let () =
   let argument n = int_of_string Sys.argv.(n) in
-  print_string (Fuzz.Program.make ~seed:(argument 1) ~first:0 ~count:(argument 2) ())
+  print_string
+    (Fuzz.Constant.in_range Basis.Real.Single
+       (Fuzz.Program.make ~seed:(argument 1) ~first:0 ~count:(argument 2) ()))

@@ -22,10 +22,13 @@ struct values {
     double f0;
     int32_t i0;
     bool b0;
+    float s;
 };
 
 #define AT(member) offsetof(struct values, member)
 static const struct frob_value f = { FROB_FLOAT, AT(f), 0, 0, NULL };
+static const struct frob_value s = { FROB_SINGLE, AT(s), 0, 0, NULL };
+static const struct frob_value rounded = { FROB_ROUNDED, AT(f), 0, 0, NULL };
 static const struct frob_value i = { FROB_INT, AT(i), 0, 0, NULL };
 static const struct frob_value f0 = { FROB_FLOAT, AT(f0), 0, 0, NULL };
 static const struct frob_value i0 = { FROB_INT, AT(i0), 0, 0, NULL };
@@ -91,6 +94,19 @@ int main(void)
     round_trip(&f, "-nan", "nan");
     round_trip(&f, "(3)", "3");
     round_trip(&f, "-0.0", "-0");
+    round_trip(&s, "0.1", "0.1");
+    round_trip(&s, "0.10000000149011612", "0.1");
+    round_trip(&s, "0.10000001", "0.10000001");
+    round_trip(&s, "16777217", "16777216");
+    round_trip(&s, "16777219", "1.677722e+07");
+    round_trip(&s, "123456789", "1.2345679e+08");
+    round_trip(&s, "1e-45", "1e-45");
+    round_trip(&s, "3.4028235e38", "3.4028235e+38");
+    round_trip(&s, "1e39", "inf");
+    round_trip(&s, "-0.0", "-0");
+    round_trip(&s, "nan", "nan");
+    round_trip(&rounded, "0.1", "0.1");
+    round_trip(&rounded, "16777217", "16777216");
     round_trip(&i, "-2147483648", "-2147483648");
     round_trip(&side, "LeftSide", "LeftSide");
     round_trip(&side, "At (-0.5)", "At (-0.5)");

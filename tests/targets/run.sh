@@ -59,8 +59,21 @@ on_linux () { # TARGET, EMULATOR, LIBRARIES
     check "$1: its recording replays here, bit for bit" replays "$work/log.csv"
 }
 
-on_cortex_m () {
-    "$frobc" build "$program" --target cortex-m -o "$work/cortex-m"
+# Without the runtime, as the board runs it.
+text_size () { # PRECISION, OPTIONS
+    mkdir -p "$work/$1"
+    "$frobc" compile "$program" --robot pioneer --real "$1" -o "$work/$1"
+    arm-none-eabi-gcc -std=c99 -O2 -ffp-contract=off -mthumb -mcpu=cortex-m4 $2 -I runtime/include \
+        -c "$work/$1/wall_follow.c" -o "$work/$1/wall_follow.o"
+    arm-none-eabi-size "$work/$1/wall_follow.o" | awk 'NR == 2 { print $1 }'
+}
+
+no_doubles () {
+    ! arm-none-eabi-nm "$work/float/wall_follow.o" | grep '__aeabi_\(d\|f2d\|i2d\|l2d\)'
+}
+
+on_cortex_m () { # PRECISION, NAME
+    "$frobc" build "$program" --target cortex-m --real "$1" -o "$work/cortex-m"
     serve --tcp 0
     timeout 16 qemu-system-arm -M mps2-an386 -display none -monitor none \
         -serial "${device}" -serial "file:$work/console" -kernel "$work/cortex-m" \
@@ -68,11 +81,16 @@ on_cortex_m () {
     kill "$robot"
     wait "$robot"
     cat "$work/console"
-    check "cortex-m: follows the wall" drove 3
-    check "cortex-m: no step was late" grep -q "time 10 s, .* late 0, stale 0, connections 1" "$work/console"
+    check "$2: follows the wall" drove 3
+    check "$2: no step was late" grep -q "time 10 s, .* late 0, stale 0, connections 1" "$work/console"
 }
 
 on_linux aarch64-linux qemu-aarch64 /usr/aarch64-linux-gnu
 on_linux armhf-linux qemu-arm /usr/arm-linux-gnueabihf
-on_cortex_m
+on_cortex_m double cortex-m
+on_cortex_m float "cortex-m, single precision"
+float="-mfpu=fpv4-sp-d16 -mfloat-abi=hard"
+echo "text of the program's C on a Cortex-M4: $(text_size double "") bytes in double precision," \
+    "$(text_size float "$float") in single"
+check "cortex-m, single precision: the program has no doubles" no_doubles
 exit $failed
