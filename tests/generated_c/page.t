@@ -27,6 +27,11 @@ From C:
   2.624 V at 0.362 m/s
   2.125 V at 0.493 m/s
 
+In single precision:
+
+  $ mkdir single && frobc compile cruise.frob --real float -o single
+  $ block c 5 >shown && sed -n '/^void cruise_step_ns/,/^}/p' single/cruise.c | diff shown -
+
 From C++, linked with C and compiled as C++ too:
 
   $ block cpp 1 >drive.cc
