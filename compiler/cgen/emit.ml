@@ -1,8 +1,15 @@
-type t = { header : string; source : string; host_table : string option; foreign : foreign }
+type t = {
+  header : string;
+  source : string;
+  host_table : string option;
+  robot_header : (string * string) option;
+  foreign : foreign;
+}
+
 and foreign = { calls : string list; folders : string list }
 
-let program (program : Machine.Ir.program) =
-  let files = Of_machine.program program in
+let program ?own (program : Machine.Ir.program) =
+  let files = Of_machine.program ?own program in
   {
     header = Print.file files.header;
     source = Print.file files.source;
@@ -12,7 +19,8 @@ let program (program : Machine.Ir.program) =
            (Flow.Lasting.mentions_foreign program.sums)
            [ program.input; program.output ]
        then None
-      else Some (Host_table.text program files));
+      else Some (Host_table.text ?own program files));
+    robot_header = None;
     foreign =
       {
         calls =

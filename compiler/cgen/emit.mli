@@ -6,6 +6,9 @@ type t = {
   host_table : string option;
       (** NAME_host.c, for hosts only; none of a program with a foreign type in
           its input or output, which no host knows *)
+  robot_header : (string * string) option;
+      (** name and text of the header of a user's own robot, which [header] includes;
+          made from the robot's module ({!Interface_header}) and so not here *)
   foreign : foreign;
 }
 
@@ -15,4 +18,5 @@ and foreign = {
   folders : string list;  (** where the headers are that it includes *)
 }
 
-val program : Machine.Ir.program -> t
+val program : ?own:Robot.t -> Machine.Ir.program -> t
+(** [own]: the user's own robot, if the program is for one. *)

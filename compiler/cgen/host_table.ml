@@ -186,7 +186,7 @@ let machines out ~state (list : Machine_table.t list) =
   let c = { out; sums = [||]; struct_name = state; prefix = ""; count = 0 } in
   (table c "machine" "machines" rows, List.length rows)
 
-let text (program : Machine.Ir.program) (files : Of_machine.t) =
+let text ?own (program : Machine.Ir.program) (files : Of_machine.t) =
   let out = Buffer.create 4096 in
   let name = files.name in
   let input_side = Border.input program files.input in
@@ -200,7 +200,7 @@ let text (program : Machine.Ir.program) (files : Of_machine.t) =
   let result = if program.ends then result out program output_side else "NULL" in
   let machines, machine_count = machines out ~state:(name ^ "_state") files.machines in
   let robot =
-    match (Robot.of_shape program.input, Robot.of_shape program.output) with
+    match (Robot.of_shape ?own program.input, Robot.of_shape ?own program.output) with
     | Some robot, _ | None, Some robot -> robot.name
     | None, None -> ""
   in

@@ -1,4 +1,4 @@
 (** NAME_host.c: the table of <frob/program.h>, by which a host that does not
     know the program reads and writes its values. *)
 
-val text : Machine.Ir.program -> Of_machine.t -> string
+val text : ?own:Robot.t -> Machine.Ir.program -> Of_machine.t -> string

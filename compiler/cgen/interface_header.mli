@@ -1,5 +1,5 @@
 (** The header with a robot's input and output structs, from the types that
-    its module in the standard library declares. *)
+    its module declares. *)
 
 val text : Robot.t -> Machine.Ir.program -> string
 (** The program's input and output are the robot's: that of any signal

@@ -154,7 +154,7 @@ let header (v : V.t) (functions : Ir.function_ list) : Ir.file =
     | Single ->
         Printf.sprintf ",\n * or %s_step_ns with whole nanoseconds, which are exact" v.name
   in
-  let robots = List.map (fun (r : Robot.t) -> Printf.sprintf "<%s>" r.header) v.robots in
+  let robots = List.map Robot.included v.robots in
   List.concat
     [
       [
@@ -203,8 +203,8 @@ typedef char %s[sizeof(%s) == %d ? 1 : -1];
 
 let keys table = List.sort compare (Hashtbl.fold (fun key () keys -> key :: keys) table [])
 
-let program (program : M.program) =
-  let v = V.of_program program in
+let program ?own (program : M.program) =
+  let v = V.of_program ?own program in
   let root = Array.length program.nodes - 1 in
   let functions k =
     match v.nodes.(k).foreign with

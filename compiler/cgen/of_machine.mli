@@ -12,4 +12,4 @@ type t = {
   machines : Machine_table.t list;
 }
 
-val program : Machine.Ir.program -> t
+val program : ?own:Robot.t -> Machine.Ir.program -> t

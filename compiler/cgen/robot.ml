@@ -1,19 +1,26 @@
-type t = { module_ : string; name : string; header : string }
+type t = { module_ : string; name : string; header : string; file : string option }
 
-let robot module_ name = { module_; name; header = "frob/" ^ name ^ ".h" }
+let robot module_ name = { module_; name; header = "frob/" ^ name ^ ".h"; file = None }
 let default = robot "Pioneer" "pioneer"
 let all = [ default; robot "Scout" "scout"; robot "Create" "create" ]
 let of_name name = List.find_opt (fun robot -> String.equal robot.name name) all
 
+let own file =
+  let module_ = Filename.remove_extension (Filename.basename file) in
+  let name = Name.snake module_ in
+  { module_; name; header = name ^ ".h"; file = Some file }
+
+let is_own robot = Option.is_some robot.file
+let included robot = Printf.sprintf (if is_own robot then "\"%s\"" else "<%s>") robot.header
 let input robot = robot.module_ ^ "Input"
 let output robot = robot.module_ ^ "Output"
 
-let of_shape (shape : Flow.Ir.shape) =
+let of_shape ?own (shape : Flow.Ir.shape) =
   match shape with
   | Product { product_module; product_name; record = true; _ } ->
       let is_of robot =
         String.equal product_module robot.module_
         && List.mem product_name [ input robot; output robot ]
       in
-      List.find_opt is_of all
+      List.find_opt is_of (Option.to_list own @ all)
   | Product _ | Leaf _ | Repeated _ -> None

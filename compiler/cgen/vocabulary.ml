@@ -167,7 +167,7 @@ let foreign_names (program : M.program) =
   in
   List.concat_map names program.imports
 
-let of_program (program : M.program) =
+let of_program ?own (program : M.program) =
   let name = Name.identifier program.name in
   let scope = Name.scope Identifiers ~taken:(foreign_names program @ Helper.names) in
   let input_name = Name.fresh scope (name ^ "_input") in
@@ -195,7 +195,7 @@ let of_program (program : M.program) =
   (* Robots' structs are of doubles; the program's own are as it computes, and its
      table for hosts converts. *)
   let robot_of shape =
-    let robot = match program.real with Double -> Robot.of_shape shape | Single -> None in
+    let robot = match program.real with Double -> Robot.of_shape ?own shape | Single -> None in
     if Option.is_some robot then mark_leaves Robot shape;
     robot
   in

@@ -52,7 +52,9 @@ type t = {
 and arrays
 (** Structs of arrays, named as they are met. *)
 
-val of_program : Machine.Ir.program -> t
+val of_program : ?own:Robot.t -> Machine.Ir.program -> t
+(** [own]: the user's own robot, if the program is for one. *)
+
 val ty : t -> Machine.Ir.ty -> Ir.ty
 val absent : t -> Flow.Ir.foreign_type -> Ir.expr
 val zero : t -> Machine.Ir.ty -> Ir.expr

@@ -148,6 +148,11 @@ let compile general entry folder file =
         let* () = writable_folder folder in
         let* () = write (path ".h") files.header in
         let* () = write (path ".c") files.source in
+        let* () =
+          match files.robot_header with
+          | Some (header, text) -> write (Filename.concat folder header) text
+          | None -> Ok ()
+        in
         Exit_status.ok)
 
 (* {1 Reporting} *)
@@ -180,9 +185,25 @@ let host_table ~entry (files : Cgen.Emit.t) =
             compile it, and call it from C"
            entry)
 
+let own_driver general =
+  match Robots.own_of general.robot with
+  | Some robot -> Printf.sprintf "frob_%s_driver" robot.name
+  | None -> ""
+
+let is_driver_missing general text =
+  let driver = own_driver general in
+  let n = String.length driver in
+  let rec within i = i + n <= String.length text && (String.sub text i n = driver || within (i + 1)) in
+  driver <> "" && within 0
+
 (* What a C compiler or linker says of the user's C, and what it may mean. *)
-let about_foreign (files : Cgen.Emit.t) ~sources text =
+let about_foreign general (files : Cgen.Emit.t) ~sources text =
   match (files.foreign.calls, sources) with
+  | _ when is_driver_missing general text ->
+      Printf.sprintf
+        "%s is a robot of your own: name the C files of its driver, which define `%s`, with `--with \
+         FILE.c`"
+        (Option.value general.robot ~default:"this") (own_driver general)
   | [], _ | _, _ :: _ -> text
   | calls, [] ->
       let names = String.concat ", " (List.map (Printf.sprintf "`%s`") calls) in
@@ -213,8 +234,8 @@ let built general kind ~entry ~sources ~linked file continue =
           ([
              (name ^ ".h", files.header); (name ^ ".c", files.source); (name ^ "_host.c", host_table);
            ]
-          @ linked.generated)
-        |> Result.map_error (about_foreign files ~sources)
+          @ Option.to_list files.robot_header @ linked.generated)
+        |> Result.map_error (about_foreign general files ~sources)
       in
       continue resources program)
 
@@ -318,6 +339,9 @@ let header robot =
   | Some text ->
       print_string text;
       Exit_status.ok
+  | None when Diagnostic.has_errors sink ->
+      prerr_string (Render_text.diagnostics ~colour:(colour ()) sources (Diagnostic.all sink));
+      status sink
   | None -> Diagnostic.bug ~stage:"Driver" "no header for this robot"
 
 let explain code =

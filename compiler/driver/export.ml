@@ -72,7 +72,7 @@ let write_library (resources : Resources.t) ~folder ~name ~sources generated =
   in
   copy_folder (resources.runtime_sources / "hosts" / "arduino") example
 
-let platformio general ~entry ~sources ~folder file =
+let platformio (general : Commands.general) ~entry ~sources ~folder file =
   let ( let* ) result continue =
     match result with Ok value -> continue value | Error text -> Commands.wrong_use text
   in
@@ -85,7 +85,9 @@ let platformio general ~entry ~sources ~folder file =
         [
           (name ^ ".h", files.header); (name ^ ".c", files.source); (name ^ "_host.c", table);
           Target.state_of name;
+          Target.own_driver ~name (Robots.own_of general.robot);
         ]
+        @ Option.to_list files.robot_header
       in
       let* () = write_library resources ~folder ~name ~sources generated in
       Exit_status.ok)

@@ -37,12 +37,17 @@ type front = {
   core : Core.Ir.program;
 }
 
-let front options sink sources ~library file =
+let own = function Some robot when Cgen.Robot.is_own robot -> Some robot | Some _ | None -> None
+
+let front ?robot options sink sources ~library file =
+  let own = own robot in
   let* () = parse options sink sources file in
   let* resolved =
     Resolve.Program.load sink ~files:Resolve.Files.on_disk
       ~remember:(fun ~file text -> Source.add sources ~file text)
-      ~library file
+      ~library
+      ?also:(Option.bind own (fun (robot : Cgen.Robot.t) -> robot.file))
+      file
   in
   let* resolved =
     stage options sink Resolve ~lint:Resolve.Lint.program ~print:Resolve.Print.program resolved
@@ -51,6 +56,7 @@ let front options sink sources ~library file =
   (* Levels and patterns read types: after an error there they would only
      repeat it in other words. *)
   let* typed = if Diagnostic.has_errors sink then None else Some typed in
+  Option.iter (Robots.check_own sink typed) own;
   let typed = Typing.Levels.program sink typed in
   Typing.Patterns.check sink typed;
   let* typed =
@@ -73,12 +79,13 @@ let signed (resolved : Resolve.Ir.program) name =
     (fun (g : Resolve.Ir.binding_group) -> List.exists is_it g.bindings)
     resolved.groups
 
-let for_a_robot front entry : Robots.program =
+let for_a_robot ?robot front entry : Robots.program =
   {
     typed = front.typed;
     core = front.core;
     entry;
     signed = signed front.resolved entry;
+    own = own robot;
   }
 
 let place (core : Core.Ir.program) entry =
@@ -115,7 +122,7 @@ let entries (core : Core.Ir.program) =
 (* A program for several robots is checked as it stands, and in what needs a
    robot, such as its loops, with any that it runs on. *)
 let check_entry ?robot options sink front (d : Core.Ir.definition) =
-  let program = for_a_robot front d.name in
+  let program = for_a_robot ?robot front d.name in
   let closed =
     match robot with
     | None when Robots.is_open program -> Robots.sampled program
@@ -126,7 +133,7 @@ let check_entry ?robot options sink front (d : Core.Ir.definition) =
   | None -> Specialize.Recursion.check sink front.core
 
 let check ?robot options sink sources ~library file =
-  match front options sink sources ~library file with
+  match front ?robot options sink sources ~library file with
   | None -> ()
   | Some front -> (
       match entries front.core with
@@ -186,9 +193,9 @@ let refuse_foreign sink core ~entry ~what_for ~code ~hint (flow : Flow.Ir.progra
 
 (* A program is rejected for the same reasons whatever is to run it. *)
 let checked ?robot options sink sources ~library ~entry file =
-  let* front = front options sink sources ~library file in
+  let* front = front ?robot options sink sources ~library file in
   let* entry = find_entry sink front.core ~file entry in
-  let* core, entry = Robots.closed sink robot (for_a_robot front entry) in
+  let* core, entry = Robots.closed sink robot (for_a_robot ?robot front entry) in
   let* flow = flow options sink ~name:(c_name file) ~entry core in
   if options.real = Single then
     refuse_foreign sink core ~entry flow ~code:no_single_precision
@@ -215,27 +222,35 @@ let machine ?robot options sink sources ~library ~entry file =
   let* _, _, flow = checked ?robot options sink sources ~library ~entry file in
   machine_of options sink flow
 
-let c options sink machine =
+(* Of the robot's types: those of any signal function from one to the other. *)
+let robot_header sink sources ~library (robot : Cgen.Robot.t) =
+  let options =
+    { dump = None; stop_after = None; lint = false; specialization_limit = 10_000; real = Double }
+  in
+  let file =
+    Option.value robot.file ~default:(Filename.concat library (robot.module_ ^ ".frob"))
+  in
+  let* machine = machine ~robot options sink sources ~library ~entry:"atRest" file in
+  Some (Cgen.Interface_header.text robot machine)
+
+let c ?own options sink machine =
   let print ppf (files : Cgen.Emit.t) =
     Format.pp_print_string ppf files.header;
     Format.pp_print_string ppf files.source
   in
-  stage options sink C ~lint:ignore ~print (Cgen.Emit.program machine)
+  stage options sink C ~lint:ignore ~print (Cgen.Emit.program ?own machine)
 
 let compile ?robot options sink sources ~library ~entry file =
   let* machine = machine ?robot options sink sources ~library ~entry file in
-  c options sink machine
+  let* files = c ?own:(own robot) options sink machine in
+  match own robot with
+  | None -> Some files
+  | Some robot ->
+      let* text = robot_header sink sources ~library robot in
+      Some { files with robot_header = Some (robot.header, text) }
 
 let for_both_engines options sink sources ~library ~entry file =
   let* core, entry, flow = checked options sink sources ~library ~entry file in
   let* machine = machine_of options sink flow in
   let* files = c options sink machine in
   Some (core, entry, files)
-
-let robot_header sink sources ~library (robot : Cgen.Robot.t) =
-  let options =
-    { dump = None; stop_after = None; lint = false; specialization_limit = 10_000; real = Double }
-  in
-  let file = Filename.concat library (robot.module_ ^ ".frob") in
-  let* machine = machine options sink sources ~library ~entry:"atRest" file in
-  Some (Cgen.Interface_header.text robot machine)

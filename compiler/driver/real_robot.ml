@@ -49,8 +49,9 @@ type run = {
   console : bool;
 }
 
-let executable general target ~entry ~sources file continue =
-  Commands.built general Executable ~entry ~sources ~linked:(Target.linked target ~real:general.Commands.real) file
+let executable (general : Commands.general) target ~entry ~sources file continue =
+  let own = Robots.own_of general.robot in
+  Commands.built general Executable ~entry ~sources ~linked:(Target.linked ?own target ~real:general.real) file
     (fun _ program -> continue program)
 
 let this_machine = Option.get (Target.of_name "host")

@@ -6,22 +6,39 @@ type t = Robot.t
 
 let names = List.map (fun (robot : t) -> robot.name) Robot.all
 
+let is_file name = Filename.check_suffix name ".frob"
+
+let own file =
+  let robot = Robot.own file in
+  if not (Sys.file_exists file) then Error (Printf.sprintf "there is no file %s" file)
+  else if Robot.of_name robot.name <> None then
+    Error (Printf.sprintf "there is a robot `%s` already: give %s another name" robot.name file)
+  else Ok (Some robot)
+
 let known = function
   | None -> Ok None
+  | Some file when is_file file -> own file
   | Some name -> (
       match Robot.of_name name with
       | Some robot -> Ok (Some robot)
       | None ->
           Error
-            (Printf.sprintf "there is no robot `%s`; the robots: %s" name
+            (Printf.sprintf "there is no robot `%s`; the robots: %s; your own: the file of its module"
+               name
                (String.concat ", " names)))
+
+let own_of asked =
+  match known asked with Ok (Some robot) when Robot.is_own robot -> Some robot | _ -> None
 
 type program = {
   typed : Typing.Ir.program;
   core : Core.Ir.program;
   entry : Core.Ir.Global.t;
   signed : bool;
+  own : t option;
 }
+
+let all p = Option.to_list p.own @ Robot.all
 
 let input (robot : t) : Core.Ir.Global.t =
   { module_ = robot.module_; name = Robot.input robot }
@@ -29,16 +46,45 @@ let input (robot : t) : Core.Ir.Global.t =
 let output (robot : t) : Core.Ir.Global.t =
   { module_ = robot.module_; name = Robot.output robot }
 
+(* A user's own robot has what programs, hosts and this module count on. *)
+let check_own sink (typed : Typing.Ir.program) (robot : t) =
+  let record (tycon : Core.Ir.Global.t) =
+    let is_record (d : Typing.Ir.data) =
+      d.tycon = tycon && match d.constructors with [ c ] -> c.record | _ -> false
+    in
+    List.exists is_record typed.data
+  in
+  let is_output (i : Typing.Ir.instance) =
+    String.equal i.class_.name "RobotOutput"
+    && match i.head with Data { tycon; _ } -> tycon = output robot | _ -> false
+  in
+  let file = Option.value robot.file ~default:robot.module_ in
+  let lacks format =
+    Printf.ksprintf
+      (fun what ->
+        Diagnostic.error ~code:"E0503" ~at:(Span.start_of_file file)
+          "module `%s` is no robot: it has no %s" robot.module_ what
+        |> Diagnostic.hint
+             (Printf.sprintf "a robot's module has records `%s` and `%s`, and instances of what it can do"
+                (Robot.input robot) (Robot.output robot))
+        |> Diagnostic.emit sink)
+      format
+  in
+  if not (record (input robot)) then lacks "record `%s`" (Robot.input robot)
+  else if not (record (output robot)) then lacks "record `%s`" (Robot.output robot)
+  else if not (List.exists is_output typed.instances) then
+    lacks "instance `RobotOutput %s`" (Robot.output robot)
+
 let typed_entry p =
   List.find (fun (d : Typing.Ir.definition) -> d.name = p.entry) p.typed.definitions
 
 let lacks p robot =
   Fit.lacks p.typed (typed_entry p)
-    ~others:(List.concat_map (fun robot -> [ input robot; output robot ]) Robot.all)
+    ~others:(List.concat_map (fun robot -> [ input robot; output robot ]) (all p))
     { input = input robot; output = output robot }
 
 let fits p robot = lacks p robot = Some []
-let fitting p = List.filter (fits p) Robot.all
+let fitting p = List.filter (fits p) (all p)
 
 let close p robot =
   let core_entry =
@@ -78,7 +124,7 @@ let having p class_ =
     | None -> false
     | Some found -> not (List.exists (fun (l : Fit.lack) -> l.class_ = class_) found)
   in
-  match List.filter has Robot.all with
+  match List.filter has (all p) with
   | [] -> "no robot has it"
   | [ robot ] -> Printf.sprintf "only %s has it" (quoted robot)
   | robots -> Printf.sprintf "%s have it" (listed "and" (List.map quoted robots))
@@ -130,7 +176,7 @@ let robots_of (p : program) =
     match t with
     | Data { tycon; _ } ->
         Option.to_list
-          (List.find_opt (fun r -> input r = tycon || output r = tycon) Robot.all)
+          (List.find_opt (fun r -> input r = tycon || output r = tycon) (all p))
         @ found
     | _ -> found
   in
@@ -152,7 +198,7 @@ let closed_program sink asked p =
       refuse sink [ another p robot [ input ] ]
   | _ -> as_it_stands p
 
-let allowed p = List.filter (fun robot -> lacks p robot <> None) Robot.all
+let allowed p = List.filter (fun robot -> lacks p robot <> None) (all p)
 
 let open_program sink asked p =
   let allowed = allowed p in

@@ -11,7 +11,12 @@ type t = Cgen.Robot.t
 val names : string list
 
 val known : string option -> (t option, string) result
-(** The robot asked for, if any; the error is a text for the user. *)
+(** The robot asked for, if any: one of the library by its name, or a user's own
+    by the file of its module, which ends in [.frob]. The error is a text for the
+    user. *)
+
+val own_of : string option -> t option
+(** The robot asked for, if it is a user's own and there. *)
 
 (** A program for a robot, before it is decided for which. *)
 type program = {
@@ -19,7 +24,12 @@ type program = {
   core : Core.Ir.program;
   entry : Core.Ir.Global.t;
   signed : bool;  (** the programmer says the entry's type *)
+  own : t option;  (** the user's own robot, if the program is for one *)
 }
+
+val check_own : Diagnostic.sink -> Typing.Ir.program -> t -> unit
+(** Emits a diagnostic if the module of a user's own robot lacks the records of its input
+    and output, or the instance of [RobotOutput]. *)
 
 val is_open : program -> bool
 (** Its type leaves the robot open. *)

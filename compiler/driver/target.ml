@@ -92,15 +92,36 @@ let state_of name =
       "#include \"%s.h\"\n\nstatic struct %s_state state;\nvoid *const frob_program_state = &state;\n"
       name name )
 
-let linked t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
+(* What [hosts/robot/drivers.c] and [hosts/board/loop.c] look up. *)
+let own_driver ~name robot =
+  ( name ^ "_driver.c",
+    match robot with
+    | Some (robot : Cgen.Robot.t) ->
+        Printf.sprintf
+          "/* The user's own driver, for the host. */\n\
+           struct frob_driver;\n\
+           extern const struct frob_driver frob_%s_driver;\n\
+           extern const struct frob_driver *const frob_own_driver;\n\
+           const struct frob_driver *const frob_own_driver = &frob_%s_driver;\n"
+          robot.name robot.name
+    | None ->
+        "/* The robot's driver is one of the host's. */\n\
+         struct frob_driver;\n\
+         extern const struct frob_driver *const frob_own_driver;\n\
+         const struct frob_driver *const frob_own_driver = 0;\n" )
+
+let linked ?own t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
   let include_ = [ "-I"; resources.runtime_sources ] in
+  let driver = own_driver ~name own in
   match t.kind with
   | Prebuilt ->
       {
-        Commands.machine = None;
+        (* a driver of the user's own includes the runtime's headers *)
+        Commands.machine =
+          (if own = None then None else Some (machine t include_));
         inputs = [ resources.robot_host; resources.runtime ];
         includes = [];
-        generated = [];
+        generated = [ driver ];
       }
   | Linux options ->
       let inputs, includes =
@@ -110,7 +131,7 @@ let linked t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
         machine = Some (machine t (options @ ("-D_GNU_SOURCE" :: include_)));
         inputs;
         includes;
-        generated = [];
+        generated = [ driver ];
       }
   | Board { port; script; options; single } ->
       let inputs, includes =
@@ -127,7 +148,7 @@ let linked t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
         machine = Some (machine t (options @ include_));
         inputs;
         includes = script :: includes;
-        generated = [ state_of name ];
+        generated = [ state_of name; driver ];
       }
 
 let size_tool t =

@@ -8,7 +8,12 @@ val of_name : string -> t option
 val meaning : t -> string
 (** In a few words, for the user. *)
 
-val linked : t -> real:Basis.Real.t -> Resources.t -> name:string -> Commands.linked
+val own_driver : name:string -> Cgen.Robot.t option -> string * string
+(** The file, name and content, that tells the host which driver is the user's own: of
+    the robot [rover] it is [const struct frob_driver frob_rover_driver]. *)
+
+val linked : ?own:Cgen.Robot.t -> t -> real:Basis.Real.t -> Resources.t -> name:string -> Commands.linked
+(** [own]: the user's own robot, whose driver is among the user's C files. *)
 
 val size_tool : t -> string option
 (** The program that tells how much memory an executable needs, where that is

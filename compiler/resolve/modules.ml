@@ -28,6 +28,7 @@ type loader = {
   files : Files.t;
   remember : file:string -> string -> unit;
   library : string;
+  also : string option;  (** the file of a module that is there unasked *)
   mutable texts : (string, Files.error) result String_map.t;  (** by path *)
   mutable states : (string * state) String_map.t;  (** by module name, with the file *)
   mutable clashes : String_set.t;  (** names of two modules, reported *)
@@ -36,6 +37,8 @@ type loader = {
 
 let prelude = "Prelude"
 let file_of name = name ^ ".frob"
+
+let module_in file = Filename.remove_extension (Filename.basename file)
 
 let beside directory name =
   if String.equal directory Filename.current_dir_name then file_of name
@@ -119,7 +122,11 @@ let find loader ~directory ~importer_in_library (target : Syntax.Ir.name) =
   in
   if importer_in_library || String.equal name prelude then from_library ()
   else
-    let path = beside directory name in
+    let path =
+      match loader.also with
+      | Some file when String.equal (module_in file) name -> file
+      | Some _ | None -> beside directory name
+    in
     match read loader path with
     | Ok text -> Some { path; shown = path; in_library = false; text }
     | Error Missing -> from_library ()
@@ -228,9 +235,17 @@ and import_module loader ~way ~directory ~importer_in_library (target : Syntax.I
               loader.states <- String_map.add target.text (found.shown, Failed) loader.states;
               false))
 
-let load sink ~files ~remember ~library main =
-  let loader = { sink; files; remember; library; texts = String_map.empty; clashes = String_set.empty; states = String_map.empty; loaded = [] } in
-  let base = Filename.remove_extension (Filename.basename main) in
+let load sink ~files ~remember ~library ?also main =
+  let loader = { sink; files; remember; library; also; texts = String_map.empty; clashes = String_set.empty; states = String_map.empty; loaded = [] } in
+  let base = module_in main in
+  let other file = not (String.equal file main) in
+  (match also with
+  | Some file when other file ->
+      let target : Syntax.Ir.name = { text = module_in file; span = Span.start_of_file file } in
+      ignore
+        (import_module loader ~way:[] ~directory:(Filename.dirname file) ~importer_in_library:false
+           target)
+  | Some _ | None -> ());
   (match read loader main with
   | Error Missing ->
       report_unreadable loader ~at:(Span.start_of_file main) main "there is no such file"

@@ -137,11 +137,11 @@ let assemble modules : Ir.program option =
           instances = List.concat_map (fun m -> m.instances) modules;
         }
 
-let load sink ~files ~remember ~library main =
+let load sink ~files ~remember ~library ?also main =
   (* A sink of its own tells this run's errors from earlier ones. *)
   let mine = Diagnostic.sink () in
   let context = Context.create mine in
-  let modules = Modules.load mine ~files ~remember ~library main in
+  let modules = Modules.load mine ~files ~remember ~library ?also main in
   let elsewhere = library_names ~files ~library in
   let add (exports, reversed) (m : Modules.t) =
     let exported, resolved = resolve context ~elsewhere exports m in

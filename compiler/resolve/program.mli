@@ -5,10 +5,11 @@ val load :
   files:Files.t ->
   remember:(file:string -> string -> unit) ->
   library:string ->
+  ?also:string ->
   string ->
   Ir.program option
-(** [load sink ~files ~remember ~library main] reads the module in the file
-    [main], what it imports, and the prelude, from [files] and the folder
+(** [load sink ~files ~remember ~library ~also main] reads the module in the file
+    [main], what it imports, the module in [also], if any, and the prelude, from [files] and the folder
     [library]; each text read is also given to [remember] with the name that spans
     use, for rendering. [None] after any error; all errors of all modules are emitted
     (E01xx by the parser, E02xx here). *)

@@ -58,10 +58,16 @@ static volatile int64_t alive_ns; /* when the loop last came round; 0: not runni
 static int64_t stopped_ns;
 static struct loop_counts counts;
 
+/* Of a robot of the user's own; NULL if the program is for another. frobc writes
+ * this into the program. */
+extern const struct frob_driver *const frob_own_driver;
+
 static const struct frob_driver *find_driver(void)
 {
     static const struct frob_driver *const drivers[] = { &frob_pioneer_driver, &frob_scout_driver,
                                                          &frob_create_driver };
+    if (frob_own_driver != NULL && strcmp(frob_own_driver->robot, frob_program.robot) == 0)
+        return frob_own_driver;
     for (size_t i = 0; i < sizeof drivers / sizeof drivers[0]; i++)
         if (strcmp(drivers[i]->robot, frob_program.robot) == 0)
             return drivers[i];

@@ -6,6 +6,10 @@
 #include "drivers/pioneer/pioneer.h"
 #include "drivers/scout/scout.h"
 
+/* Of a robot of the user's own; NULL if the program is for another. frobc writes
+ * this into the program. */
+extern const struct frob_driver *const frob_own_driver;
+
 static const struct frob_driver *const drivers[] = { &frob_pioneer_driver, &frob_scout_driver,
                                                      &frob_create_driver };
 
@@ -13,6 +17,8 @@ const char driver_names[] = "pioneer, scout, create";
 
 const struct frob_driver *find_driver(const char *robot)
 {
+    if (frob_own_driver != NULL && strcmp(frob_own_driver->robot, robot) == 0)
+        return frob_own_driver;
     for (size_t i = 0; i < sizeof drivers / sizeof drivers[0]; i++)
         if (strcmp(drivers[i]->robot, robot) == 0)
             return drivers[i];
