@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -78,8 +79,8 @@ class Robot {
 struct RobotKind {
     const char *name; // "pioneer", as hosts and world files call it
     std::size_t input_size, output_size; // of its structs
-    const Chassis &(*chassis)();
-    std::unique_ptr<Robot> (*make)(const Scene &scene, std::uint64_t seed);
+    std::function<const Chassis &()> chassis;
+    std::function<std::unique_ptr<Robot>(const Scene &scene, std::uint64_t seed)> make;
 };
 
 // The first one is what a world has that does not say.

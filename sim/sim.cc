@@ -2,15 +2,26 @@
 
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <string>
 
+#include "own_robot.h"
 #include "picture.h"
 #include "simulation.h"
 #include "world_file.h"
 
 using namespace frob::sim;
 
+// The user's own robot, if it is one.
+struct Own {
+    explicit Own(const frob_body &table) : body(table), kind(own_robot_kind(body)) {}
+
+    OwnBody body;
+    RobotKind kind;
+};
+
 struct frob_sim {
+    std::unique_ptr<Own> own;
     Simulation simulation;
 };
 
@@ -25,8 +36,11 @@ void say(char *message, std::size_t room, const std::string &text) {
 frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *settings, char *message,
                         std::size_t room) {
     try {
-        if (settings->robot != nullptr && robot_kind(settings->robot) == nullptr) {
-            say(message, room, std::string("there is no simulated ") + settings->robot);
+        auto own = settings->body != nullptr ? std::make_unique<Own>(*settings->body) : nullptr;
+        if (!own && settings->robot != nullptr && robot_kind(settings->robot) == nullptr) {
+            say(message, room, std::string("there is no simulated ") + settings->robot +
+                    "; the body of a robot of your own is `frob_" + settings->robot +
+                    "_body`, in a C file that is given with `--with`");
             return nullptr;
         }
         Scene scene = read_world_file(world_file);
@@ -41,7 +55,9 @@ frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *setting
             if (!scene.measure) scene.measure.emplace();
             scene.measure->distance = settings->wall_distance_m;
         }
-        return new frob_sim{{std::move(scene), settings->seed, settings->picture != 0}};
+        const RobotKind *kind = own ? &own->kind : nullptr;
+        return new frob_sim{std::move(own),
+                            {std::move(scene), settings->seed, settings->picture != 0, kind}};
     } catch (const WorldFileError &error) {
         say(message, room, error.what());
     } catch (const std::exception &error) {

@@ -26,12 +26,14 @@ extern "C" {
 #endif
 
 struct frob_sim;
+struct frob_body; /* <frob/body.h> */
 
 struct frob_sim_settings {
     const char *robot;       /* "pioneer", …: what the host can talk to; NULL: any */
     uint64_t seed;           /* of all noise */
     double wall_distance_m;  /* replaces `distance` of the world file's [measure]; 0: as it says */
     int picture;             /* whether to keep what frob_sim_picture shows */
+    const struct frob_body *body; /* of a robot of the user's own, which is `robot`; else NULL */
 };
 
 /* Reads a world file. NULL on failure; `message` then holds a line for each

@@ -22,7 +22,9 @@ class Simulation {
   public:
     // Throws WorldFileError if a robot starts inside something. Samples are
     // for a picture; without one they need not be kept.
-    Simulation(Scene scene, std::uint64_t seed, bool keeps_samples = true);
+    // The robot is the scene's, or the user's own, which must stay.
+    Simulation(Scene scene, std::uint64_t seed, bool keeps_samples = true,
+               const RobotKind *own = nullptr);
 
     Simulation(const Simulation &) = delete;
     Simulation &operator=(const Simulation &) = delete;

@@ -239,12 +239,19 @@ let built general kind ~entry ~sources ~linked file continue =
       in
       continue resources program)
 
-let with_runtime (resources : Resources.t) ~name:_ =
-  { machine = None; inputs = [ resources.runtime ]; includes = []; generated = [] }
+(* The C files of a user's own robot may be given all at once, its driver's too. *)
+let with_runtime general (resources : Resources.t) ~name:_ =
+  let machine =
+    Option.map
+      (fun _ ->
+        { (Toolchain.this_machine ()) with options = [ "-I"; resources.runtime_sources ] })
+      (Robots.own_of general.robot)
+  in
+  { machine; inputs = [ resources.runtime ]; includes = []; generated = [] }
 
 (* The program as a shared object, and the host that is to run it. *)
 let hosted general ~entry ~sources file ~host ~arguments =
-  built general Shared_object ~entry ~sources ~linked:with_runtime file (fun resources program ->
+  built general Shared_object ~entry ~sources ~linked:(with_runtime general) file (fun resources program ->
       let host = host resources in
       match Process.hand_over host (arguments resources program) with
       | Ok status -> status

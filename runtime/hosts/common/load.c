@@ -5,11 +5,13 @@
 
 #include <frob/arithmetic.h>
 
+static void *object;
+
 const struct frob_program *frob_load(const char *path)
 {
     const struct frob_program *program;
     unsigned faults;
-    void *object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (object == NULL) {
         fprintf(stderr, "error: %s is not a compiled program: %s\n", path, dlerror());
         return NULL;
@@ -31,4 +33,13 @@ const struct frob_program *frob_load(const char *path)
         return NULL;
     }
     return program;
+}
+
+const void *frob_load_part(const char *robot, const char *part)
+{
+    char name[128];
+    int length = snprintf(name, sizeof name, "frob_%s_%s", robot, part);
+    if (object == NULL || length < 0 || (size_t)length >= sizeof name)
+        return NULL;
+    return dlsym(object, name);
 }

@@ -9,4 +9,8 @@
  * error. The program stays loaded until the process ends. */
 const struct frob_program *frob_load(const char *path);
 
+/* Something else of the user's in the program that was loaded, such as the body of a
+ * robot of their own: `frob_ROBOT_PART`. NULL if there is none. */
+const void *frob_load_part(const char *robot, const char *part);
+
 #endif

@@ -82,6 +82,7 @@ static struct frob_sim *open_world(const struct options *options,
     settings.seed = options->seed;
     settings.wall_distance_m = options->wall_distance_m;
     settings.picture = options->picture != NULL;
+    settings.body = (const struct frob_body *)frob_load_part(program->robot, "body");
     sim = frob_sim_open(options->world, &settings, message, sizeof message);
     if (sim == NULL) {
         for (char *line = strtok(message, "\n"); line != NULL; line = strtok(NULL, "\n"))

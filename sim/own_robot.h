@@ -1,0 +1,40 @@
+// A robot of the user's own: its body is a table in C (<frob/body.h>).
+#pragma once
+
+#include <frob/body.h>
+
+#include "robot.h"
+#include "sonar.h"
+
+namespace frob::sim {
+
+// What the simulator knows robots by, made of such a table.
+struct OwnBody {
+    explicit OwnBody(const frob_body &table);
+
+    const frob_body &table;
+    Chassis chassis;
+    SonarRing ring;
+};
+
+class OwnRobot : public Robot {
+  public:
+    // The body must outlive the robot.
+    OwnRobot(const OwnBody &body, const Scene &scene, std::uint64_t seed);
+
+    void read(std::int64_t time_ns, void *input) override;
+    void command(const void *output) override;
+    const std::vector<Echo> &echoes() const override { return sonar_.echoes(); }
+    void forget_echoes() override { sonar_.forget_echoes(); }
+
+  private:
+    void look(std::int64_t time_ns, const Body &body) override { sonar_.advance(time_ns, body); }
+
+    const OwnBody &described_;
+    Sonar sonar_;
+};
+
+// The kind of robot that this body is; it must outlive what is made of it.
+RobotKind own_robot_kind(const OwnBody &body);
+
+} // namespace frob::sim
