@@ -116,6 +116,20 @@ let foreign_structs (v : V.t) =
   let all = List.sort compare (Hashtbl.fold (fun text () all -> text :: all) found []) in
   match all with [] -> [] | all -> [ Ir.Text (String.concat "" all) ]
 
+(* A program is a component too: its header stands for what a program that imports it
+   would define. *)
+let own_records (v : V.t) =
+  let mark (d : Ir.declaration) =
+    match d with
+    | Struct_definition { name; _ }
+      when List.mem name [ v.input.struct_name; v.output.struct_name ] ->
+        Some (Printf.sprintf "#define %s\n" (V.defined name))
+    | _ -> None
+  in
+  match List.filter_map mark v.records with
+  | [] -> v.records
+  | marks -> Ir.Text (String.concat "" marks) :: v.records
+
 let foreign_records (v : V.t) =
   List.concat_map
     (fun (d : Ir.declaration) ->
@@ -175,7 +189,7 @@ let header (v : V.t) (functions : Ir.function_ list) : Ir.file =
       foreign_structs v;
       types v;
       foreign_records v;
-      v.records;
+      own_records v;
       (if V.has_modes v then [ Text overlaid ] else []);
       foreign_prototypes v;
       states v;

@@ -357,8 +357,10 @@ let array_functions t =
 
 (* Several programs, and the user's own header, may define what C code of the
    user's knows. *)
+let defined struct_name = String.uppercase_ascii struct_name ^ "_DEFINED"
+
 let once struct_name declarations =
-  let guard = String.uppercase_ascii struct_name ^ "_DEFINED" in
+  let guard = defined struct_name in
   (Ir.Text (Printf.sprintf "#ifndef %s\n#define %s\n" guard guard) :: declarations)
   @ [ Ir.Text "#endif\n" ]
 

@@ -85,6 +85,9 @@ val array_functions : t -> Ir.function_ list
 val type_definitions : t -> of_:(owner -> bool) -> Ir.declaration list
 (** Sums and arrays, used before users. To be called when all code is made. *)
 
+val defined : string -> string
+(** The macro that says that this struct is defined. *)
+
 val once : string -> Ir.declaration list -> Ir.declaration list
 (** Unless that struct was defined before. *)
 

@@ -26,6 +26,9 @@
   extern "C" {
   #endif
   
+  #define GAIN_INPUT_DEFINED
+  #define GAIN_OUTPUT_DEFINED
+  
   struct gain_input {
       double value;
   };

@@ -137,3 +137,40 @@ What comes from C is unknown when a program starts, so it may switch at once:
   
   1 error
   [1]
+
+A program is a component of another, by its own header: its input and output may be
+of numbers, truths, records, tuples and arrays of these.
+
+  $ cat > inner.frob <<'FROB'
+  > import Geometry
+  > 
+  > data Seen = Seen { at :: Pose, near :: Array 2 Distance, sure :: Bool }
+  > 
+  > main :: SF Seen (Pose, Distance)
+  > main = proc i -> (compose i.at i.at, if i.sure then way + i.near ! 1 else 0) where
+  >     way = integral (i.near ! 0 / 1[s])
+  > FROB
+  $ cat > outer.frob <<'FROB'
+  > import Geometry
+  > 
+  > foreign include "inner.h"
+  > 
+  > data Seen = Seen { at :: Pose, near :: Array 2 Distance, sure :: Bool }
+  > 
+  > foreign sf inner :: SF Seen (Pose, Distance) = "inner"
+  > 
+  > main :: SF Distance (Distance, Distance)
+  > main = proc d -> ((fst both').position.x, snd both') where
+  >     both' = inner (Seen { at = Pose { position = Vec2 { x = d, y = 0 }, heading = 0 }, near = [d, 1[m]], sure = d > 0 })
+  > FROB
+  $ frobc compile inner.frob
+  $ grep DEFINED inner.h
+  #define INNER_INPUT_DEFINED
+  #define INNER_OUTPUT_DEFINED
+  $ printf 'time,in\n0,1\n1,2\n2,0\n3,3\n' > in.csv
+  $ frobc trace outer.frob --with inner.c --input in.csv
+  time,out.1,out.2
+  0.000000000,2,1
+  1.000000000,4,2
+  2.000000000,0,0
+  3.000000000,6,4

@@ -10,6 +10,9 @@
 extern "C" {
 #endif
 
+#define WALL_FOLLOW_INPUT_DEFINED
+#define WALL_FOLLOW_OUTPUT_DEFINED
+
 struct wall_follow_input {
     double f1;
     double f2;
