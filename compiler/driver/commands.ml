@@ -335,14 +335,24 @@ let run general ~entry ~sources run file =
 
 (* {1 Explaining} *)
 
+let header_of (resources : Resources.t) robot =
+  let sink = Diagnostic.sink () and sources = Source.create () in
+  let text = Pipeline.robot_header sink sources ~library:resources.library robot in
+  (text, sink, sources)
+
+let robot_header resources (robot : Robots.t) =
+  match header_of resources robot with
+  | Some text, _, _ -> Ok (robot.header, text)
+  | None, sink, sources ->
+      Error
+        (Printf.sprintf "%s cannot be compiled:\n%s" (Option.value robot.file ~default:robot.module_)
+           (Render_text.diagnostics ~colour:(colour ()) sources (Diagnostic.all sink)))
+
 let header robot =
   let* resources = Resources.find () in
   let* robot = Robots.known (Some robot) in
-  let sink = Diagnostic.sink () and sources = Source.create () in
-  match
-    Option.bind robot
-      (Pipeline.robot_header sink sources ~library:resources.library)
-  with
+  let text, sink, sources = header_of resources (Option.get robot) in
+  match text with
   | Some text ->
       print_string text;
       Exit_status.ok

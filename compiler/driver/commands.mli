@@ -54,6 +54,9 @@ val report : general -> entry:string -> string -> int
 val header : string -> int
 (** Prints the C header with a robot's types. *)
 
+val robot_header : Resources.t -> Robots.t -> (string * string, string) result
+(** Its name and text, or a text for the user. *)
+
 val explain : string -> int
 
 val wrong_use : string -> int

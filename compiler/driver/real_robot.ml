@@ -20,15 +20,35 @@ let missing host = Printf.sprintf "the host %s is missing: install frobc again" 
 let become host arguments =
   match Process.become host arguments with Not_found _ | Failed _ -> Commands.wrong_use (missing host)
 
-let serve ~robot serve =
+(* The name of a robot, and the shared object of the user's C files if it is their own. *)
+let served (resources : Resources.t) ~robot ~sources =
+  let ( let* ) = Result.bind in
+  let* known = Robots.known robot in
+  match known with
+  | Some own when Cgen.Robot.is_own own ->
+      let* () = Commands.all_exist sources in
+      let* header = Commands.robot_header resources own in
+      let* object_ =
+        Toolchain.build
+          ~machine:{ (Toolchain.this_machine ()) with options = [ "-I"; resources.runtime_sources ] }
+          Shared_object ~headers:resources.headers ~inputs:[]
+          ~foreign:(Some { Toolchain.sources; folders = [] })
+          ~name:own.name [ header ]
+      in
+      Ok (Some own.name, Some object_)
+  | Some _ | None when sources <> [] -> Error "--with is for a robot of your own: --robot FILE.frob"
+  | Some _ | None -> Ok (robot, None)
+
+let serve ~robot ~sources serve =
   let* resources = Resources.find () in
-  let* _ = Robots.known robot in
+  let* robot, own = served resources ~robot ~sources in
   let world =
     Option.value serve.world ~default:(Filename.concat resources.worlds "room.toml")
   in
   become resources.server
     ([ "--world"; world; "--seed"; string_of_int serve.seed ]
     @ option "--robot" robot
+    @ option "--own" own
     @ option "--tcp" (Option.map string_of_int serve.tcp)
     @ option "--for" (Option.map seconds serve.duration)
     @ option "--model" serve.model

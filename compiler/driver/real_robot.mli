@@ -11,8 +11,8 @@ type serve = {
   link : string option;  (** symbolic link to be kept to the device *)
 }
 
-val serve : robot:string option -> serve -> int
-(** Becomes the simulated robot. *)
+val serve : robot:string option -> sources:string list -> serve -> int
+(** Becomes the simulated robot. [sources] are the C files of a user's own one. *)
 
 type run = {
   device : string;  (** a serial line, or [tcp:HOST:PORT] *)

@@ -91,7 +91,8 @@ let general =
   in
   let robot =
     let doc =
-      "The robot to compile for: " ^ robot_names ^ "."
+      "The robot to compile for: " ^ robot_names
+      ^ ", or, for one of your own, the file of its module, as in $(b,Rover.frob)."
     in
     Arg.(value & opt (some string) None & info [ "robot" ] ~docv:"ROBOT" ~doc)
   in
@@ -310,7 +311,9 @@ let export =
 let serve =
   let some kind names ~docv ~doc = Arg.(value & opt (some kind) None & info names ~docv ~doc) in
   let robot =
-    some Arg.string [ "robot" ] ~docv:"ROBOT" ~doc:"The robot; without it, a $(b,pioneer)."
+    some Arg.string [ "robot" ] ~docv:"ROBOT" 
+      ~doc:
+        "The robot; without it, a $(b,pioneer). Or the file of the module of one of your own."
   in
   let world =
     some Arg.string [ "world" ] ~docv:"WORLD.toml"
@@ -336,8 +339,14 @@ let serve =
   let link =
     some Arg.string [ "link" ] ~docv:"PATH" ~doc:"Keep a symbolic link to the device there."
   in
-  let make robot world seed tcp duration model log link =
-    Driver.Real_robot.serve ~robot { world; seed; tcp; duration; model; log; link }
+  let sources =
+    let doc =
+      "A C file of a robot of your own: its body and its board; may be given several times."
+    in
+    Arg.(value & opt_all string [] & info [ "with" ] ~docv:"FILE.c" ~doc)
+  in
+  let make robot sources world seed tcp duration model log link =
+    Driver.Real_robot.serve ~robot ~sources { world; seed; tcp; duration; model; log; link }
   in
   let man =
     [
@@ -350,7 +359,7 @@ let serve =
     ]
   in
   command "serve" ~man ~doc:"a simulated robot behind a serial line"
-    Term.(const make $ robot $ world $ seed $ tcp $ duration $ model $ log $ link)
+    Term.(const make $ robot $ sources $ world $ seed $ tcp $ duration $ model $ log $ link)
 
 let report =
   command "report" ~doc:"memory, operations and stack of a step, stated before it runs"
@@ -363,7 +372,7 @@ let header =
     Arg.(
       required
       & pos 0 (some string) None
-      & info [] ~docv:"ROBOT" ~doc:("The robot: " ^ robot_names ^ "."))
+      & info [] ~docv:"ROBOT" ~doc:("The robot: " ^ robot_names ^ ", or the file of the module of one of your own."))
   in
   command "header" ~doc:"the C header with a robot's input and output types"
     Term.(const Commands.header $ robot)

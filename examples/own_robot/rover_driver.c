@@ -36,6 +36,8 @@ static enum frob_status ask(struct rover *d, enum rover_awaited awaited, char le
 static enum frob_status synchronize(struct rover *d)
 {
     static const uint8_t bytes[] = { '\r', 'b', '\r' };
+    if (d->awaited == ROVER_BATTERY)
+        d->turn = 0; /* its turn comes again at once, not in a second */
     d->awaited = ROVER_SYNC;
     d->sent_ns = frob_now_ns(&d->clock);
     return send_bytes(d, bytes, sizeof bytes);

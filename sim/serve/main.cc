@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "options.h"
+#include "own_firmware.h"
 #include "robots.h"
 #include "server.h"
 #include "sim.h"
@@ -55,12 +56,13 @@ struct SimulationCloser {
 using Simulation = std::unique_ptr<frob_sim, SimulationCloser>;
 
 // Null after errors, which have been told.
-Simulation open_simulation(const Options &options) {
+Simulation open_simulation(const Options &options, const OwnRobot &own) {
     char message[8192];
     frob_sim_settings settings{};
     settings.robot = options.robot.c_str();
     settings.seed = options.seed;
     settings.wall_distance_m = options.wall_distance_m;
+    settings.body = own.body;
     Simulation sim(frob_sim_open(options.world.c_str(), &settings, message, sizeof message));
     if (!sim)
         for (char *line = std::strtok(message, "\n"); line; line = std::strtok(nullptr, "\n"))
@@ -112,10 +114,13 @@ void run(Server &server, const Options &options, std::int64_t started_ns) {
 }
 
 int serve(const Options &options) {
-    const Simulation sim = open_simulation(options);
+    const OwnRobot own = options.own.empty() ? OwnRobot{} : load_own_robot(options.own, options.robot);
+    const Simulation sim = open_simulation(options, own);
     if (!sim) return 2;
     const std::unique_ptr<Firmware> firmware =
-        make_firmware(options.robot, options.model, options.rate, sim.get());
+        own.board ? std::make_unique<OwnFirmware>(*own.board, sim.get(),
+                                                  options.rate != 0 ? options.rate : own.board->rate)
+                  : make_firmware(options.robot, options.model, options.rate, sim.get());
     if (!firmware)
         throw WrongUse("there is no model `" + options.model + "`; there are: p3dx-sh, p3dx, p2dx");
     const std::int64_t started_ns = clock_ns();

@@ -15,6 +15,7 @@ const char usage[] =
     "\n"
     "  --robot ROBOT      pioneer, scout or create\n"
     "  --model SUBCLASS   of the pioneer: p3dx-sh, p3dx or p2dx\n"
+    "  --own FILE.so      the C files of a robot of your own, of that name\n"
     "  --world FILE       the world the robot is in\n"
     "  --seed N           of all noise (1)\n"
     "  --tcp PORT         listen on 127.0.0.1 instead of a pseudo-terminal; 0: any free port\n"
@@ -58,6 +59,7 @@ void set(Options &o, const std::string &option, const std::string &value) {
         o.rate = static_cast<std::uint32_t>(whole(option, value, 4000000));
     else if (option == "--log") o.log = value;
     else if (option == "--link") o.link = value;
+    else if (option == "--own") o.own = value;
     else if (option == "--target") o.wall_distance_m = number(option, value, 0.001, 100.0);
     else throw WrongUse("unknown option `" + option + "`; `frob-serve --help` lists them");
 }
@@ -77,6 +79,8 @@ Options read_options(int argc, char **argv) {
         }
     }
     if (o.world.empty()) throw WrongUse("--world is missing; `frob-serve --help` says how to use it");
+    // The board of a robot of the user's own says its rate itself.
+    if (!o.own.empty()) return o;
     const std::uint32_t usual = usual_rate(o.robot);
     if (usual == 0)
         throw WrongUse("there is no simulated `" + o.robot +

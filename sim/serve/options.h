@@ -19,6 +19,7 @@ struct Options {
     std::string log;         // of commands; empty: none
     std::string link;        // a symbolic link kept to the device; empty: none
     double wall_distance_m = 0.0;
+    std::string own;         // the shared object of a robot of the user's own; empty: none
 };
 
 struct WrongUse : std::runtime_error {

@@ -68,12 +68,12 @@ An empty file is an empty module:
 Wrong use:
 
   $ frobc
-  frobc: required COMMAND name is missing, must be one of 'build', 'check', 'compile', 'explain', 'export', 'header', 'report', 'run', 'serve' or 'trace'.
+  frobc: required COMMAND name is missing, must be one of 'build', 'check', 'compile', 'explain', 'export', 'header', 'report', 'run', 'selftest', 'serve' or 'trace'.
   Usage: frobc COMMAND …
   Try 'frobc --help' for more information.
   [2]
   $ frobc fly good.frob
-  frobc: unknown command 'fly', must be one of 'build', 'check', 'compile', 'explain', 'export', 'header', 'report', 'run', 'serve' or 'trace'.
+  frobc: unknown command 'fly', must be one of 'build', 'check', 'compile', 'explain', 'export', 'header', 'report', 'run', 'selftest', 'serve' or 'trace'.
   Usage: frobc COMMAND …
   Try 'frobc --help' for more information.
   [2]
@@ -111,10 +111,10 @@ A robot that there is not, and a program for no robot:
 
   $ frobc check good.frob --robot pioneer
   $ frobc check good.frob --robot roomba
-  error: there is no robot `roomba`; the robots: pioneer, scout, create
+  error: there is no robot `roomba`; the robots: pioneer, scout, create; your own: the file of its module
   [2]
   $ frobc run good.frob --robot roomba
-  error: there is no robot `roomba`; the robots: pioneer, scout, create
+  error: there is no robot `roomba`; the robots: pioneer, scout, create; your own: the file of its module
   [2]
   $ frobc run good.frob
   error: good is a program for no robot; `reactimateRobot` makes one

@@ -27,6 +27,7 @@ boards with the Arduino framework.
   core
   drive.c
   drive.h
+  drive_driver.c
   drive_host.c
   drive_memory.c
   drivers

@@ -21,7 +21,7 @@ A Scout and a Create are there, too.
 What is wrong with the call is told.
 
   $ frobc serve --robot pionier
-  error: there is no robot `pionier`; the robots: pioneer, scout, create
+  error: there is no robot `pionier`; the robots: pioneer, scout, create; your own: the file of its module
   [2]
   $ frobc serve --model p9
   error: there is no model `p9`; there are: p3dx-sh, p3dx, p2dx

@@ -75,7 +75,7 @@ A program for another robot is refused.
 
   $ compile rover rover.so
   $ sim ./rover.so --world $world
-  error: there is no simulated rover
+  error: there is no simulated rover; the body of a robot of your own is `frob_rover_body`, in a C file that is given with `--with`
   [2]
 
 Wrong use has status 2, and says what is wrong.
