@@ -118,6 +118,6 @@ at the start:
   >     gain = look 3
   >     unused = look x
   > EOF
-  $ frobc compile start.frob && grep -n 'start_look(' start.c
-  14:static inline double start_look(double a)
-  22:    const double gain = start_look(3.0);                    /* line 4 */
+  $ frobc compile start.frob && grep 'start_look(' start.c
+  static inline double start_look(double a)
+      const double gain = start_look(3.0);                    /* line 4 */
