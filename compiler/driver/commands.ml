@@ -190,16 +190,21 @@ let own_driver general =
   | Some robot -> Printf.sprintf "frob_%s_driver" robot.name
   | None -> ""
 
-let is_driver_missing general text =
+(* The linker's words are of the machine's language; that it names the driver and no
+   line of C is enough. *)
+let is_driver_missing general ~sources text =
   let driver = own_driver general in
-  let n = String.length driver in
-  let rec within i = i + n <= String.length text && (String.sub text i n = driver || within (i + 1)) in
-  driver <> "" && within 0
+  let has word =
+    let n = String.length word in
+    let rec within i = i + n <= String.length text && (String.sub text i n = word || within (i + 1)) in
+    within 0
+  in
+  driver <> "" && has driver && not (List.exists has sources)
 
 (* What a C compiler or linker says of the user's C, and what it may mean. *)
 let about_foreign general (files : Cgen.Emit.t) ~sources text =
   match (files.foreign.calls, sources) with
-  | _ when is_driver_missing general text ->
+  | _ when is_driver_missing general ~sources text ->
       Printf.sprintf
         "%s is a robot of your own: name the C files of its driver, which define `%s`, with `--with \
          FILE.c`"
