@@ -24,7 +24,7 @@ let rec ty (t : ty) =
   | Array (t, _) -> note "Array"; ty t
   | Pointer t -> note "Pointer"; ty t
   | Pointer_to_const t -> note "Pointer_to_const"; ty t
-  | Only_way_to t -> note "Only_way_to"; ty t
+  | Only_way_to t -> note "Only_way_to"; note (Cgen.Helper.name Restrict); ty t
 
 and member m = ty m.ty
 

@@ -43,10 +43,10 @@ Numbers that are not IEEE 754's:
 A compiler with a fault of its own, here in the square root: everything is tried,
 and the first step that differs is shown.
 
-  $ frobc selftest --cc gcc --cflags "-Dsqrt=fabs" 2>&1 | grep -v right
-  compiler: gcc -Dsqrt=fabs
+  $ frobc selftest --cc gcc --cflags "-Dsqrt(x)=fabs(x)" 2>&1 | grep -v right
+  compiler: gcc -Dsqrt(x)=fabs(x)
   functions: wrong
-  error: functions.frob, compiled by `gcc -Dsqrt=fabs`:
+  error: functions.frob, compiled by `gcc -Dsqrt(x)=fabs(x)`:
   step 1: out.1.1 is 1.127 and must be nan
   verdict: unfit
 
