@@ -65,6 +65,18 @@ let limited n general simple (a : M.expr) (b : M.expr) x y =
 
 let bad () = Basis.Diagnostic.bug ~stage:"Cgen.Expression" "an operation on values it does not have"
 
+(* A truth value that takes no work to look at: of two of these compilers make less
+   without a branch. *)
+let rec is_there : Ir.expr -> bool = function
+  | Name _ -> true
+  | Member (e, _) | Arrow (e, _) | Unary ((Not | Address | Dereference), e) -> is_there e
+  | _ -> false
+
+(* An element of an array written out has to be a [bool]. *)
+let one_element : Ir.expr -> Ir.expr = function
+  | Binary (Both, a, b) -> Binary (And, a, b)
+  | e -> e
+
 let unary n (operator : Flow.Ir.operator) (ty : M.ty) x : Ir.expr =
   let helper h : Ir.expr = Call (V.helper n.v h, [ x ]) in
   match (operator, ty) with
@@ -79,7 +91,12 @@ let unary n (operator : Flow.Ir.operator) (ty : M.ty) x : Ir.expr =
   | Floor, Float -> helper Floor
   | Ceiling, Float -> helper Ceiling
   | Truncate, Float -> helper Truncate
-  | Not, Bool -> Unary (Not, x)
+  | Not, Bool -> (
+      match x with
+      | Binary (Equal, a, b) -> Binary (Not_equal, a, b)
+      (* Not so of what may be NaN. *)
+      | Binary (Less_equal, (Long _ as a), b) -> Binary (Less, b, a)
+      | x -> Unary (Not, x))
   | _, _ -> bad ()
 
 let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
@@ -111,7 +128,7 @@ let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
   | Maximum, Float -> limited n Float_maximum At_least a b x y
   | Minimum, Int -> helper Int_minimum
   | Maximum, Int -> helper Int_maximum
-  | And, Bool -> Binary (And, x, y)
+  | And, Bool -> Binary ((if is_there x && is_there y then Both else And), x, y)
   | Or, Bool -> Binary (Or, x, y)
   | _, _ -> bad ()
 
@@ -195,7 +212,7 @@ let rec of_machine n (e : M.expr) : Ir.expr =
       Binary
         (Equal, Member (of_machine n value, "tag"), Name n.v.sums.(sum).tags.(constructor))
   | Payload { sum; value; constructor; leaf } -> payload n ~sum ~constructor ~leaf (of_machine n value)
-  | Elements { elements; _ } -> Aggregate [ Aggregate (list elements) ]
+  | Elements { elements; _ } -> Aggregate [ Aggregate (List.map one_element (list elements)) ]
   | Fill { count; element; value } ->
       Call (V.array_function n.v Fill (Array (count, element)), [ of_machine n value ])
   | Index { array; index } -> element n array (Ir.Integer (Int32.of_int index))

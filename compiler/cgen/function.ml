@@ -217,7 +217,7 @@ let own_step (v : V.t) k : Ir.function_ =
 let at_first c zero value =
   match c.v.program.first_instant with
   | Unseen | Marked_by_mode -> value
-  | Marked_by field -> Ir.Conditional (Expression.field c.names field, value, zero)
+  | Marked_by { field; own = _ } -> Ir.Conditional (Expression.field c.names field, value, zero)
 
 (* dt becomes whole nanoseconds, and 0 where the step cannot know it. *)
 let double_clock c (node : M.node) =
@@ -267,8 +267,8 @@ let clock c node =
   in
   let mark =
     match c.v.program.first_instant with
-    | Unseen | Marked_by_mode -> []
-    | Marked_by field ->
+    | Unseen | Marked_by_mode | Marked_by { own = false; _ } -> []
+    | Marked_by { field; own = true } ->
         [ plain (Ir.Assign (Expression.field c.names field, Boolean true)) ]
   in
   times @ mark

@@ -41,6 +41,7 @@ type binary =
   | Greater
   | Equal
   | Not_equal
+  | Both  (** [a & b] of truth values, without a branch *)
   | And
   | Or
 

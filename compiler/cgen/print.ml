@@ -10,6 +10,7 @@ let level = function
   | Plus | Minus -> 12
   | Less | Less_equal | Greater -> 10
   | Equal | Not_equal -> 9
+  | Both -> 8
   | And -> 5
   | Or -> 4
 
@@ -24,6 +25,7 @@ let symbol = function
   | Greater -> ">"
   | Equal -> "=="
   | Not_equal -> "!="
+  | Both -> "&"
   | And -> "&&"
   | Or -> "||"
 
@@ -33,7 +35,7 @@ let symbol = function
 let operand_levels operator =
   match operator with
   | Times | Over | Remainder | Plus | Minus -> (level operator, level operator + 1)
-  | Less | Less_equal | Greater | Equal | Not_equal -> (11, 11)
+  | Less | Less_equal | Greater | Equal | Not_equal | Both -> (11, 11)
   | And -> (level operator, level operator + 1)
   | Or -> (level operator, level operator + 1)
 
@@ -148,7 +150,9 @@ and bare b ~depth e =
       add " ";
       logical b ~depth:(depth + 1) operator ~at:at_right right
   | Conditional (c, x, y) ->
-      expr b ~depth:(depth + 1) ~at:(conditional + 1) c;
+      (* Of [a & b ? x : y] compilers warn. *)
+      let at = match c with Binary (Both, _, _) -> postfix | _ -> conditional + 1 in
+      expr b ~depth:(depth + 1) ~at c;
       soft b ~depth;
       add "? ";
       expr b ~depth:(depth + 1) ~at:(conditional + 1) x;

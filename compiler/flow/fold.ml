@@ -87,6 +87,7 @@ let operation real operator (arguments : Ir.atom list) : Ir.atom option =
   | _, [ Float a; Float b ] -> on_floats real operator a b
   | _, [ Int a ] -> on_int real operator a
   | _, [ Float a ] -> on_float real operator a
+  | Equal, [ Bool a; Bool b ] -> Some (Bool (Bool.equal a b))
   | Not, [ Bool a ] -> Some (Bool (not a))
   | And, [ Bool a; Bool b ] -> Some (Bool (a && b))
   | Or, [ Bool a; Bool b ] -> Some (Bool (a || b))

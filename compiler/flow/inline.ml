@@ -6,6 +6,9 @@ let small = 8
 (* A call reads like several operations, and hides more. *)
 let size_of_instance = 4
 
+(* The same for a node that is called in one place. *)
+let small_once = 16
+
 (* What is made of the node's statics alone does not count: where it is inlined
    they are mostly literals. *)
 let size (node : Ir.node) =
@@ -61,8 +64,9 @@ let live (node : Ir.node) =
 (* Expanded equations often simplify; more than so many times they do not. *)
 let shrinks = 4
 
-let becomes_small real ~expanded (node : Ir.node) =
+let becomes_small real ~once ~expanded (node : Ir.node) =
   let now = size node in
+  let small = if once then small_once else small in
   now <= small || (expanded && now <= shrinks * small && size (live (Simplify.node real node)) <= small)
 
 type context = {
@@ -276,7 +280,15 @@ let rec open_loops context (node : Ir.node) =
       |> expand_chosen context (fun i -> is_chosen i && not (is_machine context i))
       |> open_loops context
 
+(* In how many places each node is called. *)
+let calls (program : Ir.program) =
+  let calls = Array.make (Array.length program.nodes) 0 in
+  let call (i : Ir.instance) = calls.(i.node) <- calls.(i.node) + 1 in
+  Array.iter (fun (node : Ir.node) -> List.iter call node.instances) program.nodes;
+  calls
+
 let program (program : Ir.program) =
+  let calls = calls program in
   let context =
     {
       nodes = Array.copy program.nodes;
@@ -297,6 +309,6 @@ let program (program : Ir.program) =
       context.nodes.(index) <- expanded;
       context.is_small.(index) <-
         Option.is_none expanded.machine && Option.is_none expanded.foreign
-        && becomes_small program.real ~expanded:(expanded != node) expanded)
+        && becomes_small program.real ~once:(calls.(index) = 1) ~expanded:(expanded != node) expanded)
     program.nodes;
   if !changed then { program with nodes = context.nodes } else program

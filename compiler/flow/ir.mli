@@ -77,7 +77,7 @@ type atom =
   | Float of float
 
 type operator =
-  (* on Int or Float, by the type of the arguments *)
+  (* on Int or Float, by the type of the arguments; [Equal] on Bool too *)
   | Add
   | Subtract
   | Multiply

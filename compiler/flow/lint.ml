@@ -68,6 +68,7 @@ let operator scope (operator : Ir.operator) (arguments : Ir.ty list) : Ir.ty =
   | (Add | Subtract | Multiply | Minimum | Maximum), [ ((Int | Float) as a); b ] when a = b -> a
   | (Negate | Absolute | Signum), [ ((Int | Float) as a) ] -> a
   | (Equal | Less | Less_equal), [ ((Int | Float) as a); b ] when a = b -> Bool
+  | Equal, [ Bool; Bool ] -> Bool
   | (Divide | Pow | Elementary (Hypot | Atan2)), [ Float; Float ] -> Float
   | Elementary (Sqrt | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan), [ Float ] -> Float
   | (Div | Mod), [ Int; Int ] -> Int

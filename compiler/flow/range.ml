@@ -165,6 +165,13 @@ let on_ranges real (operator : Ir.operator) arguments =
       Some (Bools { true_ = a.true_ && b.true_; false_ = a.false_ || b.false_ })
   | Or, [ Bools a; Bools b ] ->
       Some (Bools { true_ = a.true_ || b.true_; false_ = a.false_ && b.false_ })
+  | Equal, [ Bools a; Bools b ] ->
+      Some
+        (Bools
+           {
+             true_ = (a.true_ && b.true_) || (a.false_ && b.false_);
+             false_ = (a.true_ && b.false_) || (a.false_ && b.true_);
+           })
   | Not, [ Bools a ] -> Some (Bools { true_ = a.false_; false_ = a.true_ })
   | Negate, [ Floats a ] -> Some (Floats { a with least = -.a.most; most = -.a.least })
   | Absolute, [ Floats a ] when a.least <= a.most ->

@@ -22,6 +22,12 @@ let is_int : Ir.atom -> bool = function
   | Signal s -> s.ty = Int
   | Bool _ | Float _ -> false
 
+(* Equal to itself. *)
+let is_no_float : Ir.atom -> bool = function
+  | Int _ | Bool _ -> true
+  | Signal s -> s.ty <> Float
+  | Float _ -> false
+
 let positive_zero (a : Ir.atom) = same a (Float 0.)
 let negative_zero (a : Ir.atom) = same a (Float (-0.))
 
@@ -50,9 +56,11 @@ let operation known (operator : Ir.operator) (arguments : Ir.atom list) : Ir.rhs
   | Multiply, ([ a; (Int 1l | Float 1.) ] | [ (Int 1l | Float 1.); a ]) -> Copy a
   | Divide, [ a; Float 1. ] | Div, [ a; Int 1l ] -> Copy a
   | (Minimum | Maximum), [ a; b ] when same a b -> Copy a
-  | (Equal | Less_equal), [ a; b ] when is_int a && same a b -> Copy (Bool true)
+  | (Equal | Less_equal), [ a; b ] when is_no_float a && same a b -> Copy (Bool true)
   | Less, [ a; b ] when same a b -> Copy (Bool false)
   | (And | Or), [ a; b ] when same a b -> Copy a
+  | Equal, ([ a; Bool true ] | [ Bool true; a ]) -> Copy a
+  | Equal, ([ a; Bool false ] | [ Bool false; a ]) -> Op (Not, [ a ])
   | And, ([ a; Bool true ] | [ Bool true; a ]) -> Copy a
   | And, [ a; b ] when (not_first known a && ticks_later known b) -> Copy b
   | And, ([ _; Bool false ] | [ Bool false; _ ]) -> Copy (Bool false)
@@ -69,21 +77,34 @@ let operation known (operator : Ir.operator) (arguments : Ir.atom list) : Ir.rhs
       | Some _ | None -> unchanged)
   | _ -> unchanged
 
-let choice known condition then_ else_ : Ir.rhs =
-  match (condition : Ir.atom) with
-  | Bool true -> Copy then_
-  | Bool false -> Copy else_
-  | Int _ | Float _ | Signal _ -> (
+(* Is the second what the first is not? *)
+let is_not known a b =
+  match (definition known b, (a : Ir.atom)) with
+  | Some (Op (Not, [ a' ])), Signal _ -> same a a'
+  | _, _ -> false
+
+(* What a value is where a condition holds, or where it does not. *)
+let chosen known condition ~holds value =
+  match definition known value with
+  | Some (If inner) when same inner.condition condition ->
+      if holds then inner.then_ else inner.else_
+  | Some _ | None -> value
+
+let rec choice known condition then_ else_ : Ir.rhs =
+  match ((condition : Ir.atom), definition known condition) with
+  | Bool true, _ -> Copy then_
+  | Bool false, _ -> Copy else_
+  | _, Some (Op (Not, [ positive ])) -> choice known positive else_ then_
+  | (Int _ | Float _ | Signal _), _ -> (
+      let then_ = chosen known condition ~holds:true then_ in
+      let else_ = chosen known condition ~holds:false else_ in
       if same then_ else_ then Copy then_
       else
         match ((then_ : Ir.atom), (else_ : Ir.atom)) with
         | Bool true, Bool false -> Copy condition
         | Bool false, Bool true -> Op (Not, [ condition ])
-        | _ -> (
-            match definition known condition with
-            | Some (Op (Not, [ positive ])) ->
-                If { condition = positive; then_ = else_; else_ = then_ }
-            | Some _ | None -> If { condition; then_; else_ }))
+        | _ when is_not known then_ else_ -> Op (Equal, [ condition; then_ ])
+        | _ -> If { condition; then_; else_ })
 
 (* Choices of values are as deep as a [case] in a [case]; what is deeper is left
    as it is. *)
@@ -150,6 +171,9 @@ let simplify real known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
       Option.value (has_constructor known (add defines) value constructor) ~default:rhs
   | Payload { value; constructor; leaf } ->
       Option.value (payload known (add defines) defines.ty value constructor leaf) ~default:rhs
+  | Delay { init = Bool true; next = Bool false } ->
+      (* One mark of the first instant is enough. *)
+      Op (Not, [ add defines Bool (Delay { init = Bool false; next = Bool true }) ])
   | Delay { init; next } when same next init || same next (Signal defines) ->
       (* [init] is static: it is the same at every instant. *)
       Copy init

@@ -216,7 +216,9 @@ type node = {
     a mode is entered there. *)
 type first_instant =
   | Unseen
-  | Marked_by of field  (** a Bool of the root, false until the first step *)
+  | Marked_by of { field : field; own : bool }
+      (** a Bool of the root, false up to the first step. If it is its [own] the step
+          sets it at once, if not it does so last, as any delay *)
   | Marked_by_mode  (** no mode of the root's machine runs until the first step *)
 
 type program = {

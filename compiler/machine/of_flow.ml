@@ -192,9 +192,11 @@ type draft = {
   copies : F.atom Int_table.t;
   leaves : Ir.expr Int_table.t;
   mutable items : item list;  (** last first *)
+  mutable states : (Ir.field * F.atom * F.signal option * Span.t) list;
+      (** besides those of {!next_state} *)
 }
 
-let draft () = { copies = Int_table.create 16; leaves = Int_table.create 16; items = [] }
+let draft () = { copies = Int_table.create 16; leaves = Int_table.create 16; items = []; states = [] }
 let add draft item = draft.items <- item :: draft.items
 let leaf draft (s : F.signal) e = Int_table.replace draft.leaves s.id e
 
@@ -248,46 +250,50 @@ let advance ~limited (eq : F.equation) (memory : State.memory) =
       let step = operation F.Multiply Float [ Dt; input ] in
       let sum = operation F.Add Float [ Field value; step ] in
       Some (Assign { place = Own value; value = sum; span = eq.span })
-  | Ticked { time; period = _ } ->
-      let value = Ir.Later (Field time, Dt_nanoseconds) in
+  | Ticked { time; period } ->
+      (* It was less than the period, and dt is at most 10^18. *)
+      let in_range = match period with Float x -> x <= 8e18 | Signal _ | Bool _ | Int _ -> false in
+      let value =
+        if in_range then Ir.Soon (Field time, Dt_nanoseconds) else Later (Field time, Dt_nanoseconds)
+      in
       Some (Assign { place = Own time; value; span = eq.span })
   | Elapsed _ | Delayed _ | Differentiated _ | Kept _ -> None
 
 (* Where it does not start again, it goes on. *)
 let start_again draft time restart span =
   let statements restart =
-    let value =
-      Ir.Select
-        {
-          condition = one restart;
-          then_ = Zero_time;
-          else_ = Later (Field time, Dt_nanoseconds);
-        }
-    in
+    let else_ = Ir.Later (Field time, Dt_nanoseconds) in
+    let value = Ir.Select { condition = one restart; then_ = Zero_time; else_ } in
     [ Ir.Assign { place = Own time; value; span } ]
   in
   add draft (work ~operands:[ restart ] span statements)
 
-let tick draft (s : F.signal) time period span =
-  let statements period =
-    let period = one period and due = variable s in
-    [
-      Ir.Declare { variable = due; value = Reached { time = Field time; period }; span };
-      Ir.If
-        {
-          uninitialized = [];
-          condition = Variable due;
-          then_ = [ Assign { place = Own time; value = Rest { time = Field time; period }; span } ];
-          else_ = [];
-          predicted = false;
-          span;
-        };
-    ]
+(* The rest is kept with the other state, last: only then has all else read what
+   is left of it. What counts nanoseconds is never in a variable; it has no type
+   in Flow. *)
+let tick context draft (s : F.signal) time period span =
+  let internal () =
+    context.fresh <- context.fresh + 1;
+    { s with id = context.fresh; name = ""; ty = F.Float }
   in
-  add draft
-    (Action { defines = [ s ]; operands = [ period ]; statements; always = true; weight = 8; span })
+  let before = internal () and rest = internal () and next = internal () in
+  let computed signal ?choice operands build =
+    add draft (Computed { signal; operands; build; choice; weight = 2; span })
+  in
+  let on_period build = function
+    | [ time; period ] -> build time period
+    | _ -> broken "a period without a time"
+  in
+  leaf draft before (Field time);
+  computed s [ Signal before; period ] (on_period (fun time period -> Ir.Reached { time; period }));
+  computed rest [ Signal before; period ] (on_period (fun time period -> Ir.Rest { time; period }));
+  computed next ~choice:(Signal s, Signal rest, Signal before) [ Signal s; Signal rest; Signal before ]
+    (function
+    | [ condition; then_; else_ ] -> Select { condition; then_; else_ }
+    | _ -> broken "a choice with a wrong number of operands");
+  draft.states <- (time, Signal next, Some before, span) :: draft.states
 
-let step_equation draft state (eq : F.equation) =
+let step_equation context draft state (eq : F.equation) =
   let s = eq.defines in
   match State.memory state s with
   | None -> add_computed draft eq
@@ -303,7 +309,7 @@ let step_equation draft state (eq : F.equation) =
       in
       add draft
         (Computed { signal = s; operands = []; build; choice = None; weight = 5; span = eq.span })
-  | Some (Ticked { time; period }) -> tick draft s time (resolve draft period) eq.span
+  | Some (Ticked { time; period }) -> tick context draft s time (resolve draft period) eq.span
   | Some (Integrated { value; _ }) -> leaf draft s (Field value)
   | Some (Differentiated { value; input }) ->
       leaf draft s (Field value);
@@ -355,7 +361,7 @@ let step_body context state (node : F.node) ~limited ~is_root (statics : Statics
   List.iter
     (fun (item : Flow.Schedule.item) ->
       match item with
-      | Equation eq -> step_equation d state eq
+      | Equation eq -> step_equation context d state eq
       | Instance i -> add d (call context (resolve d) i (State.instance state i))
       | Trial (i, trial) -> add d (try_out context (resolve d) i trial (State.instance state i))
       | Machine m -> add d (Modes.step (modes_context context d state) m))
@@ -382,7 +388,7 @@ let step_body context state (node : F.node) ~limited ~is_root (statics : Statics
         leaves = d.leaves;
         items = Array.of_list (List.rev d.items);
         results;
-        states = List.filter_map (next_state d state) equations;
+        states = List.rev_append d.states (List.filter_map (next_state d state) equations);
         returned;
         feedback = Feedback.of_node node;
       }
@@ -565,9 +571,17 @@ and own_node context k ~is_root =
     if Option.is_some first then started_by_step first body reset else None
   in
   let body, reset = Option.value started_by_step ~default:(body, reset) in
+  let marked =
+    List.find_map
+      (fun (eq : F.equation) ->
+        match (eq.rhs, State.memory state eq.defines) with
+        | Delay { init = Bool false; next = Bool true }, Some (Delayed field) -> Some field
+        | _, _ -> None)
+      (equations statics.in_step)
+  in
   let mark =
-    if sees_first_dt && Option.is_none started_by_step then
-      [ State.new_field state ~name:"started" (Value Bool) ~purpose:"past the first instant" node.span ]
+    if sees_first_dt && Option.is_none started_by_step && Option.is_none marked then
+      [ State.new_field state ~name:"started" (Value Bool) ~purpose:State.past_first node.span ]
     else []
   in
   let unmark (field : Ir.field) =
@@ -611,9 +625,11 @@ and own_node context k ~is_root =
     }
   in
   let first_instant : Ir.first_instant =
-    match mark with
-    | field :: _ -> Marked_by field
-    | [] -> if Option.is_some started_by_step then Marked_by_mode else Unseen
+    match (mark, marked) with
+    | field :: _, _ -> Marked_by { field; own = true }
+    | [], _ when Option.is_some started_by_step -> Marked_by_mode
+    | [], Some field when sees_first_dt -> Marked_by { field; own = false }
+    | [], _ -> Unseen
   in
   (translated, first_instant)
 

@@ -303,7 +303,7 @@ let rec emit block =
   in
   List.rev (List.fold_left emit_code [] block.code)
 
-let statements (fragment : Fragment.t) =
+let statements_of (fragment : Fragment.t) =
   let usage = Usage.of_fragment fragment in
   let root = { id = 0; depth = 0; within = None; code = [] } in
   let t =
@@ -325,3 +325,8 @@ let statements (fragment : Fragment.t) =
     place_item t fragment.items.(k)
   done;
   emit root
+
+let statements fragment =
+  match Late.split fragment with
+  | None -> statements_of fragment
+  | Some (first, late) -> List.rev_append (List.rev (statements_of first)) (statements_of late)

@@ -58,14 +58,24 @@ let remember t (s : signal) memory = Int_table.replace t.memories s.id memory
 
 let value (ty : ty) : Ir.content = Value (Layout.ty ty)
 
+let past_first = "past the first instant"
+
 let equation t { defines = s; rhs; span } =
   let field ~name ~purpose = new_field t ~name (Value Float) ~purpose span in
   match rhs with
+  | Delay { init = Bool false; next = Bool true } ->
+      let name = if String.equal s.name "" then "started" else s.name in
+      remember t s (Delayed (new_field t ~name (Value Bool) ~purpose:past_first span))
   | Delay { next; _ } ->
       let name = derived s next ~suffix:"prev" ~otherwise:"delay" in
       remember t s (Delayed (new_field t ~name (value s.ty) ~purpose:"delay" span))
   | Time { unit; restart } ->
-      let key = match restart with Signal s -> Some s.id | Bool _ | Int _ | Float _ -> None in
+      let key =
+        match restart with
+        | Signal s -> Some s.id
+        | Bool true -> Some (-1)
+        | Bool false | Int _ | Float _ -> None
+      in
       let time, advances =
         match List.assoc_opt key t.elapsed with
         | Some time -> (time, false)

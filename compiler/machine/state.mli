@@ -22,6 +22,9 @@ type memory =
   | Differentiated of { value : Ir.field; input : Ir.field }
   | Kept of Ir.field  (** a costly static value, computed by reset *)
 
+val past_first : string
+(** The purpose of a Bool that is false up to the end of the first instant. *)
+
 val memory : t -> Flow.Ir.signal -> memory option
 val instance : t -> Flow.Ir.instance -> Ir.field option
 

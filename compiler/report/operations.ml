@@ -260,8 +260,9 @@ let root_clock (program : M.program) (root : M.node) =
   let first =
     match (program.first_instant, times) with
     | (Unseen | Marked_by_mode), _ -> []
-    | Marked_by _, [] -> [ Cost.one Stores ]
-    | Marked_by _, _ :: _ -> Cost.[ one Stores; one Loads; one Choices ]
+    | Marked_by { own; _ }, times ->
+        (if own then [ Cost.one Stores ] else [])
+        @ if times = [] then [] else Cost.[ one Loads; one Choices ]
   in
   Cost.sum (first @ times)
 

@@ -71,6 +71,7 @@ let operation (operator : Ir.operator) arguments =
   | Negate, [ Int a ] -> Int (Int32.neg a)
   | Absolute, [ Int a ] -> Int (if Int32.compare a 0l < 0 then Int32.neg a else a)
   | Signum, [ Int a ] -> Int (Int32.of_int (compare a 0l))
+  | Equal, [ Bool a; Bool b ] -> Bool (a = b)
   | Equal, [ Int a; Int b ] -> Bool (a = b)
   | Less, [ Int a; Int b ] -> Bool (a < b)
   | Less_equal, [ Int a; Int b ] -> Bool (a <= b)

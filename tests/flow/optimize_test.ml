@@ -176,7 +176,7 @@ let large_node ?(name = "large") p =
         if n = 0 then a
         else sines (n - 1) (Build.op b (Elementary Sin) [ Build.op b Multiply [ a; gain ] ])
       in
-      [ ("", sines 5 x); ("unread", Build.op b Negate [ unused ]) ])
+      [ ("", sines 10 x); ("unread", Build.op b Negate [ unused ]) ])
 
 let shared_instances () =
   let p = Build.create () in

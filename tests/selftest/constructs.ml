@@ -44,6 +44,7 @@ let binary : binary -> string = function
   | Greater -> "Greater"
   | Equal -> "Equal"
   | Not_equal -> "Not_equal"
+  | Both -> "Both"
   | And -> "And"
   | Or -> "Or"
   | Remainder -> "Remainder"

@@ -30,7 +30,7 @@ start; so it may if the time-out can be at once.
 
   $ sed 's/Just True -> .*/Just True -> return ()/' visit.frob > at_once.frob
   $ frobc check at_once.frob 2>&1 | grep -v '^ *|* *$'
-  error[E0402]: `timeOut` may switch for ever within one instant
+  error[E0402]: `timeOut` may start itself again for ever within one instant
     --> at_once.frob:6:10
    6 |     r <- driveTo goal `timeOut` 20[s]
      |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
@@ -49,7 +49,7 @@ start; so it may if the time-out can be at once.
   1 error
   $ sed 's/20\[s\]/0[s]/' visit.frob > no_time.frob
   $ frobc check no_time.frob 2>&1 | grep -v '^ *|* *$'
-  error[E0402]: `timeOut` may switch for ever within one instant
+  error[E0402]: `timeOut` may start itself again for ever within one instant
      --> no_time.frob:6:10
     6 |     r <- driveTo goal `timeOut` 0[s]
       |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^

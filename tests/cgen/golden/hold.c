@@ -51,12 +51,10 @@ void hold_step(struct hold_state *self,
     (void)dt;
     const struct hold_maybe_float e = in->value;
     const bool occurs = e.tag == HOLD_MAYBE_FLOAT_JUST;     /* line 3 */
-    const double held = occurs ? e.f0 : self->kept;         /* line 4 */
-    const int32_t t1 = occurs ? frob_int_add(self->count, 1) : self->count; /* line 5 */
-    out->f1 = held < 1.0 ? hold_maybe_float_nothing() : hold_maybe_float_just(held); /* line 6 */
-    out->f2 = t1;                                           /* line 5 */
     if (occurs) {                                           /* line 4 */
-        self->kept = held;
-        self->count = t1;                                   /* line 5 */
+        self->kept = e.f0;
+        self->count = frob_int_add(self->count, 1);         /* line 5 */
     }
+    out->f1 = self->kept < 1.0 ? hold_maybe_float_nothing() : hold_maybe_float_just(self->kept); /* line 6 */
+    out->f2 = self->count;                                  /* line 5 */
 }
