@@ -205,22 +205,28 @@ static inline @R frob_max(@R a, @R b)
 |} );
     ( Least,
       "frob_least",
-      [],
+      [ Branch ],
       {|/* The smaller, the first of two equal ones; a number rather than NaN. */
 static inline @R frob_least(@R a, @R b)
 {
     const @R less = b < a ? b : a;
-    return a == a ? less : b == b ? b : a;
+    if (FROB_BRANCH(less != less)) {
+        return b;
+    }
+    return less;
 }
 |} );
     ( Largest,
       "frob_largest",
-      [],
+      [ Branch ],
       {|/* The larger, the first of two equal ones; a number rather than NaN. */
 static inline @R frob_largest(@R a, @R b)
 {
     const @R more = b > a ? b : a;
-    return a == a ? more : b == b ? b : a;
+    if (FROB_BRANCH(more != more)) {
+        return b;
+    }
+    return more;
 }
 |} );
     ( At_most,

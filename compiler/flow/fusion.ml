@@ -13,7 +13,22 @@ type group = {
 type work = {
   mutable groups : group array;
   origin : (int, Groups.t) Hashtbl.t;  (* of a signal: groups that it comes from *)
+  first_of : (int, Ir.signal) Hashtbl.t;  (* of a number: the array whose element 0 it is *)
 }
+
+(* Elements 0 of arrays. *)
+let firsts (node : Ir.node) =
+  let firsts = Hashtbl.create 8 in
+  List.iter
+    (fun (e : Ir.equation) ->
+      match (e.rhs, e.defines.ty) with
+      | Index (Signal array, 0), (Bool | Int | Float) -> Hashtbl.replace firsts e.defines.id array
+      | _, _ -> ())
+    node.equations;
+  firsts
+
+let first_of firsts (atom : Ir.atom) =
+  match atom with Signal s -> Hashtbl.find_opt firsts s.id | Bool _ | Int _ | Float _ -> None
 
 let origin work (atom : Ir.atom) =
   match atom with
@@ -41,9 +56,14 @@ let operands (i : Ir.instance) (l : Ir.loop) =
     (List.rev_map (fun atom -> (Ir.Same, atom)) i.statics)
     (List.combine l.arguments i.inputs)
 
-let is_direct group (argument, (atom : Ir.atom)) =
+(* A fold that starts at the first element finds it in its first round. *)
+let is_direct work group (argument, (atom : Ir.atom)) =
   match (argument, atom) with
   | Ir.Element, Signal s -> Hashtbl.mem group.arrays s.id
+  | Accumulator, atom -> (
+      match first_of work.first_of atom with
+      | Some array -> Hashtbl.mem group.arrays array.id
+      | None -> false)
   | _, _ -> false
 
 let shares group (argument, (atom : Ir.atom)) =
@@ -51,16 +71,16 @@ let shares group (argument, (atom : Ir.atom)) =
   | Ir.Element, Signal s -> Hashtbl.mem group.arrays s.id || Hashtbl.mem group.elements s.id
   | _, _ -> false
 
-let indirect group operands =
+let indirect work group operands =
   List.filter_map
-    (fun operand -> if is_direct group operand then None else Some (snd operand))
+    (fun operand -> if is_direct work group operand then None else Some (snd operand))
     operands
 
 let may_join work g (l : Ir.loop) operands =
   let group = work.groups.(g) in
   group.count = l.count
   && List.exists (shares group) operands
-  && not (Groups.mem g (closure work (origins work (indirect group operands))))
+  && not (Groups.mem g (closure work (origins work (indirect work group operands))))
 
 (* Joins are looked for among so many groups, the latest. *)
 let most_tried = 8
@@ -90,7 +110,7 @@ let add_loop work (i : Ir.instance) (l : Ir.loop) =
         count
   in
   let group = work.groups.(g) in
-  group.needs <- Groups.union group.needs (origins work (indirect group operands));
+  group.needs <- Groups.union group.needs (origins work (indirect work group operands));
   group.members <- (i, l) :: group.members;
   List.iter
     (fun (argument, (atom : Ir.atom)) ->
@@ -114,9 +134,43 @@ let add_item work (item : Schedule.item) =
           (Schedule.defines item)
 
 let groups_of (node : Ir.node) =
-  let work = { groups = [||]; origin = Hashtbl.create 64 } in
+  let work = { groups = [||]; origin = Hashtbl.create 64; first_of = firsts node } in
   List.iter (add_item work) (Schedule.of_node node);
   List.filter (fun group -> List.length group.members > 1) (Array.to_list work.groups)
+
+(* Is it the smaller or the larger of an accumulator and an element, and a number
+   rather than NaN? So [minimumBy] and [maximumBy] look for them. Then it may as well
+   start from NaN as from the first element. *)
+let is_extreme (node : Ir.node) =
+  let definition (atom : Ir.atom) =
+    match atom with
+    | Signal s ->
+        List.find_map
+          (fun (e : Ir.equation) -> if e.defines.id = s.id then Some e.rhs else None)
+          node.equations
+    | Bool _ | Int _ | Float _ -> None
+  in
+  let is (s : Ir.signal) (atom : Ir.atom) =
+    match atom with Signal other -> other.id = s.id | Bool _ | Int _ | Float _ -> false
+  in
+  match (node.inputs, node.outputs) with
+  | [ best; x ], [ (_, best') ] -> (
+      let compares atom =
+        match definition atom with
+        | Some (Ir.Op (Not, [ ordered ])) -> (
+            match definition ordered with
+            | Some (Ir.Op (Less_equal, [ a; b ])) -> (is best a && is x b) || (is x a && is best b)
+            | Some _ | None -> false)
+        | Some _ | None -> false
+      in
+      let is_number atom = definition atom = Some (Op (Equal, [ Signal x; Signal x ])) in
+      match definition best' with
+      | Some (If { condition; then_; else_ }) when is x then_ && is best else_ -> (
+          match definition condition with
+          | Some (Op (And, [ a; b ])) -> compares a && is_number b
+          | Some _ | None -> false)
+      | Some _ | None -> false)
+  | _, _ -> false
 
 (* {1 The node of a joined loop} *)
 
@@ -154,6 +208,7 @@ type given = { argument : Ir.argument; atom : Ir.atom; parameter : Ir.signal }
 let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
   let members = List.rev group.members in
   let statics = ref [] and given = ref [] and results = ref [] and bodies = ref [] in
+  let firsts = firsts caller and equations = ref [] in
   (* Inside: the element of an array that a member defines. *)
   let elements = Hashtbl.create 16 in
   let pass argument (atom : Ir.atom) (like : Ir.signal) : Ir.atom =
@@ -171,6 +226,26 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
         given := { argument; atom; parameter } :: !given;
         Signal parameter
   in
+  let define ty span rhs : Ir.atom =
+    let defines = signal context ty span in
+    equations := { Ir.defines; rhs; span } :: !equations;
+    Signal defines
+  in
+  let is_first_round =
+    lazy
+      (let parameter = signal context ~name:"i" Int caller.span in
+       given := { argument = Counter; atom = Int 0l; parameter } :: !given;
+       define Bool caller.span (Op (Equal, [ Signal parameter; Int 0l ])))
+  in
+  (* An accumulator that starts as an element of the first round. *)
+  let from_first ~extreme element (like : Ir.signal) =
+    if extreme && like.ty = Float then pass Accumulator (Float Fold.nan) like
+    else
+      let zero : Ir.atom = match like.ty with Bool -> Bool false | Int -> Int 0l | _ -> Float 0. in
+      let else_ = pass Accumulator zero like in
+      let condition = Lazy.force is_first_round in
+      define like.ty like.span (If { condition; then_ = Signal element; else_ })
+  in
   let add ((i : Ir.instance), (l : Ir.loop)) =
     let callee = program.nodes.(i.node) in
     let static atom (like : Ir.signal) =
@@ -182,6 +257,13 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
       match (argument, atom) with
       | Ir.Element, Signal s when Hashtbl.mem elements s.id ->
           Ir.Signal (Hashtbl.find elements s.id)
+      | Accumulator, _ -> (
+          match
+            Option.bind (first_of firsts atom) (fun (array : Ir.signal) ->
+                Hashtbl.find_opt elements array.id)
+          with
+          | Some element -> from_first ~extreme:(is_extreme callee) element like
+          | None -> pass argument atom like)
       | _, _ -> pass argument atom like
     in
     let own_statics = List.map2 static i.statics callee.statics in
@@ -233,7 +315,7 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
       statics = List.rev_map snd !statics;
       inputs = List.map (fun g -> g.parameter) given;
       outputs = List.mapi output results;
-      equations = [];
+      equations = List.rev !equations;
       instances = List.rev !bodies;
       machine = None;
       foreign = None;

@@ -24,15 +24,21 @@ let rec tidy program =
   let tidied = tidy_once program in
   if modes tidied < modes program then tidy tidied else tidied
 
+let inline program =
+  let inlined = Inline.program program in
+  (* Inlined equations meet their arguments. *)
+  if inlined == program then program else tidy inlined
+
 let program program =
   (* Before inlining, so that sizes are those of the work that remains, and
      what is done twice is inlined once. *)
   let tidied = tidy program in
   (* Before inlining, which takes the joined loops' bodies together. *)
-  let tidied = Fusion.program tidied in
-  let inlined = Inline.program tidied in
-  (* Inlined equations meet their arguments. *)
-  let tidied = if inlined == tidied then tidied else tidy inlined in
+  let tidied = inline (Fusion.program tidied) in
+  (* Loops that stood in other nodes may be joined now; so may those that started
+     from what is known now. *)
+  let joined = Fusion.program tidied in
+  let tidied = if joined == tidied then tidied else inline joined in
   (* Last, for a machine that so becomes a part of its user is inlined no more. *)
   let absorbed = Absorb.program tidied in
   if absorbed == tidied then tidied else Dead.program absorbed

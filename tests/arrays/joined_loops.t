@@ -110,7 +110,7 @@ States, parameters and results stay each loop's own; a loop may run a machine.
   3,3,3,-6,4,2,2
   -2,0,-2,0,0,-4,0
 
-The least and the largest element are one comparison each; their keys are
+The least and the largest element are looked for in one loop; their keys are
 themselves, so only one of the two is kept. NaN never wins over a number, the first
 of equal ones wins.
 
@@ -120,9 +120,8 @@ of equal ones wins.
   >     least = minimumBy id xs
   > EOF
   $ frobc compile extremes.frob --lint
-  $ grep "return frob_" extremes.c | sed "s, */\*.*,,"
-      return frob_least(t1, t2);
-      return frob_largest(t1, t2);
+  $ grep -c "for (" extremes.c
+  1
   $ both extremes 'in[0],in[1],in[2]' 1,2,3 3,2,1 nan,2,1 1,nan,2 2,1,nan nan,nan,1 nan,nan,nan 0,-0,0 -0,0,-0 inf,-inf,nan
   out.1,out.2,out.3
   1,3,1
@@ -135,3 +134,25 @@ of equal ones wins.
   0,0,inf
   -0,-0,-inf
   -inf,inf,-0
+
+A fold that starts at the first element of an array finds it in its first round, and
+so is joined with the loop that makes the array; the least starts from NaN.
+
+  $ cat > starts.frob <<'EOF'
+  > main :: SF (Array 3 Float) (Float, Float, Float)
+  > main = proc xs -> (foldl (-) (ys ! 0) ys, foldl (-) (ys ! 1) ys, minimumBy id ys) where
+  >     ys = mapSF (proc x -> x + delay 0 x) xs
+  > EOF
+  $ frobc compile starts.frob --lint
+  $ sed -n '/^void starts_step/,/^}/p' starts.c | grep "for (\|NAN" | sed "s, */\*.*,,"
+      for (int32_t i = 0; i < 3; i++) {
+      for (int32_t i = 0; i < 3; i++) {
+  $ grep "= frob_least" starts.c | sed "s, */\*.*,,"
+      *out_2 = frob_least(t2, t3);
+  $ both starts 'in[0],in[1],in[2]' 1,2,3 3,2,1 nan,2,1 -0,nan,0 0,0,0
+  out.1,out.2,out.3
+  -5,-4,1
+  -8,-8,4
+  nan,nan,2
+  nan,nan,1
+  nan,nan,0
