@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "geometry.h"
 
@@ -25,6 +26,7 @@ constexpr double counts_per_turn = 4096.0;
 constexpr double difference = 0.0056; // omega = difference (v_right - v_left) / 2, mm/s
 constexpr double vel2_divisor = 20.0;
 constexpr int top_speed = 2200, top_turn = 500; // mm/s, deg/s
+constexpr double ticks_per_m = 132'000.0; // FLASH parameter TicksMM of a P3-DX, 132
 
 constexpr PioneerModel models[] = {
     {"p3dx-sh", 1.0, 1.0},
@@ -34,28 +36,25 @@ constexpr PioneerModel models[] = {
 
 // Numbers of commands, as in the manuals.
 enum : std::uint8_t {
-    PULSE = 0, OPEN = 1, CLOSE = 2, ENABLE = 4, SETO = 7, VEL = 11, CONFIG = 18, RVEL = 21,
-    ROTATE = 9, SONAR = 28, STOP = 29, VEL2 = 32, HOSTBAUD = 50, E_STOP = 55
+    PULSE = 0, OPEN = 1, CLOSE = 2, ENABLE = 4, SETA = 5, SETV = 6, SETO = 7, MOVE = 8, ROTATE = 9,
+    SETRV = 10, VEL = 11, HEAD = 12, DHEAD = 13, CONFIG = 18, ENCODER = 19, RVEL = 21, DCHEAD = 22,
+    SETRA = 23, SONAR = 28, STOP = 29, DIGOUT = 30, VEL2 = 32, IOREQUEST = 40, HOSTBAUD = 50, E_STOP = 55
+};
+
+constexpr std::pair<std::uint8_t, const char *> names[] = {
+    {PULSE, "PULSE"},   {OPEN, "OPEN"},     {CLOSE, "CLOSE"},         {ENABLE, "ENABLE"},
+    {SETA, "SETA"},     {SETV, "SETV"},     {SETO, "SETO"},           {MOVE, "MOVE"},
+    {ROTATE, "ROTATE"}, {SETRV, "SETRV"},   {VEL, "VEL"},             {HEAD, "HEAD"},
+    {DHEAD, "DHEAD"},   {CONFIG, "CONFIG"}, {ENCODER, "ENCODER"},     {RVEL, "RVEL"},
+    {DCHEAD, "DCHEAD"}, {SETRA, "SETRA"},   {SONAR, "SONAR"},         {STOP, "STOP"},
+    {DIGOUT, "DIGOUT"}, {VEL2, "VEL2"},     {IOREQUEST, "IOREQUEST"}, {HOSTBAUD, "HOSTBAUD"},
+    {E_STOP, "E_STOP"},
 };
 
 std::string name(std::uint8_t number) {
-    switch (number) {
-    case PULSE: return "PULSE";
-    case OPEN: return "OPEN";
-    case CLOSE: return "CLOSE";
-    case ENABLE: return "ENABLE";
-    case SETO: return "SETO";
-    case ROTATE: return "ROTATE";
-    case VEL: return "VEL";
-    case CONFIG: return "CONFIG";
-    case RVEL: return "RVEL";
-    case SONAR: return "SONAR";
-    case STOP: return "STOP";
-    case VEL2: return "VEL2";
-    case HOSTBAUD: return "HOSTBAUD";
-    case E_STOP: return "E_STOP";
-    default: return "COMMAND " + std::to_string(number);
-    }
+    for (const auto &[known, text] : names)
+        if (known == number) return text;
+    return "COMMAND " + std::to_string(number);
 }
 
 int rounded(double x) { return static_cast<int>(std::lround(x)); }
@@ -63,7 +62,8 @@ int rounded(double x) { return static_cast<int>(std::lround(x)); }
 } // namespace
 
 PioneerFirmware::PioneerFirmware(frob_sim *sim, const PioneerModel &model, std::uint32_t rate)
-    : sim_(sim), model_(model), first_rate_(rate), rate_(rate) {
+    : sim_(sim), model_(model), first_rate_(rate), rate_(rate),
+      motion_(top_speed / 1000.0, radians(top_turn)) {
     listen();
 }
 
@@ -73,18 +73,27 @@ const PioneerModel *PioneerFirmware::find_model(const std::string &subclass) {
     return nullptr;
 }
 
+// What moves is looked at in between too; an echo must not be lost by that.
+void PioneerFirmware::look() {
+    frob_pioneer_input now{};
+    frob_sim_read(sim_, &now);
+    for (std::size_t i = 0; i < echoes_.size(); ++i)
+        if (now.sonar[i].tag == FROB_EVENT_FLOAT_EVENT) echoes_[i] = {true, now.sonar[i].f0, now_ns_};
+    sensed_ = now;
+}
+
+double PioneerFirmware::heading() const {
+    return std::remainder(sensed_.odometry.heading - origin_heading_, 2.0 * pi);
+}
+
 // Reads the sensors. A transducer that has heard nothing in its turn reads the
 // farthest range.
 void PioneerFirmware::listen() {
-    frob_sim_read(sim_, &sensed_);
+    look();
     for (std::size_t i = 0; i < echoes_.size(); ++i) {
         Echo &echo = echoes_[i];
-        const auto &heard = sensed_.sonar[i];
-        if (heard.tag == FROB_EVENT_FLOAT_EVENT) {
-            echo = {true, heard.f0, now_ns_};
-        } else if (now_ns_ - echo.at_ns > sonar_turn_ns + sonar_turn_ns / 8) {
+        if (now_ns_ - echo.at_ns > sonar_turn_ns + sonar_turn_ns / 8)
             echo = {true, no_echo_m, now_ns_ - sonar_turn_ns / 8};
-        }
     }
 }
 
@@ -98,6 +107,13 @@ void PioneerFirmware::advance(std::int64_t time_ns) {
             listen();
             send_sip();
         } else {
+            look();
+            const double elapsed_s = static_cast<double>(servo_period_ns) * 1e-9;
+            left_m_ += sensed_.leftWheel * elapsed_s;
+            right_m_ += sensed_.rightWheel * elapsed_s;
+            motion_.advance({heading(), (sensed_.leftWheel + sensed_.rightWheel) / 2.0,
+                             difference * (sensed_.rightWheel - sensed_.leftWheel) * 1000.0 / 2.0},
+                            elapsed_s);
             drive();
         }
     }
@@ -120,8 +136,8 @@ std::int64_t PioneerFirmware::next_ns() const {
 void PioneerFirmware::drive() {
     frob_pioneer_output output{};
     if (motors_ && !tripped_) {
-        output.forward = forward_;
-        output.turn = turn_;
+        output.forward = motion_.forward();
+        output.turn = motion_.turn();
     }
     frob_sim_command(sim_, now_ns_, &output);
 }
@@ -159,7 +175,8 @@ void PioneerFirmware::handshake(const P2osCommand &command) {
 
 void PioneerFirmware::close_session() {
     session_ = open_ = motors_ = tripped_ = false;
-    forward_ = turn_ = 0.0;
+    motion_ = PioneerMotion(top_speed / 1000.0, radians(top_turn));
+    encoders_ = io_ = Asked::no;
     rate_ = first_rate_;
 }
 
@@ -175,7 +192,7 @@ void PioneerFirmware::obey(const P2osCommand &command) {
         break;
     case ENABLE:
         motors_ = n != 0;
-        if (!motors_) forward_ = turn_ = 0.0;
+        if (!motors_) motion_.halt();
         break;
     case SETO:
         origin_x_ = sensed_.odometry.position.x;
@@ -183,24 +200,61 @@ void PioneerFirmware::obey(const P2osCommand &command) {
         origin_heading_ = sensed_.odometry.heading;
         break;
     case VEL:
-        forward_ = std::clamp(n, -top_speed, top_speed) / 1000.0;
+        motion_.set_speed(n / 1000.0);
         break;
     case ROTATE:
     case RVEL:
-        turn_ = radians(std::clamp(n, -top_turn, top_turn));
+        motion_.set_turn(radians(n));
+        break;
+    case MOVE:
+        motion_.move(n / 1000.0);
+        break;
+    case HEAD:
+        motion_.face(radians(n));
+        break;
+    case DHEAD:
+        motion_.face_by(radians(n), heading());
+        break;
+    case DCHEAD:
+        motion_.face_by(radians(n), motion_.heading_setpoint().value_or(heading()));
+        break;
+    case SETV:
+        motion_.limit_speed(n / 1000.0);
+        break;
+    case SETRV:
+        motion_.limit_turn(radians(n));
+        break;
+    case SETA:
+        motion_.accelerate(n / 1000.0);
+        break;
+    case SETRA:
+        motion_.accelerate_turn(radians(n));
         break;
     case VEL2:
         if (command.raw.size() >= 2) {
             const double right = vel2_divisor * static_cast<std::int8_t>(command.raw[0]);
             const double left = vel2_divisor * static_cast<std::int8_t>(command.raw[1]);
-            forward_ = (right + left) / 2000.0;
-            turn_ = difference * (right - left) / 2.0;
+            motion_.set_speed((right + left) / 2000.0);
+            motion_.set_turn(difference * (right - left) / 2.0);
         }
         break;
     case STOP:
-    case E_STOP:
-        forward_ = turn_ = 0.0;
+        motion_.stop();
         break;
+    case E_STOP:
+        motion_.halt();
+        break;
+    case ENCODER:
+        encoders_ = asked(n);
+        break;
+    case IOREQUEST:
+        io_ = asked(n);
+        break;
+    case DIGOUT: {
+        const int mask = n >> 8 & 0xFF;
+        digital_out_ = (digital_out_ & ~mask) | (n & mask);
+        break;
+    }
     case SONAR:
         sonar_on_ = n != 0;
         break;
@@ -220,25 +274,24 @@ void PioneerFirmware::obey(const P2osCommand &command) {
 
 // Offsets and units as in the ARCOS manual, "Standard server information packet".
 void PioneerFirmware::send_sip() {
-    if (waiting_output() > backlog) return;
+    if (!has_room()) return;
     const double c = std::cos(-origin_heading_), s = std::sin(-origin_heading_);
     const double dx = sensed_.odometry.position.x - origin_x_;
     const double dy = sensed_.odometry.position.y - origin_y_;
     const double units = 1000.0 / model_.distance_mm;
-    const double heading =
-        std::remainder(sensed_.odometry.heading - origin_heading_, 2.0 * pi);
+    const double control = motion_.heading_setpoint().value_or(heading());
     const bool moving = sensed_.leftWheel != 0.0 || sensed_.rightWheel != 0.0;
     const int all_bumpers = 0x3E; // five segments
     P2osBody body(moving ? 0x33 : 0x32);
     body.u16(rounded((c * dx - s * dy) * units) & 0x7FFF)
         .u16(rounded((s * dx + c * dy) * units) & 0x7FFF)
-        .u16(rounded(heading / (2.0 * pi) * counts_per_turn))
+        .u16(rounded(heading() / (2.0 * pi) * counts_per_turn))
         .u16(rounded(sensed_.leftWheel * 1000.0))
         .u16(rounded(sensed_.rightWheel * 1000.0))
         .u8(rounded(sensed_.battery * 10.0))
         .u8((sensed_.leftStall ? 1 : 0) | (sensed_.rearBumper ? all_bumpers : 0))
         .u8((sensed_.rightStall ? 1 : 0) | (sensed_.frontBumper ? all_bumpers : 0))
-        .u16(rounded(heading / (2.0 * pi) * counts_per_turn))
+        .u16(rounded(control / (2.0 * pi) * counts_per_turn))
         .u16((motors_ ? 1 : 0) | (sonar_on_ ? 6 : 0))
         .u8(0);
     int count = 0;
@@ -250,12 +303,39 @@ void PioneerFirmware::send_sip() {
                 .u16(rounded(echoes_[i].range_m * 1000.0 / model_.range_mm));
         echoes_[i].fresh = false;
     }
-    body.u8(0).u8(0).u8(0).u8(0).u8(0); // gripper, analog, digital
+    body.u8(0).u8(0).u8(0).u8(0).u8(digital_out_); // gripper, analog, digital
     body.u16(rounded(sensed_.battery * 10.0)).u8(0);
     const double turn_rate = difference * (sensed_.rightWheel - sensed_.leftWheel) * 1000.0 / 2.0;
     body.u16(rounded(sim::degrees(turn_rate) * 10.0));
     body.u16(0).u16(0).u8(20).u8(80); // faults, lateral speed, temperature, charge
     send(body.packet());
+    if (encoders_ != Asked::no) send_encoders();
+    if (io_ != Asked::no) send_io();
+}
+
+bool PioneerFirmware::has_room() const { return waiting_output() <= backlog; }
+
+// Counts of 32 bits, left and right.
+void PioneerFirmware::send_encoders() {
+    P2osBody body(0x90);
+    for (const double way : {left_m_, right_m_}) {
+        const auto ticks = static_cast<std::int32_t>(std::lround(way * ticks_per_m));
+        body.u16(ticks).u16(ticks >> 16);
+    }
+    send(body.packet());
+    if (encoders_ == Asked::once) encoders_ = Asked::no;
+}
+
+// How many digital inputs, outputs and analog ports there are, each before its
+// values; nothing is connected to the inputs.
+void PioneerFirmware::send_io() {
+    P2osBody body(0xF0);
+    body.u8(4).u8(0).u8(0).u8(0).u8(0);
+    body.u8(2).u8(digital_out_).u8(0);
+    body.u8(9);
+    for (int port = 0; port < 9; ++port) body.u16(0);
+    send(body.packet());
+    if (io_ == Asked::once) io_ = Asked::no;
 }
 
 void PioneerFirmware::send_config() {

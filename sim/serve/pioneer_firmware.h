@@ -12,6 +12,7 @@
 
 #include "firmware.h"
 #include "p2os_packet.h"
+#include "pioneer_motion.h"
 #include "sim.h"
 
 namespace frob::serve {
@@ -44,9 +45,18 @@ class PioneerFirmware : public Firmware {
     void obey(const P2osCommand &command);
     void close_session();
     void drive();
+    void look();
     void listen();
     void send_sip();
     void send_config();
+    void send_encoders();
+    void send_io();
+    bool has_room() const;
+    double heading() const; // since SETO
+
+    // A packet that is sent once, with each SIP, or not, as its command says.
+    enum class Asked { no, once, stream };
+    static Asked asked(int n) { return n <= 0 ? Asked::no : n == 1 ? Asked::once : Asked::stream; }
 
     frob_sim *sim_;
     PioneerModel model_;
@@ -64,7 +74,10 @@ class PioneerFirmware : public Firmware {
     bool tripped_ = false;
 
     bool motors_ = false, sonar_on_ = true;
-    double forward_ = 0.0, turn_ = 0.0; // setpoints, m/s and rad/s
+    PioneerMotion motion_;
+    double left_m_ = 0.0, right_m_ = 0.0; // the wheels' ways, by the encoders
+    Asked encoders_ = Asked::no, io_ = Asked::no;
+    int digital_out_ = 0;
     double origin_x_ = 0.0, origin_y_ = 0.0, origin_heading_ = 0.0;
 
     struct Echo {

@@ -9,7 +9,7 @@ exec g++ -std=c++17 "$@" -ffp-contract=off \
     -I. -I../wire -I"$root/runtime" -I"$root/runtime/include" \
     -I"$root/sim" -I"$root/sim/serve" -I"$root/sim/wire" \
     soak.cc "$root"/sim/wire/*.cc \
-    "$root/sim/serve/pioneer_firmware.cc" "$root/sim/serve/p2os_packet.cc" \
+    "$root/sim/serve/pioneer_firmware.cc" "$root/sim/serve/pioneer_motion.cc" "$root/sim/serve/p2os_packet.cc" \
     "$root"/runtime/drivers/scout/*.c "$root"/runtime/drivers/create/*.c \
     "$root"/runtime/drivers/pioneer/*.c \
     "$root/runtime/core/robot.c" "$root/runtime/hal/fake/fake.c" -o "$exe"

@@ -15,6 +15,6 @@ g++ -std=c++17 -O2 -ffp-contract=off $warnings \
     -I"$root/runtime" -I"$root/runtime/include" -I"$root/sim" -I"$root/sim/serve" \
     -I"$root/sim/wire" main.cc "$root/sim/serve/robots.cc" "$root/sim/serve/server.cc" \
     "$root/sim/serve/summary.cc" "$root/sim/serve/paced_line.cc" \
-    "$root/sim/serve/p2os_packet.cc" "$root/sim/serve/pioneer_firmware.cc" "$root"/sim/wire/*.cc \
+    "$root/sim/serve/p2os_packet.cc" "$root/sim/serve/pioneer_firmware.cc" "$root/sim/serve/pioneer_motion.cc" "$root"/sim/wire/*.cc \
     objects/*.o "$root/sim/libfrobsim.a" -lbox2d -ltomlplusplus -lcairo -ldl -o "$exe"
 rm -r objects

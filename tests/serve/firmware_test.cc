@@ -2,6 +2,8 @@
 // the driver on it, in virtual time.
 #include "../sim/check.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -50,6 +52,14 @@ struct Client {
         for (const std::int64_t end = now + time; now < end; now += 10 * ms) {
             firmware.advance(now);
             keep(firmware.take_output());
+        }
+    }
+
+    // As `wait`, with a PULSE twice a second for the watchdog.
+    void live(std::int64_t time) {
+        for (; time > 0; time -= 500 * ms) {
+            send({0xFA, 0xFB, 3, 0, 0, 0});
+            wait(std::min(time, 500 * ms));
         }
     }
 
@@ -330,9 +340,123 @@ void driver(const char *model) {
     check::that(d.device.has_config && d.device.config.watchdog == 2000, "the config packet" + of);
 }
 
+// The newest packet of a type, from its type on; empty if there is none.
+Bytes newest(const Client &c, std::uint8_t type) {
+    for (std::size_t i = c.packets.size(); i-- > 0;)
+        if ((c.packets[i][3] & (type == 0x32 ? 0xFE : 0xFF)) == type)
+            return Bytes(c.packets[i].begin() + 3, c.packets[i].end());
+    return {};
+}
+
+int s16(const Bytes &body, std::size_t at) {
+    return static_cast<std::int16_t>(body.at(at) | body.at(at + 1) << 8);
+}
+
+double heading_deg(const Client &c) { return s16(newest(c, 0x32), 5) * 360.0 / 4096; }
+double speed_mm_s(const Client &c) { return (s16(newest(c, 0x32), 7) + s16(newest(c, 0x32), 9)) / 2.0; }
+
+// Distances and headings instead of speeds: MOVE, HEAD, DHEAD, DCHEAD.
+void motions() {
+    Client c("p3dx-sh");
+    c.shake_hands();
+    c.command(4, 1);
+    c.command(8, 500);
+    c.live(6000 * ms);
+    check::near(s16(newest(c, 0x32), 1), 500, 10, "MOVE goes so many millimetres");
+    check::that(newest(c, 0x32)[0] == 0x32, "and rests there");
+    c.command(8, -200);
+    c.live(4000 * ms);
+    check::near(s16(newest(c, 0x32), 1), 300, 10, "MOVE goes back too");
+    c.command(12, 90);
+    c.live(4000 * ms);
+    check::near(heading_deg(c), 90, 1, "HEAD turns to a heading");
+    check::near(s16(newest(c, 0x32), 14) * 360.0 / 4096, 90, 0.1, "which a SIP has as its setpoint");
+    c.command(13, -120);
+    c.live(4000 * ms);
+    check::near(heading_deg(c), -30, 1, "DHEAD turns by an angle");
+    c.command(22, 20);
+    c.command(22, 30);
+    c.live(4000 * ms);
+    check::near(heading_deg(c), 20, 1, "DCHEAD turns from the last setpoint");
+    c.command(12, 180);
+    c.live(300 * ms);
+    c.command(21, 0);
+    c.live(2000 * ms);
+    check::that(std::abs(heading_deg(c)) < 90, "RVEL ends turning to a heading");
+}
+
+// SETV, SETRV, SETA and SETRA.
+void limits() {
+    Client c("p3dx-sh");
+    c.shake_hands();
+    c.command(4, 1);
+    c.command(6, 100);
+    c.command(11, 400);
+    c.live(2000 * ms);
+    check::near(speed_mm_s(c), 100, 2, "SETV limits VEL");
+    c.command(5, -50);
+    c.command(29, 0);
+    c.live(1000 * ms);
+    check::near(speed_mm_s(c), 50, 10, "SETA below zero is how it brakes");
+    c.live(2000 * ms);
+    c.command(5, 40);
+    c.command(11, 100);
+    c.live(1000 * ms);
+    check::near(speed_mm_s(c), 40, 8, "above zero, how it speeds up");
+    c.command(55, 0);
+    c.live(500 * ms);
+    check::near(speed_mm_s(c), 0, 1, "E_STOP does not heed it");
+    c.command(10, 20);
+    c.command(21, 90);
+    c.live(1500 * ms);
+    const double before = heading_deg(c);
+    c.live(1000 * ms);
+    check::near(heading_deg(c) - before, 20, 2, "SETRV limits RVEL");
+    c.command(23, -10);
+    c.command(21, 0);
+    c.live(1000 * ms);
+    const double braking = heading_deg(c);
+    c.live(1000 * ms);
+    check::near(heading_deg(c) - braking, 5, 2, "SETRA is how it ends a turn");
+}
+
+// Packets that are asked for: of encoders and of inputs and outputs.
+void asked() {
+    Client c("p3dx-sh");
+    c.shake_hands();
+    c.command(4, 1);
+    c.command(8, 300);
+    c.live(4000 * ms);
+    check::that(c.count(0x90) == 0 && c.count(0xF0) == 0, "nothing that is not asked for");
+    c.command(19, 1);
+    c.live(500 * ms);
+    const Bytes one = newest(c, 0x90);
+    check::that(c.count(0x90) == 1 && one.size() == 11, "ENCODER 1 is answered once");
+    const int left = s16(one, 1) & 0xFFFF, left_high = s16(one, 3);
+    check::near((left_high * 65536.0 + left) / 132, 300, 10, "with the counts of the wheels' way");
+    c.command(19, 2);
+    c.live(1000 * ms);
+    check::that(c.count(0x90) >= 9, "ENCODER 2 with every SIP");
+    c.command(19, 0);
+    const std::size_t streamed = c.count(0x90);
+    c.live(500 * ms);
+    check::that(c.count(0x90) == streamed, "until ENCODER 0");
+    c.command(30, 0x0F05);
+    c.command(30, 0x01FE);
+    c.command(40, 1);
+    c.live(500 * ms);
+    const Bytes io = newest(c, 0xF0);
+    check::that(c.count(0xF0) == 1 && io.size() == 1 + 5 + 3 + 19 + 2 && io[1] == 4 && io[6] == 2 &&
+                    io[7] == 0x04 && io[9] == 9,
+                "IOREQUEST 1 has what DIGOUT has set, by its mask");
+}
+
 } // namespace
 
 int main() {
+    motions();
+    limits();
+    asked();
     handshake();
     clients();
     aria();
