@@ -185,10 +185,11 @@ let run =
   in
   let seed =
     let doc = "Seed of all noise: the same seed gives the same run." in
-    Arg.(value & opt int 1 & info [ "seed" ] ~docv:"N" ~doc)
+    Arg.(value & opt (some int) None & info [ "seed" ] ~docv:"N" ~doc ~absent:"1")
   in
   let realtime =
-    Arg.(value & flag & info [ "realtime" ] ~doc:"Run no faster than the clock on the wall.")
+    let doc = "Run no faster than the clock on the wall, as a robot does in any case." in
+    Arg.(value & flag & info [ "realtime" ] ~doc)
   in
   let record =
     some_string [ "record" ] ~docv:"LOG.csv"
@@ -260,10 +261,17 @@ let run =
     match on_robot with
     | Some run ->
         let given name = Option.map (fun _ -> name) in
-        let simulated = List.filter_map Fun.id [ given "--world" world; given "--picture" picture ] in
+        let simulated =
+          List.filter_map Fun.id
+            [
+              given "--world" world; given "--picture" picture; given "--seed" seed;
+              (if strict then Some "--strict" else None);
+            ]
+        in
         Driver.Real_robot.run general ~entry ~sources ~simulated run file
     | None ->
         let duration = Option.value duration ~default:60. in
+        let seed = Option.value seed ~default:1 in
         Commands.run general ~entry ~sources
           { Commands.world; duration; rate; seed; realtime; record; picture; strict; exit_when_done; console }
           file

@@ -45,6 +45,22 @@ Options of the simulator have no meaning on a robot.
   $ frobc run drive.frob --device ./line --world hall.toml
   error: --world is for the simulator, and not for a robot
   [2]
+  $ frobc run drive.frob --device ./line --picture drive.png
+  error: --picture is for the simulator, and not for a robot
+  [2]
+  $ frobc run drive.frob --device ./line --seed 1
+  error: --seed is for the simulator, and not for a robot
+  [2]
+  $ frobc run drive.frob --device ./line --strict
+  error: --strict is for the simulator, and not for a robot
+  [2]
+
+A robot runs in real time in any case.
+
+  $ start_robot
+  $ frobc run drive.frob --device ./line --for 0.1s --realtime | grep connections
+  connections: 1
+  $ end_robot
 
 A program for no robot has no driver.
 
