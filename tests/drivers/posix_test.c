@@ -8,8 +8,10 @@
 #include <asm/termbits.h>
 #include <dirent.h>
 #include <fcntl.h>
+#include <netinet/in.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -223,8 +225,53 @@ static void no_leaks(void)
     check(open_files() == before, "fifty lines that come and go leave nothing open");
 }
 
+/* A server that answers nobody: its queue is full. What was open is opened again
+ * when it answers, and each attempt before that ends soon. */
+static void tcp_again(void)
+{
+    struct sockaddr_in address;
+    socklen_t size = sizeof address;
+    struct frob_posix_line line;
+    int server = socket(AF_INET, SOCK_STREAM, 0), queued[8], accepted;
+    int64_t began_ns;
+    enum frob_status status;
+    memset(&address, 0, sizeof address);
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    bind(server, (const struct sockaddr *)&address, sizeof address);
+    listen(server, 0);
+    getsockname(server, (struct sockaddr *)&address, &size);
+    snprintf(device, sizeof device, "tcp:127.0.0.1:%d", ntohs(address.sin_port));
+    status = frob_posix_open(&line, device, 9600, message, sizeof message);
+    accepted = accept(server, NULL, NULL);
+    check(status == FROB_OK && accepted >= 0, "connects over TCP");
+    frob_posix_close(&line);
+    close(accepted);
+    for (int i = 0; i < 8; i++) {
+        queued[i] = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0);
+        connect(queued[i], (const struct sockaddr *)&address, sizeof address);
+    }
+    began_ns = frob_now_ns(&frob_posix_clock);
+    status = frob_posix_reopen(&line, device, 9600);
+    check(status == FROB_NOT_FOUND && line.fd < 0 &&
+              frob_now_ns(&frob_posix_clock) - began_ns < INT64_C(1500000000),
+          "a server that does not answer is given up soon");
+    for (int i = 0; i < 8; i++)
+        close(queued[i]);
+    close(server);
+    server = socket(AF_INET, SOCK_STREAM, 0);
+    accepted = 1;
+    setsockopt(server, SOL_SOCKET, SO_REUSEADDR, &accepted, sizeof accepted);
+    bind(server, (const struct sockaddr *)&address, sizeof address);
+    listen(server, 1);
+    check(frob_posix_reopen(&line, device, 9600) == FROB_OK, "and found when it is back");
+    frob_posix_close(&line);
+    close(server);
+}
+
 int main(void)
 {
+    tcp_again();
     bytes_pass();
     a_full_line();
     rates();

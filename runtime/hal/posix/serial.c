@@ -125,10 +125,23 @@ enum frob_status frob_posix_open(struct frob_posix_line *line, const char *devic
     memset(line, 0, sizeof *line);
     line->fd = -1;
     if (frob_posix_is_tcp(device))
-        return frob_posix_connect(&line->fd, device, message, room);
+        return frob_posix_connect(line, device, message, room);
     error = open_terminal(&line->fd, device, bits_per_s);
     line->is_terminal = true;
     return error == 0 ? FROB_OK : explain(error, device, message, room);
+}
+
+enum frob_status frob_posix_reopen(struct frob_posix_line *line, const char *device,
+                                   uint32_t bits_per_s)
+{
+    int error;
+    line->fd = -1;
+    line->lost = false;
+    if (line->is_terminal)
+        error = open_terminal(&line->fd, device, bits_per_s);
+    else
+        error = frob_posix_connect_again(line);
+    return error == 0 ? FROB_OK : FROB_NOT_FOUND;
 }
 
 static enum frob_status lost(struct frob_posix_line *line)

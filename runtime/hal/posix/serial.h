@@ -20,6 +20,8 @@ struct frob_posix_line {
     int fd; /* -1: not open */
     bool is_terminal;
     bool lost;
+    unsigned char peer[128]; /* of a TCP connection: its address, a struct sockaddr */
+    unsigned peer_length;
 };
 
 /* Opens the device. On failure nothing is open, and `message` says what is
@@ -28,6 +30,12 @@ struct frob_posix_line {
  * line, or not that rate), FROB_TIMEOUT (TCP), FROB_LOST. */
 enum frob_status frob_posix_open(struct frob_posix_line *line, const char *device,
                                  uint32_t bits_per_s, char *message, size_t room);
+
+/* Opens a line again that was open, at `device`, which may be another path by
+ * now. A robot on TCP is sought where it was: no name is looked up, and an
+ * attempt takes half a second at the most. */
+enum frob_status frob_posix_reopen(struct frob_posix_line *line, const char *device,
+                                   uint32_t bits_per_s);
 
 /* Lets what was written leave, for at most 0.2 s, and closes. */
 void frob_posix_close(struct frob_posix_line *line);

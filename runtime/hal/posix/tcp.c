@@ -14,7 +14,7 @@
 
 #define DEFAULT_PORT "8101"
 
-enum { PATIENCE_MS = 2000 };
+enum { PATIENCE_MS = 2000, AGAIN_PATIENCE_MS = 500 };
 
 bool frob_posix_is_tcp(const char *device)
 {
@@ -48,13 +48,13 @@ static bool split(const char *address, char *host, size_t host_room, char *port,
 }
 
 /* Waits until the connection stands. 0, or an error number. */
-static int finish(int fd)
+static int finish(int fd, int patience_ms)
 {
     struct pollfd wait = { fd, POLLOUT, 0 };
     int error = 0, ready;
     socklen_t size = sizeof error;
     do
-        ready = poll(&wait, 1, PATIENCE_MS);
+        ready = poll(&wait, 1, patience_ms);
     while (ready < 0 && errno == EINTR);
     if (ready == 0)
         return ETIMEDOUT;
@@ -63,15 +63,14 @@ static int finish(int fd)
     return error;
 }
 
-static int try_address(const struct addrinfo *address, int *fd)
+static int try_address(const struct sockaddr *address, socklen_t length, int patience_ms, int *fd)
 {
     int one = 1, error = 0;
-    *fd = socket(address->ai_family, address->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC,
-                 address->ai_protocol);
+    *fd = socket(address->sa_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (*fd < 0)
         return errno;
-    if (connect(*fd, address->ai_addr, address->ai_addrlen) != 0)
-        error = errno == EINPROGRESS ? finish(*fd) : errno;
+    if (connect(*fd, address, length) != 0)
+        error = errno == EINPROGRESS ? finish(*fd, patience_ms) : errno;
     if (error == 0) {
         /* A packet shall leave at once, and a dead peer be noticed. */
         setsockopt(*fd, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
@@ -83,12 +82,21 @@ static int try_address(const struct addrinfo *address, int *fd)
     return error;
 }
 
-enum frob_status frob_posix_connect(int *fd, const char *device, char *message, size_t room)
+int frob_posix_connect_again(struct frob_posix_line *line)
+{
+    struct sockaddr_storage peer;
+    memcpy(&peer, line->peer, line->peer_length);
+    return try_address((const struct sockaddr *)&peer, (socklen_t)line->peer_length,
+                       AGAIN_PATIENCE_MS, &line->fd);
+}
+
+enum frob_status frob_posix_connect(struct frob_posix_line *line, const char *device,
+                                    char *message, size_t room)
 {
     char host[256], port[16];
     struct addrinfo hints, *addresses = NULL;
     int failure, error = 0;
-    *fd = -1;
+    line->fd = -1;
     if (!split(device + 4, host, sizeof host, port, sizeof port)) {
         snprintf(message, room, "`%s` is no address; write tcp:HOST:PORT", device);
         return FROB_NOT_FOUND;
@@ -100,10 +108,15 @@ enum frob_status frob_posix_connect(int *fd, const char *device, char *message, 
         snprintf(message, room, "there is no host `%s`: %s", host, gai_strerror(failure));
         return FROB_NOT_FOUND;
     }
-    for (const struct addrinfo *a = addresses; a != NULL && *fd < 0; a = a->ai_next)
-        error = try_address(a, fd);
+    for (const struct addrinfo *a = addresses; a != NULL && line->fd < 0; a = a->ai_next) {
+        if (a->ai_addrlen > sizeof line->peer)
+            continue;
+        error = try_address(a->ai_addr, a->ai_addrlen, PATIENCE_MS, &line->fd);
+        memcpy(line->peer, a->ai_addr, a->ai_addrlen);
+        line->peer_length = (unsigned)a->ai_addrlen;
+    }
     freeaddrinfo(addresses);
-    if (*fd >= 0)
+    if (line->fd >= 0)
         return FROB_OK;
     snprintf(message, room, "cannot connect to %s, port %s: %s", host, port, strerror(error));
     return error == ETIMEDOUT ? FROB_TIMEOUT : FROB_NOT_FOUND;

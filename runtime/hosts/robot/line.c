@@ -25,17 +25,13 @@ enum frob_status line_open(struct line *line, char *message, size_t room)
 
 bool line_reopen(struct line *line, int64_t now_ns)
 {
-    char message[512];
+    const char *device = line->lasting[0] != '\0' ? line->lasting : line->device;
     if (now_ns < line->retry_ns)
         return false;
     line->retry_ns = now_ns + RETRY_NS;
     /* The old path may meanwhile be another device's; the lasting name comes
      * first. */
-    if (line->lasting[0] != '\0')
-        return frob_posix_open(&line->port, line->lasting, line->rate, message, sizeof message) ==
-               FROB_OK;
-    return frob_posix_open(&line->port, line->device, line->rate, message, sizeof message) ==
-           FROB_OK;
+    return frob_posix_reopen(&line->port, device, line->rate) == FROB_OK;
 }
 
 void line_close(struct line *line)
