@@ -17,8 +17,14 @@ MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \
 BENCH_PACKAGES = valgrind gcc-arm-none-eabi libnewlib-arm-none-eabi
 COMPARED_PACKAGES = ghc libghc-copilot-dev libghc-copilot-c99-dev
 
+# What only `make prove` needs.
+PROVE_PACKAGES = frama-c-base cppcheck
+
 # What only `make fuzz-frontend` needs.
 AFL_PACKAGES = afl++
+
+# For `make prove`: which programs.
+PROGRAMS ?= examples/*/*.frob
 
 PREFIX ?= /usr/local
 FROBC = _build/install/default/bin/frobc
@@ -44,7 +50,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test seeds fuzz fuzz-frontend mutants fuzz-drivers soak elementary matrix bench install clean
+.PHONY: all setup run test seeds fuzz fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench install clean
 
 all: setup
 	dune build @install
@@ -101,6 +107,12 @@ elementary: setup
 	@dune build ./tests/elementary/single_errors_fast
 	@echo exp log sin cos tan asin acos atan pow atan2 hypot | tr ' ' '\n' | \
 	  xargs -P $$(nproc) -n 1 _build/default/tests/elementary/single_errors_fast 1
+
+# No undefined behaviour in the C of the examples, and a clamp that holds, by static
+# analysis; and what MISRA C says.
+prove: all
+	@sh tests/setup.sh $(PROVE_PACKAGES)
+	@sh tests/prove/run.sh $(CURDIR)/$(FROBC) runtime docs/generated-c.md $(PROGRAMS)
 
 soak: setup
 	@dune build ./tests/faults/soak

@@ -19,7 +19,10 @@ enum { WORDS = 6 };
  * that matter, modulo 4, as an integer of 192 bits (M. Payne and R. Hanek,
  * "Radian reduction for trigonometric functions", SIGNUM Newsletter 18, 1983). */
 static struct angle reduce_any(double x) {
-  int const exponent = exponent_of(x) - 52; /* |x| = significand 2^exponent */
+  int const whole = exponent_of(x);
+  /* |x| = significand 2^exponent; x is at least 1/2, and the table has the bits
+     for no other */
+  int const exponent = (whole > -1 ? whole : -1) - 52;
   uint64_t const significand =
       (bits_of(x) & 0xfffffffffffffu) | 0x10000000000000u;
 
@@ -94,7 +97,7 @@ struct angle frob_angle(double x) {
     a.quarter = 0;
     return a;
   }
-  if (size < 0x1p20) {
+  if (-0x1p20 < x && x < 0x1p20) {
     /* x - n pi/2 with pi/2 in three parts, of which the first two have 33
        bits, so that their products with n are exact (W. J. Cody and W. Waite,
        Software Manual for the Elementary Functions, 1980). */

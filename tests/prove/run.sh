@@ -1,0 +1,133 @@
+#!/bin/sh
+# What is proven of generated C and of the clamp, by analysis for every input, and
+# what MISRA C says of it. docs/generated-c.md, "What is proven", has the meaning
+# and the assumptions.
+#
+# usage: run.sh FROBC RUNTIME PAGE PROGRAM.frob…
+#
+# Files without a main are modules, and left out. PAGE is that page: of MISRA C's rules those may be broken that it has a row for.
+# Prints a line for each, `ok` or `FAIL`; the exit status is 1 if any fails. Needs
+# frama-c and cppcheck.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+if [ "$1" != --one ]; then
+    frobc=$1 runtime=$2 page=$3
+    shift 3
+    work=$(mktemp -d)
+    trap 'rm -rf "$work"' EXIT
+    sed -n 's/^| \([0-9]*\.[0-9]*\) |.*/misra-c2012-\1/p; s/^| `\([a-zA-Z]*\)` | .*cppcheck.*/\1/p' \
+        "$page" | sort >"$work/argued"
+    export frobc runtime work
+fi
+
+# NAME INCLUDES FILES…: the alarms go to $work/NAME.alarms, one a line. Arithmetic
+# may give NaN and infinities; a bool that the caller gives may have any bits.
+# Without __GNUC__, generated C has no hints for gcc, which the analysis does not know.
+analyse() {
+    name=$1 includes=$2
+    shift 2
+    if ! frama-c -eva -eva-precision 3 -eva-auto-loop-unroll 1024 -machdep x86_64 \
+        -warn-special-float none -no-warn-invalid-bool \
+        -cpp-extra-args="-U__GNUC__ $includes -I $runtime -I $runtime/include" \
+        "$@" >"$work/$name.log" 2>&1 || ! grep -q 'alarms generated' "$work/$name.log"; then
+        echo "the analysis failed:" >"$work/$name.alarms"
+        tail -5 "$work/$name.log" >>"$work/$name.alarms"
+        return
+    fi
+    sed -n '/^\[eva:alarm\]/{N;s/\n */ /;p;}' "$work/$name.log" >"$work/$name.alarms"
+}
+
+# A local time that ends its mode long before the end of time: the page argues it.
+argued='signed overflow. assert [A-Za-z0-9_.>-]*time[_0-9]* + dt_ns ≤ 9223372036854775807;'
+
+verdict() { # NAME, and what is proven
+    if grep -v "$argued" "$work/$1.alarms" >"$work/$1.wrong"; then
+        echo "FAIL $1"
+        cat "$work/$1.wrong"
+    else
+        sums=$(wc -l <"$work/$1.alarms")
+        [ "$sums" -eq 0 ] && echo "ok $1: $2" || echo "ok $1: $2; sums of times that the page argues: $sums"
+    fi
+}
+
+# The struct that the step function takes as this parameter.
+parameter() { # in|out, header
+    sed -n "s/^ *\(const \)\{0,1\}struct \([A-Za-z0-9_]*\) \*$1)*[,;].*/\2/p" "$2" | tail -1
+}
+
+program() { # PROGRAM.frob
+    name=$(basename "$1" .frob) folder=$(dirname "$1")
+    made=$work/$name
+    mkdir "$made"
+    # One that leaves its robot open is taken for a Pioneer.
+    "$frobc" compile "$1" -o "$made" 2>"$work/$name.refused" ||
+        "$frobc" compile "$1" --robot pioneer -o "$made"
+    cat >"$made/main.c" <<END
+#include "$name.h"
+#include <__fc_builtin.h>
+
+static struct ${name}_state state;
+static struct $(parameter in "$made/$name.h") in;
+static struct $(parameter out "$made/$name.h") out;
+
+int main(void)
+{
+    ${name}_reset(&state);
+    while (Frama_C_nondet(0, 1)) {
+        double dt;
+        Frama_C_make_unknown((char *)&in, sizeof in);
+        Frama_C_make_unknown((char *)&dt, sizeof dt);
+        if (Frama_C_nondet(0, 1))
+            ${name}_reset(&state);
+        if (dt == dt)
+            ${name}_step(&state, dt, &in, &out);
+    }
+    return 0;
+}
+END
+    called=$(find "$folder" -name '*.c' ! -name main.c)
+    # shellcheck disable=SC2086
+    analyse "$name" "-I $made -I $folder" "$made/main.c" "$made/$name.c" $called \
+        "$runtime"/elementary/*.c
+    verdict "$name" "no undefined behaviour, for any input"
+
+    cppcheck -q --enable=warning,style,portability --addon=misra --std=c99 --platform=unix64 \
+        --suppress=missingIncludeSystem -I "$runtime/include" -I "$folder" \
+        "$made/$name.c" 2>&1 | grep "^$made/.*\]\$" >"$work/$name.findings" || :
+    sed 's/.*\[\(.*\)\]$/\1/' "$work/$name.findings" | sort -u >"$work/$name.rules"
+    new=$(comm -13 "$work/argued" "$work/$name.rules")
+    if [ -n "$new" ]; then
+        echo "FAIL $name: findings of rules that docs/generated-c.md does not argue"
+        for rule in $new; do grep -F "[$rule]" "$work/$name.findings" | head -3; done
+    else
+        echo "ok $name: MISRA C finds what is known, by $(wc -l <"$work/$name.rules") rules"
+    fi
+}
+
+if [ "$1" = --one ]; then
+    program "$2"
+    exit 0
+fi
+
+failed=0
+tell() {
+    cat "$work/said"
+    ! grep -q ^FAIL "$work/said" || failed=1
+}
+
+analyse clamp "" "$here/clamp.c"
+verdict clamp "what moves a robot is finite and within its limits" >"$work/said"
+# That this can fail: a clamp that lets twice as much pass on one side.
+mkdir -p "$work/wrong/core"
+sed 's/? most : -most/? most : -2.0 * most/' "$runtime/core/robot.c" >"$work/wrong/core/robot.c"
+analyse wrong_clamp "-I $work/wrong" "$here/clamp.c"
+if [ -s "$work/wrong_clamp.alarms" ]; then
+    echo "ok wrong_clamp: is found" >>"$work/said"
+else
+    echo "FAIL wrong_clamp: is not found" >>"$work/said"
+fi
+tell
+
+grep -l '^main' "$@" | xargs -P "$(nproc)" -n 1 sh "$here/run.sh" --one >"$work/said" 2>&1 || failed=1
+tell
+exit $failed
