@@ -27,6 +27,12 @@ what frobc writes.
   compiler: g++ -std=c++17 -Wall -Wextra -Werror
   verdict: fit
 
+Likewise in single precision.
+
+  $ verdict --cc clang --real float
+  compiler: clang -std=c99 -O2 -ffp-contract=off
+  verdict: fit
+
 Numbers that are not IEEE 754's:
 
   $ frobc selftest --cc gcc --cflags "-O2 -ffast-math"
