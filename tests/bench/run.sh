@@ -9,6 +9,7 @@ mkdir -p "$out"
 {
     sh tests/bench/step/run.sh "$out"
     sh tests/bench/compile_time.sh "$out"
+    sh tests/bench/shapes.sh "$out"
     sh tests/bench/simulator.sh "$out"
     sh tests/bench/code_size.sh "$out"
     sh tests/bench/stop/run.sh "$out"
