@@ -39,6 +39,10 @@
 extern "C" {
 #include "hosts/common/load.h"
 #include "hosts/robot/drivers.h"
+
+// Only robots that frobc comes with are simulated here.
+extern const frob_driver *const frob_own_driver;
+const frob_driver *const frob_own_driver = nullptr;
 }
 
 using namespace frob::serve;
