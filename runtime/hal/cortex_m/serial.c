@@ -13,8 +13,12 @@ static struct {
     volatile uint32_t start, end;
 } ring;
 
+/* The interrupt is cleared first: a byte that comes behind the last look raises
+ * it again. The other way round that byte's interrupt would be lost, and the
+ * receiver, which is full, would raise none any more. */
 void board_on_receive(void)
 {
+    UART_0->interrupt = RECEIVER_FULL;
     while ((UART_0->state & RECEIVER_FULL) != 0) {
         uint8_t byte = (uint8_t)UART_0->data;
         if (ring.end - ring.start < RING) {
@@ -22,7 +26,6 @@ void board_on_receive(void)
             ring.end = ring.end + 1u;
         }
     }
-    UART_0->interrupt = RECEIVER_FULL;
 }
 
 void board_serial_open(uint32_t bits_per_s)
