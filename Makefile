@@ -10,7 +10,8 @@ PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
 # What only `make matrix` needs: compilers and emulators of other machines.
 MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \
   gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user valgrind \
-  gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
+  gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm \
+  arduino-core-avr gcc-avr avr-libc
 
 # What only `make bench` needs, and what other tools it compares with, where they
 # can be had.

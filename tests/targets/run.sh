@@ -30,7 +30,8 @@ check () { # NAME, COMMAND…
 # Starts the robot; its device is then in the file `served`.
 serve () {
     rm -f "$work/served"
-    "$frobc" serve --robot pioneer --world "$world" --log "$work/told" "$@" >"$work/served" &
+    case $* in *--robot*) ;; *) set -- --robot pioneer "$@" ;; esac
+    "$frobc" serve --world "$world" --log "$work/told" "$@" >"$work/served" &
     robot=$!
     for attempt in $(seq 100); do
         grep -q device "$work/served" 2>/dev/null && break
@@ -85,10 +86,41 @@ on_cortex_m () { # PRECISION, NAME
     check "$2: no step was late" grep -q "time 10 s, .* late 0, stale 0, connections 1" "$work/console"
 }
 
+# The other drivers shake hands there and drive; their robots say how far.
+other_on_cortex_m () { # ROBOT
+    "$frobc" build "$PWD/tests/robot/forward.frob" --robot "$1" --target cortex-m -o "$work/$1-on-cortex-m"
+    serve --robot "$1" --tcp 0
+    timeout 12 qemu-system-arm -M mps2-an386 -display none -monitor none \
+        -serial "${device}" -serial "file:$work/console" -kernel "$work/$1-on-cortex-m" \
+        >/dev/null 2>&1 || true
+    kill "$robot"
+    wait "$robot"
+    cat "$work/console"
+    check "cortex-m: a $1 is connected" grep -q "connections 1" "$work/console"
+    check "cortex-m: a $1 drives" within distance_driven 0.5 4 <"$work/served"
+}
+
+# The exported library beside the core that Arduino boards come with. An AVR has
+# no double of 64 bits and is refused; all else of the main program fits the core.
+for_arduino () {
+    core=/usr/share/arduino/hardware/arduino/avr
+    library=$work/exported
+    "$frobc" export "$program" --robot pioneer --platformio "$library"
+    set -- avr-g++ -mmcu=atmega2560 -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_ARCH_AVR -std=gnu++11 \
+        -Os -I"$library/src" -I"$core/cores/arduino" \
+        -I"$core/variants/mega" -c "$library/examples/drive/main.cpp" -o "$work/main.o"
+    refused () { ! "$@" 2>"$work/refusal" && grep -q "needs a double of 64 bits" "$work/refusal"; }
+    check "arduino: an AVR is refused" refused "$@"
+    check "arduino: the main program fits the core" "$@" '-Dstatic_assert(condition,text)='
+}
+
 on_linux aarch64-linux qemu-aarch64 /usr/aarch64-linux-gnu
 on_linux armhf-linux qemu-arm /usr/arm-linux-gnueabihf
 on_cortex_m double cortex-m
 on_cortex_m float "cortex-m, single precision"
+other_on_cortex_m scout
+other_on_cortex_m create
+for_arduino
 float="-mfpu=fpv4-sp-d16 -mfloat-abi=hard"
 echo "text of the program's C on a Cortex-M4: $(text_size double "") bytes in double precision," \
     "$(text_size float "$float") in single"
