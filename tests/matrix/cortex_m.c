@@ -11,11 +11,19 @@ static void fault(void)
     }
 }
 
+/* The unit for floats is off until CPACR says otherwise. */
+static void start(void)
+{
+    *(volatile unsigned *)0xE000ED88u |= 0xFu << 20;
+    __asm__ volatile("dsb\n isb" ::: "memory");
+    _start();
+}
+
 __attribute__((section(".vectors"), used)) static const struct {
     char *stack;
     void (*handlers[15])(void);
 } vectors = {
     &__stack,
-    { _start, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault,
+    { start, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault,
       fault, fault },
 };

@@ -31,6 +31,7 @@ valgrind|gcc $exact -O1 -g|valgrind -q --error-exitcode=9|10
 aarch64|aarch64-linux-gnu-gcc $exact -O2 $warnings -static|qemu-aarch64|1
 armhf|arm-linux-gnueabihf-gcc $exact -O2 $warnings -static|qemu-arm|1
 cortex-m4|arm-none-eabi-gcc $exact -O2 $warnings -mthumb -mcpu=cortex-m4 --specs=rdimon.specs -T $here/cortex_m.ld|sh $here/on_cortex_m.sh|1
+cortex-m4f|arm-none-eabi-gcc $exact -O2 $warnings -mthumb -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard --specs=rdimon.specs -T $here/cortex_m.ld|sh $here/on_cortex_m.sh|1
 END
 }
 
@@ -45,7 +46,7 @@ common() { # NAME, COMPILER
     mkdir "$work/$1"
     sources="$here/runner.c $runtime/core/text.c $runtime/core/cell_read.c
         $runtime/core/cell_write.c $runtime/core/trace.c $runtime/elementary/*.c"
-    [ "$1" != cortex-m4 ] || sources="$sources $here/cortex_m.c"
+    case "$1" in cortex-m4*) sources="$sources $here/cortex_m.c" ;; esac
     for source in $sources; do
         # shellcheck disable=SC2086
         ${2%% -T*} -I "$here" -I "$work/include" -c "$source" -o "$work/$1/$(basename "$source" .c).o"
