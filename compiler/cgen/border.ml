@@ -179,6 +179,13 @@ let single_step (program : Machine.Ir.program) sums ~name ~input ~output =
   if output.robot <> None then
     convert out program sums program.output output ~own:"own_out." ~host:"host_out->" ~inward:false;
   bprintf out "}\n";
+  Buffer.add_string out
+    {|
+static unsigned arithmetic(void)
+{
+    return frob_arithmetic_faults() | frob_arithmetic_float_faults();
+}
+|};
   Buffer.contents out
 
 let step (program : Machine.Ir.program) sums ~name ~input ~output =

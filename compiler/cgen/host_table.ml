@@ -223,7 +223,7 @@ const struct frob_program frob_program = {
     &%s,
     reset,
     step,
-    frob_arithmetic_faults,
+    %s,
     %s,
     %s,
     %d,
@@ -233,5 +233,6 @@ const struct frob_program frob_program = {
     (Border.step program files.sums ~name ~input:input_side ~output:output_side)
     (c_string program.name) (c_string robot) name input_side.host.struct_name
     output_side.host.struct_name input output
+    (match program.real with Double -> "frob_arithmetic_faults" | Single -> "arithmetic")
     result machines machine_count;
   Buffer.contents out

@@ -6,7 +6,7 @@
 
 int main(void)
 {
-    const unsigned faults = frob_arithmetic_faults();
+    const unsigned faults = frob_arithmetic_faults() | frob_arithmetic_float_faults();
     puts(faults == 0 ? "right" : frob_arithmetic_reason(faults));
     return faults != 0;
 }

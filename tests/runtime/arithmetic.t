@@ -7,6 +7,10 @@ away; and nothing is, where nothing is wrong.
   > int main(void)
   > {
   >     unsigned faults = frob_arithmetic_faults();
+  >     const unsigned of_settings = FROB_ARITHMETIC_ROUNDING | FROB_ARITHMETIC_CONTRACTION |
+  >                                  FROB_ARITHMETIC_SUBNORMAL;
+  >     if ((frob_arithmetic_float_faults() & of_settings) != (faults & of_settings))
+  >         printf("floats have faults %x\n", frob_arithmetic_float_faults());
   >     static const char *const names[] = { "format", "rounding", "precision", "contraction",
   >                                          "algebra", "subnormal", "special" };
   >     for (unsigned i = 0; i < 7; i++)

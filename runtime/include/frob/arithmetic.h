@@ -127,6 +127,51 @@ static inline unsigned frob_arithmetic_faults(void)
     return faults;
 }
 
+/* Likewise of floats, for programs of single precision: a processor may have a unit
+ * of its own for them, with settings of its own. What only options of compilers take
+ * away is found with doubles. */
+static inline unsigned frob_arithmetic_float_faults(void)
+{
+    volatile float one_ = 1.0f, half_ulp_ = FLT_EPSILON / 2.0f, less_ = -1.0f;
+    volatile float least_ = FLT_MIN, most_ = FLT_MAX;
+    const float one = one_, half_ulp = half_ulp_, less = less_, least = least_, most = most_;
+    unsigned faults = 0;
+    uint32_t bits = 0;
+
+    if (FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128 || sizeof(float) != sizeof bits)
+        return FROB_ARITHMETIC_FORMAT;
+    memcpy(&bits, &less, sizeof(float) < sizeof bits ? sizeof(float) : sizeof bits);
+    if (bits != UINT32_C(0xbf800000))
+        return FROB_ARITHMETIC_FORMAT;
+    {
+        volatile float tie = one + half_ulp, tie_below = less - half_ulp;
+        volatile float past = one + 1.5f * half_ulp, past_below = less - 1.5f * half_ulp;
+        if (tie != 1.0f || tie_below != -1.0f || past != 1.0f + FLT_EPSILON ||
+            past_below != -1.0f - FLT_EPSILON)
+            faults |= FROB_ARITHMETIC_ROUNDING;
+    }
+    {
+        volatile float kept = (most + most_) - most;
+        if (!(kept > FLT_MAX))
+            faults |= FROB_ARITHMETIC_PRECISION;
+    }
+    {
+        volatile float up = 1.0f + 0x1p-13f, down = 1.0f - 0x1p-13f;
+        volatile float from_product = up * down - one;
+        volatile float product_from = one - up * down;
+        if (from_product != 0.0f || product_from != 0.0f)
+            faults |= FROB_ARITHMETIC_CONTRACTION;
+    }
+    {
+        volatile float half = least * 0.5f;
+        const float kept = half;
+        memcpy(&bits, &kept, sizeof(float) < sizeof bits ? sizeof(float) : sizeof bits);
+        if (bits != UINT32_C(0x00400000) || half * 2.0f != FLT_MIN)
+            faults |= FROB_ARITHMETIC_SUBNORMAL;
+    }
+    return faults;
+}
+
 /* What is wrong and its cure, as the end of a sentence on "the arithmetic …"; of
  * several faults the one that others can come from. An empty text for 0. */
 static inline const char *frob_arithmetic_reason(unsigned faults)

@@ -72,7 +72,8 @@ struct frob_program {
     const struct frob_value *output;
     void (*reset)(void *state);
     void (*step)(void *state, double dt, const void *input, void *output);
-    unsigned (*arithmetic)(void); /* frob_arithmetic_faults, compiled as the program is */
+    unsigned (*arithmetic)(void); /* frob_arithmetic_faults, compiled as the program
+                                   * is; and of floats, if it computes with them */
     const struct frob_value *result;
         /* of a program that ends: the event, part of its output, that occurs at
          * its end and from then on, with what it has ended with; else NULL. The
