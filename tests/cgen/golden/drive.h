@@ -10,6 +10,9 @@
 extern "C" {
 #endif
 
+#define DRIVE_INPUT_DEFINED
+#define DRIVE_OUTPUT_DEFINED
+
 struct drive_point2 {
     double x;
     double y;

@@ -46,6 +46,9 @@ struct shapes_event_int_float {
     int32_t i0;
 };
 
+#define SHAPES_INPUT_DEFINED
+#define SHAPES_OUTPUT_DEFINED
+
 struct shapes_input {
     struct shapes_either_maybe_float_bool f1;
     struct {
