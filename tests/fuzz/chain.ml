@@ -63,9 +63,25 @@ let fold s makers (a, u) result =
   let value = annotated (makers.expression { s with run = None } 0 result) result in
   f "foldl %s %s %s" (lambda s makers [ result; u ] result) value a
 
+(* Two results at once, which often begin or go on alike. *)
+let fold_of_two s makers (a, u) result =
+  let first = fresh s "r" and second = fresh s "r" and e = fresh s "e" in
+  let inside = bind [ (e, u); (first, result); (second, result) ] { s with run = None } in
+  let value () = one_of s.random [ first; second; annotated (makers.expression inside 1 result) result ] in
+  let two value =
+    let x = value () in
+    f "(%s, %s)" x (if chance s.random 2 then x else value ())
+  in
+  let start () = annotated (Constant.literal s result) result in
+  f "foldl (\\(%s, %s) %s -> if %s then %s else %s) %s %s" first second e
+    (makers.expression inside 1 Bool) (two value) (two value) (two start) a
+
 let new_value s makers ~n arrays usual : Type.t * string =
   let ((a, u) as array) = latest s arrays in
-  match Random.State.int s.random 7 with
+  match Random.State.int s.random 8 with
+  | 7 ->
+      let result = one_of s.random usual in
+      (Tuple [ result; result ], fold_of_two s makers array result)
   | 0 ->
       let name = one_of s.random [ "minimumBy"; "maximumBy" ] in
       (u, f "%s %s %s" name (lambda s makers [ u ] (one_of s.random [ Type.Float; Int ])) a)
@@ -118,6 +134,10 @@ let digest (name, (ty : Type.t)) =
   match ty with
   | Array (_, t) ->
       Option.map (fun e -> f "foldl (\\h e -> 31 * h + %s) 7 %s" e name) (number t "e")
+  | Tuple [ t; u ] -> (
+      match (number t (f "fst %s" name), number u (f "snd %s" name)) with
+      | Some x, Some y -> Some (f "(%s) - 5 * (%s)" x y)
+      | _, _ -> None)
   | Float | Measure _ | Int | Bool | Tuple _ | Data _ -> number ty name
 
 let result s makers bindings (ty : Type.t) =
