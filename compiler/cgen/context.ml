@@ -75,8 +75,8 @@ let step_call ?(time = Passed) c ~node ~own arguments results =
 
 let own_state c state =
   List.map
-    (fun field -> Ir.Unary (Ir.Address, Expression.field c.names field))
-    (Option.to_list state)
+    (fun place -> Ir.Unary (Ir.Address, place))
+    (List.concat_map (Expression.places c.names) (Option.to_list state))
 
 (* Arguments of a node's functions. *)
 let for_step c node = Expression.arguments c.names c.v.program.nodes.(node).step.parameters

@@ -48,7 +48,7 @@ val step_call :
 (** With the address of the state, if there is one, arguments and results. *)
 
 val own_state : t -> M.field option -> Ir.expr list
-(** The address. *)
+(** The address, or of a node with two structs both. *)
 
 val for_step : t -> int -> M.expr list -> Ir.expr list
 (** The arguments of a node's step. *)

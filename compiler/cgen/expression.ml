@@ -8,16 +8,21 @@ type names = {
   variables : (int, Ir.expr) Hashtbl.t;
   in_place : (int, Ir.expr list -> Ir.expr) Hashtbl.t;
   indices : (int, string) Hashtbl.t;  (* of loops, by how deep they are in others *)
+  reached : (string, unit) Hashtbl.t;  (* pointers to state by which a field was reached *)
 }
+
+let given = [ "self"; "in"; "out"; "dt"; "dt_ns" ]
 
 let names (v : V.t) ~node =
   {
     v;
     node;
-    scope = Name.scope Identifiers ~within:v.file_scope ~taken:[ "self"; "in"; "out"; "dt"; "dt_ns" ];
+    scope = Name.scope Identifiers ~within:v.file_scope ~taken:
+        (if String.equal v.nodes.(node).flags "" then given else "flags" :: given);
     variables = Hashtbl.create 16;
     in_place = Hashtbl.create 4;
     indices = Hashtbl.create 4;
+    reached = Hashtbl.create 2;
   }
 
 let scope n = n.scope
@@ -43,11 +48,25 @@ let variable n (variable : M.variable) =
       Hashtbl.replace n.variables variable.id (Ir.Name name);
       name
 
-let field n (field : M.field) =
-  match Hashtbl.find_opt n.v.nodes.(n.node).members field.id with
-  | Some (first :: inside) ->
-      List.fold_left (fun e member -> Ir.Member (e, member)) (Ir.Arrow (Name "self", first)) inside
-  | Some [] | None -> Basis.Diagnostic.bug ~stage:"Cgen.Expression" "a field that is not in the state"
+let places n (field : M.field) =
+  let names = n.v.nodes.(n.node) in
+  let place pointer table =
+    match Hashtbl.find_opt table field.id with
+    | Some (first :: inside) ->
+        Hashtbl.replace n.reached pointer ();
+        let start = Ir.Arrow (Name pointer, first) in
+        [ List.fold_left (fun e member -> Ir.Member (e, member)) start inside ]
+    | Some [] | None -> []
+  in
+  let large = place "self" names.members.large in
+  large @ place (if String.equal names.flags "" then "self" else "flags") names.members.small
+
+let field n field =
+  match places n field with
+  | place :: _ -> place
+  | [] -> Basis.Diagnostic.bug ~stage:"Cgen.Expression" "a field that is not in the state"
+
+let reaches n pointer = Hashtbl.mem n.reached pointer
 
 (* A literal that is not NaN. *)
 let literal : M.expr -> float option = function

@@ -26,6 +26,12 @@ val variable : names -> Machine.Ir.variable -> string
 val field : names -> Machine.Ir.field -> Ir.expr
 (** [self->x] *)
 
+val places : names -> Machine.Ir.field -> Ir.expr list
+(** All its parts: of the state of a node with two structs (see {!Machine.Apart}) both. *)
+
+val reaches : names -> string -> bool
+(** Whether a field was reached by that pointer: [self], or [flags]. *)
+
 val parameters : names -> Machine.Ir.variable list -> (Ir.ty * string) list
 (** Of a node's function: an array is passed by address. *)
 

@@ -50,22 +50,25 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let else_ = statements c else_ in
       { desc = If { condition; then_; else_ }; comment } :: List.rev_append declarations rest
   | Step { node; state = Some state; arguments; results; on_trial = true; span } ->
-      let name = Name.fresh (Expression.scope c.names) "trial" in
-      let value = Expression.field c.names state in
-      let copy =
-        plain (Ir.Variable { ty = Struct c.v.nodes.(node).state; name; value })
+      let names = c.v.nodes.(node) in
+      let copy part value =
+        (Ir.Struct (if part = 0 then names.state else names.flags), Name.fresh (Expression.scope c.names) "trial", value)
       in
-      step c (copy :: rest) ~node ~own:[ Ir.Unary (Address, Name name) ] arguments results span
+      let copies = List.mapi copy (Expression.places c.names state) in
+      let declare (ty, name, value) = plain (Ir.Variable { ty; name; value }) in
+      let own = List.map (fun (_, name, _) -> Ir.Unary (Address, Name name)) copies in
+      step c (List.rev_append (List.map declare copies) rest) ~node ~own arguments results span
   | Step { node; state; arguments; results; on_trial = _; span } ->
       step c rest ~node ~own:(own_state c state) arguments results span
   | Reset { node; state; arguments; span } ->
-      let own = Expression.field c.names state and arguments = for_reset c node arguments in
-      let call own = Ir.Do (Call (c.v.nodes.(node).reset, Unary (Address, own) :: arguments)) in
+      let own = Expression.places c.names state and arguments = for_reset c node arguments in
+      let address place = Ir.Unary (Address, place) in
+      let call own = Ir.Do (Call (c.v.nodes.(node).reset, List.map address own @ arguments)) in
       let desc =
         match state.content with
         | States_of { count; _ } ->
             let index = Expression.index c.names 0 in
-            Ir.For { index; count; body = [ plain (call (Ir.Subscript (own, Name index))) ] }
+            Ir.For { index; count; body = [ plain (call (List.map (fun place -> Ir.Subscript (place, Name index)) own)) ] }
         | State_of _ | Value _ | Running_mode | Modes _ | Component _ -> call own
       in
       { desc; comment = comment c span } :: rest
@@ -74,7 +77,9 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
         match l.state with
         | None -> []
         | Some field ->
-            [ Ir.Unary (Address, Subscript (Expression.field c.names field, Name index)) ]
+            List.map
+              (fun place -> Ir.Unary (Address, Subscript (place, Name index)))
+              (Expression.places c.names field)
       in
       let call index = step_call c ~node:l.node ~own:(own index) in
       let statements = Loop.statements c.names l ~call in
@@ -136,24 +141,21 @@ let variables_read body =
     body;
   read
 
-let reads_state body =
-  let found = ref false in
-  Machine.Walk.expressions
-    (function M.Field _ -> found := true | _ -> ())
-    body;
-  Machine.Walk.statements
-    (function
-      | Assign { place = Own _; _ }
-      | Step { state = Some _; _ }
-      | Loop { state = Some _; _ }
-      | Reset _ | Enter _ | Await _ | Run _ ->
-          found := true
-      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Return _ -> ())
-    body;
-  !found
+let self v k =
+  let names = v.V.nodes.(k) in
+  let flags () =
+    ignore (V.helper v Restrict : string);
+    (Ir.Only_way_to (Pointer (Struct names.flags)), "flags")
+  in
+  (Ir.Pointer (Struct names.state), "self") :: (if String.equal names.flags "" then [] else [ flags () ])
 
-let self v k = (Ir.Pointer (Struct v.V.nodes.(k).state), "self")
 let ignored name = plain (Ir.Do (Cast (Void, Name name)))
+
+(* Pointers to state that a body, already made, does not use. *)
+let unread names pointers =
+  List.filter_map
+    (fun (_, name) -> if Expression.reaches names name then None else Some (ignored name))
+    pointers
 
 let place_of (node : M.node) =
   Printf.sprintf "%s, %s:%d" node.origin (Filename.basename node.file) node.span.start.line
@@ -163,11 +165,12 @@ let no_result _ _ = Diagnostic.bug ~stage:"Cgen.Function" "a result where there 
 let reset (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
-  let parameters = self v k :: Expression.parameters names node.reset.parameters in
+  let own = self v k in
+  let parameters = own @ Expression.parameters names node.reset.parameters in
   name_variables names node.reset.body;
   let c = { v; names; index = k; node; write = no_result; read = variables_read node.reset.body; seconds = Given; nanoseconds = Int64; place = "" } in
   let body = statements c node.reset.body in
-  let unread = if reads_state node.reset.body then [] else [ ignored "self" ] in
+  let unread = unread names own in
   {
     linkage = (if V.is_root v k then External else Static);
     result = Void;
@@ -199,18 +202,17 @@ let own_step (v : V.t) k : Ir.function_ =
   let places = Array.of_list results in
   let write k value = plain (Ir.Assign (Unary (Dereference, Name (snd places.(k))), value)) in
   let c = { v; names; index = k; node; write; read = variables_read node.step.body; seconds = Given; nanoseconds = Int64; place = "" } in
-  let state = if V.has_state v k then [ self v k ] else [] in
+  let state = if V.has_state v k then self v k else [] in
   let dt = if node.seconds then [ (V.real v, "dt") ] else [] in
   let dt_ns = if node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
-  let unread =
-    if V.has_state v k && not (reads_state node.step.body) then [ ignored "self" ] else []
-  in
+  let body = statements c node.step.body in
+  let unread = unread names state in
   {
     linkage = (if node.operations <= inline_size then Static_inline else Static);
     result = single;
     name = v.nodes.(k).step;
     parameters = List.concat [ state; dt; dt_ns; given; results ];
-    body = List.rev_append (List.rev unread) (statements c node.step.body);
+    body = List.rev_append (List.rev unread) body;
     comment = place_of node;
   }
 
@@ -342,11 +344,11 @@ let step_in_seconds (v : V.t) (step : Ir.function_) : Ir.function_ =
 
 (* Structs that share memory might otherwise be where the input is. *)
 let input (v : V.t) : Ir.ty =
-  let input = Ir.Struct v.input.struct_name in
+  let input = Ir.Pointer_to_const (Struct v.input.struct_name) in
   if V.has_modes v then (
     ignore (V.helper v Restrict : string);
     Only_way_to input)
-  else Pointer_to_const input
+  else input
 
 let root_step (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
@@ -364,6 +366,7 @@ let root_step (v : V.t) k : Ir.function_ =
     if Machine.Time_use.nanoseconds_in_floats v.program node then V.real v else Int64
   in
   let c = { v; names; index = k; node; write; read = variables_read node.step.body; seconds; nanoseconds; place = "" } in
+  let own = self v k in
   let inputs = inputs c node in
   name_variables names node.step.body;
   let clock = clock c node in
@@ -373,10 +376,6 @@ let root_step (v : V.t) k : Ir.function_ =
         plain (Ir.Assign (Access.path (Name "out") steps indices, Integer 0l)))
   in
   let unused = List.map clear v.output.unused in
-  let reads_self =
-    reads_state node.step.body
-    || match v.program.first_instant with Marked_by _ | Marked_by_mode -> true | Unseen -> false
-  in
   let reads_input =
     List.exists (fun (v : M.variable) -> Hashtbl.mem c.read v.id) node.step.parameters
   in
@@ -387,8 +386,8 @@ let root_step (v : V.t) k : Ir.function_ =
     result = Void;
     name = v.nodes.(k).step;
     parameters =
-      [
-        self v k;
+      own
+      @ [
         dt;
         (input v, "in");
         (Pointer (Struct v.output.struct_name), "out");
@@ -396,7 +395,7 @@ let root_step (v : V.t) k : Ir.function_ =
     body =
       List.concat
         [
-          ignore_unless reads_self "self";
+          unread names own;
           ignore_unless (node.seconds || node.nanoseconds) (snd dt);
           ignore_unless reads_input "in";
           clock;

@@ -51,8 +51,8 @@ let table =
     ( Restrict,
       "FROB_RESTRICT",
       [],
-      {|/* The step writes nothing of its input. Compilers could not know, as modes have
- * structs that may share memory with any other. */
+      {|/* What this pointer leads to no other does that is written through. Compilers could
+ * not know: modes have structs that may share memory with any other. */
 #ifndef __cplusplus
 #define FROB_RESTRICT restrict
 #elif defined(__GNUC__)

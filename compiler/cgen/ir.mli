@@ -19,8 +19,8 @@ type ty =
   | Pointer of ty
   | Pointer_to_const of ty
   | Only_way_to of ty
-      (** [Pointer_to_const] of a parameter: nothing that the function writes is there.
-          Only the definition says so, not a prototype *)
+      (** that pointer, of a parameter: what the function writes or reads there it
+          reaches by no other. Only the definition says so, not a prototype *)
 
 and member = { name : string; ty : ty; comment : string  (** or [""] *) }
 

@@ -35,8 +35,8 @@ let enter c (entry : M.entry) span =
     match mode.state with
     | None -> []
     | Some state ->
-        let own = Ir.Unary (Address, Expression.field c.names state) in
-        [ Ir.Do (Call (c.v.nodes.(mode.node).reset, own :: for_reset c mode.node entry.reset)) ]
+        let own = own_state c (Some state) in
+        [ Ir.Do (Call (c.v.nodes.(mode.node).reset, own @ for_reset c mode.node entry.reset)) ]
   in
   match number @ parameters @ reset with
   | [] -> []

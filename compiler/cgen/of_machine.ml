@@ -21,20 +21,28 @@ let state_comment (v : V.t) (field : M.field) =
 
 let rec last = function [] -> "" | [ name ] -> name | _ :: rest -> last rest
 
-let rec member (v : V.t) k (field : M.field) : Ir.member =
+let rec member (v : V.t) k ((field : M.field), (part : Machine.Apart.part)) : Ir.member =
+  (* What has one struct has that one, be it of small fields only. *)
+  let state node =
+    let names = v.nodes.(node) in
+    Ir.Struct (if part = Small && not (String.equal names.flags "") then names.flags else names.state)
+  in
   let ty : Ir.ty =
     match field.content with
     | Value ty -> V.ty v ty
-    | State_of k -> Struct v.nodes.(k).state
-    | States_of { node; count } -> Array (Struct v.nodes.(node).state, count)
+    | State_of k -> state k
+    | States_of { node; count } -> Array (state node, count)
     | Component symbol -> Struct (symbol ^ "_state")
     | Running_mode -> if Array.length v.nodes.(k).modes <= 256 then Uint8 else Int32
-    | Modes modes -> Union (List.concat (List.mapi (mode v k) modes))
+    | Modes modes -> Union (List.concat (List.mapi (mode v k part) modes))
   in
-  { name = last (Hashtbl.find v.nodes.(k).members field.id); ty; comment = state_comment v field }
+  let paths = v.nodes.(k).members in
+  let path = Hashtbl.find (match part with Large -> paths.large | Small -> paths.small) field.id in
+  { name = last path; ty; comment = state_comment v field }
 
-and mode v k number (mode : M.mode) : Ir.member list =
-  match Machine.State.fields_of_mode mode with
+and mode v k part number (mode : M.mode) : Ir.member list =
+  let of_part = List.filter (fun (_, p) -> p = part) in
+  match of_part (Machine.Apart.in_order v.apart k (Machine.State.fields_of_mode mode)) with
   | [] -> []
   | fields ->
       let members = List.map (member v k) fields in
@@ -64,16 +72,22 @@ let overlaid =
 |}
 
 let state_struct (v : V.t) ~overlaid k (node : M.node) =
-  let members =
-    match node.state with
-    | [] -> [ { Ir.name = "unused"; ty = Uint8; comment = "" } ]
-    | fields -> Basis.Long_list.map (member v k) fields
+  let fields = Machine.Apart.in_order v.apart k node.state in
+  let definition name fields =
+    let members =
+      match fields with
+      | [] -> [ { Ir.name = "unused"; ty = Uint8; comment = "" } ]
+      | fields -> Basis.Long_list.map (member v k) fields
+    in
+    Ir.Struct_definition { name; overlaid; members; comment = "" }
   in
+  let names = v.nodes.(k) in
   mode_numbers v k node
-  @ [
-      Ir.Struct_definition
-        { name = v.nodes.(k).state; overlaid; members; comment = "" };
-    ]
+  @
+  if String.equal names.flags "" then [ definition names.state fields ]
+  else
+    let large, small = List.partition (fun (_, part) -> part = Machine.Apart.Large) fields in
+    [ definition names.state large; definition names.flags small ]
 
 let states (v : V.t) =
   let overlaid = V.has_modes v in

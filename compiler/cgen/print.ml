@@ -79,7 +79,7 @@ let rec ty_name = function
   | Pointer ((Pointer _ | Pointer_to_const _ | Only_way_to _) as t) -> ty_name t ^ "*"
   | Pointer t -> ty_name t ^ " *"
   | Pointer_to_const t -> "const " ^ ty_name t ^ " *"
-  | Only_way_to t -> "const " ^ ty_name t ^ " *FROB_RESTRICT "
+  | Only_way_to pointer -> ty_name pointer ^ "FROB_RESTRICT "
 
 let rec declarator ty name =
   match ty with
@@ -358,7 +358,7 @@ let signature { linkage; result; name; parameters; _ } =
 (* What only a definition says of its parameters. *)
 let declared function_ =
   let plain (ty, name) =
-    match ty with Only_way_to t -> (Pointer_to_const t, name) | ty -> (ty, name)
+    match ty with Only_way_to pointer -> (pointer, name) | ty -> (ty, name)
   in
   { function_ with parameters = List.map plain function_.parameters }
 

@@ -6,12 +6,16 @@ type mode = {
   member : string;  (** of the union of all *)
 }
 
+(** The members that lead to the parts of fields, from the state struct or the struct
+    of small fields, by field. *)
+type paths = { large : (int, string list) Hashtbl.t; small : (int, string list) Hashtbl.t }
+
 type node = {
   state : string;  (** struct *)
+  flags : string;  (** struct of small fields, if there is one: see {!Machine.Apart} *)
   reset : string;
   step : string;
-  members : (int, string list) Hashtbl.t;
-      (** the members that lead to a field from the state struct, by field *)
+  members : paths;
   modes : mode array;  (** of its machine *)
   waiting : string option;  (** the number in place of a mode's, up to the first step *)
   foreign : Foreign_interface.t option;  (** if it is C code of the user's *)
@@ -25,6 +29,7 @@ type owner =
 
 type t = {
   program : Machine.Ir.program;
+  apart : Machine.Apart.t;
   name : string;  (** the prefix of all names *)
   file_scope : Name.scope;
   sums : Sum_type.t array;

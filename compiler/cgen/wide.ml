@@ -11,7 +11,7 @@ type shape = {
 
 let plain desc = { desc; comment = "" }
 let bug format = Basis.Diagnostic.bug ~stage:"Cgen.Wide" format
-let is_kept (_, name) = List.mem name [ "self"; "dt"; "dt_ns" ]
+let is_kept (_, name) = List.mem name [ "self"; "flags"; "dt"; "dt_ns" ]
 
 let rec split_kept = function
   | parameter :: others when is_kept parameter ->

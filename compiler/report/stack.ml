@@ -7,6 +7,7 @@ type context = {
   program : M.program;
   node : M.node;
   state : State.t;
+  apart : Machine.Apart.t;
   done_ : bounds array;  (** of the nodes before *)
 }
 
@@ -195,6 +196,8 @@ and call c frame callee es =
         (c.done_.(k).step, node.step.parameters, node.outputs)
     | Reset k -> (c.done_.(k).reset, c.program.nodes.(k).reset.parameters, [])
   in
+  let k = match callee with Step k | Reset k -> k in
+  if Machine.Apart.is_split c.apart k then need frame word;
   in_structs c frame (List.map (fun (v : M.variable) -> v.ty) given) (List.map snd results);
   frame.callees <- bounds :: frame.callees;
   arguments c frame ~calling:(List.exists calls es) es
@@ -256,7 +259,7 @@ let statement c frame (s : M.statement) =
       expression c frame condition
   | Step { node; arguments; results; on_trial; _ } ->
       if on_trial then
-        need frame (Amount.round_up (State.definition c.state node).bytes ~alignment:word);
+        need frame (Amount.add word (Amount.round_up (State.bytes_of_node c.state node) ~alignment:word));
       List.iter (variable c frame) results;
       need frame (Amount.times word (List.length results));
       call c frame (Step node) arguments
@@ -289,6 +292,7 @@ let function_ c k ~results (code : M.code) =
   let frame = { bytes = fixed; helper = 0; callees = [] } in
   let given present = if present then need frame word in
   given (c.node.state <> []);
+  given (Machine.Apart.is_split c.apart k);
   given c.node.seconds;
   given c.node.nanoseconds;
   let in_place = in_place c.program k in
@@ -322,12 +326,13 @@ let root (program : M.program) (node : M.node) bounds =
   { reset = more bounds.reset word; step = more bounds.step ((4 * word) + clock + outer) }
 
 let of_program (program : M.program) state =
+  let apart = Machine.Apart.of_program program in
   let nothing = { bytes = 0; chain = [] } in
   let count = Array.length program.nodes in
   let done_ = Array.make count { reset = nothing; step = nothing } in
   Array.iteri
     (fun k (node : M.node) ->
-      let c = { program; node; state; done_ } in
+      let c = { program; node; state; apart; done_ } in
       let results = List.length node.outputs in
       if Option.is_some node.foreign then
         done_.(k) <-

@@ -13,7 +13,7 @@ type member = {
 
 and holds =
   | Value of string  (** for the reader: [delay], [integral], … *)
-  | Struct of int  (** of that node *)
+  | Struct of int  (** the number of a definition: a node, or its small fields *)
   | Structs of { node : int; count : int }  (** an array of them *)
   | Running_mode
   | Largest of alternative list  (** modes, which share this room *)
@@ -41,11 +41,15 @@ val of_program : Machine.Ir.program -> t
 val root : t -> int
 
 val definition : t -> int -> definition
-(** Of a node with state, or the root. *)
+(** Of a node with state, or the root; or the struct of a node's small fields, by the
+    number under which a member holds it. *)
+
+val bytes_of_node : t -> int -> int
+(** Of both structs, if it has two (see {!Machine.Apart}). *)
 
 val in_use : t -> int list
-(** The nodes whose structs the root's holds, itself first, each before those
-    it holds and each once. *)
+(** The definitions that the root's holds, itself first, each before those it holds
+    and each once. *)
 
 val padding : bytes:int -> member list -> int
 (** What of a struct no member has. *)
