@@ -1,6 +1,6 @@
 #!/bin/sh
 # Examples through each robot's driver and line, with many seeds of noise: what
-# they reach in the simulator they reach here, also when an adapter to USB keeps
+# they reach in the simulator they reach here; BUG also when an adapter to USB keeps
 # bytes back for 16 ms and a step takes 5 ms. Says which seeds are out of bounds.
 #
 # usage: seeds.sh FROBC FROB_LINE EXAMPLES COUNT
@@ -17,23 +17,24 @@ compile () { # EXAMPLE ROBOT
 }
 
 status=0
-each () { # EXAMPLE SECONDS BOUNDS...
-  example=$1 for_s=$2
-  shift 2
+each () { # EXAMPLE SECONDS WAYS BOUNDS...
+  example=$1 for_s=$2 ways=$3
+  shift 3
   for robot in pioneer scout create; do
     program=$(compile "$example" "$robot") || exit 2
     failed=0
     for seed in $(seq 1 "$count"); do
-      for slow in "adapter=0" "adapter=16 step=5"; do
+      for way in $ways; do
+        case $way in prompt) slow= ;; slow) slow="adapter=16 step=5" ;; esac
         "$line" "$program" "$robot" "$examples/$example/world.toml" "$seed" "$for_s" $slow |
           within connections 1 1 stale_readings 0 0 collisions 0 0 "$@" ||
-          { echo "$example on a $robot, seed $seed, $slow"; failed=$((failed + 1)); }
+          { echo "$example on a $robot, seed $seed, $way"; failed=$((failed + 1)); }
       done
     done
-    echo "$example on a $robot behind its line: $failed of $((2 * count)) runs out of bounds"
+    echo "$example on a $robot behind its line: $failed runs out of bounds"
     [ "$failed" -eq 0 ] || status=1
   done
 }
-each bug 360 result true true odometry_error_at_the_end 0 1
-each wall_follow 60 mean_wall_distance_error 0 0.03 largest_wall_distance_error 0 0.2
+each bug 360 "prompt slow" result true true odometry_error_at_the_end 0 1
+each wall_follow 60 prompt mean_wall_distance_error 0 0.03 largest_wall_distance_error 0 0.2
 exit $status
