@@ -29,7 +29,7 @@ analyse() {
     if ! frama-c -eva -eva-precision 3 -eva-auto-loop-unroll 1024 -machdep x86_64 \
         -warn-special-float none -no-warn-invalid-bool \
         -cpp-extra-args="-U__GNUC__ $includes -I $runtime -I $runtime/include" \
-        "$@" >"$work/$name.log" 2>&1 || ! grep -q 'alarms generated' "$work/$name.log"; then
+        "$@" >"$work/$name.log" 2>&1 || ! grep -q 'alarms\{0,1\} generated' "$work/$name.log"; then
         echo "the analysis failed:" >"$work/$name.alarms"
         tail -5 "$work/$name.log" >>"$work/$name.alarms"
         return
