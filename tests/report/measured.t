@@ -3,7 +3,7 @@ and no other functions of the C library or the runtime are called, and no functi
 stack, with and without optimization. For the examples, without those that keep
 state of their own in C,
 
-  $ sh measure.sh $(grep -L '^foreign sf' ../../examples/*/*.frob)
+  $ sh measure.sh $(grep -L '^foreign sf' $(grep -l '^main' ../../examples/*/*.frob))
   all measured
 
 for the programs of other tests,
