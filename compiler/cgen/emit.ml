@@ -8,8 +8,8 @@ type t = {
 
 and foreign = { calls : string list; folders : string list }
 
-let program ?own (program : Machine.Ir.program) =
-  let files = Of_machine.program ?own program in
+let program ?own ?batch (program : Machine.Ir.program) =
+  let files = Of_machine.program ?own ?batch program in
   {
     header = Print.file files.header;
     source = Print.file files.source;

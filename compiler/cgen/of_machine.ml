@@ -174,7 +174,7 @@ let absent (v : V.t) =
 
 let includes headers = String.concat "" (List.map (Printf.sprintf "#include %s\n") headers)
 
-let header (v : V.t) (functions : Ir.function_ list) : Ir.file =
+let header (v : V.t) (functions : Ir.function_ list) ~(batch : Batch.t option) : Ir.file =
   let guard = String.uppercase_ascii v.name ^ "_H" in
   let exact =
     match v.program.real with
@@ -208,6 +208,7 @@ let header (v : V.t) (functions : Ir.function_ list) : Ir.file =
       foreign_prototypes v;
       states v;
       List.map (fun (f : Ir.function_) -> Ir.Prototype { f with comment = "" }) functions;
+      List.map (fun (b : Batch.t) -> Ir.Text b.prototype) (Option.to_list batch);
       [
         Text "#ifdef __cplusplus\n}\n#endif\n#endif\n";
       ];
@@ -231,8 +232,9 @@ typedef char %s[sizeof(%s) == %d ? 1 : -1];
 
 let keys table = List.sort compare (Hashtbl.fold (fun key () keys -> key :: keys) table [])
 
-let program ?own (program : M.program) =
+let program ?own ?(batch = false) (program : M.program) =
   let v = V.of_program ?own program in
+  let batch = if batch then Some (Batch.of_program v) else None in
   let root = Array.length program.nodes - 1 in
   let functions k =
     match v.nodes.(k).foreign with
@@ -267,11 +269,12 @@ let program ?own (program : M.program) =
         absent v;
         wide;
         List.map (fun f -> Ir.Function f) functions;
+        List.map (fun (b : Batch.t) -> Ir.Text b.definition) (Option.to_list batch);
       ]
   in
   {
     name = v.name;
-    header = header v (List.nth of_nodes root);
+    header = header v (List.nth of_nodes root) ~batch;
     source;
     input = v.input;
     output = v.output;

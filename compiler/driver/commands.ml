@@ -101,8 +101,8 @@ let accepted pipeline general (resources : Resources.t) ~entry file continue =
   print_diagnostics general sources sink;
   match result with Some result -> continue result | None -> status sink
 
-let compiled general resources ~entry file continue =
-  accepted Pipeline.compile general resources ~entry file continue
+let compiled ?batch general resources ~entry file continue =
+  accepted (Pipeline.compile ?batch) general resources ~entry file continue
 
 let write path text =
   match open_out_bin path with
@@ -138,10 +138,10 @@ let not_a_file ~folder file =
       (Printf.sprintf "-o takes the folder for %s.c and %s.h; %s is the name of a file (-o %s)" name
          name folder (Filename.dirname folder))
 
-let compile general entry folder file =
+let compile general entry ~batch folder file =
   let* () = not_a_file ~folder file in
   let* resources = Resources.find () in
-  compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
+  compiled ~batch general resources ~entry file (fun (files : Cgen.Emit.t) ->
       if general.dump <> None then Exit_status.ok
       else
         let path extension = Filename.concat folder (Pipeline.c_name file ^ extension) in

@@ -14,7 +14,7 @@ type general = {
 }
 
 val check : general -> string list -> int
-val compile : general -> string -> string -> string -> int
+val compile : general -> string -> batch:bool -> string -> string -> int
 
 type engine =
   | C  (** the compiled program *)
@@ -62,7 +62,8 @@ val explain : string -> int
 val wrong_use : string -> int
 (** Says what is wrong with the call, and not with the program. *)
 
-val compiled : general -> Resources.t -> entry:string -> string -> (Cgen.Emit.t -> int) -> int
+val compiled :
+  ?batch:bool -> general -> Resources.t -> entry:string -> string -> (Cgen.Emit.t -> int) -> int
 (** Compiles a file to C and goes on with it; tells what is wrong with it
     otherwise. *)
 

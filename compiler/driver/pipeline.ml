@@ -233,16 +233,16 @@ let robot_header sink sources ~library (robot : Cgen.Robot.t) =
   let* machine = machine ~robot options sink sources ~library ~entry:"atRest" file in
   Some (Cgen.Interface_header.text robot machine)
 
-let c ?own options sink machine =
+let c ?own ?batch options sink machine =
   let print ppf (files : Cgen.Emit.t) =
     Format.pp_print_string ppf files.header;
     Format.pp_print_string ppf files.source
   in
-  stage options sink C ~lint:ignore ~print (Cgen.Emit.program ?own machine)
+  stage options sink C ~lint:ignore ~print (Cgen.Emit.program ?own ?batch machine)
 
-let compile ?robot options sink sources ~library ~entry file =
+let compile ?batch ?robot options sink sources ~library ~entry file =
   let* machine = machine ?robot options sink sources ~library ~entry file in
-  let* files = c ?own:(own robot) options sink machine in
+  let* files = c ?own:(own robot) ?batch options sink machine in
   match own robot with
   | None -> Some files
   | Some robot ->

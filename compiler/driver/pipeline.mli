@@ -41,6 +41,7 @@ val machine :
     program was rejected, or if [stop_after] came first. *)
 
 val compile :
+  ?batch:bool ->
   ?robot:Cgen.Robot.t ->
   options ->
   Diagnostic.sink ->
@@ -49,8 +50,8 @@ val compile :
   entry:string ->
   string ->
   Cgen.Emit.t option
-(** The whole chain, for one entry of the file's module. [None] if the program
-    was rejected, or if [stop_after] came first. *)
+(** The whole chain, for one entry of the file's module; [batch] as for {!Cgen.Emit.program}.
+    [None] if the program was rejected, or if [stop_after] came first. *)
 
 val interpretable :
   ?robot:Cgen.Robot.t ->

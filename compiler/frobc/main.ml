@@ -116,8 +116,15 @@ let compile =
     let doc = "The folder for the C files." in
     Arg.(value & opt string "." & info [ "o"; "output" ] ~docv:"DIR" ~doc)
   in
+  let batch =
+    let doc =
+      "With a function NAME_steps that takes many steps in one call, for replay and simulation."
+    in
+    Arg.(value & flag & info [ "batch" ] ~doc)
+  in
+  let run general entry batch folder file = Commands.compile general entry ~batch folder file in
   command "compile" ~doc:"translate a program to C: NAME.c and NAME.h"
-    Term.(const Commands.compile $ general $ entry $ folder $ file)
+    Term.(const run $ general $ entry $ batch $ folder $ file)
 
 let trace =
   let input =

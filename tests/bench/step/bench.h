@@ -4,7 +4,10 @@
  * A program's bench.c says BENCH(name) and defines make_input. Both steps get
  * the same table of inputs and store all outputs in tables, which must be
  * equal in the end. The hand-written step takes the generated structs of input
- * and output, so that it could stand in for the other. */
+ * and output, so that it could stand in for the other.
+ *
+ * With BENCH_BATCH the generated step stands beside itself: all instants in one call
+ * (`frobc compile --batch`), and a call for each. */
 #ifndef FROB_BENCH_H
 #define FROB_BENCH_H
 
@@ -43,17 +46,25 @@ int bench_main(const struct bench *bench, int argc, char **argv);
 /* Kept apart whatever the compiler sees, so that its instructions can be counted. */
 #define BENCH_PASS __attribute__((noinline))
 
-#define BENCH(program)                                                         \
-    static struct program##_input input[INSTANTS];                             \
-    static struct program##_output generated[INSTANTS], by_hand[INSTANTS];     \
-    static struct program##_state generated_state;                             \
-    static struct by_hand by_hand_state;                                       \
-    static void make_input(size_t i);                                          \
-    static void make_inputs(void)                                              \
+#ifdef BENCH_BATCH
+#define BENCH_PASSES(program)                                                  \
+    static struct program##_state by_hand_state;                               \
+    static BENCH_PASS void generated_pass(void)                                \
     {                                                                          \
-        for (size_t i = 0; i < INSTANTS; i++)                                  \
-            make_input(i);                                                     \
+        program##_reset(&generated_state);                                     \
+        program##_steps(&generated_state, INSTANTS, bench_dt, input,           \
+                        generated);                                            \
     }                                                                          \
+    static BENCH_PASS void by_hand_pass(void)                                  \
+    {                                                                          \
+        program##_reset(&by_hand_state);                                       \
+        for (size_t i = 0; i < INSTANTS; i++)                                  \
+            program##_step(&by_hand_state, bench_dt[i], &input[i],             \
+                           &by_hand[i]);                                       \
+    }
+#else
+#define BENCH_PASSES(program)                                                  \
+    static struct by_hand by_hand_state;                                       \
     static BENCH_PASS void generated_pass(void)                                \
     {                                                                          \
         program##_reset(&generated_state);                                     \
@@ -66,7 +77,20 @@ int bench_main(const struct bench *bench, int argc, char **argv);
         by_hand_reset(&by_hand_state);                                         \
         for (size_t i = 0; i < INSTANTS; i++)                                  \
             by_hand_step(&by_hand_state, bench_dt[i], &input[i], &by_hand[i]); \
+    }
+#endif
+
+#define BENCH(program)                                                         \
+    static struct program##_input input[INSTANTS];                             \
+    static struct program##_output generated[INSTANTS], by_hand[INSTANTS];     \
+    static struct program##_state generated_state;                             \
+    static void make_input(size_t i);                                          \
+    static void make_inputs(void)                                              \
+    {                                                                          \
+        for (size_t i = 0; i < INSTANTS; i++)                                  \
+            make_input(i);                                                     \
     }                                                                          \
+    BENCH_PASSES(program)                                                      \
     int main(int argc, char **argv)                                            \
     {                                                                          \
         const struct bench bench = {make_inputs,                               \

@@ -81,6 +81,24 @@ measure_linked() {
         "$(instructions "$made" by_hand_pass)" instructions
 }
 
+# All steps in one call beside a call for each.
+measure_batch() {
+    compiler=$1
+    flags="-O2 $exact"
+    made=$out/$program-$compiler-batch
+    include="-I $out/batch -I $here -I $here/$program -I runtime/include"
+    mkdir -p "$out/batch"
+    "$frobc" compile --batch "$here/$program/$program.frob" -o "$out/batch"
+    # shellcheck disable=SC2086
+    {
+        $compiler $flags $warnings $include -c "$out/batch/$program.c" -o "$made.o"
+        $compiler $flags $warnings $include -DBENCH_BATCH "$here/$program/bench.c" "$here/bench.c" \
+            "$made.o" $library -lm -o "$made"
+    }
+    set -- $("$made" $rounds)
+    row "step time, many in a call" "$compiler -O2" "$1" "$2" ns
+}
+
 # The generated step beside Copilot's: C that `copilot.hs` writes, compiled alike.
 measure_copilot() {
     tool=$out/$program-copilot
@@ -137,6 +155,8 @@ for program in "$@"; do
             measure_linked "$compiler" "$level"
         done
     done
+    measure_batch gcc
+    measure_batch clang
     if [ -f "$here/$program/copilot.hs" ]; then
         if has_copilot; then measure_copilot; else skipped "step time beside Copilot" ghc; fi
     fi
