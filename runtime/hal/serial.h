@@ -34,8 +34,8 @@ struct frob_serial_operations {
     enum frob_status (*wait)(void *port, int64_t until_ns);
 
     /* Changes the rate, in bits per second, after all that was written has
-     * left. FROB_UNSUPPORTED if the port cannot; on a line without a rate,
-     * such as TCP, it does nothing. */
+     * left. FROB_UNSUPPORTED, and nothing done, if the port cannot: the rate is
+     * fixed, or somebody else's, as that of a bridge behind TCP. */
     enum frob_status (*set_rate)(void *port, uint32_t bits_per_s);
 
     /* Forgets what has arrived and was not read. */

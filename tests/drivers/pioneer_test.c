@@ -237,6 +237,7 @@ static void handshake(void)
 
 static void rates(void)
 {
+    size_t before;
     start();
     other.rate = 57600;
     connect_again();
@@ -250,6 +251,18 @@ static void rates(void)
     values[FROB_PIONEER_SWITCH_BAUD] = 0.0;
     connect_again();
     check(run(1000) == FROB_ROBOT_READY && line.rate == 9600, "a setting: no switching");
+    start();
+    line.refuses_rates = true; /* a bridge that keeps its rate */
+    connect_again();
+    check(run(1000) == FROB_ROBOT_READY && count_of(FROB_P2OS_HOSTBAUD) == 0,
+          "a line that cannot change its rate: the robot is not told to");
+    before = count_of(FROB_P2OS_VEL);
+    for (int i = 0; i < 50; i++)
+        run_commanding(20, 0.01 * i, 0.01 * i);
+    check(count_of(FROB_P2OS_VEL) - before <= 42, "and its rate may be a slow one");
+    line.refuses_rates = false;
+    connect_again();
+    check(run(2500) == FROB_ROBOT_READY && line.rate == 38400, "one that can: it is, later too");
     start();
     other.silent = true;
     connect_again();

@@ -232,6 +232,7 @@ static void tcp_again(void)
     struct sockaddr_in address;
     socklen_t size = sizeof address;
     struct frob_posix_line line;
+    struct frob_serial serial;
     int server = socket(AF_INET, SOCK_STREAM, 0), queued[8], accepted;
     int64_t began_ns;
     enum frob_status status;
@@ -265,6 +266,9 @@ static void tcp_again(void)
     bind(server, (const struct sockaddr *)&address, sizeof address);
     listen(server, 1);
     check(frob_posix_reopen(&line, device, 9600) == FROB_OK, "and found when it is back");
+    serial = frob_posix_serial(&line);
+    check(serial.operations->set_rate(serial.port, 38400) == FROB_UNSUPPORTED,
+          "the rate behind TCP is not ours to change");
     frob_posix_close(&line);
     close(server);
 }

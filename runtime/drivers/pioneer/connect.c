@@ -30,6 +30,7 @@ static enum frob_status set_rate(struct frob_pioneer *d, uint32_t rate)
     enum frob_status status = d->serial.operations->set_rate(d->serial.port, rate);
     if (status == FROB_OK)
         d->rate = rate;
+    d->rate_fixed = status == FROB_UNSUPPORTED;
     /* A line that has but one rate is tried at that. */
     return status == FROB_UNSUPPORTED ? FROB_OK : status;
 }
@@ -161,9 +162,10 @@ static int32_t baud_number(uint32_t rate)
     }
 }
 
+/* Not where the line could not follow: there the robot would be lost. */
 static bool switches(const struct frob_pioneer *d)
 {
-    return d->model.switch_rate != d->rate && baud_number(d->model.switch_rate) >= 0;
+    return !d->rate_fixed && d->model.switch_rate != d->rate && baud_number(d->model.switch_rate) >= 0;
 }
 
 /* One command of the session's beginning. Both speeds are zero before the

@@ -27,7 +27,7 @@ static const struct frob_setting settings[FROB_PIONEER_SETTING_COUNT] = {
     { "motors-flag", NAN, 0, 1, "1: the flags say whether the motors are on" },
     { "hard-stop", 0, 0, 1, "1: stop without a ramp (E_STOP) in an emergency" },
     { "silence", 1.0, 0.1, 60, "s without a packet after which the connection is made anew" },
-    { "interval", NAN, 0.01, 1, "s between commands at the least; 0.01, at 9600 baud 0.025" },
+    { "interval", NAN, 0.01, 1, "s between commands at the least; 0.01, at 9600 baud or an unknown rate 0.025" },
     { "carry-on", 1, 0, 1, "1: between packets, odometry goes on by the wheels' speeds" },
 };
 
@@ -107,11 +107,11 @@ static enum frob_status send_second(struct frob_pioneer *d)
 }
 
 /* VEL and RVEL are 18 bytes: as often as a program steps they would fill a slow
- * line, and wait in it. */
+ * line, and wait in it. One whose rate is not known may be slow. */
 static double interval_s(const struct frob_pioneer *d)
 {
     double set = d->settings[FROB_PIONEER_INTERVAL];
-    return isnan(set) ? (d->rate != 0 && d->rate <= 9600 ? 0.025 : 0.01) : set;
+    return isnan(set) ? (d->rate <= 9600 ? 0.025 : 0.01) : set;
 }
 
 /* When the first command may go: at once if it is the first or if it stops. */

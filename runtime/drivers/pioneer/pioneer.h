@@ -85,6 +85,7 @@ struct frob_pioneer {
     uint32_t good_rate;   /* at which a robot has answered; 0: not known */
     uint32_t sync_rate;   /* at which it has shaken hands; 0: not known */
     bool switch_failed;   /* at the switched rate nothing was heard */
+    bool rate_fixed;      /* the line could not change to the rate last tried */
 
     struct frob_p2os_identity identity;
     struct frob_p2os_model model; /* with the settings that replace its factors */

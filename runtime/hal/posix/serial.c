@@ -236,7 +236,7 @@ static enum frob_status line_set_rate(void *port, uint32_t bits_per_s)
     if (line->lost)
         return FROB_LOST;
     if (!line->is_terminal)
-        return FROB_OK;
+        return FROB_UNSUPPORTED;
     if (frob_posix_set_terminal_rate(line->fd, bits_per_s) == 0)
         return FROB_OK;
     return errno == EINVAL ? FROB_UNSUPPORTED : lost(line);
