@@ -58,7 +58,7 @@ let runtime_folders (resources : Resources.t) =
 
 let write_library (resources : Resources.t) ~folder ~name ~sources generated =
   let ( let* ) = Result.bind in
-  let source = folder / "src" and example = folder / "examples" / "drive" in
+  let source = folder / "src" and example = folder / "examples" / name in
   let* () = Commands.writable_folder source in
   let* () = Commands.write (folder / "library.json") (manifest name) in
   let* () = each (fun (file, text) -> Commands.write (source / file) text) generated in

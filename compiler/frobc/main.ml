@@ -313,7 +313,7 @@ let export =
   let folder =
     let doc =
       "Write a library folder for PlatformIO: library.json, the C in $(b,src), and a main program \
-       for boards with the Arduino framework in $(b,examples)."
+       for boards with the Arduino framework in $(b,examples), in a folder of the program's name."
     in
     Arg.(required & opt (some string) None & info [ "platformio" ] ~docv:"DIR" ~doc)
   in

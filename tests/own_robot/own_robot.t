@@ -46,6 +46,8 @@ All its C files may be given at once.
   $ frobc build $follow --robot $rover/Rover.frob $all --target linux -o wall_follow && ./wall_follow --help | grep watchdog
     watchdog           the robot stops by itself after so many ms without a speed, 100 to 2000 (500)
   $ frobc export $follow --robot $rover/Rover.frob $all --platformio library
+  $ ls library/examples
+  wall_follow
   $ ls library/src | grep -i rover
   rover.h
   rover_board.c

@@ -108,7 +108,7 @@ for_arduino () {
     "$frobc" export "$program" --robot pioneer --platformio "$library"
     set -- avr-g++ -mmcu=atmega2560 -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_ARCH_AVR -std=gnu++11 \
         -Os -I"$library/src" -I"$core/cores/arduino" \
-        -I"$core/variants/mega" -c "$library/examples/drive/main.cpp" -o "$work/main.o"
+        -I"$core/variants/mega" -c "$library/examples/$(basename "$program" .frob)/main.cpp" -o "$work/main.o"
     refused () { ! "$@" 2>"$work/refusal" && grep -q "needs a double of 64 bits" "$work/refusal"; }
     check "arduino: an AVR is refused" refused "$@"
     check "arduino: the main program fits the core" "$@" '-Dstatic_assert(condition,text)='
