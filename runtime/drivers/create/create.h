@@ -14,6 +14,11 @@
  * to 513 bytes (a song), during which the robot hears nothing: when it is
  * connected to, or stopped because it is not heard, as many zeros go out.
  *
+ * A packet that no field of the input needs is not asked for, so that a frame
+ * stays short. So 45, a bit for each light bumper, is not: the signals 46 to 51
+ * tell more. Nor is 23, the battery's current: 21 tells whether it charges, 25
+ * and 26 how full it is.
+ *
  * What sources disagree on is in the table of settings. */
 #ifndef FROB_DRIVERS_CREATE_CREATE_H
 #define FROB_DRIVERS_CREATE_CREATE_H
