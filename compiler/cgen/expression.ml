@@ -247,7 +247,7 @@ let rec of_machine n (e : M.expr) : Ir.expr =
       Call (n.v.nodes.(node).step, arguments n n.v.program.nodes.(node).step.parameters given)
   | In_nanoseconds e -> Call (V.helper n.v Time_in_nanoseconds, [ of_machine n e ])
   | Seconds e -> Binary (Over, Cast (V.real n.v, of_machine n e), V.float n.v 1e9)
-  | Soon (a, b) -> Binary (Plus, of_machine n a, of_machine n b)
+  | Soon (a, b) -> Call (V.helper n.v Soon, [ of_machine n a; of_machine n b ])
   | Later (a, b) -> Call (V.helper n.v Later, [ of_machine n a; of_machine n b ])
   | Reached { time; period = Float period } when is_whole_period period ->
       Binary (Less_equal, Long (Int64.of_float period), of_machine n time)

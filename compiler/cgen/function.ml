@@ -31,7 +31,6 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let desc =
         match value with
         | Operation { operator = Add; ty = Float; arguments = [ first; amount ] }
-        | Soon (first, amount)
           when expression c first = target' ->
             Ir.Add_to (target', expression c amount)
         | value -> Assign (target', expression c value)

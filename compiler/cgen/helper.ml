@@ -29,6 +29,7 @@ type t =
   | Time_in_nanoseconds
   | Time_span
   | Later
+  | Soon
   | Reached
   | Rest
   | Branch
@@ -376,6 +377,16 @@ static inline int64_t frob_later(int64_t time, int64_t ns)
 {
     const uint64_t later = (uint64_t)time + (uint64_t)ns;
     return later < (uint64_t)INT64_MAX ? (int64_t)later : INT64_MAX;
+}
+|} );
+    ( Soon,
+      "frob_soon",
+      [],
+      {|/* A local time after some more nanoseconds, where it stays far from the end of time. */
+static inline int64_t frob_soon(int64_t time, int64_t ns)
+{
+    const uint64_t soon = (uint64_t)time + (uint64_t)ns;
+    return (int64_t)soon;
 }
 |} );
     ( Reached,

@@ -37,6 +37,7 @@ type t =
   | Time_in_nanoseconds  (** of a local time *)
   | Time_span  (** nanoseconds within bounds; in single precision only *)
   | Later
+  | Soon  (** where [Later] would not saturate *)
   | Reached
   | Rest
   | Branch  (** the condition of an [if] that is to stay one *)

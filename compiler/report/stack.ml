@@ -55,11 +55,10 @@ let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
 let rec calls (e : M.expr) =
   match e with
   | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Variable _ | Field _ -> false
-  | Construct _ | Call _ | In_nanoseconds _ | Later _ | Reached _ | Rest _ | Fill _ | At _ | Replace _ -> true
+  | Construct _ | Call _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ | Fill _ | At _ | Replace _ -> true
   | Elements { elements; _ } -> List.exists calls elements
   | Index { array; _ } -> calls array
   | Payload { value; _ } | Is_constructor { value; _ } | Seconds value -> calls value
-  | Soon (a, b) -> calls a || calls b
   | Select { condition; then_; else_ } -> List.exists calls [ condition; then_; else_ ]
   | Operation { operator; ty; arguments } -> (
       match code_of operator ty with
@@ -152,10 +151,7 @@ let rec within c frame ~calling (e : M.expr) =
       needs_helper frame helper;
       need frame word;
       all [ e ]
-  | Soon (a, b) ->
-      intermediate ();
-      all [ a; b ]
-  | Later (a, b) | Reached { time = a; period = b } | Rest { time = a; period = b } ->
+  | Later (a, b) | Soon (a, b) | Reached { time = a; period = b } | Rest { time = a; period = b } ->
       needs_helper frame helper;
       need frame word;
       all [ a; b ]

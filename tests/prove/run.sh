@@ -37,16 +37,12 @@ analyse() {
     sed -n '/^\[eva:alarm\]/{N;s/\n */ /;p;}' "$work/$name.log" >"$work/$name.alarms"
 }
 
-# A local time that ends its mode long before the end of time: the page argues it.
-argued='signed overflow. assert [A-Za-z0-9_.>-]*time[_0-9]* + dt_ns ≤ 9223372036854775807;'
-
 verdict() { # NAME, and what is proven
-    if grep -v "$argued" "$work/$1.alarms" >"$work/$1.wrong"; then
+    if [ -s "$work/$1.alarms" ]; then
         echo "FAIL $1"
-        cat "$work/$1.wrong"
+        cat "$work/$1.alarms"
     else
-        sums=$(wc -l <"$work/$1.alarms")
-        [ "$sums" -eq 0 ] && echo "ok $1: $2" || echo "ok $1: $2; sums of times that the page argues: $sums"
+        echo "ok $1: $2"
     fi
 }
 
