@@ -137,9 +137,8 @@ let constructors path =
 
 let elementary path = found_in path (fun line -> Scanf.sscanf line "double %[a-z0-9_](" Fun.id)
 
-(* What only other helpers call is with them. Of the last two no program is known
-   that has them: the library's minima of arrays are loops without a helper. *)
-let left_out = [ "frob_wrap"; "frob_least"; "frob_largest" ]
+(* What only other helpers call is with them. *)
+let called_by_helpers_only = [ "frob_wrap" ]
 
 let () =
   let library = Sys.argv.(1) and folder = Sys.argv.(2) in
@@ -149,7 +148,7 @@ let () =
   let wanted =
     [
       ("constructors", constructors Sys.argv.(3));
-      ("helpers", List.filter (fun name -> not (List.mem name left_out)) Cgen.Helper.names);
+      ("helpers", List.filter (fun name -> not (List.mem name called_by_helpers_only)) Cgen.Helper.names);
       ("elementary functions", elementary Sys.argv.(4));
       ("operations on arrays", List.map (fun o -> "array " ^ Cgen.Array_type.suffix o) Cgen.Array_type.operations);
     ]
