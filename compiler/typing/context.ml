@@ -34,7 +34,7 @@ type t = {
   real : Real.t;
   globals : entry Resolve.Global_table.t;
   locals : Type.scheme Int_table.t;
-  owners : (int, Mistake.owned) Hashtbl.t;
+  owners : (int, Signature_mistake.owned) Hashtbl.t;
   given : (int, Ir.class_ list) Hashtbl.t;
   needs : (constraint_, required) Hashtbl.t;
   scope : Written.scope;
@@ -71,7 +71,7 @@ let report t diagnostic =
 
 let errors t = t.group.errors
 
-let expect t ?subject ~at (expected : Mistake.expected) found =
+let expect t ?subject ~at (expected : Expected.t) found =
   match Unify.types expected.ty found with
   | Ok () -> ()
   | Error clash ->
@@ -140,7 +140,7 @@ let check_context t (written : Resolve.Ir.scheme) (scheme : Type.scheme) =
 let with_variables t ~by (written : Resolve.Ir.scheme) =
   let depth = t.depth + 1 in
   let scheme, scope = Written.signature t.reader t.scope ~depth written in
-  let owned : Mistake.owned = { by; place = written.span } in
+  let owned : Signature_mistake.owned = { by; place = written.span } in
   let own (v : Ir.variable) = Hashtbl.replace t.owners v.id owned in
   List.iter (fun (r : Type.rigid) -> own r.variable) scheme.types;
   List.iter (fun (r : Units.rigid) -> own r.variable) (scheme.representations @ scheme.units);
@@ -194,7 +194,7 @@ type typed = { ty : Type.t; build : Ir.expr later }
 
 type expressions = {
   infer : t -> Resolve.Ir.expr -> typed;
-  check : t -> Resolve.Ir.expr -> Mistake.expected -> Ir.expr later;
+  check : t -> Resolve.Ir.expr -> Expected.t -> Ir.expr later;
 }
 
 exception Too_large of Span.t

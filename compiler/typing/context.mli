@@ -47,7 +47,7 @@ type t = {
   real : Real.t;
   globals : entry Resolve.Global_table.t;
   locals : Type.scheme Int_table.t;  (** by id, which is unique *)
-  owners : (int, Mistake.owned) Hashtbl.t;  (** see {!Mistake.owner} *)
+  owners : (int, Signature_mistake.owned) Hashtbl.t;  (** see {!Signature_mistake.owner} *)
   given : (int, Ir.class_ list) Hashtbl.t;
       (** what signatures around promise of their variables, by id *)
   needs : (constraint_, required) Hashtbl.t;
@@ -84,7 +84,7 @@ val expect :
   t ->
   ?subject:Resolve.Ir.expr ->
   at:Span.t ->
-  Mistake.expected ->
+  Expected.t ->
   Type.t ->
   unit
 (** The type that was found is the expected one, or that is reported. *)
@@ -137,7 +137,7 @@ type typed = { ty : Type.t; build : Ir.expr later }
     them. *)
 type expressions = {
   infer : t -> Resolve.Ir.expr -> typed;
-  check : t -> Resolve.Ir.expr -> Mistake.expected -> Ir.expr later;
+  check : t -> Resolve.Ir.expr -> Expected.t -> Ir.expr later;
       (** Reports what does not fit. *)
 }
 

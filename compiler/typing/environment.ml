@@ -60,6 +60,18 @@ let array = built_in "Array"
 let array_of size element : Type.t = Data { tycon = array; units = []; arguments = [ size; element ] }
 let task = built_in "Task"
 let task_of input output result : Type.t = Data { tycon = task; units = []; arguments = [ input; output; result ] }
+
+let as_task t =
+  match Type.expand t with
+  | Data { tycon; arguments = [ input; output; result ]; _ } when tycon = task ->
+      Some (input, output, result)
+  | _ -> None
+
+let is_task t = as_task t <> None
+
+let is_event t =
+  match Type.expand t with Data { tycon; _ } -> tycon = built_in "Event" | _ -> false
+
 let sequence = built_in "do"
 let add_constructor t c = Global_table.replace t.constructors c.ir.constructor c
 let constructor t name = found "constructor" t.constructors name

@@ -43,6 +43,12 @@ val task : Ir.Global.t
 val task_of : Type.t -> Type.t -> Type.t -> Type.t
 (** Of input, output and result. *)
 
+val as_task : Type.t -> (Type.t * Type.t * Type.t) option
+(** Its input, output and result, if the type is that of a task. *)
+
+val is_task : Type.t -> bool
+val is_event : Type.t -> bool
+
 val sequence : Ir.Global.t
 (** The primitive that [do] stands for: a task, then the function that gives the
     task after it. Its name is a keyword, so no program can say it. *)

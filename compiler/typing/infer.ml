@@ -43,7 +43,7 @@ let signature ctx declared (b : Resolve.Ir.binding) =
       Global_table.replace ctx.globals name { scheme; kind = Defined; at = Some written.span };
       Global_table.replace declared name { scheme; inner; at = written.span }
 
-let expectation ctx declared ~recursive (b : Resolve.Ir.binding) : Context.t * Mistake.expected =
+let expectation ctx declared ~recursive (b : Resolve.Ir.binding) : Context.t * Expected.t =
   let name, at = top b in
   match Global_table.find_opt declared name with
   | Some { scheme; inner; at } ->
@@ -54,7 +54,7 @@ let expectation ctx declared ~recursive (b : Resolve.Ir.binding) : Context.t * M
       let ty = Context.fresh ctx in
       let scheme = Type.monomorphic ty in
       Global_table.replace ctx.globals name { scheme; kind = Recursive; at = None };
-      let because = if recursive then Mistake.Uses { name = name.name; at } else Unknown in
+      let because = if recursive then Expected.Uses { name = name.name; at } else Unknown in
       (ctx, { ty; because })
 
 let check ~name (b : Resolve.Ir.binding) (inner, expected) =
@@ -69,7 +69,7 @@ let generalize ctx declared bindings expectations =
       (fun (b, _) -> not (Global_table.mem declared (fst (top b))))
       (List.combine bindings expectations)
   in
-  let types = List.map (fun (_, (_, (e : Mistake.expected))) -> e.ty) unsigned in
+  let types = List.map (fun (_, (_, (e : Expected.t))) -> e.ty) unsigned in
   let quantified = Generalize.types ctx.reader.supply ~depth:ctx.depth types in
   let context = Classes.solve ctx quantified in
   List.iter2
@@ -108,7 +108,7 @@ let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
   | Some { scheme; at; _ } when errors ctx = 0 ->
       List.map (fun (r : Type.rigid) -> r.variable) scheme.types
       @ List.map (fun (r : Units.rigid) -> r.variable) scheme.representations
-      |> List.filter_map (Mistake.variable_like_a_type ~at)
+      |> List.filter_map (Signature_mistake.variable_like_a_type ~at)
       |> List.iter (Diagnostic.emit ctx.reader.sink)
   | Some _ | None -> ()
 
@@ -134,7 +134,7 @@ let method_definition ctx (inner : Context.t) (m : Class_declarations.method_)
     (scheme : Type.scheme) (b : Resolve.Ir.binding) =
   let ctx = in_group ctx in
   Classes.give ctx scheme;
-  let expected : Mistake.expected =
+  let expected : Expected.t =
     { ty = scheme.body; because = Signature { name = m.name.name; at = m.signature } }
   in
   let value = check ~name:m.name.name b ({ inner with group = ctx.group }, expected) in

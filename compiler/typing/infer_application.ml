@@ -43,14 +43,14 @@ let deciding parameters arguments =
   of_parameters [] parameters arguments
 
 (* Why the argument must have the parameter's type. *)
-let reason ~(head : Resolve.Ir.expr) ~decided_by ~before ~previous argument : Mistake.reason =
+let reason ~(head : Resolve.Ir.expr) ~decided_by ~before ~previous argument : Expected.reason =
   match (argument.style, previous) with
   | Operator operator, Some ((other : Resolve.Ir.expr), other_type) ->
       Operand { operator; other; other_type }
   | (Operator _ | Juxtaposed | Command), _ ->
       Parameter
         {
-          callee = Mistake.name_of head;
+          callee = Plain_name.of_expr head;
           at = head.span;
           position = argument.position;
           decided_by;
@@ -117,7 +117,7 @@ let step expressions ctx ~(head : Resolve.Ir.expr) ~negative ~because ~previous 
   (* The result, and the type of the argument. *)
   let known decision parameter output =
     let before = errors ctx in
-    let expected = Mistake.expecting because parameter in
+    let expected = Expected.make because parameter in
     let value =
       match argument.style with
       | Operator _ ->

@@ -1,12 +1,12 @@
 open Basis
 open Context
 
-let beside (expected : Mistake.expected) at : Mistake.expected =
+let beside (expected : Expected.t) at : Expected.t =
   match expected.because with Unknown -> { expected with because = Branch at } | _ -> expected
 
 (* {1 Functions} *)
 
-let too_many_parameters ctx ~name ~at (expected : Mistake.expected) ~left allowed =
+let too_many_parameters ctx ~name ~at (expected : Expected.t) ~left allowed =
   report ctx (fun words ->
       let what = match name with Some name -> "`" ^ name ^ "`" | None -> "this function" in
       let diagnostic =
@@ -17,13 +17,13 @@ let too_many_parameters ctx ~name ~at (expected : Mistake.expected) ~left allowe
             Diagnostic.error ~code:"E0302" ~at "%s has more than the %d parameters that its type allows"
               what allowed
       in
-      let diagnostic = Mistake.explain words expected.because expected.ty diagnostic in
+      let diagnostic = Expected.explain words expected diagnostic in
       match Type.expand left with
       | Signal_function _ ->
           Diagnostic.hint "a signal function takes its signal in a `proc`: `proc x -> …`" diagnostic
       | _ -> diagnostic)
 
-let abstraction ctx ~at ~name parameters (expected : Mistake.expected) body =
+let abstraction ctx ~at ~name parameters (expected : Expected.t) body =
   let parameter (patterns, rest, position) (p : Resolve.Ir.pattern) =
     let from, into =
       match Type.expand rest with
@@ -66,7 +66,7 @@ let span_of_guards guards (last : Resolve.Ir.expr) =
   | { condition = Some first; _ } :: _ -> Span.merge first.span last.span
   | _ -> last.span
 
-let guards expressions ctx (guards : Resolve.Ir.guarded list) (expected : Mistake.expected) =
+let guards expressions ctx (guards : Resolve.Ir.guarded list) (expected : Expected.t) =
   let rec go conditional expected : Resolve.Ir.guarded list -> _ = function
     | [] -> (conditional, None)
     | [ { condition = None; value } ] -> (conditional, Some (expressions.check ctx value expected))
@@ -184,14 +184,14 @@ and binding expressions ctx ~recursive (b : Resolve.Ir.binding) prepared : Ir.bi
   match prepared with
   | `Signed ((local : Ir.Local.t), { scheme; inner; at }) ->
       Classes.give ctx scheme;
-      let expected : Mistake.expected =
+      let expected : Expected.t =
         { ty = scheme.body; because = Signature { name = local.name; at } }
       in
       let value = value inner ~name:(Some local.name) expected in
       finish (bound local scheme.body) scheme value
   | `Plain ((local : Ir.Local.t), ty) ->
       let because =
-        if recursive then Mistake.Uses { name = local.name; at = local.span } else Unknown
+        if recursive then Expected.Uses { name = local.name; at = local.span } else Unknown
       in
       let value = value ctx ~name:(Some local.name) { ty; because } in
       finish (bound local ty) (Type.monomorphic ty) value

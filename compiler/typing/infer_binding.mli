@@ -11,13 +11,13 @@ val abstraction :
   at:Span.t ->
   name:string option ->
   Resolve.Ir.pattern list ->
-  Mistake.expected ->
-  (Mistake.expected -> Ir.expr later) ->
+  Expected.t ->
+  (Expected.t -> Ir.expr later) ->
   Ir.expr later
 (** A function of parameters, given how its body is checked; [name] if it is
     a definition. Without parameters the body itself. *)
 
-val right : expressions -> t -> Resolve.Ir.right -> Mistake.expected -> Ir.expr later
+val right : expressions -> t -> Resolve.Ir.right -> Expected.t -> Ir.expr later
 (** Guards under their [where]. *)
 
 val declarations : expressions -> t -> Resolve.Ir.declarations -> Ir.binding list later
@@ -27,5 +27,5 @@ val annotated :
   expressions -> t -> Resolve.Ir.expr -> Resolve.Ir.expr -> Resolve.Ir.scheme -> typed
 (** [(e :: T)]: as a local binding with that signature. *)
 
-val beside : Mistake.expected -> Span.t -> Mistake.expected
+val beside : Expected.t -> Span.t -> Expected.t
 (** What is expected of the branches after one at that place. *)

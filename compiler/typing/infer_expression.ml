@@ -76,11 +76,11 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
       { ty; build = node e.span ty (fun () -> Number value) }
   | Negate operand ->
       let ty = Context.fresh_number ctx in
-      let because : Mistake.reason =
+      let because : Expected.reason =
         Parameter
           { callee = Some "-"; at = e.span; position = 1; decided_by = None; before = None }
       in
-      let operand = check ctx operand (Mistake.expecting because ty) in
+      let operand = check ctx operand (Expected.make because ty) in
       { ty; build = node e.span ty (fun () -> Negate (operand ())) }
   | Power { base; exponent } ->
       let typed = infer ctx base in
@@ -94,14 +94,14 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
   | Annotated { expr; scheme } -> Infer_binding.annotated expressions ctx e expr scheme
   | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ ->
       let ty = Context.fresh ctx in
-      let build = check ctx e (Mistake.expecting Unknown ty) in
+      let build = check ctx e (Expected.make Unknown ty) in
       { ty; build }
 
-and check ctx (e : Resolve.Ir.expr) (expected : Mistake.expected) : Ir.expr later =
+and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   let build desc = node e.span expected.ty desc in
   match (e.desc, Type.expand expected.ty) with
   | If { condition; then_; else_ }, _ ->
-      let condition = check ctx condition (Mistake.expecting Condition Bool) in
+      let condition = check ctx condition (Expected.make Condition Bool) in
       let yes = check ctx then_ expected in
       let no = check ctx else_ (Infer_binding.beside expected then_.span) in
       build (fun () ->
@@ -139,9 +139,9 @@ and check ctx (e : Resolve.Ir.expr) (expected : Mistake.expected) : Ir.expr late
       typed.build
 
 (* What the first element is, the others must be. *)
-and array_elements ctx (expected : Mistake.expected) elements =
-  let check (done_, (expected : Mistake.expected)) (element : Resolve.Ir.expr) =
-    let because : Mistake.reason =
+and array_elements ctx (expected : Expected.t) elements =
+  let check (done_, (expected : Expected.t)) (element : Resolve.Ir.expr) =
+    let because : Expected.reason =
       match expected.because with Element _ as first -> first | _ -> Element element.span
     in
     (check ctx element expected :: done_, { expected with because })
@@ -154,7 +154,7 @@ and array ctx (e : Resolve.Ir.expr) elements =
         Diagnostic.error ~code:"E0333" ~at:e.span "an array has at least one element");
   let element = Context.fresh ctx in
   let ty = Environment.array_of (Size (max 1 (List.length elements))) element in
-  let elements = array_elements ctx (Mistake.expecting Unknown element) elements in
+  let elements = array_elements ctx (Expected.make Unknown element) elements in
   let build = node e.span ty (fun () -> Array (List.map (fun build -> build ()) elements)) in
   { ty; build }
 

@@ -1,7 +1,7 @@
 open Basis
 open Context
 
-let bind ctx (local : Ir.Local.t) (expected : Mistake.expected) =
+let bind ctx (local : Ir.Local.t) (expected : Expected.t) =
   match Int_table.find_opt ctx.locals local.id with
   | Some declared ->
       expect ctx ~at:local.span
@@ -9,7 +9,7 @@ let bind ctx (local : Ir.Local.t) (expected : Mistake.expected) =
         expected.ty
   | None -> Int_table.replace ctx.locals local.id (Type.monomorphic expected.ty)
 
-let rec check ctx (p : Resolve.Ir.pattern) (expected : Mistake.expected) : Ir.pattern later =
+let rec check ctx (p : Resolve.Ir.pattern) (expected : Expected.t) : Ir.pattern later =
   let node desc () : Ir.pattern =
     let desc = desc () in
     { desc; ty = Final.ty expected.ty; span = p.span }

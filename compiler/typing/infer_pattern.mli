@@ -2,4 +2,4 @@
     types found for them, unless a signature has given them one before. *)
 
 val check :
-  Context.t -> Resolve.Ir.pattern -> Mistake.expected -> Ir.pattern Context.later
+  Context.t -> Resolve.Ir.pattern -> Expected.t -> Ir.pattern Context.later

@@ -26,7 +26,7 @@ let suggest (name : Syntax.Ir.name) known diagnostic =
 
 let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
   report ctx (fun words ->
-      let described = Mistake.described words ty in
+      let described = Show.described words ty in
       Diagnostic.error ~code:"E0310" ~at:name.span "%s has no field `%s`" described name.text
       |> Diagnostic.label ~at:record.span ("this is " ^ described)
       |> suggest name known)
@@ -123,7 +123,7 @@ let construct expressions ctx (e : Resolve.Ir.expr) name fields =
   let types = Array.of_list types in
   let field ((name : Syntax.Ir.name), value) =
     let index = indexed constructor name in
-    let expected : Mistake.expected =
+    let expected : Expected.t =
       { ty = types.(index); because = Field { name = name.text; at = name.span } }
     in
     (index, expressions.check ctx value expected)
@@ -185,7 +185,7 @@ let update expressions ctx (e : Resolve.Ir.expr) ~record fields ~candidates =
   let values =
     List.map
       (fun ((name : Syntax.Ir.name), value, ty) ->
-        let because = Mistake.Field { name = name.text; at = name.span } in
+        let because = Expected.Field { name = name.text; at = name.span } in
         (name, expressions.check ctx value { ty; because }))
       values
   in

@@ -12,7 +12,7 @@ let task s result = Environment.task_of s.input s.output result
 
 (* What says the input and the output, which are those of all tasks: the first
    one if nothing around does. *)
-let rec place ~first (reason : Mistake.reason) =
+let rec place ~first (reason : Expected.reason) =
   match reason with
   | Signature { at; _ } | Annotation at | Parameter { at; _ } | Branch at | Uses { at; _ }
   | Field { at; _ } | Element at ->
@@ -48,11 +48,11 @@ let whatever ty (span : Span.t) : Ir.pattern later =
  fun () -> { desc = Any; ty = Final.ty ty; span = { span with stop = span.start } }
 
 (* [first]: the place of the first task, once there was one. *)
-let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Mistake.expected) statements
+let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected.t) statements
     last : Ir.expr later =
   match (statements : Resolve.Ir.statement list) with
   | [] ->
-      let because : Mistake.reason =
+      let because : Expected.reason =
         match expected.because with
         | Unknown -> Statement (place ~first Unknown)
         | because -> Last_statement because
@@ -82,7 +82,7 @@ let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Mistake.
         let pattern = pattern () in
         join ctx s ~result ~at:written.span value pattern (rest ()) ()
 
-let check expressions ctx (e : Resolve.Ir.expr) statements last (expected : Mistake.expected) =
+let check expressions ctx (e : Resolve.Ir.expr) statements last (expected : Expected.t) =
   let input, output, whole =
     match Type.expand expected.ty with
     | Data { tycon; arguments = [ input; output; _ ]; _ } when tycon = Environment.task ->

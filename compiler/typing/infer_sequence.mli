@@ -11,6 +11,6 @@ val check :
   Resolve.Ir.expr ->
   Resolve.Ir.statement list ->
   Resolve.Ir.expr ->
-  Mistake.expected ->
+  Expected.t ->
   Ir.expr later
 (** The whole, its statements and its last one, which gives the result. *)

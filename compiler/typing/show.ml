@@ -229,3 +229,19 @@ let quoted words t =
   match (Type.repr t, Type.expand t) with
   | Alias { units = []; _ }, Number (_, u) -> Printf.sprintf "%s (%s)" text (measure words u)
   | _ -> text
+
+(* A type in a sentence. A number whose representation is open needs no
+   invented name for it. *)
+let described words t =
+  match Type.expand t with
+  | Number (r, u) -> (
+      let u = Units.resolve u in
+      match (Type.representation r, Units.flexible_powers u) with
+      | Flexible_representation _, [] ->
+          if Units.equal u Units.one then "a number"
+          else Printf.sprintf "a number of `%s`" (measure words u)
+      | Flexible_representation _, [ _ ]
+        when Units.base_powers u = [] && Units.rigid_powers u = [] ->
+          "a number"
+      | _ -> quoted words t)
+  | _ -> quoted words t

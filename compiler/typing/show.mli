@@ -30,6 +30,9 @@ val quoted : words -> Type.t -> string
 (** In backticks; a number's alias is followed by the unit, as
     [`Velocity` (m/s)]. *)
 
+val described : words -> Type.t -> string
+(** A type in a sentence: quoted, or [a number]. *)
+
 val class_ : Ir.class_ -> string
 
 val constraint_ : words -> Ir.class_ -> Type.t -> string

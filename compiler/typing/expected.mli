@@ -1,0 +1,42 @@
+(** Which type is expected at a place, and why. *)
+
+open Basis
+
+(** Why a type is expected at a place. *)
+type reason =
+  | Unknown
+  | Signature of { name : string; at : Span.t }
+  | Annotation of Span.t
+  | Parameter of {
+      callee : string option;
+      at : Span.t;
+      position : int;
+      decided_by : (Span.t * Type.t) option;
+          (** an earlier argument, where the parameter's type has that argument's type in it *)
+      before : string option;  (** the operator behind the argument, if it is the last one *)
+    }
+  | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }
+      (** beside the other operand *)
+  | Branch of Span.t  (** an earlier branch *)
+  | Condition
+  | Element of Span.t  (** of an array: the first one *)
+  | Value of Span.t  (** a pattern's: the value that is matched *)
+  | Pattern of Span.t  (** a value's: the pattern that takes it apart *)
+  | Statement of Span.t option
+      (** of a [do], and what says of its tasks what goes in and comes out *)
+  | Last_statement of reason  (** of a [do] that is expected for this reason *)
+  | Uses of { name : string; at : Span.t }  (** of what is being defined *)
+  | Field of { name : string; at : Span.t }
+  | Output of reason  (** of the signal function that is expected for this reason *)
+
+type t = { ty : Type.t; because : reason }
+
+val make : reason -> Type.t -> t
+
+val explain : Show.words -> t -> Diagnostic.t -> Diagnostic.t
+(** Labels the other place: where the expected type comes from. *)
+
+val explain_all :
+  Show.words -> subject:Resolve.Ir.expr option -> t -> Diagnostic.t -> Diagnostic.t
+(** Likewise, and if nothing says where it comes from, where the variable is bound that
+    is at fault. *)

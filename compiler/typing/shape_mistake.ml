@@ -1,0 +1,175 @@
+open Basis
+open Diagnostic
+
+let hint_to_run subject input =
+  let on_unit = match Type.expand input with Flexible _ | Tuple [] -> true | _ -> false in
+  match (Option.bind subject Plain_name.of_head, on_unit) with
+  | Some name, false when Option.bind subject Plain_name.of_expr = None ->
+      hint (Printf.sprintf "run it on a signal, its last argument: `%s … x`" name)
+  | Some name, true when Option.bind subject Plain_name.of_expr = None ->
+      hint (Printf.sprintf "run it on `()`, its last argument: `%s … ()`" name)
+  | Some name, true -> hint (Printf.sprintf "run it on `()`: `%s ()`" name)
+  | Some name, false -> hint (Printf.sprintf "run it on a signal, as in `%s x`" name)
+  | None, true -> hint "run it on `()`"
+  | None, false -> hint "run it on a signal"
+
+let rec missing_arguments t =
+  match Type.expand t with Function (_, result) -> 1 + missing_arguments result | _ -> 0
+
+let unrun words ~subject ~at ~input ~found =
+  error ~code:"E0303" ~at "a signal function stands where the value of its signal is needed"
+  |> here (Printf.sprintf "this is %s" (Show.described words found))
+  |> hint_to_run subject input
+
+(* The operand before, if what is expected is nothing but its type. *)
+let operand_before (expected : Expected.t) =
+  match expected.because with
+  | Operand { other; other_type; _ } when Type.repr other_type == Type.repr expected.ty -> Some other
+  | _ -> None
+
+let of_a_sequence (expected : Expected.t) =
+  match expected.because with Statement _ | Last_statement _ -> true | _ -> false
+
+let is_number t = match Type.expand t with Number _ -> true | _ -> false
+
+(* As in `f(x, y)`. *)
+let separated_by_commas (expected : Expected.t) =
+  match expected.because with Parameter { position = 1; callee = Some _; _ } -> true | _ -> false
+
+(* Of a place, written as a pair. *)
+let vector_fields wanted elements =
+  match (wanted, List.length elements) with
+  | Type.Data { tycon = { name = "Vec2"; _ }; _ }, 2 -> Some "`Vec2 { x = a, y = b }`"
+  | Type.Data { tycon = { name = "Vec3"; _ }; _ }, 3 -> Some "`Vec3 { x = a, y = b, z = c }`"
+  | _ -> None
+
+let vector_operator (expected : Expected.t) =
+  match expected.because with
+  | Parameter { callee = Some operator; _ } | Operand { operator; _ } -> (
+      match operator with
+      | "+" -> Some "`^+^`"
+      | "-" -> Some "`^-^`"
+      | "*" -> Some "`*^` with the number first, and `dot`"
+      | _ -> None)
+  | _ -> None
+
+let ends_a_mode (expected : Expected.t) =
+  match expected.because with
+  | Parameter { position = 1; callee = Some ("switch" | "dSwitch" | "mkTask"); _ } -> true
+  | _ -> false
+
+let is_pair t = match Type.expand t with Tuple [ _; _ ] -> true | Flexible _ -> true | _ -> false
+
+(* For `not x > 0`. *)
+let hint_to_group name operator =
+  hint
+    (Printf.sprintf "application binds tighter than `%s`: write `%s (… %s …)`"
+       operator name operator)
+
+let shapes words ~subject ~at ~(expected : Expected.t) ~found =
+  let text t = Show.described words t in
+  match (Type.expand expected.ty, Type.expand found, operand_before expected) with
+  | wanted, Signal_function _, _ when Environment.is_task wanted ->
+      Task_mistake.task_and_signal_function words ~subject ~at ~found
+  | Signal_function _, given, _ when Environment.is_task given ->
+      Task_mistake.task_and_signal_function words ~subject ~at ~found
+  | wanted, (Number _ | Bool | String | Tuple _ | Data _ | Rigid _ as given), _
+    when Environment.is_task wanted && (not (Environment.is_task given)) && of_a_sequence expected ->
+      Task_mistake.no_task words ~subject ~at ~found
+  | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Signal_function (input, _), _ ->
+      unrun words ~subject ~at ~input ~found |> note (Printf.sprintf "expected %s" (text expected.ty))
+  | Signal_function (input, _), (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Some other
+    ->
+      unrun words ~subject:(Some other) ~at:other.span ~input ~found:expected.ty
+      |> label ~at (Printf.sprintf "this is %s" (text found))
+  | Signal_function (_, wanted), Signal_function (_, given), _
+    when ends_a_mode expected && is_pair wanted && not (is_pair given) ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint "it gives its output together with the event that ends it, as `sf &&& e` does"
+  | Signal_function _, Function _, _ ->
+      error ~code:"E0304" ~at "expected a signal function, found a function: %s" (text found)
+      |> hint "`arr` makes a signal function of a function"
+  | Function _, Signal_function _, _ -> (
+      let diagnostic =
+        error ~code:"E0304" ~at "expected a function, found a signal function: %s" (text found)
+      in
+      match (expected.because, Type.expand expected.ty) with
+      | Parameter { callee = Some "arr"; _ }, _ -> hint "leave out `arr`" diagnostic
+      | Parameter { callee = Some "map"; _ }, _ ->
+          hint "`mapSF` runs a signal function on each element" diagnostic
+      | Parameter { callee = Some "."; _ }, _ ->
+          hint "signal functions are composed with `>>>`, from left to right" diagnostic
+      | Parameter { callee = Some name; _ }, _ ->
+          hint
+            (Printf.sprintf "if `%s` is to run it, the signature of `%s` must ask for an `SF`" name
+               name)
+            diagnostic
+      | Signature _, Function (input, output) ->
+          hint
+            (Printf.sprintf "the type of such a signal function is %s"
+               (text (Signal_function (input, output))))
+            diagnostic
+      | _ -> diagnostic)
+  | (Number _ | Bool | String | Tuple _ | Data _), Function _, _ ->
+      let missing = missing_arguments found in
+      error ~code:"E0301" ~at "expected %s, found the function %s" (text expected.ty) (text found)
+      |> hint
+           (match Option.bind subject Plain_name.of_expr with
+           | Some name ->
+               Printf.sprintf "`%s` takes %d argument%s" name missing
+                 (if missing = 1 then "" else "s")
+           | None ->
+               if missing = 1 then "an argument is missing" else "some arguments are missing")
+  | Number _, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ }, _ when Option.is_some (vector_operator expected) ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint
+           (Printf.sprintf "vectors have operators of their own: %s"
+              (Option.get (vector_operator expected)))
+  | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint "`constant e` is the signal function that always gives `e`"
+  | Tuple (_ :: _ as wanted), Tuple (_ :: _ as given), _
+    when List.compare_lengths wanted given <> 0 ->
+      error ~code:"E0301" ~at "expected a tuple of %d, found one of %d" (List.length wanted)
+        (List.length given)
+      |> (match subject with
+         | Some { desc = Tuple _; _ } -> Fun.id
+         | _ -> here (Printf.sprintf "this is %s" (text found)))
+  | wanted, Tuple (_ :: _ as elements), _ when vector_fields wanted elements <> None ->
+      error ~code:"E0301" ~at "expected %s, found a tuple of %d" (text expected.ty)
+        (List.length elements)
+      |> hint (Printf.sprintf "a vector has its fields by name: %s" (Option.get (vector_fields wanted elements)))
+  | (Number _ | Bool | String | Data _), Tuple (_ :: _ as elements), _ when separated_by_commas expected ->
+      let name = match expected.because with Parameter { callee = Some f; _ } -> f | _ -> "f" in
+      let arguments = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) elements in
+      error ~code:"E0301" ~at "expected %s, found a tuple of %d" (text expected.ty)
+        (List.length elements)
+      |> hint
+           (Printf.sprintf "several arguments stand side by side: `%s %s`" name
+              (String.concat " " arguments))
+  | _ -> (
+      let tasks =
+        match (Environment.as_task expected.ty, Environment.as_task found) with
+        | Some wanted, Some given -> Task_mistake.unlike_tasks words ~at wanted given
+        | _ -> None
+      in
+      match (tasks, expected.because) with
+      | Some diagnostic, _ -> diagnostic
+      | None, Condition ->
+          error ~code:"E0301" ~at "a condition must be `Bool`, but this is %s" (text found)
+          |> if Environment.is_event found then hint "`isEvent e` tells whether it occurs now" else Fun.id
+      | None, _ when is_number expected.ty && Environment.is_event found ->
+          error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+          |> hint "an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`"
+      | None, Parameter { before = Some operator; callee = Some name; _ }
+        when Type.expand expected.ty = Bool ->
+          error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
+          |> hint_to_group name operator
+      | None, Operand { operator; other = { desc = Apply { head; style = Juxtaposed; _ }; _ }; _ }
+        when Type.expand expected.ty = Bool && Option.is_some (Plain_name.of_head head) ->
+          error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
+          |> hint_to_group (Option.get (Plain_name.of_head head)) operator
+      | None, Value _ ->
+          error ~code:"E0301" ~at "this pattern matches %s, but the value is %s" (text found)
+            (text expected.ty)
+      | None, _ -> error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found))

@@ -1,0 +1,57 @@
+open Basis
+open Diagnostic
+
+(* How a signal function becomes a task: it ends at its event, or never. *)
+let to_task subject output =
+  let name = match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "sf" in
+  match Type.expand output with
+  | Tuple [ _; last ] when Environment.is_event last ->
+      hint (Printf.sprintf "`mkTask %s` is the task that ends when its event occurs" name)
+  | _ ->
+      hint
+        (Printf.sprintf
+           "`mkTask (%s &&& event)` ends when the event occurs; `mkTask (%s &&& never)` never does" name
+           name)
+
+let task_and_signal_function words ~subject ~at ~found =
+  match Type.expand found with
+  | Signal_function (_, output) ->
+      error ~code:"E0371" ~at "a signal function stands where a task is needed"
+      |> here (Printf.sprintf "this is %s" (Show.described words found))
+      |> to_task subject output
+  | _ ->
+      let name = match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "t" in
+      error ~code:"E0371" ~at "a task stands where a signal function is needed"
+      |> here (Printf.sprintf "this is %s" (Show.described words found))
+      |> hint
+           (Printf.sprintf
+              "`runTask %s` is a signal function: `Left` its output while it runs, then `Right` its \
+               result"
+              name)
+
+(* Two tasks that differ in one thing. *)
+let unlike_tasks words ~at (input, output, result) (input', output', result') =
+  let differ a b =
+    match Type.expand a with
+    | Flexible _ -> false
+    | _ -> not (String.equal (Show.described words a) (Show.described words b))
+  in
+  let says format a b = Some (Printf.sprintf format (Show.described words a) (Show.described words b)) in
+  let text =
+    match (differ input input', differ output output', differ result result') with
+    | false, false, true ->
+        says "expected a task that ends with %s, but this one ends with %s" result result'
+    | false, true, false ->
+        says "expected a task whose output is %s, but that of this one is %s" output output'
+    | true, false, false ->
+        says "expected a task whose input is %s, but that of this one is %s" input input'
+    | _ -> None
+  in
+  Option.map (fun text -> error ~code:"E0301" ~at "%s" text) text
+
+let no_task words ~subject ~at ~found =
+  error ~code:"E0370" ~at "the statements of a `do` are tasks, but this is %s" (Show.described words found)
+  |> hint
+       (match Option.bind subject Plain_name.of_expr with
+       | Some name -> Printf.sprintf "`return %s` is the task that ends at once with it" name
+       | None -> "`let x = …` names a value; `return x` is the task that ends at once with it")
