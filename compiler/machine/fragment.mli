@@ -1,6 +1,6 @@
 (** What a function has to compute, before it is decided where.
 
-    {!Of_flow} describes a reset or step function so; {!Usage} decides which
+    {!Body} describes a reset or step function so; {!Usage} decides which
     values stand inside their user's expression, {!Write_order} in which order
     the state is written, {!Placement} in which block each value is computed.
 

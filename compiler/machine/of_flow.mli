@@ -1,8 +1,8 @@
 (** From equations to a reset and a step function for each node.
 
     Takes for granted that the program is linted and optimized, so that
-    {!Flow.Schedule} can order each node. Local times, integrals advance at
-    the start of a step, then values are computed, then results and state are
-    written; a derivative advances where it stands. *)
+    {!Flow.Schedule} can order each node. {!Statics} tells what a node computes
+    when it starts, {!State} what it keeps, {!Body} makes its reset and its step
+    of that, and {!First_instant} lets the root know its first instant. *)
 
 val program : Flow.Ir.program -> Ir.program

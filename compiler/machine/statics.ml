@@ -197,3 +197,8 @@ let program (program : Flow.Ir.program) =
       results.(i) <- Some t;
       t)
     program.nodes
+
+let equations_in_step statics =
+  List.filter_map
+    (function Flow.Schedule.Equation eq -> Some eq | Instance _ | Trial _ | Machine _ -> None)
+    statics.in_step

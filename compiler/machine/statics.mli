@@ -26,3 +26,6 @@ type t = {
 val program : Flow.Ir.program -> t array
 (** For each node. Raises {!Basis.Diagnostic.Bug} if an initial value or an
     instance's static is not static. *)
+
+val equations_in_step : t -> Flow.Ir.equation list
+(** Those among the items [in_step]. *)

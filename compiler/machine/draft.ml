@@ -1,0 +1,36 @@
+module F = Flow.Ir
+open Basis
+open Fragment
+open Computation
+
+type t = {
+  copies : F.atom Int_table.t;
+  leaves : Ir.expr Int_table.t;
+  mutable items : item list;  (** last first *)
+  mutable states : (Ir.field * F.atom * F.signal option * Span.t) list;
+}
+
+let create () = { copies = Int_table.create 16; leaves = Int_table.create 16; items = []; states = [] }
+let add draft item = draft.items <- item :: draft.items
+let leaf draft (s : F.signal) e = Int_table.replace draft.leaves s.id e
+
+let resolve draft (atom : F.atom) =
+  match atom with
+  | Signal s -> Option.value (Int_table.find_opt draft.copies s.id) ~default:atom
+  | Bool _ | Int _ | Float _ -> atom
+
+let add_computed draft (eq : F.equation) =
+  match without_self_comparison (Flow.Operands.map (resolve draft) eq.rhs) with
+  | Copy atom when String.equal eq.defines.name "" ->
+      Int_table.replace draft.copies eq.defines.id atom
+  | rhs -> add draft (Computed (computed eq rhs))
+
+let work ?(operands = []) span statements =
+  Action { defines = []; operands; statements; always = true; weight = 0; span }
+
+let keep_at_end draft field next ~leaf span =
+  draft.states <- (field, next, leaf, span) :: draft.states
+
+let leaves draft = draft.leaves
+let items draft = Array.of_list (List.rev draft.items)
+let states draft = draft.states

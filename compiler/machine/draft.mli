@@ -1,0 +1,37 @@
+(** A fragment under construction. Unnamed copies are looked through. *)
+
+open Basis
+
+type t
+
+val create : unit -> t
+
+val resolve : t -> Flow.Ir.atom -> Flow.Ir.atom
+(** What an atom is a copy of. *)
+
+val add : t -> Fragment.item -> unit
+
+val add_computed : t -> Flow.Ir.equation -> unit
+(** An equation without memory. *)
+
+val leaf : t -> Flow.Ir.signal -> Ir.expr -> unit
+(** The signal is read in place, as this. *)
+
+val keep_at_end :
+  t -> Ir.field -> Flow.Ir.atom -> leaf:Flow.Ir.signal option -> Span.t -> unit
+(** A field gets this value at the end of the step; [leaf] as in {!Fragment.t}. *)
+
+val work :
+  ?operands:Flow.Ir.atom list ->
+  Span.t ->
+  (Ir.expr list -> Ir.statement list) ->
+  Fragment.item
+(** Statements that write state and define no variable. *)
+
+(** {1 The parts of the fragment} *)
+
+val leaves : t -> Ir.expr Int_table.t
+val items : t -> Fragment.item array
+
+val states : t -> (Ir.field * Flow.Ir.atom * Flow.Ir.signal option * Span.t) list
+(** Those of {!keep_at_end}, last first. *)

@@ -1,0 +1,63 @@
+module F = Flow.Ir
+
+type t = {
+  step : Ir.statement list;
+  reset : Ir.statement list;
+  told : Ir.first_instant;
+}
+
+let shows_in state statics =
+  let own (eq : F.equation) =
+    match State.memory state eq.defines with
+    | Some (Elapsed _ | Ticked _ | Differentiated _) -> true
+    | Some (Integrated { input = Field _; _ } | Delayed _ | Kept _) | None -> false
+    | Some (Integrated _) -> true
+  in
+  List.exists own (Statics.equations_in_step statics)
+
+(* The number of a mode may be one byte. *)
+let most_modes_and_none = 255
+
+(* The first mode is entered in the first step, where that is short: the number
+   of the mode then tells that there was no step before. *)
+let started_by_step first (step : Ir.statement list) (reset : Ir.statement list) =
+  let run (s : Ir.statement) : Ir.statement =
+    match s with
+    | Run run when Direct.is_direct run && Option.is_none run.active -> Run { run with start = Some first }
+    | s -> s
+  in
+  let step' = List.map run step in
+  if List.for_all2 ( == ) step step' then None
+  else
+    let await (s : Ir.statement) : Ir.statement =
+      match s with Enter { span; _ } -> Await { span } | s -> s
+    in
+    Some (step', List.map await reset)
+
+let entered_by_step context state (node : F.node) step reset =
+  let modes =
+    Option.fold (State.machine state) ~none:0 ~some:(fun (m : State.machine) -> List.length m.modes)
+  in
+  if modes > 1 && modes <= most_modes_and_none then
+    Option.bind (Body.first_mode context state node) (fun first -> started_by_step first step reset)
+  else None
+
+(* A delay of the programmer's that is false in the first instant, then true. *)
+let marked state statics =
+  List.find_map
+    (fun (eq : F.equation) ->
+      match (eq.rhs, State.memory state eq.defines) with
+      | Delay { init = Bool false; next = Bool true }, Some (Delayed field) -> Some field
+      | _, _ -> None)
+    (Statics.equations_in_step statics)
+
+let tell context state (node : F.node) statics ~step ~reset =
+  match (entered_by_step context state node step reset, marked state statics) with
+  | Some (step, reset), _ -> { step; reset; told = Marked_by_mode }
+  | None, Some field -> { step; reset; told = Marked_by { field; own = false } }
+  | None, None ->
+      let field =
+        State.new_field state ~name:"started" (Value Bool) ~purpose:State.past_first node.span
+      in
+      let unmark = Ir.Assign { place = Own field; value = Bool false; span = field.span } in
+      { step; reset = reset @ [ unmark ]; told = Marked_by { field; own = true } }

@@ -1,0 +1,142 @@
+module F = Flow.Ir
+open Basis
+open Fragment
+open Computation
+
+let broken what = Diagnostic.bug ~stage:"Machine.Memory" "%s" what
+
+let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
+  let statements = function
+    | [ now; kept ] ->
+        let change = operation F.Subtract Float [ now; Ir.Field input ] in
+        [
+          Ir.If
+            {
+              uninitialized = [];
+              condition = operation F.Less Float [ Float 0.; Dt ];
+              then_ =
+                [
+                  Assign
+                    { place = Own value; value = operation F.Divide Float [ change; Dt ]; span };
+                ];
+              else_ = [];
+              predicted = false;
+              span;
+            };
+          Assign { place = Own input; value = kept; span };
+        ]
+    | _ -> broken "a derivative of other than one signal"
+  in
+  Draft.add draft (Draft.work ~operands:[ atom; atom ] span statements)
+
+let advance ~limited state (eq : F.equation) =
+  match State.memory state eq.defines with
+  | Some (Elapsed { time; advances; restart = Bool false; unit = _ }) ->
+      let value =
+        if limited then Ir.Soon (Field time, Dt_nanoseconds) else Later (Field time, Dt_nanoseconds)
+      in
+      if advances then Some (Ir.Assign { place = Own time; value; span = eq.span }) else None
+  | Some (Integrated { value; input }) ->
+      let step = operation F.Multiply Float [ Dt; input ] in
+      let sum = operation F.Add Float [ Field value; step ] in
+      Some (Assign { place = Own value; value = sum; span = eq.span })
+  | Some (Ticked { time; period }) ->
+      (* It was less than the period, and dt is at most 10^18. *)
+      let in_range = match period with Float x -> x <= 8e18 | Signal _ | Bool _ | Int _ -> false in
+      let value =
+        if in_range then Ir.Soon (Field time, Dt_nanoseconds) else Later (Field time, Dt_nanoseconds)
+      in
+      Some (Assign { place = Own time; value; span = eq.span })
+  | Some (Elapsed _ | Delayed _ | Differentiated _ | Kept _) | None -> None
+
+(* Where it does not start again, it goes on. *)
+let start_again draft time restart span =
+  let statements restart =
+    let else_ = Ir.Later (Field time, Dt_nanoseconds) in
+    let value = Ir.Select { condition = one restart; then_ = Zero_time; else_ } in
+    [ Ir.Assign { place = Own time; value; span } ]
+  in
+  Draft.add draft (Draft.work ~operands:[ restart ] span statements)
+
+(* The rest is kept with the other state, last: only then has all else read what
+   is left of it. What counts nanoseconds is never in a variable; it has no type
+   in Flow. *)
+let tick fresh draft (s : F.signal) time period span =
+  let internal () = { s with id = fresh (); name = ""; ty = F.Float } in
+  let before = internal () and rest = internal () and next = internal () in
+  let computed signal ?choice operands build =
+    Draft.add draft (Computed { signal; operands; build; choice; weight = 2; span })
+  in
+  let on_period build = function
+    | [ time; period ] -> build time period
+    | _ -> broken "a period without a time"
+  in
+  Draft.leaf draft before (Field time);
+  computed s [ Signal before; period ] (on_period (fun time period -> Ir.Reached { time; period }));
+  computed rest [ Signal before; period ] (on_period (fun time period -> Ir.Rest { time; period }));
+  computed next ~choice:(Signal s, Signal rest, Signal before) [ Signal s; Signal rest; Signal before ]
+    (function
+    | [ condition; then_; else_ ] -> Select { condition; then_; else_ }
+    | _ -> broken "a choice with a wrong number of operands");
+  Draft.keep_at_end draft time (Signal next) ~leaf:(Some before) span
+
+let step ~fresh draft state (eq : F.equation) =
+  let s = eq.defines in
+  match State.memory state s with
+  | None -> Draft.add_computed draft eq
+  | Some (Kept field | Delayed field) -> Draft.leaf draft s (Field field)
+  | Some (Elapsed { time; unit; restart; advances }) ->
+      (match Draft.resolve draft restart with
+      | Bool false -> ()
+      | restart -> if advances then start_again draft time restart eq.span);
+      let build _ : Ir.expr =
+        match unit with
+        | Seconds -> Seconds (Field time)
+        | Nanoseconds -> In_nanoseconds (Field time)
+      in
+      Draft.add draft
+        (Computed { signal = s; operands = []; build; choice = None; weight = 5; span = eq.span })
+  | Some (Ticked { time; period }) -> tick fresh draft s time (Draft.resolve draft period) eq.span
+  | Some (Integrated { value; _ }) -> Draft.leaf draft s (Field value)
+  | Some (Differentiated { value; input }) ->
+      Draft.leaf draft s (Field value);
+      let argument =
+        match eq.rhs with
+        | Derivative atom -> Draft.resolve draft atom
+        | _ -> broken "a derivative without argument"
+      in
+      differentiate draft ~value ~input argument eq.span
+
+let next draft state (eq : F.equation) =
+  match (State.memory state eq.defines, eq.rhs) with
+  | Some (Delayed field), Delay { next; _ } ->
+      Some (field, Draft.resolve draft next, Some eq.defines, eq.span)
+  | Some (Integrated { input = Field input; _ }), Integral atom -> Some (input, Draft.resolve draft atom, None, eq.span)
+  | _, _ -> None
+
+let assign field value span = Ir.Assign { place = Own field; value; span }
+
+let keep draft state span (s : F.signal) =
+  match State.memory state s with
+  | Some (Kept field) ->
+      [
+        Draft.work ~operands:[ Draft.resolve draft (F.Signal s) ] span (fun e ->
+            [ assign field (one e) span ]);
+      ]
+  | Some _ | None -> []
+
+let reset draft state (eq : F.equation) =
+  let span = eq.span in
+  let constant span fields =
+    Draft.work span (fun _ -> List.map (fun (f, e) -> assign f e span) fields)
+  in
+  match (State.memory state eq.defines, eq.rhs) with
+  | Some (Delayed field), Delay { init; _ } ->
+      let operands = [ Draft.resolve draft init ] in
+      [ Draft.work ~operands span (fun e -> [ assign field (one e) span ]) ]
+  | Some (Elapsed { advances = false; _ }), _ -> []
+  | Some (Elapsed { time; _ } | Ticked { time; _ }), _ -> [ constant span [ (time, Zero_time) ] ]
+  | Some (Integrated { value; input = Field input } | Differentiated { value; input }), _ ->
+      [ constant span [ (value, Float 0.); (input, Float 0.) ] ]
+  | Some (Integrated { value; _ }), _ -> [ constant span [ (value, Float 0.) ] ]
+  | _, _ -> keep draft state span eq.defines
