@@ -9,6 +9,14 @@ let complaint name (row : Csv.row) cell format =
   in
   Printf.ksprintf (Printf.sprintf "%s:%d:%d: %s" name row.line column) format
 
+(* What to add to a message on a column's name or a time: blanks beside commas
+   belong to it, and are hard to see. *)
+let on_blanks text =
+  let blank i = text.[i] = ' ' || text.[i] = '\t' in
+  if text <> "" && (blank 0 || blank (String.length text - 1)) then
+    "; leave no blanks beside the commas"
+  else ""
+
 let reject texts = raise_notrace (Rejected texts)
 
 let next_row name csv =
@@ -51,14 +59,14 @@ let header name columns (row : Csv.row) =
   let check i ({ text; _ } : Csv.cell) =
     if i = 0 then
       if String.equal text "time" then None
-      else complain i "the first column must be `time`, but it is `%s`" text
+      else complain i "the first column must be `time`, but it is `%s`%s" text (on_blanks text)
     else if Hashtbl.mem places text then complain i "column `%s` is there twice" text
     else if Hashtbl.mem known text then begin
       Hashtbl.replace places text i;
       None
     end
     else if is_output text then None
-    else complain i "the program's input has no `%s`" text
+    else complain i "the program's input has no `%s`%s" text (on_blanks text)
   in
   let wrong = List.filter_map Fun.id (List.mapi check row.cells) in
   let width = List.length row.cells in
@@ -141,7 +149,9 @@ let read_row name header (row : Csv.row) =
   let time =
     match nanoseconds cells.(0).text with
     | Some time -> time
-    | None -> reject [ complaint name row 0 "`%s` is not a time in seconds" cells.(0).text ]
+    | None ->
+        let text = cells.(0).text in
+        reject [ complaint name row 0 "`%s` is not a time in seconds%s" text (on_blanks text) ]
   in
   let read ((column : Shape.column), place) =
     match Cell.read column.shape cells.(place).text with

@@ -103,6 +103,16 @@ static bool readable(const struct trace *t, enum csv_status status)
     return false;
 }
 
+/* What to add to a message on a column's name or a time: blanks beside commas
+ * belong to it, and are hard to see. Empty if there are none. */
+static const char *on_blanks(const char *text)
+{
+    size_t length = strlen(text);
+    bool blank = length > 0 && (text[0] == ' ' || text[0] == '\t' || text[length - 1] == ' ' ||
+                                text[length - 1] == '\t');
+    return blank ? "; leave no blanks beside the commas" : "";
+}
+
 static bool is_output(const char *name)
 {
     return strncmp(name, "mode.", 5) == 0 ||
@@ -156,7 +166,8 @@ static bool read_header(struct trace *t)
     }
     t->width = t->csv.count;
     if (strcmp(csv_cell(&t->csv, 0), "time") != 0) {
-        complain(t, 0, "the first column must be `time`, but it is `%s`", csv_cell(&t->csv, 0));
+        complain(t, 0, "the first column must be `time`, but it is `%s`%s", csv_cell(&t->csv, 0),
+                 on_blanks(csv_cell(&t->csv, 0)));
         ok = false;
     }
     for (size_t i = 1; i < t->csv.count; i++) {
@@ -169,7 +180,7 @@ static bool read_header(struct trace *t)
             column->found = true;
             column->cell = i;
         } else if (!is_output(name)) {
-            complain(t, i, "the program's input has no `%s`", name);
+            complain(t, i, "the program's input has no `%s`%s", name, on_blanks(name));
             ok = false;
         }
     }
@@ -239,7 +250,8 @@ static bool read_row(const struct trace *t, void *input, int64_t *time)
         return false;
     }
     if (!read_time(csv_cell(&t->csv, 0), time)) {
-        complain(t, 0, "`%s` is not a time in seconds", csv_cell(&t->csv, 0));
+        complain(t, 0, "`%s` is not a time in seconds%s", csv_cell(&t->csv, 0),
+                 on_blanks(csv_cell(&t->csv, 0)));
         return false;
     }
     for (size_t i = 0; i < t->count; i++) {
