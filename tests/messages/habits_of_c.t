@@ -171,3 +171,27 @@ Braces are refused once, not once for each.
   
   1 error
   [1]
+
+An `if` without `else` among the statements of a task.
+
+  $ cat > one_armed.frob <<'FROB'
+  > act :: Task Float Float ()
+  > act = do
+  >     if True then sleepT 1[s] 2
+  >     sleepT 1[s] 3
+  > main :: SF Float (Either Float ())
+  > main = runTask act
+  > FROB
+  $ frobc check one_armed.frob
+  error[E0110]: expected `else` after the first branch, found the end of the statement
+   --> one_armed.frob:3:31
+    |
+  3 |     if True then sleepT 1[s] 2
+    |                               ^
+    |
+    = hint: every `if` has both `then` and `else`, since it always has a value; in a task's `do` that is `else return ()`, or `whenT` for the `if`
+  
+  1 error
+  [1]
+  $ sed 's/if True then \(.*\)/whenT True (\1)/' one_armed.frob > when.frob && frobc check when.frob
+  $ sed 's/if True.*/& else return ()/' one_armed.frob > else.frob && frobc check else.frob
