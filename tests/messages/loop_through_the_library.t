@@ -21,9 +21,9 @@ A loop through a signal function of the library is broken in the program's own m
    6 |     before = Control.previous y
      |     --------------------------- `before` reads `y` here, through `previous`
      |
-    ::: stdlib/Control.frob:38:5
+    ::: stdlib/Control.frob:44:5
      |
-  38 |     y = if start then x else before
+  44 |     y = if start then x else before
      |     - `previous` passes `x` on to this in the same instant
      |
     ::: main.frob:2:1
