@@ -33,9 +33,10 @@ type frame = {
 let need frame bytes = frame.bytes <- Amount.add frame.bytes bytes
 let needs_helper frame bytes = frame.helper <- max frame.helper bytes
 
-let room c ty =
-  Amount.round_up (Block.of_value c.program.real c.program.sums ty).bytes ~alignment:word
+let room_as real c ty =
+  Amount.round_up (Block.of_value real c.program.sums ty).bytes ~alignment:word
 
+let room c = room_as c.program.real c
 let variable c frame (v : M.variable) = need frame (room c v.ty)
 
 type code =
@@ -302,13 +303,14 @@ let function_ c k ~results (code : M.code) =
   let deepest = List.fold_left longer { bytes = frame.helper; chain = [] } frame.callees in
   { bytes = Amount.add frame.bytes deepest.bytes; chain = k :: deepest.chain }
 
-(* The user's C is given structs of the leaves, and gives others; what it needs
-   itself we do not know. *)
-let foreign_step c (node : M.node) =
+(* The user's C is given structs of the leaves, and gives others, of doubles; what it
+   needs itself we do not know. *)
+let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
   let leaves =
-    List.map (fun (v : M.variable) -> v.ty) node.step.parameters @ List.map snd node.outputs
+    List.concat_map Machine.Layout.shape_leaves (import.result :: import.arguments)
+    |> List.map Machine.Layout.ty
   in
-  let rooms = List.fold_left (fun sum ty -> Amount.add sum (room c ty)) 0 leaves in
+  let rooms = List.fold_left (fun sum ty -> Amount.add sum (room_as Double c ty)) 0 leaves in
   let calls = Amount.times word (2 + List.length leaves) in
   Amount.add (2 * fixed) (Amount.add (Amount.times 3 rooms) calls)
 
@@ -330,14 +332,14 @@ let of_program (program : M.program) state =
     (fun k (node : M.node) ->
       let c = { program; node; state; apart; done_ } in
       let results = List.length node.outputs in
-      if Option.is_some node.foreign then
-        done_.(k) <-
-          {
-            reset = { bytes = fixed; chain = [ k ] };
-            step = { bytes = foreign_step c node; chain = [ k ] };
-          }
-      else
       done_.(k) <-
-        { reset = function_ c k ~results:0 node.reset; step = function_ c k ~results node.step })
+        (match node.foreign with
+        | Some foreign ->
+            {
+              reset = { bytes = fixed; chain = [ k ] };
+              step = { bytes = foreign_step c foreign; chain = [ k ] };
+            }
+        | None ->
+            { reset = function_ c k ~results:0 node.reset; step = function_ c k ~results node.step }))
     program.nodes;
   root program program.nodes.(count - 1) done_.(count - 1)

@@ -47,9 +47,27 @@ for modes with parameters, with instants of their own, and within modes,
   $ sh measure.sh modes.frob
   all measured
 
+for what goes to C and comes back, be it looked at or not,
+
+  $ cat > crossing.frob <<EOF
+  > data Side = LeftSide | RightSide
+  > data Spot = Nowhere | Spot { near :: Distance, around :: Array 2 Float, side :: Side }
+  > 
+  > foreign scaled :: Array 30 Float -> Float -> (Array 30 Float, Float) = "scaled"
+  > foreign wide :: (Array 2 (Array 3 Float), Maybe Float) -> (Float, Array 1000 (Maybe Float)) = "wide"
+  > foreign moved :: Spot -> Array 2 Float -> Spot = "moved"
+  > 
+  > main :: SF (Distance, Array 30 Float) (Float, Float, Spot)
+  > main = proc (d, xs) -> (snd (scaled xs x), fst (wide ([[x, 2, 3], [1, 2, x]], Just x)), spot) where
+  >     x = d / 1[m]
+  >     spot = moved (Spot { near = d, around = [x, 0.1], side = LeftSide }) [x, xs ! 2]
+  > EOF
+  $ sh measure.sh crossing.frob
+  all measured
+
 in single precision,
 
-  $ REAL=float sh measure.sh $(grep -l '^main' ../interp/*.frob) modes.frob ../../examples/wall_follow/wall_follow.frob
+  $ REAL=float sh measure.sh crossing.frob $(grep -l '^main' ../interp/*.frob) modes.frob ../../examples/wall_follow/wall_follow.frob
   all measured
 
 and for random ones.
