@@ -86,19 +86,25 @@ let rec zero real sums ~absent (ty : Machine.Ir.ty) : Ir.expr =
   | Float -> Float (real, 0.)
   | Bool -> Boolean false
   | Int | Nanoseconds -> Integer 0l
-  | Sum k -> Aggregate (Integer 0l :: zeros real sums ~absent (Machine.Layout.sum sums k))
+  | Sum k ->
+      let slots = zeros real sums ~absent (Machine.Layout.sum sums k) in
+      Aggregate (Integer 0l :: List.map (fun zero -> zero ()) slots)
   | Array (_, element) -> Aggregate [ Aggregate [ zero real sums ~absent element ] ]
 
-(* In the order of the members. *)
+(* In the order of the members. Each only when it is asked for, as [absent] declares
+   a variable. *)
 and zeros real sums ~absent (slots : Machine.Layout.slots) =
   let some count e = List.init count (fun _ -> e) in
+  let large (ty, count) =
+    some count (fun () -> zero real sums ~absent (Machine.Layout.ty ty))
+  in
   List.concat
     [
-      some slots.floats (Ir.Float (real, 0.));
-      some slots.ints (Ir.Integer 0l);
-      some slots.bools (Ir.Boolean false);
-      some slots.tags (Ir.Integer 0l);
-      List.concat_map (fun (ty, count) -> some count (zero real sums ~absent (Machine.Layout.ty ty))) slots.arrays;
+      some slots.floats (fun () -> Ir.Float (real, 0.));
+      some slots.ints (fun () -> Ir.Integer 0l);
+      some slots.bools (fun () -> Ir.Boolean false);
+      some slots.tags (fun () -> Ir.Integer 0l);
+      List.concat_map large slots.arrays;
     ]
 
 (* The function's value, a struct given member by member. *)
@@ -138,7 +144,9 @@ let maker sums ~absent types sum constructor =
         (Struct inner.struct_name, name)
   in
   let parameters = List.map parameter slots in
-  let value (member, _) zero = Option.value (Hashtbl.find_opt given member) ~default:zero in
+  let value (member, _) zero =
+    match Hashtbl.find_opt given member with Some e -> e | None -> zero ()
+  in
   function_
     ~result:(Struct t.struct_name)
     t.makers.(constructor) parameters

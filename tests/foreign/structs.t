@@ -111,3 +111,18 @@ copy of its state, with the component in it; then on the state:
       }
       return value;
   }
+
+What stands for a value that is not there is declared only where one may not be there.
+
+  $ cat > always.frob <<'EOF'
+  > foreign include "camera.h"
+  > foreign type Stamp = "struct stamp" copyable
+  > foreign sf count :: SF (Maybe Stamp) Int = "count"
+  > foreign stamped :: Time -> Stamp = "stamped"
+  > main :: SF Time Int
+  > main = proc t -> count (Just (stamped t))
+  > EOF
+  $ frobc compile always.frob && grep -c 'always_no_stamp' always.c
+  0
+  [1]
+  $ for cc in gcc clang; do $cc -std=c99 $flags always.c; done
