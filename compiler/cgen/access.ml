@@ -27,7 +27,7 @@ let for_each names steps body =
     | Member _ :: rest -> around rest indices
     | Element count :: rest ->
         let index = Expression.index names (List.length indices) in
-        plain (Ir.For { index; count; body = [ around rest (Ir.Name index :: indices) ] })
+        [ plain (Ir.For { index; count; body = around rest (Ir.Name index :: indices) }) ]
   in
   around steps []
 
@@ -35,10 +35,12 @@ let is_in_array = List.exists (function Interface.Element _ -> true | Member _ -
 
 (* Between a place in an array of the input or output and a variable. *)
 let copy names steps ~from_interface from own =
-  for_each names steps (fun indices ->
-      let outside = path from steps indices in
-      let own = List.fold_left Array_type.element own indices in
-      plain (if from_interface then Ir.Assign (own, outside) else Ir.Assign (outside, own)))
+  let element indices =
+    let outside = path from steps indices in
+    let own = List.fold_left Array_type.element own indices in
+    [ plain (if from_interface then Ir.Assign (own, outside) else Ir.Assign (outside, own)) ]
+  in
+  match for_each names steps element with [ loop ] -> loop | _ -> no_path ()
 
 let dimensions steps =
   List.length (List.filter (function Interface.Element _ -> true | Member _ -> false) steps)

@@ -5,7 +5,10 @@ val path : Ir.expr -> Interface.step list -> Ir.expr list -> Ir.expr
     indices of the arrays around it. *)
 
 val for_each :
-  Expression.names -> Interface.step list -> (Ir.expr list -> Ir.statement) -> Ir.statement
+  Expression.names ->
+  Interface.step list ->
+  (Ir.expr list -> Ir.statement list) ->
+  Ir.statement list
 (** Gets the indices of all arrays around the place. *)
 
 val is_in_array : Interface.step list -> bool

@@ -17,29 +17,47 @@ let by_shape shapes leaves =
 
 (* {1 What goes in} *)
 
+(* Values are leaves with their types. *)
 let fill names (i : Interface.t) name values =
-  let leaf steps value =
-    if Access.is_in_array steps then
-      Access.copy names steps ~from_interface:false (address name) value
-    else plain (Ir.Assign (Access.path (address name) steps [], value))
+  let leaf steps (ty, value) =
+    Crossing.elements names To_c ty steps ~c:(Access.path (address name) steps) ~own:value
   in
   let clear steps =
     Access.for_each names steps (fun indices ->
-        plain (Ir.Assign (Access.path (address name) steps indices, Integer 0l)))
+        [ plain (Ir.Assign (Access.path (address name) steps indices, Integer 0l)) ])
   in
   (plain (Ir.Variables { ty = Struct i.struct_name; names = [ name ] })
-  :: List.map2 leaf i.leaves values)
-  @ List.map clear i.unused
+  :: List.concat (List.map2 leaf i.leaves values))
+  @ List.concat_map clear i.unused
+
+let size : M.ty -> int = function
+  | Array (size, _) -> size
+  | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> bug "elements of no array"
+
+(* Elements that stand for themselves in C. *)
+let bare name : Ir.expr list -> Ir.expr = function
+  | [ index ] -> Subscript (Name name, index)
+  | [] | _ :: _ :: _ -> bug "elements of elements"
 
 (* What makes an argument ready, and the argument itself. *)
 let argument names k (passing : Foreign_interface.passing) values =
+  let own () = Name.fresh (Expression.scope names) (Printf.sprintf "argument%d" (k + 1)) in
+  let variable ty name = plain (Ir.Variables { ty; names = [ name ] }) in
   match (passing, values) with
   | Nothing, _ -> ([], [])
-  | Value _, [ value ] -> ([], [ value ])
-  | Address _, [ value ] -> ([], [ Expression.address value ])
-  | Elements _, [ Ir.Unary (Dereference, array) ] -> ([], [ Ir.Arrow (array, "at") ])
+  | Value _, [ (ty, value) ] -> ([], [ Crossing.number names To_c ty value ])
+  | Address c_type, [ (ty, value) ] when Crossing.is_converted names ty ->
+      let name = own () in
+      let set = Crossing.assign names To_c ty ~to_:(Name name) ~from:value in
+      (variable c_type name :: set, [ address name ])
+  | Address _, [ (_, value) ] -> ([], [ Expression.address value ])
+  | Elements element, [ (ty, value) ] when Crossing.is_converted names ty ->
+      let name = own () and size = size ty in
+      let set = Crossing.elements names To_c ty [ Element size ] ~c:(bare name) ~own:value in
+      (variable (Array (element, size)) name :: set, [ Name name ])
+  | Elements _, [ (_, Ir.Unary (Dereference, array)) ] -> ([], [ Ir.Arrow (array, "at") ])
   | Struct i, values ->
-      let name = Name.fresh (Expression.scope names) (Printf.sprintf "argument%d" (k + 1)) in
+      let name = own () in
       (fill names i name values, [ address name ])
   | (Value _ | Address _ | Elements _), _ -> bug "an argument of other leaves"
 
@@ -48,16 +66,28 @@ let argument names k (passing : Foreign_interface.passing) values =
 (* Where C's result is, by leaf. *)
 type results =
   | Whole of Ir.expr  (** one leaf, in one piece *)
+  | Bare of string  (** one array, in a variable that has its elements *)
   | Inside of Ir.expr * Interface.t  (** a pointer to the struct *)
 
-let results_of names = function
-  | Whole e -> fun _ -> `Value e
+type output = { ty : M.ty; leaf : int; pointer : string  (** [""] if it is returned *) }
+
+(* What C's result is to the program, an expression or what copies it. *)
+let result names results { ty; leaf; _ } =
+  let copy steps c =
+    `Copy (fun target -> Crossing.elements names From_c ty steps ~c ~own:target)
+  in
+  let in_one_piece (e : Ir.expr) =
+    match ty with
+    | Sum _ when Crossing.is_converted names ty -> copy [] (fun _ -> e)
+    | ty -> `Value (Crossing.number names From_c ty e)
+  in
+  match results with
+  | Whole e -> in_one_piece e
+  | Bare name -> copy [ Element (size ty) ] (bare name)
   | Inside (from, i) ->
-      fun k ->
-        let steps = List.nth i.Interface.leaves k in
-        if Access.is_in_array steps then
-          `Copy (fun target -> Access.copy names steps ~from_interface:true from target)
-        else `Value (Access.path from steps [])
+      let steps = List.nth i.Interface.leaves leaf in
+      if Access.is_in_array steps then copy steps (Access.path from steps)
+      else in_one_piece (Access.path from steps [])
 
 (* The leaf of the result that an output of the node is: some may be unused. *)
 let leaf_number (foreign : F.foreign) name =
@@ -67,8 +97,6 @@ let leaf_number (foreign : F.foreign) name =
     | [] -> bug "an output that is no result"
   in
   find 0 foreign.results
-
-type output = { ty : M.ty; leaf : int; pointer : string  (** [""] if it is returned *) }
 
 let outputs names (node : M.node) foreign =
   match node.outputs with
@@ -95,20 +123,20 @@ let through_variables v names ~initial outputs results call =
       else Variables { ty; names = [ name ] }
     in
     let set =
-      match results_of names results output.leaf with
-      | `Value e -> plain (Ir.Assign (Name name, e))
+      match result names results output with
+      | `Value e -> [ plain (Ir.Assign (Name name, e)) ]
       | `Copy copy -> copy (Ir.Name name)
     in
     (plain declared, set, give output (Name name))
   in
   let all = List.map own outputs in
   ( List.map (fun (declared, _, _) -> declared) all,
-    call @ List.map (fun (_, set, _) -> set) all,
+    call @ List.concat_map (fun (_, set, _) -> set) all,
     List.map (fun (_, _, give) -> give) all )
 
 let body v names outputs results ~call ~present =
   let direct output =
-    match results_of names results output.leaf with
+    match result names results output with
     | `Value e -> Some (give output e)
     | `Copy _ -> None
   in
@@ -135,7 +163,7 @@ let present names parameters =
     parameters
 
 (* The call with its result, and the variable that this needs. *)
-let call_function v names (node : M.node) symbol arguments (result : Foreign_interface.passing) =
+let call_function v names (node : M.node) symbol arguments (passing : Foreign_interface.passing) =
   let variable ty =
     let name = Name.fresh (Expression.scope names) "result" in
     (name, plain (Ir.Variables { ty; names = [ name ] }))
@@ -143,12 +171,14 @@ let call_function v names (node : M.node) symbol arguments (result : Foreign_int
   let into (name, declared) pointer results =
     ([ declared; plain (Ir.Do (Call (symbol, arguments @ [ pointer name ]))) ], results name)
   in
-  match (result, node.outputs) with
+  match (passing, node.outputs) with
   | Nothing, _ -> ([ plain (Ir.Do (Call (symbol, arguments))) ], Whole (Integer 0l))
   | Value _, _ -> ([], Whole (Call (symbol, arguments)))
   | Address ty, _ -> into (variable ty) address (fun name -> Whole (Name name))
   | Struct i, _ ->
       into (variable (Struct i.struct_name)) address (fun name -> Inside (address name, i))
+  | Elements element, [ (_, ty) ] when Crossing.is_converted names ty ->
+      into (variable (Array (element, size ty))) (fun name -> Name name) (fun name -> Bare name)
   | Elements _, [ (_, ty) ] ->
       into (variable (V.ty v ty)) (fun name -> Member (Name name, "at")) (fun name -> Whole (Name name))
   | Elements _, _ -> bug "an array of several leaves"
@@ -162,7 +192,9 @@ let step (v : V.t) k (interface : Foreign_interface.t) : Ir.function_ =
   let given = Expression.parameters names node.step.parameters in
   let values =
     by_shape foreign.import.arguments
-      (List.map (fun p -> Expression.of_machine names (Variable p)) node.step.parameters)
+      (List.map
+         (fun (p : M.variable) -> (p.ty, Expression.of_machine names (Variable p)))
+         node.step.parameters)
   in
   let outputs = outputs names node foreign in
   let own, call, results =
@@ -175,10 +207,11 @@ let step (v : V.t) k (interface : Foreign_interface.t) : Ir.function_ =
     | Component { input; output } ->
         let fill = fill names input "in" (List.concat values) in
         let declared = plain (Ir.Variables { ty = Struct output.struct_name; names = [ "out" ] }) in
-        let passed = [ Ir.Name "self"; Name "dt"; address "in"; address "out" ] in
+        let dt = Crossing.number names To_c Float (Name "dt") in
+        let passed = [ Ir.Name "self"; dt; address "in"; address "out" ] in
         let call = plain (Ir.Do (Call (Foreign_interface.step interface.symbol, passed))) in
         let state = Ir.Struct (Foreign_interface.state interface.symbol) in
-        ( [ (Ir.Pointer state, "self"); (Ir.Real Double, "dt") ],
+        ( [ (Ir.Pointer state, "self"); (V.real v, "dt") ],
           fill @ [ declared; call ],
           Inside (address "out", output) )
   in

@@ -372,9 +372,9 @@ let root_step (v : V.t) k : Ir.function_ =
   let body = statements c node.step.body in
   let clear steps =
     Access.for_each names steps (fun indices ->
-        plain (Ir.Assign (Access.path (Name "out") steps indices, Integer 0l)))
+        [ plain (Ir.Assign (Access.path (Name "out") steps indices, Integer 0l)) ])
   in
-  let unused = List.map clear v.output.unused in
+  let unused = List.concat_map clear v.output.unused in
   let reads_input =
     List.exists (fun (v : M.variable) -> Hashtbl.mem c.read v.id) node.step.parameters
   in

@@ -99,7 +99,16 @@ let states (v : V.t) =
 
 (* A robot's own are in its header. *)
 let types (v : V.t) =
-  V.type_definitions v ~of_:(function V.Program | Foreign_code -> true | Robot -> false)
+  let ours : Value_types.owner -> bool = function
+    | Program | Foreign_code -> true
+    | Robot -> false
+  in
+  let of_foreign_code =
+    match v.program.real with
+    | Double -> []
+    | Single -> Value_types.definitions v.foreign_types ~of_:ours
+  in
+  Value_types.definitions v.types ~of_:ours @ of_foreign_code
 
 (* {1 The user's C} *)
 
@@ -137,7 +146,7 @@ let own_records (v : V.t) =
     match d with
     | Struct_definition { name; _ }
       when List.mem name [ v.input.struct_name; v.output.struct_name ] ->
-        Some (Printf.sprintf "#define %s\n" (V.defined name))
+        Some (Printf.sprintf "#define %s\n" (Value_types.defined name))
     | _ -> None
   in
   match List.filter_map mark v.records with
@@ -147,7 +156,7 @@ let own_records (v : V.t) =
 let foreign_records (v : V.t) =
   List.concat_map
     (fun (d : Ir.declaration) ->
-      match d with Struct_definition { name; _ } -> V.once name [ d ] | d -> [ d ])
+      match d with Struct_definition { name; _ } -> Value_types.once name [ d ] | d -> [ d ])
     v.foreign_records
 
 (* What C's own headers declare, in C++ with promises that we cannot repeat. *)

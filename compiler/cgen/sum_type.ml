@@ -52,20 +52,32 @@ let payload sums ?(first = Machine.Layout.none) (constructor : F.sum_constructor
   let _, slots = List.fold_left place (first, []) (Machine.Layout.leaves constructor) in
   List.rev slots
 
-let members sums ?(first = Machine.Layout.none) t =
+type kind = Number | Whole | Truth | Inner_tag | Large of F.ty
+
+let kinds sums ?(first = Machine.Layout.none) t =
   let slots = t.slots in
-  let some count start slot ty = List.init count (fun k -> (slot (start + k), ty)) in
-  let arrays (ty, count) =
-    some count (Machine.Layout.arrays_before first ty) (array_slot sums ty) (List.assoc ty t.arrays)
+  let some count start slot kind = List.init count (fun k -> (slot (start + k), kind)) in
+  let large (ty, count) =
+    some count (Machine.Layout.arrays_before first ty) (array_slot sums ty) (Large ty)
   in
   List.concat
     [
-      some slots.floats first.floats float_slot (Ir.Real t.real);
-      some slots.ints first.ints int_slot Ir.Int32;
-      some slots.bools first.bools bool_slot Ir.Bool;
-      some slots.tags first.tags tag_slot Ir.Uint8;
-      List.concat_map arrays slots.arrays;
+      some slots.floats first.floats float_slot Number;
+      some slots.ints first.ints int_slot Whole;
+      some slots.bools first.bools bool_slot Truth;
+      some slots.tags first.tags tag_slot Inner_tag;
+      List.concat_map large slots.arrays;
     ]
+
+let members sums ?first t =
+  let ty : kind -> Ir.ty = function
+    | Number -> Real t.real
+    | Whole -> Int32
+    | Truth -> Bool
+    | Inner_tag -> Uint8
+    | Large ty -> List.assoc ty t.arrays
+  in
+  List.map (fun (name, kind) -> (name, ty kind)) (kinds sums ?first t)
 
 let definition sums (sum : F.sum) t =
   let member (name, ty) : Ir.member = { name; ty; comment = "" } in

@@ -34,9 +34,20 @@ val zero : Basis.Real.t ->
   Flow.Ir.sum array -> absent:(Flow.Ir.foreign_type -> Ir.expr) -> Machine.Ir.ty -> Ir.expr
 (** Some value of the type, as an initial value. *)
 
+(** What a member holds. *)
+type kind =
+  | Number
+  | Whole
+  | Truth
+  | Inner_tag
+  | Large of Flow.Ir.ty  (** an array, or a foreign value *)
+
+val kinds : Flow.Ir.sum array -> ?first:Machine.Layout.slots -> t -> (string * kind) list
+(** The members of its struct, without the tag. *)
+
 val members :
   Flow.Ir.sum array -> ?first:Machine.Layout.slots -> t -> (string * Ir.ty) list
-(** Of its struct, without the tag. *)
+(** The same, with their types. *)
 
 val definition : Flow.Ir.sum array -> Flow.Ir.sum -> t -> Ir.declaration list
 (** The tags' constants and the struct. *)

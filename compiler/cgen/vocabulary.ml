@@ -17,15 +17,14 @@ type node = {
   foreign : Foreign_interface.t option;
 }
 
-type owner = Program | Robot | Foreign_code
-
 type t = {
   program : M.program;
   apart : Machine.Apart.t;
   name : string;
   file_scope : Name.scope;
+  types : Value_types.t;
+  foreign_types : Value_types.t;
   sums : Sum_type.t array;
-  owners : owner array;
   nodes : node array;
   in_seconds : string;
   input : Interface.t;
@@ -39,23 +38,9 @@ type t = {
   elementary : (string, unit) Hashtbl.t;
   makers : (int * int, unit) Hashtbl.t;
   projections : (int * int * int, unit) Hashtbl.t;
-  arrays : arrays;
   operations : (Array_type.operation * M.ty, string) Hashtbl.t;
   absent : (F.foreign_type, string) Hashtbl.t;
 }
-
-(* Structs of arrays, as they are met. *)
-and arrays = {
-  names : (M.ty, string) Hashtbl.t;
-  array_owners : (M.ty, owner) Hashtbl.t;  (** of those that are not the program's *)
-  mutable met : M.ty list;  (** last first *)
-}
-
-let is_array (ty : M.ty) =
-  match ty with Array _ -> true | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> false
-
-let foreign_type (ty : F.foreign_type) : Ir.ty =
-  if ty.copyable then Named ty.c_type else Pointer_to_const (Named ty.c_type)
 
 let is_root t k = k = Array.length t.program.nodes - 1
 let has_modes t =
@@ -139,10 +124,6 @@ let name_root scope ~name ~(real : Basis.Real.t) =
   let root_step = match real with Double -> root_in_seconds | Single -> take "_step_ns" in
   { root_state; root_reset; root_step; root_in_seconds }
 
-(* What the programs around may know by the same name begins so. *)
-let shared_prefix = "frob"
-let prefix ~name = function Program -> name | Robot | Foreign_code -> shared_prefix
-
 let name_nodes scope ~name ~root ~foreign apart (nodes : M.node array) =
   let last = Array.length nodes - 1 in
   Array.mapi
@@ -165,21 +146,6 @@ let name_nodes scope ~name ~root ~foreign apart (nodes : M.node array) =
             names ~state ~reset ~step:(Name.fresh scope (own ^ "_step")))
     nodes
 
-let rec name_array arrays scope ~name sums (ty : M.ty) =
-  match Hashtbl.find_opt arrays.names ty with
-  | Some name -> name
-  | None ->
-      (* The type of its elements is defined with it. *)
-      (match ty with
-      | Array (_, (Array _ as element)) ->
-          ignore (name_array arrays scope ~name sums element : string)
-      | Array _ | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> ());
-      let owner = Option.value (Hashtbl.find_opt arrays.array_owners ty) ~default:Program in
-      let name = Name.fresh scope (prefix ~name owner ^ "_" ^ Array_type.name sums ty) in
-      Hashtbl.replace arrays.names ty name;
-      arrays.met <- ty :: arrays.met;
-      name
-
 (* What C code of the user's is called. *)
 let foreign_names (program : M.program) =
   let names (f : F.import) =
@@ -198,29 +164,17 @@ let of_program ?own (program : M.program) =
   (* What a host calls and sees has the first choice: the root's names are the
      program's own, its types come before the functions inside. *)
   let root = name_root scope ~name ~real:program.real in
-  let arrays = { names = Hashtbl.create 16; array_owners = Hashtbl.create 4; met = [] } in
-  let owners = Array.make (Array.length program.sums) Program in
-  let rec mark owner (ty : F.ty) =
-    match ty with
-    | Sum k ->
-        if owners.(k) = Program then owners.(k) <- owner;
-        List.iter
-          (fun (ty, _) ->
-            let array = Machine.Layout.ty ty in
-            if is_array array && not (Hashtbl.mem arrays.array_owners array) then
-              Hashtbl.replace arrays.array_owners array owner;
-            mark owner ty)
-          (Machine.Layout.sum program.sums k).arrays
-    | Array (_, element) -> mark owner element
-    | Bool | Int | Float | Foreign _ -> ()
-  in
-  let mark_leaves owner shape = List.iter (mark owner) (Machine.Layout.shape_leaves shape) in
-  (* Robots' structs are of doubles; the program's own are as it computes, and its
-     table for hosts converts. *)
+  let known = Value_types.known program.sums in
+  (* Robots' structs are of doubles. In single precision the program's own are not the
+     robot's, and its table for hosts converts; but code of the user's may know types
+     of the robot's. *)
   let robot_of shape =
-    let robot = match program.real with Double -> Robot.of_shape ?own shape | Single -> None in
-    if Option.is_some robot then mark_leaves Robot shape;
-    robot
+    match (program.real, program.imports) with
+    | Single, [] -> None
+    | Double, _ | Single, _ :: _ ->
+        let robot = Robot.of_shape ?own shape in
+        if Option.is_some robot then Value_types.mark known Robot shape;
+        robot
   in
   let command, result =
     if program.ends then Interface.apart program.output else (program.output, None)
@@ -228,36 +182,34 @@ let of_program ?own (program : M.program) =
   let input_robot = robot_of program.input in
   let output_robot = robot_of command in
   List.iter
-    (fun (f : F.import) -> List.iter (mark_leaves Foreign_code) (f.result :: f.arguments))
+    (fun (f : F.import) ->
+      List.iter (Value_types.mark known Foreign_code) (f.result :: f.arguments))
     program.imports;
-  let sums =
-    Array.mapi
-      (fun k sum ->
-        let prefix = prefix ~name owners.(k) in
-        let slots = Machine.Layout.sum program.sums k in
-        let array (ty, _) =
-          match Machine.Layout.ty ty with
-          | Foreign foreign -> (ty, foreign_type foreign)
-          | array -> (ty, Ir.Struct (name_array arrays scope ~name program.sums array))
-        in
-        Sum_type.name scope ~prefix ~real:program.real sum ~slots ~arrays:(List.map array slots.arrays))
-      program.sums
+  let types = Value_types.own scope ~name ~real:program.real known in
+  let foreign_types = Value_types.of_foreign_code types in
+  let interface_types types ~real ~prefix =
+    let sum k = (Value_types.sums types).(k).struct_name in
+    Interface.types scope ~real ~prefix ~sum ~foreign:Value_types.foreign_type
   in
-  let sum k = sums.(k).struct_name in
-  let own = Interface.types scope ~real:program.real ~prefix:name ~sum ~foreign:foreign_type in
-  let shared = Interface.types scope ~real:Double ~prefix:shared_prefix ~sum ~foreign:foreign_type in
-  let interface robot struct_name result (shape : F.shape) =
-    match (robot, shape) with
-    | Some _, Product { product_name; _ } when Option.is_some result ->
-        let command = Interface.of_shape shared ~name:("frob_" ^ Name.snake product_name) shape in
-        Interface.with_result own ~name:struct_name command (Option.get result)
-    | Some _, Product { product_name; _ } ->
-        Interface.of_shape shared ~name:("frob_" ^ Name.snake product_name) shape
-    | _, _ -> Interface.of_shape own ~name:struct_name shape
+  let own = interface_types types ~real:program.real ~prefix:name in
+  let shared = interface_types foreign_types ~real:Double ~prefix:"frob" in
+  let interface robot struct_name ~whole ~robots:(shape : F.shape) result =
+    let robots =
+      match (robot, shape) with
+      | Some _, Product { product_name; _ } ->
+          Some (Interface.of_shape shared ~name:("frob_" ^ Name.snake product_name) shape)
+      | _, _ -> None
+    in
+    match (program.real, robots, result) with
+    | Double, Some robots, None -> robots
+    | Double, Some robots, Some result ->
+        Interface.with_result own ~name:struct_name robots result
+    | Double, None, _ | Single, _, _ -> Interface.of_shape own ~name:struct_name whole
   in
-  let input = interface input_robot input_name None program.input in
-  let output = interface output_robot output_name result
-      (if Option.is_some output_robot then command else program.output) in
+  let input =
+    interface input_robot input_name ~whole:program.input ~robots:program.input None
+  in
+  let output = interface output_robot output_name ~whole:program.output ~robots:command result in
   let robot_records = Interface.definitions shared in
   let imports =
     List.map (Foreign_interface.of_import shared ~fresh:(Name.fresh scope)) program.imports
@@ -279,8 +231,9 @@ let of_program ?own (program : M.program) =
     apart;
     name;
     file_scope = scope;
-    sums;
-    owners;
+    types;
+    foreign_types;
+    sums = Value_types.sums types;
     nodes;
     in_seconds = root.root_in_seconds;
     input;
@@ -295,7 +248,6 @@ let of_program ?own (program : M.program) =
     elementary = Hashtbl.create 4;
     makers = Hashtbl.create 16;
     projections = Hashtbl.create 16;
-    arrays;
     operations = Hashtbl.create 16;
     absent = Hashtbl.create 4;
   }
@@ -303,15 +255,7 @@ let of_program ?own (program : M.program) =
 let real t = Ir.Real t.program.real
 let float t x = Ir.Float (t.program.real, x)
 
-let ty t (ty : M.ty) : Ir.ty =
-  match ty with
-  | Array _ -> Struct (name_array t.arrays t.file_scope ~name:t.name t.program.sums ty)
-  | Bool -> Bool
-  | Int -> Int32
-  | Float -> real t
-  | Nanoseconds -> Int64
-  | Sum k -> Struct t.sums.(k).struct_name
-  | Foreign foreign -> foreign_type foreign
+let ty t = Value_types.ty t.types
 
 let absent t (ty : F.foreign_type) : Ir.expr =
   if not ty.copyable then Integer 0l
@@ -356,8 +300,8 @@ let array_function t operation array =
   match Hashtbl.find_opt t.operations (operation, array) with
   | Some name -> name
   | None ->
-      let struct_name = name_array t.arrays t.file_scope ~name:t.name t.program.sums array in
-      let name = Name.fresh t.file_scope (struct_name ^ "_" ^ Array_type.suffix operation) in
+      let suffix = "_" ^ Array_type.suffix operation in
+      let name = Name.fresh t.file_scope (Value_types.array_name t.types array ^ suffix) in
       Hashtbl.replace t.operations (operation, array) name;
       name
 
@@ -367,61 +311,13 @@ let size_and_element : M.ty -> int * M.ty = function
       Basis.Diagnostic.bug ~stage:"Cgen.Vocabulary" "an array that is none"
 
 let array_functions t =
-  let function_ array operation =
+  let function_ (array, struct_name) operation =
     let count, element = size_and_element array in
     Option.map
       (fun name ->
-        Array_type.function_ operation name
-          ~struct_name:(Hashtbl.find t.arrays.names array)
-          ~count ~element:(ty t element))
+        Array_type.function_ operation name ~struct_name ~count ~element:(ty t element))
       (Hashtbl.find_opt t.operations (operation, array))
   in
   List.concat_map
     (fun array -> List.filter_map (function_ array) Array_type.operations)
-    (List.rev t.arrays.met)
-
-(* Several programs, and the user's own header, may define what C code of the
-   user's knows. *)
-let defined struct_name = String.uppercase_ascii struct_name ^ "_DEFINED"
-
-let once struct_name declarations =
-  let guard = defined struct_name in
-  (Ir.Text (Printf.sprintf "#ifndef %s\n#define %s\n" guard guard) :: declarations)
-  @ [ Ir.Text "#endif\n" ]
-
-let shared_once owner struct_name declarations =
-  match owner with
-  | Program | Robot -> declarations
-  | Foreign_code -> once struct_name declarations
-
-(* Each type after those that it is made of. *)
-let type_definitions t ~of_:wanted =
-  let sums_done = Array.make (Array.length t.sums) false and arrays_done = Hashtbl.create 16 in
-  let definitions = ref [] in
-  let add declarations = definitions := List.rev_append declarations !definitions in
-  let rec sum k =
-    if not sums_done.(k) then (
-      sums_done.(k) <- true;
-      List.iter
-        (fun ty -> if is_array ty then array ty)
-        (List.map (fun (ty, _) -> Machine.Layout.ty ty) t.sums.(k).slots.arrays);
-      if wanted t.owners.(k) then
-        add
-          (shared_once t.owners.(k) t.sums.(k).struct_name
-             (Sum_type.definition t.program.sums t.program.sums.(k) t.sums.(k))))
-  and array array_ty =
-    if not (Hashtbl.mem arrays_done array_ty) then (
-      Hashtbl.replace arrays_done array_ty ();
-      let count, element = size_and_element array_ty in
-      (match element with
-      | Sum k -> sum k
-      | Array _ -> array element
-      | Bool | Int | Float | Nanoseconds | Foreign _ -> ());
-      let owner = Option.value (Hashtbl.find_opt t.arrays.array_owners array_ty) ~default:Program in
-      if wanted owner then
-        let name = Hashtbl.find t.arrays.names array_ty in
-        add (shared_once owner name [ Array_type.definition name ~count ~element:(ty t element) ]))
-  in
-  Array.iteri (fun k _ -> sum k) t.sums;
-  List.iter array (List.rev t.arrays.met);
-  List.rev !definitions
+    (Value_types.arrays t.types)

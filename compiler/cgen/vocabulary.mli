@@ -21,19 +21,14 @@ type node = {
   foreign : Foreign_interface.t option;  (** if it is C code of the user's *)
 }
 
-(** Whose header defines a type. *)
-type owner =
-  | Program
-  | Robot
-  | Foreign_code  (** the program's, for others to know it by the same name *)
-
 type t = {
   program : Machine.Ir.program;
   apart : Machine.Apart.t;
   name : string;  (** the prefix of all names *)
   file_scope : Name.scope;
-  sums : Sum_type.t array;
-  owners : owner array;  (** of the sums *)
+  types : Value_types.t;
+  foreign_types : Value_types.t;  (** as C code of the user's has them *)
+  sums : Sum_type.t array;  (** the program's own *)
   nodes : node array;
   in_seconds : string;  (** the root's step whose dt is in seconds *)
   input : Interface.t;
@@ -47,15 +42,11 @@ type t = {
   elementary : (string, unit) Hashtbl.t;  (** functions of the runtime's that are called *)
   makers : (int * int, unit) Hashtbl.t;  (** sum, constructor *)
   projections : (int * int * int, unit) Hashtbl.t;  (** sum, constructor, leaf *)
-  arrays : arrays;
   operations : (Array_type.operation * Machine.Ir.ty, string) Hashtbl.t;
       (** functions on arrays, by array type *)
   absent : (Flow.Ir.foreign_type, string) Hashtbl.t;
       (** variables that stand for values that are not there *)
 }
-
-and arrays
-(** Structs of arrays, named as they are met. *)
 
 val of_program : ?own:Robot.t -> Machine.Ir.program -> t
 (** [own]: the user's own robot, if the program is for one. *)
@@ -86,15 +77,6 @@ val array_function : t -> Array_type.operation -> Machine.Ir.ty -> string
 
 val array_functions : t -> Ir.function_ list
 (** All that were asked for. *)
-
-val type_definitions : t -> of_:(owner -> bool) -> Ir.declaration list
-(** Sums and arrays, used before users. To be called when all code is made. *)
-
-val defined : string -> string
-(** The macro that says that this struct is defined. *)
-
-val once : string -> Ir.declaration list -> Ir.declaration list
-(** Unless that struct was defined before. *)
 
 val is_root : t -> int -> bool
 val has_state : t -> int -> bool

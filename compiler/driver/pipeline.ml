@@ -174,14 +174,12 @@ let find_entry sink (core : Core.Ir.program) ~file entry =
       None
 
 let no_interpreter = "E0505"
-let no_single_precision = "E0506"
 
-(* The interpreter runs Frob only; and the user's C has doubles, which a program of
-   single precision would pass as what they are not. *)
-let refuse_foreign sink core ~entry ~what_for ~code ~hint (flow : Flow.Ir.program) =
+(* The interpreter runs Frob only. *)
+let refuse_foreign sink core ~entry (flow : Flow.Ir.program) =
   let refuse at what =
-    Diagnostic.error ~code ~at "%s: %s" what_for what
-    |> Diagnostic.hint hint
+    Diagnostic.error ~code:no_interpreter ~at "the interpreter cannot run this program: %s" what
+    |> Diagnostic.hint "run it with `--engine c`"
     |> Diagnostic.emit sink
   in
   let calls (node : Flow.Ir.node) = Option.is_some node.foreign in
@@ -197,16 +195,11 @@ let checked ?robot options sink sources ~library ~entry file =
   let* entry = find_entry sink front.core ~file entry in
   let* core, entry = Robots.closed sink robot (for_a_robot ?robot front entry) in
   let* flow = flow options sink ~name:(c_name file) ~entry core in
-  if options.real = Single then
-    refuse_foreign sink core ~entry flow ~code:no_single_precision
-      ~what_for:"this program cannot be one of single precision"
-      ~hint:"compile it without `--real float`";
-  if Diagnostic.has_errors sink then None else Some (core, entry, flow)
+  Some (core, entry, flow)
 
 let interpretable ?robot options sink sources ~library ~entry file =
   let* core, entry, flow = checked ?robot options sink sources ~library ~entry file in
-  refuse_foreign sink core ~entry flow ~code:no_interpreter
-    ~what_for:"the interpreter cannot run this program" ~hint:"run it with `--engine c`";
+  refuse_foreign sink core ~entry flow;
   if Diagnostic.has_errors sink then None else Some (core, entry)
 
 let machine_of options sink flow =

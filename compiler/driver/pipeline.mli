@@ -23,10 +23,6 @@ val no_entry : string
 val no_interpreter : string
 (** The code of the diagnostic for a program that the interpreter cannot run. *)
 
-val no_single_precision : string
-(** The code of the diagnostic for a program that cannot be compiled in single
-    precision. *)
-
 val machine :
   ?robot:Cgen.Robot.t ->
   options ->

@@ -59,3 +59,13 @@ let rec scalars sums (ty : Machine.Ir.ty) =
           0 slots.arrays
       in
       Amount.add arrays (1 + slots.floats + slots.ints + slots.bools + slots.tags)
+
+let rec numbers sums (ty : Machine.Ir.ty) =
+  match ty with
+  | Float -> 1
+  | Bool | Int | Nanoseconds | Foreign _ -> 0
+  | Array (n, element) -> Amount.times n (numbers sums element)
+  | Sum k ->
+      let slots = Machine.Layout.sum sums k in
+      let slot (ty, count) = Amount.times count (numbers sums (Machine.Layout.ty ty)) in
+      List.fold_left Amount.add slots.floats (List.map slot slots.arrays)

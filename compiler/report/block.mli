@@ -13,6 +13,9 @@ val foreign : t
 val scalars : Flow.Ir.sum array -> Machine.Ir.ty -> int
 (** How many numbers, truth values and tags a value is made of. *)
 
+val numbers : Flow.Ir.sum array -> Machine.Ir.ty -> int
+(** How many of these are Floats. *)
+
 val run : int -> t -> t
 (** So many, one after another. *)
 

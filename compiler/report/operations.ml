@@ -266,6 +266,16 @@ let root_clock (program : M.program) (root : M.node) =
   in
   Cost.sum (first @ times)
 
+(* The user's C has doubles. *)
+let crossing (program : M.program) (node : M.node) =
+  match program.real with
+  | Double -> Cost.none
+  | Single ->
+      let given = List.map (fun (v : M.variable) -> v.ty) node.step.parameters in
+      let time : M.ty list = if node.seconds then [ Float ] else [] in
+      let numbers ty = Cost.several (Block.numbers program.sums ty) Conversions in
+      Cost.sum (List.map numbers (time @ given @ List.map snd node.outputs))
+
 let of_program (program : M.program) =
   let nothing = { reset = Cost.none; step = Cost.none } in
   let count = Array.length program.nodes in
@@ -278,7 +288,8 @@ let of_program (program : M.program) =
       | Some { import = { symbol; _ }; _ } ->
           let stateful = node.state <> [] in
           let call what = Cost.one (Calls (if stateful then symbol ^ what else symbol)) in
-          done_.(k) <- { reset = call "_reset"; step = call "_step" }
+          let step = Cost.add (crossing program node) (call "_step") in
+          done_.(k) <- { reset = call "_reset"; step }
       | None -> done_.(k) <- { reset = statements c node.reset.body; step = statements c node.step.body })
     program.nodes;
   let last = count - 1 in

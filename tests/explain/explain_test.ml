@@ -27,8 +27,14 @@ let blocks page =
   in
   outside [] (String.split_on_char '\n' page)
 
-let options real =
-  { Driver.Pipeline.dump = None; stop_after = None; lint = true; specialization_limit = 10_000; real }
+let options =
+  {
+    Driver.Pipeline.dump = None;
+    stop_after = None;
+    lint = true;
+    specialization_limit = 10_000;
+    real = Double;
+  }
 
 (* A fresh folder for each program: its modules must not find each other's. *)
 let folder =
@@ -47,16 +53,16 @@ type stage =
   | Compile
   | Interpret
 
-let codes_of stage real files =
+let codes_of stage files =
   let folder = folder () in
   List.iter (fun (name, text) -> write (Filename.concat folder name) text) files;
   let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
   let main = Filename.concat folder (fst (List.hd files)) in
   (match stage with
-  | Compile -> ignore (Driver.Pipeline.compile (options real) sink sources ~library ~entry:"main" main)
+  | Compile -> ignore (Driver.Pipeline.compile options sink sources ~library ~entry:"main" main)
   | Interpret ->
-      ignore (Driver.Pipeline.interpretable (options real) sink sources ~library ~entry:"main" main)
-  | Check -> Driver.Pipeline.check (options real) sink sources ~library main);
+      ignore (Driver.Pipeline.interpretable options sink sources ~library ~entry:"main" main)
+  | Check -> Driver.Pipeline.check options sink sources ~library main);
   List.sort_uniq String.compare
     (List.map (fun (d : Basis.Diagnostic.t) -> d.code) (Basis.Diagnostic.all sink))
 
@@ -71,9 +77,6 @@ let stage_of code =
   else if List.mem (String.sub code 0 3) [ "E04"; "E05" ] then Compile
   else Check
 
-let real_of code : Basis.Real.t =
-  if String.equal code Driver.Pipeline.no_single_precision then Single else Double
-
 (* The smallest program that nests too deeply is too long for a page. *)
 let faulty_example code blocks =
   match code with
@@ -85,7 +88,7 @@ let faulty_example code blocks =
 let check_page code () =
   let blocks = blocks (Option.get (Basis.Explain.find code)) in
   let others = List.filter_map beside blocks in
-  let result text = codes_of (stage_of code) (real_of code) (("main.frob", text) :: others) in
+  let result text = codes_of (stage_of code) (("main.frob", text) :: others) in
   Alcotest.(check (list string)) "the example" [ code ] (result (faulty_example code blocks));
   Alcotest.(check (list string)) "the cured example" [] (result (List.assoc "frob" blocks))
 

@@ -173,22 +173,3 @@ What is out of range is said to be.
   
   1 error
   [1]
-
-Foreign code is in C for doubles.
-
-  $ cat > foreign.frob <<EOF
-  > foreign cubeRoot :: Float -> Float = "cbrt"
-  > main :: SF Float Float
-  > main = arr cubeRoot
-  > EOF
-  $ frobc compile foreign.frob --real float
-  error[E0506]: this program cannot be one of single precision: `cubeRoot` is in C
-   --> foreign.frob:1:9
-    |
-  1 | foreign cubeRoot :: Float -> Float = "cbrt"
-    |         ^^^^^^^^
-    |
-    = hint: compile it without `--real float`
-  
-  1 error
-  [1]

@@ -1,0 +1,180 @@
+module F = Flow.Ir
+module M = Machine.Ir
+
+type owner = Program | Robot | Foreign_code
+
+type known = {
+  program : F.sum array;
+  sum_owners : owner array;
+  array_owners : (M.ty, owner) Hashtbl.t;  (** of those that are not the program's *)
+}
+
+type t = {
+  known : known;
+  real : Basis.Real.t;
+  name : string;
+  scope : Name.scope;
+  sums : Sum_type.t array;
+  names : (M.ty, string) Hashtbl.t;  (** of arrays *)
+  mutable met : M.ty list;  (** arrays, last first *)
+  beside : t option;  (** the program's own, if this is that of the user's C *)
+}
+
+let is_array (ty : M.ty) =
+  match ty with Array _ -> true | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> false
+
+let foreign_type (ty : F.foreign_type) : Ir.ty =
+  if ty.copyable then Named ty.c_type else Pointer_to_const (Named ty.c_type)
+
+let rec holds_numbers sums (ty : M.ty) =
+  match ty with
+  | Float -> true
+  | Bool | Int | Nanoseconds | Foreign _ -> false
+  | Array (_, element) -> holds_numbers sums element
+  | Sum k ->
+      let slots = Machine.Layout.sum sums k in
+      slots.floats > 0
+      || List.exists (fun (ty, _) -> holds_numbers sums (Machine.Layout.ty ty)) slots.arrays
+
+(* {1 Who knows them} *)
+
+let known program =
+  {
+    program;
+    sum_owners = Array.make (Array.length program) Program;
+    array_owners = Hashtbl.create 4;
+  }
+
+let mark known owner shape =
+  let rec ty : F.ty -> unit = function
+    | Sum k ->
+        if known.sum_owners.(k) = Program then known.sum_owners.(k) <- owner;
+        List.iter
+          (fun (slot, _) ->
+            let array = Machine.Layout.ty slot in
+            if is_array array && not (Hashtbl.mem known.array_owners array) then
+              Hashtbl.replace known.array_owners array owner;
+            ty slot)
+          (Machine.Layout.sum known.program k).arrays
+    | Array (_, element) -> ty element
+    | Bool | Int | Float | Foreign _ -> ()
+  in
+  List.iter ty (Machine.Layout.shape_leaves shape)
+
+let marked t (ty : M.ty) =
+  match ty with
+  | Sum k -> t.known.sum_owners.(k)
+  | ty -> Option.value (Hashtbl.find_opt t.known.array_owners ty) ~default:Program
+
+let differ t ty = t.real = Single && holds_numbers t.known.program ty
+
+(* Is this table the one that has the type? *)
+let is_here t ty =
+  match t.beside with
+  | None -> true
+  | Some own -> marked t ty <> Program && differ own ty
+
+(* Others know doubles only: a type of floats is the program's alone. *)
+let owner t ty = if differ t ty then Program else marked t ty
+
+(* {1 Names} *)
+
+(* What the programs around may know by the same name begins alike. *)
+let prefix t ty = match owner t ty with Program -> t.name | Robot | Foreign_code -> "frob"
+
+let rec array_name t (ty : M.ty) =
+  match (Hashtbl.find_opt t.names ty, t.beside) with
+  | Some name, _ -> name
+  | None, Some own when not (is_here t ty) -> array_name own ty
+  | None, _ ->
+      (* The type of its elements is defined with it. *)
+      (match ty with
+      | Array (_, (Array _ as element)) -> ignore (array_name t element : string)
+      | Array _ | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> ());
+      let name = Name.fresh t.scope (prefix t ty ^ "_" ^ Array_type.name t.known.program ty) in
+      Hashtbl.replace t.names ty name;
+      t.met <- ty :: t.met;
+      name
+
+let sum_type t k sum =
+  let slots = Machine.Layout.sum t.known.program k in
+  let array (ty, _) =
+    match Machine.Layout.ty ty with
+    | Foreign foreign -> (ty, foreign_type foreign)
+    | array -> (ty, Ir.Struct (array_name t array))
+  in
+  Sum_type.name t.scope ~prefix:(prefix t (Sum k)) ~real:t.real sum ~slots
+    ~arrays:(List.map array slots.arrays)
+
+let own scope ~name ~real known =
+  let t =
+    { known; real; name; scope; sums = [||]; names = Hashtbl.create 16; met = []; beside = None }
+  in
+  let sums = Array.mapi (sum_type t) known.program in
+  { t with sums }
+
+let of_foreign_code own =
+  match own.real with
+  | Double -> own
+  | Single ->
+      let t = { own with real = Double; names = Hashtbl.create 4; met = []; beside = Some own } in
+      let sum k declared = if is_here t (Sum k) then sum_type t k declared else own.sums.(k) in
+      let sums = Array.mapi sum own.known.program in
+      { t with sums }
+
+let sums t = t.sums
+
+let ty t (ty : M.ty) : Ir.ty =
+  match ty with
+  | Array _ -> Struct (array_name t ty)
+  | Bool -> Bool
+  | Int -> Int32
+  | Float -> Real t.real
+  | Nanoseconds -> Int64
+  | Sum k -> Struct t.sums.(k).struct_name
+  | Foreign foreign -> foreign_type foreign
+
+let arrays t = List.rev_map (fun ty -> (ty, Hashtbl.find t.names ty)) t.met
+
+(* {1 Definitions} *)
+
+(* Several programs, and the user's own header, may define what C code of the
+   user's knows. *)
+let defined struct_name = String.uppercase_ascii struct_name ^ "_DEFINED"
+
+let once struct_name declarations =
+  let guard = defined struct_name in
+  (Ir.Text (Printf.sprintf "#ifndef %s\n#define %s\n" guard guard) :: declarations)
+  @ [ Ir.Text "#endif\n" ]
+
+let shared_once owner struct_name declarations =
+  match owner with
+  | Program | Robot -> declarations
+  | Foreign_code -> once struct_name declarations
+
+(* Each type after those that it is made of. *)
+let definitions t ~of_:wanted =
+  let sums = t.known.program in
+  let done_ = Hashtbl.create 16 and definitions = ref [] in
+  let define ty struct_name declarations =
+    let owner = owner t ty in
+    if wanted owner then
+      definitions := List.rev_append (shared_once owner struct_name declarations) !definitions
+  in
+  let rec add (type_ : M.ty) =
+    if is_here t type_ && not (Hashtbl.mem done_ type_) then (
+      Hashtbl.replace done_ type_ ();
+      match type_ with
+      | Sum k ->
+          let own = t.sums.(k) in
+          List.iter (fun (slot, _) -> add (Machine.Layout.ty slot)) own.slots.arrays;
+          define type_ own.struct_name (Sum_type.definition sums sums.(k) own)
+      | Array (count, element) ->
+          add element;
+          let name = array_name t type_ in
+          define type_ name [ Array_type.definition name ~count ~element:(ty t element) ]
+      | Bool | Int | Float | Nanoseconds | Foreign _ -> ())
+  in
+  Array.iteri (fun k _ -> add (Sum k)) t.sums;
+  List.iter (fun (array, _) -> add array) (arrays t);
+  List.rev !definitions
