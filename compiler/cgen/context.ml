@@ -79,5 +79,13 @@ let own_state c state =
     (List.concat_map (Expression.places c.names) (Option.to_list state))
 
 (* Arguments of a node's functions. *)
-let for_step c node = Expression.arguments c.names c.v.program.nodes.(node).step.parameters
+let for_step c node arguments =
+  let parameters = c.v.program.nodes.(node).step.parameters in
+  let is_read_there v = Option.is_some (Program_input.member c.v.by_pointer node v) in
+  let parameters, arguments =
+    List.split (List.filter (fun (v, _) -> not (is_read_there v)) (List.combine parameters arguments))
+  in
+  (if Program_input.is_given c.v.by_pointer node then [ Ir.Name "in" ] else [])
+  @ Expression.arguments c.names parameters arguments
+
 let for_reset c node = Expression.arguments c.names c.v.program.nodes.(node).reset.parameters

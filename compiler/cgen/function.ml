@@ -133,11 +133,17 @@ let name_variables names body =
   declared (named true);
   declared (named false)
 
-let variables_read body =
+(* What only goes on by the pointer to the input is not read. *)
+let variables_read (v : V.t) (node : M.node) body =
+  let reads = Hashtbl.create 16 in
+  let count n (variable : M.variable) =
+    let before = Option.value (Hashtbl.find_opt reads variable.id) ~default:0 in
+    Hashtbl.replace reads variable.id (before + n)
+  in
+  Machine.Walk.expressions (function M.Variable variable -> count 1 variable | _ -> ()) body;
+  List.iter (count (-1)) (Program_input.variables_by_pointer v.by_pointer v.program node body);
   let read = Hashtbl.create 16 in
-  Machine.Walk.expressions
-    (function M.Variable v -> Hashtbl.replace read v.id () | _ -> ())
-    body;
+  Hashtbl.iter (fun id n -> if n > 0 then Hashtbl.replace read id ()) reads;
   read
 
 let self v k =
@@ -167,7 +173,7 @@ let reset (v : V.t) k : Ir.function_ =
   let own = self v k in
   let parameters = own @ Expression.parameters names node.reset.parameters in
   name_variables names node.reset.body;
-  let c = { v; names; index = k; node; write = no_result; read = variables_read node.reset.body; seconds = Given; nanoseconds = Int64; place = "" } in
+  let c = { v; names; index = k; node; write = no_result; read = variables_read v node node.reset.body; seconds = Given; nanoseconds = Int64; place = "" } in
   let body = statements c node.reset.body in
   let unread = unread names own in
   {
@@ -179,13 +185,46 @@ let reset (v : V.t) k : Ir.function_ =
     comment = place_of node;
   }
 
+(* A member of the input is read where it is used if it has a name of its own; what is only
+   [f1] there gets the programmer's name first. *)
+let read_member (v : V.t) names read (variable : M.variable) steps =
+  let place = Access.path (Name "in") steps [] in
+  if Interface.direct v.program.input || String.equal variable.name "" then (
+    Expression.read_as names variable place;
+    [])
+  else if Hashtbl.mem read variable.id then
+    let ty = V.ty v variable.ty and name = Expression.variable names variable in
+    [ plain (Ir.Constant { ty; name; value = place }) ]
+  else []
+
+(* Structs that share memory might otherwise be where the input is. *)
+let input (v : V.t) : Ir.ty =
+  let input = Ir.Pointer_to_const (Struct v.input.struct_name) in
+  if V.has_modes v then (
+    ignore (V.helper v Restrict : string);
+    Only_way_to input)
+  else input
+
 (* Few operations: worth a copy at every call. *)
 let inline_size = 12
 
 let own_step (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
-  let given = Expression.parameters names node.step.parameters in
+  let read = variables_read v node node.step.body in
+  let by_value, by_pointer =
+    List.partition_map
+      (fun variable ->
+        match Program_input.member v.by_pointer k variable with
+        | Some steps -> Either.Right (variable, steps)
+        | None -> Left variable)
+      node.step.parameters
+  in
+  let given = Expression.parameters names by_value in
+  let taken =
+    List.concat_map (fun (variable, steps) -> read_member v names read variable steps) by_pointer
+  in
+  let input = if Program_input.is_given v.by_pointer k then [ (input v, "in") ] else [] in
   name_variables names node.step.body;
   let single, results =
     match node.outputs with
@@ -200,7 +239,7 @@ let own_step (v : V.t) k : Ir.function_ =
   in
   let places = Array.of_list results in
   let write k value = plain (Ir.Assign (Unary (Dereference, Name (snd places.(k))), value)) in
-  let c = { v; names; index = k; node; write; read = variables_read node.step.body; seconds = Given; nanoseconds = Int64; place = "" } in
+  let c = { v; names; index = k; node; write; read; seconds = Given; nanoseconds = Int64; place = "" } in
   let state = if V.has_state v k then self v k else [] in
   let dt = if node.seconds then [ (V.real v, "dt") ] else [] in
   let dt_ns = if node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
@@ -210,8 +249,8 @@ let own_step (v : V.t) k : Ir.function_ =
     linkage = (if node.operations <= inline_size then Static_inline else Static);
     result = single;
     name = v.nodes.(k).step;
-    parameters = List.concat [ state; dt; dt_ns; given; results ];
-    body = List.rev_append (List.rev unread) body;
+    parameters = List.concat [ state; dt; dt_ns; input; given; results ];
+    body = unread @ taken @ body;
     comment = place_of node;
   }
 
@@ -300,10 +339,7 @@ let only_elements_read body (variable : M.variable) ~dimensions =
     body;
   !reads = !of_elements
 
-(* Inputs are read where they are used if their member has a name of its own;
-   what is only [f1] there gets the programmer's name first. *)
 let inputs c (node : M.node) =
-  let direct = Interface.direct c.v.program.input in
   let take (variable : M.variable) members =
     if Access.is_in_array members then
       if not (Hashtbl.mem c.read variable.id) then []
@@ -317,15 +353,7 @@ let inputs c (node : M.node) =
           Access.copy c.names members ~from_interface:true (Name "in") (Name name);
         ]
     else
-    let read = Access.path (Name "in") members [] in
-    if direct || String.equal variable.name "" then (
-      Expression.read_as c.names variable read;
-      [])
-    else if Hashtbl.mem c.read variable.id then
-      let ty = V.ty c.v variable.ty in
-      let name = Expression.variable c.names variable in
-      [ plain (Ir.Constant { ty; name; value = read }) ]
-    else []
+      read_member c.v c.names c.read variable members
   in
   List.concat (List.rev (List.rev_map2 take node.step.parameters c.v.input.leaves))
 
@@ -340,14 +368,6 @@ let step_in_seconds (v : V.t) (step : Ir.function_) : Ir.function_ =
     parameters = List.map parameter step.parameters;
     body = [ plain (Ir.Do (Call (step.name, List.map argument step.parameters))) ];
   }
-
-(* Structs that share memory might otherwise be where the input is. *)
-let input (v : V.t) : Ir.ty =
-  let input = Ir.Pointer_to_const (Struct v.input.struct_name) in
-  if V.has_modes v then (
-    ignore (V.helper v Restrict : string);
-    Only_way_to input)
-  else input
 
 let root_step (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
@@ -364,7 +384,7 @@ let root_step (v : V.t) k : Ir.function_ =
   let nanoseconds : Ir.ty =
     if Machine.Time_use.nanoseconds_in_floats v.program node then V.real v else Int64
   in
-  let c = { v; names; index = k; node; write; read = variables_read node.step.body; seconds; nanoseconds; place = "" } in
+  let c = { v; names; index = k; node; write; read = variables_read v node node.step.body; seconds; nanoseconds; place = "" } in
   let own = self v k in
   let inputs = inputs c node in
   name_variables names node.step.body;
@@ -377,6 +397,7 @@ let root_step (v : V.t) k : Ir.function_ =
   let unused = List.concat_map clear v.output.unused in
   let reads_input =
     List.exists (fun (v : M.variable) -> Hashtbl.mem c.read v.id) node.step.parameters
+    || Program_input.variables_by_pointer v.by_pointer v.program node node.step.body <> []
   in
   let dt : Ir.ty * string = match v.program.real with Double -> (V.real v, "dt") | Single -> (Int64, "dt_ns") in
   let ignore_unless read name = if read then [] else [ ignored name ] in

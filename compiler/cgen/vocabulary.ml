@@ -29,6 +29,7 @@ type t = {
   in_seconds : string;
   input : Interface.t;
   output : Interface.t;
+  by_pointer : Program_input.t;
   records : Ir.declaration list;
   robot_records : Ir.declaration list;
   foreign_records : Ir.declaration list;
@@ -238,6 +239,7 @@ let of_program ?own (program : M.program) =
     in_seconds = root.root_in_seconds;
     input;
     output;
+    by_pointer = Program_input.of_program program input;
     records = Interface.definitions own;
     robot_records;
     foreign_records;

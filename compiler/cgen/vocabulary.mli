@@ -33,6 +33,7 @@ type t = {
   in_seconds : string;  (** the root's step whose dt is in seconds *)
   input : Interface.t;
   output : Interface.t;
+  by_pointer : Program_input.t;  (** steps that read the input there *)
   records : Ir.declaration list;  (** the program's own interface structs *)
   robot_records : Ir.declaration list;  (** those of a robot's header *)
   foreign_records : Ir.declaration list;  (** those that C code of the user's knows *)

@@ -41,3 +41,49 @@ one's states, and no more code for it: one function for each level.
   $ frobc compile ten.frob
   $ echo $(($(wc -l < levels.c) - $(wc -l < ten.c))) more lines for ten more levels
   95 more lines for ten more levels
+
+A function that gets three or more members of the program's input, just as they came,
+and so at each call, reads them by the pointer to the input.
+
+  $ cat > pointer.frob <<'FROB'
+  > main :: SF (Float, Float, Float, Bool) Float
+  > main = proc (a, b, c, on) -> y where
+  >     y = work 1 (a, b, c) + work 2 (a, b, c) + other (c, b, a) + other (a, b, c)
+  > 
+  > other :: SF (Float, Float, Float) Float
+  > other = proc (p, q, r) -> s + s * s where
+  >    s = delay 0 (sin p) + exp (delay 0 r) * p + q * r + exp p * exp q + delay 3 (q * q + r * r) * sin (cos q)
+  > 
+  > work :: Float -> SF (Float, Float, Float) Float
+  > work k = proc (p, q, r) -> s where
+  >    s = delay 0 (sin p) + exp r * p + q * r + exp p * exp q + k * delay 3 (q * q + r * r) * inner (p, q, r) + inner (p, q, r)
+  > 
+  > inner :: SF (Float, Float, Float) Float
+  > inner = proc (p, q, r) -> s + s * s * s where
+  >    s = delay 0 (sin p) + exp (delay 0 r) * p + q * r + exp p * exp q + delay 3 (q * q + r * r)
+  > FROB
+  $ frobc compile pointer.frob
+  $ grep -A 4 '^static.*_step(' pointer.c
+  static double pointer_inner_step(struct pointer_inner_state *self,
+                                   const struct pointer_input *in)
+  {
+      const double p = in->f1;
+      const double q = in->f2;
+  --
+  static double pointer_work_step(struct pointer_work_state *self,
+                                  const struct pointer_input *in,
+                                  double k)
+  {
+      const double p = in->f1;
+  --
+  static double pointer_other_step(struct pointer_other_state *self,
+                                   double p,
+                                   double q,
+                                   double r)
+  {
+  $ grep '= pointer_.*_step(' pointer.c
+      const double t1 = pointer_inner_step(&self->inner, in); /* line 11 */
+      const double t1 = pointer_work_step(&self->work, in, 1.0); /* line 3 */
+      const double t2 = pointer_work_step(&self->work_2, in, 2.0);
+      const double t3 = pointer_other_step(&self->other, c, b, a);
+      const double t4 = pointer_other_step(&self->other_2, a, b, c);
