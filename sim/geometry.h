@@ -67,6 +67,9 @@ inline double squared_distance_to_segment(Vec p, Vec a, Vec b) {
     return dot(apart, apart);
 }
 
+// Distance from `p` to a polyline; the last point is joined to the first if it is closed.
+double distance_to_polyline(const std::vector<Vec> &points, bool closed, Vec p);
+
 // Whether a point is inside of a polygon.
 bool is_inside(const std::vector<Vec> &outline, Vec p);
 

@@ -67,9 +67,24 @@ Plot wall_plot(const Simulation &simulation, double end_s) {
         echoes,
         {"to be kept", palette::target, Series::Style::dashes,
          {{0.0, measure->distance}, {end_s, measure->distance}}},
-        line(simulation, "truth", palette::truth, Series::Style::line, &Sample::wall_distance)};
+        line(simulation, "truth", palette::truth, Series::Style::line, &Sample::measured_distance)};
     fit(plot, 0.0, 1.5 * measure->distance);
     return plot;
+}
+
+Plot tape_plot(const Simulation &simulation, double end_s) {
+    Plot plot{"distance from the middle of the tape [m]", 0.0, 0.0, end_s,
+              {line(simulation, "truth", palette::truth, Series::Style::line,
+                    &Sample::measured_distance)}};
+    fit(plot, 0.0, 0.05);
+    return plot;
+}
+
+// Of what the world says to measure.
+Plot distance_plot(const Simulation &simulation, double end_s) {
+    const std::optional<MeasureSettings> &measure = simulation.scene().measure;
+    return measure && measure->what == MeasureSettings::What::tape ? tape_plot(simulation, end_s)
+                                                                   : wall_plot(simulation, end_s);
 }
 
 Plot front_plot(const Simulation &simulation, double end_s) {
@@ -142,7 +157,7 @@ void draw_picture(const Simulation &simulation, const std::string &file) {
     const Vec scene_corner = {left + (width - left - right - scene_size.x) / 2, head};
     const double end_s = std::max(seconds(simulation.time_ns()), 0.1);
     const std::vector<Plot> plots = {
-        wall_plot(simulation, end_s), front_plot(simulation, end_s),
+        distance_plot(simulation, end_s), front_plot(simulation, end_s),
         speed_plot(simulation, end_s), turn_plot(simulation, end_s)};
     const double plots_top = head + scene_size.y + 34.0;
     const double height = plots_top +

@@ -16,7 +16,7 @@ struct Sample {
     Pose believed;           // by odometry, placed at the true start
     double forward, turn;    // m/s and rad/s, of the body
     double commanded_forward, commanded_turn;
-    double wall_distance; // m; NaN where the world file measures nothing
+    double measured_distance; // m, from the wall or the tape; NaN where the world file measures nothing
     int collisions;       // so far
 };
 

@@ -70,10 +70,12 @@ struct BatterySettings {
     double drain = 0.0;            // V/s
 };
 
-// What the summary says about following a wall.
+// What the summary says about following a wall, or tape on the floor.
 struct MeasureSettings {
+    enum class What { wall, tape };
     enum class Side { left, right };
-    Side side = Side::left;
+    What what = What::wall;
+    Side side = Side::left;      // of walls, this and the distance
     double distance = 0.5; // m that the robot should keep
     double settle = 10.0;  // s that are not counted
 };
@@ -81,6 +83,26 @@ struct MeasureSettings {
 // A hole in the floor: a cliff, for a robot that sees one.
 struct Hole {
     std::vector<Vec> points;
+};
+
+// Tape on the floor: a polyline with a width, whose corners and free ends are
+// round. Sensors that look down see it, and nothing else does.
+struct Tape {
+    std::vector<Vec> points; // with the bends at its corners
+    bool closed = false;     // the last point is joined to the first
+    double width = 0.05;
+    double reflectance = 0.05;
+};
+
+// A part of the floor that is brighter or darker than the rest. Simple.
+struct Patch {
+    std::vector<Vec> points;
+    double reflectance = 0.5;
+};
+
+struct FloorSettings {
+    double reflectance = 1.0; // share of light that comes back from it
+    double noise = 0.0;       // relative standard deviation of what a floor sensor reads
 };
 
 struct LightSettings {
@@ -96,9 +118,12 @@ struct Scene {
     std::vector<Circle> circles;
     std::vector<Box> boxes;
     std::vector<Hole> holes;
+    std::vector<Patch> patches;
+    std::vector<Tape> tapes; // on the patches; of each the later ones lie on the earlier
     DriveSettings drive;
     OdometrySettings odometry;
     SonarSettings sonar;
+    FloorSettings floor;
     LightSettings light;
     BatterySettings battery;
     std::optional<MeasureSettings> measure;

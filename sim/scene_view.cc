@@ -82,6 +82,17 @@ void draw_grid(Canvas &canvas, const View &view, const Extent &extent, Vec corne
                 {11.0, palette::faint_ink, Anchor::end, false});
 }
 
+// The floor's own colour is white's.
+Colour shade(double reflectance) { return blend(palette::black_floor, palette::floor, reflectance); }
+
+void draw_floor(View &view, const Scene &scene) {
+    for (const Patch &patch : scene.patches)
+        view.path(patch.points, true, filled(shade(patch.reflectance)));
+    for (const Tape &tape : scene.tapes)
+        view.path(tape.points, tape.closed,
+                  stroked(shade(tape.reflectance), view.scale() * tape.width));
+}
+
 void draw_solids(View &view, const Scene &scene) {
     for (const Hole &hole : scene.holes)
         view.path(hole.points, true, {palette::hole, palette::hole_edge, 1.2, {3.0, 3.0}});
@@ -209,6 +220,10 @@ Extent extent(const Simulation &simulation) {
         for (const Vec &p : wall.points) include(result, p, margin + wall.thickness / 2);
     for (const Polygon &polygon : scene.polygons)
         for (const Vec &p : polygon.points) include(result, p, margin);
+    for (const Patch &patch : scene.patches)
+        for (const Vec &p : patch.points) include(result, p, margin);
+    for (const Tape &tape : scene.tapes)
+        for (const Vec &p : tape.points) include(result, p, margin + tape.width / 2);
     for (const Hole &hole : scene.holes)
         for (const Vec &p : hole.points) include(result, p, margin);
     for (const Circle &circle : scene.circles)
@@ -229,9 +244,10 @@ void draw_scene(Canvas &canvas, const Simulation &simulation, const Extent &exte
     View view(canvas, extent, corner, size);
     const std::vector<Vec> outline = {
         corner, {corner.x + size.x, corner.y}, corner + size, {corner.x, corner.y + size.y}};
-    canvas.path(outline, true, filled(palette::floor));
+    canvas.path(outline, true, filled(shade(simulation.scene().floor.reflectance)));
     draw_grid(canvas, view, extent, corner, size);
     canvas.clip(corner, size);
+    draw_floor(view, simulation.scene());
     for (std::size_t k = 0; k < robots; ++k) draw_rays(view, simulation, k);
     draw_solids(view, simulation.scene());
     draw_boxes(view, simulation);

@@ -53,6 +53,7 @@ frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *setting
         }
         if (settings->wall_distance_m > 0.0) {
             if (!scene.measure) scene.measure.emplace();
+            scene.measure->what = MeasureSettings::What::wall;
             scene.measure->distance = settings->wall_distance_m;
         }
         const RobotKind *kind = own ? &own->kind : nullptr;
@@ -120,6 +121,12 @@ frob_sim_summary frob_sim_summarize_robot(const frob_sim *sim, std::size_t robot
         summary.wall_distance_m = simulation.scene().measure->distance;
         summary.mean_error_m = measured->mean_error();
         summary.largest_error_m = measured->largest_error();
+    }
+    if (const auto &measured = simulation.tape_distance(robot)) {
+        summary.tape_measured = 1;
+        summary.mean_tape_m = measured->mean();
+        summary.largest_tape_m = measured->largest();
+        summary.tape_way_m = measured->way();
     }
     return summary;
 }

@@ -31,7 +31,7 @@ struct frob_body; /* <frob/body.h> */
 struct frob_sim_settings {
     const char *robot;       /* "pioneer", …: what the host can talk to; NULL: any */
     uint64_t seed;           /* of all noise */
-    double wall_distance_m;  /* replaces `distance` of the world file's [measure]; 0: as it says */
+    double wall_distance_m;  /* measures a wall, with this for `distance` of the world file's [measure]; 0: as it says */
     int picture;             /* whether to keep what frob_sim_picture shows */
     const struct frob_body *body; /* of a robot of the user's own, which is `robot`; else NULL */
 };
@@ -77,10 +77,14 @@ struct frob_sim_summary {
     double distance_m;        /* along the path */
     int collisions;           /* with what stands fast, and with other robots */
     double odometry_error_m;  /* between where the robot is and believes to be */
-    int measured;             /* the world file says what to measure: */
+    int measured;             /* the world file says to measure the distance from a wall: */
     double wall_distance_m;   /* that the robot should keep */
     double mean_error_m;      /* since it settled; NaN if it has not */
     double largest_error_m;
+    int tape_measured;        /* or that from the middle of tape on the floor: */
+    double mean_tape_m;       /* since it settled; NaN if it has not */
+    double largest_tape_m;
+    double tape_way_m;        /* come along the tape, in the order of its points */
 };
 
 struct frob_sim_summary frob_sim_summarize(const struct frob_sim *sim);

@@ -26,8 +26,11 @@ Simulation::Simulation(Scene scene, std::uint64_t seed, bool keeps_samples, cons
             throw WorldFileError(scene_.starts[k].place + ": " + called(k, scene_.starts.size()) +
                                  " would start inside a wall or another thing");
         members_.push_back({kind_.make(scene_, Noise::seed_of_robot(seed, k)),
-                            Recorder(keeps_samples), std::nullopt});
-        if (scene_.measure)
+                            Recorder(keeps_samples), std::nullopt, std::nullopt});
+        if (!scene_.measure) continue;
+        if (scene_.measure->what == MeasureSettings::What::tape)
+            members_.back().tape_distance.emplace(scene_, *scene_.measure);
+        else
             members_.back().wall_distance.emplace(scene_, kind_.chassis(), *scene_.measure);
     }
     for (std::size_t k = 0; k < members_.size(); ++k) members_[k].robot->sense(0, body(k));
@@ -49,13 +52,17 @@ Pose Simulation::believed(std::size_t robot) const {
     return from_frame(scene_.starts[robot].pose, members_[robot].robot->odometry().pose());
 }
 
+double Simulation::measure(Member &member, std::int64_t time_ns, const Pose &pose) {
+    if (member.wall_distance) return member.wall_distance->observe(time_ns, pose);
+    if (member.tape_distance) return member.tape_distance->observe(time_ns, pose);
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
 void Simulation::command(std::int64_t time_ns, const void *output, std::size_t robot) {
     Member &member = members_[robot];
     member.robot->command(output);
     const Pose pose = body(robot).pose();
-    const double wall_distance = member.wall_distance
-                                     ? member.wall_distance->observe(time_ns, pose)
-                                     : std::numeric_limits<double>::quiet_NaN();
+    const double distance = measure(member, time_ns, pose);
     member.recorder.arrive(pose.position);
     if (!member.recorder.keeps_samples()) {
         member.robot->forget_echoes();
@@ -72,7 +79,7 @@ void Simulation::command(std::int64_t time_ns, const void *output, std::size_t r
     sample.turn = static_cast<double>(rigid.GetAngularVelocity());
     sample.commanded_forward = member.robot->drive().commanded_forward();
     sample.commanded_turn = member.robot->drive().commanded_turn();
-    sample.wall_distance = wall_distance;
+    sample.measured_distance = distance;
     sample.collisions = member.robot->contacts().collisions();
     member.recorder.add(sample);
 }

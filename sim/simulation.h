@@ -6,6 +6,7 @@
 
 #include "recorder.h"
 #include "robot.h"
+#include "tape_distance.h"
 #include "wall_distance.h"
 #include "world.h"
 
@@ -15,7 +16,8 @@ namespace frob::sim {
 struct Member {
     std::unique_ptr<Robot> robot;
     Recorder recorder;
-    std::optional<WallDistance> wall_distance;
+    std::optional<WallDistance> wall_distance; // as the world says what to measure
+    std::optional<TapeDistance> tape_distance;
 };
 
 class Simulation {
@@ -52,6 +54,9 @@ class Simulation {
     const std::optional<WallDistance> &wall_distance(std::size_t robot = 0) const {
         return members_[robot].wall_distance;
     }
+    const std::optional<TapeDistance> &tape_distance(std::size_t robot = 0) const {
+        return members_[robot].tape_distance;
+    }
 
     // Where a robot believes to be, by odometry that began at its true start.
     Pose believed(std::size_t robot = 0) const;
@@ -60,6 +65,9 @@ class Simulation {
     Scene scene_;
     const RobotKind &kind_;
     World world_;
+    // Of what the world says to measure; NaN if it says nothing.
+    double measure(Member &member, std::int64_t time_ns, const Pose &pose);
+
     std::vector<Member> members_;
     std::int64_t time_ns_ = 0;
 };

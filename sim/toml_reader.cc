@@ -69,6 +69,7 @@ bool within(double x, Range range) {
     case Range::positive: return x > 0.0;
     case Range::size: return x >= smallest;
     case Range::share: return x >= 0.0 && x < 1.0;
+    case Range::part: return x >= 0.0 && x <= 1.0;
     }
     return false;
 }
@@ -80,6 +81,7 @@ const char *describe(Range range) {
     case Range::positive: return "more than zero";
     case Range::size: return "at least 0.01 m";
     case Range::share: return "at least 0 and less than 1";
+    case Range::part: return "from 0 to 1";
     }
     return "";
 }

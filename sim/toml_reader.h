@@ -38,7 +38,7 @@ class Mistakes {
 
 // Which numbers a key takes; none beyond a million. Box2D merges what is nearer
 // than a few millimetres, so things that have a size are a centimetre or more.
-enum class Range { any, not_negative, positive, size, share };
+enum class Range { any, not_negative, positive, size, share, part };
 
 // Asks a table for its keys; `finish` then reports the keys nobody asked for.
 // A mistake is reported and a default returned, so that reading goes on.

@@ -5,29 +5,15 @@
 #include <limits>
 
 namespace frob::sim {
-namespace {
-
-double to_outline(const std::vector<Vec> &points, bool closed, Vec p) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        nearest = std::min(nearest, squared_distance_to_segment(p, points[i], points[i + 1]));
-    if (closed)
-        nearest =
-            std::min(nearest, squared_distance_to_segment(p, points.back(), points.front()));
-    return std::sqrt(nearest);
-}
-
-} // namespace
-
 double clearance(const Scene &scene, Vec point) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Wall &wall : scene.walls)
-        nearest = std::min(nearest,
-                           to_outline(wall.points, wall.closed, point) - wall.thickness / 2);
+        nearest = std::min(nearest, distance_to_polyline(wall.points, wall.closed, point) -
+                                        wall.thickness / 2);
     for (const Polygon &polygon : scene.polygons)
         nearest = std::min(nearest, is_inside(polygon.points, point)
                                         ? 0.0
-                                        : to_outline(polygon.points, true, point));
+                                        : distance_to_polyline(polygon.points, true, point));
     for (const Circle &circle : scene.circles)
         nearest = std::min(nearest, length(point - circle.center) - circle.radius);
     return std::max(nearest, 0.0);

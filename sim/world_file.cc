@@ -2,9 +2,11 @@
 
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 
+#include "bends.h"
 #include "robot.h"
 #include "toml_reader.h"
 #include "triangulate.h"
@@ -126,6 +128,48 @@ Hole read_hole(TomlReader reader) {
     return hole;
 }
 
+std::string shown(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", x);
+    return text;
+}
+
+Tape read_tape(TomlReader reader) {
+    Tape tape;
+    tape.closed = reader.boolean("closed", tape.closed);
+    tape.points = reader.needed_points("points", tape.closed ? 3 : 2, tape.closed);
+    tape.width = reader.number("width", tape.width, Range::size);
+    tape.reflectance = reader.number("reflectance", tape.reflectance, Range::part);
+    const double radius = reader.number("radius", 0.0, Range::not_negative);
+    if (!tape.points.empty() && radius > 0.0) {
+        if (const std::optional<Vec> corner = corner_without_room(tape.points, tape.closed, radius))
+            reader.mistake_at("radius", "there is no room for a bend of this radius at the corner [" +
+                                            shown(corner->x) + ", " + shown(corner->y) + "]");
+        else
+            tape.points = with_bends(tape.points, tape.closed, radius);
+    }
+    reader.finish();
+    return tape;
+}
+
+Patch read_patch(TomlReader reader) {
+    Patch patch;
+    patch.points = reader.needed_points("points", 3, true);
+    if (!patch.points.empty() && !is_simple(patch.points))
+        reader.mistake_at("points", "the edges of this patch cross or touch");
+    patch.reflectance = reader.number("reflectance", patch.reflectance, Range::part);
+    reader.finish();
+    return patch;
+}
+
+FloorSettings read_floor(TomlReader reader) {
+    FloorSettings floor;
+    floor.reflectance = reader.number("reflectance", floor.reflectance, Range::part);
+    floor.noise = reader.number("noise", floor.noise, Range::not_negative);
+    reader.finish();
+    return floor;
+}
+
 std::string read_robot(TomlReader &reader) {
     const std::string robot = reader.string("robot");
     if (robot.empty() || robot_kind(robot) != nullptr) return robot;
@@ -146,6 +190,15 @@ BatterySettings read_battery(TomlReader reader) {
 
 MeasureSettings read_measure(TomlReader reader) {
     MeasureSettings measure;
+    const std::string what = reader.string("what");
+    if (what == "tape") {
+        measure.what = MeasureSettings::What::tape;
+        measure.settle = reader.number("settle", measure.settle, Range::not_negative);
+        reader.finish();
+        return measure;
+    }
+    if (!what.empty() && what != "wall")
+        reader.mistake_at("what", "`what` is \"wall\" or \"tape\"");
     const std::string side = reader.string("side");
     if (side == "right") measure.side = MeasureSettings::Side::right;
     else if (!side.empty() && side != "left")
@@ -180,6 +233,11 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root) {
         scene.boxes.push_back(read_box(inside(table)));
     for (const toml::table *table : reader.tables("hole"))
         scene.holes.push_back(read_hole(inside(table)));
+    for (const toml::table *table : reader.tables("patch"))
+        scene.patches.push_back(read_patch(inside(table)));
+    for (const toml::table *table : reader.tables("tape"))
+        scene.tapes.push_back(read_tape(inside(table)));
+    if (const toml::table *table = reader.table("floor")) scene.floor = read_floor(inside(table));
     if (const toml::table *table = reader.table("light")) scene.light = read_light(inside(table));
     if (const toml::table *table = reader.table("drive")) scene.drive = read_drive(inside(table));
     if (const toml::table *table = reader.table("odometry"))
@@ -189,6 +247,8 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root) {
         scene.battery = read_battery(inside(table));
     if (const toml::table *table = reader.table("measure"))
         scene.measure = read_measure(inside(table));
+    if (scene.measure && scene.measure->what == MeasureSettings::What::tape && scene.tapes.empty())
+        reader.mistake_at("measure", "there is no [[tape]] in this world to be measured");
     reader.finish();
     return scene;
 }

@@ -18,6 +18,15 @@ void print_summary(const frob_sim *sim) {
             std::printf("largest wall distance error: %.4f m\n", s.largest_error_m);
         }
     }
+    if (s.tape_measured) {
+        if (std::isnan(s.mean_tape_m)) {
+            std::printf("distance from the tape: not measured, the run ended while settling\n");
+        } else {
+            std::printf("mean distance from the tape: %.4f m\n", s.mean_tape_m);
+            std::printf("largest distance from the tape: %.4f m\n", s.largest_tape_m);
+            std::printf("way along the tape: %.3f m\n", s.tape_way_m);
+        }
+    }
     std::printf("odometry error at the end: %.3f m\n", s.odometry_error_m);
     std::printf("collisions: %d\n", s.collisions);
 }

@@ -20,10 +20,24 @@ static void print_wall_distance(const char *who, const struct frob_sim_summary *
     }
 }
 
+static void print_tape_distance(const char *who, const struct frob_sim_summary *s)
+{
+    if (!s->tape_measured)
+        return;
+    if (isnan(s->mean_tape_m)) {
+        printf("%sdistance from the tape: not measured, the run ended while settling\n", who);
+    } else {
+        printf("%smean distance from the tape: %.4f m\n", who, s->mean_tape_m);
+        printf("%slargest distance from the tape: %.4f m\n", who, s->largest_tape_m);
+        printf("%sway along the tape: %.3f m\n", who, s->tape_way_m);
+    }
+}
+
 static void print_robot(const char *who, const struct frob_sim_summary *s)
 {
     printf("%sdistance driven: %.3f m\n", who, s->distance_m);
     print_wall_distance(who, s);
+    print_tape_distance(who, s);
     printf("%sodometry error at the end: %.3f m\n", who, s->odometry_error_m);
     printf("%scollisions: %d\n", who, s->collisions);
 }

@@ -1,0 +1,38 @@
+// Sensors that look down at the floor, each with a light of its own: how much of it
+// comes back.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "body.h"
+#include "floor.h"
+#include "noise.h"
+
+namespace frob::sim {
+
+class FloorSensors {
+  public:
+    // Each looks at a spot of this width below its place in the robot's frame, and
+    // has something new every `refresh_ns`, a multiple of the physics' step.
+    FloorSensors(std::vector<Vec> places, double spot, std::int64_t refresh_ns,
+                 const FloorSettings &settings, Noise noise)
+        : places_(std::move(places)), spot_(spot), refresh_ns_(refresh_ns), settings_(settings),
+          noise_(noise), seen_(places_.size()) {}
+
+    // Looks; called after each physics step, with the time since the start.
+    void advance(std::int64_t time_ns, const Body &body, const Floor &floor);
+
+    // What each sees: the reflectance of its spot, with noise; 0 or more.
+    const std::vector<double> &seen() const { return seen_; }
+
+  private:
+    std::vector<Vec> places_;
+    double spot_;
+    std::int64_t refresh_ns_;
+    FloorSettings settings_;
+    Noise noise_;
+    std::vector<double> seen_;
+};
+
+} // namespace frob::sim
