@@ -1,26 +1,31 @@
 #include "create.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "create2.h"
 
 namespace frob::sim {
 
+namespace {
+
+constexpr std::int64_t refresh_ns = 15'000'000; // of the cliff sensors' signals
+
+} // namespace
+
 Create::Create(const Scene &scene, std::uint64_t seed)
-    : Robot(create2::chassis(), scene, seed), holes_(scene.holes),
-      light_(scene.light, Noise(seed, light_stream)) {}
+    : Robot(create2::chassis(), scene, seed), floor_(scene),
+      light_(scene.light, Noise(seed, light_stream)),
+      floor_sensors_({create2::cliff_places.begin(), create2::cliff_places.end()},
+                     create2::cliff_spot, refresh_ns, scene.floor, Noise(seed, floor_stream)) {}
 
 void Create::look(std::int64_t time_ns, const Body &body) {
     light_.advance(time_ns, body);
-    if (holes_.empty()) return;
+    floor_sensors_.advance(time_ns, body, floor_);
+    if (!floor_.has_holes()) return;
     const Pose pose = body.pose();
-    const auto over_hole = [&](Vec place) {
-        const Vec at = from_frame(pose, place);
-        return std::any_of(holes_.begin(), holes_.end(),
-                           [&](const Hole &hole) { return is_inside(hole.points, at); });
-    };
-    for (std::size_t i = 0; i < cliffs_.size(); ++i)
-        cliffs_[i] = over_hole(create2::cliff_radius * direction(create2::cliff_angles[i]));
+    const auto over_hole = [&](Vec place) { return floor_.ends(from_frame(pose, place)); };
+    for (std::size_t i = 0; i < cliffs_.size(); ++i) cliffs_[i] = over_hole(create2::cliff_places[i]);
     left_drop_ = over_hole({0.0, chassis_.wheel_separation / 2});
     right_drop_ = over_hole({0.0, -chassis_.wheel_separation / 2});
     if (left_drop_ || right_drop_) {
@@ -42,6 +47,9 @@ void Create::read(std::int64_t time_ns, void *into) {
     input.leftDrop = left_drop_;
     input.rightDrop = right_drop_;
     std::copy(cliffs_.begin(), cliffs_.end(), input.cliffs);
+    for (std::size_t i = 0; i < cliffs_.size(); ++i)
+        input.cliffSignals[i] = static_cast<std::int32_t>(std::lround(
+            std::min(create2::white_signal * floor_sensors_.seen()[i], double{create2::largest_signal})));
     std::copy(light_.signals().begin(), light_.signals().end(), input.light);
     input.leftOvercurrent = drive_.left_stalled();
     input.rightOvercurrent = drive_.right_stalled();

@@ -3,6 +3,7 @@
 
 #include <frob/create.h>
 
+#include "floor_sensors.h"
 #include "light_bumpers.h"
 #include "robot.h"
 
@@ -24,8 +25,9 @@ class Create : public Robot {
   private:
     void look(std::int64_t time_ns, const Body &body) override;
 
-    const std::vector<Hole> holes_;
+    const Floor floor_;
     LightBumpers light_;
+    FloorSensors floor_sensors_;
     std::array<bool, 4> cliffs_{};
     bool left_drop_ = false, right_drop_ = false, fallen_ = false;
 };

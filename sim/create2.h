@@ -15,11 +15,11 @@ constexpr double light_constant = 2.5;
 constexpr int largest_signal = 4095;
 constexpr double farthest_light = 1.5; // m; what is farther gives no signal
 
-// Where the cliff sensors look down, from the left to the right, and where the
-// wheels stand. Estimates.
-constexpr double cliff_radius = 0.16; // m
-constexpr std::array<double, 4> cliff_angles = {radians(60), radians(15), radians(-15),
-                                                radians(-60)};
+// Where the cliff sensors look down, from the left to the right, m: as in
+// create_robot's model.
+constexpr std::array<Vec, 4> cliff_places = {{{0.07, 0.14}, {0.15, 0.04}, {0.15, -0.04}, {0.07, -0.14}}};
+constexpr double cliff_spot = 0.02;     // m, the width of what each sees; an estimate
+constexpr double white_signal = 1500.0; // of a white floor
 
 const Chassis &chassis();
 

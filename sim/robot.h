@@ -54,7 +54,13 @@ class Robot {
     virtual void look(std::int64_t time_ns, const Body &body) = 0;
 
     // Streams of noise, one for each thing that has some.
-    enum Stream : std::uint64_t { drive_stream = 1, odometry_stream, sonar_stream, light_stream };
+    enum Stream : std::uint64_t {
+        drive_stream = 1,
+        odometry_stream,
+        sonar_stream,
+        light_stream,
+        floor_stream
+    };
 
     double battery_voltage(std::int64_t time_ns) const;
 

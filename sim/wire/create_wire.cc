@@ -241,6 +241,9 @@ void CreateWire::append(unsigned id, std::vector<std::uint8_t> &to) {
     case 26:
         value = 2696;
         break;
+    case 28: case 29: case 30: case 31:
+        value = static_cast<unsigned>(std::clamp(s.cliffSignals[id - 28], 0, 4095));
+        break;
     case 34:
         value = s.charging ? 2 : 0;
         break;

@@ -39,9 +39,10 @@ struct CreateSoak : CreateKind {
     // A robot that misheard what to stream sends other frames.
     static bool is_reading(const std::vector<std::uint8_t> &bytes) {
         static constexpr std::uint8_t ids[] = {7,  9,  10, 11, 12, 13, 14, 17, 18, 21, 22,
-                                               25, 26, 35, 43, 44, 46, 47, 48, 49, 50, 51};
+                                               25, 26, 28, 29, 30, 31, 35, 43, 44, 46, 47, 48,
+                                               49, 50, 51};
         std::size_t at = 2;
-        if (bytes.size() != 58 || bytes[0] != 19) return false;
+        if (bytes.size() != 70 || bytes[0] != 19) return false;
         for (const std::uint8_t id : ids) {
             if (bytes[at] != id) return false;
             at += id < 22 || id == 35 ? 2 : 3;

@@ -74,6 +74,18 @@ A ring of sonars tells of each where it sits and what it heard.
   0.000000000,1.2246467991473533e-17,0.20000000000000001,1.5707963267948966,0.17453292519943295,1.5
   1.000000000,1.2246467991473533e-17,0.20000000000000001,1.5707963267948966,0.17453292519943295,
 
+What a Create's front cliff sensors see of the floor, from nothing to white; what is
+brighter is white, too.
+
+  $ cat > floor.frob <<'FROB'
+  > import Robot
+  > main :: HasFloorSensors i => SF i (Float, Float)
+  > main = arr (\i -> (floorLeft i, floorRight i))
+  > FROB
+  $ trace create floor.frob "in.cliffSignals[0]=4000 in.cliffSignals[1]=150 in.cliffSignals[2]=1500" "in.cliffSignals[2]=2000 in.cliffSignals[3]=4000" | sed 1d
+  0.000000000,0.10000000000000001,1
+  0.000000000,0,1
+
 Distances: what is heard straight ahead, on the left and on the right of a robot
 that stands still is as far as the echo says; at first, as far as it sees.
 

@@ -52,11 +52,11 @@ metre and nearer: 2.5 is the signal at a metre.
   $ {
   >   printf 'time,in.odometry.position.x,in.odometry.position.y,in.odometry.heading,in.leftWheel,in.rightWheel,in.bumpLeft,in.bumpRight,in.leftDrop,in.rightDrop,'
   >   printf 'in.cliffs[0],in.cliffs[1],in.cliffs[2],in.cliffs[3],in.light[0],in.light[1],in.light[2],in.light[3],in.light[4],in.light[5],'
-  >   printf 'in.virtualWall,in.beacon,in.leftOvercurrent,in.rightOvercurrent,in.cleanButton,in.battery,in.charge,in.charging,in.obeying,in.key\n'
+  >   printf 'in.virtualWall,in.beacon,in.leftOvercurrent,in.rightOvercurrent,in.cleanButton,in.battery,in.charge,in.charging,in.obeying,in.key,in.cliffSignals[0],in.cliffSignals[1],in.cliffSignals[2],in.cliffSignals[3]\n'
   >   for light in 0 40 40; do
   >     printf '%d,0,0,0,0,0,false,false,false,false,' $((n = n + 1))
   >     printf 'false,false,false,false,0,0,%d,%d,0,0,' $light $light
-  >     printf 'false,0,false,false,false,15,1,false,true,\n'
+  >     printf 'false,0,false,false,false,15,1,false,true,,0,0,0,0\n'
   >   done
   > } > wall.csv
   $ frobc trace follow.frob --robot create --input wall.csv | tee compiled.csv | cut -d, -f1-3

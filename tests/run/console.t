@@ -14,7 +14,8 @@ typed; the robot goes on with the last command.
   $ for robot in pioneer scout create; do
   >   printf 'ws ' | frobc run keys.frob --robot $robot --console --rate 10 --for 0.5s --record run.csv > summary
   >   key=$(head -1 run.csv | tr ',' '\n' | grep -n '^in.key$' | cut -d: -f1)
-  >   cut -d, -f1,$key,$((key + 1)) run.csv
+  >   forward=$(head -1 run.csv | tr ',' '\n' | grep -n '^out.forward$' | cut -d: -f1)
+  >   cut -d, -f1,$key,$forward run.csv
   > done
   time,in.key,out.forward
   0.000000000,119,0.20000000000000001

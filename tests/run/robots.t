@@ -74,7 +74,7 @@ A Create sees where the floor ends. One that does not look falls, and stays ther
   > main = reactimateRobot (proc i -> roMake (setVelTR (if cliffAhead i then 0 else 0.2[m/s]) 0))
   > FROB
   $ frobc run careful.frob --world edge.toml --for 20s --record log.csv | grep driven
-  distance driven: 0.868 m
+  distance driven: 0.872 m
   $ cut -d, -f8-13,29 log.csv | uniq
   in.bumpRight,in.leftDrop,in.rightDrop,in.cliffs[0],in.cliffs[1],in.cliffs[2],in.obeying
   false,false,false,false,false,false,true

@@ -90,12 +90,15 @@ static void pyroombaadapter() {
     CreateWire robot;
     frob_create_input body{};
     body.battery = 16;
+    body.cliffSignals[1] = 1500;
     robot.sense(body, 0);
     ask(robot, {173});
     ask(robot, {128});
     ask(robot, {131});
     check(ask(robot, {142, 35}) == Bytes{2}, "pyroombaadapter: the mode alone");
     check(ask(robot, {142, 22}) == (Bytes{0x3E, 0x80}), "pyroombaadapter: the voltage alone, high byte first");
+    check(ask(robot, {142, 29}) == (Bytes{0x05, 0xDC}) && ask(robot, {142, 28}) == (Bytes{0, 0}),
+          "pyroombaadapter: a cliff's signal alone");
     check(ask(robot, {149, 2, 43, 35}) == (Bytes{0, 0, 2}), "pyroombaadapter: a list of packets");
     ask(robot, {137, 0, 58, 0, 1});
     check(robot.left_mm_s() == -58 && robot.right_mm_s() == 58,

@@ -47,11 +47,15 @@ static void senses() {
     b.body.bumpLeft = true;
     b.body.cliffs[3] = true;
     b.body.light[1] = 700;
+    for (int i = 0; i < 4; ++i) b.body.cliffSignals[i] = 300 * (i + 1);
     b.body.virtualWall = b.body.cleanButton = b.body.leftOvercurrent = true;
     b.body.beacon = 161;
     b.drive(0, 0, second / 10);
     check(b.input.bumpLeft && !b.input.bumpRight, "create: bump on the left");
     check(b.input.cliffs[3] && !b.input.cliffs[0], "create: cliff on the right");
+    check(b.input.cliffSignals[0] == 300 && b.input.cliffSignals[1] == 600 && b.input.cliffSignals[2] == 900 &&
+              b.input.cliffSignals[3] == 1200,
+          "create: what the floor gives back, from the left to the right");
     check(b.input.light[1] == 700 && b.input.light[0] == 0, "create: light bumper");
     check(b.input.virtualWall && b.input.beacon == 161 && b.input.cleanButton, "create: beacons, button");
     check(b.input.leftOvercurrent && !b.input.rightOvercurrent, "create: overcurrent on the left");

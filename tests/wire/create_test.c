@@ -71,6 +71,7 @@ static void checksums(void)
 static const uint8_t body[] = {
     7,  0x09,                                       /* bump right, drop left */
     9,  1,          11, 1,                          /* cliffs left and front right */
+    28, 0x05, 0xDC, 31, 0x00, 0x2A,                 /* signals of the left and right one */
     13, 1,          14, 0x08,       17, 161,  18, 1, /* virtual wall, overcurrent, infrared, clean */
     21, 2,          22, 0x3A, 0x98,                 /* charging, 15000 mV */
     25, 0x07, 0xD0, 26, 0x0A, 0x8C, 35, 2,          /* 2000 of 2700 mAh, safe */
@@ -78,8 +79,8 @@ static const uint8_t body[] = {
     46, 0x0F, 0xFF, 51, 0x00, 0x13
 };
 
-static const uint8_t body_ids[] = { 7,  9,  11, 13, 14, 17, 18, 21, 22,
-                                    25, 26, 35, 43, 44, 23, 46, 51 };
+static const uint8_t body_ids[] = { 7,  9,  11, 28, 31, 13, 14, 17, 18, 21,
+                                    22, 25, 26, 35, 43, 44, 23, 46, 51 };
 
 static size_t frame_of(const uint8_t *content, size_t count, uint8_t *frame)
 {
@@ -102,9 +103,12 @@ static void fields(void)
     memset(&s, 0, sizeof s);
     check(frob_create_stream_init(&stream, body_ids, sizeof body_ids, true) &&
               stream.frame_size == size && receive(&stream, frame, size, &s) == 1,
-          "a frame of seventeen packets");
+          "a frame of nineteen packets");
     check(s.bump_right && !s.bump_left && !s.drop_right && s.drop_left, "bumps and wheel drops");
     check(s.cliff[0] && !s.cliff[1] && s.cliff[2] && !s.cliff[3], "cliffs");
+    check(s.cliff_signal[0] == 1500 && s.cliff_signal[1] == 0 && s.cliff_signal[2] == 0 &&
+              s.cliff_signal[3] == 42,
+          "cliff signals");
     check(s.virtual_wall && s.overcurrent == 8 && s.infrared == 161 && s.buttons == 1,
           "wall, overcurrent, infrared, buttons");
     check(s.charging == 2 && s.battery_mv == 15000 && s.charge_mah == 2000 && s.capacity_mah == 2700,

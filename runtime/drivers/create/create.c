@@ -18,10 +18,11 @@ static const uint8_t streamed[] = {
     FROB_CREATE_CLIFF_FRONT_RIGHT, FROB_CREATE_CLIFF_RIGHT,      FROB_CREATE_VIRTUAL_WALL,
     FROB_CREATE_OVERCURRENT,      FROB_CREATE_INFRARED,          FROB_CREATE_BUTTONS,
     FROB_CREATE_CHARGING,         FROB_CREATE_VOLTAGE,           FROB_CREATE_CHARGE,
-    FROB_CREATE_CAPACITY,         FROB_CREATE_MODE,              FROB_CREATE_LEFT_COUNTS,
-    FROB_CREATE_RIGHT_COUNTS,     FROB_CREATE_LIGHT_LEFT,        FROB_CREATE_LIGHT_FRONT_LEFT,
-    FROB_CREATE_LIGHT_CENTER_LEFT, FROB_CREATE_LIGHT_CENTER_RIGHT, FROB_CREATE_LIGHT_FRONT_RIGHT,
-    FROB_CREATE_LIGHT_RIGHT
+    FROB_CREATE_CAPACITY,         FROB_CREATE_CLIFF_LEFT_SIGNAL, FROB_CREATE_CLIFF_FRONT_LEFT_SIGNAL,
+    FROB_CREATE_CLIFF_FRONT_RIGHT_SIGNAL, FROB_CREATE_CLIFF_RIGHT_SIGNAL, FROB_CREATE_MODE,
+    FROB_CREATE_LEFT_COUNTS,      FROB_CREATE_RIGHT_COUNTS,      FROB_CREATE_LIGHT_LEFT,
+    FROB_CREATE_LIGHT_FRONT_LEFT, FROB_CREATE_LIGHT_CENTER_LEFT, FROB_CREATE_LIGHT_CENTER_RIGHT,
+    FROB_CREATE_LIGHT_FRONT_RIGHT, FROB_CREATE_LIGHT_RIGHT
 };
 
 /* Frames come every 15 ms. A stream that pauses is asked for again; a robot
@@ -257,6 +258,8 @@ static void sense(void *device, void *into)
     input->rightDrop = s->drop_right;
     for (size_t i = 0; i < FROB_CREATE_CLIFFS; i++)
         input->cliffs[i] = s->cliff[i];
+    for (size_t i = 0; i < FROB_CREATE_CLIFFS; i++)
+        input->cliffSignals[i] = s->cliff_signal[i];
     for (size_t i = 0; i < FROB_CREATE_LIGHTS; i++)
         input->light[i] = s->light_signal[i];
     input->virtualWall = s->virtual_wall;

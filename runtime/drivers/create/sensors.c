@@ -66,6 +66,12 @@ bool frob_create_read_packet(unsigned id, const uint8_t *data, struct frob_creat
     case FROB_CREATE_CAPACITY:
         s->capacity_mah = u16(data);
         return true;
+    case FROB_CREATE_CLIFF_LEFT_SIGNAL:
+    case FROB_CREATE_CLIFF_FRONT_LEFT_SIGNAL:
+    case FROB_CREATE_CLIFF_FRONT_RIGHT_SIGNAL:
+    case FROB_CREATE_CLIFF_RIGHT_SIGNAL:
+        s->cliff_signal[id - FROB_CREATE_CLIFF_LEFT_SIGNAL] = u16(data);
+        return true;
     case FROB_CREATE_MODE:
         s->mode = data[0];
         return true;

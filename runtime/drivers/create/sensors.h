@@ -31,6 +31,10 @@ enum frob_create_packet_id {
     FROB_CREATE_VOLTAGE = 22,
     FROB_CREATE_CHARGE = 25,
     FROB_CREATE_CAPACITY = 26,
+    FROB_CREATE_CLIFF_LEFT_SIGNAL = 28,
+    FROB_CREATE_CLIFF_FRONT_LEFT_SIGNAL = 29,
+    FROB_CREATE_CLIFF_FRONT_RIGHT_SIGNAL = 30,
+    FROB_CREATE_CLIFF_RIGHT_SIGNAL = 31,
     FROB_CREATE_MODE = 35,
     FROB_CREATE_LEFT_COUNTS = 43,
     FROB_CREATE_RIGHT_COUNTS = 44,
@@ -59,6 +63,7 @@ struct frob_create_sensors {
     bool bump_right, bump_left;
     bool drop_right, drop_left;
     bool cliff[FROB_CREATE_CLIFFS];
+    uint16_t cliff_signal[FROB_CREATE_CLIFFS]; /* infrared that the floor gives back */
     bool virtual_wall;
     uint8_t overcurrent; /* bits of the motors */
     uint8_t infrared; /* the character that the receiver on top sees; 0: none */

@@ -89,6 +89,7 @@ struct frob_create_input {
     bool charging;
     bool obeying;
     struct frob_event_int key;
+    int32_t cliffSignals[4];
 };
 
 struct frob_create_output {
