@@ -17,10 +17,11 @@ compile () { # EXAMPLE ROBOT
 }
 
 status=0
+robots="pioneer scout create"
 each () { # EXAMPLE SECONDS WAYS BOUNDS...
   example=$1 for_s=$2 ways=$3
   shift 3
-  for robot in pioneer scout create; do
+  for robot in $robots; do
     program=$(compile "$example" "$robot") || exit 2
     failed=0
     for seed in $(seq 1 "$count"); do
@@ -37,4 +38,6 @@ each () { # EXAMPLE SECONDS WAYS BOUNDS...
 }
 each bug 360 "prompt slow" result true true odometry_error_at_the_end 0 1
 each wall_follow 60 prompt mean_wall_distance_error 0 0.03 largest_wall_distance_error 0 0.2
+robots=create # with sensors that look down
+each line_follow 220 "prompt slow" mean_distance_from_the_tape 0 0.01 largest_distance_from_the_tape 0 0.04 way_along_the_tape 45 50
 exit $status
