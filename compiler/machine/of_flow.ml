@@ -29,16 +29,25 @@ let rec alignment (calls : Calls.context) (content : Ir.content) =
       | first :: _ -> alignment calls first.content
       | [] -> 1)
 
-(* The nodes that this one steps, by its own code or as modes. *)
-let stepped body (modes : Ir.mode list) =
+(* The nodes that this one steps, by its own code or as these modes. *)
+let stepped body modes =
   let nodes = Int_table.create 8 in
   Walk.statements
     (function
       | Step { node; _ } | Loop { node; _ } -> Int_table.replace nodes node ()
       | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Await _ | Run _ | Return _ -> ())
     body;
-  List.iter (fun (mode : Ir.mode) -> Int_table.replace nodes mode.node ()) modes;
+  List.iter (fun mode -> Int_table.replace nodes mode ()) modes;
   nodes
+
+(* The modes that the step's dt comes to at the node's first instant: those that its
+   machine starts with. What they lead to there is entered, with a dt of 0. *)
+let first_modes (machine : F.machine option) =
+  match machine with
+  | None -> []
+  | Some { active = Some _; modes; _ } -> modes
+  | Some { active = None; modes; start; _ } ->
+      List.map (fun (t : F.transition) -> List.nth modes t.target) start
 
 (* The calls of the user's C, from the leaves and back, are for {!Cgen}. *)
 let foreign_node context k (node : F.node) (foreign : F.foreign) : Ir.node =
@@ -78,10 +87,11 @@ let own_node context k ~is_root =
   let limited = context.is_limited k in
   let step = Body.step calls state node ~limited ~is_root statics in
   let modes = Option.fold (State.machine state) ~none:[] ~some:(fun (m : State.machine) -> m.modes) in
-  let stepped = stepped step modes in
-  let any property = Int_table.fold (fun k () any -> any || property k) stepped false in
+  let any property stepped = Int_table.fold (fun k () any -> any || property k) stepped false in
   context.sees_first_dt.(k) <-
-    First_instant.shows_in state statics || any (fun k -> context.sees_first_dt.(k));
+    First_instant.shows_in state statics
+    || any (fun k -> context.sees_first_dt.(k)) (stepped step (first_modes node.machine));
+  let all = stepped step (List.map (fun (mode : Ir.mode) -> mode.node) modes) in
   let reads = Reads.of_body step in
   let reset = Body.reset calls state node statics in
   let first : First_instant.t =
@@ -120,8 +130,8 @@ let own_node context k ~is_root =
            List.rev_map (fun (name, atom) -> (name, Computation.atom_type atom)) node.outputs
          in
          List.rev_append own for_transitions);
-      seconds = reads.seconds || any (fun k -> (calls.callee k).seconds);
-      nanoseconds = reads.nanoseconds || any (fun k -> (calls.callee k).nanoseconds);
+      seconds = reads.seconds || any (fun k -> (calls.callee k).seconds) all;
+      nanoseconds = reads.nanoseconds || any (fun k -> (calls.callee k).nanoseconds) all;
       operations = reads.operations;
     }
   in

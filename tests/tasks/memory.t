@@ -43,8 +43,7 @@ later is kept once.
               sleepT      0  mode                          lamp.frob:5
             mode          1  number of the mode that runs  lamp.frob:8
       mode                1  number of the mode that runs  Prelude.frob
-      started             1  past the first instant        Prelude.frob
-      (padding)           4
+      (padding)           5
   
 
 A task that never ends keeps nothing about its end: this one is one number for the

@@ -1,0 +1,45 @@
+A machine whose first mode looks at no time needs no mark of the first instant, whose dt
+may be anything: what the mode leads to there is entered at a dt of 0.
+
+  $ cat > alarm.frob <<'EOF'
+  > watch, ring :: SF Bool Float
+  > watch = switch (proc b -> (0, when b)) (\_ -> ring)
+  > ring = switch (proc _ -> (1 + time () / 1[s], after 2[s] ())) (\_ -> watch)
+  > main = watch
+  > EOF
+  $ frobc compile alarm.frob
+  $ grep -c 'START\|started' alarm.c alarm.h
+  alarm.c:0
+  alarm.h:0
+  [1]
+  $ cat > first_dt.c <<'EOF'
+  > #include "alarm.h"
+  > #include <stdio.h>
+  > int main(void)
+  > {
+  >     struct alarm_state state;
+  >     struct alarm_input in = {true};
+  >     struct alarm_output out;
+  >     alarm_reset(&state);
+  >     alarm_step(&state, 1e9, &in, &out);
+  >     printf("%g\n", out.value);
+  >     in.value = false;
+  >     for (int i = 0; i < 3; i++) {
+  >         alarm_step(&state, 1.0, &in, &out);
+  >         printf("%g\n", out.value);
+  >     }
+  >     return 0;
+  > }
+  > EOF
+  $ gcc -std=c99 -Wall -Wextra -Werror first_dt.c alarm.c -o first_dt && ./first_dt
+  1
+  2
+  0
+  0
+
+One that does look at time has the mark.
+
+  $ sed 's/main = watch/main = ring/' alarm.frob > rings.frob
+  $ frobc compile rings.frob
+  $ grep 'started' rings.h
+      bool started; /* past the first instant at rings.frob:4 */
