@@ -73,9 +73,12 @@ let first_of alternatives =
       | condition -> [ { Ir.desc = If { condition; then_; else_ }; comment } ])
     alternatives []
 
-(* With [drops] C compilers cannot see that the first mode gives values. *)
+let ends_early c (mode : M.mode) = Option.is_some c.v.program.nodes.(mode.node).ends_early
+
+(* With [drops] C compilers cannot see that the first mode gives values, nor where modes
+   give none as they end, that another one follows. *)
 let results_of_run c (run : M.run) =
-  if (not run.drops) && Option.is_none run.active then List.rev (uninitialized c run.results)
+  if (not run.drops) && Option.is_none run.active && not (List.exists (ends_early c) c.node.modes) then List.rev (uninitialized c run.results)
   else
     List.map
       (fun (v : M.variable) ->

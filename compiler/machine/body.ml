@@ -17,7 +17,7 @@ let modes_context (context : Calls.context) draft state : Modes.context =
 let output_span (node : F.node) (atom : F.atom) =
   match atom with Signal s -> s.span | Bool _ | Int _ | Float _ -> node.span
 
-let step (context : Calls.context) state (node : F.node) ~limited ~is_root (statics : Statics.t) =
+let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_end_early (statics : Statics.t) =
   let d = Draft.create () in
   let parameter (s : F.signal) = Draft.leaf d s (Variable (Modes.variable s)) in
   List.iter parameter node.statics;
@@ -43,23 +43,32 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root (stat
     let own = List.rev_map (fun (_, atom) -> Draft.resolve d atom) node.outputs in
     List.rev_append own (List.map (Draft.resolve d) for_transitions)
   in
+  let states =
+    List.rev_append (Draft.states d) (List.filter_map (Memory.next d state) equations)
+  in
   let returned, results =
     match outputs with
     | [ atom ] when not is_root -> (Some (atom, output_span node atom), [])
     | atoms -> (None, List.mapi (fun k atom -> (Ir.Result k, atom, output_span node atom)) atoms)
   in
-  let body =
-    Placement.statements
-      {
-        leaves = Draft.leaves d;
-        items = Draft.items d;
-        results;
-        states = List.rev_append (Draft.states d) (List.filter_map (Memory.next d state) equations);
-        returned;
-        feedback = Feedback.of_node node;
-      }
+  let make d : Fragment.t =
+    {
+      leaves = Draft.leaves d;
+      items = Draft.items d;
+      results;
+      states;
+      returned;
+      feedback = Feedback.of_node node;
+      ending = None;
+    }
   in
-  List.rev_append (List.rev advances) body
+  let fragment =
+    if may_end_early then
+      Early_end.find d ~fresh:context.fresh node ~told:(List.length node.outputs) make
+    else make d
+  in
+  let told = Option.map (fun (ending : Fragment.ending) -> ending.told) fragment.ending in
+  (List.rev_append (List.rev advances) (Placement.statements fragment), told)
 
 (* What reset does for one item; it comes after all static values. *)
 let reset_effects context draft state (item : Flow.Schedule.item) =
@@ -93,6 +102,7 @@ let reset (context : Calls.context) state (node : F.node) (statics : Statics.t) 
       states = [];
       returned = None;
       feedback = Feedback.none;
+      ending = None;
     }
 
 let first_mode (context : Calls.context) state (node : F.node) =

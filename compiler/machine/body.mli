@@ -10,9 +10,10 @@ val step :
   Flow.Ir.node ->
   limited:bool ->
   is_root:bool ->
+  may_end_early:bool ->
   Statics.t ->
-  Ir.statement list
-(** [limited] as in {!Memory.advance}. A node with one output returns it, but
+  Ir.statement list * int option
+(** The statements, and the node's [ends_early]. [limited] as in {!Memory.advance}. A node with one output returns it, but
     for the root, whose outputs are always written to a struct. *)
 
 val reset : Calls.context -> State.t -> Flow.Ir.node -> Statics.t -> Ir.statement list

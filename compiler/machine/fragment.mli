@@ -53,4 +53,8 @@ type t = {
           value means that the field keeps what it has *)
   returned : (atom * Span.t) option;
   feedback : Feedback.t;
+  ending : ending option;  (** see {!Early_end}; [returned] is [None] then *)
 }
+
+(** Where this holds a mode ends, and then only its [results] from [told] on count. *)
+and ending = { ends : atom; told : int; span : Span.t }

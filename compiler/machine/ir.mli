@@ -207,6 +207,9 @@ type node = {
   reset : code;  (** empty if there is no state *)
   step : code;
   outputs : (string * ty) list;
+  ends_early : int option;
+      (** a mode whose step, where one of its transitions occurs, gives only the outputs
+          from this one on: see {!Early_end} *)
   seconds : bool;  (** the step, or a callee's, reads [Dt] *)
   nanoseconds : bool;  (** likewise [Dt_nanoseconds] *)
   operations : int;  (** a rough count of the step's own, without callees *)

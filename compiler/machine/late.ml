@@ -138,7 +138,7 @@ let rec reads_kept t (atom : atom) =
       | Some _ | None -> false)
 
 let divided t : Fragment.t * Fragment.t =
-  let { leaves; items; results; states; returned; feedback } = t.fragment in
+  let { leaves; items; results; states; returned; feedback; ending } = t.fragment in
   let part late list =
     List.filteri (fun k _ -> Bool.equal t.late_results.(k) late) list
   in
@@ -155,6 +155,7 @@ let divided t : Fragment.t * Fragment.t =
       states;
       returned = (if t.late_return then None else returned);
       feedback;
+      ending;
     },
     {
       leaves = leaves_later;
@@ -163,6 +164,7 @@ let divided t : Fragment.t * Fragment.t =
       states = [];
       returned = (if t.late_return then returned else None);
       feedback;
+      ending;
     } )
 
 let split (fragment : Fragment.t) =

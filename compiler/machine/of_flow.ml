@@ -6,6 +6,7 @@ type context = {
   statics : Statics.t array;
   sees_first_dt : bool array;  (** of the nodes already translated *)
   is_limited : int -> bool;  (** see {!Flow.Time_limit} *)
+  may_end_early : bool array;
 }
 
 let variable = Modes.variable
@@ -73,6 +74,7 @@ let foreign_node context k (node : F.node) (foreign : F.foreign) : Ir.node =
     reset = { parameters = []; body = [] };
     step = { parameters = List.map variable node.inputs; body = [] };
     outputs = List.map (fun (name, atom) -> (name, Computation.atom_type atom)) node.outputs;
+    ends_early = None;
     seconds = stateful;
     nanoseconds = false;
     operations = 20;
@@ -85,7 +87,9 @@ let own_node context k ~is_root =
   let statics_of k = List.map variable calls.program.nodes.(k).statics in
   let state = State.of_node ~callee:calls.callee ~statics:statics_of statics in
   let limited = context.is_limited k in
-  let step = Body.step calls state node ~limited ~is_root statics in
+  let step, ends_early =
+    Body.step calls state node ~limited ~is_root ~may_end_early:context.may_end_early.(k) statics
+  in
   let modes = Option.fold (State.machine state) ~none:[] ~some:(fun (m : State.machine) -> m.modes) in
   let any property stepped = Int_table.fold (fun k () any -> any || property k) stepped false in
   context.sees_first_dt.(k) <-
@@ -130,6 +134,7 @@ let own_node context k ~is_root =
            List.rev_map (fun (name, atom) -> (name, Computation.atom_type atom)) node.outputs
          in
          List.rev_append own for_transitions);
+      ends_early;
       seconds = reads.seconds || any (fun k -> (calls.callee k).seconds) all;
       nanoseconds = reads.nanoseconds || any (fun k -> (calls.callee k).nanoseconds) all;
       operations = reads.operations;
@@ -161,6 +166,7 @@ let program (program : F.program) : Ir.program =
       statics = Statics.program program;
       sees_first_dt = Array.make count false;
       is_limited = Flow.Time_limit.is_limited program;
+      may_end_early = Early_end.possible program;
     }
   in
   let first_instant = ref Ir.Unseen in

@@ -191,7 +191,7 @@ let early_in t early (w : Write_order.write) =
   set_apart t early (Write_order.atoms w.write.update)
 
 (* The writes of state, from the last unit to the first. *)
-let place_units t units =
+let place_units t ~into units =
   let early = no_early () in
   let write ?leaf block (w : write) =
     store ?leaf t ~branch:(new_branch ?leaf t) block w
@@ -213,17 +213,17 @@ let place_units t units =
       match u.writes with
       | Always w ->
           if u.early then early_in t early w;
-          write ?leaf t.root w.write
+          write ?leaf into w.write
       | By { condition; then_; else_; span } ->
           if u.early then (
             set_apart t early [ condition ];
             List.iter (early_in t early) then_;
             List.iter (early_in t early) else_);
-          let branch = new_branch ?leaf t t.root condition span in
+          let branch = new_branch ?leaf t into condition span in
           place_block ?leaf branch.else_ else_;
           place_block ?leaf branch.then_ then_)
     (List.rev units);
-  place_early t t.root early
+  place_early t into early
 
 let place_return t units (value, span) =
   let written = Int_table.create 16 in
@@ -271,7 +271,8 @@ let place_computed t (c : computed) uses =
       assign branch.else_ else_;
       assign branch.then_ then_
 
-let place_item t = function
+(* [always] is where what writes state goes. *)
+let place_item t ~always = function
   | Computed c -> (
       match uses_of t c.signal with
       | [] -> ()
@@ -279,7 +280,7 @@ let place_item t = function
   | Action a ->
       let uses = List.concat_map (uses_of t) a.defines in
       if a.always || uses <> [] then (
-        let block = if a.always then t.root else block_for t uses in
+        let block = if a.always then always else block_for t uses in
         let use = here t block in
         let statements = a.statements (List.map (tree t use) a.operands) in
         List.iter (put block) (List.rev statements))
@@ -318,15 +319,32 @@ let statements_of (fragment : Fragment.t) =
   in
   let units = Write_order.of_usage usage in
   let early = Option.map (place_return t units) fragment.returned in
-  place_units t units;
-  Option.iter (place_early t root) early;
-  List.iter (store t ~branch:(shared_branch t ~uses:[]) root) (List.rev (Usage.results usage));
-  for k = Array.length fragment.items - 1 downto 0 do
-    place_item t fragment.items.(k)
-  done;
+  let store_results into results =
+    List.iter (store t ~branch:(shared_branch t ~uses:[]) into) (List.rev results)
+  in
+  let items place_for =
+    for k = Array.length fragment.items - 1 downto 0 do
+      place_item t ~always:(place_for k) fragment.items.(k)
+    done
+  in
+  (match fragment.ending with
+  | None ->
+      place_units t ~into:root units;
+      Option.iter (place_early t root) early;
+      store_results root (Usage.results usage);
+      items (fun _ -> root)
+  | Some ending ->
+      let goes_on = (new_branch t root ending.ends ending.span).else_ in
+      place_units t ~into:goes_on units;
+      let own = List.filteri (fun k _ -> k < ending.told) (Usage.results usage) in
+      let told = List.filteri (fun k _ -> k >= ending.told) (Usage.results usage) in
+      store_results goes_on own;
+      store_results root told;
+      let needed = Early_end.needed fragment ending in
+      items (fun k -> if needed.(k) then root else goes_on));
   emit root
 
-let statements fragment =
-  match Late.split fragment with
+let statements (fragment : Fragment.t) =
+  match if Option.is_some fragment.ending then None else Late.split fragment with
   | None -> statements_of fragment
   | Some (first, late) -> List.rev_append (List.rev (statements_of first)) (statements_of late)

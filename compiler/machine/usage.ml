@@ -106,6 +106,7 @@ let count_all t =
   List.iter write t.results;
   List.iter write t.writes;
   Option.iter (fun (atom, _) -> count t atom) t.fragment.returned;
+  Option.iter (fun (ending : ending) -> count t ending.ends) t.fragment.ending;
   backwards t (fun item -> List.iter (count t) (operands item))
 
 (* State that a choice may keep. *)
@@ -208,6 +209,7 @@ let find_branching t =
   List.iter (fun w -> write Anywhere w.update) t.results;
   List.iter (fun w -> write Anywhere w.update) t.writes;
   Option.iter (fun (atom, _) -> under Anywhere atom) t.fragment.returned;
+  Option.iter (fun (ending : ending) -> under Anywhere ending.ends) t.fragment.ending;
   let charge_guard g weight =
     match g with Under (c, _) -> charge c weight | Nowhere | Anywhere -> ()
   in

@@ -1,0 +1,97 @@
+module F = Flow.Ir
+open Basis
+open Fragment
+
+let possible (program : F.program) =
+  let found = Array.make (Array.length program.nodes) false in
+  let delayed = List.exists (fun (t : F.transition) -> t.delayed) in
+  let stays (t : F.transition) =
+    match t.at_entry with F.Impossible _ -> true | Possible -> false
+  in
+  let has_components =
+    List.exists (fun (i : F.import) -> i.kind = Signal_function) program.imports
+  in
+  let note (m : F.machine) =
+    let transitions = List.map (fun mode -> program.nodes.(mode).transitions) m.modes in
+    let goes_round = not (List.for_all (List.for_all stays) transitions) in
+    if goes_round && (not (delayed m.controls)) && not (List.exists delayed transitions) then
+      List.iter (fun mode -> found.(mode) <- true) m.modes
+  in
+  if not has_components then
+    Array.iter (fun (node : F.node) -> Option.iter note node.machine) program.nodes;
+  found
+
+let operands = function Computed c -> c.operands | Action a -> a.operands
+let defined = function Computed c -> [ c.signal ] | Action a -> a.defines
+
+(* From the last item to the first, each being after what it needs. *)
+let needed_for items (atoms : atom list) =
+  let wanted = Int_table.create 16 in
+  let want (atom : atom) =
+    match atom with
+    | Signal s -> Int_table.replace wanted s.id ()
+    | Bool _ | Int _ | Float _ -> ()
+  in
+  List.iter want atoms;
+  let needed = Array.make (Array.length items) false in
+  for k = Array.length items - 1 downto 0 do
+    if List.exists (fun (s : F.signal) -> Int_table.mem wanted s.id) (defined items.(k)) then (
+      needed.(k) <- true;
+      List.iter want (operands items.(k)))
+  done;
+  needed
+
+let results_from told (fragment : Fragment.t) =
+  List.filteri (fun k _ -> k >= told) (List.map (fun (_, atom, _) -> atom) fragment.results)
+
+let needed (fragment : Fragment.t) ending =
+  needed_for fragment.items (ending.ends :: results_from ending.told fragment)
+
+(* What is done besides, if the mode goes on. *)
+let left_out (fragment : Fragment.t) ending =
+  let if_it_ends = needed fragment ending in
+  let all = List.map (fun (_, atom, _) -> atom) fragment.results in
+  let states = List.map (fun (_, atom, _, _) -> atom) fragment.states in
+  let of_actions =
+    Array.to_list fragment.items
+    |> List.concat_map (function
+         | Action { always = true; operands; _ } -> operands
+         | Action _ | Computed _ -> [])
+  in
+  let if_it_goes_on = needed_for fragment.items (all @ states @ of_actions) in
+  let weight = ref 0 and steps = ref false in
+  Array.iteri
+    (fun k item ->
+      if not if_it_ends.(k) then
+        match item with
+        | Action { always = true; _ } -> steps := true
+        | Action { weight = w; _ } | Computed { weight = w; _ } ->
+            if if_it_goes_on.(k) then weight := !weight + w)
+    fragment.items;
+  (!weight, !steps)
+
+let worth fragment ending =
+  let weight, steps = left_out fragment ending in
+  steps || weight >= Usage.branch_weight
+
+let find draft ~fresh (node : F.node) ~told make =
+  let occurs = List.map (fun (t : F.transition) -> Draft.resolve draft t.occurs) node.transitions in
+  let can_occur = List.filter (function F.Bool false -> false | _ -> true) occurs in
+  let either (a : F.atom) (b : F.atom) : F.atom =
+    let id = fresh () in
+    let defines : F.signal = { id; name = ""; ty = Bool; group = id; span = node.span } in
+    Draft.add_computed draft { defines; rhs = Op (Or, [ a; b ]); span = node.span };
+    Signal defines
+  in
+  let is_signal = function F.Signal _ -> true | Bool _ | Int _ | Float _ -> false in
+  let tries = List.exists (fun (i : F.instance) -> i.trials <> []) node.instances in
+  match can_occur with
+  | first :: others when List.for_all is_signal can_occur && not tries ->
+      let ends = List.fold_left either first others in
+      let fragment = make draft in
+      let ending = { ends; told; span = node.span } in
+      if Option.is_none fragment.returned && Option.is_none (Late.split fragment)
+         && worth fragment ending
+      then { fragment with ending = Some ending }
+      else fragment
+  | _ -> make draft
