@@ -24,7 +24,7 @@ let tests =
   :: (files "tests/interp" ".frob"
      @ List.concat_map
          (fun area -> files ("tests" / area) ".t")
-         [ "library"; "arrays"; "switch"; "tasks"; "robots"; "paper"; "run" ])
+         [ "library"; "arrays"; "switch"; "tasks"; "capabilities"; "paper"; "run" ])
 
 let is_name_character c =
   match c with 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false
