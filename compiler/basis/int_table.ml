@@ -1,6 +1,85 @@
-include Hashtbl.Make (struct
-  type t = int
+(* Open addressing: a key stands at its own place or at the next free one after
+   it, and at most every second place is taken. Values are kept as [Some], so that
+   a lookup allocates nothing. *)
+type 'a t = {
+  mutable keys : int array;
+  mutable values : 'a option array;  (** [None] where there is no key *)
+  mutable length : int;
+  mutable bits : int;  (** 2^bits places, or none before the first key *)
+}
 
-  let equal = Int.equal
-  let hash n = n land max_int
-end)
+let fewest_bits = 3
+let most_bits_at_first = 5
+
+let rec bits_for n bits =
+  if bits >= most_bits_at_first || 1 lsl bits >= n then bits else bits_for n (bits + 1)
+
+let create n = { keys = [||]; values = [||]; length = 0; bits = bits_for n fewest_bits }
+
+(* 2^62 over the golden ratio, which scatters numbers that follow each other
+   (Knuth, The Art of Computer Programming 3, section 6.4). *)
+let own_place t key = (key * 0x278DDE6E5FD29F05) lsr (Sys.int_size - t.bits)
+
+(* Where the key is or is to be put. *)
+let rec place t key i =
+  match t.values.(i) with
+  | Some _ when t.keys.(i) <> key -> place t key ((i + 1) land (Array.length t.keys - 1))
+  | Some _ | None -> i
+
+let find_opt t key = if t.length = 0 then None else t.values.(place t key (own_place t key))
+let find t key = match find_opt t key with Some value -> value | None -> raise Not_found
+let mem t key = match find_opt t key with Some _ -> true | None -> false
+
+let put t key binding =
+  let i = place t key (own_place t key) in
+  if Option.is_none t.values.(i) then t.length <- t.length + 1;
+  t.keys.(i) <- key;
+  t.values.(i) <- binding
+
+let make_room t =
+  let keys = t.keys and values = t.values in
+  if Array.length keys > 0 then t.bits <- t.bits + 1;
+  t.keys <- Array.make (1 lsl t.bits) 0;
+  t.values <- Array.make (1 lsl t.bits) None;
+  t.length <- 0;
+  Array.iteri (fun i binding -> if Option.is_some binding then put t keys.(i) binding) values
+
+let replace t key value =
+  if 2 * t.length >= Array.length t.keys then make_room t;
+  put t key (Some value)
+
+let take_out t i =
+  t.values.(i) <- None;
+  t.length <- t.length - 1
+
+let remove t key =
+  if mem t key then begin
+    let next i = (i + 1) land (Array.length t.keys - 1) in
+    (* Those after it may stand where they do because it was there. *)
+    let rec put_again i =
+      match t.values.(i) with
+      | None -> ()
+      | binding ->
+          take_out t i;
+          put t t.keys.(i) binding;
+          put_again (next i)
+    in
+    let i = place t key (own_place t key) in
+    take_out t i;
+    put_again (next i)
+  end
+
+let reset t =
+  t.keys <- [||];
+  t.values <- [||];
+  t.length <- 0
+
+let length t = t.length
+let copy t = { t with keys = Array.copy t.keys; values = Array.copy t.values }
+
+let fold f t start =
+  let result = ref start in
+  Array.iteri
+    (fun i -> function Some value -> result := f t.keys.(i) value !result | None -> ())
+    t.values;
+  !result

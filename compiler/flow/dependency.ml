@@ -76,7 +76,7 @@ let of_node callee (node : Ir.node) =
   List.iter
     (fun ((s : Ir.signal), _) ->
       if not (Int_table.mem vertices s.group) then
-        Int_table.add vertices s.group (Int_table.length vertices))
+        Int_table.replace vertices s.group (Int_table.length vertices))
     all;
   let vertex (s : Ir.signal) =
     match Int_table.find_opt vertices s.group with

@@ -42,7 +42,7 @@ and in_closure table closure =
   | Some known -> known
   | None ->
       let count = in_captured table ~inside:true closure in
-      Variables.Table.add table.counts closure.identity count;
+      Variables.Table.replace table.counts closure.identity count;
       count
 
 and in_captured table ~inside (closure : Value.closure) =

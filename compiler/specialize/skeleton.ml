@@ -226,7 +226,7 @@ and closed_key (w : walk) closure =
           if own.holes = [] then Some own.key else None)
         else None
       in
-      Table.add table closure.identity key;
+      Table.replace table closure.identity key;
       key
 
 (* No, as far as one can see without going through everything. *)
