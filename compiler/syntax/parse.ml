@@ -6,6 +6,7 @@ let most_errors = 50
 
 type reader = {
   layout : Layout.t;
+  again : Layout.token Queue.t;  (** to be read before those of [layout] *)
   sink : Diagnostic.sink;
   text : string;
   mutable cut : bool;
@@ -15,15 +16,21 @@ type reader = {
   mutable defines : bool;  (** this item has come past its [=] or [::] *)
 }
 
+let next reader =
+  match Queue.take_opt reader.again with
+  | Some token -> token
+  | None -> Layout.next reader.layout
+
 (* To the end of the item that this token belongs to. *)
 let rec skip reader (token : Layout.token) =
-  match token.token with END -> token.last | _ -> skip reader (Layout.next reader.layout)
+  match token.token with END -> token.last | _ -> skip reader (next reader)
 
 type outcome = Item of Surface.item | Failed
 
-let item reader =
+(* An item read by menhir's automaton, which can be asked where it cannot go on. *)
+let explained reader =
   reader.defines <- false;
-  let token = ref (Layout.next reader.layout) in
+  let token = ref (next reader) in
   let start = !token.start in
   let supply () =
     let t = !token in
@@ -66,13 +73,47 @@ let item reader =
         (match shifted.token with
         | EQUAL | DOUBLE_COLON | BAR -> reader.defines <- true
         | _ -> ());
-        token := Layout.next reader.layout;
+        token := next reader;
         run (Some shifted) checkpoint
     | Automaton.Shifting _ | Automaton.AboutToReduce _ | Automaton.HandlingError _
     | Automaton.Accepted _ | Automaton.Rejected ->
         run before checkpoint
   in
   run None (Grammar.Incremental.item start)
+
+exception Bad_token
+
+(* The same by the parser that menhir makes code of: it is several times as fast,
+   and tells nothing of an error. Its actions have no effects, so what it cannot
+   read is read again from the first token on. *)
+let item reader =
+  let tokens = Queue.create () in
+  let last = ref false in
+  let read () =
+    let token = next reader in
+    Queue.add token tokens;
+    last := token.last;
+    token
+  in
+  let first = ref (Some (read ())) in
+  let buffer = Lexing.from_string "" in
+  let supply (buffer : Lexing.lexbuf) =
+    let token = match !first with Some token -> token | None -> read () in
+    first := None;
+    if token.token = BAD then raise Bad_token;
+    buffer.lex_start_p <- token.start;
+    buffer.lex_curr_p <- token.stop;
+    token.token
+  in
+  Option.iter (fun (token : Layout.token) -> buffer.lex_curr_p <- token.start) !first;
+  match Quick_grammar.item supply buffer with
+  | item ->
+      reader.cut <- false;
+      (Item item, !last)
+  | exception (Quick_grammar.Error | Bad_token | Reject.Rejected _) ->
+      Queue.transfer reader.again tokens;
+      Queue.transfer tokens reader.again;
+      explained reader
 
 let misplaced sink code span message hint =
   Diagnostic.emit sink (Diagnostic.error ~code ~at:span "%s" message |> Diagnostic.hint hint)
@@ -122,7 +163,19 @@ let rec collect reader (program : Ir.program) errors =
 let read sink ~file text =
   let layout = Layout.create (Lexer.create sink ~file text) in
   let empty : Ir.program = { file; header = None; imports = []; declarations = [] } in
-  match collect { layout; sink; text; cut = false; failed = false; defines = false } empty 0 with
+  match
+    collect
+      {
+        layout;
+        again = Queue.create ();
+        sink;
+        text;
+        cut = false;
+        failed = false;
+        defines = false;
+      }
+      empty 0
+  with
   | program ->
       Some
         {
