@@ -6,8 +6,8 @@ type side = { own : Interface.t; host : Interface.t; robot : Robot.t option }
 let bug format = Basis.Diagnostic.bug ~stage:"Cgen.Border" format
 
 (* Of a program of single precision. *)
-let robot_of (program : Machine.Ir.program) shape =
-  match program.real with Double -> None | Single -> Robot.of_shape shape
+let robot_of ?own (program : Machine.Ir.program) shape =
+  match program.real with Double -> None | Single -> Robot.of_shape ?own shape
 
 let robot_struct (shape : F.shape) =
   match shape with
@@ -16,18 +16,18 @@ let robot_struct (shape : F.shape) =
 
 let same own = { own; host = own; robot = None }
 
-let input (program : Machine.Ir.program) own =
-  match robot_of program program.input with
+let input ?own_robot (program : Machine.Ir.program) own =
+  match robot_of ?own:own_robot program program.input with
   | None -> same own
   | robot -> { own; host = { own with struct_name = robot_struct program.input }; robot }
 
 let host_output = "host_output"
 
-let output (program : Machine.Ir.program) (own : Interface.t) =
+let output ?own_robot (program : Machine.Ir.program) (own : Interface.t) =
   let command, result =
     if program.ends then Interface.apart program.output else (program.output, None)
   in
-  match (robot_of program command, result, List.rev own.leaves) with
+  match (robot_of ?own:own_robot program command, result, List.rev own.leaves) with
   | None, _, _ -> same own
   | robot, None, _ -> { own; host = { own with struct_name = robot_struct command }; robot }
   | robot, Some _, last :: leaves ->
@@ -37,7 +37,7 @@ let output (program : Machine.Ir.program) (own : Interface.t) =
   | _, Some _, [] -> bug "a program that ends without a result"
 
 let includes sides =
-  let header side = Option.map (fun (r : Robot.t) -> sprintf "#include <%s>\n" r.header) side.robot in
+  let header side = Option.map (fun r -> sprintf "#include %s\n" (Robot.included r)) side.robot in
   String.concat "" (List.sort_uniq compare (List.filter_map header sides))
 
 let rec last = function [] -> bug "no leaf" | [ x ] -> x | _ :: others -> last others

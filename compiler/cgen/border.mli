@@ -14,8 +14,10 @@ type side = {
   robot : Robot.t option;  (** whose struct the host's is, if that is not the program's *)
 }
 
-val input : Machine.Ir.program -> Interface.t -> side
-val output : Machine.Ir.program -> Interface.t -> side
+val input : ?own_robot:Robot.t -> Machine.Ir.program -> Interface.t -> side
+(** [own_robot]: the user's own, if the program is for one. *)
+
+val output : ?own_robot:Robot.t -> Machine.Ir.program -> Interface.t -> side
 
 val is_result : Machine.Ir.program -> side -> Interface.step list -> bool
 (** Does this lead, in the host's struct, to what the program has ended with? That
