@@ -5,14 +5,6 @@ let rec each f = function
   | [] -> Ok ()
   | x :: others -> Result.bind (f x) (fun () -> each f others)
 
-let read path =
-  match open_in_bin path with
-  | exception Sys_error reason -> Error ("cannot read " ^ reason)
-  | channel ->
-      Fun.protect
-        ~finally:(fun () -> close_in channel)
-        (fun () -> Ok (really_input_string channel (in_channel_length channel)))
-
 let files folder =
   let names = Sys.readdir folder in
   Array.sort compare names;
@@ -22,7 +14,7 @@ let files folder =
 let copy_folder source target =
   Result.bind (Commands.writable_folder target) (fun () ->
       each
-        (fun name -> Result.bind (read (source / name)) (Commands.write (target / name)))
+        (fun name -> Result.bind (Own_headers.read (source / name)) (Commands.write (target / name)))
         (files source))
 
 let manifest name =
@@ -56,17 +48,30 @@ let runtime_folders (resources : Resources.t) =
       (fun folder -> (runtime / folder, folder))
       ([ "core"; "hal"; "drivers"; "hosts/board" ] @ List.map (fun r -> "drivers" / r) robots)
 
-let write_library (resources : Resources.t) ~folder ~name ~sources generated =
+(* What the user's C and its headers include; a generated file is newer than what an
+   earlier run may have left beside them. *)
+let headers_of ~sources ~foreign_folders generated =
+  let ( let* ) = Result.bind in
+  let* of_sources = Own_headers.of_sources sources in
+  let* of_program =
+    Own_headers.of_text ~folders:foreign_folders (String.concat "\n" (List.map snd generated))
+  in
+  let is_own (h : Own_headers.t) = not (List.mem_assoc h.name generated) in
+  Ok (List.filter is_own (of_sources @ of_program))
+
+let write_library (resources : Resources.t) ~folder ~name ~sources ~foreign_folders generated =
   let ( let* ) = Result.bind in
   let source = folder / "src" and example = folder / "examples" / name in
   let* () = Commands.writable_folder source in
   let* () = Commands.write (folder / "library.json") (manifest name) in
   let* () = each (fun (file, text) -> Commands.write (source / file) text) generated in
-  let* () =
-    each
-      (fun file -> Result.bind (read file) (Commands.write (source / Filename.basename file)))
-      sources
+  let copy from target =
+    let* () = Commands.writable_folder (Filename.dirname target) in
+    Result.bind (Own_headers.read from) (Commands.write target)
   in
+  let* () = each (fun file -> copy file (source / Filename.basename file)) sources in
+  let* headers = headers_of ~sources ~foreign_folders generated in
+  let* () = each (fun (h : Own_headers.t) -> copy h.path (source / h.name)) headers in
   let* () =
     each (fun (from, into) -> copy_folder from (source / into)) (runtime_folders resources)
   in
@@ -89,5 +94,7 @@ let platformio (general : Commands.general) ~entry ~sources ~folder file =
         ]
         @ Option.to_list files.robot_header
       in
-      let* () = write_library resources ~folder ~name ~sources generated in
+      let* () = write_library resources ~folder ~name ~sources
+          ~foreign_folders:files.foreign.folders generated
+      in
       Exit_status.ok)

@@ -30,6 +30,21 @@ what is recorded replays on both engines.
   $ head -1 replayed.csv
   time,out.forward,out.turn
 
+In single precision too: its structs stay of doubles, the table for hosts converts.
+
+  $ frobc run $follow --real float --robot $rover/Rover.frob --with $rover/rover_body.c --for 60s --seed 1 --record run.csv | grep -E 'error:|collisions'
+  mean wall distance error: 0.0152 m
+  largest wall distance error: 0.1331 m
+  collisions: 0
+  $ frobc trace $follow --real float --robot $rover/Rover.frob --input run.csv > replayed.csv
+  $ frobc trace $follow --real float --robot $rover/Rover.frob --input run.csv --engine interp | cmp - replayed.csv
+  $ frobc compile $follow --real float --robot $rover/Rover.frob -o single
+  $ ls single
+  rover.h
+  wall_follow.c
+  wall_follow.h
+  $ frobc header $rover/Rover.frob | cmp - single/rover.h
+
 All its C files may be given at once.
 
   $ all=$(printf -- '--with %s ' $rover/*.c)
@@ -45,6 +60,9 @@ All its C files may be given at once.
     patience           until a command without answer is given up, s, 0.01 to 1 (0.06)
   $ frobc build $follow --robot $rover/Rover.frob $all --target linux -o wall_follow && ./wall_follow --help | grep watchdog
     watchdog           the robot stops by itself after so many ms without a speed, 100 to 2000 (500)
+
+An exported library has what its C files include; each builds by itself, in both precisions.
+
   $ frobc export $follow --robot $rover/Rover.frob $all --platformio library
   $ ls library/examples
   wall_follow
@@ -53,10 +71,16 @@ All its C files may be given at once.
   rover_board.c
   rover_body.c
   rover_driver.c
+  rover_driver.h
   rover_odometry.c
+  rover_odometry.h
   rover_wire.c
+  rover_wire.h
   $ grep '= &' library/src/wall_follow_driver.c
   const struct frob_driver *const frob_own_driver = &frob_rover_driver;
+  $ builds () { for source in library/src/*.c; do gcc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off -Ilibrary/src -c $source -o out.o || echo $source; done; }
+  $ builds
+  $ frobc export $follow --real float --robot $rover/Rover.frob $all --platformio library && builds
 
 A program can name it, as any other module.
 

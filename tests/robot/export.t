@@ -72,3 +72,58 @@ from, and without the system's calls. The board is a few lines here.
   $ for source in $(find drive/src -name '*.c'); do gcc -std=c99 $strict -c $source -o $(echo $source | tr / _).o || echo $source; done
   $ g++ -std=c++17 $strict -I. drive/examples/drive/main.cpp board.cpp *.o -lm -o board
   $ ./board
+
+In single precision.
+
+  $ rm -r drive *.o
+  $ frobc export drive.frob --real float --platformio drive
+  $ for source in $(find drive/src -name '*.c'); do gcc -std=c99 $strict -c $source -o $(echo $source | tr / _).o || echo $source; done
+  $ g++ -std=c++17 $strict -I. drive/examples/drive/main.cpp board.cpp *.o -lm -o board
+  $ ./board
+
+With C of the user's: its headers come along, and those that they include.
+
+  $ mkdir c c/parts && cat > c/half_way.frob <<'FROB'
+  > import Robot
+  > foreign include "half.h"
+  > foreign sf halved :: SF Velocity Velocity = "halved"
+  > main = reactimateRobot (proc i -> roMake (setVelTR (halved 0.4[m/s]) 0))
+  > FROB
+  $ echo '#include "parts/state.h"' > c/half.h
+  $ echo 'struct halved_state { int steps; };' > c/parts/state.h
+  $ echo 'static double half(double x) { return x / 2; }' > c/inside.h
+  $ cat > c/halved.c <<'C'
+  > #include "half_way.h"
+  >   #  include "inside.h"
+  > #include <math.h>
+  > void halved_reset(struct halved_state *self) { self->steps = 0; }
+  > void halved_step(struct halved_state *self, double dt, const struct halved_input *in, struct halved_output *out)
+  > {
+  >     (void)dt;
+  >     self->steps++;
+  >     out->value = half(in->value);
+  > }
+  > C
+  $ echo '#error of an earlier run' > c/half_way.h
+  $ for real in float double; do
+  >   frobc export c/half_way.frob --real $real --robot pioneer --with c/halved.c --platformio half
+  >   for source in half/src/*.c; do gcc -std=c99 $strict -Ihalf/src -c $source -o out.o || echo $source; done
+  > done
+  $ ls half/src half/src/parts | grep -E 'half|inside|state'
+  half/src:
+  half.h
+  half_way.c
+  half_way.h
+  half_way_driver.c
+  half_way_host.c
+  half_way_memory.c
+  inside.h
+  half/src/parts:
+  state.h
+
+What is elsewhere cannot come along.
+
+  $ echo '#include "../elsewhere.h"' >> c/inside.h && touch elsewhere.h
+  $ frobc export c/half_way.frob --robot pioneer --with c/halved.c --platformio half
+  error: c/inside.h includes "../elsewhere.h", which is not in its folder: put it there
+  [2]
