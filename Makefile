@@ -100,6 +100,7 @@ matrix: all
 	@dune build tests/matrix/emit.exe
 	@sh tests/matrix/run.sh _build/default/tests/matrix/emit.exe stdlib runtime $(N) $(SEED) all \
 	  $$(grep -L '^foreign' examples/*/*.frob) tests/interp/*.frob
+	@sh tests/matrix/selftest.sh $(FROBC)
 	@sh tests/targets/run.sh
 
 # The elementary functions of single precision on every float; of two arguments, on as

@@ -18,11 +18,7 @@ let groups =
   List.map group [ "numbers"; "functions"; "time"; "data"; "arrays"; "switches"; "tasks" ]
   @ [ { (group "foreign") with meant = "meant"; sources = [ "calls.c" ] } ]
 
-(* A program that calls C computes in doubles. *)
-let groups_in (real : Real.t) =
-  match real with Double -> groups | Single -> List.filter (fun g -> g.sources = []) groups
-
-let programs real = List.map (fun g -> (g.name ^ ".frob", g.entry)) (groups_in real)
+let programs = List.map (fun g -> (g.name ^ ".frob", g.entry)) groups
 
 (* {1 The compiler and what it makes} *)
 
@@ -234,7 +230,7 @@ let groups_failed t objects =
           line group.name "wrong";
           prerr_endline ("error: " ^ text);
           true)
-    false (groups_in t.real)
+    false groups
 
 let judged t =
   line "compiler" (command t);

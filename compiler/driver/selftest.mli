@@ -19,6 +19,6 @@ val run : compiler -> int
     compiler does not compile what it should, has other arithmetic, or makes
     something else of it; {!Exit_status.wrong_use} if it cannot be tried. *)
 
-val programs : Basis.Real.t -> (string * string) list
-(** File and entry of each program that is compiled in a precision, for the test that they have
-    every construct. *)
+val programs : (string * string) list
+(** File and entry of each program that is compiled, for the test that they have every
+    construct. *)

@@ -1,4 +1,5 @@
-/* What foreign.frob calls. */
+/* What foreign.frob calls. Each result is of one operation, so in single precision it
+ * is what a float would have given. */
 #include "calls.h"
 #include "foreign.h"
 
@@ -28,17 +29,24 @@ int32_t selftest_number(const struct place *place)
     return place->number;
 }
 
-void mean_reset(struct mean_state *self)
+void selftest_higher(const struct frob_maybe_float *a, const double *b,
+                     struct frob_maybe_float *result)
 {
-    self->sum = 0.0;
+    *result = *a;
+    result->f0 += b[1];
+}
+
+void sway_reset(struct sway_state *self)
+{
+    self->last = 0.0;
     self->count = 0;
 }
 
-void mean_step(struct mean_state *self, double dt, const struct mean_input *in,
-               struct mean_output *out)
+void sway_step(struct sway_state *self, double dt, const struct sway_input *in,
+               struct sway_output *out)
 {
     (void)dt;
-    self->sum += in->value;
-    self->count++;
-    out->value = self->sum / self->count;
+    out->f1 = in->value - self->last;
+    out->f2 = ++self->count;
+    self->last = in->value;
 }

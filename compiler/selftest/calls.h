@@ -2,13 +2,15 @@
 #ifndef CALLS_H
 #define CALLS_H
 
+#include <stdint.h>
+
 struct span {
     double from, to;
 };
 
-struct mean_state {
-    double sum;
-    int count;
+struct sway_state {
+    double last;
+    int32_t count;
 };
 
 #endif

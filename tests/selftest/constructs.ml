@@ -143,7 +143,7 @@ let called_by_helpers_only = [ "frob_wrap" ]
 let () =
   let library = Sys.argv.(1) and folder = Sys.argv.(2) in
   List.iter
-    (fun real -> List.iter (program ~library ~real folder) (Driver.Selftest.programs real))
+    (fun real -> List.iter (program ~library ~real folder) Driver.Selftest.programs)
     [ Basis.Real.Double; Single ];
   let wanted =
     [
