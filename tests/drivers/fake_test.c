@@ -50,6 +50,11 @@ static void faults_show(void)
           "the test reads what was written");
     line.refuses_rates = true;
     check(s.operations->set_rate(s.port, 9600) == FROB_UNSUPPORTED, "a rate may be unsupported");
+    line.refuses_rates = false;
+    line.fastest = 9600;
+    check(s.operations->set_rate(s.port, 38400) == FROB_UNSUPPORTED &&
+              s.operations->set_rate(s.port, 9600) == FROB_OK,
+          "or those beyond one");
     line.lost = true;
     check(s.operations->read(s.port, bytes, sizeof bytes, &count) == FROB_LOST && count == 0 &&
               s.operations->write(s.port, bytes, 1) == FROB_LOST &&

@@ -264,6 +264,22 @@ static void rates(void)
     connect_again();
     check(run(2500) == FROB_ROBOT_READY && line.rate == 38400, "one that can: it is, later too");
     start();
+    line.fastest = 9600;
+    connect_again();
+    check(run(1000) == FROB_ROBOT_READY && line.rate == 9600 && count_of(FROB_P2OS_HOSTBAUD) == 0,
+          "a line that has the first rate but not the other: the robot is not told either");
+    start();
+    line.refuses_rates = true;
+    values[FROB_PIONEER_BAUD] = 38400; /* what the bridge was told to have */
+    other.rate = 38400;
+    line.rate = 38400;
+    connect_again();
+    check(run(1000) == FROB_ROBOT_READY, "a bridge whose rate is known");
+    before = count_of(FROB_P2OS_VEL);
+    for (int i = 0; i < 50; i++)
+        run_commanding(20, 0.01 * i, 0.01 * i);
+    check(count_of(FROB_P2OS_VEL) - before >= 48, "gets commands as often as that allows");
+    start();
     other.silent = true;
     connect_again();
     check(run(12000) == FROB_ROBOT_FAILED && robot.status == FROB_TIMEOUT,

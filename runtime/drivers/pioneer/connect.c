@@ -35,6 +35,15 @@ static enum frob_status set_rate(struct frob_pioneer *d, uint32_t rate)
     return status == FROB_UNSUPPORTED ? FROB_OK : status;
 }
 
+/* Could the line change to this rate? It is as before in the end. */
+static enum frob_status ask_rate(struct frob_pioneer *d, uint32_t rate, bool *can)
+{
+    const uint32_t before = d->rate;
+    enum frob_status status = set_rate(d, rate);
+    *can = !d->rate_fixed;
+    return status == FROB_OK && *can ? set_rate(d, before) : status;
+}
+
 /* Sends a SYNC and waits for its echo. */
 static enum frob_status send_sync(struct frob_pioneer *d, uint8_t sync)
 {
@@ -65,6 +74,9 @@ static uint32_t rate_to_try(const struct frob_pioneer *d)
 static enum frob_status try_rate(struct frob_pioneer *d)
 {
     enum frob_status status = set_rate(d, rate_to_try(d));
+    /* What a user says of a line that cannot change its rate is its rate. */
+    if (d->rate_fixed && d->settings[FROB_PIONEER_BAUD] > 0.0)
+        d->rate = (uint32_t)d->settings[FROB_PIONEER_BAUD];
     d->attempt = 1;
     d->receiver.start = d->receiver.end = 0;
     if (status == FROB_OK)
@@ -162,10 +174,22 @@ static int32_t baud_number(uint32_t rate)
     }
 }
 
-/* Not where the line could not follow: there the robot would be lost. */
 static bool switches(const struct frob_pioneer *d)
 {
     return !d->rate_fixed && d->model.switch_rate != d->rate && baud_number(d->model.switch_rate) >= 0;
+}
+
+/* Not where the line could not follow: there the robot would be lost, at this
+ * connection and at each one after. */
+static enum frob_status send_hostbaud(struct frob_pioneer *d)
+{
+    bool can = false;
+    enum frob_status status = switches(d) ? ask_rate(d, d->model.switch_rate, &can) : FROB_OK;
+    if (!can)
+        d->step = 4;
+    else if (status == FROB_OK)
+        status = frob_pioneer_send_int(d, FROB_P2OS_HOSTBAUD, baud_number(d->model.switch_rate));
+    return status;
 }
 
 /* One command of the session's beginning. Both speeds are zero before the
@@ -182,11 +206,9 @@ static enum frob_status open_step(struct frob_pioneer *d)
         status = frob_pioneer_send(d, FROB_P2OS_PULSE);
         break;
     case 2:
-        if (!switches(d)) {
-            d->step = 4;
-            return FROB_OK;
-        }
-        status = frob_pioneer_send_int(d, FROB_P2OS_HOSTBAUD, baud_number(d->model.switch_rate));
+        status = send_hostbaud(d);
+        if (d->step == 4)
+            return status;
         break;
     case 3:
         status = set_rate(d, d->model.switch_rate);

@@ -90,7 +90,7 @@ static enum frob_status line_set_rate(void *port, uint32_t bits_per_s)
     struct frob_fake_line *line = (struct frob_fake_line *)port;
     if (line->lost)
         return FROB_LOST;
-    if (line->refuses_rates)
+    if (line->refuses_rates || (line->fastest != 0 && bits_per_s > line->fastest))
         return FROB_UNSUPPORTED;
     line->rate = bits_per_s;
     return FROB_OK;

@@ -41,6 +41,7 @@ struct frob_fake_line {
     bool lost;          /* set by the test: the cable is pulled */
     bool blocked;       /* set by the test: writes find no room */
     bool refuses_rates; /* set by the test: set_rate is unsupported */
+    uint32_t fastest;   /* set by the test: set_rate beyond is unsupported; 0: any rate is fine */
 };
 
 /* A line without bytes on the clock. */
