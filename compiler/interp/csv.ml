@@ -10,6 +10,7 @@ type row = { line : int; cells : cell list }
 type problem =
   | Unreadable of string
   | Unclosed_quote
+  | Late_quote
   | Zero_byte
 
 exception Problem of problem
@@ -48,6 +49,7 @@ type building = {
   mutable finished : cell list;  (** the last one first *)
   mutable start : int option;  (** where the cell under way starts *)
   mutable column : int;  (** of the next character *)
+  mutable blank : bool;  (** the cell under way has begun, with nothing but blanks *)
   text : Buffer.t;  (** of the cell under way *)
 }
 
@@ -55,6 +57,7 @@ let finish_cell b =
   let column = Option.value b.start ~default:b.column in
   b.finished <- { column; text = Buffer.contents b.text } :: b.finished;
   b.start <- None;
+  b.blank <- false;
   Buffer.clear b.text
 
 (* From behind the opening quote to behind the closing one. *)
@@ -95,14 +98,16 @@ let rec characters t b =
       b.start <- Some b.column;
       quoted t b;
       characters t b
+  | Some '"' when b.blank -> raise_notrace (Problem Late_quote)
   | Some c ->
+      b.blank <- (b.start = None || b.blank) && (c = ' ' || c = '\t');
       if b.start = None then b.start <- Some b.column;
       b.column <- b.column + 1;
       Buffer.add_char b.text c;
       characters t b
 
 let rec next t =
-  let b = { finished = []; start = None; column = 1; text = Buffer.create 80 } in
+  let b = { finished = []; start = None; column = 1; blank = false; text = Buffer.create 80 } in
   let first_line = t.next_line in
   match
     if first_line = 1 && t.peeked = None then skip_byte_order_mark t;

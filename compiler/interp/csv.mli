@@ -13,6 +13,7 @@ type row = { line : int;  (** on which it starts, from 1 *) cells : cell list }
 type problem =
   | Unreadable of string  (** the system's reason *)
   | Unclosed_quote
+  | Late_quote  (** the last cell has blanks before its quote *)
   | Zero_byte
 
 val next : t -> (row option, row * problem) result

@@ -23,13 +23,16 @@ let next_row name csv =
   match Csv.next csv with
   | Ok row -> row
   | Error (row, problem) ->
-      let text =
+      let cell, text =
         match problem with
-        | Unreadable reason -> "cannot read the file: " ^ reason
-        | Unclosed_quote -> "a quoted cell that starts in this row is never closed"
-        | Zero_byte -> "a zero byte: this is not a CSV file"
+        | Unreadable reason -> (0, "cannot read the file: " ^ reason)
+        | Unclosed_quote -> (0, "a quoted cell that starts in this row is never closed")
+        | Late_quote ->
+            ( List.length row.cells - 1,
+              "a blank before a quote; leave no blanks beside the commas" )
+        | Zero_byte -> (0, "a zero byte: this is not a CSV file")
       in
-      reject [ complaint name row 0 "%s" text ]
+      reject [ complaint name row cell "%s" text ]
 
 (* {1 The header} *)
 

@@ -57,6 +57,12 @@ Rows that do not fit; what came before is written.
   error: row.csv:3:1: `noon` is not a time in seconds
   $ row '1,"LeftSide,true,\n'
   error: row.csv:3:1: a quoted cell that starts in this row is never closed
+  $ row '1,LeftSide,true, \t"Just 3"\n'
+  error: row.csv:3:17: a blank before a quote; leave no blanks beside the commas
+  $ row '1, "LeftSide",true,\n'
+  error: row.csv:3:3: a blank before a quote; leave no blanks beside the commas
+  $ row '1,"  " ",true,\n'
+  error: row.csv:3:4: column `in.1.side`: expected a constructor of the column's type, found `   "`
 
 Files that are not there.
 

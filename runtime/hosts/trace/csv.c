@@ -84,7 +84,7 @@ const char *csv_cell(const struct csv *csv, size_t index)
 enum csv_status csv_next(struct csv *csv)
 {
     size_t length = 0, column = 1;
-    bool quoted = false, cell_starts = true;
+    bool quoted = false, cell_starts = true, blank = false;
     csv->count = 0;
     if (csv->next_line == 1)
         skip_byte_order_mark(csv);
@@ -95,6 +95,7 @@ enum csv_status csv_next(struct csv *csv)
             return CSV_NO_MEMORY;
         if (cell_starts && c != EOF) {
             cell_starts = false;
+            blank = c == ' ' || c == '\t';
             csv->columns[csv->count] = column + (c == '"' ? 1u : 0u);
             csv->starts[csv->count++] = length;
             if (c == '"') {
@@ -118,6 +119,9 @@ enum csv_status csv_next(struct csv *csv)
         }
         if (c == '\0')
             return CSV_NUL;
+        if (blank && c == '"')
+            return CSV_LATE_QUOTE;
+        blank = blank && (c == ' ' || c == '\t');
         if (c == '\n')
             csv->next_line++;
         column++;

@@ -20,7 +20,15 @@ struct csv {
     size_t text_capacity, cells_capacity;
 };
 
-enum csv_status { CSV_ROW, CSV_END, CSV_UNREADABLE, CSV_UNCLOSED_QUOTE, CSV_NUL, CSV_NO_MEMORY };
+enum csv_status {
+    CSV_ROW,
+    CSV_END,
+    CSV_UNREADABLE,
+    CSV_UNCLOSED_QUOTE,
+    CSV_LATE_QUOTE, /* the last cell has blanks before its quote */
+    CSV_NUL,
+    CSV_NO_MEMORY
+};
 
 void csv_start(struct csv *csv, FILE *file);
 

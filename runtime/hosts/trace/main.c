@@ -93,6 +93,9 @@ static bool readable(const struct trace *t, enum csv_status status)
     case CSV_UNCLOSED_QUOTE:
         complain(t, 0, "a quoted cell that starts in this row is never closed");
         break;
+    case CSV_LATE_QUOTE:
+        complain(t, t->csv.count - 1, "a blank before a quote; leave no blanks beside the commas");
+        break;
     case CSV_NUL:
         complain(t, 0, "a zero byte: this is not a CSV file");
         break;
