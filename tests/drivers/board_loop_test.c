@@ -3,7 +3,9 @@
  * played by the step itself. */
 #include "check.h"
 
+#include "drivers/driver.h"
 #include "drivers/pioneer/packet.h"
+#include "drivers/pioneer/pioneer.h"
 #include "drivers/pioneer/protocol.h"
 #include "hal/fake/fake.h"
 #include "hosts/board/loop.h"
@@ -27,9 +29,10 @@ static double last_dt;
 static double state;
 void *const frob_program_state = &state;
 
-/* The driver is one of the loop's. */
+/* Of no robot at first: the driver is one of the loop's. */
+static struct frob_driver own_driver = { .robot = "rover" };
 extern const struct frob_driver *const frob_own_driver;
-const struct frob_driver *const frob_own_driver = NULL;
+const struct frob_driver *const frob_own_driver = &own_driver;
 
 static void reset(void *s)
 {
@@ -132,6 +135,24 @@ static void run(int64_t ms)
     }
 }
 
+/* A driver of the user's own that wants so many bytes. */
+static const char *start_with(size_t device_size)
+{
+    own_driver = frob_pioneer_driver;
+    own_driver.device_size = device_size;
+    return loop_start(&serial, &clock_);
+}
+
+static void own_drivers(void)
+{
+    const char *said;
+    check(start_with(9000) == NULL, "an own driver has the room that the loop was compiled with");
+    said = start_with(9001);
+    check(said != NULL && strstr(said, "FROB_DEVICE_MOST") != NULL,
+          "one that needs more is told what to change");
+    own_driver.robot = "rover";
+}
+
 int main(void)
 {
     unsigned stops;
@@ -144,6 +165,7 @@ int main(void)
     check(loop_start(&serial, &clock_) != NULL && loop_count().steps == 0,
           "a program with other arithmetic does not begin");
     arithmetic_faults = 0;
+    own_drivers();
     check(loop_line_rate() == 9600 && loop_start(&serial, &clock_) == NULL,
           "a program for a robot");
     run(1500);

@@ -29,16 +29,27 @@ extern void *const frob_program_state;
 
 enum { SETTINGS_MOST = 32, RESULT_MOST = 256 };
 
+/* Bytes for a robot of the user's own that needs more than those of the library:
+ * its driver's device_size and input_size. */
+#ifndef FROB_DEVICE_MOST
+#define FROB_DEVICE_MOST 1
+#endif
+#ifndef FROB_INPUT_MOST
+#define FROB_INPUT_MOST 1
+#endif
+
 static union {
     struct frob_pioneer pioneer;
     struct frob_scout scout;
     struct frob_create create;
+    unsigned char own[FROB_DEVICE_MOST];
 } device;
 
 static union {
     struct frob_pioneer_input pioneer;
     struct frob_scout_input scout;
     struct frob_create_input create;
+    unsigned char own[FROB_INPUT_MOST];
 } input;
 
 /* The robot's struct, and behind it what a task has ended with. */
@@ -74,12 +85,16 @@ static const struct frob_driver *find_driver(void)
     return NULL;
 }
 
-static bool fits(const struct frob_driver *d)
+static bool is_of(const struct frob_driver *d)
 {
     return d != NULL && frob_program.input_size == d->input_size &&
-           d->input_size <= sizeof input && d->device_size <= sizeof device &&
            frob_program.output_size >= d->output_size &&
            frob_program.output_size <= sizeof output && d->setting_count <= SETTINGS_MOST;
+}
+
+static bool fits(const struct frob_driver *d)
+{
+    return d->device_size <= sizeof device && d->input_size <= sizeof input;
 }
 
 uint32_t loop_line_rate(void)
@@ -97,8 +112,11 @@ static void connect(void)
 const char *loop_start(const struct frob_serial *serial, const struct frob_clock *clock)
 {
     const struct frob_driver *found = find_driver();
-    if (!fits(found))
+    if (!is_of(found))
         return "this program is not for a robot with a driver here";
+    if (!fits(found))
+        return "the robot's driver needs more memory than there is: compile this with a larger "
+               "FROB_DEVICE_MOST or FROB_INPUT_MOST";
     /* In the program, and in what clamps its commands. */
     if ((frob_program.arithmetic() | frob_arithmetic_faults()) != 0)
         return "this program must not drive: its arithmetic is not IEEE 754's; was it compiled "

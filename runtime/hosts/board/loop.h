@@ -24,6 +24,7 @@ extern "C" {
 
 /* Begins to connect to the program's robot; both must stay. NULL, or if it must
  * not begin the reason, a line for a person: there is no driver for the robot, or
+ * not the room that it wants (loop.c has FROB_DEVICE_MOST and FROB_INPUT_MOST), or
  * arithmetic here is not what the program is compiled for (<frob/arithmetic.h>). */
 const char *loop_start(const struct frob_serial *serial, const struct frob_clock *clock);
 
