@@ -176,7 +176,8 @@ std::string read_robot(TomlReader &reader) {
     std::string known;
     for (const RobotKind &kind : robot_kinds())
         known += std::string(known.empty() ? "" : ", ") + kind.name;
-    reader.mistake_at("robot", "there is no robot `" + robot + "`; the robots: " + known);
+    reader.mistake_at("robot", "there is no robot `" + robot + "`; the robots: " + known +
+                                   "; a world for a robot of your own names none");
     return robot;
 }
 

@@ -55,7 +55,7 @@ other word, and one that does not must be for that robot.
   [1]
   $ sed -i s/create/creator/ ahead.toml
   $ frobc run pioneer.frob --world ahead.toml
-  error: ahead.toml:1:9: there is no robot `creator`; the robots: pioneer, scout, create
+  error: ahead.toml:1:9: there is no robot `creator`; the robots: pioneer, scout, create; a world for a robot of your own names none
   [2]
 
 A Create sees where the floor ends. One that does not look falls, and stays there.
