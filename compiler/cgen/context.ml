@@ -73,19 +73,34 @@ let step_call ?(time = Passed) c ~node ~own arguments results =
   let dt_ns = if callee.nanoseconds then given nanoseconds (Ir.Integer 0l) else [] in
   Ir.Call (c.v.nodes.(node).step, List.concat [ own; dt; dt_ns; arguments; results ])
 
+let is_given c node = Program_input.is_given c.v.by_pointer node
+
+(* For the parameters of a node's code that it does not read by the pointer to the input. *)
+let for_code c node given (code : M.code) arguments =
+  let is_read_there v = Option.is_some (Program_input.member c.v.by_pointer node v) in
+  let parameters, arguments =
+    List.split
+      (List.filter (fun (v, _) -> not (is_read_there v)) (List.combine code.parameters arguments))
+  in
+  (if given then [ Ir.Name "in" ] else []) @ Expression.arguments c.names parameters arguments
+
+(* A node's start, which knows that no time has passed. *)
+let start_call c ~node ~own arguments results =
+  match (c.v.program.nodes.(node).start, c.v.nodes.(node).start) with
+  | Some start, Some name ->
+      let given = Program_input.is_start_given c.v.by_pointer node in
+      Ir.Call (name, List.concat [ own; for_code c node given start arguments; results ])
+  | _, _ -> Diagnostic.bug ~stage:"Cgen.Context" "a start that is not there"
+
+(* Of functions with several outputs the caller passes addresses for them. *)
+let returns_result (node : M.node) = match node.outputs with [ _ ] -> true | _ -> false
+
 let own_state c state =
   List.map
     (fun place -> Ir.Unary (Ir.Address, place))
     (List.concat_map (Expression.places c.names) (Option.to_list state))
 
 (* Arguments of a node's functions. *)
-let for_step c node arguments =
-  let parameters = c.v.program.nodes.(node).step.parameters in
-  let is_read_there v = Option.is_some (Program_input.member c.v.by_pointer node v) in
-  let parameters, arguments =
-    List.split (List.filter (fun (v, _) -> not (is_read_there v)) (List.combine parameters arguments))
-  in
-  (if Program_input.is_given c.v.by_pointer node then [ Ir.Name "in" ] else [])
-  @ Expression.arguments c.names parameters arguments
+let for_step c node = for_code c node (is_given c node) c.v.program.nodes.(node).step
 
 let for_reset c node = Expression.arguments c.names c.v.program.nodes.(node).reset.parameters

@@ -47,6 +47,13 @@ val step_call :
   ?time:time -> t -> node:int -> own:Ir.expr list -> Ir.expr list -> Ir.expr list -> Ir.expr
 (** With the address of the state, if there is one, arguments and results. *)
 
+val start_call : t -> node:int -> own:Ir.expr list -> M.expr list -> Ir.expr list -> Ir.expr
+(** Likewise, of a node's start, which resets it too. *)
+
+val returns_result : M.node -> bool
+(** Its step and its start are functions with a value; others are given addresses for
+    their results. *)
+
 val own_state : t -> M.field option -> Ir.expr list
 (** The address, or of a node with two structs both. *)
 

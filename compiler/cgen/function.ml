@@ -85,20 +85,26 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let comment = comment c l.span in
       List.rev_append (List.map (fun s -> if is_loop s then { s with comment } else s) statements) rest
   | Enter { entry; span } -> List.rev_append (Modes.enter c entry span) rest
+  | Start { node; state; arguments; results; span } ->
+      let call = start_call c ~node ~own:(own_state c (Some state)) arguments in
+      with_results c rest ~call results span
+  | Begin { run; entry; span } -> List.rev_append (Modes.begin_ c run entry span) rest
   | Await { span } -> List.rev_append (Modes.await c span) rest
   | Run run -> List.rev_append (Modes.run c run) rest
   | Return { value; span } ->
       { desc = Return (expression c value); comment = comment c span } :: rest
 
 and step c rest ~node ~own arguments results span =
-  let arguments = for_step c node arguments in
+  with_results c rest ~call:(step_call c ~node ~own (for_step c node arguments)) results span
+
+and with_results c rest ~call results span =
   let is_read (variable : M.variable) = Hashtbl.mem c.read variable.id in
   match results with
-  | [] -> { desc = Do (step_call c ~node ~own arguments []); comment = comment c span } :: rest
+  | [] -> { desc = Do (call []); comment = comment c span } :: rest
   | [ variable ] when not (is_read variable) ->
-      { desc = Do (step_call c ~node ~own arguments []); comment = comment c span } :: rest
+      { desc = Do (call []); comment = comment c span } :: rest
   | [ variable ] ->
-      let value = step_call c ~node ~own arguments [] in
+      let value = call [] in
       let name = Expression.variable c.names variable in
       let ty = V.ty c.v variable.ty in
       { desc = Constant { ty; name; value }; comment = comment c span } :: rest
@@ -107,8 +113,8 @@ and step c rest ~node ~own arguments results span =
       let address variable =
         Ir.Unary (Address, Name (Expression.variable c.names variable))
       in
-      let call = step_call c ~node ~own arguments (List.map address variables) in
-      { desc = Do call; comment = comment c span } :: List.rev_append declarations rest
+      { desc = Do (call (List.map address variables)); comment = comment c span }
+      :: List.rev_append declarations rest
 
 and statements c body = List.rev (List.fold_left (statement c) [] body)
 
@@ -127,6 +133,7 @@ let name_variables names body =
         | Run { results; cases; _ } ->
             List.iter visit results;
             List.iter (fun (case : M.case) -> List.iter visit case.others) cases
+        | Start { results; _ } | Begin { run = { results; _ }; _ } -> List.iter visit results
         | Assign _ | Reset _ | Enter _ | Await _ | Return _ -> ())
       body
   in
@@ -208,28 +215,29 @@ let input (v : V.t) : Ir.ty =
 (* Few operations: worth a copy at every call. *)
 let inline_size = 12
 
-let own_step (v : V.t) k : Ir.function_ =
+(* A node's step or start, which has some of its outputs. *)
+let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.code) : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
-  let read = variables_read v node node.step.body in
+  let read = variables_read v node code.body in
   let by_value, by_pointer =
     List.partition_map
       (fun variable ->
         match Program_input.member v.by_pointer k variable with
         | Some steps -> Either.Right (variable, steps)
         | None -> Left variable)
-      node.step.parameters
+      code.parameters
   in
   let given = Expression.parameters names by_value in
   let taken =
     List.concat_map (fun (variable, steps) -> read_member v names read variable steps) by_pointer
   in
-  let input = if Program_input.is_given v.by_pointer k then [ (input v, "in") ] else [] in
-  name_variables names node.step.body;
+  let input = if given_input then [ (input v, "in") ] else [] in
+  name_variables names code.body;
   let single, results =
     match node.outputs with
     | [ (_, ty) ] -> (V.ty v ty, [])
-    | outputs ->
+    | _ ->
         let result (name, ty) =
           (* An unnamed one is [out] or [out.x]. *)
           let name = if List.hd (String.split_on_char '.' name) = "out" then name else "out_" ^ name in
@@ -241,18 +249,34 @@ let own_step (v : V.t) k : Ir.function_ =
   let write k value = plain (Ir.Assign (Unary (Dereference, Name (snd places.(k))), value)) in
   let c = { v; names; index = k; node; write; read; seconds = Given; nanoseconds = Int64; place = "" } in
   let state = if V.has_state v k then self v k else [] in
-  let dt = if node.seconds then [ (V.real v, "dt") ] else [] in
-  let dt_ns = if node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
-  let body = statements c node.step.body in
+  let dt = if time && node.seconds then [ (V.real v, "dt") ] else [] in
+  let dt_ns = if time && node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
+  let body = statements c code.body in
   let unread = unread names state in
   {
-    linkage = (if node.operations <= inline_size then Static_inline else Static);
+    linkage;
     result = single;
-    name = v.nodes.(k).step;
+    name;
     parameters = List.concat [ state; dt; dt_ns; input; given; results ];
     body = unread @ taken @ body;
     comment = place_of node;
   }
+
+let own_step (v : V.t) k =
+  let node = v.program.nodes.(k) in
+  let linkage : Ir.linkage = if node.operations <= inline_size then Static_inline else Static in
+  own_code v k ~name:v.nodes.(k).step ~linkage ~outputs:node.outputs ~time:true
+    ~given_input:(Program_input.is_given v.by_pointer k) node.step
+
+let start (v : V.t) k =
+  let node = v.program.nodes.(k) in
+  let own = List.length node.outputs - node.for_transitions in
+  let outputs = List.filteri (fun i _ -> i < own) node.outputs in
+  match (node.start, v.nodes.(k).start) with
+  | Some start, Some name ->
+      own_code v k ~name ~linkage:Static_inline ~outputs ~time:false
+        ~given_input:(Program_input.is_start_given v.by_pointer k) start
+  | _, _ -> Diagnostic.bug ~stage:"Cgen.Function" "a start that is not there"
 
 let at_first c zero value =
   match c.v.program.first_instant with

@@ -32,11 +32,11 @@ let enter c (entry : M.entry) span =
   in
   let parameters = List.map2 parameter mode.parameters entry.parameters in
   let reset =
-    match mode.state with
-    | None -> []
-    | Some state ->
+    match (mode.state, entry.first) with
+    | None, _ | _, Started_by _ -> []
+    | Some state, Reset_by arguments ->
         let own = own_state c (Some state) in
-        [ Ir.Do (Call (c.v.nodes.(mode.node).reset, own @ for_reset c mode.node entry.reset)) ]
+        [ Ir.Do (Call (c.v.nodes.(mode.node).reset, own @ for_reset c mode.node arguments)) ]
   in
   match number @ parameters @ reset with
   | [] -> []
@@ -50,7 +50,8 @@ let forgets_time (node : M.node) =
     (function
       | M.Run run ->
           if goes_round run || run.controls <> [] || Option.is_some run.clock then found := true
-      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Enter _ | Await _ | Return _ -> ())
+      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Enter _ | Start _ | Begin _
+      | Await _ | Return _ -> ())
     node.step.body;
   !found
 
@@ -88,21 +89,32 @@ let results_of_run c (run : M.run) =
 
 let declare c (v : M.variable) name = plain (Ir.Variables { ty = V.ty c.v v.ty; names = [ name ] })
 
+let address name = Ir.Unary (Ir.Address, Name name)
+
 (* A mode's step, with the names of its results. *)
 let step ?time c (mode : M.mode) (case : M.case) results =
   let state = own_state c mode.state in
   let call = step_call ?time c ~node:mode.node ~own:state (for_step c mode.node case.arguments) in
   match results with
   | [ name ] -> plain (Ir.Assign (Name name, call []))
-  | names -> plain (Ir.Do (call (List.map (fun name -> Ir.Unary (Address, Name name)) names)))
+  | names -> plain (Ir.Do (call (List.map address names)))
 
 (* The first instant of a mode, in which nothing ends it. *)
 let first_step c (run : M.run) (entry : M.entry) =
-  let case = List.nth run.cases entry.mode in
+  let case = List.nth run.cases entry.mode and mode = List.nth c.node.modes entry.mode in
   let results = List.map (Expression.variable c.names) run.results in
-  let ignored = List.map (fun v -> (v, Name.fresh (Expression.scope c.names) "")) case.others in
-  List.map (fun (v, name) -> declare c v name) ignored
-  @ [ step ~time:None_passed c (List.nth c.node.modes entry.mode) case (results @ List.map snd ignored) ]
+  match entry.first with
+  | Started_by arguments ->
+      let call = start_call c ~node:mode.node ~own:(own_state c mode.state) arguments in
+      if returns_result c.v.program.nodes.(mode.node) then
+        [ plain (Ir.Assign (Name (List.hd results), call [])) ]
+      else [ plain (Ir.Do (call (List.map address results))) ]
+  | Reset_by _ ->
+      let ignored = List.map (fun v -> (v, Name.fresh (Expression.scope c.names) "")) case.others in
+      List.map (fun (v, name) -> declare c v name) ignored
+      @ [ step ~time:None_passed c mode case (results @ List.map snd ignored) ]
+
+let begin_ c run entry span = results_of_run c run @ enter c entry span @ first_step c run entry
 
 let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
   let mode = List.nth c.node.modes k in

@@ -15,5 +15,9 @@ val forgets_time : Machine.Ir.node -> bool
 val await : Context.t -> Span.t -> Ir.statement list
 (** The number that stands for no mode. *)
 
+val begin_ : Context.t -> Machine.Ir.run -> Machine.Ir.entry -> Span.t -> Ir.statement list
+(** The first instant of a machine that is in this mode in it, with the declarations of
+    its results before it. *)
+
 val run : Context.t -> Machine.Ir.run -> Ir.statement list
 (** One instant, with the declarations of its results before it. *)

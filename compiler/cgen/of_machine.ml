@@ -245,12 +245,14 @@ let program ?own ?(batch = false) (program : M.program) =
   let v = V.of_program ?own program in
   let batch = if batch then Some (Batch.of_program v) else None in
   let root = Array.length program.nodes - 1 in
+  let called = Machine.Called.of_program program in
   let functions k =
     match v.nodes.(k).foreign with
     | Some interface -> [ Foreign_call.step v k interface ]
     | None ->
-        let has_reset = V.has_state v k || V.is_root v k in
-        (if has_reset then [ Function.reset v k ] else []) @ Function.steps v k
+        (if Machine.Called.reset called k then [ Function.reset v k ] else [])
+        @ (if Machine.Called.start called k then [ Function.start v k ] else [])
+        @ Function.steps v k
   in
   let of_nodes = List.init (root + 1) functions in
   let maker (k, c) = Sum_type.maker program.sums ~absent:(V.absent v) v.sums k c in

@@ -9,16 +9,22 @@ type node = {
   mutable given : bool;
 }
 
-type t = { leaves : Interface.step list array; nodes : node array }
+type t = {
+  leaves : Interface.step list array;
+  nodes : node array;
+  starts : bool array;  (** is a node's start given the pointer? *)
+}
 
 let few = 3
 let is_in_array = List.exists (function Interface.Element _ -> true | Member _ -> false)
 
 let none (program : M.program) =
   let node _ = { passed = Hashtbl.create 1; refused = true; given = false } in
-  { leaves = [||]; nodes = Array.map node program.nodes }
+  let starts = Array.map (fun _ -> false) program.nodes in
+  { leaves = [||]; nodes = Array.map node program.nodes; starts }
 
 let is_given t k = t.nodes.(k).given
+let is_start_given t k = t.starts.(k)
 
 let member t k (v : M.variable) =
   if not (is_given t k) then None
@@ -46,7 +52,7 @@ let decide t k (node : M.node) =
     && Hashtbl.length different >= few
     && parameters <= Machine.Parameters.most
 
-let note_call t (program : M.program) ~from ~node arguments =
+let note_call t ~from ~node parameters arguments =
   let callee = t.nodes.(node) in
   if not (is_given t from) then callee.refused <- true;
   let note (v : M.variable) (argument : M.expr) =
@@ -62,53 +68,88 @@ let note_call t (program : M.program) ~from ~node arguments =
     in
     Hashtbl.replace callee.passed v.id joined
   in
-  List.iter2 note program.nodes.(node).step.parameters arguments
+  List.iter2 note parameters arguments
+
+type called = Step | Start
 
 (* The calls of a body of the node's that are statements, but for loops. *)
-let calls f (node : M.node) body =
+let calls f (program : M.program) (node : M.node) body =
+  let step k arguments = f Step k program.nodes.(k).step.parameters arguments in
+  let start k arguments =
+    Option.iter (fun (code : M.code) -> f Start k code.parameters arguments) program.nodes.(k).start
+  in
+  let mode k : M.mode = List.nth node.modes k in
+  let entry (e : M.entry) =
+    match e.first with Started_by arguments -> start (mode e.mode).node arguments | Reset_by _ -> ()
+  in
   Machine.Walk.statements
     (function
-      | M.Step { node; arguments; _ } -> f node arguments
+      | M.Step { node; arguments; _ } -> step node arguments
+      | Start { node; arguments; _ } -> start node arguments
+      | Begin { entry = { first = Started_by _; _ } as e; _ } -> entry e
+      | Begin { run; entry = e; _ } ->
+          step (mode e.mode).node (List.nth run.cases e.mode).arguments
       | Run run ->
-          List.iter2
-            (fun (mode : M.mode) (case : M.case) -> f mode.node case.arguments)
-            node.modes run.cases
+          Option.iter entry run.start;
+          List.iteri
+            (fun k (case : M.case) ->
+              step (mode k).node case.arguments;
+              List.iter (fun (n : M.next) -> entry n.entry) case.transitions)
+            run.cases
       | Declare _ | Assign _ | If _ | Loop _ | Reset _ | Enter _ | Await _ | Return _ -> ())
     body
 
 let variables_by_pointer t (program : M.program) node body =
   let found = ref [] in
   calls
-    (fun callee arguments ->
+    (fun _ callee parameters arguments ->
       List.iter2
         (fun v (argument : M.expr) ->
           match argument with
           | Variable given when Option.is_some (member t callee v) -> found := given :: !found
           | _ -> ())
-        program.nodes.(callee).step.parameters arguments)
-    node body;
+        parameters arguments)
+    program node body;
   !found
 
 let note_calls t (program : M.program) k =
   let node = program.nodes.(k) in
   let refuse k = t.nodes.(k).refused <- true in
-  calls (fun callee arguments -> note_call t program ~from:k ~node:callee arguments) node
-    node.step.body;
+  let note body =
+    calls (fun _ callee parameters arguments -> note_call t ~from:k ~node:callee parameters arguments)
+      program node body
+  in
+  note node.step.body;
+  Option.iter (fun (code : M.code) -> note code.body) node.start;
   Machine.Walk.statements
     (function
       | M.Step { node; on_trial = true; _ } | Loop { node; _ } -> refuse node
-      | Step _ | Run _ | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Await _ | Return _ -> ())
+      | Step _ | Run _ | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Start _ | Begin _
+      | Await _ | Return _ -> ())
     node.step.body;
   Machine.Walk.expressions
     (function M.Call { node; _ } -> refuse node | _ -> ())
     node.step.body
+
+(* A start may have no use for what its step reads. *)
+let decide_start t (program : M.program) k (node : M.node) =
+  let uses (code : M.code) =
+    let found = ref (List.exists (fun v -> Option.is_some (member t k v)) code.parameters) in
+    let note called callee _ _ =
+      if (match called with Step -> is_given t callee | Start -> t.starts.(callee)) then found := true
+    in
+    calls note program node code.body;
+    !found
+  in
+  t.starts.(k) <- is_given t k && Option.fold node.start ~none:false ~some:uses
 
 let of_program (program : M.program) (input : Interface.t) =
   let members = List.filter (fun steps -> not (is_in_array steps)) input.leaves in
   if List.compare_length_with members few < 0 then none program
   else
     let node _ = { passed = Hashtbl.create 8; refused = false; given = false } in
-    let t = { leaves = Array.of_list input.leaves; nodes = Array.map node program.nodes } in
+    let starts = Array.map (fun _ -> false) program.nodes in
+    let t = { leaves = Array.of_list input.leaves; nodes = Array.map node program.nodes; starts } in
     let root = Array.length program.nodes - 1 in
     let own (leaf, steps) (v : M.variable) =
       let passed = if is_in_array steps then Different else Leaf leaf in
@@ -122,4 +163,5 @@ let of_program (program : M.program) (input : Interface.t) =
       decide t k program.nodes.(k);
       note_calls t program k
     done;
+    Array.iteri (decide_start t program) program.nodes;
     t

@@ -13,8 +13,11 @@ val of_program : Machine.Ir.program -> Interface.t -> t
 val is_given : t -> int -> bool
 (** Whether that node's step gets the pointer. *)
 
+val is_start_given : t -> int -> bool
+(** Whether its start does: if the step does, and the start has a use for it. *)
+
 val member : t -> int -> Machine.Ir.variable -> Interface.step list option
-(** What leads to a parameter of that node's step from the pointer, if it is read there. *)
+(** What leads to a parameter of that node's step or start from the pointer, if it is read there. *)
 
 val variables_by_pointer :
   t -> Machine.Ir.program -> Machine.Ir.node -> Machine.Ir.statement list -> Machine.Ir.variable list

@@ -10,6 +10,7 @@ type node = {
   state : string;
   flags : string;
   reset : string;
+  start : string option;
   step : string;
   members : paths;
   modes : mode array;
@@ -133,18 +134,22 @@ let name_nodes scope ~name ~root ~foreign apart (nodes : M.node array) =
       let prefix = if k = last then name else own in
       let members, modes, waiting = members scope ~prefix nodes apart k node in
       let flags = if Machine.Apart.is_split apart k then Name.fresh scope (own ^ small_suffix) else "" in
-      let names ~state ~reset ~step = { state; flags; reset; step; members; modes; waiting; foreign = foreign.(k) } in
-      if k = last then names ~state:root.root_state ~reset:root.root_reset ~step:root.root_step
+      let names ~state ~reset ?start ~step () =
+        { state; flags; reset; start; step; members; modes; waiting; foreign = foreign.(k) }
+      in
+      if k = last then names ~state:root.root_state ~reset:root.root_reset ~step:root.root_step ()
       else
         match (node.state, node.foreign) with
-        | [], _ -> names ~state:"" ~reset:"" ~step:(Name.fresh scope own)
+        | [], _ -> names ~state:"" ~reset:"" ~step:(Name.fresh scope own) ()
         | _ :: _, Some { import = { symbol; _ }; _ } ->
             names ~state:(Foreign_interface.state symbol) ~reset:(Foreign_interface.reset symbol)
-              ~step:(Name.fresh scope (own ^ "_step"))
+              ~step:(Name.fresh scope (own ^ "_step")) ()
         | _ :: _, None ->
             let state = Name.fresh scope (own ^ "_state") in
             let reset = Name.fresh scope (own ^ "_reset") in
-            names ~state ~reset ~step:(Name.fresh scope (own ^ "_step")))
+            let step = Name.fresh scope (own ^ "_step") in
+            let start = Option.map (fun _ -> Name.fresh scope (own ^ "_start")) node.start in
+            names ~state ~reset ?start ~step ())
     nodes
 
 (* What C code of the user's is called. *)

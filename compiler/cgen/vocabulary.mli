@@ -14,6 +14,7 @@ type node = {
   state : string;  (** struct *)
   flags : string;  (** struct of small fields, if there is one: see {!Machine.Apart} *)
   reset : string;
+  start : string option;  (** of the function that resets and makes the first step *)
   step : string;
   members : paths;
   modes : mode array;  (** of its machine *)

@@ -20,10 +20,11 @@ let most_modes_and_none = 255
 
 (* The first mode is entered in the first step, where that is short: the number
    of the mode then tells that there was no step before. *)
-let started_by_step first (step : Ir.statement list) (reset : Ir.statement list) =
+let started_by_step ~callee modes first (step : Ir.statement list) (reset : Ir.statement list) =
   let run (s : Ir.statement) : Ir.statement =
     match s with
-    | Run run when Direct.is_direct run && Option.is_none run.active -> Run { run with start = Some first }
+    | Run run when Direct.is_direct run && Option.is_none run.active -> 
+        Run { run with start = Some (Entry.started ~callee modes run first) }
     | s -> s
   in
   let step' = List.map run step in
@@ -34,12 +35,12 @@ let started_by_step first (step : Ir.statement list) (reset : Ir.statement list)
     in
     Some (step', List.map await reset)
 
-let entered_by_step context state (node : F.node) step reset =
-  let modes =
-    Option.fold (State.machine state) ~none:0 ~some:(fun (m : State.machine) -> List.length m.modes)
-  in
-  if modes > 1 && modes <= most_modes_and_none then
-    Option.bind (Body.first_mode context state node) (fun first -> started_by_step first step reset)
+let entered_by_step (context : Calls.context) state (node : F.node) step reset =
+  let modes = State.modes state in
+  let count = List.length modes in
+  if count > 1 && count <= most_modes_and_none then
+    Option.bind (Body.first_mode context state node) (fun first ->
+        started_by_step ~callee:context.callee modes first step reset)
   else None
 
 (* A delay of the programmer's that is false in the first instant, then true. *)

@@ -120,6 +120,16 @@ type statement =
   | Reset of { node : int; state : field; arguments : expr list; span : Span.t }
       (** of all states that the field holds *)
   | Enter of { entry : entry; span : Span.t }
+  | Start of {
+      node : int;
+      state : field;
+      arguments : expr list;
+      results : variable list;  (** declared here *)
+      span : Span.t;
+    }  (** the node's [start] *)
+  | Begin of { run : run; entry : entry; span : Span.t }
+      (** the first instant of the machine that [run] is of, in a [start]: that mode is
+          entered and stepped, and nothing ends it *)
   | Await of { span : Span.t }
       (** of the root's reset: no mode runs until the first step, which enters
           the [start] of its [Run] *)
@@ -147,8 +157,12 @@ and argument =
 and entry = {
   mode : int;  (** of the node's [modes] *)
   parameters : expr list;  (** for the mode's [parameters] *)
-  reset : expr list;  (** arguments of its node's reset *)
+  first : first;
 }
+
+and first =
+  | Reset_by of expr list  (** arguments of its node's [reset]; the step comes after it *)
+  | Started_by of expr list  (** of its [start], which steps it too *)
 
 (** One instant of the node's machine (see {!Flow.Ir.machine}). In what comes
     after an entry, dt is 0. *)
@@ -205,8 +219,12 @@ type node = {
       (** its step and reset are the user's C; [reset] and [step] have no body,
           and its state, if any, is one [Component] *)
   reset : code;  (** empty if there is no state *)
+  start : code option;
+      (** reset and first step in one, if that is short: see {!Start}. It has the outputs
+          of [step] but for what transitions need to know *)
   step : code;
   outputs : (string * ty) list;
+  for_transitions : int;  (** so many of the [outputs], the last ones *)
   ends_early : int option;
       (** a mode whose step, where one of its transitions occurs, gives only the outputs
           from this one on: see {!Early_end} *)

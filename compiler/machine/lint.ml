@@ -218,9 +218,12 @@ let enter c known (e : Ir.entry) =
     | None -> bug "`%s` has no mode %d" c.node.name e.mode
   in
   call c known (List.map fst mode.parameters) e.parameters;
-  match mode.state with
-  | Some _ -> call c known (callee c mode.node).reset.parameters e.reset
-  | None -> if e.reset <> [] then bug "a mode of `%s` has no state to reset" c.node.name
+  match (mode.state, e.first, (callee c mode.node).start) with
+  | Some _, Reset_by arguments, _ -> call c known (callee c mode.node).reset.parameters arguments
+  | Some _, Started_by arguments, Some start -> call c known start.parameters arguments
+  | None, Reset_by [], _ -> ()
+  | None, (Reset_by _ | Started_by _), _ -> bug "a mode of `%s` has no state to reset" c.node.name
+  | Some _, Started_by _, None -> bug "a mode of `%s` has no start" c.node.name
 
 (* Entering a mode writes all that a machine keeps. *)
 let entered c known =
@@ -315,6 +318,16 @@ let loop c known (l : Ir.loop) =
   ignore (List.mapi result l.results);
   List.fold_left readable known l.results
 
+let results_of c known results (callee : Ir.node) =
+  if List.compare_lengths results callee.outputs <> 0 then
+    bug "`%s` takes a wrong number of results" c.node.name;
+  List.fold_left2
+    (fun known (v : Ir.variable) (_, ty) ->
+      expect c "a result" v.ty ty;
+      declare c v;
+      readable known v)
+    known results callee.outputs
+
 let rec statement c depth known (s : Ir.statement) =
   match s with
   | Declare { variable; value; _ } ->
@@ -346,14 +359,7 @@ let rec statement c depth known (s : Ir.statement) =
       | None, [] -> ()
       | _, _ -> bug "a step of `%s` has a wrong state" callee.name);
       call c known callee.step.parameters arguments;
-      if List.compare_lengths results callee.outputs <> 0 then
-        bug "`%s` takes a wrong number of results" c.node.name;
-      List.fold_left2
-        (fun known (v : Ir.variable) (_, ty) ->
-          expect c "a result" v.ty ty;
-          declare c v;
-          readable known v)
-        known results callee.outputs
+      results_of c known results callee
   | Loop l -> loop c known l
   | Reset { node; state; arguments; _ } ->
       call c known (callee c node).reset.parameters arguments;
@@ -361,6 +367,22 @@ let rec statement c depth known (s : Ir.statement) =
   | Enter { entry; _ } ->
       enter c known entry;
       entered c known
+  | Start { node; state; arguments; results; _ } ->
+      let callee : Ir.node = callee c node in
+      (match (state.content, callee.start) with
+      | State_of k, Some start when k = node -> call c known start.parameters arguments
+      | _, _ -> bug "a start of `%s` has a wrong state" callee.name);
+      results_of c { known with fields = Known.add state.id () known.fields } results callee
+  | Begin { run; entry; _ } ->
+      enter c known entry;
+      if not (Direct.is_direct run) then bug "`%s` begins what may end at once" c.node.name;
+      let mode = List.nth c.node.modes entry.mode in
+      (match entry.first with
+      | Started_by _ -> ()
+      | Reset_by _ ->
+          call c known (callee c mode.node).step.parameters (List.nth run.cases entry.mode).arguments);
+      List.iter (declare c) run.results;
+      List.fold_left readable (entered c known) run.results
   | Await _ ->
       if c.program.first_instant <> Marked_by_mode then bug "`%s` awaits nothing" c.node.name;
       entered c known
@@ -397,6 +419,22 @@ let without_body (node : Ir.node) =
   | [], [] -> ()
   | _, _ -> bug "`%s` is foreign and has a body" node.name
 
+let wrote_all c what known =
+  List.iter
+    (fun (f : Ir.field) ->
+      if not (Known.mem f.id known.fields) then bug "`%s` does not %s its field `%s`" c.node.name what f.name)
+    c.node.state
+
+(* Like a reset and a step. *)
+let start c start =
+  let known = code c start in
+  wrote_all c "start" known;
+  Array.iteri
+    (fun k _ ->
+      if k < Array.length c.outputs - c.node.for_transitions && not (Known.mem k known.results) then
+        bug "the start of `%s` does not write its result %d" c.node.name k)
+    c.outputs
+
 let program (program : Ir.program) =
   Array.iteri
     (fun index (node : Ir.node) ->
@@ -417,10 +455,6 @@ let program (program : Ir.program) =
         (fun k _ ->
           if k >= given && not (Known.mem k after_step.results) then bug "`%s` does not write its result %d" node.name k)
         node.outputs;
-      let after_reset = code (context ()) node.reset in
-      List.iter
-        (fun (f : Ir.field) ->
-          if not (Known.mem f.id after_reset.fields) then
-            bug "`%s` does not reset its field `%s`" node.name f.name)
-        node.state)
+      Option.iter (start (context ())) node.start;
+      wrote_all (context ()) "reset" (code (context ()) node.reset))
     program.nodes

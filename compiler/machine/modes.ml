@@ -48,10 +48,11 @@ let entry context targets read (t : F.transition) : Ir.entry =
   {
     mode = t.target;
     parameters = List.map (fun ((v : Ir.variable), _) -> value v.id) mode.parameters;
-    reset =
-      (match mode.state with
-      | None -> []
-      | Some _ -> given value (context.callee index).reset.parameters);
+    first =
+      Reset_by
+        (match mode.state with
+        | None -> []
+        | Some _ -> given value (context.callee index).reset.parameters);
   }
 
 (* In a mode's case its own signals are results of its step. *)
@@ -106,6 +107,14 @@ let reader operands exprs =
         | None -> broken "an operand is missing")
     | Bool _ | Int _ | Float _ -> read_result atom
 
+(* What a transition enters is stepped at once. *)
+let started context (run : Ir.run) : Ir.run =
+  let next (n : Ir.next) =
+    { n with entry = Entry.started ~callee:context.callee context.kept.modes run n.entry }
+  in
+  let case (c : Ir.case) = { c with transitions = List.map next c.transitions } in
+  { run with cases = List.map case run.cases }
+
 let step context (m : F.machine) =
   let m = Flow.Transitions.map_machine context.resolve Fun.id m in
   let operands = Flow.Transitions.read_in_step m in
@@ -118,24 +127,24 @@ let step context (m : F.machine) =
   let statements exprs =
     let read = reader operands exprs in
     let inputs = map read m.inputs in
-    [
-      Ir.Run
-        {
-          active = Option.map read m.active;
-          clock = context.kept.clock;
-          start = None;
-          steps = m.steps;
-          controls =
-            List.map
-              (fun (t : F.transition) -> (read t.occurs, entry context targets read t))
-              m.controls;
-          late;
-          drops = late || List.exists delayed m.modes;
-          cases = List.map (case context targets ~inputs) context.kept.modes;
-          results;
-          span = m.span;
-        };
-    ]
+    let run : Ir.run =
+      {
+        active = Option.map read m.active;
+        clock = context.kept.clock;
+        start = None;
+        steps = m.steps;
+        controls =
+          List.map
+            (fun (t : F.transition) -> (read t.occurs, entry context targets read t))
+            m.controls;
+        late;
+        drops = late || List.exists delayed m.modes;
+        cases = List.map (case context targets ~inputs) context.kept.modes;
+        results;
+        span = m.span;
+      }
+    in
+    [ Ir.Run (if Direct.is_direct run then started context run else run) ]
   in
   let weight =
     List.fold_left (fun sum mode -> sum + (context.callee mode).Ir.operations) 4 m.modes

@@ -7,6 +7,7 @@ type context = {
   sees_first_dt : bool array;  (** of the nodes already translated *)
   is_limited : int -> bool;  (** see {!Flow.Time_limit} *)
   may_end_early : bool array;
+  start_weights : int array;  (** operations of the nodes' starts *)
 }
 
 let variable = Modes.variable
@@ -36,7 +37,8 @@ let stepped body modes =
   Walk.statements
     (function
       | Step { node; _ } | Loop { node; _ } -> Int_table.replace nodes node ()
-      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Await _ | Run _ | Return _ -> ())
+      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Start _ | Begin _ | Await _ | Run _
+      | Return _ -> ())
     body;
   List.iter (fun mode -> Int_table.replace nodes mode ()) modes;
   nodes
@@ -72,8 +74,10 @@ let foreign_node context k (node : F.node) (foreign : F.foreign) : Ir.node =
     modes = [];
     foreign = Some foreign;
     reset = { parameters = []; body = [] };
+    start = None;
     step = { parameters = List.map variable node.inputs; body = [] };
     outputs = List.map (fun (name, atom) -> (name, Computation.atom_type atom)) node.outputs;
+    for_transitions = 0;
     ends_early = None;
     seconds = stateful;
     nanoseconds = false;
@@ -90,7 +94,7 @@ let own_node context k ~is_root =
   let step, ends_early =
     Body.step calls state node ~limited ~is_root ~may_end_early:context.may_end_early.(k) statics
   in
-  let modes = Option.fold (State.machine state) ~none:[] ~some:(fun (m : State.machine) -> m.modes) in
+  let modes = State.modes state in
   let any property stepped = Int_table.fold (fun k () any -> any || property k) stepped false in
   context.sees_first_dt.(k) <-
     First_instant.shows_in state statics
@@ -106,6 +110,26 @@ let own_node context k ~is_root =
   let by_alignment (a : Ir.field) (b : Ir.field) =
     compare (alignment calls b.content) (alignment calls a.content)
   in
+  let reset : Ir.code =
+    { parameters = parameters (Reads.of_body first.reset) node.statics; body = first.reset }
+  in
+  let step : Ir.code =
+    {
+      parameters =
+        (if is_root then Long_list.map variable node.inputs
+         else parameters reads (List.rev_append (List.rev node.statics) node.inputs));
+      body = first.step;
+    }
+  in
+  let start =
+    match State.fields state with
+    | _ :: _ when (not is_root) && Option.is_none ends_early ->
+        Start.of_node calls.program.real ~callee:calls.callee ~weight:(Array.get context.start_weights)
+          ~modes ~outputs:(List.length node.outputs) ~reset ~step
+    | _ -> None
+  in
+  Option.iter (fun (_, operations) -> context.start_weights.(k) <- operations) start;
+  let for_transitions = Modes.results_for_transitions node in
   let translated : Ir.node =
     {
       name = node.name;
@@ -115,25 +139,16 @@ let own_node context k ~is_root =
       state = List.stable_sort by_alignment (State.fields state);
       modes;
       foreign = None;
-      reset =
-        { parameters = parameters (Reads.of_body first.reset) node.statics; body = first.reset };
-      step =
-        {
-          parameters =
-            (if is_root then Long_list.map variable node.inputs
-             else parameters reads (List.rev_append (List.rev node.statics) node.inputs));
-          body = first.step;
-        };
+      reset;
+      start = Option.map fst start;
+      step;
       outputs =
-        (let for_transitions =
-           List.map
-             (fun (s : F.signal) -> (s.name, Layout.ty s.ty))
-             (Modes.results_for_transitions node)
-         in
-         let own =
+        (let own =
            List.rev_map (fun (name, atom) -> (name, Computation.atom_type atom)) node.outputs
          in
-         List.rev_append own for_transitions);
+         List.rev_append own
+           (List.map (fun (s : F.signal) -> (s.name, Layout.ty s.ty)) for_transitions));
+      for_transitions = List.length for_transitions;
       ends_early;
       seconds = reads.seconds || any (fun k -> (calls.callee k).seconds) all;
       nanoseconds = reads.nanoseconds || any (fun k -> (calls.callee k).nanoseconds) all;
@@ -167,6 +182,7 @@ let program (program : F.program) : Ir.program =
       sees_first_dt = Array.make count false;
       is_limited = Flow.Time_limit.is_limited program;
       may_end_early = Early_end.possible program;
+      start_weights = Array.make count 0;
     }
   in
   let first_instant = ref Ir.Unseen in

@@ -146,6 +146,14 @@ let rec statement c indent ppf (s : Ir.statement) =
       put "reset %s %s%a  -- %d" c.program.nodes.(node).name (field state) (list c) arguments
         span.start.line
   | Enter { entry; _ } -> put "%a" (enter c) entry
+  | Start { node; state; arguments; results; span } ->
+      put "%s = start %s %s%a  -- %d" (variables c results) c.program.nodes.(node).name (field state)
+        (list c) arguments span.start.line
+  | Begin { run; entry; span } ->
+      put "%s = begin %a  -- %d" (variables c run.results) (enter c) entry span.start.line;
+      (match entry.first with
+      | Started_by _ -> ()
+      | Reset_by _ -> put "  step%a" (list c) (List.nth run.cases entry.mode).arguments)
   | Await _ -> put "await the first instant"
   | Run { active; clock = _; start; steps; controls; late; drops; cases; results; span } ->
       Option.iter (put "if %a" (expr c)) active;
@@ -169,7 +177,10 @@ let rec statement c indent ppf (s : Ir.statement) =
   | Return { value; _ } -> put "return %a" (expr c) value
 
 and enter c ppf (e : Ir.entry) =
-  fprintf ppf "enter %d%a reset%a" e.mode (list c) e.parameters (list c) e.reset
+  let first, arguments =
+    match e.first with Reset_by arguments -> ("reset", arguments) | Started_by arguments -> ("start", arguments)
+  in
+  fprintf ppf "enter %d%a %s%a" e.mode (list c) e.parameters first (list c) arguments
 
 let rec ty (program : Ir.program) : Ir.ty -> string = function
   | Bool -> "Bool"
@@ -204,6 +215,7 @@ let node (program : Ir.program) ppf (n : Ir.node) =
       fprintf ppf "  %s : %s  -- %s@\n" (field f) content f.purpose)
     n.state;
   if n.state <> [] then code program "reset" ppf n.reset;
+  Option.iter (code program "start" ppf) n.start;
   code program "step" ppf n.step
 
 let program ppf (p : Ir.program) =

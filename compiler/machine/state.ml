@@ -36,6 +36,7 @@ let new_field t ~name content ~purpose span =
   field
 
 let machine t = t.machine
+let modes t = match t.machine with None -> [] | Some machine -> machine.modes
 
 let fields_of_mode (mode : Ir.mode) =
   List.map snd mode.parameters @ Option.to_list mode.state

@@ -38,6 +38,9 @@ type machine = {
 
 val machine : t -> machine option
 
+val modes : t -> Ir.mode list
+(** Of the machine, if there is one. *)
+
 val fields_of_mode : Ir.mode -> Ir.field list
 (** Its parameters and its state. *)
 

@@ -6,7 +6,8 @@ let by_one_mode (program : Ir.program) (node : Ir.node) =
     (function
       | Ir.Step { node; _ } | Loop { node; _ } -> if wanted node then elsewhere := true
       | Run { clock = Some _; _ } -> elsewhere := true
-      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Await _ | Run { clock = None; _ } | Return _ -> ())
+      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Start _ | Begin _ | Await _
+      | Run { clock = None; _ } | Return _ -> ())
     node.step.body;
   (not !elsewhere)
   && List.length node.modes > 1
@@ -18,6 +19,6 @@ let nanoseconds_in_floats (program : Ir.program) (node : Ir.node) =
     (function
       | Ir.Run { clock = Some _; _ } -> has_own_instants := true
       | Run { clock = None; _ } | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Enter _
-      | Await _ | Return _ -> ())
+      | Start _ | Begin _ | Await _ | Return _ -> ())
     node.step.body;
   program.real = Double && node.modes <> [] && not !has_own_instants

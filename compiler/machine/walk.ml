@@ -13,6 +13,28 @@ let children = function
   | Is_constructor { value; _ } | Payload { value; _ } | Seconds value | In_nanoseconds value -> [ value ]
   | Later (a, b) | Soon (a, b) | Reached { time = a; period = b } | Rest { time = a; period = b } -> [ a; b ]
 
+let map_children f e =
+  match e with
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Field _ | Dt | Dt_nanoseconds -> e
+  | Operation o -> Operation { o with arguments = List.map f o.arguments }
+  | Call c -> Call { c with arguments = List.map f c.arguments }
+  | Select { condition; then_; else_ } ->
+      Select { condition = f condition; then_ = f then_; else_ = f else_ }
+  | Construct c -> Construct { c with payload = List.map f c.payload }
+  | Elements e -> Elements { e with elements = Basis.Long_list.map f e.elements }
+  | Fill l -> Fill { l with value = f l.value }
+  | Index i -> Index { i with array = f i.array }
+  | At a -> At { a with array = f a.array; index = f a.index; default = f a.default }
+  | Replace r -> Replace { r with array = f r.array; index = f r.index; value = f r.value }
+  | Is_constructor c -> Is_constructor { c with value = f c.value }
+  | Payload p -> Payload { p with value = f p.value }
+  | Seconds e -> Seconds (f e)
+  | In_nanoseconds e -> In_nanoseconds (f e)
+  | Later (a, b) -> Later (f a, f b)
+  | Soon (a, b) -> Soon (f a, f b)
+  | Reached { time; period } -> Reached { time = f time; period = f period }
+  | Rest { time; period } -> Rest { time = f time; period = f period }
+
 let rec expression visit e =
   visit e;
   List.iter (expression visit) (children e)
@@ -25,12 +47,13 @@ let rec statements visit body =
       | If { then_; else_; _ } ->
           statements visit then_;
           statements visit else_
-      | Declare _ | Assign _ | Step _ | Loop _ | Reset _ | Enter _ | Await _ | Run _ | Return _ -> ())
+      | Declare _ | Assign _ | Step _ | Loop _ | Reset _ | Enter _ | Start _ | Begin _ | Await _
+      | Run _ | Return _ -> ())
     body
 
 let entry visit (e : entry) =
   List.iter (expression visit) e.parameters;
-  List.iter (expression visit) e.reset
+  match e.first with Reset_by arguments | Started_by arguments -> List.iter (expression visit) arguments
 
 let run visit (run : run) =
   let control (condition, e) =
@@ -60,7 +83,14 @@ let expressions visit body =
     (function
       | Declare { value; _ } | Assign { value; _ } | Return { value; _ } -> expression visit value
       | If { condition; _ } -> expression visit condition
-      | Step { arguments; _ } | Reset { arguments; _ } -> List.iter (expression visit) arguments
+      | Step { arguments; _ } | Reset { arguments; _ } | Start { arguments; _ } ->
+          List.iter (expression visit) arguments
+      | Begin { run; entry = e; _ } ->
+          entry visit e;
+          (match e.first with
+          | Started_by _ -> ()
+          | Reset_by _ ->
+              List.iter (expression visit) (List.nth run.cases e.mode).arguments)
       | Loop l ->
           List.iter (expression visit) l.initial;
           List.iter (argument visit) l.arguments

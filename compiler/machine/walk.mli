@@ -2,6 +2,12 @@
 
 val children : Ir.expr -> Ir.expr list
 
+val map_children : (Ir.expr -> Ir.expr) -> Ir.expr -> Ir.expr
+(** The expression with other parts. *)
+
+val expression : (Ir.expr -> unit) -> Ir.expr -> unit
+(** It and each part of it, itself first. *)
+
 val expressions : (Ir.expr -> unit) -> Ir.statement list -> unit
 (** Each expression and each part of one, in the order of the code. *)
 

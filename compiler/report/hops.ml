@@ -29,7 +29,7 @@ let of_node (program : M.program) (node : M.node) =
                  modes cases)
           in
           found := { name = node.origin; file = span.file; span; modes; transitions; steps } :: !found
-      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Enter _ | Await _ | Return _ -> ())
+      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Enter _ | Start _ | Begin _ | Await _ | Return _ -> ())
     node.step.body;
   List.rev !found
 

@@ -2,10 +2,13 @@ module M = Machine.Ir
 
 type t = { reset : Cost.t; step : Cost.t }
 
+(* Of a node's functions. *)
+type of_node = { reset : Cost.t; start : Cost.t; step : Cost.t }
+
 type context = {
   program : M.program;
   node : M.node;
-  done_ : t array;  (** of the nodes before *)
+  done_ : of_node array;  (** of the nodes before *)
   scalars : int array;  (** of their states *)
 }
 
@@ -94,12 +97,13 @@ let entry c (e : M.entry) =
     match c.node.modes with [] | [ _ ] -> Cost.none | _ :: _ :: _ -> Cost.one Stores
   in
   let parameters = List.map (fun (_, field) -> stored c field) mode.parameters in
-  let reset =
-    match mode.state with
-    | None -> Cost.none
-    | Some _ -> Cost.add (expressions c e.reset) c.done_.(mode.node).reset
+  let first =
+    match (mode.state, e.first) with
+    | None, _ -> Cost.none
+    | Some _, Reset_by arguments -> Cost.add (expressions c arguments) c.done_.(mode.node).reset
+    | Some _, Started_by arguments -> Cost.add (expressions c arguments) c.done_.(mode.node).start
   in
-  Cost.sum ((number :: parameters) @ [ expressions c e.parameters; reset ])
+  Cost.sum ((number :: parameters) @ [ expressions c e.parameters; first ])
 
 (* Of nanoseconds; see the helpers of the generated C. *)
 let seconds (real : Basis.Real.t) =
@@ -133,7 +137,15 @@ let largest = List.fold_left Cost.larger Cost.none
 
 (* What follows an entry, or nothing. *)
 let entries c followed entries =
-  largest (List.map (fun (e : M.entry) -> Cost.add (entry c e) (followed e.mode)) entries)
+  largest (List.map (fun (e : M.entry) -> Cost.add (entry c e) (followed e)) entries)
+
+(* The first step of a mode, where nothing is tested; a start is that too. *)
+let first_step c (cases : M.case list) (e : M.entry) =
+  match e.first with
+  | Started_by _ -> Cost.none
+  | Reset_by _ ->
+      let node = (List.nth c.node.modes e.mode).node in
+      Cost.add (expressions c (List.nth cases e.mode).arguments) c.done_.(node).step
 
 let run c (r : M.run) =
   let direct = Machine.Direct.is_direct r in
@@ -168,8 +180,6 @@ let run c (r : M.run) =
       @ tests @ [ kept; again; late ])
   in
   let rounds = Array.mapi round cases in
-  (* The first step of a mode, where nothing is tested. *)
-  let first_step k = Cost.add (expressions c cases.(k).M.arguments) (own_step k) in
   (* From a mode on: its step, and all that its transitions lead to. *)
   let from followed takes k =
     let taken = List.filter takes cases.(k).transitions in
@@ -181,13 +191,18 @@ let run c (r : M.run) =
     if steps <= 0 then Array.map (fun _ -> Cost.none) rounds
     else
       let after = entered (steps - 1) in
-      Array.mapi (fun k _ -> from (Array.get after) at_entry k) rounds
+      Array.mapi (fun k _ -> from (fun (e : M.entry) -> after.(e.mode)) at_entry k) rounds
   in
-  let after = if direct then first_step else Array.get (entered (r.steps - 1)) in
+  let after =
+    if direct then first_step c r.cases
+    else
+      let after = entered (r.steps - 1) in
+      fun (e : M.entry) -> after.(e.mode)
+  in
   let start =
     match r.start with
     | None -> Cost.none
-    | Some entry -> Cost.add chosen (entries c first_step [ entry ])
+    | Some entry -> Cost.add chosen (entries c (first_step c r.cases) [ entry ])
   in
   let running =
     largest (List.init (Array.length rounds) (from after (fun (_ : M.next) -> true)))
@@ -196,7 +211,7 @@ let run c (r : M.run) =
   let controlled = entries c after (List.map snd r.controls) in
   let steps =
     if r.late then Cost.add running controlled
-    else largest [ running; start; entries c (from after at_entry) (List.map snd r.controls) ]
+    else largest [ running; start; entries c (fun e -> from after at_entry e.mode) (List.map snd r.controls) ]
   in
   let active =
     match r.active with
@@ -228,6 +243,8 @@ let rec statement c (s : M.statement) =
       let count = match state.content with States_of { count; _ } -> count | _ -> 1 in
       Cost.add (expressions c arguments) (Cost.times count c.done_.(node).reset)
   | Enter { entry = e; _ } -> entry c e
+  | Start { node; arguments; _ } -> Cost.add (expressions c arguments) c.done_.(node).start
+  | Begin { run; entry; _ } -> entries c (first_step c run.cases) [ entry ]
   | Await _ -> Cost.one Stores
   | Run r -> run c r
 
@@ -277,7 +294,7 @@ let crossing (program : M.program) (node : M.node) =
       Cost.sum (List.map numbers (time @ given @ List.map snd node.outputs))
 
 let of_program (program : M.program) =
-  let nothing = { reset = Cost.none; step = Cost.none } in
+  let nothing = { reset = Cost.none; start = Cost.none; step = Cost.none } in
   let count = Array.length program.nodes in
   let done_ = Array.make count nothing and scalars = Array.make count 0 in
   Array.iteri
@@ -289,9 +306,16 @@ let of_program (program : M.program) =
           let stateful = node.state <> [] in
           let call what = Cost.one (Calls (if stateful then symbol ^ what else symbol)) in
           let step = Cost.add (crossing program node) (call "_step") in
-          done_.(k) <- { reset = call "_reset"; step }
-      | None -> done_.(k) <- { reset = statements c node.reset.body; step = statements c node.step.body })
+          done_.(k) <- { nothing with reset = call "_reset"; step }
+      | None ->
+          let start (code : M.code) = statements c code.body in
+          done_.(k) <-
+            {
+              reset = statements c node.reset.body;
+              start = Option.fold node.start ~none:Cost.none ~some:start;
+              step = statements c node.step.body;
+            })
     program.nodes;
   let last = count - 1 in
   let root = done_.(last) in
-  { root with step = Cost.add (root_clock program program.nodes.(last)) root.step }
+  { reset = root.reset; step = Cost.add (root_clock program program.nodes.(last)) root.step }

@@ -3,12 +3,15 @@ module M = Machine.Ir
 type t = { bytes : int; chain : int list }
 type bounds = { reset : t; step : t }
 
+(* Of a node's functions. *)
+type of_node = { reset : t; start : t; step : t }
+
 type context = {
   program : M.program;
   node : M.node;
   state : State.t;
   apart : Machine.Apart.t;
-  done_ : bounds array;  (** of the nodes before *)
+  done_ : of_node array;  (** of the nodes before *)
 }
 
 let word = 8
@@ -84,7 +87,7 @@ let in_structs c frame given results =
   end
 
 (* A function of a node's. *)
-type callee = Step of int | Reset of int
+type callee = Step of int | Start of int | Reset of int
 
 (* An expression within one that makes calls, if [calling]. *)
 let rec within c frame ~calling (e : M.expr) =
@@ -191,9 +194,13 @@ and call c frame callee es =
     | Step k ->
         let node = c.program.nodes.(k) in
         (c.done_.(k).step, node.step.parameters, node.outputs)
+    | Start k ->
+        let node = c.program.nodes.(k) in
+        let parameters = Option.fold node.start ~none:[] ~some:(fun (code : M.code) -> code.parameters) in
+        (c.done_.(k).start, parameters, node.outputs)
     | Reset k -> (c.done_.(k).reset, c.program.nodes.(k).reset.parameters, [])
   in
-  let k = match callee with Step k | Reset k -> k in
+  let k = match callee with Step k | Start k | Reset k -> k in
   if Machine.Apart.is_split c.apart k then need frame word;
   in_structs c frame (List.map (fun (v : M.variable) -> v.ty) given) (List.map snd results);
   frame.callees <- bounds :: frame.callees;
@@ -204,17 +211,22 @@ let expression c frame e = within c frame ~calling:(calls e) e
 let entry c frame (e : M.entry) =
   let mode = List.nth c.node.modes e.mode in
   List.iter (expression c frame) e.parameters;
-  if Option.is_some mode.state then call c frame (Reset mode.node) e.reset
+  match (mode.state, e.first) with
+  | None, _ -> ()
+  | Some _, Reset_by arguments -> call c frame (Reset mode.node) arguments
+  | Some _, Started_by arguments -> call c frame (Start mode.node) arguments
 
 (* What enters a mode may step it as well. *)
 let entry_and_step c frame (r : M.run) (e : M.entry) =
   entry c frame e;
-  if Machine.Direct.is_direct r then begin
-    let case = List.nth r.cases e.mode in
-    List.iter (variable c frame) case.others;
-    need frame (Amount.times word (List.length case.others + List.length r.results));
-    call c frame (Step (List.nth c.node.modes e.mode).node) case.arguments
-  end
+  match e.first with
+  | Started_by _ -> need frame (Amount.times word (List.length r.results))
+  | Reset_by _ when Machine.Direct.is_direct r ->
+      let case = List.nth r.cases e.mode in
+      List.iter (variable c frame) case.others;
+      need frame (Amount.times word (List.length case.others + List.length r.results));
+      call c frame (Step (List.nth c.node.modes e.mode).node) case.arguments
+  | Reset_by _ -> ()
 
 let run c frame (r : M.run) =
   let results = List.fold_left (fun sum (v : M.variable) -> Amount.add sum (room c v.ty)) 0 r.results in
@@ -275,6 +287,13 @@ let statement c frame (s : M.statement) =
       call c frame (Step l.node) (List.filter_map argument l.arguments)
   | Reset { node; arguments; _ } -> call c frame (Reset node) arguments
   | Enter { entry = e; _ } -> entry c frame e
+  | Start { node; arguments; results; _ } ->
+      List.iter (variable c frame) results;
+      need frame (Amount.times word (List.length results));
+      call c frame (Start node) arguments
+  | Begin { run; entry; _ } ->
+      List.iter (variable c frame) run.results;
+      entry_and_step c frame run entry
   | Run r -> run c frame r
 
 (* The fields of a record are read where they are used, but for arrays. *)
@@ -316,7 +335,7 @@ let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
 
 (* The root is given the state, dt, its input and its output by address, and its
    step calls the helpers of the clock. *)
-let root (program : M.program) (node : M.node) bounds =
+let root (program : M.program) (node : M.node) (bounds : of_node) : bounds =
   let more (t : t) bytes = { t with bytes = Amount.add t.bytes bytes } in
   let clock = if node.seconds || node.nanoseconds then helper + (2 * word) else 0 in
   (* In single precision a step in seconds calls it. *)
@@ -327,7 +346,7 @@ let of_program (program : M.program) state =
   let apart = Machine.Apart.of_program program in
   let nothing = { bytes = 0; chain = [] } in
   let count = Array.length program.nodes in
-  let done_ = Array.make count { reset = nothing; step = nothing } in
+  let done_ = Array.make count { reset = nothing; start = nothing; step = nothing } in
   Array.iteri
     (fun k (node : M.node) ->
       let c = { program; node; state; apart; done_ } in
@@ -337,9 +356,14 @@ let of_program (program : M.program) state =
         | Some foreign ->
             {
               reset = { bytes = fixed; chain = [ k ] };
+              start = nothing;
               step = { bytes = foreign_step c foreign; chain = [ k ] };
             }
         | None ->
-            { reset = function_ c k ~results:0 node.reset; step = function_ c k ~results node.step }))
+            {
+              reset = function_ c k ~results:0 node.reset;
+              start = Option.fold node.start ~none:nothing ~some:(function_ c k ~results);
+              step = function_ c k ~results node.step;
+            }))
     program.nodes;
   root program program.nodes.(count - 1) done_.(count - 1)

@@ -69,10 +69,8 @@ chosen.
       switch (self->mode) {
       case THREE_MODES_START: {
           self->mode = THREE_MODES_FOLLOW;                    /* line 12 */
-          three_modes_follow_follow_reset(&self->modes.follow.state);
-          bool t4;
-          three_modes_follow_follow_step(&self->modes.follow.state, 0.0, in->bump, in->side,
-                  &speed, &turn, &t4);
+          three_modes_follow_follow_start(&self->modes.follow.state, in->bump, in->side, &speed,
+                  &turn);
           break;
       }
       case THREE_MODES_FOLLOW: {
@@ -81,9 +79,7 @@ chosen.
                   in->bump, in->side, &speed, &turn, &t1);
           if (t1) {
               self->mode = THREE_MODES_BACK_UP;               /* line 5 */
-              three_modes_follow_backUp_reset(&self->modes.backUp.state);
-              bool t5;
-              three_modes_follow_backUp_step(&self->modes.backUp.state, 0, &speed, &turn, &t5);
+              three_modes_follow_backUp_start(&self->modes.backUp.state, &speed, &turn);
           }
           break;
       }
@@ -93,10 +89,8 @@ chosen.
                   &t2);
           if (t2) {
               self->mode = THREE_MODES_TURN_AWAY;             /* line 6 */
-              three_modes_follow_turnAway_reset(&self->modes.turnAway.state);
-              bool t6;
-              three_modes_follow_turnAway_step(&self->modes.turnAway.state, in->front, &speed,
-                      &turn, &t6);
+              three_modes_follow_turnAway_start(&self->modes.turnAway.state, in->front, &speed,
+                      &turn);
           }
           break;
       }
@@ -106,10 +100,8 @@ chosen.
                   &t3);
           if (t3) {
               self->mode = THREE_MODES_FOLLOW;                /* line 7 */
-              three_modes_follow_follow_reset(&self->modes.follow.state);
-              bool t7;
-              three_modes_follow_follow_step(&self->modes.follow.state, 0.0, in->bump, in->side,
-                      &speed, &turn, &t7);
+              three_modes_follow_follow_start(&self->modes.follow.state, in->bump, in->side,
+                      &speed, &turn);
           }
           break;
       }

@@ -1,0 +1,79 @@
+What enters a mode makes its first step. All that is known at a first instant is left
+out of that: no time has passed, delays have their initial values, and a machine inside
+is in its first mode.
+
+  $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
+  $ cat > inside.frob <<'EOF'
+  > main, work :: SF Float Float
+  > main = switch (proc x -> (x, edge (x > 1))) (\_ -> work)
+  > work = switch (proc x -> (ramp x + delay 7 x, edge (x < 0))) (\_ -> main)
+  > 
+  > ramp, flat :: SF Float Float
+  > ramp = switch (proc x -> (10 + integral x / 1[s], edge (x > 3))) (\_ -> flat)
+  > flat = switch (proc x -> (time () / 1[s], after 2[s] ())) (\_ -> ramp)
+  > EOF
+  $ frobc compile inside.frob --lint
+  $ sed -n '/^static.*_start(/,/^}/p' inside.c | sed 's, */\*.*,,'
+  static inline void inside_ramp_ramp_start(struct inside_ramp_ramp_state *self,
+                                            struct inside_ramp_ramp_flags *FROB_RESTRICT flags,
+                                            double x,
+                                            double *out_2)
+  {
+      self->x_integral = 0.0;
+      *out_2 = 10.0;
+      self->x_integral_input = x;
+      flags->delay = x > 3.0;
+  }
+  static inline void inside_ramp_flat_start(struct inside_ramp_flat_state *self, double *out_2)
+  {
+      self->time = 0;
+      *out_2 = 0.0;
+  }
+  static inline double inside_ramp_start(struct inside_ramp_state *self,
+                                         struct inside_ramp_flags *FROB_RESTRICT flags,
+                                         double x)
+  {
+      double t1;
+      flags->mode = INSIDE_RAMP_RAMP;
+      inside_ramp_ramp_start(&self->modes.ramp.state, &flags->modes.ramp.state, x, &t1);
+      return t1;
+  }
+  static inline void inside_main_main_start(struct inside_main_main_state *self,
+                                            double x,
+                                            double *out_2)
+  {
+      *out_2 = x;
+      self->delay = x > 1.0;
+  }
+  static inline void inside_main_work_start(struct inside_main_work_state *self,
+                                            struct inside_main_work_flags *FROB_RESTRICT flags,
+                                            double x,
+                                            double *out_2)
+  {
+      const double t1 = inside_ramp_start(&self->ramp, &flags->ramp, x);
+      *out_2 = t1 + 7.0;
+      self->x_prev = x;
+      flags->delay = x < 0.0;
+  }
+
+The first mode of the program has no use for time, so nothing tells its first step from
+others; the first dt is not looked at.
+
+  $ sed -n '/^void inside_reset/,/^}/p' inside.c | sed 's, */\*.*,,'
+  void inside_reset(struct inside_state *self)
+  {
+      self->mode = INSIDE_MAIN;
+      inside_main_main_reset(&self->modes_flags.main.state);
+  }
+  $ printf 'time,in\n5,0\n6,2\n7,1\n8,4\n9,4\n10,4\n11,2\n12,-1\n13,2\n' > inside.csv
+  $ both inside.frob inside.csv
+  time,out
+  5.000000000,0
+  6.000000000,17
+  7.000000000,14
+  8.000000000,1
+  9.000000000,5
+  10.000000000,14
+  11.000000000,18
+  12.000000000,-1
+  13.000000000,17
