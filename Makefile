@@ -15,7 +15,7 @@ MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \
 
 # What only `make bench` needs, and what other tools it compares with, where they
 # can be had.
-BENCH_PACKAGES = valgrind gcc-arm-none-eabi libnewlib-arm-none-eabi
+BENCH_PACKAGES = valgrind gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 COMPARED_PACKAGES = ghc libghc-copilot-dev libghc-copilot-c99-dev
 
 # What only `make prove` needs.

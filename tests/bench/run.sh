@@ -8,6 +8,7 @@ mkdir -p "$out"
 
 {
     sh tests/bench/step/run.sh "$out"
+    sh tests/bench/step/cortex_m/run.sh "$out"
     sh tests/bench/compile_time.sh "$out"
     sh tests/bench/shapes.sh "$out"
     sh tests/bench/simulator.sh "$out"

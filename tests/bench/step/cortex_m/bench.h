@@ -1,0 +1,77 @@
+/* bench.h -- in place of the one beside it in `step/`: the generated step alone, on a
+ * Cortex-M4 that qemu emulates with `-icount shift=0`, where each instruction takes 1 ns.
+ * Prints how many instructions a step takes on the average, with its call.
+ *
+ * With BENCH_SINGLE the program is one of single precision. */
+#ifndef FROB_BENCH_CORTEX_M_H
+#define FROB_BENCH_CORTEX_M_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+enum { INSTANTS = 1024 };
+
+/* The same numbers as there. */
+static inline double bench_random(void)
+{
+    static uint64_t state = UINT64_C(0x9e3779b97f4a7c15);
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    return (double)(state >> 11) / 9007199254740992.0;
+}
+
+static inline int bench_chance(double probability)
+{
+    return bench_random() < probability;
+}
+
+/* The processor's own timer counts down from 2^24 at the board's 25 MHz. */
+#define SYSTICK ((volatile uint32_t *)0xE000E010u)
+enum { CONTROL, RELOAD, VALUE, TICK_NS = 40, MOST_TICKS = 0xFFFFFF };
+
+static void ticks_start(void)
+{
+    SYSTICK[RELOAD] = MOST_TICKS;
+    SYSTICK[VALUE] = 0;
+    SYSTICK[CONTROL] = 5; /* counts the processor's clock, without interrupts */
+}
+
+static uint32_t ticks_passed(void)
+{
+    return MOST_TICKS - SYSTICK[VALUE];
+}
+
+/* Whole nanoseconds around 20 ms. */
+#ifdef BENCH_SINGLE
+typedef int64_t bench_time;
+#define BENCH_TIME(ns) (ns)
+#define BENCH_STEP(program) program##_step_ns
+#else
+typedef double bench_time;
+#define BENCH_TIME(ns) ((double)(ns) / 1e9)
+#define BENCH_STEP(program) program##_step
+#endif
+
+#define BENCH(program)                                                              \
+    static struct program##_input input[INSTANTS];                                  \
+    static bench_time dt[INSTANTS];                                                 \
+    static void make_input(size_t i);                                               \
+    int main(void)                                                                  \
+    {                                                                               \
+        static struct program##_state state;                                        \
+        static struct program##_output output;                                      \
+        for (size_t i = 0; i < INSTANTS; i++) {                                     \
+            dt[i] = BENCH_TIME((int64_t)(19e6 + 2e6 * bench_random()));             \
+            make_input(i);                                                          \
+        }                                                                           \
+        program##_reset(&state);                                                    \
+        ticks_start();                                                              \
+        for (size_t i = 0; i < INSTANTS; i++)                                       \
+            BENCH_STEP(program)(&state, dt[i], &input[i], &output);                 \
+        printf("%.1f\n", (double)ticks_passed() * TICK_NS / INSTANTS);              \
+        return 0;                                                                   \
+    }
+
+#endif
