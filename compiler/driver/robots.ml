@@ -125,7 +125,7 @@ let having p class_ =
     | Some found -> not (List.exists (fun (l : Fit.lack) -> l.class_ = class_) found)
   in
   match List.filter has (all p) with
-  | [] -> "no robot has it"
+  | [] -> "no robot of the library has it"
   | [ robot ] -> Printf.sprintf "only %s has it" (quoted robot)
   | robots -> Printf.sprintf "%s have it" (listed "and" (List.map quoted robots))
 
@@ -154,6 +154,7 @@ let on_no_robot p candidates =
     | Some [] | None -> error
   in
   List.fold_left add error candidates
+  |> Diagnostic.note "a robot of your own is named by the file of its module: `--robot FILE.frob`"
 
 let another p (robot : t) others =
   Diagnostic.error ~code:"E0503" ~at:(entry_span p) "`%s` is a program for %s, not for %s"

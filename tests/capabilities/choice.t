@@ -127,6 +127,8 @@ Nothing has both a ring of sonars and lights:
     |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |                        |
     |                        `create` has no `HasSonarRing`, which `sonars` needs
+    |
+    = note: a robot of your own is named by the file of its module: `--robot FILE.frob`
   
   1 error
   [1]
