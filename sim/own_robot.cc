@@ -1,5 +1,6 @@
 #include "own_robot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -8,13 +9,22 @@
 namespace frob::sim {
 namespace {
 
-std::vector<Pose> seats_of(const frob_body &table) {
+// How often floor sensors and photocells are read.
+constexpr std::int64_t refresh_ns = 10'000'000;
+constexpr double smallest_spot = 0.001; // m
+
+std::vector<Pose> seats_of(const frob_seat *described, std::size_t count) {
     std::vector<Pose> seats;
-    for (std::size_t i = 0; i < table.ranger_count; ++i) {
-        const frob_seat &seat = table.rangers[i];
-        seats.push_back({{seat.x_m, seat.y_m}, seat.heading_rad});
-    }
+    for (std::size_t i = 0; i < count; ++i)
+        seats.push_back({{described[i].x_m, described[i].y_m}, described[i].heading_rad});
     return seats;
+}
+
+std::vector<Vec> spots_of(const frob_body &table) {
+    std::vector<Vec> spots;
+    for (std::size_t i = 0; i < table.floor_sensor_count; ++i)
+        spots.push_back({table.floor_sensors[i].x_m, table.floor_sensors[i].y_m});
+    return spots;
 }
 
 // A disc of even weight: I = m r^2 / 2.
@@ -34,7 +44,7 @@ Chassis chassis_of(const frob_body &table) {
         {table.speed_m_s, table.turn_rad_s, table.acceleration_m_s2, table.turn_acceleration_rad_s2},
         {0.0, table.radius_m},
         {0.0, -table.radius_m},
-        {seats_of(table), table.half_angle_rad, table.left, table.right, {table.ahead}, "ranger"},
+        {seats_of(table.rangers, table.ranger_count), table.half_angle_rad, table.left, table.right, {table.ahead}, "ranger"},
     };
 }
 
@@ -52,7 +62,17 @@ OwnBody::OwnBody(const frob_body &described)
 
 OwnRobot::OwnRobot(const OwnBody &body, const Scene &scene, std::uint64_t seed)
     : Robot(body.chassis, scene, seed), described_(body),
-      sonar_(body.chassis.range_finders, body.ring, scene.sonar, Noise(seed, sonar_stream)) {}
+      sonar_(body.chassis.range_finders, body.ring, scene.sonar, Noise(seed, sonar_stream)), floor_(scene),
+      floor_sensors_(spots_of(body.table), std::max(body.table.floor_spot_m, smallest_spot), refresh_ns,
+                     scene.floor, Noise(seed, floor_stream)),
+      photocells_(seats_of(body.table.photocells, body.table.photocell_count), refresh_ns, scene,
+                  Noise(seed, photocell_stream)) {}
+
+void OwnRobot::look(std::int64_t time_ns, const Body &body) {
+    sonar_.advance(time_ns, body);
+    floor_sensors_.advance(time_ns, body, floor_);
+    photocells_.advance(time_ns, body);
+}
 
 void OwnRobot::read(std::int64_t time_ns, void *input) {
     std::vector<double> echoes;
@@ -71,6 +91,8 @@ void OwnRobot::read(std::int64_t time_ns, void *input) {
     for (const Vec &at : contacts_.points()) (at.x > 0.0 ? senses.pressed_ahead : senses.pressed_behind) = true;
     senses.battery_v = battery_voltage(time_ns);
     senses.echoes_m = echoes.data();
+    senses.floor = floor_sensors_.seen().data();
+    senses.light_lux = photocells_.seen().data();
     std::memset(input, 0, described_.table.input_size);
     described_.table.sense(&senses, input);
 }

@@ -3,6 +3,8 @@
 
 #include <frob/body.h>
 
+#include "floor_sensors.h"
+#include "photocells.h"
 #include "robot.h"
 #include "sonar.h"
 
@@ -28,10 +30,13 @@ class OwnRobot : public Robot {
     void forget_echoes() override { sonar_.forget_echoes(); }
 
   private:
-    void look(std::int64_t time_ns, const Body &body) override { sonar_.advance(time_ns, body); }
+    void look(std::int64_t time_ns, const Body &body) override;
 
     const OwnBody &described_;
     Sonar sonar_;
+    const Floor floor_;
+    FloorSensors floor_sensors_;
+    Photocells photocells_;
 };
 
 // The kind of robot that this body is; it must outlive what is made of it.

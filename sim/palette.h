@@ -8,6 +8,8 @@ namespace frob::sim::palette {
 constexpr Colour paper{255, 255, 255};
 constexpr Colour floor{248, 249, 251};
 constexpr Colour black_floor{58, 60, 66};
+constexpr Colour lamp{242, 190, 40};
+constexpr Colour lamp_edge{176, 128, 12};
 constexpr Colour grid{228, 231, 236};
 constexpr Colour frame{196, 201, 209};
 constexpr Colour ink{40, 44, 52};

@@ -59,7 +59,8 @@ class Robot {
         odometry_stream,
         sonar_stream,
         light_stream,
-        floor_stream
+        floor_stream,
+        photocell_stream
     };
 
     double battery_voltage(std::int64_t time_ns) const;

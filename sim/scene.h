@@ -105,6 +105,19 @@ struct FloorSettings {
     double noise = 0.0;       // relative standard deviation of what a floor sensor reads
 };
 
+// A lamp above the floor, which shines in all directions; it is in nobody's way.
+struct Lamp {
+    Vec position;
+    double height = 0.3;     // m above the photocells
+    double intensity = 60.0; // cd: a bulb of 750 lm
+};
+
+// The light of the room, for photocells.
+struct AmbientSettings {
+    double light = 0.0; // lx: what comes from everywhere, beside the lamps
+    double noise = 0.0; // relative standard deviation of what a photocell reads
+};
+
 struct LightSettings {
     double noise = 0.0; // relative standard deviation of a light bumper's signal
 };
@@ -123,7 +136,9 @@ struct Scene {
     DriveSettings drive;
     OdometrySettings odometry;
     SonarSettings sonar;
+    std::vector<Lamp> lamps;
     FloorSettings floor;
+    AmbientSettings ambient;
     LightSettings light;
     BatterySettings battery;
     std::optional<MeasureSettings> measure;

@@ -104,6 +104,18 @@ void draw_solids(View &view, const Scene &scene) {
         view.circle(circle.center, circle.radius, filled(palette::solid));
 }
 
+// A disc with rays, as on maps: a symbol, whose size says nothing.
+void draw_lamps(View &view, const Scene &scene) {
+    for (const Lamp &lamp : scene.lamps) {
+        const Vec at = view.place(lamp.position);
+        for (int k = 0; k < 8; ++k) {
+            const Vec u = direction(radians(45.0 * k));
+            view.canvas().path({at + 8.0 * u, at + 12.0 * u}, false, stroked(palette::lamp_edge, 1.4));
+        }
+        view.canvas().circle(at, 5.5, {palette::lamp, palette::lamp_edge, 1.4, {}});
+    }
+}
+
 std::vector<Vec> corners(const Pose &pose, Vec size) {
     const Vec h = 0.5 * size;
     std::vector<Vec> result;
@@ -226,6 +238,7 @@ Extent extent(const Simulation &simulation) {
         for (const Vec &p : tape.points) include(result, p, margin + tape.width / 2);
     for (const Hole &hole : scene.holes)
         for (const Vec &p : hole.points) include(result, p, margin);
+    for (const Lamp &lamp : scene.lamps) include(result, lamp.position, margin);
     for (const Circle &circle : scene.circles)
         include(result, circle.center, margin + circle.radius);
     for (std::size_t i = 0; i < scene.boxes.size(); ++i)
@@ -259,6 +272,7 @@ void draw_scene(Canvas &canvas, const Simulation &simulation, const Extent &exte
         if (robots == 1) draw_times(view, samples);
     }
     for (std::size_t k = 0; k < robots; ++k) draw_robot(view, chassis, simulation.body(k).pose());
+    draw_lamps(view, simulation.scene());
     canvas.unclip();
     canvas.path(outline, true, stroked(palette::frame, 1.0));
 }

@@ -162,6 +162,23 @@ Patch read_patch(TomlReader reader) {
     return patch;
 }
 
+Lamp read_lamp(TomlReader reader) {
+    Lamp lamp;
+    lamp.position = reader.needed_point("position", Range::any);
+    lamp.height = reader.number("height", lamp.height, Range::size);
+    lamp.intensity = reader.number("intensity", lamp.intensity, Range::positive);
+    reader.finish();
+    return lamp;
+}
+
+AmbientSettings read_ambient(TomlReader reader) {
+    AmbientSettings ambient;
+    ambient.light = reader.number("light", ambient.light, Range::not_negative);
+    ambient.noise = reader.number("noise", ambient.noise, Range::not_negative);
+    reader.finish();
+    return ambient;
+}
+
 FloorSettings read_floor(TomlReader reader) {
     FloorSettings floor;
     floor.reflectance = reader.number("reflectance", floor.reflectance, Range::part);
@@ -238,6 +255,10 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root) {
         scene.patches.push_back(read_patch(inside(table)));
     for (const toml::table *table : reader.tables("tape"))
         scene.tapes.push_back(read_tape(inside(table)));
+    for (const toml::table *table : reader.tables("lamp"))
+        scene.lamps.push_back(read_lamp(inside(table)));
+    if (const toml::table *table = reader.table("ambient"))
+        scene.ambient = read_ambient(inside(table));
     if (const toml::table *table = reader.table("floor")) scene.floor = read_floor(inside(table));
     if (const toml::table *table = reader.table("light")) scene.light = read_light(inside(table));
     if (const toml::table *table = reader.table("drive")) scene.drive = read_drive(inside(table));

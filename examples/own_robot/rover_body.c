@@ -79,4 +79,9 @@ const struct frob_body frob_rover_body = {
     4,
     sense,
     command,
+    NULL, /* nothing looks at the floor, and it has no photocells */
+    0,
+    0.0,
+    NULL,
+    0,
 };

@@ -95,9 +95,9 @@ A minus with blanks on both sides, or on none, is a subtraction.
     2 | main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
       |                         ^^^^^^ `roMake` needs it
       |
-     ::: stdlib/Capability.frob:132:11
+     ::: stdlib/Capability.frob:141:11
       |
-  132 | roMake :: RobotOutput o => (o -> o) -> o
+  141 | roMake :: RobotOutput o => (o -> o) -> o
       |           ------------------------------ `roMake` asks for `RobotOutput o` here
       |
       = hint: `constant e` is the signal function that always gives `e`
@@ -108,9 +108,9 @@ A minus with blanks on both sides, or on none, is a subtraction.
     2 | main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
       |                                 ^^^^^^^^ `setVelTR` needs it
       |
-     ::: stdlib/Capability.frob:139:17
+     ::: stdlib/Capability.frob:148:17
       |
-  139 |     setVelTR :: Velocity -> AngularVelocity -> o -> o
+  148 |     setVelTR :: Velocity -> AngularVelocity -> o -> o
       |                 ------------------------------------- `setVelTR` asks for `DiffDrive o` here
       |
       = hint: `constant e` is the signal function that always gives `e`

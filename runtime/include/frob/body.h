@@ -5,7 +5,8 @@
  *
  *   const struct frob_body frob_rover_body = { … };
  *
- * Bodies are round, on two wheels, with rangers that fire one after the other.
+ * Bodies are round, on two wheels, with rangers that fire one after the other, and
+ * perhaps with sensors that look down at the floor or see the light of lamps.
  * The robot's frame: origin midway between the wheels and in the middle of the
  * body, x forward, y left; angles in radians, counter-clockwise. */
 #ifndef FROB_BODY_H
@@ -24,6 +25,11 @@ struct frob_seat {
     double x_m, y_m, heading_rad;
 };
 
+/* Where a sensor looks straight down. */
+struct frob_spot {
+    double x_m, y_m;
+};
+
 /* What the body senses at an instant. */
 struct frob_senses {
     int64_t time_ns;               /* since the start */
@@ -33,6 +39,9 @@ struct frob_senses {
     bool pressed_ahead, pressed_behind; /* something touches the body before or behind its middle */
     double battery_v;
     const double *echoes_m; /* of each ranger: NaN, or an echo that has come since the last instant */
+    const double *floor;    /* of each floor sensor: the share of its light that comes back, 0 (black, or no
+                               floor) to 1 (white), with noise */
+    const double *light_lux; /* of each photocell: illuminance, cd/m^2 */
 };
 
 struct frob_body {
@@ -63,6 +72,13 @@ struct frob_body {
 
     /* What the robot's output struct asks for; values out of range are limited. */
     void (*command)(const void *output, double *forward_m_s, double *turn_rad_s);
+
+    /* What many bodies do not have: left out, it is zero, and there is none. */
+    const struct frob_spot *floor_sensors;
+    size_t floor_sensor_count;
+    double floor_spot_m; /* the width of what each sees, at least a millimetre */
+    const struct frob_seat *photocells;
+    size_t photocell_count;
 };
 
 #ifdef __cplusplus
