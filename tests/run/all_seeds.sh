@@ -21,4 +21,8 @@ each dock collisions 0 0 odometry_error_at_the_end 0 0.2 finished_after 20 40 --
 each explore longest_stay 0 60 squares 15 70 -- --for 5min
 robots=create # with sensors that look down
 each line_follow collisions 0 0 mean_distance_from_the_tape 0 0.01 largest_distance_from_the_tape 0 0.04 way_along_the_tape 45 50 -- --for 220s
+echo "light_seek:"
+seek=$run/../../examples/light_seek
+sh "$run/seeds.sh" "$seek" "$seek/Moth.frob" "$count" collisions 0 0 distance_driven 5 8 finished_after 30 50 \
+  -- --with "$seek/moth_body.c" --for 2min --exit-when-done || status=1
 exit $status

@@ -1,0 +1,98 @@
+/* moth_body.c -- a Moth's body, for the simulator. Measures are those of Moth.frob;
+ * nobody has built one. */
+#include <frob/body.h>
+
+#include "moth.h"
+
+#include <math.h>
+
+#define DEGREES (3.14159265358979323846 / 180.0)
+#define RADIUS_M 0.06
+#define SEPARATION_M 0.09
+#define SPEED_M_S 0.3
+
+enum { RANGERS = 3, SIDES = 2 };
+
+/* At 50 degrees to both sides, and ahead. */
+static const struct frob_seat rangers[RANGERS] = {
+    { 0.642787609686539 * RADIUS_M, 0.766044443118978 * RADIUS_M, 50.0 * DEGREES },
+    { RADIUS_M, 0.0, 0.0 },
+    { 0.642787609686539 * RADIUS_M, -0.766044443118978 * RADIUS_M, -50.0 * DEGREES },
+};
+
+/* On the top, so that the body hides no lamp. */
+static const struct frob_seat photocells[SIDES] = {
+    { 0.04, 0.02, 45.0 * DEGREES },
+    { 0.04, -0.02, -45.0 * DEGREES },
+};
+
+/* As far apart as the usual tape is wide, 19 mm. */
+static const struct frob_spot floor_sensors[SIDES] = {
+    { 0.05, 0.0095 },
+    { 0.05, -0.0095 },
+};
+
+static void sense(const struct frob_senses *senses, void *into)
+{
+    struct frob_moth_input *input = (struct frob_moth_input *)into;
+    input->odometry.position.x = senses->x_m;
+    input->odometry.position.y = senses->y_m;
+    input->odometry.heading = senses->heading_rad;
+    input->leftWheel = senses->left_m_s;
+    input->rightWheel = senses->right_m_s;
+    for (int i = 0; i < RANGERS; i++) {
+        if (!isnan(senses->echoes_m[i])) {
+            input->ranger[i].tag = FROB_EVENT_FLOAT_EVENT;
+            input->ranger[i].f0 = senses->echoes_m[i];
+        }
+    }
+    for (int i = 0; i < SIDES; i++) {
+        input->light[i] = senses->light_lux[i];
+        input->floor[i] = senses->floor[i];
+    }
+}
+
+static void command(const void *from, double *forward_m_s, double *turn_rad_s)
+{
+    const struct frob_moth_output *output = (const struct frob_moth_output *)from;
+    *forward_m_s = output->forward;
+    *turn_rad_s = output->turn;
+}
+
+/* C++ would not let the table be seen from outside without this. */
+extern const struct frob_body frob_moth_body;
+
+const struct frob_body frob_moth_body = {
+    "moth",
+    "Moth",
+    sizeof(struct frob_moth_input),
+    sizeof(struct frob_moth_output),
+    0.4,
+    RADIUS_M,
+    0.016,
+    SEPARATION_M,
+    1.5,
+    0.0001,
+    4.8,
+    SPEED_M_S,
+    2.0 * SPEED_M_S / SEPARATION_M,
+    1.0,
+    20.0,
+    rangers,
+    RANGERS,
+    10.0 * DEGREES,
+    0.02,
+    1.5,
+    0.001,
+    0.02,
+    0,
+    1,
+    2,
+    sense,
+    command,
+    floor_sensors,
+    SIDES,
+    0.005,
+    photocells,
+    SIDES,
+};
