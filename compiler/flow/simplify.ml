@@ -43,6 +43,31 @@ let ticks_later known a =
   | Some (Ticks (Float period)) -> period >= 1.
   | Some _ | None -> false
 
+(* Numbers between which this one is, which is no NaN. An integral of what is never
+   negative only grows, as time does. A limit has two ends, so it is looked through two. *)
+let rec bounds ?(depth = 2) known (a : Ir.atom) =
+  let both f a b =
+    if depth = 0 then None
+    else
+      match (bounds ~depth:(depth - 1) known a, bounds ~depth:(depth - 1) known b) with
+      | Some (least, most), Some (least', most') -> Some (f least least', f most most')
+      | _, _ -> None
+  in
+  match (a, definition known a) with
+  | Float x, _ when not (Float.is_nan x) -> Some (x, x)
+  | _, Some (Integral (Float rate)) when Float.is_finite rate ->
+      Some (if rate >= 0. then (0., infinity) else (neg_infinity, 0.))
+  | _, Some (Time _) -> Some (0., infinity)
+  | _, Some (Op (Minimum, [ a; b ])) -> both Float.min a b
+  | _, Some (Op (Maximum, [ a; b ])) -> both Float.max a b
+  | _, _ -> None
+
+(* Is the first always less than the second? *)
+let below known a b =
+  match (bounds known a, bounds known b) with
+  | Some (_, most), Some (least, _) -> most < least
+  | _, _ -> false
+
 let operation known (operator : Ir.operator) (arguments : Ir.atom list) : Ir.rhs =
   let unchanged = Ir.Op (operator, arguments) in
   match (operator, arguments) with
@@ -56,6 +81,10 @@ let operation known (operator : Ir.operator) (arguments : Ir.atom list) : Ir.rhs
   | Multiply, ([ a; (Int 1l | Float 1.) ] | [ (Int 1l | Float 1.); a ]) -> Copy a
   | Divide, [ a; Float 1. ] | Div, [ a; Int 1l ] -> Copy a
   | (Minimum | Maximum), [ a; b ] when same a b -> Copy a
+  | Minimum, [ a; b ] when below known a b -> Copy a
+  | Minimum, [ a; b ] when below known b a -> Copy b
+  | Maximum, [ a; b ] when below known a b -> Copy b
+  | Maximum, [ a; b ] when below known b a -> Copy a
   | (Equal | Less_equal), [ a; b ] when is_no_float a && same a b -> Copy (Bool true)
   | Less, [ a; b ] when same a b -> Copy (Bool false)
   | (And | Or), [ a; b ] when same a b -> Copy a
@@ -160,7 +189,7 @@ let size : Ir.atom -> int = function
   | Signal { ty = Array (n, _); _ } -> n
   | Signal _ | Bool _ | Int _ | Float _ -> 0
 
-let simplify real known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
+let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   match rhs with
   | Op (operator, arguments) -> (
       match Fold.operation real operator arguments with
@@ -177,6 +206,12 @@ let simplify real known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   | Delay { init; next } when same next init || same next (Signal defines) ->
       (* [init] is static: it is the same at every instant. *)
       Copy init
+  | Delay { init = Bool first; next } -> (
+      (* What it is a negation of is there anyway, and may be kept by another one too. *)
+      match definition written next with
+      | Some (Op (Not, [ next ])) ->
+          Op (Not, [ add defines Bool (Delay { init = Bool (not first); next }) ])
+      | Some _ | None -> rhs)
   | Ticks (Float period) when Float.is_nan period -> Copy (Bool false)
   | Ticks (Float period) when period < 1. -> Copy (Bool true)
   | Time { restart = Bool true; unit = _ } -> Copy (Float 0.)
@@ -193,7 +228,8 @@ let simplify real known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
       rhs
 
 let node_with real fresh (node : Ir.node) =
-  let known : known = Int_table.create 64 in
+  let known : known = Int_table.create 64 and written : known = Int_table.create 64 in
+  List.iter (fun (e : Ir.equation) -> Int_table.replace written e.defines.id e.rhs) node.equations;
   let substitution = Substitution.create () in
   let added = ref [] in
   let add (like : Ir.signal) ty rhs : Ir.atom =
@@ -207,7 +243,7 @@ let node_with real fresh (node : Ir.node) =
     | Schedule.Instance _ | Trial _ | Machine _ -> ()
     | Equation e -> (
         let rhs = Operands.map (Substitution.atom substitution) e.rhs in
-        match Clock.recognize real (definition known) (simplify real known add e.defines rhs) with
+        match Clock.recognize real (definition known) (simplify real known written add e.defines rhs) with
         | Copy a -> Substitution.replace substitution e.defines a
         | rhs -> Int_table.replace known e.defines.id rhs)
   in
