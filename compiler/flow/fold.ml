@@ -39,7 +39,31 @@ let on_ints operator a b : Ir.atom option =
    others tell apart. *)
 let nan = Int64.float_of_bits 0x7ff8_0000_0000_0000L
 
+let elementary_of_one real (f : Core.Primitive.elementary) a =
+  let module E = (val Elementary.of_precision real) in
+  match f with
+  | Sqrt -> Some (Basis.Real.round real (Float.sqrt a))
+  | Exp -> Some (E.exp a)
+  | Log -> Some (E.log a)
+  | Sin -> Some (E.sin a)
+  | Cos -> Some (E.cos a)
+  | Tan -> Some (E.tan a)
+  | Asin -> Some (E.asin a)
+  | Acos -> Some (E.acos a)
+  | Atan -> Some (E.atan a)
+  | Hypot | Atan2 -> None
+
+let elementary_of_two real (f : Core.Primitive.elementary) a b =
+  let module E = (val Elementary.of_precision real) in
+  match f with
+  | Hypot -> Some (E.hypot a b)
+  | Atan2 -> Some (E.atan2 a b)
+  | Sqrt | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan -> None
+
+let constant x = Ir.Float (if Float.is_nan x then nan else x)
+
 let on_floats real operator a b : Ir.atom option =
+  let module E = (val Elementary.of_precision real) in
   let rounded x = Some (Ir.Float (Basis.Real.round real x)) in
   let nan_or x = Some (Float (if Float.is_nan a || Float.is_nan b then nan else x)) in
   match operator with
@@ -52,8 +76,10 @@ let on_floats real operator a b : Ir.atom option =
   | Less_equal -> Some (Bool (a <= b))
   | Minimum -> nan_or (if b < a then b else a)
   | Maximum -> nan_or (if b > a then b else a)
-  | Negate | Absolute | Signum | Div | Mod | Pow | Elementary _ | To_float | Round | Floor
-  | Ceiling | Truncate | Not | And | Or ->
+  | Pow -> Some (constant (E.pow a b))
+  | Elementary f -> Option.map constant (elementary_of_two real f a b)
+  | Negate | Absolute | Signum | Div | Mod | To_float | Round | Floor | Ceiling | Truncate | Not | And
+  | Or ->
       None
 
 let on_int real operator a : Ir.atom option =
@@ -71,12 +97,11 @@ let on_float real operator a : Ir.atom option =
   | Negate -> Some (Float (-.a))
   | Absolute -> Some (Float (Float.abs a))
   | Signum -> Some (Float (if a > 0. then 1. else if a < 0. then -1. else a))
-  | Elementary Sqrt -> Some (Float (Basis.Real.round real (Float.sqrt a)))
+  | Elementary f -> Option.map constant (elementary_of_one real f a)
   | Round -> Some (Int (saturate (Float.round a)))
   | Floor -> Some (Int (saturate (Float.floor a)))
   | Ceiling -> Some (Int (saturate (Float.ceil a)))
   | Truncate -> Some (Int (saturate (Float.trunc a)))
-  | Elementary (Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2)
   | Add | Subtract | Multiply | Equal | Less | Less_equal | Minimum | Maximum | Divide | Pow | Div
   | Mod | To_float | Not | And | Or ->
       None

@@ -40,20 +40,19 @@ sin 35 degrees times 0.2 and 2 (s - 0.2), less the slope of s: -0.6, then -0.2.
   $ frobc compile wall_follow_as_equations.frob --dump=flow --stop-after=flow
   program wall_follow_as_equations
   signal function wallFollow (v_curr : Float, f : Float, s : Float)
-    _1 : Float = negate(_6)
-    _2 : Float = min(_6, _8)
+    _1 : Float = negate(_5)
+    _2 : Float = min(_5, _7)
     _3 : Float = max(_1, _2)
-    _4 : Float = min(0.4, _11)
+    _4 : Float = min(0.4, _10)
     v : Float = max(-0.4, _4)
     s_dot : Float = derivative s
-    _5 : Float = sin(0.6108652381980153)
-    _6 : Float = _5 * v_curr
-    _7 : Float = s - 0.2
-    _8 : Float = 2.0 * _7
-    _9 : Float = _3 - s_dot
-    omega : Float = 4.0 * _9
-    _10 : Float = f - 0.2
-    _11 : Float = 0.5 * _10
+    _5 : Float = 0.57357643635104605 * v_curr
+    _6 : Float = s - 0.2
+    _7 : Float = 2.0 * _6
+    _8 : Float = _3 - s_dot
+    omega : Float = 4.0 * _8
+    _9 : Float = f - 0.2
+    _10 : Float = 0.5 * _9
     -> (out.1 = v, out.2 = omega)
 
 Control sources, signals of functions, are composed and applied within the
