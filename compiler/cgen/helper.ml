@@ -285,20 +285,26 @@ static inline int32_t frob_truncate(@R x)
 |} );
     ( Floor,
       "frob_floor",
-      [ Truncate ],
-      {|static inline int32_t frob_floor(@R x)
+      [],
+      {|/* The greatest integer that is not above; saturates, and NaN gives 0. */
+static inline int32_t frob_floor(double x)
 {
-    const int32_t n = frob_truncate(x);
-    return (@R)n > x && n > INT32_MIN ? n - 1 : n;
+    const double high = x < 2147483647.0 ? x : 2147483647.0;
+    const double inside = high > -2147483648.0 ? high : -2147483648.0;
+    const int32_t n = (int32_t)inside;
+    return x == x ? n - ((double)n > inside ? 1 : 0) : 0;
 }
 |} );
     ( Ceiling,
       "frob_ceiling",
-      [ Truncate ],
-      {|static inline int32_t frob_ceiling(@R x)
+      [],
+      {|/* The least integer that is not below; saturates, and NaN gives 0. */
+static inline int32_t frob_ceiling(double x)
 {
-    const int32_t n = frob_truncate(x);
-    return (@R)n < x && n < INT32_MAX ? n + 1 : n;
+    const double low = x > -2147483648.0 ? x : -2147483648.0;
+    const double inside = low < 2147483647.0 ? low : 2147483647.0;
+    const int32_t n = (int32_t)inside;
+    return x == x ? n + ((double)n < inside ? 1 : 0) : 0;
 }
 |} );
     ( Round,
@@ -409,7 +415,8 @@ static inline int64_t frob_rest(int64_t time, @R period)
 |} );
   ]
 
-(* In single precision time is counted in integers, and seconds are only read. *)
+(* In single precision time is counted in integers, and seconds are only read; the
+   greatest integer is no float. *)
 let single_text t text =
   match t with
   | Whole_nanoseconds ->
@@ -436,10 +443,27 @@ static inline float frob_time_in_ns(int64_t time)
     return ns < 8388608.0f ? (ns + 8388608.0f) - 8388608.0f : ns;
 }
 |}
+  | Floor ->
+      {|static inline int32_t frob_floor(float x)
+{
+    const int32_t n = frob_truncate(x);
+    return (float)n > x && n > INT32_MIN ? n - 1 : n;
+}
+|}
+  | Ceiling ->
+      {|static inline int32_t frob_ceiling(float x)
+{
+    const int32_t n = frob_truncate(x);
+    return (float)n < x && n < INT32_MAX ? n + 1 : n;
+}
+|}
   | _ -> text
 
 let single_calls t calls =
-  match t with Whole_nanoseconds | Time_in_nanoseconds -> [] | _ -> calls
+  match t with
+  | Whole_nanoseconds | Time_in_nanoseconds -> []
+  | Floor | Ceiling -> [ Truncate ]
+  | _ -> calls
 
 (* In the table @R stands for the type of a Float, @f for what ends its literals. *)
 let in_precision (real : Basis.Real.t) text =
