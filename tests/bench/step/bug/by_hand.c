@@ -5,25 +5,24 @@
 #include <math.h>
 
 static const double pi = 3.14159265358979323846;
-static const double theta_max = 50 * 3.14159265358979323846 / 180;
-static const double look = 15 * 3.14159265358979323846 / 180;
-static const double turn_max = 60 * 3.14159265358979323846 / 180;
+static const double theta_max = 50 * (3.14159265358979323846 / 180);
+static const double look = 15 * (3.14159265358979323846 / 180);
+static const double turn_max = 60 * (3.14159265358979323846 / 180);
 static const struct place goal = {3.0, 1.0};
 static const double radius = 0.15, keep = 0.3, room = 0.15;
 static const int64_t leave_ns = 5000000000, arrived_ns = 1000000000, failed_ns = 2000000000;
 
+/* What an input of NaN makes stays NaN, so that it cannot pass for a speed. */
 static double limit(double x, double y)
 {
-    if (y > x)
-        return x;
-    if (y < -x)
-        return -x;
-    return y;
+    if (y > x || x != x)
+        y = x;
+    return y < -x ? -x : y;
 }
 
 static double least(double a, double b)
 {
-    return b < a ? b : a;
+    return b < a || b != b ? b : a;
 }
 
 static double distance(const struct bug_input *in, struct place p)
@@ -105,7 +104,8 @@ static bool drive(struct by_hand *self, const struct bug_input *in, struct bug_o
 static void look_for_nearest(struct by_hand *self, const struct bug_input *in)
 {
     const double d = distance(in, goal);
-    if (d < self->nearest_distance) {
+    const double nearest = self->nearest_distance;
+    if (d < nearest || (nearest != nearest && d == d)) {
         self->nearest_distance = d;
         self->nearest.x = in->x;
         self->nearest.y = in->y;
