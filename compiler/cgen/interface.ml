@@ -138,6 +138,11 @@ let of_shape types ~name (shape : F.shape) =
   define types name members;
   with_paths types ~name members shape
 
+let of_record types ~name (product : F.product) =
+  let interface = of_shape types ~name (Product product) in
+  Hashtbl.replace types.known (key product) (name, members types product);
+  interface
+
 let of_type types ~name (shape : F.shape) =
   match shape with
   | Product ({ product_name; _ } as product) when not (String.equal product_name "") -> (

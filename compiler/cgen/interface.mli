@@ -31,6 +31,9 @@ val leaf_type : types -> Flow.Ir.ty -> Ir.ty
 val of_shape : types -> name:string -> Flow.Ir.shape -> t
 (** [name] is that of the struct, a name of the header's scope. *)
 
+val of_record : types -> name:string -> Flow.Ir.product -> t
+(** As {!of_shape}; whoever uses the record from now on gets this struct. *)
+
 val of_type : types -> name:(unit -> string) -> Flow.Ir.shape -> t
 (** A record has its own struct, whoever uses it; else as {!of_shape}. *)
 

@@ -202,8 +202,8 @@ let of_program ?own (program : M.program) =
   let interface robot struct_name ~whole ~robots:(shape : F.shape) result =
     let robots =
       match (robot, shape) with
-      | Some _, Product { product_name; _ } ->
-          Some (Interface.of_shape shared ~name:("frob_" ^ Name.snake product_name) shape)
+      | Some _, Product product ->
+          Some (Interface.of_record shared ~name:("frob_" ^ Name.snake product.product_name) product)
       | _, _ -> None
     in
     match (program.real, robots, result) with

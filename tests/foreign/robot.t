@@ -37,3 +37,36 @@ the robot; what it shares with the robot's header has that header's types.
   $ grep -c 'struct frob_vec2 {' drive.h
   0
   [1]
+
+C may be given all that the robot senses, and give all that it is told, in both precisions.
+
+  $ cat > think.frob <<'FROB'
+  > import Robot
+  > import Pioneer
+  > foreign think :: PioneerInput -> Velocity = "think"
+  > foreign act :: Velocity -> PioneerOutput = "act"
+  > main :: Program PioneerInput PioneerOutput
+  > main = reactimateRobot (proc i -> act (think i))
+  > FROB
+  $ cat > thinks.c <<'C'
+  > #include "think.h"
+  > #include <string.h>
+  > double think(const struct frob_pioneer_input *a)
+  > {
+  >     return a->odometry.position.x < 0.3 ? 0.2 : 0.0;
+  > }
+  > void act(double a, struct frob_pioneer_output *result)
+  > {
+  >     memset(result, 0, sizeof *result);
+  >     result->forward = a;
+  > }
+  > C
+  $ for real in double float; do
+  >   frobc run think.frob --robot pioneer --real $real --with thinks.c --for 3s | grep distance
+  >   frobc compile think.frob --robot pioneer --real $real
+  >   for c in "gcc -std=c99" "clang -std=c99" "g++ -x c++ -std=c++17"; do
+  >     $c -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I../../runtime/include -fsyntax-only think.c
+  >   done
+  > done
+  distance driven: 0.368 m
+  distance driven: 0.368 m
