@@ -9,6 +9,7 @@ type reason =
       at : Span.t;
       position : int;
       decided_by : (Span.t * Type.t) option;
+      later : Type.t list;
       before : string option;
     }
   | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }

@@ -13,6 +13,7 @@ type reason =
       position : int;
       decided_by : (Span.t * Type.t) option;
           (** an earlier argument, where the parameter's type has that argument's type in it *)
+      later : Type.t list;  (** of the parameters of the arguments that come after it *)
       before : string option;  (** the operator behind the argument, if it is the last one *)
     }
   | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }

@@ -42,8 +42,11 @@ let deciding parameters arguments =
   in
   of_parameters [] parameters arguments
 
+(* Of the parameters that are given, those after this argument's. *)
+let later given argument = List.filteri (fun i _ -> i >= argument.position) given
+
 (* Why the argument must have the parameter's type. *)
-let reason ~(head : Resolve.Ir.expr) ~decided_by ~before ~previous argument : Expected.reason =
+let reason ~(head : Resolve.Ir.expr) ~decided_by ~later ~before ~previous argument : Expected.reason =
   match (argument.style, previous) with
   | Operator operator, Some ((other : Resolve.Ir.expr), other_type) ->
       Operand { operator; other; other_type }
@@ -54,6 +57,7 @@ let reason ~(head : Resolve.Ir.expr) ~decided_by ~before ~previous argument : Ex
           at = head.span;
           position = argument.position;
           decided_by;
+          later;
           before;
         }
 
@@ -176,17 +180,19 @@ let infer expressions ctx e =
     | Some (operand, operator) when operand == e && argument.span = e.span -> Some operator
     | Some _ | None -> None
   in
-  let apply (function_, previous) argument decided_by =
+  let apply given (function_, previous) argument decided_by =
     match previous with
     | Some (_, left) when negative && is_function left ->
         (* what follows the minus was meant otherwise *)
         (function_, previous)
     | _ ->
-        let because = reason ~head ~decided_by ~before:(before argument) ~previous argument in
+        let later = later given argument in
+        let because = reason ~head ~decided_by ~later ~before:(before argument) ~previous argument in
         let next, ty = step expressions ctx ~head ~negative ~because ~previous function_ argument in
         (next, Some (argument.value, ty))
   in
   forgetting_what_errors_need ctx (fun () ->
       let start = expressions.infer ctx head in
-      let deciding = deciding (parameters start.ty) arguments in
-      fst (List.fold_left2 apply (start, None) arguments deciding))
+      let parameters = parameters start.ty in
+      let given = List.filteri (fun i _ -> i < List.length arguments) parameters in
+      fst (List.fold_left2 (apply given) (start, None) arguments (deciding parameters arguments)))

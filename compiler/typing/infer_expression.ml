@@ -78,7 +78,7 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
       let ty = Context.fresh_number ctx in
       let because : Expected.reason =
         Parameter
-          { callee = Some "-"; at = e.span; position = 1; decided_by = None; before = None }
+          { callee = Some "-"; at = e.span; position = 1; decided_by = None; later = []; before = None }
       in
       let operand = check ctx operand (Expected.make because ty) in
       { ty; build = node e.span ty (fun () -> Negate (operand ())) }

@@ -172,4 +172,6 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       | None, Value _ ->
           error ~code:"E0301" ~at "this pattern matches %s, but the value is %s" (text found)
             (text expected.ty)
-      | None, _ -> error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found))
+      | None, _ ->
+          let hints = Option.fold (Task_mistake.exchanged ~expected ~found) ~none:Fun.id ~some:hint in
+          error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found) |> hints)

@@ -55,3 +55,14 @@ let no_task words ~subject ~at ~found =
        (match Option.bind subject Plain_name.of_expr with
        | Some name -> Printf.sprintf "`return %s` is the task that ends at once with it" name
        | None -> "`let x = …` names a value; `return x` is the task that ends at once with it")
+
+let is_number t = match Type.expand t with Type.Number _ -> true | _ -> false
+
+let exchanged ~(expected : Expected.t) ~found =
+  match expected.because with
+  | Parameter { callee = Some f; later; _ }
+    when (Environment.is_task expected.ty && is_number found && List.exists is_number later)
+         || (is_number expected.ty && Environment.is_task found && List.exists Environment.is_task later)
+    ->
+      Some (Printf.sprintf "perhaps the arguments of `%s` belong in the other order" f)
+  | _ -> None

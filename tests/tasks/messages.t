@@ -231,3 +231,66 @@ A program is no task, but what runs one.
   
   1 error
   [1]
+
+Arguments in the wrong order: a time where the task belongs, or the reverse.
+
+  $ cat > order.frob <<'EOF'
+  > follow :: Task Float Float ()
+  > follow = mkTask (proc x -> (x, edge (x > 1)))
+  > 
+  > a, b, c, d :: Task Float Float Bool
+  > a = mapT (maybe False (const True)) (timeOut 3[s] follow)
+  > b = mapT (maybe False (const True)) (3[s] `timeOut` follow)
+  > c = mapT (maybe False (const True)) (timeOut 3[s])
+  > d = mapT (maybe False (const True)) (timeOut follow follow)
+  > 
+  > e :: Task Float Float (Maybe ())
+  > e = retryT (mapT Just follow) 3
+  > EOF
+  $ frobc check order.frob
+  error[E0301]: expected `Task a b c`, found a number of `s`
+   --> order.frob:5:46
+    |
+  5 | a = mapT (maybe False (const True)) (timeOut 3[s] follow)
+    |                                      ------- ^^^^
+    |                                      |
+    |                                      argument 1 of `timeOut` is `Task a b c`
+    |
+    = hint: perhaps the arguments of `timeOut` belong in the other order
+  
+  error[E0301]: expected `Task a b c`, found a number of `s`
+   --> order.frob:6:38
+    |
+  6 | b = mapT (maybe False (const True)) (3[s] `timeOut` follow)
+    |                                      ^^^^ --------- argument 1 of `timeOut` is `Task a b c`
+    |
+    = hint: perhaps the arguments of `timeOut` belong in the other order
+  
+  error[E0301]: expected `Task a b c`, found a number of `s`
+   --> order.frob:7:46
+    |
+  7 | c = mapT (maybe False (const True)) (timeOut 3[s])
+    |                                      ------- ^^^^
+    |                                      |
+    |                                      argument 1 of `timeOut` is `Task a b c`
+  
+  error[E0301]: expected `Time` (s), found `Task Float Float ()`
+   --> order.frob:8:53
+    |
+  8 | d = mapT (maybe False (const True)) (timeOut follow follow)
+    |                                      -------        ^^^^^^
+    |                                      |
+    |                                      argument 2 of `timeOut` is `Time` (s)
+  
+  error[E0301]: expected `Int`, found `Task Float Float (Maybe ())`
+    --> order.frob:11:13
+     |
+  11 | e = retryT (mapT Just follow) 3
+     |     ------  ^^^^^^^^^^^^^^^^
+     |     |
+     |     argument 1 of `retryT` is `Int`
+     |
+     = hint: perhaps the arguments of `retryT` belong in the other order
+  
+  5 errors
+  [1]
