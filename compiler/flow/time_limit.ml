@@ -16,26 +16,64 @@ let with_own_instants (program : Ir.program) =
   done;
   found
 
-let ends_in_time (node : Ir.node) =
+let same_restart (a : Ir.atom) (b : Ir.atom) =
+  match (a, b) with
+  | Bool a, Bool b -> Bool.equal a b
+  | Signal a, Signal b -> a.id = b.id
+  | (Bool _ | Int _ | Float _ | Signal _), _ -> false
+
+(* The conditions that the time which starts again by [restart] has come to a limit. *)
+let reached (node : Ir.node) restart =
   let is_time (atom : Ir.atom) =
     match atom with
     | Signal s ->
         List.exists
-          (fun (e : Ir.equation) -> e.defines.id = s.id && e.rhs = Time { unit = Nanoseconds; restart = Bool false })
+          (fun (e : Ir.equation) ->
+            e.defines.id = s.id
+            && match e.rhs with
+               | Time { unit = Nanoseconds; restart = other } -> same_restart other restart
+               | _ -> false)
           node.equations
     | Bool _ | Int _ | Float _ -> false
   in
-  let known = lazy (Truth.while_running node []) in
-  List.exists
+  List.filter_map
     (fun (e : Ir.equation) ->
       match e.rhs with
-      | Op (Less_equal, [ Float limit; time ]) when limit <= most && is_time time ->
-          Truth.value (Lazy.force known) (Signal e.defines) = Some false
-      | _ -> false)
+      | Op (Less_equal, [ Float limit; time ]) when limit <= most && is_time time -> Some e.defines
+      | _ -> None)
     node.equations
+
+let ends_in_time (node : Ir.node) =
+  let known = lazy (Truth.while_running node []) in
+  node.transitions <> []
+  && List.exists
+       (fun s -> Truth.value (Lazy.force known) (Signal s) = Some false)
+       (reached node (Bool false))
+
+(* Where the limit is reached, what the delays will be then makes it start again. *)
+let starts_again_in_time (node : Ir.node) restart =
+  let at_an_instant = lazy (Truth.at_an_instant node) in
+  let an_instant_later now =
+    List.filter_map
+      (fun (e : Ir.equation) ->
+        match e.rhs with
+        | Delay { next; _ } when e.defines.ty = Bool ->
+            Option.map (fun b -> (e.defines, b)) (Truth.value now next)
+        | _ -> None)
+      node.equations
+  in
+  List.exists
+    (fun s ->
+      let at_an_instant = Lazy.force at_an_instant in
+      let later = an_instant_later (at_an_instant [ (s, true) ]) in
+      Truth.value (at_an_instant later) restart = Some true)
+    (reached node restart)
 
 let is_limited program =
   let with_own_instants = lazy (with_own_instants program) in
-  fun k ->
+  fun k restart ->
     let node = program.Ir.nodes.(k) in
-    node.transitions <> [] && ends_in_time node && not (Lazy.force with_own_instants).(k)
+    (match (restart : Ir.atom) with
+    | Signal _ -> starts_again_in_time node restart
+    | Bool _ | Int _ | Float _ -> ends_in_time node)
+    && not (Lazy.force with_own_instants).(k)

@@ -31,7 +31,7 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
   List.iter
     (fun (item : Flow.Schedule.item) ->
       match item with
-      | Equation eq -> Memory.step ~fresh:context.fresh d state eq
+      | Equation eq -> Memory.step ~fresh:context.fresh ~limited d state eq
       | Instance i -> Draft.add d (Calls.call context (Draft.resolve d) i (State.instance state i))
       | Trial (i, trial) -> Draft.add d (Calls.try_out context (Draft.resolve d) i trial (State.instance state i))
       | Machine m -> Draft.add d (Modes.step (modes_context context d state) m))
@@ -44,7 +44,9 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
     List.rev_append own (List.map (Draft.resolve d) for_transitions)
   in
   let states =
-    List.rev_append (Draft.states d) (List.filter_map (Memory.next d state) equations)
+    (* What ticks last: it belongs to no other event. *)
+    let delayed = List.filter_map (Memory.next d state) equations in
+    List.rev_append (List.rev delayed) (List.rev (Draft.states d))
   in
   let returned, results =
     match outputs with

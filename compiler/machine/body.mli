@@ -8,7 +8,7 @@ val step :
   Calls.context ->
   State.t ->
   Flow.Ir.node ->
-  limited:bool ->
+  limited:(Flow.Ir.atom -> bool) ->
   is_root:bool ->
   may_end_early:bool ->
   Statics.t ->

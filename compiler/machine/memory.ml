@@ -33,7 +33,8 @@ let advance ~limited state (eq : F.equation) =
   match State.memory state eq.defines with
   | Some (Elapsed { time; advances; restart = Bool false; unit = _ }) ->
       let value =
-        if limited then Ir.Soon (Field time, Dt_nanoseconds) else Later (Field time, Dt_nanoseconds)
+        if limited (F.Bool false) then Ir.Soon (Field time, Dt_nanoseconds)
+        else Later (Field time, Dt_nanoseconds)
       in
       if advances then Some (Ir.Assign { place = Own time; value; span = eq.span }) else None
   | Some (Integrated { value; input }) ->
@@ -50,10 +51,17 @@ let advance ~limited state (eq : F.equation) =
   | Some (Elapsed _ | Delayed _ | Differentiated _ | Kept _) | None -> None
 
 (* Where it does not start again, it goes on. *)
-let start_again draft time restart span =
+let start_again ~limited draft time restart span =
   let statements restart =
-    let else_ = Ir.Later (Field time, Dt_nanoseconds) in
-    let value = Ir.Select { condition = one restart; then_ = Zero_time; else_ } in
+    let else_ =
+      if limited then Ir.Soon (Field time, Dt_nanoseconds) else Later (Field time, Dt_nanoseconds)
+    in
+    let value =
+      match one restart with
+      | Operation { operator = Not; arguments = [ condition ]; _ } ->
+          Ir.Select { condition; then_ = else_; else_ = Zero_time }
+      | condition -> Select { condition; then_ = Zero_time; else_ }
+    in
     [ Ir.Assign { place = Own time; value; span } ]
   in
   Draft.add draft (Draft.work ~operands:[ restart ] span statements)
@@ -80,7 +88,7 @@ let tick fresh draft (s : F.signal) time period span =
     | _ -> broken "a choice with a wrong number of operands");
   Draft.keep_at_end draft time (Signal next) ~leaf:(Some before) span
 
-let step ~fresh draft state (eq : F.equation) =
+let step ~fresh ~limited draft state (eq : F.equation) =
   let s = eq.defines in
   match State.memory state s with
   | None -> Draft.add_computed draft eq
@@ -88,7 +96,8 @@ let step ~fresh draft state (eq : F.equation) =
   | Some (Elapsed { time; unit; restart; advances }) ->
       (match Draft.resolve draft restart with
       | Bool false -> ()
-      | restart -> if advances then start_again draft time restart eq.span);
+      | again ->
+          if advances then start_again ~limited:(limited restart) draft time again eq.span);
       let build _ : Ir.expr =
         match unit with
         | Seconds -> Seconds (Field time)

@@ -5,7 +5,7 @@ type context = {
   calls : Calls.context;
   statics : Statics.t array;
   sees_first_dt : bool array;  (** of the nodes already translated *)
-  is_limited : int -> bool;  (** see {!Flow.Time_limit} *)
+  is_limited : int -> F.atom -> bool;  (** see {!Flow.Time_limit} *)
   may_end_early : bool array;
   start_weights : int array;  (** operations of the nodes' starts *)
 }

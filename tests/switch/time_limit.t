@@ -2,7 +2,7 @@ A local time stops at the end of time, after 292 years. Where a mode ends long b
 that, its time is added up without a thought of it.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
-  $ advances () { frobc compile "$1".frob --lint && grep "time = frob" "$1".c | sed "s, */\*.*,,"; }
+  $ advances () { frobc compile "$1".frob --lint && grep "time = .*frob_" "$1".c | sed "s, */\*.*,,"; }
   $ cat > ends.frob <<'EOF'
   > main :: SF Float Float
   > main = switch (proc x -> (x, mergeE (after 2[s] ()) (edge (x > 3)))) (\_ -> switch (proc _ -> (5, after 3[s] ())) (\_ -> main))
@@ -25,6 +25,24 @@ where not the time alone decides.
       self->time = frob_later(self->time, dt_ns);
       self->time = frob_later(self->time, dt_ns);
       self->time = frob_later(self->time, dt_ns);
+
+Likewise where a time that has come to its limit starts again an instant later, as that
+of `debounce`, which counts while the input differs; not where only the input says when.
+
+  $ cat > settles.frob <<'EOF'
+  > import Control
+  > 
+  > main :: SF Bool Bool
+  > main = proc b -> debounce 30[ms] b
+  > EOF
+  $ advances settles
+          self->time = (differs & self->waiting) ? frob_soon(self->time, dt_ns) : 0;
+  $ cat > held.frob <<'EOF'
+  > main :: SF Bool Bool
+  > main = proc b -> nanoseconds (timeSince b) >= nanoseconds 2[s]
+  > EOF
+  $ advances held
+      self->time = b ? 0 : frob_later(self->time, dt_ns);
 
 In a signal function that has instants of its own dt is as long as it is: here no
 event comes for 380 years, which a recording cannot say: its times are below 10^9 s.
