@@ -26,8 +26,11 @@ let rec tidy program =
 
 let inline program =
   let inlined = Inline.program program in
-  (* Inlined equations meet their arguments. *)
-  if inlined == program then program else tidy inlined
+  if inlined == program then program
+  else
+    (* Inlined equations meet their arguments, and then what they share with their
+       new neighbours. *)
+    tidy inlined |> Simplify.program |> Dead.program
 
 let program program =
   (* Before inlining, so that sizes are those of the work that remains, and

@@ -68,7 +68,19 @@ let below known a b =
   | Some (_, most), Some (least, _) -> most < least
   | _, _ -> false
 
-let operation known (operator : Ir.operator) (arguments : Ir.atom list) : Ir.rhs =
+(* Is the second what the first is not? *)
+let is_not known a b =
+  match (definition known b, (a : Ir.atom)) with
+  | Some (Op (Not, [ a' ])), Signal _ -> same a a'
+  | _, _ -> false
+
+(* [(if c then x else b) && not b] is [c && (x && not b)]: [Some (c, x)] of the choice. *)
+let excluding_else known choice other =
+  match definition known choice with
+  | Some (If { condition; then_; else_ }) when is_not known else_ other -> Some (condition, then_)
+  | Some _ | None -> None
+
+let operation known add (operator : Ir.operator) (arguments : Ir.atom list) : Ir.rhs =
   let unchanged = Ir.Op (operator, arguments) in
   match (operator, arguments) with
   | Add, ([ a; Int 0l ] | [ Int 0l; a ]) -> Copy a
@@ -93,6 +105,11 @@ let operation known (operator : Ir.operator) (arguments : Ir.atom list) : Ir.rhs
   | And, ([ a; Bool true ] | [ Bool true; a ]) -> Copy a
   | And, [ a; b ] when (not_first known a && ticks_later known b) -> Copy b
   | And, ([ _; Bool false ] | [ Bool false; _ ]) -> Copy (Bool false)
+  | And, [ a; b ] -> (
+      match (excluding_else known a b, excluding_else known b a) with
+      | Some (condition, x), _ -> Op (And, [ condition; add (Bool : Ir.ty) (Ir.Op (And, [ x; b ])) ])
+      | None, Some (condition, x) -> Op (And, [ condition; add (Bool : Ir.ty) (Ir.Op (And, [ x; a ])) ])
+      | None, None -> unchanged)
   | Or, ([ a; Bool false ] | [ Bool false; a ]) -> Copy a
   | Or, ([ _; Bool true ] | [ Bool true; _ ]) -> Copy (Bool true)
   | (Not | Negate), [ a ] -> (
@@ -105,12 +122,6 @@ let operation known (operator : Ir.operator) (arguments : Ir.atom list) : Ir.rhs
       | Some (Op (Negate, [ b ])) -> Op (Absolute, [ b ])
       | Some _ | None -> unchanged)
   | _ -> unchanged
-
-(* Is the second what the first is not? *)
-let is_not known a b =
-  match (definition known b, (a : Ir.atom)) with
-  | Some (Op (Not, [ a' ])), Signal _ -> same a a'
-  | _, _ -> false
 
 (* What a value is where a condition holds, or where it does not. *)
 let chosen known condition ~holds value =
@@ -194,7 +205,7 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
   | Op (operator, arguments) -> (
       match Fold.operation real operator arguments with
       | Some constant -> Copy constant
-      | None -> operation known operator arguments)
+      | None -> operation known (add defines) operator arguments)
   | If { condition; then_; else_ } -> choice known condition then_ else_
   | Is_constructor (value, constructor) ->
       Option.value (has_constructor known (add defines) value constructor) ~default:rhs
