@@ -280,7 +280,7 @@ let start (v : V.t) k =
 
 let at_first c zero value =
   match c.v.program.first_instant with
-  | Unseen | Marked_by_mode -> value
+  | Unseen | Apart | Marked_by_mode -> value
   | Marked_by { field; own = _ } -> Ir.Conditional (Expression.field c.names field, value, zero)
 
 (* dt becomes whole nanoseconds, and 0 where the step cannot know it. *)
@@ -331,7 +331,7 @@ let clock c node =
   in
   let mark =
     match c.v.program.first_instant with
-    | Unseen | Marked_by_mode | Marked_by { own = false; _ } -> []
+    | Unseen | Apart | Marked_by_mode | Marked_by { own = false; _ } -> []
     | Marked_by { field; own = true } ->
         [ plain (Ir.Assign (Expression.field c.names field, Boolean true)) ]
   in
@@ -413,7 +413,15 @@ let root_step (v : V.t) k : Ir.function_ =
   let inputs = inputs c node in
   name_variables names node.step.body;
   let clock = clock c node in
-  let body = statements c node.step.body in
+  let clock, body =
+    match (v.program.first_instant, node.step.body) with
+    | Apart, If i :: rest ->
+        let condition = expression c i.condition and comment = comment c i.span in
+        let then_ = statements c i.then_ in
+        let else_ = clock @ statements c i.else_ in
+        ([], { Ir.desc = If { condition; then_; else_ }; comment } :: statements c rest)
+    | (Unseen | Apart | Marked_by_mode | Marked_by _), body -> (clock, statements c body)
+  in
   let clear steps =
     Access.for_each names steps (fun indices ->
         [ plain (Ir.Assign (Access.path (Name "out") steps indices, Integer 0l)) ])

@@ -55,7 +55,10 @@ let marked state statics =
 let tell context state (node : F.node) statics ~step ~reset =
   match (entered_by_step context state node step reset, marked state statics) with
   | Some (step, reset), _ -> { step; reset; told = Marked_by_mode }
-  | None, Some field -> { step; reset; told = Marked_by { field; own = false } }
+  | None, Some field -> (
+      match First_apart.step context.Calls.program.real ~started:field ~reset step with
+      | Some step -> { step; reset; told = Apart }
+      | None -> { step; reset; told = Marked_by { field; own = false } })
   | None, None ->
       let field =
         State.new_field state ~name:"started" (Value Bool) ~purpose:State.past_first node.span

@@ -2,7 +2,8 @@
     shows.
 
     The number of the running mode may tell, if the step enters the first one;
-    so may a delay that the program has anyway; else a field of its own does. *)
+    so may a delay that the program has anyway, perhaps with a branch for the first instant
+    (see {!First_apart}); else a field of its own does. *)
 
 val shows_in : State.t -> Statics.t -> bool
 (** Whether the dt of the first instant shows in what a node computes, but for

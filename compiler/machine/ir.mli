@@ -240,6 +240,9 @@ type first_instant =
   | Marked_by of { field : field; own : bool }
       (** a Bool of the root, false up to the first step. If it is its [own] the step
           sets it at once, if not it does so last, as any delay *)
+  | Apart
+      (** likewise, a field of the program's: the root's step begins with an [If] whose
+          first branch is the first instant and looks at no dt (see {!First_apart}) *)
   | Marked_by_mode  (** no mode of the root's machine runs until the first step *)
 
 type program = {

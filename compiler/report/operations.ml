@@ -276,7 +276,7 @@ let root_clock (program : M.program) (root : M.node) =
   in
   let first =
     match (program.first_instant, times) with
-    | (Unseen | Marked_by_mode), _ -> []
+    | (Unseen | Apart | Marked_by_mode), _ -> []
     | Marked_by { own; _ }, times ->
         (if own then [ Cost.one Stores ] else [])
         @ if times = [] then [] else Cost.[ one Loads; one Choices ]
