@@ -213,14 +213,16 @@ let of_decimal text =
         else reduce false digits (ten_to (-scale)))
   | _ -> None
 
-(* OEIS A000796, the first hundred decimals *)
+(* OEIS A000796, the first hundred decimals; in lowest terms, for the last of them
+   is neither even nor 5. *)
 let pi =
-  match
-    of_decimal
-      "3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679"
-  with
-  | Some pi -> pi
-  | None -> assert false
+  {
+    negative = false;
+    numerator =
+      Natural.of_digits
+        "31415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679";
+    denominator = Natural.power (Natural.of_int 10) 100;
+  }
 
 let negate t = if Natural.is_zero t.numerator then t else { t with negative = not t.negative }
 

@@ -59,7 +59,7 @@ let row random number ~before =
   let x3 = float random ~tame in
   { time_ns; cells = [ a; b; i; j; p; q; e; choice; x0; x1; x2; x3 ] }
 
-let rows =
+let rows () =
   let random = { state = 20010807 } in
   let rec make number ~before =
     if number = all_rows then []
@@ -69,7 +69,7 @@ let rows =
   in
   make 0 ~before:0
 
-let csv =
+let csv rows =
   let line { time_ns; cells } =
     String.concat ","
       (Printf.sprintf "%d.%09d" (time_ns / 1_000_000_000) (time_ns mod 1_000_000_000) :: cells)

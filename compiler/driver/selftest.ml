@@ -155,12 +155,13 @@ let made t group =
       Pipeline.interpretable options sink (Source.create ()) ~library ~entry:group.meant file )
   with
   | Some (files : Cgen.Emit.t), Some (core, entry) -> (
+      let csv = Sample_input.(csv (rows ())) in
       let output = Buffer.create 10_000 and at = ref 0 in
       let read () =
-        if !at = String.length Sample_input.csv then None
+        if !at = String.length csv then None
         else (
           incr at;
-          Some Sample_input.csv.[!at - 1])
+          Some csv.[!at - 1])
       in
       let name = "the input of the self-test" in
       let write = Buffer.add_string output in
@@ -188,11 +189,12 @@ let recording output =
   and row k ((row : Sample_input.row), line) =
     Printf.sprintf "    { INT64_C(%d), cells_%d,\n      %s },\n" row.time_ns k (c_string (line ^ "\n"))
   in
+  let inputs = Sample_input.rows () in
   Printf.sprintf
     "#include \"recording.h\"\n\n%sconst struct recorded_row recorded_rows[] = {\n%s};\n\
      const int recorded_row_count = %d;\n"
-    (String.concat "" (List.mapi cells Sample_input.rows))
-    (String.concat "" (List.mapi row (List.combine Sample_input.rows lines)))
+    (String.concat "" (List.mapi cells inputs))
+    (String.concat "" (List.mapi row (List.combine inputs lines)))
     (List.length lines)
 
 let tried t objects group =
