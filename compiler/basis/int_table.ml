@@ -9,7 +9,7 @@ type 'a t = {
 }
 
 let fewest_bits = 3
-let most_bits_at_first = 5
+let most_bits_at_first = 6
 
 let rec bits_for n bits =
   if bits >= most_bits_at_first || 1 lsl bits >= n then bits else bits_for n (bits + 1)
@@ -38,11 +38,13 @@ let put t key binding =
 
 let make_room t =
   let keys = t.keys and values = t.values in
-  if Array.length keys > 0 then t.bits <- t.bits + 1;
+  if Array.length keys > 0 then t.bits <- t.bits + 2;
   t.keys <- Array.make (1 lsl t.bits) 0;
   t.values <- Array.make (1 lsl t.bits) None;
   t.length <- 0;
-  Array.iteri (fun i binding -> if Option.is_some binding then put t keys.(i) binding) values
+  for i = 0 to Array.length keys - 1 do
+    match values.(i) with Some _ as binding -> put t keys.(i) binding | None -> ()
+  done
 
 let replace t key value =
   if 2 * t.length >= Array.length t.keys then make_room t;

@@ -140,10 +140,11 @@ let table =
     ("ending", Ending, 1);
   ]
 
-let of_name text =
-  List.find_map (fun (name, t, _) -> if String.equal name text then Some t else None) table
-
-let row t = List.find_opt (fun (_, other, _) -> other = t) table
+(* To look up; nothing is added later. *)
+let by_name = Hashtbl.of_seq (Seq.map (fun (name, t, _) -> (name, t)) (List.to_seq table))
+let by_meaning = Hashtbl.of_seq (Seq.map (fun ((_, t, _) as row) -> (t, row)) (List.to_seq table))
+let of_name text = Hashtbl.find_opt by_name text
+let row t = Hashtbl.find_opt by_meaning t
 
 let name t =
   match (t, row t) with

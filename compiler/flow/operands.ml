@@ -64,5 +64,9 @@ let map f = function
   | Integral a -> Integral (f a)
   | Derivative a -> Derivative (f a)
 
-let signals atoms =
-  List.filter_map (function Signal s -> Some s | Bool _ | Int _ | Float _ -> None) atoms
+let signals = function
+  | [] | [ (Bool _ | Int _ | Float _) ] -> []
+  | [ Signal s ] -> [ s ]
+  | [ Signal s; Signal s' ] -> [ s; s' ]
+  | atoms ->
+      List.filter_map (function Signal s -> Some s | Bool _ | Int _ | Float _ -> None) atoms

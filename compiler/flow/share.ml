@@ -91,15 +91,24 @@ let elements_of (node : Ir.node) =
   Option.iter (fun (f : Ir.foreign) -> List.iter parameter f.results) node.foreign;
   (elements, instances)
 
+(* Equal ones get the same number. A parameter is like nothing else, so it need
+   not be looked up. *)
 let numbered labels =
-  let numbers = Hashtbl.create 64 in
+  let numbers = Hashtbl.create 64 and count = ref 0 in
+  let fresh () =
+    incr count;
+    !count
+  in
   let number label =
-    match Hashtbl.find_opt numbers label with
-    | Some n -> n
-    | None ->
-        let n = Hashtbl.length numbers in
-        Hashtbl.add numbers label n;
-        n
+    match label with
+    | Parameter _ -> fresh ()
+    | Equation _ | Instance _ | Output _ -> (
+        match Hashtbl.find_opt numbers label with
+        | Some n -> n
+        | None ->
+            let n = fresh () in
+            Hashtbl.add numbers label n;
+            n)
   in
   Array.of_list (Long_list.map number labels)
 

@@ -71,7 +71,16 @@ let is_name c = is_lower c || is_upper c || is_digit c || c = '\''
 
 (* {1 Comments} *)
 
-let skip_line t = while (not (at_end t)) && peek t 0 <> '\n' do step t done
+let skip_line t =
+  let stop =
+    match String.index_from_opt t.text t.at '\n' with
+    | Some newline -> newline
+    | None -> String.length t.text
+  in
+  for i = t.at to stop - 1 do
+    if Utf8.is_continuation t.text.[i] then t.extra <- t.extra + 1
+  done;
+  t.at <- stop
 
 let line_comment t =
   let fresh = t.fresh in

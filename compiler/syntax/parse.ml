@@ -6,7 +6,7 @@ let most_errors = 50
 
 type reader = {
   layout : Layout.t;
-  again : Layout.token Queue.t;  (** to be read before those of [layout] *)
+  mutable again : Layout.token list;  (** to be read before those of [layout] *)
   sink : Diagnostic.sink;
   text : string;
   mutable cut : bool;
@@ -17,9 +17,11 @@ type reader = {
 }
 
 let next reader =
-  match Queue.take_opt reader.again with
-  | Some token -> token
-  | None -> Layout.next reader.layout
+  match reader.again with
+  | token :: rest ->
+      reader.again <- rest;
+      token
+  | [] -> Layout.next reader.layout
 
 (* To the end of the item that this token belongs to. *)
 let rec skip reader (token : Layout.token) =
@@ -87,32 +89,24 @@ exception Bad_token
    and tells nothing of an error. Its actions have no effects, so what it cannot
    read is read again from the first token on. *)
 let item reader =
-  let tokens = Queue.create () in
-  let last = ref false in
-  let read () =
-    let token = next reader in
-    Queue.add token tokens;
-    last := token.last;
-    token
-  in
-  let first = ref (Some (read ())) in
+  let first = next reader in
+  let tokens = ref [] in
   let buffer = Lexing.from_string "" in
+  buffer.lex_curr_p <- first.start;
   let supply (buffer : Lexing.lexbuf) =
-    let token = match !first with Some token -> token | None -> read () in
-    first := None;
-    if token.token = BAD then raise Bad_token;
+    let token = match !tokens with [] -> first | _ :: _ -> next reader in
+    tokens := token :: !tokens;
+    (match token.token with BAD -> raise Bad_token | _ -> ());
     buffer.lex_start_p <- token.start;
     buffer.lex_curr_p <- token.stop;
     token.token
   in
-  Option.iter (fun (token : Layout.token) -> buffer.lex_curr_p <- token.start) !first;
   match Quick_grammar.item supply buffer with
   | item ->
       reader.cut <- false;
-      (Item item, !last)
+      (Item item, match !tokens with token :: _ -> token.last | [] -> first.last)
   | exception (Quick_grammar.Error | Bad_token | Reject.Rejected _) ->
-      Queue.transfer reader.again tokens;
-      Queue.transfer tokens reader.again;
+      reader.again <- List.rev_append !tokens reader.again;
       explained reader
 
 let misplaced sink code span message hint =
@@ -167,7 +161,7 @@ let read sink ~file text =
     collect
       {
         layout;
-        again = Queue.create ();
+        again = [];
         sink;
         text;
         cut = false;
