@@ -460,13 +460,15 @@ let main =
    would be marking all the same, as it is done in proportion to what share of the
    heap is new: so the heap grows by 32 MB at a time, of which only what is used is
    real memory. Where hardly anything is freed there is no use in looking for the
-   block that fits best (policy 2, the default) either: policy 0 takes the next one.
+   block that fits best (policy 2, the default) either: policy 0 takes the next one;
+   nor in moving blocks together (never, with so large an overhead).
    The minor heap stays as it is: a larger one leaves the processor's cache. *)
 let collect_seldom () =
   Gc.set
     {
       (Gc.get ()) with
       space_overhead = 10_000;
+      max_overhead = 1_000_000;
       major_heap_increment = 4 * 1024 * 1024;
       allocation_policy = 0;
     }
