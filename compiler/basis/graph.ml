@@ -38,7 +38,11 @@ let components graph =
         end
     | (v, []) :: path ->
         if low.(v) = number.(v) then
-          found := List.sort Int.compare (pop_until v []) :: !found;
+          found :=
+            (match pop_until v [] with
+            | [ _ ] as alone -> alone
+            | component -> List.sort Int.compare component)
+            :: !found;
         (match path with
         | (parent, _) :: _ -> low.(parent) <- Int.min low.(parent) low.(v)
         | [] -> ());

@@ -100,7 +100,11 @@ let congruence ~labels ~arguments =
     for i = t.first.(c) to t.past.(c) - 1 do
       uses := List.rev_append users.(t.elements.(i)) !uses
     done;
-    let by_argument = List.sort (fun (i, _) (j, _) -> Int.compare i j) !uses in
+    let by_argument =
+      match !uses with
+      | ([] | [ _ ]) as few -> few
+      | uses -> List.sort (fun (i, _) (j, _) -> Int.compare i j) uses
+    in
     let rec go argument touched = function
       | (i, e) :: rest when i = argument ->
           let c = t.class_of.(e) in

@@ -19,7 +19,7 @@ let first_error text =
   let n = String.length text in
   let rec go i =
     if i >= n then None
-    else if Char.code text.[i] < 0x80 then go (i + 1)
+    else if Char.code (String.unsafe_get text i) < 0x80 then go (i + 1)
     else match decode text i with 0, _ -> Some i | length, _ -> go (i + length)
   in
   go 0

@@ -35,8 +35,10 @@ let functions =
 let is_macro_like name =
   let starts prefix = String.starts_with ~prefix name in
   (* FP_NAN, M_PI, INT32_MAX, … *)
-  List.exists starts
-    [ "FP_"; "M_"; "MATH_"; "INT"; "UINT"; "FLT_"; "DBL_"; "SIZE_MAX"; "WCHAR"; "WINT" ]
+  name <> ""
+  && Char.uppercase_ascii name.[0] = name.[0]
+  && List.exists starts
+       [ "FP_"; "M_"; "MATH_"; "INT"; "UINT"; "FLT_"; "DBL_"; "SIZE_MAX"; "WCHAR"; "WINT" ]
 
 type kind = Identifiers | Members
 

@@ -116,9 +116,13 @@ let report_kind t span (wanted : Type.kind) found =
 
 let array_parameters : Type.kind list = [ Of_sizes; Of_types ]
 
+let is_array (tycon : Ir.Global.t) =
+  let array : Ir.Global.t = Environment.array in
+  String.equal tycon.name array.name && String.equal tycon.module_ array.module_
+
 (* What the parameters of a type stand for. *)
 let kinds t tycon =
-  if tycon = Environment.array then array_parameters
+  if is_array tycon then array_parameters
   else
     let { Environment.parameters; _ } = Environment.type_ t.environment tycon in
     List.map (fun (r : Type.rigid) -> r.kind) parameters.types
