@@ -5,12 +5,6 @@ let is_memory (e : Ir.equation) =
   | At _ | Replace _ ->
       false
 
-let count_uses (program : Ir.program) =
-  let uses = Array.make (Array.length program.nodes) 0 in
-  let use (i : Ir.instance) = uses.(i.node) <- uses.(i.node) + 1 in
-  Array.iter (fun (node : Ir.node) -> List.iter use node.instances) program.nodes;
-  uses
-
 (* The instance of the machine that the node could have itself. *)
 let candidate (nodes : Ir.node array) uses (node : Ir.node) =
   let stateful (i : Ir.instance) = nodes.(i.node).kind = Signal_function in
@@ -49,7 +43,7 @@ let take_over (nodes : Ir.node array) (node : Ir.node) (i : Ir.instance) =
 
 let program (program : Ir.program) =
   let nodes = Array.copy program.nodes in
-  let uses = count_uses program in
+  let uses = Uses.of_nodes program in
   let changed = ref false in
   Array.iteri
     (fun index node ->

@@ -138,38 +138,13 @@ let groups_of (node : Ir.node) =
   List.iter (add_item work) (Schedule.of_node node);
   List.filter (fun group -> List.length group.members > 1) (Array.to_list work.groups)
 
-(* Is it the smaller or the larger of an accumulator and an element, and a number
-   rather than NaN? So [minimumBy] and [maximumBy] look for them. Then it may as well
-   start from NaN as from the first element. *)
+(* The least or largest number may as well start from NaN as from the first element. *)
 let is_extreme (node : Ir.node) =
-  let definition (atom : Ir.atom) =
-    match atom with
-    | Signal s ->
-        List.find_map
-          (fun (e : Ir.equation) -> if e.defines.id = s.id then Some e.rhs else None)
-          node.equations
-    | Bool _ | Int _ | Float _ -> None
-  in
-  let is (s : Ir.signal) (atom : Ir.atom) =
-    match atom with Signal other -> other.id = s.id | Bool _ | Int _ | Float _ -> false
-  in
   match (node.inputs, node.outputs) with
   | [ best; x ], [ (_, best') ] -> (
-      let compares atom =
-        match definition atom with
-        | Some (Ir.Op (Not, [ ordered ])) -> (
-            match definition ordered with
-            | Some (Ir.Op (Less_equal, [ a; b ])) -> (is best a && is x b) || (is x a && is best b)
-            | Some _ | None -> false)
-        | Some _ | None -> false
-      in
-      let is_number atom = definition atom = Some (Op (Equal, [ Signal x; Signal x ])) in
-      match definition best' with
-      | Some (If { condition; then_; else_ }) when is x then_ && is best else_ -> (
-          match definition condition with
-          | Some (Op (And, [ a; b ])) -> compares a && is_number b
-          | Some _ | None -> false)
-      | Some _ | None -> false)
+      match Extreme.find node ~best best' with
+      | Some (_, element) -> element.id = x.id
+      | None -> false)
   | _, _ -> false
 
 (* {1 The node of a joined loop} *)

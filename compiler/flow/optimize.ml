@@ -42,6 +42,8 @@ let program program =
      from what is known now. *)
   let joined = Fusion.program tidied in
   let tidied = if joined == tidied then tidied else inline joined in
+  (* When loops are what they will be. *)
+  let started = Extreme.program tidied in
   (* Last, for a machine that so becomes a part of its user is inlined no more. *)
-  let absorbed = Absorb.program tidied in
+  let absorbed = Absorb.program started in
   if absorbed == tidied then tidied else Dead.program absorbed

@@ -66,14 +66,8 @@ let find (i : Ir.instance) (l : Ir.loop) (callee : Ir.node) =
       in
       search accumulators
 
-let uses (program : Ir.program) =
-  let uses = Array.make (Array.length program.nodes) 0 in
-  let use (i : Ir.instance) = uses.(i.node) <- uses.(i.node) + 1 in
-  Array.iter (fun (node : Ir.node) -> List.iter use node.instances) program.nodes;
-  uses
-
 let program (program : Ir.program) =
-  let uses = lazy (uses program) in
+  let uses = lazy (Uses.of_nodes program) in
   let nodes = Array.copy program.nodes in
   let changed = ref false in
   Array.iteri

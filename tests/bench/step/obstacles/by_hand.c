@@ -1,5 +1,7 @@
 #include "by_hand.h"
 
+#include <math.h>
+
 static const double along[16] = {-0.98, -0.83, -0.56, -0.20, 0.20,  0.56,  0.83,  0.98,
                                  0.98,  0.83,  0.56,  0.20,  -0.20, -0.56, -0.83, -0.98};
 static const double across[16] = {-0.20, -0.56, -0.83, -0.98, -0.98, -0.83, -0.56, -0.20,
@@ -14,13 +16,14 @@ void by_hand_reset(struct by_hand *self)
 void by_hand_step(struct by_hand *self, double dt, const struct obstacles_input *in,
                   struct obstacles_output *out)
 {
-    double back = 0.0, aside = 0.0, nearest = 0.0;
+    double back = 0.0, aside = 0.0;
+    double nearest = INFINITY; /* a dead sonar is nearer than nothing */
     (void)dt;
     for (int i = 0; i < 16; i++) {
         const double before = self->near[i];
         const double d = before + 0.4 * (in->sonar[i] - before);
         self->near[i] = d;
-        if (i == 0 || d < nearest)
+        if (d < nearest)
             nearest = d;
         if (d < 1.0) {
             const double push = 1.0 - d;
