@@ -151,6 +151,21 @@ let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
   | Or, Bool -> Binary (Or, x, y)
   | _, _ -> bad ()
 
+(* So little that it may as well be computed where it is not needed. *)
+let is_little e =
+  let rec size : M.expr -> int = function
+    | Variable _ | Field _ | Float _ -> 1
+    | Operation { operator = Add | Subtract | Multiply | Negate | Absolute; ty = Float; arguments } ->
+        List.fold_left (fun sum e -> sum + size e) 1 arguments
+    | _ -> 9
+  in
+  size e < 9
+
+let is_zero : M.expr -> bool = function Float x -> Float.equal x 0. && not (Float.sign_bit x) | _ -> false
+
+(* Of each element alone. *)
+let is_looked_up n x = is_little x && Machine.Rounds.is_own n.v.rounds n.node x
+
 let address : Ir.expr -> Ir.expr = function
   | Unary (Dereference, pointer) -> pointer
   | e -> Unary (Address, e)
@@ -223,6 +238,10 @@ let rec of_machine n (e : M.expr) : Ir.expr =
       Binary (Or, of_machine n condition, of_machine n else_)
   | Select { condition; then_; else_ = Bool false } ->
       Binary (And, of_machine n condition, of_machine n then_)
+  | Select { condition; then_ = x; else_ = zero } when is_zero zero && is_looked_up n x ->
+      Call (V.helper n.v Where, list [ condition; x ])
+  | Select { condition; then_ = zero; else_ = x } when is_zero zero && is_looked_up n x ->
+      Call (V.helper n.v Where, [ unary n Not Bool (of_machine n condition); of_machine n x ])
   | Select { condition; then_; else_ } ->
       Conditional (of_machine n condition, of_machine n then_, of_machine n else_)
   | Construct { sum; constructor; payload } ->

@@ -18,6 +18,7 @@ type t =
   | Largest
   | At_most
   | At_least
+  | Where
   | Limit
   | Float_signum
   | Truncate
@@ -246,6 +247,17 @@ static inline @R frob_at_most(@R x, @R limit)
 static inline @R frob_at_least(@R x, @R limit)
 {
     return limit > x ? limit : x;
+}
+|} );
+    ( Where,
+      "frob_where",
+      [],
+      {|/* x where the condition holds, else 0.0. Looked up: of a choice gcc would make a
+ * branch, which from one element of an array to the next a processor guesses wrong. */
+static inline @R frob_where(bool condition, @R x)
+{
+    const @R choice[2] = {0.0@f, x};
+    return choice[condition ? 1 : 0];
 }
 |} );
     ( Limit,

@@ -26,6 +26,7 @@ type t =
   | Largest
   | At_most  (** the minimum of a value and a limit that is not NaN *)
   | At_least
+  | Where  (** a number or 0.0 *)
   | Limit  (** [max (-x) (min x y)] *)
   | Float_signum
   | Truncate

@@ -21,6 +21,7 @@ type node = {
 type t = {
   program : M.program;
   apart : Machine.Apart.t;
+  rounds : Machine.Rounds.t;
   name : string;
   file_scope : Name.scope;
   types : Value_types.t;
@@ -235,6 +236,7 @@ let of_program ?own (program : M.program) =
   {
     program;
     apart;
+    rounds = Machine.Rounds.of_program program;
     name;
     file_scope = scope;
     types;

@@ -25,6 +25,7 @@ type node = {
 type t = {
   program : Machine.Ir.program;
   apart : Machine.Apart.t;
+  rounds : Machine.Rounds.t;
   name : string;  (** the prefix of all names *)
   file_scope : Name.scope;
   types : Value_types.t;

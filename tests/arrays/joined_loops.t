@@ -200,3 +200,25 @@ Is any of these written with another test, or read by anything else, NaN is told
   true,true,4
   false,false,0
   true,true,inf
+
+What each element adds or not is looked up; what goes on from one element to the next
+is a choice, as the next would wait to look it up.
+
+  $ cat > where.frob <<'EOF'
+  > main :: SF (Array 3 Float, Float) (Float, Float, Float)
+  > main = proc (xs, q) -> (foldl (+) 0 (map near xs), foldl (+) 0 (map far xs), foldl restarted 0 xs) where
+  >     near x = if x < q then q - x else 0
+  >     far x = if x < q then 0 else x
+  >     restarted s x = if x < q then s + x else 0
+  > EOF
+  $ frobc compile where.frob --lint
+  $ sed -n '/main_loop/,$p' where.c | grep "frob_where(\|?" | sed "s, */\*.*,,"
+      *out_1 = t1 + frob_where(t3, q - x);
+      *out_2 = t2 + frob_where(!t3, x);
+      *out_3 = t3 ? s + x : 0.0;
+  $ both where 'in.1[0],in.1[1],in.1[2],in.2' 1,2,3,2.5 nan,2,-1,1.5 -0,0,inf,0 1,2,3,nan
+  out.1,out.2,out.3
+  2,3,0
+  2.5,nan,-1
+  0,inf,0
+  0,6,0
