@@ -23,6 +23,14 @@ let lambda s makers arguments result =
     (String.concat " " (List.map fst named))
     (annotated (makers.expression inside (1 + Random.State.int s.random 2) result) result)
 
+(* Nothing of some elements. *)
+let or_zero s makers u =
+  let e = fresh s "e" in
+  let inside = bind [ (e, u) ] { s with run = None } in
+  f "(\\%s -> if %s then %s else %s)" e (makers.expression inside 1 Bool)
+    (annotated (makers.expression inside 1 Float) Float)
+    (one_of s.random [ "0"; "0"; "(-0)" ])
+
 (* Of the latest more often than of the earlier ones. *)
 let latest s list = one_of s.random (List.filteri (fun k _ -> k = 0 || not (chance s.random 3)) list)
 
@@ -41,7 +49,10 @@ let new_array s makers ~n arrays (t : Type.t) =
   let of_one make = match arrays with [] -> None | _ -> Some (make (any ())) in
   let made =
     match Random.State.int s.random 12 with
-    | 0 | 1 | 2 -> of_one (fun (a, u) -> f "map %s %s" (lambda [ u ] t) a)
+    | 0 | 1 | 2 ->
+        of_one (fun (a, u) ->
+            let each = if t = Float && chance s.random 3 then or_zero s makers u else lambda [ u ] t in
+            f "map %s %s" each a)
     | 3 -> of_one (fun (a, u) -> f "imap %s %s" (lambda [ Int; u ] t) a)
     | 4 | 5 | 6 ->
         of_one (fun (a, u) ->
@@ -82,6 +93,12 @@ let new_value s makers ~n arrays usual : Type.t * string =
   | 7 ->
       let result = one_of s.random usual in
       (Tuple [ result; result ], fold_of_two s makers array result)
+  | 0 when u = Type.Float && chance s.random 2 ->
+      let name = one_of s.random [ "minimumBy"; "maximumBy" ] in
+      let limit = annotated (makers.expression { s with run = None } 0 Float) Float in
+      let limit = if chance s.random 2 then annotated (Constant.literal s Float) Float else limit in
+      let operator = one_of s.random [ "<"; "<="; ">"; ">="; "==" ] in
+      (Bool, f "(%s id %s) %s %s" name a operator limit)
   | 0 ->
       let name = one_of s.random [ "minimumBy"; "maximumBy" ] in
       (u, f "%s %s %s" name (lambda s makers [ u ] (one_of s.random [ Type.Float; Int ])) a)
