@@ -70,7 +70,8 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
     else make d
   in
   let told = Option.map (fun (ending : Fragment.ending) -> ending.told) fragment.ending in
-  (List.rev_append (List.rev advances) (Placement.statements fragment), told)
+  let body = Adjacent.statements (Placement.statements fragment) in
+  (List.rev_append (List.rev advances) body, told)
 
 (* What reset does for one item; it comes after all static values. *)
 let reset_effects context draft state (item : Flow.Schedule.item) =
