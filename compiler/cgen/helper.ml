@@ -262,13 +262,15 @@ static inline @R frob_where(bool condition, @R x)
 |} );
     ( Limit,
       "frob_limit",
-      [],
+      [ Branch ],
       {|/* max (-x) (min x y): y within x of 0; NaN if either is. */
 static inline @R frob_limit(@R x, @R y)
 {
+    if (FROB_BRANCH(y != y)) {
+        return y;
+    }
     const @R high = y < x ? y : x;
-    const @R both = high > -x ? high : -x;
-    return y == y ? both : y;
+    return high > -x ? high : -x;
 }
 |} );
     ( Float_signum,
@@ -352,14 +354,18 @@ static inline double frob_whole_ns(double dt)
       "frob_seconds",
       [ Branch ],
       {|/* Whole nanoseconds in seconds. Almost always that is the dt they come from, and
- * then nothing waits for the division. (Adding 0.0 makes 0.0 of -0.0.) */
+ * then nothing waits for the division: worth the bytes where these do not count.
+ * (Adding 0.0 makes 0.0 of -0.0.) */
 static inline double frob_seconds(double ns, double dt)
 {
     const double s = ns / 1e9;
-    if (FROB_BRANCH(s != dt)) {
-        return s;
+#ifndef __OPTIMIZE_SIZE__
+    if (!FROB_BRANCH(s != dt)) {
+        return dt + 0.0;
     }
-    return dt + 0.0;
+#endif
+    (void)dt;
+    return s;
 }
 |} );
     ( Time_in_nanoseconds,

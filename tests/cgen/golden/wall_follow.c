@@ -35,9 +35,11 @@ static inline double frob_at_least(double x, double limit)
 /* max (-x) (min x y): y within x of 0; NaN if either is. */
 static inline double frob_limit(double x, double y)
 {
+    if (FROB_BRANCH(y != y)) {
+        return y;
+    }
     const double high = y < x ? y : x;
-    const double both = high > -x ? high : -x;
-    return y == y ? both : y;
+    return high > -x ? high : -x;
 }
 
 /* dt in nanoseconds, a whole number of them, halves to even: adding 2^52
@@ -53,14 +55,18 @@ static inline double frob_whole_ns(double dt)
 }
 
 /* Whole nanoseconds in seconds. Almost always that is the dt they come from, and
- * then nothing waits for the division. (Adding 0.0 makes 0.0 of -0.0.) */
+ * then nothing waits for the division: worth the bytes where these do not count.
+ * (Adding 0.0 makes 0.0 of -0.0.) */
 static inline double frob_seconds(double ns, double dt)
 {
     const double s = ns / 1e9;
-    if (FROB_BRANCH(s != dt)) {
-        return s;
+#ifndef __OPTIMIZE_SIZE__
+    if (!FROB_BRANCH(s != dt)) {
+        return dt + 0.0;
     }
-    return dt + 0.0;
+#endif
+    (void)dt;
+    return s;
 }
 
 /* wallFollow, test.frob:1 */

@@ -2,19 +2,21 @@
 #include "time_by_hand.h"
 
 #include <frob/elementary.h>
+#include <math.h>
 
 static const double distance = 0.2;
 static const double v_max = 0.4;
 static const double theta_max = 20 * 3.14159265358979323846 / 180;
 static const double k_front = 1.0, k_side = 0.8, k_turn = 3.0;
 
+/* Of y, at most x from 0; NaN if either is. */
 static double limit(double x, double y)
 {
     if (y > x)
-        return x;
+        y = x;
     if (y < -x)
-        return -x;
-    return y;
+        y = -x;
+    return isnan(x) ? x : y;
 }
 
 void by_hand_reset(struct by_hand *self)
