@@ -4,6 +4,7 @@ module Groups = Set.Make (Int)
 (* Loops to be joined. *)
 type group = {
   count : int;
+  varies : bool;  (* what is known at the start stays so: delays may start from it *)
   mutable members : (Ir.instance * Ir.loop) list;  (* last first *)
   mutable needs : Groups.t;  (* groups that something before it comes from *)
   elements : (int, unit) Hashtbl.t;  (* signals whose elements are given to members *)
@@ -11,6 +12,8 @@ type group = {
 }
 
 type work = {
+  program : Ir.program;
+  varying : (int, unit) Hashtbl.t;  (* signals that are not known at the start *)
   mutable groups : group array;
   origin : (int, Groups.t) Hashtbl.t;  (* of a signal: groups that it comes from *)
   first_of : (int, Ir.signal) Hashtbl.t;  (* of a number: the array whose element 0 it is *)
@@ -76,21 +79,37 @@ let indirect work group operands =
     (fun operand -> if is_direct work group operand then None else Some (snd operand))
     operands
 
-let may_join work g (l : Ir.loop) operands =
+let is_memory : Ir.rhs -> bool = function
+  | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ -> true
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
+  | At _ | Replace _ ->
+      false
+
+let varies work (item : Schedule.item) =
+  let own =
+    match item with
+    | Equation e -> is_memory e.rhs
+    | Instance i -> work.program.nodes.(i.node).kind = Signal_function
+    | Trial _ | Machine _ -> true
+  in
+  own || List.exists (fun (s : Ir.signal) -> Hashtbl.mem work.varying s.id) (Schedule.needs item)
+
+let may_join work g ~varies (l : Ir.loop) operands =
   let group = work.groups.(g) in
   group.count = l.count
+  && Bool.equal group.varies varies
   && List.exists (shares group) operands
   && not (Groups.mem g (closure work (origins work (indirect work group operands))))
 
 (* Joins are looked for among so many groups, the latest. *)
 let most_tried = 8
 
-let add_loop work (i : Ir.instance) (l : Ir.loop) =
+let add_loop work ~varies (i : Ir.instance) (l : Ir.loop) =
   let operands = operands i l in
   let count = Array.length work.groups in
   let rec find g =
     if g < 0 || g < count - most_tried then None
-    else if may_join work g l operands then Some g
+    else if may_join work g ~varies l operands then Some g
     else find (g - 1)
   in
   let g =
@@ -100,6 +119,7 @@ let add_loop work (i : Ir.instance) (l : Ir.loop) =
         let group =
           {
             count = l.count;
+            varies;
             members = [];
             needs = Groups.empty;
             elements = Hashtbl.create 8;
@@ -124,8 +144,11 @@ let add_loop work (i : Ir.instance) (l : Ir.loop) =
     i.outputs
 
 let add_item work (item : Schedule.item) =
+  let varies = varies work item in
+  if varies then
+    List.iter (fun (s : Ir.signal) -> Hashtbl.replace work.varying s.id ()) (Schedule.defines item);
   match item with
-  | Instance ({ loop = Some l; trials = []; _ } as i) -> add_loop work i l
+  | Instance ({ loop = Some l; trials = []; _ } as i) -> add_loop work ~varies i l
   | Equation _ | Instance _ | Trial _ | Machine _ ->
       let from = origins work (List.map (fun s -> Ir.Signal s) (Schedule.needs item)) in
       if not (Groups.is_empty from) then
@@ -133,8 +156,17 @@ let add_item work (item : Schedule.item) =
           (fun (s : Ir.signal) -> Hashtbl.replace work.origin s.id from)
           (Schedule.defines item)
 
-let groups_of (node : Ir.node) =
-  let work = { groups = [||]; origin = Hashtbl.create 64; first_of = firsts node } in
+let groups_of program (node : Ir.node) =
+  let work =
+    {
+      program;
+      varying = Hashtbl.create 64;
+      groups = [||];
+      origin = Hashtbl.create 64;
+      first_of = firsts node;
+    }
+  in
+  List.iter (fun (s : Ir.signal) -> Hashtbl.replace work.varying s.id ()) node.inputs;
   List.iter (add_item work) (Schedule.of_node node);
   List.filter (fun group -> List.length group.members > 1) (Array.to_list work.groups)
 
@@ -340,7 +372,7 @@ let add context (program : Ir.program) index (node : Ir.node) groups =
 
 let program (program : Ir.program) =
   let groups (node : Ir.node) =
-    if has_loops node && Schedule.loops node = [] then groups_of node else []
+    if has_loops node && Schedule.loops node = [] then groups_of program node else []
   in
   let groups = Array.map groups program.nodes in
   if Array.for_all (fun groups -> groups = []) groups then program
