@@ -73,6 +73,12 @@ let signal_function (s : Signal_function.scope) ~parameters ~input ~signals ~res
   in
   (text, { s with known = { name; parameters; input; output } :: s.known })
 
+(* A small number, or how far a mode has counted, one further. *)
+let count (values : Scope.t) =
+  match Scope.variable values Int with
+  | Some n when chance values.random 2 -> f "(%s %s 1)" n (one_of values.random [ "+"; "-" ])
+  | Some _ | None -> string_of_int (Random.State.int values.random 5)
+
 (* A call with an argument for each parameter. One that is a signal function is
    handed on as it came, or starts anew: to grow it would make ever more modes. *)
 let call (s : Signal_function.scope) own (values : Scope.t) (name, parameters) =
@@ -86,6 +92,7 @@ let call (s : Signal_function.scope) own (values : Scope.t) (name, parameters) =
   in
   let argument (p : Signal_function.parameter) =
     match p with
+    | Value Int when chance values.random 2 -> count values
     | Value t -> Expression.expression values 2 t
     | Function _ | Signal_function _ -> (
         match List.filter (fun (_, p') -> p' = p) own with
@@ -123,7 +130,10 @@ let group (s : Signal_function.scope) start =
     if chance random 3 then Function (any (), any ()) else Signal_function (any (), any ())
   in
   let parameter () : Signal_function.parameter =
-    if chance random 3 then brought else Value (any ())
+    match Random.State.int random 6 with
+    | 0 | 1 -> brought
+    | 2 | 3 -> Value Int
+    | _ -> Value (any ())
   in
   List.init
     (1 + Random.State.int random 3)

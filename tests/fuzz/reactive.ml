@@ -111,11 +111,21 @@ let accumulated_functions m fuel a b =
 
 let switch m = one_of m.values.random [ "switch"; "dSwitch" ]
 
+(* Asked of a number that may have come from mode to mode, where it is one of few. *)
+let reached m n =
+  f "(%s %s %d)" n
+    (one_of m.values.random [ "<"; "<="; ">"; ">="; "=="; "/=" ])
+    (Random.State.int m.values.random 5)
+
 (* An event that comes and goes, often with a value of the input. *)
 let lively m fuel a payload =
   let text, bound = Pattern.any m.values a in
   let inside = Scope.bind bound (still m.values) in
-  let condition () = Expression.expression inside fuel Bool in
+  let condition () =
+    match Scope.variable inside Type.Int with
+    | Some n when chance m.values.random 3 -> reached m n
+    | Some _ | None -> Expression.expression inside fuel Bool
+  in
   (* Of a condition now and as it was an instant ago. *)
   let remembered () =
     let now = Scope.fresh m.values "q" in

@@ -35,3 +35,8 @@ let any_type s =
   else Type.event (if chance s.random 3 then Type.unit else ty)
 
 let bind variables s = { s with variables = variables @ s.variables }
+
+let variable s ty =
+  match List.filter (fun (_, t) -> t = ty) s.variables with
+  | [] -> None
+  | those -> Some (fst (one_of s.random those))

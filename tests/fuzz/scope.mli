@@ -22,3 +22,6 @@ val note : t -> string -> unit
 
 val any_type : t -> Type.t
 val bind : (string * Type.t) list -> t -> t
+
+val variable : t -> Type.t -> string option
+(** One of those in scope that have this type. *)
