@@ -73,12 +73,6 @@ let signal_function (s : Signal_function.scope) ~parameters ~input ~signals ~res
   in
   (text, { s with known = { name; parameters; input; output } :: s.known })
 
-(* A small number, or how far a mode has counted, one further. *)
-let count (values : Scope.t) =
-  match Scope.variable values Int with
-  | Some n when chance values.random 2 -> f "(%s %s 1)" n (one_of values.random [ "+"; "-" ])
-  | Some _ | None -> string_of_int (Random.State.int values.random 5)
-
 (* A call with an argument for each parameter. One that is a signal function is
    handed on as it came, or starts anew: to grow it would make ever more modes. *)
 let call (s : Signal_function.scope) own (values : Scope.t) (name, parameters) =
@@ -92,7 +86,7 @@ let call (s : Signal_function.scope) own (values : Scope.t) (name, parameters) =
   in
   let argument (p : Signal_function.parameter) =
     match p with
-    | Value Int when chance values.random 2 -> count values
+    | Value Int when chance values.random 2 -> Reactive.one_of_few values
     | Value t -> Expression.expression values 2 t
     | Function _ | Signal_function _ -> (
         match List.filter (fun (_, p') -> p' = p) own with

@@ -111,8 +111,17 @@ let accumulated_functions m fuel a b =
 
 let switch m = one_of m.values.random [ "switch"; "dSwitch" ]
 
-(* Asked of a number that may have come from mode to mode, where it is one of few. *)
-let reached m n =
+(* A number of which an analysis of ranges can tell something. *)
+let one_of_few (values : Scope.t) =
+  let small () = string_of_int (Random.State.int values.random 5) in
+  match (Random.State.int values.random 4, Scope.variable values Int) with
+  | 0, Some n -> f "(%s %s 1)" n (one_of values.random [ "+"; "-" ])
+  | 1, Some n -> n
+  | 2, _ ->
+      f "(if %s then %s else %s)" (Expression.expression values 1 Bool) (small ()) (small ())
+  | _, _ -> small ()
+
+let asked_of m n =
   f "(%s %s %d)" n
     (one_of m.values.random [ "<"; "<="; ">"; ">="; "=="; "/=" ])
     (Random.State.int m.values.random 5)
@@ -123,7 +132,7 @@ let lively m fuel a payload =
   let inside = Scope.bind bound (still m.values) in
   let condition () =
     match Scope.variable inside Type.Int with
-    | Some n when chance m.values.random 3 -> reached m n
+    | Some n when chance m.values.random 3 -> asked_of m n
     | Some _ | None -> Expression.expression inside fuel Bool
   in
   (* Of a condition now and as it was an instant ago. *)
@@ -171,6 +180,28 @@ let mode m ~earlier ~continuation fuel a b =
 let once_switched m fuel a b =
   mode m ~earlier:false fuel a b ~continuation:(fun values ->
       m.signal_function values (fuel - 1) a b)
+
+(* Switches of which several may occur at one instant: each hands on a number, and
+   the next one asks about it. *)
+let rec cascade m fuel a b =
+  let text, bound = Pattern.any m.values a in
+  let inside = Scope.bind bound (still m.values) in
+  let asked =
+    match Scope.variable inside Type.Int with
+    | Some n -> asked_of m n
+    | None -> Expression.expression inside 1 Bool
+  in
+  let n = Scope.fresh m.values "n" in
+  let onward = { m with values = Scope.bind [ (n, Type.Int) ] m.values } in
+  let after =
+    if fuel > 0 && not (chance m.values.random 3) then cascade onward (fuel - 1) a b
+    else m.signal_function onward.values (fuel - 1) a b
+  in
+  f "(%s (proc %s -> (%s, mapE (\\_ -> %s) (%s %s))) (\\%s -> %s))" (switch m) text
+    (Expression.expression inside 1 b)
+    (one_of_few inside)
+    (one_of m.values.random [ "when"; "edgeFrom False" ])
+    asked n after
 
 (* Of a period that is known to the compiler, or of any. *)
 let ticks m =
@@ -280,6 +311,7 @@ let alternatives m fuel a b =
   and switching =
     [
       (3, fun () -> once_switched m fuel a b);
+      (2, fun () -> cascade m fuel a b);
       (3, fun () -> replaced m fuel a b);
       (1, fun () -> initially m fuel a b);
       (1, fun () -> brought m fuel a b);
