@@ -131,9 +131,12 @@ let lively m fuel a payload =
   let text, bound = Pattern.any m.values a in
   let inside = Scope.bind bound (still m.values) in
   let condition () =
-    match Scope.variable inside Type.Int with
-    | Some n when chance m.values.random 3 -> asked_of m n
-    | Some _ | None -> Expression.expression inside fuel Bool
+    match
+      (Random.State.int m.values.random 4, Scope.variable inside Int, Scope.variable inside Bool)
+    with
+    | 0, Some n, _ -> asked_of m n
+    | 1, _, Some b -> b
+    | _, _, _ -> Expression.expression inside fuel Bool
   in
   (* Of a condition now and as it was an instant ago. *)
   let remembered () =
