@@ -195,10 +195,18 @@ let rec cascade m fuel a b =
     | None -> Expression.expression inside 1 Bool
   in
   let n = Scope.fresh m.values "n" in
-  let onward = { m with values = Scope.bind [ (n, Type.Int) ] m.values } in
+  let values = Scope.bind [ (n, Type.Int) ] m.values in
+  (* What is made of the number after the event the compiler knows more of. *)
+  let k = Scope.fresh m.values "k" in
+  let made, values =
+    if chance m.values.random 2 then ("", values)
+    else (f "let %s = %s in " k (one_of_few values), Scope.bind [ (k, Type.Int) ] values)
+  in
   let after =
-    if fuel > 0 && not (chance m.values.random 3) then cascade onward (fuel - 1) a b
-    else m.signal_function onward.values (fuel - 1) a b
+    made
+    ^
+    if fuel > 0 && not (chance m.values.random 3) then cascade { m with values } (fuel - 1) a b
+    else m.signal_function values (fuel - 1) a b
   in
   f "(%s (proc %s -> (%s, mapE (\\_ -> %s) (%s %s))) (\\%s -> %s))" (switch m) text
     (Expression.expression inside 1 b)
