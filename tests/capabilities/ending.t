@@ -105,7 +105,7 @@ Where the output is no record, the result stands beside it.
   $ frobc trace lamp.frob --input in.csv --engine interp | cmp - compiled.csv
 
 A program may choose between tasks when it starts, even between programs of them, if
-they end with results of one type.
+they end with results of one type; else only where the compiler can tell which.
 
   $ cat > choice.frob <<'FROB'
   > import Robot
@@ -115,9 +115,11 @@ they end with results of one type.
   > long = mapT (const 2) (sleepT 2[s] (roMake id))
   > isLong = sin 1 > 0
   > 
+  > foreign isWindy :: Bool -> Bool = "is_windy"
+  > 
   > task = reactimateTask (if isLong then long else short)
   > program = if isLong then reactimateTask long else reactimateTask short
-  > unlike = if isLong then reactimateTask long else reactimateRobot (constant (roMake id))
+  > unlike = if isWindy True then reactimateTask long else reactimateRobot (constant (roMake id))
   > FROB
   $ for entry in task program; do
   >   frobc run choice.frob --entry $entry --for 3s --rate 1 --record run.csv | grep "finished\|result"
@@ -130,10 +132,10 @@ they end with results of one type.
   result: 2
   $ frobc compile choice.frob --entry unlike
   error[E0411]: `unlike` cannot run: it chooses between programs that do not end with results of one type
-    --> choice.frob:10:1
+    --> choice.frob:12:1
      |
-  10 | unlike = if isLong then reactimateTask long else reactimateRobot (constant (roMake id))
-     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  12 | unlike = if isWindy True then reactimateTask long else reactimateRobot (constant (roMake id))
+     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
      |
      = hint: let it choose between tasks, in one `reactimateTask`
   
