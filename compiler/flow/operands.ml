@@ -70,3 +70,11 @@ let signals = function
   | [ Signal s; Signal s' ] -> [ s; s' ]
   | atoms ->
       List.filter_map (function Signal s -> Some s | Bool _ | Int _ | Float _ -> None) atoms
+
+let same (a : Ir.atom) (b : Ir.atom) =
+  match (a, b) with
+  | Signal a, Signal b -> a.id = b.id
+  | Bool a, Bool b -> Bool.equal a b
+  | Int a, Int b -> Int32.equal a b
+  | Float a, Float b -> Int64.equal (Int64.bits_of_float a) (Int64.bits_of_float b)
+  | (Signal _ | Bool _ | Int _ | Float _), _ -> false

@@ -14,3 +14,7 @@ val map : (Ir.atom -> Ir.atom) -> Ir.rhs -> Ir.rhs
 
 val signals : Ir.atom list -> Ir.signal list
 (** Without the constants. *)
+
+val same : Ir.atom -> Ir.atom -> bool
+(** The same signal or constant; Floats bit for bit, since there are two zeros, and a
+    NaN is the same as itself. *)

@@ -8,14 +8,7 @@ let definition (known : known) : Ir.atom -> Ir.rhs option = function
   | Signal s -> Int_table.find_opt known s.id
   | Bool _ | Int _ | Float _ -> None
 
-(* The same value, bit for bit. *)
-let same (a : Ir.atom) (b : Ir.atom) =
-  match (a, b) with
-  | Signal a, Signal b -> a.id = b.id
-  | Bool a, Bool b -> Bool.equal a b
-  | Int a, Int b -> Int32.equal a b
-  | Float a, Float b -> Int64.equal (Int64.bits_of_float a) (Int64.bits_of_float b)
-  | (Signal _ | Bool _ | Int _ | Float _), _ -> false
+let same = Operands.same
 
 let is_int : Ir.atom -> bool = function
   | Int _ -> true

@@ -4,18 +4,11 @@ type passed =
   | Always of Ir.atom  (** the same literal *)
   | Different
 
-let same_literal (a : Ir.atom) (b : Ir.atom) =
-  match (a, b) with
-  | Bool a, Bool b -> Bool.equal a b
-  | Int a, Int b -> Int32.equal a b
-  | Float a, Float b -> Int64.equal (Int64.bits_of_float a) (Int64.bits_of_float b)
-  | (Signal _ | Bool _ | Int _ | Float _), _ -> false
-
 let join passed (a : Ir.atom) =
   match (passed, a) with
   | (Nothing | Always _ | Different), Signal _ | Different, (Bool _ | Int _ | Float _) -> Different
   | Nothing, (Bool _ | Int _ | Float _) -> Always a
-  | Always b, (Bool _ | Int _ | Float _) -> if same_literal a b then passed else Different
+  | Always b, (Bool _ | Int _ | Float _) -> if Operands.same a b then passed else Different
 
 (* What is passed for a parameter, seen from a mode whose own parameters get
    [own]. *)

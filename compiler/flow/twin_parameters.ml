@@ -7,9 +7,7 @@ type passed =
 let same a b =
   match (a, b) with
   | Own a, Own b | Other a, Other b -> Int.equal a b
-  | Literal (Float a), Literal (Float b) ->
-      Int64.equal (Int64.bits_of_float a) (Int64.bits_of_float b)
-  | Literal a, Literal b -> a = b
+  | Literal a, Literal b -> Operands.same a b
   | (Own _ | Other _ | Literal _), _ -> false
 
 (* The first index of those that are together with each. *)

@@ -26,6 +26,14 @@ let of_atom : Flow.Ir.atom -> expr option = function
   | Float x -> Some (Float x)
   | Signal _ -> None
 
+let same a b =
+  match (a, b) with
+  | Zero_time, Zero_time -> true
+  | _, _ -> (
+      match (atom a, atom b) with
+      | Some a, Some b -> Flow.Operands.same a b
+      | None, _ | _, None -> false)
+
 let folded known operator arguments =
   let atoms = List.filter_map atom arguments in
   if List.compare_lengths atoms arguments <> 0 then None
@@ -53,7 +61,7 @@ let rec value known e =
   | Select { condition; then_; else_ } -> (
       match (again condition, again then_, again else_) with
       | Bool true, e, _ | Bool false, _, e -> e
-      | _, a, b when is_literal a && a = b -> a
+      | _, a, b when is_literal a && same a b -> a
       | condition, then_, else_ -> Select { condition; then_; else_ })
   | Seconds e -> ( match again e with Zero_time -> Float 0. | e -> Seconds e)
   | In_nanoseconds e -> ( match again e with Zero_time -> Float 0. | e -> In_nanoseconds e)
@@ -113,7 +121,7 @@ let rec first known (s : statement) =
       []
   | Assign { place = Own field; value = e; span } ->
       let e = value known e in
-      if Hashtbl.find_opt known.fields field.id = Some e then []
+      if Option.fold (Hashtbl.find_opt known.fields field.id) ~none:false ~some:(same e) then []
       else (
         if is_literal e then Hashtbl.replace known.fields field.id e
         else Hashtbl.remove known.fields field.id;

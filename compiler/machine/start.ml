@@ -82,15 +82,14 @@ let simple_entry c known (entry : entry) =
       | Started_by arguments -> Started_by (simple arguments));
   }
 
-(* Equal bit for bit: there are two zeros. *)
 let same a b =
   match (a, b) with
-  | Float a, Float b -> Int64.equal (Int64.bits_of_float a) (Int64.bits_of_float b)
-  | Bool a, Bool b -> Bool.equal a b
-  | Int a, Int b -> Int32.equal a b
   | Zero_time, Zero_time -> true
   | Variable a, Variable b -> a.id = b.id
-  | _, _ -> false
+  | _, _ -> (
+      match (atom a, atom b) with
+      | Some a, Some b -> Flow.Operands.same a b
+      | None, _ | _, None -> false)
 
 let in_both =
   Known.merge (fun _ a b ->
