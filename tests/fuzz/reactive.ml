@@ -114,10 +114,10 @@ let switch m = one_of m.values.random [ "switch"; "dSwitch" ]
 (* A number of which an analysis of ranges can tell something. *)
 let one_of_few (values : Scope.t) =
   let small () = string_of_int (Random.State.int values.random 5) in
-  match (Random.State.int values.random 4, Scope.variable values Int) with
+  match (Random.State.int values.random 5, Scope.variable values Int) with
   | 0, Some n -> f "(%s %s 1)" n (one_of values.random [ "+"; "-" ])
   | 1, Some n -> n
-  | 2, _ ->
+  | (2 | 3), _ ->
       f "(if %s then %s else %s)" (Expression.expression values 1 Bool) (small ()) (small ())
   | _, _ -> small ()
 
@@ -185,34 +185,35 @@ let once_switched m fuel a b =
       m.signal_function values (fuel - 1) a b)
 
 (* Switches of which several may occur at one instant: each hands on a number, and
-   the next one asks about it. *)
-let rec cascade m fuel a b =
+   the next one mostly asks about it. *)
+let rec cascade m ?latest fuel a b =
+  let random = m.values.random in
   let text, bound = Pattern.any m.values a in
   let inside = Scope.bind bound (still m.values) in
   let asked =
-    match Scope.variable inside Type.Int with
-    | Some n -> asked_of m n
-    | None -> Expression.expression inside 1 Bool
+    match (latest, Scope.variable inside Int) with
+    | Some n, _ when not (chance random 4) -> asked_of m n
+    | _, Some n -> asked_of m n
+    | _, None -> Expression.expression inside 1 Bool
   in
   let n = Scope.fresh m.values "n" in
-  let values = Scope.bind [ (n, Type.Int) ] m.values in
-  (* What is made of the number after the event the compiler knows more of. *)
-  let k = Scope.fresh m.values "k" in
-  let made, values =
-    if chance m.values.random 2 then ("", values)
-    else (f "let %s = %s in " k (one_of_few values), Scope.bind [ (k, Type.Int) ] values)
+  let handed = Scope.bind [ (n, Type.Int) ] m.values in
+  (* The compiler knows more of what is made after the event. *)
+  let made, latest, values =
+    if chance random 3 then ("", n, handed)
+    else
+      let k = Scope.fresh m.values "k" in
+      (f "let %s = %s in " k (one_of_few handed), k, Scope.bind [ (k, Type.Int) ] handed)
   in
   let after =
-    made
-    ^
-    if fuel > 0 && not (chance m.values.random 3) then cascade { m with values } (fuel - 1) a b
+    if fuel > 0 && not (chance random 3) then cascade { m with values } ~latest (fuel - 1) a b
     else m.signal_function values (fuel - 1) a b
   in
-  f "(%s (proc %s -> (%s, mapE (\\_ -> %s) (%s %s))) (\\%s -> %s))" (switch m) text
+  f "(%s (proc %s -> (%s, mapE (\\_ -> %s) (%s %s))) (\\%s -> %s%s))" (switch m) text
     (Expression.expression inside 1 b)
     (one_of_few inside)
-    (one_of m.values.random [ "when"; "edgeFrom False" ])
-    asked n after
+    (one_of random [ "when"; "edgeFrom False" ])
+    asked n made after
 
 (* Of a period that is known to the compiler, or of any. *)
 let ticks m =
