@@ -12,41 +12,6 @@ type known = {
 (* The first instant, or another one, cannot be simplified to what is wanted. *)
 exception Not_short
 
-let is_literal = function Bool _ | Int _ | Float _ | Zero_time -> true | _ -> false
-
-let atom : expr -> Flow.Ir.atom option = function
-  | Bool b -> Some (Bool b)
-  | Int n -> Some (Int n)
-  | Float x -> Some (Float x)
-  | _ -> None
-
-let of_atom : Flow.Ir.atom -> expr option = function
-  | Bool b -> Some (Bool b)
-  | Int n -> Some (Int n)
-  | Float x -> Some (Float x)
-  | Signal _ -> None
-
-let same a b =
-  match (a, b) with
-  | Zero_time, Zero_time -> true
-  | _, _ -> (
-      match (atom a, atom b) with
-      | Some a, Some b -> Flow.Operands.same a b
-      | None, _ | _, None -> false)
-
-let folded known operator arguments =
-  let atoms = List.filter_map atom arguments in
-  if List.compare_lengths atoms arguments <> 0 then None
-  else Option.bind (Flow.Fold.operation known.real operator atoms) of_atom
-
-let operation known operator ty arguments =
-  match ((operator : Flow.Ir.operator), arguments) with
-  | And, ([ Bool true; e ] | [ e; Bool true ]) | Or, ([ Bool false; e ] | [ e; Bool false ]) -> e
-  | And, ([ Bool false; _ ] | [ _; Bool false ]) -> Bool false
-  | Or, ([ Bool true; _ ] | [ _; Bool true ]) -> Bool true
-  | Not, [ Operation { operator = Not; arguments = [ e ]; _ } ] -> e
-  | _ -> Option.value (folded known operator arguments) ~default:(Operation { operator; ty; arguments })
-
 (* The value with all that is known put in. *)
 let rec value known e =
   let again = value known in
@@ -57,11 +22,11 @@ let rec value known e =
   | Dt -> if known.first then Float 0. else e
   | Dt_nanoseconds -> if known.first then Zero_time else e
   | Operation { operator; ty; arguments } ->
-      operation known operator ty (List.map again arguments)
+      Literal.operation known.real operator ty (List.map again arguments)
   | Select { condition; then_; else_ } -> (
       match (again condition, again then_, again else_) with
       | Bool true, e, _ | Bool false, _, e -> e
-      | _, a, b when is_literal a && same a b -> a
+      | _, a, b when Literal.is a && Literal.same a b -> a
       | condition, then_, else_ -> Select { condition; then_; else_ })
   | Seconds e -> ( match again e with Zero_time -> Float 0. | e -> Seconds e)
   | In_nanoseconds e -> ( match again e with Zero_time -> Float 0. | e -> In_nanoseconds e)
@@ -86,7 +51,7 @@ let rec later known (s : statement) =
   match s with
   | Declare d -> (
       match value known d.value with
-      | value when is_literal value ->
+      | value when Literal.is value ->
           Hashtbl.replace known.variables d.variable.id value;
           []
       | value -> [ Declare { d with value } ])
@@ -121,9 +86,9 @@ let rec first known (s : statement) =
       []
   | Assign { place = Own field; value = e; span } ->
       let e = value known e in
-      if Option.fold (Hashtbl.find_opt known.fields field.id) ~none:false ~some:(same e) then []
+      if Option.fold (Hashtbl.find_opt known.fields field.id) ~none:false ~some:(Literal.same e) then []
       else (
-        if is_literal e then Hashtbl.replace known.fields field.id e
+        if Literal.is e then Hashtbl.replace known.fields field.id e
         else Hashtbl.remove known.fields field.id;
         [ Assign { place = Own field; value = e; span } ])
   | If { condition; then_; else_; _ } -> (
@@ -152,7 +117,7 @@ let literals reset =
   let fields = Hashtbl.create 16 in
   List.iter
     (function
-      | Assign { place = Own field; value; _ } when is_literal value -> Hashtbl.replace fields field.id value
+      | Assign { place = Own field; value; _ } when Literal.is value -> Hashtbl.replace fields field.id value
       | _ -> ())
     reset;
   fields

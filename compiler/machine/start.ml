@@ -26,27 +26,8 @@ type context = {
 
 (* {1 Expressions} *)
 
-let atom : expr -> Flow.Ir.atom option = function
-  | Bool b -> Some (Bool b)
-  | Int n -> Some (Int n)
-  | Float x -> Some (Float x)
-  | _ -> None
-
-let of_atom : Flow.Ir.atom -> expr = function
-  | Bool b -> Bool b
-  | Int n -> Int n
-  | Float x -> Float x
-  | Signal _ -> Diagnostic.bug ~stage:"Machine.Start" "a constant that is none"
-
-let is_constant e = match e with Zero_time -> true | e -> Option.is_some (atom e)
-
 (* The same wherever it is read, from here to the end of the function. *)
-let is_lasting e = match e with Variable _ -> true | e -> is_constant e
-
-let folded real operator arguments =
-  let atoms = List.filter_map atom arguments in
-  if List.compare_lengths atoms arguments <> 0 then None
-  else Option.map of_atom (Flow.Fold.operation real operator atoms)
+let is_lasting e = match e with Variable _ -> true | e -> Literal.is e
 
 let rec simple c known e =
   match Walk.map_children (simple c known) e with
@@ -54,12 +35,7 @@ let rec simple c known e =
   | Variable v as e -> Option.value (Known.find_opt v.id known.variables) ~default:e
   | Dt -> Float 0.
   | Dt_nanoseconds -> Zero_time
-  | Operation { operator = And; arguments = [ Bool false; _ ] | [ _; Bool false ]; _ } -> Bool false
-  | Operation { operator = And; arguments = [ Bool true; e ] | [ e; Bool true ]; _ } -> e
-  | Operation { operator = Or; arguments = [ Bool true; _ ] | [ _; Bool true ]; _ } -> Bool true
-  | Operation { operator = Or; arguments = [ Bool false; e ] | [ e; Bool false ]; _ } -> e
-  | Operation { operator; arguments; _ } as e ->
-      Option.value (folded c.real operator arguments) ~default:e
+  | Operation { operator; ty; arguments } -> Literal.operation c.real operator ty arguments
   | Select { condition = Bool b; then_; else_ } -> if b then then_ else else_
   | Is_constructor { value = Construct made; constructor; _ } ->
       Bool (made.constructor = constructor)
@@ -82,18 +58,9 @@ let simple_entry c known (entry : entry) =
       | Started_by arguments -> Started_by (simple arguments));
   }
 
-let same a b =
-  match (a, b) with
-  | Zero_time, Zero_time -> true
-  | Variable a, Variable b -> a.id = b.id
-  | _, _ -> (
-      match (atom a, atom b) with
-      | Some a, Some b -> Flow.Operands.same a b
-      | None, _ | _, None -> false)
-
 let in_both =
   Known.merge (fun _ a b ->
-      match (a, b) with Some a, Some b when same a b -> Some a | _, _ -> None)
+      match (a, b) with Some a, Some b when Literal.same a b -> Some a | _, _ -> None)
 
 (* {1 Statements} *)
 
@@ -187,7 +154,7 @@ let rec statement c ~always pending known (s : statement) =
   | Step _ | Loop _ | Reset _ | Enter _ | Start _ | Begin _ | Await _ | Run _ -> raise Not_simple
 
 and declare c ~always known v value span =
-  if is_constant value then ({ known with variables = Known.add v.id value known.variables }, [])
+  if Literal.is value then ({ known with variables = Known.add v.id value known.variables }, [])
   else if is_new c ~always v then (known, [ Declare { variable = v; value; span } ])
   else (known, [])
 
