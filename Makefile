@@ -79,6 +79,7 @@ mutants: setup
 # The compiler on bytes that are nearly programs, in a build that afl-fuzz can watch.
 fuzz-frontend: setup
 	@sh tests/setup.sh $(AFL_PACKAGES)
+	@mkdir -p $(CURDIR)/_build
 	@OCAMLPARAM='_,afl-instrument=1' dune build --build-dir $(CURDIR)/_build/afl ./tests/frontend/harness.exe
 	@sh tests/frontend/run.sh $(CURDIR)/_build/afl/default/tests/frontend/harness.exe $(CURDIR)/stdlib $(SECONDS)
 
