@@ -4,12 +4,14 @@ wall, round the corner, without touching it.
   $ . ./robot.sh
   $ . ../run/within.sh
   $ follow () {
-  >   mkdir $1; cd $1; cp ../*.toml .
-  >   kind=$1; start_robot --world wall.toml
-  >   frobc run ../../../examples/wall_follow/wall_follow.frob --robot $1 --device ./line --for 15s --record log.csv > summary
+  >   start_robot --world wall.toml
+  >   frobc run ../../../examples/wall_follow/wall_follow.frob --robot $kind --device ./line --for 15s --record log.csv > summary
   >   end_robot
   > }
-  $ (follow scout) & (follow create) & wait
+  $ for kind in scout create; do
+  >   (mkdir $kind; cd $kind; cp ../*.toml .; in_real_time follow) &
+  > done
+  $ wait
   $ within distance_driven 3 5.5 mean_wall_distance_error 0 0.05 largest_wall_distance_error 0 0.2 odometry_error_at_the_end 0 0.1 collisions 0 0 < scout/served
   $ within distance_driven 3.5 6 mean_wall_distance_error 0 0.05 largest_wall_distance_error 0 0.2 odometry_error_at_the_end 0 0.1 collisions 0 0 < create/served
   $ head -1 scout/summary create/summary | grep robot:
