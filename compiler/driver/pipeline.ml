@@ -18,12 +18,14 @@ let stage options sink name ~lint ~print result =
   if options.dump = Some name then Format.printf "%a@?" print result;
   if options.stop_after = Some name || Diagnostic.has_errors sink then None else Some result
 
+let files = { Resolve.Files.on_disk with parsed = Prepared.Library.tree }
+
 (* The resolver reads modules as imports ask for them. The main one is read
    here too if it is to be looked at as it was parsed. *)
 let parse options sink sources file =
   if options.dump <> Some Parse && options.stop_after <> Some Parse then Some ()
   else
-    match Resolve.Files.on_disk.read file with
+    match files.read file with
     | Error _ -> Some ()
     | Ok text ->
         Source.add sources ~file text;
@@ -43,7 +45,7 @@ let front ?robot options sink sources ~library file =
   let own = own robot in
   let* () = parse options sink sources file in
   let* resolved =
-    Resolve.Program.load sink ~files:Resolve.Files.on_disk
+    Resolve.Program.load sink ~files
       ~remember:(fun ~file text -> Source.add sources ~file text)
       ~library
       ?also:(Option.bind own (fun (robot : Cgen.Robot.t) -> robot.file))

@@ -3,7 +3,10 @@ type error = Missing | Unreadable of string
 type t = {
   read : string -> (string, error) result;
   modules_in : string -> string list;
+  parsed : file:string -> string -> Syntax.Ir.program option;
 }
+
+let none_parsed ~file:_ _ = None
 
 let read_on_disk path =
   if not (Sys.file_exists path) then Error Missing
@@ -30,7 +33,7 @@ let on_disk =
     | files -> modules (Array.to_list files)
     | exception Sys_error _ -> []
   in
-  { read = read_on_disk; modules_in }
+  { read = read_on_disk; modules_in; parsed = none_parsed }
 
 let in_memory texts =
   let table = Hashtbl.create 16 in
@@ -43,4 +46,4 @@ let in_memory texts =
     in
     modules (List.filter_map inside texts)
   in
-  { read; modules_in }
+  { read; modules_in; parsed = none_parsed }

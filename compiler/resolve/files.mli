@@ -10,9 +10,13 @@ type t = {
   modules_in : string -> string list;
       (** names [M] of the files [M.frob] in a directory, in alphabetical
           order; none if it cannot be read *)
+  parsed : file:string -> string -> Syntax.Ir.program option;
+      (** what {!Syntax.Parse.program} would make of a text, if that is known already;
+          [file] is the name that diagnostics show *)
 }
 
 val on_disk : t
+(** Knows no parsed text. *)
 
 val in_memory : (string * string) list -> t
-(** Paths and texts. *)
+(** Paths and texts. Knows no parsed text. *)

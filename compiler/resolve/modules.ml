@@ -163,9 +163,14 @@ let report_two_files loader (target : Syntax.Ir.name) ~earlier ~later =
   |> Diagnostic.hint "give your own module another name"
   |> Diagnostic.emit loader.sink
 
+let parse loader found =
+  match loader.files.parsed ~file:found.shown found.text with
+  | Some syntax -> Some syntax
+  | None -> Syntax.Parse.program loader.sink ~file:found.shown found.text
+
 let rec load_found loader ~way ~name_hint found =
   loader.remember ~file:found.shown found.text;
-  match Syntax.Parse.program loader.sink ~file:found.shown found.text with
+  match parse loader found with
   | None -> None
   | Some syntax ->
       let name = name_of loader ~file_name:name_hint syntax in

@@ -1,0 +1,30 @@
+(* Writes an OCaml module with the syntax trees of the modules whose paths are the
+   arguments: the name that diagnostics show, the text, and the tree, marshalled. *)
+
+open Basis
+
+let read path =
+  let channel = open_in_bin path in
+  let text = really_input_string channel (in_channel_length channel) in
+  close_in channel;
+  text
+
+(* As {!Resolve.Modules} shows a module of the library. *)
+let shown path = Filename.basename (Filename.dirname path) ^ "/" ^ Filename.basename path
+
+let prepared path =
+  let file = shown path and text = read path in
+  let sink = Diagnostic.sink () in
+  match (Syntax.Parse.program sink ~file text, Diagnostic.all sink) with
+  | Some tree, [] -> (file, text, Marshal.to_string tree [])
+  | _ -> failwith (path ^ " is not accepted without a message: run frobc check on it")
+
+let () =
+  let paths = List.sort String.compare (List.tl (Array.to_list Sys.argv)) in
+  print_string "let all =\n  [\n";
+  List.iter
+    (fun path ->
+      let file, text, tree = prepared path in
+      Printf.printf "    (%S,\n %S,\n %S);\n" file text tree)
+    paths;
+  print_string "  ]\n"
