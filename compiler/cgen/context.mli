@@ -34,7 +34,7 @@ val uninitialized : t -> M.variable list -> Ir.statement list
 (** Declarations without values, last first, one for each run of equal types. *)
 
 val seconds_of : t -> Ir.expr -> Ir.expr
-(** Of nanoseconds that were made of [dt], a double: mostly that. *)
+(** Of nanoseconds, a double, that were made of [dt]: mostly that. *)
 
 val in_seconds : t -> Ir.expr -> Ir.expr
 (** Of nanoseconds, 64 bits. *)

@@ -342,11 +342,11 @@ static inline int32_t frob_round(@R x)
  * leaves no bits for a fraction. NaN and negative give 0; at most 1e9 s. */
 static inline double frob_whole_ns(double dt)
 {
-    double ns = dt * 1e9;
-    ns = ns > 0.0 ? ns : 0.0;
+    double ns = (1e9 < dt ? 1e9 : dt) * 1e9;
     if (FROB_BRANCH(ns >= 4503599627370496.0)) {
-        return ns < 1e18 ? ns : 1e18;
+        return ns;
     }
+    ns = ns > 0.0 ? ns : 0.0;
     return (ns + 4503599627370496.0) - 4503599627370496.0;
 }
 |} );
@@ -354,7 +354,8 @@ static inline double frob_whole_ns(double dt)
       "frob_seconds",
       [ Branch ],
       {|/* Whole nanoseconds in seconds. Almost always that is the dt they come from, and
- * then nothing waits for the division: worth the bytes where these do not count.
+ * then what is divided by it waits for one division, not for two: worth the bytes
+ * where these do not count.
  * (Adding 0.0 makes 0.0 of -0.0.) */
 static inline double frob_seconds(double ns, double dt)
 {

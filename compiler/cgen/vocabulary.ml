@@ -22,6 +22,7 @@ type t = {
   program : M.program;
   apart : Machine.Apart.t;
   rounds : Machine.Rounds.t;
+  divides_by_time : bool;  (** something does: see {!Machine.Time_use.divides} *)
   name : string;
   file_scope : Name.scope;
   types : Value_types.t;
@@ -237,6 +238,7 @@ let of_program ?own (program : M.program) =
     program;
     apart;
     rounds = Machine.Rounds.of_program program;
+    divides_by_time = Machine.Time_use.divides program;
     name;
     file_scope = scope;
     types;

@@ -26,6 +26,7 @@ type t = {
   program : Machine.Ir.program;
   apart : Machine.Apart.t;
   rounds : Machine.Rounds.t;
+  divides_by_time : bool;  (** something does: see {!Machine.Time_use.divides} *)
   name : string;  (** the prefix of all names *)
   file_scope : Name.scope;
   types : Value_types.t;

@@ -22,3 +22,12 @@ let nanoseconds_in_floats (program : Ir.program) (node : Ir.node) =
       | Start _ | Begin _ | Await _ | Return _ -> ())
     node.step.body;
   program.real = Double && node.modes <> [] && not !has_own_instants
+
+let divides (program : Ir.program) =
+  let found = ref false in
+  let divides_by_time = function
+    | Ir.Operation { operator = Divide; arguments = [ _; Dt ]; _ } -> found := true
+    | _ -> ()
+  in
+  Array.iter (fun (node : Ir.node) -> Walk.expressions divides_by_time node.step.body) program.nodes;
+  !found

@@ -10,3 +10,7 @@ val nanoseconds_in_floats : Ir.program -> Ir.node -> bool
     integers of them where they count in them: unless its machine has instants of its
     own, of which it adds up the time. Where Floats are of single
     precision the step is given integers. *)
+
+val divides : Ir.program -> bool
+(** Something is divided by them, as a derivative is: where they are made by a division
+    too, one would wait for the other. *)

@@ -106,16 +106,16 @@ let entry c (e : M.entry) =
   Cost.sum ((number :: parameters) @ [ expressions c e.parameters; first ])
 
 (* Of nanoseconds; see the helpers of the generated C. *)
-let seconds (real : Basis.Real.t) =
-  match real with
-  | Double -> Cost.(sum [ one Divisions; one Choices; one Additions ])
-  | Single -> Cost.one Divisions
+let seconds (program : M.program) =
+  if program.real = Double && Machine.Time_use.divides program then
+    Cost.(sum [ one Divisions; one Choices; one Additions ])
+  else Cost.one Divisions
 
 (* Of the root's integers in single precision. *)
 let seconds_where_wanted c =
   match c.program.real with
-  | Double -> seconds Double
-  | Single -> Cost.add (Cost.one Conversions) (seconds Single)
+  | Double -> seconds c.program
+  | Single -> Cost.add (Cost.one Conversions) (seconds c.program)
 
 let is_root (program : M.program) (node : M.node) =
   let root = program.nodes.(Array.length program.nodes - 1) in
@@ -253,7 +253,7 @@ and statements c body = List.fold_left (fun cost s -> Cost.add cost (statement c
 (* The root makes whole nanoseconds of the caller's dt, in double precision, or keeps
    them in bounds, and 0 at the first instant; see the helpers of the generated C. *)
 let root_clock (program : M.program) (root : M.node) =
-  let seconds = seconds program.real in
+  let seconds = seconds program in
   let whole =
     match program.real with
     | Double -> Cost.(sum [ one Multiplications; several 4 Choices; several 2 Additions ])

@@ -24,27 +24,12 @@ typedef char drive_double_is_8_bytes[sizeof(double) == 8 ? 1 : -1];
  * leaves no bits for a fraction. NaN and negative give 0; at most 1e9 s. */
 static inline double frob_whole_ns(double dt)
 {
-    double ns = dt * 1e9;
-    ns = ns > 0.0 ? ns : 0.0;
+    double ns = (1e9 < dt ? 1e9 : dt) * 1e9;
     if (FROB_BRANCH(ns >= 4503599627370496.0)) {
-        return ns < 1e18 ? ns : 1e18;
+        return ns;
     }
+    ns = ns > 0.0 ? ns : 0.0;
     return (ns + 4503599627370496.0) - 4503599627370496.0;
-}
-
-/* Whole nanoseconds in seconds. Almost always that is the dt they come from, and
- * then nothing waits for the division: worth the bytes where these do not count.
- * (Adding 0.0 makes 0.0 of -0.0.) */
-static inline double frob_seconds(double ns, double dt)
-{
-    const double s = ns / 1e9;
-#ifndef __OPTIMIZE_SIZE__
-    if (!FROB_BRANCH(s != dt)) {
-        return dt + 0.0;
-    }
-#endif
-    (void)dt;
-    return s;
 }
 
 /* A local time after some more nanoseconds; stops at the end of time. */
@@ -97,7 +82,7 @@ void drive_step(struct drive_state *self,
                 struct drive_output *out)
 {
     const int64_t dt_ns = self->started ? (int64_t)frob_whole_ns(dt) : 0;
-    dt = frob_seconds((double)dt_ns, dt);
+    dt = (double)dt_ns / 1e9;
     self->started = true;
     self->t = frob_later(self->t, dt_ns);                   /* line 8 */
     double r, phi;
