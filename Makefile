@@ -100,7 +100,9 @@ matrix: all
 	@sh tests/setup.sh $(MATRIX_PACKAGES)
 	@dune build tests/matrix/emit.exe
 	@sh tests/matrix/run.sh _build/default/tests/matrix/emit.exe stdlib runtime $(N) $(SEED) all \
-	  $$(grep -L '^foreign' examples/*/*.frob) tests/interp/*.frob
+	  $$(grep -L '^foreign' examples/*/[a-z]*.frob | \
+	    sed 's|.*/light_seek.frob|&:examples/light_seek/Moth.frob|; s|.*/line_follow.frob|&:create|; s|.*/safe_stick.frob|&:pioneer|') \
+	  tests/interp/*.frob
 	@sh tests/matrix/selftest.sh $(FROBC)
 	@sh tests/targets/run.sh
 

@@ -244,8 +244,8 @@ let compile ?batch ?robot options sink sources ~library ~entry file =
       let* text = robot_header sink sources ~library robot in
       Some { files with robot_header = Some (robot.header, text) }
 
-let for_both_engines options sink sources ~library ~entry file =
-  let* core, entry, flow = checked options sink sources ~library ~entry file in
+let for_both_engines ?robot options sink sources ~library ~entry file =
+  let* core, entry, flow = checked ?robot options sink sources ~library ~entry file in
   let* machine = machine_of options sink flow in
   let* files = c options sink machine in
   Some (core, entry, files)

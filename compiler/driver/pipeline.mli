@@ -62,6 +62,7 @@ val interpretable :
     a program has looked at it. [None] as for {!compile}. *)
 
 val for_both_engines :
+  ?robot:Cgen.Robot.t ->
   options ->
   Diagnostic.sink ->
   Source.t ->

@@ -97,6 +97,7 @@ let try_out context resolve (i : F.instance) (trial : F.trial) state =
       operands;
       statements;
       always = true;
+      advances = None;
       weight = 2 + node.operations;
       span = i.span;
     }
@@ -145,6 +146,7 @@ let loop context resolve (i : F.instance) (l : F.loop) state =
       operands = List.map resolve (initial @ arguments context i node.step);
       statements;
       always = Option.is_some state;
+      advances = None;
       weight = l.count * (2 + node.operations);
       span = i.span;
     }
@@ -170,6 +172,7 @@ let call context resolve (i : F.instance) state =
           operands;
           statements;
           always = Option.is_some state;
+          advances = None;
           weight = 2 + node.operations;
           span = i.span;
         }
@@ -180,4 +183,4 @@ let reset context resolve (i : F.instance) state =
   let statements arguments =
     [ Ir.Reset { node = i.node; state; arguments; span = i.span } ]
   in
-  Action { defines = []; operands; statements; always = true; weight = 0; span = i.span }
+  Action { defines = []; operands; statements; always = true; advances = None; weight = 0; span = i.span }

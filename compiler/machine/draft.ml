@@ -25,8 +25,8 @@ let add_computed draft (eq : F.equation) =
       Int_table.replace draft.copies eq.defines.id atom
   | rhs -> add draft (Computed (computed eq rhs))
 
-let work ?(operands = []) span statements =
-  Action { defines = []; operands; statements; always = true; weight = 0; span }
+let work ?(operands = []) ?advances span statements =
+  Action { defines = []; operands; statements; always = true; advances; weight = 0; span }
 
 let keep_at_end draft field next ~leaf span =
   draft.states <- (field, next, leaf, span) :: draft.states

@@ -23,6 +23,7 @@ val keep_at_end :
 
 val work :
   ?operands:Flow.Ir.atom list ->
+  ?advances:Ir.field ->
   Span.t ->
   (Ir.expr list -> Ir.statement list) ->
   Fragment.item

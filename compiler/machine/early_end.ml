@@ -25,17 +25,28 @@ let operands = function Computed c -> c.operands | Action a -> a.operands
 let defined = function Computed c -> [ c.signal ] | Action a -> a.defines
 
 (* From the last item to the first, each being after what it needs. *)
-let needed_for items (atoms : atom list) =
-  let wanted = Int_table.create 16 in
+let needed_for ({ leaves; items; _ } : Fragment.t) (atoms : atom list) =
+  let wanted = Int_table.create 16 and fields = Int_table.create 16 in
   let want (atom : atom) =
     match atom with
-    | Signal s -> Int_table.replace wanted s.id ()
     | Bool _ | Int _ | Float _ -> ()
+    | Signal s -> (
+        Int_table.replace wanted s.id ();
+        match Int_table.find_opt leaves s.id with
+        | Some (Field field) -> Int_table.replace fields field.id ()
+        | Some _ | None -> ())
+  in
+  let is_wanted item =
+    List.exists (fun (s : F.signal) -> Int_table.mem wanted s.id) (defined item)
+    ||
+    match item with
+    | Action { advances = Some field; _ } -> Int_table.mem fields field.id
+    | Action { advances = None; _ } | Computed _ -> false
   in
   List.iter want atoms;
   let needed = Array.make (Array.length items) false in
   for k = Array.length items - 1 downto 0 do
-    if List.exists (fun (s : F.signal) -> Int_table.mem wanted s.id) (defined items.(k)) then (
+    if is_wanted items.(k) then (
       needed.(k) <- true;
       List.iter want (operands items.(k)))
   done;
@@ -45,7 +56,7 @@ let results_from told (fragment : Fragment.t) =
   List.filteri (fun k _ -> k >= told) (List.map (fun (_, atom, _) -> atom) fragment.results)
 
 let needed (fragment : Fragment.t) ending =
-  needed_for fragment.items (ending.ends :: results_from ending.told fragment)
+  needed_for fragment (ending.ends :: results_from ending.told fragment)
 
 (* What is done besides, if the mode goes on. *)
 let left_out (fragment : Fragment.t) ending =
@@ -58,7 +69,7 @@ let left_out (fragment : Fragment.t) ending =
          | Action { always = true; operands; _ } -> operands
          | Action _ | Computed _ -> [])
   in
-  let if_it_goes_on = needed_for fragment.items (all @ states @ of_actions) in
+  let if_it_goes_on = needed_for fragment (all @ states @ of_actions) in
   let weight = ref 0 and steps = ref false in
   Array.iteri
     (fun k item ->

@@ -27,6 +27,7 @@ type action = {
   operands : atom list;
   statements : Ir.expr list -> Ir.statement list;
   always : bool;  (** it writes state, and so belongs to every step *)
+  advances : Ir.field option;  (** one that it writes, and items after it read *)
   weight : int;
   span : Span.t;
 }

@@ -27,7 +27,7 @@ let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
         ]
     | _ -> broken "a derivative of other than one signal"
   in
-  Draft.add draft (Draft.work ~operands:[ atom; atom ] span statements)
+  Draft.add draft (Draft.work ~operands:[ atom; atom ] ~advances:value span statements)
 
 let advance ~limited state (eq : F.equation) =
   match State.memory state eq.defines with
@@ -64,7 +64,7 @@ let start_again ~limited draft time restart span =
     in
     [ Ir.Assign { place = Own time; value; span } ]
   in
-  Draft.add draft (Draft.work ~operands:[ restart ] span statements)
+  Draft.add draft (Draft.work ~operands:[ restart ] ~advances:time span statements)
 
 (* The rest is kept with the other state, last: only then has all else read what
    is left of it. What counts nanoseconds is never in a variable; it has no type
@@ -98,13 +98,16 @@ let step ~fresh ~limited draft state (eq : F.equation) =
       | Bool false -> ()
       | again ->
           if advances then start_again ~limited:(limited restart) draft time again eq.span);
-      let build _ : Ir.expr =
+      let now = { s with id = fresh (); name = "" } in
+      Draft.leaf draft now (Field time);
+      let build arguments : Ir.expr =
         match unit with
-        | Seconds -> Seconds (Field time)
-        | Nanoseconds -> In_nanoseconds (Field time)
+        | Seconds -> Seconds (one arguments)
+        | Nanoseconds -> In_nanoseconds (one arguments)
       in
       Draft.add draft
-        (Computed { signal = s; operands = []; build; choice = None; weight = 5; span = eq.span })
+        (Computed
+           { signal = s; operands = [ Signal now ]; build; choice = None; weight = 5; span = eq.span })
   | Some (Ticked { time; period }) -> tick fresh draft s time (Draft.resolve draft period) eq.span
   | Some (Integrated { value; _ }) -> Draft.leaf draft s (Field value)
   | Some (Differentiated { value; input }) ->

@@ -149,7 +149,7 @@ let step context (m : F.machine) =
   let weight =
     List.fold_left (fun sum mode -> sum + (context.callee mode).Ir.operations) 4 m.modes
   in
-  Action { defines = m.outputs; operands; statements; always = true; weight; span = m.span }
+  Action { defines = m.outputs; operands; statements; always = true; advances = None; weight; span = m.span }
 
 let first context (m : F.machine) =
   let is_literal (atom : F.atom) = match atom with Signal _ -> false | Bool _ | Int _ | Float _ -> true in
@@ -192,4 +192,4 @@ let start context (m : F.machine) =
     in
     choose transitions @ clock
   in
-  Action { defines = []; operands; statements; always = true; weight = 0; span = m.span }
+  Action { defines = []; operands; statements; always = true; advances = None; weight = 0; span = m.span }

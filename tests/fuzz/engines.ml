@@ -58,11 +58,11 @@ let guarded act =
       (* With OCAMLRUNPARAM=b, where it was. *)
       Error (Failed (Option.get (internal_error exn) ^ "\n" ^ Printexc.get_backtrace ()))
 
-let load tools ~entry file =
+let load ?robot tools ~entry file =
   guarded @@ fun () ->
   let sink = Diagnostic.sink () and sources = Source.create () in
   match
-    Driver.Pipeline.for_both_engines (options tools.real) sink sources ~library:tools.library ~entry file
+    Driver.Pipeline.for_both_engines ?robot (options tools.real) sink sources ~library:tools.library ~entry file
   with
   | None -> Error (Rejected (Render_text.diagnostics ~colour:false sources (Diagnostic.all sink)))
   | Some (core, entry, c) ->

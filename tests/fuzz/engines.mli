@@ -29,8 +29,8 @@ val describe : outcome -> string
 type subject
 (** A program, ready for both engines. *)
 
-val load : tools -> entry:string -> string -> (subject, outcome) result
-(** Of a file. *)
+val load : ?robot:Cgen.Robot.t -> tools -> entry:string -> string -> (subject, outcome) result
+(** Of a file; a program that leaves its robot open is one for [robot]. *)
 
 val files : subject -> (string * string) list
 (** The names and texts of its C, with the table for hosts. *)

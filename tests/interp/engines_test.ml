@@ -31,11 +31,11 @@ let recorded subject file =
     | Ok recording -> [ recording ]
     | Error text -> Alcotest.fail (path ^ ": " ^ text)
 
-let agree ?(real = Basis.Real.Double) engine file () =
+let agree ?(real = Basis.Real.Double) engine (file, robot) () =
   let tools = tools real in
   let random = Random.State.make [| 2001 |] in
   let outcome =
-    match Engines.load tools ~entry:"main" file with
+    match Engines.load ?robot tools ~entry:"main" file with
     | Error outcome -> outcome
     | Ok subject ->
         let random = Engines.recordings random ~rows:200 subject in
@@ -45,18 +45,32 @@ let agree ?(real = Basis.Real.Double) engine file () =
   | Agree -> ()
   | Rejected _ | Failed _ | Differ _ -> Alcotest.fail (Engines.describe outcome)
 
-let case ?real engine file =
+let case ?real engine ((file, _) as program) =
   let words = String.concat " " (String.split_on_char '_' (Filename.basename file)) in
-  Alcotest.test_case (Filename.remove_extension words) `Quick (agree ?real engine file)
+  Alcotest.test_case (Filename.remove_extension words) `Quick (agree ?real engine program)
 
 let programs =
   Sys.readdir Filename.current_dir_name
   |> Array.to_list
   |> List.filter (fun file -> Filename.check_suffix file ".frob")
   |> List.sort String.compare
+  |> List.map (fun file -> (file, None))
 
+let robot name =
+  match Driver.Robots.known (Some name) with Ok robot -> robot | Error reason -> failwith reason
+
+(* Those without code in C. *)
 let examples =
-  List.map (fun name -> root / "examples" / name / (name ^ ".frob")) [ "heading_hold"; "wall_follow" ]
+  let example ?robot name = (root / "examples" / name / (name ^ ".frob"), robot) in
+  let for_pioneer =
+    [ "bug"; "corridor"; "dock"; "explore"; "heading_hold"; "patrol"; "wall_follow" ]
+  in
+  List.map (fun name -> example name) for_pioneer
+  @ [
+      example ?robot:(robot "create") "line_follow";
+      example ?robot:(robot "pioneer") "safe_stick";
+      example ?robot:(robot (root / "examples/light_seek/Moth.frob")) "light_seek";
+    ]
 
 let () =
   (* What stays in memory until the host ends is not lost. *)

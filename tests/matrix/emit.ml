@@ -1,7 +1,8 @@
 (* Programs with recordings and what they must answer, as C that needs no files:
    for each program a folder with its generated C, its table for hosts, expected.c
-   and state.c (see expected.h); in for_tcc the same C such as tcc compiles it. Programs are random ones, many in a module, and
-   files that are named. *)
+   and state.c (see expected.h); in for_tcc the same C
+   such as tcc compiles it. Programs are random ones, many in a module, and files that
+   are named; PROGRAM:ROBOT is a program for the robot of that name or file. *)
 
 open Fuzz
 
@@ -29,7 +30,7 @@ let settings () =
       number "--seed" (fun v -> s.seed <- v) "S of the random programs and all inputs";
     ]
     (fun file -> s.files <- s.files @ [ file ])
-    "emit [OPTIONS] [FILE.frob...]";
+    "emit [OPTIONS] [FILE.frob[:ROBOT]...]";
   s
 
 let write path text =
@@ -71,7 +72,7 @@ let expected subject recordings =
     (String.concat "" (List.mapi entry recordings))
     (List.length recordings)
 
-let machine (tools : Engines.tools) file =
+let machine ?robot (tools : Engines.tools) file =
   let options =
     {
       Driver.Pipeline.dump = None;
@@ -82,12 +83,12 @@ let machine (tools : Engines.tools) file =
     }
   in
   let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
-  match Driver.Pipeline.machine options sink sources ~library:tools.library ~entry:"main" file with
+  match Driver.Pipeline.machine options sink sources ~library:tools.library ?robot ~entry:"main" file with
   | Some machine -> machine
   | None -> failwith (file ^ " has no state to compare")
 
-let emit s tools ~name ~seed file =
-  match Engines.load tools ~entry:"main" file with
+let emit ?robot s tools ~name ~seed file =
+  match Engines.load ?robot tools ~entry:"main" file with
   | Error outcome ->
       prerr_endline (name ^ " " ^ Engines.describe outcome);
       exit 1
@@ -102,17 +103,26 @@ let emit s tools ~name ~seed file =
         write (folder / "for_tcc" / file) (In_process.for_tcc text)
       in
       List.iter write_file (Engines.files subject);
-      write_file ("state.c", State.text (machine tools file));
+      write_file ("state.c", State.text (machine ?robot tools file));
       write (folder / "expected.c") (expected subject recordings)
+
+let program_and_robot argument =
+  match String.split_on_char ':' argument with
+  | [ file; robot ] -> (
+      match Driver.Robots.known (Some robot) with
+      | Ok robot -> (file, robot)
+      | Error reason -> failwith reason)
+  | _ -> (argument, None)
 
 let () =
   let s = settings () in
   let tools real = { Engines.library = s.library; runtime = s.runtime; folder = s.out; real } in
   let named file = Filename.remove_extension (Filename.basename file) in
   List.iteri
-    (fun i file ->
-      emit s (tools Basis.Real.Double) ~name:(named file) ~seed:i file;
-      emit s (tools Single) ~name:(named file ^ "_single") ~seed:i file)
+    (fun i argument ->
+      let file, robot = program_and_robot argument in
+      emit ?robot s (tools Basis.Real.Double) ~name:(named file) ~seed:i file;
+      emit ?robot s (tools Single) ~name:(named file ^ "_single") ~seed:i file)
     s.files;
   let rec modules first =
     if first < s.count then begin
