@@ -12,7 +12,7 @@ type context = {
   scalars : int array;  (** of their states *)
 }
 
-let scalars c ty = Block.scalars c.program.sums ty
+let scalars c ty = Machine.Block.scalars c.program.sums ty
 
 let stored c (field : M.field) =
   match field.content with
@@ -25,13 +25,13 @@ let rec scalars_of_state c fields =
     match field.content with
     | Value ty -> scalars c ty
     | State_of k -> c.scalars.(k)
-    | States_of { node; count } -> Amount.times count c.scalars.(node)
+    | States_of { node; count } -> Basis.Amount.times count c.scalars.(node)
     | Running_mode | Component _ -> 1
     | Modes modes ->
         let mode m = scalars_of_state c (Machine.State.fields_of_mode m) in
         List.fold_left (fun most m -> max most (mode m)) 0 modes
   in
-  List.fold_left (fun sum field -> Amount.add sum (content field)) 0 fields
+  List.fold_left (fun sum field -> Basis.Amount.add sum (content field)) 0 fields
 
 let operation (operator : Flow.Ir.operator) (ty : M.ty) =
   match operator with
@@ -290,7 +290,7 @@ let crossing (program : M.program) (node : M.node) =
   | Single ->
       let given = List.map (fun (v : M.variable) -> v.ty) node.step.parameters in
       let time : M.ty list = if node.seconds then [ Float ] else [] in
-      let numbers ty = Cost.several (Block.numbers program.sums ty) Conversions in
+      let numbers ty = Cost.several (Machine.Block.numbers program.sums ty) Conversions in
       Cost.sum (List.map numbers (time @ given @ List.map snd node.outputs))
 
 let of_program (program : M.program) =

@@ -39,70 +39,45 @@ let definition t k = t.definitions.(k)
 
 let bytes_of_node t k = Amount.add t.definitions.(k).bytes t.definitions.(t.nodes + k).bytes
 
-(* The number of a mode is a byte while that is enough. *)
-let running_mode (node : M.node) : Block.t =
-  if List.compare_length_with node.modes 256 <= 0 then { bytes = 1; alignment = 1 }
-  else { bytes = 4; alignment = 4 }
-
-type context = {
-  program : M.program;
-  apart : Machine.Apart.t;
-  blocks : Block.t array;  (** of the nodes before *)
-  small : Block.t array;  (** likewise, of their structs of small fields *)
-}
+type context = { program : M.program; apart : Machine.Apart.t }
 
 (* The members of a struct with these fields, and its room. *)
 let rec members c k fields =
-  let contents = List.rev_map (content c k) fields in
-  let contents = List.rev contents in
-  let offsets, block = Block.of_members (Long_list.map fst contents) in
-  let member (placed, fields, offsets) (room, holds) =
+  let blocks = Long_list.map (Machine.Apart.block c.apart k) fields in
+  let offsets, whole = Machine.Block.of_members blocks in
+  let member (placed, fields, offsets) (room : Machine.Block.t) =
     match (fields, offsets) with
-    | ((field : M.field), _) :: fields, offset :: offsets ->
-        let bytes = room.Block.bytes in
-        ({ name = field.name; offset; bytes; holds; span = field.span } :: placed, fields, offsets)
+    | (((field : M.field), _) as part) :: fields, offset :: offsets ->
+        let holds = content c k part in
+        ( { name = field.name; offset; bytes = room.bytes; holds; span = field.span } :: placed,
+          fields,
+          offsets )
     | _, _ -> (placed, fields, offsets)
   in
-  let placed, _, _ = List.fold_left member ([], fields, offsets) contents in
-  (List.rev placed, block)
+  let placed, _, _ = List.fold_left member ([], fields, offsets) blocks in
+  (List.rev placed, whole.bytes)
 
 and content c k ((field : M.field), (part : Machine.Apart.part)) =
-  (* What has one struct has that one, be it of small fields only. *)
   let struct_of node =
-    if part = Small && Machine.Apart.is_split c.apart node then
-      (c.small.(node), Array.length c.blocks + node)
-    else (c.blocks.(node), node)
+    if part = Small && Machine.Apart.is_split c.apart node then Array.length c.program.nodes + node
+    else node
   in
   match field.content with
-  | Value ty -> (Block.of_value c.program.real c.program.sums ty, Value field.purpose)
-  | State_of node ->
-      let block, index = struct_of node in
-      (block, Struct index)
-  | States_of { node; count } ->
-      let block, index = struct_of node in
-      (Block.run count block, Structs { node = index; count })
-  | Running_mode -> (running_mode c.program.nodes.(k), Running_mode)
-  | Component symbol -> (Block.foreign, Value (Printf.sprintf "`struct %s_state`" symbol))
-  | Modes modes ->
-      let alternatives = List.map (alternative c k part) modes in
-      (Block.of_alternatives (List.map snd alternatives), Largest (List.map fst alternatives))
+  | Value _ -> Value field.purpose
+  | State_of node -> Struct (struct_of node)
+  | States_of { node; count } -> Structs { node = struct_of node; count }
+  | Running_mode -> Running_mode
+  | Component symbol -> Value (Printf.sprintf "`struct %s_state`" symbol)
+  | Modes modes -> Largest (List.map (alternative c k part) modes)
 
 and alternative c k part (mode : M.mode) =
   let fields = Machine.Apart.in_order c.apart k (Machine.State.fields_of_mode mode) in
-  let members, block = members c k (List.filter (fun (_, p) -> p = part) fields) in
-  ({ mode = c.program.nodes.(mode.node).origin; node = mode.node; bytes = block.bytes; members }, block)
+  let members, bytes = members c k (List.filter (fun (_, p) -> p = part) fields) in
+  { mode = c.program.nodes.(mode.node).origin; node = mode.node; bytes; members }
 
 let of_program (program : M.program) =
   let count = Array.length program.nodes in
-  let none = { Block.bytes = 0; alignment = 1 } in
-  let c =
-    {
-      program;
-      apart = Machine.Apart.of_program program;
-      blocks = Array.make count none;
-      small = Array.make count none;
-    }
-  in
+  let c = { program; apart = Machine.Apart.of_program program } in
   let definition (node : M.node) name bytes members =
     { name; file = node.file; span = node.span; bytes; members }
   in
@@ -113,13 +88,11 @@ let of_program (program : M.program) =
         List.partition (fun (_, part) -> part = Machine.Apart.Large) fields
       else (fields, [])
     in
-    let members, block = members c k large and small_members, small = members c k small in
+    let members, bytes = members c k large and small_members, small_bytes = members c k small in
     (* C has no struct without members. *)
-    let block = if k = count - 1 then { block with bytes = max 1 block.bytes } else block in
-    c.blocks.(k) <- block;
-    c.small.(k) <- small;
-    ( definition node node.origin block.bytes members,
-      definition node (node.origin ^ ", small fields") small.bytes small_members )
+    let bytes = if k = count - 1 then max 1 bytes else bytes in
+    ( definition node node.origin bytes members,
+      definition node (node.origin ^ ", small fields") small_bytes small_members )
   in
   let both = Array.mapi of_node program.nodes in
   { definitions = Array.append (Array.map fst both) (Array.map snd both); nodes = count }

@@ -30,7 +30,7 @@ let table rows =
   in
   String.concat "" (Basis.Long_list.map line rows)
 
-let number n = if n >= Amount.most then "2^53 or more" else string_of_int n
+let number n = if n >= Basis.Amount.most then "2^53 or more" else string_of_int n
 
 (* {1 The state} *)
 

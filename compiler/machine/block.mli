@@ -5,15 +5,15 @@
 
 type t = { bytes : int; alignment : int }
 
-val of_value : Basis.Real.t -> Flow.Ir.sum array -> Machine.Ir.ty -> t
+val of_value : Basis.Real.t -> Flow.Ir.sum array -> Ir.ty -> t
 
 val foreign : t
 (** A struct of the user's C. *)
 
-val scalars : Flow.Ir.sum array -> Machine.Ir.ty -> int
+val scalars : Flow.Ir.sum array -> Ir.ty -> int
 (** How many numbers, truth values and tags a value is made of. *)
 
-val numbers : Flow.Ir.sum array -> Machine.Ir.ty -> int
+val numbers : Flow.Ir.sum array -> Ir.ty -> int
 (** How many of these are Floats. *)
 
 val run : int -> t -> t
