@@ -55,12 +55,13 @@ let shrunk (tools : Engines.tools) engines ~seed { number; recordings; outcome; 
 
 (* A program that is alone is the whole: what it is made of is at the root. Other
    C compilers than tcc are too slow for that. *)
-let is_one_by_one (engines : Engines.c_engine list) first =
-  engines = [ Tcc ] && first / size mod 8 = 7
+let is_one_by_one (engines : Engines.c_engine list) ~seed first =
+  let is_small = (Bias.of_program ~seed first).root = Small in
+  engines = [ Tcc ] && (is_small || first / size mod 8 = 7)
 
 let failures ?seen tools engines ~seed ~first ~count =
   let alone ?seen i = on_input_of ?seen first tools engines ~seed ~first:(first + i) ~count:1 in
-  if is_one_by_one engines first then List.filter_map (alone ?seen) (List.init count Fun.id)
+  if is_one_by_one engines ~seed first then List.filter_map (alone ?seen) (List.init count Fun.id)
   else
     match on_input_of ?seen first tools engines ~seed ~first ~count with
     | None -> []
@@ -70,7 +71,7 @@ let failures ?seen tools engines ~seed ~first ~count =
         | failures -> failures)
 
 let first_failure ?seen tools engines ~seed ~first ~count =
-  if is_one_by_one engines first then
+  if is_one_by_one engines ~seed first then
     List.find_map
       (fun i -> on_input_of ?seen first tools engines ~seed ~first:(first + i) ~count:1)
       (List.init count Fun.id)

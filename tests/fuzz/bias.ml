@@ -1,3 +1,5 @@
+type root = Any | Small | Cascade
+
 type t = {
   events : int;
   switches : int;
@@ -7,9 +9,10 @@ type t = {
   depth : int;
   width : int;
   chains : int;
+  root : root;
 }
 
-let even = { events = 12; switches = 3; tasks = 1; library = 3; odd_numbers = 20; depth = 0; width = 0; chains = 1 }
+let even = { events = 12; switches = 3; tasks = 1; library = 3; odd_numbers = 20; depth = 0; width = 0; chains = 1; root = Any }
 
 let all =
   [|
@@ -20,6 +23,8 @@ let all =
     { even with depth = 1 };
     { even with width = 5 };
     { even with chains = 8 };
+    { even with root = Small };
+    { even with root = Cascade };
   |]
 
 let count = Array.length all

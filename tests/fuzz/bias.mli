@@ -1,5 +1,11 @@
 (** What the programs of a seed have most of. *)
 
+(** What a program is. *)
+type root =
+  | Any  (** equations and definitions of all kinds *)
+  | Small  (** see {!Small_root} *)
+  | Cascade  (** see {!Cascade} *)
+
 type t = {
   events : int;  (** one type in so many is an event *)
   switches : int;  (** the weight of switches among signal functions *)
@@ -9,6 +15,7 @@ type t = {
   depth : int;  (** added to the depth of expressions *)
   width : int;  (** added to the number of equations *)
   chains : int;  (** the weight of chains of array functions among expressions *)
+  root : root;
 }
 
 val alike : int
@@ -16,7 +23,7 @@ val alike : int
 
 val of_program : seed:int -> int -> t
 (** Of the program with this number, by turns: even, event-heavy, switch-storms,
-    NaN-heavy, deep, wide, array-heavy. *)
+    NaN-heavy, deep, wide, array-heavy, with a small root, cascades of modes. *)
 
 val count : int
 (** How many there are. *)

@@ -31,6 +31,14 @@ let or_zero s makers u =
     (annotated (makers.expression inside 1 Float) Float)
     (one_of s.random [ "0"; "0"; "(-0)" ])
 
+(* All NaN at the instants at which a number is negative. *)
+let lost s makers (a, _) =
+  let e = fresh s "e" in
+  let number =
+    match variable s Float with Some x -> x | None -> makers.expression { s with run = None } 1 Float
+  in
+  f "map (\\%s -> %s %s sqrt %s) %s" e e (one_of s.random [ "+"; "*" ]) (annotated number Float) a
+
 (* Of the latest more often than of the earlier ones. *)
 let latest s list = one_of s.random (List.filteri (fun k _ -> k = 0 || not (chance s.random 3)) list)
 
@@ -48,7 +56,7 @@ let new_array s makers ~n arrays (t : Type.t) =
   let index () = one_of s.random [ value Int; f "%d" (Random.State.int s.random n) ] in
   let of_one make = match arrays with [] -> None | _ -> Some (make (any ())) in
   let made =
-    match Random.State.int s.random 12 with
+    match Random.State.int s.random 13 with
     | 0 | 1 | 2 ->
         of_one (fun (a, u) ->
             let each = if t = Float && chance s.random 3 then or_zero s makers u else lambda [ u ] t in
@@ -63,6 +71,7 @@ let new_array s makers ~n arrays (t : Type.t) =
         match List.filter (fun (_, u) -> u = t) arrays with
         | [] -> None
         | same -> Some (f "replace %s %s %s" (index ()) (value t) (fst (latest s same))))
+    | 11 when t = Float -> Option.map (lost s makers) (List.find_opt (fun (_, u) -> u = t) arrays)
     | 10 ->
         Option.bind makers.instances (fun instance ->
             of_one (fun (a, u) -> f "(mapSF %s) %s" (instance u t) a))
@@ -89,16 +98,17 @@ let fold_of_two s makers (a, u) result =
 
 let new_value s makers ~n arrays usual : Type.t * string =
   let ((a, u) as array) = latest s arrays in
-  match Random.State.int s.random 8 with
+  match Random.State.int s.random 9 with
   | 7 ->
       let result = one_of s.random usual in
       (Tuple [ result; result ], fold_of_two s makers array result)
-  | 0 when u = Type.Float && chance s.random 2 ->
+  | 0 | 8 when u = Type.Float && not (chance s.random 3) ->
       let name = one_of s.random [ "minimumBy"; "maximumBy" ] in
+      let looked_at = if chance s.random 2 then f "(%s)" (lost s makers array) else a in
       let limit = annotated (makers.expression { s with run = None } 0 Float) Float in
       let limit = if chance s.random 2 then annotated (Constant.literal s Float) Float else limit in
-      let operator = one_of s.random [ "<"; "<="; ">"; ">="; "==" ] in
-      (Bool, f "(%s id %s) %s %s" name a operator limit)
+      let operator = one_of s.random [ "<"; "<"; "<="; ">"; ">"; ">="; "==" ] in
+      (Bool, f "(%s id %s) %s %s" name looked_at operator limit)
   | 0 ->
       let name = one_of s.random [ "minimumBy"; "maximumBy" ] in
       (u, f "%s %s %s" name (lambda s makers [ u ] (one_of s.random [ Type.Float; Int ])) a)

@@ -86,7 +86,7 @@ let call (s : Signal_function.scope) own (values : Scope.t) (name, parameters) =
   in
   let argument (p : Signal_function.parameter) =
     match p with
-    | Value Int when chance values.random 2 -> Reactive.one_of_few values
+    | Value Int when chance values.random 2 -> Cascade.one_of_few values
     | Value t -> Expression.expression values 2 t
     | Function _ | Signal_function _ -> (
         match List.filter (fun (_, p') -> p' = p) own with

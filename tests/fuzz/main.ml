@@ -55,7 +55,7 @@ let settings () =
         "N every so many batches one goes through gcc or clang as well, with sanitizers (0: none)";
       ( "--real",
         Arg.Symbol ([ "double"; "float"; "both" ], fun v -> s.real <- v),
-        " what the programs compute with; both: every third batch with float (both)" );
+        " what the programs compute with; both: one batch in three with float (both)" );
       text "--library" (fun v -> s.library <- v) "DIR the standard library (stdlib)";
       text "--runtime" (fun v -> s.runtime <- v) "DIR the runtime's sources (runtime)";
     ]
@@ -84,11 +84,12 @@ let engines s batch : Engines.c_engine list =
     let turn = batch / s.sanitize_every mod 2 in
     [ Tcc; Sanitized (if turn = 0 then Gcc else Clang) ]
 
+(* Each kind of program with both. *)
 let real s batch : Basis.Real.t =
   match s.real with
   | "double" -> Double
   | "float" -> Single
-  | _ -> if batch mod 3 = 1 then Single else Double
+  | _ -> if (batch + (batch / Bias.count)) mod 3 = 1 then Single else Double
 
 type result = { programs : int; failed : int; sanitized : int; seen : Coverage.t }
 

@@ -23,10 +23,7 @@ let scope ~seen ~seed ~random ~prefix ~declared number =
     run = None;
   }
 
-let one ~seen ~seed number =
-  let bias = Bias.of_program ~seed number in
-  let random = Random.State.make [| seed; number |] in
-  let prefix = f "p%d" number in
+let large ~seen ~seed ~random ~prefix ~(bias : Bias.t) number =
   let out = Buffer.create 4096 in
   let declared =
     List.fold_left
@@ -77,6 +74,31 @@ let one ~seen ~seed number =
           prefix));
   (prefix, Buffer.contents out, signals)
 
+let signature name output = f "%s :: SF %s %s\n" name (Type.text input_type) (Type.text output)
+
+let small values prefix =
+  let text, signals = Small_root.make values ~pattern:(Pattern.any values input_type) in
+  (prefix, f "%s%s = %s\n\n" (signature prefix (Tuple signals)) prefix text, signals)
+
+let cascades values prefix =
+  let pattern = Pattern.any values input_type in
+  let text, machines = Cascade.definitions values ~input:input_type ~pattern in
+  let signals = List.map (fun _ -> Type.Int) machines in
+  let outputs = String.concat ", " (List.map (fun machine -> machine ^ " i") machines) in
+  ( prefix,
+    f "%s%s%s = proc i -> (%s)\n\n" text (signature prefix (Tuple signals)) prefix outputs,
+    signals )
+
+let one ~seen ~seed number =
+  let bias = Bias.of_program ~seed number in
+  let random = Random.State.make [| seed; number |] in
+  let prefix = f "p%d" number in
+  let values = scope ~seen ~seed ~random ~prefix ~declared:[] number in
+  match bias.root with
+  | Any -> large ~seen ~seed ~random ~prefix ~bias number
+  | Small -> small values prefix
+  | Cascade -> cascades values prefix
+
 (* {1 How they run} *)
 
 (* Some run always; others are started late, started again or run now and then. *)
@@ -90,8 +112,6 @@ let most_parts = 150
 let events =
   [ "edge b"; "when (x > 0.0)"; "tag e ()"; "after 0.3[s] ()"; "every 0.2[s] ()"; "now () ()" ]
 
-let signature name output = f "%s :: SF %s %s\n" name (Type.text input_type) (Type.text output)
-
 (* Defines what runs the signal function of that name so. *)
 let running ~seed number name output =
   let random = Random.State.make [| seed; number; 2 |] in
@@ -100,10 +120,11 @@ let running ~seed number name output =
     Constant.literal (scope ~seen ~seed ~random ~prefix:"k" ~declared:[] number) output
   in
   let input = "proc i@(x, n, b, e, m, y, xs, d)" and event = one_of random events in
+  let stays_small = (Bias.of_program ~seed number).root = Small && not (chance random 6) in
   let late switch = f "%s (%s -> (%s, %s)) (\\_ -> %s)" switch input (literal ()) event name in
   let text =
     match kinds.(number mod Array.length kinds) with
-    | _ when Type.scalars output > most_parts -> name
+    | _ when Type.scalars output > most_parts || stays_small -> name
     | Always -> name
     | After_switch -> late "switch"
     | After_delayed_switch -> late "dSwitch"

@@ -111,21 +111,6 @@ let accumulated_functions m fuel a b =
 
 let switch m = one_of m.values.random [ "switch"; "dSwitch" ]
 
-(* A number of which an analysis of ranges can tell something. *)
-let one_of_few (values : Scope.t) =
-  let small () = string_of_int (Random.State.int values.random 5) in
-  match (Random.State.int values.random 5, Scope.variable values Int) with
-  | 0, Some n -> f "(%s %s 1)" n (one_of values.random [ "+"; "-" ])
-  | 1, Some n -> n
-  | (2 | 3), _ ->
-      f "(if %s then %s else %s)" (Expression.expression values 1 Bool) (small ()) (small ())
-  | _, _ -> small ()
-
-let asked_of m n =
-  f "(%s %s %d)" n
-    (one_of m.values.random [ "<"; "<="; ">"; ">="; "=="; "/=" ])
-    (Random.State.int m.values.random 5)
-
 (* An event that comes and goes, often with a value of the input. *)
 let lively m fuel a payload =
   let text, bound = Pattern.any m.values a in
@@ -134,7 +119,7 @@ let lively m fuel a payload =
     match
       (Random.State.int m.values.random 4, Scope.variable inside Int, Scope.variable inside Bool)
     with
-    | 0, Some n, _ -> asked_of m n
+    | 0, Some n, _ -> Cascade.asked_of inside n
     | 1, _, Some b -> b
     | _, _, _ -> Expression.expression inside fuel Bool
   in
@@ -192,28 +177,28 @@ let rec cascade m ?latest fuel a b =
   let inside = Scope.bind bound (still m.values) in
   let asked =
     match (latest, Scope.variable inside Int) with
-    | Some n, _ when not (chance random 4) -> asked_of m n
-    | _, Some n -> asked_of m n
+    | Some n, _ when not (chance random 4) -> Cascade.asked_of inside n
+    | _, Some n -> Cascade.asked_of inside n
     | _, None -> Expression.expression inside 1 Bool
   in
-  let n = Scope.fresh m.values "n" in
-  let handed = Scope.bind [ (n, Type.Int) ] m.values in
+  let n = Scope.fresh m.values "n" and c = Scope.fresh m.values "c" in
+  let handed = Scope.bind [ (n, Type.Int); (c, Bool) ] m.values in
   (* The compiler knows more of what is made after the event. *)
   let made, latest, values =
     if chance random 3 then ("", n, handed)
     else
       let k = Scope.fresh m.values "k" in
-      (f "let %s = %s in " k (one_of_few handed), k, Scope.bind [ (k, Type.Int) ] handed)
+      (f "let %s = %s in " k (Cascade.one_of_few ~by:c handed), k, Scope.bind [ (k, Type.Int) ] handed)
   in
   let after =
     if fuel > 0 && not (chance random 3) then cascade { m with values } ~latest (fuel - 1) a b
     else m.signal_function values (fuel - 1) a b
   in
-  f "(%s (proc %s -> (%s, mapE (\\_ -> %s) (%s %s))) (\\%s -> %s%s))" (switch m) text
+  f "(%s (proc %s -> (%s, mapE (\\_ -> (%s, %s)) (%s %s))) (\\(%s, %s) -> %s%s))" (switch m) text
     (Expression.expression inside 1 b)
-    (one_of_few inside)
+    (Cascade.one_of_few inside) (Cascade.bool inside)
     (one_of random [ "when"; "edgeFrom False" ])
-    asked n made after
+    asked n c made after
 
 (* Of a period that is known to the compiler, or of any. *)
 let ticks m =

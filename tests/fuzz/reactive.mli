@@ -27,6 +27,3 @@ val mode :
   string
 (** A switch in tail position, into what the continuation makes in the scope of
     the event's value. If [earlier], it leads back, so it takes time. *)
-
-val one_of_few : Scope.t -> string
-(** An Int of which an analysis of ranges can tell something. *)

@@ -1,0 +1,150 @@
+open Choice
+
+let f = Printf.sprintf
+
+let small (values : Scope.t) = string_of_int (Random.State.int values.random 5)
+
+let asked_of (values : Scope.t) n =
+  f "(%s %s %s)" n (one_of values.random [ "<"; "<="; ">"; ">="; "=="; "/=" ]) (small values)
+
+let bool (values : Scope.t) =
+  match (Scope.variable values Bool, Scope.variable values Int) with
+  | Some b, _ when not (chance values.random 3) -> b
+  | _, Some n when not (chance values.random 3) -> asked_of values n
+  | _, _ -> Expression.expression values 1 Bool
+
+let one_of_few ?by (values : Scope.t) =
+  let chosen () =
+    let condition = match by with Some b -> b | None -> bool values in
+    let low = Random.State.int values.random 4 in
+    let high = low + 1 + Random.State.int values.random (4 - low) in
+    let first, second = if chance values.random 3 then (high, low) else (low, high) in
+    f "(if %s then %d else %d)" condition first second
+  in
+  match (Random.State.int values.random 5, Scope.variable values Int) with
+  | 0, Some n -> f "(%s %s 1)" n (one_of values.random [ "+"; "-" ])
+  | 1, Some n -> n
+  | (2 | 3), _ -> chosen ()
+  | _, _ -> small values
+
+(* {1 A program of modes} *)
+
+(* A mode with an Int and a Bool that are handed on to it. *)
+type mode = { name : string; number : string; flag : string }
+
+let modes values =
+  List.init
+    (2 + Random.State.int values.Scope.random 5)
+    (fun _ ->
+      let fresh = Scope.fresh values in
+      { name = fresh "m"; number = fresh "n"; flag = fresh "c" })
+
+(* Into the next of the modes or a later one, or into one of two. *)
+let onward static ~handed:(n, c) later =
+  let inside = Scope.bind [ (n, Type.Int); (c, Bool) ] static in
+  let into mode =
+    let flag = if chance inside.random 2 then c else bool inside in
+    f "%s %s %s" mode.name (one_of_few ~by:c inside) flag
+  in
+  let next () = if chance inside.random 2 then List.hd later else one_of inside.random later in
+  match Random.State.int inside.random 4 with
+  | 0 ->
+      (* The longer way may be either. *)
+      let then_, else_ =
+        if chance inside.random 2 then (into (one_of inside.random later), into (List.hd later))
+        else (into (next ()), into (next ()))
+      in
+      f "if %s then %s else %s" (if chance inside.random 2 then c else bool inside) then_ else_
+  | 1 ->
+      let k = Scope.fresh inside "k" in
+      let mode = next () in
+      f "let %s = %s in %s %s %s" k (one_of_few ~by:c inside) mode.name k c
+  | _ -> into (next ())
+
+(* Mostly at the mode's first instant, if the number that was handed to it is so. *)
+let ends (inside : Scope.t) { number; flag; _ } =
+  let asked () =
+    let asked = asked_of inside number in
+    if chance inside.random 3 then f "not %s" asked else asked
+  in
+  match Random.State.int inside.random 9 with
+  | 0 -> f "when (%s %s %s)" (bool inside) (one_of inside.random [ "&&"; "||" ]) (asked ())
+  | 1 -> f "when %s" (bool inside)
+  | 2 -> f "edge %s" (bool inside)
+  | 3 -> f "when %s" flag
+  | 4 -> "now () ()"
+  | 5 -> f "when (%s %s %s)" (asked ()) (one_of inside.random [ "&&"; "||" ]) (asked ())
+  | _ -> f "when (%s)" (asked ())
+
+(* It tells which mode runs. *)
+let output (inside : Scope.t) k number =
+  match Random.State.int inside.random 4 with
+  | 0 -> f "%d + (%s)" (10 * k) (one_of_few inside)
+  | 1 -> f "%d + %s" (10 * k) number
+  | _ -> f "%d" (10 * k)
+
+type input = { ty : Type.t; pattern : string; bound : (string * Type.t) list }
+
+let signature name parameters input =
+  f "%s :: %sSF %s Int\n" name parameters (Type.text input.ty)
+
+let switch input ~static ~shows ~event later =
+  let inside = Scope.bind input.bound static in
+  let n = Scope.fresh inside "n" and c = Scope.fresh inside "c" in
+  f "%s (proc %s -> (%s, mapE (\\_ -> (%s, %s)) (%s))) (\\(%s, %s) -> %s)"
+    (if chance inside.random 16 then "dSwitch" else "switch")
+    input.pattern shows (one_of_few inside) (bool inside) event n c
+    (onward static ~handed:(n, c) later)
+
+(* A mode that stays, and may run another of the program's machines. *)
+let lasting input ~(inside : Scope.t) ~machines k number =
+  let whole = Scope.fresh inside "i" in
+  let shows =
+    match (Random.State.int inside.random 4, machines) with
+    | 0, _ :: _ -> f "%s %s - %d" (one_of inside.random machines) whole k
+    | 1, _ -> f "delay %s (%s)" (small inside) (output inside k number)
+    | _, _ -> output inside k number
+  in
+  f "proc %s@%s -> %s" whole input.pattern shows
+
+let rec define values input ~machines k = function
+  | [] -> []
+  | mode :: later ->
+      let handed = [ (mode.number, Type.Int); (mode.flag, Type.Bool) ] in
+      let static = Scope.bind handed values in
+      let inside = Scope.bind input.bound static in
+      let body =
+        if later = [] then lasting input ~inside ~machines k mode.number
+        else
+          switch input ~static ~shows:(output inside k mode.number) ~event:(ends inside mode) later
+      in
+      f "%s%s %s %s = %s\n\n"
+        (signature mode.name "Int -> Bool -> " input)
+        mode.name mode.number mode.flag body
+      :: define values input ~machines (k + 1) later
+
+(* Some modes, and what starts in the first of them: at once or at an event. *)
+let machine values input ~machines =
+  let modes = modes values in
+  let start = Scope.fresh values "s" in
+  let begins =
+    if chance values.random 2 then
+      f "%s %s %s" (List.hd modes).name (small values) (one_of values.random [ "True"; "False" ])
+    else
+      let inside = Scope.bind input.bound values in
+      switch input ~static:values ~shows:"0" ~event:(f "when %s" (bool inside)) modes
+  in
+  ( start,
+    define values input ~machines 1 modes
+    @ [ f "%s%s = %s\n\n" (signature start "" input) start begins ] )
+
+let definitions values ~input ~pattern:(pattern, bound) =
+  Scope.note values "cascade of modes";
+  let input = { ty = input; pattern; bound } in
+  let rec more k machines texts =
+    if k = 0 then (String.concat "" texts, List.rev machines)
+    else
+      let start, text = machine values input ~machines in
+      more (k - 1) (start :: machines) (texts @ text)
+  in
+  more (2 + Random.State.int values.random 3) [] []

@@ -1,0 +1,58 @@
+open Choice
+
+let f = Printf.sprintf
+
+(* Mostly known when the program starts, and different later. *)
+let rec turn (inside : Scope.t) =
+  let before ty = f "delay %s %s" (Constant.literal inside ty) (Expression.expression inside 0 ty) in
+  match Random.State.int inside.random 10 with
+  | 0 | 1 -> "atStart ()"
+  | 2 | 3 | 4 -> f "(atStart () || %s)" (turn inside)
+  | 5 | 6 -> f "(%s)" (before Bool)
+  | 7 -> f "((%s) > 2)" (before Int)
+  | 8 -> "elapsed 0.3[s] ()"
+  | _ -> Expression.expression inside 1 Bool
+
+let number (inside : Scope.t) ty =
+  if chance inside.random 2 then Constant.literal inside ty else Expression.expression inside 1 ty
+
+let other_than inside before (ty : Type.t) =
+  match ty with
+  | Int -> f "%s + %d" before (1 + Random.State.int inside.Scope.random 3)
+  | Bool -> f "not %s" before
+  | Float -> f "0.5 * %s + %s" before (number inside ty)
+  | Measure _ | Tuple _ | Array _ | Data _ -> before
+
+(* Its value an instant ago has a name too. What only changes now and then is written
+   in the state alone, and so are outputs read from it. *)
+let kept ~lasting (inside : Scope.t) (name, ty) before =
+  let next () = if chance inside.random 2 then number inside ty else other_than inside before ty in
+  let value =
+    if lasting then
+      let start, later = if chance inside.random 4 then (before, next ()) else (next (), before) in
+      f "if %s then %s else %s" (turn inside) start later
+    else if chance inside.random 3 then next ()
+    else f "if %s then %s else %s" (turn inside) (number inside ty) (next ())
+  in
+  [ f "%s = %s" name value; f "%s = delay %s %s" before (Constant.literal inside ty) name ]
+
+let make values ~pattern:(pattern, bound) =
+  Scope.note values "small root";
+  let random = values.Scope.random in
+  let signals =
+    List.init
+      (1 + Random.State.int random 3)
+      (fun _ -> (Scope.fresh values "v", one_of random [ Type.Int; Int; Float; Bool ]))
+  in
+  let befores = List.map (fun (_, ty) -> (Scope.fresh values "d", ty)) signals in
+  (* Not of another one at the same instant, so no circle arises. *)
+  let inside = Scope.bind (befores @ bound) values in
+  let lasting = not (chance random 3) in
+  let equations =
+    List.concat (List.map2 (fun signal (before, _) -> kept ~lasting inside signal before) signals befores)
+  in
+  let shown = List.filteri (fun k _ -> k = 0 || not (chance random 3)) signals in
+  ( f "proc %s -> (%s) where\n%s" pattern
+      (String.concat ", " (List.map fst shown))
+      (String.concat "\n" (List.map (fun text -> "    " ^ text) (shuffled random equations))),
+    List.map snd shown )
