@@ -27,42 +27,64 @@ let same_instant = function
       all rhs
 
 (* Most lists are short; a constructor's payload may be long. *)
-let map_list f = function
-  | [ a ] -> [ f a ]
+let map_list f atoms =
+  match atoms with
+  | [ a ] ->
+      let mapped = f a in
+      if mapped == a then atoms else [ mapped ]
   | [ a; b ] ->
-      let a = f a in
-      [ a; f b ]
-  | atoms -> Basis.Long_list.map f atoms
+      let mapped = f a in
+      let mapped' = f b in
+      if mapped == a && mapped' == b then atoms else [ mapped; mapped' ]
+  | _ ->
+      let mapped = Basis.Long_list.map f atoms in
+      if List.for_all2 ( == ) mapped atoms then atoms else mapped
 
-let map f = function
-  | Copy a -> Copy (f a)
-  | Op (operator, arguments) -> Op (operator, map_list f arguments)
+(* Passes mostly find nothing to change: then the right side stays the very same, which
+   takes no memory. *)
+let map1 f rhs a make =
+  let a' = f a in
+  if a' == a then rhs else make a'
+
+let map2 f rhs a b make =
+  let a' = f a in
+  let b' = f b in
+  if a' == a && b' == b then rhs else make a' b'
+
+let map3 f rhs a b c make =
+  let a' = f a in
+  let b' = f b in
+  let c' = f c in
+  if a' == a && b' == b && c' == c then rhs else make a' b' c'
+
+let map_all f rhs atoms make =
+  let mapped = map_list f atoms in
+  if mapped == atoms then rhs else make mapped
+
+let map f rhs =
+  match rhs with
+  | Copy a -> map1 f rhs a (fun a -> Copy a)
+  | Op (operator, arguments) -> map_all f rhs arguments (fun arguments -> Op (operator, arguments))
   | If { condition; then_; else_ } ->
-      let condition = f condition in
-      let then_ = f then_ in
-      If { condition; then_; else_ = f else_ }
-  | Construct { constructor; payload } -> Construct { constructor; payload = map_list f payload }
-  | Is_constructor (a, constructor) -> Is_constructor (f a, constructor)
-  | Payload { value; constructor; leaf } -> Payload { value = f value; constructor; leaf }
-  | Delay { init; next } ->
-      let init = f init in
-      Delay { init; next = f next }
-  | Elements atoms -> Elements (map_list f atoms)
-  | Fill a -> Fill (f a)
-  | Index (a, k) -> Index (f a, k)
+      map3 f rhs condition then_ else_ (fun condition then_ else_ -> If { condition; then_; else_ })
+  | Construct { constructor; payload } ->
+      map_all f rhs payload (fun payload -> Construct { constructor; payload })
+  | Is_constructor (a, constructor) -> map1 f rhs a (fun a -> Is_constructor (a, constructor))
+  | Payload { value; constructor; leaf } ->
+      map1 f rhs value (fun value -> Payload { value; constructor; leaf })
+  | Delay { init; next } -> map2 f rhs init next (fun init next -> Delay { init; next })
+  | Elements atoms -> map_all f rhs atoms (fun atoms -> Elements atoms)
+  | Fill a -> map1 f rhs a (fun a -> Fill a)
+  | Index (a, k) -> map1 f rhs a (fun a -> Index (a, k))
   | At { array; index; default } ->
-      let array = f array in
-      let index = f index in
-      At { array; index; default = f default }
+      map3 f rhs array index default (fun array index default -> At { array; index; default })
   | Replace { array; index; value } ->
-      let array = f array in
-      let index = f index in
-      Replace { array; index; value = f value }
-  | Time { unit; restart } -> Time { unit; restart = f restart }
-  | Ticks a -> Ticks (f a)
-  | Absent -> Absent
-  | Integral a -> Integral (f a)
-  | Derivative a -> Derivative (f a)
+      map3 f rhs array index value (fun array index value -> Replace { array; index; value })
+  | Time { unit; restart } -> map1 f rhs restart (fun restart -> Time { unit; restart })
+  | Ticks a -> map1 f rhs a (fun a -> Ticks a)
+  | Absent -> rhs
+  | Integral a -> map1 f rhs a (fun a -> Integral a)
+  | Derivative a -> map1 f rhs a (fun a -> Derivative a)
 
 let signals = function
   | [] | [ (Bool _ | Int _ | Float _) ] -> []

@@ -10,7 +10,8 @@ val same_instant : Ir.rhs -> Ir.atom list
     [Integral]. *)
 
 val map : (Ir.atom -> Ir.atom) -> Ir.rhs -> Ir.rhs
-(** In the order of {!all}. *)
+(** In the order of {!all}. The same right side, physically, if each operand is mapped
+    to itself, physically. *)
 
 val signals : Ir.atom list -> Ir.signal list
 (** Without the constants. *)

@@ -73,8 +73,7 @@ let excluding_else known choice other =
   | Some (If { condition; then_; else_ }) when is_not known else_ other -> Some (condition, then_)
   | Some _ | None -> None
 
-let operation known add (operator : Ir.operator) (arguments : Ir.atom list) : Ir.rhs =
-  let unchanged = Ir.Op (operator, arguments) in
+let operation known add ~unchanged (operator : Ir.operator) (arguments : Ir.atom list) : Ir.rhs =
   match (operator, arguments) with
   | Add, ([ a; Int 0l ] | [ Int 0l; a ]) -> Copy a
   | Add, [ a; zero ] when negative_zero zero -> Copy a
@@ -198,8 +197,11 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
   | Op (operator, arguments) -> (
       match Fold.operation real operator arguments with
       | Some constant -> Copy constant
-      | None -> operation known (add defines) operator arguments)
-  | If { condition; then_; else_ } -> choice known condition then_ else_
+      | None -> operation known (add defines) ~unchanged:rhs operator arguments)
+  | If { condition; then_; else_ } -> (
+      match choice known condition then_ else_ with
+      | If c when c.condition == condition && c.then_ == then_ && c.else_ == else_ -> rhs
+      | simpler -> simpler)
   | Is_constructor (value, constructor) ->
       Option.value (has_constructor known (add defines) value constructor) ~default:rhs
   | Payload { value; constructor; leaf } ->
@@ -255,7 +257,9 @@ let node_with real fresh (node : Ir.node) =
   let equations =
     List.filter_map
       (fun (e : Ir.equation) ->
-        Option.map (fun rhs -> { e with rhs }) (Int_table.find_opt known e.defines.id))
+        Option.map
+          (fun rhs -> if rhs == e.rhs then e else { e with rhs })
+          (Int_table.find_opt known e.defines.id))
       node.equations
   in
   Substitution.node substitution { node with equations = List.rev_append !added equations }

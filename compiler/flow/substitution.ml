@@ -30,12 +30,17 @@ let renamed t (s : Ir.signal) =
   | Some named -> { s with name = named.name; span = named.span }
   | None -> s
 
+let renamed_atom t (a : Ir.atom) : Ir.atom =
+  match a with
+  | Signal s ->
+      let named = renamed t s in
+      if named == s then a else Signal named
+  | Bool _ | Int _ | Float _ -> a
+
 let atom t a =
   let goal = last t a in
-  shorten t goal a;
-  match goal with
-  | Signal s -> Ir.Signal (renamed t s)
-  | Bool _ | Int _ | Float _ -> goal
+  if goal != a then shorten t goal a;
+  renamed_atom t goal
 
 let replace t (s : Ir.signal) by =
   let goal = last t by in
@@ -50,7 +55,9 @@ let replace t (s : Ir.signal) by =
 let apply t (node : Ir.node) =
   let equation (e : Ir.equation) =
     if is_replaced t e.defines then None
-    else Some { e with defines = renamed t e.defines; rhs = Operands.map (atom t) e.rhs }
+    else
+      let defines = renamed t e.defines and rhs = Operands.map (atom t) e.rhs in
+      Some (if defines == e.defines && rhs == e.rhs then e else { e with defines; rhs })
   in
   let instance (i : Ir.instance) =
     {
