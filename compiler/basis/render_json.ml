@@ -1,9 +1,9 @@
 open Json
 
 let character source (p : Span.position) file =
-  match Source.line source file p.line with
-  | Some line -> 1 + Display.characters_before line (p.column - 1)
-  | None -> p.column
+  match Source.line source file (Span.line p) with
+  | Some line -> 1 + Display.characters_before line (Span.column p - 1)
+  | None -> (Span.column p)
 
 (* The lines of a long place would say nothing that its ends do not, and a very
    long line is no text for people. *)
@@ -13,8 +13,8 @@ let longest_line = 2000
 let span source ~primary ~label (at : Span.t) =
   let column_start = character source at.start at.file in
   let column_end = character source at.stop at.file in
-  let last = min at.stop.line (at.start.line + most_lines - 1) in
-  let lines = List.init (max 1 (last - at.start.line + 1)) (fun i -> at.start.line + i) in
+  let last = min (Span.line at.stop) (Span.line at.start + most_lines - 1) in
+  let lines = List.init (max 1 (last - Span.line at.start + 1)) (fun i -> Span.line at.start + i) in
   let line n =
     match Source.line source at.file n with
     | None -> None
@@ -25,8 +25,8 @@ let span source ~primary ~label (at : Span.t) =
           (Object
              [
                ("text", String text);
-               ("highlight_start", Int (if n = at.start.line then column_start else 1));
-               ("highlight_end", Int (if n = at.stop.line then column_end else whole));
+               ("highlight_start", Int (if n = Span.line at.start then column_start else 1));
+               ("highlight_end", Int (if n = Span.line at.stop then column_end else whole));
              ])
   in
   Object
@@ -34,8 +34,8 @@ let span source ~primary ~label (at : Span.t) =
       ("file_name", String at.file);
       ("byte_start", Int (Source.offset source at.file at.start));
       ("byte_end", Int (Source.offset source at.file at.stop));
-      ("line_start", Int at.start.line);
-      ("line_end", Int at.stop.line);
+      ("line_start", Int (Span.line at.start));
+      ("line_end", Int (Span.line at.stop));
       ("column_start", Int column_start);
       ("column_end", Int column_end);
       ("is_primary", Bool primary);

@@ -29,19 +29,19 @@ let lines_of source ~main ((at : Span.t), text) =
     let rec go i = if i < String.length s && (s.[i] = ' ' || s.[i] = '\t') then go (i + 1) else i in
     1 + go 0
   in
-  if at.stop.line <= at.start.line then
-    [ mark at.start.line at.start.column at.stop.column text ]
+  if Span.line at.stop <= Span.line at.start then
+    [ mark (Span.line at.start) (Span.column at.start) (Span.column at.stop) text ]
   else
     let last, stop =
       (* an end at the very start of a line is the end of the line before *)
-      if at.stop.column = 1 then (at.stop.line - 1, String.length (line (at.stop.line - 1)) + 1)
-      else (at.stop.line, at.stop.column)
+      if Span.column at.stop = 1 then (Span.line at.stop - 1, String.length (line (Span.line at.stop - 1)) + 1)
+      else (Span.line at.stop, Span.column at.stop)
     in
-    if last <= at.start.line then
-      [ mark at.start.line at.start.column (String.length (line at.start.line) + 1) text ]
+    if last <= Span.line at.start then
+      [ mark (Span.line at.start) (Span.column at.start) (String.length (line (Span.line at.start)) + 1) text ]
     else
       [
-        mark at.start.line at.start.column (String.length (line at.start.line) + 1) "";
+        mark (Span.line at.start) (Span.column at.start) (String.length (line (Span.line at.start)) + 1) "";
         mark last (first_letter last) stop text;
       ]
 
@@ -202,11 +202,11 @@ let excerpt paint source file places ~gutter =
 
 let place source (at : Span.t) =
   let column =
-    match Source.line source at.file at.start.line with
-    | Some line -> 1 + Display.characters_before line (at.start.column - 1)
-    | None -> at.start.column
+    match Source.line source at.file (Span.line at.start) with
+    | Some line -> 1 + Display.characters_before line (Span.column at.start - 1)
+    | None -> Span.column at.start
   in
-  Printf.sprintf "%s:%d:%d" at.file at.start.line column
+  Printf.sprintf "%s:%d:%d" at.file (Span.line at.start) column
 
 let header paint (d : Diagnostic.t) =
   let kind = match d.severity with Error -> "error" | Warning -> "warning" in
@@ -223,7 +223,7 @@ let diagnostic ~colour source (d : Diagnostic.t) =
     | [] -> List.rev seen
     | p :: rest -> files (if List.mem (file_of p) seen then seen else file_of p :: seen) rest
   in
-  let last_line (_, ((at : Span.t), _)) = max at.start.line at.stop.line in
+  let last_line (_, ((at : Span.t), _)) = max (Span.line at.start) (Span.line at.stop) in
   let gutter =
     String.length (string_of_int (List.fold_left (fun n p -> max n (last_line p)) 1 places))
   in

@@ -27,6 +27,6 @@ let offset t file (p : Span.position) =
   | None -> 0
   | Some { text; starts = (lazy starts) } ->
       let length = String.length text in
-      if p.line < 1 then 0
-      else if p.line > Array.length starts then length
-      else min length (starts.(p.line - 1) + p.column - 1)
+      if Span.line p < 1 then 0
+      else if Span.line p > Array.length starts then length
+      else min length (starts.(Span.line p - 1) + Span.column p - 1)

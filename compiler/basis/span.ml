@@ -1,21 +1,27 @@
-type position = { line : int; column : int }
+(* Line and column in one number, which a comparison and a copy take as one. *)
+type position = int
 type t = { file : string; start : position; stop : position }
 
+let bits_of_column = 28
+let last_column = (1 lsl bits_of_column) - 1
+let position ~line ~column = (line lsl bits_of_column) lor Int.min column last_column
+let line position = position lsr bits_of_column
+let column position = position land last_column
+let forward n p = position ~line:(line p) ~column:(column p + n)
 let make ~file ~start ~stop = { file; start; stop }
-
-let is_before a b = a.line < b.line || (a.line = b.line && a.column < b.column)
-let earlier a b = if is_before b a then b else a
-let later a b = if is_before a b then b else a
 
 let merge a b =
   if String.equal a.file b.file then
-    { a with start = earlier a.start b.start; stop = later a.stop b.stop }
+    { a with start = Int.min a.start b.start; stop = Int.max a.stop b.stop }
   else a
 
-let compare = compare
+let compare a b =
+  match String.compare a.file b.file with
+  | 0 -> ( match Int.compare a.start b.start with 0 -> Int.compare a.stop b.stop | order -> order)
+  | order -> order
 
 let start_of_file file =
-  let start = { line = 1; column = 1 } in
+  let start = position ~line:1 ~column:1 in
   { file; start; stop = start }
 
-let pp ppf t = Format.fprintf ppf "%s:%d:%d" t.file t.start.line t.start.column
+let pp ppf t = Format.fprintf ppf "%s:%d:%d" t.file (line t.start) (column t.start)

@@ -3,7 +3,17 @@
     Columns count bytes from 1; the renderers turn them into what a reader
     sees. The end is exclusive. A span lies in one file. *)
 
-type position = { line : int; column : int }
+type position = private int
+(** Of two positions in a file the later is the greater number. *)
+
+val position : line:int -> column:int -> position
+(** Neither may be negative. Columns from 2{^28} on are not told apart. *)
+
+val line : position -> int
+val column : position -> int
+
+val forward : int -> position -> position
+(** So many columns to the right. *)
 
 type t = {
   file : string;  (** the name under which {!Source} knows the text *)

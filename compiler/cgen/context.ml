@@ -22,7 +22,7 @@ let plain desc : Ir.statement = { desc; comment = "" }
 
 (* Mentions the source line of a statement unless the one before did. *)
 let comment c (span : Span.t) =
-  let line = span.start.line in
+  let line = Span.line span.start in
   let place =
     if String.equal span.file c.node.file then Printf.sprintf "line %d" line
     else Printf.sprintf "%s:%d" (Filename.basename span.file) line

@@ -17,7 +17,7 @@ let state_comment (v : V.t) (field : M.field) =
     | Value _ | Running_mode | Modes _ | Component _ -> field.purpose
     | State_of k | States_of { node = k; _ } -> v.program.nodes.(k).origin
   in
-  Printf.sprintf "%s at %s:%d" what (Filename.basename field.span.file) field.span.start.line
+  Printf.sprintf "%s at %s:%d" what (Filename.basename field.span.file) (Basis.Span.line field.span.start)
 
 let rec last = function [] -> "" | [ name ] -> name | _ :: rest -> last rest
 

@@ -459,8 +459,9 @@ let main =
    work, and hardly more memory (0.9 GB for 100,000 lines). In a small heap there
    would be marking all the same, as it is done in proportion to what share of the
    heap is new: so the heap grows by 32 MB at a time, of which only what is used is
-   real memory. Nor is there any use in moving blocks together (never, with so large an
-   overhead). The policy of allocation stays as it is, for setting another moves them all.
+   real memory. Where hardly anything is freed there is no use in looking for the
+   block that fits best (policy 2, the default) either: policy 0 takes the next one;
+   nor in moving blocks together (never, with so large an overhead).
    The minor heap stays as it is: a larger one leaves the processor's cache. *)
 let collect_seldom () =
   Gc.set
@@ -469,6 +470,7 @@ let collect_seldom () =
       space_overhead = 10_000;
       max_overhead = 1_000_000;
       major_heap_increment = 4 * 1024 * 1024;
+      allocation_policy = 0;
     }
 
 (* The flags of a C compiler begin as options do: `--cflags -O2`. *)

@@ -113,13 +113,13 @@ let rec statement c indent ppf (s : Ir.statement) =
   let put format = fprintf ppf ("%s" ^^ format ^^ "@\n") (String.make indent ' ') in
   match s with
   | Declare { variable = v; value; span } ->
-      put "%s = %a  -- %d" (variable c.names v) (expr c) value span.start.line
+      put "%s = %a  -- %d" (variable c.names v) (expr c) value (Basis.Span.line span.start)
   | Assign { place = p; value; span } ->
-      put "%s := %a  -- %d" (place c p) (expr c) value span.start.line
+      put "%s := %a  -- %d" (place c p) (expr c) value (Basis.Span.line span.start)
   | If { uninitialized; condition; then_; else_; predicted; span } ->
       if uninitialized <> [] then put "var %s" (variables c uninitialized);
       let word = if predicted then "if predicted" else "if" in
-      put "%s %a  -- %d" word (expr c) condition span.start.line;
+      put "%s %a  -- %d" word (expr c) condition (Basis.Span.line span.start);
       List.iter (statement c (indent + 2) ppf) then_;
       if else_ <> [] then (
         put "else";
@@ -129,7 +129,7 @@ let rec statement c indent ppf (s : Ir.statement) =
         (if on_trial then "try" else "step")
         c.program.nodes.(node).name
         (match state with Some f -> field f | None -> "")
-        (list c) arguments span.start.line
+        (list c) arguments (Basis.Span.line span.start)
   | Loop { node; state; count; initial; arguments; results; span } ->
       let argument : Ir.argument -> string = function
         | Accumulated k -> sprintf "so far.%d" k
@@ -141,16 +141,16 @@ let rec statement c indent ppf (s : Ir.statement) =
         c.program.nodes.(node).name
         (match state with Some f -> field f | None -> "")
         (String.concat ", " (List.map argument arguments))
-        (list c) initial span.start.line
+        (list c) initial (Basis.Span.line span.start)
   | Reset { node; state; arguments; span } ->
       put "reset %s %s%a  -- %d" c.program.nodes.(node).name (field state) (list c) arguments
-        span.start.line
+        (Basis.Span.line span.start)
   | Enter { entry; _ } -> put "%a" (enter c) entry
   | Start { node; state; arguments; results; span } ->
       put "%s = start %s %s%a  -- %d" (variables c results) c.program.nodes.(node).name (field state)
-        (list c) arguments span.start.line
+        (list c) arguments (Basis.Span.line span.start)
   | Begin { run; entry; span } ->
-      put "%s = begin %a  -- %d" (variables c run.results) (enter c) entry span.start.line;
+      put "%s = begin %a  -- %d" (variables c run.results) (enter c) entry (Basis.Span.line span.start);
       (match entry.first with
       | Started_by _ -> ()
       | Reset_by _ -> put "  step%a" (list c) (List.nth run.cases entry.mode).arguments)
@@ -159,7 +159,7 @@ let rec statement c indent ppf (s : Ir.statement) =
       Option.iter (put "if %a" (expr c)) active;
       put "%s = run, at most %d steps%s  -- %d" (variables c results) steps
         (if drops then ", may drop results" else "")
-        span.start.line;
+        (Basis.Span.line span.start);
       Option.iter (put "  at the first instant %a" (enter c)) start;
       let control (condition, e) =
         put "  %s %a -> %a" (if late then "then" else "first") (expr c) condition (enter c) e

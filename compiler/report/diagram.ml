@@ -26,8 +26,8 @@ let attributes list =
       Printf.sprintf " [%s]" (String.concat ", " (List.map one list))
 
 let line_of ~file (span : Span.t) =
-  if String.equal span.file file then Printf.sprintf "line %d" span.start.line
-  else Printf.sprintf "%s:%d" (Filename.basename span.file) span.start.line
+  if String.equal span.file file then Printf.sprintf "line %d" (Span.line span.start)
+  else Printf.sprintf "%s:%d" (Filename.basename span.file) (Span.line span.start)
 
 let label (t : Ir.transition) =
   match t.at_entry with Impossible (Some (event, _)) -> event | Impossible None | Possible -> ""
@@ -44,7 +44,7 @@ let edge ppf number ~from (t : Ir.transition) =
        ])
 
 let machine ppf (program : Ir.program) ~file number (node : Ir.node) (m : Ir.machine) =
-  let title = Printf.sprintf "%s, %s:%d" node.origin (Filename.basename m.span.file) m.span.start.line in
+  let title = Printf.sprintf "%s, %s:%d" node.origin (Filename.basename m.span.file) (Span.line m.span.start) in
   Format.fprintf ppf "  subgraph cluster%d {@.    label=%s;@." number (quoted title);
   Format.fprintf ppf "    %s [shape=point];@." (start number);
   List.iteri

@@ -2,7 +2,7 @@ open Basis
 
 let string s = Json.String s
 let file name = string (Filename.basename name)
-let line (span : Span.t) = Json.Int span.start.line
+let line (span : Span.t) = Json.Int (Span.line span.start)
 let list f xs = Json.List (Long_list.map f xs)
 
 let rec member index (m : State.member) =

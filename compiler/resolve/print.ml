@@ -9,7 +9,7 @@ let global ppf (g : Ir.Global.t) =
 
 (* By the place where it is bound: unique, and the same whatever the library holds. *)
 let local ppf (l : Ir.Local.t) =
-  fprintf ppf "%s@%d:%d" l.name l.span.start.line l.span.start.column
+  fprintf ppf "%s@%d:%d" l.name (Basis.Span.line l.span.start) (Basis.Span.column l.span.start)
 
 let tight_comma ppf () = pp_print_string ppf ", "
 let comma ppf () = fprintf ppf ",@ "

@@ -3,7 +3,7 @@ open Basis
 type location = Lexing.position * Lexing.position
 
 let position (p : Lexing.position) : Span.position =
-  { line = p.pos_lnum; column = p.pos_cnum - p.pos_bol + 1 }
+  Span.position ~line:p.pos_lnum ~column:(p.pos_cnum - p.pos_bol + 1)
 
 let span ((start, stop) : location) =
   Span.make ~file:start.pos_fname ~start:(position start) ~stop:(position stop)
@@ -17,10 +17,10 @@ let variable ((start, _) as location : location) (x : Ir.name) =
 
 (* The first [n] bytes of a span within one line, and what follows a byte. *)
 let take n (span : Span.t) =
-  { span with stop = { span.start with column = span.start.column + n } }
+  { span with stop = Span.forward n span.start }
 
 let drop n (span : Span.t) =
-  { span with start = { span.start with column = span.start.column + n } }
+  { span with start = Span.forward n span.start }
 
 let qualified location (qualifier, text) : Ir.qualified =
   let span = span location in
@@ -236,7 +236,7 @@ let task_body location statements : Ir.expr_desc =
   (* Where the whole starts. *)
   let keyword text =
     let { Span.start; _ } as whole = span location in
-    { whole with stop = { start with column = start.column + String.length text } }
+    { whole with stop = Span.forward (String.length text) start }
   in
   let last_is what span =
     Reject.at ~code:"E0116" span ~hint:"end with a task, as in `return x`"

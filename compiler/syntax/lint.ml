@@ -6,7 +6,7 @@ let broken (span : Span.t) format =
     format
 
 let contains (outer : Span.t) (inner : Span.t) =
-  let at (p : Span.position) = (p.line, p.column) in
+  let at (p : Span.position) = (Span.line p, Span.column p) in
   String.equal outer.file inner.file
   && compare (at outer.start) (at inner.start) <= 0
   && compare (at inner.stop) (at outer.stop) <= 0

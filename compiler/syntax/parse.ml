@@ -14,9 +14,11 @@ type reader = {
           likely the rest of it. *)
   mutable failed : bool;  (** the item before *)
   mutable defines : bool;  (** this item has come past its [=] or [::] *)
+  mutable tokens : int;  (** of this item, or more *)
 }
 
 let next reader =
+  reader.tokens <- reader.tokens + 1;
   match reader.again with
   | token :: rest ->
       reader.again <- rest;
@@ -89,6 +91,7 @@ exception Bad_token
    and tells nothing of an error. Its actions have no effects, so what it cannot
    read is read again from the first token on. *)
 let item reader =
+  reader.tokens <- 0;
   let first = next reader in
   let tokens = ref [] in
   let buffer = Lexing.from_string "" in
@@ -117,9 +120,13 @@ let too_deep sink at =
     (Diagnostic.error ~code:"E0106" ~at "this is nested more than %d levels deep" Layout.deepest
     |> Diagnostic.hint "give the inner parts names of their own")
 
-(* Layout limits brackets and blocks; operators, arrows and the like nest too. *)
-let check_depth sink declaration =
-  Option.iter (too_deep sink) (Node.depth_exceeds Layout.deepest (Declaration declaration))
+let levels_of_a_token = 4
+
+(* Layout limits brackets and blocks; operators, arrows and the like nest too. A token
+   puts what comes after it at most a few levels deeper: few tokens nest nothing too deep. *)
+let check_depth reader declaration =
+  if levels_of_a_token * reader.tokens > Layout.deepest then
+    Option.iter (too_deep reader.sink) (Node.depth_exceeds Layout.deepest (Declaration declaration))
 
 (* Puts the items in their places; all lists last one first. *)
 let rec collect reader (program : Ir.program) errors =
@@ -145,7 +152,7 @@ let rec collect reader (program : Ir.program) errors =
               "move it up";
           ({ program with imports = import :: program.imports }, errors)
       | Item (Declaration d) -> (
-          check_depth reader.sink d;
+          check_depth reader d;
           match program.declarations with
           | previous :: _ when Build.second_clause previous d <> None ->
               Option.iter (Diagnostic.emit reader.sink) (Build.second_clause previous d);
@@ -167,6 +174,7 @@ let read sink ~file text =
         cut = false;
         failed = false;
         defines = false;
+        tokens = 0;
       }
       empty 0
   with
@@ -189,8 +197,8 @@ let span_at ~file text offset length =
     text;
   let column = offset - !line_start + 1 in
   Span.make ~file
-    ~start:{ line = !line; column }
-    ~stop:{ line = !line; column = column + length }
+    ~start:(Span.position ~line:!line ~column)
+    ~stop:(Span.position ~line:!line ~column:(column + length))
 
 let check_tabs sink ~file text =
   match String.index_opt text '\t' with

@@ -111,8 +111,9 @@ let looks_negative (head : Resolve.Ir.expr) arguments =
   match arguments with
   | [ ({ style = Operator "-"; _ } as left); right ] ->
       let right_start = right.value.span.start and left_stop = left.value.span.stop in
-      head.span.stop = right_start && left_stop.line = head.span.start.line
-      && left_stop.column < head.span.start.column
+      head.span.stop = right_start
+      && Span.line left_stop = Span.line head.span.start
+      && Span.column left_stop < Span.column head.span.start
   | _ -> false
 
 let is_function t = match Type.expand t with Type.Function _ -> true | _ -> false

@@ -16,7 +16,7 @@ type node = {
 let create () = { nodes = []; next = 0 }
 
 let span file line =
-  Span.make ~file ~start:{ line; column = 1 } ~stop:{ line; column = 9 }
+  Span.make ~file ~start:(Span.position ~line ~column:1) ~stop:(Span.position ~line ~column:9)
 
 let node ?(kind = Ir.Signal_function) ?(file = "test.frob") program name outputs =
   let b =
@@ -84,7 +84,7 @@ let call ?(statics = []) ?line b index inputs outputs =
 
 let run ?statics b index inputs name =
   let s = declare b name in
-  call ?statics ~line:s.span.start.line b index inputs [ s ];
+  call ?statics ~line:(Span.line s.span.start) b index inputs [ s ];
   Ir.Signal s
 
 let program ?(sums = [||]) t =

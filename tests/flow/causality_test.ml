@@ -5,7 +5,7 @@ open Basis
 open Flow
 
 let text (d : Diagnostic.t) =
-  let place (at : Span.t) = Printf.sprintf "%s:%d" at.file at.start.line in
+  let place (at : Span.t) = Printf.sprintf "%s:%d" at.file (Span.line at.start) in
   String.concat "\n"
     ([ Printf.sprintf "%s %s: %s [%s]" (place d.at) d.code d.message d.here ]
     @ List.map (fun (l : Diagnostic.label) -> Printf.sprintf "  %s: %s" (place l.at) l.text) d.labels

@@ -3,7 +3,7 @@
 open Basis
 
 let at ?(file = "main.frob") line column line' column' =
-  Span.make ~file ~start:{ line; column } ~stop:{ line = line'; column = column' }
+  Span.make ~file ~start:(Span.position ~line ~column) ~stop:(Span.position ~line:line' ~column:column')
 
 let source =
   let source = Source.create () in
