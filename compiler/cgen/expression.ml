@@ -142,7 +142,7 @@ let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
       match a with
       | M.Float _ | Int _ -> Binary (Greater, y, x)
       | _ -> Binary (Less, x, y))
-  | Less_equal, (Int | Float) -> Binary (Less_equal, x, y)
+  | Less_equal, (Int | Float | Nanoseconds) -> Binary (Less_equal, x, y)
   | Minimum, Float -> limited n Float_minimum At_most a b x y
   | Maximum, Float -> limited n Float_maximum At_least a b x y
   | Minimum, Int -> helper Int_minimum
@@ -179,6 +179,7 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   | Int i -> Integer i
   | Float x -> V.float n.v x
   | Zero_time -> Integer 0l
+  | Time ns -> Long ns
   | Absent ty -> V.absent n.v ty
   | Variable v -> (
       match Hashtbl.find_opt n.variables v.id with

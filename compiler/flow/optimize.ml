@@ -46,4 +46,6 @@ let program program =
   let started = Extreme.program tidied in
   (* Last, for a machine that so becomes a part of its user is inlined no more. *)
   let absorbed = Absorb.program started in
-  if absorbed == tidied then tidied else Dead.program absorbed
+  (* When what is computed of a parameter stands where it is read. *)
+  let computed = Literal_parameters.program absorbed in
+  if computed == tidied then tidied else Dead.program computed

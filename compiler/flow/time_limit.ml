@@ -23,7 +23,13 @@ let same_restart (a : Ir.atom) (b : Ir.atom) =
   | (Bool _ | Int _ | Float _ | Signal _), _ -> false
 
 (* The conditions that the time which starts again by [restart] has come to a limit. *)
-let reached (node : Ir.node) restart =
+let reached passed (node : Ir.node) restart =
+  let is_soon (limit : Ir.atom) =
+    let is_below : Ir.atom -> bool = function Float x -> x <= most | Bool _ | Int _ | Signal _ -> false in
+    match limit with
+    | Signal s -> Option.fold (passed s) ~none:false ~some:(List.for_all is_below)
+    | Bool _ | Int _ | Float _ -> is_below limit
+  in
   let is_time (atom : Ir.atom) =
     match atom with
     | Signal s ->
@@ -39,19 +45,19 @@ let reached (node : Ir.node) restart =
   List.filter_map
     (fun (e : Ir.equation) ->
       match e.rhs with
-      | Op (Less_equal, [ Float limit; time ]) when limit <= most && is_time time -> Some e.defines
+      | Op (Less_equal, [ limit; time ]) when is_time time && is_soon limit -> Some e.defines
       | _ -> None)
     node.equations
 
-let ends_in_time (node : Ir.node) =
+let ends_in_time passed (node : Ir.node) =
   let known = lazy (Truth.while_running node []) in
   node.transitions <> []
   && List.exists
        (fun s -> Truth.value (Lazy.force known) (Signal s) = Some false)
-       (reached node (Bool false))
+       (reached passed node (Bool false))
 
 (* Where the limit is reached, what the delays will be then makes it start again. *)
-let starts_again_in_time (node : Ir.node) restart =
+let starts_again_in_time passed (node : Ir.node) restart =
   let at_an_instant = lazy (Truth.at_an_instant node) in
   let an_instant_later now =
     List.filter_map
@@ -67,13 +73,15 @@ let starts_again_in_time (node : Ir.node) restart =
       let at_an_instant = Lazy.force at_an_instant in
       let later = an_instant_later (at_an_instant [ (s, true) ]) in
       Truth.value (at_an_instant later) restart = Some true)
-    (reached node restart)
+    (reached passed node restart)
 
 let is_limited program =
   let with_own_instants = lazy (with_own_instants program) in
+  let literals = lazy (Literal_parameters.passed program) in
+  let passed s = Lazy.force literals s in
   fun k restart ->
     let node = program.Ir.nodes.(k) in
     (match (restart : Ir.atom) with
-    | Signal _ -> starts_again_in_time node restart
-    | Bool _ | Int _ | Float _ -> ends_in_time node)
+    | Signal _ -> starts_again_in_time passed node restart
+    | Bool _ | Int _ | Float _ -> ends_in_time passed node)
     && not (Lazy.force with_own_instants).(k)

@@ -16,7 +16,7 @@ exception Not_short
 let rec value known e =
   let again = value known in
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Absent _ -> e
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ -> e
   | Variable v -> Option.value (Hashtbl.find_opt known.variables v.id) ~default:e
   | Field f -> Option.value (Hashtbl.find_opt known.fields f.id) ~default:e
   | Dt -> if known.first then Float 0. else e

@@ -65,8 +65,11 @@ let operation c (operator : Flow.Ir.operator) (ty : Ir.ty) : int * Ir.ty =
   | Equal ->
       only [ Bool; Int; Float ];
       (2, Bool)
-  | Less | Less_equal ->
+  | Less ->
       only [ Int; Float ];
+      (2, Bool)
+  | Less_equal ->
+      only [ Int; Float; Nanoseconds ];
       (2, Bool)
   | Divide | Pow | Elementary (Hypot | Atan2) ->
       only [ Float ];
@@ -96,7 +99,7 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
   | Bool _ -> Bool
   | Int _ -> Int
   | Float _ -> Float
-  | Zero_time -> Nanoseconds
+  | Zero_time | Time _ -> Nanoseconds
   | Absent ty -> Foreign ty
   | Variable v -> (
       match Known.find_opt v.id known.readable with

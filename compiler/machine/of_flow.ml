@@ -191,15 +191,16 @@ let program (program : F.program) : Ir.program =
     translated.(k) <- Some node;
     first_instant := first
   done;
-  {
-    name = program.name;
-    sums = program.sums;
-    imports = program.imports;
-    headers = program.headers;
-    nodes = Array.init count callee;
-    input = program.input;
-    output = program.output;
-    ends = program.ends;
-    real = program.real;
-    first_instant = !first_instant;
-  }
+  Time_parameters.program
+    {
+      name = program.name;
+      sums = program.sums;
+      imports = program.imports;
+      headers = program.headers;
+      nodes = Array.init count callee;
+      input = program.input;
+      output = program.output;
+      ends = program.ends;
+      real = program.real;
+      first_instant = !first_instant;
+    }

@@ -61,6 +61,7 @@ let rec expr c ppf (e : Ir.expr) =
   | Int i -> fprintf ppf "%ld" i
   | Float x -> pp_print_string ppf (float x)
   | Zero_time -> pp_print_string ppf "0ns"
+  | Time ns -> fprintf ppf "%Ldns" ns
   | Absent _ -> pp_print_string ppf "absent"
   | Variable v -> pp_print_string ppf (variable c.names v)
   | Field f -> pp_print_string ppf (field f)
@@ -92,7 +93,7 @@ let rec expr c ppf (e : Ir.expr) =
 
 and operand c ppf (e : Ir.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Field _ | Dt | Dt_nanoseconds | Call _
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Field _ | Dt | Dt_nanoseconds | Call _
   | Construct _ | Elements _ | Fill _ | Index _ | At _ | Replace _ | Payload _ | Seconds _ | In_nanoseconds _
   | Later _ | Soon _ | Reached _ | Rest _ ->
       expr c ppf e

@@ -1,7 +1,7 @@
 open Ir
 
 let children = function
-  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Field _ | Dt | Dt_nanoseconds -> []
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Field _ | Dt | Dt_nanoseconds -> []
   | Operation { arguments; _ } | Call { arguments; _ } -> arguments
   | Select { condition; then_; else_ } -> [ condition; then_; else_ ]
   | Construct { payload; _ } -> payload
@@ -15,7 +15,7 @@ let children = function
 
 let map_children f e =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Field _ | Dt | Dt_nanoseconds -> e
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Field _ | Dt | Dt_nanoseconds -> e
   | Operation o -> Operation { o with arguments = List.map f o.arguments }
   | Call c -> Call { c with arguments = List.map f c.arguments }
   | Select { condition; then_; else_ } ->
@@ -97,4 +97,84 @@ let expressions visit body =
       | Enter e -> entry visit e.entry
       | Await _ -> ()
       | Run r -> run visit r)
+    body
+
+let map_entry expression (e : entry) =
+  let map = List.map expression in
+  {
+    e with
+    parameters = map e.parameters;
+    first =
+      (match e.first with
+      | Reset_by arguments -> Reset_by (map arguments)
+      | Started_by arguments -> Started_by (map arguments));
+  }
+
+let map_run ~expression ~entry (run : run) =
+  let next (n : next) = { n with condition = expression n.condition; entry = entry n.entry } in
+  let case (c : case) =
+    {
+      c with
+      arguments = List.map expression c.arguments;
+      transitions = List.map next c.transitions;
+    }
+  in
+  {
+    run with
+    active = Option.map expression run.active;
+    clock = Option.map (fun (c : clock) -> { c with elapsed = expression c.elapsed }) run.clock;
+    start = Option.map entry run.start;
+    controls = List.map (fun (condition, e) -> (expression condition, entry e)) run.controls;
+    cases = List.map case run.cases;
+  }
+
+let map_argument expression : argument -> argument = function
+  | Accumulated k -> Accumulated k
+  | Each e -> Each (expression e)
+  | Same e -> Same (expression e)
+  | Counted e -> Counted (expression e)
+
+let map_statements ~expression ~entry body =
+  let entry e = entry (map_entry expression e) in
+  let rec statement = function
+    | Declare d -> Declare { d with value = expression d.value }
+    | Assign a -> Assign { a with value = expression a.value }
+    | Return r -> Return { r with value = expression r.value }
+    | If i ->
+        If
+          {
+            i with
+            condition = expression i.condition;
+            then_ = List.map statement i.then_;
+            else_ = List.map statement i.else_;
+          }
+    | Step s -> Step { s with arguments = List.map expression s.arguments }
+    | Reset r -> Reset { r with arguments = List.map expression r.arguments }
+    | Start s -> Start { s with arguments = List.map expression s.arguments }
+    | Begin b -> Begin { b with run = map_run ~expression ~entry b.run; entry = entry b.entry }
+    | Loop l ->
+        Loop
+          {
+            l with
+            initial = List.map expression l.initial;
+            arguments = List.map (map_argument expression) l.arguments;
+          }
+    | Enter e -> Enter { e with entry = entry e.entry }
+    | Await a -> Await a
+    | Run r -> Run (map_run ~expression ~entry r)
+  in
+  List.map statement body
+
+let entries visit body =
+  let run (r : run) =
+    Option.iter visit r.start;
+    List.iter (fun (_, e) -> visit e) r.controls;
+    List.iter (fun (c : case) -> List.iter (fun (n : next) -> visit n.entry) c.transitions) r.cases
+  in
+  statements
+    (function
+      | Enter { entry; _ } -> visit entry
+      | Begin { entry; _ } -> visit entry
+      | Run r -> run r
+      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Start _ | Await _ | Return _ -> ())
     body

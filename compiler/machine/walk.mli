@@ -13,3 +13,14 @@ val expressions : (Ir.expr -> unit) -> Ir.statement list -> unit
 
 val statements : (Ir.statement -> unit) -> Ir.statement list -> unit
 (** Each statement, an [If] before those inside it. *)
+
+val entries : (Ir.entry -> unit) -> Ir.statement list -> unit
+(** Each entry of a mode. *)
+
+val map_statements :
+  expression:(Ir.expr -> Ir.expr) ->
+  entry:(Ir.entry -> Ir.entry) ->
+  Ir.statement list ->
+  Ir.statement list
+(** The statements with other expressions, each given as a whole, and entries of modes,
+    after the expressions in them. *)

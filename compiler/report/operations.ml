@@ -54,7 +54,7 @@ let in_nanoseconds =
 
 let rec expression c (e : M.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Dt | Dt_nanoseconds -> Cost.none
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Dt | Dt_nanoseconds -> Cost.none
   | Field { content = Value ty; _ } -> Cost.several (scalars c ty) Loads
   | Field _ -> Cost.one Loads
   | Operation { operator; ty; arguments } -> Cost.add (operation operator ty) (expressions c arguments)

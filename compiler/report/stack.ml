@@ -58,7 +58,7 @@ let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
 (* Calls within an expression make it keep intermediate values in memory. *)
 let rec calls (e : M.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Variable _ | Field _ -> false
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Variable _ | Field _ -> false
   | Construct _ | Call _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ | Fill _ | At _ | Replace _ -> true
   | Elements { elements; _ } -> List.exists calls elements
   | Index { array; _ } -> calls array
@@ -94,7 +94,7 @@ let rec within c frame ~calling (e : M.expr) =
   let all = List.iter (within c frame ~calling) in
   let intermediate () = if calling then need frame word in
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Variable _ | Field _ -> ()
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Variable _ | Field _ -> ()
   | Operation { operator = And | Or; arguments; _ } ->
       need frame word;
       all arguments
@@ -169,7 +169,7 @@ and choice c (e : M.expr) =
   | Select { then_; _ } -> choice c then_
   | Call { node; _ } ->
       List.fold_left (fun sum (_, ty) -> Basis.Amount.add sum (room c ty)) 0 c.program.nodes.(node).outputs
-  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Field _ | Operation _
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Field _ | Operation _
   | Is_constructor _ | Seconds _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ ->
       word
   | Elements { element; elements } -> room c (Array (List.length elements, element))
