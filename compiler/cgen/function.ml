@@ -212,9 +212,6 @@ let input (v : V.t) : Ir.ty =
     Only_way_to input)
   else input
 
-(* Few operations: worth a copy at every call. *)
-let inline_size = 12
-
 (* A node's step or start, which has some of its outputs. *)
 let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.code) : Ir.function_ =
   let node = v.program.nodes.(k) in
@@ -264,7 +261,11 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
 
 let own_step (v : V.t) k =
   let node = v.program.nodes.(k) in
-  let linkage : Ir.linkage = if node.operations <= inline_size then Static_inline else Static in
+  let linkage : Ir.linkage =
+    if Shared.is_shared v.shared k then Static_marked (V.helper v Shared)
+    else if node.operations <= Shared.inline_size then Static_inline
+    else Static
+  in
   own_code v k ~name:v.nodes.(k).step ~linkage ~outputs:node.outputs ~time:true
     ~given_input:(Program_input.is_given v.by_pointer k) node.step
 

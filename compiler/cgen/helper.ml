@@ -35,6 +35,7 @@ type t =
   | Rest
   | Branch
   | Restrict
+  | Shared
 
 (* Helper, its name, what it calls (earlier in the table), its text. *)
 let table =
@@ -61,6 +62,17 @@ let table =
 #define FROB_RESTRICT __restrict__
 #else
 #define FROB_RESTRICT
+#endif
+|} );
+    ( Shared,
+      "FROB_SHARED",
+      [],
+      {|/* A step that several modes have in common, of which one runs at an instant: copies
+ * would make the program larger and no faster. For size compilers know best. */
+#if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
+#define FROB_SHARED __attribute__((__noinline__))
+#else
+#define FROB_SHARED
 #endif
 |} );
     ( Wrap,

@@ -43,6 +43,7 @@ type t =
   | Rest
   | Branch  (** the condition of an [if] that is to stay one *)
   | Restrict  (** a macro: nothing else leads to what a pointer leads to *)
+  | Shared  (** a macro: this function is to stay one (see {!Shared}) *)
 
 val name : t -> string
 val names : string list

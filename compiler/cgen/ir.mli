@@ -87,6 +87,7 @@ type linkage =
   | External
   | Static
   | Static_inline
+  | Static_marked of string  (** with a macro, for compilers that know what it says *)
 
 type function_ = {
   linkage : linkage;

@@ -342,7 +342,11 @@ let heading out comment = if comment <> "" then line out ~indent:0 ("/* " ^ comm
 (* On one line, or a parameter a line, below each other. *)
 let signature { linkage; result; name; parameters; _ } =
   let linkage =
-    match linkage with External -> "" | Static -> "static " | Static_inline -> "static inline "
+    match linkage with
+    | External -> ""
+    | Static -> "static "
+    | Static_inline -> "static inline "
+    | Static_marked macro -> "static " ^ macro ^ " "
   in
   let head = linkage ^ declarator result name ^ "(" in
   let parameters =

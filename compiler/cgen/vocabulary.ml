@@ -23,6 +23,7 @@ type t = {
   apart : Machine.Apart.t;
   rounds : Machine.Rounds.t;
   divides_by_time : bool;  (** something does: see {!Machine.Time_use.divides} *)
+  shared : Shared.t;
   name : string;
   file_scope : Name.scope;
   types : Value_types.t;
@@ -239,6 +240,7 @@ let of_program ?own (program : M.program) =
     apart;
     rounds = Machine.Rounds.of_program program;
     divides_by_time = Machine.Time_use.divides program;
+    shared = Shared.of_program program;
     name;
     file_scope = scope;
     types;

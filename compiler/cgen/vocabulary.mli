@@ -27,6 +27,7 @@ type t = {
   apart : Machine.Apart.t;
   rounds : Machine.Rounds.t;
   divides_by_time : bool;  (** something does: see {!Machine.Time_use.divides} *)
+  shared : Shared.t;
   name : string;  (** the prefix of all names *)
   file_scope : Name.scope;
   types : Value_types.t;

@@ -272,7 +272,7 @@ let functions ~struct_name (functions : function_ list) =
   let found =
     List.filter_map
       (fun f ->
-        let shape = match f.linkage with External -> None | Static | Static_inline -> shape ~struct_name f in
+        let shape = match f.linkage with External -> None | Static | Static_inline | Static_marked _ -> shape ~struct_name f in
         Option.iter (Hashtbl.replace shapes f.name) shape;
         shape)
       functions

@@ -85,7 +85,13 @@ let rec statement (s : statement) =
   | Return e -> note "Return"; expr e
 
 let function_ (f : function_) =
-  note (match f.linkage with External -> "External" | Static -> "Static" | Static_inline -> "Static_inline");
+  (match f.linkage with
+  | External -> note "External"
+  | Static -> note "Static"
+  | Static_inline -> note "Static_inline"
+  | Static_marked macro ->
+      note "Static_marked";
+      note macro);
   ty f.result;
   List.iter (fun (t, _) -> ty t) f.parameters;
   List.iter statement f.body;
