@@ -5,16 +5,12 @@ open Fragment
 let possible (program : F.program) =
   let found = Array.make (Array.length program.nodes) false in
   let delayed = List.exists (fun (t : F.transition) -> t.delayed) in
-  let stays (t : F.transition) =
-    match t.at_entry with F.Impossible _ -> true | Possible -> false
-  in
   let has_components =
     List.exists (fun (i : F.import) -> i.kind = Signal_function) program.imports
   in
   let note (m : F.machine) =
     let transitions = List.map (fun mode -> program.nodes.(mode).transitions) m.modes in
-    let goes_round = not (List.for_all (List.for_all stays) transitions) in
-    if goes_round && (not (delayed m.controls)) && not (List.exists delayed transitions) then
+    if (not (delayed m.controls)) && not (List.exists delayed transitions) then
       List.iter (fun mode -> found.(mode) <- true) m.modes
   in
   if not has_components then

@@ -13,9 +13,8 @@
     v} *)
 
 val possible : Flow.Ir.program -> bool array
-(** The modes of machines in which that is so at any transition (none is delayed), and
-    where C goes round a loop, not straight to the first step of the next mode. None in a
-    program with the user's components, which run at every instant. *)
+(** The modes of machines in which that is so at any transition (none is delayed). None
+    in a program with the user's components, which run at every instant. *)
 
 val needed : Fragment.t -> Fragment.ending -> bool array
 (** The items that are needed where the mode ends. *)

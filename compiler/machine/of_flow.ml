@@ -123,7 +123,16 @@ let own_node context k ~is_root =
   in
   let start =
     match State.fields state with
-    | _ :: _ when (not is_root) && Option.is_none ends_early ->
+    | _ :: _ when not is_root ->
+        (* Nothing ends a mode at its first instant. *)
+        let step =
+          if Option.is_none ends_early then step
+          else
+            let body, _ =
+              Body.step calls state node ~limited ~is_root ~may_end_early:false statics
+            in
+            { step with body }
+        in
         Start.of_node calls.program.real ~callee:calls.callee ~weight:(Array.get context.start_weights)
           ~modes ~outputs:(List.length node.outputs) ~reset ~step
     | _ -> None
