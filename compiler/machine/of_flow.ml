@@ -107,8 +107,14 @@ let own_node context k ~is_root =
       First_instant.tell calls state node statics ~step ~reset
     else { step; reset; told = Unseen }
   in
+  (* Floats without times between them are copied two at once. *)
+  let is_time (field : Ir.field) =
+    match field.content with Value Nanoseconds -> true | _ -> false
+  in
   let by_alignment (a : Ir.field) (b : Ir.field) =
-    compare (alignment calls b.content) (alignment calls a.content)
+    compare
+      (alignment calls b.content, is_time a)
+      (alignment calls a.content, is_time b)
   in
   let reset : Ir.code =
     { parameters = parameters (Reads.of_body first.reset) node.statics; body = first.reset }

@@ -35,8 +35,8 @@ struct drive_pi_state {
 struct drive_state {
     struct drive_pi_state pi;   /* pi at test.frob:6 */
     struct drive_pi_state pi_2; /* pi at test.frob:7 */
-    int64_t t;                  /* time in ns at test.frob:8 */
     double exp_value;           /* known at the start at test.frob:9 */
+    int64_t t;                  /* time in ns at test.frob:8 */
     bool started;               /* past the first instant at test.frob:1 */
 };
 
