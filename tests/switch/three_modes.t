@@ -70,7 +70,8 @@ chosen.
                         struct three_modes_output *out)
   {
       const double dt_ns = frob_whole_ns(dt);
-      double speed, turn;
+      double speed = 0.0;
+      double turn = 0.0;
       switch (self->mode) {
       case THREE_MODES_START: {
           self->mode = THREE_MODES_FOLLOW;                    /* line 12 */
