@@ -1,74 +1,11 @@
-open Basis
-
-(* What a statement touches: variables by id, fields by id. *)
-type touched = {
-  read : unit Int_table.t;  (** variables *)
-  set : unit Int_table.t;  (** variables *)
-  fields_read : unit Int_table.t;
-  fields_set : unit Int_table.t;
-}
-
-let add table id = Int_table.replace table id ()
-
-let touched statement =
-  let t =
-    {
-      read = Int_table.create 8;
-      set = Int_table.create 8;
-      fields_read = Int_table.create 8;
-      fields_set = Int_table.create 8;
-    }
-  in
-  Walk.expressions
-    (fun (e : Ir.expr) ->
-      match e with
-      | Variable v -> add t.read v.id
-      | Field f -> add t.fields_read f.id
-      | _ -> ())
-    [ statement ];
-  Walk.statements
-    (fun (s : Ir.statement) ->
-      match s with
-      | Declare { variable; _ } | Assign { place = Local variable; _ } -> add t.set variable.id
-      | Assign { place = Own field; _ } -> add t.fields_set field.id
-      | If { uninitialized; _ } -> List.iter (fun (v : Ir.variable) -> add t.set v.id) uninitialized
-      | Assign { place = Result _; _ }
-      | Step _ | Loop _ | Reset _ | Enter _ | Start _ | Begin _ | Await _ | Run _ | Return _ ->
-          ())
-    [ statement ];
-  t
-
-let meet a b = Int_table.fold (fun id () any -> any || Int_table.mem b id) a false
-
-(* Nothing but values and assignments. *)
-let is_plain statement =
-  let plain = ref true in
-  Walk.statements
-    (fun (s : Ir.statement) ->
-      match s with
-      | Declare _ | Assign _ | If _ -> ()
-      | Step _ | Loop _ | Reset _ | Enter _ | Start _ | Begin _ | Await _ | Run _ | Return _ -> plain := false)
-    [ statement ];
-  !plain
-
-let may_exchange moved statement =
-  is_plain statement
-  &&
-  let other = touched statement in
-  not
-    (meet moved.read other.set || meet moved.set other.read || meet moved.set other.set
-   || meet moved.fields_read other.fields_set
-    || meet moved.fields_set other.fields_read
-    || meet moved.fields_set other.fields_set)
-
 (* Further than a person looks, and it keeps this linear. *)
 let furthest = 16
 
 (* [before] is what stands before, the nearest first. *)
 let go_up statement before =
-  let moved = touched statement in
+  let moved = Exchange.touched statement in
   let rec up n over = function
-    | above :: rest when n > 0 && may_exchange moved above -> up (n - 1) (above :: over) rest
+    | above :: rest when n > 0 && Exchange.may_exchange moved above -> up (n - 1) (above :: over) rest
     | before -> List.rev_append over (statement :: before)
   in
   up furthest [] before
@@ -86,7 +23,7 @@ let statements body =
   let place before (s : Ir.statement) =
     match s with
     | If { condition = Variable v; uninitialized = []; _ }
-      when is_plain s && is_near furthest v before ->
+      when Exchange.is_plain s && is_near furthest v before ->
         go_up s before
     | _ -> s :: before
   in

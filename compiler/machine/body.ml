@@ -70,7 +70,7 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
     else make d
   in
   let told = Option.map (fun (ending : Fragment.ending) -> ending.told) fragment.ending in
-  let body = Adjacent.statements (Placement.statements fragment) in
+  let body = Decided.statements (Adjacent.statements (Placement.statements fragment)) in
   (List.rev_append (List.rev advances) body, told)
 
 (* What reset does for one item; it comes after all static values. *)
