@@ -56,6 +56,7 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
   let make d : Fragment.t =
     {
       leaves = Draft.leaves d;
+      nanoseconds = Draft.nanoseconds d;
       items = Draft.items d;
       results;
       states;
@@ -100,6 +101,7 @@ let reset (context : Calls.context) state (node : F.node) (statics : Statics.t) 
   Placement.statements
     {
       leaves = Draft.leaves d;
+      nanoseconds = Draft.nanoseconds d;
       items = Draft.items d;
       results = [];
       states = [];

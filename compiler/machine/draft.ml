@@ -6,12 +6,22 @@ open Computation
 type t = {
   copies : F.atom Int_table.t;
   leaves : Ir.expr Int_table.t;
+  nanoseconds : unit Int_table.t;
   mutable items : item list;  (** last first *)
   mutable states : (Ir.field * F.atom * F.signal option * Span.t) list;
 }
 
-let create () = { copies = Int_table.create 16; leaves = Int_table.create 16; items = []; states = [] }
+let create () =
+  {
+    copies = Int_table.create 16;
+    leaves = Int_table.create 16;
+    nanoseconds = Int_table.create 4;
+    items = [];
+    states = [];
+  }
+
 let add draft item = draft.items <- item :: draft.items
+let count_nanoseconds draft (s : F.signal) = Int_table.replace draft.nanoseconds s.id ()
 let leaf draft (s : F.signal) e = Int_table.replace draft.leaves s.id e
 
 let resolve draft (atom : F.atom) =
@@ -32,5 +42,6 @@ let keep_at_end draft field next ~leaf span =
   draft.states <- (field, next, leaf, span) :: draft.states
 
 let leaves draft = draft.leaves
+let nanoseconds draft = draft.nanoseconds
 let items draft = Array.of_list (List.rev draft.items)
 let states draft = draft.states

@@ -17,6 +17,9 @@ val add_computed : t -> Flow.Ir.equation -> unit
 val leaf : t -> Flow.Ir.signal -> Ir.expr -> unit
 (** The signal is read in place, as this. *)
 
+val count_nanoseconds : t -> Flow.Ir.signal -> unit
+(** The signal is a whole number of nanoseconds, whatever its type in Flow. *)
+
 val keep_at_end :
   t -> Ir.field -> Flow.Ir.atom -> leaf:Flow.Ir.signal option -> Span.t -> unit
 (** A field gets this value at the end of the step; [leaf] as in {!Fragment.t}. *)
@@ -32,6 +35,7 @@ val work :
 (** {1 The parts of the fragment} *)
 
 val leaves : t -> Ir.expr Int_table.t
+val nanoseconds : t -> unit Int_table.t
 val items : t -> Fragment.item array
 
 val states : t -> (Ir.field * Flow.Ir.atom * Flow.Ir.signal option * Span.t) list

@@ -47,6 +47,8 @@ type write = { place : Ir.place; update : update; span : Span.t }
 type t = {
   leaves : Ir.expr Int_table.t;
       (** signals that are read in place: parameters, state *)
+  nanoseconds : unit Int_table.t;
+      (** signals that are whole nanoseconds, for which Flow has no type *)
   items : item array;
   results : (Ir.place * atom * Span.t) list;  (** written before any state *)
   states : (Ir.field * atom * Flow.Ir.signal option * Span.t) list;

@@ -138,7 +138,7 @@ let rec reads_kept t (atom : atom) =
       | Some _ | None -> false)
 
 let divided t : Fragment.t * Fragment.t =
-  let { leaves; items; results; states; returned; feedback; ending } = t.fragment in
+  let { leaves; items; results; returned; _ } = t.fragment in
   let part late list =
     List.filteri (fun k _ -> Bool.equal t.late_results.(k) late) list
   in
@@ -149,22 +149,18 @@ let divided t : Fragment.t * Fragment.t =
   let leaves_later = Int_table.copy leaves in
   Hashtbl.iter (fun id field -> Int_table.replace leaves_later id (Ir.Field field)) t.kept;
   ( {
-      leaves;
+      t.fragment with
       items = items_of false;
       results = part false results;
-      states;
       returned = (if t.late_return then None else returned);
-      feedback;
-      ending;
     },
     {
+      t.fragment with
       leaves = leaves_later;
       items = items_of true;
       results = part true results;
       states = [];
       returned = (if t.late_return then returned else None);
-      feedback;
-      ending;
     } )
 
 let split (fragment : Fragment.t) =

@@ -67,10 +67,13 @@ let start_again ~limited draft time restart span =
   Draft.add draft (Draft.work ~operands:[ restart ] ~advances:time span statements)
 
 (* The rest is kept with the other state, last: only then has all else read what
-   is left of it. What counts nanoseconds is never in a variable; it has no type
-   in Flow. *)
+   is left of it. *)
 let tick fresh draft (s : F.signal) time period span =
-  let internal () = { s with id = fresh (); name = ""; ty = F.Float } in
+  let internal () =
+    let internal = { s with id = fresh (); name = ""; ty = F.Float } in
+    Draft.count_nanoseconds draft internal;
+    internal
+  in
   let before = internal () and rest = internal () and next = internal () in
   let computed signal ?choice operands build =
     Draft.add draft (Computed { signal; operands; build; choice; weight = 2; span })
@@ -99,6 +102,7 @@ let step ~fresh ~limited draft state (eq : F.equation) =
       | again ->
           if advances then start_again ~limited:(limited restart) draft time again eq.span);
       let now = { s with id = fresh (); name = "" } in
+      Draft.count_nanoseconds draft now;
       Draft.leaf draft now (Field time);
       let build arguments : Ir.expr =
         match unit with

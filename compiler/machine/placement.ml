@@ -45,8 +45,8 @@ let here t block =
 
 let put block statement = block.code <- Statement statement :: block.code
 
-let variable (s : Flow.signal) : Ir.variable =
-  { id = s.id; name = s.name; ty = Layout.ty s.ty }
+let variable t (s : Flow.signal) : Ir.variable =
+  { id = s.id; name = s.name; ty = Usage.ty t.usage s }
 
 (* Expressions *)
 
@@ -68,7 +68,7 @@ let rec tree ?(leaf = Fun.id) t use (atom : atom) : Ir.expr =
           | Some c -> c.build (List.map (tree ~leaf t use) c.operands)
           | None ->
               record t s use;
-              Variable (variable s)))
+              Variable (variable t s)))
 
 (* Blocks *)
 
@@ -257,7 +257,7 @@ let uses_of t (s : Flow.signal) = Option.value (Int_table.find_opt t.uses s.id) 
 
 let place_computed t (c : computed) uses =
   let block = block_for t uses in
-  let variable = variable c.signal in
+  let variable = variable t c.signal in
   match Usage.choice t.usage c with
   | None ->
       let value = c.build (List.map (tree t (here t block)) c.operands) in

@@ -31,6 +31,9 @@ let branch_count = 4
 let update_depth = 8
 
 let get table key ~default = Option.value (Int_table.find_opt table key) ~default
+let ty t (s : Flow.signal) : Ir.ty =
+  if Int_table.mem t.fragment.nanoseconds s.id then Nanoseconds else Layout.ty s.ty
+
 let leaf t (s : Flow.signal) = Int_table.find_opt t.fragment.leaves s.id
 let uses t (s : Flow.signal) = get t.uses s.id ~default:0
 

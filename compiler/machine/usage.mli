@@ -26,6 +26,8 @@ val writes : t -> Fragment.write list
 
 val results : t -> Fragment.write list
 
+val ty : t -> Flow.Ir.signal -> Ir.ty
+
 val leaf : t -> Flow.Ir.signal -> Ir.expr option
 
 val inlined : t -> Flow.Ir.signal -> Fragment.computed option
