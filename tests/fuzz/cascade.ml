@@ -61,13 +61,22 @@ let onward static ~handed:(n, c) later =
       f "let %s = %s in %s %s %s" k (one_of_few ~by:c inside) mode.name k c
   | _ -> into (next ())
 
+(* By what goes on in the mode from instant to instant. *)
+let timed (inside : Scope.t) =
+  let q = one_of inside.random [ "0"; "0.05[s]"; "0.1[s]"; "0.3[s]" ] in
+  match Random.State.int inside.random 3 with
+  | 0 -> f "when (timeSince (%s) > %s)" (bool inside) q
+  | 1 -> f "when (nanoseconds (timeSince (%s)) >= nanoseconds %s)" (bool inside) q
+  | _ -> f "when (derivative (if %s then 1 else 0) * 1[s] > 0)" (bool inside)
+
 (* Mostly at the mode's first instant, if the number that was handed to it is so. *)
 let ends (inside : Scope.t) { number; flag; _ } =
   let asked () =
     let asked = asked_of inside number in
     if chance inside.random 3 then f "not %s" asked else asked
   in
-  match Random.State.int inside.random 9 with
+  match Random.State.int inside.random 11 with
+  | 9 | 10 -> timed inside
   | 0 -> f "when (%s %s %s)" (bool inside) (one_of inside.random [ "&&"; "||" ]) (asked ())
   | 1 -> f "when %s" (bool inside)
   | 2 -> f "edge %s" (bool inside)
