@@ -284,6 +284,22 @@ let at_first c zero value =
   | Unseen | Apart | Marked_by_mode -> value
   | Marked_by { field; own = _ } -> Ir.Conditional (Expression.field c.names field, value, zero)
 
+(* Whether a mode runs that looks at the time, if not all do. *)
+let looks_at_time c (node : M.node) =
+  let compared operator number mode =
+    Ir.Binary (operator, number, Name c.v.nodes.(c.index).modes.(mode).constant)
+  in
+  let all ~of_each ~joined number = function
+    | [] -> None
+    | first :: others ->
+        let join condition mode = Ir.Binary (joined, condition, compared of_each number mode) in
+        Some (List.fold_left join (compared of_each number first) others)
+  in
+  match (Machine.Time_use.only_in_modes c.v.program node, Modes.running_mode c) with
+  | Some (In modes), Some number -> all ~of_each:Equal ~joined:Or number modes
+  | Some (Not_in modes), Some number -> all ~of_each:Not_equal ~joined:And number modes
+  | _, _ -> None
+
 (* dt becomes whole nanoseconds, and 0 where the step cannot know it. *)
 let double_clock c (node : M.node) =
   let rounded () = Ir.Call (V.helper c.v Whole_nanoseconds, [ Name "dt" ]) in
@@ -295,16 +311,21 @@ let double_clock c (node : M.node) =
       if ty = Int64 then at_first (Ir.Integer 0l) (Cast (Int64, rounded ()))
       else at_first (V.float c.v 0.) (rounded ())
     in
-    plain
-      (if Modes.forgets_time node then Ir.Variable { ty; name; value } else Constant { ty; name; value })
+    let zero = if ty = Int64 then Ir.Integer 0l else V.float c.v 0. in
+    match looks_at_time c node with
+    | Some condition ->
+        let then_ = [ plain (Ir.Assign (Name name, value)) ] in
+        [ plain (Ir.Variable { ty; name; value = zero }); plain (If { condition; then_; else_ = [] }) ]
+    | None when Modes.forgets_time node -> [ plain (Ir.Variable { ty; name; value }) ]
+    | None -> [ plain (Constant { ty; name; value }) ]
   in
   let seconds ns = plain (Ir.Assign (Name "dt", seconds_of c ns)) in
   match (node.nanoseconds, node.seconds, c.seconds) with
     | false, false, _ -> []
-    | true, false, _ | _, true, Where_wanted -> [ whole () ]
+    | true, false, _ | _, true, Where_wanted -> whole ()
     | true, true, Given ->
         let ns = Ir.Name "dt_ns" in
-        [ whole (); seconds (if c.nanoseconds = Int64 then Cast (V.real c.v, ns) else ns) ]
+        whole () @ [ seconds (if c.nanoseconds = Int64 then Cast (V.real c.v, ns) else ns) ]
     | false, true, Given -> (
         (* 0 before all else: after a choice of dt C compilers write the step twice. *)
         match at_first (V.float c.v 0.) (Name "dt") with

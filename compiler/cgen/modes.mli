@@ -4,6 +4,9 @@
 
 open Basis
 
+val running_mode : Context.t -> Ir.expr option
+(** The number of the mode that runs, if there are several. *)
+
 val enter : Context.t -> Machine.Ir.entry -> Span.t -> Ir.statement list
 (** The number, the parameters, and the state at its start. *)
 

@@ -13,6 +13,34 @@ let by_one_mode (program : Ir.program) (node : Ir.node) =
   && List.length node.modes > 1
   && List.length (List.filter (fun (mode : Ir.mode) -> wanted mode.node) node.modes) = 1
 
+type modes =
+  | In of int list
+  | Not_in of int list
+
+let most_compared = 2
+
+let only_in_modes (program : Ir.program) (node : Ir.node) =
+  let looks index = program.nodes.(index).Ir.seconds || program.nodes.(index).nanoseconds in
+  let elsewhere = ref false in
+  Walk.expressions (function Ir.Dt | Dt_nanoseconds -> elsewhere := true | _ -> ()) node.step.body;
+  Walk.statements
+    (function
+      | Ir.Step { node; _ } | Loop { node; _ } -> if looks node then elsewhere := true
+      | Run ({ clock; controls; _ } as run) ->
+          if Option.is_some clock || controls <> [] || not (Direct.is_direct run) then elsewhere := true
+      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Start _ | Begin _ | Await _ | Return _ -> ())
+    node.step.body;
+  let numbered = List.mapi (fun number (mode : Ir.mode) -> (number, looks mode.node)) node.modes in
+  let looking, others = List.partition snd numbered in
+  let few modes = List.compare_length_with modes most_compared <= 0 in
+  let numbers = List.map fst in
+  let at_once = node.seconds && not (by_one_mode program node) in
+  let one = List.compare_length_with looking 1 <= 0 in
+  if program.real <> Double || !elsewhere || at_once || one || others = [] then None
+  else if List.compare_lengths others looking < 0 && few others then Some (Not_in (numbers others))
+  else if few looking then Some (In (numbers looking))
+  else None
+
 let nanoseconds_in_floats (program : Ir.program) (node : Ir.node) =
   let has_own_instants = ref false in
   Walk.statements
@@ -21,7 +49,8 @@ let nanoseconds_in_floats (program : Ir.program) (node : Ir.node) =
       | Run { clock = None; _ } | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Enter _
       | Start _ | Begin _ | Await _ | Return _ -> ())
     node.step.body;
-  program.real = Double && node.modes <> [] && not !has_own_instants
+  let in_some_modes = (not node.seconds) && Option.is_some (only_in_modes program node) in
+  program.real = Double && node.modes <> [] && (not !has_own_instants) && not in_some_modes
 
 let divides (program : Ir.program) =
   let found = ref false in

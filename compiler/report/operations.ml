@@ -281,7 +281,13 @@ let root_clock (program : M.program) (root : M.node) =
         (if own then [ Cost.one Stores ] else [])
         @ if times = [] then [] else Cost.[ one Loads; one Choices ]
   in
-  Cost.sum (first @ times)
+  let in_some_modes =
+    match Machine.Time_use.only_in_modes program root with
+    | Some (In modes | Not_in modes) ->
+        Cost.[ one Loads; several (1 + List.length modes) Choices ]
+    | None -> []
+  in
+  Cost.sum (first @ in_some_modes @ times)
 
 (* The user's C has doubles. *)
 let crossing (program : M.program) (node : M.node) =

@@ -69,7 +69,10 @@ chosen.
                         const struct three_modes_input *FROB_RESTRICT in,
                         struct three_modes_output *out)
   {
-      const double dt_ns = frob_whole_ns(dt);
+      double dt_ns = 0.0;
+      if (self->mode != THREE_MODES_TURN_AWAY) {
+          dt_ns = frob_whole_ns(dt);
+      }
       double speed = 0.0;
       double turn = 0.0;
       switch (self->mode) {
