@@ -56,15 +56,35 @@ let headers_digest folder =
 let is_cpp file = List.mem (Filename.extension file) [ ".cc"; ".cpp"; ".cxx" ]
 let include_flags folders = List.concat_map (fun folder -> [ "-I"; folder ]) folders
 
+(* The user's files are compiled as copies beside the generated headers: compilers look
+   first where the file is that includes, and there may be a header of an older program. *)
+let copy_of ~folder number file =
+  folder / Printf.sprintf "own_%d%s" number (Filename.extension file)
+
+let copy ~folder number file =
+  let name = String.concat "\\\\" (String.split_on_char '\\' file) in
+  Result.map
+    (fun text -> write (copy_of ~folder number file) (Printf.sprintf "#line 1 \"%s\"\n%s" name text))
+    (Own_headers.read file)
+
+let copies ~folder { sources; _ } =
+  List.fold_left
+    (fun result (number, file) -> Result.bind result (fun () -> copy ~folder number file))
+    (Ok ())
+    (List.mapi (fun number file -> (number, file)) sources)
+
 (* C++ is compiled first: what is linked in its place. *)
 let object_of ~folder number file =
-  if is_cpp file then folder / Printf.sprintf "cpp_%d.o" number else file
+  if is_cpp file then folder / Printf.sprintf "cpp_%d.o" number else copy_of ~folder number file
+
+let folders_of { sources; folders } =
+  folders @ List.sort_uniq String.compare (List.map Filename.dirname sources)
 
 (* A symbol that nobody defines is to be found now, not when a host starts. *)
 let with_foreign ~folder = function
   | None -> []
-  | Some { sources; folders } ->
-      include_flags folders
+  | Some ({ sources; _ } as foreign) ->
+      include_flags (folders_of foreign)
       @ List.mapi (object_of ~folder) sources
       @ (if List.exists is_cpp sources then [ "-lstdc++" ] else [])
       @ [ "-Wl,--no-undefined" ]
@@ -94,12 +114,12 @@ let explain machine = function
 
 (* A C compiler takes C++ for what it is, but not with the flags of C. *)
 let compile_cpp machine ~headers ~folder foreign =
-  let one { folders; _ } number file =
+  let one foreign number file =
     Process.run machine.compiler
       ([ "-std=c++17"; "-O2"; "-ffp-contract=off"; "-fPIC"; "-c" ]
       @ machine.options
-      @ include_flags (headers :: folder :: folders)
-      @ [ "-o"; object_of ~folder number file; file ])
+      @ include_flags (headers :: folder :: folders_of foreign)
+      @ [ "-o"; object_of ~folder number file; copy_of ~folder number file ])
   in
   match foreign with
   | None -> Ok ()
@@ -125,12 +145,16 @@ let compile machine ~headers ~inputs ~foreign ~folder ~result kind files =
       @ with_foreign ~folder foreign
       @ inputs @ [ "-lm" ])
   in
-  match Result.bind (compile_cpp machine ~headers ~folder foreign) link with
+  let build () =
+    Result.map_error (explain machine)
+      (Result.bind (compile_cpp machine ~headers ~folder foreign) link)
+  in
+  match Result.bind (Option.fold foreign ~none:(Ok ()) ~some:(copies ~folder)) build with
   | Ok () ->
       (* Renaming is atomic, so two runs at once do not see half a file. *)
       Sys.rename built result;
       Ok result
-  | Error failure -> Error (explain machine failure)
+  | Error _ as error -> error
 
 let remove_folder folder =
   Array.iter (fun file -> Sys.remove (folder / file)) (Sys.readdir folder);

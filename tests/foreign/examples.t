@@ -64,3 +64,14 @@ The example of docs/foreign.md:
   1.000000000,2.5
   2.000000000,3.25
   3.000000000,2.5
+
+A header of an older program beside the C does no harm, and what the C compiler says
+names the user's file:
+
+  $ sed 's/int/long/; s/double/float/' blob_tracker.h > older.h; cmp -s older.h blob_tracker.h && echo same
+  [1]
+  $ mv older.h blob_tracker.h
+  $ trace ofParts | diff whole -
+  $ echo 'int f(void) { return g; }' > wrong.c
+  $ frobc trace blob_tracker.frob --with blob.c --with wrong.c --entry ofParts --input pictures.csv 2>&1 | grep -o 'wrong.c:1:22: error'
+  wrong.c:1:22: error
