@@ -51,6 +51,7 @@ let rec task (m : Reactive.maker) ~slow fuel a b (c : Type.t) =
     else
       [
         (6, fun () -> sequence m ~slow fuel a b c);
+        (3, fun () -> chosen m ~slow fuel a b c);
         ( 2,
           fun () ->
             f "(if %s then %s else %s)" (value m 1 Bool) (sub a b c) (sub a b c) );
@@ -78,6 +79,13 @@ and sequence m ~slow fuel a b c =
   let rest m = task m ~slow:false (fuel - 1) a b c in
   if chance m.values.random 4 then f "(do %s; %s)" before (rest m)
   else f "(do %s <- %s; %s)" text before (rest (with_values m bound))
+
+(* Which of two comes next is known when the first has ended. *)
+and chosen m ~slow fuel a b c =
+  let by = Scope.fresh m.values "c" in
+  let first = Reactive.ending m ~slow (max 1 (fuel - 1)) a b Type.Bool in
+  let rest () = task m ~slow:false (fuel - 1) a b c in
+  f "(do %s <- mkTask %s; if %s then %s else %s)" by first by (rest ()) (rest ())
 
 and side_by_side m ~slow fuel a b c =
   let output = any m and output' = any m and result = any m and result' = any m in
