@@ -78,8 +78,10 @@ let ends_early c (mode : M.mode) = Option.is_some c.v.program.nodes.(mode.node).
 
 (* With [drops] C compilers cannot see that the first mode gives values, nor where modes
    give none as they end, that another one follows. *)
-let results_of_run c (run : M.run) =
-  if (not run.drops) && Option.is_none run.active && not (List.exists (ends_early c) c.node.modes) then List.rev (uninitialized c run.results)
+let results_of_run c ~may_end (run : M.run) =
+  let ends = may_end && List.exists (ends_early c) c.node.modes in
+  if (not run.drops) && Option.is_none run.active && not ends then
+    List.rev (uninitialized c run.results)
   else
     List.map
       (fun (v : M.variable) ->
@@ -114,7 +116,9 @@ let first_step c (run : M.run) (entry : M.entry) =
       List.map (fun (v, name) -> declare c v name) ignored
       @ [ step ~time:None_passed c mode case (results @ List.map snd ignored) ]
 
-let begin_ c run entry span = results_of_run c run @ enter c entry span @ first_step c run entry
+let begin_ c run (entry : M.entry) span =
+  let may_end = match entry.first with Started_by _ -> false | Reset_by _ -> true in
+  results_of_run c ~may_end run @ enter c entry span @ first_step c run entry
 
 let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
   let mode = List.nth c.node.modes k in
@@ -233,7 +237,7 @@ let run c (run : M.run) =
       [ dropped; controlled ]
   in
   let instant = woken @ flags @ before @ stepping in
-  results_of_run c run @ passing
+  results_of_run c ~may_end:true run @ passing
   @
   match run.active with
   | None -> instant

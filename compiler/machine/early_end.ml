@@ -54,33 +54,6 @@ let results_from told (fragment : Fragment.t) =
 let needed (fragment : Fragment.t) ending =
   needed_for fragment (ending.ends :: results_from ending.told fragment)
 
-(* What is done besides, if the mode goes on. *)
-let left_out (fragment : Fragment.t) ending =
-  let if_it_ends = needed fragment ending in
-  let all = List.map (fun (_, atom, _) -> atom) fragment.results in
-  let states = List.map (fun (_, atom, _, _) -> atom) fragment.states in
-  let of_actions =
-    Array.to_list fragment.items
-    |> List.concat_map (function
-         | Action { always = true; operands; _ } -> operands
-         | Action _ | Computed _ -> [])
-  in
-  let if_it_goes_on = needed_for fragment (all @ states @ of_actions) in
-  let weight = ref 0 and steps = ref false in
-  Array.iteri
-    (fun k item ->
-      if not if_it_ends.(k) then
-        match item with
-        | Action { always = true; _ } -> steps := true
-        | Action { weight = w; _ } | Computed { weight = w; _ } ->
-            if if_it_goes_on.(k) then weight := !weight + w)
-    fragment.items;
-  (!weight, !steps)
-
-let worth fragment ending =
-  let weight, steps = left_out fragment ending in
-  steps || weight >= Usage.branch_weight
-
 let find draft ~fresh (node : F.node) ~told make =
   let occurs = List.map (fun (t : F.transition) -> Draft.resolve draft t.occurs) node.transitions in
   let can_occur = List.filter (function F.Bool false -> false | _ -> true) occurs in
@@ -96,9 +69,7 @@ let find draft ~fresh (node : F.node) ~told make =
   | first :: others when List.for_all is_signal can_occur && not tries ->
       let ends = List.fold_left either first others in
       let fragment = make draft in
-      let ending = { ends; told; span = node.span } in
-      if Option.is_none fragment.returned && Option.is_none (Late.split fragment)
-         && worth fragment ending
-      then { fragment with ending = Some ending }
+      if Option.is_none fragment.returned && Option.is_none (Late.split fragment) then
+        { fragment with ending = Some { ends; told; span = node.span } }
       else fragment
   | _ -> make draft

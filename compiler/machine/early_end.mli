@@ -21,6 +21,5 @@ val needed : Fragment.t -> Fragment.ending -> bool array
 
 val find :
   Draft.t -> fresh:(unit -> int) -> Flow.Ir.node -> told:int -> (Draft.t -> Fragment.t) -> Fragment.t
-(** The fragment of that node, a mode for which it is possible, with its [ending] if what
-    could be left out is worth a branch. The function makes the fragment without; results
-    from [told] on are for transitions. *)
+(** The fragment of that node, a mode for which it is possible, with its [ending].
+    The function makes the fragment without; results from [told] on are for transitions. *)

@@ -13,9 +13,6 @@ type t
 
 val expression_size : int
 
-val branch_weight : int
-(** A mispredicted branch costs about this many additions. *)
-
 val update_depth : int
 (** No write takes apart choices nested deeper. *)
 

@@ -21,8 +21,8 @@ a time is compared as it is kept, in nanoseconds.
     -> (out = _1)
   $ frobc compile pause.frob
   $ grep "INT64_C" pause.c | sed "s, */.*,,"
-      *out_3 = INT64_C(1500000000) <= self->time;
-      *out_3 = INT64_C(2000000000) <= self->time;
+      const bool t1 = INT64_C(1500000000) <= self->time;
+      const bool t1 = INT64_C(2000000000) <= self->time;
 
 An edge needs its note: it is true at first.
 
