@@ -91,6 +91,43 @@ let rec is_there : Ir.expr -> bool = function
   | Member (e, _) | Arrow (e, _) | Unary ((Not | Address | Dereference), e) -> is_there e
   | _ -> false
 
+(* A comparison of a whole number with a literal: the number, the literal, and what it
+   comes to if the number is that. *)
+let comparison : Ir.expr -> (Ir.expr * int32 * (int32 -> bool)) option = function
+  | Binary (((Less | Less_equal | Greater | Equal | Not_equal) as operator), a, b) -> (
+      let holds x y =
+        match operator with
+        | Less -> x < y
+        | Less_equal -> x <= y
+        | Greater -> x > y
+        | Equal -> Int32.equal x y
+        | _ -> not (Int32.equal x y)
+      in
+      match (a, b) with
+      | Integer k, e -> Some (e, k, fun n -> holds k n)
+      | e, Integer k -> Some (e, k, fun n -> holds n k)
+      | _, _ -> None)
+  | _ -> None
+
+(* Two comparisons of one number which never hold together, as [n <= 1 && n > 3], or of
+   which one always holds: clang warns of them, but not without a branch. *)
+let is_decided ~by x y =
+  match (comparison x, comparison y) with
+  | Some (a, k, first), Some (b, l, second) when a = b ->
+      let around k = Int32.[ (if k = min_int then k else pred k); k; (if k = max_int then k else succ k) ]
+      in
+      let both = List.map (fun n -> by (first n) (second n)) (around k @ around l) in
+      List.for_all (Bool.equal (List.hd both)) both
+  | _, _ -> false
+
+let whole_not : Ir.expr -> Ir.expr = function
+  | Binary (Less, a, b) -> Binary (Less_equal, b, a)
+  | Binary (Less_equal, a, b) -> Binary (Less, b, a)
+  | Binary (Greater, a, b) -> Binary (Less_equal, a, b)
+  | Binary (Equal, a, b) -> Binary (Not_equal, a, b)
+  | Binary (Not_equal, a, b) -> Binary (Equal, a, b)
+  | e -> Unary (Not, e)
+
 (* An element of an array written out has to be a [bool]. *)
 let one_element : Ir.expr -> Ir.expr = function
   | Binary (Both, a, b) -> Binary (And, a, b)
@@ -147,7 +184,9 @@ let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
   | Maximum, Float -> limited n Float_maximum At_least a b x y
   | Minimum, Int -> helper Int_minimum
   | Maximum, Int -> helper Int_maximum
-  | And, Bool -> Binary ((if is_there x && is_there y then Both else And), x, y)
+  | And, Bool ->
+      Binary ((if (is_there x && is_there y) || is_decided ~by:( && ) x y then Both else And), x, y)
+  | Or, Bool when is_decided ~by:( || ) x y -> Unary (Not, Binary (Both, whole_not x, whole_not y))
   | Or, Bool -> Binary (Or, x, y)
   | _, _ -> bad ()
 

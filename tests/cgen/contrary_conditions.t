@@ -1,0 +1,16 @@
+Two comparisons of a number that never hold together, or of which one always does: clang
+warns of them where they have a branch.
+
+  $ cat > contrary.frob <<'END'
+  > main :: SF Int (Bool, Bool, Bool)
+  > main = proc n -> (n <= 1 && n > 3, n /= 3 || n /= 0, n < 0 || n > 5)
+  > END
+  $ frobc compile contrary.frob
+  $ grep 'out->' contrary.c | sed "s, */\*.*,,"
+      out->f1 = (n <= 1) & (n > 3);
+      out->f2 = !((n == 3) & (n == 0));
+      out->f3 = n < 0 || n > 5;
+  $ for cc in gcc clang; do $cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -c contrary.c; done
+  $ printf 'time,in\n0,0\n1,1\n2,2\n3,3\n4,4\n5,6\n' > in.csv
+  $ frobc trace contrary.frob --input in.csv > c.csv
+  $ frobc trace contrary.frob --input in.csv --engine interp | cmp - c.csv
