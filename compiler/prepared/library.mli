@@ -1,6 +1,6 @@
 (** The library's modules, parsed when the compiler was built: nearly every program is
-    shorter than what it imports, and reading that again would be a quarter of the time
-    that compiling takes.
+    shorter than what it imports, and reading that again takes much of the time of
+    compiling a short one.
 
     Only trees are kept. What comes after parsing depends on which modules a program is
     made of (the numbers of names and type variables, the instances that are seen), so
