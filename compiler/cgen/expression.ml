@@ -128,9 +128,10 @@ let whole_not : Ir.expr -> Ir.expr = function
   | Binary (Not_equal, a, b) -> Binary (Equal, a, b)
   | e -> Unary (Not, e)
 
-(* An element of an array written out has to be a [bool]. *)
-let one_element : Ir.expr -> Ir.expr = function
+let rec in_braces : Ir.expr -> Ir.expr = function
+  | Binary (Both, a, b) as e when is_decided ~by:( && ) a b -> Binary (Not_equal, e, Integer 0l)
   | Binary (Both, a, b) -> Binary (And, a, b)
+  | Conditional (condition, a, b) -> Conditional (condition, in_braces a, in_braces b)
   | e -> e
 
 let unary n (operator : Flow.Ir.operator) (ty : M.ty) x : Ir.expr =
@@ -290,7 +291,7 @@ let rec of_machine n (e : M.expr) : Ir.expr =
       Binary
         (Equal, Member (of_machine n value, "tag"), Name n.v.sums.(sum).tags.(constructor))
   | Payload { sum; value; constructor; leaf } -> payload n ~sum ~constructor ~leaf (of_machine n value)
-  | Elements { elements; _ } -> Aggregate [ Aggregate (List.map one_element (list elements)) ]
+  | Elements { elements; _ } -> Aggregate [ Aggregate (List.map in_braces (list elements)) ]
   | Fill { count; element; value } ->
       Call (V.array_function n.v Fill (Array (count, element)), [ of_machine n value ])
   | Index { array; index } -> element n array (Ir.Integer (Int32.of_int index))

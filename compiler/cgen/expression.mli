@@ -41,3 +41,7 @@ val arguments : names -> Machine.Ir.variable list -> Machine.Ir.expr list -> Ir.
 (** For these parameters of a node's function. *)
 
 val of_machine : names -> Machine.Ir.expr -> Ir.expr
+
+val in_braces : Ir.expr -> Ir.expr
+(** The same, as it may stand in the braces of an array or struct: what is a truth value is
+    of type [bool] there. [a & b] is an [int], which C++ does not take in braces. *)

@@ -173,7 +173,9 @@ let call scope shape name arguments =
   let before =
     (match given with
     | [] -> []
-    | values -> [ plain (Initialize { ty = Struct shape.given_struct; name = in_; values }) ])
+    | values ->
+        let values = List.map Expression.in_braces values in
+        [ plain (Initialize { ty = Struct shape.given_struct; name = in_; values }) ])
     @
     match results with
     | [] -> []
