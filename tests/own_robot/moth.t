@@ -5,7 +5,7 @@ C++, and it goes for a lamp that a wall hides at first.
   $ moth="--robot $seek/Moth.frob"
   $ frobc check --lint $seek/light_seek.frob $moth
   $ frobc compile $seek/light_seek.frob $moth -o generated
-  $ for c in "gcc -std=c99" "clang -std=c99" "g++ -x c++ -std=c++17"; do
+  $ for c in "gcc -std=c99" "clang -std=c99" "clang++ -x c++ -std=c++20"; do
   >   for source in generated/light_seek.c $seek/moth_body.c; do
   >     $c -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off -Igenerated -I../../runtime/include -fsyntax-only $source
   >   done

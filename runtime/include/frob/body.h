@@ -3,7 +3,11 @@
  * A body is a constant table in a C file that is given with `--with`: the
  * robot `rover`, whose module is Rover.frob, has
  *
- *   const struct frob_body frob_rover_body = { … };
+ *   const struct frob_body frob_rover_body = { .robot = "rover", … };
+ *
+ * With its members named (C, and C++ from C++20 on) the table stays right when a later
+ * version has more of them: what is left out is zero. Without names C compilers warn
+ * of what is left out, and a member in between would shift the others.
  *
  * Bodies are round, on two wheels, with rangers that fire one after the other, and
  * perhaps with sensors that look down at the floor or see the light of lamps.
@@ -73,7 +77,7 @@ struct frob_body {
     /* What the robot's output struct asks for; values out of range are limited. */
     void (*command)(const void *output, double *forward_m_s, double *turn_rad_s);
 
-    /* What many bodies do not have: left out, it is zero, and there is none. */
+    /* What many bodies do not have: left out, there is none. */
     const struct frob_spot *floor_sensors;
     size_t floor_sensor_count;
     double floor_spot_m; /* the width of what each sees, at least a millimetre */
