@@ -1,6 +1,6 @@
 /* time_by_hand.h -- the language's promise about time, as a careful person
- * keeps it: dt counts in whole nanoseconds, is never negative or NaN, and at
- * most 10^9 s. With DT_AS_IT_COMES it is taken as it comes instead. */
+ * keeps it: dt counts in whole nanoseconds, halves rounded to even, is never
+ * negative or NaN, and at most 10^9 s. With DT_AS_IT_COMES it is taken as it comes instead. */
 #ifndef TIME_BY_HAND_H
 #define TIME_BY_HAND_H
 
@@ -20,18 +20,27 @@ static inline int64_t nanoseconds(double seconds)
 
 #else
 
-static inline int64_t nanoseconds(double seconds)
+/* Adding 2^52 leaves no bits for a fraction; above it there is none. */
+static inline double rounded_nanoseconds(double seconds)
 {
+    const double all = 4503599627370496.0;
+    double ns;
     if (!(seconds > 0))
         return 0;
     if (seconds > 1e9)
         seconds = 1e9;
-    return (int64_t)(seconds * 1e9 + 0.5);
+    ns = seconds * 1e9;
+    return ns < all ? (ns + all) - all : ns;
+}
+
+static inline int64_t nanoseconds(double seconds)
+{
+    return (int64_t)rounded_nanoseconds(seconds);
 }
 
 static inline double whole_nanoseconds(double seconds)
 {
-    return (double)nanoseconds(seconds) / 1e9;
+    return rounded_nanoseconds(seconds) / 1e9;
 }
 
 #endif
