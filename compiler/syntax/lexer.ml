@@ -267,6 +267,18 @@ let string t =
 
 (* {1 Symbols} *)
 
+(* The character just read; what Python writes before it. *)
+let colon t =
+  let start = match String.rindex_from_opt t.text (max 0 (t.at - 1)) '\n' with Some i -> i + 1 | None -> 0 in
+  let words = String.split_on_char ' ' (String.trim (String.sub t.text start (t.at - start))) in
+  let ends_line = t.at >= String.length t.text || t.text.[t.at] = '\n' in
+  match words with
+  | "def" :: _ -> "a function is defined by an equation: `f x = …`"
+  | _ when List.exists (fun word -> word = "lambda" || word = "(lambda") words ->
+      "a function without a name is written `\\x -> …`"
+  | _ when ends_line -> "a block is made by indentation alone; a choice is written `if c then a else b`"
+  | _ -> "a type follows `::`"
+
 let unexpected t =
   let start = position t in
   let length = max 1 (fst (Utf8.decode t.text t.at)) in
@@ -280,7 +292,7 @@ let unexpected t =
     match character with
     | "'" when peek t 1 = '\'' -> Some "a text stands in `\"`"
     | ":" when peek t 0 = '=' -> Some "an equation is written with `=`"
-    | ":" -> Some "a type follows `::`"
+    | ":" -> Some (colon t)
     | "&" -> Some "write `&&`"
     | "#" -> Some "a comment starts with `--`"
     | "?" -> Some "a choice is written `if c then a else b`"

@@ -75,6 +75,11 @@ let rec open_bracket : Layout.context -> ((string * string) * Layout.origin) opt
   | (opener, by) :: rest -> (
       match opening opener with Some pair -> Some (pair, by) | None -> open_bracket rest)
 
+(* The innermost bracket, at the end of an item: all blocks in it have ended. *)
+let rec bracket_of_item : Layout.context -> ((string * string) * Layout.origin) option = function
+  | (Block (Let | Where | Do | Of | Rec), _) :: rest -> bracket_of_item rest
+  | context -> open_bracket context
+
 let unclosed found ((opener, closer), by) =
   Diagnostic.error ~code:"E0111" ~at:(opener_span by) "this `%s` is never closed" opener
   |> Diagnostic.label ~at:(span found.token) (Printf.sprintf "expected `%s` by here" closer)
@@ -98,6 +103,7 @@ let bracket found =
           else
             Some
               (Diagnostic.error ~code:"E0111" ~at:(span found.token) "this `%s` closes nothing" closer))
+  | END when not (expects_more found.before) -> Option.map (unclosed found) (bracket_of_item found.context)
   | END | SEMICOLON | CLOSE | WHERE | IN | THEN | ELSE | OF ->
       Option.map (unclosed found) (open_bracket found.context)
   | _ -> None

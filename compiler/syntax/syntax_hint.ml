@@ -103,6 +103,28 @@ let field_of_a_value found (field : Layout.token) =
   let rec back i = if is_blank (char_at found i) && i >= 0 then back (i - 1) else char_at found i in
   match back (field.start.pos_cnum - 1) with '{' | ',' -> true | _ -> false
 
+let is_adjacent found (before : Layout.token) = before.stop.pos_cnum = found.token.start.pos_cnum
+
+(* An operator of other languages, of which the first characters are one of Frob's. *)
+let foreign_operator found (before : Layout.token) =
+  if not (is_adjacent found before) then None
+  else
+    match written found before ^ written found found.token with
+    | ">>" | ">>=" -> Some "tasks follow one another in a `do`, each on a line of its own"
+    | "++" when after found = ' ' -> Some "nothing is joined: a text is a label, and an array has a fixed size"
+    | "++" -> Some "nothing is counted up: an equation says what holds at every instant, as in `n = delay 0 n + 1`"
+    | "!!" -> Some "an element of an array is written `xs ! 0`, and `at i default xs` takes any index"
+    | "/*" -> Some "a comment is written `{- … -}`, or `--` up to the end of the line"
+    | "//" -> Some "a comment starts with `--`; whole numbers are divided by `div`"
+    | ".." -> Some "there are no ranges; `generate (\\i -> …)` makes an array by the index"
+    | _ -> None
+
+(* The word at the left edge of the line: what other languages begin it with. *)
+let first_word found =
+  let bol = found.token.start.pos_bol in
+  let rec stop i = match char_at found i with 'a' .. 'z' -> stop (i + 1) | _ -> i in
+  String.sub found.text bol (stop bol - bol)
+
 let stands_after_proc found (t : Layout.token) =
   let word = "proc " in
   let start = t.start.pos_cnum - String.length word in
@@ -126,6 +148,14 @@ let lacks_where found =
 
 let of_token found =
   match (found.token.token, found.before) with
+  | _, Some before when foreign_operator found before <> None -> foreign_operator found before
+  | QUALIFIED_UPPER _, Some { token = IMPORT | QUALIFIED; _ } ->
+      Some "the name of a module has no points: its file stands beside this one, or in the library"
+  | IMPORT, Some _ when first_word found = "from" ->
+      Some "names are imported from a module by `import Control (limit)`"
+  | IF, Some before when not (expects_more (Some before)) && not found.token.first ->
+      Some "a choice is written `if c then a else b`"
+  | DOUBLE_ARROW, Some _ when innermost_block found.context = Of -> Some "a branch is written `pattern -> value`"
   | LEFT_ARROW, _ when not (is_blank (after found)) ->
       Some "`<-` is always one symbol; to compare with a negative number write `< -` with a blank"
   | LEFT_ARROW, _ when innermost_block found.context <> Do ->

@@ -195,3 +195,38 @@ An `if` without `else` among the statements of a task.
   [1]
   $ sed 's/if True then \(.*\)/whenT True (\1)/' one_armed.frob > when.frob && frobc check when.frob
   $ sed 's/if True.*/& else return ()/' one_armed.frob > else.frob && frobc check else.frob
+
+Comments and counting as in C.
+
+  $ cat > starred.frob <<'FROB'
+  > main :: SF Float Float
+  > main = identity /* nothing */
+  > FROB
+  $ frobc check starred.frob
+  error[E0110]: expected an operand after the operator, found `*`
+   --> starred.frob:2:18
+    |
+  2 | main = identity /* nothing */
+    |                  ^
+    |
+    = hint: a comment is written `{- … -}`, or `--` up to the end of the line
+  
+  1 error
+  [1]
+
+  $ cat > counted.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> n where
+  >     n = x++
+  > FROB
+  $ frobc check counted.frob
+  error[E0110]: expected an operand after the operator, found `+`
+   --> counted.frob:3:11
+    |
+  3 |     n = x++
+    |           ^
+    |
+    = hint: nothing is counted up: an equation says what holds at every instant, as in `n = delay 0 n + 1`
+  
+  1 error
+  [1]

@@ -187,3 +187,104 @@ A type in lower case is a variable. Where that does no harm it is a warning:
   
   1 error, 1 warning
   [1]
+
+Operators that only Haskell has, and its other ways to write a list, a branch and a module.
+
+  $ cat > bind.frob <<'FROB'
+  > import Robot
+  > go = sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0)) >>= \_ -> go
+  > FROB
+  $ frobc check bind.frob
+  error[E0110]: expected an operand after the operator, found `>=`
+   --> bind.frob:2:50
+    |
+  2 | go = sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0)) >>= \_ -> go
+    |                                                  ^^
+    |
+    = hint: tasks follow one another in a `do`, each on a line of its own
+  
+  1 error
+  [1]
+
+  $ cat > join.frob <<'FROB'
+  > main :: SF Float String
+  > main = proc x -> "x = " ++ show x
+  > FROB
+  $ frobc check join.frob
+  error[E0110]: expected an operand after the operator, found `+`
+   --> join.frob:2:26
+    |
+  2 | main = proc x -> "x = " ++ show x
+    |                          ^
+    |
+    = hint: nothing is joined: a text is a label, and an array has a fixed size
+  
+  1 error
+  [1]
+
+  $ cat > index.frob <<'FROB'
+  > f :: Array 3 Float -> Float
+  > f xs = xs !! 0
+  > FROB
+  $ frobc check index.frob
+  error[E0110]: expected an operand after the operator, found `!`
+   --> index.frob:2:12
+    |
+  2 | f xs = xs !! 0
+    |            ^
+    |
+    = hint: an element of an array is written `xs ! 0`, and `at i default xs` takes any index
+  
+  1 error
+  [1]
+
+  $ cat > range.frob <<'FROB'
+  > xs :: Array 4 Int
+  > xs = [1..4]
+  > FROB
+  $ frobc check range.frob
+  error[E0110]: expected an operand after the operator, found `.`
+   --> range.frob:2:9
+    |
+  2 | xs = [1..4]
+    |         ^
+    |
+    = hint: there are no ranges; `generate (\i -> …)` makes an array by the index
+  
+  1 error
+  [1]
+
+  $ cat > branch.frob <<'FROB'
+  > data M = A | B
+  > f :: M -> Float
+  > f m = case m of
+  >     A => 1.0
+  >     B => 2.0
+  > FROB
+  $ frobc check branch.frob
+  error[E0110]: expected an operator, an argument, or the end of the expression, found `=>`
+   --> branch.frob:4:7
+    |
+  4 |     A => 1.0
+    |       ^^
+    |
+    = hint: a branch is written `pattern -> value`
+  
+  1 error
+  [1]
+
+  $ cat > module.frob <<'FROB'
+  > import Data.Maybe
+  > main = identity
+  > FROB
+  $ frobc check module.frob
+  error[E0110]: expected the name of a module, with a capital, found `Data.Maybe`
+   --> module.frob:1:8
+    |
+  1 | import Data.Maybe
+    |        ^^^^^^^^^^
+    |
+    = hint: the name of a module has no points: its file stands beside this one, or in the library
+  
+  1 error
+  [1]

@@ -71,3 +71,33 @@ A line that starts at a wrong column says where its block starts.
   
   1 error
   [1]
+
+A bracket around a block that nothing closes: the bracket is shown, and the definitions after it are read.
+
+  $ cat > unclosed.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (do
+  >     sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0))
+  >     sleepT 1[s] (roMake (setVelTR 0 0))
+  > 
+  > speed :: Velocity
+  > speed = 1 +
+  > FROB
+  $ frobc check unclosed.frob
+  error[E0111]: this `(` is never closed
+   --> unclosed.frob:2:23
+    |
+  2 | main = reactimateTask (do
+    |                       ^
+  3 |     sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0))
+  4 |     sleepT 1[s] (roMake (setVelTR 0 0))
+    |                                        - expected `)` by here
+  
+  error[E0110]: expected an operand after the operator, found the end of the file
+   --> unclosed.frob:7:12
+    |
+  7 | speed = 1 +
+    |            ^
+  
+  2 errors
+  [1]

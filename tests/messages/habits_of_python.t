@@ -1,0 +1,100 @@
+What Python writes, in Frob's words.
+
+  $ cat > definition.frob <<'FROB'
+  > def twice(x):
+  >     return x * 2
+  > FROB
+  $ frobc check definition.frob
+  error[E0103]: unexpected character `:`
+   --> definition.frob:1:13
+    |
+  1 | def twice(x):
+    |             ^
+    |
+    = hint: a function is defined by an equation: `f x = …`
+  
+  1 error
+  [1]
+
+  $ cat > lambda.frob <<'FROB'
+  > main :: SF Float Float
+  > main = arr (lambda x: x + 1)
+  > FROB
+  $ frobc check lambda.frob
+  error[E0103]: unexpected character `:`
+   --> lambda.frob:2:21
+    |
+  2 | main = arr (lambda x: x + 1)
+    |                     ^
+    |
+    = hint: a function without a name is written `\x -> …`
+  
+  1 error
+  [1]
+
+  $ cat > choice.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> y where
+  >     y = x ** 2 if x > 0 else 0
+  > FROB
+  $ frobc check choice.frob
+  error[E0110]: expected an operator, an argument, or the end of the expression, found `if`
+   --> choice.frob:3:16
+    |
+  3 |     y = x ** 2 if x > 0 else 0
+    |                ^^
+    |
+    = hint: a choice is written `if c then a else b`
+  
+  1 error
+  [1]
+
+  $ cat > block.frob <<'FROB'
+  > f :: Float -> Float
+  > f x = if x > 0:
+  >     1
+  > FROB
+  $ frobc check block.frob
+  error[E0103]: unexpected character `:`
+   --> block.frob:2:15
+    |
+  2 | f x = if x > 0:
+    |               ^
+    |
+    = hint: a block is made by indentation alone; a choice is written `if c then a else b`
+  
+  1 error
+  [1]
+
+  $ cat > import.frob <<'FROB'
+  > from Control import limit
+  > main = arr (limit 1.0)
+  > FROB
+  $ frobc check import.frob
+  error[E0110]: expected an operator, an argument, or the end of the expression, found `import`
+   --> import.frob:1:14
+    |
+  1 | from Control import limit
+    |              ^^^^^^
+    |
+    = hint: names are imported from a module by `import Control (limit)`
+  
+  1 error
+  [1]
+
+  $ cat > division.frob <<'FROB'
+  > half :: Int -> Int
+  > half n = n // 2
+  > FROB
+  $ frobc check division.frob
+  error[E0110]: expected an operand after the operator, found `/`
+   --> division.frob:2:13
+    |
+  2 | half n = n // 2
+    |             ^
+    |
+    = hint: a comment starts with `--`; whole numbers are divided by `div`
+  
+  1 error
+  [1]
+
