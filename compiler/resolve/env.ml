@@ -20,9 +20,16 @@ let of_module scope = top scope (Groups.create 0) String_map.empty
 let scope t = t.scope
 let context t = t.scope.context
 
-let report_twice t (first : Ir.Local.t) (second : Ir.Local.t) =
+let report_twice t ~is_equation (first : Ir.Local.t) (second : Ir.Local.t) =
   Diagnostic.error ~code:"E0212" ~at:second.span "`%s` is bound twice in one group" second.name
   |> Diagnostic.label ~at:first.span "first bound here"
+  |> (if not is_equation then Fun.id
+     else
+       Diagnostic.hint
+         (Printf.sprintf
+            "nothing is assigned: one equation says what `%s` is at every instant; what it was one instant ago is \
+             `delay x0 %s`"
+            second.name second.name))
   |> Context.emit (context t)
 
 let warn_hidden t (outer : Ir.Local.t) (inner : Ir.Local.t) =
@@ -36,7 +43,7 @@ let bind t variables =
     let name = variable.local.name in
     match String_map.find_opt name fresh with
     | Some first ->
-        report_twice t first variable.local;
+        report_twice t ~is_equation:(Option.is_some variable.owner) first variable.local;
         (fresh, locals)
     | None ->
         (match String_map.find_opt name t.locals with

@@ -213,22 +213,6 @@ let undecided ctx (required : required) class_ =
       |> Diagnostic.hint "annotate it, as in `(e :: T)`"
       |> explain words required)
 
-let not_promised ctx (required : required) class_ (variable : Ir.variable) t =
-  report ctx (fun words ->
-      let needed = Show.constraint_ words class_ t in
-      let error by =
-        Diagnostic.error ~code:"E0309" ~at:required.at "%s needs `%s`, which %s does not promise"
-          required.by needed by
-      in
-      match Hashtbl.find_opt ctx.owners variable.id with
-      | None -> error "the signature"
-      | Some { by; place } ->
-          error by
-          |> (if Span.compare place required.at = 0 then Fun.id else Diagnostic.label ~at:place by)
-          |> explain words required
-          |> Diagnostic.hint (Printf.sprintf "begin %s with `%s =>`, or add it to what stands there: `(…, %s) =>`" by
-                  needed needed))
-
 (* {1 Solving} *)
 
 (* Without those that others imply. *)
@@ -253,6 +237,7 @@ let solve ctx (generalized : Generalize.t) =
   in
   let variables = types @ representations in
   List.iter (fun ((v : Ir.variable), _) -> Hashtbl.replace own v.id []) variables;
+  let missing = ref [] in
   let answer required { class_; of_ } =
     match of_ with
     | Open -> if errors ctx = 0 then undecided ctx required class_
@@ -265,7 +250,7 @@ let solve ctx (generalized : Generalize.t) =
         | None -> (
             let promises given = entails environment [ given ] class_ in
             match List.filter promises (given_of ctx variable) with
-            | [] -> not_promised ctx required class_ variable t
+            | [] -> missing := { Promise_mistake.required; class_; variable; of_ = t } :: !missing
             | given -> List.iter (fun given -> note ctx variable given required) given))
   in
   List.iter
@@ -274,6 +259,7 @@ let solve ctx (generalized : Generalize.t) =
       | found -> List.iter (answer required) (List.rev found)
       | exception Lacking lack -> report_lacking ctx required lack)
     (requirements ctx);
+  Promise_mistake.report ctx (List.rev !missing);
   List.concat_map
     (fun ((v : Ir.variable), t) ->
       let classes = smallest environment (List.rev (Hashtbl.find own v.id)) in

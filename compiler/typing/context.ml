@@ -22,11 +22,18 @@ type required = {
 
 type question = { attempt : unit -> bool; guess : unit -> bool; give_up : unit -> unit }
 
+type size = {
+  size : Type.t;
+  used : Span.t;
+  of_ : string;  (** what is used *)
+  written : string option;  (** the variable in its signature, in the same file *)
+}
+
 type group = {
   mutable errors : int;
   mutable waiting : question list;  (** newest first *)
   mutable required : required list;  (** newest first *)
-  mutable sizes : (Type.t * Span.t * string) list;  (** newest first *)
+  mutable sizes : size list;  (** newest first *)
 }
 
 type t = {
@@ -101,7 +108,13 @@ let use t ~at ~name ?said scheme =
     instance.required scheme.context;
   List.iter2
     (fun (r : Type.rigid) argument ->
-      if r.kind = Of_sizes then t.group.sizes <- (argument, at, name) :: t.group.sizes)
+      if r.kind = Of_sizes then
+        let written =
+          match said with
+          | Some (place : Span.t) when String.equal place.file at.Span.file -> Some r.variable.name
+          | Some _ | None -> None
+        in
+        t.group.sizes <- { size = argument; used = at; of_ = name; written } :: t.group.sizes)
     scheme.types instance.type_arguments;
   let final () : Ir.instantiation =
     {
@@ -176,12 +189,20 @@ let forgetting_what_errors_need t f =
   result
 
 let check_sizes t =
-  let check (size, at, name) =
+  let check { size; used; of_; written } =
     match Type.expand size with
     | Flexible variable when t.group.errors = 0 ->
         variable.found <- Some Type.Erroneous;
         report t (fun _ ->
-            Diagnostic.error ~code:"E0331" ~at "nothing decides the size of an array where `%s` is used" name
+            Diagnostic.error ~code:"E0331" ~at:used "nothing decides the size of an array where `%s` is used" of_
+            |> (match written with
+               | Some variable ->
+                   Diagnostic.note
+                     (Printf.sprintf
+                        "`%s` in the signature of `%s` stands for any size; a certain one is a number there, or a \
+                         name for it: `type Size = 4`"
+                        variable of_)
+               | None -> Fun.id)
             |> Diagnostic.hint "annotate it, as in `(e :: Array 4 Float)`, or give the definition a signature")
     | _ -> ()
   in

@@ -133,6 +133,12 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
       expect ctx ~subject:e ~at:e.span expected (Environment.array_of written element);
       let elements = array_elements ctx { expected with ty = element } elements in
       build (fun () -> Array (List.map (fun build -> build ()) elements))
+  | Record { constructor; fields }, (Data { tycon; _ } as wanted)
+    when tycon = (Environment.constructor ctx.reader.environment constructor).tycon ->
+      (* so that what does not fit is found where it stands, in a field *)
+      let typed = Infer_record.construct expressions ctx ~wanted e constructor fields in
+      expect ctx ~subject:e ~at:e.span expected typed.ty;
+      typed.build
   | _ ->
       let typed = infer ctx e in
       expect ctx ~subject:e ~at:e.span expected typed.ty;

@@ -24,12 +24,30 @@ let suggest (name : Syntax.Ir.name) known diagnostic =
   | Some near -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
   | None -> diagnostic
 
+(* The constructor with this field, of a type with several. *)
+let one_of_several environment ty name =
+  match Type.expand ty with
+  | Data { tycon; _ } -> (
+      match (Environment.type_ environment tycon).definition with
+      | Data { constructors; _ } ->
+          List.find_opt
+            (fun (c : Ir.constructor) -> List.mem_assoc name c.fields)
+            constructors
+      | Alias _ | Builtin | Foreign -> None)
+  | _ -> None
+
 let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
   report ctx (fun words ->
       let described = Show.described words ty in
-      Diagnostic.error ~code:"E0310" ~at:name.span "%s has no field `%s`" described name.text
-      |> Diagnostic.label ~at:record.span ("this is " ^ described)
-      |> suggest name known)
+      let error format = Diagnostic.error ~code:"E0310" ~at:name.span format in
+      (match one_of_several ctx.reader.environment ty name.text with
+      | Some { constructor; _ } ->
+          error "not every %s has the field `%s`" described name.text
+          |> Diagnostic.hint
+               (Printf.sprintf "only `%s` has it: `case` finds out, by the pattern `%s { %s = x }`"
+                  constructor.name constructor.name name.text)
+      | None -> error "%s has no field `%s`" described name.text |> suggest name known)
+      |> Diagnostic.label ~at:record.span ("this is " ^ described))
 
 (* Of a record whose type is not known, perhaps for another error. *)
 let no_such_field ctx (name : Syntax.Ir.name) =
@@ -116,10 +134,12 @@ let indexed (constructor : Environment.constructor) (name : Syntax.Ir.name) =
       Diagnostic.bug ~stage:"Typing.Infer_record" "%s has no field %s"
         constructor.ir.constructor.name name.text
 
-let construct expressions ctx (e : Resolve.Ir.expr) name fields =
+let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   let constructor = Environment.constructor ctx.reader.environment name in
   let ty, _ = use ctx ~at:e.span ~name:name.name constructor.scheme in
   let types, result = Environment.fields constructor ty in
+  (* a clash is for the caller to report *)
+  Option.iter (fun wanted -> ignore (Unify.types wanted result)) wanted;
   let types = Array.of_list types in
   let field ((name : Syntax.Ir.name), value) =
     let index = indexed constructor name in

@@ -10,10 +10,13 @@ open Context
 val construct :
   expressions ->
   t ->
+  ?wanted:Type.t ->
   Resolve.Ir.expr ->
   Ir.Global.t ->
   (Syntax.Ir.name * Resolve.Ir.expr) list ->
   typed
+(** [wanted] is a type of the constructor's type constructor: fields are checked
+    against what they are in it. The caller compares the result with it. *)
 
 val field :
   expressions -> t -> Resolve.Ir.expr -> record:Resolve.Ir.expr -> Syntax.Ir.name ->

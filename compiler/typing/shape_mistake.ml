@@ -1,9 +1,16 @@
 open Basis
 open Diagnostic
 
+(* Signal functions of the prelude whose one argument before the signal is what they show first. *)
+let has_initial_value = function
+  | "delay" | "hold" | "dHold" | "accum" | "accumHold" | "dAccumHold" -> true
+  | _ -> false
+
 let hint_to_run subject input =
   let on_unit = match Type.expand input with Flexible _ | Tuple [] -> true | _ -> false in
   match (Option.bind subject Plain_name.of_head, on_unit) with
+  | Some name, _ when has_initial_value name && Option.bind subject Plain_name.of_expr = None ->
+      hint (Printf.sprintf "`%s` has an initial value before its signal: `%s x0 …`" name name)
   | Some name, false when Option.bind subject Plain_name.of_expr = None ->
       hint (Printf.sprintf "run it on a signal, its last argument: `%s … x`" name)
   | Some name, true when Option.bind subject Plain_name.of_expr = None ->
@@ -15,6 +22,8 @@ let hint_to_run subject input =
 
 let rec missing_arguments t =
   match Type.expand t with Function (_, result) -> 1 + missing_arguments result | _ -> 0
+
+let arguments = function 1 -> "one argument" | n -> Printf.sprintf "%d arguments" n
 
 let unrun words ~subject ~at ~input ~found =
   error ~code:"E0303" ~at "a signal function stands where the value of its signal is needed"
@@ -120,6 +129,17 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
                  (if missing = 1 then "" else "s")
            | None ->
                if missing = 1 then "an argument is missing" else "some arguments are missing")
+  | Function _, Function _, _
+    when missing_arguments found > missing_arguments expected.ty
+         && Option.is_some (Option.bind subject Plain_name.of_head) ->
+      let too_many = missing_arguments found - missing_arguments expected.ty in
+      error ~code:"E0301" ~at "expected a function of %s, found one of %s: %s"
+        (arguments (missing_arguments expected.ty))
+        (arguments (missing_arguments found))
+        (text found)
+      |> hint
+           (Printf.sprintf "`%s` lacks %s" (Option.get (Option.bind subject Plain_name.of_head))
+              (arguments too_many))
   | Number _, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ }, _ when Option.is_some (vector_operator expected) ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint
@@ -161,6 +181,9 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       | None, _ when is_number expected.ty && Environment.is_event found ->
           error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
           |> hint "an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`"
+      | None, _ when Environment.is_event expected.ty && Type.expand found = Bool ->
+          error ~code:"E0301" ~at "expected %s, found `Bool`" (text expected.ty)
+          |> hint "`edge b` occurs when `b` becomes True, `when b` wherever it is, each with `()`; `tag` gives it another value"
       | None, Parameter { before = Some operator; callee = Some name; _ }
         when Type.expand expected.ty = Bool ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)

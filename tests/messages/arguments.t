@@ -117,3 +117,23 @@ A minus with blanks on both sides, or on none, is a subtraction.
   
   2 errors
   [1]
+
+A function that is to be given lacks an argument.
+
+  $ cat > lacking.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s]))
+  > FROB
+  $ frobc check lacking.frob
+  error[E0301]: expected a function of one argument, found one of 2: `AngularVelocity -> a -> a`
+   --> lacking.frob:2:43
+    |
+  2 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s]))
+    |                                   ------  ^^^^^^^^^^^^^^^^^
+    |                                   |
+    |                                   argument 1 of `roMake` is `AngularVelocity -> AngularVelocity`
+    |
+    = hint: `setVelTR` lacks one argument
+  
+  1 error
+  [1]

@@ -210,3 +210,32 @@ A program named without its ending, a number for a code.
   [2]
   $ frobc explain 402 | head -1
   # signal functions or tasks that may start each other for ever within one instant
+
+A signature that promises too little is one mistake, whoever needs what it lacks.
+
+  $ cat > promise.frob <<'FROB'
+  > import Geometry
+  > import Robot
+  > 
+  > straight :: Distance -> Task i o ()
+  > straight way = do
+  >     start <- robotPlace
+  >     mkTask (proc i -> (roMake (setVelTR 0.3[m/s] 0),
+  >         when (distance (place i) start >= way || frontSonar i < 0.4[m])))
+  > FROB
+  $ frobc check promise.frob
+  error[E0309]: the signature of `straight` does not promise `DiffDrive o` and `HasSonar i`
+   --> promise.frob:4:13
+    |
+  4 | straight :: Distance -> Task i o ()
+    |             ^^^^^^^^^^^^^^^^^^^^^^^
+  ...
+  7 |     mkTask (proc i -> (roMake (setVelTR 0.3[m/s] 0),
+    |                                -------- `setVelTR` needs `DiffDrive o`
+  8 |         when (distance (place i) start >= way || frontSonar i < 0.4[m])))
+    |                                                  ---------- `frontSonar` needs `HasSonar i`
+    |
+    = hint: begin it with `(DiffDrive o, HasSonar i) =>`, or add them to what stands there: `(…, DiffDrive o, HasSonar i) =>`
+  
+  1 error
+  [1]

@@ -47,3 +47,48 @@ A plain number where one with a unit is needed: the literal is shown with it.
   
   2 errors
   [1]
+
+In a record the number is shown, and not the record.
+
+  $ cat > corners.frob <<'FROB'
+  > import Geometry
+  > corners :: Array 2 Point2
+  > corners = [Vec2 { x = 0, y = 0 }, Vec2 { x = 10, y = 0 }]
+  > 
+  > home :: Pose
+  > home = Pose { position = Vec2 { x = 1, y = 2[m] }, heading = 90[deg] }
+  > 
+  > scaled :: Float[u] -> Vec2[u]
+  > scaled k = Vec2 { x = k, y = 1 }
+  > FROB
+  $ frobc check corners.frob
+  error[E0320]: expected the unit `m`, found none
+   --> corners.frob:3:46
+    |
+  3 | corners = [Vec2 { x = 0, y = 0 }, Vec2 { x = 10, y = 0 }]
+    |                                          -   ^^ this is `Float`
+    |                                          |
+    |                                          the field `x` is `Float[m]`
+    |
+    = hint: write `10[m]` if that is its unit
+  
+  error[E0320]: expected the unit `m`, found none
+   --> corners.frob:6:37
+    |
+  6 | home = Pose { position = Vec2 { x = 1, y = 2[m] }, heading = 90[deg] }
+    |                                 -   ^ this is `Float`
+    |                                 |
+    |                                 the field `x` is `Float[m]`
+    |
+    = hint: write `1[m]` if that is its unit
+  
+  error[E0306]: the signature promises every unit `u`, but the definition needs it to be `1`
+   --> corners.frob:9:30
+    |
+  8 | scaled :: Float[u] -> Vec2[u]
+    |           ------------------- `u` is any unit in the signature of `scaled`
+  9 | scaled k = Vec2 { x = k, y = 1 }
+    |                              ^ this is `Float`
+  
+  3 errors
+  [1]

@@ -92,3 +92,56 @@ A `where` after `proc … -> do` does not see the signals.
   
   1 error
   [1]
+
+An equation is no assignment; parameters have other troubles.
+
+  $ cat > twice.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> n where
+  >     n = 0
+  >     n = n + x
+  > 
+  > f x x = x
+  > FROB
+  $ frobc check twice.frob
+  error[E0212]: `n` is bound twice in one group
+   --> twice.frob:4:5
+    |
+  3 |     n = 0
+    |     - first bound here
+  4 |     n = n + x
+    |     ^
+    |
+    = hint: nothing is assigned: one equation says what `n` is at every instant; what it was one instant ago is `delay x0 n`
+  
+  error[E0212]: `x` is bound twice in one group
+   --> twice.frob:6:5
+    |
+  6 | f x x = x
+    |   - ^
+    |   |
+    |   first bound here
+  
+  2 errors
+  [1]
+
+A field that not every value of the type has.
+
+  $ cat > held.frob <<'FROB'
+  > data State = Free | Held { spot :: Float }
+  > main :: SF State Float
+  > main = arr (\s -> s.spot)
+  > FROB
+  $ frobc check held.frob
+  error[E0310]: not every `State` has the field `spot`
+   --> held.frob:3:21
+    |
+  3 | main = arr (\s -> s.spot)
+    |                   - ^^^^
+    |                   |
+    |                   this is `State`
+    |
+    = hint: only `Held` has it: `case` finds out, by the pattern `Held { spot = x }`
+  
+  1 error
+  [1]

@@ -95,3 +95,25 @@ A unit stands on a literal or a type, never on a name, and touches it.
   
   1 error
   [1]
+
+A name in the size of an array is a variable of the type, and not a number.
+
+  $ cat > size.frob <<'FROB'
+  > n = 4
+  > xs :: Array n Float
+  > xs = generate (\i -> toFloat i)
+  > main :: SF Float Float
+  > main = proc x -> x + xs ! 2
+  > FROB
+  $ frobc check size.frob
+  error[E0331]: nothing decides the size of an array where `xs` is used
+   --> size.frob:5:22
+    |
+  5 | main = proc x -> x + xs ! 2
+    |                      ^^
+    |
+    = note: `n` in the signature of `xs` stands for any size; a certain one is a number there, or a name for it: `type Size = 4`
+    = hint: annotate it, as in `(e :: Array 4 Float)`, or give the definition a signature
+  
+  1 error
+  [1]

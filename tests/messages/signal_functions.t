@@ -94,3 +94,46 @@ A parameter that a definition runs is a function unless its signature says `SF`.
   
   1 error
   [1]
+
+An initial value was forgotten.
+
+  $ cat > initial.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> y where
+  >     y = delay (y + x)
+  > FROB
+  $ frobc check initial.frob
+  error[E0303]: a signal function stands where the value of its signal is needed
+   --> initial.frob:3:9
+    |
+  3 |     y = delay (y + x)
+    |     -   ^^^^^^^^^^^^^ this is `SF Float Float`
+    |     |
+    |     elsewhere `y` is used as `Float`
+    |
+    = note: expected `Float`
+    = hint: `delay` has an initial value before its signal: `delay x0 …`
+  
+  1 error
+  [1]
+
+A truth where an event is needed.
+
+  $ cat > truth.frob <<'FROB'
+  > main :: SF Bool Float
+  > main = proc b -> hold 0.0 b
+  > FROB
+  $ frobc check truth.frob
+  error[E0301]: expected `Event Float[u]`, found `Bool`
+   --> truth.frob:2:27
+    |
+  2 | main = proc b -> hold 0.0 b
+    |                  ---- --- ^
+    |                  |    |
+    |                  |    because this is `Float[u]`
+    |                  argument 2 of `hold` is `Event Float[u]`
+    |
+    = hint: `edge b` occurs when `b` becomes True, `when b` wherever it is, each with `()`; `tag` gives it another value
+  
+  1 error
+  [1]

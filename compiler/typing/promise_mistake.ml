@@ -1,0 +1,88 @@
+open Basis
+open Context
+
+type t = { required : required; class_ : Ir.class_; variable : Ir.variable; of_ : Type.t }
+
+let owner ctx missing = Hashtbl.find_opt ctx.owners missing.variable.id
+
+let same_signature ctx a b =
+  match (owner ctx a, owner ctx b) with
+  | Some a, Some b -> Span.compare a.place b.place = 0
+  | None, None -> true
+  | Some _, None | None, Some _ -> false
+
+(* Each class of a variable once, by who needs it first, and only if no other one that is
+   missing implies it. *)
+let essential ctx missing =
+  let implies a b =
+    a.variable.id = b.variable.id
+    && List.mem b.class_ (Environment.superclasses ctx.reader.environment a.class_)
+  in
+  let same a b = a.variable.id = b.variable.id && a.class_ = b.class_ in
+  let first kept m = if List.exists (same m) kept then kept else m :: kept in
+  List.rev (List.fold_left first [] missing)
+  |> List.filter (fun m -> not (List.exists (fun other -> implies other m) missing))
+
+let constraint_ words m = Show.constraint_ words m.class_ m.of_
+
+let all_but_last_and_last = function
+  | [] -> ""
+  | [ one ] -> one
+  | several ->
+      let reversed = List.rev several in
+      String.concat ", " (List.rev (List.tl reversed)) ^ " and " ^ List.hd reversed
+
+let one ctx ({ required; _ } as m) =
+  report ctx (fun words ->
+      let needed = constraint_ words m in
+      let error by =
+        Diagnostic.error ~code:"E0309" ~at:required.at "%s needs `%s`, which %s does not promise"
+          required.by needed by
+      in
+      let asked diagnostic =
+        match required.because with
+        | Some (place, text) -> Diagnostic.label ~at:place (text words) diagnostic
+        | None -> diagnostic
+      in
+      match owner ctx m with
+      | None -> error "the signature"
+      | Some { by; place } ->
+          error by
+          |> (if Span.compare place required.at = 0 then Fun.id else Diagnostic.label ~at:place by)
+          |> asked
+          |> Diagnostic.hint
+               (Printf.sprintf "begin %s with `%s =>`, or add it to what stands there: `(…, %s) =>`" by
+                  needed needed))
+
+let several ctx (first : t) rest =
+  report ctx (fun words ->
+      let all = first :: rest in
+      let needed = List.map (constraint_ words) all in
+      let in_words = all_but_last_and_last (List.map (Printf.sprintf "`%s`") needed) in
+      let by, place =
+        match owner ctx first with
+        | None -> ("the signature", first.required.at)
+        | Some { by; place } -> (by, place)
+      in
+      let label diagnostic m =
+        Diagnostic.label ~at:m.required.at
+          (Printf.sprintf "%s needs `%s`" m.required.by (constraint_ words m))
+          diagnostic
+      in
+      let joined = String.concat ", " needed in
+      List.fold_left label
+        (Diagnostic.error ~code:"E0309" ~at:place "%s does not promise %s" by in_words)
+        all
+      |> Diagnostic.hint
+           (Printf.sprintf "begin it with `(%s) =>`, or add them to what stands there: `(…, %s) =>`" joined
+              joined))
+
+let rec report ctx = function
+  | [] -> ()
+  | m :: _ as missing -> (
+      let here, elsewhere = List.partition (same_signature ctx m) missing in
+      (match essential ctx here with
+      | [ m ] -> one ctx m
+      | first :: rest -> several ctx first rest
+      | [] -> ());
+      report ctx elsewhere)
