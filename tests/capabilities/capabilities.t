@@ -126,3 +126,40 @@ What only a Create has.
   0.000000000,0.30000000000000004,0,
   0.000000000,-0.10000000000000001,0,
   0.000000000,-0.10000000000000001,0,
+
+Under `watching` a robot keeps all that it can do: what it senses is seen through it.
+
+  $ cat > watched.frob <<'FROB'
+  > import Robot
+  > 
+  > all :: (HasOdometry i, HasSonar i, HasBumpers i, HasConsole i, HasBattery i, DiffDrive o) => Task i o ()
+  > all = mkTask (proc i -> (roMake (setVelTR 0 0), edge (bumped i || batteryVoltage i < 11[V])))
+  > 
+  > ring :: (HasSonarRing i, DiffDrive o) => Task i o ()
+  > ring = mkTask (proc i -> (roMake (setVelTR 0 0), edge (isEvent (sonars i ! 3).echo)))
+  > 
+  > floor' :: (HasCliffs i, HasStall i, HasFloorSensors i, HasBeacon i, DiffDrive o) => Task i o ()
+  > floor' = mkTask (proc i -> (roMake (setVelTR 0 0), edge (cliffAhead i || wheelDropped i || stalled i)))
+  > 
+  > main :: (HasSonar i, HasBumpers i, HasConsole i, HasBattery i, DiffDrive o) => Program i o
+  > main = reactimateTask (watching all)
+  > 
+  > withRing :: (HasSonarRing i, DiffDrive o) => Program i o
+  > withRing = reactimateTask (watching ring)
+  > 
+  > onFloor :: (HasSonar i, HasCliffs i, HasStall i, HasFloorSensors i, HasBeacon i, DiffDrive o) => Program i o
+  > onFloor = reactimateTask (watching floor')
+  > FROB
+  $ for robot in pioneer scout create; do frobc compile watched.frob --robot $robot -o $robot && ls $robot; done
+  watched.c
+  watched.h
+  watched.c
+  watched.h
+  watched.c
+  watched.h
+  $ frobc compile watched.frob --entry withRing --robot scout -o ring && ls ring
+  watched.c
+  watched.h
+  $ frobc compile watched.frob --entry onFloor --robot create -o floor && ls floor
+  watched.c
+  watched.h
