@@ -133,9 +133,9 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
     when missing_arguments found > missing_arguments expected.ty
          && Option.is_some (Option.bind subject Plain_name.of_head) ->
       let too_many = missing_arguments found - missing_arguments expected.ty in
-      error ~code:"E0301" ~at "expected a function of %s, found one of %s: %s"
+      error ~code:"E0301" ~at "expected a function of %s, found one of %d: %s"
         (arguments (missing_arguments expected.ty))
-        (arguments (missing_arguments found))
+        (missing_arguments found)
         (text found)
       |> hint
            (Printf.sprintf "`%s` lacks %s" (Option.get (Option.bind subject Plain_name.of_head))

@@ -1,12 +1,16 @@
 (* docs/semantics.md: each table is what its program does in both engines, and
-   each event primitive, switch and task has a passage with its type. The appendix of
-   docs/language.md: every name of the prelude, with its type. *)
+   each event primitive, switch and task has a passage with its type. The appendices of
+   docs/language.md: every name of the prelude and of the modules described, with its type. *)
 
 let root = "../.."
 let ( / ) = Filename.concat
 let semantics = Page.parts (Page.read (root / "docs" / "semantics.md"))
 let language = Page.parts (Page.read (root / "docs" / "language.md"))
-let prelude = Prelude.declared (Page.read (root / "stdlib" / "Prelude.frob"))
+let declared module_ = Library_module.declared (Page.read (root / "stdlib" / (module_ ^ ".frob")))
+let prelude = declared "Prelude"
+
+(* With a heading each in appendix B. *)
+let modules = List.map (fun name -> (name, declared name)) [ "Control"; "Geometry"; "Driving"; "WallFollow" ]
 let frobc = Sys.argv.(1)
 
 let write file text =
@@ -116,7 +120,7 @@ let passages =
   let none = { names = []; signatures = []; examples = [] } in
   go none None [] semantics |> List.filter (fun passage -> passage.names <> [])
 
-(* The tables of the appendix, with the heading above each. *)
+(* The tables of the appendices, with the heading above each. *)
 let appendix =
   let rec start = function
     | Page.Heading { depth = 2; text; _ } :: rest
@@ -154,21 +158,32 @@ let every_name () =
        (fun name -> not (List.mem name in_appendix))
        (prelude.types @ List.map fst prelude.values))
 
+let every_name_of (module_, (declared : Library_module.t)) () =
+  let of_table (heading, (table : Page.table)) =
+    if String.equal heading module_ then List.concat_map names (List.tl table.rows) else []
+  in
+  let described = List.concat_map of_table tables in
+  nothing "not in the appendix"
+    (List.filter
+       (fun name -> not (List.mem name described))
+       (declared.types @ List.map fst declared.values))
+
 let types_of_the_library () =
-  let wrong row =
+  let wrong (declared : Library_module.t) row =
     match row with
     | _ :: type_ :: _ ->
         List.filter
           (fun name ->
-            match List.assoc_opt name prelude.values with
+            match List.assoc_opt name declared.values with
             | Some declared -> Page.code type_ <> [ declared ]
-            | None -> true)
+            | None -> not (List.mem name declared.types))
           (names row)
     | _ -> []
   in
-  let of_table ((_, table) : string * Page.table) =
+  let of_table ((heading, table) : string * Page.table) =
+    let declared = Option.value (List.assoc_opt heading modules) ~default:prelude in
     match table.rows with
-    | ("name" :: "type" :: _) :: rows -> List.concat_map wrong rows
+    | ("name" :: "type" :: _) :: rows -> List.concat_map (wrong declared) rows
     | _ -> []
   in
   nothing "another type in the library" (List.concat_map of_table tables)
@@ -203,8 +218,12 @@ let () =
   Alcotest.run ~argv:[| Sys.argv.(0) |] "semantics"
     [
       ( "appendix",
-        [
-          Alcotest.test_case "has every name of the prelude" `Quick every_name;
+        Alcotest.test_case "has every name of the prelude" `Quick every_name
+        :: List.map
+             (fun (name, declared) ->
+               Alcotest.test_case ("has every name of " ^ name) `Quick (every_name_of (name, declared)))
+             modules
+        @ [
           Alcotest.test_case "has the library's types" `Quick types_of_the_library;
           Alcotest.test_case "has a passage for each event, switch and task" `Quick each_has_a_passage;
         ] );
