@@ -24,8 +24,12 @@ PROVE_PACKAGES = frama-c-base cppcheck
 # What only `make fuzz-frontend` needs.
 AFL_PACKAGES = afl++
 
+# For `make matrix` and `make prove`: the examples, with a robot for those that leave it open.
+EXAMPLES = $(wildcard examples/*/[a-z]*.frob)
+FOR_A_ROBOT = sed 's|.*/light_seek.frob|&:examples/light_seek/Moth.frob|; s|.*/line_follow.frob|&:create|; s|.*/safe_stick.frob|&:pioneer|'
+
 # For `make prove`: which programs.
-PROGRAMS ?= examples/*/*.frob
+PROGRAMS ?= $(shell printf '%s\n' $(EXAMPLES) | $(FOR_A_ROBOT))
 
 PREFIX ?= /usr/local
 FROBC = _build/install/default/bin/frobc
@@ -100,8 +104,7 @@ matrix: all
 	@sh tests/setup.sh $(MATRIX_PACKAGES)
 	@dune build tests/matrix/emit.exe
 	@sh tests/matrix/run.sh _build/default/tests/matrix/emit.exe stdlib runtime $(N) $(SEED) all \
-	  $$(grep -L '^foreign' examples/*/[a-z]*.frob | \
-	    sed 's|.*/light_seek.frob|&:examples/light_seek/Moth.frob|; s|.*/line_follow.frob|&:create|; s|.*/safe_stick.frob|&:pioneer|') \
+	  $$(grep -L '^foreign' $(EXAMPLES) | $(FOR_A_ROBOT)) \
 	  tests/interp/*.frob
 	@sh tests/matrix/selftest.sh $(FROBC)
 	@sh tests/targets/run.sh

@@ -315,10 +315,11 @@ static inline int32_t frob_truncate(@R x)
       {|/* The greatest integer that is not above; saturates, and NaN gives 0. */
 static inline int32_t frob_floor(double x)
 {
-    const double high = x < 2147483647.0 ? x : 2147483647.0;
+    const double number = x == x ? x : 0.0;
+    const double high = number < 2147483647.0 ? number : 2147483647.0;
     const double inside = high > -2147483648.0 ? high : -2147483648.0;
     const int32_t n = (int32_t)inside;
-    return x == x ? n - ((double)n > inside ? 1 : 0) : 0;
+    return n - ((double)n > inside ? 1 : 0);
 }
 |} );
     ( Ceiling,
@@ -327,10 +328,11 @@ static inline int32_t frob_floor(double x)
       {|/* The least integer that is not below; saturates, and NaN gives 0. */
 static inline int32_t frob_ceiling(double x)
 {
-    const double low = x > -2147483648.0 ? x : -2147483648.0;
+    const double number = x == x ? x : 0.0;
+    const double low = number > -2147483648.0 ? number : -2147483648.0;
     const double inside = low < 2147483647.0 ? low : 2147483647.0;
     const int32_t n = (int32_t)inside;
-    return x == x ? n + ((double)n < inside ? 1 : 0) : 0;
+    return n + ((double)n < inside ? 1 : 0);
 }
 |} );
     ( Round,

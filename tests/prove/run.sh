@@ -3,8 +3,9 @@
 # what MISRA C says of it. docs/generated-c.md, "What is proven", has the meaning
 # and the assumptions.
 #
-# usage: run.sh FROBC RUNTIME PAGE PROGRAM.frob…
+# usage: run.sh FROBC RUNTIME PAGE PROGRAM.frob[:ROBOT]…
 #
+# A program that leaves its robot open is taken for the one that is named.
 # Files without a main are modules, and left out. PAGE is that page: of MISRA C's rules those may be broken that it has a row for.
 # Prints a line for each, `ok` or `FAIL`; the exit status is 1 if any fails. Needs
 # frama-c and cppcheck.
@@ -51,13 +52,15 @@ parameter() { # in|out, header
     sed -n "s/^ *\(const \)\{0,1\}struct \([A-Za-z0-9_]*\) \*$1)*[,;].*/\2/p" "$2" | tail -1
 }
 
-program() { # PROGRAM.frob
-    name=$(basename "$1" .frob) folder=$(dirname "$1")
+program() { # PROGRAM.frob[:ROBOT]
+    file=${1%%:*} robot=${1#"${1%%:*}"}
+    name=$(basename "$file" .frob) folder=$(dirname "$file")
     made=$work/$name
     mkdir "$made"
-    # One that leaves its robot open is taken for a Pioneer.
-    "$frobc" compile "$1" -o "$made" 2>"$work/$name.refused" ||
-        "$frobc" compile "$1" --robot pioneer -o "$made"
+    "$frobc" compile "$file" ${robot:+--robot "${robot#:}"} -o "$made" || {
+        echo "FAIL $name: is not compiled"
+        return
+    }
     cat >"$made/main.c" <<END
 #include "$name.h"
 #include <__fc_builtin.h>
@@ -81,7 +84,7 @@ int main(void)
     return 0;
 }
 END
-    called=$(find "$folder" -name '*.c' ! -name main.c)
+    called=$(! grep -q '^foreign' "$file" || find "$folder" -name '*.c' ! -name main.c)
     # shellcheck disable=SC2086
     analyse "$name" "-I $made -I $folder" "$made/main.c" "$made/$name.c" $called \
         "$runtime"/elementary/*.c
@@ -124,6 +127,8 @@ else
 fi
 tell
 
-grep -l '^main' "$@" | xargs -P "$(nproc)" -n 1 sh "$here/run.sh" --one >"$work/said" 2>&1 || failed=1
+for program; do
+    ! grep -q '^main' "${program%%:*}" || echo "$program"
+done | xargs -P "$(nproc)" -n 1 sh "$here/run.sh" --one >"$work/said" 2>&1 || failed=1
 tell
 exit $failed
