@@ -37,8 +37,17 @@ let rec pairs = function
 let simpler at_an_instant definitions (e : Ir.equation) : Ir.rhs option =
   let value known = Truth.value (at_an_instant known) (Signal e.defines) in
   let parts = parts definitions e.rhs in
+  (* The same whether another one holds or not. *)
+  let value_anyhow known =
+    let either (other : Ir.signal) =
+      match (value ((other, true) :: known), value ((other, false) :: known)) with
+      | Some x, Some y when Bool.equal x y -> Some x
+      | _, _ -> None
+    in
+    match value known with None -> List.find_map either parts | found -> found
+  in
   let one (a : Ir.signal) : Ir.rhs option =
-    match (value [ (a, true) ], value [ (a, false) ]) with
+    match (value_anyhow [ (a, true) ], value_anyhow [ (a, false) ]) with
     | Some true, Some true -> Some (Copy (Bool true))
     | Some false, Some false -> Some (Copy (Bool false))
     | Some true, Some false -> Some (Copy (Signal a))

@@ -1,7 +1,9 @@
-(* A latch that is a constant simplifies what reads it; it takes a simple
-   condition to see it. *)
+(* A condition may be the same as another one, or a constant. A latch that is a constant
+   simplifies what reads it; it takes a simple condition to see it. *)
 let simplify program =
-  let simple = Condition.program (Simplify.program program) in
+  let simple = Simplify.program program in
+  let simpler = Condition.program simple in
+  let simple = if simpler == simple then simple else Simplify.program simpler in
   let unlatched = Latch.program simple in
   if unlatched == simple then simple else Simplify.program unlatched
 
@@ -9,7 +11,7 @@ let simplify program =
    makes equal what looked different; dead code last, for what all of them
    leave behind. *)
 let tidy_once program =
-  program |> Specific.program |> simplify |> Share.program |> Twins.program
+  program |> Specific.program |> simplify |> Parity.program |> Share.program |> Twins.program
   |> Twin_parameters.program |> Unreachable.program |> Dead.program
 
 let modes (program : Ir.program) =

@@ -25,9 +25,10 @@ let blank : Ir.atom = Bool false
 (* Bit for bit the same with its arguments exchanged. Not so [Minimum] and
    [Maximum], which tell 0 from -0. *)
 let is_commutative : Ir.operator -> bool = function
-  | Add | Multiply | Equal | And | Or -> true
+  | Add | Multiply | Equal | And | Or | Elementary Hypot -> true
   | Subtract | Negate | Absolute | Signum | Less | Less_equal | Minimum | Maximum | Divide | Pow
-  | Elementary _ | Div | Mod | To_float | Round | Floor | Ceiling | Truncate | Not ->
+  | Elementary (Sqrt | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2)
+  | Div | Mod | To_float | Round | Floor | Ceiling | Truncate | Not ->
       false
 
 let compare_atoms (a : Ir.atom) (b : Ir.atom) =
@@ -112,7 +113,8 @@ let numbered labels =
   in
   Array.of_list (Long_list.map number labels)
 
-let node (node : Ir.node) =
+(* For each signal that equals an earlier one that one, and the instances that stay. *)
+let shared (node : Ir.node) =
   let elements, instances = elements_of node in
   let element = function
     | Element e -> e
@@ -140,6 +142,12 @@ let node (node : Ir.node) =
       (fun kept (i : Ir.instance) element -> if class_of.(element) = element then i :: kept else kept)
       [] node.instances instances
   in
-  Substitution.node substitution { node with instances = List.rev kept }
+  (substitution, List.rev kept)
+
+let equal (node : Ir.node) = Substitution.atom (fst (shared node))
+
+let node (node : Ir.node) =
+  let substitution, instances = shared node in
+  Substitution.node substitution { node with instances }
 
 let program (program : Ir.program) = { program with nodes = Array.map node program.nodes }

@@ -55,6 +55,7 @@ let random_tests =
   [
     random "simplify keeps every bit" 400 (keeps_outputs Simplify.program Evaluate.by_demand);
     random "condition keeps every bit" 400 (keeps_outputs Condition.program Evaluate.by_demand);
+    random "parity keeps every bit" 400 (keeps_outputs Parity.program Evaluate.by_demand);
     random "share keeps every bit" 400 (keeps_outputs Share.program Evaluate.by_demand);
     random "dead keeps every bit" 400 (keeps_outputs Dead.program Evaluate.by_demand);
     random "specific keeps every bit" 400 (keeps_outputs Specific.program Evaluate.by_demand);
@@ -168,6 +169,60 @@ let conditions_in_cases () =
             let only_a = choice a (Build.let_ ~ty n "" (Op (Not, [ b ]))) (Bool false) in
             let one = choice only_a a b in
             [ ("", Build.let_ ~ty n "either" (If { condition = both; then_ = Bool true; else_ = one })) ])))
+
+(* Of two conditions it does not matter how the other one is. *)
+let conditions_anyhow () =
+  check
+    [ "signal function main (a : Bool, b : Bool)"; "-> ( = a)" ]
+    (Optimize.program
+       (build (fun n ->
+            let ty : Ir.ty = Bool in
+            let a = Build.input ~ty n "a" and b = Build.input ~ty n "b" in
+            let choice condition then_ else_ = Build.let_ ~ty n "" (If { condition; then_; else_ }) in
+            let both = choice a b (Bool false) in
+            let only_a = choice a (Build.let_ ~ty n "" (Op (Not, [ b ]))) (Bool false) in
+            [ ("", Build.let_ ~ty n "either" (Op (Or, [ both; only_a ]))) ])))
+
+(* The difference that is read as it is stays. *)
+let distances_either_way () =
+  check
+    [
+      "signal function main (x : Float, y : Float)";
+      "way : Float = 3.0 - x";
+      "there : Float = hypot(way, y)";
+      "c : Float = cos(way)";
+      "-> ( = there,  = there,  = c,  = way)";
+    ]
+    (Optimize.program
+       (build (fun n ->
+            let x = Build.input n "x" and y = Build.input n "y" in
+            let back = Build.let_ n "back" (Op (Subtract, [ x; Float 3. ])) in
+            let way = Build.let_ n "way" (Op (Subtract, [ Float 3.; x ])) in
+            let there = Build.let_ n "there" (Op (Elementary Hypot, [ back; y ])) in
+            let down = Build.op n Negate [ y ] in
+            let again = Build.let_ n "again" (Op (Elementary Hypot, [ down; way ])) in
+            let c = Build.let_ n "c" (Op (Elementary Cos, [ Build.op n Negate [ back ] ])) in
+            [ ("", there); ("", again); ("", c); ("", way) ])))
+
+(* The least Int has no negation. *)
+let differences_of_ints () =
+  check
+    [
+      "signal function main (x : Int)";
+      "back : Int = x - 3";
+      "way : Int = 3 - x";
+      "a : Int = abs(back)";
+      "b : Int = abs(way)";
+      "-> ( = a,  = b)";
+    ]
+    (Optimize.program
+       (build (fun n ->
+            let ty : Ir.ty = Int in
+            let x = Build.input ~ty n "x" in
+            let back = Build.let_ ~ty n "back" (Op (Subtract, [ x; Int 3l ])) in
+            let way = Build.let_ ~ty n "way" (Op (Subtract, [ Int 3l; x ])) in
+            let a = Build.let_ ~ty n "a" (Op (Absolute, [ back ])) in
+            [ ("", a); ("", Build.let_ ~ty n "b" (Op (Absolute, [ way ]))) ])))
 
 let known_constructors () =
   let p = Build.create () in
@@ -295,6 +350,35 @@ let inlined_names () =
     ]
     (Optimize.program (Build.program p))
 
+(* A node of 14 operations that takes a sine: it is inlined where that sine is taken
+   beside it, not where another one is. *)
+let inlined_for_what_it_computes () =
+  let build other =
+    let p = Build.create () in
+    let swing =
+      Build.node p "swing" (fun b ->
+          let x = Build.input b "x" in
+          let y = ref (Build.let_ b "wave" (Ir.Op (Elementary Sin, [ x ]))) in
+          for _ = 1 to 13 do
+            y := Build.op b Multiply [ !y; x ]
+          done;
+          [ ("", !y) ])
+    in
+    let main b =
+      let x = Build.input b "x" in
+      let z = if other then Build.op b Negate [ x ] else x in
+      let beside = Build.op b (Elementary Sin) [ z ] in
+      let y = Build.run b swing [ x ] "y" in
+      let again = Build.run b swing [ y ] "again" in
+      [ ("", beside); ("", y); ("", again) ]
+    in
+    ignore (Build.node p "main" main);
+    let optimized = Optimize.program (Build.program p) in
+    List.length (root optimized).instances
+  in
+  Alcotest.(check int) "calls left beside the same sine" 1 (build false);
+  Alcotest.(check int) "calls left beside another" 2 (build true)
+
 let chain n =
   build (fun b ->
       let x = Build.input b "x" in
@@ -319,11 +403,16 @@ let example_tests =
     case "simplify: of a negation what it negates is kept" negations_are_not_kept;
     case "simplify: known constructors need no tag" known_constructors;
     case "condition: one that is said by cases" conditions_in_cases;
+    case "condition: one for which another one does not matter" conditions_anyhow;
+    case "parity: a distance is the same there and back" distances_either_way;
+    case "parity: not of Ints" differences_of_ints;
     case "share: equal feedback loops are one" shared_counters;
     case "share: 0 and -0 are different" different_counters;
     case "share and specific: instances, literals, unread outputs" shared_instances;
     case "inline: what feeds back through its delay is opened, no more" inlined_for_feedback;
     case "inline: names stay, and tell instances apart where they clash" inlined_names;
+    case "inline: what computes an elementary function that is there anyhow"
+      inlined_for_what_it_computes;
     case "nodes of 100,000 equations" large;
   ]
 

@@ -73,20 +73,38 @@ and make_sum scope ~static =
 let binary : (Ir.operator * Ir.ty * Ir.ty) list =
   [ (Add, Float, Float); (Subtract, Float, Float); (Multiply, Float, Float); (Divide, Float, Float);
     (Minimum, Float, Float); (Maximum, Float, Float); (Equal, Float, Bool); (Less, Float, Bool);
-    (Less_equal, Float, Bool); (Elementary Atan2, Float, Float); (Pow, Float, Float);
+    (Less_equal, Float, Bool); (Elementary Atan2, Float, Float);
+    (Elementary Hypot, Float, Float); (Pow, Float, Float);
     (Add, Int, Int); (Subtract, Int, Int); (Multiply, Int, Int); (Div, Int, Int); (Mod, Int, Int);
     (Minimum, Int, Int); (Maximum, Int, Int); (Equal, Int, Bool); (Less, Int, Bool);
     (Less_equal, Int, Bool); (And, Bool, Bool); (Or, Bool, Bool) ]
 
 let unary : (Ir.operator * Ir.ty * Ir.ty) list =
   [ (Negate, Float, Float); (Absolute, Float, Float); (Signum, Float, Float);
-    (Elementary Sqrt, Float, Float); (Elementary Sin, Float, Float); (Round, Float, Int);
-    (Floor, Float, Int); (Ceiling, Float, Int); (Truncate, Float, Int); (Negate, Int, Int);
+    (Elementary Sqrt, Float, Float); (Elementary Sin, Float, Float); (Elementary Cos, Float, Float);
+    (Round, Float, Int); (Floor, Float, Int); (Ceiling, Float, Int); (Truncate, Float, Int); (Negate, Int, Int);
     (Absolute, Int, Int); (Signum, Int, Int); (To_float, Int, Float); (Not, Bool, Bool) ]
 
 let operation scope ~static =
   let pick ty = choose scope ~static ty in
-  match Random.State.int scope.rng 10 with
+  match Random.State.int scope.rng 11 with
+  | 10 ->
+      (* a distance from here to there, and one from there to here *)
+      let a = pick Float and b = pick Float and across = pick Float in
+      let difference a b = Build.op scope.node Subtract [ a; b ] in
+      let even : Ir.operator = any scope.rng [ Ir.Absolute; Elementary Cos; Elementary Hypot ] in
+      let size d =
+        let arguments : Ir.atom list =
+          match even with
+          | Elementary Hypot -> any scope.rng [ [ d; across ]; [ across; d ] ]
+          | _ -> [ any scope.rng [ d; Build.op scope.node Negate [ d ] ] ]
+        in
+        ignore (define scope ~static Float (Op (even, arguments)))
+      in
+      let there = difference a b in
+      size there;
+      if chance scope.rng 50 then ignore (define scope ~static Float (Copy there));
+      size (difference b a)
   | 0 | 1 | 2 | 3 ->
       let operator, argument, result = any scope.rng binary in
       let a = pick argument in
