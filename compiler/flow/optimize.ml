@@ -49,5 +49,6 @@ let program program =
   (* Last, for a machine that so becomes a part of its user is inlined no more. *)
   let absorbed = Absorb.program started in
   (* When what is computed of a parameter stands where it is read. *)
-  let computed = Literal_parameters.program absorbed in
+  let derived = Derived_parameters.program absorbed in
+  let computed = Literal_parameters.program derived in
   if computed == tidied then tidied else Dead.program computed

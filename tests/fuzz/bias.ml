@@ -1,4 +1,4 @@
-type root = Any | Small | Cascade
+type root = Any | Small | Cascade | Handed_on
 
 type t = {
   events : int;
@@ -25,6 +25,7 @@ let all =
     { even with chains = 8 };
     { even with root = Small };
     { even with root = Cascade };
+    { even with root = Handed_on };
   |]
 
 let count = Array.length all

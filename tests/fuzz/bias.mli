@@ -5,6 +5,7 @@ type root =
   | Any  (** equations and definitions of all kinds *)
   | Small  (** see {!Small_root} *)
   | Cascade  (** see {!Cascade} *)
+  | Handed_on  (** see {!Handed_on} *)
 
 type t = {
   events : int;  (** one type in so many is an event *)
@@ -23,7 +24,7 @@ val alike : int
 
 val of_program : seed:int -> int -> t
 (** Of the program with this number, by turns: even, event-heavy, switch-storms,
-    NaN-heavy, deep, wide, array-heavy, with a small root, cascades of modes. *)
+    NaN-heavy, deep, wide, array-heavy, with a small root, cascades of modes, modes that hand on numbers. *)
 
 val count : int
 (** How many there are. *)

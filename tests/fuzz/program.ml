@@ -89,6 +89,11 @@ let cascades values prefix =
     f "%s%s%s = proc i -> (%s)\n\n" text (signature prefix (Tuple signals)) prefix outputs,
     signals )
 
+let handing_on values prefix =
+  let pattern = Pattern.any values input_type in
+  let text, start = Handed_on.definitions values ~input:input_type ~pattern in
+  (prefix, f "%s%s%s = proc i -> (%s i)\n\n" text (signature prefix Float) prefix start, [ Type.Float ])
+
 let one ~seen ~seed number =
   let bias = Bias.of_program ~seed number in
   let random = Random.State.make [| seed; number |] in
@@ -98,6 +103,7 @@ let one ~seen ~seed number =
   | Any -> large ~seen ~seed ~random ~prefix ~bias number
   | Small -> small values prefix
   | Cascade -> cascades values prefix
+  | Handed_on -> handing_on values prefix
 
 (* {1 How they run} *)
 

@@ -1,0 +1,89 @@
+open Choice
+
+let f = Printf.sprintf
+
+type mode = { name : string; a : string; b : string }
+
+(* What this program computes of two numbers. *)
+let measure random =
+  let k = one_of random [ "3"; "0.5"; "(-1)"; "0" ] and l = one_of random [ "1"; "2.5"; "(-0.25)" ] in
+  let either x y = if chance random 2 then f "(%s - %s)" x y else f "(%s - %s)" y x in
+  let kinds =
+    [
+      (fun a b -> f "hypot %s %s" (either a k) (either b l));
+      (fun a b -> f "abs %s" (either a b));
+      (fun a b -> f "cos %s" (either a b));
+      (fun a b -> f "max (%s * %s) %s" k a b);
+      (fun a b -> f "sqrt (abs %s) + %s" (either a b) l);
+      (fun a b -> f "(if %s < %s then %s * %s else %s)" a b a l b);
+    ]
+  in
+  let kind = one_of random kinds in
+  fun a b -> f "(%s)" (kind a b)
+
+let float (inside : Scope.t) =
+  match Scope.variable inside Float with
+  | Some x when not (chance inside.random 6) -> x
+  | Some _ | None -> Expression.expression inside 1 Float
+
+let shows (inside : Scope.t) measure { a; b; _ } =
+  match Random.State.int inside.random 6 with
+  | 0 -> f "delay 0 %s" (measure a b)
+  | 1 -> f "%s + %s" (float inside) (measure a b)
+  | 2 -> f "%s + %s" (float inside) a
+  | 3 -> measure a b
+  | _ -> float inside
+
+let event (inside : Scope.t) measure { a; b; _ } (x, y) =
+  let asked =
+    match Random.State.int inside.random 5 with
+    | 0 -> f "%s < %s" (measure x y) (measure a b)
+    | 1 -> f "%s < 2" (measure x y)
+    | 2 -> f "%s < 1 || %s" (measure x y) (Cascade.bool inside)
+    | 3 -> f "%s < %s" (measure a b) (float inside)
+    | _ -> Cascade.bool inside
+  in
+  f "%s (%s)" (if chance inside.random 3 then "edge" else "when") asked
+
+let handed (inside : Scope.t) mode (p, q) =
+  match Random.State.int inside.random 8 with
+  | 0 | 1 | 2 -> f "%s %s" mode.a mode.b
+  | 3 -> f "%s %s" mode.a q
+  | 4 -> "2 (-1)"
+  | _ -> f "%s %s" p q
+
+let rec define values (pattern, bound) ~signature measure = function
+  | [] -> []
+  | mode :: later ->
+      let inside = Scope.bind bound values in
+      let random = inside.random in
+      let shows = shows inside measure mode in
+      let body =
+        match later with
+        | [] -> f "proc %s -> %s" pattern shows
+        | next :: _ ->
+            let xy = (float inside, float inside) in
+            let p = Scope.fresh values "p" and q = Scope.fresh values "q" in
+            let next = if chance random 3 then one_of random later else next in
+            f "switch (proc %s -> (%s, mapE (\\_ -> (%s, %s)) (%s))) (\\(%s, %s) -> %s %s)" pattern shows
+              (fst xy) (snd xy)
+              (event inside measure mode xy)
+              p q next.name
+              (handed inside mode (p, q))
+      in
+      f "%s%s %s %s = %s\n\n" (signature mode.name "Float -> Float -> ") mode.name mode.a mode.b body
+      :: define values (pattern, bound) ~signature measure later
+
+let definitions values ~input ~pattern =
+  Scope.note values "modes that hand on";
+  let fresh = Scope.fresh values in
+  let modes =
+    List.init
+      (2 + Random.State.int values.random 4)
+      (fun _ -> { name = fresh "h"; a = fresh "a"; b = fresh "b" })
+  in
+  let signature name parameters = f "%s :: %sSF %s Float\n" name parameters (Type.text input) in
+  let start = fresh "s" in
+  let begins = f "%s%s = %s 1 2\n\n" (signature start "") start (List.hd modes).name in
+  let measure = measure values.random in
+  (String.concat "" (define values pattern ~signature measure modes @ [ begins ]), start)
