@@ -7,9 +7,9 @@ type passage = { through : Ir.node; input : string; output : Ir.atom }
 (* One step of a loop: [reader] is defined by what reads [read] at [at]. *)
 type hop = { reader : Ir.signal; read : Ir.signal; at : Span.t; via : passage list }
 
-let passage (program : Ir.program) dependencies (node : Dependency.node) (instance : Ir.instance) k w =
+let passage (program : Ir.program) passages (node : Dependency.node) (instance : Ir.instance) k w =
   let through = program.nodes.(instance.node) in
-  let passed = Dependency.passed_by dependencies.(instance.node) instance k in
+  let passed = Dependency.passed_by passages.(instance.node) instance k in
   let is_read j : Ir.atom -> bool = function
     | Signal s -> Dependency.Inputs.mem j passed && node.vertex s = w
     | Bool _ | Int _ | Float _ -> false
@@ -29,19 +29,19 @@ let passage (program : Ir.program) dependencies (node : Dependency.node) (instan
 let origin (program : Ir.program) (instance : Ir.instance) = program.nodes.(instance.node).origin
 
 (* How a definition of vertex [v] reads one of vertex [w]. *)
-let hop program dependencies (node : Dependency.node) (v, w) =
+let hop program passages (node : Dependency.node) (v, w) =
   let reading definition =
     let read =
       List.find_opt
         (fun s -> node.vertex s = w)
-        (Dependency.reads (fun i -> dependencies.(i)) definition)
+        (Dependency.reads passages definition)
     in
     match (definition, read) with
     | _, None | Dependency.Parameter, _ -> None
     | Equation e, Some read -> Some { reader = e.defines; read; at = e.span; via = [] }
     | Output (instance, k), Some read ->
         let reader = List.nth instance.outputs k in
-        let via = [ passage program dependencies node instance k w ] in
+        let via = [ passage program passages node instance k w ] in
         Some { reader; read; at = instance.span; via }
     | Box _, Some _ -> None
   in
@@ -222,25 +222,23 @@ let own_use (program : Ir.program) (entry : Span.t) uses index =
   in
   if own program.nodes.(index) then None else Some (outwards index)
 
-let report program entry dependencies uses index component =
-  let node = dependencies.(index) in
-  let cycle = Graph.shortest_cycle node.Dependency.graph component in
+let report program entry passages uses index (node : Dependency.node) component =
+  let cycle = Graph.shortest_cycle node.graph component in
   let next = match cycle with [] -> [] | v :: rest -> List.rev (v :: List.rev rest) in
   let edges = List.rev (List.rev_map2 (fun v w -> (v, w)) cycle next) in
-  let hops = Long_list.map (hop program dependencies node) edges in
+  let hops = Long_list.map (hop program passages node) edges in
   let d = match named_hops hops with Some hops -> report_named entry hops | None -> report_unnamed hops in
   match own_use program entry uses index with
   | None -> d
   | Some (name, at) -> Diagnostic.label ~at (Printf.sprintf "`%s` runs here" name) d
 
 let check sink ~entry (program : Ir.program) =
-  let dependencies = Dependency.program program in
   let uses = first_uses program in
-  Array.iteri
-    (fun index (node : Dependency.node) ->
-      List.iter
-        (fun component ->
-          if Graph.is_cyclic node.graph component then
-            Diagnostic.emit sink (report program entry dependencies uses index component))
-        node.components)
-    dependencies
+  let report_cycles passages index (node : Dependency.node) =
+    List.iter
+      (fun component ->
+        if Graph.is_cyclic node.graph component then
+          Diagnostic.emit sink (report program entry passages uses index node component))
+      node.components
+  in
+  ignore (Dependency.program ~each:report_cycles program)

@@ -8,26 +8,27 @@ type definition =
 
 module Inputs = Set.Make (Int)
 
+type passage = { passed : Inputs.t array; decisive : Inputs.t }
+
 type node = {
   graph : Graph.t;
   definitions : definition list array;
   vertex : Ir.signal -> int;
   components : int list list;
-  passed : Inputs.t array;
-  decisive : Inputs.t;
+  passage : passage;
 }
 
 (* A loop is one box. *)
-let passed_by callee (instance : Ir.instance) output =
+let passed_by (passage : passage) (instance : Ir.instance) output =
   match instance.loop with
-  | None -> callee.passed.(output)
+  | None -> passage.passed.(output)
   | Some _ -> Inputs.of_list (List.mapi (fun i _ -> i) instance.inputs)
 
-let reads callee = function
+let reads passages = function
   | Parameter -> []
   | Equation equation -> Operands.(signals (same_instant equation.rhs))
   | Output (instance, output) ->
-      let passed = passed_by (callee instance.node) instance output in
+      let passed = passed_by passages.(instance.node) instance output in
       let needed = List.filteri (fun i _ -> Inputs.mem i passed) instance.inputs in
       Operands.signals (List.rev_append (List.rev instance.statics) needed)
   | Box atoms -> Operands.signals atoms
@@ -35,9 +36,9 @@ let reads callee = function
 let not_delayed = List.filter (fun (t : Ir.transition) -> not t.delayed)
 
 (* What an output of a machine needs in the same instant. *)
-let needed_by_machine callee (machine : Ir.machine) =
+let needed_by_machine (passages : passage array) (machine : Ir.machine) =
   let needed_by_mode needed mode =
-    let { passed; decisive; _ } = callee mode in
+    let { passed; decisive; _ } = passages.(mode) in
     Array.fold_left Inputs.union (Inputs.union decisive needed) passed
   in
   let needed = List.fold_left needed_by_mode Inputs.empty machine.modes in
@@ -46,7 +47,7 @@ let needed_by_machine callee (machine : Ir.machine) =
     (Option.to_list machine.active @ Transitions.atoms (not_delayed machine.controls))
 
 (* Every signal that the node defines with its definition, in source order. *)
-let definitions callee (node : Ir.node) =
+let definitions passages (node : Ir.node) =
   let parameters = List.rev_map (fun s -> (s, Parameter)) node.statics in
   let parameters = List.rev_append (List.rev_map (fun s -> (s, Parameter)) node.inputs) parameters in
   let equations =
@@ -60,7 +61,7 @@ let definitions callee (node : Ir.node) =
   in
   let outputs = List.fold_left outputs equations node.instances in
   let of_machine outputs (machine : Ir.machine) =
-    let definition = Box (needed_by_machine callee machine) in
+    let definition = Box (needed_by_machine passages machine) in
     List.rev_append (List.map (fun s -> (s, definition)) machine.outputs) outputs
   in
   let outputs = Option.fold node.machine ~none:outputs ~some:(of_machine outputs) in
@@ -70,8 +71,8 @@ let definitions callee (node : Ir.node) =
   in
   List.rev (Option.fold node.foreign ~none:outputs ~some:of_foreign)
 
-let of_node callee (node : Ir.node) =
-  let all = definitions callee node in
+let of_node passages (node : Ir.node) =
+  let all = definitions passages node in
   let vertices = Int_table.create 64 in
   List.iter
     (fun ((s : Ir.signal), _) ->
@@ -95,7 +96,7 @@ let of_node callee (node : Ir.node) =
   let edges definitions =
     let all =
       List.fold_left
-        (fun all definition -> List.rev_append (List.rev_map vertex (reads callee definition)) all)
+        (fun all definition -> List.rev_append (List.rev_map vertex (reads passages definition)) all)
         [] definitions
     in
     List.rev all
@@ -132,18 +133,14 @@ let of_node callee (node : Ir.node) =
       Inputs.empty
       (Transitions.atoms (not_delayed node.transitions))
   in
-  { graph; definitions = defined_by; vertex; components; passed; decisive }
+  { graph; definitions = defined_by; vertex; components; passage = { passed; decisive } }
 
-let program (program : Ir.program) =
-  let done_ = Array.make (Array.length program.nodes) None in
-  let callee i =
-    match done_.(i) with
-    | Some node -> node
-    | None -> Diagnostic.bug ~stage:"Flow.Dependency" "node %d comes after its caller" i
-  in
-  Array.map
-    (fun i ->
-      let node = of_node callee program.nodes.(i) in
-      done_.(i) <- Some node;
-      node)
-    (Array.init (Array.length program.nodes) Fun.id)
+let program ?(each = fun _ _ _ -> ()) (program : Ir.program) =
+  let passages = Array.make (Array.length program.nodes) { passed = [||]; decisive = Inputs.empty } in
+  Array.iteri
+    (fun index node ->
+      let node = of_node passages node in
+      passages.(index) <- node.passage;
+      each passages index node)
+    program.nodes;
+  passages

@@ -17,11 +17,8 @@ type definition =
 
 module Inputs : Set.S with type elt = int
 
-type node = {
-  graph : Basis.Graph.t;  (** an edge means "needs in the same instant" *)
-  definitions : definition list array;  (** of the leaves of each vertex *)
-  vertex : Ir.signal -> int;  (** for the node's own signals *)
-  components : int list list;  (** of [graph] *)
+(** What callers have to know of a node. *)
+type passage = {
   passed : Inputs.t array;
       (** for each output, the numbers of the inputs it needs *)
   decisive : Inputs.t;
@@ -29,14 +26,21 @@ type node = {
           instant: those not delayed *)
 }
 
-val of_node : (int -> node) -> Ir.node -> node
-(** Given the result for the nodes that it instantiates. *)
+type node = {
+  graph : Basis.Graph.t;  (** an edge means "needs in the same instant" *)
+  definitions : definition list array;  (** of the leaves of each vertex *)
+  vertex : Ir.signal -> int;  (** for the node's own signals *)
+  components : int list list;  (** of [graph] *)
+  passage : passage;
+}
 
-val program : Ir.program -> node array
+val program : ?each:(passage array -> int -> node -> unit) -> Ir.program -> passage array
+(** Of all nodes. [each] sees one at a time, callees first, with the passages of
+    those before it: the graphs of all at once would be much to keep. *)
 
-val passed_by : node -> Ir.instance -> int -> Inputs.t
+val passed_by : passage -> Ir.instance -> int -> Inputs.t
 (** Of an instance of the node: the numbers of the inputs that its output of
     that number needs. *)
 
-val reads : (int -> node) -> definition -> Ir.signal list
+val reads : passage array -> definition -> Ir.signal list
 (** What a definition needs in the same instant. *)

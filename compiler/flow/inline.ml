@@ -72,8 +72,8 @@ let becomes_small real ~once ~expanded (node : Ir.node) =
 type context = {
   nodes : Ir.node array;  (** callees already done *)
   is_small : bool array;  (** of those done *)
-  dependencies : Dependency.node array;
-      (** from before: what a node passes on does not change *)
+  passages : Dependency.passage array Lazy.t;
+      (** from before: what a node passes on does not change. Only loops ask. *)
   mutable fresh : int;
 }
 
@@ -236,12 +236,12 @@ let is_one_operation context (i : Ir.instance) =
   Option.is_some i.loop
   || Array.for_all
     (fun passed -> Dependency.Inputs.cardinal passed = inputs)
-    context.dependencies.(i.node).passed
+    (Lazy.force context.passages).(i.node).passed
 
 (* A step on trial for each set of inputs that some outputs need, if it is not
    all of them. *)
 let with_trials context (i : Ir.instance) =
-  let passed = context.dependencies.(i.node).passed in
+  let { Dependency.passed; _ } = (Lazy.force context.passages).(i.node) in
   let all = List.length i.inputs in
   let add (groups, k) output =
     let needs = passed.(k) in
@@ -341,7 +341,7 @@ let program (program : Ir.program) =
     {
       nodes = Array.copy program.nodes;
       is_small = Array.make (Array.length program.nodes) false;
-      dependencies = Dependency.program program;
+      passages = lazy (Dependency.program program);
       fresh = Signals.next_id program;
     }
   in
