@@ -194,67 +194,82 @@ let run search =
   Array.fill root.needed_outputs 0 (Array.length root.outputs) true;
   go (Array.to_list root.outputs)
 
-(* Those of [items] whose [flags] are set, pairwise. *)
+(* Those of [items] whose [flags] are set, pairwise. What is needed as a whole stays
+   the very same, as most is. *)
 let select flags items =
-  List.rev (List.fold_left2 (fun all flag item -> if flag then item :: all else all) [] flags items)
+  if List.for_all Fun.id flags then items
+  else
+    List.rev
+      (List.fold_left2 (fun all flag item -> if flag then item :: all else all) [] flags items)
+
+let filter is_needed items =
+  if List.for_all is_needed items then items else List.filter is_needed items
+
+(* Of a node, by parameter and output: is it needed? *)
+type interface = { of_statics : bool list; of_inputs : bool list; of_outputs : bool list }
+
+let interface search index (node : Ir.node) =
+  let flags = Basis.Long_list.map (is_needed search) in
+  {
+    of_statics = flags node.statics;
+    of_inputs = flags node.inputs;
+    of_outputs = Array.to_list search.nodes.(index).needed_outputs;
+  }
+
+(* The nodes that stay, by their new numbers; -1 for others. *)
+let renumber search =
+  let root = Array.length search.nodes - 1 in
+  let count = ref 0 in
+  Array.mapi
+    (fun index (node : node) ->
+      let runs = Option.fold node.mode_of ~none:false ~some:(fun (m, _) -> m.runs) in
+      if index = root || node.needed_instances <> [] || runs then begin
+        incr count;
+        !count - 1
+      end
+      else -1)
+    search.nodes
 
 let sweep search (program : Ir.program) =
   let root = Array.length program.nodes - 1 in
   let is_needed = is_needed search in
-  let stays index =
-    index = root
-    || search.nodes.(index).needed_instances <> []
-    || Option.fold search.nodes.(index).mode_of ~none:false ~some:(fun (m, _) -> m.runs)
-  in
-  let numbers = Array.make (root + 1) (-1) in
-  let count = ref 0 in
-  Array.iteri
-    (fun index _ ->
-      if stays index then begin
-        numbers.(index) <- !count;
-        incr count
-      end)
-    program.nodes;
-  let flags signals = Basis.Long_list.map is_needed signals in
+  let numbers = renumber search in
+  let interfaces = Array.mapi (interface search) program.nodes in
   let is_given (i : Ir.instance) (s : Ir.signal) =
     List.exists2
       (fun is_needed (output : Ir.signal) -> is_needed && output.id = s.id)
-      (Array.to_list search.nodes.(i.node).needed_outputs)
-      i.outputs
+      interfaces.(i.node).of_outputs i.outputs
   in
   let instance (i : Ir.instance) =
-    let callee = program.nodes.(i.node) in
+    let { of_statics; of_inputs; of_outputs } = interfaces.(i.node) in
     {
       i with
       node = numbers.(i.node);
-      statics = select (flags callee.statics) i.statics;
-      inputs = select (flags callee.inputs) i.inputs;
-      outputs = select (Array.to_list search.nodes.(i.node).needed_outputs) i.outputs;
+      statics = select of_statics i.statics;
+      inputs = select of_inputs i.inputs;
+      outputs = select of_outputs i.outputs;
       trials =
         List.filter_map
           (fun (trial : Ir.trial) ->
             match List.filter (is_given i) trial.gives with
             | [] -> None
-            | gives -> Some { Ir.gives; given = select (flags callee.inputs) trial.given })
+            | gives -> Some { Ir.gives; given = select of_inputs trial.given })
           i.trials;
       loop =
         Option.map
-          (fun (l : Ir.loop) -> { l with arguments = select (flags callee.inputs) l.arguments })
+          (fun (l : Ir.loop) -> { l with arguments = select of_inputs l.arguments })
           i.loop;
     }
   in
   let transitions modes =
     List.map (fun (t : Ir.transition) ->
-        let target = program.nodes.(modes.(t.target)) in
-        { t with arguments = select (flags target.statics) t.arguments })
+        { t with arguments = select interfaces.(modes.(t.target)).of_statics t.arguments })
   in
   let machine (known : machine) (m : Ir.machine) =
     if not known.runs then None
     else
       let needed_outputs =
-        match m.modes with
-        | mode :: _ -> Array.to_list search.nodes.(mode).needed_outputs
-        | [] -> []
+        match m.modes with mode :: _ -> interfaces.(mode).of_outputs | [] -> []
       in
       Some
         {
@@ -267,18 +282,19 @@ let sweep search (program : Ir.program) =
         }
   in
   let node index (node : Ir.node) =
+    let { of_statics; of_inputs; of_outputs } = interfaces.(index) in
     let instances =
-      List.filter (fun (i : Ir.instance) -> List.exists is_needed i.outputs) node.instances
+      filter (fun (i : Ir.instance) -> List.exists is_needed i.outputs) node.instances
     in
     {
       node with
-      statics = (if index = root then node.statics else List.filter is_needed node.statics);
+      statics = (if index = root then node.statics else select of_statics node.statics);
       inputs =
         (match search.nodes.(index).mode_of with
         | Some (machine, _) -> select (Array.to_list machine.needed_inputs) node.inputs
-        | None -> if index = root then node.inputs else List.filter is_needed node.inputs);
-      outputs = select (Array.to_list search.nodes.(index).needed_outputs) node.outputs;
-      equations = List.filter (fun (e : Ir.equation) -> is_needed e.defines) node.equations;
+        | None -> if index = root then node.inputs else select of_inputs node.inputs);
+      outputs = select of_outputs node.outputs;
+      equations = filter (fun (e : Ir.equation) -> is_needed e.defines) node.equations;
       instances = Basis.Long_list.map instance instances;
       machine = Option.bind node.machine (fun m -> machine (Option.get search.nodes.(index).machine) m);
       transitions =
@@ -287,9 +303,11 @@ let sweep search (program : Ir.program) =
         | None -> []);
     }
   in
-  let kept = List.filter stays (List.init (root + 1) Fun.id) in
-  let nodes = List.rev_map (fun index -> node index program.nodes.(index)) kept in
-  { program with nodes = Array.of_list (List.rev nodes) }
+  let swept = ref [] in
+  for index = root downto 0 do
+    if numbers.(index) >= 0 then swept := node index program.nodes.(index) :: !swept
+  done;
+  { program with nodes = Array.of_list !swept }
 
 let program program =
   let search = prepare program in
