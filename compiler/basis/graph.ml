@@ -24,34 +24,36 @@ let components graph =
     stack := v :: !stack;
     on_stack.(v) <- true
   in
-  (* The path from the root of the search: vertices with the edges left. *)
-  let rec search = function
-    | [] -> ()
-    | (v, w :: edges) :: path ->
-        if number.(w) = unvisited then begin
-          enter w;
-          search ((w, graph.(w)) :: (v, edges) :: path)
-        end
-        else begin
-          if on_stack.(w) then low.(v) <- Int.min low.(v) number.(w);
-          search ((v, edges) :: path)
-        end
-    | (v, []) :: path ->
-        if low.(v) = number.(v) then
-          found :=
-            (match pop_until v [] with
-            | [ _ ] as alone -> alone
-            | component -> List.sort Int.compare component)
-            :: !found;
-        (match path with
-        | (parent, _) :: _ -> low.(parent) <- Int.min low.(parent) low.(v)
-        | [] -> ());
-        search path
+  let close v =
+    if low.(v) = number.(v) then
+      found :=
+        (match pop_until v [] with
+        | [ _ ] as alone -> alone
+        | component -> List.sort Int.compare component)
+        :: !found
+  in
+  (* The edges left of a vertex, and the path to it from the root of the search:
+     vertices with the edges left of them. *)
+  let rec search v edges path =
+    match edges with
+    | w :: edges when number.(w) = unvisited ->
+        enter w;
+        search w graph.(w) ((v, edges) :: path)
+    | w :: edges ->
+        if on_stack.(w) then low.(v) <- Int.min low.(v) number.(w);
+        search v edges path
+    | [] -> (
+        close v;
+        match path with
+        | (parent, edges) :: path ->
+            low.(parent) <- Int.min low.(parent) low.(v);
+            search parent edges path
+        | [] -> ())
   in
   for v = 0 to n - 1 do
     if number.(v) = unvisited then begin
       enter v;
-      search [ (v, graph.(v)) ]
+      search v graph.(v) []
     end
   done;
   List.rev !found

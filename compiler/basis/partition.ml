@@ -10,32 +10,34 @@ type t = {
   mutable classes : int;
 }
 
-let of_labels labels =
+(* Counting sort. *)
+let of_labels ~distinct labels =
   let n = Array.length labels in
-  let elements = Array.init n Fun.id in
-  Array.stable_sort (fun a b -> Int.compare labels.(a) labels.(b)) elements;
-  let t =
-    {
-      elements;
-      place = Array.make n 0;
-      class_of = Array.make n 0;
-      first = Array.make n 0;
-      past = Array.make n 0;
-      marked = Array.make n 0;
-      classes = 0;
-    }
+  let first = Array.make n 0 and past = Array.make n 0 in
+  Array.iter (fun label -> past.(label) <- past.(label) + 1) labels;
+  let next = ref 0 in
+  for c = 0 to distinct - 1 do
+    first.(c) <- !next;
+    next := !next + past.(c);
+    past.(c) <- first.(c)
+  done;
+  let elements = Array.make n 0 in
+  let put label e =
+    let place = past.(label) in
+    elements.(place) <- e;
+    past.(label) <- place + 1;
+    place
   in
-  Array.iteri
-    (fun i e ->
-      if i = 0 || labels.(elements.(i - 1)) <> labels.(e) then begin
-        t.first.(t.classes) <- i;
-        t.classes <- t.classes + 1
-      end;
-      t.place.(e) <- i;
-      t.class_of.(e) <- t.classes - 1;
-      t.past.(t.classes - 1) <- i + 1)
+  let place = Array.mapi (fun e label -> put label e) labels in
+  {
     elements;
-  t
+    place;
+    class_of = Array.copy labels;
+    first;
+    past;
+    marked = Array.make n 0;
+    classes = distinct;
+  }
 
 let size t c = t.past.(c) - t.first.(c)
 
@@ -71,9 +73,9 @@ let split t c =
     Some fresh
   end
 
-let congruence ~labels ~arguments =
+let congruence ~distinct ~labels ~arguments =
   let n = Array.length labels in
-  let t = of_labels labels in
+  let t = of_labels ~distinct labels in
   (* By element: who has it as an argument, and as which. *)
   let users = Array.make n [] in
   Array.iteri (fun e -> Array.iteri (fun i a -> users.(a) <- (i, e) :: users.(a))) arguments;

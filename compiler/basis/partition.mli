@@ -3,7 +3,8 @@
     that are together. Cycles are no obstacle: like the states of an automaton,
     elements are together until something tells them apart. *)
 
-val congruence : labels:int array -> arguments:int array array -> int array
-(** The class of each element, named by its smallest element. Elements with
-    equal labels must have equally many arguments. In O(m log n) for m
+val congruence :
+  distinct:int -> labels:int array -> arguments:int array array -> int array
+(** The class of each element, named by its smallest element. Labels are 0 up to
+    [distinct] - 1, each of some element. Elements with equal labels must have equally many arguments. In O(m log n) for m
     arguments (Hopcroft). *)

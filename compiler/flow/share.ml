@@ -1,27 +1,5 @@
 open Basis
 
-(* What an element is, but for the signals it reads: these are its arguments. *)
-type label =
-  | Parameter of int  (** its signal's id: each is different; outputs of a machine and results of C too *)
-  | Equation of Ir.ty * Ir.rhs * constant list  (** the operands in [rhs] are blank *)
-  | Instance of int * Ir.loop option * constant list
-  | Output of int  (** of the instance that is the only argument *)
-
-(* An operand's place in a label; floats by their bits. *)
-and constant =
-  | Argument
-  | Bool of bool
-  | Int of int32
-  | Float of int64
-
-let constant : Ir.atom -> constant = function
-  | Signal _ -> Argument
-  | Bool b -> Bool b
-  | Int n -> Int n
-  | Float x -> Float (Int64.bits_of_float x)
-
-let blank : Ir.atom = Bool false
-
 (* Bit for bit the same with its arguments exchanged. Not so [Minimum] and
    [Maximum], which tell 0 from -0. *)
 let is_commutative : Ir.operator -> bool = function
@@ -47,44 +25,64 @@ let normal (rhs : Ir.rhs) : Ir.rhs =
   | Integral _ | Derivative _ ->
       rhs
 
-(* The elements of a node in order, each with its label and the signals it
-   reads; an output reads its instance instead. *)
-type argument = Signal of Ir.signal | Element of int
+(* The elements of a node in order, each with what it reads: signals or, an output,
+   its instance. *)
+type reads = Operands of Ir.atom list | Element of int
 
 type elements = {
-  mutable labels : label list;
-  mutable arguments : argument list list;  (** both: last first *)
+  mutable labels : int list;  (** numbers, equal for equal labels *)
+  mutable reads : reads list;  (** both: last first *)
   mutable count : int;
+  mutable distinct : int;  (** how many labels differ *)
+  numbers : int Label.Table.t;
   of_signal : int Int_table.t;
 }
 
-let add elements label arguments =
-  elements.labels <- label :: elements.labels;
-  elements.arguments <- arguments :: elements.arguments;
+let add elements number reads =
+  elements.labels <- number :: elements.labels;
+  elements.reads <- reads :: elements.reads;
   elements.count <- elements.count + 1;
   elements.count - 1
 
-let signals atoms = Long_list.map (fun s -> Signal s) (Operands.signals atoms)
+let fresh elements =
+  let n = elements.distinct in
+  elements.distinct <- n + 1;
+  n
+
+let number elements label =
+  match Label.Table.find_opt elements.numbers label with
+  | Some n -> n
+  | None ->
+      let n = fresh elements in
+      Label.Table.add elements.numbers label n;
+      n
 
 let elements_of (node : Ir.node) =
-  let elements = { labels = []; arguments = []; count = 0; of_signal = Int_table.create 64 } in
+  let elements =
+    {
+      labels = [];
+      reads = [];
+      count = 0;
+      distinct = 0;
+      numbers = Label.Table.create 64;
+      of_signal = Int_table.create 64;
+    }
+  in
   let define (s : Ir.signal) element = Int_table.replace elements.of_signal s.id element in
-  let parameter (s : Ir.signal) = define s (add elements (Parameter s.id) []) in
+  let add_label label reads = add elements (number elements label) reads in
+  (* Like nothing else, as outputs of a machine and results of C are. *)
+  let parameter s = define s (add elements (fresh elements) (Operands [])) in
   List.iter parameter node.statics;
   List.iter parameter node.inputs;
   List.iter
     (fun (e : Ir.equation) ->
-      let rhs = normal e.rhs in
-      let operands = Operands.all rhs in
-      let label =
-        Equation (e.defines.ty, Operands.map (fun _ -> blank) rhs, Long_list.map constant operands)
-      in
-      define e.defines (add elements label (signals operands)))
+      let label = Label.Equation (e.defines.ty, normal e.rhs) in
+      define e.defines (add_label label (Operands (Label.operands label))))
     node.equations;
   let instance (i : Ir.instance) =
-    let atoms = List.rev_append (List.rev i.statics) i.inputs in
-    let element = add elements (Instance (i.node, i.loop, Long_list.map constant atoms)) (signals atoms) in
-    List.iteri (fun k s -> define s (add elements (Output k) [ Element element ])) i.outputs;
+    let label = Label.Instance i in
+    let element = add_label label (Operands (Label.operands label)) in
+    List.iteri (fun k s -> define s (add_label (Output k) (Element element))) i.outputs;
     element
   in
   let instances = Long_list.map instance node.instances in
@@ -92,45 +90,30 @@ let elements_of (node : Ir.node) =
   Option.iter (fun (f : Ir.foreign) -> List.iter parameter f.results) node.foreign;
   (elements, instances)
 
-(* Equal ones get the same number. A parameter is like nothing else, so it need
-   not be looked up. *)
-let numbered labels =
-  let numbers = Hashtbl.create 64 and count = ref 0 in
-  let fresh () =
-    incr count;
-    !count
+let arguments elements =
+  let element (s : Ir.signal) = Int_table.find elements.of_signal s.id in
+  let of_reads = function
+    | Element e -> [| e |]
+    | Operands atoms -> (
+        match Operands.signals atoms with
+        | [] -> [||]
+        | [ s ] -> [| element s |]
+        | [ s; s' ] -> [| element s; element s' |]
+        | signals -> Array.of_list (Long_list.map element signals))
   in
-  let number label =
-    match label with
-    | Parameter _ -> fresh ()
-    | Equation _ | Instance _ | Output _ -> (
-        match Hashtbl.find_opt numbers label with
-        | Some n -> n
-        | None ->
-            let n = fresh () in
-            Hashtbl.add numbers label n;
-            n)
-  in
-  Array.of_list (Long_list.map number labels)
+  Array.of_list (List.rev_map of_reads elements.reads)
 
-(* For each signal that equals an earlier one that one, and the instances that stay. *)
-let shared (node : Ir.node) =
-  let elements, instances = elements_of node in
-  let element = function
-    | Element e -> e
-    | Signal s -> Int_table.find elements.of_signal s.id
+(* Of the node's elements, some of which have the same label: for each signal that
+   equals an earlier one that one, and the instances that stay. *)
+let classes (node : Ir.node) elements instances =
+  let labels = Array.of_list (List.rev elements.labels) in
+  let class_of =
+    Partition.congruence ~distinct:elements.distinct ~labels ~arguments:(arguments elements)
   in
-  let arguments =
-    Array.of_list
-      (List.rev_map
-         (fun arguments -> Array.of_list (Long_list.map element arguments))
-         elements.arguments)
-  in
-  let class_of = Partition.congruence ~labels:(numbered (List.rev elements.labels)) ~arguments in
   let substitution = Substitution.create () in
   let first = Array.make elements.count None in
   let visit (s : Ir.signal) =
-    let c = class_of.(element (Signal s)) in
+    let c = class_of.(Int_table.find elements.of_signal s.id) in
     match first.(c) with
     | None -> first.(c) <- Some s
     | Some representative -> Substitution.replace substitution s (Ir.Signal representative)
@@ -143,6 +126,11 @@ let shared (node : Ir.node) =
       [] node.instances instances
   in
   (substitution, List.rev kept)
+
+let shared (node : Ir.node) =
+  let elements, instances = elements_of node in
+  if elements.distinct = elements.count then (Substitution.create (), node.instances)
+  else classes node elements instances
 
 let equal (node : Ir.node) = Substitution.atom (fst (shared node))
 
