@@ -113,7 +113,7 @@ const toml::node *TomlReader::find(std::string_view key) {
 
 const toml::node *TomlReader::need(std::string_view key) {
     const toml::node *node = find(key);
-    if (node == nullptr) mistake("this needs a key " + quoted(key));
+    if (node == nullptr) lacking_.push_back(key);
     return node;
 }
 
@@ -260,14 +260,20 @@ void TomlReader::mistake_at(std::string_view key, const std::string &message) {
 }
 
 void TomlReader::finish() {
+    std::vector<std::string_view> misspelt;
     for (const auto &[key, node] : table_) {
         const std::string_view name = key.str();
         if (std::find(asked_.begin(), asked_.end(), name) != asked_.end()) continue;
         std::string message = "unknown key " + quoted(name);
-        if (const std::optional<std::string_view> meant = nearest(asked_, name))
+        if (const std::optional<std::string_view> meant = nearest(asked_, name)) {
             message += "; did you mean " + quoted(*meant) + "?";
+            misspelt.push_back(*meant);
+        }
         mistakes_.add(key.source(), message);
     }
+    for (const std::string_view key : lacking_)
+        if (std::find(misspelt.begin(), misspelt.end(), key) == misspelt.end())
+            mistake("this needs a key " + quoted(key));
 }
 
 } // namespace frob::sim

@@ -40,7 +40,8 @@ class Mistakes {
 // than a few millimetres, so things that have a size are a centimetre or more.
 enum class Range { any, not_negative, positive, size, share, part };
 
-// Asks a table for its keys; `finish` then reports the keys nobody asked for.
+// Asks a table for its keys; `finish` then reports the keys nobody asked for, and
+// those that are needed and missing, unless one of the former was meant for it.
 // A mistake is reported and a default returned, so that reading goes on.
 class TomlReader {
   public:
@@ -82,6 +83,7 @@ class TomlReader {
     Mistakes &mistakes_;
     const toml::table &table_;
     std::vector<std::string_view> asked_;
+    std::vector<std::string_view> lacking_;
 };
 
 } // namespace frob::sim

@@ -286,6 +286,9 @@ Scene parse_world(const std::string &text, const std::string &path) {
     } catch (const toml::parse_error &error) {
         std::string message(error.description());
         message[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(message[0])));
+        if (message.find("integer") != std::string::npos ||
+            message.find("floating-point") != std::string::npos)
+            message += "; numbers have no unit here: metres, kilograms, seconds";
         mistakes.add(error.source(), message);
     }
     throw WorldFileError(mistakes.text());

@@ -103,6 +103,9 @@ let read path =
 
 (* A program that runs may be replaced: by another file of its name. *)
 let install program path =
+  if Sys.file_exists path && Sys.is_directory path then
+    Commands.wrong_use (Printf.sprintf "cannot write %s: it is a directory" path)
+  else
   let next = path ^ ".next" in
   match
     let channel = open_out_gen [ Open_wronly; Open_creat; Open_trunc; Open_binary ] 0o777 next in

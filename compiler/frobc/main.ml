@@ -251,13 +251,22 @@ let run =
   in
   let on_robot device duration rate record patience reconnect settings priority lock_memory
       exit_when_done console =
-    Option.map
-      (fun device ->
-        {
-          Driver.Real_robot.device; duration; rate; record; patience; reconnect; settings;
-          priority; lock_memory; exit_when_done; console;
-        })
-      device
+    match device with
+    | Some device ->
+        Ok
+          {
+            Driver.Real_robot.device; duration; rate; record; patience; reconnect; settings;
+            priority; lock_memory; exit_when_done; console;
+          }
+    | None ->
+        let given name option = if option then Some name else None in
+        Error
+          (List.filter_map Fun.id
+             [
+               given "--patience" (patience <> None); given "--reconnect" (reconnect <> None);
+               given "--set" (settings <> []); given "--priority" (priority <> None);
+               given "--lock-memory" lock_memory;
+             ])
   in
   let on_robot =
     Term.(
@@ -266,7 +275,10 @@ let run =
   in
   let make general entry sources on_robot world duration rate seed realtime record picture strict exit_when_done console file =
     match on_robot with
-    | Some run ->
+    | Error (option :: _) ->
+        Commands.wrong_use
+          (Printf.sprintf "%s is for a robot, and not for the simulator: it needs --device" option)
+    | Ok run ->
         let given name = Option.map (fun _ -> name) in
         let simulated =
           List.filter_map Fun.id
@@ -276,7 +288,7 @@ let run =
             ]
         in
         Driver.Real_robot.run general ~entry ~sources ~simulated run file
-    | None ->
+    | Error [] ->
         let duration = Option.value duration ~default:60. in
         let seed = Option.value seed ~default:1 in
         Commands.run general ~entry ~sources

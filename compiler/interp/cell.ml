@@ -197,6 +197,14 @@ let read_float real r : Value.t =
 
 let parenthesis = "`)`"
 
+(* `A`, `B` or `C` *)
+let one_of constructors =
+  let last = List.length constructors - 1 in
+  let name i (c : Shape.constructor) =
+    (if i = 0 then "" else if i < last then ", " else " or ") ^ "`" ^ c.name ^ "`"
+  in
+  String.concat "" (List.mapi name constructors)
+
 let rec read_value r (shape : Shape.t) : Value.t =
   match shape with
   | Tuple shapes -> read_tuple r shapes
@@ -225,7 +233,7 @@ and read_bare r (shape : Shape.t) : Value.t =
   | Array (n, element) -> read_array r n element
   | Data { constructors; is_event = _ } ->
       let rec choose index = function
-        | [] -> fail "a constructor of the column's type"
+        | [] -> fail (one_of constructors)
         | (c : Shape.constructor) :: others ->
             if accept_word r c.name then
               Value.Data { constructor = index; arguments = read_arguments r c }
@@ -292,7 +300,11 @@ let read shape text =
   match
     let value = read_cell r shape in
     skip_blanks r;
-    if r.at < String.length text then fail "the end of the cell";
+    if r.at < String.length text then
+      fail
+        (match (shape : Shape.t) with
+        | Int | Float _ -> "nothing after the number"
+        | Bool | Tuple _ | Array _ | Data _ -> "the end of the cell");
     value
   with
   | value -> Ok value

@@ -145,8 +145,11 @@ let read_row name header (row : Csv.row) =
     reject
       [
         complaint name row header.width
-          "the header names %d columns, but cells in this row: %d" header.width
-          (List.length row.cells);
+          "the header names %d columns, but cells in this row: %d%s" header.width
+          (List.length row.cells)
+          (if List.length row.cells > header.width then
+           "; a cell with a comma in it stands in double quotes"
+          else "");
       ];
   let cells = Array.of_list row.cells in
   let time =
@@ -160,10 +163,15 @@ let read_row name header (row : Csv.row) =
     match Cell.read column.shape cells.(place).text with
     | Ok value -> value
     | Error expected ->
+        let text = cells.(place).text in
+        let found =
+          if String.for_all (fun c -> c = ' ' || c = '\t') text then "an empty cell"
+          else "`" ^ text ^ "`"
+        in
         reject
           [
-            complaint name row place "column `%s`: expected %s, found `%s`" column.name expected
-              cells.(place).text;
+            complaint name row place "column `%s`: expected %s, found %s" column.name expected
+              found;
           ]
   in
   (time, List.map read header.columns)

@@ -11,6 +11,7 @@ struct reader {
     const char *start;
     const char *at;
     const char *expected; /* set by the first failure */
+    const struct frob_value *choice; /* likewise */
     void *base;
 };
 
@@ -236,6 +237,7 @@ static bool read_constructor(struct reader *r, const struct frob_value *value)
             return read_arguments(r, &value->constructors[i]);
         }
     }
+    r->choice = value;
     return fail(r, "a constructor of the column's type");
 }
 
@@ -278,10 +280,16 @@ static bool read_value(struct reader *r, const struct frob_value *value)
     return ok;
 }
 
+static bool is_number(const struct frob_value *value)
+{
+    return value->kind == FROB_INT || value->kind == FROB_FLOAT || value->kind == FROB_ROUNDED ||
+           value->kind == FROB_SINGLE;
+}
+
 bool frob_cell_read(const char *cell, const struct frob_value *value, void *base,
                     struct frob_cell_error *error)
 {
-    struct reader r = { cell, cell, NULL, base };
+    struct reader r = { cell, cell, NULL, NULL, base };
     bool ok;
     skip_blanks(&r);
     if (value->kind == FROB_SUM && value->is_event) {
@@ -297,11 +305,12 @@ bool frob_cell_read(const char *cell, const struct frob_value *value, void *base
     if (ok) {
         skip_blanks(&r);
         if (*r.at != '\0')
-            ok = fail(&r, "the end of the cell");
+            ok = fail(&r, is_number(value) ? "nothing after the number" : "the end of the cell");
     }
     if (!ok) {
         error->position = (size_t)(r.at - r.start);
         error->expected = r.expected;
+        error->choice = r.choice;
     }
     return ok;
 }

@@ -125,3 +125,27 @@ Recursion is found in modules without a program too:
   $ echo 'f x = f (x - 1)' > recursive.frob
   $ frobc check recursive.frob 2>&1 | head -1
   error[E0410]: `f` calls itself
+
+What belongs to a robot is refused without one, as what belongs to the simulator is refused with one; a picture that
+cannot be written is no run.
+
+  $ cat > rest.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc _ -> roMake (setVelTR 0 0))
+  > FROB
+  $ frobc run rest.frob --set max-speed=1
+  error: --set is for a robot, and not for the simulator: it needs --device
+  [2]
+  $ frobc run rest.frob --priority 10
+  error: --priority is for a robot, and not for the simulator: it needs --device
+  [2]
+  $ frobc run rest.frob --device /dev/null --picture rest.png
+  error: --picture is for the simulator, and not for a robot
+  [2]
+  $ frobc run rest.frob --picture nowhere/rest.png
+  error: cannot write nowhere/rest.png: No such file or directory
+  [2]
+  $ mkdir taken
+  $ frobc build rest.frob -o taken
+  error: cannot write taken: it is a directory
+  [2]

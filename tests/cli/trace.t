@@ -94,7 +94,7 @@ What is wrong with an input is said with its place:
   0.000000000,0,false
   [2]
   $ printf 'time,in\n0,1\n1,2,3\n' | trace
-  error: wrong.csv:3:1: the header names 2 columns, but cells in this row: 3
+  error: wrong.csv:3:5: the header names 2 columns, but cells in this row: 3; a cell with a comma in it stands in double quotes
   time,out.1,out.2
   0.000000000,0,false
   [2]

@@ -62,7 +62,7 @@ Rows that do not fit; what came before is written.
   $ row '1, "LeftSide",true,\n'
   error: row.csv:3:3: a blank before a quote; leave no blanks beside the commas
   $ row '1,"  " ",true,\n'
-  error: row.csv:3:4: column `in.1.side`: expected a constructor of the column's type, found `   "`
+  error: row.csv:3:4: column `in.1.side`: expected `LeftSide`, `RightSide` or `At`, found `   "`
 
 Files that are not there.
 

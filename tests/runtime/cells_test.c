@@ -76,12 +76,14 @@ static void refused(const struct frob_value *value, const char *cell, size_t pos
                     const char *expected)
 {
     struct values v;
-    struct frob_cell_error error = { 0, "" };
+    struct frob_cell_error error = { 0, "", NULL };
     bool read = frob_cell_read(cell, value, &v, &error);
     if (read || error.position != position || strcmp(error.expected, expected) != 0)
         printf("  %s: %d, at %lu, expected %s\n", cell, read, (unsigned long)error.position,
                error.expected);
     check(cell, !read && error.position == position && strcmp(error.expected, expected) == 0);
+    /* whose names a host can tell */
+    check(cell, (error.choice != NULL) == (strstr(expected, "a constructor") != NULL));
 }
 
 int main(void)
@@ -118,7 +120,7 @@ int main(void)
     round_trip(&event, "", "");
     round_trip(&event, "-1.5", "-1.5");
     refused(&f, "fast", 0, "a number");
-    refused(&f, "1.5 m", 4, "the end of the cell");
+    refused(&f, "1.5 m", 4, "nothing after the number");
     refused(&f, "0x10", 0, "a number");
     refused(&f, "infinity", 0, "a number");
     refused(&f, "", 0, "a number");

@@ -193,6 +193,11 @@ void mistakes() {
             "w.toml:4:1: `wall` is a table; each one is a table of its own, [[wall]]");
     rejects("a start inside a wall", start + "[[wall]]\npoints = [[0, -1], [0, 1]]\n",
             "w.toml:1:1: the robot would start inside a wall or another thing");
+    rejects("a needed key misspelt, once", start + "[[circle]]\ncentre = [3, 3]\nradius = 1\n",
+            "w.toml:5:1: unknown key `centre`; did you mean `center`?");
+    rejects("a number with a unit", "[start]\nx = 5cm\ny = 0\n",
+            "w.toml:2:6: error while parsing decimal integer: expected digit, saw 'c'; "
+            "numbers have no unit here: metres, kilograms, seconds");
     rejects("several mistakes at once, in the file's order",
             "[start]\nx = true\n[sonar]\nrays = 0\n",
             "w.toml:1:1: this needs a key `y`\n"

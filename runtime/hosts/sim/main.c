@@ -131,6 +131,24 @@ static bool run(const struct options *options, struct controllers *controllers,
     return ok;
 }
 
+/* Better now than after the run. A file that was not there is not left behind. */
+static bool is_writable(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    bool is_new = file == NULL;
+    if (file != NULL)
+        fclose(file);
+    file = fopen(path, "ab");
+    if (file == NULL) {
+        fprintf(stderr, "error: cannot write %s: %s\n", path, strerror(errno));
+        return false;
+    }
+    fclose(file);
+    if (is_new)
+        remove(path);
+    return true;
+}
+
 /* Runs the program in an opened simulation, and tells how it went. */
 static int simulate(const struct options *options, const struct frob_program *program,
                     struct frob_sim *sim)
@@ -138,10 +156,14 @@ static int simulate(const struct options *options, const struct frob_program *pr
     char message[1024];
     struct controllers controllers;
     struct console console;
-    bool ok = controllers_open(&controllers, program, sim, options->record);
-    int64_t started_ns = clock_ns();
+    bool ok;
+    int64_t started_ns;
     double wall_s;
     int collisions = 0;
+    if (options->picture != NULL && !is_writable(options->picture))
+        return WRONG_USE;
+    ok = controllers_open(&controllers, program, sim, options->record);
+    started_ns = clock_ns();
     memset(&console, 0, sizeof console);
     if (options->console)
         console_open(&console);

@@ -244,12 +244,46 @@ static bool read_time(const char *text, int64_t *result)
     return true;
 }
 
+static bool is_blank(const char *cell)
+{
+    return cell[strspn(cell, " \t")] == '\0';
+}
+
+/* `A`, `B` or `C`; cut where the buffer ends. */
+static const char *constructors(char *buffer, size_t size, const struct frob_value *value)
+{
+    size_t length = 0;
+    for (size_t i = 0; i < value->count && length < size; i++) {
+        const char *between = i == 0 ? "" : i + 1 < value->count ? ", " : " or ";
+        int written = snprintf(buffer + length, size - length, "%s`%s`", between,
+                               value->constructors[i].name);
+        length += written > 0 ? (size_t)written : 0;
+    }
+    return buffer;
+}
+
+static void complain_of_cell(const struct trace *t, const struct column *column, const char *cell,
+                             const struct frob_cell_error *error)
+{
+    char choice[1000];
+    const char *expected = error->choice != NULL
+                               ? constructors(choice, sizeof choice, error->choice)
+                               : error->expected;
+    if (is_blank(cell))
+        complain(t, column->cell, "column `%s`: expected %s, found an empty cell", column->name,
+                 expected);
+    else
+        complain(t, column->cell, "column `%s`: expected %s, found `%s`", column->name, expected,
+                 cell);
+}
+
 static bool read_row(const struct trace *t, void *input, int64_t *time)
 {
     struct frob_cell_error error;
     if (t->csv.count != t->width) {
-        complain(t, t->csv.count, "the header names %lu columns, but cells in this row: %lu",
-                 (unsigned long)t->width, (unsigned long)t->csv.count);
+        complain(t, t->width, "the header names %lu columns, but cells in this row: %lu%s",
+                 (unsigned long)t->width, (unsigned long)t->csv.count,
+                 t->csv.count > t->width ? "; a cell with a comma in it stands in double quotes" : "");
         return false;
     }
     if (!read_time(csv_cell(&t->csv, 0), time)) {
@@ -261,8 +295,7 @@ static bool read_row(const struct trace *t, void *input, int64_t *time)
         const struct column *column = &t->columns[i];
         const char *cell = csv_cell(&t->csv, column->cell);
         if (!frob_cell_read(cell, column->value, input, &error)) {
-            complain(t, column->cell, "column `%s`: expected %s, found `%s`", column->name,
-                     error.expected, cell);
+            complain_of_cell(t, column, cell, &error);
             return false;
         }
     }

@@ -28,6 +28,7 @@ size_t frob_cell_room(const struct frob_value *value);
 struct frob_cell_error {
     size_t position;      /* in bytes from the start of the cell */
     const char *expected; /* a static text: "a number" */
+    const struct frob_value *choice; /* one of its constructors was expected; or NULL */
 };
 
 /* Reads a cell into `base`, whose other bytes are left alone. All slots of a
