@@ -72,10 +72,13 @@ let rec calls (e : M.expr) =
 let is_sum (ty : M.ty) =
   match ty with Sum _ -> true | Bool | Int | Float | Nanoseconds | Array _ | Foreign _ -> false
 
+(* Parameters that stay ones: state, its small fields, seconds and nanoseconds. *)
+let most_kept = 4
+
 (* What a call with very many parameters has in structs, arrays that it is given by
-   their addresses. State, seconds and nanoseconds may be parameters too. *)
+   their addresses. *)
 let in_structs c frame given results =
-  if List.length given + List.length results > Machine.Parameters.most - 3 then begin
+  if List.length given + List.length results > Machine.Parameters.most - most_kept then begin
     let by_address (ty : M.ty) =
       match ty with
       | Array _ -> word
