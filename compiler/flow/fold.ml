@@ -1,16 +1,5 @@
 open Ir
 
-(* Rounds to minus infinity; total (language reference, section 4). *)
-let div a b =
-  if Int32.equal b 0l then 0l
-  else
-    let quotient = Int32.div a b and rest = Int32.rem a b in
-    if (not (Int32.equal rest 0l)) && Int32.compare rest 0l < 0 <> (Int32.compare b 0l < 0) then
-      Int32.pred quotient
-    else quotient
-
-let mod_ a b = if Int32.equal b 0l then 0l else Int32.sub a (Int32.mul (div a b) b)
-
 (* [x] is whole, infinite or NaN. *)
 let saturate x =
   if Float.is_nan x then 0l
@@ -24,8 +13,8 @@ let on_ints operator a b : Ir.atom option =
   | Add -> Some (Int (Int32.add a b))
   | Subtract -> Some (Int (Int32.sub a b))
   | Multiply -> Some (Int (Int32.mul a b))
-  | Div -> Some (Int (div a b))
-  | Mod -> Some (Int (mod_ a b))
+  | Div -> Some (Int (Basis.Division.div a b))
+  | Mod -> Some (Int (Basis.Division.mod_ a b))
   | Equal -> Some (Bool (Int32.equal a b))
   | Less -> Some (Bool below)
   | Less_equal -> Some (Bool (below || Int32.equal a b))

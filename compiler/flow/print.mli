@@ -6,3 +6,4 @@
 
 val program : Format.formatter -> Ir.program -> unit
 val operator : Ir.operator -> string
+(** As the source language has it: [+], [min]. *)

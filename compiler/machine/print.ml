@@ -16,32 +16,7 @@ let variable names (v : Ir.variable) =
       Hashtbl.replace names.shown v.id shown;
       shown
 
-let operator : Flow.Ir.operator -> string = function
-  | Add -> "+"
-  | Subtract -> "-"
-  | Multiply -> "*"
-  | Divide -> "/"
-  | Negate -> "negate"
-  | Absolute -> "abs"
-  | Signum -> "signum"
-  | Equal -> "=="
-  | Less -> "<"
-  | Less_equal -> "<="
-  | Minimum -> "min"
-  | Maximum -> "max"
-  | Pow -> "**"
-  | Elementary e -> Core.Primitive.name (Elementary e)
-  | Div -> "div"
-  | Mod -> "mod"
-  | To_float -> "toFloat"
-  | Round -> "round"
-  | Floor -> "floor"
-  | Ceiling -> "ceiling"
-  | Truncate -> "truncate"
-  | Not -> "not"
-  | And -> "&&"
-  | Or -> "||"
-
+let operator = Flow.Print.operator
 let is_symbol text = match text.[0] with 'a' .. 'z' -> false | _ -> true
 
 let float x =

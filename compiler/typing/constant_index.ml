@@ -18,23 +18,12 @@ exception Problem of problem
 
 let fail problem = raise_notrace (Problem problem)
 
-(* As the language reference, section 4, has it. *)
-let div a b =
-  if Int32.equal b 0l then 0l
-  else
-    let quotient = Int32.div a b and rest = Int32.rem a b in
-    if (not (Int32.equal rest 0l)) && Int32.compare rest 0l < 0 <> (Int32.compare b 0l < 0) then
-      Int32.pred quotient
-    else quotient
-
-let mod_ a b = if Int32.equal b 0l then 0l else Int32.sub a (Int32.mul (div a b) b)
-
 let operation = function
   | "+" -> Some Int32.add
   | "-" -> Some Int32.sub
   | "*" -> Some Int32.mul
-  | "div" -> Some div
-  | "mod" -> Some mod_
+  | "div" -> Some Division.div
+  | "mod" -> Some Division.mod_
   | "min" -> Some min
   | "max" -> Some max
   | _ -> None
