@@ -3,6 +3,7 @@
     Takes for granted that the program is linted and optimized, so that
     {!Flow.Schedule} can order each node. {!Statics} tells what a node computes
     when it starts, {!State} what it keeps, {!Body} makes its reset and its step
-    of that, and {!First_instant} lets the root know its first instant. *)
+    of that, {!Start} a short reset and first step in one, and {!First_instant} lets the
+    root know its first instant. Last, in the whole program, {!Time_parameters}. *)
 
 val program : Flow.Ir.program -> Ir.program
