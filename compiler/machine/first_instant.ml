@@ -6,12 +6,14 @@ type t = {
   told : Ir.first_instant;
 }
 
+let shows : State.memory -> bool = function
+  | Elapsed _ | Ticked _ | Differentiated _ -> true
+  | Integrated { input = Field _; _ } | Delayed _ | Kept _ -> false
+  | Integrated _ -> true
+
 let shows_in state statics =
   let own (eq : F.equation) =
-    match State.memory state eq.defines with
-    | Some (Elapsed _ | Ticked _ | Differentiated _) -> true
-    | Some (Integrated { input = Field _; _ } | Delayed _ | Kept _) | None -> false
-    | Some (Integrated _) -> true
+    Option.fold (State.memory state eq.defines) ~none:false ~some:shows
   in
   List.exists own (Statics.equations_in_step statics)
 
@@ -52,16 +54,49 @@ let marked state statics =
       | _, _ -> None)
     (Statics.equations_in_step statics)
 
-let tell context state (node : F.node) statics ~step ~reset =
+(* A single derivative sees the time, and nothing else does. *)
+let is_for_one_derivative state statics =
+  let see_it (eq : F.equation) =
+    match State.memory state eq.defines with
+    | Some (Differentiated _) -> [ true ]
+    | Some memory -> if shows memory then [ false ] else []
+    | None -> []
+  in
+  List.concat_map see_it (Statics.equations_in_step statics) = [ true ]
+
+(* That derivative asks for itself; [mark] is for after it. *)
+let asked_by_derivative ~(started : Ir.field) ~mark step =
+  let rec ask before (step : Ir.statement list) =
+    match step with
+    | If ({ condition = Operation { operator = Less; arguments = [ Float 0.; Dt ]; _ } as passed; _ } as i)
+      :: after ->
+        let condition = Ir.Operation { operator = And; ty = Bool; arguments = [ Field started; passed ] } in
+        Some (List.rev_append before ((Ir.If { i with condition } :: mark) @ after))
+    | s :: after -> ask (s :: before) after
+    | [] -> None
+  in
+  ask [] step
+
+let tell context state (node : F.node) statics ~callees_see ~step ~reset =
+  let asked ~started ~mark =
+    if callees_see || not (is_for_one_derivative state statics) then None
+    else asked_by_derivative ~started ~mark step
+  in
+  let assign field value = Ir.Assign { place = Own field; value = Bool value; span = field.Ir.span } in
   match (entered_by_step context state node step reset, marked state statics) with
   | Some (step, reset), _ -> { step; reset; told = Marked_by_mode }
   | None, Some field -> (
       match First_apart.step context.Calls.program.real ~started:field ~reset step with
       | Some step -> { step; reset; told = Apart }
-      | None -> { step; reset; told = Marked_by { field; own = false } })
-  | None, None ->
+      | None -> (
+          match asked ~started:field ~mark:[] with
+          | Some step -> { step; reset; told = Unseen }
+          | None -> { step; reset; told = Marked_by { field; own = false } }))
+  | None, None -> (
       let field =
         State.new_field state ~name:"started" (Value Bool) ~purpose:State.past_first node.span
       in
-      let unmark = Ir.Assign { place = Own field; value = Bool false; span = field.span } in
-      { step; reset = reset @ [ unmark ]; told = Marked_by { field; own = true } }
+      let reset = reset @ [ assign field false ] in
+      match asked ~started:field ~mark:[ assign field true ] with
+      | Some step -> { step; reset; told = Unseen }
+      | None -> { step; reset; told = Marked_by { field; own = true } })

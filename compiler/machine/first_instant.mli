@@ -3,7 +3,8 @@
 
     The number of the running mode may tell, if the step enters the first one;
     so may a delay that the program has anyway, perhaps with a branch for the first instant
-    (see {!First_apart}); else a field of its own does. *)
+    (see {!First_apart}); else a field of its own does. Where only one derivative sees the
+    first dt, it asks for itself, and dt needs no choice. *)
 
 val shows_in : State.t -> Statics.t -> bool
 (** Whether the dt of the first instant shows in what a node computes, but for
@@ -21,8 +22,10 @@ val tell :
   State.t ->
   Flow.Ir.node ->
   Statics.t ->
+  callees_see:bool ->
   step:Ir.statement list ->
   reset:Ir.statement list ->
   t
 (** The bodies of the root, changed so that the first instant is told from
-    others. May add a field to the state. *)
+    others. May add a field to the state. [callees_see]: the dt of the first instant shows
+    in a node that this one steps then. *)

@@ -96,15 +96,16 @@ let own_node context k ~is_root =
   in
   let modes = State.modes state in
   let any property stepped = Int_table.fold (fun k () any -> any || property k) stepped false in
-  context.sees_first_dt.(k) <-
-    First_instant.shows_in state statics
-    || any (fun k -> context.sees_first_dt.(k)) (stepped step (first_modes node.machine));
+  let callees_see =
+    any (fun k -> context.sees_first_dt.(k)) (stepped step (first_modes node.machine))
+  in
+  context.sees_first_dt.(k) <- First_instant.shows_in state statics || callees_see;
   let all = stepped step (List.map (fun (mode : Ir.mode) -> mode.node) modes) in
   let reads = Reads.of_body step in
   let reset = Body.reset calls state node statics in
   let first : First_instant.t =
     if is_root && context.sees_first_dt.(k) then
-      First_instant.tell calls state node statics ~step ~reset
+      First_instant.tell calls state node statics ~callees_see ~step ~reset
     else { step; reset; told = Unseen }
   in
   (* Floats without times between them are copied two at once. *)

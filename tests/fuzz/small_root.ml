@@ -36,6 +36,12 @@ let kept ~lasting (inside : Scope.t) (name, ty) before =
   in
   [ f "%s = %s" name value; f "%s = delay %s %s" before (Constant.literal inside ty) name ]
 
+(* It alone may look at the time. *)
+let moving (inside : Scope.t) name =
+  let of_what = Expression.expression inside 1 Float in
+  if chance inside.random 4 then f "%s = integral (%s) / 1[s]" name of_what
+  else f "%s = 1[s] * derivative (%s)" name of_what
+
 let make values ~pattern:(pattern, bound) =
   Scope.note values "small root";
   let random = values.Scope.random in
@@ -51,7 +57,12 @@ let make values ~pattern:(pattern, bound) =
   let equations =
     List.concat (List.map2 (fun signal (before, _) -> kept ~lasting inside signal before) signals befores)
   in
-  let shown = List.filteri (fun k _ -> k = 0 || not (chance random 3)) signals in
+  let movements = if chance random 3 then [ Scope.fresh values "m" ] else [] in
+  let equations = equations @ List.map (moving inside) movements in
+  let shown =
+    List.filteri (fun k _ -> k = 0 || not (chance random 3)) signals
+    @ List.map (fun name -> (name, Type.Float)) movements
+  in
   ( f "proc %s -> (%s) where\n%s" pattern
       (String.concat ", " (List.map fst shown))
       (String.concat "\n" (List.map (fun text -> "    " ^ text) (shuffled random equations))),
