@@ -327,10 +327,14 @@ let double_clock c (node : M.node) =
         let ns = Ir.Name "dt_ns" in
         whole () @ [ seconds (if c.nanoseconds = Int64 then Cast (V.real c.v, ns) else ns) ]
     | false, true, Given -> (
+        let whole =
+          if c.v.divides_by_time then Ir.Call (V.helper c.v Whole_dt, [ Name "dt" ])
+          else seconds_of c (rounded ())
+        in
         (* 0 before all else: after a choice of dt C compilers write the step twice. *)
         match at_first (V.float c.v 0.) (Name "dt") with
-        | Name _ -> [ seconds (rounded ()) ]
-        | dt -> [ plain (Ir.Assign (Name "dt", dt)); seconds (rounded ()) ])
+        | Name _ -> [ plain (Ir.Assign (Name "dt", whole)) ]
+        | dt -> [ plain (Ir.Assign (Name "dt", dt)); plain (Assign (Name "dt", whole)) ])
 
 (* Nanoseconds are given. *)
 let single_clock c (node : M.node) =

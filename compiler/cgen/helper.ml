@@ -26,6 +26,7 @@ type t =
   | Ceiling
   | Round
   | Whole_nanoseconds
+  | Whole_dt
   | Seconds
   | Time_in_nanoseconds
   | Time_span
@@ -362,6 +363,28 @@ static inline double frob_whole_ns(double dt)
     }
     ns = ns > 0.0 ? ns : 0.0;
     return (ns + 4503599627370496.0) - 4503599627370496.0;
+}
+|} );
+    ( Whole_dt,
+      "frob_whole_dt",
+      [ Whole_nanoseconds ],
+      {|/* dt rounded to whole nanoseconds, in seconds. Almost always dt is the double nearest
+ * to such a number already, and its bits tell that sooner than a division: from 2^-10
+ * to 2^22 s they, times 4e9 and shifted left by the exponent, are the fraction of a
+ * nanosecond in 64 bits, and 4e9, shifted alike, is as much as a step of dt's last bit. */
+static inline double frob_whole_dt(double dt)
+{
+#ifndef __OPTIMIZE_SIZE__
+    const uint64_t last_bit = 4000000000u;
+    uint64_t bits;
+    (void)memcpy(&bits, &dt, sizeof bits);
+    const uint32_t exponent = (uint32_t)(bits >> 52) - 1013u;
+    if (exponent < 32u
+        && (bits * last_bit + last_bit / 2u) << exponent <= last_bit << exponent) {
+        return dt;
+    }
+#endif
+    return frob_whole_ns(dt) / 1e9;
 }
 |} );
     ( Seconds,

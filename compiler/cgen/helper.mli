@@ -34,6 +34,7 @@ type t =
   | Ceiling
   | Round
   | Whole_nanoseconds  (** of a dt in seconds *)
+  | Whole_dt  (** of a dt in seconds, in seconds too; calls [memcpy] *)
   | Seconds  (** of a dt in whole nanoseconds *)
   | Time_in_nanoseconds  (** of a local time *)
   | Time_span  (** nanoseconds within bounds; in single precision only *)

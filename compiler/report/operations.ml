@@ -111,6 +111,12 @@ let seconds (program : M.program) =
     Cost.(sum [ one Divisions; one Choices; one Additions ])
   else Cost.one Divisions
 
+(* Of dt itself, whose bits may tell that it is some already. *)
+let seconds_of_dt (program : M.program) =
+  if Machine.Time_use.divides program then
+    Cost.(sum [ one Multiplications; several 2 Additions; several 2 Choices; one Divisions ])
+  else Cost.one Divisions
+
 (* Of the root's integers in single precision. *)
 let seconds_where_wanted c =
   match c.program.real with
@@ -270,7 +276,7 @@ let root_clock (program : M.program) (root : M.node) =
     | false, true when program.real = Single -> [ whole; Cost.one Conversions; seconds ]
     | true, false when program.real = Single -> [ whole ]
     | true, true when program.real = Single -> [ whole; Cost.one Conversions; seconds ]
-    | false, true -> [ whole; seconds ]
+    | false, true -> [ whole; seconds_of_dt program ]
     | true, false -> [ whole; conversions 1 ]
     | true, true -> [ whole; conversions 2; seconds ]
   in

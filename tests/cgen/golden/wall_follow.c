@@ -2,6 +2,7 @@
 #include "wall_follow.h"
 #include <frob/elementary.h>
 #include <math.h>
+#include <string.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) || \
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
@@ -54,20 +55,23 @@ static inline double frob_whole_ns(double dt)
     return (ns + 4503599627370496.0) - 4503599627370496.0;
 }
 
-/* Whole nanoseconds in seconds. Almost always that is the dt they come from, and
- * then what is divided by it waits for one division, not for two: worth the bytes
- * where these do not count.
- * (Adding 0.0 makes 0.0 of -0.0.) */
-static inline double frob_seconds(double ns, double dt)
+/* dt rounded to whole nanoseconds, in seconds. Almost always dt is the double nearest
+ * to such a number already, and its bits tell that sooner than a division: from 2^-10
+ * to 2^22 s they, times 4e9 and shifted left by the exponent, are the fraction of a
+ * nanosecond in 64 bits, and 4e9, shifted alike, is as much as a step of dt's last bit. */
+static inline double frob_whole_dt(double dt)
 {
-    const double s = ns / 1e9;
 #ifndef __OPTIMIZE_SIZE__
-    if (!FROB_BRANCH(s != dt)) {
-        return dt + 0.0;
+    const uint64_t last_bit = 4000000000u;
+    uint64_t bits;
+    (void)memcpy(&bits, &dt, sizeof bits);
+    const uint32_t exponent = (uint32_t)(bits >> 52) - 1013u;
+    if (exponent < 32u
+        && (bits * last_bit + last_bit / 2u) << exponent <= last_bit << exponent) {
+        return dt;
     }
 #endif
-    (void)dt;
-    return s;
+    return frob_whole_ns(dt) / 1e9;
 }
 
 /* wallFollow, test.frob:1 */
@@ -85,7 +89,7 @@ void wall_follow_step(struct wall_follow_state *self,
                       const struct wall_follow_input *in,
                       struct wall_follow_output *out)
 {
-    dt = frob_seconds(frob_whole_ns(dt), dt);
+    dt = frob_whole_dt(dt);
     const double vCurr = in->f1;
     const double f = in->f2;
     const double s = in->f3;
