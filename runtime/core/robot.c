@@ -45,6 +45,7 @@ void frob_robot_start(struct frob_robot *robot, const struct frob_driver *driver
     memset(robot, 0, sizeof *robot);
     robot->driver = driver;
     robot->device = device;
+    robot->serial = *serial;
     robot->clock = *clock;
     robot->patience_ns = patience_ns;
     robot->state = FROB_ROBOT_CONNECTING;
@@ -52,7 +53,7 @@ void frob_robot_start(struct frob_robot *robot, const struct frob_driver *driver
     robot->at_rest = robot->connected_now = true;
     robot->connections = connections;
     robot->stale = stale;
-    driver->start(device, settings, serial, clock);
+    driver->start(device, settings, &robot->serial, &robot->clock);
 }
 
 /* Tells a robot that is at rest to stay there. */

@@ -44,6 +44,7 @@ enum { FROB_OUTPUT_MOST = 512 };
 struct frob_robot {
     const struct frob_driver *driver;
     void *device;
+    struct frob_serial serial; /* what the driver is given stays as long as this */
     struct frob_clock clock;
     int64_t patience_ns;
     enum frob_robot_state state;
@@ -59,7 +60,8 @@ struct frob_robot {
     } limited; /* what was commanded last */
 };
 
-/* Begins to connect. `patience_ns` is how old a reading may be; it is greater
+/* Begins to connect. What `serial` and `clock` point to is copied; `settings` must
+ * stay. `patience_ns` is how old a reading may be; it is greater
  * than zero. Whatever `device` knows from earlier connections is kept. */
 void frob_robot_start(struct frob_robot *robot, const struct frob_driver *driver, void *device,
                       const double *settings, const struct frob_serial *serial,

@@ -62,8 +62,11 @@ struct frob_driver {
     double (*most)(const void *device, size_t i);
 
     /* Begins to connect to the robot on a line that was just opened.
-     * `settings` are `setting_count` values, in the order of the table, and
-     * must stay. The robot's motors are at rest until the first command. */
+     * `settings` are `setting_count` values, in the order of the table. They, the
+     * line and the clock stay where they are until the next start. The device's
+     * memory is all zero at the first one; after a line that was lost it is as
+     * it was, so that a place by odometry can go on. The robot's motors are at
+     * rest until the first command. */
     void (*start)(void *device, const double *settings, const struct frob_serial *serial,
                   const struct frob_clock *clock);
 
@@ -72,7 +75,8 @@ struct frob_driver {
      * answers, start again or give up. FROB_LOST and FROB_REFUSED as they say. */
     enum frob_status (*poll)(void *device);
 
-    /* When the driver wants to be polled next even if no byte arrives. */
+    /* When the driver wants to be polled next even if no byte arrives. INT64_MAX:
+     * not before. A time that has passed is at once, so let it move on. */
     int64_t (*due_ns)(const void *device);
 
     /* When the newest complete sensor reading arrived; INT64_MIN: never. */
