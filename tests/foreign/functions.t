@@ -121,3 +121,34 @@ at the start:
   $ frobc compile start.frob && grep 'start_look(' start.c
   static inline double start_look(double a)
       const double gain = start_look(3.0);                    /* line 4 */
+
+Which slot of a sum is which.
+
+  $ cat > entries.frob <<'FROB'
+  > data Mode = Idle | Driving | Blocked
+  > data Entry = Entry { x, y :: Distance, mode :: Mode, note :: Maybe Float }
+  > foreign written :: Event Entry -> Float = "written"
+  > main :: SF (Event Entry) Float
+  > main = arr written
+  > FROB
+  $ cat > entries.c <<'C'
+  > #include "entries.h"
+  > double written(const struct frob_event_entry *e)
+  > {
+  >     const bool noted = e->t1 == ENTRIES_MAYBE_FLOAT_JUST;
+  >     if (e->tag != FROB_EVENT_ENTRY_EVENT)
+  >         return 0;
+  >     return e->f0 + 10 * e->f1 + 100 * e->t0 + (noted ? 1000 * e->f2 : 0);
+  > }
+  > C
+  $ cat > entries.csv <<'CSV'
+  > time,in
+  > 0,
+  > 1,"Entry { x = 1, y = 2, mode = Blocked, note = Just 3 }"
+  > 2,"Entry { x = 4, y = 5, mode = Driving, note = Nothing }"
+  > CSV
+  $ frobc trace entries.frob --with entries.c --input entries.csv
+  time,out
+  0.000000000,0
+  1.000000000,3221
+  2.000000000,154
