@@ -82,8 +82,9 @@ let misplaced_line found =
             Some
               (Printf.sprintf
                  "the %s of this block start at column %d; this line stands further right, so it \
-                  goes on with the one above"
-                 (items block) column)
+                  goes on with the one above%s"
+                 (items block) column
+                 (if found.token.token = EQUAL && opens_with (Layout.Block Top) found.context then ", unless a `where` ends that" else ""))
       | _ -> None)
   | Some _ | None -> None
 
@@ -199,7 +200,8 @@ let of_token found =
   | BAR, _ when after found = '>' -> Some "a function stands before its argument: `f x`"
   | (UNIT | PRIMITIVE | FOREIGN | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC), Some _ ->
       Some (reserved_word (written found found.token))
-  | END, before when expects_more before && not found.token.last ->
+  | (END | SEMICOLON), before
+    when expects_more before && (not found.token.last) && (found.token.token = END || found.token.made) ->
       Some "a definition goes on only in lines that are indented more than its first"
   | _ -> misplaced_line found
 

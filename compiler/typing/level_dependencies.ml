@@ -34,10 +34,16 @@ let rec leads_to_signal_function = function
   | Function (_, result) -> leads_to_signal_function result
   | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ -> false
 
+let rec leads_to_task = function
+  | Data { tycon; _ } -> tycon = Environment.task
+  | Function (_, result) -> leads_to_task result
+  | Signal_function _ | Variable _ | Number _ | Bool | String | Tuple _ | Size _ -> false
+
 let report_recursion w (x : Local.t) (e : expr) =
   let why =
     match e.ty with
     | Function _ | Signal_function _ -> "functions may not call themselves"
+    | t when leads_to_task t -> "no local task may call itself"
     | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ ->
       "only the equations of a `proc` may be recursive"
   in
@@ -50,6 +56,10 @@ let report_recursion w (x : Local.t) (e : expr) =
             (Printf.sprintf
                "at the top level a signal function may go on as itself through a switch: define \
                 `%s` there"
+               x.name)
+        else if leads_to_task e.ty then
+          hint
+            (Printf.sprintf "at the top level a task may go on as itself in its last statement: define `%s` there"
                x.name)
         else Fun.id)
     |> emit w.sink)

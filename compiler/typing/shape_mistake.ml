@@ -69,6 +69,23 @@ let ends_a_mode (expected : Expected.t) =
 
 let is_pair t = match Type.expand t with Tuple [ _; _ ] -> true | Flexible _ -> true | _ -> false
 
+let lacks_the_signal_of_its_event wanted given =
+  match (Type.expand wanted, Type.expand given) with
+  | Tuple [ _; event ], Tuple [ _; unrun ] -> (
+      Environment.is_event event
+      && match Type.expand unrun with Signal_function (_, o) -> Environment.is_event o | _ -> false)
+  | _ -> false
+
+(* What events have for the operators of truths. *)
+let of_events (expected : Expected.t) =
+  match expected.because with
+  | Parameter { callee = Some "||"; _ } | Operand { operator = "||"; _ } ->
+      Some "`mergeE a b` occurs where one of two events does"
+  | Parameter { callee = Some "&&"; _ } | Operand { operator = "&&"; _ } ->
+      Some "`pairEvents a b` occurs where two events do, and `gate e b` where `b` is True"
+  | Parameter { callee = Some "not"; _ } -> Some "`isEvent e` tells whether it occurs now"
+  | _ -> None
+
 (* For `not x > 0`. *)
 let hint_to_group name operator =
   hint
@@ -95,6 +112,17 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
     when ends_a_mode expected && is_pair wanted && not (is_pair given) ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint "it gives its output together with the event that ends it, as `sf &&& e` does"
+  | Signal_function (_, wanted), Signal_function (_, given), _
+    when ends_a_mode expected && lacks_the_signal_of_its_event wanted given ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint "the event is a signal function here, and not run: it lacks its signal, as in `after 5[s] ()`"
+  | Signal_function (_, wanted), Function (_, given), _
+    when Environment.is_event wanted && Type.expand given = Bool ->
+      error ~code:"E0304" ~at "expected a signal function, found a function: %s" (text found)
+      |> hint
+           (match Option.bind subject Plain_name.of_expr with
+           | Some name -> Printf.sprintf "`proc x -> edge (%s x)` occurs when it becomes True" name
+           | None -> "`proc x -> edge (f x)` occurs when `f x` becomes True")
   | Signal_function _, Function _, _ ->
       error ~code:"E0304" ~at "expected a signal function, found a function: %s" (text found)
       |> hint "`arr` makes a signal function of a function"
@@ -181,6 +209,9 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       | None, _ when is_number expected.ty && Environment.is_event found ->
           error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
           |> hint "an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`"
+      | None, _ when Type.expand expected.ty = Bool && Environment.is_event found && of_events expected <> None ->
+          error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
+          |> hint (Option.get (of_events expected))
       | None, _ when Environment.is_event expected.ty && Type.expand found = Bool ->
           error ~code:"E0301" ~at "expected %s, found `Bool`" (text expected.ty)
           |> hint "`edge b` occurs when `b` becomes True, `when b` wherever it is, each with `()`; `tag` gives it another value"

@@ -101,3 +101,58 @@ A bracket around a block that nothing closes: the bracket is shown, and the defi
   
   2 errors
   [1]
+
+A line that was meant for a `where`; an expression that goes on too far left; a branch of guards only.
+
+  $ cat > equation.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> y
+  >     y = x + 1
+  > FROB
+  $ frobc check equation.frob
+  error[E0110]: expected an operator, an argument, or the end of this definition, found `=`
+   --> equation.frob:3:7
+    |
+  3 |     y = x + 1
+    |       ^
+    |
+    = hint: the definitions of this block start at column 1; this line stands further right, so it goes on with the one above, unless a `where` ends that
+  
+  1 error
+  [1]
+
+  $ cat > left.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> y where
+  >     y = let z = x in
+  >     z + 1
+  > FROB
+  $ frobc check left.frob
+  error[E0110]: expected an expression after `in`, found the end of the definition
+   --> left.frob:3:21
+    |
+  3 |     y = let z = x in
+    |                     ^
+    |
+    = hint: a definition goes on only in lines that are indented more than its first
+  
+  1 error
+  [1]
+
+  $ cat > guards.frob <<'FROB'
+  > f :: Float -> Float
+  > f x = case x of
+  >     | x > 1 -> 1
+  >     | otherwise -> 0
+  > FROB
+  $ frobc check guards.frob
+  error[E0110]: expected a branch of the `case`, found `|`
+   --> guards.frob:3:5
+    |
+  3 |     | x > 1 -> 1
+    |     ^
+    |
+    = hint: as in `Just x -> x`, or with a guard `_ | x > 1 -> x`
+  
+  1 error
+  [1]

@@ -137,3 +137,83 @@ A truth where an event is needed.
   
   1 error
   [1]
+
+Operators of truths do not take events.
+
+  $ cat > operators.frob <<'FROB'
+  > either, both :: Event Int -> Event Int -> Event Int
+  > either a b = a || b
+  > both a b = a && b
+  > 
+  > quiet :: SF Bool Bool
+  > quiet = proc b -> not (edge b)
+  > FROB
+  $ frobc check operators.frob
+  error[E0301]: expected `Bool`, found `Event Int`
+   --> operators.frob:2:14
+    |
+  2 | either a b = a || b
+    |              ^ -- argument 1 of `||` is `Bool`
+    |
+    = hint: `mergeE a b` occurs where one of two events does
+  
+  error[E0301]: expected `Bool`, found `Event Int`
+   --> operators.frob:3:12
+    |
+  3 | both a b = a && b
+    |            ^ -- argument 1 of `&&` is `Bool`
+    |
+    = hint: `pairEvents a b` occurs where two events do, and `gate e b` where `b` is True
+  
+  error[E0301]: expected `Bool`, found `Event ()`
+   --> operators.frob:6:24
+    |
+  6 | quiet = proc b -> not (edge b)
+    |                   ---  ^^^^^^
+    |                   |
+    |                   argument 1 of `not` is `Bool`
+    |
+    = hint: `isEvent e` tells whether it occurs now
+  
+  3 errors
+  [1]
+
+The event that ends a mode was not run; a function tells when a task is to be given up.
+
+  $ cat > unrun.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (switch slow (\_ -> fast)) where
+  >     slow = proc i -> (roMake (setVelTR 0.1[m/s] 0), after 5[s])
+  >     fast = proc i -> roMake (setVelTR 0.4[m/s] 0)
+  > FROB
+  $ frobc check unrun.frob
+  error[E0301]: expected `SF a (b, Event c)`, found `SF a (b, SF d (Event ()))`
+   --> unrun.frob:2:32
+    |
+  2 | main = reactimateRobot (switch slow (\_ -> fast)) where
+    |                         ------ ^^^^
+    |                         |
+    |                         argument 1 of `switch` is `SF a (b, Event c)`
+    |
+    = hint: the event is a signal function here, and not run: it lacks its signal, as in `after 5[s] ()`
+  
+  1 error
+  [1]
+
+  $ cat > given_up.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (sleepT 5[s] (roMake (setVelTR 0.1[m/s] 0)) `abortWhen` bumped)
+  > FROB
+  $ frobc check given_up.frob
+  error[E0304]: expected a signal function, found a function: `c -> Bool`
+   --> given_up.frob:2:79
+    |
+  2 | main = reactimateTask (sleepT 5[s] (roMake (setVelTR 0.1[m/s] 0)) `abortWhen` bumped)
+    |                                                                   ----------- ^^^^^^
+    |                                                                   |
+    |                                                                   argument 2 of `abortWhen` is `SF a (Event b)`
+    |
+    = hint: `proc x -> edge (bumped x)` occurs when it becomes True
+  
+  1 error
+  [1]

@@ -36,3 +36,28 @@ What must be static but is a signal: the two usual wishes behind it.
   
   1 error
   [1]
+
+A task that goes on as itself is one of the top level.
+
+  $ cat > local_task.frob <<'FROB'
+  > import Geometry
+  > import Robot
+  > main = reactimateTask go where
+  >     go = do
+  >         driveTo (Vec2 { x = 1[m], y = 0 })
+  >         go
+  > FROB
+  $ frobc check local_task.frob
+  error[E0346]: `go` is used in its own definition
+   --> local_task.frob:6:9
+    |
+  4 |     go = do
+    |     -- `go` is defined here
+  5 |         driveTo (Vec2 { x = 1[m], y = 0 })
+  6 |         go
+    |         ^^ no local task may call itself
+    |
+    = hint: at the top level a task may go on as itself in its last statement: define `go` there
+  
+  1 error
+  [1]
