@@ -190,12 +190,10 @@ let replace work cut ~mode ~target callers =
   List.iter enter callers;
   work.changed <- true
 
-(* Of the machine's modes the one that is its [target]. *)
-let rec of_mode work (machine : Ir.machine) ~target mode =
+(* Of the machine's modes the one that is its [target], which these modes enter. *)
+let rec of_mode work ~target mode callers =
   let is_into (t : Ir.transition) = t.target = target in
   let callee = work.nodes.(mode) in
-  let enters index = List.exists is_into work.nodes.(index).transitions in
-  let callers = List.filter enters machine.modes in
   let is_worth_it cut =
     let sites =
       List.concat_map
@@ -208,12 +206,22 @@ let rec of_mode work (machine : Ir.machine) ~target mode =
     && (not (List.mem Neither sites))
     && ((not (List.mem Handed_on sites)) || List.compare_length_with cut.group 2 >= 0)
   in
-  if not (List.exists is_into machine.start || List.exists is_into machine.controls) then
-    match List.find_opt is_worth_it (cuts callee) with
-    | Some cut ->
-        replace work cut ~mode ~target callers;
-        of_mode work machine ~target mode
-    | None -> ()
+  match List.find_opt is_worth_it (cuts callee) with
+  | Some cut ->
+      replace work cut ~mode ~target callers;
+      of_mode work ~target mode callers
+  | None -> ()
+
+(* By target the modes that enter it, each once. *)
+let callers_in (nodes : Ir.node array) (machine : Ir.machine) =
+  let callers = Array.make (List.length machine.modes) [] in
+  let note index (t : Ir.transition) =
+    match callers.(t.target) with
+    | last :: _ when last = index -> ()
+    | others -> callers.(t.target) <- index :: others
+  in
+  List.iter (fun index -> List.iter (note index) nodes.(index).transitions) machine.modes;
+  callers
 
 (* From mode to mode, as far as parameters are handed on. *)
 let rounds = 8
@@ -223,9 +231,15 @@ let program (program : Ir.program) =
     { nodes = Array.copy program.nodes; fresh = Signals.next_id program; changed = false }
   in
   let machine (m : Ir.machine) =
+    let callers = callers_in program.nodes m in
+    let from_outside = Array.make (Array.length callers) false in
+    List.iter (fun (t : Ir.transition) -> from_outside.(t.target) <- true) (m.start @ m.controls);
     let rec again round =
       work.changed <- false;
-      List.iteri (fun target mode -> of_mode work m ~target mode) m.modes;
+      List.iteri
+        (fun target mode ->
+          if not from_outside.(target) then of_mode work ~target mode callers.(target))
+        m.modes;
       if work.changed && round < rounds then again (round + 1)
     in
     again 1

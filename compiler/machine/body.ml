@@ -70,7 +70,13 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
       Early_end.find d ~fresh:context.fresh node ~told:(List.length node.outputs) make
     else make d
   in
-  let told = Option.map (fun (ending : Fragment.ending) -> ending.told) fragment.ending in
+  let told =
+    let told (ending : Fragment.ending) =
+      let untold (first : Fragment.first) = first.untold in
+      (ending.told, Option.fold ending.first ~none:(List.length outputs) ~some:untold)
+    in
+    Option.map told fragment.ending
+  in
   let body = Decided.statements (Adjacent.statements (Placement.statements fragment)) in
   (List.rev_append (List.rev advances) body, told)
 

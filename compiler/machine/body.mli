@@ -12,7 +12,7 @@ val step :
   is_root:bool ->
   may_end_early:bool ->
   Statics.t ->
-  Ir.statement list * int option
+  Ir.statement list * (int * int) option
 (** The statements, and the node's [ends_early]. [limited] as in {!Memory.advance}. A node with one output returns it, but
     for the root, whose outputs are always written to a struct. *)
 

@@ -52,7 +52,26 @@ let results_from told (fragment : Fragment.t) =
   List.filteri (fun k _ -> k >= told) (List.map (fun (_, atom, _) -> atom) fragment.results)
 
 let needed (fragment : Fragment.t) ending =
-  needed_for fragment (ending.ends :: results_from ending.told fragment)
+  let first = Option.to_list (Option.map (fun first -> first.occurs) ending.first) in
+  needed_for fragment ((ending.ends :: first) @ results_from ending.told fragment)
+
+let needed_first (fragment : Fragment.t) ~told first =
+  let results = List.filteri (fun k _ -> k < first.untold - told) (results_from told fragment) in
+  needed_for fragment (first.occurs :: results)
+
+let weight = function Computed c -> c.weight | Action a -> a.weight
+
+(* As much as is worth a branch: a division, say, or a call. *)
+let much = 12
+
+let is_much fragment ending first =
+  let by_first = needed_first fragment ~told:ending.told first in
+  let more = ref 0 in
+  Array.iteri
+    (fun k is_needed ->
+      if is_needed && not by_first.(k) then more := !more + weight fragment.items.(k))
+    (needed fragment ending);
+  !more >= much
 
 let find draft ~fresh (node : F.node) ~told make =
   let occurs = List.map (fun (t : F.transition) -> Draft.resolve draft t.occurs) node.transitions in
@@ -68,8 +87,25 @@ let find draft ~fresh (node : F.node) ~told make =
   match can_occur with
   | first :: others when List.for_all is_signal can_occur && not tries ->
       let ends = List.fold_left either first others in
+      let later =
+        match others with
+        | [] -> None
+        | second :: rest -> Some (List.fold_left either second rest)
+      in
       let fragment = make draft in
       if Option.is_none fragment.returned && Option.is_none (Late.split fragment) then
-        { fragment with ending = Some { ends; told; span = node.span } }
+        let whole = { ends; told; first = None; span = node.span } in
+        let ending =
+          match (later, node.transitions) with
+          | Some later, transition :: _ when Draft.resolve draft transition.occurs = first ->
+              let untold =
+                told + List.length (Modes.results_for_transitions { node with transitions = [ transition ] })
+              in
+              let first = { occurs = first; untold } in
+              let apart = { whole with ends = later; first = Some first } in
+              if is_much fragment apart first then apart else whole
+          | _ -> whole
+        in
+        { fragment with ending = Some ending }
       else fragment
   | _ -> make draft

@@ -60,4 +60,12 @@ type t = {
 }
 
 (** Where this holds a mode ends, and then only its [results] from [told] on count. *)
-and ending = { ends : atom; told : int; span : Span.t }
+and ending = {
+  ends : atom;
+  told : int;
+  first : first option;  (** [ends] is of the other transitions then *)
+  span : Span.t;
+}
+
+(** The first transition, if much is computed only for those after it. *)
+and first = { occurs : atom; untold : int  (** where it occurs, results from here on do not count *) }

@@ -226,9 +226,10 @@ type node = {
   step : code;
   outputs : (string * ty) list;
   for_transitions : int;  (** so many of the [outputs], the last ones *)
-  ends_early : int option;
+  ends_early : (int * int) option;
       (** a mode whose step, where one of its transitions occurs, gives only the outputs
-          from this one on: see {!Early_end} *)
+          from the first of these numbers on, and where its first transition occurs only
+          those of them before the second: see {!Early_end} *)
   seconds : bool;  (** the step, or a callee's, reads [Dt] *)
   nanoseconds : bool;  (** likewise [Dt_nanoseconds] *)
   operations : int;  (** a rough count of the step's own, without callees *)

@@ -42,3 +42,75 @@ is left out, the machine within it among that.
   7.000000000,0
   8.000000000,2
   $ frobc trace duty.frob --input in.csv --engine interp | cmp - c.csv
+
+What is computed only to know whether a later way to end is taken waits for the first,
+where it is much; and it is not asked again that the first one is not taken.
+
+  $ cat > turn.frob <<'END'
+  > import Geometry
+  > 
+  > main, go :: SF (Place, Angle) Float
+  > main = go
+  > go = switch (proc (p, a) -> (off p a, mergeE (mapE Left (tag (when (p.x > 5)) p)) (tag (when (off p a > 1)) (Right ())))) (either far turned)
+  > 
+  > type Place = Vec2[1]
+  > 
+  > off :: Place -> Angle -> Angle
+  > off p a = abs (angleDiff (direction p) a)
+  > 
+  > far :: Place -> SF (Place, Angle) Float
+  > far p = proc (q, _) -> q.x - p.x
+  > 
+  > turned :: () -> SF (Place, Angle) Float
+  > turned _ = proc (q, _) -> q.y
+  > END
+  $ frobc compile turn.frob --lint
+  $ sed -n '/^static.* turn_go_/,/^}/p' turn.c | sed "s, */\*.*,,"
+  static void turn_go_go(const struct turn_input *FROB_RESTRICT in,
+                         double *out_2,
+                         bool *out_3,
+                         double *out_p_x,
+                         bool *out_4)
+  {
+      const double p_x = in->f1.x;
+      const double p_y = in->f1.y;
+      const double a = in->f2;
+      const bool t1 = p_x > 5.0;
+      *out_3 = t1;
+      *out_p_x = p_x;
+      if (!t1) {
+          const double t2 = frob_atan2(p_y, p_x) - a;
+          const double t3 = fabs(t2
+                  - 6.283185307179586
+                      * (double)frob_ceiling((t2 - 3.141592653589793) / 6.283185307179586));
+          const bool t4 = t3 > 1.0;
+          *out_4 = t4;
+          if (!t4) {
+              *out_2 = t3;
+          }
+      }
+  }
+  static inline double turn_go_turned(double q_y)
+  {
+      return q_y;
+  }
+  static inline double turn_go_far(double p_x, double q_x)
+  {
+      return q_x - p_x;
+  }
+  $ printf 'time,in.1.x,in.1.y,in.2\n0,3,0.1,0\n1,4,0,0.5\n2,7,-1,3\n3,8,2,0\n' > in.csv
+  $ frobc trace turn.frob --input in.csv | tee c.csv
+  time,out
+  0.000000000,0.033320995878247196
+  1.000000000,0.5
+  2.000000000,0
+  3.000000000,1
+  $ frobc trace turn.frob --input in.csv --engine interp | cmp - c.csv
+  $ sed -i 's/,7,-1,3/,4,-1,3/' in.csv
+  $ frobc trace turn.frob --input in.csv | tee c.csv
+  time,out
+  0.000000000,0.033320995878247196
+  1.000000000,0.5
+  2.000000000,-1
+  3.000000000,2
+  $ frobc trace turn.frob --input in.csv --engine interp | cmp - c.csv
