@@ -117,6 +117,12 @@ let operator_word space name =
   | "name", "xor" -> Some "a /= b"
   | _ -> None
 
+let from_elsewhere space name =
+  match space.noun with
+  | "name" -> Other_languages.value name
+  | "constructor" -> Other_languages.constructor name
+  | _ -> None
+
 let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
@@ -147,6 +153,8 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
         Diagnostic.hint
           (Printf.sprintf "write `%s`" (Option.get (operator_word space name.text)))
           diagnostic
+    | [], None when Option.is_some (from_elsewhere space name.text) ->
+        Diagnostic.hint (Option.get (from_elsewhere space name.text)) diagnostic
     | [], None ->
         Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
   in

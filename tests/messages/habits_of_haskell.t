@@ -288,3 +288,88 @@ Operators that only Haskell has, and its other ways to write a list, a branch an
   
   1 error
   [1]
+
+Names from Haskell, Yampa, C and Python are told by the name here.
+
+  $ cat > names.frob <<'FROB'
+  > main :: SF Int Float
+  > main = proc n -> fromIntegral n + sum [1.0] + fromJust None where
+  >     a = iPre 0 n
+  >     b = lMerge NoEvent NoEvent
+  >     c = fmap id NoEvent
+  >     d = pow 2 3
+  >     e = stop
+  > FROB
+  $ frobc check names.frob
+  error[E0205]: unknown name `fromIntegral`
+   --> names.frob:2:18
+    |
+  2 | main = proc n -> fromIntegral n + sum [1.0] + fromJust None where
+    |                  ^^^^^^^^^^^^
+    |
+    = hint: `toFloat n` makes a Float of an Int
+  
+  error[E0205]: unknown name `sum`
+   --> names.frob:2:35
+    |
+  2 | main = proc n -> fromIntegral n + sum [1.0] + fromJust None where
+    |                                   ^^^
+    |
+    = hint: `foldl (+) 0 xs` adds up the elements of an array
+  
+  error[E0205]: unknown name `fromJust`
+   --> names.frob:2:47
+    |
+  2 | main = proc n -> fromIntegral n + sum [1.0] + fromJust None where
+    |                                               ^^^^^^^^
+    |
+    = hint: `fromMaybe x m` is what is in `m`, and `x` where there is nothing
+  
+  error[E0206]: unknown constructor `None`
+   --> names.frob:2:56
+    |
+  2 | main = proc n -> fromIntegral n + sum [1.0] + fromJust None where
+    |                                                        ^^^^
+    |
+    = hint: it is `Nothing`
+  
+  error[E0205]: unknown name `iPre`
+   --> names.frob:3:9
+    |
+  3 |     a = iPre 0 n
+    |         ^^^^
+    |
+    = hint: it is `delay x0`
+  
+  error[E0205]: unknown name `lMerge`
+   --> names.frob:4:9
+    |
+  4 |     b = lMerge NoEvent NoEvent
+    |         ^^^^^^
+    |
+    = hint: it is `mergeE`
+  
+  error[E0205]: unknown name `fmap`
+   --> names.frob:5:9
+    |
+  5 |     c = fmap id NoEvent
+    |         ^^^^
+    |
+    = hint: it is `map` on arrays, `mapE` on events, `mapT` on the results of tasks
+  
+  error[E0205]: unknown name `pow`
+   --> names.frob:6:9
+    |
+  6 |     d = pow 2 3
+    |         ^^^
+    |
+    = hint: a power is `x ** y`, or `x ^ 2` with a literal exponent
+  
+  error[E0205]: unknown name `stop`
+   --> names.frob:7:9
+    |
+  7 |     e = stop
+    |         ^^^^
+  
+  9 errors
+  [1]

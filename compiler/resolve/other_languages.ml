@@ -1,0 +1,37 @@
+let value = function
+  | "fromIntegral" | "realToFrac" | "float" -> Some "`toFloat n` makes a Float of an Int"
+  | "int" -> Some "`round`, `floor`, `ceiling` and `truncate` make an Int of a Float"
+  | "fromJust" -> Some "`fromMaybe x m` is what is in `m`, and `x` where there is nothing"
+  | "isJust" | "isNothing" -> Some "`maybe False (const True) m` tells whether there is something in `m`"
+  | "fmap" -> Some "it is `map` on arrays, `mapE` on events, `mapT` on the results of tasks"
+  | "sum" -> Some "`foldl (+) 0 xs` adds up the elements of an array"
+  | "product" -> Some "`foldl (*) 1 xs` multiplies the elements of an array"
+  | "foldr" | "reduce" -> Some "arrays are folded from the first element on: `foldl f x xs`"
+  | "zip" -> Some "`zipWith (\\x y -> (x, y)) xs ys` makes pairs"
+  | "len" -> Some "the size of an array is `length xs`"
+  | "pow" -> Some "a power is `x ** y`, or `x ^ 2` with a literal exponent"
+  | "fabs" -> Some "it is `abs`"
+  | "fmin" -> Some "it is `min`"
+  | "fmax" -> Some "it is `max`"
+  | "show" | "print" | "putStrLn" | "printf" ->
+      Some "nothing is printed: what is to be seen is an output, and `--record` writes all of them"
+  | "sleep" | "wait" -> Some "a task that waits is `sleepT q out`"
+  | "while" -> Some "what goes on until something happens is a task: `mkTask`, `abortWhen`, `forever`"
+  | "iPre" -> Some "it is `delay x0`"
+  | "localTime" -> Some "it is `time`"
+  | "dt" -> Some "`stepTime ()` of `Control` is the time since the instant before"
+  | "repeatedly" -> Some "it is `every q`, whose events are `()`"
+  | "filterE" -> Some "it is `filterEvent`"
+  | "lMerge" -> Some "it is `mergeE`"
+  | "rMerge" -> Some "it is `mergeR`"
+  | "joinE" | "pairE" -> Some "it is `pairEvents`"
+  | "iEdge" -> Some "it is `edgeFrom`"
+  | "attach" -> Some "it is `snapshot`, on signals of events"
+  | "parB" | "parZ" -> Some "`mapSF sf` runs a signal function on each element of an array"
+  | "reactimate" -> Some "`reactimateRobot` makes a program of a signal function; any other is traced as it is"
+  | _ -> None
+
+let constructor = function
+  | "None" | "Null" | "NULL" -> Some "it is `Nothing`"
+  | "Some" -> Some "it is `Just`"
+  | _ -> None
