@@ -56,8 +56,14 @@ let shrunk (tools : Engines.tools) engines ~seed { number; recordings; outcome; 
 (* A program that is alone is the whole: what it is made of is at the root. Other
    C compilers than tcc are too slow for that. *)
 let is_one_by_one (engines : Engines.c_engine list) ~seed first =
-  let is_small = (Bias.of_program ~seed first).root = Small in
-  engines = [ Tcc ] && (is_small || first / size mod 8 = 7)
+  let batch = first / size in
+  let is_short =
+    match (Bias.of_program ~seed first).root with
+    | Small -> true
+    | Cascade -> batch / Bias.count mod 2 = 0
+    | Any | Handed_on -> false
+  in
+  engines = [ Tcc ] && (is_short || batch mod 8 = 7)
 
 let failures ?seen tools engines ~seed ~first ~count =
   let alone ?seen i = on_input_of ?seen first tools engines ~seed ~first:(first + i) ~count:1 in

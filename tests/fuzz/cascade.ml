@@ -39,15 +39,29 @@ let modes values =
       let fresh = Scope.fresh values in
       { name = fresh "m"; number = fresh "n"; flag = fresh "c" })
 
+(* What modes hand on: numbers that are chosen as the program runs, or literals alone, of
+   which the compiler computes what a mode makes of them. *)
+type handed = Chosen | Literals
+
+(* [paced]: none of them ends at its first instant, and the compiler can tell. *)
+type style = { hands : handed; paced : bool }
+
+let truth (values : Scope.t) = one_of values.random [ "True"; "False" ]
+
 (* Into the next of the modes or a later one, or into one of two. *)
-let onward static ~handed:(n, c) later =
+let onward static hands ~handed:(n, c) later =
   let inside = Scope.bind [ (n, Type.Int); (c, Bool) ] static in
   let into mode =
-    let flag = if chance inside.random 2 then c else bool inside in
-    f "%s %s %s" mode.name (one_of_few ~by:c inside) flag
+    match hands with
+    | Literals -> f "%s %s %s" mode.name (small inside) (truth inside)
+    | Chosen ->
+        let flag = if chance inside.random 2 then c else bool inside in
+        f "%s %s %s" mode.name (one_of_few ~by:c inside) flag
   in
   let next () = if chance inside.random 2 then List.hd later else one_of inside.random later in
   match Random.State.int inside.random 4 with
+  | 0 | 1 when hands = Literals ->
+      f "if %s then %s else %s" (if chance inside.random 2 then c else bool inside) (into (next ())) (into (next ()))
   | 0 ->
       (* The longer way may be either. *)
       let then_, else_ =
@@ -56,27 +70,30 @@ let onward static ~handed:(n, c) later =
       in
       f "if %s then %s else %s" (if chance inside.random 2 then c else bool inside) then_ else_
   | 1 ->
-      let k = Scope.fresh inside "k" in
-      let mode = next () in
+      let k = Scope.fresh inside "k" and mode = next () in
       f "let %s = %s in %s %s %s" k (one_of_few ~by:c inside) mode.name k c
   | _ -> into (next ())
 
 (* By what goes on in the mode from instant to instant. *)
-let timed (inside : Scope.t) =
-  let q = one_of inside.random [ "0"; "0.05[s]"; "0.1[s]"; "0.3[s]" ] in
-  match Random.State.int inside.random 3 with
+let timed (inside : Scope.t) number =
+  let handed_on = f "(toFloat %s * 0.1[s])" number in
+  let q = one_of inside.random [ "0"; "0.05[s]"; "0.1[s]"; "0.3[s]"; handed_on ] in
+  match Random.State.int inside.random 5 with
+  | 3 | 4 -> f "after %s ()" handed_on
   | 0 -> f "when (timeSince (%s) > %s)" (bool inside) q
   | 1 -> f "when (nanoseconds (timeSince (%s)) >= nanoseconds %s)" (bool inside) q
   | _ -> f "when (derivative (if %s then 1 else 0) * 1[s] > 0)" (bool inside)
 
 (* Mostly at the mode's first instant, if the number that was handed to it is so. *)
-let ends (inside : Scope.t) { number; flag; _ } =
+let ends (inside : Scope.t) style { number; flag; _ } =
   let asked () =
     let asked = asked_of inside number in
     if chance inside.random 3 then f "not %s" asked else asked
   in
-  match Random.State.int inside.random 11 with
-  | 9 | 10 -> timed inside
+  match Random.State.int inside.random 13 with
+  | k when style.paced ->
+      if k < 9 then f "after (0.05[s] + abs (toFloat %s) * 0.1[s]) ()" number else f "edge %s" (bool inside)
+  | 9 | 10 | 11 | 12 -> timed inside number
   | 0 -> f "when (%s %s %s)" (bool inside) (one_of inside.random [ "&&"; "||" ]) (asked ())
   | 1 -> f "when %s" (bool inside)
   | 2 -> f "edge %s" (bool inside)
@@ -97,13 +114,13 @@ type input = { ty : Type.t; pattern : string; bound : (string * Type.t) list }
 let signature name parameters input =
   f "%s :: %sSF %s Int\n" name parameters (Type.text input.ty)
 
-let switch input ~static ~shows ~event later =
+let switch input style ~static ~shows ~event later =
   let inside = Scope.bind input.bound static in
   let n = Scope.fresh inside "n" and c = Scope.fresh inside "c" in
   f "%s (proc %s -> (%s, mapE (\\_ -> (%s, %s)) (%s))) (\\(%s, %s) -> %s)"
     (if chance inside.random 16 then "dSwitch" else "switch")
     input.pattern shows (one_of_few inside) (bool inside) event n c
-    (onward static ~handed:(n, c) later)
+    (onward static style.hands ~handed:(n, c) later)
 
 (* A mode that stays, and may run another of the program's machines. *)
 let lasting input ~(inside : Scope.t) ~machines k number =
@@ -116,7 +133,7 @@ let lasting input ~(inside : Scope.t) ~machines k number =
   in
   f "proc %s@%s -> %s" whole input.pattern shows
 
-let rec define values input ~machines k = function
+let rec define values input style ~machines k = function
   | [] -> []
   | mode :: later ->
       let handed = [ (mode.number, Type.Int); (mode.flag, Type.Bool) ] in
@@ -125,35 +142,41 @@ let rec define values input ~machines k = function
       let body =
         if later = [] then lasting input ~inside ~machines k mode.number
         else
-          switch input ~static ~shows:(output inside k mode.number) ~event:(ends inside mode) later
+          switch input style ~static ~shows:(output inside k mode.number) ~event:(ends inside style mode) later
       in
       f "%s%s %s %s = %s\n\n"
         (signature mode.name "Int -> Bool -> " input)
         mode.name mode.number mode.flag body
-      :: define values input ~machines (k + 1) later
+      :: define values input style ~machines (k + 1) later
 
 (* Some modes, and what starts in the first of them: at once or at an event. *)
-let machine values input ~machines =
+let machine values input ~alone ~machines =
   let modes = modes values in
   let start = Scope.fresh values "s" in
+  let style =
+    { hands = (if chance values.random 4 then Literals else Chosen); paced = chance values.random (if alone then 2 else 6) }
+  in
   let begins =
     if chance values.random 2 then
-      f "%s %s %s" (List.hd modes).name (small values) (one_of values.random [ "True"; "False" ])
+      f "%s %s %s" (List.hd modes).name (small values) (truth values)
     else
       let inside = Scope.bind input.bound values in
-      switch input ~static:values ~shows:"0" ~event:(f "when %s" (bool inside)) modes
+      let event = if style.paced then "edge" else "when" in
+      switch input style ~static:values ~shows:"0" ~event:(f "%s %s" event (bool inside)) modes
   in
   ( start,
-    define values input ~machines 1 modes
+    define values input style ~machines 1 modes
     @ [ f "%s%s = %s\n\n" (signature start "" input) start begins ] )
 
 let definitions values ~input ~pattern:(pattern, bound) =
   Scope.note values "cascade of modes";
   let input = { ty = input; pattern; bound } in
+  (* One alone may be the whole program, which looks at the time in ways of its own. *)
+  let alone = chance values.random 2 in
   let rec more k machines texts =
     if k = 0 then (String.concat "" texts, List.rev machines)
     else
-      let start, text = machine values input ~machines in
+      let start, text = machine values input ~alone ~machines in
       more (k - 1) (start :: machines) (texts @ text)
   in
-  more (2 + Random.State.int values.random 3) [] []
+  more (if alone then 1 else 2 + Random.State.int values.random 3) [] []

@@ -73,6 +73,11 @@ let signal_function (s : Signal_function.scope) ~parameters ~input ~signals ~res
   in
   (text, { s with known = { name; parameters; input; output } :: s.known })
 
+let wide (s : Signal_function.scope) =
+  let name = Scope.fresh s.values "s" in
+  let text, input = Wide.definition s.values name in
+  (text, { s with known = { name; parameters = []; input; output = Wide.output } :: s.known })
+
 (* A call with an argument for each parameter. One that is a signal function is
    handed on as it came, or starts anew: to grow it would make ever more modes. *)
 let call (s : Signal_function.scope) own (values : Scope.t) (name, parameters) =

@@ -13,6 +13,9 @@ val signal_function :
   string * Signal_function.scope
 (** Of that name, with equations for signals of these types. *)
 
+val wide : Signal_function.scope -> string * Signal_function.scope
+(** See {!Wide}. *)
+
 val modes : Signal_function.scope -> string * Signal_function.scope
 (** Signal functions that switch into each other in tail position, with parameters. *)
 

@@ -64,6 +64,7 @@ let large ~seen ~seed ~random ~prefix ~(bias : Bias.t) number =
   let s = { Signal_function.values; known = [] } in
   List.iter (fun ty -> Buffer.add_string out (Definition.instances s ty)) (List.rev declared);
   let s = functions (Random.State.int random 3) { s with values = { values with methods = true } } in
+  let s = if chance random 16 then add (Definition.wide s) else s in
   let s = signal_functions (Random.State.int random 3) s in
   let s = if chance random (if bias.switches > 5 then 1 else 2) then add (Definition.modes s) else s in
   let s = if chance random (if bias.tasks > 1 then 2 else 5) then add (Definition.tasks s) else s in
@@ -126,11 +127,15 @@ let running ~seed number name output =
     Constant.literal (scope ~seen ~seed ~random ~prefix:"k" ~declared:[] number) output
   in
   let input = "proc i@(x, n, b, e, m, y, xs, d)" and event = one_of random events in
-  let stays_small = (Bias.of_program ~seed number).root = Small && not (chance random 6) in
+  let stays =
+    match ((Bias.of_program ~seed number).root, output) with
+    | Small, _ | Cascade, Type.Tuple [ _ ] -> not (chance random 6)
+    | (Any | Cascade | Handed_on), _ -> false
+  in
   let late switch = f "%s (%s -> (%s, %s)) (\\_ -> %s)" switch input (literal ()) event name in
   let text =
     match kinds.(number mod Array.length kinds) with
-    | _ when Type.scalars output > most_parts || stays_small -> name
+    | _ when Type.scalars output > most_parts || stays -> name
     | Always -> name
     | After_switch -> late "switch"
     | After_delayed_switch -> late "dSwitch"

@@ -238,7 +238,7 @@ and inline s fuel a b =
       (Expression.expression { (Scope.bind bound outside) with run = run s } 1 input)
   else f "(proc %s -> %s)" text (Expression.expression values (min fuel 2) b)
 
-let equation s ~signals ~later (name, ty) =
+let any_equation s ~signals ~later (name, ty) =
   let random = s.values.random in
   let e ?(scope = signals) fuel ty = Expression.expression scope fuel ty in
   match (Random.State.int random 8, (ty : Type.t)) with
@@ -251,10 +251,28 @@ let equation s ~signals ~later (name, ty) =
   | (0 | 1 | 2), _ ->
       Scope.note s.values "feedback through delay";
       f "%s = delay %s %s" name (literal s ty) (e ~scope:later 2 ty)
+  | 3, _ when chance random 3 ->
+      let input = Scope.any_type s.values and late = Scope.any_type s.values in
+      f "%s = %s (%s, %s)" name
+        (Circle.machine (maker s) input ~late ty)
+        (e 2 input)
+        (typed_expression later 2 late)
   | 3, _ ->
       let input = Scope.any_type s.values in
       f "%s = %s %s" name (expression s 2 input ty) (e 2 input)
   | _, _ -> f "%s = %s" name (e (3 + s.values.bias.depth) ty)
+
+(* A part of what a wide function gives, if there is one. *)
+let of_wide s ~signals ty =
+  let call { name; input; _ } = f "%s %s" name (Expression.expression signals 1 input) in
+  match List.find_opt (fun n -> n.output = Wide.output && n.parameters = []) s.known with
+  | Some n when chance s.values.random 4 -> Wide.part s.values ty ~call:(call n)
+  | Some _ | None -> None
+
+let equation s ~signals ~later (name, ty) =
+  match of_wide s ~signals ty with
+  | Some text -> f "%s = %s" name text
+  | None -> any_equation s ~signals ~later (name, ty)
 
 (* Two signals that are found together: the second component may need the
    first one of the same instant. *)

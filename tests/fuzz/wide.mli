@@ -1,0 +1,10 @@
+(** A signal function that is given more numbers than a C function is given one by one
+    ({!Machine.Parameters.most}), needs them all, and gives several. *)
+
+val output : Type.t
+
+val definition : Scope.t -> string -> string * Type.t
+(** Of that name: the text, and the type of its input. *)
+
+val part : Scope.t -> Type.t -> call:string -> string option
+(** What a call of it, as text, gives of this type. *)
