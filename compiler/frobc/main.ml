@@ -473,7 +473,8 @@ let main =
    heap is new: so the heap grows by 32 MB at a time, of which only what is used is
    real memory. Where hardly anything is freed there is no use in looking for the
    block that fits best (policy 2, the default) either: policy 0 takes the next one;
-   nor in moving blocks together (never, with so large an overhead).
+   nor in moving blocks together (never, with so large an overhead). Nor does the
+   buffer of each file that was read ask for marking (the ratio of such memory).
    The minor heap stays as it is: a larger one leaves the processor's cache. *)
 let collect_seldom () =
   Gc.set
@@ -483,6 +484,7 @@ let collect_seldom () =
       max_overhead = 1_000_000;
       major_heap_increment = 4 * 1024 * 1024;
       allocation_policy = 0;
+      custom_major_ratio = 1_000_000;
     }
 
 (* The flags of a C compiler begin as options do: `--cflags -O2`. *)
