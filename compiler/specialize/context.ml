@@ -81,8 +81,11 @@ let create sink options (program : Core.Ir.program) =
     entered = 0;
   }
 
+let identity : Core.Ir.Global.t = { module_ = "Prelude"; name = "id" }
+let known_by_name = [ identity ]
+
 let in_prelude (c : t) (at : Span.t) =
-  match Hashtbl.find_opt c.definitions ("Prelude", "id") with
+  match Hashtbl.find_opt c.definitions (identity.module_, identity.name) with
   | Some { core; _ } -> String.equal core.span.file at.file
   | None -> false
 

@@ -64,6 +64,10 @@ type t = {
 
 val create : Diagnostic.sink -> options -> Core.Ir.program -> t
 
+val known_by_name : Core.Ir.Global.t list
+(** Definitions of the library that are looked for, whether or not the program mentions
+    them: by one of them the file of the prelude is known. *)
+
 val in_prelude : t -> Span.t -> bool
 (** Not in the program's own modules, nor in the rest of the library. *)
 

@@ -1,0 +1,99 @@
+(* Of the library: what is not yet found, and what is. *)
+type search = {
+  definitions : Ir.binding Global_table.t;
+  found : unit Global_table.t;
+}
+
+let rec expr search (e : Ir.expr) =
+  match e.desc with
+  | Local _ | Constructor _ | Number _ | String _ -> ()
+  | Global g -> mention search g
+  | Tuple es | Array es -> List.iter (expr search) es
+  | Apply { head; argument; style = _ } ->
+      expr search head;
+      expr search argument
+  | Negate e
+  | Power { base = e; exponent = _ }
+  | Field { record = e; field = _; candidates = _ }
+  | Annotated { expr = e; scheme = _ } ->
+      expr search e
+  | If { condition; then_; else_ } ->
+      expr search condition;
+      expr search then_;
+      expr search else_
+  | Case { scrutinee; branches } ->
+      expr search scrutinee;
+      List.iter (fun (b : Ir.branch) -> right search b.right) branches
+  | Let { declarations = ds; body } ->
+      declarations search ds;
+      expr search body
+  | Lambda { parameters = _; body } -> expr search body
+  | Proc { input = _; body } ->
+      declarations search body.equations;
+      expr search body.output
+  | Sequence { statements; result } ->
+      let statement : Ir.statement -> unit = function
+        | Task { pattern = _; task } -> expr search task
+        | Values ds -> declarations search ds
+      in
+      List.iter statement statements;
+      expr search result
+  | Record { constructor = _; fields } -> List.iter (fun (_, e) -> expr search e) fields
+  | Update { record; fields; candidates = _ } ->
+      expr search record;
+      List.iter (fun (_, e) -> expr search e) fields
+
+and right search (r : Ir.right) =
+  declarations search r.where;
+  List.iter
+    (fun (g : Ir.guarded) ->
+      Option.iter (expr search) g.condition;
+      expr search g.value)
+    r.guards
+
+and declarations search (ds : Ir.declarations) =
+  List.iter (fun (g : Ir.binding_group) -> List.iter (binding search) g.bindings) ds.groups
+
+and binding search (b : Ir.binding) = right search b.body
+
+and mention search g =
+  match Global_table.find_opt search.definitions g with
+  | Some definition when not (Global_table.mem search.found g) ->
+      Global_table.replace search.found g ();
+      binding search definition
+  | Some _ | None -> ()
+
+let program ~keep (program : Ir.program) =
+  let own_modules =
+    List.filter_map
+      (fun (m : Ir.module_) ->
+        if m.library && not (String.equal m.name program.main_module) then None else Some m.name)
+      program.modules
+  in
+  let search = { definitions = Global_table.create 512; found = Global_table.create 512 } in
+  let is_own (b : Ir.binding) =
+    match b.name with
+    | Top (g, _) -> List.mem g.module_ own_modules
+    | Inner _ | Destructure _ -> true
+  in
+  let each f = List.iter (fun (g : Ir.binding_group) -> List.iter f g.bindings) program.groups in
+  each (fun b ->
+      match b.name with
+      | Top (g, _) when not (is_own b) -> Global_table.replace search.definitions g b
+      | Top _ | Inner _ | Destructure _ -> ());
+  List.iter (mention search) keep;
+  each (fun b -> if is_own b then binding search b);
+  List.iter
+    (fun (c : Ir.class_) ->
+      List.iter (fun (m : Ir.method_) -> Option.iter (binding search) m.default) c.methods)
+    program.classes;
+  List.iter
+    (fun (i : Ir.instance) -> List.iter (fun (_, b) -> binding search b) i.definitions)
+    program.instances;
+  let stays (b : Ir.binding) =
+    is_own b
+    || match b.name with Top (g, _) -> Global_table.mem search.found g | Inner _ | Destructure _ -> true
+  in
+  (* Who stays in a group takes those with it that it mentions, which are all. *)
+  let stays (g : Ir.binding_group) = List.exists stays g.bindings in
+  { program with groups = List.filter stays program.groups }
