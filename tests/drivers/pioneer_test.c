@@ -22,6 +22,7 @@ static struct {
     bool in_session, open, heeds_hostbaud, keeps_rate, silent, motors;
     uint8_t expected_sync;
     int enables_lost;  /* so many are lost on their way */
+    bool deaf;         /* waits for the rest of what noise announced */
     uint8_t commands[LOG_ROOM];
     int32_t arguments[LOG_ROOM];
     int64_t times[LOG_ROOM];
@@ -89,6 +90,8 @@ static void take(const struct frob_p2os_packet *packet)
         other.arguments[other.count] = argument;
         other.times[other.count++] = now.now_ns;
     }
+    if (other.deaf)
+        return;
     if (!other.in_session) {
         uint8_t body[64] = { number };
         if (number == 0)
@@ -284,6 +287,29 @@ static void rates(void)
     connect_again();
     check(run(12000) == FROB_ROBOT_FAILED && robot.status == FROB_TIMEOUT,
           "gives up when nobody answers");
+}
+
+/* A robot in a session that begins to hear at last, with whatever packet: its
+ * watchdog has stopped it, and a pulse alone would let it go on. */
+static void hears_late(void)
+{
+    bool zeros_first = true;
+    size_t pulses = 0;
+    start();
+    other.in_session = other.open = other.deaf = true;
+    connect_again();
+    run(3000);
+    for (size_t i = 0; i < other.count; i++) {
+        if (other.commands[i] != FROB_P2OS_PULSE)
+            continue;
+        pulses++;
+        zeros_first = zeros_first && i >= 2 && other.commands[i - 2] == FROB_P2OS_VEL &&
+                      other.arguments[i - 2] == 0 && other.commands[i - 1] == FROB_P2OS_RVEL &&
+                      other.arguments[i - 1] == 0;
+    }
+    check(pulses > 5 && zeros_first, "zeros come before each, for it may be the first that is heard");
+    other.deaf = false;
+    check(run(3000) == FROB_ROBOT_READY, "and when it hears again, the session is ended and begun");
 }
 
 static void sessions(void)
@@ -495,6 +521,7 @@ int main(void)
     handshake();
     rates();
     sessions();
+    hears_late();
     driving();
     stale();
     halting();

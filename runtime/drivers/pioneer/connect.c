@@ -44,13 +44,22 @@ static enum frob_status ask_rate(struct frob_pioneer *d, uint32_t rate, bool *ca
     return status == FROB_OK && *can ? set_rate(d, before) : status;
 }
 
-/* Sends a SYNC and waits for its echo. */
+/* Sends a SYNC and waits for its echo. A robot that is still in a session takes
+ * SYNC0 for PULSE, and would take up the speed again that its watchdog has
+ * stopped. So zeros come before each SYNC0, for it may be the first packet that
+ * the robot hears; a robot that is in no session does not heed them. */
 static enum frob_status send_sync(struct frob_pioneer *d, uint8_t sync)
 {
+    enum frob_status status = FROB_OK;
+    if (sync == 0) {
+        status = frob_pioneer_send_int(d, FROB_P2OS_VEL, 0);
+        if (status == FROB_OK)
+            status = frob_pioneer_send_int(d, FROB_P2OS_RVEL, 0);
+    }
     d->phase = FROB_PIONEER_SYNC;
     d->sync = sync;
     d->until_ns = after(d, SYNC_PATIENCE_MS);
-    return frob_pioneer_send(d, sync);
+    return status == FROB_OK ? frob_pioneer_send(d, sync) : status;
 }
 
 /* Which rate to try: where a robot has answered before, then the usual ones. */
@@ -66,11 +75,8 @@ static uint32_t rate_to_try(const struct frob_pioneer *d)
     return rates[d->tried % RATE_COUNT];
 }
 
-/* A robot that is still in a session takes SYNC0 for PULSE, and would take up
- * the speed again that its watchdog has stopped. So zeros come first; a robot
- * that is in none does not heed them. A robot whose answer to SYNC2 was lost is
- * in a session, but says nothing before OPEN: so, when nobody has answered, a
- * CLOSE comes too. */
+/* A robot whose answer to SYNC2 was lost is in a session, but says nothing before
+ * OPEN: so, when nobody has answered, a CLOSE comes first. */
 static enum frob_status try_rate(struct frob_pioneer *d)
 {
     enum frob_status status = set_rate(d, rate_to_try(d));
@@ -81,10 +87,6 @@ static enum frob_status try_rate(struct frob_pioneer *d)
     d->receiver.start = d->receiver.end = 0;
     if (status == FROB_OK)
         status = d->serial.operations->discard(d->serial.port);
-    if (status == FROB_OK)
-        status = frob_pioneer_send_int(d, FROB_P2OS_VEL, 0);
-    if (status == FROB_OK)
-        status = frob_pioneer_send_int(d, FROB_P2OS_RVEL, 0);
     if (status == FROB_OK && d->tried > 0)
         status = frob_pioneer_send(d, FROB_P2OS_CLOSE);
     return status == FROB_OK ? send_sync(d, 0) : status;
