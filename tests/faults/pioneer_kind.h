@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drivers/pioneer/pioneer.h"
+#include "p2os_packet.h"
 #include "pioneer_firmware.h"
 #include "sim.h"
 
@@ -21,7 +22,13 @@ class PioneerWire {
         : firmware_(&sim_, *frob::serve::PioneerFirmware::find_model("p3dx-sh"), 38400) {}
 
     void receive(const std::uint8_t *bytes, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) firmware_.receive(bytes[i]);
+        for (std::size_t i = 0; i < count; ++i) {
+            firmware_.receive(bytes[i]);
+            if (const auto command = reader_.take(bytes[i])) {
+                if (command->number == close) limited_ = false;
+                for (const std::uint8_t limit : limits) limited_ = limited_ || command->number == limit;
+            }
+        }
         collect();
     }
     void sense(const frob_pioneer_input &body, std::int64_t) { sim_.body = body; }
@@ -31,9 +38,15 @@ class PioneerWire {
     }
     frob_pioneer_output output() const { return sim_.output; }
 
+    // Has a damaged command that passes the sum set a limit of speed or
+    // acceleration? The driver sets none; one lasts until the session ends.
+    bool limited() const { return limited_; }
+
     std::vector<std::uint8_t> to_client;
 
   private:
+    static constexpr std::uint8_t close = 2, limits[] = {5, 6, 10, 23}; // SETA, SETV, SETRV, SETRA
+
     void collect() {
         const std::vector<std::uint8_t> sent = firmware_.take_output();
         to_client.insert(to_client.end(), sent.begin(), sent.end());
@@ -41,6 +54,8 @@ class PioneerWire {
 
     frob_sim sim_;
     frob::serve::PioneerFirmware firmware_;
+    frob::serve::P2osReader reader_; // as the firmware's
+    bool limited_ = false;
 };
 
 struct PioneerKind {

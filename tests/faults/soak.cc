@@ -26,6 +26,7 @@ struct ScoutSoak : ScoutKind {
     static void prepare(Bench<ScoutSoak, Faults> &) {}
     static bool is_reading(const std::vector<std::uint8_t> &bytes) { return bytes.size() == 48; }
     static bool doubts(const frob_scout &d) { return d.odometry.refused > 0; }
+    static bool limited(const Wire &) { return false; }
     static bool sane(const frob_scout_input &i) {
         return sane_pose(i.odometry) && std::fabs(i.leftWheel) < 10 && std::fabs(i.rightWheel) < 10;
     }
@@ -50,6 +51,7 @@ struct CreateSoak : CreateKind {
         return true;
     }
     static bool doubts(const frob_create &d) { return d.odometry.refused > 0; }
+    static bool limited(const Wire &) { return false; }
     static bool sane(const frob_create_input &i) {
         return sane_pose(i.odometry) && std::fabs(i.leftWheel) < 10 && std::fabs(i.rightWheel) < 10 &&
                i.charge >= 0 && i.charge <= 1;
@@ -71,6 +73,7 @@ struct PioneerSoak : PioneerKind {
         return bytes.size() > 30 && (bytes[3] & 0xF0) == 0x30;
     }
     static bool doubts(const frob_pioneer &) { return false; }
+    static bool limited(const Wire &wire) { return wire.limited(); }
     static bool sane(const frob_pioneer_input &i) { return sane_pose(i.odometry); }
 };
 
@@ -90,6 +93,7 @@ template <class Kind> static bool soak(const char *robot, std::uint64_t first, u
         all.faults += one.faults;
         all.connections += one.connections;
         all.stale += one.stale;
+        all.limited += one.limited;
         all.slowest_resume_s = std::max(all.slowest_resume_s, one.slowest_resume_s);
         all.longest_unwanted_s = std::max(all.longest_unwanted_s, one.longest_unwanted_s);
     }
@@ -97,9 +101,10 @@ template <class Kind> static bool soak(const char *robot, std::uint64_t first, u
     std::printf("%s faults on the line of the %s: %u seeds from %llu\n", failures == 0 ? "ok" : "FAIL", robot,
                 count, static_cast<unsigned long long>(first));
     std::printf("   %.0f s simulated, %.0f in a second of the processor; %u phases of faults, %u connections, stale %u "
-                "times\n   slowest to drive again %.2f s, longest motion while stale %.2f s\n",
+                "times\n   slowest to drive again %.2f s, longest motion while stale %.2f s; %u times a damaged command "
+                "set a limit\n",
                 all.simulated_s, all.simulated_s / took_s, all.faults, all.connections, all.stale,
-                all.slowest_resume_s, all.longest_unwanted_s);
+                all.slowest_resume_s, all.longest_unwanted_s, all.limited);
     return failures == 0;
 }
 

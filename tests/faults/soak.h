@@ -22,6 +22,7 @@ struct SoakResult {
     double slowest_resume_s = 0;
     double longest_unwanted_s = 0; // the robot moved though readings were stale
     unsigned faults = 0, connections = 0, stale = 0;
+    unsigned limited = 0; // a damaged command set a limit, and a new connection took it away
 };
 
 template <class Kind> class Soak {
@@ -141,6 +142,12 @@ template <class Kind> class Soak {
             b_.wire.to_client.clear();
         }
         clean_ns_ = b_.time.now_ns;
+        // What a person does with a robot that has become slow.
+        if (Kind::limited(b_.wire)) {
+            ++result_.limited;
+            frob_robot_close(&b_.robot);
+            reconnect();
+        }
     }
 
     // A reading that goes out whole must be found when it has arrived.
