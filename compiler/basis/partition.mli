@@ -6,5 +6,5 @@
 val congruence :
   distinct:int -> labels:int array -> arguments:int array array -> int array
 (** The class of each element, named by its smallest element. Labels are 0 up to
-    [distinct] - 1, each of some element. Elements with equal labels must have equally many arguments. In O(m log n) for m
-    arguments (Hopcroft). *)
+    [distinct] - 1, each of some element. Elements with equal labels must have
+    equally many arguments. In O(m log n) for m arguments (Hopcroft). *)
