@@ -46,8 +46,9 @@ The compiler can be watched at work, stage by stage.
       self.x_derivative_input#1 := 0.0  -- 2
       self.started#2 := false  -- 2
     step (x)
-      if 0.0 < dt  -- 2
+      if self.started#2 && (0.0 < dt)  -- 2
         self.x_derivative#0 := (x - self.x_derivative_input#1) / dt  -- 2
+      self.started#2 := true  -- 2
       self.x_derivative_input#1 := x  -- 2
       result.0 := 2.0 * self.x_derivative#0  -- 2
   $ ls gain*
