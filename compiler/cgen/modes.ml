@@ -76,6 +76,9 @@ let first_of alternatives =
 
 let ends_early c (mode : M.mode) = Option.is_some c.v.program.nodes.(mode.node).ends_early
 
+let zero c (v : M.variable) name =
+  plain (Ir.Variable { ty = V.ty c.v v.ty; name; value = V.zero c.v v.ty })
+
 (* With [drops] C compilers cannot see that the first mode gives values, nor where modes
    give none as they end, that another one follows. *)
 let results_of_run c ~may_end (run : M.run) =
@@ -83,11 +86,7 @@ let results_of_run c ~may_end (run : M.run) =
   if (not run.drops) && Option.is_none run.active && not ends then
     List.rev (uninitialized c run.results)
   else
-    List.map
-      (fun (v : M.variable) ->
-        let name = Expression.variable c.names v and ty = V.ty c.v v.ty in
-        plain (Ir.Variable { ty; name; value = V.zero c.v v.ty }))
-      run.results
+    List.map (fun v -> zero c v (Expression.variable c.names v)) run.results
 
 let declare c (v : M.variable) name = plain (Ir.Variables { ty = V.ty c.v v.ty; names = [ name ] })
 
@@ -137,9 +136,15 @@ let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
     if run.drops then List.map (fun (_, name, _) -> name) own else List.map snd results
   in
   let others = List.map (fun v -> (v, Expression.variable c.names v)) case.others in
+  (* Nor can who analyses this C see that what only a later transition needs is read only
+     where the step gives it. *)
+  let untold = Option.fold c.v.program.nodes.(mode.node).ends_early ~none:max_int ~some:snd in
+  let declare_other k (v, name) =
+    (if List.length results + k < untold then declare else zero) c v name
+  in
   let declarations =
     List.map (fun (v, name, _) -> declare c v name) own
-    @ List.map (fun (v, name) -> declare c v name) others
+    @ List.mapi declare_other others
   in
   let call = step c mode case (targets @ List.map snd others) in
   let keep =

@@ -15,6 +15,7 @@ struct RoverSoak : RoverKind {
     // An answer that could be the encoders' may be one to a question before.
     static bool is_reading(const std::vector<std::uint8_t> &) { return false; }
     static bool doubts(const rover &d) { return d.odometry.refused > 0; }
+    static bool limited(const Wire &) { return false; }
     static bool sane(const frob_rover_input &i) {
         bool sane = std::isfinite(i.odometry.position.x) && std::isfinite(i.odometry.position.y) &&
                     std::fabs(i.odometry.heading) < 3.2 && std::fabs(i.leftWheel) < 10 &&
