@@ -72,7 +72,11 @@ let step_call ?(time = Passed) c ~node ~own arguments results =
   let callee = c.v.program.nodes.(node) in
   let given passed zero = match time with Passed -> [ passed c ] | None_passed -> [ zero ] in
   let dt = if callee.seconds then given seconds (V.float c.v 0.) else [] in
-  let dt_ns = if callee.nanoseconds then given nanoseconds (Ir.Integer 0l) else [] in
+  let dt_ns =
+    if not callee.nanoseconds then []
+    else if V.rounds_dt c.v node then given (fun _ -> Ir.Name "dt") (V.float c.v 0.)
+    else given nanoseconds (Ir.Integer 0l)
+  in
   Ir.Call (c.v.nodes.(node).step, List.concat [ own; dt; dt_ns; arguments; results ])
 
 let is_given c node = Program_input.is_given c.v.by_pointer node

@@ -212,6 +212,14 @@ let input (v : V.t) : Ir.ty =
     Only_way_to input)
   else input
 
+(* Where a mode is entered no time has passed. *)
+let time_variable node ty name value =
+  if Modes.forgets_time node then Ir.Variable { ty; name; value } else Constant { ty; name; value }
+
+(* Of the dt that a mode is given. *)
+let whole_nanoseconds v node =
+  plain (time_variable node Int64 "dt_ns" (Call (V.helper v Dt_nanoseconds, [ Name "dt" ])))
+
 (* A node's step or start, which has some of its outputs. *)
 let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.code) : Ir.function_ =
   let node = v.program.nodes.(k) in
@@ -247,7 +255,11 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
   let c = { v; names; index = k; node; write; read; seconds = Given; nanoseconds = Int64; place = "" } in
   let state = if V.has_state v k then self v k else [] in
   let dt = if time && node.seconds then [ (V.real v, "dt") ] else [] in
-  let dt_ns = if time && node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
+  let dt_ns, rounded =
+    if not (time && node.nanoseconds) then ([], [])
+    else if V.rounds_dt v k then ([ (V.real v, "dt") ], [ whole_nanoseconds v node ])
+    else ([ (Ir.Int64, "dt_ns") ], [])
+  in
   let body = statements c code.body in
   let unread = unread names state in
   {
@@ -255,7 +267,7 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
     result = single;
     name;
     parameters = List.concat [ state; dt; dt_ns; input; given; results ];
-    body = unread @ taken @ body;
+    body = unread @ rounded @ taken @ body;
     comment = place_of node;
   }
 
@@ -304,7 +316,6 @@ let looks_at_time c (node : M.node) =
 let double_clock c (node : M.node) =
   let rounded () = Ir.Call (V.helper c.v Whole_nanoseconds, [ Name "dt" ]) in
   let at_first zero value = at_first c zero value in
-  (* Where a mode is entered no time has passed. *)
   let whole () =
     let ty = c.nanoseconds and name = "dt_ns" in
     let value =
@@ -316,12 +327,12 @@ let double_clock c (node : M.node) =
     | Some condition ->
         let then_ = [ plain (Ir.Assign (Name name, value)) ] in
         [ plain (Ir.Variable { ty; name; value = zero }); plain (If { condition; then_; else_ = [] }) ]
-    | None when Modes.forgets_time node -> [ plain (Ir.Variable { ty; name; value }) ]
-    | None -> [ plain (Constant { ty; name; value }) ]
+    | None -> [ plain (time_variable node ty name value) ]
   in
   let seconds ns = plain (Ir.Assign (Name "dt", seconds_of c ns)) in
   match (node.nanoseconds, node.seconds, c.seconds) with
     | false, false, _ -> []
+    | true, false, _ when c.v.rounded_by_modes <> [] -> []
     | true, false, _ | _, true, Where_wanted -> whole ()
     | true, true, Given ->
         let ns = Ir.Name "dt_ns" in
@@ -342,13 +353,10 @@ let single_clock c (node : M.node) =
   else
     let dt_ns = Ir.Name "dt_ns" in
     let span = Ir.Call (V.helper c.v Time_span, [ dt_ns ]) in
-    let seconds ty name value =
-      if Modes.forgets_time node then Ir.Variable { ty; name; value } else Constant { ty; name; value }
-    in
     plain (Ir.Assign (dt_ns, at_first c (Ir.Integer 0l) span))
     ::
     (match (node.seconds, c.seconds) with
-    | true, Given -> [ plain (seconds (V.real c.v) "dt" (in_seconds c dt_ns)) ]
+    | true, Given -> [ plain (time_variable node (V.real c.v) "dt" (in_seconds c dt_ns)) ]
     | true, Where_wanted | false, _ -> [])
 
 let clock c node =

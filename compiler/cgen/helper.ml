@@ -26,6 +26,7 @@ type t =
   | Ceiling
   | Round
   | Whole_nanoseconds
+  | Dt_nanoseconds
   | Whole_dt
   | Seconds
   | Time_in_nanoseconds
@@ -37,6 +38,7 @@ type t =
   | Branch
   | Restrict
   | Shared
+  | One_copy
 
 (* Helper, its name, what it calls (earlier in the table), its text. *)
 let table =
@@ -74,6 +76,17 @@ let table =
 #define FROB_SHARED __attribute__((__noinline__))
 #else
 #define FROB_SHARED
+#endif
+|} );
+    ( One_copy,
+      "FROB_ONE_COPY",
+      [],
+      {|/* What several modes do, of which one runs at an instant: each has its own copy,
+ * but where size counts. */
+#if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
+#define FROB_ONE_COPY __attribute__((__noinline__))
+#else
+#define FROB_ONE_COPY inline
 #endif
 |} );
     ( Wrap,
@@ -363,6 +376,15 @@ static inline double frob_whole_ns(double dt)
     }
     ns = ns > 0.0 ? ns : 0.0;
     return (ns + 4503599627370496.0) - 4503599627370496.0;
+}
+|} );
+    ( Dt_nanoseconds,
+      "frob_dt_ns",
+      [ Whole_nanoseconds; One_copy ],
+      {|/* The same as an integer. */
+static FROB_ONE_COPY int64_t frob_dt_ns(double dt)
+{
+    return (int64_t)frob_whole_ns(dt);
 }
 |} );
     ( Whole_dt,

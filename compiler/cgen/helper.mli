@@ -34,6 +34,7 @@ type t =
   | Ceiling
   | Round
   | Whole_nanoseconds  (** of a dt in seconds *)
+  | Dt_nanoseconds  (** of a dt in seconds, in a mode: see {!Machine.Time_use.rounded_by_modes} *)
   | Whole_dt  (** of a dt in seconds, in seconds too; calls [memcpy] *)
   | Seconds  (** of a dt in whole nanoseconds *)
   | Time_in_nanoseconds  (** of a local time *)
@@ -45,6 +46,7 @@ type t =
   | Branch  (** the condition of an [if] that is to stay one *)
   | Restrict  (** a macro: nothing else leads to what a pointer leads to *)
   | Shared  (** a macro: this function is to stay one (see {!Shared}) *)
+  | One_copy  (** a macro: likewise where size counts, else one is worth a copy at each call *)
 
 val name : t -> string
 val names : string list

@@ -23,6 +23,7 @@ type t = {
   apart : Machine.Apart.t;
   rounds : Machine.Rounds.t;
   divides_by_time : bool;  (** something does: see {!Machine.Time_use.divides} *)
+  rounded_by_modes : int list;
   shared : Shared.t;
   name : string;
   file_scope : Name.scope;
@@ -240,6 +241,7 @@ let of_program ?own (program : M.program) =
     apart;
     rounds = Machine.Rounds.of_program program;
     divides_by_time = Machine.Time_use.divides program;
+    rounded_by_modes = Machine.Time_use.rounded_by_modes program;
     shared = Shared.of_program program;
     name;
     file_scope = scope;
@@ -285,6 +287,8 @@ let zero t ty = Sum_type.zero t.program.real t.program.sums ~absent:(absent t) t
 let helper t helper =
   Hashtbl.replace t.helpers helper ();
   Helper.name helper
+
+let rounds_dt t k = List.mem k t.rounded_by_modes
 
 let math_function t name = name ^ Print.real_suffix t.program.real
 

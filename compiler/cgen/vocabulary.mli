@@ -27,6 +27,7 @@ type t = {
   apart : Machine.Apart.t;
   rounds : Machine.Rounds.t;
   divides_by_time : bool;  (** something does: see {!Machine.Time_use.divides} *)
+  rounded_by_modes : int list;  (** see {!Machine.Time_use.rounded_by_modes} *)
   shared : Shared.t;
   name : string;  (** the prefix of all names *)
   file_scope : Name.scope;
@@ -62,6 +63,9 @@ val zero : t -> Machine.Ir.ty -> Ir.expr
 (** Some value, as an initial value. *)
 
 val helper : t -> Helper.t -> string
+
+val rounds_dt : t -> int -> bool
+(** Does the node's step make whole nanoseconds of dt itself? *)
 
 val real : t -> Ir.ty
 (** Of a Float. *)

@@ -41,6 +41,39 @@ let only_in_modes (program : Ir.program) (node : Ir.node) =
   else if few looking then Some (In (numbers looking))
   else None
 
+let steps_elsewhere (program : Ir.program) k =
+  let found = ref false in
+  let code (code : Ir.code) =
+    Walk.statements
+      (function
+        | Ir.Step { node; _ } | Loop { node; _ } -> if node = k then found := true
+        | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Start _ | Begin _ | Await _ | Run _
+        | Return _ -> ())
+      code.body
+  in
+  let root = Array.length program.nodes - 1 in
+  Array.iteri
+    (fun other (node : Ir.node) ->
+      if other <> root && List.exists (fun (mode : Ir.mode) -> mode.node = k) node.modes then
+        found := true;
+      List.iter code (node.reset :: node.step :: Option.to_list node.start))
+    program.nodes;
+  !found
+
+let rounded_by_modes (program : Ir.program) =
+  let root = program.nodes.(Array.length program.nodes - 1) in
+  let zero_at_first =
+    match program.first_instant with
+    | Marked_by _ -> true
+    | Unseen | Apart | Marked_by_mode -> false
+  in
+  match only_in_modes program root with
+  | Some (In numbers) when not (root.seconds || zero_at_first) ->
+      let nodes = List.map (fun number -> (List.nth root.modes number).Ir.node) numbers in
+      let may k = Option.is_none program.nodes.(k).foreign && not (steps_elsewhere program k) in
+      if List.for_all may nodes then List.sort_uniq Int.compare nodes else []
+  | Some (In _ | Not_in _) | None -> []
+
 let nanoseconds_in_floats (program : Ir.program) (node : Ir.node) =
   let has_own_instants = ref false in
   Walk.statements

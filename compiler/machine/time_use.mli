@@ -20,6 +20,15 @@ val only_in_modes : Ir.program -> Ir.node -> modes option
     - where a mode can be entered before the one that runs is stepped;
     - in single precision, where there is little to compute. *)
 
+val rounded_by_modes : Ir.program -> int list
+(** The modes, by their nodes, that are given dt as it comes and make whole nanoseconds of
+    it themselves, so that the program need not ask which mode runs before it runs it: those of
+    {!only_in_modes} that are {!In}, where
+
+    - none of them reads seconds, which are made of the nanoseconds;
+    - they are modes of the root and nothing else, for what others step has nanoseconds given;
+    - the first dt needs no 0 in its place, which the root alone could tell. *)
+
 val nanoseconds_in_floats : Ir.program -> Ir.node -> bool
 (** The root's nanoseconds stay the double that they are made as, for modes to make
     integers of them where they count in them: unless its machine has instants of its

@@ -256,15 +256,16 @@ let rec statement c (s : M.statement) =
 
 and statements c body = List.fold_left (fun cost s -> Cost.add cost (statement c s)) Cost.none body
 
-(* The root makes whole nanoseconds of the caller's dt, in double precision, or keeps
-   them in bounds, and 0 at the first instant; see the helpers of the generated C. *)
+(* In double precision whole nanoseconds of the caller's dt, else these kept in bounds. *)
+let whole_nanoseconds (program : M.program) =
+  match program.real with
+  | Double -> Cost.(sum [ one Multiplications; several 4 Choices; several 2 Additions ])
+  | Single -> Cost.several 2 Choices
+
+(* What the root does with them, and 0 at the first instant; see the helpers of the
+   generated C. *)
 let root_clock (program : M.program) (root : M.node) =
-  let seconds = seconds program in
-  let whole =
-    match program.real with
-    | Double -> Cost.(sum [ one Multiplications; several 4 Choices; several 2 Additions ])
-    | Single -> Cost.several 2 Choices
-  in
+  let seconds = seconds program and whole = whole_nanoseconds program in
   let at_once = root.seconds && not (Machine.Time_use.by_one_mode program root) in
   (* To integers, and back. *)
   let conversions n =
@@ -293,7 +294,8 @@ let root_clock (program : M.program) (root : M.node) =
         Cost.[ one Loads; several (1 + List.length modes) Choices ]
     | None -> []
   in
-  Cost.sum (first @ in_some_modes @ times)
+  if Machine.Time_use.rounded_by_modes program <> [] then Cost.none
+  else Cost.sum (first @ in_some_modes @ times)
 
 (* The user's C has doubles. *)
 let crossing (program : M.program) (node : M.node) =
@@ -309,6 +311,11 @@ let of_program (program : M.program) =
   let nothing = { reset = Cost.none; start = Cost.none; step = Cost.none } in
   let count = Array.length program.nodes in
   let done_ = Array.make count nothing and scalars = Array.make count 0 in
+  let rounded_by_modes = Machine.Time_use.rounded_by_modes program in
+  let own_clock k =
+    if List.mem k rounded_by_modes then Cost.add (whole_nanoseconds program) (Cost.one Conversions)
+    else Cost.none
+  in
   Array.iteri
     (fun k (node : M.node) ->
       let c = { program; node; done_; scalars } in
@@ -325,7 +332,7 @@ let of_program (program : M.program) =
             {
               reset = statements c node.reset.body;
               start = Option.fold node.start ~none:Cost.none ~some:start;
-              step = statements c node.step.body;
+              step = Cost.add (own_clock k) (statements c node.step.body);
             })
     program.nodes;
   let last = count - 1 in
