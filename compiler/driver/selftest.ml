@@ -15,7 +15,7 @@ type group = {
 let group name = { name; entry = "main"; meant = "main"; sources = [] }
 
 let groups =
-  List.map group [ "numbers"; "functions"; "time"; "data"; "arrays"; "switches"; "tasks" ]
+  List.map group [ "numbers"; "functions"; "time"; "data"; "arrays"; "switches"; "tasks"; "rounds" ]
   @ [ { (group "foreign") with meant = "meant"; sources = [ "calls.c" ] } ]
 
 let programs = List.map (fun g -> (g.name ^ ".frob", g.entry)) groups

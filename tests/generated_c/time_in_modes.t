@@ -12,22 +12,20 @@ else they give it to; an instant in another mode does nothing about it.
   >     sleepT 0.25[s] 0
   >     mkTask (proc (near, x) -> (2, edge (not near))))
   > within = forever (do
-  >     mkTask (proc (near, x) -> (3, edge (x > 1)))
+  >     mkTask (proc (near, x) -> (3, when (x > 1)))
   >     sleepT 0.1[s] 4
-  >     mkTask (proc (near, x) -> (5, edge (x > 2)))
+  >     mkTask (proc (near, x) -> (5, when (x > 2)))
   >     sleepT 0.05[s] 6)
   > FROB
   $ frobc compile rounds.frob --lint
-  $ grep -w 'dt_ns = .*\|dt' rounds.c | grep -v '^ \* \|^/\*'
-  static inline double frob_whole_ns(double dt)
-      double ns = (1e9 < dt ? 1e9 : dt) * 1e9;
-  static FROB_ONE_COPY int64_t frob_dt_ns(double dt)
-      return (int64_t)frob_whole_ns(dt);
-                                                 double dt,
+  $ grep 'dt_ns = \|, dt, \| 0[.]0, ' rounds.c
+                  dt_ns = 0;
+                  dt_ns = 0;
+                  dt_ns = 0;
+                  dt_ns = 0;
       const int64_t dt_ns = frob_dt_ns(dt);
-                                               double dt,
       const int64_t dt_ns = frob_dt_ns(dt);
-                   double dt,
+                      &self->modes_flags.rounds_2.state, 0.0, i_2, &x, &t5);
                   &self->modes_flags.rounds_2.state, dt, i_2, &x, &t2);
           rounds_rounds_sleepT_step(&self->modes.sleepT.state, dt, &x, &t3);
 

@@ -143,8 +143,8 @@ let constructors path =
 
 let elementary path = found_in path (fun line -> Scanf.sscanf line "double %[a-z0-9_](" Fun.id)
 
-(* What only other helpers call is with them. *)
-let called_by_helpers_only = [ "frob_wrap" ]
+(* What only other helpers call or are marked with is with them. *)
+let called_by_helpers_only = [ "frob_wrap"; "FROB_ONE_COPY" ]
 
 let () =
   let library = Sys.argv.(1) and folder = Sys.argv.(2) in

@@ -11,6 +11,7 @@ what frobc writes.
   arrays: right
   switches: right
   tasks: right
+  rounds: right
   foreign: right
   verdict: fit
 
