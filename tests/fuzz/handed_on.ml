@@ -13,6 +13,7 @@ let measure random =
       (fun a b -> f "hypot %s %s" (either a k) (either b l));
       (fun a b -> f "abs %s" (either a b));
       (fun a b -> f "cos %s" (either a b));
+      (fun a b -> f "abs (signum %s) + abs %s" (either a b) (either a b));
       (fun a b -> f "max (%s * %s) %s" k a b);
       (fun a b -> f "sqrt (abs %s) + %s" (either a b) l);
       (fun a b -> f "(if %s < %s then %s * %s else %s)" a b a l b);
@@ -52,24 +53,30 @@ let handed (inside : Scope.t) mode (p, q) =
   | 4 -> "2 (-1)"
   | _ -> f "%s %s" p q
 
+(* Whither an event leads, and what it hands on. *)
+let way (inside : Scope.t) measure mode later ~event_of =
+  let xy = (float inside, float inside) in
+  let p = Scope.fresh inside "p" and q = Scope.fresh inside "q" in
+  let next = if chance inside.random 3 then one_of inside.random later else List.hd later in
+  let event = f "mapE (\\_ -> %s) (%s)" (event_of (f "(%s, %s)" (fst xy) (snd xy))) (event inside measure mode xy) in
+  (event, f "\\(%s, %s) -> %s %s" p q next.name (handed inside mode (p, q)))
+
 let rec define values (pattern, bound) ~signature measure = function
   | [] -> []
   | mode :: later ->
       let inside = Scope.bind bound values in
-      let random = inside.random in
       let shows = shows inside measure mode in
+      let way event_of = way inside measure mode later ~event_of in
       let body =
-        match later with
-        | [] -> f "proc %s -> %s" pattern shows
-        | next :: _ ->
-            let xy = (float inside, float inside) in
-            let p = Scope.fresh values "p" and q = Scope.fresh values "q" in
-            let next = if chance random 3 then one_of random later else next in
-            f "switch (proc %s -> (%s, mapE (\\_ -> (%s, %s)) (%s))) (\\(%s, %s) -> %s %s)" pattern shows
-              (fst xy) (snd xy)
-              (event inside measure mode xy)
-              p q next.name
-              (handed inside mode (p, q))
+        if later = [] then f "proc %s -> %s" pattern shows
+        else
+          let event, to_ =
+            if chance inside.random 2 then way Fun.id
+            else
+              let first, to_first = way (f "Left %s") and second, to_second = way (f "Right %s") in
+              (f "mergeE (%s) (%s)" first second, f "either (%s) (%s)" to_first to_second)
+          in
+          f "switch (proc %s -> (%s, %s)) (%s)" pattern shows event to_
       in
       f "%s%s %s %s = %s\n\n" (signature mode.name "Float -> Float -> ") mode.name mode.a mode.b body
       :: define values (pattern, bound) ~signature measure later
