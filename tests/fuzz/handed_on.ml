@@ -35,16 +35,13 @@ let shows (inside : Scope.t) measure { a; b; _ } =
   | 3 -> measure a b
   | _ -> float inside
 
-let event (inside : Scope.t) measure { a; b; _ } (x, y) =
-  let asked =
+let asked (inside : Scope.t) measure { a; b; _ } (x, y) =
     match Random.State.int inside.random 5 with
     | 0 -> f "%s < %s" (measure x y) (measure a b)
     | 1 -> f "%s < 2" (measure x y)
     | 2 -> f "%s < 1 || %s" (measure x y) (Cascade.bool inside)
     | 3 -> f "%s < %s" (measure a b) (float inside)
     | _ -> Cascade.bool inside
-  in
-  f "%s (%s)" (if chance inside.random 3 then "edge" else "when") asked
 
 let handed (inside : Scope.t) mode (p, q) =
   match Random.State.int inside.random 8 with
@@ -54,32 +51,43 @@ let handed (inside : Scope.t) mode (p, q) =
   | _ -> f "%s %s" p q
 
 (* Whither an event leads, and what it hands on. *)
-let way (inside : Scope.t) measure mode later ~event_of =
-  let xy = (float inside, float inside) in
+let way (inside : Scope.t) mode later ~asked ~event_of (x, y) =
   let p = Scope.fresh inside "p" and q = Scope.fresh inside "q" in
   let next = if chance inside.random 3 then one_of inside.random later else List.hd later in
-  let event = f "mapE (\\_ -> %s) (%s)" (event_of (f "(%s, %s)" (fst xy) (snd xy))) (event inside measure mode xy) in
-  (event, f "\\(%s, %s) -> %s %s" p q next.name (handed inside mode (p, q)))
+  let event = f "%s (%s)" (if chance inside.random 3 then "edge" else "when") asked in
+  ( f "mapE (\\_ -> %s) (%s)" (event_of (f "(%s, %s)" x y)) event,
+    f "\\(%s, %s) -> %s %s" p q next.name (handed inside mode (p, q)) )
 
-let rec define values (pattern, bound) ~signature measure = function
+let rec define scope (pattern, bound) ~signature measure = function
   | [] -> []
   | mode :: later ->
-      let inside = Scope.bind bound values in
+      let inside = Scope.bind bound scope in
       let shows = shows inside measure mode in
-      let way event_of = way inside measure mode later ~event_of in
       let body =
         if later = [] then f "proc %s -> %s" pattern shows
         else
+          let xy () = (float inside, float inside) in
+          let values = xy () in
+          let condition = asked inside measure mode values in
           let event, to_ =
-            if chance inside.random 2 then way Fun.id
+            if chance inside.random 2 then
+              way inside mode later ~asked:condition ~event_of:Fun.id values
             else
-              let first, to_first = way (f "Left %s") and second, to_second = way (f "Right %s") in
+              let others = xy () in
+              let other = asked inside measure mode others in
+              (* The second may ask what the first one asks too. *)
+              let other = if chance inside.random 3 then f "%s || %s" condition other else other in
+              let first, to_first =
+                way inside mode later ~asked:condition ~event_of:(f "Left %s") values
+              and second, to_second =
+                way inside mode later ~asked:other ~event_of:(f "Right %s") others
+              in
               (f "mergeE (%s) (%s)" first second, f "either (%s) (%s)" to_first to_second)
           in
           f "switch (proc %s -> (%s, %s)) (%s)" pattern shows event to_
       in
       f "%s%s %s %s = %s\n\n" (signature mode.name "Float -> Float -> ") mode.name mode.a mode.b body
-      :: define values (pattern, bound) ~signature measure later
+      :: define scope (pattern, bound) ~signature measure later
 
 let definitions values ~input ~pattern =
   Scope.note values "modes that hand on";
