@@ -39,7 +39,7 @@ let syntax =
 
 let noted =
   [
-    "array of arrays"; "array of records"; "chain of array functions"; "chain in feedback"; "cascade of modes"; "modes that hand on"; "small root";
+    "array of arrays"; "array of records"; "chain of array functions"; "chain in feedback"; "cascade of modes"; "modes that hand on"; "mode that ends in two ways"; "small root";
     "array of functions"; "recursion through a switch"; "recursion of a task";
     "mode with a signal function as parameter"; "mode with a function as parameter";
     "task with a signal function as parameter"; "task with a function as parameter";

@@ -51,10 +51,10 @@ let handed (inside : Scope.t) mode (p, q) =
   | _ -> f "%s %s" p q
 
 (* Whither an event leads, and what it hands on. *)
-let way (inside : Scope.t) mode later ~asked ~event_of (x, y) =
+let way (inside : Scope.t) mode later ~edge ~asked ~event_of (x, y) =
   let p = Scope.fresh inside "p" and q = Scope.fresh inside "q" in
   let next = if chance inside.random 3 then one_of inside.random later else List.hd later in
-  let event = f "%s (%s)" (if chance inside.random 3 then "edge" else "when") asked in
+  let event = f "%s (%s)" (if edge then "edge" else "when") asked in
   ( f "mapE (\\_ -> %s) (%s)" (event_of (f "(%s, %s)" x y)) event,
     f "\\(%s, %s) -> %s %s" p q next.name (handed inside mode (p, q)) )
 
@@ -68,21 +68,33 @@ let rec define scope (pattern, bound) ~signature measure = function
         else
           let xy () = (float inside, float inside) in
           let values = xy () in
-          let condition = asked inside measure mode values in
+          let edge () = chance inside.random 3 in
           let event, to_ =
             if chance inside.random 2 then
-              way inside mode later ~asked:condition ~event_of:Fun.id values
-            else
+              let asked = asked inside measure mode values in
+              way inside mode later ~edge:(edge ()) ~asked ~event_of:Fun.id values
+            else begin
+              Scope.note scope "mode that ends in two ways";
+              let first_asked =
+                if chance inside.random 2 then f "%s < %s" (float inside) (float inside)
+                else asked inside measure mode values
+              in
               let others = xy () in
-              let other = asked inside measure mode others in
+              let second_asked = asked inside measure mode others in
               (* The second may ask what the first one asks too. *)
-              let other = if chance inside.random 3 then f "%s || %s" condition other else other in
+              let also = chance inside.random 2 in
+              let second_asked =
+                if also then f "%s || %s" first_asked second_asked else second_asked
+              in
+              let edge () = (not also) && edge () in
               let first, to_first =
-                way inside mode later ~asked:condition ~event_of:(f "Left %s") values
-              and second, to_second =
-                way inside mode later ~asked:other ~event_of:(f "Right %s") others
+                way inside mode later ~edge:(edge ()) ~asked:first_asked ~event_of:(f "Left %s") values
+              in
+              let second, to_second =
+                way inside mode later ~edge:(edge ()) ~asked:second_asked ~event_of:(f "Right %s") others
               in
               (f "mergeE (%s) (%s)" first second, f "either (%s) (%s)" to_first to_second)
+            end
           in
           f "switch (proc %s -> (%s, %s)) (%s)" pattern shows event to_
       in
