@@ -104,7 +104,7 @@ let flow options sink ~name ~entry core =
   (* Causality before anything is shared or moved: its messages speak of the
      equations as the programmer wrote them. *)
   Flow.Causality.check sink ~entry:(place core entry) flow;
-  let flow = if Diagnostic.has_errors sink then flow else Flow.First_instant.program sink flow in
+  let flow = if Diagnostic.has_errors sink then flow else Flow.Instantaneous_loops.program sink flow in
   stage options sink Specialize ~lint:Flow.Lint.program ~print:Flow.Print.program flow
 
 let is_signal_function (definition : Core.Ir.definition) =

@@ -215,7 +215,7 @@ type transition = {
 }
 
 (** Whether a mode's transition may occur at the mode's own first instant, which
-    {!First_instant} finds out. *)
+    {!Instantaneous_loops} finds out. *)
 and at_entry =
   | Possible
   | Impossible of (string * Span.t) option

@@ -1,4 +1,4 @@
-(** No instantaneous loops (language reference, section 6).
+(** There are no instantaneous loops (language reference, section 6).
 
     For each mode of a machine this evaluates its first instant with the input
     unknown: delays have their initial value; times, integrals and derivatives

@@ -344,7 +344,7 @@ let circle names =
   | [ one; other ] -> Printf.sprintf "`%s` and `%s` may start each other" one other
   | one :: others ->
       Printf.sprintf "`%s` and %d others may start each other" one (List.length others)
-  | [] -> Diagnostic.bug ~stage:"Flow.First_instant" "a circle without modes"
+  | [] -> Diagnostic.bug ~stage:"Flow.Instantaneous_loops" "a circle without modes"
 
 let report sink a (m : Ir.machine) steps cycle =
   let modes = Array.of_list m.modes in
