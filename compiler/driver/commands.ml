@@ -281,7 +281,21 @@ let interpreted_trace general ~entry ~input ~output file =
           List.iter (Printf.eprintf "error: %s\n") errors;
           Exit_status.wrong_use)
 
+let same_file path other =
+  match (Unix.stat path, Unix.stat other) with
+  | a, b -> a.st_kind = Unix.S_REG && a.st_dev = b.st_dev && a.st_ino = b.st_ino
+  | exception Unix.Unix_error _ -> false
+
+(* Opening an output empties what is there: a recording is read while the answer to
+   it is written. *)
+let overwritten ~output files =
+  match Option.map (fun output -> List.filter (same_file output) files) output with
+  | Some (read :: _) ->
+      Error (Printf.sprintf "the output would overwrite %s, which is read; name another file" read)
+  | Some [] | None -> Ok ()
+
 let trace general engine ~entry ~sources ~modes ~input ~output file =
+  let* () = overwritten ~output [ input; file ] in
   match engine with
   | C -> compiled_trace general ~entry ~sources ~modes ~input ~output file
   | Interpreter when modes ->

@@ -497,12 +497,22 @@ let argv = Array.of_list (with_flags (Array.to_list Sys.argv))
 
 let () =
   collect_seldom ();
+  Driver.Streams.keep_numbers ();
   let status =
     match Cmd.eval_value ~catch:false ~argv main with
     | Ok (`Ok status) -> status
     | Ok (`Version | `Help) -> Driver.Exit_status.ok
     | Error (`Parse | `Term) -> Driver.Exit_status.wrong_use
     | Error `Exn -> Driver.Exit_status.bug
-    | exception exn -> Commands.report_bug exn
+    | exception exn when Driver.Streams.output_fault () = None -> Commands.report_bug exn
+    | exception _ -> Driver.Exit_status.wrong_use
   in
+  let status =
+    match Driver.Streams.output_fault () with
+    | None -> status
+    | Some reason ->
+        Printf.eprintf "error: cannot write standard output: %s\n" reason;
+        if status = Driver.Exit_status.ok then Driver.Exit_status.wrong_use else status
+  in
+  Driver.Streams.drop_unwritable ();
   exit status

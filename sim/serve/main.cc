@@ -75,8 +75,8 @@ std::unique_ptr<Connection> make_connection(const Options &options) {
     return std::make_unique<Terminal>();
 }
 
-// Plugs a new line in, and tells its name.
-void plug(Server &server, const Options &options) {
+// Plugs a new line in, and tells its name. False if that could not be written.
+bool plug(Server &server, const Options &options) {
     server.plug(make_connection(options));
     const std::string device = server.connection()->device();
     if (!options.link.empty()) {
@@ -88,12 +88,14 @@ void plug(Server &server, const Options &options) {
                          std::strerror(errno));
     }
     std::printf("device: %s\n", device.c_str());
-    std::fflush(stdout);
+    return std::fflush(stdout) == 0;
 }
 
 void run(Server &server, const Options &options, std::int64_t started_ns) {
     const auto end_ns = static_cast<std::int64_t>(options.duration_s * 1e9);
-    plug(server, options);
+    // Without it nobody would know the device.
+    if (!plug(server, options) && options.link.empty())
+        throw WrongUse(std::string("cannot write standard output: ") + std::strerror(errno));
     while (!ended) {
         const std::int64_t time_ns = clock_ns() - started_ns;
         if (end_ns > 0 && time_ns >= end_ns) break;

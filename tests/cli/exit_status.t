@@ -149,3 +149,26 @@ cannot be written is no run.
   $ frobc build rest.frob -o taken
   error: cannot write taken: it is a directory
   [2]
+
+What cannot be written is told, and is no fault of frobc's own; a run that was told
+to nobody is not done. A program that is rejected is, whoever reads why.
+
+  $ frobc explain E0205 > /dev/full
+  error: cannot write standard output: No space left on device
+  [2]
+  $ frobc compile good.frob --dump=c > /dev/full
+  error: cannot write standard output: No space left on device
+  [2]
+  $ frobc header scout >&-
+  error: cannot write standard output: Bad file descriptor
+  [2]
+  $ frobc run rest.frob --for 1s > /dev/full
+  error: cannot write standard output: No space left on device
+  [2]
+  $ frobc serve --robot pioneer > /dev/full
+  error: cannot write standard output: No space left on device
+  [2]
+  $ frobc check bad.frob 2> /dev/full
+  [1]
+  $ frobc check bad.frob 2>&-
+  [1]

@@ -121,6 +121,21 @@ What is wrong with an input is said with its place:
   $ frobc trace sum.frob --input in.csv --output no/such/folder.csv
   error: cannot write no/such/folder.csv: No such file or directory
   [2]
+
+What is read is not written over: the recording, under any name, or the program.
+
+  $ cp in.csv log.csv; ln -s log.csv link.csv
+  $ frobc trace sum.frob --input log.csv --output log.csv
+  error: the output would overwrite log.csv, which is read; name another file
+  [2]
+  $ frobc trace sum.frob --input log.csv --output link.csv --engine interp
+  error: the output would overwrite log.csv, which is read; name another file
+  [2]
+  $ frobc trace sum.frob --input log.csv --output ./sum.frob
+  error: the output would overwrite sum.frob, which is read; name another file
+  [2]
+  $ cmp in.csv log.csv
+
   $ frobc trace sum.frob --input in.csv --entry mian
   error[E0501]: there is no `mian` in this module to compile
    --> sum.frob:1:1

@@ -87,3 +87,28 @@ are told how to be allowed, and the run goes on.
   $ grep -c "connections: 1" summary
   1
   $ end_robot
+
+Who starts a run may close its streams: none of their numbers becomes the line's or
+the controller's, which would get what is printed.
+
+  $ start_robot
+  $ ./drive --device ./line --for 0.3 --progress 2>&- | sed -n '/connections/p'
+  connections: 1
+  $ ./drive --device ./line --for 0.3 --progress --console <&- >&- 2>&-
+  [2]
+  $ ./drive --device ./line --for 0.3 > /dev/full
+  error: cannot write standard output: No space left on device
+  [2]
+  $ end_robot
+
+A recording that cannot be written ends the run, with the robot stopped; so does one
+that may not be longer, which is no signal.
+
+  $ start_robot
+  $ (ulimit -f 4; ./drive --device ./line --for 30 --record log.csv > summary)
+  error: cannot write log.csv: File too large
+  error: the record could not be written; the robot was told to stop
+  [4]
+  $ until_stopped
+  last speed: 0
+  $ end_robot

@@ -4,6 +4,7 @@
  * Exit status: 0; 2 for wrong use, arithmetic that the program was not compiled
  * for (<frob/arithmetic.h>), or a device that cannot be opened; 4 when
  * the run was ended by a signal or a fault, after the robot was stopped. */
+#include "../common/streams.h"
 #include "drivers.h"
 #include "options.h"
 #include "supervisor.h"
@@ -25,6 +26,7 @@ int main(int argc, char **argv)
     const struct frob_driver *driver = find_driver(frob_program.robot);
     /* In the program, and in what clamps its commands. */
     const unsigned faults = frob_program.arithmetic() | frob_arithmetic_faults();
+    streams_open();
     if (driver == NULL) {
         fprintf(stderr, "error: %s is a program for %s, which has no driver; there are drivers for: %s\n",
                 frob_program.name, frob_program.robot[0] != '\0' ? frob_program.robot : "no robot",

@@ -12,6 +12,7 @@
 
 #include "../common/console.h"
 #include "../common/record.h"
+#include "../common/streams.h"
 #include "controller.h"
 #include "core/robot.h"
 #include "guard.h"
@@ -325,7 +326,8 @@ static void print_result(const struct supervisor *s)
     free(buffer);
 }
 
-static void print_summary(const struct supervisor *s)
+/* False if it could not be written. */
+static bool print_summary(const struct supervisor *s)
 {
     const char *who = s->driver->describe(s->device);
     printf("robot: %s\n", who[0] != '\0' ? who : s->driver->robot);
@@ -340,7 +342,7 @@ static void print_summary(const struct supervisor *s)
         printf("log: %s\n", s->options->record);
     if (s->ended)
         print_result(s);
-    fflush(stdout);
+    return streams_flush();
 }
 
 /* {1 Setting up} */
@@ -415,8 +417,9 @@ int supervise(const struct frob_program *program, const struct frob_driver *driv
         run(&s);
         console_close(&s.console);
         say_farewell(&s);
-        print_summary(&s);
-        if (s.status != DONE)
+        if (!print_summary(&s) && s.status == DONE)
+            s.status = WRONG_USE;
+        else if (s.status != DONE)
             fprintf(stderr, "error: %s; the robot %s\n", s.cause,
                     s.robot.status == FROB_LOST ? "was not reached to be stopped"
                                                 : "was told to stop");

@@ -6,6 +6,7 @@
  * summary and the picture are of what has been run. */
 #include "../common/console.h"
 #include "../common/load.h"
+#include "../common/streams.h"
 #include "controllers.h"
 #include "options.h"
 #include "summary.h"
@@ -177,6 +178,7 @@ static int simulate(const struct options *options, const struct frob_program *pr
     }
     if (ok)
         collisions = summary_print(options, &controllers, wall_s);
+    ok = streams_flush() && ok;
     if (!controllers_close(&controllers) || !ok)
         return WRONG_USE;
     if (options->strict && collisions > 0) {
@@ -208,6 +210,7 @@ int main(int argc, char **argv)
     const struct frob_program *program;
     struct sigaction action;
     int status;
+    streams_open();
     if (argc == 2 && strcmp(argv[1], "--help") == 0) {
         fputs(usage, stdout);
         return DONE;
