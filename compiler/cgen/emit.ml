@@ -2,6 +2,7 @@ type t = {
   header : string;
   source : string;
   host_table : string option;
+  robot : string option;
   robot_header : (string * string) option;
   foreign : foreign;
 }
@@ -20,6 +21,7 @@ let program ?own ?batch (program : Machine.Ir.program) =
            [ program.input; program.output ]
        then None
       else Some (Host_table.text ?own program files));
+    robot = Option.map (fun (robot : Robot.t) -> robot.name) (Host_table.robot ?own program);
     robot_header = None;
     foreign =
       {

@@ -6,6 +6,7 @@ type t = {
   host_table : string option;
       (** NAME_host.c, for hosts only; none of a program with a foreign type in
           its input or output, which no host knows *)
+  robot : string option;  (** the name of the robot that it is a program for *)
   robot_header : (string * string) option;
       (** name and text of the header of a user's own robot, which [header] includes;
           made from the robot's module ({!Interface_header}) and so not here *)

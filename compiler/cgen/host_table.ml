@@ -186,6 +186,11 @@ let machines out ~state (list : Machine_table.t list) =
   let c = { out; sums = [||]; struct_name = state; prefix = ""; count = 0 } in
   (table c "machine" "machines" rows, List.length rows)
 
+let robot ?own (program : Machine.Ir.program) =
+  match (Robot.of_shape ?own program.input, Robot.of_shape ?own program.output) with
+  | Some robot, _ | None, Some robot -> Some robot
+  | None, None -> None
+
 let text ?own (program : Machine.Ir.program) (files : Of_machine.t) =
   let out = Buffer.create 4096 in
   let name = files.name in
@@ -199,11 +204,7 @@ let text ?own (program : Machine.Ir.program) (files : Of_machine.t) =
   let output = interface out program ~prefix:"out" output_side program.output in
   let result = if program.ends then result out program output_side else "NULL" in
   let machines, machine_count = machines out ~state:(name ^ "_state") files.machines in
-  let robot =
-    match (Robot.of_shape ?own program.input, Robot.of_shape ?own program.output) with
-    | Some robot, _ | None, Some robot -> robot.name
-    | None, None -> ""
-  in
+  let robot = Option.fold ~none:"" ~some:(fun (robot : Robot.t) -> robot.name) (robot ?own program) in
   bprintf out
     {|
 static void reset(void *state)

@@ -185,6 +185,12 @@ let host_table ~entry (files : Cgen.Emit.t) =
             compile it, and call it from C"
            entry)
 
+let for_robot ~name (files : Cgen.Emit.t) =
+  match files.robot with
+  | Some _ -> Ok ()
+  | None ->
+      Error (Printf.sprintf "%s is a program for no robot; `reactimateRobot` makes one" name)
+
 let own_driver general =
   match Robots.own_of general.robot with
   | Some robot -> Printf.sprintf "frob_%s_driver" robot.name
@@ -227,6 +233,7 @@ let built general kind ~entry ~sources ~linked file continue =
   let* () = all_exist sources in
   compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
       let name = Pipeline.c_name file in
+      let* () = match (kind : Toolchain.kind) with Executable -> for_robot ~name files | Shared_object -> Ok () in
       let* host_table = host_table ~entry files in
       let foreign =
         if files.foreign.folders = [] && files.foreign.calls = [] && sources = [] then None

@@ -87,6 +87,9 @@ type linked = {
   generated : (string * string) list;  (** more files, name and content *)
 }
 
+val for_robot : name:string -> Cgen.Emit.t -> (unit, string) result
+(** Executables and boards drive a robot; an error of a program [name] for none. *)
+
 val built :
   general ->
   Toolchain.kind ->

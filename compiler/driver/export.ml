@@ -85,6 +85,7 @@ let platformio (general : Commands.general) ~entry ~sources ~folder file =
   let* () = Commands.all_exist sources in
   Commands.compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
       let name = Pipeline.c_name file in
+      let* () = Commands.for_robot ~name files in
       let* table = Commands.host_table ~entry files in
       let generated =
         [

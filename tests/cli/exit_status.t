@@ -119,6 +119,18 @@ A robot that there is not, and a program for no robot:
   $ frobc run good.frob
   error: good is a program for no robot; `reactimateRobot` makes one
   [2]
+  $ frobc build good.frob
+  error: good is a program for no robot; `reactimateRobot` makes one
+  [2]
+  $ frobc build good.frob --target cortex-m
+  error: good is a program for no robot; `reactimateRobot` makes one
+  [2]
+  $ frobc run good.frob --device /dev/null
+  error: good is a program for no robot; `reactimateRobot` makes one
+  [2]
+  $ frobc export good.frob --platformio library
+  error: good is a program for no robot; `reactimateRobot` makes one
+  [2]
 
 Recursion is found in modules without a program too:
 

@@ -55,6 +55,13 @@ answers are written here.
   contraction joins products and sums into one rounding: compile with -ffp-contract=off
   contraction joins products and sums into one rounding: compile with -ffp-contract=off
 
+Registers that hold more than a double make products look as if they were joined.
+
+  $ if [ "$(uname -m)" = x86_64 ]; then ask gcc -O0 -mfpmath=387 && ask gcc -O2 -mfpmath=387; else for i in 1 2; do
+  >   echo "computes with more than 53 bits: compile for SSE2 or another unit for doubles"; done; fi | sed 's/.* computes/computes/'
+  computes with more than 53 bits: compile for SSE2 or another unit for doubles
+  computes with more than 53 bits: compile for SSE2 or another unit for doubles
+
 Of the processor's settings: linking with -ffast-math has small numbers made zero
 from when the process starts, and any code can set a rounding mode.
 

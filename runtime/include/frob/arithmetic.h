@@ -180,14 +180,16 @@ static inline const char *frob_arithmetic_reason(unsigned faults)
         return "has a double that is not IEEE 754's binary64";
     if ((faults & FROB_ARITHMETIC_ROUNDING) != 0)
         return "does not round to nearest: some code has set another rounding mode";
+    /* What is carried on makes products look as if they were joined with sums, and
+     * -ffast-math may look as if more were carried on. */
+    if ((faults & FROB_ARITHMETIC_PRECISION) != 0 && (faults & FROB_ARITHMETIC_SPECIAL) == 0)
+        return "computes with more than 53 bits: compile for SSE2 or another unit for doubles";
     if ((faults & FROB_ARITHMETIC_CONTRACTION) != 0)
         return "joins products and sums into one rounding: compile with -ffp-contract=off";
     if ((faults & (FROB_ARITHMETIC_ALGEBRA | FROB_ARITHMETIC_SPECIAL)) != 0)
         return "takes floating-point numbers for real ones: compile without -ffast-math and its parts";
     if ((faults & FROB_ARITHMETIC_SUBNORMAL) != 0)
         return "makes zero of small numbers: compile and link without -ffast-math";
-    if ((faults & FROB_ARITHMETIC_PRECISION) != 0)
-        return "computes with more than 53 bits: compile for SSE2 or another unit for doubles";
     return "";
 }
 
