@@ -92,10 +92,12 @@ let for_a_robot ?robot front entry : Robots.program =
     own = own robot;
   }
 
-let place (core : Core.Ir.program) entry =
-  (List.find (fun (d : Core.Ir.definition) -> d.name = entry) core.definitions).span
+let definition_of (core : Core.Ir.program) entry =
+  List.find (fun (d : Core.Ir.definition) -> d.name = entry) core.definitions
 
-let flow options sink ~name ~entry core =
+let place core entry = (definition_of core entry).span
+
+let specialized options sink ~name ~entry core =
   let* flow =
     Specialize.Evaluate.program
       ~options:{ Specialize.Context.default with limit = options.specialization_limit }
@@ -107,6 +109,19 @@ let flow options sink ~name ~entry core =
   let flow = if Diagnostic.has_errors sink then flow else Flow.Instantaneous_loops.program sink flow in
   stage options sink Specialize ~lint:Flow.Lint.program ~print:Flow.Print.program flow
 
+(* [written]: the entry as the programmer knows it, before a robot closes it. *)
+let flow options sink front ~written ~name ~entry core =
+  let definition =
+    List.find (fun (d : Typing.Ir.definition) -> d.name = written) front.typed.definitions
+  in
+  let closed = Specialize.Evaluate.is_entry (definition_of core entry) in
+  match Typing.Entry.refusal front.typed ~closed definition with
+  | None -> specialized options sink ~name ~entry core
+  | Some refusal ->
+      Specialize.Recursion.check sink core;
+      Diagnostic.emit sink refusal;
+      None
+
 let is_signal_function (definition : Core.Ir.definition) =
   match definition.ty with
   | Signal_function _ -> true
@@ -114,13 +129,12 @@ let is_signal_function (definition : Core.Ir.definition) =
   | _ -> false
 
 (* What a check looks into: the program, or, in a module without one, every
-   signal function that could be an entry. A program of an open type cannot be
-   one, which is said there. *)
+   signal function that could be an entry. A `main` that cannot be one is told so. *)
 let entries (core : Core.Ir.program) =
-  let own (d : Core.Ir.definition) = String.equal d.name.module_ core.main_module in
-  let candidates = List.filter (fun d -> own d && is_signal_function d) core.definitions in
-  match List.filter (fun (d : Core.Ir.definition) -> d.name.name = "main") candidates with
-  | [] -> List.filter (fun (d : Core.Ir.definition) -> d.parameters = []) candidates
+  let is_own (d : Core.Ir.definition) = String.equal d.name.module_ core.main_module in
+  let own = List.filter is_own core.definitions in
+  match List.filter (fun (d : Core.Ir.definition) -> d.name.name = "main") own with
+  | [] -> List.filter (fun d -> is_signal_function d && d.Core.Ir.parameters = []) own
   | main -> main
 
 (* A program for several robots is checked as it stands, and in what needs a
@@ -133,7 +147,7 @@ let check_entry ?robot options sink front (d : Core.Ir.definition) =
     | robot -> Robots.closed sink robot program
   in
   match closed with
-  | Some (core, entry) -> ignore (flow options sink ~name:d.name.name ~entry core)
+  | Some (core, entry) -> ignore (flow options sink front ~written:d.name ~name:d.name.name ~entry core)
   | None -> Specialize.Recursion.check sink front.core
 
 let check ?robot options sink sources ~library file =
@@ -196,9 +210,9 @@ let refuse_foreign sink core ~entry (flow : Flow.Ir.program) =
 (* A program is rejected for the same reasons whatever is to run it. *)
 let checked ?robot options sink sources ~library ~entry file =
   let* front = front ?robot options sink sources ~library file in
-  let* entry = find_entry sink front.core ~file entry in
-  let* core, entry = Robots.closed sink robot (for_a_robot ?robot front entry) in
-  let* flow = flow options sink ~name:(c_name file) ~entry core in
+  let* written = find_entry sink front.core ~file entry in
+  let* core, entry = Robots.closed sink robot (for_a_robot ?robot front written) in
+  let* flow = flow options sink front ~written ~name:(c_name file) ~entry core in
   Some (core, entry, flow)
 
 let interpretable ?robot options sink sources ~library ~entry file =

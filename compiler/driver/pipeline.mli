@@ -14,8 +14,9 @@ val c_name : string -> string
 (** The name of the C files and functions for a program's file. *)
 
 val check : ?robot:Cgen.Robot.t -> options -> Diagnostic.sink -> Source.t -> library:string -> string -> unit
-(** [check options sink sources ~library file]: everything up to Core; what
-    there is to say goes to the sink. *)
+(** [check options sink sources ~library file]: all that can reject a program, of its `main`
+    or, in a module without one, of each signal function that could be an entry; what there
+    is to say goes to the sink. *)
 
 val no_entry : string
 (** The code of the diagnostic for an entry that the module does not define. *)

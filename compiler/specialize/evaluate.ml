@@ -1,47 +1,13 @@
 open Basis
 module Ir = Core.Ir
 
-(* What runs has one type of input and one of output, and lacks no argument. *)
-let refuse_entry (c : Context.t) (core : Ir.definition) =
-  let name = core.name.name and ty = Types.to_string core.ty in
-  let refuse ?cure what =
-    Diagnostic.(
-      error ~code:"E0411" ~at:core.span "`%s` cannot run: %s" name what
-      |> Option.fold ~none:Fun.id ~some:hint cure
-      |> emit c.sink)
-  in
-  let rec result : Ir.ty -> Ir.ty = function Function (_, ty) -> result ty | ty -> ty in
-  match (core.ty, result core.ty) with
-  | Data ({ name = "Program"; _ }, [ _; (Function _ | Float | Int | Bool | Tuple _) ]), _ ->
-      refuse
-        (Printf.sprintf "its type is `%s`, and what comes out is not what a robot takes" ty)
-        ~cure:"the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`"
-  | (Signal_function _ | Data ({ name = "Program"; _ }, _)), _ ->
-      refuse
-        (Printf.sprintf "its type `%s` leaves open what comes in or goes out" ty)
-        ~cure:(Printf.sprintf "give it a signature without variables, such as `%s :: SF Float Float`" name)
-  | Function _, (Signal_function _ | Data ({ name = "Program"; _ }, _)) ->
-      refuse
-        (Printf.sprintf "it still needs an argument, its type is `%s`" ty)
-        ~cure:(Printf.sprintf "define another with the argument, as in `main = %s …`" name)
-  | Function (_, Function _), _ ->
-      refuse (Printf.sprintf "it is a function, `%s`, not a signal function" ty)
-  | Data ({ module_ = "Prelude"; name = "Task" }, _), _ ->
-      refuse
-        (Printf.sprintf "it is a task, `%s`, not a signal function" ty)
-        ~cure:
-          (Printf.sprintf
-             "`runTask %s` is one; on a robot, `reactimateTask %s` is the program" name name)
-  | Function _, _ ->
-      refuse
-        (Printf.sprintf "it is a function, `%s`, not a signal function" ty)
-        ~cure:(Printf.sprintf "`arr %s` applies it at every instant" name)
-  | _ ->
-      refuse
-        (match core.ty with
-        | Float | Int | Variable _ -> "it is a value, not a signal function"
-        | _ -> Printf.sprintf "it is a value of type `%s`, not a signal function" ty)
-        ~cure:(Printf.sprintf "`constant %s` is the signal function that always gives it" name)
+let ends (core : Ir.definition) =
+  match (core.parameters, core.ty) with
+  | [], (Signal_function (input, output) | Data ({ name = "Program"; _ }, [ input; output ])) ->
+      Some (input, output)
+  | _, _ -> None
+
+let is_entry core = Option.is_some (ends core)
 
 let refuse_interface (c : Context.t) (core : Ir.definition) what ty =
   Diagnostic.(
@@ -241,10 +207,7 @@ let program ?(options = Context.default) sink ~name ~entry:(entry : Ir.Global.t)
   | None ->
       Diagnostic.bug ~stage:"Specialize.Evaluate" "there is no `%s.%s`" entry.module_ entry.name
   | Some { core; _ } -> (
-      match (core.parameters, core.ty) with
-      | [], (Signal_function (input, output) | Data ({ name = "Program"; _ }, [ input; output ]))
-        ->
-          closed_program c ~name core ~input ~output
-      | _, _ ->
-          refuse_entry c core;
-          None)
+      match ends core with
+      | Some (input, output) -> closed_program c ~name core ~input ~output
+      | None ->
+          Diagnostic.bug ~stage:"Specialize.Evaluate" "`%s` is no closed signal function" entry.name)

@@ -11,6 +11,9 @@
 
 open Basis
 
+val is_entry : Core.Ir.definition -> bool
+(** A signal function or program, and closed. *)
+
 val program :
   ?options:Context.options ->
   Diagnostic.sink ->
@@ -18,5 +21,5 @@ val program :
   entry:Core.Ir.Global.t ->
   Core.Ir.program ->
   Flow.Ir.program option
-(** [name]: of the C files. The entry is a closed signal function or program;
-    [None] if errors were reported. *)
+(** [name]: of the C files. The entry is one ({!is_entry}); [None] if
+    errors were reported. *)

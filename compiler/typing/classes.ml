@@ -203,6 +203,9 @@ let report_lacking ctx required lack =
           Diagnostic.note (Printf.sprintf "it contains %s" culprit) diagnostic
           |> about_foreign ctx lack.culprit
       | Eq | Ord -> about_foreign ctx lack.culprit diagnostic
+      | Declared { name = "RobotOutput"; _ } when by <> "`roMake`" ->
+          let hint = Output_mistake.hint_without_instance lack.culprit in
+          Option.fold hint ~none:Fun.id ~some:Diagnostic.hint diagnostic
       | Declared _ -> diagnostic)
 
 let undecided ctx (required : required) class_ =

@@ -147,6 +147,10 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
                (text (Signal_function (input, output))))
             diagnostic
       | _ -> diagnostic)
+  | (Data _ | Rigid _), (Function _ | Data _), _
+    when Option.is_some (Output_mistake.hint ~subject ~expected:expected.ty ~found) ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint (Option.get (Output_mistake.hint ~subject ~expected:expected.ty ~found))
   | (Number _ | Bool | String | Tuple _ | Data _), Function _, _ ->
       let missing = missing_arguments found in
       error ~code:"E0301" ~at "expected %s, found the function %s" (text expected.ty) (text found)

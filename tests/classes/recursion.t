@@ -117,7 +117,7 @@ A program of an open type is not one to run.
   > main = frontDistance
   > EOF
   $ frobc check open.frob
-  error[E0411]: `main` cannot run: its type `SF i Float` leaves open what comes in or goes out
+  error[E0411]: `main` cannot run: its type `HasSonar i => SF i Float[m]` leaves open what comes in or goes out
    --> open.frob:4:1
     |
   4 | main = frontDistance
@@ -128,7 +128,7 @@ A program of an open type is not one to run.
   1 error
   [1]
   $ frobc compile open.frob
-  error[E0411]: `main` cannot run: its type `SF i Float` leaves open what comes in or goes out
+  error[E0411]: `main` cannot run: its type `HasSonar i => SF i Float[m]` leaves open what comes in or goes out
    --> open.frob:4:1
     |
   4 | main = frontDistance

@@ -57,6 +57,53 @@ What cannot be the entry says why, and what would.
   1 error
   [1]
 
+What it shows of types is what a signature would say, units and classes with them.
+
+  $ cat > typed.frob <<'FROB'
+  > import Control
+  > area :: Float[m] -> Float[m] -> Float[m^2]
+  > area a b = a * b
+  > 
+  > least :: (Ord a, Eq b) => a -> b -> Maybe b -> a -> a
+  > least x y z w = if x < w && z == Just y then x else w
+  > 
+  > main :: Velocity -> Float
+  > main v = v / 1[m/s]
+  > FROB
+  $ frobc check typed.frob
+  error[E0411]: `main` cannot run: it is a function, `Float[m/s] -> Float`, not a signal function
+   --> typed.frob:9:1
+    |
+  9 | main v = v / 1[m/s]
+    | ^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: `arr main` applies it at every instant
+  
+  1 error
+  [1]
+  $ frobc compile typed.frob --entry area
+  error[E0411]: `area` cannot run: it is a function, `Float[m] -> Float[m] -> Float[m^2]`, not a signal function
+   --> typed.frob:3:1
+    |
+  3 | area a b = a * b
+    | ^^^^^^^^^^^^^^^^
+    |
+    = hint: `proc (a, b) -> area a b` applies it at every instant
+  
+  1 error
+  [1]
+  $ frobc compile typed.frob --entry least
+  error[E0411]: `least` cannot run: it is a function, `(Ord a, Eq b) => a -> b -> Maybe b -> a -> a`, not a signal function
+   --> typed.frob:6:1
+    |
+  6 | least x y z w = if x < w && z == Just y then x else w
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: `proc (a, b, c, d) -> least a b c d` applies it at every instant
+  
+  1 error
+  [1]
+
 A program that leaves its robot open cannot be run as it stands.
 
   $ cat > robot.frob <<'FROB'
@@ -64,7 +111,7 @@ A program that leaves its robot open cannot be run as it stands.
   > main = reactimateRobot (proc i -> 0.3[m/s])
   > FROB
   $ frobc check robot.frob
-  error[E0411]: `main` cannot run: its type is `Program a Float`, and what comes out is not what a robot takes
+  error[E0411]: `main` cannot run: its type is `Program a Float[m/s]`, and what comes out is not what a robot takes
    --> robot.frob:2:1
     |
   2 | main = reactimateRobot (proc i -> 0.3[m/s])

@@ -113,15 +113,138 @@ The output of a robot without `roMake`.
   > main = reactimateRobot (proc i -> setVelTR 0.1[m/s] 0)
   > FROB
   $ frobc check no_make.frob
-  error[E0411]: `main` cannot run: its type is `Program a (b -> b)`, and what comes out is not what a robot takes
+  error[E0411]: `main` cannot run: what comes out is a function, `b -> b`, not the output of a robot
    --> no_make.frob:2:1
     |
   2 | main = reactimateRobot (proc i -> setVelTR 0.1[m/s] 0)
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
-    = hint: the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`
+    = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
   
   1 error
+  [1]
+
+Likewise in a signal function, in a function, and where a signature says what comes out.
+
+  $ cat > no_make.frob <<'FROB'
+  > import Robot
+  > main = proc i -> setVelTR 0.1[m/s] (if bumped i then 1[rad/s] else 0)
+  > FROB
+  $ frobc check no_make.frob
+  error[E0411]: `main` cannot run: what comes out is a function, `b -> b`, not the output of a robot
+   --> no_make.frob:2:1
+    |
+  2 | main = proc i -> setVelTR 0.1[m/s] (if bumped i then 1[rad/s] else 0)
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+  
+  1 error
+  [1]
+  $ cat > no_make.frob <<'FROB'
+  > import Pioneer
+  > import Robot
+  > main :: SF PioneerInput (PioneerOutput -> PioneerOutput)
+  > main = proc i -> setVelTR 0.1[m/s] 0
+  > FROB
+  $ frobc check no_make.frob
+  error[E0411]: `main` cannot run: what comes out is a function, `PioneerOutput -> PioneerOutput`, not the output of a robot
+   --> no_make.frob:4:1
+    |
+  4 | main = proc i -> setVelTR 0.1[m/s] 0
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+  
+  1 error
+  [1]
+  $ cat > no_make.frob <<'FROB'
+  > import Robot
+  > main = setVelTR 0.1[m/s]
+  > FROB
+  $ frobc check no_make.frob
+  error[E0411]: `main` cannot run: it is a function, `DiffDrive a => Float[1/s] -> a -> a`, not a signal function
+   --> no_make.frob:2:1
+    |
+  2 | main = setVelTR 0.1[m/s]
+    | ^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: `reactimateRobot (proc i -> roMake (setVelTR v omega))` is a program that sets a robot's output
+  
+  1 error
+  [1]
+
+And where the output is one of a task's, or a signature's.
+
+  $ cat > no_make.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (do
+  >     sleepT 1[s] (setVelTR 0.1[m/s] 0)
+  >     sleepT 2[s] (setVelTR 0 1[rad/s]))
+  > FROB
+  $ frobc check no_make.frob
+  error[E0360]: there is no instance `RobotOutput (b -> b)`
+    --> no_make.frob:2:8
+     |
+   2 | main = reactimateTask (do
+     |        ^^^^^^^^^^^^^^ `reactimateTask` needs it
+     |
+    ::: stdlib/Robot.frob:42:19
+     |
+  42 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
+     |                   ------------------------------------------ `reactimateTask` asks for `RobotOutput o` here
+     |
+     = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+  
+  1 error
+  [1]
+  $ cat > no_make.frob <<'FROB'
+  > import Pioneer
+  > import Robot
+  > 
+  > ahead :: DiffDrive o => SF i o
+  > ahead = proc i -> setVelTR 0.1[m/s] 0
+  > 
+  > spin :: SF PioneerInput PioneerOutput
+  > spin = proc i -> turning where
+  >     turning = setVelTR 0 1[rad/s]
+  > 
+  > main :: Program PioneerInput PioneerOutput
+  > main = reactimateRobot (proc i -> turning) where
+  >     turning = setVelTR 0 1[rad/s]
+  > FROB
+  $ frobc check no_make.frob
+  error[E0301]: expected `o`, found `a -> a`
+   --> no_make.frob:5:19
+    |
+  4 | ahead :: DiffDrive o => SF i o
+    |          --------------------- the signature of `ahead` asks for the output `o`
+  5 | ahead = proc i -> setVelTR 0.1[m/s] 0
+    |                   ^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+  
+  error[E0301]: expected `PioneerOutput`, found `a -> a`
+   --> no_make.frob:8:18
+    |
+  7 | spin :: SF PioneerInput PioneerOutput
+    |         ----------------------------- the signature of `spin` asks for the output `PioneerOutput`
+  8 | spin = proc i -> turning where
+    |                  ^^^^^^^
+    |
+    = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+  
+  error[E0301]: expected `Program PioneerInput PioneerOutput`, found `Program PioneerInput (a -> a)`
+    --> no_make.frob:12:8
+     |
+  11 | main :: Program PioneerInput PioneerOutput
+     |         ---------------------------------- the signature of `main` asks for `Program PioneerInput PioneerOutput`
+  12 | main = reactimateRobot (proc i -> turning) where
+     |        ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+     |
+     = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+  
+  3 errors
   [1]
 
 A signature that asks for too little.

@@ -357,10 +357,6 @@ let stored_functions () =
   rejected "E0412: a value of type `Float -> Float` cannot be stored in a `delay`"
     [ fst (define "main" body) ]
 
-let open_entry () =
-  rejected "E0411: `main` cannot run: it is a value, not a signal function"
-    [ fst (define "main" (number 5.)) ]
-
 (* {1 Size} *)
 
 let rec nest n e wrap = if n = 0 then e else nest Stdlib.(n - 1) (wrap e) wrap
@@ -434,7 +430,6 @@ let () =
           test "functions that call each other" recursion;
           test "a local function that calls itself" recursive_local_functions;
           test "a function in a delay" stored_functions;
-          test "an entry that is no signal function" open_entry;
         ] );
       ( "size",
         [

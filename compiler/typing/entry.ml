@@ -1,0 +1,98 @@
+open Basis
+
+type kind =
+  | Signal_function of { output : Ir.ty }
+  | Program of { output : Ir.ty }
+  | Task
+  | Function of { arguments : int; result : kind }
+  | Value
+
+let rec kind : Ir.ty -> kind = function
+  | Signal_function (_, output) -> Signal_function { output }
+  | Data { tycon; arguments = [ _; output ]; _ } when tycon = Environment.built_in "Program" ->
+      Program { output }
+  | Data { tycon; _ } when tycon = Environment.task -> Task
+  | Function (_, result) -> (
+      match kind result with
+      | Function { arguments; result } -> Function { arguments = arguments + 1; result }
+      | result -> Function { arguments = 1; result })
+  | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ -> Value
+
+(* What a function takes last, if it gives it back. *)
+let rec changed : Ir.ty -> Ir.ty option = function
+  | Function (a, b) -> if a = b then Some a else changed b
+  | _ -> None
+
+(* A variable of which a class of the program's or the library's is asked, or a type that
+   is a robot's. *)
+let is_robot_output (program : Ir.program) (d : Ir.definition) (ty : Ir.ty) =
+  match ty with
+  | Variable _ ->
+      let asks ((class_ : Ir.class_), asked) =
+        match class_ with Declared _ -> asked = ty | Eq | Ord -> false
+      in
+      List.exists asks d.scheme.context
+  | Data { tycon; _ } ->
+      let gives (i : Ir.instance) =
+        String.equal i.class_.name "RobotOutput"
+        && match i.head with Data head -> head.tycon = tycon | _ -> false
+      in
+      List.exists gives program.instances
+  | _ -> false
+
+(* As the functions of the library do that `roMake` takes. *)
+let sets_output program d ty =
+  match changed ty with Some changed -> is_robot_output program d changed | None -> false
+
+let apply name arguments =
+  let arguments = List.init arguments (Variable_name.nth Variable_name.Type) in
+  match arguments with
+  | [ _ ] -> Printf.sprintf "`arr %s` applies it at every instant" name
+  | several ->
+      Printf.sprintf "`proc (%s) -> %s %s` applies it at every instant"
+        (String.concat ", " several) name (String.concat " " several)
+
+let refusal program ~closed (d : Ir.definition) =
+  let name = d.name.name and ty = Show.scheme d.scheme in
+  let refuse what cure =
+    Some
+      (Diagnostic.error ~code:"E0411" ~at:d.span "`%s` cannot run: %s" name what
+      |> Diagnostic.hint cure)
+  in
+  match kind d.scheme.ty with
+  | (Signal_function { output } | Program { output }) when sets_output program d output ->
+      refuse
+        (Printf.sprintf "what comes out is a function, `%s`, not the output of a robot"
+           (Show.ty output))
+        "`roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`"
+  | Program { output = Function _ | Number _ | Bool | Tuple _ } ->
+      refuse
+        (Printf.sprintf "its type is `%s`, and what comes out is not what a robot takes" ty)
+        "the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`"
+  | (Signal_function _ | Program _) when closed -> None
+  | Signal_function _ | Program _ ->
+      refuse
+        (Printf.sprintf "its type `%s` leaves open what comes in or goes out" ty)
+        (Printf.sprintf "give it a signature without variables, such as `%s :: SF Float Float`" name)
+  | Function { result = Signal_function _ | Program _; _ } ->
+      refuse
+        (Printf.sprintf "it still needs an argument, its type is `%s`" ty)
+        (Printf.sprintf "define another with the argument, as in `main = %s …`" name)
+  | Task ->
+      refuse
+        (Printf.sprintf "it is a task, `%s`, not a signal function" ty)
+        (Printf.sprintf "`runTask %s` is one; on a robot, `reactimateTask %s` is the program" name
+           name)
+  | Function { arguments; _ } ->
+      refuse
+        (Printf.sprintf "it is a function, `%s`, not a signal function" ty)
+        (if sets_output program d d.scheme.ty then
+           "`reactimateRobot (proc i -> roMake (setVelTR v omega))` is a program that sets a \
+            robot's output"
+         else apply name arguments)
+  | Value ->
+      refuse
+        (match d.scheme.ty with
+        | Number _ | Variable _ -> "it is a value, not a signal function"
+        | ty -> Printf.sprintf "it is a value of type `%s`, not a signal function" (Show.ty ty))
+        (Printf.sprintf "`constant %s` is the signal function that always gives it" name)
