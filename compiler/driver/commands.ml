@@ -56,17 +56,6 @@ let options general =
 let ( let* ) result continue =
   match result with Ok value -> continue value | Error text -> wrong_use text
 
-(* A file named on the command line must be there: the compiler's own message
-   would speak of modules. *)
-let readable file =
-  match Resolve.Files.on_disk.read file with
-  | Ok _ -> Ok ()
-  | Error Missing ->
-      let program = file ^ ".frob" in
-      let hint = if Sys.file_exists program then "; did you mean " ^ program ^ "?" else "" in
-      Error (Printf.sprintf "there is no file %s%s" file hint)
-  | Error (Unreadable reason) -> Error (Printf.sprintf "cannot read %s: %s" file reason)
-
 (* An entry that is not there, or an engine that cannot run it, is a wrong call,
    not a wrong program. *)
 let status sink =
@@ -78,7 +67,7 @@ let status sink =
   else Exit_status.ok
 
 let check_one general ?robot ~library file =
-  let* () = readable file in
+  let* () = Program_file.check file in
   let sink = Diagnostic.sink () and sources = Source.create () in
   Pipeline.check ?robot (options general) sink sources ~library file;
   print_diagnostics general sources sink;
@@ -95,7 +84,7 @@ let check general files =
 (* Goes on with what a pipeline gives, or gives the status with which to end. *)
 let accepted pipeline general (resources : Resources.t) ~entry file continue =
   let* robot = Robots.known general.robot in
-  let* () = readable file in
+  let* () = Program_file.check file in
   let sink = Diagnostic.sink () and sources = Source.create () in
   let result = pipeline ?robot (options general) sink sources ~library:resources.library ~entry file in
   print_diagnostics general sources sink;

@@ -293,6 +293,13 @@ let task_body location statements : Ir.expr_desc =
 
 (* Clauses *)
 
+let where location = function
+  | [] ->
+      Reject.at ~code:"E0110" (span location)
+        ~hint:"what belongs to a `where` is indented more than the definition that it ends"
+        "nothing belongs to this `where`"
+  | declarations -> declarations
+
 let second_clause (first : Ir.declaration) (second : Ir.declaration) =
   match (first.desc, second.desc) with
   | ( Binding { left = Function_name { name = a; _ }; _ },

@@ -60,6 +60,9 @@ val task_body : location -> Surface.statement list -> Ir.expr_desc
 val declarations : Ir.declaration list -> Ir.declaration list
 (** A block as it is; rejects several clauses of one function. *)
 
+val where : location -> Ir.declaration list -> Ir.declaration list
+(** What follows the word, of a definition or a branch: not nothing. *)
+
 val second_clause : Ir.declaration -> Ir.declaration -> Diagnostic.t option
 (** What to say if the second, right after the first, is one more clause of
     the same function. *)

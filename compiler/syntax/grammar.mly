@@ -140,8 +140,8 @@ declaration_desc:
     { Data { name; parameters; constructors = List.rev constructors } }
 | UNIT name = unit_name { Base_unit name }
 | UNIT name = unit_name EQUAL factors = product { scaled_unit ~name factors }
-| CLASS head = class_head members = where { class_ (fst head) (snd head) members }
-| INSTANCE head = class_head members = where { instance (fst head) (snd head) members }
+| CLASS head = class_head members = members { class_ (fst head) (snd head) members }
+| INSTANCE head = class_head members = members { instance (fst head) (snd head) members }
 | PRIMITIVE s = signature { Primitive s }
 | FOREIGN name = variable DOUBLE_COLON ty = qualified_type EQUAL symbol = c_text
     { Foreign (Foreign_value { kind = Foreign_function; name; ty; symbol }) }
@@ -178,9 +178,13 @@ body:
 guard:
 | BAR condition = chain EQUAL e = chain { (expr condition, expr e) }
 
-where:
+members:
 | { [] }
 | WHERE ds = locals { ds }
+
+where:
+| { [] }
+| WHERE ds = locals { where $loc($1) ds }
 
 parameters:
 | types = many(lower) { { units = []; types = List.rev types } }
@@ -311,7 +315,7 @@ branch_guard:
 
 proc_body:
 | output = plain %prec innermost_proc { Output { output = expr output; equations = [] } }
-| output = plain WHERE equations = locals { Output { output = expr output; equations } }
+| output = plain WHERE ds = locals { Output { output = expr output; equations = where $loc($2) ds } }
 | f = plain TAIL t = chain
     { Command { signal_function = expr f; argument = expr t; span = span $loc } }
 | DO statements = block(statement) { do_body $loc statements }

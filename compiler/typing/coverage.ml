@@ -12,8 +12,10 @@ let create data =
 
 type row = { pattern : pattern; guarded : bool }
 
+type missing = { named : string list; more : int }
+
 type result = {
-  missing : string option;
+  missing : missing option;
   guarded_only : int option;
   useless : int list;
 }
@@ -101,34 +103,67 @@ let rebuild head parts =
   | Components _ -> Tuple parts
   | Number n -> Constructed (Exact.to_string n, [])
 
-(* A value of the type with a head not among these; [None] if they are all. *)
-let other t (ty : ty) heads =
+(* {1 Several} *)
+
+(* The first ones of many, and how many there are besides. *)
+type 'a some = { first : 'a list; besides : int }
+
+let most_named = 3
+
+(* There may be more than a number can count. *)
+let limited n = min n 1_000_000
+
+let some_of all =
+  let first = List.filteri (fun i _ -> i < most_named) all in
+  { first; besides = limited (List.length all - List.length first) }
+
+let none = { first = []; besides = 0 }
+let count some = List.length some.first + some.besides
+
+let append a b =
+  if count a = 0 then b
+  else if count b = 0 then a
+  else
+    let { first; besides } = some_of (a.first @ b.first) in
+    { first; besides = limited (besides + a.besides + b.besides) }
+
+let map f some = { some with first = List.map f some.first }
+
+(* Each of the first with each of the second. *)
+let pairs f a b =
+  let { first; _ } = some_of (List.concat_map (fun x -> List.map (f x) b.first) a.first) in
+  { first; besides = limited (count a * count b) - List.length first }
+
+(* Values of the type with heads not among these, together all that there are. *)
+let others t (ty : ty) heads =
   let given = Hashtbl.create 16 in
   List.iter (fun h -> Hashtbl.replace given (key h) ()) heads;
   let rec smallest n =
     if Hashtbl.mem given (string_of_int n) then smallest (n + 1) else string_of_int n
   in
-  let first_missing names =
-    let rec go index =
-      if index = Array.length names then None
-      else if Hashtbl.mem given (string_of_int index) then go (index + 1)
+  let all_but_given names =
+    let missing = Array.length names - Hashtbl.length given in
+    let rec go index wanted =
+      if wanted = 0 then []
+      else if Hashtbl.mem given (string_of_int index) then go (index + 1) wanted
       else
         let name, arity = names.(index) in
-        Some (Constructed (name, List.init arity (fun _ -> Anything)))
+        Constructed (name, List.init arity (fun _ -> Anything)) :: go (index + 1) (wanted - 1)
     in
-    go 0
+    let first = go 0 (min missing most_named) in
+    { first; besides = limited (missing - List.length first) }
   in
   match ty with
-  | Bool -> first_missing [| ("False", 0); ("True", 0) |]
+  | Bool -> all_but_given [| ("False", 0); ("True", 0) |]
   | Data { tycon; _ } -> (
     match Hashtbl.find_opt t tycon with
     | Some constructors ->
-      first_missing
+      all_but_given
         (Array.map (fun c -> (c.constructor.name, List.length c.fields)) constructors)
     | None -> Diagnostic.bug ~stage:"Typing.Coverage" "no data type `%s`" tycon.name)
-  | Number (_, { base = []; variables = [] }) -> Some (Constructed (smallest 0, []))
-  | Number _ | Variable _ | String | Function _ | Signal_function _ | Size _ -> Some Anything
-  | Tuple _ -> None
+  | Number (_, { base = []; variables = [] }) -> some_of [ Constructed (smallest 0, []) ]
+  | Number _ | Variable _ | String | Function _ | Signal_function _ | Size _ -> some_of [ Anything ]
+  | Tuple _ -> none
 
 (* {1 The walk} *)
 
@@ -194,55 +229,49 @@ let rec take n values taken =
   if n = 0 then (List.rev taken, values)
   else match values with v :: rest -> take (n - 1) rest (v :: taken) | [] -> (List.rev taken, [])
 
-let rec gap t used width lines =
+let rec gaps t used width lines =
   match lines with
-  | [] -> Some { values = List.init width (fun _ -> Anything); passed = None }
+  | [] -> some_of [ { values = List.init width (fun _ -> Anything); passed = None } ]
   | _ when width = 0 -> reached used lines
   | _ ->
-    let { ty; groups; others } = split lines in
-    let below =
-      List.fold_left
-        (fun found (h, lines) ->
-          let inner = gap t used (arity h + width - 1) lines in
-          match (found, inner) with
-          | Some _, _ | None, None -> found
-          | None, Some g ->
-            let parts, rest = take (arity h) g.values [] in
-            Some { g with values = rebuild h parts :: rest })
-        None groups
+    let { ty; groups; others = rest } = split lines in
+    let below (h, lines) =
+      let rebuilt gap =
+        let parts, rest = take (arity h) gap.values [] in
+        { gap with values = rebuild h parts :: rest }
+      in
+      map rebuilt (gaps t used (arity h + width - 1) lines)
     in
-    let value =
+    let below = List.fold_left (fun found group -> append found (below group)) none groups in
+    let heads =
       match ty with
-      | None -> Some Anything
-      | Some ty -> other t ty (List.map fst groups)
+      | None -> some_of [ Anything ]
+      | Some ty -> others t ty (List.map fst groups)
     in
-    let beside =
-      match value with
-      | None -> None
-      | Some value ->
-        Option.map
-          (fun g -> { g with values = value :: g.values })
-          (gap t used (width - 1) others)
-    in
-    if beside = None then below else beside
+    if count heads = 0 then below
+    else
+      let beside value gap = { gap with values = value :: gap.values } in
+      append (pairs beside heads (gaps t used (width - 1) rest)) below
 
 (* All that was to be looked at has been: the first line whose guards hold. *)
 and reached used = function
-  | [] -> Some { values = []; passed = None }
+  | [] -> some_of [ { values = []; passed = None } ]
   | line :: rest ->
     used.(line.index) <- true;
-    if line.guards then
-      Option.map (fun g -> { g with passed = Some line.index }) (reached used rest)
-    else None
+    if line.guards then map (fun gap -> { gap with passed = Some line.index }) (reached used rest)
+    else none
 
 let check t rows =
   let used = Array.make (List.length rows) false in
   let line index (row : row) = { index; guards = row.guarded; rest = [ row.pattern ] } in
-  let gap = gap t used 1 (List.mapi line rows) in
+  let gaps = gaps t used 1 (List.mapi line rows) in
   let useless = ref [] in
   Array.iteri (fun i used -> if not used then useless := i :: !useless) used;
+  let shown gap = String.concat ", " (List.map show gap.values) in
   {
-    missing = Option.map (fun g -> String.concat ", " (List.map show g.values)) gap;
-    guarded_only = Option.bind gap (fun g -> g.passed);
+    missing =
+      (if count gaps = 0 then None
+       else Some { named = List.map shown gaps.first; more = gaps.besides });
+    guarded_only = (match gaps.first with gap :: _ -> gap.passed | [] -> None);
     useless = List.rev !useless;
   }

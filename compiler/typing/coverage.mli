@@ -15,9 +15,14 @@ type row = {
   guarded : bool;  (** its guards may all fail, so it covers nothing *)
 }
 
+type missing = {
+  named : string list;  (** some values, in source syntax, [_] for any; at least one *)
+  more : int;  (** how many patterns as these there are besides *)
+}
+
 type result = {
-  missing : string option;  (** a value not covered, in source syntax *)
-  guarded_only : int option;  (** a row that only its guards keep from it *)
+  missing : missing option;  (** what is not covered *)
+  guarded_only : int option;  (** a row that only its guards keep from the first of it *)
   useless : int list;  (** rows never reached, in order *)
 }
 

@@ -10,16 +10,23 @@ let rec falls (e : expr) =
   | Let (_, body) -> falls body
   | _ -> false
 
+let listed ({ named; more } : Coverage.missing) =
+  let quoted = List.map (Printf.sprintf "`%s`") named in
+  match (List.rev quoted, more) with
+  | last :: (_ :: _ as before), 0 -> String.concat ", " (List.rev before) ^ " and " ^ last
+  | _, 0 -> String.concat ", " quoted
+  | _, more -> Printf.sprintf "%s and %d more" (String.concat ", " quoted) more
+
 let case w (scrutinee : expr) branches =
   let row (b : branch) : Coverage.row = { pattern = b.pattern; guarded = falls b.value } in
   let result = Coverage.check w.coverage (Long_list.map row branches) in
   (match result.missing with
   | None -> ()
-  | Some value ->
+  | Some missing ->
     let d =
       Diagnostic.(
         error ~code:"E0350" ~at:scrutinee.span "this `case` does not cover every value"
-        |> here (Printf.sprintf "no branch for `%s`" value))
+        |> here (Printf.sprintf "no branch for %s" (listed missing)))
     in
     let d =
       match result.guarded_only with
@@ -50,10 +57,10 @@ let always_matches w what (p : pattern) =
   | As _ | Tuple_of _ | Constructed _ | Literal _ -> (
     match (Coverage.check w.coverage [ { pattern = p; guarded = false } ]).missing with
     | None -> ()
-    | Some value ->
+    | Some missing ->
       Diagnostic.(
         error ~code:"E0351" ~at:p.span "the pattern of %s must match every value" what
-        |> here (Printf.sprintf "does not match `%s`" value)
+        |> here (Printf.sprintf "does not match %s" (listed missing))
         |> hint "use `case`"
         |> emit w.sink))
 

@@ -80,3 +80,23 @@ Files that cannot be read:
   $ frobc check ring.frob
   error: there is no file ring.frob
   [2]
+
+A file of another kind says what it is for, whatever the command:
+
+  $ cp $(which true) binary; echo '[robot]' > world.toml; echo 'time,in' > in.csv; echo 'int x;' > near.c
+  $ : > near.h; mkdir one many; : > one/drive.frob; : > many/b.frob; : > many/a.frob
+  $ for file in world.toml in.csv near.c near.h binary one many; do frobc check $file; done
+  error: world.toml is no Frob program but a world; it goes beside a program: `frobc run PROGRAM.frob --world world.toml`
+  error: in.csv is no Frob program but a table of inputs, or a recording; it goes beside a program: `frobc trace PROGRAM.frob --input in.csv`
+  error: near.c is no Frob program but C or C++; what a program calls of it goes beside the program: `--with near.c`
+  error: near.h is no Frob program but a C header; a program that calls C names it: `foreign include "near.h"`
+  error: binary is no Frob program: it is no text
+  error: cannot read one: it is a directory; did you mean one/drive.frob?
+  error: cannot read many: it is a directory; name a program in it, such as many/a.frob
+  [2]
+  $ frobc run world.toml
+  error: world.toml is no Frob program but a world; it goes beside a program: `frobc run PROGRAM.frob --world world.toml`
+  [2]
+  $ frobc trace in.csv --input in.csv
+  error: in.csv is no Frob program but a table of inputs, or a recording; it goes beside a program: `frobc trace PROGRAM.frob --input in.csv`
+  [2]

@@ -72,6 +72,37 @@ A line that starts at a wrong column says where its block starts.
   1 error
   [1]
 
+  $ cat > column_1.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> y where
+  > y = x + 1
+  > 
+  > f :: Float -> Float
+  > f x = case x of
+  >     0 -> z where
+  >     z = 1
+  >     _ -> x
+  > FROB
+  $ frobc check column_1.frob
+  error[E0110]: nothing belongs to this `where`
+   --> column_1.frob:2:20
+    |
+  2 | main = proc x -> y where
+    |                    ^^^^^
+    |
+    = hint: what belongs to a `where` is indented more than the definition that it ends
+  
+  error[E0110]: nothing belongs to this `where`
+   --> column_1.frob:7:12
+    |
+  7 |     0 -> z where
+    |            ^^^^^
+    |
+    = hint: what belongs to a `where` is indented more than the definition that it ends
+  
+  2 errors
+  [1]
+
 A bracket around a block that nothing closes: the bracket is shown, and the definitions after it are read.
 
   $ cat > unclosed.frob <<'FROB'

@@ -38,7 +38,7 @@ let blocks =
     same "a closing bracket in the first column" "x = f (\n  a, b\n)" "x = f (a, b)";
     same "a record over several lines" "x = R\n  { a = 1\n  , b = 2\n  }" "x = R { a = 1, b = 2 }";
     same "empty let" "x = let in 1" "x = let\n    in 1";
-    same "a block no further right is empty" "x = y\n  where\nz = 1" "x = y where\n\nz = 1";
+    same "a block no further right is empty" "instance Shape Circle where\nz = 1" "instance Shape Circle\n\nz = 1";
     same "a non-ASCII text counts by characters" "x = f \"é\" (let a = 1\n               b = 2 in a)"
       "x = f \"é\" (let a = 1; b = 2 in a)";
     same "a `let` in a `do`" "x = proc y -> do\n  let a = 1\n      b = 2\n  f -< a"

@@ -1,0 +1,49 @@
+(* What takes files of another kind, by the ending of their names. *)
+let of_another_kind file =
+  match String.lowercase_ascii (Filename.extension file) with
+  | ".toml" ->
+      Some ("a world", Printf.sprintf "it goes beside a program: `frobc run PROGRAM.frob --world %s`" file)
+  | ".csv" ->
+      Some
+        ( "a table of inputs, or a recording",
+          Printf.sprintf "it goes beside a program: `frobc trace PROGRAM.frob --input %s`" file )
+  | ".c" | ".cc" | ".cpp" | ".cxx" | ".o" | ".a" | ".so" ->
+      Some
+        ( "C or C++",
+          Printf.sprintf "what a program calls of it goes beside the program: `--with %s`" file )
+  | ".h" | ".hpp" ->
+      Some
+        ( "a C header",
+          Printf.sprintf "a program that calls C names it: `foreign include \"%s\"`"
+            (Filename.basename file) )
+  | _ -> None
+
+let programs_in folder =
+  match Sys.readdir folder with
+  | exception Sys_error _ -> []
+  | files ->
+      let is_program file = Filename.check_suffix file ".frob" in
+      List.sort String.compare (List.filter is_program (Array.to_list files))
+
+let of_a_folder folder =
+  match programs_in folder with
+  | [ one ] -> Printf.sprintf "; did you mean %s?" (Filename.concat folder one)
+  | [] -> ""
+  | first :: _ -> Printf.sprintf "; name a program in it, such as %s" (Filename.concat folder first)
+
+(* No text has a byte 0; programs that compilers made have one soon. *)
+let is_binary text = String.contains (String.sub text 0 (min 512 (String.length text))) '\000'
+
+let check file =
+  match (Resolve.Files.on_disk.read file, of_another_kind file) with
+  | Error Missing, _ ->
+      let program = file ^ ".frob" in
+      let hint = if Sys.file_exists program then "; did you mean " ^ program ^ "?" else "" in
+      Error (Printf.sprintf "there is no file %s%s" file hint)
+  | Error (Unreadable reason), _ ->
+      let hint = if Sys.file_exists file && Sys.is_directory file then of_a_folder file else "" in
+      Error (Printf.sprintf "cannot read %s: %s%s" file reason hint)
+  | Ok _, Some (kind, use) -> Error (Printf.sprintf "%s is no Frob program but %s; %s" file kind use)
+  | Ok text, None when is_binary text && not (Filename.check_suffix file ".frob") ->
+      Error (Printf.sprintf "%s is no Frob program: it is no text" file)
+  | Ok _, None -> Ok ()
