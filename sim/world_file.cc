@@ -1,6 +1,5 @@
 #include "world_file.h"
 
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -9,6 +8,7 @@
 #include "bends.h"
 #include "robot.h"
 #include "toml_reader.h"
+#include "toml_syntax.h"
 #include "triangulate.h"
 
 namespace frob::sim {
@@ -284,12 +284,9 @@ Scene parse_world(const std::string &text, const std::string &path) {
         Scene scene = read_scene(mistakes, root);
         if (!mistakes.any()) return scene;
     } catch (const toml::parse_error &error) {
-        std::string message(error.description());
-        message[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(message[0])));
-        if (message.find("integer") != std::string::npos ||
-            message.find("floating-point") != std::string::npos)
-            message += "; numbers have no unit here: metres, kilograms, seconds";
-        mistakes.add(error.source(), message);
+        const toml::source_region &where = error.source();
+        mistakes.add(where, syntax_mistake(text, where.begin.line, where.begin.column,
+                                           error.description()));
     }
     throw WorldFileError(mistakes.text());
 }

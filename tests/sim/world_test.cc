@@ -195,14 +195,48 @@ void mistakes() {
             "w.toml:1:1: the robot would start inside a wall or another thing");
     rejects("a needed key misspelt, once", start + "[[circle]]\ncentre = [3, 3]\nradius = 1\n",
             "w.toml:5:1: unknown key `centre`; did you mean `center`?");
-    rejects("a number with a unit", "[start]\nx = 5cm\ny = 0\n",
-            "w.toml:2:6: error while parsing decimal integer: expected digit, saw 'c'; "
-            "numbers have no unit here: metres, kilograms, seconds");
     rejects("several mistakes at once, in the file's order",
             "[start]\nx = true\n[sonar]\nrays = 0\n",
             "w.toml:1:1: this needs a key `y`\n"
             "w.toml:2:5: `x` is true or false, expected a number\n"
             "w.toml:4:8: `rays` must be a whole number from 1 to 101");
+}
+
+// What is no TOML at all.
+void syntax_mistakes() {
+    const std::string unit = "numbers have no unit here: lengths are in metres, angles in degrees, "
+                             "masses in kilograms, times in seconds";
+    rejects("a number with a unit", "[start]\nx = 5cm\ny = 0\n", "w.toml:2:6: " + unit);
+    rejects("a unit after a blank", "[start]\nx = 1.5 m\n", "w.toml:2:9: " + unit);
+    rejects("a unit in brackets", "[start]\nx = 1.5[m]\n", "w.toml:2:8: " + unit);
+    rejects("a unit that is no letter", "[start]\nheading_deg = 90°\n", "w.toml:2:17: " + unit);
+    rejects("a unit in a list", start + "[[circle]]\ncenter = [1, 2 m]\n", "w.toml:5:16: " + unit);
+    rejects("a decimal comma", "[start]\nx = 1,5\n",
+            "w.toml:2:6: a number is written with a point, not with a comma");
+    rejects("a point without digits", "[start]\nx = .5\n",
+            "w.toml:2:5: a number has digits on both sides of its point, as in `0.5`");
+    rejects("a computation", "[start]\nx = 1/2\n",
+            "w.toml:2:6: nothing is computed here: write the number that comes out");
+    rejects("two keys in a line", "[start]\nx = 1 y = 2\n",
+            "w.toml:2:7: only one key stands in a line");
+    rejects("a key twice", "[start]\nx = 1\nx = 2\n", "w.toml:3:5: this is in the file already");
+    rejects("no value", "[start]\nx =\n", "w.toml:2:4: a value is missing after the `=`");
+    rejects("a text without quotation marks", "robot = pioneer\n",
+            "w.toml:1:9: a text stands in quotation marks: `\"pioneer\"`");
+    rejects("a truth of Python's", start + "[[wall]]\nclosed = True\n",
+            "w.toml:5:10: truths are written `true` and `false`");
+    rejects("what is no value", "[start]\nx = pi/2\n",
+            "w.toml:2:5: this is no value: numbers are, texts in quotation marks, `true` and "
+            "`false`, and lists in brackets");
+    rejects("a list without a comma", start + "[[wall]]\npoints = [[0, 0] [1, 1]]\n",
+            "w.toml:5:18: between two elements stands a `,`, after the last one a `]`");
+    rejects("a colon", "[start]\nx: 1\n",
+            "w.toml:2:2: a line has a key, `=` and its value, as in `x = 0.5`");
+    rejects("half a bracket", "[start\nx = 1\n",
+            "w.toml:1:7: the name of a table stands in brackets, as in `[start]` or `[[wall]]`");
+    rejects("a comment of C's", "// a room\n",
+            "w.toml:1:1: a line has a key, `=` and its value, or is a table's name such as "
+            "`[start]`, or a comment, which begins with `#`");
 }
 
 } // namespace
@@ -216,5 +250,6 @@ int main() {
     measure();
     triangles();
     mistakes();
+    syntax_mistakes();
     return check::status();
 }
