@@ -62,9 +62,9 @@ A robot runs in real time in any case.
   connections: 1
   $ end_robot
 
-A program for no robot has no driver.
+A program for no robot does not come as far as a driver.
 
   $ echo 'main = arr (\x -> x + 1.0)' > plain.frob
   $ frobc run plain.frob --for 1s --device ./line
-  error: plain is a program for no robot, which has no driver; there are drivers for: pioneer, scout, create
+  error: plain is a program for no robot; `reactimateRobot` makes one
   [2]
