@@ -44,6 +44,9 @@ let program program =
      from what is known now. *)
   let joined = Fusion.program tidied in
   let tidied = if joined == tidied then tidied else inline joined in
+  (* When it is known who runs a machine, and what its modes put out. *)
+  let awaited = Waiting.program tidied in
+  let tidied = if awaited == tidied then tidied else tidy awaited in
   (* When loops are what they will be. *)
   let started = Extreme.program tidied in
   (* Last, for a machine that so becomes a part of its user is inlined no more. *)

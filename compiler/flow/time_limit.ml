@@ -49,9 +49,15 @@ let reached passed (node : Ir.node) restart =
       | _ -> None)
     node.equations
 
-let ends_in_time passed (node : Ir.node) =
-  let known = lazy (Truth.while_running node []) in
-  node.transitions <> []
+(* A mode goes on where no transition occurs and it does not tell that all is over. *)
+let ends_in_time passed over (node : Ir.node) =
+  let goes_on =
+    match Option.map (fun k -> snd (List.nth node.outputs k)) over with
+    | Some (Ir.Signal s) -> [ (s, false) ]
+    | Some (Bool _ | Int _ | Float _) | None -> []
+  in
+  let known = lazy (Truth.while_running node goes_on) in
+  (node.transitions <> [] || goes_on <> [])
   && List.exists
        (fun s -> Truth.value (Lazy.force known) (Signal s) = Some false)
        (reached passed node (Bool false))
@@ -78,10 +84,11 @@ let starts_again_in_time passed (node : Ir.node) restart =
 let is_limited program =
   let with_own_instants = lazy (with_own_instants program) in
   let literals = lazy (Literal_parameters.passed program) in
+  let over = lazy (Over.outputs program) in
   let passed s = Lazy.force literals s in
   fun k restart ->
     let node = program.Ir.nodes.(k) in
     (match (restart : Ir.atom) with
     | Signal _ -> starts_again_in_time passed node restart
-    | Bool _ | Int _ | Float _ -> ends_in_time passed node)
+    | Bool _ | Int _ | Float _ -> ends_in_time passed (Lazy.force over).(k) node)
     && not (Lazy.force with_own_instants).(k)
