@@ -129,9 +129,7 @@ let rec right env ~expr ~command (r : Syntax.Ir.right) : Ir.right =
     | Plain value -> [ (None, value) ]
     | Guarded guards -> Long_list.map (fun (condition, value) -> (Some condition, value)) guards
   in
-  let env =
-    if r.where = [] then env else Env.beside_proc env (lazy (Proc_signals.of_body r.body))
-  in
+  let env = Env.beside_procs env r in
   guarded env ~expr ~command ~guards ~where:r.where
 
 and guarded env ~expr ~command ~guards ~where : Ir.right =

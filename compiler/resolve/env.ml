@@ -7,15 +7,20 @@ type variable = { local : Ir.Local.t; owner : owner option }
 type t = {
   scope : Scope.t;
   locals : variable String_map.t;
-  signals : Syntax.Ir.name list Lazy.t;
+  signals : Proc_signals.t list Lazy.t option;
   top_level : Groups.t;
   top_index : int String_map.t;
 }
 
 let top scope top_level top_index =
-  { scope; locals = String_map.empty; signals = lazy []; top_level; top_index }
+  { scope; locals = String_map.empty; signals = None; top_level; top_index }
 
-let beside_proc t signals = { t with signals }
+let beside_procs t (r : Syntax.Ir.right) =
+  match t.signals with
+  | None -> { t with signals = Some (lazy (Proc_signals.(of_body r.body @ of_right r))) }
+  | Some _ when r.where = [] -> t
+  | Some around ->
+      { t with signals = Some (lazy (Proc_signals.of_body r.body @ Lazy.force around)) }
 let of_module scope = top scope (Groups.create 0) String_map.empty
 let scope t = t.scope
 let context t = t.scope.context
@@ -70,7 +75,7 @@ let refer_to_value t (value : value) : Ir.expr_desc =
 let names t = lazy (String_map.fold (fun name _ names -> name :: names) t.locals [])
 
 let module_level t q =
-  Option.map (refer_to_value t) (Scope.find_value t.scope ~locals:(names t) ~signals:t.signals q)
+  Option.map (refer_to_value t) (Scope.find_value t.scope ~locals:(names t) ~signals:(Option.value t.signals ~default:(lazy [])) q)
 
 let variable t (q : Syntax.Ir.qualified) =
   match q.qualifier with

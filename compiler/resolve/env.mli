@@ -13,8 +13,9 @@ val of_module : Scope.t -> t
 (** No locals, and nothing under analysis: for what stands outside of all
     groups. *)
 
-val beside_proc : t -> Syntax.Ir.name list Lazy.t -> t
-(** In a [where] that stands after a [proc] with these signals; for messages. *)
+val beside_procs : t -> Syntax.Ir.right -> t
+(** In this right side, with the [proc]s in it; for messages about names that are signals
+    of a [proc] elsewhere in the definition. *)
 
 val scope : t -> Scope.t
 val context : t -> Context.t

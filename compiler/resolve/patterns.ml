@@ -49,6 +49,13 @@ let report_arity (scope : Scope.t) (constructor : constructor) ~found at =
     (if constructor.arity = 1 then "" else "s")
     found
   |> Diagnostic.label ~at:constructor.span "declared here"
+  |> (if constructor.arity = 0 || constructor.arity > 3 then Fun.id
+     else
+       let name i = String.make 1 (Char.chr (Char.code 'a' + i)) in
+       Diagnostic.hint
+         (Printf.sprintf "its pattern is `%s %s`, with `_` for what is not looked at"
+            constructor.global.name
+            (String.concat " " (List.init constructor.arity name))))
   |> Context.emit scope.context
 
 let rec pattern (scope : Scope.t) (p : Syntax.Ir.pattern) : Ir.pattern =

@@ -128,7 +128,7 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
     |> other_meaning t space name
   in
-  let is_it (signal : Syntax.Ir.name) = String.equal signal.text name.text in
+  let is_it (signal : Proc_signals.t) = String.equal signal.name.text name.text in
   let has (m : of_library) = String_map.mem name.text (space.table m.names) in
   let with_it =
     let all = List.filter has (Lazy.force t.elsewhere) in
@@ -138,11 +138,16 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
     match (with_it, other_writing t space name.text) with
     | _ when List.exists is_it (Lazy.force signals) ->
         let signal = List.find is_it (Lazy.force signals) in
-        Diagnostic.label ~at:signal.span (Printf.sprintf "this `%s` is a signal of the `proc`" name.text)
+        Diagnostic.label ~at:signal.name.span
+          (Printf.sprintf "this `%s` is a signal of the `proc`" name.text)
           diagnostic
         |> Diagnostic.hint
-             "a `where` after `do` belongs to the whole definition and sees no signals: write a \
-              `let` in the `do`"
+             (if signal.of_do then
+              "a `where` after `do` belongs to the whole definition and sees no signals: write a \
+               `let` in the `do`"
+             else
+               "a `proc` ends at the bracket or comma that follows it; behind that, and in a `where` \
+                behind that, its signals are not known")
     | (_ :: _ as modules), _ ->
         let imports = List.map (fun (m : of_library) -> Printf.sprintf "`import %s`" m.module_) modules in
         Diagnostic.hint

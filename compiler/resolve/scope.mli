@@ -52,11 +52,11 @@ val find : t -> 'a Interface.space -> Syntax.Ir.qualified -> 'a option
 val find_value :
   t ->
   locals:string list Lazy.t ->
-  signals:Syntax.Ir.name list Lazy.t ->
+  signals:Proc_signals.t list Lazy.t ->
   Syntax.Ir.qualified ->
   Interface.value option
 (** Likewise; the local names may be suggested. The [signals] are those of a
-    [proc] nearby that cannot be seen from here. *)
+    [proc]s in the definition; those that can be seen from here are among the locals. *)
 
 val look : t -> 'a Interface.space -> Syntax.Ir.name -> 'a option
 (** The meaning of an unqualified name that need not have one; silent unless

@@ -55,7 +55,9 @@ let unit_with scope ~variable (u : Syntax.Ir.unit_) : Ir.unit_ =
 let concrete_unit (scope : Scope.t) u =
   let variable (name : Syntax.Ir.name) =
     Diagnostic.error ~code:"E0208" ~at:name.span "unknown unit `%s`" name.text
-    |> Diagnostic.note "a unit variable can stand only in a type"
+    |> (match Unit_word.symbol name.text with
+       | Some symbol -> Diagnostic.hint (Printf.sprintf "`%s` is the unit" symbol)
+       | None -> Diagnostic.note "a unit variable can stand only in a type")
     |> Context.emit scope.context
   in
   unit_with scope ~variable u

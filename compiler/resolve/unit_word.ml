@@ -11,7 +11,7 @@ let symbol word =
   | "sec" | "second" -> Some "s"
   | "msec" | "millisecond" -> Some "ms"
   | "minute" -> Some "min"
-  | "hr" -> Some "hour"
+  | "h" | "hr" -> Some "hour"
   | "kilogram" -> Some "kg"
   | "gram" -> Some "g"
   | "radian" -> Some "rad"

@@ -83,6 +83,11 @@ let rec bracket_of_item : Layout.context -> ((string * string) * Layout.origin) 
 let unclosed found ((opener, closer), by) =
   Diagnostic.error ~code:"E0111" ~at:(opener_span by) "this `%s` is never closed" opener
   |> Diagnostic.label ~at:(span found.token) (Printf.sprintf "expected `%s` by here" closer)
+  |>
+  let at = found.token.start.pos_cnum in
+  if at < String.length found.text && found.text.[at] = ';' && String.equal opener "{" then
+    Diagnostic.hint "a `;` ends a definition; there is a `,` between two fields"
+  else Fun.id
 
 let bracket found =
   match found.token.token with

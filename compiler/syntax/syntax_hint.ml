@@ -126,10 +126,32 @@ let first_word found =
   let rec stop i = match char_at found i with 'a' .. 'z' -> stop (i + 1) | _ -> i in
   String.sub found.text bol (stop bol - bol)
 
-let stands_after_proc found (t : Layout.token) =
-  let word = "proc " in
-  let start = t.start.pos_cnum - String.length word in
-  start >= 0 && String.sub found.text start (String.length word) = word
+(* The word that ends before this offset, with only blanks between. *)
+let word_before found offset =
+  let rec blanks i = if i > 0 && is_blank (char_at found (i - 1)) then blanks (i - 1) else i in
+  let stop = blanks offset in
+  let rec start i =
+    match char_at found (i - 1) with
+    | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> start (i - 1)
+    | _ -> i
+  in
+  let start = start stop in
+  String.sub found.text start (stop - start)
+
+let stands_after found word (t : Layout.token) =
+  String.equal (word_before found t.start.pos_cnum) word
+
+(* What follows an opening brace in its line: `name =`, as in a value, or `name ::`, as in
+   a type. *)
+let opens_fields found sign =
+  let rec skip accepts i = if accepts (char_at found i) && i < String.length found.text then skip accepts (i + 1) else i in
+  let is_letter = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false in
+  let name = skip (fun c -> c = ' ') found.token.stop.pos_cnum in
+  let stop = skip is_letter name in
+  let at = skip is_blank stop in
+  stop > name
+  && at + String.length sign <= String.length found.text
+  && String.equal (String.sub found.text at (String.length sign)) sign
 
 (* The first line of the definition at the left edge that the found token is in. *)
 let first_line_of_definition found =
@@ -154,6 +176,10 @@ let of_token found =
       Some "the name of a module has no points: its file stands beside this one, or in the library"
   | IMPORT, Some _ when first_word found = "from" ->
       Some "names are imported from a module by `import Control (limit)`"
+  | LOWER _, Some _ when first_word found = "import" && written found found.token = "hiding" ->
+      Some "nothing needs hiding: a module's own definitions hide imported ones, and two imports of one name clash only where it is used"
+  | BAR, Some ({ token = LOWER _; _ } as before) when written found before = "with" ->
+      Some "a choice by constructors is written `case x of`, and each branch `pattern -> value`"
   | IF, Some before when not (expects_more (Some before)) && not found.token.first ->
       Some "a choice is written `if c then a else b`"
   | DOUBLE_ARROW, Some _ when innermost_block found.context = Of -> Some "a branch is written `pattern -> value`"
@@ -168,6 +194,9 @@ let of_token found =
       Some "the methods follow `where`, each on a line of its own"
   | EQUAL, Some { stop; _ } when stop.pos_cnum = found.token.start.pos_cnum && assigns found <> None ->
       assigns found
+  | EQUAL, Some ({ token = LOWER _; _ } as name)
+    when stands_after found "then" name || stands_after found "else" name ->
+      Some "nothing is assigned: one equation chooses the value, as in `x = if c then a else b`"
   | EQUAL, _ when compares found.context -> Some "`=` defines; to compare write `==`"
   | DOUBLE_COLON, Some { token = UPPER _; _ } ->
       Some "the name of a value starts with a small letter"
@@ -185,7 +214,7 @@ let of_token found =
     when opens_with Layout.Brace found.context ->
       Some "a field gets its value with `=`; if a block was meant, it is made by indentation"
   | (LOWER _ | NUMBER _ | UNDERSCORE | LPAREN), Some ({ token = UPPER _; _ } as constructor)
-    when stands_after_proc found constructor ->
+    when stands_after found "proc" constructor ->
       Some "a pattern such as `Just x` needs parentheses here"
   | THEN, _ when opens_with Layout.Then found.context ->
       Some "a chain of choices is written `if a then x else if b then y else z`"
@@ -213,7 +242,12 @@ let usual found =
       | ((Block (Top | Let | Where) | Paren), _) :: _ ->
           Some "a function without a name is written `\\x -> …`, a signal function `proc x -> …`"
       | _ -> None)
+  | LBRACE when opens_fields found "=" ->
+      Some "a record is built by the name of its constructor, as in `Pose { heading = 0 }`"
+  | LBRACE when opens_fields found "::" && first_word found = "type" ->
+      Some "`data` declares a record, and its constructor: `data Pose = Pose { heading :: Angle }`"
   | LBRACE -> Some by_indentation
+  | DOUBLE_COLON -> Some "the type of an expression stands with it in parentheses: `(e :: T)`"
   | _ -> None
 
 let hint found ~state_hints =

@@ -46,7 +46,13 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
           |> Diagnostic.hint
                (Printf.sprintf "only `%s` has it: `case` finds out, by the pattern `%s { %s = x }`"
                   constructor.name constructor.name name.text)
-      | None -> error "%s has no field `%s`" described name.text |> suggest name known)
+      | None ->
+          let d = error "%s has no field `%s`" described name.text in
+          (match (Suggest.closest name.text known, known) with
+          | None, _ :: _ when List.compare_length_with known 8 <= 0 ->
+              let fields = List.map (Printf.sprintf "`%s`") known in
+              Diagnostic.note ("its fields: " ^ String.concat ", " fields) d
+          | _ -> suggest name known d))
       |> Diagnostic.label ~at:record.span ("this is " ^ described))
 
 (* Of a record whose type is not known, perhaps for another error. *)

@@ -1,7 +1,7 @@
 open Basis
 open Ir
 
-type walk = { sink : Diagnostic.sink; coverage : Coverage.t }
+type walk = { sink : Diagnostic.sink; data : data list; coverage : Coverage.t }
 
 (* Whether the guards that end a right side may all fail. *)
 let rec falls (e : expr) =
@@ -16,6 +16,23 @@ let listed ({ named; more } : Coverage.missing) =
   | last :: (_ :: _ as before), 0 -> String.concat ", " (List.rev before) ^ " and " ^ last
   | _, 0 -> String.concat ", " quoted
   | _, more -> Printf.sprintf "%s and %d more" (String.concat ", " quoted) more
+
+(* Of these branches one that has a name for all values, which in capitals is a
+   constructor's. *)
+let taken_for_a_constructor w (branches : branch list) =
+  let constructor name =
+    let name = String.capitalize_ascii name in
+    List.exists
+      (fun (d : data) ->
+        List.exists (fun (c : constructor) -> String.equal c.constructor.name name) d.constructors)
+      w.data
+  in
+  List.find_map
+    (fun (b : branch) ->
+      match b.pattern.desc with
+      | Bound local when constructor local.name -> Some (String.capitalize_ascii local.name, b.pattern.span)
+      | _ -> None)
+    branches
 
 let case w (scrutinee : expr) branches =
   let row (b : branch) : Coverage.row = { pattern = b.pattern; guarded = falls b.value } in
@@ -38,12 +55,19 @@ let case w (scrutinee : expr) branches =
         |> Diagnostic.hint "end the guards with `otherwise`"
     in
     Diagnostic.emit w.sink d);
+  let for_a_constructor = lazy (taken_for_a_constructor w branches) in
   let rec warn index useless (branches : branch list) =
     match (useless, branches) with
     | next :: useless, b :: branches when next = index ->
       Diagnostic.(
         warning ~code:"W0301" ~at:b.pattern.span "this branch is never taken"
         |> here "the branches before it cover these values"
+        |> (match Lazy.force for_a_constructor with
+           | Some (name, (at : Span.t)) when Basis.Span.compare at b.pattern.span < 0 ->
+             fun d ->
+               label ~at "a small letter: this is a name for any value" d
+               |> hint (Printf.sprintf "the constructor is `%s`" name)
+           | Some _ | None -> Fun.id)
         |> emit w.sink);
       warn (index + 1) useless branches
     | _ :: _, _ :: branches -> warn (index + 1) useless branches
@@ -130,5 +154,5 @@ and binding w (b : binding) =
   expr w b.value
 
 let check sink (p : program) =
-  let w = { sink; coverage = Coverage.create p.data } in
+  let w = { sink; data = p.data; coverage = Coverage.create p.data } in
   List.iter (fun (d : definition) -> expr w d.value) p.definitions

@@ -45,12 +45,23 @@ let is_number t = match Type.expand t with Number _ -> true | _ -> false
 let separated_by_commas (expected : Expected.t) =
   match expected.because with Parameter { position = 1; callee = Some _; _ } -> true | _ -> false
 
+(* How a vector is built. *)
+let vector = function
+  | Type.Data { tycon = { name = "Vec2"; _ }; _ } -> Some "`Vec2 { x = a, y = b }`"
+  | Type.Data { tycon = { name = "Vec3"; _ }; _ } -> Some "`Vec3 { x = a, y = b, z = c }`"
+  | _ -> None
+
 (* Of a place, written as a pair. *)
 let vector_fields wanted elements =
   match (wanted, List.length elements) with
-  | Type.Data { tycon = { name = "Vec2"; _ }; _ }, 2 -> Some "`Vec2 { x = a, y = b }`"
-  | Type.Data { tycon = { name = "Vec3"; _ }; _ }, 3 -> Some "`Vec3 { x = a, y = b, z = c }`"
+  | Type.Data { tycon = { name = "Vec2"; _ }; _ }, 2 | Type.Data { tycon = { name = "Vec3"; _ }; _ }, 3 ->
+      vector wanted
   | _ -> None
+
+let is_a_parameter (expected : Expected.t) =
+  match expected.because with
+  | Parameter { callee = Some name; _ } -> not (List.mem name [ "+"; "-"; "*"; "/"; "^+^"; "^-^"; "*^" ])
+  | _ -> false
 
 let vector_operator (expected : Expected.t) =
   match expected.because with
@@ -76,6 +87,30 @@ let lacks_the_signal_of_its_event wanted given =
       && match Type.expand unrun with Signal_function (_, o) -> Environment.is_event o | _ -> false)
   | _ -> false
 
+let gives_a_truth_for_its_event wanted given =
+  match (Type.expand wanted, Type.expand given) with
+  | Tuple [ _; event ], Tuple [ _; truth ] ->
+      Environment.is_event event && Type.expand truth = Bool
+  | _ -> false
+
+(* What goes on from a value, as a switch does from its event's. *)
+let goes_on (expected : Expected.t) =
+  match expected.because with
+  | Parameter { callee = Some ("switch" | "dSwitch" | "initially" | "thenSF"); _ } -> true
+  | _ -> false
+
+let is_array t =
+  match Type.expand t with
+  | Data { tycon; _ } -> tycon = Environment.array
+  | _ -> false
+
+let arithmetic (expected : Expected.t) =
+  match expected.because with
+  | Parameter { callee = Some ("+" | "-" | "*" | "/" as operator); _ }
+  | Operand { operator = "+" | "-" | "*" | "/" as operator; _ } ->
+      Some operator
+  | _ -> None
+
 (* What events have for the operators of truths. *)
 let of_events (expected : Expected.t) =
   match expected.because with
@@ -96,9 +131,9 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
   let text t = Show.described words t in
   match (Type.expand expected.ty, Type.expand found, operand_before expected) with
   | wanted, Signal_function _, _ when Environment.is_task wanted ->
-      Task_mistake.task_and_signal_function words ~subject ~at ~found
+      Task_mistake.task_and_signal_function words ~subject ~at ~expected ~found
   | Signal_function _, given, _ when Environment.is_task given ->
-      Task_mistake.task_and_signal_function words ~subject ~at ~found
+      Task_mistake.task_and_signal_function words ~subject ~at ~expected ~found
   | wanted, (Number _ | Bool | String | Tuple _ | Data _ | Rigid _ as given), _
     when Environment.is_task wanted && (not (Environment.is_task given)) && of_a_sequence expected ->
       Task_mistake.no_task words ~subject ~at ~found
@@ -116,6 +151,10 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
     when ends_a_mode expected && lacks_the_signal_of_its_event wanted given ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint "the event is a signal function here, and not run: it lacks its signal, as in `after 5[s] ()`"
+  | Signal_function (_, wanted), Signal_function (_, given), _
+    when ends_a_mode expected && gives_a_truth_for_its_event wanted given ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint "what ends it is an event: `edge b` occurs when `b` becomes True, `when b` wherever it is"
   | Signal_function (_, wanted), Function (_, given), _
     when Environment.is_event wanted && Type.expand given = Bool ->
       error ~code:"E0304" ~at "expected a signal function, found a function: %s" (text found)
@@ -131,6 +170,11 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
         error ~code:"E0304" ~at "expected a function, found a signal function: %s" (text found)
       in
       match (expected.because, Type.expand expected.ty) with
+      | _ when goes_on expected ->
+          hint
+            (Printf.sprintf "it is given a value, and may ignore it: `\\_ -> %s`"
+               (Option.value (Option.bind subject Plain_name.of_expr) ~default:"…"))
+            diagnostic
       | Parameter { callee = Some "arr"; _ }, _ -> hint "leave out `arr`" diagnostic
       | Parameter { callee = Some "map"; _ }, _ ->
           hint "`mapSF` runs a signal function on each element" diagnostic
@@ -177,6 +221,13 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> hint
            (Printf.sprintf "vectors have operators of their own: %s"
               (Option.get (vector_operator expected)))
+  | Number _, _, _ when is_array found && arithmetic expected <> None ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint
+           (let operator = Option.get (arithmetic expected) in
+            Printf.sprintf
+              "`map (\\x -> x %s y) xs` computes with each element, `zipWith (%s) xs ys` with those of two arrays"
+              operator operator)
   | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint "`constant e` is the signal function that always gives `e`"
@@ -187,6 +238,9 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> (match subject with
          | Some { desc = Tuple _; _ } -> Fun.id
          | _ -> here (Printf.sprintf "this is %s" (text found)))
+  | wanted, Number _, _ when is_a_parameter expected && vector wanted <> None ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint (Printf.sprintf "a vector has its fields by name: %s" (Option.get (vector wanted)))
   | wanted, Tuple (_ :: _ as elements), _ when vector_fields wanted elements <> None ->
       error ~code:"E0301" ~at "expected %s, found a tuple of %d" (text expected.ty)
         (List.length elements)

@@ -13,7 +13,7 @@ let to_task subject output =
            "`mkTask (%s &&& event)` ends when the event occurs; `mkTask (%s &&& never)` never does" name
            name)
 
-let task_and_signal_function words ~subject ~at ~found =
+let task_and_signal_function words ~subject ~at ~(expected : Expected.t) ~found =
   match Type.expand found with
   | Signal_function (_, output) ->
       error ~code:"E0371" ~at "a signal function stands where a task is needed"
@@ -24,10 +24,14 @@ let task_and_signal_function words ~subject ~at ~found =
       error ~code:"E0371" ~at "a task stands where a signal function is needed"
       |> here (Printf.sprintf "this is %s" (Show.described words found))
       |> hint
-           (Printf.sprintf
-              "`runTask %s` is a signal function: `Left` its output while it runs, then `Right` its \
-               result"
-              name)
+           (match expected.because with
+           | Parameter { callee = Some "reactimateRobot"; _ } ->
+               Printf.sprintf "`reactimateTask %s` makes a program of a task" name
+           | _ ->
+               Printf.sprintf
+                 "`runTask %s` is a signal function: `Left` its output while it runs, then `Right` \
+                  its result"
+                 name)
 
 (* Two tasks that differ in one thing. *)
 let unlike_tasks words ~at (input, output, result) (input', output', result') =

@@ -10,6 +10,7 @@ val task_and_signal_function :
   Show.words ->
   subject:Resolve.Ir.expr option ->
   at:Span.t ->
+  expected:Expected.t ->
   found:Type.t ->
   Diagnostic.t
 (** [found] is the one of the two that stands in the place of the other. *)

@@ -1,0 +1,383 @@
+What is written at first of choices, records, switches, arrays and places, and where a
+`proc` ends.
+
+A signal is known in its `proc` only, and that ends at a bracket or comma:
+
+  $ cat > bracket.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (forward 1[m])
+  > forward :: Distance -> Task RobotInput RobotOutput ()
+  > forward d = mkTask (proc i -> (roMake (setVelTR 0.2[m/s] 0), when (way >= d))) where
+  >     way = integral (velocity i)
+  > FROB
+  $ frobc check bracket.frob
+  error[E0205]: unknown name `i`
+   --> bracket.frob:5:30
+    |
+  4 | forward d = mkTask (proc i -> (roMake (setVelTR 0.2[m/s] 0), when (way >= d))) where
+    |                          - this `i` is a signal of the `proc`
+  5 |     way = integral (velocity i)
+    |                              ^
+    |
+    = hint: a `proc` ends at the bracket or comma that follows it; behind that, and in a `where` behind that, its signals are not known
+  
+  1 error
+  [1]
+  $ cat > comma.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask spin
+  > spin = mkTask (proc i -> roMake (setVelTR 0 1[rad/s]), edge (bumped i))
+  > FROB
+  $ frobc check comma.frob
+  error[E0205]: unknown name `i`
+   --> comma.frob:3:69
+    |
+  3 | spin = mkTask (proc i -> roMake (setVelTR 0 1[rad/s]), edge (bumped i))
+    |                     -                                               ^
+    |                     |
+    |                     this `i` is a signal of the `proc`
+    |
+    = hint: a `proc` ends at the bracket or comma that follows it; behind that, and in a `where` behind that, its signals are not known
+  
+  1 error
+  [1]
+  $ cat > beside.frob <<'FROB'
+  > main :: SF (Float, Float) (Float, Float)
+  > main = (proc (a, b) -> s where s = a + b) &&& (proc (a, b) -> s - a)
+  > FROB
+  $ frobc check beside.frob
+  error[E0205]: unknown name `s`
+   --> beside.frob:2:63
+    |
+  2 | main = (proc (a, b) -> s where s = a + b) &&& (proc (a, b) -> s - a)
+    |                                -                              ^
+    |                                |
+    |                                this `s` is a signal of the `proc`
+    |
+    = note: `s` is a unit: it stands in brackets directly after a number, as in `3[s]`
+    = hint: a `proc` ends at the bracket or comma that follows it; behind that, and in a `where` behind that, its signals are not known
+  
+  1 error
+  [1]
+
+Nothing is assigned, in no branch; and a choice by constructors is a `case`:
+
+  $ cat > assigned.frob <<'FROB'
+  > main :: SF (Velocity, Velocity) Velocity
+  > main = proc (l, r) -> avg where
+  >     avg = (l + r) / 2
+  >     if avg > 1[m/s] then avg = 1[m/s]
+  > FROB
+  $ frobc check assigned.frob
+  error[E0110]: expected `else` after the first branch, found `=`
+   --> assigned.frob:4:30
+    |
+  4 |     if avg > 1[m/s] then avg = 1[m/s]
+    |                              ^
+    |
+    = hint: nothing is assigned: one equation chooses the value, as in `x = if c then a else b`
+  
+  1 error
+  [1]
+  $ cat > in_branches.frob <<'FROB'
+  > main :: SF Bool Float
+  > main = proc b -> v where
+  >     if b then
+  >         v = 1
+  >     else
+  >         v = 2
+  > FROB
+  $ frobc check in_branches.frob
+  error[E0110]: expected `else` after the first branch, found `=`
+   --> in_branches.frob:4:11
+    |
+  3 |     if b then
+    |     -- this `if`
+  4 |         v = 1
+    |           ^
+    |
+    = hint: nothing is assigned: one equation chooses the value, as in `x = if c then a else b`
+  
+  1 error
+  [1]
+  $ cat > match.frob <<'FROB'
+  > data Mode = Idle | Run
+  > main :: SF Mode Velocity
+  > main = proc m -> v where
+  >     v = match m with
+  >         | Idle -> 0
+  >         | Run -> 1[m/s]
+  > FROB
+  $ frobc check match.frob
+  error[E0110]: expected an operator, an argument, or the end of this definition, found `|`
+   --> match.frob:5:9
+    |
+  5 |         | Idle -> 0
+    |         ^
+    |
+    = hint: a choice by constructors is written `case x of`, and each branch `pattern -> value`
+  
+  1 error
+  [1]
+  $ cat > small.frob <<'FROB'
+  > data Cmd = Go Velocity | Stop
+  > main :: SF Cmd Velocity
+  > main = proc c -> case c of
+  >     stop -> 0
+  >     Go v -> v
+  > FROB
+  $ frobc check small.frob
+  warning[W0301]: this branch is never taken
+   --> small.frob:5:5
+    |
+  4 |     stop -> 0
+    |     ---- a small letter: this is a name for any value
+  5 |     Go v -> v
+    |     ^^^^ the branches before it cover these values
+    |
+    = hint: the constructor is `Stop`
+  
+  1 warning
+  $ cat > bare.frob <<'FROB'
+  > data Cmd = Go Velocity | Stop
+  > main :: SF Cmd Velocity
+  > main = proc c -> case c of
+  >     Go -> 1[m/s]
+  >     Stop -> 0
+  > FROB
+  $ frobc check bare.frob
+  error[E0225]: constructor `Go` has 1 argument, not 0
+   --> bare.frob:4:5
+    |
+  1 | data Cmd = Go Velocity | Stop
+    |            -- declared here
+  ...
+  4 |     Go -> 1[m/s]
+    |     ^^
+    |
+    = hint: its pattern is `Go a`, with `_` for what is not looked at
+  
+  1 error
+  [1]
+
+Records have constructors, and commas:
+
+  $ cat > semicolon.frob <<'FROB'
+  > data P = P { pos :: Distance; vel :: Velocity }
+  > main :: SF P P
+  > main = proc p -> p
+  > FROB
+  $ frobc check semicolon.frob
+  error[E0111]: this `{` is never closed
+   --> semicolon.frob:1:12
+    |
+  1 | data P = P { pos :: Distance; vel :: Velocity }
+    |            ^                - expected `}` by here
+    |
+    = hint: a `;` ends a definition; there is a `,` between two fields
+  
+  error[E0111]: this `}` closes nothing
+   --> semicolon.frob:1:47
+    |
+  1 | data P = P { pos :: Distance; vel :: Velocity }
+    |                                               ^
+  
+  2 errors
+  [1]
+  $ cat > alias.frob <<'FROB'
+  > type P = { pos :: Distance, vel :: Velocity }
+  > main :: SF P P
+  > main = proc p -> p
+  > FROB
+  $ frobc check alias.frob
+  error[E0110]: expected a type after `=`, found `{`
+   --> alias.frob:1:10
+    |
+  1 | type P = { pos :: Distance, vel :: Velocity }
+    |          ^
+    |
+    = hint: `data` declares a record, and its constructor: `data Pose = Pose { heading :: Angle }`
+  
+  1 error
+  [1]
+  $ cat > no_constructor.frob <<'FROB'
+  > data Motor = Motor { left :: Velocity, right :: Velocity }
+  > main :: SF Velocity Motor
+  > main = proc v -> { left = v, right = v }
+  > FROB
+  $ frobc check no_constructor.frob
+  error[E0110]: expected the output of this `proc`, or `do`, after `->`, found `{`
+   --> no_constructor.frob:3:18
+    |
+  3 | main = proc v -> { left = v, right = v }
+    |                  ^
+    |
+    = hint: a record is built by the name of its constructor, as in `Pose { heading = 0 }`
+  
+  1 error
+  [1]
+  $ cat > no_field.frob <<'FROB'
+  > import Geometry
+  > main :: SF Point2 Distance
+  > main = proc p -> p.z
+  > FROB
+  $ frobc check no_field.frob
+  error[E0310]: `Vec2[m]` has no field `z`
+   --> no_field.frob:3:20
+    |
+  3 | main = proc p -> p.z
+    |                  - ^
+    |                  |
+    |                  this is `Vec2[m]`
+    |
+    = note: its fields: `x`, `y`
+  
+  1 error
+  [1]
+
+A type stands with its expression; names are not hidden; an hour:
+
+  $ cat > annotation.frob <<'FROB'
+  > import Control
+  > main :: SF Float Float
+  > main = proc x -> m where
+  >     m = foldl (+) 0 xs / 4
+  >     xs = window 0 x :: Array 4 Float
+  > FROB
+  $ frobc check annotation.frob
+  error[E0110]: expected an operator, an argument, or the end of this definition, found `::`
+   --> annotation.frob:5:21
+    |
+  5 |     xs = window 0 x :: Array 4 Float
+    |                     ^^
+    |
+    = hint: the type of an expression stands with it in parentheses: `(e :: T)`
+  
+  1 error
+  [1]
+  $ cat > hiding.frob <<'FROB'
+  > import Control hiding (limit)
+  > main :: SF Float Float
+  > main = proc x -> x
+  > FROB
+  $ frobc check hiding.frob
+  error[E0110]: expected `as`, a list of names in parentheses, or the end of the import, found `hiding`
+   --> hiding.frob:1:16
+    |
+  1 | import Control hiding (limit)
+    |                ^^^^^^
+    |
+    = hint: nothing needs hiding: a module's own definitions hide imported ones, and two imports of one name clash only where it is used
+  
+  1 error
+  [1]
+  $ cat > per_hour.frob <<'FROB'
+  > main :: SF Velocity Float
+  > main = proc v -> v / 1[km/h]
+  > FROB
+  $ frobc check per_hour.frob
+  error[E0208]: unknown unit `h`
+   --> per_hour.frob:2:27
+    |
+  2 | main = proc v -> v / 1[km/h]
+    |                           ^
+    |
+    = hint: `hour` is the unit
+  
+  1 error
+  [1]
+
+What a switch takes, what a program is made of, what is computed with arrays, and a place:
+
+  $ cat > truth.frob <<'FROB'
+  > main :: SF Distance Distance
+  > main = switch start next where
+  >     start = proc d -> (d, d > 1[m])
+  >     next () = proc d -> 0
+  > FROB
+  $ frobc check truth.frob
+  error[E0301]: expected `SF n[m] (n[m], Event a)`, found `SF n[m] (n[m], Bool)`
+   --> truth.frob:2:15
+    |
+  2 | main = switch start next where
+    |        ------ ^^^^^
+    |        |
+    |        argument 1 of `switch` is `SF n[m] (n[m], Event a)`
+    |
+    = hint: what ends it is an event: `edge b` occurs when `b` becomes True, `when b` wherever it is
+  
+  1 error
+  [1]
+  $ cat > goes_on.frob <<'FROB'
+  > main :: SF Distance Distance
+  > main = switch start next where
+  >     start = proc d -> (d, edge (d > 1[m]))
+  >     next = proc d -> 0
+  > FROB
+  $ frobc check goes_on.frob
+  error[E0304]: expected a function, found a signal function: `SF a n1[u]`
+   --> goes_on.frob:2:21
+    |
+  2 | main = switch start next where
+    |        ------       ^^^^
+    |        |
+    |        argument 2 of `switch` is `() -> SF n[m] n[m]`
+    |
+    = hint: it is given a value, and may ignore it: `\_ -> next`
+  
+  1 error
+  [1]
+  $ cat > task.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot spin
+  > spin = do
+  >     forward 1[m]
+  >     forward 2[m]
+  > forward d = sleepT (d / 0.2[m/s]) (roMake (setVelTR 0.2[m/s] 0))
+  > FROB
+  $ frobc check task.frob
+  error[E0371]: a task stands where a signal function is needed
+   --> task.frob:2:24
+    |
+  2 | main = reactimateRobot spin
+    |        --------------- ^^^^ this is `Task c d ()`
+    |        |
+    |        argument 1 of `reactimateRobot` is `SF a b`
+    |
+    = hint: `reactimateTask spin` makes a program of a task
+  
+  1 error
+  [1]
+  $ cat > array.frob <<'FROB'
+  > main :: SF (Array 4 Float) (Array 4 Float)
+  > main = proc xs -> xs * 2
+  > FROB
+  $ frobc check array.frob
+  error[E0301]: expected a number, found `Array 4 Float`
+   --> array.frob:2:19
+    |
+  2 | main = proc xs -> xs * 2
+    |                   ^^ - argument 1 of `*` is a number
+    |
+    = hint: `map (\x -> x * y) xs` computes with each element, `zipWith (*) xs ys` with those of two arrays
+  
+  1 error
+  [1]
+  $ cat > place.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (do
+  >     driveTo 1 2)
+  > FROB
+  $ frobc check place.frob
+  error[E0301]: expected `Point2`, found a number
+   --> place.frob:3:13
+    |
+  3 |     driveTo 1 2)
+    |     ------- ^
+    |     |
+    |     argument 1 of `driveTo` is `Point2`
+    |
+    = hint: a vector has its fields by name: `Vec2 { x = a, y = b }`
+  
+  1 error
+  [1]
