@@ -99,12 +99,6 @@ let close p robot =
 
 let quoted (robot : t) = Printf.sprintf "`%s`" robot.name
 
-let rec listed word = function
-  | [] -> ""
-  | [ text ] -> text
-  | [ a; b ] -> Printf.sprintf "%s %s %s" a word b
-  | text :: rest -> text ^ ", " ^ listed word rest
-
 let entry_span p = (typed_entry p).span
 
 let not_said p robots =
@@ -113,9 +107,9 @@ let not_said p robots =
     "`%s` leaves open which robot it runs on" p.entry.name
   |> Diagnostic.hint
        (Printf.sprintf "%s %s all that it asks for: compile it with %s"
-          (listed "and" (List.map quoted robots))
+          (Enumeration.all (List.map quoted robots))
           (match robots with [ _ ] -> "has" | _ -> "have")
-          (listed "or" (List.map option robots)))
+          (Enumeration.one_of (List.map option robots)))
 
 (* Who has the class, of the robots that the program's type allows. *)
 let having p class_ =
@@ -127,7 +121,7 @@ let having p class_ =
   match List.filter has (all p) with
   | [] -> "no robot of the library has it"
   | [ robot ] -> Printf.sprintf "only %s has it" (quoted robot)
-  | robots -> Printf.sprintf "%s have it" (listed "and" (List.map quoted robots))
+  | robots -> Printf.sprintf "%s have it" (Enumeration.all (List.map quoted robots))
 
 let lacking p (robot : t) (lack : Fit.lack) =
   Diagnostic.error ~code:"E0503" ~at:lack.need.place "%s has no `%s`" (quoted robot)
@@ -159,7 +153,7 @@ let on_no_robot p candidates =
 let another p (robot : t) others =
   Diagnostic.error ~code:"E0503" ~at:(entry_span p) "`%s` is a program for %s, not for %s"
     p.entry.name
-    (listed "and" (List.map quoted others))
+    (Enumeration.all (List.map quoted others))
     (quoted robot)
   |> Diagnostic.hint
        "leave the robot open, as in `main :: (HasSonar i, DiffDrive o) => Program i o`"

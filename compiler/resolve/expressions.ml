@@ -211,7 +211,7 @@ and check_complete (scope : Scope.t) (constructor : Interface.constructor) span 
   match absent with
   | [] -> ()
   | _ ->
-      let names = String.concat ", " (List.map (Printf.sprintf "`%s`") absent) in
+      let names = Enumeration.all (List.map (Printf.sprintf "`%s`") absent) in
       Diagnostic.error ~code:"E0228" ~at:span "`%s` is built without its field%s %s"
         constructor.global.name
         (if List.length absent = 1 then "" else "s")

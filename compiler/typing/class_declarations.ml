@@ -132,7 +132,7 @@ let report_second (ctx : Context.t) (written : Resolve.Ir.instance) head
 let report_missing (ctx : Context.t) (written : Resolve.Ir.instance) head (missing : method_ list) =
   Context.report ctx (fun words ->
       let names =
-        String.concat ", " (List.map (fun (m : method_) -> "`" ^ m.name.name ^ "`") missing)
+        Enumeration.all (List.map (fun (m : method_) -> "`" ^ m.name.name ^ "`") missing)
       in
       let label diagnostic (m : method_) =
         Diagnostic.label ~at:m.signature

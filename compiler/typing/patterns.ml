@@ -11,11 +11,7 @@ let rec falls (e : expr) =
   | _ -> false
 
 let listed ({ named; more } : Coverage.missing) =
-  let quoted = List.map (Printf.sprintf "`%s`") named in
-  match (List.rev quoted, more) with
-  | last :: (_ :: _ as before), 0 -> String.concat ", " (List.rev before) ^ " and " ^ last
-  | _, 0 -> String.concat ", " quoted
-  | _, more -> Printf.sprintf "%s and %d more" (String.concat ", " quoted) more
+  Enumeration.some (List.map (Printf.sprintf "`%s`") named) ~more
 
 (* Of these branches one that has a name for all values, which in capitals is a
    constructor's. *)

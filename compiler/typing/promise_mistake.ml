@@ -25,13 +25,6 @@ let essential ctx missing =
 
 let constraint_ words m = Show.constraint_ words m.class_ m.of_
 
-let all_but_last_and_last = function
-  | [] -> ""
-  | [ one ] -> one
-  | several ->
-      let reversed = List.rev several in
-      String.concat ", " (List.rev (List.tl reversed)) ^ " and " ^ List.hd reversed
-
 let one ctx ({ required; _ } as m) =
   report ctx (fun words ->
       let needed = constraint_ words m in
@@ -58,7 +51,7 @@ let several ctx (first : t) rest =
   report ctx (fun words ->
       let all = first :: rest in
       let needed = List.map (constraint_ words) all in
-      let in_words = all_but_last_and_last (List.map (Printf.sprintf "`%s`") needed) in
+      let in_words = Enumeration.all (List.map (Printf.sprintf "`%s`") needed) in
       let by, place =
         match owner ctx first with
         | None -> ("the signature", first.required.at)
