@@ -36,23 +36,6 @@ static struct frob_pioneer *pioneer(void *device)
     return (struct frob_pioneer *)device;
 }
 
-enum frob_status frob_pioneer_write(struct frob_pioneer *d, const uint8_t *bytes, size_t count)
-{
-    return d->serial.operations->write(d->serial.port, bytes, count);
-}
-
-enum frob_status frob_pioneer_send(struct frob_pioneer *d, uint8_t command)
-{
-    uint8_t packet[FROB_P2OS_COMMAND_MOST];
-    return frob_pioneer_write(d, packet, frob_p2os_command(packet, command));
-}
-
-enum frob_status frob_pioneer_send_int(struct frob_pioneer *d, uint8_t command, int32_t argument)
-{
-    uint8_t packet[FROB_P2OS_COMMAND_MOST];
-    return frob_pioneer_write(d, packet, frob_p2os_command_int(packet, command, argument));
-}
-
 static void start(void *device, const double *values, const struct frob_serial *serial,
                   const struct frob_clock *clock)
 {

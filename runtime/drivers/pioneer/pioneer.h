@@ -5,11 +5,12 @@
  * packet.h and sip.h, and never leave this folder.
  *
  * Connecting finds the line's rate, shakes hands (SYNC0 to SYNC2), looks the
- * model up, sets both speeds to zero, and only then turns the motors on: a
- * Pioneer whose watchdog has stopped it takes up its old speed again at the
- * next command. The driver sends no PULSE once the robot can be commanded:
- * then only commands feed the robot's watchdog, so that a host that has
- * stopped commanding is noticed by the robot itself. */
+ * model up, sets both speeds to zero, and only then turns the motors on. Zeros go
+ * before each SYNC0 too: a Pioneer whose watchdog has stopped it takes up its old
+ * speed again at the next command, and one in a session takes SYNC0 for PULSE.
+ * The driver sends no PULSE once the robot can be commanded: then only commands
+ * feed the robot's watchdog, so that a host that has stopped commanding is noticed
+ * by the robot itself. */
 #ifndef FROB_DRIVERS_PIONEER_H
 #define FROB_DRIVERS_PIONEER_H
 
