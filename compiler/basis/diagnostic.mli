@@ -1,7 +1,7 @@
 (** What the compiler has to say to the programmer, as values.
 
     A pass builds diagnostics and emits them into a sink, and goes on where it
-    can; {!Render} prints them. The code of each is explained by a page of
+    can; {!Render_text} and {!Render_json} print them. The code of each is explained by a page of
     [compiler/explain/]. Texts are lower case, without a full stop, with names
     of the program in backticks. *)
 

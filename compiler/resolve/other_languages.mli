@@ -5,3 +5,4 @@ val value : string -> string option
 (** A hint for who writes this name of a value, unless Frob has one just like it. *)
 
 val constructor : string -> string option
+(** Likewise of a constructor, as in an expression or a pattern. *)
