@@ -97,6 +97,10 @@ let definition_of (core : Core.Ir.program) entry =
 
 let place core entry = (definition_of core entry).span
 
+let lint_flow program =
+  Flow.Lint.program program;
+  Flow.Initialization.check program
+
 let specialized options sink ~name ~entry core =
   let* flow =
     Specialize.Evaluate.program
@@ -107,7 +111,7 @@ let specialized options sink ~name ~entry core =
      equations as the programmer wrote them. *)
   Flow.Causality.check sink ~entry:(place core entry) flow;
   let flow = if Diagnostic.has_errors sink then flow else Flow.Instantaneous_loops.program sink flow in
-  stage options sink Specialize ~lint:Flow.Lint.program ~print:Flow.Print.program flow
+  stage options sink Specialize ~lint:lint_flow ~print:Flow.Print.program flow
 
 (* [written]: the entry as the programmer knows it, before a robot closes it. *)
 let flow options sink front ~written ~name ~entry core =
@@ -222,7 +226,7 @@ let interpretable ?robot options sink sources ~library ~entry file =
 
 let machine_of options sink flow =
   let* flow =
-    stage options sink Flow ~lint:Flow.Lint.program ~print:Flow.Print.program
+    stage options sink Flow ~lint:lint_flow ~print:Flow.Print.program
       (Flow.Optimize.program flow)
   in
   let* flow = stage options sink States ~lint:ignore ~print:Report.Diagram.print flow in

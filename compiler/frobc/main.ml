@@ -108,7 +108,7 @@ let time_span =
 (* {1 Commands} *)
 
 let check =
-  command "check" ~doc:"parse, resolve and type-check modules; nothing is written"
+  command "check" ~doc:"say what is wrong with programs or modules; nothing is written"
     Term.(const Commands.check $ general $ files)
 
 let compile =
