@@ -98,6 +98,7 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
       { ty; build }
 
 and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
+  Degrees.warn ctx e expected;
   let build desc = node e.span expected.ty desc in
   match (e.desc, Type.expand expected.ty) with
   | If { condition; then_; else_ }, _ ->

@@ -117,3 +117,42 @@ A name in the size of an array is a variable of the type, and not a number.
   
   1 error
   [1]
+
+Degrees where an angle is in radians have no other unit, but are more than a turn. A number
+that says `rad`, or that is no angle, is left alone.
+
+  $ cat > degrees.frob <<'FROB'
+  > import Geometry
+  > start :: Pose
+  > start = Pose { position = zeroVec, heading = -90 }
+  > quarter :: Angle
+  > quarter = 90
+  > main :: SF Float Float
+  > main = proc x -> cos 45 * x + cos quarter + start.heading + cos 90[rad] + cos 6.2 + exp 45
+  > FROB
+  $ frobc check degrees.frob
+  warning[W0303]: this angle is more than a whole turn: it is in radians
+   --> degrees.frob:3:46
+    |
+  3 | start = Pose { position = zeroVec, heading = -90 }
+    |                                              ^^^
+    |
+    = hint: for degrees write `(-90[deg])`
+  
+  warning[W0303]: this angle is more than a whole turn: it is in radians
+   --> degrees.frob:5:11
+    |
+  5 | quarter = 90
+    |           ^^
+    |
+    = hint: for degrees write `90[deg]`
+  
+  warning[W0303]: this angle is more than a whole turn: it is in radians
+   --> degrees.frob:7:22
+    |
+  7 | main = proc x -> cos 45 * x + cos quarter + start.heading + cos 90[rad] + cos 6.2 + exp 45
+    |                      ^^
+    |
+    = hint: for degrees write `45[deg]`
+  
+  3 warnings
