@@ -499,7 +499,8 @@ let single_text t text =
   match t with
   | Whole_nanoseconds ->
       {|/* dt in nanoseconds: of whole seconds and of their fraction, for a float has too
- * few bits for both. NaN and negative give 0; at most 1e9 s. */
+ * few bits for both. Halves to even: adding 2^23 leaves no bits for a fraction.
+ * NaN and negative give 0; at most 1e9 s. */
 static inline int64_t frob_whole_ns(float dt)
 {
     if (!(dt > 0.0f)) {
@@ -509,7 +510,11 @@ static inline int64_t frob_whole_ns(float dt)
         return INT64_C(1000000000000000000);
     }
     const int32_t s = (int32_t)dt;
-    return (int64_t)s * 1000000000 + (int32_t)((dt - (float)s) * 1e9f + 0.5f);
+    float ns = (dt - (float)s) * 1e9f;
+    if (ns < 8388608.0f) {
+        ns = (ns + 8388608.0f) - 8388608.0f;
+    }
+    return (int64_t)s * 1000000000 + (int32_t)ns;
 }
 |}
   | Time_in_nanoseconds ->

@@ -14,9 +14,16 @@ let to_nearest_even x =
     else if Float.rem below 2. = 0. then below
     else below +. 1.
 
-let after seconds =
-  let ns = seconds *. 1e9 in
-  if ns > 0. then Int64.of_float (Float.min 1e18 (to_nearest_even ns)) else first
+let whole x = if x > 0. then Int64.of_float (Float.min 1e18 (to_nearest_even x)) else first
+
+let after (precision : Basis.Real.t) seconds =
+  match precision with
+  | Double -> whole (seconds *. 1e9)
+  | Single when seconds > 0. && seconds < 0x1p23 ->
+      let below = Float.floor seconds in
+      let fraction = Basis.Real.round Single ((seconds -. below) *. 1e9) in
+      Int64.add (whole (below *. 1e9)) (whole fraction)
+  | Single -> whole (seconds *. 1e9)
 
 let later time instant =
   if Int64.compare time (Int64.sub Int64.max_int instant) > 0 then Int64.max_int

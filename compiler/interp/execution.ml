@@ -30,8 +30,8 @@ let start core ~entry =
 
 let ended t = t.ended
 
-let instant t ~seconds input =
-  let clock = if t.is_first then Clock.first else Clock.after seconds in
+let instant ?(precision = Basis.Real.Double) t ~seconds input =
+  let clock = if t.is_first then Clock.first else Clock.after precision seconds in
   t.is_first <- false;
   let output = t.instance.output clock (Thunk.known input) in
   Whole.evaluate output;

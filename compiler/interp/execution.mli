@@ -13,6 +13,8 @@ val ended : t -> Core.Ir.ty option
 (** The type of what the program ends with, if it says when it has ended: then
     each output is a pair, of the program's output and the event of its end. *)
 
-val instant : t -> seconds:float -> Value.t -> Value.t
+val instant : ?precision:Basis.Real.t -> t -> seconds:float -> Value.t -> Value.t
 (** The output, wholly evaluated, for the input. [seconds]: since the instant
-    before; not looked at in the first. *)
+    before; not looked at in the first. [precision]: theirs, double unless said;
+    hosts have doubles whatever the program computes with, only [NAME_step] of a
+    program in single precision is given singles. *)

@@ -31,6 +31,10 @@ let on_input_of ?seen batch (tools : Engines.tools) engines ~seed ~first ~count 
     | Error outcome -> (outcome, [])
     | Ok subject ->
         let recordings = Engines.recordings random ~rows subject in
+        let recordings =
+          if Choice.chance random 3 then recordings @ [ Engines.with_dt random ~rows tools subject ]
+          else recordings
+        in
         (Engines.judge tools engines subject recordings, recordings)
   in
   match outcome with

@@ -42,6 +42,10 @@ val interpreted : subject -> Recording.t -> string
 val recordings : Random.State.t -> rows:int -> subject -> Recording.t list
 (** A tame one and a wild one. *)
 
+val with_dt : Random.State.t -> rows:int -> tools -> subject -> Recording.t
+(** One whose steps are given any dt, as no host gives them. {!judge} leaves it to
+    [Tcc]. *)
+
 val fits : subject -> Recording.t -> bool
 (** Whether the recording has the program's columns. *)
 

@@ -1,7 +1,9 @@
 type t
 
 external compile_files : string array -> string array -> t = "in_process_compile"
-external run_rows : t -> int array -> string array array -> string = "in_process_run"
+external run_rows : t -> bool -> float array -> int array -> string array array -> string
+  = "in_process_run"
+
 external release : t -> unit = "in_process_release"
 
 (* Where tcc 0.9.27 receives a struct that a function returns in registers, it
@@ -37,6 +39,8 @@ let run program recording =
   let rows = Recording.rows recording in
   let times = List.map (fun (r : Recording.row) -> r.time_ns) rows in
   let cells = List.map (fun (r : Recording.row) -> Array.of_list r.cells) rows in
-  match run_rows program (Array.of_list times) (Array.of_list cells) with
+  let singles = Recording.precision recording = Single in
+  let dts = Array.of_list (Recording.seconds recording) in
+  match run_rows program singles dts (Array.of_list times) (Array.of_list cells) with
   | trace -> Ok trace
   | exception Failure text -> Error text

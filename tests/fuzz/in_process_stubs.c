@@ -12,6 +12,7 @@
 
 #include <setjmp.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -159,14 +160,20 @@ static void add_column(void *context, const char *name, const struct frob_value 
     columns->values[columns->count++] = value;
 }
 
+/* What an instant of the program is: through the table for hosts, or the function
+ * itself of a program in single precision, which is given a float. */
+struct stepper {
+    void (*step)(void *state, double dt, const void *input, void *output);
+    void (*step_single)(void *state, float dt, const void *input, void *output);
+};
+
 /* All instants; the rows are written to `text`. The text of a cell that cannot
  * be read, or NULL. */
-static const char *instants(const struct frob_program *program, const struct columns *columns,
-                            value times, value rows, void *state, void *input, void *output,
-                            struct frob_text *text)
+static const char *instants(const struct frob_program *program, const struct stepper *stepper,
+                            const struct columns *columns, value dts, value times, value rows,
+                            void *state, void *input, void *output, struct frob_text *text)
 {
     struct frob_cell_error error;
-    int64_t before = 0;
     program->reset(state);
     for (mlsize_t i = 0; i < Wosize_val(rows); i++) {
         const int64_t now = (int64_t)Long_val(Field(times, i));
@@ -175,22 +182,25 @@ static const char *instants(const struct frob_program *program, const struct col
             if (!frob_cell_read(cell, columns->values[k], input, &error))
                 return cell;
         }
-        /* The first dt is not to be looked at, so it may be anything. */
-        program->step(state, i == 0 ? 123.456 : (double)(now - before) / 1e9, input, output);
+        if (stepper->step_single != NULL)
+            stepper->step_single(state, (float)Double_flat_field(dts, i), input, output);
+        else
+            stepper->step(state, Double_flat_field(dts, i), input, output);
         frob_trace_row(text, program, FROB_TRACE_OUT, now, NULL, output);
-        before = now;
     }
     return NULL;
 }
 
 /* The same once more, from the state as it was left: what `reset` leaves over of it
  * shows. */
-static bool same_again(const struct frob_program *program, const struct columns *columns,
-                       value times, value rows, void *state, void *input, void *output,
-                       const struct frob_text *first, struct frob_text *second)
+static bool same_again(const struct frob_program *program, const struct stepper *stepper,
+                       const struct columns *columns, value dts, value times, value rows,
+                       void *state, void *input, void *output, const struct frob_text *first,
+                       struct frob_text *second)
 {
     frob_trace_header(second, program, FROB_TRACE_OUT);
-    return instants(program, columns, times, rows, state, input, output, second) == NULL &&
+    return instants(program, stepper, columns, dts, times, rows, state, input, output, second) ==
+               NULL &&
            strcmp(first->data, second->data) == 0;
 }
 
@@ -203,13 +213,23 @@ static void *litter(size_t size)
     return memset(memory, 0xa5, size + 1);
 }
 
-/* in_process_run : t -> int array -> string array array -> string -- a recording: the
- * absolute nanoseconds of each row, and its cells. Gives the trace of the output. */
-value in_process_run(value v, value times, value rows)
+/* NAME_step, by its name. */
+static const void *step_function(const struct in_process *p)
 {
-    CAMLparam3(v, times, rows);
+    char name[256];
+    const int length = snprintf(name, sizeof name, "%s_step", p->program->name);
+    return length < (int)sizeof name ? tcc_get_symbol(p->compiler, name) : NULL;
+}
+
+/* in_process_run : t -> bool -> float array -> int array -> string array array -> string --
+ * a recording: whether NAME_step is to be given floats, the seconds that each step is given,
+ * the absolute nanoseconds of each row, and its cells. Gives the trace of the output. */
+value in_process_run(value v, value singles, value dts, value times, value rows)
+{
+    CAMLparam5(v, singles, dts, times, rows);
     CAMLlocal1(result);
     const struct frob_program *program = of_value(v)->program;
+    struct stepper stepper = { program->step, NULL };
     const size_t room = frob_trace_room(program, FROB_TRACE_OUT) * (Wosize_val(rows) + 1);
     char *buffer = (char *)litter(room), *buffer_again = (char *)litter(room);
     void *state = litter(program->state_size), *input = litter(program->input_size),
@@ -222,6 +242,12 @@ value in_process_run(value v, value times, value rows)
     const char *volatile unread = NULL;
     int caught;
 
+    if (Bool_val(singles)) {
+        const void *step = step_function(of_value(v));
+        if (step == NULL)
+            abort();
+        memcpy(&stepper.step_single, &step, sizeof step);
+    }
     frob_trace_columns(program->input, "in", add_column, &columns);
     frob_trace_header(&text, program, FROB_TRACE_OUT);
     memset(&action, 0, sizeof action);
@@ -233,8 +259,10 @@ value in_process_run(value v, value times, value rows)
     caught = sigsetjmp(back, 1);
     if (caught == 0) {
         alarm(PATIENCE);
-        unread = instants(program, &columns, times, rows, state, input, output, &text);
-        restarts = same_again(program, &columns, times, rows, state, input, output, &text, &again);
+        unread = instants(program, &stepper, &columns, dts, times, rows, state, input, output,
+                          &text);
+        restarts = same_again(program, &stepper, &columns, dts, times, rows, state, input, output,
+                              &text, &again);
     }
     alarm(0);
     for (int i = 0; i < SIGNALS; i++)

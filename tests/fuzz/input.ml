@@ -52,3 +52,43 @@ let make random kind shape ~rows =
       go (n - 1) (time + step_ns random) ((time, value) :: found)
   in
   Recording.make shape (go rows 0 [])
+
+(* {1 Steps of any dt} *)
+
+let extreme_dts =
+  [
+    Float.nan; Float.infinity; Float.neg_infinity; 0.; -0.; -1.; -1e-9; 5e-324; 1e-45; 1e-30; 4.9e-10; 999999999.9999999;
+    1e9; 1000000001.; 1e18; 1e300; 4503599.627370496; 4503599.627370497; 4194304.; 4194303.9999999995; 9.765625e-4; 1.5e7; 8388607.5;
+  ]
+
+(* Nanoseconds of which a half is left over: of doubles below 2^52, of singles below 2^23. *)
+let halves random = Float.of_int (Random.State.int random (1 lsl (1 + Random.State.int random 29))) +. 0.5
+
+let dt random steady (precision : Basis.Real.t) =
+  let beside x =
+    let rec go n x =
+      if n = 0 then x
+      else go (n - 1) (if Random.State.bool random then Float.succ x else Float.pred x)
+    in
+    match precision with
+    | Double -> go (Random.State.int random 4) x
+    | Single -> x *. (1. +. (Float.of_int (Random.State.int random 7 - 3) *. 0x1p-24))
+  in
+  let seconds =
+    match Random.State.int random 12 with
+    | 0 -> one_of random extreme_dts
+    | 1 -> halves random /. 1e9
+    | 2 -> beside (Float.of_int (Random.State.int random 20_000_000) /. 1e9)
+    | 3 -> Float.ldexp (1. +. Random.State.float random 1.) (Random.State.int random 70 - 40)
+    | 4 | 5 -> Random.State.float random 0.2
+    | _ -> steady
+  in
+  Basis.Real.round precision seconds
+
+let with_dt random precision shape ~rows =
+  let steady = one_of random [ 0.02; 0.1; 1. /. 30.; 0.7; 0.05; 1. /. 3.; 0.008388609 ] in
+  let row _ =
+    let dt = dt random steady precision in
+    (dt, value random Tame shape)
+  in
+  Recording.with_dt precision shape (List.init rows row)

@@ -1,5 +1,5 @@
-type row = { time_ns : int; value : Interp.Value.t; cells : string list }
-type t = { shape : Interp.Shape.t; rows : row list }
+type row = { time_ns : int; dt : float option; value : Interp.Value.t; cells : string list }
+type t = { shape : Interp.Shape.t; precision : Basis.Real.t; rows : row list }
 
 let cells columns shape value =
   List.map2
@@ -8,13 +8,21 @@ let cells columns shape value =
 
 let make shape values =
   let columns = Interp.Shape.columns "in" shape in
-  let row (time_ns, value) = { time_ns; value; cells = cells columns shape value } in
-  { shape; rows = List.map row values }
+  let row (time_ns, value) = { time_ns; dt = None; value; cells = cells columns shape value } in
+  { shape; precision = Double; rows = List.map row values }
+
+(* Their output is written with the numbers of the rows for times. *)
+let with_dt precision shape values =
+  let columns = Interp.Shape.columns "in" shape in
+  let row k (dt, value) =
+    { time_ns = k * 1_000_000_000; dt = Some dt; value; cells = cells columns shape value }
+  in
+  { shape; precision; rows = List.mapi row values }
 
 let has_shape shape recording = shape = recording.shape
 
 (* Of a CSV file's rows, the header left out. *)
-let read_rows shape (rows : Interp.Csv.row list) =
+let read_rows shape first (rows : Interp.Csv.row list) =
   let columns = Interp.Shape.columns "in" shape in
   let cell (c : Interp.Shape.column) text =
     match Interp.Cell.read c.shape text with
@@ -27,13 +35,16 @@ let read_rows shape (rows : Interp.Csv.row list) =
         (int_of_string whole * 1_000_000_000) + int_of_string ("0u" ^ decimals)
     | _ -> failwith (Printf.sprintf "expected a time with nine decimals, found `%s`" text)
   in
-  let row (row : Interp.Csv.row) =
+  let row of_stamp (row : Interp.Csv.row) =
     match List.map (fun (c : Interp.Csv.cell) -> c.text) row.cells with
     | stamp :: cells when List.length cells = List.length columns ->
-        (time stamp, Interp.Shape.assemble shape (List.map2 cell columns cells))
+        (of_stamp stamp, Interp.Shape.assemble shape (List.map2 cell columns cells))
     | _ -> failwith "a row has other columns"
   in
-  make shape (List.map row rows)
+  match first with
+  | "dt" -> with_dt Double shape (List.map (row float_of_string) rows)
+  | "dt_float" -> with_dt Single shape (List.map (row float_of_string) rows)
+  | _ -> make shape (List.map (row time) rows)
 
 let read shape text =
   let next = ref 0 in
@@ -50,10 +61,27 @@ let read shape text =
   in
   match all [] with
   | [] -> Error "the file is empty"
-  | _ :: rows -> Ok (read_rows shape rows)
+  | { cells = { text; _ } :: _; _ } :: rows -> Ok (read_rows shape text rows)
+  | { cells = []; _ } :: _ -> Error "the first line is empty"
   | exception Failure text -> Error text
 
 let rows recording = recording.rows
+let precision recording = recording.precision
+let has_dt recording = List.exists (fun row -> Option.is_some row.dt) recording.rows
+
+(* The first dt is not to be looked at, so it may be anything. *)
+let seconds recording =
+  let of_row before row =
+    let since =
+      match (row.dt, before) with
+      | Some dt, _ -> dt
+      | None, None -> 123.456
+      | None, Some before -> float_of_int (row.time_ns - before) /. 1e9
+    in
+    (Some row.time_ns, since)
+  in
+  snd (List.fold_left_map of_row None recording.rows)
+
 let first_rows n t = { t with rows = List.filteri (fun i _ -> i < n) t.rows }
 let without k t = { t with rows = List.filteri (fun i _ -> i <> k) t.rows }
 let quoted cell = if String.contains cell ',' then "\"" ^ cell ^ "\"" else cell
@@ -61,14 +89,21 @@ let line cells = String.concat "," cells ^ "\n"
 
 let stamp ns = Printf.sprintf "%d.%09d" (ns / 1_000_000_000) (ns mod 1_000_000_000)
 
-let header columns = line ("time" :: List.map (fun (c : Interp.Shape.column) -> c.name) columns)
-let row time_ns cells = line (stamp time_ns :: List.map quoted cells)
+let header first columns = line (first :: List.map (fun (c : Interp.Shape.column) -> c.name) columns)
+let row first cells = line (first :: List.map quoted cells)
 
-let csv { shape; rows } =
-  let row { time_ns; cells; _ } = row time_ns cells in
-  String.concat "" (header (Interp.Shape.columns "in" shape) :: List.map row rows)
+let csv ({ shape; precision; rows } as recording) =
+  let first =
+    match precision with
+    | Single -> "dt_float"
+    | Double -> if has_dt recording then "dt" else "time"
+  in
+  let row { time_ns; dt; cells; _ } =
+    row (Option.fold dt ~none:(stamp time_ns) ~some:(Printf.sprintf "%.17g")) cells
+  in
+  String.concat "" (header first (Interp.Shape.columns "in" shape) :: List.map row rows)
 
 let trace shape values =
   let columns = Interp.Shape.columns "out" shape in
-  let row (time_ns, value) = row time_ns (cells columns shape value) in
-  String.concat "" (header columns :: List.map row values)
+  let row (time_ns, value) = row (stamp time_ns) (cells columns shape value) in
+  String.concat "" (header "time" columns :: List.map row values)
