@@ -64,8 +64,8 @@ let is_one_by_one (engines : Engines.c_engine list) ~seed first =
   let is_short =
     match (Bias.of_program ~seed first).root with
     | Small -> true
-    | Cascade -> batch / Bias.count mod 2 = 0
-    | Any | Handed_on -> false
+    | Cascade | Handed_on -> batch / Bias.count mod 2 = 0
+    | Any -> false
   in
   engines = [ Tcc ] && (is_short || batch mod 8 = 7)
 

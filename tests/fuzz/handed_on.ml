@@ -28,8 +28,9 @@ let float (inside : Scope.t) =
   | Some _ | None -> Expression.expression inside 1 Float
 
 let shows (inside : Scope.t) measure { a; b; _ } =
-  match Random.State.int inside.random 6 with
+  match Random.State.int inside.random 7 with
   | 0 -> f "delay 0 %s" (measure a b)
+  | 4 -> f "%s - %s" a b
   | 1 -> f "%s + %s" (float inside) (measure a b)
   | 2 -> f "%s + %s" (float inside) a
   | 3 -> measure a b
@@ -43,6 +44,20 @@ let asked (inside : Scope.t) measure { a; b; _ } (x, y) =
     | 3 -> f "%s < %s" (measure a b) (float inside)
     | _ -> Cascade.bool inside
 
+(* Work that is worth a branch. *)
+let much (inside : Scope.t) measure { a; b; _ } (x, y) =
+  let of_ a b =
+    match Random.State.int inside.random 3 with
+    | 0 -> measure a b
+    | 1 -> f "hypot %s %s" a b
+    | _ -> f "%s / (1 + abs %s)" a b
+  in
+  let more, less = if chance inside.random 2 then (of_ x y, of_ a b) else (of_ x b, of_ a y) in
+  match Random.State.int inside.random 3 with
+  | 0 -> f "%s < %s" more less
+  | 1 -> f "%s < %s" more (float inside)
+  | _ -> f "%s < %s * %s" less more more
+
 let handed (inside : Scope.t) mode (p, q) =
   match Random.State.int inside.random 8 with
   | 0 | 1 | 2 -> f "%s %s" mode.a mode.b
@@ -51,12 +66,13 @@ let handed (inside : Scope.t) mode (p, q) =
   | _ -> f "%s %s" p q
 
 (* Whither an event leads, and what it hands on. *)
-let way (inside : Scope.t) mode later ~edge ~asked ~event_of (x, y) =
+let way ?(keeps = false) (inside : Scope.t) mode later ~edge ~asked ~event_of (x, y) =
   let p = Scope.fresh inside "p" and q = Scope.fresh inside "q" in
   let next = if chance inside.random 3 then one_of inside.random later else List.hd later in
   let event = f "%s (%s)" (if edge then "edge" else "when") asked in
   ( f "mapE (\\_ -> %s) (%s)" (event_of (f "(%s, %s)" x y)) event,
-    f "\\(%s, %s) -> %s %s" p q next.name (handed inside mode (p, q)) )
+    f "\\(%s, %s) -> %s %s" p q next.name
+      (if keeps && not (chance inside.random 4) then f "%s %s" p q else handed inside mode (p, q)) )
 
 let rec define scope (pattern, bound) ~signature measure = function
   | [] -> []
@@ -70,17 +86,20 @@ let rec define scope (pattern, bound) ~signature measure = function
           let values = xy () in
           let edge () = chance inside.random 3 in
           let event, to_ =
-            if chance inside.random 2 then
+            if chance inside.random 3 then
               let asked = asked inside measure mode values in
               way inside mode later ~edge:(edge ()) ~asked ~event_of:Fun.id values
             else begin
               Scope.note scope "mode that ends in two ways";
               let first_asked =
-                if chance inside.random 2 then f "%s < %s" (float inside) (float inside)
-                else asked inside measure mode values
+                if chance inside.random 3 then asked inside measure mode values
+                else f "%s < %s" (float inside) (float inside)
               in
               let others = xy () in
-              let second_asked = asked inside measure mode others in
+              let second_asked =
+                if chance inside.random 3 then asked inside measure mode others
+                else much inside measure mode others
+              in
               (* The second may ask what the first one asks too. *)
               let also = chance inside.random 2 in
               let second_asked =
@@ -88,7 +107,7 @@ let rec define scope (pattern, bound) ~signature measure = function
               in
               let edge () = (not also) && edge () in
               let first, to_first =
-                way inside mode later ~edge:(edge ()) ~asked:first_asked ~event_of:(f "Left %s") values
+                way ~keeps:true inside mode later ~edge:(edge ()) ~asked:first_asked ~event_of:(f "Left %s") values
               in
               let second, to_second =
                 way inside mode later ~edge:(edge ()) ~asked:second_asked ~event_of:(f "Right %s") others

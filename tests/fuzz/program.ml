@@ -130,7 +130,8 @@ let running ~seed number name output =
   let stays =
     match ((Bias.of_program ~seed number).root, output) with
     | Small, _ | Cascade, Type.Tuple [ _ ] -> not (chance random 6)
-    | (Any | Cascade | Handed_on), _ -> false
+    | Handed_on, _ -> chance random 2
+    | (Any | Cascade), _ -> false
   in
   let late switch = f "%s (%s -> (%s, %s)) (\\_ -> %s)" switch input (literal ()) event name in
   let text =

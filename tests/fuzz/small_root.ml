@@ -3,11 +3,11 @@ open Choice
 let f = Printf.sprintf
 
 (* Mostly known when the program starts, and different later. *)
-let rec turn (inside : Scope.t) =
+let rec turn_of (inside : Scope.t) =
   let before ty = f "delay %s %s" (Constant.literal inside ty) (Expression.expression inside 0 ty) in
   match Random.State.int inside.random 10 with
   | 0 | 1 -> "atStart ()"
-  | 2 | 3 | 4 -> f "(atStart () || %s)" (turn inside)
+  | 2 | 3 | 4 -> f "(atStart () || %s)" (turn_of inside)
   | 5 | 6 -> f "(%s)" (before Bool)
   | 7 -> f "((%s) > 2)" (before Int)
   | 8 -> "elapsed 0.3[s] ()"
@@ -25,16 +25,24 @@ let other_than inside before (ty : Type.t) =
 
 (* Its value an instant ago has a name too. What only changes now and then is written
    in the state alone, and so are outputs read from it. *)
-let kept ~lasting (inside : Scope.t) (name, ty) before =
+let kept ~lasting ~turn (inside : Scope.t) (name, ty) before =
   let next () = if chance inside.random 2 then number inside ty else other_than inside before ty in
   let value =
     if lasting then
       let start, later = if chance inside.random 4 then (before, next ()) else (next (), before) in
-      f "if %s then %s else %s" (turn inside) start later
+      f "if %s then %s else %s" (turn ()) start later
     else if chance inside.random 3 then next ()
-    else f "if %s then %s else %s" (turn inside) (number inside ty) (next ())
+    else f "if %s then %s else %s" (turn ()) (number inside ty) (next ())
   in
   [ f "%s = %s" name value; f "%s = delay %s %s" before (Constant.literal inside ty) name ]
+
+(* A Bool that is known where a condition holds, or where it does not. *)
+let settled (inside : Scope.t) name condition =
+  let other = Expression.expression inside 0 Bool in
+  let condition = if chance inside.random 3 then condition else f "not %s" condition in
+  let operator = one_of inside.random [ "&&"; "||" ] in
+  let a, b = if chance inside.random 2 then (condition, other) else (other, condition) in
+  f "%s = delay %s (%s %s %s)" name (Constant.literal inside Bool) a operator b
 
 (* It alone may look at the time. *)
 let moving (inside : Scope.t) name =
@@ -54,14 +62,29 @@ let make values ~pattern:(pattern, bound) =
   (* Not of another one at the same instant, so no circle arises. *)
   let inside = Scope.bind (befores @ bound) values in
   let lasting = not (chance random 3) in
+  let conditions = if chance random 2 then [ Scope.fresh values "c" ] else [] in
+  let turn () =
+    match conditions with
+    | [ condition ] when not (chance random 4) -> condition
+    | _ -> turn_of inside
+  in
+  let kept signal (before, _) = kept ~lasting ~turn inside signal before in
+  let equations = List.concat (List.map2 kept signals befores) in
+  let asked condition =
+    f "%s = %s" condition
+      (if chance random 2 then Expression.expression inside 1 Bool else turn_of inside)
+  in
+  let settling = List.map (fun condition -> (Scope.fresh values "w", condition)) conditions in
   let equations =
-    List.concat (List.map2 (fun signal (before, _) -> kept ~lasting inside signal before) signals befores)
+    equations @ List.map asked conditions
+    @ List.map (fun (name, condition) -> settled inside name condition) settling
   in
   let movements = if chance random 3 then [ Scope.fresh values "m" ] else [] in
   let equations = equations @ List.map (moving inside) movements in
   let shown =
     List.filteri (fun k _ -> k = 0 || not (chance random 3)) signals
     @ List.map (fun name -> (name, Type.Float)) movements
+    @ List.map (fun (name, _) -> (name, Type.Bool)) settling
   in
   ( f "proc %s -> (%s) where\n%s" pattern
       (String.concat ", " (List.map fst shown))
