@@ -51,6 +51,39 @@ let recordings_are_read_as_written () =
   | Ok read -> Alcotest.(check string) "the same" csv (Recording.csv read)
   | Error text -> Alcotest.fail text
 
+let recordings_with_dt_are_read_as_written () =
+  List.iter
+    (fun precision ->
+      let recording = Input.with_dt (Random.State.make [| 5 |]) precision shape ~rows:200 in
+      match Recording.read shape (Recording.csv recording) with
+      | Error text -> Alcotest.fail text
+      | Ok read ->
+          Alcotest.(check string) "the same" (Recording.csv recording) (Recording.csv read);
+          Alcotest.(check bool) "precision" true (Recording.precision read = precision);
+          let same a b = Float.equal a b && (Float.is_nan a || Float.sign_bit a = Float.sign_bit b) in
+          let dts = Recording.seconds recording in
+          let check text others = Alcotest.(check bool) text true (List.for_all2 same dts others) in
+          check "the same dts" (Recording.seconds read);
+          check "of the precision" (List.map (Basis.Real.round precision) dts))
+    [ Basis.Real.Double; Single ]
+
+(* Every kind of dt comes about. *)
+let steps_of_any_dt () =
+  let random = Random.State.make [| 6 |] in
+  let dts =
+    List.concat
+      (List.init 200 (fun _ -> Recording.seconds (Input.with_dt random Double shape ~rows:20)))
+  in
+  let some text test = Alcotest.(check bool) text true (List.exists test dts) in
+  some "NaN" Float.is_nan;
+  some "negative" (fun dt -> dt < 0.);
+  some "infinite" (fun dt -> dt = Float.infinity);
+  some "too long" (fun dt -> dt > 1e9 && dt < Float.infinity);
+  some "half a nanosecond" (fun dt -> dt *. 1e9 < 1e6 && Float.rem (dt *. 1e9) 1. = 0.5);
+  let nearest dt = Float.round (dt *. 1e9) /. 1e9 in
+  some "beside whole nanoseconds" (fun dt ->
+      dt > 1e-3 && dt < 1. && Float.succ dt = nearest dt && dt <> nearest dt)
+
 let tables_of_the_file_stay_constant () =
   let c = "static const int a[1] = {1};\nstruct s {\n    int x;\n};\n{\n    static const struct s t = {2};\n}" in
   let adapted = "static const int a[1] = {1};\nstruct s {\n_Alignas(8) int x;\n};\n{\nconst struct s t = {2};\n}" in
@@ -120,6 +153,8 @@ let () =
         List.map case
           [
             ("recordings are read as written", recordings_are_read_as_written);
+            ("recordings with dts are read as written", recordings_with_dt_are_read_as_written);
+            ("steps of any dt", steps_of_any_dt);
             ("tables of the file stay constant", tables_of_the_file_stay_constant);
           ] );
       ( "generator",
