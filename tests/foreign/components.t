@@ -44,7 +44,7 @@ rate, and one for each element of an array:
   > modes = switch (proc x -> (steps x, edge (x > 2))) (\_ -> proc x -> 100 + steps x)
   > 
   > main :: SF Float ((Int, Event Float, Event Float), Int, Event Int, Int)
-  > main = proc x -> (two x, modes x, sampleEvery 1[s] steps x, foldl (+) 0 (mapSF steps [x, x])) where
+  > main = proc x -> (two x, modes x, sampleEvery 1[s] steps x, foldl (+) 0 (mapSF steps [x, x]))
   > EOF
   $ frobc check --lint filters.frob
   $ printf 'time,in\n0,1\n0.5,2\n1,3\n1.5,4\n2,5\n' > in.csv

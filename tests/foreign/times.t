@@ -19,7 +19,7 @@ its own rate, at occurrences only, after a delayed switch.
   > foreign sf dt :: SF Float Time = "dt"
   > 
   > main :: SF Float (Time, Time, Event Time, Time, Event Time, Time)
-  > main = proc x -> (dt x, ofMode x, sampleEvery 1[s] dt x, twice x, onEvent dt (if x > 2 then Event x else NoEvent), late x) where
+  > main = proc x -> (dt x, ofMode x, sampleEvery 1[s] dt x, twice x, onEvent dt (if x > 2 then Event x else NoEvent), late x)
   > 
   > -- | 0 where a mode begins.
   > ofMode :: SF Float Time
