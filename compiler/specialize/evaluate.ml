@@ -9,11 +9,20 @@ let ends (core : Ir.definition) =
 
 let is_entry core = Option.is_some (ends core)
 
+(* Of a type as it is printed. *)
+let has_a_label text =
+  let is_letter = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' | '.' -> true | _ -> false in
+  String.map (fun c -> if is_letter c then c else ' ') text
+  |> String.split_on_char ' ' |> List.mem "String"
+
 let refuse_interface (c : Context.t) (core : Ir.definition) what ty =
   Diagnostic.(
     error ~code:"E0412" ~at:core.span "the %s of `%s` cannot be of type `%s`" what core.name.name
       (Types.to_string ty)
     |> note "functions, signal functions and labels exist only while compiling"
+    |> (if has_a_label (Types.to_string ty) then
+        hint "a `data` type's constructors are shown by their names: `data State = Ready | Stopped`"
+       else Fun.id)
     |> emit c.sink)
 
 let refuse_ends (c : Context.t) (core : Ir.definition) =

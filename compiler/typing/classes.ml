@@ -165,6 +165,8 @@ let same_foreign ctx a b =
   | Some a, Some b -> a = b
   | _, _ -> false
 
+let is_pair t = match Type.expand t with Tuple [ _; _ ] -> true | _ -> false
+
 let about_foreign ctx t diagnostic =
   match foreign_of ctx t with
   | None -> diagnostic
@@ -197,6 +199,10 @@ let report_lacking ctx required lack =
         |> through_instances words lack |> explain words required
       in
       match lack.lacking with
+      | Declared { name = "RobotOutput"; _ } when is_pair lack.culprit ->
+          Diagnostic.hint
+            "tasks side by side put out both their outputs, of which `mapOutput` makes one; `timeOut` and `abortWhen` end a task and have its output only"
+            diagnostic
       | Declared _ when is_signal_function lack.culprit ->
           Diagnostic.hint "`constant e` is the signal function that always gives `e`" diagnostic
       | (Eq | Ord) when (not direct) && lack.through = [] ->

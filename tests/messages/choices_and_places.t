@@ -381,3 +381,43 @@ What a switch takes, what a program is made of, what is computed with arrays, an
   
   1 error
   [1]
+
+Tasks side by side have two outputs, and a text is no output:
+
+  $ cat > race.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (race forward (sleepT 3[s] (roMake id)))
+  > forward = sleepT 1[s] (roMake (setVelTR 0.2[m/s] 0))
+  > FROB
+  $ frobc check race.frob --robot pioneer
+  error[E0360]: there is no instance `RobotOutput (b, c)`
+    --> race.frob:2:8
+     |
+   2 | main = reactimateTask (race forward (sleepT 3[s] (roMake id)))
+     |        ^^^^^^^^^^^^^^ `reactimateTask` needs it
+     |
+    ::: stdlib/Robot.frob:42:19
+     |
+  42 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
+     |                   ------------------------------------------ `reactimateTask` asks for `RobotOutput o` here
+     |
+     = hint: tasks side by side put out both their outputs, of which `mapOutput` makes one; `timeOut` and `abortWhen` end a task and have its output only
+  
+  1 error
+  [1]
+  $ cat > label.frob <<'FROB'
+  > main :: SF Bool (Float, String)
+  > main = proc stopped -> (0, if stopped then "stopped" else "ready")
+  > FROB
+  $ frobc check label.frob
+  error[E0412]: the output of `main` cannot be of type `(Float, String)`
+   --> label.frob:2:1
+    |
+  2 | main = proc stopped -> (0, if stopped then "stopped" else "ready")
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = note: functions, signal functions and labels exist only while compiling
+    = hint: a `data` type's constructors are shown by their names: `data State = Ready | Stopped`
+  
+  1 error
+  [1]
