@@ -213,22 +213,26 @@ static inline @R frob_subtract(@R a, @R b)
 |} );
     ( Float_minimum,
       "frob_min",
-      [],
+      [ Branch ],
       {|/* NaN if either is; the first of two equal ones. */
 static inline @R frob_min(@R a, @R b)
 {
-    const @R less = b < a ? b : a;
-    return b == b ? less : b;
+    if (FROB_BRANCH(b != b)) {
+        return b;
+    }
+    return b < a ? b : a;
 }
 |} );
     ( Float_maximum,
       "frob_max",
-      [],
+      [ Branch ],
       {|/* NaN if either is; the first of two equal ones. */
 static inline @R frob_max(@R a, @R b)
 {
-    const @R more = b > a ? b : a;
-    return b == b ? more : b;
+    if (FROB_BRANCH(b != b)) {
+        return b;
+    }
+    return b > a ? b : a;
 }
 |} );
     ( Least,
@@ -325,12 +329,14 @@ static inline int32_t frob_truncate(@R x)
 |} );
     ( Floor,
       "frob_floor",
-      [],
+      [ Branch ],
       {|/* The greatest integer that is not above; saturates, and NaN gives 0. */
 static inline int32_t frob_floor(double x)
 {
-    const double number = x == x ? x : 0.0;
-    const double high = number < 2147483647.0 ? number : 2147483647.0;
+    if (FROB_BRANCH(x != x)) {
+        return 0;
+    }
+    const double high = x < 2147483647.0 ? x : 2147483647.0;
     const double inside = high > -2147483648.0 ? high : -2147483648.0;
     const int32_t n = (int32_t)inside;
     return n - ((double)n > inside ? 1 : 0);
@@ -338,12 +344,14 @@ static inline int32_t frob_floor(double x)
 |} );
     ( Ceiling,
       "frob_ceiling",
-      [],
+      [ Branch ],
       {|/* The least integer that is not below; saturates, and NaN gives 0. */
 static inline int32_t frob_ceiling(double x)
 {
-    const double number = x == x ? x : 0.0;
-    const double low = number > -2147483648.0 ? number : -2147483648.0;
+    if (FROB_BRANCH(x != x)) {
+        return 0;
+    }
+    const double low = x > -2147483648.0 ? x : -2147483648.0;
     const double inside = low < 2147483647.0 ? low : 2147483647.0;
     const int32_t n = (int32_t)inside;
     return n + ((double)n < inside ? 1 : 0);
