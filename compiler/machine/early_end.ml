@@ -2,6 +2,8 @@ module F = Flow.Ir
 open Basis
 open Fragment
 
+let broken what = Diagnostic.bug ~stage:"Machine.Early_end" "%s" what
+
 let possible (program : F.program) =
   let found = Array.make (Array.length program.nodes) false in
   let delayed = List.exists (fun (t : F.transition) -> t.delayed) in
@@ -73,6 +75,21 @@ let is_much fragment ending first =
     (needed fragment ending);
   !more >= much
 
+(* One that occurs only where another one of them does. *)
+let implies_other draft (node : F.node) atoms atom =
+  let is_other a = (not (Flow.Operands.same a atom)) && List.exists (Flow.Operands.same a) atoms in
+  match (atom : F.atom) with
+  | Signal s ->
+      List.exists
+        (fun (e : F.equation) ->
+          e.defines.id = s.id
+          &&
+          match e.rhs with
+          | Op (And, both) -> List.exists (fun a -> is_other (Draft.resolve draft a)) both
+          | _ -> false)
+        node.equations
+  | Bool _ | Int _ | Float _ -> false
+
 let find draft ~fresh (node : F.node) ~over make =
   let own = List.length node.outputs in
   let is_over k =
@@ -97,7 +114,11 @@ let find draft ~fresh (node : F.node) ~over make =
   let tries = List.exists (fun (i : F.instance) -> i.trials <> []) node.instances in
   match can_occur with
   | first :: others when List.for_all is_signal can_occur && not tries ->
-      let ends = List.fold_left either first others in
+      let ends =
+        match List.filter (fun atom -> not (implies_other draft node can_occur atom)) can_occur with
+        | [] -> broken "transitions that each need another to occur"
+        | first :: others -> List.fold_left either first others
+      in
       let later =
         match others with
         | [] -> None

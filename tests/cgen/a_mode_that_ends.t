@@ -114,3 +114,49 @@ where it is much; and it is not asked again that the first one is not taken.
   2.000000000,-1
   3.000000000,2
   $ frobc trace turn.frob --input in.csv --engine interp | cmp - c.csv
+
+Where one way to end is taken only if another one's condition holds as well, that one alone
+is asked.
+
+  $ cat > both.frob <<'END'
+  > main, go :: SF (Bool, Float) Float
+  > main = go
+  > go = switch (proc (on, x) -> (integral (x / 1[s]), mergeE (tag (when (x > 5 && on)) (Left ())) (tag (when (x > 5)) (Right x)))) (either (\_ -> rest (-1)) rest)
+  > 
+  > rest :: Float -> SF (Bool, Float) Float
+  > rest y = switch (proc (on, _) -> (y, edge on)) (\_ -> go)
+  > END
+  $ frobc compile both.frob --lint
+  $ sed -n '/^static.* both_go_go_step/,/^}/p' both.c | sed "s, */\*.*,,"
+  static inline void both_go_go_step(struct both_go_go_state *self,
+                                     double dt,
+                                     bool on,
+                                     double x,
+                                     double *out_2,
+                                     bool *out_3,
+                                     bool *out_4,
+                                     double *out_x)
+  {
+      self->x_integral += dt * self->x_integral_input;
+      const bool t1 = x > 5.0;
+      *out_3 = t1 & on;
+      *out_4 = t1;
+      *out_x = x;
+      if (!t1) {
+          *out_2 = self->x_integral;
+          self->x_integral_input = x;
+      }
+  }
+  $ printf 'time,in.1,in.2\n0,false,1\n1,true,1\n2,true,6\n3,false,7\n4,false,8\n5,true,3\n6,false,6\n7,true,2\n8,true,2\n' > in.csv
+  $ frobc trace both.frob --input in.csv | tee c.csv
+  time,out
+  0.000000000,0
+  1.000000000,1
+  2.000000000,-1
+  3.000000000,-1
+  4.000000000,-1
+  5.000000000,0
+  6.000000000,6
+  7.000000000,0
+  8.000000000,2
+  $ frobc trace both.frob --input in.csv --engine interp | cmp - c.csv
