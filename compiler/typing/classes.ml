@@ -246,7 +246,7 @@ let solve ctx (generalized : Generalize.t) =
   in
   let variables = types @ representations in
   List.iter (fun ((v : Ir.variable), _) -> Hashtbl.replace own v.id []) variables;
-  let missing = ref [] in
+  let missing = ref [] and functions = ref [] in
   let answer required { class_; of_ } =
     match of_ with
     | Open -> if errors ctx = 0 then undecided ctx required class_
@@ -266,7 +266,14 @@ let solve ctx (generalized : Generalize.t) =
     (fun (required : required) ->
       match atoms search ~through:[] required.class_ [] required.argument with
       | found -> List.iter (answer required) (List.rev found)
-      | exception Lacking lack -> report_lacking ctx required lack)
+      | exception Lacking lack -> (
+          (* One that should be something else is one mistake, whatever it lacks. *)
+          match Type.expand lack.culprit with
+          | Function _ as function_ when List.memq function_ !functions -> ()
+          | Function _ as function_ ->
+              functions := function_ :: !functions;
+              report_lacking ctx required lack
+          | _ -> report_lacking ctx required lack))
     (requirements ctx);
   Promise_mistake.report ctx (List.rev !missing);
   List.concat_map

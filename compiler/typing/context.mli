@@ -98,13 +98,10 @@ val use :
 
 val require : t -> required -> unit
 
-val check_context : t -> Resolve.Ir.scheme -> Type.scheme -> unit
-(** Of a scheme, as written and as read. Each constraint is of a variable
-    ([E0365]), which the type has ([E0364]). *)
-
 val with_variables : t -> by:string -> Resolve.Ir.scheme -> Type.scheme * t
 (** The scheme and the context of what is below it: its variables in scope,
-    one signature deeper. [by]: what names the variables, in messages. *)
+    one signature deeper. [by]: what names the variables, in messages. Each
+    constraint is of a variable ([E0365]), which the type has ([E0364]). *)
 
 val with_signature :
   t -> name:string -> Resolve.Ir.scheme -> Type.scheme * t

@@ -180,7 +180,8 @@ And where the output is one of a task's, or a signature's.
   > import Robot
   > main = reactimateTask (do
   >     sleepT 1[s] (setVelTR 0.1[m/s] 0)
-  >     sleepT 2[s] (setVelTR 0 1[rad/s]))
+  >     sleepT 2[s] (setVelTR 0 1[rad/s])
+  >     sleepT 1[s] (roMake (setVelTR 0.1[m/s] 0)))
   > FROB
   $ frobc check no_make.frob
   error[E0360]: there is no instance `RobotOutput (b -> b)`
