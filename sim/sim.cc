@@ -69,8 +69,6 @@ frob_sim *frob_sim_open(const char *world_file, const frob_sim_settings *setting
 
 void frob_sim_close(frob_sim *sim) { delete sim; }
 
-const char *frob_sim_robot(const frob_sim *sim) { return sim->simulation.kind().name; }
-
 std::size_t frob_sim_input_size(const frob_sim *sim) { return sim->simulation.kind().input_size; }
 
 std::size_t frob_sim_output_size(const frob_sim *sim) {

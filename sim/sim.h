@@ -42,10 +42,8 @@ struct frob_sim *frob_sim_open(const char *world_file, const struct frob_sim_set
                                char *message, size_t room);
 void frob_sim_close(struct frob_sim *sim);
 
-/* The robot, as settings and world files call it: the world's if that names
- * one, else the settings', else a pioneer; and the sizes of its structs, which
- * its header <frob/ROBOT.h> declares. */
-const char *frob_sim_robot(const struct frob_sim *sim);
+/* The sizes of the structs of the robot (the world's if that names one, else the
+ * settings', else a pioneer), which its header <frob/ROBOT.h> declares. */
 size_t frob_sim_input_size(const struct frob_sim *sim);
 size_t frob_sim_output_size(const struct frob_sim *sim);
 
