@@ -20,6 +20,12 @@ let hint_to_run subject input =
   | None, true -> hint "run it on `()`"
   | None, false -> hint "run it on a signal"
 
+(* As a foreign function without arguments. *)
+let of_nothing t =
+  match Type.expand t with
+  | Function (argument, _) -> Type.expand argument = Tuple []
+  | _ -> false
+
 let rec missing_arguments t =
   match Type.expand t with Function (_, result) -> 1 + missing_arguments result | _ -> 0
 
@@ -200,6 +206,7 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       error ~code:"E0301" ~at "expected %s, found the function %s" (text expected.ty) (text found)
       |> hint
            (match Option.bind subject Plain_name.of_expr with
+           | Some name when missing = 1 && of_nothing found -> Printf.sprintf "write `%s ()`" name
            | Some name ->
                Printf.sprintf "`%s` takes %d argument%s" name missing
                  (if missing = 1 then "" else "s")

@@ -421,3 +421,24 @@ Tasks side by side have two outputs, and a text is no output:
   
   1 error
   [1]
+
+A function of nothing is applied to nothing:
+
+  $ cat > nothing.frob <<'FROB'
+  > foreign seven :: () -> Int = "seven"
+  > main :: SF () Int
+  > main = proc () -> seven
+  > FROB
+  $ frobc check nothing.frob
+  error[E0301]: expected `Int`, found the function `() -> Int`
+   --> nothing.frob:3:19
+    |
+  2 | main :: SF () Int
+    |         --------- the signature of `main` asks for the output `Int`
+  3 | main = proc () -> seven
+    |                   ^^^^^
+    |
+    = hint: write `seven ()`
+  
+  1 error
+  [1]
