@@ -108,7 +108,7 @@ let congruence ~distinct ~labels ~arguments =
       | uses -> List.sort (fun (i, _) (j, _) -> Int.compare i j) uses
     in
     let rec go argument touched = function
-      | (i, e) :: rest when i = argument ->
+      | (i, e) :: rest when Int.equal i argument ->
           let c = t.class_of.(e) in
           go argument (if mark t e then c :: touched else touched) rest
       | rest -> (

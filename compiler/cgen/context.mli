@@ -16,7 +16,7 @@ type t = {
   index : int;
   node : M.node;
   write : int -> Ir.expr -> Ir.statement;  (** an output *)
-  read : (int, unit) Hashtbl.t;  (** variables that anything reads *)
+  read : unit Basis.Int_table.t;  (** variables that anything reads *)
   seconds : seconds;
   nanoseconds : Ir.ty;
       (** of [dt_ns]: [Int64], or [Real Double]: see {!Machine.Time_use.nanoseconds_in_floats} *)

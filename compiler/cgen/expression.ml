@@ -1,3 +1,4 @@
+open Basis
 module M = Machine.Ir
 module V = Vocabulary
 
@@ -5,10 +6,10 @@ type names = {
   v : V.t;
   node : int;
   scope : Name.scope;
-  variables : (int, Ir.expr) Hashtbl.t;
-  in_place : (int, Ir.expr list -> Ir.expr) Hashtbl.t;
-  indices : (int, string) Hashtbl.t;  (* of loops, by how deep they are in others *)
-  reached : (string, unit) Hashtbl.t;  (* pointers to state by which a field was reached *)
+  variables : Ir.expr Int_table.t;
+  in_place : (Ir.expr list -> Ir.expr) Int_table.t;
+  indices : string Int_table.t;  (* of loops, by how deep they are in others *)
+  reached : unit String_table.t;  (* pointers to state by which a field was reached *)
 }
 
 let given = [ "self"; "in"; "out"; "dt"; "dt_ns" ]
@@ -19,41 +20,41 @@ let names (v : V.t) ~node =
     node;
     scope = Name.scope Identifiers ~within:v.file_scope ~taken:
         (if String.equal v.nodes.(node).flags "" then given else "flags" :: given);
-    variables = Hashtbl.create 16;
-    in_place = Hashtbl.create 4;
-    indices = Hashtbl.create 4;
-    reached = Hashtbl.create 2;
+    variables = Int_table.create 16;
+    in_place = Int_table.create 4;
+    indices = Int_table.create 4;
+    reached = String_table.create 2;
   }
 
 let scope n = n.scope
 let vocabulary n = n.v
 let index n depth =
-  match Hashtbl.find_opt n.indices depth with
+  match Int_table.find_opt n.indices depth with
   | Some name -> name
   | None ->
       let name = Name.fresh n.scope (String.make 1 (Char.chr (Char.code 'i' + min depth 10))) in
-      Hashtbl.replace n.indices depth name;
+      Int_table.replace n.indices depth name;
       name
 
-let read_elements_as n (variable : M.variable) e = Hashtbl.replace n.in_place variable.id e
+let read_elements_as n (variable : M.variable) e = Int_table.replace n.in_place variable.id e
 
-let read_as n (variable : M.variable) e = Hashtbl.replace n.variables variable.id e
+let read_as n (variable : M.variable) e = Int_table.replace n.variables variable.id e
 
 let variable n (variable : M.variable) =
-  match Hashtbl.find_opt n.variables variable.id with
+  match Int_table.find_opt n.variables variable.id with
   | Some (Name name) -> name
-  | Some _ -> Basis.Diagnostic.bug ~stage:"Cgen.Expression" "a variable that has no name of its own"
+  | Some _ -> Diagnostic.bug ~stage:"Cgen.Expression" "a variable that has no name of its own"
   | None ->
       let name = Name.fresh n.scope variable.name in
-      Hashtbl.replace n.variables variable.id (Ir.Name name);
+      Int_table.replace n.variables variable.id (Ir.Name name);
       name
 
 let places n (field : M.field) =
   let names = n.v.nodes.(n.node) in
   let place pointer table =
-    match Hashtbl.find_opt table field.id with
+    match Int_table.find_opt table field.id with
     | Some (first :: inside) ->
-        Hashtbl.replace n.reached pointer ();
+        String_table.replace n.reached pointer ();
         let start = Ir.Arrow (Name pointer, first) in
         [ List.fold_left (fun e member -> Ir.Member (e, member)) start inside ]
     | Some [] | None -> []
@@ -64,9 +65,9 @@ let places n (field : M.field) =
 let field n field =
   match places n field with
   | place :: _ -> place
-  | [] -> Basis.Diagnostic.bug ~stage:"Cgen.Expression" "a field that is not in the state"
+  | [] -> Diagnostic.bug ~stage:"Cgen.Expression" "a field that is not in the state"
 
-let reaches n pointer = Hashtbl.mem n.reached pointer
+let reaches n pointer = String_table.mem n.reached pointer
 
 (* A literal that is not NaN. *)
 let literal : M.expr -> float option = function
@@ -82,7 +83,7 @@ let limited n general simple (a : M.expr) (b : M.expr) x y =
   | Some limit, None when not (Float.equal limit 0.) -> Call (V.helper n.v simple, [ y; x ])
   | Some _, None | None, None -> Call (V.helper n.v general, [ x; y ])
 
-let bad () = Basis.Diagnostic.bug ~stage:"Cgen.Expression" "an operation on values it does not have"
+let bad () = Diagnostic.bug ~stage:"Cgen.Expression" "an operation on values it does not have"
 
 (* A truth value that takes no work to look at: of two of these compilers make less
    without a branch. *)
@@ -222,7 +223,7 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   | Time ns -> Long ns
   | Absent ty -> V.absent n.v ty
   | Variable v -> (
-      match Hashtbl.find_opt n.variables v.id with
+      match Int_table.find_opt n.variables v.id with
       | Some e -> e
       | None -> Name (variable n v))
   | Field f -> field n f
@@ -326,7 +327,7 @@ and at_least n time x =
 and element n array index =
   let rec in_place (e : M.expr) indices =
     match e with
-    | Variable v -> Option.map (fun read -> read indices) (Hashtbl.find_opt n.in_place v.id)
+    | Variable v -> Option.map (fun read -> read indices) (Int_table.find_opt n.in_place v.id)
     | Index { array; index } -> in_place array (Ir.Integer (Int32.of_int index) :: indices)
     | _ -> None
   in

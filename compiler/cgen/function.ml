@@ -98,7 +98,7 @@ and step c rest ~node ~own arguments results span =
   with_results c rest ~call:(step_call c ~node ~own (for_step c node arguments)) results span
 
 and with_results c rest ~call results span =
-  let is_read (variable : M.variable) = Hashtbl.mem c.read variable.id in
+  let is_read (variable : M.variable) = Int_table.mem c.read variable.id in
   match results with
   | [] -> { desc = Do (call []); comment = comment c span } :: rest
   | [ variable ] when not (is_read variable) ->
@@ -142,15 +142,15 @@ let name_variables names body =
 
 (* What only goes on by the pointer to the input is not read. *)
 let variables_read (v : V.t) (node : M.node) body =
-  let reads = Hashtbl.create 16 in
+  let reads = Int_table.create 16 in
   let count n (variable : M.variable) =
-    let before = Option.value (Hashtbl.find_opt reads variable.id) ~default:0 in
-    Hashtbl.replace reads variable.id (before + n)
+    let before = Option.value (Int_table.find_opt reads variable.id) ~default:0 in
+    Int_table.replace reads variable.id (before + n)
   in
   Machine.Walk.expressions (function M.Variable variable -> count 1 variable | _ -> ()) body;
   List.iter (count (-1)) (Program_input.variables_by_pointer v.by_pointer v.program node body);
-  let read = Hashtbl.create 16 in
-  Hashtbl.iter (fun id n -> if n > 0 then Hashtbl.replace read id ()) reads;
+  let read = Int_table.create 16 in
+  Int_table.fold (fun id n () -> if n > 0 then Int_table.replace read id ()) reads ();
   read
 
 let self v k =
@@ -199,7 +199,7 @@ let read_member (v : V.t) names read (variable : M.variable) steps =
   if Interface.direct v.program.input || String.equal variable.name "" then (
     Expression.read_as names variable place;
     [])
-  else if Hashtbl.mem read variable.id then
+  else if Int_table.mem read variable.id then
     let ty = V.ty v variable.ty and name = Expression.variable names variable in
     [ plain (Ir.Constant { ty; name; value = place }) ]
   else []
@@ -400,7 +400,7 @@ let only_elements_read body (variable : M.variable) ~dimensions =
 let inputs c (node : M.node) =
   let take (variable : M.variable) members =
     if Access.is_in_array members then
-      if not (Hashtbl.mem c.read variable.id) then []
+      if not (Int_table.mem c.read variable.id) then []
       else if only_elements_read node.step.body variable ~dimensions:(Access.dimensions members) then (
         Expression.read_elements_as c.names variable (Access.path (Name "in") members);
         [])
@@ -462,7 +462,7 @@ let root_step (v : V.t) k : Ir.function_ =
   in
   let unused = List.concat_map clear v.output.unused in
   let reads_input =
-    List.exists (fun (v : M.variable) -> Hashtbl.mem c.read v.id) node.step.parameters
+    List.exists (fun (v : M.variable) -> Int_table.mem c.read v.id) node.step.parameters
     || Program_input.variables_by_pointer v.by_pointer v.program node node.step.body <> []
   in
   let dt : Ir.ty * string = match v.program.real with Double -> (V.real v, "dt") | Single -> (Int64, "dt_ns") in

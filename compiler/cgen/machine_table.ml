@@ -30,7 +30,7 @@ let rec node s k ~path ~flags ~element ~within =
   let node_ = s.v.program.nodes.(k) in
   let names = s.v.nodes.(k) in
   let path_in table start (field : M.field) =
-    Option.map (fun inside -> join start (String.concat "." inside)) (Hashtbl.find_opt table field.id)
+    Option.map (fun inside -> join start (String.concat "." inside)) (Basis.Int_table.find_opt table field.id)
   in
   let large = path_in names.members.large path in
   let small = path_in names.members.small (if String.equal names.flags "" then path else flags) in

@@ -1,6 +1,8 @@
+open Basis
+
 let table names =
-  let table = Hashtbl.create 512 in
-  List.iter (fun name -> Hashtbl.replace table name ()) (String.split_on_char ' ' names);
+  let table = String_table.create 512 in
+  List.iter (fun name -> String_table.replace table name ()) (String.split_on_char ' ' names);
   table
 
 (* Keywords of C and C++, and names that compilers and the headers
@@ -45,21 +47,21 @@ type kind = Identifiers | Members
 type scope = {
   kind : kind;
   within : scope option;
-  taken : (string, unit) Hashtbl.t;
-  counts : (string, int) Hashtbl.t;  (** last number tried for a name *)
+  taken : unit String_table.t;
+  counts : int String_table.t;  (** last number tried for a name *)
 }
 
 let is_reserved kind name =
-  Hashtbl.mem keywords name || is_macro_like name
-  || match kind with Identifiers -> Hashtbl.mem functions name | Members -> false
+  String_table.mem keywords name || is_macro_like name
+  || match kind with Identifiers -> String_table.mem functions name | Members -> false
 
 let scope ?within ?(taken = []) kind =
-  let table = Hashtbl.create 16 in
-  List.iter (fun name -> Hashtbl.replace table name ()) taken;
-  { kind; within; taken = table; counts = Hashtbl.create 16 }
+  let table = String_table.create 16 in
+  List.iter (fun name -> String_table.replace table name ()) taken;
+  { kind; within; taken = table; counts = String_table.create 16 }
 
 let rec is_taken_in scope name =
-  Hashtbl.mem scope.taken name
+  String_table.mem scope.taken name
   || match scope.within with Some outer -> is_taken_in outer name | None -> false
 
 let is_taken scope name = is_reserved scope.kind name || is_taken_in scope name
@@ -106,8 +108,8 @@ let short name =
     | Some _ | None -> String.sub name 0 longest
 
 let rec numbered scope base separator =
-  let count = 1 + Option.value (Hashtbl.find_opt scope.counts base) ~default:0 in
-  Hashtbl.replace scope.counts base count;
+  let count = 1 + Option.value (String_table.find_opt scope.counts base) ~default:0 in
+  String_table.replace scope.counts base count;
   let name = Printf.sprintf "%s%s%d" base separator count in
   if is_taken scope name then numbered scope base separator else name
 
@@ -119,9 +121,9 @@ let fresh scope text =
       (* No number at the end would make another name of it. *)
       let base = if is_macro_like base then "x_" ^ base else base in
       if is_taken scope base then (
-        if not (Hashtbl.mem scope.counts base) then Hashtbl.replace scope.counts base 1;
+        if not (String_table.mem scope.counts base) then String_table.replace scope.counts base 1;
         numbered scope base "_")
       else base
   in
-  Hashtbl.replace scope.taken name ();
+  String_table.replace scope.taken name ();
   name

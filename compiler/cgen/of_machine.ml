@@ -37,7 +37,7 @@ let rec member (v : V.t) k ((field : M.field), (part : Machine.Apart.part)) : Ir
     | Modes modes -> Union (List.concat (List.mapi (mode v k part) modes))
   in
   let paths = v.nodes.(k).members in
-  let path = Hashtbl.find (match part with Large -> paths.large | Small -> paths.small) field.id in
+  let path = Basis.Int_table.find (match part with Large -> paths.large | Small -> paths.small) field.id in
   { name = last path; ty; comment = state_comment v field }
 
 and mode v k part number (mode : M.mode) : Ir.member list =

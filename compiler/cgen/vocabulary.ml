@@ -4,7 +4,7 @@ module M = Machine.Ir
 type mode = { constant : string; member : string }
 
 (* The members that lead to the parts of fields. *)
-type paths = { large : (int, string list) Hashtbl.t; small : (int, string list) Hashtbl.t }
+type paths = { large : string list Basis.Int_table.t; small : string list Basis.Int_table.t }
 
 type node = {
   state : string;
@@ -65,7 +65,7 @@ let name_members apart k tables ~structs fields =
   let large, small, separate =
     match structs with `One path -> (path, path, false) | `Two (large, small) -> (large, small, true)
   in
-  let put table (field : M.field) path name = Hashtbl.replace table field.id (List.rev (name :: path)) in
+  let put table (field : M.field) path name = Basis.Int_table.replace table field.id (List.rev (name :: path)) in
   List.iter
     (fun (field : M.field) ->
       let name = Name.fresh scope field.name in
@@ -88,7 +88,7 @@ let name_modes (nodes : M.node array) apart k tables scope ~prefix (node : M.nod
     | Value _ | State_of _ | States_of _ | Running_mode | Component _ -> false
   in
   let room table =
-    let path (field : M.field) = Hashtbl.find_opt table field.id in
+    let path (field : M.field) = Basis.Int_table.find_opt table field.id in
     List.rev (Option.value (Option.bind (List.find_opt is_room node.state) path) ~default:[])
   in
   let constant name =
@@ -113,7 +113,7 @@ let name_modes (nodes : M.node array) apart k tables scope ~prefix (node : M.nod
   (modes, if waits then Some (constant "start") else None)
 
 let members scope ~prefix nodes apart k (node : M.node) =
-  let tables = { large = Hashtbl.create 16; small = Hashtbl.create 16 } in
+  let tables = { large = Basis.Int_table.create 16; small = Basis.Int_table.create 16 } in
   let structs = if Machine.Apart.is_split apart k then `Two ([], []) else `One [] in
   name_members apart k tables ~structs node.state;
   let modes, waiting = name_modes nodes apart k tables scope ~prefix node in

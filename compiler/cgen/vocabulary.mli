@@ -8,7 +8,7 @@ type mode = {
 
 (** The members that lead to the parts of fields, from the state struct or the struct
     of small fields, by field. *)
-type paths = { large : (int, string list) Hashtbl.t; small : (int, string list) Hashtbl.t }
+type paths = { large : string list Basis.Int_table.t; small : string list Basis.Int_table.t }
 
 type node = {
   state : string;  (** struct *)

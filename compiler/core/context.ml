@@ -1,29 +1,30 @@
 open Basis
+module Global_table = Resolve.Global_table
 
 type data = { declaration : Ir.data; count : int }
 
 type t = {
   mutable last : int;
-  data : (Ir.Global.t, data) Hashtbl.t;
+  data : data Global_table.t;
   instances : Instance.table;
-  foreign : (Ir.Global.t, Primitive.foreign) Hashtbl.t;
+  foreign : Primitive.foreign Global_table.t;
 }
 
 let create data instances (foreign : Ir.foreign) =
-  let table = Hashtbl.create 64 in
+  let table = Global_table.create 64 in
   let add (d : Ir.data) =
-    Hashtbl.replace table d.tycon { declaration = d; count = List.length d.constructors }
+    Global_table.replace table d.tycon { declaration = d; count = List.length d.constructors }
   in
   List.iter add data;
-  let values = Hashtbl.create 8 in
+  let values = Global_table.create 8 in
   let add_value ((f : Primitive.foreign), _) =
-    Hashtbl.replace values { Ir.Global.module_ = f.module_; name = f.foreign_name } f
+    Global_table.replace values { Ir.Global.module_ = f.module_; name = f.foreign_name } f
   in
   List.iter add_value foreign.values;
   { last = 0; data = table; instances = Instance.table instances; foreign = values }
 
 let primitive t (g : Ir.Global.t) : Primitive.t =
-  match (Hashtbl.find_opt t.foreign g, Primitive.of_name g.name) with
+  match (Global_table.find_opt t.foreign g, Primitive.of_name g.name) with
   | Some foreign, _ -> Foreign foreign
   | None, Some p -> p
   | None, None ->
@@ -36,7 +37,7 @@ let fresh t name span : Ir.Local.t =
 let instances t = t.instances
 
 let data t (tycon : Ir.Global.t) =
-  match Hashtbl.find_opt t.data tycon with
+  match Global_table.find_opt t.data tycon with
   | Some d -> d
   | None ->
     Diagnostic.bug ~stage:"Core.Context" "`%s.%s` is no data type" tycon.module_ tycon.name

@@ -21,10 +21,10 @@ let rec globals found (e : expr) =
 
 let definitions list =
   let all = Array.of_list list in
-  let index = Hashtbl.create (Array.length all) in
-  Array.iteri (fun i (d : definition) -> Hashtbl.replace index d.name i) all;
+  let index = Resolve.Global_table.create (Array.length all) in
+  Array.iteri (fun i (d : definition) -> Resolve.Global_table.replace index d.name i) all;
   let uses (d : definition) =
-    List.filter_map (fun g -> Hashtbl.find_opt index g) (globals [] d.body)
+    List.filter_map (fun g -> Resolve.Global_table.find_opt index g) (globals [] d.body)
   in
   let components = Graph.components (Array.map uses all) in
   let add reversed component =

@@ -1,3 +1,5 @@
+open Basis
+
 (* What a condition is made of, nearest first, as far as it is worth looking. *)
 let most = 10
 
@@ -13,7 +15,7 @@ let parts definitions (rhs : Ir.rhs) =
     | (s : Ir.signal) :: rest ->
         if List.exists (fun (f : Ir.signal) -> f.id = s.id) found then nearest found rest
         else
-          let inner = Option.fold (Hashtbl.find_opt definitions s.id) ~none:[] ~some:operands in
+          let inner = Option.fold (Int_table.find_opt definitions s.id) ~none:[] ~some:operands in
           nearest (s :: found) (rest @ inner)
   in
   nearest [] (operands rhs)
@@ -24,7 +26,7 @@ let is_deep definitions (rhs : Ir.rhs) =
   | If _ | Op ((And | Or), _) ->
       List.exists
         (fun (s : Ir.signal) ->
-          match Hashtbl.find_opt definitions s.id with
+          match Int_table.find_opt definitions s.id with
           | Some (Ir.If _ | Op ((And | Or), _)) -> true
           | Some _ | None -> false)
         (operands rhs)
@@ -72,25 +74,25 @@ let simpler at_an_instant definitions (e : Ir.equation) : Ir.rhs option =
 (* Of a mode's transitions the first that occurs counts, so what an earlier one asks a
    later one need not ask again. *)
 let transitions definitions transitions =
-  let asked = Hashtbl.create 8 in
+  let asked = Int_table.create 8 in
   let is_asked : Ir.atom -> bool = function
-    | Signal s -> Hashtbl.mem asked s.id
+    | Signal s -> Int_table.mem asked s.id
     | Bool _ | Int _ | Float _ -> false
   in
   let rec rest (atom : Ir.atom) =
     match atom with
     | Bool _ | Int _ | Float _ -> atom
     | Signal s -> (
-        match Hashtbl.find_opt definitions s.id with
+        match Int_table.find_opt definitions s.id with
         | Some (Ir.Op (Or, [ a; b ])) when is_asked a -> rest b
         | Some (Ir.Op (Or, [ a; b ])) when is_asked b -> rest a
         | Some _ | None -> atom)
   in
   let rec ask (atom : Ir.atom) =
     match atom with
-    | Signal s when not (Hashtbl.mem asked s.id) -> (
-        Hashtbl.replace asked s.id ();
-        match Hashtbl.find_opt definitions s.id with
+    | Signal s when not (Int_table.mem asked s.id) -> (
+        Int_table.replace asked s.id ();
+        match Int_table.find_opt definitions s.id with
         | Some (Ir.Op (Or, parts)) -> List.iter ask parts
         | Some (Copy same) -> ask same
         | Some _ | None -> ())
@@ -104,9 +106,9 @@ let transitions definitions transitions =
   Basis.Long_list.map transition transitions
 
 let node (node : Ir.node) =
-  let definitions = Hashtbl.create 64 in
+  let definitions = Int_table.create 64 in
   let define (e : Ir.equation) =
-    if e.defines.ty = Bool then Hashtbl.replace definitions e.defines.id e.rhs
+    if e.defines.ty = Bool then Int_table.replace definitions e.defines.id e.rhs
   in
   List.iter define node.equations;
   let at_an_instant = Truth.at_an_instant node in

@@ -12,17 +12,17 @@ let small_once = 16
 (* What is made of the node's statics alone does not count: where it is inlined
    they are mostly literals. *)
 let size (node : Ir.node) =
-  let static = Hashtbl.create 8 in
-  List.iter (fun (s : Ir.signal) -> Hashtbl.replace static s.id ()) node.statics;
+  let static = Int_table.create 8 in
+  List.iter (fun (s : Ir.signal) -> Int_table.replace static s.id ()) node.statics;
   let is_static (atom : Ir.atom) =
     match atom with
-    | Signal s -> Hashtbl.mem static s.id
+    | Signal s -> Int_table.mem static s.id
     | Bool _ | Int _ | Float _ -> true
   in
   let of_statics (e : Ir.equation) =
     match e.rhs with
     | (Op _ | If _) as rhs when List.for_all is_static (Operands.all rhs) ->
-        Hashtbl.replace static e.defines.id ();
+        Int_table.replace static e.defines.id ();
         true
     | _ -> false
   in
@@ -41,15 +41,15 @@ let size (node : Ir.node) =
 
 (* What is left of a node's equations when its outputs are all that counts. *)
 let live (node : Ir.node) =
-  let definitions = Hashtbl.create 64 and needed = Hashtbl.create 64 in
-  List.iter (fun (e : Ir.equation) -> Hashtbl.replace definitions e.defines.id e.rhs) node.equations;
+  let definitions = Int_table.create 64 and needed = Int_table.create 64 in
+  List.iter (fun (e : Ir.equation) -> Int_table.replace definitions e.defines.id e.rhs) node.equations;
   let rec need (atom : Ir.atom) =
     match atom with
-    | Signal s when not (Hashtbl.mem needed s.id) ->
-        Hashtbl.replace needed s.id ();
+    | Signal s when not (Int_table.mem needed s.id) ->
+        Int_table.replace needed s.id ();
         Option.iter
           (fun rhs -> List.iter need (Operands.all rhs))
-          (Hashtbl.find_opt definitions s.id)
+          (Int_table.find_opt definitions s.id)
     | Signal _ | Bool _ | Int _ | Float _ -> ()
   in
   List.iter (fun (_, atom) -> need atom) node.outputs;
@@ -58,7 +58,7 @@ let live (node : Ir.node) =
       List.iter need i.statics;
       List.iter need i.inputs)
     node.instances;
-  let is_needed (e : Ir.equation) = Hashtbl.mem needed e.defines.id in
+  let is_needed (e : Ir.equation) = Int_table.mem needed e.defines.id in
   { node with equations = List.filter is_needed node.equations }
 
 (* Expanded equations often simplify; more than so many times they do not. *)
@@ -78,53 +78,53 @@ type context = {
 }
 
 (* The names taken in a node, each with the last number given to a namesake. *)
-type names = (string, int) Hashtbl.t
+type names = int String_table.t
 
 let unique (names : names) ~prefix name =
   let rec numbered base n =
     let candidate = Printf.sprintf "%s_%d" base n in
-    if Hashtbl.mem names candidate then numbered base (n + 1)
+    if String_table.mem names candidate then numbered base (n + 1)
     else begin
-      Hashtbl.replace names base n;
+      String_table.replace names base n;
       candidate
     end
   in
   let choose name =
-    match Hashtbl.find_opt names name with
+    match String_table.find_opt names name with
     | None -> name
     | Some n -> numbered name (n + 1)
   in
   let chosen =
-    if not (Hashtbl.mem names name) then name else choose (prefix ^ "." ^ name)
+    if not (String_table.mem names name) then name else choose (prefix ^ "." ^ name)
   in
-  if not (Hashtbl.mem names chosen) then Hashtbl.replace names chosen 1;
+  if not (String_table.mem names chosen) then String_table.replace names chosen 1;
   chosen
 
 let signal_names (node : Ir.node) : names =
-  let names = Hashtbl.create 64 in
+  let names = String_table.create 64 in
   Signals.iter
-    (fun (s : Ir.signal) -> if s.name <> "" then Hashtbl.replace names s.name 1)
+    (fun (s : Ir.signal) -> if s.name <> "" then String_table.replace names s.name 1)
     node;
   names
 
 let instance_names (node : Ir.node) : names =
-  let names = Hashtbl.create 16 in
-  List.iter (fun (i : Ir.instance) -> Hashtbl.replace names i.name 1) node.instances;
+  let names = String_table.create 16 in
+  List.iter (fun (i : Ir.instance) -> String_table.replace names i.name 1) node.instances;
   names
 
 (* The equations and instances that do what [instance] does. *)
 let expand context ~signals ~instances (instance : Ir.instance) =
   let callee = context.nodes.(instance.node) in
-  let copies : (int, Ir.atom) Hashtbl.t = Hashtbl.create 32 in
-  let groups = Hashtbl.create 8 in
-  let bind (s : Ir.signal) atom = Hashtbl.replace copies s.id atom in
+  let copies : Ir.atom Int_table.t = Int_table.create 32 in
+  let groups = Int_table.create 8 in
+  let bind (s : Ir.signal) atom = Int_table.replace copies s.id atom in
   List.iter2 bind callee.statics instance.statics;
   List.iter2 bind callee.inputs instance.inputs;
   (* An output that the caller has named is computed under that name. *)
   List.iter2
     (fun (s : Ir.signal) (_, a) ->
       match (a : Ir.atom) with
-      | Signal inner when s.name <> "" && not (Hashtbl.mem copies inner.id) ->
+      | Signal inner when s.name <> "" && not (Int_table.mem copies inner.id) ->
           bind inner (Signal s)
       | Signal _ | Bool _ | Int _ | Float _ -> ())
     instance.outputs callee.outputs;
@@ -134,17 +134,17 @@ let expand context ~signals ~instances (instance : Ir.instance) =
     id
   in
   let copy (s : Ir.signal) =
-    match Hashtbl.find_opt copies s.id with
+    match Int_table.find_opt copies s.id with
     | Some (Signal copy) -> copy
     | Some (Bool _ | Int _ | Float _) ->
         Diagnostic.bug ~stage:"Flow.Inline" "a parameter of `%s` is defined in it" callee.name
     | None ->
         let id = fresh_id () in
         let group =
-          match Hashtbl.find_opt groups s.group with
+          match Int_table.find_opt groups s.group with
           | Some group -> group
           | None ->
-              Hashtbl.add groups s.group id;
+              Int_table.replace groups s.group id;
               id
         in
         let name = if s.name = "" then "" else unique signals ~prefix:instance.name s.name in
@@ -154,7 +154,7 @@ let expand context ~signals ~instances (instance : Ir.instance) =
   in
   let atom : Ir.atom -> Ir.atom = function
     | Signal s -> (
-        match Hashtbl.find_opt copies s.id with
+        match Int_table.find_opt copies s.id with
         | Some atom -> atom
         | None -> Signal (copy s))
     | (Bool _ | Int _ | Float _) as constant -> constant
@@ -268,15 +268,15 @@ let rec open_loops context (node : Ir.node) =
   match Schedule.loops node with
   | [] -> node
   | loops ->
-      let names = Hashtbl.create 16 in
+      let names = String_table.create 16 in
       List.iter
         (List.iter (fun (i : Ir.instance) ->
              if i.trials = [] && not (is_one_operation context i) then
-               Hashtbl.replace names i.name ()))
+               String_table.replace names i.name ()))
         loops;
-      if Hashtbl.length names = 0 then
+      if String_table.length names = 0 then
         Diagnostic.bug ~stage:"Flow.Inline" "`%s` is not causal" node.name;
-      let is_chosen (i : Ir.instance) = Hashtbl.mem names i.name in
+      let is_chosen (i : Ir.instance) = String_table.mem names i.name in
       let try_machine i = if is_chosen i && is_machine context i then with_trials context i else i in
       { node with instances = Long_list.map try_machine node.instances }
       |> expand_chosen context (fun i -> is_chosen i && not (is_machine context i))
@@ -311,21 +311,21 @@ let sharing real context (node : Ir.node) =
       let expanded = expand_chosen ~note context may_share node in
       context.fresh <- before;
       let equal = Share.equal (Parity.node (Simplify.node real expanded)) in
-      let by_class = Hashtbl.create 16 in
+      let by_class = Int_table.create 16 in
       let equal_to (s : Ir.signal) =
         match equal (Signal s) with Signal first -> first.id | Bool _ | Int _ | Float _ -> s.id
       in
       let add (owner, s) =
         let alone =
-          match Hashtbl.find_opt by_class (equal_to s) with
+          match Int_table.find_opt by_class (equal_to s) with
           | None -> Some owner
           | Some (Some other) when other = owner -> Some owner
           | Some (Some _ | None) -> None
         in
-        Hashtbl.replace by_class (equal_to s) alone
+        Int_table.replace by_class (equal_to s) alone
       in
       List.iter add !costly;
-      let shares (_, s) = Hashtbl.find by_class (equal_to s) = None in
+      let shares (_, s) = Int_table.find by_class (equal_to s) = None in
       List.filter_map fst (List.filter shares !costly)
 
 (* In how many places each node is called. *)

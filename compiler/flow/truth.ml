@@ -1,6 +1,8 @@
+open Basis
+
 type t = {
-  definitions : (int, Ir.rhs) Hashtbl.t;
-  values : (int, bool) Hashtbl.t;  (** by signal *)
+  definitions : Ir.rhs Int_table.t;
+  values : bool Int_table.t;  (** by signal *)
 }
 
 (* Deeper than a person writes a condition, and not so deep that it takes long. *)
@@ -12,10 +14,10 @@ let rec value ?(depth = depth) t (atom : Ir.atom) =
   | Bool b -> Some b
   | Int _ | Float _ -> None
   | Signal s -> (
-      match Hashtbl.find_opt t.values s.id with
+      match Int_table.find_opt t.values s.id with
       | Some b -> Some b
       | None -> (
-          match Hashtbl.find_opt t.definitions s.id with
+          match Int_table.find_opt t.definitions s.id with
           | Some (Copy a) -> value a
           | Some (Op (Not, [ a ])) -> Option.map not (value a)
           | Some (Op (And, [ a; b ])) -> (
@@ -40,8 +42,8 @@ let rec learn ?(depth = depth) t (atom : Ir.atom) b =
   match atom with
   | Bool _ | Int _ | Float _ -> ()
   | Signal s -> (
-      Hashtbl.replace t.values s.id b;
-      match (Hashtbl.find_opt t.definitions s.id, b) with
+      Int_table.replace t.values s.id b;
+      match (Int_table.find_opt t.definitions s.id, b) with
       | Some (Copy a), _ -> learn a b
       | Some (Op (Not, [ a ])), _ -> learn a (not b)
       | Some (Op (And, [ x; y ])), true | Some (Op (Or, [ x; y ])), false ->
@@ -56,18 +58,18 @@ let rec learn ?(depth = depth) t (atom : Ir.atom) b =
       | _, _ -> ())
 
 let definitions (node : Ir.node) =
-  let definitions = Hashtbl.create 64 in
+  let definitions = Int_table.create 64 in
   List.iter
     (fun (e : Ir.equation) ->
-      if e.defines.ty = Bool then Hashtbl.replace definitions e.defines.id e.rhs)
+      if e.defines.ty = Bool then Int_table.replace definitions e.defines.id e.rhs)
     node.equations;
   definitions
 
 let at_an_instant (node : Ir.node) =
   let definitions = definitions node in
   fun known ->
-    let t = { definitions; values = Hashtbl.create 16 } in
-    List.iter (fun ((s : Ir.signal), b) -> Hashtbl.replace t.values s.id b) known;
+    let t = { definitions; values = Int_table.create 16 } in
+    List.iter (fun ((s : Ir.signal), b) -> Int_table.replace t.values s.id b) known;
     t
 
 let while_running (node : Ir.node) =

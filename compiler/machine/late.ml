@@ -10,9 +10,9 @@ type user =
 
 type t = {
   fragment : Fragment.t;
-  definer : (int, int) Hashtbl.t;  (* items by signal *)
-  users : (int, user list) Hashtbl.t;  (* by signal; of what is needed *)
-  written : (int, unit) Hashtbl.t;  (* fields *)
+  definer : int Int_table.t;  (* items by signal *)
+  users : user list Int_table.t;  (* by signal; of what is needed *)
+  written : unit Int_table.t;  (* fields *)
   kept : (int, Ir.field) Hashtbl.t;  (* y, and the field that holds it in the end *)
   late_items : bool array;
   late_results : bool array;
@@ -25,11 +25,11 @@ let defined = function
   | Computed c -> [ c.signal ]
   | Action a -> a.defines
 
-let users t (s : Flow.signal) = Option.value (Hashtbl.find_opt t.users s.id) ~default:[]
+let users t (s : Flow.signal) = Option.value (Int_table.find_opt t.users s.id) ~default:[]
 
 let use t user (atom : atom) =
   match atom with
-  | Signal s -> Hashtbl.replace t.users s.id (user :: users t s)
+  | Signal s -> Int_table.replace t.users s.id (user :: users t s)
   | Bool _ | Int _ | Float _ -> ()
 
 let find_users t =
@@ -44,7 +44,7 @@ let find_users t =
   done
 
 let computed t (s : Flow.signal) =
-  match Option.map (Array.get t.fragment.items) (Hashtbl.find_opt t.definer s.id) with
+  match Option.map (Array.get t.fragment.items) (Int_table.find_opt t.definer s.id) with
   | Some (Computed c) -> Some c
   | Some (Action _) | None -> None
 
@@ -77,8 +77,8 @@ let may_be_read_late t (atom : atom) =
   | Signal s -> (
       Hashtbl.mem t.kept s.id
       ||
-      match (Int_table.find_opt t.fragment.leaves s.id, Hashtbl.find_opt t.definer s.id) with
-      | Some (Field field), _ -> not (Hashtbl.mem t.written field.id)
+      match (Int_table.find_opt t.fragment.leaves s.id, Int_table.find_opt t.definer s.id) with
+      | Some (Field field), _ -> not (Int_table.mem t.written field.id)
       | Some (Variable _), _ -> true
       | Some _, _ -> false
       | None, Some k -> t.late_items.(k)
@@ -117,7 +117,7 @@ let rec settle t =
   Hashtbl.iter
     (fun id _ ->
       let own, others =
-        List.partition own_state (Option.value (Hashtbl.find_opt t.users id) ~default:[])
+        List.partition own_state (Option.value (Int_table.find_opt t.users id) ~default:[])
       in
       if List.compare_length_with own 1 <> 0 || not (List.for_all (is_late_user t) others) then (
         Hashtbl.remove t.kept id;
@@ -132,7 +132,7 @@ let rec reads_kept t (atom : atom) =
   | Signal s -> (
       Hashtbl.mem t.kept s.id
       ||
-      match Hashtbl.find_opt t.definer s.id with
+      match Int_table.find_opt t.definer s.id with
       | Some k when t.late_items.(k) ->
           List.exists (reads_kept t) (operands t.fragment.items.(k))
       | Some _ | None -> false)
@@ -167,9 +167,9 @@ let split (fragment : Fragment.t) =
   let t =
     {
       fragment;
-      definer = Hashtbl.create 64;
-      users = Hashtbl.create 64;
-      written = Hashtbl.create 16;
+      definer = Int_table.create 64;
+      users = Int_table.create 64;
+      written = Int_table.create 16;
       kept = Hashtbl.create 8;
       late_items =
         Array.map (function Computed _ -> true | Action _ -> false) fragment.items;
@@ -179,10 +179,10 @@ let split (fragment : Fragment.t) =
   in
   Array.iteri
     (fun k item ->
-      List.iter (fun (s : Flow.signal) -> Hashtbl.replace t.definer s.id k) (defined item))
+      List.iter (fun (s : Flow.signal) -> Int_table.replace t.definer s.id k) (defined item))
     fragment.items;
   List.iter
-    (fun ((field : Ir.field), _, _, _) -> Hashtbl.replace t.written field.id ())
+    (fun ((field : Ir.field), _, _, _) -> Int_table.replace t.written field.id ())
     fragment.states;
   find_kept t;
   if Hashtbl.length t.kept = 0 then None

@@ -2,6 +2,6 @@ include Hashtbl.Make (struct
   type t = Ir.Global.t
 
   (* Few modules have a name in common. *)
-  let hash (x : t) = Hashtbl.hash x.name
+  let hash (x : t) = Basis.String_table.hash x.name
   let equal (a : t) (b : t) = String.equal a.name b.name && String.equal a.module_ b.module_
 end)

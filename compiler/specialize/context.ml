@@ -1,4 +1,5 @@
 open Basis
+module Global_table = Resolve.Global_table
 
 type options = { limit : int; nesting : int; depth : int; work : int }
 
@@ -30,13 +31,13 @@ type t = {
   keys : Skeleton.table;
   fresh : unit -> int;
   instances : Core.Instance.table;
-  definitions : (string * string, definition) Hashtbl.t;
+  definitions : definition Global_table.t;
   names : Names.t;
   globals : Value.t Variables.Table.t;
   begun : unit Variables.Table.t;
   specializations : specialization Variables.Table.t;
   building : trail Variables.Table.t;
-  counts : (string, int) Hashtbl.t;
+  counts : int String_table.t;
   mutable nodes : Flow.Ir.node list;
   mutable kept : Span.t list;
   mutable node_count : int;
@@ -51,12 +52,12 @@ let create sink options (program : Core.Ir.program) =
   in
   let types = Types.table program in
   let free = Free.table () in
-  let definitions = Hashtbl.create 256 in
+  let definitions = Global_table.create 256 in
   (* Below the ids of all locals: those without a name are negative too. *)
   List.iteri
     (fun i (core : Core.Ir.definition) ->
       Free.expr free core.body;
-      Hashtbl.replace definitions (core.name.module_, core.name.name) { core; code = min_int + i })
+      Global_table.replace definitions core.name { core; code = min_int + i })
     program.definitions;
   {
     sink;
@@ -74,7 +75,7 @@ let create sink options (program : Core.Ir.program) =
     begun = Variables.Table.create 16;
     specializations = Variables.Table.create 256;
     building = Variables.Table.create 16;
-    counts = Hashtbl.create 64;
+    counts = String_table.create 64;
     nodes = [];
     kept = [];
     node_count = 0;
@@ -85,7 +86,7 @@ let identity : Core.Ir.Global.t = { module_ = "Prelude"; name = "id" }
 let known_by_name = [ identity ]
 
 let in_prelude (c : t) (at : Span.t) =
-  match Hashtbl.find_opt c.definitions (identity.module_, identity.name) with
+  match Global_table.find_opt c.definitions identity with
   | Some { core; _ } -> String.equal core.span.file at.file
   | None -> false
 
@@ -185,8 +186,8 @@ let check_lasting t trail ~span tys =
       |> Diagnostic.emit t.sink
 
 let count t trail ~name ~span =
-  let before = Option.value (Hashtbl.find_opt t.counts name) ~default:0 in
-  Hashtbl.replace t.counts name (before + 1);
+  let before = Option.value (String_table.find_opt t.counts name) ~default:0 in
+  String_table.replace t.counts name (before + 1);
   if before >= t.options.limit then
     stop t trail
       (Diagnostic.error ~code:"E0413" ~at:span

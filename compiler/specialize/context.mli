@@ -49,13 +49,13 @@ type t = {
   keys : Skeleton.table;
   fresh : unit -> int;
   instances : Core.Instance.table;
-  definitions : (string * string, definition) Hashtbl.t;
+  definitions : definition Resolve.Global_table.t;
   names : Names.t;  (** of nodes *)
   globals : Value.t Variables.Table.t;  (** values of definitions without signals *)
   begun : unit Variables.Table.t;  (** definitions once postponed *)
   specializations : specialization Variables.Table.t;  (** by {!Skeleton.key} *)
   building : trail Variables.Table.t;  (** machines that are being made, likewise *)
-  counts : (string, int) Hashtbl.t;  (** specializations of a definition *)
+  counts : int String_table.t;  (** specializations of a definition *)
   mutable nodes : Flow.Ir.node list;  (** the last one first *)
   mutable kept : Span.t list;  (** where {!check_lasting} found something *)
   mutable node_count : int;

@@ -212,7 +212,7 @@ let program ?(options = Context.default) sink ~name ~entry:(entry : Ir.Global.t)
   let c = Context.create sink options program in
   Recursion.check sink program;
   refuse_own_name sink ~name program.foreign;
-  match Hashtbl.find_opt c.definitions (entry.module_, entry.name) with
+  match Resolve.Global_table.find_opt c.definitions entry with
   | None ->
       Diagnostic.bug ~stage:"Specialize.Evaluate" "there is no `%s.%s`" entry.module_ entry.name
   | Some { core; _ } -> (

@@ -176,7 +176,7 @@ and instantiate (c : Context.t) s (generic : Value.closure) types =
    is evaluated where it is used, once if it needs no equations. *)
 and global (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types =
   let { Context.core; code } =
-    match Hashtbl.find_opt c.definitions (name.module_, name.name) with
+    match Resolve.Global_table.find_opt c.definitions name with
     | Some definition -> definition
     | None -> bug "`%s.%s` has no definition" name.module_ name.name
   in

@@ -5,9 +5,9 @@ module Steps = Hashtbl.Make (struct
   let hash (a, b) = ((a * 65_599) + b) land max_int
 end)
 
-type t = { steps : int Steps.t; texts : (string, int) Hashtbl.t }
+type t = { steps : int Steps.t; texts : int Basis.String_table.t }
 
-let create () = { steps = Steps.create 1024; texts = Hashtbl.create 16 }
+let create () = { steps = Steps.create 1024; texts = Basis.String_table.create 16 }
 let empty = 0
 
 (* A trie of all sequences: its vertices are the keys. *)
@@ -20,9 +20,9 @@ let add t key number =
       next
 
 let text t text =
-  match Hashtbl.find_opt t.texts text with
+  match Basis.String_table.find_opt t.texts text with
   | Some number -> number
   | None ->
-      let number = Hashtbl.length t.texts in
-      Hashtbl.add t.texts text number;
+      let number = Basis.String_table.length t.texts in
+      Basis.String_table.add t.texts text number;
       number

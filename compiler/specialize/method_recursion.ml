@@ -18,12 +18,12 @@ let that_use_methods (program : Ir.program) =
             (fun (core : Ir.definition) -> { core; uses = Uses.of_expr ~continuations:false core.body })
             program.definitions))
   in
-  let index = Hashtbl.create (Array.length all) in
-  Array.iteri (fun i d -> Hashtbl.replace index d.core.name i) all;
+  let index = Resolve.Global_table.create (Array.length all) in
+  Array.iteri (fun i d -> Resolve.Global_table.replace index d.core.name i) all;
   let users = Array.make (Array.length all) [] in
   let note i = function
     | Definition (g, _), _ ->
-        Option.iter (fun j -> users.(j) <- i :: users.(j)) (Hashtbl.find_opt index g)
+        Option.iter (fun j -> users.(j) <- i :: users.(j)) (Resolve.Global_table.find_opt index g)
     | Method _, _ -> ()
   in
   Array.iteri (fun i d -> List.iter (note i) d.uses) all;

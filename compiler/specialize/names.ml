@@ -1,20 +1,21 @@
-module Strings = Map.Make (String)
+open Basis
 
 (* For each name given out, the number to try next when it is wanted again. *)
-type t = { mutable next : int Strings.t }
+type t = int String_table.t
 
-let create () = { next = Strings.empty }
+let create () = String_table.create 64
 
 let unique t name =
   let rec numbered k =
     let candidate = Printf.sprintf "%s_%d" name k in
-    if Strings.mem candidate t.next then numbered (k + 1)
+    if String_table.mem t candidate then numbered (k + 1)
     else (
-      t.next <- Strings.add candidate 2 (Strings.add name (k + 1) t.next);
+      String_table.replace t name (k + 1);
+      String_table.replace t candidate 2;
       candidate)
   in
-  match Strings.find_opt name t.next with
+  match String_table.find_opt t name with
   | Some next -> numbered next
   | None ->
-      t.next <- Strings.add name 2 t.next;
+      String_table.replace t name 2;
       name

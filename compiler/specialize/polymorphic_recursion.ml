@@ -1,5 +1,6 @@
 open Basis
 module Ir = Core.Ir
+module Global_table = Resolve.Global_table
 
 let rec is_open : Ir.ty -> bool = function
   | Variable _ -> true
@@ -58,8 +59,8 @@ let report sink (definitions : Ir.definition array) uses i { index; by; types; a
 
 let check sink (program : Ir.program) =
   let definitions = Array.of_list program.definitions in
-  let index = Hashtbl.create (Array.length definitions) in
-  Array.iteri (fun i (d : Ir.definition) -> Hashtbl.replace index d.name i) definitions;
+  let index = Global_table.create (Array.length definitions) in
+  Array.iteri (fun i (d : Ir.definition) -> Global_table.replace index d.name i) definitions;
   let uses =
     Array.map
       (fun (d : Ir.definition) ->
@@ -67,7 +68,7 @@ let check sink (program : Ir.program) =
           (fun (target, at) ->
             match (target : Uses.target) with
             | Definition (g, types) ->
-                Option.map (fun index -> { index; by = g; types; at }) (Hashtbl.find_opt index g)
+                Option.map (fun index -> { index; by = g; types; at }) (Global_table.find_opt index g)
             | Method _ -> None)
           (Uses.of_expr ~continuations:true d.body))
       definitions

@@ -1,14 +1,15 @@
 open Basis
 module Ir = Core.Ir
+module Global_table = Resolve.Global_table
 
 (* What may call or be called: definitions, let-bound variables, and equations
    that are no signals. *)
 type graph = {
-  globals : (string * string, int) Hashtbl.t;
-  locals : (int, int) Hashtbl.t;
+  globals : int Global_table.t;
+  locals : int Int_table.t;
   mutable vertices : Cycle.vertex list;  (* the last one first *)
   mutable count : int;
-  edges : (int, (int * Span.t) list) Hashtbl.t;  (* with the place of the use *)
+  edges : (int * Span.t) list Int_table.t;  (* with the place of the use *)
 }
 
 let vertex g name ?(ty : Ir.ty = Tuple []) span =
@@ -18,8 +19,8 @@ let vertex g name ?(ty : Ir.ty = Tuple []) span =
   number
 
 let edge g source target span =
-  let others = Option.value (Hashtbl.find_opt g.edges source) ~default:[] in
-  Hashtbl.replace g.edges source ((target, span) :: others)
+  let others = Option.value (Int_table.find_opt g.edges source) ~default:[] in
+  Int_table.replace g.edges source ((target, span) :: others)
 
 (* A type variable counts as a signal's type. *)
 let rec holds_functions (ty : Ir.ty) =
@@ -63,26 +64,26 @@ let rec declare g (e : Ir.expr) =
 
 and declare_local g (binder : Ir.binder) =
   let number = vertex g binder.local.name ~ty:binder.ty binder.local.span in
-  Hashtbl.replace g.locals binder.local.id number
+  Int_table.replace g.locals binder.local.id number
 
 let rec uses g owner (e : Ir.expr) =
   match e.desc with
   | Local (local, _) -> (
-      match Hashtbl.find_opt g.locals local.id with
+      match Int_table.find_opt g.locals local.id with
       | Some target -> edge g owner target e.span
       | None -> ())
   | Global (name, _) -> (
-      match Hashtbl.find_opt g.globals (name.module_, name.name) with
+      match Global_table.find_opt g.globals name with
       | Some target -> edge g owner target e.span
       | None -> ())
   | Let { binder; value; body; parameters = _ } ->
-      uses g (Hashtbl.find g.locals binder.local.id) value;
+      uses g (Int_table.find g.locals binder.local.id) value;
       uses g owner body
   | Proc proc ->
       List.iter
         (fun (eq : Ir.equation) ->
           let owner =
-            if is_vertex eq then Hashtbl.find g.locals eq.binder.local.id else owner
+            if is_vertex eq then Int_table.find g.locals eq.binder.local.id else owner
           in
           List.iter (uses g owner) (rhs_expressions eq.rhs))
         proc.equations;
@@ -105,25 +106,25 @@ let report sink vertices use cycle =
 let check_graph sink (program : Ir.program) =
   let g =
     {
-      globals = Hashtbl.create 256;
-      locals = Hashtbl.create 256;
+      globals = Global_table.create 256;
+      locals = Int_table.create 256;
       vertices = [];
       count = 0;
-      edges = Hashtbl.create 256;
+      edges = Int_table.create 256;
     }
   in
   let number (d : Ir.definition) =
     let number = vertex g d.name.name ~ty:d.ty d.span in
-    Hashtbl.replace g.globals (d.name.module_, d.name.name) number
+    Global_table.replace g.globals d.name number
   in
   List.iter number program.definitions;
   List.iter (fun (d : Ir.definition) -> declare g d.body) program.definitions;
   List.iter
     (fun (d : Ir.definition) ->
-      uses g (Hashtbl.find g.globals (d.name.module_, d.name.name)) d.body)
+      uses g (Global_table.find g.globals d.name) d.body)
     program.definitions;
   let vertices = Array.of_list (List.rev g.vertices) in
-  let out v = List.rev (Option.value (Hashtbl.find_opt g.edges v) ~default:[]) in
+  let out v = List.rev (Option.value (Int_table.find_opt g.edges v) ~default:[]) in
   let graph = Array.init g.count (fun v -> List.map fst (out v)) in
   let place a b =
     match List.assoc_opt b (out a) with Some span -> span | None -> vertices.(a).span

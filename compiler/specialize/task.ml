@@ -23,11 +23,11 @@ let rec named c ~name ~at (value : Value.t) : Value.t =
   match value with
   | Primitive ({ primitive; _ } as p)
     when is_task primitive && (not (Context.in_prelude c at))
-         && (Context.in_prelude c p.at || Hashtbl.mem c.definitions ("Prelude", p.owner)) ->
+         && (Context.in_prelude c p.at || Resolve.Global_table.mem c.definitions { module_ = "Prelude"; name = p.owner }) ->
       let at = if Context.in_prelude c p.at then at else p.at in
       let owner =
         match name with
-        | Some name when Hashtbl.mem c.definitions ("Prelude", p.owner) -> name
+        | Some name when Resolve.Global_table.mem c.definitions { module_ = "Prelude"; name = p.owner } -> name
         | Some _ | None -> p.owner
       in
       Primitive { p with owner; at }

@@ -1,5 +1,6 @@
 open Basis
 module Ir = Core.Ir
+module Global_table = Resolve.Global_table
 
 type layout = { id : int; kind : kind; first_order : bool; leaves : leaf list }
 
@@ -51,7 +52,7 @@ module Types = Hashtbl.Make (struct
     | Tuple tys -> hash_all 7 tys
     | Function (a, b) -> hash_all 11 [ a; b ]
     | Signal_function (a, b) -> hash_all 13 [ a; b ]
-    | Data (tycon, arguments) -> hash_all (Hashtbl.hash tycon.name) arguments
+    | Data (tycon, arguments) -> hash_all (String_table.hash tycon.name) arguments
     | Array (size, element) -> hash_all 17 [ size; element ]
     | Size n -> 19 + n
 
@@ -60,18 +61,16 @@ module Types = Hashtbl.Make (struct
 end)
 
 type table = {
-  foreign : (string * string, Flow.Ir.foreign_type) Hashtbl.t;
-  data : (string * string, Ir.data) Hashtbl.t;
+  foreign : Flow.Ir.foreign_type Global_table.t;
+  data : Ir.data Global_table.t;
   layouts : layout Types.t;
   mutable sums : Flow.Ir.sum list;  (* the last one first *)
   mutable sum_count : int;
 }
 
-let data_key (tycon : Ir.Global.t) = (tycon.module_, tycon.name)
-
 let table (program : Ir.program) =
-  let by_name = Hashtbl.create 64 and foreign = Hashtbl.create 8 in
-  List.iter (fun (d : Ir.data) -> Hashtbl.replace by_name (data_key d.tycon) d) program.data;
+  let by_name = Global_table.create 64 and foreign = Global_table.create 8 in
+  List.iter (fun (d : Ir.data) -> Global_table.replace by_name d.tycon d) program.data;
   (* Of two with one name, each has its module's in front. *)
   let shared name =
     let has_name (t : Ir.foreign_type) = String.equal t.foreign_type.name name in
@@ -81,7 +80,7 @@ let table (program : Ir.program) =
     (fun (t : Ir.foreign_type) ->
       let { Ir.foreign_type = tycon; c_type; copyable } = t in
       let name = if shared tycon.name then tycon.module_ ^ "." ^ tycon.name else tycon.name in
-      Hashtbl.replace foreign (data_key tycon)
+      Global_table.replace foreign tycon
         { Flow.Ir.foreign_name = name; c_type; copyable })
     program.foreign.types;
   { foreign; data = by_name; layouts = Types.create 64; sums = []; sum_count = 0 }
@@ -108,7 +107,7 @@ let join name path =
 (* The constructors of a data type, with its arguments for its parameters;
    none for a built-in type such as [Program]. *)
 let constructors table tycon arguments =
-  match Hashtbl.find_opt table.data (data_key tycon) with
+  match Global_table.find_opt table.data tycon with
   | None -> []
   | Some data ->
       let bind substitution (v : Ir.variable) ty = Variables.add v.id ty substitution in
@@ -152,8 +151,8 @@ and analyse table (ty : Ir.ty) =
       (Array (n, element), first_order, List.map array leaves)
   | Size _ -> (Opaque, false, [])
   | Array _ -> Diagnostic.bug ~stage:"Specialize.Types" "an array of no size"
-  | Data (tycon, []) when Hashtbl.mem table.foreign (data_key tycon) ->
-      scalar (Foreign (Hashtbl.find table.foreign (data_key tycon)))
+  | Data (tycon, []) when Global_table.mem table.foreign tycon ->
+      scalar (Foreign (Global_table.find table.foreign tycon))
   | Data (tycon, arguments) -> (
       match constructors table tycon arguments with
       | [] -> (Opaque, false, [])
@@ -240,7 +239,7 @@ and single_leaf table ty : Flow.Ir.shape =
 let sums table = Array.of_list (List.rev table.sums)
 
 let of_the_instant table ty =
-  if Hashtbl.length table.foreign = 0 then None
+  if Global_table.length table.foreign = 0 then None
   else
     Option.map
       (fun (f : Flow.Ir.foreign_type) -> f.foreign_name)

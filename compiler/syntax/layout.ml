@@ -143,14 +143,14 @@ let partner t (token : Grammar.token) : (opener -> bool) option =
   let reach = reach t in
   let if_ found test = if found then Some test else None in
   match token with
-  | IN -> if_ reach.let_ (fun opener -> opener = Block Let)
-  | THEN -> if_ reach.if_ (fun opener -> opener = If)
-  | ELSE -> if_ reach.then_ (fun opener -> opener = Then)
-  | OF -> if_ reach.case (fun opener -> opener = Case)
-  | COMMA -> if_ (reach.bracket <> None) is_bracket
-  | RPAREN -> if_ (reach.bracket = Some Paren) is_bracket
-  | RBRACKET -> if_ (reach.bracket = Some Bracket) is_bracket
-  | RBRACE -> if_ (reach.bracket = Some Brace) is_bracket
+  | IN -> if_ reach.let_ (function Block Let -> true | _ -> false)
+  | THEN -> if_ reach.if_ (function If -> true | _ -> false)
+  | ELSE -> if_ reach.then_ (function Then -> true | _ -> false)
+  | OF -> if_ reach.case (function Case -> true | _ -> false)
+  | COMMA -> if_ (Option.is_some reach.bracket) is_bracket
+  | RPAREN -> if_ (match reach.bracket with Some Paren -> true | _ -> false) is_bracket
+  | RBRACKET -> if_ (match reach.bracket with Some Bracket -> true | _ -> false) is_bracket
+  | RBRACE -> if_ (match reach.bracket with Some Brace -> true | _ -> false) is_bracket
   | _ -> None
 
 (* A [where] at the column of a block's items closes that block, and the
@@ -217,7 +217,7 @@ let ordinary t (token : Lexer.token) =
   | Some found ->
       pop_until t found;
       (match t.stack with { opener = If; by; _ } :: _ -> if_ := by | _ -> ());
-      if token.token <> COMMA then pop t
+      (match token.token with COMMA -> () | _ -> pop t)
   | None -> (
       match token.token with
       | WHERE when t.header -> ()
@@ -226,16 +226,17 @@ let ordinary t (token : Lexer.token) =
           if token.first && at_top t.stack && token.column <= block_column t then separate t
       | SEMICOLON -> separate t
       | _ -> if token.first then line_starts t token.column));
-  if token.token <> SEMICOLON then begin
-    emit_doc t token;
-    (match token.token with
-    | MODULE when t.item_start && at_top t.stack -> t.header <- true
-    | DATA when t.item_start && at_top t.stack -> t.data <- true
-    | _ -> ());
-    t.item_start <- false;
-    pass t token ~last:false;
-    opens t token ~if_:!if_
-  end
+  match token.token with
+  | SEMICOLON -> ()
+  | _ ->
+      emit_doc t token;
+      (match token.token with
+      | MODULE when t.item_start && at_top t.stack -> t.header <- true
+      | DATA when t.item_start && at_top t.stack -> t.data <- true
+      | _ -> ());
+      t.item_start <- false;
+      pass t token ~last:false;
+      opens t token ~if_:!if_
 
 let finish t (token : Lexer.token) =
   let rec close () =
@@ -280,10 +281,11 @@ let advance t =
   let token = Lexer.next t.lexer in
   t.outer <- t.stack;
   if t.before == Lexing.dummy_pos then t.before <- token.start;
-  if t.stack = [] && t.opening = None && not t.header then begin
-    push t (Block Top) token ~column:token.column;
-    t.item_start <- true
-  end;
+  (match (t.stack, t.opening) with
+  | [], None when not t.header ->
+      push t (Block Top) token ~column:token.column;
+      t.item_start <- true
+  | _, _ -> ());
   (match (token.token, t.opening) with
   | END, _ -> finish t token
   | _, Some (block, by) -> opened t block by token

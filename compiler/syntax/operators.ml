@@ -21,13 +21,13 @@ let symbols = List.concat_map (fun (_, _, symbols) -> symbols) table
 
 let precedences =
   List.concat_map (fun (level, side, symbols) -> List.map (fun s -> (s, (level, side))) symbols) table
-  |> List.to_seq |> Hashtbl.of_seq
+  |> List.to_seq |> String_table.of_seq
 
 (* A name in backticks binds like [!], but [div] and [mod] like [*]. *)
 let precedence (operator : Ir.qualified) =
   match operator.name.text with
   | "div" | "mod" -> (7, Left)
-  | text -> Option.value (Hashtbl.find_opt precedences text) ~default:(9, Left)
+  | text -> Option.value (String_table.find_opt precedences text) ~default:(9, Left)
 
 let minus_level = 6
 let comparison_level = 4

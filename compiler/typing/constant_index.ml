@@ -1,14 +1,15 @@
 open Basis
 open Ir
+module Global_table = Resolve.Global_table
 
 type constants = {
-  locals : (int, expr) Hashtbl.t;
-  globals : (Global.t, expr) Hashtbl.t;
+  locals : expr Int_table.t;
+  globals : expr Global_table.t;
 }
 
-let create () = { locals = Hashtbl.create 16; globals = Hashtbl.create 64 }
-let local c (x : Local.t) e = Hashtbl.replace c.locals x.id e
-let global c name e = Hashtbl.replace c.globals name e
+let create () = { locals = Int_table.create 16; globals = Global_table.create 64 }
+let local c (x : Local.t) e = Int_table.replace c.locals x.id e
+let global c name e = Global_table.replace c.globals name e
 
 type problem =
   | Variable of Local.t * Span.t
@@ -46,11 +47,11 @@ let value c e =
         operation a (int b)
       | None -> fail (Computed e.span))
     | Local (x, _) -> (
-      match Hashtbl.find_opt c.locals x.id with
+      match Int_table.find_opt c.locals x.id with
       | Some value -> named x e (fun () -> int value)
       | None -> fail (Variable (x, e.span)))
     | Global (g, _) -> (
-      match Hashtbl.find_opt c.globals g with
+      match Global_table.find_opt c.globals g with
       | Some value -> (
         try int value with Problem _ -> fail (Computed e.span))
       | None -> fail (Computed e.span))

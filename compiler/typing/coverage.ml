@@ -1,12 +1,12 @@
 open Basis
 open Ir
 
-type t = (Global.t, constructor array) Hashtbl.t
+type t = constructor array Resolve.Global_table.t
 
 let create data =
-  let table = Hashtbl.create 64 in
+  let table = Resolve.Global_table.create 64 in
   List.iter
-    (fun (d : data) -> Hashtbl.replace table d.tycon (Array.of_list d.constructors))
+    (fun (d : data) -> Resolve.Global_table.replace table d.tycon (Array.of_list d.constructors))
     data;
   table
 
@@ -156,7 +156,7 @@ let others t (ty : ty) heads =
   match ty with
   | Bool -> all_but_given [| ("False", 0); ("True", 0) |]
   | Data { tycon; _ } -> (
-    match Hashtbl.find_opt t tycon with
+    match Resolve.Global_table.find_opt t tycon with
     | Some constructors ->
       all_but_given
         (Array.map (fun c -> (c.constructor.name, List.length c.fields)) constructors)

@@ -36,7 +36,7 @@ let has_two (v : V.t) k = not (String.equal v.nodes.(k).flags "")
 let places (v : V.t) k (field : M.field) =
   let paths = v.nodes.(k).members in
   let place pointer table =
-    Option.to_list (Option.map (fun path -> pointer ^ String.concat "." path) (Hashtbl.find_opt table field.id))
+    Option.to_list (Option.map (fun path -> pointer ^ String.concat "." path) (Basis.Int_table.find_opt table field.id))
   in
   place "s->" paths.large @ place (if has_two v k then "flags->" else "s->") paths.small
 
