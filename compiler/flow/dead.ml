@@ -84,8 +84,7 @@ let prepare (program : Ir.program) =
   let own m = Array.iteri (fun k mode -> mode_of.(mode) <- Some (m, k)) m.modes in
   Array.iter (Option.iter own) machines;
   let accumulators = accumulators program in
-  let ids = Signals.next_id program in
-  let definitions = Array.make ids Undefined in
+  let definitions = Array.make program.next_id Undefined in
   let define (s : Ir.signal) definition = definitions.(s.id) <- definition in
   let node index (node : Ir.node) =
     let parameters = joined node.statics node.inputs in
@@ -119,7 +118,7 @@ let prepare (program : Ir.program) =
     }
   in
   let nodes = Array.mapi node program.nodes in
-  { definitions; needed = Bytes.make ids '\000'; nodes }
+  { definitions; needed = Bytes.make program.next_id '\000'; nodes }
 
 let is_needed search (s : Ir.signal) = Bytes.get search.needed s.id <> '\000'
 

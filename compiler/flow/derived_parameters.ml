@@ -66,8 +66,9 @@ let cuts (node : Ir.node) =
 type work = { nodes : Ir.node array; mutable fresh : int; mutable changed : bool }
 
 let fresh work =
-  work.fresh <- work.fresh + 1;
-  work.fresh
+  let id = work.fresh in
+  work.fresh <- id + 1;
+  id
 
 (* What is passed for those parameters, of all of the callee's. *)
 let passed (callee : Ir.node) group (t : Ir.transition) =
@@ -228,7 +229,7 @@ let rounds = 8
 
 let program (program : Ir.program) =
   let work =
-    { nodes = Array.copy program.nodes; fresh = Signals.next_id program; changed = false }
+    { nodes = Array.copy program.nodes; fresh = program.next_id; changed = false }
   in
   let machine (m : Ir.machine) =
     let callers = callers_in program.nodes m in
@@ -245,4 +246,4 @@ let program (program : Ir.program) =
     again 1
   in
   Array.iter (fun (node : Ir.node) -> Option.iter machine node.machine) program.nodes;
-  if Array.for_all2 ( == ) work.nodes program.nodes then program else { program with nodes = work.nodes }
+  if Array.for_all2 ( == ) work.nodes program.nodes then program else { program with nodes = work.nodes; next_id = work.fresh }

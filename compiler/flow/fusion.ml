@@ -383,10 +383,10 @@ let program (program : Ir.program) =
         done_ = 0;
         numbers = Array.make (Array.length program.nodes) 0;
         names = Hashtbl.create 64;
-        fresh = Signals.next_id program;
+        fresh = program.next_id;
       }
     in
     Array.iter (fun (node : Ir.node) -> Hashtbl.replace context.names node.name ()) program.nodes;
     Array.iteri (fun k node -> add context program k node groups.(k)) program.nodes;
-    { program with nodes = Array.of_list (List.rev context.nodes) }
+    { program with nodes = Array.of_list (List.rev context.nodes); next_id = context.fresh }
   end

@@ -342,7 +342,7 @@ let program (program : Ir.program) =
       nodes = Array.copy program.nodes;
       is_small = Array.make (Array.length program.nodes) false;
       passages = lazy (Dependency.program program);
-      fresh = Signals.next_id program;
+      fresh = program.next_id;
     }
   in
   let changed = ref false in
@@ -364,4 +364,4 @@ let program (program : Ir.program) =
         Option.is_none expanded.machine && Option.is_none expanded.foreign
         && becomes_small program.real ~once:(calls.(index) = 1) ~expanded:(expanded != node) expanded)
     program.nodes;
-  if !changed then { program with nodes = context.nodes } else program
+  if !changed then { program with nodes = context.nodes; next_id = context.fresh } else program

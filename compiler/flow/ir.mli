@@ -273,6 +273,9 @@ type program = {
   real : Real.t;  (** the precision of [Float]; each [atom] of that type has it *)
   sums : sum array;
   nodes : node array;  (** callees before callers; the last is the root *)
+  next_id : int;
+      (** larger than every signal's id and group; ids are given one after the other, so a
+          table by id may be an array of this size *)
   imports : import list;  (** each of the user's C once, by symbol *)
   headers : header list;  (** of the user's C *)
   input : shape;  (** of the root's inputs *)

@@ -334,4 +334,5 @@ let program (p : Ir.program) =
     (index, scope)
   in
   if Array.length p.nodes = 0 then bug "there is no node";
+  if Signals.next_id p.nodes > p.next_id then bug "an id is not below the next one";
   Array.iter (transitions modes_of) (Array.mapi check p.nodes)

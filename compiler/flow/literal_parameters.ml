@@ -186,10 +186,11 @@ let arguments replacements (statics : Ir.signal list) =
 
 let program (program : Ir.program) =
   let passed = passed program in
-  let next = ref (Signals.next_id program) in
+  let next = ref program.next_id in
   let fresh () =
+    let id = !next in
     incr next;
-    !next
+    id
   in
   let of_node (node : Ir.node) =
     if Option.is_some node.foreign then []
@@ -235,4 +236,5 @@ let program (program : Ir.program) =
           transitions;
         }
     in
-    { program with nodes = Array.mapi node program.nodes }
+    let nodes = Array.mapi node program.nodes in
+    { program with nodes; next_id = !next }

@@ -6,8 +6,8 @@ let iter f (node : Ir.node) =
   Option.iter (fun (c : Ir.foreign) -> List.iter f c.results) node.foreign;
   Option.iter (fun (m : Ir.machine) -> List.iter f m.outputs) node.machine
 
-let next_id (program : Ir.program) =
+let next_id nodes =
   let next = ref 0 in
   let note (s : Ir.signal) = next := Int.max !next (1 + Int.max s.id s.group) in
-  Array.iter (iter note) program.nodes;
+  Array.iter (iter note) nodes;
   !next

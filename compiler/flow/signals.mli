@@ -4,6 +4,5 @@ val iter : (Ir.signal -> unit) -> Ir.node -> unit
 (** Each once: statics, inputs, equations, outputs of instances and of the
     machine. *)
 
-val next_id : Ir.program -> int
-(** Larger than every id and group. Ids are given one after the other, so a
-    table by id may be an array of this size. *)
+val next_id : Ir.node array -> int
+(** The least number larger than every id and group: at most what the program says. *)

@@ -273,10 +273,11 @@ let node real node =
   node_with real fresh node
 
 let program (program : Ir.program) =
-  let next = ref (Signals.next_id program) in
+  let next = ref program.next_id in
   let fresh () =
     let id = !next in
     incr next;
     id
   in
-  { program with nodes = Array.map (node_with program.real fresh) program.nodes }
+  let nodes = Array.map (node_with program.real fresh) program.nodes in
+  { program with nodes; next_id = !next }

@@ -65,7 +65,7 @@ let mode work uses modes index =
 
 let program (program : Ir.program) =
   let work =
-    { nodes = Array.copy program.nodes; fresh = Signals.next_id program; changed = false }
+    { nodes = Array.copy program.nodes; fresh = program.next_id; changed = false }
   in
   let uses = Over.uses program in
   let machine index (m : Ir.machine) =
@@ -74,4 +74,4 @@ let program (program : Ir.program) =
     | uses -> List.iter (mode work uses (Array.of_list m.modes)) m.modes
   in
   Array.iteri (fun index (node : Ir.node) -> Option.iter (machine index) node.machine) program.nodes;
-  if work.changed then { program with nodes = work.nodes } else program
+  if work.changed then { program with nodes = work.nodes; next_id = work.fresh } else program

@@ -188,10 +188,11 @@ let program (program : F.program) : Ir.program =
     | Some node -> node
     | None -> Diagnostic.bug ~stage:"Machine.Of_flow" "a node is used before it is known"
   in
-  let last_id = ref (Flow.Signals.next_id program) in
+  let next_id = ref program.next_id in
   let fresh () =
-    incr last_id;
-    !last_id
+    let id = !next_id in
+    incr next_id;
+    id
   in
   let context =
     {

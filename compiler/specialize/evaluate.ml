@@ -171,6 +171,7 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
         real = c.real;
         sums = Types.sums c.types;
         nodes = Array.of_list (List.rev c.nodes);
+        next_id = c.fresh ();
         imports;
         headers =
           List.map

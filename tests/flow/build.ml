@@ -110,6 +110,7 @@ let program ?(sums = [||]) t =
     Ir.name = "test";
     sums;
     nodes;
+    next_id = Signals.next_id nodes;
     imports = [];
     headers = [];
     input = tuple (List.map (fun (s : Ir.signal) -> s.ty) root.inputs);

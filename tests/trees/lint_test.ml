@@ -106,6 +106,8 @@ let without_inputs =
   let instance (i : Flow.Ir.instance) = { i with inputs = [] } in
   in_nodes (fun node -> { node with instances = List.map instance node.instances })
 
+let next_id_is_taken = { flow with next_id = Flow.Signals.next_id flow.nodes - 1 }
+
 let starts_with_a_signal =
   let equation (e : Flow.Ir.equation) =
     match e.rhs with
@@ -158,6 +160,7 @@ let () =
           flow_ "signals without an equation" without_equations;
           flow_ "signals with two equations" equations_twice;
           flow_ "instances without inputs" without_inputs;
+          flow_ "a next id that is taken" next_id_is_taken;
           start "a delay that starts with a signal" starts_with_a_signal;
         ] );
       ( "Machine",
