@@ -11,6 +11,16 @@ let representation r : Ir.representation =
 
 let leaf ty : Type.final = { ty; parts = 1; nesting = 0 }
 let unit_type = leaf (Ir.Tuple [])
+let without_unit : Ir.unit_ = { base = []; variables = [] }
+let plain_float = leaf (Ir.Number (Float, without_unit))
+let plain_int = leaf (Ir.Number (Int, without_unit))
+
+(* The types that most expressions have are shared. *)
+let number (r : Ir.representation) (u : Ir.unit_) =
+  match (r, u) with
+  | Float, { base = []; variables = [] } -> plain_float
+  | Int, { base = []; variables = [] } -> plain_int
+  | (Float | Int | Representation_variable _), _ -> leaf (Number (r, u))
 
 let limited (final : Type.final) =
   if final.parts > most_parts || final.nesting > deepest then raise Too_large;
@@ -36,7 +46,7 @@ let rec final (t : Type.t) : Type.final =
       variable.final <- Some known;
       known
   | Rigid { variable; _ } -> leaf (Variable variable)
-  | Number (r, u) -> leaf (Number (representation r, Units.to_ir u))
+  | Number (r, u) -> number (representation r) (Units.to_ir u)
   | Bool -> leaf Bool
   | String -> leaf String
   | Size n -> leaf (Size n)

@@ -61,7 +61,7 @@ let rec resolve unit_ =
       { unit_ with flexible = [] }
       unit_.flexible
 
-let is_one unit_ = unit_.base = [] && unit_.rigid = [] && unit_.flexible = []
+let is_one = function { base = []; rigid = []; flexible = [] } -> true | _ -> false
 let equal a b = is_one (resolve (divide a b))
 let is_open unit_ = (resolve unit_).flexible <> []
 let deepest rigid = List.fold_left (fun depth ((r : rigid), _) -> max depth r.depth) 0 rigid
