@@ -202,7 +202,11 @@ let with_breaks e =
   expr b ~depth:1 ~at:0 e;
   Buffer.contents b
 
-let flat text = String.map (fun c -> if is_soft c then ' ' else c) text
+let add_flat out text =
+  for i = 0 to String.length text - 1 do
+    let c = String.unsafe_get text i in
+    Buffer.add_char out (if is_soft c then ' ' else c)
+  done
 
 (* Lines *)
 
@@ -221,12 +225,13 @@ let pieces text =
 let rec fill out ~indent ~column text =
   let fits column text = column + String.length text <= width in
   if fits column text || not (String.exists is_soft text) then (
-    Buffer.add_string out (flat text);
+    add_flat out text;
     column + String.length text)
   else
     let next column piece =
       if fits (column + 1) piece then (
-        Buffer.add_string out (" " ^ flat piece);
+        Buffer.add_char out ' ';
+        add_flat out piece;
         column + 1 + String.length piece)
       else (
         Buffer.add_string out ("\n" ^ String.make indent ' ');
@@ -239,7 +244,7 @@ let rec fill out ~indent ~column text =
 let line out ~indent ?(column = comment_column) ?(comment = "") text =
   Buffer.add_string out (String.make indent ' ');
   if indent + String.length text <= width then (
-    Buffer.add_string out (flat text);
+    add_flat out text;
     if comment <> "" then (
       let spaces = max 1 (column - indent - String.length text) in
       Buffer.add_string out (String.make spaces ' ');
@@ -394,10 +399,11 @@ let declaration out = function
       line out ~indent:0 "}"
 
 let file declarations =
+  (* A buffer for all of a large program would be copied again and again as it grows. *)
   let out = Buffer.create 4096 in
-  List.iteri
-    (fun k d ->
-      if k > 0 then Buffer.add_char out '\n';
-      declaration out d)
-    declarations;
-  Buffer.contents out
+  let text d =
+    Buffer.clear out;
+    declaration out d;
+    Buffer.contents out
+  in
+  String.concat "\n" (Basis.Long_list.map text declarations)
