@@ -32,18 +32,25 @@ let rec holds_functions (ty : Ir.ty) =
 
 (* First all local vertices, as uses may come before their binding; then the
    edges. [visit] gets an expression and the vertex whose value it belongs to. *)
-let sub_expressions (e : Ir.expr) =
+let sub_expressions visit (e : Ir.expr) =
   match e.desc with
-  | Local _ | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ | Let _ | Proc _ -> []
-  | Lambda (_, body) -> [ body ]
-  | Apply (f, argument) -> [ f; argument ]
-  | Tuple parts | Array parts | Construct { arguments = parts; _ } -> parts
-  | Component (e, _) | Index (e, _) | Is_constructor (e, _) | Payload { value = e; _ } -> [ e ]
-  | If (condition, then_, else_) -> [ condition; then_; else_ ]
+  | Local _ | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ | Let _ | Proc _ -> ()
+  | Lambda (_, body) -> visit body
+  | Apply (f, argument) ->
+      visit f;
+      visit argument
+  | Tuple parts | Array parts | Construct { arguments = parts; _ } -> List.iter visit parts
+  | Component (e, _) | Index (e, _) | Is_constructor (e, _) | Payload { value = e; _ } -> visit e
+  | If (condition, then_, else_) ->
+      visit condition;
+      visit then_;
+      visit else_
 
-let rhs_expressions : Ir.rhs -> Ir.expr list = function
-  | Pure e -> [ e ]
-  | Run { signal_function; input } -> [ signal_function; input ]
+let rhs_expressions visit : Ir.rhs -> unit = function
+  | Pure e -> visit e
+  | Run { signal_function; input } ->
+      visit signal_function;
+      visit input
 
 let is_vertex (eq : Ir.equation) = eq.parameters <> [] || holds_functions eq.binder.ty
 
@@ -57,10 +64,10 @@ let rec declare g (e : Ir.expr) =
       List.iter
         (fun (eq : Ir.equation) ->
           if is_vertex eq then declare_local g eq.binder;
-          List.iter (declare g) (rhs_expressions eq.rhs))
+          rhs_expressions (declare g) eq.rhs)
         proc.equations;
       declare g proc.output
-  | _ -> List.iter (declare g) (sub_expressions e)
+  | _ -> sub_expressions (declare g) e
 
 and declare_local g (binder : Ir.binder) =
   let number = vertex g binder.local.name ~ty:binder.ty binder.local.span in
@@ -85,14 +92,14 @@ let rec uses g owner (e : Ir.expr) =
           let owner =
             if is_vertex eq then Int_table.find g.locals eq.binder.local.id else owner
           in
-          List.iter (uses g owner) (rhs_expressions eq.rhs))
+          rhs_expressions (uses g owner) eq.rhs)
         proc.equations;
       uses g owner proc.output
   | Apply (f, argument) when Cycle.is_continuation argument.ty ->
       uses g owner f;
       (* Nothing uses this vertex, so it is in no circle. *)
       uses g (vertex g "" argument.span) argument
-  | _ -> List.iter (uses g owner) (sub_expressions e)
+  | _ -> sub_expressions (uses g owner) e
 
 let report sink vertices use cycle =
   let tasks = List.for_all (fun v -> vertices.(v).Cycle.task) cycle in

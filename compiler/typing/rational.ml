@@ -6,10 +6,15 @@ let limit = 1_000_000
 
 let rec gcd a b = if b = 0 then a else gcd b (a mod b)
 
-let make numerator denominator : t =
+let lowest_terms numerator denominator =
   let divisor = gcd (abs numerator) (abs denominator) in
   let divisor = if denominator < 0 then -divisor else divisor in
-  let numerator = numerator / divisor and denominator = denominator / divisor in
+  (numerator / divisor, denominator / divisor)
+
+let make numerator denominator : t =
+  let numerator, denominator =
+    if denominator = 1 then (numerator, denominator) else lowest_terms numerator denominator
+  in
   if abs numerator > limit || denominator > limit then raise Out_of_range;
   { numerator; denominator }
 

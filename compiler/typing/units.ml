@@ -82,6 +82,8 @@ let solve ((x : flexible), exponent) product =
   x.solution <- Some (power rest (Rational.negate (Rational.inverse exponent)))
 
 let unify a b =
+  a == b
+  ||
   let quotient = resolve (divide a b) in
   match pivot quotient.flexible with
   | None -> is_one quotient
