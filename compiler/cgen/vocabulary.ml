@@ -301,6 +301,8 @@ let elementary t (f : Core.Primitive.elementary) =
   let name = Core.Primitive.name (Elementary f) in
   match f with
   | Sqrt -> math_function t name
+  | Floor_float -> math_function t "floor"
+  | Ceiling_float -> math_function t "ceil"
   | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2 -> runtime_function t name
 
 let pow t = runtime_function t "pow"

@@ -57,7 +57,20 @@ type t =
   | Ending
   | Foreign of foreign
 
-and elementary = Sqrt | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2
+and elementary =
+  | Sqrt
+  | Floor_float
+  | Ceiling_float
+  | Hypot
+  | Exp
+  | Log
+  | Sin
+  | Cos
+  | Tan
+  | Asin
+  | Acos
+  | Atan
+  | Atan2
 
 and foreign = {
   module_ : string;
@@ -98,6 +111,8 @@ let table =
     ("floor", Floor, 1);
     ("ceiling", Ceiling, 1);
     ("truncate", Truncate, 1);
+    ("floorFloat", Elementary Floor_float, 1);
+    ("ceilingFloat", Elementary Ceiling_float, 1);
     ("==", Equal, 2);
     ("/=", Not_equal, 2);
     ("<", Less, 2);

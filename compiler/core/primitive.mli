@@ -74,11 +74,13 @@ type t =
   (* declared by programs *)
   | Foreign of foreign  (** in C *)
 
-(** The runtime's elementary functions ([frob/elementary.h]), and [Sqrt], which
-    IEEE 754 defines and the C library has. The compiler folds calls of [Sqrt]
-    only. *)
+(** The runtime's elementary functions ([frob/elementary.h]), and those that IEEE 754
+    defines to the last bit and the C library has: [Sqrt], and the whole number
+    next below or above, as a Float (C's [floor] and [ceil]). *)
 and elementary =
   | Sqrt
+  | Floor_float
+  | Ceiling_float
   | Hypot
   | Exp
   | Log

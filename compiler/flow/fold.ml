@@ -32,6 +32,8 @@ let elementary_of_one real (f : Core.Primitive.elementary) a =
   let module E = (val Elementary.of_precision real) in
   match f with
   | Sqrt -> Some (Basis.Real.round real (Float.sqrt a))
+  | Floor_float -> Some (Float.floor a)
+  | Ceiling_float -> Some (Float.ceil a)
   | Exp -> Some (E.exp a)
   | Log -> Some (E.log a)
   | Sin -> Some (E.sin a)
@@ -47,7 +49,7 @@ let elementary_of_two real (f : Core.Primitive.elementary) a b =
   match f with
   | Hypot -> Some (E.hypot a b)
   | Atan2 -> Some (E.atan2 a b)
-  | Sqrt | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan -> None
+  | Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan -> None
 
 let constant x = Ir.Float (if Float.is_nan x then nan else x)
 

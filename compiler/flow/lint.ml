@@ -70,7 +70,7 @@ let operator scope (operator : Ir.operator) (arguments : Ir.ty list) : Ir.ty =
   | (Equal | Less | Less_equal), [ ((Int | Float) as a); b ] when a = b -> Bool
   | Equal, [ Bool; Bool ] -> Bool
   | (Divide | Pow | Elementary (Hypot | Atan2)), [ Float; Float ] -> Float
-  | Elementary (Sqrt | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan), [ Float ] -> Float
+  | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan), [ Float ] -> Float
   | (Div | Mod), [ Int; Int ] -> Int
   | To_float, [ Int ] -> Float
   | (Round | Floor | Ceiling | Truncate), [ Float ] -> Int

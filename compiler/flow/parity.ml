@@ -4,7 +4,7 @@ let is_even : Ir.operator -> bool = function
   | Absolute | Elementary (Cos | Hypot) -> true
   | Add | Subtract | Multiply | Negate | Signum | Equal | Less | Less_equal | Minimum | Maximum
   | Divide | Pow
-  | Elementary (Sqrt | Exp | Log | Sin | Tan | Asin | Acos | Atan | Atan2)
+  | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Tan | Asin | Acos | Atan | Atan2)
   | Div | Mod | To_float | Round | Floor | Ceiling | Truncate | Not | And | Or ->
       false
 

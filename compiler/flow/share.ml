@@ -5,7 +5,7 @@ open Basis
 let is_commutative : Ir.operator -> bool = function
   | Add | Multiply | Equal | And | Or | Elementary Hypot -> true
   | Subtract | Negate | Absolute | Signum | Less | Less_equal | Minimum | Maximum | Divide | Pow
-  | Elementary (Sqrt | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2)
+  | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2)
   | Div | Mod | To_float | Round | Floor | Ceiling | Truncate | Not ->
       false
 

@@ -54,6 +54,8 @@ module Float = struct
     let module Elementary = (val Elementary.of_precision real) in
     match (f, arguments) with
     | Sqrt, [ x ] -> Basis.Real.round real (sqrt x)
+    | Floor_float, [ x ] -> Stdlib_float.floor x
+    | Ceiling_float, [ x ] -> Stdlib_float.ceil x
     | Hypot, [ x; y ] -> Elementary.hypot x y
     | Exp, [ x ] -> Elementary.exp x
     | Log, [ x ] -> Elementary.log x
@@ -64,7 +66,7 @@ module Float = struct
     | Acos, [ x ] -> Elementary.acos x
     | Atan, [ x ] -> Elementary.atan x
     | Atan2, [ y; x ] -> Elementary.atan2 y x
-    | (Sqrt | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2), _ ->
+    | (Sqrt | Floor_float | Ceiling_float | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2), _ ->
         Basis.Diagnostic.bug ~stage:"Interp" "an elementary function of %d arguments"
           (List.length arguments)
 end

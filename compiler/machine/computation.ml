@@ -21,7 +21,9 @@ let operator_weight : F.operator -> int = function
   | Add | Subtract | Multiply | Negate | Absolute | Equal | Less | Less_equal | Not | And | Or
   | To_float ->
       1
-  | Signum | Minimum | Maximum | Truncate | Floor | Ceiling | Round -> 2
+  | Signum | Minimum | Maximum | Truncate | Floor | Ceiling | Round
+  | Elementary (Floor_float | Ceiling_float) ->
+      2
   | Divide -> 5
   | Div | Mod -> 8
   | Elementary Sqrt -> 5

@@ -74,7 +74,7 @@ let operation c (operator : Flow.Ir.operator) (ty : Ir.ty) : int * Ir.ty =
   | Divide | Pow | Elementary (Hypot | Atan2) ->
       only [ Float ];
       (2, Float)
-  | Elementary (Sqrt | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan) ->
+  | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan) ->
       only [ Float ];
       (1, Float)
   | Div | Mod ->

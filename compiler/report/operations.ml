@@ -42,6 +42,8 @@ let operation (operator : Flow.Ir.operator) (ty : M.ty) =
   | Signum | Equal | Less | Less_equal | Minimum | Maximum | Not | And | Or -> Cost.one Choices
   | To_float | Round | Floor | Ceiling | Truncate -> Cost.one Conversions
   | Pow -> Cost.one (Calls "pow")
+  | Elementary Floor_float -> Cost.one (Calls "floor")
+  | Elementary Ceiling_float -> Cost.one (Calls "ceil")
   | Elementary f -> Cost.one (Calls (Core.Primitive.name (Elementary f)))
 
 (* The largest of times; see the helpers of the generated C. *)

@@ -66,11 +66,11 @@ where it is much; and it is not asked again that the first one is not taken.
   > END
   $ frobc compile turn.frob --lint
   $ sed -n '/^static.* turn_go_/,/^}/p' turn.c | sed "s, */\*.*,,"
-  static void turn_go_go(const struct turn_input *FROB_RESTRICT in,
-                         double *out_2,
-                         bool *out_3,
-                         double *out_p_x,
-                         bool *out_4)
+  static inline void turn_go_go(const struct turn_input *FROB_RESTRICT in,
+                                double *out_2,
+                                bool *out_3,
+                                double *out_p_x,
+                                bool *out_4)
   {
       const double p_x = in->f1.x;
       const double p_y = in->f1.y;
@@ -81,8 +81,7 @@ where it is much; and it is not asked again that the first one is not taken.
       if (!t1) {
           const double t2 = frob_atan2(p_y, p_x) - a;
           const double t3 = fabs(t2
-                  - 6.283185307179586
-                      * (double)frob_ceiling((t2 - 3.141592653589793) / 6.283185307179586));
+                  - 6.283185307179586 * ceil((t2 - 3.141592653589793) / 6.283185307179586));
           const bool t4 = t3 > 1.0;
           *out_4 = t4;
           if (!t4) {

@@ -45,6 +45,8 @@ let elementary (f : Core.Primitive.elementary) arguments =
   let module Elementary = (val Elementary.of_precision Double) in
   match (f, arguments) with
   | Sqrt, [ x ] -> sqrt x
+  | Floor_float, [ x ] -> Float.floor x
+  | Ceiling_float, [ x ] -> Float.ceil x
   | Hypot, [ x; y ] -> Elementary.hypot x y
   | Exp, [ x ] -> Elementary.exp x
   | Log, [ x ] -> Elementary.log x

@@ -81,7 +81,8 @@ let binary : (Ir.operator * Ir.ty * Ir.ty) list =
 
 let unary : (Ir.operator * Ir.ty * Ir.ty) list =
   [ (Negate, Float, Float); (Absolute, Float, Float); (Signum, Float, Float);
-    (Elementary Sqrt, Float, Float); (Elementary Sin, Float, Float); (Elementary Cos, Float, Float);
+    (Elementary Sqrt, Float, Float); (Elementary Floor_float, Float, Float);
+    (Elementary Ceiling_float, Float, Float); (Elementary Sin, Float, Float); (Elementary Cos, Float, Float);
     (Round, Float, Int); (Floor, Float, Int); (Ceiling, Float, Int); (Truncate, Float, Int); (Negate, Int, Int);
     (Absolute, Int, Int); (Signum, Int, Int); (To_float, Int, Float); (Not, Bool, Bool) ]
 

@@ -232,7 +232,7 @@ and float s fuel =
       let ty = Type.Measure (Type.any_measure s.random) in
       f "(%s %s %s)" "atan2" (typed (expression s fuel ty) ty) (expression s fuel ty)
   | 0 | 1 | 2 | 3 -> infix s fuel (one_of s.random [ "+"; "-"; "*"; "/" ]) Float
-  | 4 -> unary s fuel (one_of s.random [ "negate"; "abs"; "signum"; "sqrt" ]) Float
+  | 4 -> unary s fuel (one_of s.random [ "negate"; "abs"; "signum"; "sqrt"; "floorFloat"; "ceilingFloat" ]) Float
   | 5 -> extreme s fuel Float
   | 6 ->
       let names = [ "sin"; "cos"; "tan"; "asin"; "acos"; "atan"; "exp"; "log" ] in

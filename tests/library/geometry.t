@@ -61,6 +61,20 @@ Angles wrap into (-180, 180] degrees; the shortest turn may lead across the end:
   true,true,-0.5
   true,true,nan
 
+also after more turns than an Int counts:
+
+  $ cat > turns.frob << FROB
+  > import Geometry
+  > main :: SF Float Angle
+  > main = proc n -> wrapAngle (2 * pi * n + 0.5)
+  > FROB
+  $ printf '%s\n' 0 3 -3 3000000000 -3000000000 | rows in | trace turns | cells | awk '{ printf "%.4f\n", $1 }'
+  0.5000
+  0.5000
+  0.5000
+  0.5000
+  0.5000
+
 Poses as frames: at (1, 2) looking left, what is 3 ahead and 1 to the left is at
 (0, 5), and back. A pose and its inverse make the origin.
 

@@ -96,6 +96,34 @@ NaN:
   -2147483648,-2147483648,-2147483648,-2147483648
   0,0,0,0
 
+`floorFloat` and `ceilingFloat` are Floats, of the same unit and any size; 1/x tells
+0 from -0:
+
+  $ cat > whole.frob << FROB
+  > main :: SF Float (Float, Float, Float)
+  > main = proc x -> (floorFloat (x * 1[m]) / 1[m], ceilingFloat (x * 1[m]) / 1[m], 1 / ceilingFloat x)
+  > FROB
+  $ rows in << 'CELLS' | trace whole | cells
+  > 2.5
+  > -2.5
+  > -0.3
+  > 7
+  > 4503599627370495.5
+  > -2147483648.5
+  > 1e300
+  > -inf
+  > nan
+  > CELLS
+  2,3,0.33333333333333331
+  -3,-2,-0.5
+  -1,-0,-inf
+  7,7,0.14285714285714285
+  4503599627370495,4503599627370496,2.2204460492503131e-16
+  -2147483649,-2147483648,-4.6566128730773926e-10
+  1.0000000000000001e+300,1.0000000000000001e+300,1e-300
+  -inf,-inf,-0
+  nan,nan,nan
+
 `min` and `max` of Floats are NaN if either is, else the first of two equal ones;
 1/x tells 0 from -0. `signum` keeps NaN.
 
