@@ -34,7 +34,7 @@ of them occurs.
       *out_2 = t3;
       if (!t3) {                                              /* line 10 */
           const double y = early_go_step(&self->go, &flags->go, dt, dt_ns, t1, t2); /* line 15 */
-          *out_1 = y;                                         /* Prelude.frob:661 */
+          *out_1 = y;                                         /* Prelude.frob:665 */
       }
   }
   $ printf '%s\n' 0,1 0.5,2 1,3 1.5,4 2,5 2,6 2,7 1,8 0,9 | rows in.x,in.ahead | trace early

@@ -58,8 +58,8 @@ start; so it may if the time-out can be at once.
   ...
    10 |         Nothing -> return ()
       |         -------------------- `timeOut` may start `timeOut` at its own first instant
-     ::: stdlib/Prelude.frob:653:11
-  653 |     where late = elapsed q ())
+     ::: stdlib/Prelude.frob:657:11
+  657 |     where late = elapsed q ())
       |           ------------------- `elapsed` may occur at the first instant of `timeOut`
       = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
   1 error
