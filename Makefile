@@ -31,6 +31,11 @@ FOR_A_ROBOT = sed 's|.*/light_seek.frob|&:examples/light_seek/Moth.frob|; s|.*/l
 # For `make prove`: which programs.
 PROGRAMS ?= $(shell printf '%s\n' $(EXAMPLES) | $(FOR_A_ROBOT))
 
+# Calls between modules are direct, as in what opam builds, so that frobc takes 4 % fewer
+# instructions than with dune's dev profile (10,000 generated lines, by callgrind); warnings
+# are errors all the same (see dune).
+export DUNE_PROFILE ?= optimized
+
 PREFIX ?= /usr/local
 FROBC = _build/install/default/bin/frobc
 OUT = _build/run
@@ -76,7 +81,9 @@ fuzz: all
 	@dune build tests/fuzz/main.exe
 	@_build/default/tests/fuzz/main.exe --count $(N) --seed $(SEED) --jobs $$(nproc) --sanitize-every 50
 
-# Deliberate faults in the compiler: the random programs must find each.
+# Deliberate faults in the compiler: the random programs must find each. With direct calls
+# between modules each fault would ask for all that depends on its module to be built again.
+mutants: DUNE_PROFILE = dev
 mutants: setup
 	@sh tests/mutants/run.sh $(MUTANT_PROGRAMS) 1 $(MUTANTS)
 
