@@ -1,25 +1,87 @@
-let value = function
-  | "fromIntegral" | "realToFrac" | "float" -> Some "`toFloat n` makes a Float of an Int"
-  | "int" -> Some "`round`, `floor`, `ceiling` and `truncate` make an Int of a Float"
+let made_into_int = "`round`, `floor`, `ceiling` and `truncate` make an Int of a Float"
+let made_into_float = "`toFloat n` makes a Float of an Int"
+let whole_division = "`div` and `mod` of Ints round to minus infinity"
+let wrapped = "it is `wrapAngle a`: `import Geometry`"
+let clamped = "it is `clamp low high x`: `import Control`"
+let no_module = "the functions on numbers need no module: `sqrt x`"
+let filled = "`generate (const 0)` makes an array of as many elements as its type says"
+let fixed_size = "an array keeps its size: `replace i x xs` has another element at i"
+
+let number = function
+  | "fromIntegral" | "fromInteger" | "realToFrac" | "float" -> Some made_into_float
+  | "int" | "toInt" | "rint" | "lround" | "lroundf" | "nearbyint" -> Some made_into_int
+  | "ceil" | "ceilf" -> Some "`ceiling` makes an Int, `ceilingFloat` a Float"
+  | "floorf" -> Some "`floor` makes an Int, `floorFloat` a Float"
+  | "trunc" | "truncf" -> Some "it is `truncate`, which makes an Int"
+  | "pow" | "powf" -> Some "a power is `x ** y`, or `x ^ 2` with a literal exponent"
+  | "sq" | "square" | "sqr" -> Some "it is `x ^ 2`"
+  | "exp2" -> Some "it is `2 ** x`"
+  | "ln" -> Some "it is `log`"
+  | "log10" | "log2" -> Some "the natural logarithm is `log`: to the base 10 it is `log x / log 10`"
+  | "sinh" | "cosh" | "tanh" -> Some "it is made of `exp`: tanh x is `1 - 2 / (exp (2 * x) + 1)`"
+  | "fabs" | "fabsf" -> Some "it is `abs`"
+  | "fmin" | "fminf" -> Some "it is `min`"
+  | "fmax" | "fmaxf" -> Some "it is `max`"
+  | "sgn" | "sign" -> Some "it is `signum`"
+  | "copysign" | "copysignf" -> Some "it is `if y < 0 then -(abs x) else abs x`"
+  | "fmod" | "fmodf" | "remainder" ->
+      Some "of Floats it is `x - y * floorFloat (x / y)`, which has the sign of y; of angles, `wrapAngle`"
+  | "rem" | "quot" | "divMod" | "quotRem" -> Some whole_division
+  | "even" -> Some "it is `mod n 2 == 0`"
+  | "odd" -> Some "it is `mod n 2 == 1`"
+  | "constrain" | "clip" | "saturate" -> Some clamped
+  | "lerp" -> Some "it is `a + t * (b - a)`"
+  | "nan" | "isnan" | "isNaN" -> Some "NaN is the only number with `x /= x`; it is written `0 / 0`"
+  | "inf" | "isinf" | "isInfinite" | "isfinite" | "isFinite" ->
+      Some "`x - x == 0` tells that x is finite; infinity is written `1 / 0`"
+  | "deg2rad" | "radians" | "toRadians" | "to_radians" ->
+      Some "angles are in radians, and `90[deg]` is one; x degrees are `x * 1[deg]`"
+  | "rad2deg" | "degrees" | "toDegrees" | "to_degrees" -> Some "an angle in degrees is `a / 1[deg]`"
+  | "wrapToPi" | "wrap_angle" | "wrap_to_pi" | "normalizeAngle" | "normalize_angle" -> Some wrapped
+  | "angle_diff" | "shortest_angular_distance" -> Some "it is `angleDiff a b`: `import Geometry`"
+  | "math" | "np" | "numpy" -> Some no_module
+  | "random" | "rand" | "randn" ->
+      Some "a program has no chance in it: random numbers come with its input"
+  | _ -> None
+
+let data = function
+  | "null" | "nil" | "none" | "nullptr" -> Some "what may be missing is a `Maybe`: it is `Nothing`"
   | "fromJust" -> Some "`fromMaybe x m` is what is in `m`, and `x` where there is nothing"
   | "isJust" | "isNothing" -> Some "`maybe False (const True) m` tells whether there is something in `m`"
   | "fmap" -> Some "it is `map` on arrays, `mapE` on events, `mapT` on the results of tasks"
   | "sum" -> Some "`foldl (+) 0 xs` adds up the elements of an array"
   | "product" -> Some "`foldl (*) 1 xs` multiplies the elements of an array"
+  | "mean" -> Some "it is `foldl (+) 0 xs / toFloat (length xs)`"
+  | "minimum" -> Some "the least element of an array is `minimumBy id xs`"
+  | "maximum" -> Some "the greatest element of an array is `maximumBy id xs`"
   | "foldr" | "reduce" -> Some "arrays are folded from the first element on: `foldl f x xs`"
   | "zip" -> Some "`zipWith (\\x y -> (x, y)) xs ys` makes pairs"
-  | "len" -> Some "the size of an array is `length xs`"
-  | "pow" -> Some "a power is `x ** y`, or `x ^ 2` with a literal exponent"
-  | "fabs" -> Some "it is `abs`"
-  | "fmin" -> Some "it is `min`"
-  | "fmax" -> Some "it is `max`"
+  | "enumerate" -> Some "`imap (\\i x -> (i, x)) xs` has each element with its index"
+  | "zeros" | "ones" | "replicate" -> Some filled
+  | "append" | "concat" | "push_back" -> Some fixed_size
+  | "len" | "sizeof" -> Some "the size of an array is `length xs`"
+  | _ -> None
+
+let activity = function
   | "show" | "print" | "putStrLn" | "printf" ->
       Some "nothing is printed: what is to be seen is an output, and `--record` writes all of them"
-  | "sleep" | "wait" -> Some "a task that waits is `sleepT q out`"
+  | "analogRead" | "digitalRead" -> Some "what is read is a part of the program's input"
+  | "analogWrite" | "digitalWrite" -> Some "what is written is a part of the program's output"
+  | "sleep" | "usleep" | "wait" | "delayMicroseconds" -> Some "a task that waits is `sleepT q out`"
   | "while" -> Some "what goes on until something happens is a task: `mkTask`, `abortWhen`, `forever`"
-  | "iPre" -> Some "it is `delay x0`"
+  | "for" | "foreach" | "forEach" ->
+      Some "`map f xs` is each element's; tasks one after the other are `forEachT xs f`"
+  | "millis" | "micros" -> Some "`time ()` is the time since the start, in seconds"
   | "localTime" -> Some "it is `time`"
   | "dt" -> Some "`stepTime ()` of `Control` is the time since the instant before"
+  | "undefined" | "assert" ->
+      Some "a program never stops at a fault: what may have no value is a `Maybe`"
+  | _ -> None
+
+let signal_function = function
+  | "iPre" | "pre" -> Some "it is `delay x0`"
+  | "integrate" | "cumtrapz" -> Some "it is `integral`"
+  | "deriv" | "differentiate" -> Some "it is `derivative`"
   | "repeatedly" -> Some "it is `every q`, whose events are `()`"
   | "filterE" -> Some "it is `filterEvent`"
   | "lMerge" -> Some "it is `mergeE`"
@@ -31,7 +93,20 @@ let value = function
   | "reactimate" -> Some "`reactimateRobot` makes a program of a signal function; any other is traced as it is"
   | _ -> None
 
+let value name = List.find_map (fun hint -> hint name) [ number; data; activity; signal_function ]
+
 let constructor = function
   | "None" | "Null" | "NULL" -> Some "it is `Nothing`"
   | "Some" -> Some "it is `Just`"
+  | "TRUE" -> Some "it is `True`"
+  | "FALSE" -> Some "it is `False`"
+  | "PI" | "M_PI" -> Some "it is `pi`"
+  | "TWO_PI" | "TAU" -> Some "it is `2 * pi`"
+  | "HALF_PI" | "M_PI_2" -> Some "it is `pi / 2`"
+  | "NAN" | "NaN" -> Some "NaN is written `0 / 0`"
+  | "INFINITY" | "Infinity" -> Some "infinity is written `1 / 0`"
+  | _ -> None
+
+let module_ = function
+  | "Math" -> Some no_module
   | _ -> None

@@ -176,8 +176,11 @@ let report_unknown_module t (qualifier : Syntax.Ir.name) =
      (Printf.sprintf "it is in the library: `import qualified %s`" qualifier.text)
      diagnostic
   else
-    let imported = lazy (List.concat_map (fun (i : import) -> i.qualifiers) t.imports) in
-    Context.suggest t.context qualifier.text imported diagnostic)
+    match Other_languages.module_ qualifier.text with
+    | Some hint -> Diagnostic.hint hint diagnostic
+    | None ->
+        let imported = lazy (List.concat_map (fun (i : import) -> i.qualifiers) t.imports) in
+        Context.suggest t.context qualifier.text imported diagnostic)
   |> Context.emit t.context
 
 let find_qualified t space (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) =

@@ -289,7 +289,7 @@ Operators that only Haskell has, and its other ways to write a list, a branch an
   1 error
   [1]
 
-Names from Haskell, Yampa, C and Python are told by the name here.
+Names from Haskell, Yampa and C are told by the name here.
 
   $ cat > names.frob <<'FROB'
   > main :: SF Int Float
