@@ -1,14 +1,8 @@
-let is_memory (e : Ir.equation) =
-  match e.rhs with
-  | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ -> true
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-  | At _ | Replace _ ->
-      false
-
 (* The instance of the machine that the node could have itself. *)
 let candidate (nodes : Ir.node array) uses (node : Ir.node) =
+  let is_stateful (e : Ir.equation) = Rhs.is_stateful e.rhs in
   let stateful (i : Ir.instance) = nodes.(i.node).kind = Signal_function in
-  if Option.is_some node.machine || node.transitions <> [] || List.exists is_memory node.equations
+  if Option.is_some node.machine || node.transitions <> [] || List.exists is_stateful node.equations
   then None
   else
     match List.filter stateful node.instances with

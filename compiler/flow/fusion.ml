@@ -79,16 +79,10 @@ let indirect work group operands =
     (fun operand -> if is_direct work group operand then None else Some (snd operand))
     operands
 
-let is_memory : Ir.rhs -> bool = function
-  | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ -> true
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-  | At _ | Replace _ ->
-      false
-
 let varies work (item : Schedule.item) =
   let own =
     match item with
-    | Equation e -> is_memory e.rhs
+    | Equation e -> Rhs.is_stateful e.rhs
     | Instance i -> work.program.nodes.(i.node).kind = Signal_function
     | Trial _ | Machine _ -> true
   in

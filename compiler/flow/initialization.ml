@@ -1,10 +1,5 @@
 open Basis
 
-let is_stateful : Ir.rhs -> bool = function
-  | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ -> true
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
-  | Replace _ -> false
-
 let check_node (program : Ir.program) (node : Ir.node) =
   let static = Int_table.create 64 in
   let add (s : Ir.signal) = Int_table.replace static s.id () in
@@ -15,7 +10,7 @@ let check_node (program : Ir.program) (node : Ir.node) =
   let is_function (i : Ir.instance) = program.nodes.(i.node).kind = Function in
   let classify = function
     | Schedule.Equation e ->
-        if (not (is_stateful e.rhs)) && List.for_all is_static (Operands.all e.rhs) then
+        if (not (Rhs.is_stateful e.rhs)) && List.for_all is_static (Operands.all e.rhs) then
           add e.defines
     | Instance i ->
         if is_function i && List.for_all is_static i.statics && List.for_all is_static i.inputs then

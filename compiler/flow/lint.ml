@@ -263,18 +263,13 @@ let machine scope modes_of (m : Ir.machine) =
   | { occurs = Bool true; delayed = false; _ } :: _ -> ()
   | _ -> bug "the machine of `%s` may not start" scope.node.name
 
-let is_memory : Ir.rhs -> bool = function
-  | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ -> true
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
-  | Replace _ -> false
-
 (* A node with a machine has no other state. *)
 let only_machine scope =
   let stateful_instance (i : Ir.instance) =
     scope.program.nodes.(i.node).kind = Signal_function
   in
   if
-    List.exists (fun (eq : Ir.equation) -> is_memory eq.rhs) scope.node.equations
+    List.exists (fun (eq : Ir.equation) -> Rhs.is_stateful eq.rhs) scope.node.equations
     || List.exists stateful_instance scope.node.instances
     || scope.node.transitions <> []
   then bug "`%s` has a machine and other state" scope.node.name

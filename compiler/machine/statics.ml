@@ -21,11 +21,6 @@ let is_expensive = function
   | Derivative _ ->
       false
 
-let is_stateful = function
-  | Flow.Ir.Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ -> true
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-  | At _ | Replace _ -> false
-
 (* What is known of a node while it is being divided; tables by signal id. *)
 type work = {
   program : Flow.Ir.program;
@@ -54,7 +49,7 @@ let classify work item =
   | Flow.Schedule.Equation e ->
       Int_table.replace work.definer e.defines.id item;
       let operands = Flow.Operands.all e.rhs in
-      if (not (is_stateful e.rhs)) && List.for_all (is_static work) operands then
+      if (not (Flow.Rhs.is_stateful e.rhs)) && List.for_all (is_static work) operands then
         Int_table.replace work.static e.defines.id
           (if is_expensive e.rhs then Costly else cost_of_operands work operands)
   | Instance i ->
