@@ -59,7 +59,8 @@ let circle names =
   | [ one ] -> Printf.sprintf "`%s` may start itself again" one
   | [ one; other ] -> Printf.sprintf "`%s` and `%s` may start each other" one other
   | one :: others ->
-      Printf.sprintf "`%s` and %d others may start each other" one (List.length others)
+      Printf.sprintf "%s may start each other"
+        (Enumeration.some [ Printf.sprintf "`%s`" one ] ~more:(List.length others))
   | [] -> Diagnostic.bug ~stage:"Flow.Instantaneous_loops" "a circle without modes"
 
 let report sink (program : Ir.program) first (m : Ir.machine) steps cycle =

@@ -49,9 +49,9 @@ let shortened names =
   let most = 4 in
   if List.length names <= most then String.concat ", " names
   else
-    Printf.sprintf "%s and %d others"
-      (String.concat ", " (List.filteri (fun i _ -> i < most - 1) names))
-      (List.length names - most + 1)
+    Basis.Enumeration.some
+      (List.filteri (fun i _ -> i < most - 1) names)
+      ~more:(List.length names - most + 1)
 
 let header name columns (row : Csv.row) =
   let known = Hashtbl.create 64 and places = Hashtbl.create 64 in

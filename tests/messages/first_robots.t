@@ -323,9 +323,9 @@ A table that lacks most of what the robot senses.
 
   $ printf 'time,in.odometry.heading\n0,1\n' > in.csv
   $ frobc trace logger.frob --input in.csv 2>&1 | cut -d';' -f1
-  error: in.csv:1:1: missing: `in.odometry.position.x`, `in.odometry.position.y`, `in.leftWheel` and 24 others
+  error: in.csv:1:1: missing: `in.odometry.position.x`, `in.odometry.position.y`, `in.leftWheel` and 24 more
   $ frobc trace logger.frob --input in.csv --engine interp 2>&1 | cut -d';' -f1
-  error: in.csv:1:1: missing: `in.odometry.position.x`, `in.odometry.position.y`, `in.leftWheel` and 24 others
+  error: in.csv:1:1: missing: `in.odometry.position.x`, `in.odometry.position.y`, `in.leftWheel` and 24 more
 
 A program named without its ending, a number for a code.
 

@@ -87,4 +87,4 @@ One that starts itself again, and several.
   > main = one
   > EOF
   $ frobc check three.frob 2>&1 | head -1
-  error[E0402]: `one` and 2 others may start each other for ever within one instant
+  error[E0402]: `one` and 2 more may start each other for ever within one instant

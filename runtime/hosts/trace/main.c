@@ -150,7 +150,7 @@ static void complain_missing(const struct trace *t)
         }
     }
     if (named < missing)
-        fprintf(stderr, " and %lu others", (unsigned long)(missing - named));
+        fprintf(stderr, " and %lu more", (unsigned long)(missing - named));
     fputs("; the header for this program is `time", stderr);
     for (size_t i = 0; i < t->count; i++)
         fprintf(stderr, ",%s", t->columns[i].name);
