@@ -5,17 +5,6 @@ type opener = Block of block | Paren | Bracket | Brace | If | Then | Case
 type origin = { by : Lexer.token; column : int }
 type context = (opener * origin) list
 
-type token = {
-  token : Grammar.token;
-  start : Lexing.position;
-  stop : Lexing.position;
-  made : bool;
-  column : int;
-  first : bool;
-  context : context Lazy.t;
-  last : bool;
-}
-
 (* What a closing token would find below an entry, itself included; brackets
    hide what is open around them. *)
 type reach = { bracket : opener option; let_ : bool; if_ : bool; then_ : bool; case : bool }
@@ -28,6 +17,17 @@ type entry = {
   depth : int;
 }
 
+type token = {
+  token : Grammar.token;
+  start : Lexing.position;
+  stop : Lexing.position;
+  made : bool;
+  column : int;
+  first : bool;
+  around : entry list;
+  last : bool;
+}
+
 type t = {
   lexer : Lexer.t;
   mutable stack : entry list;  (** never empty once the first token is read: [Block Top] is last *)
@@ -38,7 +38,7 @@ type t = {
   mutable doc : string option;  (** waits for the constructor after [|] or [=] *)
   mutable outer : entry list;  (** the stack before the token at hand *)
   mutable before : Lexing.position;  (** where the last token of the text ended *)
-  ready : token Queue.t;
+  ready : token Queue.t;  (** made, or after one that was *)
 }
 
 exception Too_deep of Lexer.token
@@ -51,10 +51,9 @@ let create lexer =
     outer = []; before = Lexing.dummy_pos; ready = Queue.create ();
   }
 
-let context t =
-  let stack = t.outer in
+let context token =
   let origin (entry : entry) = { by = entry.by; column = entry.column } in
-  lazy (Basis.Long_list.map (fun (entry : entry) -> (entry.opener, origin entry)) stack)
+  Basis.Long_list.map (fun (entry : entry) -> (entry.opener, origin entry)) token.around
 
 let nothing = { bracket = None; let_ = false; if_ = false; then_ = false; case = false }
 
@@ -80,7 +79,7 @@ let reach t = match t.stack with [] -> nothing | entry :: _ -> entry.reach
 let emit t token =
   Queue.add
     { token; start = t.before; stop = t.before; made = true; column = 0; first = false;
-      context = context t; last = false }
+      around = t.outer; last = false }
     t.ready
 
 (* Pops one entry; a block is closed by it. *)
@@ -164,11 +163,9 @@ let rec where_closes t (token : Lexer.token) =
       where_closes t token
   | _ -> ()
 
-let pass t (token : Lexer.token) ~last =
-  Queue.add
-    { token = token.token; start = token.start; stop = token.stop; made = false;
-      column = token.column; first = token.first; context = context t; last }
-    t.ready
+let of_text t (token : Lexer.token) ~last =
+  { token = token.token; start = token.start; stop = token.stop; made = false;
+    column = token.column; first = token.first; around = t.outer; last }
 
 let emit_doc t (token : Lexer.token) =
   let of_item =
@@ -185,7 +182,7 @@ let emit_doc t (token : Lexer.token) =
   | Some text, _ when of_item || of_constructor ->
       Queue.add
         { token = DOC text; start = token.start; stop = token.start; made = true;
-          column = 0; first = false; context = context t; last = false }
+          column = 0; first = false; around = t.outer; last = false }
         t.ready
   | _ -> ()
 
@@ -211,6 +208,7 @@ let opens t (token : Lexer.token) ~if_ =
   | REC -> t.opening <- Some (Rec, token)
   | _ -> ()
 
+(* The token to pass on, after those that were made. *)
 let ordinary t (token : Lexer.token) =
   let if_ = ref token in
   (match partner t token.token with
@@ -227,7 +225,7 @@ let ordinary t (token : Lexer.token) =
       | SEMICOLON -> separate t
       | _ -> if token.first then line_starts t token.column));
   match token.token with
-  | SEMICOLON -> ()
+  | SEMICOLON -> None
   | _ ->
       emit_doc t token;
       (match token.token with
@@ -235,8 +233,8 @@ let ordinary t (token : Lexer.token) =
       | DATA when t.item_start && at_top t.stack -> t.data <- true
       | _ -> ());
       t.item_start <- false;
-      pass t token ~last:false;
-      opens t token ~if_:!if_
+      opens t token ~if_:!if_;
+      Some (of_text t token ~last:false)
 
 let finish t (token : Lexer.token) =
   let rec close () =
@@ -252,7 +250,7 @@ let finish t (token : Lexer.token) =
   | None -> ());
   t.opening <- None;
   close ();
-  pass t { token with start = t.before; stop = t.before } ~last:true
+  of_text t { token with start = t.before; stop = t.before } ~last:true
 
 (* The token after [where] and the like opens the block, if it stands further
    right than the block around it; else the block is empty. *)
@@ -279,20 +277,28 @@ let opened t block by (token : Lexer.token) =
 
 let advance t =
   let token = Lexer.next t.lexer in
-  t.outer <- t.stack;
+  (* The collector of garbage wants to know of each pointer that is written. *)
+  if t.outer != t.stack then t.outer <- t.stack;
   if t.before == Lexing.dummy_pos then t.before <- token.start;
   (match (t.stack, t.opening) with
   | [], None when not t.header ->
       push t (Block Top) token ~column:token.column;
       t.item_start <- true
   | _, _ -> ());
-  (match (token.token, t.opening) with
-  | END, _ -> finish t token
-  | _, Some (block, by) -> opened t block by token
-  | _, None -> ordinary t token);
-  t.before <- token.stop
+  let passed =
+    match (token.token, t.opening) with
+    | END, _ -> Some (finish t token)
+    | _, Some (block, by) -> opened t block by token
+    | _, None -> ordinary t token
+  in
+  t.before <- token.stop;
+  passed
 
 let rec next t =
   match Queue.take_opt t.ready with
   | Some token -> token
-  | None -> advance t; next t
+  | None -> (
+      match advance t with
+      | Some token when Queue.is_empty t.ready -> token
+      | Some token -> Queue.add token t.ready; next t
+      | None -> next t)

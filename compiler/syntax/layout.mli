@@ -25,6 +25,9 @@ type origin = {
 type context = (opener * origin) list
 (** What is open, innermost first. *)
 
+type entry
+(** Something that is open. *)
+
 type token = {
   token : Grammar.token;
   start : Lexing.position;
@@ -32,9 +35,11 @@ type token = {
   made : bool;  (** by layout *)
   column : int;  (** 0 if layout made it *)
   first : bool;  (** on its line *)
-  context : context Lazy.t;  (** what was open before this token *)
+  around : entry list;  (** what was open before this token; see {!context} *)
   last : bool;  (** the [END] of the whole file *)
 }
+
+val context : token -> context
 
 type t
 

@@ -346,18 +346,22 @@ let symbols =
   let longest_first a b = Int.compare (String.length b) (String.length a) in
   Array.init 256 (fun code ->
       List.filter (fun symbol -> Char.code symbol.[0] = code) all
-      |> List.sort_uniq String.compare |> List.stable_sort longest_first)
+      |> List.sort_uniq String.compare |> List.stable_sort longest_first
+      |> List.map (fun symbol -> (symbol, punctuation symbol)))
 
-let stands_here t symbol =
-  let rec same i = i = String.length symbol || (peek t i = symbol.[i] && same (i + 1)) in
-  same 1
+(* From its byte [i] on. *)
+let rec stands_here t symbol i =
+  i = String.length symbol || (peek t i = symbol.[i] && stands_here t symbol (i + 1))
 
 let symbol t =
-  match List.find_opt (stands_here t) symbols.(Char.code (peek t 0)) with
-  | Some text ->
-      t.at <- t.at + String.length text;
-      punctuation text
-  | None -> unexpected t
+  let rec longest = function
+    | [] -> unexpected t
+    | (text, token) :: _ when stands_here t text 1 ->
+        t.at <- t.at + String.length text;
+        token
+    | _ :: shorter -> longest shorter
+  in
+  longest symbols.(Char.code (peek t 0))
 
 let bracket t =
   let tight = t.at > 0 && is_name t.text.[t.at - 1] in
@@ -371,9 +375,12 @@ let next t =
   let column = if t.cut_off then max_int else t.at - t.line_start + 1 - t.extra in
   let first = t.fresh in
   let doc =
-    match t.doc with [] -> None | lines -> Some (String.concat "\n" (List.rev lines))
+    match t.doc with
+    | [] -> None
+    | lines ->
+        t.doc <- [];
+        Some (String.concat "\n" (List.rev lines))
   in
-  t.doc <- [];
   t.fresh <- false;
   let token =
     if t.cut_off then begin

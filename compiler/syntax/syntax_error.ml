@@ -202,7 +202,7 @@ let missing found =
   | _ -> None
 
 let report sink ~text ~state ~before token =
-  let found = { text; state; before; token; context = Lazy.force token.context } in
+  let found = { text; state; before; token; context = Layout.context token } in
   let first_of list = List.find_map (fun explain -> explain found) list in
   let d =
     match first_of [ choice_of_commands; missing; bracket ] with
