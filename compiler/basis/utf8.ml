@@ -15,10 +15,15 @@ let decode text i =
     if code >= 0x10000 && code < 0x110000 then (4, code) else (0, 0)
   else (0, 0)
 
+let eight_high_bits = 0x8080_8080_8080_8080L
+
 let first_error text =
   let n = String.length text in
+  (* Programs are nearly all ASCII, which eight bytes at a time are looked through. *)
   let rec go i =
-    if i >= n then None
+    if i + 8 <= n && Int64.equal (Int64.logand (String.get_int64_ne text i) eight_high_bits) 0L then
+      go (i + 8)
+    else if i >= n then None
     else if Char.code (String.unsafe_get text i) < 0x80 then go (i + 1)
     else match decode text i with 0, _ -> Some i | length, _ -> go (i + length)
   in
