@@ -8,18 +8,22 @@ module Natural = struct
     while !n > 0 && digits.(!n - 1) = 0 do decr n done;
     if !n = Array.length digits then digits else Array.sub digits 0 !n
 
-  let zero = [||]
+  let zero : int array = [||]
+  let one = [| 1 |]
   let is_zero a = Array.length a = 0
+  let is_one a = Array.length a = 1 && a.(0) = 1
 
   let of_int n =
     let rec go n = if n = 0 then [] else (n mod base) :: go (n / base) in
-    Array.of_list (go n)
+    if n = 1 then one else if n > 0 && n < base then [| n |] else Array.of_list (go n)
 
-  let compare a b =
+  let compare (a : int array) (b : int array) =
     let la = Array.length a and lb = Array.length b in
-    if la <> lb then compare la lb
+    if la <> lb then Int.compare la lb
     else
-      let rec go i = if i < 0 then 0 else if a.(i) <> b.(i) then compare a.(i) b.(i) else go (i - 1) in
+      let rec go i =
+        if i < 0 then 0 else if a.(i) <> b.(i) then Int.compare a.(i) b.(i) else go (i - 1)
+      in
       go (la - 1)
 
   let add a b =
@@ -127,12 +131,11 @@ module Natural = struct
     if n > 5 || (n = 5 && a.(4) >= 400) then None
     else Some (Array.fold_right (fun d n -> (n * base) + d) a 0)
 
-  (* Nearly all literals are small. *)
+  let rec gcd_of_ints m n = if n = 0 then m else gcd_of_ints n (m mod n)
+
   let rec gcd a b =
     match (to_int_opt a, to_int_opt b) with
-    | Some m, Some n ->
-        let rec euclid m n = if n = 0 then m else euclid n (m mod n) in
-        of_int (euclid m n)
+    | Some m, Some n -> of_int (gcd_of_ints m n)
     | _, _ -> if is_zero b then a else gcd b (snd (divide a b))
 
   let quotient a b =
@@ -163,7 +166,7 @@ type t = { negative : bool; numerator : int array; denominator : int array }
 
 let reduce negative numerator denominator =
   if Natural.is_zero numerator then
-    { negative = false; numerator; denominator = Natural.of_int 1 }
+    { negative = false; numerator; denominator = Natural.one }
   else
     let g = Natural.gcd numerator denominator in
     {
@@ -172,7 +175,7 @@ let reduce negative numerator denominator =
       denominator = Natural.quotient denominator g;
     }
 
-let of_int n = { negative = n < 0; numerator = Natural.of_int (abs n); denominator = Natural.of_int 1 }
+let of_int n = { negative = n < 0; numerator = Natural.of_int (abs n); denominator = Natural.one }
 let zero = of_int 0
 let one = of_int 1
 let ten_to n = Natural.power (Natural.of_int 10) n
@@ -180,7 +183,27 @@ let limit_of_exponent = 400
 
 let is_digits text = String.for_all (function '0' .. '9' -> true | _ -> false) text
 
-let of_decimal text =
+(* Nearly all literals are a few digits, perhaps with a point: an int holds them. *)
+let longest_short = 15
+
+let short_decimal text =
+  let rec read i ~digits ~scale ~point =
+    if i = String.length text then
+      let g = Natural.gcd_of_ints digits scale in
+      let numerator = Natural.of_int (digits / g) in
+      Some { negative = false; numerator; denominator = Natural.of_int (scale / g) }
+    else
+      match text.[i] with
+      | '0' .. '9' as c ->
+          let digits = (10 * digits) + Char.code c - Char.code '0' in
+          read (i + 1) ~digits ~scale:(if point then 10 * scale else scale) ~point
+      | '.' when i > 0 && not point -> read (i + 1) ~digits ~scale ~point:true
+      | _ -> None
+  in
+  if text = "" || String.length text > longest_short then None
+  else read 0 ~digits:0 ~scale:1 ~point:false
+
+let any_decimal text =
   let mantissa, exponent =
     match String.index_opt (String.lowercase_ascii text) 'e' with
     | None -> (text, Some 0)
@@ -209,9 +232,14 @@ let of_decimal text =
       let digits = Natural.of_digits (whole ^ fraction) in
       let scale = exponent - String.length fraction in
       Some
-        (if scale >= 0 then reduce false (Natural.multiply digits (ten_to scale)) (Natural.of_int 1)
+        (if scale >= 0 then reduce false (Natural.multiply digits (ten_to scale)) Natural.one
         else reduce false digits (ten_to (-scale)))
   | _ -> None
+
+let of_decimal text =
+  match short_decimal text with
+  | Some _ as value -> value
+  | None -> any_decimal text
 
 (* OEIS A000796, the first hundred decimals; in lowest terms, for the last of them
    is neither even nor 5. *)
@@ -233,7 +261,7 @@ let multiply a b =
   else
     let cancel n d =
       let g = Natural.gcd n d in
-      if Natural.compare g one.numerator = 0 then (n, d)
+      if Natural.is_one g then (n, d)
       else (fst (Natural.divide n g), fst (Natural.divide d g))
     in
     let n, d' = cancel a.numerator b.denominator in
@@ -281,7 +309,7 @@ let equal a b =
   && Natural.compare a.numerator b.numerator = 0
   && Natural.compare a.denominator b.denominator = 0
 
-let is_integer t = Natural.compare t.denominator (Natural.of_int 1) = 0
+let is_integer t = Natural.is_one t.denominator
 
 let to_int32 t =
   if not (is_integer t) then None
