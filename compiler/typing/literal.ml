@@ -1,6 +1,6 @@
 open Basis
 
-let fits value = Exact.to_int32 value <> None
+let fits value = Option.is_some (Exact.to_int32 value)
 
 let is_only_negative (n : Resolve.Ir.number) =
   (not n.decimal) && n.unit_ = None

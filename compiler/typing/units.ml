@@ -9,6 +9,7 @@ and rigid = { variable : Ir.variable; depth : int }
 and flexible = { id : int; mutable depth : int; mutable solution : t option }
 
 let one = { base = []; rigid = []; flexible = [] }
+let is_one = function { base = []; rigid = []; flexible = [] } -> true | _ -> false
 let base unit_ = { one with base = [ (unit_, Rational.one) ] }
 let of_rigid variable = { one with rigid = [ (variable, Rational.one) ] }
 let fresh ~id ~depth = { one with flexible = [ ({ id; depth; solution = None }, Rational.one) ] }
@@ -32,14 +33,17 @@ let rec merge by a b =
         if Rational.is_zero sum then rest else (x, sum) :: rest
 
 let multiply a b =
-  {
-    base = merge by_name a.base b.base;
-    rigid = merge by_variable a.rigid b.rigid;
-    flexible = merge by_id a.flexible b.flexible;
-  }
+  if is_one a then b
+  else if is_one b then a
+  else
+    {
+      base = merge by_name a.base b.base;
+      rigid = merge by_variable a.rigid b.rigid;
+      flexible = merge by_id a.flexible b.flexible;
+    }
 
 let power unit_ exponent =
-  if Rational.is_zero exponent then one
+  if Rational.is_zero exponent || is_one unit_ then one
   else if Rational.equal exponent Rational.one then unit_
   else
     let raise_ powers = List.map (fun (x, p) -> (x, Rational.multiply p exponent)) powers in
@@ -47,8 +51,13 @@ let power unit_ exponent =
 
 let divide a b = multiply a (power b (Rational.of_int (-1)))
 
+let rec is_resolved = function
+  | [] -> true
+  | ({ solution = None; _ }, _) :: rest -> is_resolved rest
+  | ({ solution = Some _; _ }, _) :: _ -> false
+
 let rec resolve unit_ =
-  if List.for_all (fun (x, _) -> Option.is_none x.solution) unit_.flexible then unit_
+  if is_resolved unit_.flexible then unit_
   else
     List.fold_left
       (fun product (x, p) ->
@@ -61,8 +70,18 @@ let rec resolve unit_ =
       { unit_ with flexible = [] }
       unit_.flexible
 
-let is_one = function { base = []; rigid = []; flexible = [] } -> true | _ -> false
-let equal a b = is_one (resolve (divide a b))
+
+(* Of units without variables that are still open. *)
+let same a b =
+  let same_powers by = List.equal (fun (x, p) (y, q) -> by x y = 0 && Rational.equal p q) in
+  same_powers by_name a.base b.base && same_powers by_variable a.rigid b.rigid
+
+let equal a b =
+  let a = resolve a and b = resolve b in
+  match (a.flexible, b.flexible) with
+  | [], [] -> same a b
+  | _, _ -> is_one (divide a b)
+
 let is_open unit_ = (resolve unit_).flexible <> []
 let deepest rigid = List.fold_left (fun depth ((r : rigid), _) -> max depth r.depth) 0 rigid
 
@@ -82,15 +101,26 @@ let solve ((x : flexible), exponent) product =
   x.solution <- Some (power rest (Rational.negate (Rational.inverse exponent)))
 
 let unify a b =
+  let a = resolve a and b = resolve b in
   a == b
   ||
-  let quotient = resolve (divide a b) in
-  match pivot quotient.flexible with
-  | None -> is_one quotient
-  | Some ((x : flexible), _) when x.depth < deepest quotient.rigid -> false
-  | Some (x, exponent) ->
-      solve (x, exponent) quotient;
-      true
+  match (a, b) with
+  | { flexible = []; _ }, { flexible = []; _ } -> same a b
+  (* Nearly always one of them is a mere variable. *)
+  | { base = []; rigid = []; flexible = [ (x, power) ] }, ({ flexible = []; _ } as other)
+  | ({ flexible = []; _ } as other), { base = []; rigid = []; flexible = [ (x, power) ] }
+    when Rational.equal power Rational.one ->
+      let fits = x.depth >= deepest other.rigid in
+      if fits then x.solution <- Some other;
+      fits
+  | _, _ -> (
+      let quotient = divide a b in
+      match pivot quotient.flexible with
+      | None -> is_one quotient
+      | Some ((x : flexible), _) when x.depth < deepest quotient.rigid -> false
+      | Some (x, exponent) ->
+          solve (x, exponent) quotient;
+          true)
 
 let lower ~depth unit_ =
   let unit_ = resolve unit_ in
@@ -112,13 +142,16 @@ let generalize ~fresh unit_ =
 
 let substitute replacement unit_ =
   let unit_ = resolve unit_ in
-  List.fold_left
-    (fun product ((r : rigid), p) ->
-      match replacement r.variable.id with
-      | None -> multiply product { one with rigid = [ (r, p) ] }
-      | Some by -> multiply product (power by p))
-    { unit_ with rigid = [] }
-    unit_.rigid
+  match unit_.rigid with
+  | [] -> unit_
+  | rigid ->
+      List.fold_left
+        (fun product ((r : rigid), p) ->
+          match replacement r.variable.id with
+          | None -> multiply product { one with rigid = [ (r, p) ] }
+          | Some by -> multiply product (power by p))
+        { unit_ with rigid = [] }
+        rigid
 
 let to_ir unit_ : Ir.unit_ =
   let unit_ = resolve unit_ in
