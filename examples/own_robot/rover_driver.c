@@ -2,6 +2,8 @@
 
 #include "rover.h"
 
+#include "drivers/wheels.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -218,21 +220,17 @@ static void sense(void *device, void *into)
     input->battery = d->battery_v;
 }
 
-/* Wheel speeds that are too high are lowered together, so that the robot keeps
- * to its curve. */
 static enum frob_status command(void *device, const void *from)
 {
     struct rover *d = (struct rover *)device;
     const struct frob_rover_output *output = (const struct frob_rover_output *)from;
-    double across = 0.5 * output->turn * d->settings[ROVER_SEPARATION_M];
-    double left = output->forward - across, right = output->forward + across;
-    double greatest = fmax(fabs(left), fabs(right));
-    double scale = greatest > MOST_M_S ? MOST_M_S / greatest : 1.0;
-    double counts = scale * d->settings[ROVER_COUNTS_PER_M] / ROVER_LOOPS;
+    struct frob_wheels wheels = frob_wheels_of(output->forward, output->turn,
+                                               d->settings[ROVER_SEPARATION_M], MOST_M_S);
+    double counts = d->settings[ROVER_COUNTS_PER_M] / ROVER_LOOPS; /* of 1 m/s */
     if (!d->guarded)
         return FROB_BUSY_CONNECTING;
-    d->left = (int32_t)lround(left * counts);
-    d->right = (int32_t)lround(right * counts);
+    d->left = (int32_t)lround(wheels.left * counts);
+    d->right = (int32_t)lround(wheels.right * counts);
     d->speed_waits = true;
     return d->awaited == ROVER_NOTHING ? send_next(d) : FROB_OK;
 }
@@ -259,7 +257,7 @@ static const char *describe(const void *device)
 static double most(const void *device, size_t i)
 {
     const struct rover *d = (const struct rover *)device;
-    return i == 0 ? MOST_M_S : 2.0 * MOST_M_S / d->settings[ROVER_SEPARATION_M];
+    return frob_wheels_most(i, d->settings[ROVER_SEPARATION_M], MOST_M_S);
 }
 
 static const struct frob_setting settings_table[ROVER_SETTING_COUNT] = {

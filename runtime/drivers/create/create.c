@@ -2,6 +2,7 @@
 
 #include "drivers/create/command.h"
 #include "drivers/create/lights.h"
+#include "drivers/wheels.h"
 
 #include <frob/create.h>
 
@@ -273,23 +274,20 @@ static void sense(void *device, void *into)
     input->obeying = drives_in(d, s->mode);
 }
 
-/* Wheel speeds that are too high are lowered together, so that the robot keeps
- * to its curve. Lights are sent when they change, and each second. */
+/* Lights are sent when they change, and each second. */
 static enum frob_status command(void *device, const void *from)
 {
     struct frob_create *d = (struct frob_create *)device;
     const struct frob_create_output *output = (const struct frob_create_output *)from;
-    double across = 0.5 * output->turn * d->settings[FROB_CREATE_SEPARATION_M];
-    double left = output->forward - across, right = output->forward + across;
-    double greatest = fmax(fabs(left), fabs(right));
-    double mm_s = greatest > MOST_M_S ? MOST_M_S / greatest * 1e3 : 1e3;
+    struct frob_wheels wheels = frob_wheels_of(output->forward, output->turn,
+                                               d->settings[FROB_CREATE_SEPARATION_M], MOST_M_S);
     int64_t now_ns = frob_now_ns(&d->clock);
     uint8_t bytes[FROB_CREATE_MAX_COMMAND];
     size_t size;
     enum frob_status status;
     if (d->step != FROB_CREATE_CONNECTED)
         return FROB_BUSY_CONNECTING;
-    status = drive(d, (int)lround(right * mm_s), (int)lround(left * mm_s));
+    status = drive(d, (int)lround(wheels.right * 1e3), (int)lround(wheels.left * 1e3));
     size = frob_create_lights(output, bytes);
     if (status == FROB_OK &&
         (memcmp(bytes, d->lights, size) != 0 || now_ns - d->lights_ns >= SILENCE_NS)) {
@@ -337,7 +335,7 @@ static const char *describe(const void *device)
 static double most(const void *device, size_t i)
 {
     const struct frob_create *d = (const struct frob_create *)device;
-    return i == 0 ? MOST_M_S : 2.0 * MOST_M_S / d->settings[FROB_CREATE_SEPARATION_M];
+    return frob_wheels_most(i, d->settings[FROB_CREATE_SEPARATION_M], MOST_M_S);
 }
 
 static const struct frob_setting settings_table[FROB_CREATE_SETTING_COUNT] = {

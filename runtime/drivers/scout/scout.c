@@ -1,5 +1,7 @@
 #include "drivers/scout/scout.h"
 
+#include "drivers/wheels.h"
+
 #include <frob/scout.h>
 
 #include <math.h>
@@ -221,21 +223,17 @@ static void sense(void *device, void *into)
     input->emergencyStop = (d->state.motor_status & FROB_SCOUT_EMERGENCY_STOP) != 0;
 }
 
-/* Wheel speeds that are too high are lowered together, so that the robot keeps
- * to its curve. */
 static enum frob_status command(void *device, const void *from)
 {
     struct frob_scout *d = (struct frob_scout *)device;
     const struct frob_scout_output *output = (const struct frob_scout_output *)from;
-    double across = 0.5 * output->turn * d->settings[FROB_SCOUT_SEPARATION_M];
-    double left = output->forward - across, right = output->forward + across;
-    double greatest = fmax(fabs(left), fabs(right));
-    double scale = greatest > MOST_M_S ? MOST_M_S / greatest : 1.0;
+    struct frob_wheels wheels = frob_wheels_of(output->forward, output->turn,
+                                               d->settings[FROB_SCOUT_SEPARATION_M], MOST_M_S);
     bool left_first = d->settings[FROB_SCOUT_LEFT_FIRST] != 0.0;
     if (d->step != FROB_SCOUT_CONNECTED)
         return FROB_BUSY_CONNECTING;
-    d->first = lround((left_first ? left : right) * scale / UNIT_M);
-    d->second = lround((left_first ? right : left) * scale / UNIT_M);
+    d->first = lround((left_first ? wheels.left : wheels.right) / UNIT_M);
+    d->second = lround((left_first ? wheels.right : wheels.left) / UNIT_M);
     d->velocity_waits = true;
     d->commanded_ns = frob_now_ns(&d->clock);
     return d->awaited == 0 ? send_velocity(d) : FROB_OK;
@@ -269,7 +267,7 @@ static const char *describe(const void *device)
 static double most(const void *device, size_t i)
 {
     const struct frob_scout *d = (const struct frob_scout *)device;
-    return i == 0 ? MOST_M_S : 2.0 * MOST_M_S / d->settings[FROB_SCOUT_SEPARATION_M];
+    return frob_wheels_most(i, d->settings[FROB_SCOUT_SEPARATION_M], MOST_M_S);
 }
 
 static const struct frob_setting settings_table[FROB_SCOUT_SETTING_COUNT] = {
