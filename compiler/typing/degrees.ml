@@ -7,23 +7,50 @@ let is_angle t =
 
 let turn = 2. *. Float.pi
 
-let beyond_a_turn (n : Resolve.Ir.number) =
-  n.unit_ = None
-  && match float_of_string_opt n.digits with Some value -> value > turn | None -> false
+let operation (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Apply
+      {
+        head = { desc = Apply { head = { desc = Global g; _ }; argument = left; style = Operator _ }; _ };
+        argument = right;
+        style = Operator _;
+      }
+    when String.equal g.module_ "Prelude" ->
+      Some (left, g.name, right)
+  | _ -> None
+
+(* The value of a number, or of a product of numbers, without a unit. *)
+let rec constant (e : Resolve.Ir.expr) =
+  match (e.desc, operation e) with
+  | Number { unit_ = None; digits; _ }, _ -> float_of_string_opt digits
+  | Negate operand, _ -> Option.map Float.neg (constant operand)
+  | _, Some (left, "*", right) -> both ( *. ) left right
+  | _, Some (left, "/", right) -> both ( /. ) left right
+  | _ -> None
+
+and both compute left right =
+  match (constant left, constant right) with
+  | Some a, Some b -> Some (compute a b)
+  | _, _ -> None
 
 (* Not by [Context.report]: what it counts are errors. *)
-let report (ctx : Context.t) ~at ~negative (n : Resolve.Ir.number) =
-  let degrees = Printf.sprintf "%s[deg]" n.digits in
+let report (ctx : Context.t) (e : Resolve.Ir.expr) =
+  let cure =
+    match e.desc with
+    | Number n -> Printf.sprintf "for degrees write `%s[deg]`" n.digits
+    | Negate { desc = Number n; _ } -> Printf.sprintf "for degrees write `(-%s[deg])`" n.digits
+    | _ -> "for degrees give one of the numbers its unit, as in `90[deg]`"
+  in
   Diagnostic.(
-    warning ~code:"W0303" ~at "this angle is more than a whole turn: it is in radians"
-    |> hint
-         (Printf.sprintf "for degrees write `%s`"
-            (if negative then Printf.sprintf "(-%s)" degrees else degrees))
-    |> emit ctx.reader.sink)
+    warning ~code:"W0303" ~at:e.span "this angle is more than a whole turn: it is in radians"
+    |> hint cure |> emit ctx.reader.sink)
 
-let warn ctx (e : Resolve.Ir.expr) (expected : Expected.t) =
-  match e.desc with
-  | Number n when is_angle expected.ty && beyond_a_turn n -> report ctx ~at:e.span ~negative:false n
-  | Negate { desc = Number n; _ } when is_angle expected.ty && beyond_a_turn n ->
-      report ctx ~at:e.span ~negative:true n
-  | _ -> ()
+let rec warn_of_angle ctx (e : Resolve.Ir.expr) =
+  match (constant e, operation e) with
+  | Some value, _ -> if Float.abs value > turn then report ctx e
+  | None, Some (left, ("+" | "-"), right) ->
+      warn_of_angle ctx left;
+      warn_of_angle ctx right
+  | None, _ -> ()
+
+let warn ctx e (expected : Expected.t) = if is_angle expected.ty then warn_of_angle ctx e

@@ -156,3 +156,44 @@ that says `rad`, or that is no angle, is left alone.
     = hint: for degrees write `45[deg]`
   
   3 warnings
+
+So is what is added to an angle, and a product of numbers; a number beside a signal may
+well be a frequency.
+
+  $ cat > sums.frob <<'FROB'
+  > import Geometry
+  > back :: Pose -> Angle -> Angle
+  > back p a = wrapAngle (p.heading - 180 + a)
+  > right :: Angle -> Angle
+  > right a = a + 2 * 45
+  > wave :: Float -> Angle -> Float
+  > wave t a = sin (100 * t) + cos (-(90 / 1)) + sin (7 / 2 + t) + cos (a + 90[deg]) + tan (t - 4 - 5)
+  > main :: SF Float Float
+  > main = proc x -> wave x x + right x + back (Pose { position = zeroVec, heading = x }) x
+  > FROB
+  $ frobc check sums.frob
+  warning[W0303]: this angle is more than a whole turn: it is in radians
+   --> sums.frob:3:35
+    |
+  3 | back p a = wrapAngle (p.heading - 180 + a)
+    |                                   ^^^
+    |
+    = hint: for degrees write `180[deg]`
+  
+  warning[W0303]: this angle is more than a whole turn: it is in radians
+   --> sums.frob:5:15
+    |
+  5 | right a = a + 2 * 45
+    |               ^^^^^^
+    |
+    = hint: for degrees give one of the numbers its unit, as in `90[deg]`
+  
+  warning[W0303]: this angle is more than a whole turn: it is in radians
+   --> sums.frob:7:33
+    |
+  7 | wave t a = sin (100 * t) + cos (-(90 / 1)) + sin (7 / 2 + t) + cos (a + 90[deg]) + tan (t - 4 - 5)
+    |                                 ^^^^^^^^^
+    |
+    = hint: for degrees give one of the numbers its unit, as in `90[deg]`
+  
+  3 warnings
