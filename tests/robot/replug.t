@@ -74,7 +74,7 @@ One that was turned off does not answer; the first time that is an error.
   $ start_robot
   $ kill -STOP $robot
   $ frobc run drive.frob --for 1s --device ./line --set baud=9600 > /dev/null
-  error: no pioneer answers on ./line: is it turned on, and is this its line?; the robot was told to stop
+  error: no pioneer answers on ./line at 9600 baud: is it turned on, is its cable plugged in, and are this its line and its rate (`--set baud=...`)?; the robot was told to stop
   [4]
   $ kill -CONT $robot
   $ end_robot

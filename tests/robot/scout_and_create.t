@@ -96,3 +96,21 @@ Create drives on meanwhile; the Scout's watchdog stops it after a second.
   connections: 2
   DRIVE_DIRECT 0 0
   connections: 2
+
+One that does not answer may be turned off, elsewhere, or want another rate: the message
+tells which was tried. On a line where something sends it is not the cable.
+
+  $ kind=scout; start_robot; kill -STOP $robot
+  $ frobc run forward.frob --robot scout --device ./line --for 1s > summary
+  error: no scout answers on ./line at 38400 baud: is it turned on, is its cable plugged in, and are this its line and its rate (`--set baud=...`)?; the robot was told to stop
+  [4]
+  $ frobc run forward.frob --robot create --device ./line --for 1s --set baud=57600 > summary
+  error: no create answers on ./line at 57600 baud: is it turned on, is its cable plugged in, and are this its line and its rate (`--set baud=...`)?; the robot was told to stop
+  [4]
+  $ kill -CONT $robot; end_robot
+  $ kind=pioneer; start_robot; start_driving
+  $ kill -KILL $run $controller $guard
+  $ frobc run forward.frob --robot create --device ./line --for 1s > summary
+  error: something sends on ./line, but no create answers at 115200 baud: are this its line and its rate (`--set baud=...`)?; the robot was told to stop
+  [4]
+  $ end_robot

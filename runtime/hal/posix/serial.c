@@ -165,6 +165,7 @@ static enum frob_status line_read(void *port, uint8_t *bytes, size_t room, size_
     if (got <= 0)
         return lost(line);
     *count = (size_t)got;
+    line->heard = true;
     return FROB_OK;
 }
 

@@ -100,6 +100,16 @@ static void end(struct supervisor *s, int status, const char *format, ...)
 
 /* {1 The robot} */
 
+/* A setting of the driver by its name; null if it has none of that name. */
+static const double *setting(const struct supervisor *s, const char *name)
+{
+    for (size_t i = 0; i < s->driver->setting_count; i++) {
+        if (strcmp(s->driver->settings[i].name, name) == 0)
+            return &s->options->settings[i];
+    }
+    return NULL;
+}
+
 /* Begins a session on the line, which has just been opened. */
 static void begin_session(struct supervisor *s)
 {
@@ -124,6 +134,25 @@ static const char *reason(enum frob_status status)
     return status == FROB_TIMEOUT ? "it does not answer" : "its line is gone";
 }
 
+/* What was tried, and what may be the cause: bytes that are no answer point to
+ * the rate or to another device, silence to power and cable as well. */
+static void nobody_answers(struct supervisor *s)
+{
+    const char *device = s->line.device, *robot = s->driver->robot;
+    const double *baud = setting(s, "baud");
+    bool has_rate = !frob_posix_is_tcp(device) && (baud == NULL || *baud > 0.0);
+    const char *its = has_rate && baud != NULL ? "are this its line and its rate (`--set baud=...`)?"
+                                               : "is this its line?";
+    char rate[40] = "";
+    if (has_rate)
+        snprintf(rate, sizeof rate, " at %.0f baud", baud != NULL ? *baud : s->driver->rate);
+    if (s->line.port.heard)
+        end(s, FAULT, "something sends on %s, but no %s answers%s: %s", device, robot, rate, its);
+    else
+        end(s, FAULT, "no %s answers on %s%s: is it turned on, is its cable plugged in, and %s", robot,
+            device, rate, its);
+}
+
 static void robot_failed(struct supervisor *s)
 {
     enum frob_status status = s->robot.status;
@@ -131,8 +160,7 @@ static void robot_failed(struct supervisor *s)
         const char *who = s->driver->describe(s->device);
         end(s, FAULT, "the robot cannot be driven%s%s", who[0] != '\0' ? ": " : "", who);
     } else if (s->robot.connections == 0) {
-        end(s, FAULT, "no %s answers on %s: is it turned on, and is this its line?",
-            s->driver->robot, s->line.device);
+        nobody_answers(s);
     } else {
         tell(s, "the robot is lost: %s", reason(status));
         if (s->options->reconnect_s <= 0.0)
