@@ -88,14 +88,25 @@ let write path text = Result.map_error (fun reason -> Untried reason) (Commands.
 
 (* {1 Before anything of ours is tried} *)
 
+(* A compiler for a board has no system that a program could print through. *)
+let not_linked t text =
+  Printf.sprintf
+    "`%s` compiles a program of one line, and does not link it. If it is for a board, give it a library that prints \
+     through an emulator, and name that: for newlib --cflags \"%s --specs=rdimon.specs\" --runner qemu-arm\n\
+     %s"
+    (command t) (String.concat " " Toolchain.flags) text
+
 let works t =
   let source = t.folder / "hello.c" and program = t.folder / "hello" in
   let* () = write source "#include <stdio.h>\nint main(void)\n{\n    puts(\"right\");\n    return 0;\n}\n" in
   let* said =
     Result.map_error
       (function
-        | Unfit text -> Untried ("the C compiler does not compile a program of one line: " ^ text)
-        | Untried _ as failure -> failure)
+        | Untried _ as failure -> failure
+        | Unfit text -> (
+            match compiled t [ "-c"; "-o"; program ^ ".o"; source ] with
+            | Ok _ -> Untried (not_linked t text)
+            | Error _ -> Untried ("the C compiler does not compile a program of one line: " ^ text)))
       (compiled t [ "-o"; program; source ])
   in
   warn t said;

@@ -436,6 +436,14 @@ let selftest =
       `P
         "The exit status is 0 if the compiler is fit, 1 if it is not, and 2 if it could not be \
          tried.";
+      `P
+        "A compiler for another machine needs an emulator that runs its programs, one for a board \
+         also a library that prints through it:";
+      `Pre
+        "frobc selftest --cc aarch64-linux-gnu-gcc \\\n\
+        \  --cflags \"-O2 -ffp-contract=off -static\" --runner qemu-aarch64\n\
+         frobc selftest --cc arm-none-eabi-gcc \\\n\
+        \  --cflags \"-O2 -ffp-contract=off --specs=rdimon.specs\" --runner qemu-arm";
     ]
   in
   command "selftest" ~man ~doc:"whether a C compiler, with its options, is fit for generated C"

@@ -25,6 +25,7 @@ clang-O3|clang|$exact -O3|
 tcc|tcc|-std=c99|
 aarch64|aarch64-linux-gnu-gcc|$exact -O2 -static|qemu-aarch64
 armhf|arm-linux-gnueabihf-gcc|$exact -O2 -static|qemu-arm
+newlib|arm-none-eabi-gcc|$exact -O2 --specs=rdimon.specs|qemu-arm
 END
 }
 

@@ -108,6 +108,19 @@ that compiles nothing, one for another machine.
   error: what `gcc -std=c99 -O2 -ffp-contract=off` compiles does not run here with `no-emulator`: there is no `no-emulator` here
   [2]
 
+One for a board may know no way to print: it compiles, and does not link.
+
+  $ cat > board-cc <<'END'
+  > #!/bin/sh
+  > for argument in "$@"; do [ "$argument" = -c ] && exec gcc "$@"; done
+  > exec gcc "$@" -nostartfiles -nodefaultlibs
+  > END
+  $ chmod +x board-cc
+  $ frobc selftest --cc ./board-cc 2>&1 | head -3
+  compiler: ./board-cc -std=c99 -O2 -ffp-contract=off
+  error: `./board-cc -std=c99 -O2 -ffp-contract=off` compiles a program of one line, and does not link it. If it is for a board, give it a library that prints through an emulator, and name that: for newlib --cflags "-std=c99 -O2 -ffp-contract=off --specs=rdimon.specs" --runner qemu-arm
+  `./board-cc -std=c99 -O2 -ffp-contract=off` fails with status 1:
+
 An emulator, or anything that runs a program:
 
   $ verdict --cc gcc --runner "env FROB=1"
