@@ -440,9 +440,9 @@ let selftest =
         "A compiler for another machine needs an emulator that runs its programs, one for a board \
          also a library that prints through it:";
       `Pre
-        "frobc selftest --cc aarch64-linux-gnu-gcc \\\n\
+        "frobc selftest --cc aarch64-linux-gnu-gcc \\\\\n\
         \  --cflags \"-O2 -ffp-contract=off -static\" --runner qemu-aarch64\n\
-         frobc selftest --cc arm-none-eabi-gcc \\\n\
+         frobc selftest --cc arm-none-eabi-gcc \\\\\n\
         \  --cflags \"-O2 -ffp-contract=off --specs=rdimon.specs\" --runner qemu-arm";
     ]
   in
