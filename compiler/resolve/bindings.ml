@@ -53,9 +53,9 @@ let signatures declarations =
   in
   List.rev (List.fold_left add [] declarations)
 
-(* The signatures by name. Emits for one that is repeated, or has no binding
-   among the names in [bound]. *)
-let signature_table (scope : Scope.t) ~bound signatures =
+(* The signatures by name. Emits for one that is repeated, or has no binding:
+   is not one of the [names], which are in order. *)
+let signature_table (scope : Scope.t) ~is_bound ~names signatures =
   let report_repeated (first : Syntax.Ir.name) (name : Syntax.Ir.name) =
     Diagnostic.error ~code:"E0211" ~at:name.span "`%s` has two signatures" name.text
     |> Diagnostic.label ~at:first.span "the first is here"
@@ -64,8 +64,7 @@ let signature_table (scope : Scope.t) ~bound signatures =
   let report_unbound (name : Syntax.Ir.name) =
     Diagnostic.error ~code:"E0214" ~at:name.span "the signature of `%s` has no definition with it"
       name.text
-    |> Context.suggest scope.context name.text
-         (lazy (List.map fst (String_map.bindings bound)))
+    |> Context.suggest scope.context name.text names
     |> Context.emit scope.context
   in
   let add table ((name : Syntax.Ir.name), ty) =
@@ -74,7 +73,7 @@ let signature_table (scope : Scope.t) ~bound signatures =
         report_repeated first name;
         table
     | None ->
-        if not (String_map.mem name.text bound) then report_unbound name;
+        if not (is_bound name.text) then report_unbound name;
         String_map.add name.text (name, Types.scheme scope ty) table
   in
   List.fold_left add String_map.empty signatures
@@ -160,7 +159,12 @@ and declarations env ~expr ~command ~items ~signatures =
       let items = Array.of_list items in
       let binders = Array.map (binder (Env.scope env)) items in
       let group = Groups.create (Array.length binders) in
-      let table = signature_table (Env.scope env) ~bound:(bound binders) signatures in
+      let bound = bound binders in
+      let table =
+        signature_table (Env.scope env) signatures
+          ~is_bound:(fun name -> String_map.mem name bound)
+          ~names:(lazy (List.map fst (String_map.bindings bound)))
+      in
       let env = Env.bind env (variables group table binders) in
       let resolve i item =
         let name = fst binders.(i) in
@@ -193,26 +197,32 @@ let report_operator (scope : Scope.t) (name : Syntax.Ir.name) =
 (* The definitions of a module by name, in order. Of those of one name only the
    first: the others are reported where the module's names are collected. *)
 let definitions (scope : Scope.t) declarations =
-  let add ((count, index, reversed) as all) item =
+  let index = String_table.create 16 in
+  let add ((count, reversed) as all) item =
     match item.left with
     | Pattern { desc = Bound name; _ } | Name name | Function_name { name; _ } ->
         if is_operator name.text && not scope.library then report_operator scope name;
-        if String_map.mem name.text index then all
-        else (count + 1, String_map.add name.text count index, (name, item) :: reversed)
+        if String_table.mem index name.text then all
+        else begin
+          String_table.add index name.text count;
+          (count + 1, (name, item) :: reversed)
+        end
     | Pattern _ ->
         report_pattern scope item;
         all
   in
-  let _, index, reversed =
-    List.fold_left add (0, String_map.empty, []) (items declarations)
-  in
+  let _, reversed = List.fold_left add (0, []) (items declarations) in
   (index, Array.of_list (List.rev reversed))
 
 let top_level (scope : Scope.t) ~expr ~command declarations =
   let index, definitions = definitions scope declarations in
   let group = Groups.create (Array.length definitions) in
   let env = Env.top scope group index in
-  let table = signature_table scope ~bound:index (signatures declarations) in
+  let table =
+    signature_table scope (signatures declarations)
+      ~is_bound:(String_table.mem index)
+      ~names:(lazy (in_order index))
+  in
   let resolve i ((name : Syntax.Ir.name), item) =
     let signature = Option.map snd (String_map.find_opt name.text table) in
     let global : Ir.Global.t = { module_ = scope.module_; name = name.text } in

@@ -9,7 +9,7 @@ type t = {
   locals : variable String_map.t;
   signals : Proc_signals.t list Lazy.t option;
   top_level : Groups.t;
-  top_index : int String_map.t;
+  top_index : int String_table.t;
 }
 
 let top scope top_level top_index =
@@ -21,7 +21,7 @@ let beside_procs t (r : Syntax.Ir.right) =
   | Some _ when r.where = [] -> t
   | Some around ->
       { t with signals = Some (lazy (Proc_signals.of_body r.body @ Lazy.force around)) }
-let of_module scope = top scope (Groups.create 0) String_map.empty
+let of_module scope = top scope (Groups.create 0) (String_table.create 1)
 let scope t = t.scope
 let context t = t.scope.context
 
@@ -67,7 +67,7 @@ let refer_to_local variable : Ir.expr_desc =
 
 let refer_to_value t (value : value) : Ir.expr_desc =
   (if String.equal value.global.module_ t.scope.module_ then
-   match String_map.find_opt value.global.name t.top_index with
+   match String_table.find_opt t.top_index value.global.name with
    | Some index -> Groups.refer t.top_level ~signed:value.signed index
    | None -> ());
   Global value.global

@@ -5,7 +5,7 @@ open Basis
 
 type t
 
-val top : Scope.t -> Groups.t -> int Interface.String_map.t -> t
+val top : Scope.t -> Groups.t -> int String_table.t -> t
 (** No locals; the module's own definitions have these numbers in the group
     of its top level. *)
 

@@ -31,17 +31,17 @@ type unit_name = { global : Ir.Global.t; span : Span.t }
 type class_ = { global : Ir.Global.t; methods : string list; span : Span.t }
 
 type names = {
-  values : value String_map.t;
-  constructors : constructor String_map.t;
-  tycons : tycon String_map.t;
-  units : unit_name String_map.t;
-  classes : class_ String_map.t;
+  values : value String_table.t;
+  constructors : constructor String_table.t;
+  tycons : tycon String_table.t;
+  units : unit_name String_table.t;
+  classes : class_ String_table.t;
 }
 
 type 'a space = {
   noun : string;
   unknown : string;
-  table : names -> 'a String_map.t;
+  table : names -> 'a String_table.t;
   global : 'a -> Ir.Global.t;
   place : 'a -> Span.t;
 }
@@ -91,13 +91,13 @@ let classes =
     place = (fun (c : class_) -> c.span);
   }
 
-let empty =
+let none () =
   {
-    values = String_map.empty;
-    constructors = String_map.empty;
-    tycons = String_map.empty;
-    units = String_map.empty;
-    classes = String_map.empty;
+    values = String_table.create 16;
+    constructors = String_table.create 16;
+    tycons = String_table.create 16;
+    units = String_table.create 16;
+    classes = String_table.create 16;
   }
 
 let is_operator text =
@@ -143,35 +143,35 @@ let builtin_names ~file =
     (name, { global = { module_ = prelude; name }; methods = []; span })
   in
   {
-    empty with
-    tycons = String_map.of_seq (List.to_seq (builtin_types ~file));
-    constructors = String_map.of_seq (List.to_seq [ truth "False"; truth "True" ]);
-    classes = String_map.of_seq (List.to_seq (List.map class_ builtin_class_names));
+    (none ()) with
+    tycons = String_table.of_seq (List.to_seq (builtin_types ~file));
+    constructors = String_table.of_seq (List.to_seq [ truth "False"; truth "True" ]);
+    classes = String_table.of_seq (List.to_seq (List.map class_ builtin_class_names));
   }
 
 (* Adds to one name space, unless the name is taken. *)
-let add context space ?(hint = Fun.id) table (name : Syntax.Ir.name) entry =
-  match String_map.find_opt name.text table with
-  | None -> String_map.add name.text entry table
+let add context space ?(hint = Fun.id) names (name : Syntax.Ir.name) entry =
+  let table = space.table names in
+  match String_table.find_opt table name.text with
+  | None -> String_table.add table name.text entry
   | Some earlier ->
       Diagnostic.error ~code:"E0211" ~at:name.span "the %s `%s` is defined twice" space.noun
         name.text
       |> Diagnostic.label ~at:(space.place earlier) "first defined here"
-      |> hint |> Context.emit context;
-      table
+      |> hint |> Context.emit context
 
 let signed_names declarations =
-  let add names (d : Syntax.Ir.declaration) =
+  let signed = String_table.create 16 in
+  let sign (name : Syntax.Ir.name) = String_table.replace signed name.text () in
+  let declaration (d : Syntax.Ir.declaration) =
     match d.desc with
-    | Signature { names = signed; _ } ->
-        List.fold_left
-          (fun names (n : Syntax.Ir.name) -> String_set.add n.text names)
-          names signed
+    | Signature { names; _ } -> List.iter sign names
     | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
     | Primitive _ | Foreign _ ->
-        names
+        ()
   in
-  List.fold_left add String_set.empty declarations
+  List.iter declaration declarations;
+  signed
 
 let field_names : Syntax.Ir.fields -> string list option = function
   | Positional _ -> None
@@ -201,15 +201,17 @@ let method_names members =
   List.concat_map names members
 
 let declared context ~module_ (program : Syntax.Ir.program) =
+  let names =
+    if String.equal module_ prelude then builtin_names ~file:program.file else none ()
+  in
   let signed = signed_names program.declarations in
   let global name : Ir.Global.t = { module_; name } in
-  let value ?hint ?class_ names (name : Syntax.Ir.name) ~signed =
-    let entry : value = { global = global name.text; signed; class_; span = name.span } in
-    { names with values = add context values ?hint names.values name entry }
+  let value ?hint ?class_ (name : Syntax.Ir.name) ~signed =
+    add context values ?hint names name { global = global name.text; signed; class_; span = name.span }
   in
-  let tycon names ?(units_optional = false) (name : Syntax.Ir.name)
+  let tycon ?(units_optional = false) (name : Syntax.Ir.name)
       (parameters : Syntax.Ir.type_parameters) record_fields =
-    let entry =
+    add context tycons names name
       {
         global = global name.text;
         unit_arity = List.length parameters.units;
@@ -218,11 +220,9 @@ let declared context ~module_ (program : Syntax.Ir.program) =
         record_fields;
         span = name.span;
       }
-    in
-    { names with tycons = add context tycons names.tycons name entry }
   in
-  let constructor owner names (c : Syntax.Ir.constructor) =
-    let entry =
+  let constructor owner (c : Syntax.Ir.constructor) =
+    add context constructors names c.name
       {
         global = global c.name.text;
         tycon = owner;
@@ -230,88 +230,95 @@ let declared context ~module_ (program : Syntax.Ir.program) =
         fields = field_names c.fields;
         span = c.name.span;
       }
-    in
-    { names with constructors = add context constructors names.constructors c.name entry }
   in
-  let unit_name names (name : Syntax.Ir.name) =
-    let entry = { global = global name.text; span = name.span } in
-    { names with units = add context units names.units name entry }
-  in
-  let declaration names (d : Syntax.Ir.declaration) =
+  let declaration (d : Syntax.Ir.declaration) =
     match d.desc with
-    | Signature _ -> names
-    | Binding { left = Name name; _ } ->
-        value names name ~signed:(String_set.mem name.text signed)
+    | Signature _ -> ()
+    | Binding { left = Name name; _ } -> value name ~signed:(String_table.mem signed name.text)
     | Binding { left = Function_name { name; _ }; _ } ->
-        value names name
+        value name
           ~hint:(Diagnostic.hint "a function has one clause; distinguish its arguments with `case`")
-          ~signed:(String_set.mem name.text signed)
-    | Binding { left = Pattern _; _ } -> names
-    | Primitive { names = primitives; _ } ->
-        List.fold_left (fun names name -> value names name ~signed:true) names primitives
-    | Foreign (Foreign_value { name; _ }) -> value names name ~signed:true
-    | Foreign (Foreign_type { name; _ }) -> tycon names name { units = []; types = [] } []
-    | Foreign (Foreign_include _) -> names
+          ~signed:(String_table.mem signed name.text)
+    | Binding { left = Pattern _; _ } -> ()
+    | Primitive { names = primitives; _ } -> List.iter (fun name -> value name ~signed:true) primitives
+    | Foreign (Foreign_value { name; _ }) -> value name ~signed:true
+    | Foreign (Foreign_type { name; _ }) -> tycon name { units = []; types = [] } []
+    | Foreign (Foreign_include _) -> ()
     | Type_alias { name; parameters; body } ->
-        tycon names ~units_optional:(names_a_number parameters body) name parameters []
+        tycon ~units_optional:(names_a_number parameters body) name parameters []
     | Data { name; parameters; constructors } ->
         let fields =
           match constructors with
           | [ { fields; _ } ] -> Option.value (field_names fields) ~default:[]
           | _ -> []
         in
-        let names = tycon names name parameters fields in
-        List.fold_left (constructor (global name.text)) names constructors
-    | Base_unit name | Scaled_unit { name; _ } -> unit_name names name
+        tycon name parameters fields;
+        List.iter (constructor (global name.text)) constructors
+    | Base_unit name | Scaled_unit { name; _ } ->
+        add context units names name { global = global name.text; span = name.span }
     | Class { name; members; _ } ->
         let methods = method_names members in
         let texts = Long_list.map (fun (m : Syntax.Ir.name) -> m.text) methods in
-        let entry : class_ = { global = global name.text; methods = texts; span = name.span } in
-        let names = { names with classes = add context classes names.classes name entry } in
         let class_ = global name.text in
-        List.fold_left (fun names m -> value names m ~class_ ~signed:true) names methods
-    | Instance _ -> names
+        add context classes names name { global = class_; methods = texts; span = name.span };
+        List.iter (fun name -> value ~class_ name ~signed:true) methods
+    | Instance _ -> ()
   in
-  let start = if String.equal module_ prelude then builtin_names ~file:program.file else empty in
-  List.fold_left declaration start program.declarations
+  List.iter declaration program.declarations;
+  names
+
+let filter wanted table =
+  let found = String_table.create 16 in
+  String_table.iter
+    (fun name entry -> if wanted name entry then String_table.add found name entry)
+    table;
+  found
 
 let select names wanted =
   let named name _ = String_set.mem name wanted in
   let of_type name (c : constructor) =
-    named name c || (String_set.mem c.tycon.name wanted && String_map.mem c.tycon.name names.tycons)
+    named name c
+    || (String_set.mem c.tycon.name wanted && String_table.mem names.tycons c.tycon.name)
   in
   let of_class name (v : value) =
     named name v
     ||
     match v.class_ with
-    | Some c -> String_set.mem c.name wanted && String_map.mem c.name names.classes
+    | Some c -> String_set.mem c.name wanted && String_table.mem names.classes c.name
     | None -> false
   in
   {
-    values = String_map.filter of_class names.values;
-    constructors = String_map.filter of_type names.constructors;
-    tycons = String_map.filter named names.tycons;
-    units = String_map.filter named names.units;
-    classes = String_map.filter named names.classes;
+    values = filter of_class names.values;
+    constructors = filter of_type names.constructors;
+    tycons = filter named names.tycons;
+    units = filter named names.units;
+    classes = filter named names.classes;
   }
 
 let mem names name =
-  String_map.mem name names.values
-  || String_map.mem name names.constructors
-  || String_map.mem name names.tycons
-  || String_map.mem name names.units
-  || String_map.mem name names.classes
+  String_table.mem names.values name
+  || String_table.mem names.constructors name
+  || String_table.mem names.tycons name
+  || String_table.mem names.units name
+  || String_table.mem names.classes name
 
 let union a b =
-  let first _ x _ = Some x in
+  let first a b =
+    let both = String_table.copy b in
+    String_table.iter (String_table.replace both) a;
+    both
+  in
   {
-    values = String_map.union first a.values b.values;
-    constructors = String_map.union first a.constructors b.constructors;
-    tycons = String_map.union first a.tycons b.tycons;
-    units = String_map.union first a.units b.units;
-    classes = String_map.union first a.classes b.classes;
+    values = first a.values b.values;
+    constructors = first a.constructors b.constructors;
+    tycons = first a.tycons b.tycons;
+    units = first a.units b.units;
+    classes = first a.classes b.classes;
   }
 
+let in_order table =
+  String_table.fold (fun name _ names -> name :: names) table [] |> List.sort String.compare
+
 let all names =
-  let add table rest = String_map.fold (fun name _ rest -> name :: rest) table rest in
+  let add table rest = List.rev_append (in_order table) rest in
   add names.values (add names.constructors (add names.tycons (add names.units (add names.classes []))))

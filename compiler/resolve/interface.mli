@@ -36,18 +36,19 @@ type unit_name = { global : Ir.Global.t; span : Span.t }
 type class_ = { global : Ir.Global.t; methods : string list; span : Span.t }
 
 type names = {
-  values : value String_map.t;
-  constructors : constructor String_map.t;
-  tycons : tycon String_map.t;
-  units : unit_name String_map.t;
-  classes : class_ String_map.t;
+  values : value String_table.t;
+  constructors : constructor String_table.t;
+  tycons : tycon String_table.t;
+  units : unit_name String_table.t;
+  classes : class_ String_table.t;
 }
+(** Tables that nobody changes any more. *)
 
 (** One of the five name spaces, for what treats them alike. *)
 type 'a space = {
   noun : string;  (** ["type"]; in messages *)
   unknown : string;  (** the code of an unknown name *)
-  table : names -> 'a String_map.t;
+  table : names -> 'a String_table.t;
   global : 'a -> Ir.Global.t;
   place : 'a -> Span.t;
 }
@@ -58,7 +59,7 @@ val tycons : tycon space
 val units : unit_name space
 val classes : class_ space
 
-val empty : names
+val none : unit -> names
 
 val is_operator : string -> bool
 (** Is this name a symbol? *)
@@ -88,6 +89,9 @@ val mem : names -> string -> bool
 
 val union : names -> names -> names
 (** The first wins. *)
+
+val in_order : 'a String_table.t -> string list
+(** The names alone, by the alphabet. *)
 
 val all : names -> string list
 (** Of all name spaces. *)

@@ -27,7 +27,7 @@ let library_names ~(files : Files.t) ~library =
           (Syntax.Parse.program sink ~file:module_ text)
   in
   let names_of modules =
-    let everything = List.fold_left (fun all (_, own, _) -> union all own) empty modules in
+    let everything = List.fold_left (fun all (_, own, _) -> union all own) (none ()) modules in
     List.map
       (fun (module_, own, exports) ->
         match exports with
@@ -80,7 +80,7 @@ let exported_values (scope : Scope.t) exports =
   let own name (value : value) list =
     if String.equal value.global.module_ scope.module_ then (value.span, name) :: list else list
   in
-  String_map.fold own exports.values []
+  String_table.fold own exports.values []
   |> List.sort (fun (a, _) (b, _) -> Span.compare a b)
   |> Long_list.map snd
 

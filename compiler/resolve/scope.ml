@@ -31,7 +31,7 @@ let imported t space visible name =
   let add found (import : import) =
     if not (visible import) then found
     else
-      match String_map.find_opt name (space.table import.names) with
+      match String_table.find_opt (space.table import.names) name with
       | None -> found
       | Some entry ->
           let same (_, other) = same_global (space.global entry) (space.global other) in
@@ -64,15 +64,15 @@ let choose t space name = function
       Some entry
 
 let look t space (name : Syntax.Ir.name) =
-  match String_map.find_opt name.text (space.table t.own) with
+  match String_table.find_opt (space.table t.own) name.text with
   | Some entry -> Some entry
   | None -> choose t space name (imported t space (fun import -> import.unqualified) name.text)
 
 let is_known t space name =
-  String_map.mem name (space.table t.own)
+  String_table.mem (space.table t.own) name
   || imported t space (fun import -> import.unqualified) name <> []
 
-let names_of table rest = String_map.fold (fun name _ rest -> name :: rest) table rest
+let names_of table rest = List.rev_append (in_order table) rest
 
 let visible_names t space locals =
   let add names (import : import) =
@@ -129,7 +129,7 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
     |> other_meaning t space name
   in
   let is_it (signal : Proc_signals.t) = String.equal signal.name.text name.text in
-  let has (m : of_library) = String_map.mem name.text (space.table m.names) in
+  let has (m : of_library) = String_table.mem (space.table m.names) name.text in
   let with_it =
     let all = List.filter has (Lazy.force t.elsewhere) in
     match List.filter (fun m -> m.gathers) all with [] -> all | gathering -> gathering
@@ -186,7 +186,7 @@ let report_unknown_module t (qualifier : Syntax.Ir.name) =
 let find_qualified t space (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) =
   let meant (import : import) = List.mem qualifier.text import.qualifiers in
   let own =
-    if String.equal qualifier.text t.module_ then String_map.find_opt name.text (space.table t.own)
+    if String.equal qualifier.text t.module_ then String_table.find_opt (space.table t.own) name.text
     else None
   in
   match own with
@@ -249,7 +249,7 @@ let records_by_field own (imports : import list) =
     List.fold_left add fields record.record_fields
   in
   let add fields names =
-    String_map.fold (fun _ record fields -> add_record record fields) names.tycons fields
+    String_table.fold (fun _ record fields -> add_record record fields) names.tycons fields
   in
   let all = List.fold_left (fun fields (i : import) -> add fields i.names) String_map.empty imports in
   String_map.map (List.sort_uniq compare_records) (add all own)
