@@ -97,8 +97,10 @@ and application env (e : T.expr) arguments =
   | Constructor (c, _) -> saturate env e c arguments
   | _ ->
     List.fold_left
-      (fun f (argument, (whole : T.expr)) ->
-        Term.apply f (expr env argument) (Erasure.ty whole.ty) whole.span)
+      (fun (f : Ir.expr) (argument, (whole : T.expr)) ->
+        (* which stands in the type of [f] already *)
+        let ty = match f.ty with Function (_, ty) -> ty | _ -> Erasure.ty whole.ty in
+        Term.apply f (expr env argument) ty whole.span)
       (expr env e) arguments
 
 (* A constructor as a function becomes one, of the fields still missing. *)
