@@ -203,6 +203,13 @@ let level w place (p : pattern) =
   | Some node -> Level_graph.level node
   | None -> ( match place.position with Outside -> Static | _ -> Signal)
 
+(* Nothing is made anew without need: most expressions stay as they are, and large
+   programs have very many. *)
+
+let map_same f list =
+  let mapped = Long_list.map f list in
+  if List.for_all2 (==) list mapped then list else mapped
+
 let rec expr w place (e : expr) : expr =
   let with_ desc : expr = { e with desc } in
   match e.desc with
@@ -213,53 +220,84 @@ let rec expr w place (e : expr) : expr =
     not_constant w e (Computed e.span);
     e
   | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> e
-  | Tuple es -> with_ (Tuple (Long_list.map (expr w place) es))
-  | Array es -> with_ (Array (Long_list.map (expr w place) es))
+  | Tuple es -> several w place e es (fun es -> Tuple es)
+  | Array es -> several w place e es (fun es -> Array es)
   | Apply ({ desc = Apply ({ desc = Primitive ({ name = "!"; _ }, _); _ }, array); _ }, k) ->
     with_ (Index (expr w place array, index w array k))
-  | Index (array, k) -> with_ (Index (expr w place array, k))
+  | Index (array, k) -> one w place e array (fun array -> Index (array, k))
   | Apply (f, a) ->
-    let f = expr w place f in
-    with_ (Apply (f, expr w place a))
+    let f' = expr w place f in
+    let a' = expr w place a in
+    if f' == f && a' == a then e else with_ (Apply (f', a'))
   | Run (h, input) ->
     let head = expr w (instance w place e h) h in
-    with_ (Run (head, expr w place input))
-  | Negate a -> with_ (Negate (expr w place a))
-  | Power (a, k) -> with_ (Power (expr w place a, k))
-  | Field (a, c, i) -> with_ (Field (expr w place a, c, i))
+    let input' = expr w place input in
+    if head == h && input' == input then e else with_ (Run (head, input'))
+  | Negate a -> one w place e a (fun a -> Negate a)
+  | Power (a, k) -> one w place e a (fun a -> Power (a, k))
+  | Field (a, c, i) -> one w place e a (fun a -> Field (a, c, i))
   | If (condition, a, b) ->
-    let condition = expr w place condition in
+    let condition' = expr w place condition in
     let place = conditional place In_branch in
-    let a = expr w place a in
-    with_ (If (condition, a, expr w place b))
+    let a' = expr w place a in
+    let b' = expr w place b in
+    if condition' == condition && a' == a && b' == b then e else with_ (If (condition', a', b'))
   | Case (scrutinee, branches) ->
-    let scrutinee = expr w place scrutinee in
+    let scrutinee' = expr w place scrutinee in
     let place = conditional place In_branch in
-    let branch (b : branch) = { b with value = expr w place b.value } in
-    with_ (Case (scrutinee, Long_list.map branch branches))
+    let branch (b : branch) =
+      let value = expr w place b.value in
+      if value == b.value then b else { b with value }
+    in
+    let branches' = map_same branch branches in
+    if scrutinee' == scrutinee && branches' == branches then e
+    else with_ (Case (scrutinee', branches'))
   | Let (bindings, body) ->
-    let bindings = Long_list.map (binding w place) bindings in
-    with_ (Let (bindings, expr w place body))
-  | Lambda (patterns, body) -> with_ (Lambda (patterns, function_ w place "" body))
+    let bindings' = map_same (binding w place) bindings in
+    let body' = expr w place body in
+    if bindings' == bindings && body' == body then e else with_ (Let (bindings', body'))
+  | Lambda (patterns, body) -> lambda w place "" e patterns body
   | Guards (guarded, last) ->
     let in_guard = conditional place In_guard and in_branch = conditional place In_branch in
-    let alternative (guard, value) =
-      let guard = expr w in_guard guard in
-      (guard, expr w in_branch value)
+    let alternative ((guard, value) as unchanged) =
+      let guard' = expr w in_guard guard in
+      let value' = expr w in_branch value in
+      if guard' == guard && value' == value then unchanged else (guard', value')
     in
-    let guarded = Long_list.map alternative guarded in
-    with_ (Guards (guarded, Option.map (expr w in_branch) last))
+    let guarded' = map_same alternative guarded in
+    let last' = Option.map (expr w in_branch) last in
+    if guarded' == guarded && Option.equal ( == ) last' last then e
+    else with_ (Guards (guarded', last'))
   | Proc { input; equations; output } ->
     let depth = place.depth + 1 in
     let place = { place with position = Every_instant; depth; proc_depth = depth } in
-    let equations = Long_list.map (binding w place) equations in
-    with_ (Proc { input; equations; output = expr w place output })
-  | Record (c, fields) -> with_ (Record (c, Long_list.map (field w place) fields))
+    let equations' = map_same (binding w place) equations in
+    let output' = expr w place output in
+    if equations' == equations && output' == output then e
+    else with_ (Proc { input; equations = equations'; output = output' })
+  | Record (c, fields) ->
+    let fields' = map_same (field w place) fields in
+    if fields' == fields then e else with_ (Record (c, fields'))
   | Update (record, c, fields) ->
-    let record = expr w place record in
-    with_ (Update (record, c, Long_list.map (field w place) fields))
+    let record' = expr w place record in
+    let fields' = map_same (field w place) fields in
+    if record' == record && fields' == fields then e else with_ (Update (record', c, fields'))
 
-and field w place (i, e) = (i, expr w place e)
+and one w place e part make =
+  let part' = expr w place part in
+  if part' == part then e else { e with desc = make part' }
+
+and several w place e parts make =
+  let parts' = map_same (expr w place) parts in
+  if parts' == parts then e else { e with desc = make parts' }
+
+and field w place ((i, e) as unchanged) =
+  let e' = expr w place e in
+  if e' == e then unchanged else (i, e')
+
+and lambda w place name e patterns body =
+  let body' = function_ w place name body in
+  if body' == body then e else { e with desc = Lambda (patterns, body') }
 
 and function_ w place name body =
   let position =
@@ -273,8 +311,7 @@ and binding w place (b : binding) =
   let level = level w place b.pattern in
   let value =
     match (b.pattern.desc, b.pattern.ty, b.value.desc) with
-    | Bound x, _, Lambda (patterns, body) ->
-      { b.value with desc = Lambda (patterns, function_ w place x.name body) }
+    | Bound x, _, Lambda (patterns, body) -> lambda w place x.name b.value patterns body
     | Bound x, Signal_function _, _ -> expr w (enter place (Binding_of x)) b.value
     | Bound x, Data { tycon; _ }, _ when tycon = Environment.task ->
       expr w (enter place (Binding_of_task x)) b.value
@@ -283,7 +320,7 @@ and binding w place (b : binding) =
   (match (level, b.pattern.desc, b.pattern.ty) with
   | Constant, Bound x, Number _ -> Constant_index.local w.constants x b.value
   | _ -> ());
-  { b with level; value }
+  if level = b.level && value == b.value then b else { b with level; value }
 
 let program sink (p : program) =
   let graph = Level_dependencies.program sink p in
@@ -293,6 +330,7 @@ let program sink (p : program) =
     (match d.value.ty with
     | Number _ -> Constant_index.global w.constants d.name d.value
     | _ -> ());
-    { d with value = expr w { position = Outside; depth = 1; proc_depth = 0; regions = [] } d.value }
+    let value = expr w { position = Outside; depth = 1; proc_depth = 0; regions = [] } d.value in
+    if value == d.value then d else { d with value }
   in
   { p with definitions = Long_list.map definition p.definitions }
