@@ -57,18 +57,24 @@ let rec is_resolved = function
   | ({ solution = Some _; _ }, _) :: _ -> false
 
 let rec resolve unit_ =
-  if is_resolved unit_.flexible then unit_
-  else
-    List.fold_left
-      (fun product (x, p) ->
-        match x.solution with
-        | None -> multiply product { one with flexible = [ (x, p) ] }
-        | Some solution ->
-            let solution = resolve solution in
-            x.solution <- Some solution;
-            multiply product (power solution p))
-      { unit_ with flexible = [] }
-      unit_.flexible
+  match unit_ with
+  | { base = []; rigid = []; flexible = [ (({ solution = Some found; _ } as x), power) ] }
+    when Rational.equal power Rational.one ->
+      let solution = resolve found in
+      if solution != found then x.solution <- Some solution;
+      solution
+  | _ when is_resolved unit_.flexible -> unit_
+  | _ ->
+      List.fold_left
+        (fun product (x, p) ->
+          match x.solution with
+          | None -> multiply product { one with flexible = [ (x, p) ] }
+          | Some solution ->
+              let solution = resolve solution in
+              x.solution <- Some solution;
+              multiply product (power solution p))
+        { unit_ with flexible = [] }
+        unit_.flexible
 
 
 (* Of units without variables that are still open. *)
@@ -87,12 +93,13 @@ let deepest rigid = List.fold_left (fun depth ((r : rigid), _) -> max depth r.de
 
 (* The variable to eliminate: the innermost, so that none further out comes to
    depend on it; among those the newest. *)
+let is_before (x : flexible) (y : flexible) =
+  y.depth > x.depth || (y.depth = x.depth && y.id > x.id)
+
 let pivot = function
   | [] -> None
   | first :: rest ->
-      let better ((x : flexible), p) ((y : flexible), q) =
-        if y.depth > x.depth || (y.depth = x.depth && y.id > x.id) then (y, q) else (x, p)
-      in
+      let better (x, p) (y, q) = if is_before x y then (y, q) else (x, p) in
       Some (List.fold_left better first rest)
 
 (* [x] to the [exponent], times the rest, is 1. *)
@@ -106,13 +113,19 @@ let unify a b =
   ||
   match (a, b) with
   | { flexible = []; _ }, { flexible = []; _ } -> same a b
-  (* Nearly always one of them is a mere variable. *)
+  (* Nearly always one of them is a mere variable, or both are. *)
   | { base = []; rigid = []; flexible = [ (x, power) ] }, ({ flexible = []; _ } as other)
   | ({ flexible = []; _ } as other), { base = []; rigid = []; flexible = [ (x, power) ] }
     when Rational.equal power Rational.one ->
       let fits = x.depth >= deepest other.rigid in
       if fits then x.solution <- Some other;
       fits
+  | ( { base = []; rigid = []; flexible = [ (x, power) ] },
+      { base = []; rigid = []; flexible = [ (y, power') ] } )
+    when Rational.(equal power one && equal power' one) ->
+      if x != y then
+        if is_before x y then y.solution <- Some a else x.solution <- Some b;
+      true
   | _, _ -> (
       let quotient = divide a b in
       match pivot quotient.flexible with
