@@ -87,40 +87,53 @@ let expect t ?subject ~at (expected : Expected.t) found =
 
 let require t required = t.group.required <- required :: t.group.required
 
-let use t ~at ~name ?said scheme =
+(* What the scheme's context demands of the types of this instance. *)
+let require_context t ~at ~name ~said (scheme : Type.scheme) (instance : Type.instance) =
+  let demand (class_, argument) (_, parameter) =
+    let because =
+      Option.map
+        (fun place ->
+          ( place,
+            fun words ->
+              Printf.sprintf "`%s` asks for `%s` here" name (Show.constraint_ words class_ parameter) ))
+        said
+    in
+    let from =
+      match Type.expand parameter with
+      | Rigid r -> Some (r.variable.id, class_)
+      | _ -> None
+    in
+    require t { class_; argument; at; by = "`" ^ name ^ "`"; because; from }
+  in
+  List.iter2 demand instance.required scheme.context
+
+let note_sizes t ~at ~name ~said (scheme : Type.scheme) (instance : Type.instance) =
+  let note (r : Type.rigid) argument =
+    if r.kind = Of_sizes then
+      let written =
+        match said with
+        | Some (place : Span.t) when String.equal place.file at.Span.file -> Some r.variable.name
+        | Some _ | None -> None
+      in
+      t.group.sizes <- { size = argument; used = at; of_ = name; written } :: t.group.sizes
+  in
+  List.iter2 note scheme.types instance.type_arguments
+
+let nothing : Ir.instantiation = { types = []; representations = [] }
+
+let use t ~at ~name ?said (scheme : Type.scheme) =
   let instance = Type.instantiate t.reader.supply ~depth:t.depth scheme in
-  List.iter2
-    (fun (class_, argument) (_, parameter) ->
-      let because =
-        Option.map
-          (fun place ->
-            ( place,
-              fun words ->
-                Printf.sprintf "`%s` asks for `%s` here" name (Show.constraint_ words class_ parameter) ))
-          said
-      in
-      let from =
-        match Type.expand parameter with
-        | Rigid r -> Some (r.variable.id, class_)
-        | _ -> None
-      in
-      require t { class_; argument; at; by = "`" ^ name ^ "`"; because; from })
-    instance.required scheme.context;
-  List.iter2
-    (fun (r : Type.rigid) argument ->
-      if r.kind = Of_sizes then
-        let written =
-          match said with
-          | Some (place : Span.t) when String.equal place.file at.Span.file -> Some r.variable.name
-          | Some _ | None -> None
-        in
-        t.group.sizes <- { size = argument; used = at; of_ = name; written } :: t.group.sizes)
-    scheme.types instance.type_arguments;
-  let final () : Ir.instantiation =
-    {
-      types = List.map Final.ty instance.type_arguments;
-      representations = List.map Final.representation instance.representation_arguments;
-    }
+  if scheme.context <> [] then require_context t ~at ~name ~said scheme instance;
+  if scheme.types <> [] then note_sizes t ~at ~name ~said scheme instance;
+  let final =
+    match (instance.type_arguments, instance.representation_arguments) with
+    | [], [] -> fun () -> nothing
+    | types, representations ->
+        fun () : Ir.instantiation ->
+          {
+            types = List.map Final.ty types;
+            representations = List.map Final.representation representations;
+          }
   in
   (instance.ty, final)
 
@@ -220,8 +233,7 @@ type expressions = {
 
 exception Too_large of Span.t
 
-let node span ty desc () : Ir.expr =
-  let desc = desc () in
+let node span ty desc : Ir.expr =
   match Final.ty ty with
   | ty -> { desc; ty; span }
   | exception Final.Too_large -> raise (Too_large span)

@@ -141,5 +141,6 @@ type expressions = {
 exception Too_large of Span.t
 (** {!Final.Too_large}, of this expression's type and of none in it. *)
 
-val node : Span.t -> Type.t -> Ir.expr_desc later -> Ir.expr later
-(** @raise Too_large when it is built *)
+val node : Span.t -> Type.t -> Ir.expr_desc -> Ir.expr
+(** Of its type as inference leaves it: to be built when all is inferred.
+    @raise Too_large *)

@@ -29,21 +29,34 @@ let rec parameters (t : Type.t) =
 (* Of each parameter that an earlier one decides: that one, and what it is. Both
    while the type is as general as it will ever be. *)
 let deciding parameters arguments =
-  let rec of_parameters earlier parameters arguments =
+  (* [variables]: the earlier parameters that are a variable *)
+  let rec of_parameters variables parameters arguments =
     match (parameters, arguments) with
     | [], _ -> List.map (fun _ -> None) arguments
     | _, [] -> []
     | parameter :: parameters, argument :: arguments ->
-        let decides (_, (t : Type.t)) =
-          match Type.expand t with Flexible v -> Type.occurs v parameter | _ -> false
+        let decided_by =
+          match variables with
+          | [] -> None
+          | _ ->
+              List.find_opt (fun (v, _) -> Type.occurs v parameter) variables
+              |> Option.map (fun (_, earlier) -> earlier)
         in
-        List.find_opt decides earlier
-        :: of_parameters (earlier @ [ (argument.value.span, parameter) ]) parameters arguments
+        let variables =
+          match Type.expand parameter with
+          | Flexible v -> variables @ [ (v, (argument.value.span, parameter)) ]
+          | _ -> variables
+        in
+        decided_by :: of_parameters variables parameters arguments
   in
   of_parameters [] parameters arguments
 
+let rec without_first n = function
+  | _ :: rest when n > 0 -> without_first (n - 1) rest
+  | list -> list
+
 (* Of the parameters that are given, those after this argument's. *)
-let later given argument = List.filteri (fun i _ -> i >= argument.position) given
+let later given argument = without_first argument.position given
 
 (* Why the argument must have the parameter's type. *)
 let reason ~(head : Resolve.Ir.expr) ~decided_by ~later ~before ~previous argument : Expected.reason =
@@ -63,8 +76,14 @@ let reason ~(head : Resolve.Ir.expr) ~decided_by ~later ~before ~previous argume
 
 type decision = Applies | Runs
 
-let apply decision function_ argument : Ir.expr_desc =
-  match decision with Applies -> Apply (function_, argument) | Runs -> Run (function_, argument)
+(* The type of the whole stands in that of the function already. *)
+let apply decision span ty (function_ : Ir.expr) argument : Ir.expr =
+  match (decision, function_.ty) with
+  | Applies, Function (_, ty) -> { desc = Apply (function_, argument); ty; span }
+  | Runs, Signal_function (_, ty) -> { desc = Run (function_, argument); ty; span }
+  (* only after an error *)
+  | Applies, _ -> node span ty (Apply (function_, argument))
+  | Runs, _ -> node span ty (Run (function_, argument))
 
 (* The head's type is not known yet. *)
 let put_off expressions ctx ~head ~because argument (function_ : typed) =
@@ -101,8 +120,8 @@ let put_off expressions ctx ~head ~because argument (function_ : typed) =
     true
   in
   ask ctx { attempt; guess; give_up = ignore };
-  let build =
-    node argument.span result (fun () -> apply !decision (function_.build ()) (value.build ()))
+  let build () =
+    apply !decision argument.span result (function_.build ()) (value.build ())
   in
   ({ ty = result; build }, value.ty)
 
@@ -142,8 +161,8 @@ let step expressions ctx ~(head : Resolve.Ir.expr) ~negative ~because ~previous 
           { ty = parameter; build = expressions.check ctx argument.value expected }
     in
     let ty = if errors ctx > before then Type.Erroneous else output in
-    let build =
-      node argument.span ty (fun () -> apply decision (function_.build ()) (value.build ()))
+    let build () =
+      apply decision argument.span ty (function_.build ()) (value.build ())
     in
     ({ ty; build }, value.ty)
   in
@@ -195,5 +214,8 @@ let infer expressions ctx e =
   forgetting_what_errors_need ctx (fun () ->
       let start = expressions.infer ctx head in
       let parameters = parameters start.ty in
-      let given = List.filteri (fun i _ -> i < List.length arguments) parameters in
+      let given =
+        if List.compare_lengths parameters arguments <= 0 then parameters
+        else List.filteri (fun i _ -> i < List.length arguments) parameters
+      in
       fst (List.fold_left2 (apply given) (start, None) arguments (deciding parameters arguments)))

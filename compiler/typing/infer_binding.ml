@@ -49,9 +49,9 @@ let abstraction ctx ~at ~name parameters (expected : Expected.t) body =
   match patterns with
   | [] -> body
   | _ ->
-      node at expected.ty (fun () ->
-          let patterns = List.rev_map (fun build -> build ()) patterns in
-          Lambda (patterns, body ()))
+      fun () ->
+        let patterns = List.rev_map (fun build -> build ()) patterns in
+        node at expected.ty (Lambda (patterns, body ()))
 
 (* {1 Right sides} *)
 
@@ -85,15 +85,16 @@ let guards expressions ctx (guards : Resolve.Ir.guarded list) (expected : Expect
   match (conditional, last, List.rev guards) with
   | [], Some value, _ -> value
   | _, _, { value; _ } :: _ ->
-      node (span_of_guards guards value) expected.ty (fun () ->
-          let conditional =
-            List.rev_map
-              (fun (test, result) ->
-                let test = test () in
-                (test, result ()))
-              conditional
-          in
-          Guards (conditional, Option.map (fun build -> build ()) last))
+      fun () ->
+        let conditional =
+          List.rev_map
+            (fun (test, result) ->
+              let test = test () in
+              (test, result ()))
+            conditional
+        in
+        let last = Option.map (fun build -> build ()) last in
+        node (span_of_guards guards value) expected.ty (Guards (conditional, last))
   | _, _, [] -> Diagnostic.bug ~stage:"Typing.Infer" "a right side without a value"
 
 (* {1 Local declarations} *)
@@ -215,20 +216,19 @@ let annotated expressions ctx (e : Resolve.Ir.expr) inner_expr written =
       { id = -Type.next ctx.reader.supply; name = "annotated"; span = e.span }
     in
     let ty, instantiation = use ctx ~at:e.span ~name:"this" scheme in
-    let build =
-      node e.span ty (fun () ->
-          let binding : Ir.binding =
-            {
-              pattern = { desc = Bound local; ty = Final.ty scheme.body; span = e.span };
-              scheme = Final.scheme scheme;
-              value = value ();
-              level = Constant;
-              span = e.span;
-            }
-          in
-          let body : Ir.expr =
-            { desc = Local (local, instantiation ()); ty = Final.ty ty; span = e.span }
-          in
-          Let ([ binding ], body))
+    let build () =
+      let binding : Ir.binding =
+        {
+          pattern = { desc = Bound local; ty = Final.ty scheme.body; span = e.span };
+          scheme = Final.scheme scheme;
+          value = value ();
+          level = Constant;
+          span = e.span;
+        }
+      in
+      let body : Ir.expr =
+        { desc = Local (local, instantiation ()); ty = Final.ty ty; span = e.span }
+      in
+      node e.span ty (Let ([ binding ], body))
     in
     { ty; build }

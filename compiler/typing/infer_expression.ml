@@ -20,7 +20,7 @@ let power ctx (e : Resolve.Ir.expr) (base : typed) exponent =
 (* A variable, with its own instance of the scheme. *)
 let reference ctx ~at ~name ?said scheme desc =
   let ty, instantiation = use ctx ~at ~name ?said scheme in
-  { ty; build = node at ty (fun () -> desc (instantiation ())) }
+  { ty; build = (fun () -> node at ty (desc (instantiation ()))) }
 
 (* Within its own group a definition is used at its own variables. *)
 let own_instantiation ctx name : Ir.instantiation =
@@ -60,20 +60,20 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
           Constructor (constructor.ir, constructor.tycon))
   | Number n ->
       let ty, value = Literal.number ctx ~negative:false ~at:e.span n in
-      { ty; build = node e.span ty (fun () -> Number value) }
-  | String text -> { ty = String; build = node e.span String (fun () -> String text) }
+      { ty; build = (fun () -> node e.span ty (Number value)) }
+  | String text -> { ty = String; build = (fun () -> node e.span String (String text)) }
   | Tuple elements ->
       let elements = Long_list.map (infer ctx) elements in
       let ty = Type.shared (Tuple (List.map (fun (t : typed) -> t.ty) elements)) in
-      let build =
-        node e.span ty (fun () -> Tuple (List.map (fun (t : typed) -> t.build ()) elements))
+      let build () =
+        node e.span ty (Tuple (List.map (fun (t : typed) -> t.build ()) elements))
       in
       { ty; build }
   | Array elements -> array ctx e elements
   | Apply _ -> Infer_application.infer expressions ctx e
   | Negate { desc = Number n; _ } when Literal.is_only_negative n ->
       let ty, value = Literal.number ctx ~negative:true ~at:e.span n in
-      { ty; build = node e.span ty (fun () -> Number value) }
+      { ty; build = (fun () -> node e.span ty (Number value)) }
   | Negate operand ->
       let ty = Context.fresh_number ctx in
       let because : Expected.reason =
@@ -81,11 +81,11 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
           { callee = Some "-"; at = e.span; position = 1; decided_by = None; later = []; before = None }
       in
       let operand = check ctx operand (Expected.make because ty) in
-      { ty; build = node e.span ty (fun () -> Negate (operand ())) }
+      { ty; build = (fun () -> node e.span ty (Negate (operand ()))) }
   | Power { base; exponent } ->
       let typed = infer ctx base in
       let ty = power ctx base typed exponent in
-      { ty; build = node e.span ty (fun () -> Power (typed.build (), exponent)) }
+      { ty; build = (fun () -> node e.span ty (Power (typed.build (), exponent))) }
   | Record { constructor; fields } -> Infer_record.construct expressions ctx e constructor fields
   | Field { record; field; candidates } ->
       Infer_record.field expressions ctx e ~record field ~candidates
@@ -99,23 +99,22 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
 
 and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   Degrees.warn ctx e expected;
-  let build desc = node e.span expected.ty desc in
   match (e.desc, Type.expand expected.ty) with
   | If { condition; then_; else_ }, _ ->
       let condition = check ctx condition (Expected.make Condition Bool) in
       let yes = check ctx then_ expected in
       let no = check ctx else_ (Infer_binding.beside expected then_.span) in
-      build (fun () ->
-          let condition = condition () in
-          let yes = yes () in
-          If (condition, yes, no ()))
+      fun () ->
+        let condition = condition () in
+        let yes = yes () in
+        node e.span expected.ty (If (condition, yes, no ()))
   | Case { scrutinee; branches }, _ -> case ctx e scrutinee branches expected
   | Let { declarations; body }, _ ->
       let bindings = Infer_binding.declarations expressions ctx declarations in
       let body = check ctx body expected in
-      build (fun () ->
-          let bindings = bindings () in
-          Let (bindings, body ()))
+      fun () ->
+        let bindings = bindings () in
+        node e.span expected.ty (Let (bindings, body ()))
   | Lambda { parameters; body }, _ ->
       Infer_binding.abstraction ctx ~at:e.span ~name:None parameters expected (fun expected ->
           check ctx body expected)
@@ -127,13 +126,13 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
         List.rev
           (List.rev_map2 (fun e ty -> check ctx e { expected with ty }) elements types)
       in
-      build (fun () -> Tuple (List.map (fun build -> build ()) elements))
+      fun () -> node e.span expected.ty (Tuple (List.map (fun build -> build ()) elements))
   | Array (_ :: _ as elements), Data { tycon; arguments = [ _; element ]; _ }
     when tycon = Environment.array ->
       let written = Type.Size (List.length elements) in
       expect ctx ~subject:e ~at:e.span expected (Environment.array_of written element);
       let elements = array_elements ctx { expected with ty = element } elements in
-      build (fun () -> Array (List.map (fun build -> build ()) elements))
+      fun () -> node e.span expected.ty (Array (List.map (fun build -> build ()) elements))
   | Record { constructor; fields }, (Data { tycon; _ } as wanted)
     when tycon = (Environment.constructor ctx.reader.environment constructor).tycon ->
       (* so that what does not fit is found where it stands, in a field *)
@@ -162,7 +161,7 @@ and array ctx (e : Resolve.Ir.expr) elements =
   let element = Context.fresh ctx in
   let ty = Environment.array_of (Size (max 1 (List.length elements))) element in
   let elements = array_elements ctx (Expected.make Unknown element) elements in
-  let build = node e.span ty (fun () -> Array (List.map (fun build -> build ()) elements)) in
+  let build () = node e.span ty (Array (List.map (fun build -> build ()) elements)) in
   { ty; build }
 
 and case ctx e scrutinee branches expected =
@@ -183,9 +182,9 @@ and case ctx e scrutinee branches expected =
     (build :: done_, Infer_binding.beside expected b.span)
   in
   let branches, _ = List.fold_left branch ([], expected) branches in
-  node e.span expected.ty (fun () ->
-      let value = value.build () in
-      Case (value, List.rev_map (fun build -> build ()) branches))
+  fun () ->
+    let value = value.build () in
+    node e.span expected.ty (Case (value, List.rev_map (fun build -> build ()) branches))
 
 and proc ctx e input body expected =
   let from, into =
@@ -199,9 +198,9 @@ and proc ctx e input body expected =
   let input = Infer_pattern.check ctx input { expected with ty = from } in
   let equations = Infer_binding.declarations expressions ctx body.equations in
   let output = check ctx body.output { ty = into; because = Output expected.because } in
-  node e.span expected.ty (fun () ->
-      let input = input () in
-      let equations = equations () in
-      Proc { input; equations; output = output () })
+  fun () ->
+    let input = input () in
+    let equations = equations () in
+    node e.span expected.ty (Proc { input; equations; output = output () })
 
 and expressions = { infer; check }

@@ -155,9 +155,9 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
     (index, expressions.check ctx value expected)
   in
   let fields = List.map field fields in
-  let build =
-    node e.span result (fun () ->
-        Record (constructor.ir, List.map (fun (index, build) -> (index, build ())) fields))
+  let build () =
+    node e.span result
+      (Record (constructor.ir, List.map (fun (index, build) -> (index, build ())) fields))
   in
   { ty = result; build }
 
@@ -174,11 +174,11 @@ let field expressions ctx (e : Resolve.Ir.expr) ~record (name : Syntax.Ir.name) 
       in
       answer := Some constructor;
       expect ctx ~subject:e ~at:e.span { ty = result; because = Unknown } ty);
-  let build =
-    node e.span result (fun () : Ir.expr_desc ->
-        match decided ctx answer with
-        | Some constructor -> Field (typed.build (), constructor.ir, indexed constructor name)
-        | None -> Tuple [])
+  let build () =
+    node e.span result
+      (match decided ctx answer with
+      | Some constructor -> Field (typed.build (), constructor.ir, indexed constructor name)
+      | None -> Tuple [])
   in
   { ty = result; build }
 
@@ -215,14 +215,14 @@ let update expressions ctx (e : Resolve.Ir.expr) ~record fields ~candidates =
         (name, expressions.check ctx value { ty; because }))
       values
   in
-  let build =
-    node e.span typed.ty (fun () : Ir.expr_desc ->
-        match decided ctx answer with
-        | Some constructor ->
-            Update
-              ( typed.build (),
-                constructor.ir,
-                List.map (fun (name, build) -> (indexed constructor name, build ())) values )
-        | None -> Tuple [])
+  let build () =
+    node e.span typed.ty
+      (match decided ctx answer with
+      | Some constructor ->
+          Update
+            ( typed.build (),
+              constructor.ir,
+              List.map (fun (name, build) -> (indexed constructor name, build ())) values )
+      | None -> Tuple [])
   in
   { ty = typed.ty; build }

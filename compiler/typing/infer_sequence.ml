@@ -22,7 +22,7 @@ let rec place ~first (reason : Expected.reason) =
   | Unknown | Operand _ | Condition | Value _ | Pattern _ | Output _ | Statement None -> first
 
 (* [do] applied to a task and to the rest as a function. *)
-let join ctx s ~result ~at (first : Ir.expr) pattern (rest : Ir.expr) : Ir.expr later =
+let join ctx s ~result ~at (first : Ir.expr) pattern (rest : Ir.expr) : Ir.expr =
   match Resolve.Global_table.find_opt ctx.globals Environment.sequence with
   | None -> Diagnostic.bug ~stage:"Typing.Infer" "no primitive for `do`"
   | Some _ ->
@@ -30,19 +30,18 @@ let join ctx s ~result ~at (first : Ir.expr) pattern (rest : Ir.expr) : Ir.expr 
       let continuation : Type.t = Type.shared (Function (result, s.whole)) in
       let applied : Type.t = Type.shared (Function (continuation, s.whole)) in
       let primitive : Type.t = Type.shared (Function (task s result, applied)) in
-      node at s.whole (fun () ->
-          let last =
-            match (Final.ty s.whole : Ir.ty) with
-            | Data { arguments = [ _; _; last ]; _ } -> last
-            | _ -> Tuple []
-          in
-          let instantiation : Ir.instantiation =
-            { types = List.map Final.ty types @ [ last ]; representations = [] }
-          in
-          let head = node at primitive (fun () -> Primitive (Environment.sequence, instantiation)) in
-          let head = node at applied (fun () -> Apply (head (), first)) in
-          let rest = node rest.span continuation (fun () -> Lambda ([ pattern ], rest)) in
-          Apply (head (), rest ()))
+      let last =
+        match (Final.ty s.whole : Ir.ty) with
+        | Data { arguments = [ _; _; last ]; _ } -> last
+        | _ -> Tuple []
+      in
+      let instantiation : Ir.instantiation =
+        { types = List.map Final.ty types @ [ last ]; representations = [] }
+      in
+      let rest = node rest.span continuation (Lambda ([ pattern ], rest)) in
+      let head = node at primitive (Primitive (Environment.sequence, instantiation)) in
+      let head = node at applied (Apply (head, first)) in
+      node at s.whole (Apply (head, rest))
 
 let whatever ty (span : Span.t) : Ir.pattern later =
  fun () -> { desc = Any; ty = Final.ty ty; span = { span with stop = span.start } }
@@ -61,9 +60,9 @@ let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected
   | Values declarations :: others ->
       let bindings = Infer_binding.declarations expressions ctx declarations in
       let rest = from expressions ctx s e ~first expected others last in
-      node e.span s.whole (fun () ->
-          let bindings = bindings () in
-          Let (bindings, rest ()))
+      fun () ->
+        let bindings = bindings () in
+        node e.span s.whole (Let (bindings, rest ()))
   | Task { pattern; task = written } :: others ->
       let result = Context.fresh ctx in
       let before = errors ctx in
@@ -80,7 +79,7 @@ let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected
       fun () ->
         let value = value () in
         let pattern = pattern () in
-        join ctx s ~result ~at:written.span value pattern (rest ()) ()
+        join ctx s ~result ~at:written.span value pattern (rest ())
 
 let check expressions ctx (e : Resolve.Ir.expr) statements last (expected : Expected.t) =
   let input, output, whole =
