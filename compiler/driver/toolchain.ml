@@ -94,7 +94,12 @@ type kind =
   | Executable
 
 let suffix = function Shared_object -> ".so" | Executable -> ""
-let kind_flags = function Shared_object -> [ "-fPIC"; "-shared" ] | Executable -> []
+
+(* Of a step that sets thousands of fields, gcc takes most of its time looking for some to
+   set together; a trace is over before that pays. *)
+let kind_flags = function
+  | Shared_object -> [ "-fPIC"; "-shared"; "-fno-tree-slp-vectorize" ]
+  | Executable -> []
 
 let key machine ~headers ~inputs ~includes ~foreign ~name kind files =
   Digest.to_hex
