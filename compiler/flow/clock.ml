@@ -29,40 +29,40 @@ let is_big real : Ir.atom -> bool = function
 let same_signal (a : Ir.atom) (b : Ir.atom) =
   match (a, b) with Signal a, Signal b -> a.id = b.id | _, _ -> false
 
+let time definition seconds =
+  match definition seconds with
+  | Some (Ir.Time { unit = Seconds; restart }) -> Some restart
+  | Some _ | None -> None
+
+(* Of what time it is the product: when that starts again. *)
+let product definition ns =
+  match definition ns with
+  | Some (Ir.Op (Multiply, ([ seconds; Float 1e9 ] | [ Float 1e9; seconds ]))) ->
+      time definition seconds
+  | Some _ | None -> None
+
+let not_negative definition ns =
+  match definition ns with
+  | Some (Ir.Op (Maximum, [ Float zero; ns' ])) when Float.equal zero 0. -> product definition ns'
+  | Some _ | None -> None
+
+let is_whole real definition rounded ns =
+  match definition rounded with
+  | Some (Ir.Op (Subtract, [ sum; b ])) -> (
+      is_big real b
+      &&
+      match definition sum with
+      | Some (Ir.Op (Add, [ ns'; b ])) -> is_big real b && same_signal ns' ns
+      | Some _ | None -> false)
+  | Some _ | None -> false
+
 let recognize real definition (rhs : Ir.rhs) : Ir.rhs =
-  let is_big = is_big real in
-  let time seconds =
-    match definition seconds with
-    | Some (Ir.Time { unit = Seconds; restart }) -> Some restart
-    | Some _ | None -> None
-  in
-  (* Of what time it is the product: when that starts again. *)
-  let product ns =
-    match definition ns with
-    | Some (Ir.Op (Multiply, ([ seconds; Float 1e9 ] | [ Float 1e9; seconds ]))) ->
-        time seconds
-    | Some _ | None -> None
-  in
-  let not_negative ns =
-    match definition ns with
-    | Some (Ir.Op (Maximum, [ Float zero; ns' ])) when Float.equal zero 0. -> product ns'
-    | Some _ | None -> None
-  in
-  let is_whole rounded ns =
-    match definition rounded with
-    | Some (Ir.Op (Subtract, [ sum; b ])) -> (
-        is_big b
-        &&
-        match definition sum with
-        | Some (Ir.Op (Add, [ ns'; b ])) -> is_big b && same_signal ns' ns
-        | Some _ | None -> false)
-    | Some _ | None -> false
-  in
   match rhs with
   | If { condition; then_; else_ = ns } -> (
       match definition condition with
-      | Some (Op (Less, [ ns'; b ])) when is_big b && same_signal ns' ns && is_whole then_ ns ->
-          Option.fold (not_negative ns) ~none:rhs ~some:(fun restart ->
+      | Some (Ir.Op (Less, [ ns'; b ]))
+        when is_big real b && same_signal ns' ns && is_whole real definition then_ ns ->
+          Option.fold (not_negative definition ns) ~none:rhs ~some:(fun restart ->
               Ir.Time { unit = Nanoseconds; restart })
       | Some _ | None -> rhs)
   | _ -> rhs

@@ -214,7 +214,7 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
       Copy init
   | Delay { init = Bool first; next } -> (
       (* What it is a negation of is there anyway, and may be kept by another one too. *)
-      match definition written next with
+      match definition (Lazy.force written) next with
       | Some (Op (Not, [ next ])) ->
           Op (Not, [ add defines Bool (Delay { init = Bool (not first); next }) ])
       | Some _ | None -> rhs)
@@ -234,10 +234,16 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
       rhs
 
 let node_with real fresh (node : Ir.node) =
-  let known : known = Int_table.create 64 and written : known = Int_table.create 64 in
-  List.iter (fun (e : Ir.equation) -> Int_table.replace written e.defines.id e.rhs) node.equations;
+  let known : known = Int_table.create 64 in
+  (* Few ask for it. *)
+  let written : known Lazy.t =
+    lazy
+      (let written = Int_table.create 64 in
+       List.iter (fun (e : Ir.equation) -> Int_table.replace written e.defines.id e.rhs) node.equations;
+       written)
+  in
   let substitution = Substitution.create () in
-  let added = ref [] in
+  let added = ref [] and changed = ref false in
   let add (like : Ir.signal) ty rhs : Ir.atom =
     let id = fresh () in
     let defines : Ir.signal = { id; name = ""; ty; group = id; span = like.span } in
@@ -249,20 +255,26 @@ let node_with real fresh (node : Ir.node) =
     | Schedule.Instance _ | Trial _ | Machine _ -> ()
     | Equation e -> (
         let rhs = Operands.map (Substitution.atom substitution) e.rhs in
-        match Clock.recognize real (definition known) (simplify real known written add e.defines rhs) with
-        | Copy a -> Substitution.replace substitution e.defines a
+        let rhs = Clock.recognize real (definition known) (simplify real known written add e.defines rhs) in
+        if rhs != e.rhs then changed := true;
+        match rhs with
+        | Copy a ->
+            changed := true;
+            Substitution.replace substitution e.defines a
         | rhs -> Int_table.replace known e.defines.id rhs)
   in
   List.iter visit (Schedule.as_far_as_possible node);
-  let equations =
-    List.filter_map
-      (fun (e : Ir.equation) ->
-        Option.map
-          (fun rhs -> if rhs == e.rhs then e else { e with rhs })
-          (Int_table.find_opt known e.defines.id))
-      node.equations
-  in
-  Substitution.node substitution { node with equations = List.rev_append !added equations }
+  if not !changed then node
+  else
+    let equations =
+      List.filter_map
+        (fun (e : Ir.equation) ->
+          Option.map
+            (fun rhs -> if rhs == e.rhs then e else { e with rhs })
+            (Int_table.find_opt known e.defines.id))
+        node.equations
+    in
+    Substitution.node substitution { node with equations = List.rev_append !added equations }
 
 let node real node =
   let next = ref 0 in
