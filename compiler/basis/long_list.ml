@@ -9,3 +9,16 @@ let rec map_short left f = function
       y :: map_short (left - 1) f rest
 
 let map f list = map_short short f list
+
+let rec map_short_sharing left f list =
+  match list with
+  | [] -> list
+  | _ when left = 0 ->
+      let mapped = List.rev_map f list in
+      if List.for_all2 ( == ) (List.rev list) mapped then list else List.rev mapped
+  | x :: rest ->
+      let y = f x in
+      let mapped = map_short_sharing (left - 1) f rest in
+      if y == x && mapped == rest then list else y :: mapped
+
+let map_sharing f list = map_short_sharing short f list

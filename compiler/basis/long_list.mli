@@ -3,3 +3,7 @@
 
 val map : ('a -> 'b) -> 'a list -> 'b list
 (** From first to last. *)
+
+val map_sharing : ('a -> 'a) -> 'a list -> 'a list
+(** As [map]. The same list, physically, if each element is mapped to itself, physically;
+    then it takes no memory. *)

@@ -126,6 +126,4 @@ let node (node : Ir.node) =
   then node
   else { node with equations; transitions }
 
-let program (program : Ir.program) =
-  let nodes = Array.map node program.nodes in
-  if Array.for_all2 ( == ) nodes program.nodes then program else { program with nodes }
+let program program = Each_node.program (fun ~fresh:_ -> node) program

@@ -6,5 +6,6 @@
     two. And of the transitions of a mode a later one asks only what those before it do
     not ask, as it counts only where they do not occur. *)
 
+val node : Ir.node -> Ir.node
 val program : Ir.program -> Ir.program
-(** The same program, physically, if it has no such condition. *)
+(** Both: the same, physically, if there is no such condition. *)

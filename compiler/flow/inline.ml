@@ -67,7 +67,7 @@ let shrinks = 4
 let becomes_small real ~once ~expanded (node : Ir.node) =
   let now = size node in
   let small = if once then small_once else small in
-  now <= small || (expanded && now <= shrinks * small && size (live (Simplify.node real node)) <= small)
+  now <= small || (expanded && now <= shrinks * small && size (live (Simplify.to_look_at real node)) <= small)
 
 type context = {
   nodes : Ir.node array;  (** callees already done *)
@@ -310,7 +310,7 @@ let sharing real context (node : Ir.node) =
       let before = context.fresh in
       let expanded = expand_chosen ~note context may_share node in
       context.fresh <- before;
-      let equal = Share.equal (Parity.node (Simplify.node real expanded)) in
+      let equal = Share.equal (Parity.node (Simplify.to_look_at real expanded)) in
       let by_class = Int_table.create 16 in
       let equal_to (s : Ir.signal) =
         match equal (Signal s) with Signal first -> first.id | Bool _ | Int _ | Float _ -> s.id

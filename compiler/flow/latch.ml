@@ -16,7 +16,3 @@ let node (node : Ir.node) =
     in
     let equations = List.map constant node.equations in
     if List.for_all2 ( == ) equations node.equations then node else { node with equations }
-
-let program (program : Ir.program) =
-  let nodes = Array.map node program.nodes in
-  if Array.for_all2 ( == ) nodes program.nodes then program else { program with nodes }

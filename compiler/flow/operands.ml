@@ -26,6 +26,26 @@ let same_instant = function
     | Fill _ | Index _ | At _ | Replace _ | Time _ | Ticks _ | Absent ) as rhs ->
       all rhs
 
+let fold f start = function
+  | Copy a
+  | Is_constructor (a, _)
+  | Payload { value = a; _ }
+  | Fill a
+  | Index (a, _)
+  | Integral a
+  | Derivative a
+  | Time { restart = a; unit = _ }
+  | Ticks a ->
+      f start a
+  | Op (_, atoms) | Construct { payload = atoms; constructor = _ } | Elements atoms ->
+      List.fold_left f start atoms
+  | If { condition = a; then_ = b; else_ = c }
+  | At { array = a; index = b; default = c }
+  | Replace { array = a; index = b; value = c } ->
+      f (f (f start a) b) c
+  | Delay { init; next } -> f (f start init) next
+  | Absent -> start
+
 (* Most lists are short; a constructor's payload may be long. *)
 let map_list f atoms =
   match atoms with

@@ -4,6 +4,9 @@ val all : Ir.rhs -> Ir.atom list
 (** All of them, in the order written in {!Ir}; of a [Delay], [init] comes
     first. *)
 
+val fold : ('a -> Ir.atom -> 'a) -> 'a -> Ir.rhs -> 'a
+(** Over {!all}, in that order, without making the list. *)
+
 val same_instant : Ir.rhs -> Ir.atom list
 (** Those whose value of the same instant is needed: not the arguments of
     [Delay] (whose [init] is static and read at the start only) and of

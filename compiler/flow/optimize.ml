@@ -1,18 +1,33 @@
-(* A condition may be the same as another one, or a constant. A latch that is a constant
-   simplifies what reads it; it takes a simple condition to see it. *)
-let simplify program =
-  let simple = Simplify.program program in
-  let simpler = Condition.program simple in
-  let simple = if simpler == simple then simple else Simplify.program simpler in
-  let unlatched = Latch.program simple in
-  if unlatched == simple then simple else Simplify.program unlatched
+(* The program after [pass], and whether any node is another one after [last], which
+   comes after it. *)
+let each_node_and pass ~last program =
+  let found = ref false in
+  let pass ~fresh node =
+    let node = pass ~fresh node in
+    let after = last node in
+    if after != node then found := true;
+    after
+  in
+  let program = Each_node.program pass program in
+  (program, !found)
 
-(* Literals first, as they decide choices; sharing after simplifying, which
-   makes equal what looked different; dead code last, for what all of them
-   leave behind. *)
+(* A condition may be the same as another one, or a constant. A latch that is a constant
+   simplifies what reads it; it takes a simple condition to see it. Sharing after
+   simplifying, which makes equal what looked different. *)
+let tidy_nodes (program : Ir.program) =
+  let simplify ~fresh node = Simplify.node program.real ~fresh node in
+  let simplify_if needed ~fresh node = if needed then simplify ~fresh node else node in
+  let program, found = each_node_and simplify ~last:Condition.node program in
+  let program, found = each_node_and (simplify_if found) ~last:Latch.node program in
+  Each_node.program
+    (fun ~fresh node -> node |> simplify_if found ~fresh |> Parity.node |> Share.node)
+    program
+
+(* Literals first, as they decide choices; dead code last, for what all of them leave
+   behind. *)
 let tidy_once program =
-  program |> Specific.program |> simplify |> Parity.program |> Share.program |> Twins.program
-  |> Twin_parameters.program |> Unreachable.program |> Dead.program
+  program |> Specific.program |> Uncalled.program |> tidy_nodes |> Twins.program |> Twin_parameters.program
+  |> Unreachable.program |> Dead.program
 
 let modes (program : Ir.program) =
   Array.fold_left
@@ -32,7 +47,9 @@ let inline program =
   else
     (* Inlined equations meet their arguments, and then what they share with their
        new neighbours. *)
-    tidy inlined |> Simplify.program |> Dead.program
+    let tidied = tidy inlined in
+    let simple = Simplify.program tidied in
+    if simple == tidied then tidied else Dead.program simple
 
 let program program =
   (* Before inlining, so that sizes are those of the work that remains, and

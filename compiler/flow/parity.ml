@@ -83,6 +83,4 @@ let node (node : Ir.node) =
     let equations = Long_list.map equation node.equations in
     if List.for_all2 ( == ) equations node.equations then node else { node with equations }
 
-let program (program : Ir.program) =
-  let nodes = Array.map node program.nodes in
-  if Array.for_all2 ( == ) nodes program.nodes then program else { program with nodes }
+let program program = Each_node.program (fun ~fresh:_ -> node) program

@@ -138,4 +138,4 @@ let node (node : Ir.node) =
   let substitution, instances = shared node in
   Substitution.node substitution { node with instances }
 
-let program (program : Ir.program) = { program with nodes = Array.map node program.nodes }
+let program program = Each_node.program (fun ~fresh:_ -> node) program

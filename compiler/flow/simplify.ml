@@ -233,7 +233,7 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
   | Derivative _ ->
       rhs
 
-let node_with real fresh (node : Ir.node) =
+let node real ~fresh (node : Ir.node) =
   let known : known = Int_table.create 64 in
   (* Few ask for it. *)
   let written : known Lazy.t =
@@ -276,20 +276,12 @@ let node_with real fresh (node : Ir.node) =
     in
     Substitution.node substitution { node with equations = List.rev_append !added equations }
 
-let node real node =
+let to_look_at real looked_at =
   let next = ref 0 in
   let fresh () =
     decr next;
     !next
   in
-  node_with real fresh node
+  node real ~fresh looked_at
 
-let program (program : Ir.program) =
-  let next = ref program.next_id in
-  let fresh () =
-    let id = !next in
-    incr next;
-    id
-  in
-  let nodes = Array.map (node_with program.real fresh) program.nodes in
-  { program with nodes; next_id = !next }
+let program (program : Ir.program) = Each_node.program (node program.real) program

@@ -7,7 +7,11 @@
     choice between answers. Expects no particular order, but sees most in an
     acyclic node; linear. *)
 
-val node : Basis.Real.t -> Ir.node -> Ir.node
+val node : Basis.Real.t -> fresh:(unit -> int) -> Ir.node -> Ir.node
+(** [fresh] gives ids to the signals that it adds. The same node, physically, if nothing
+    in it is simpler. *)
+
+val to_look_at : Basis.Real.t -> Ir.node -> Ir.node
 (** Only to be looked at: the signals that it adds have no ids of the program. *)
 
 val program : Ir.program -> Ir.program
