@@ -136,6 +136,7 @@ let equal (node : Ir.node) = Substitution.atom (fst (shared node))
 
 let node (node : Ir.node) =
   let substitution, instances = shared node in
-  Substitution.node substitution { node with instances }
+  if Substitution.is_empty substitution && List.compare_lengths instances node.instances = 0 then node
+  else Substitution.node substitution { node with instances }
 
 let program program = Each_node.program (fun ~fresh:_ -> node) program

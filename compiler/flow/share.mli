@@ -12,3 +12,4 @@ val equal : Ir.node -> Ir.atom -> Ir.atom
 
 val node : Ir.node -> Ir.node
 val program : Ir.program -> Ir.program
+(** Both: the same, physically, if nothing is computed twice. *)

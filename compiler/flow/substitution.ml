@@ -6,6 +6,7 @@ type t = {
 }
 
 let create () = { atoms = Int_table.create 16; names = Int_table.create 8 }
+let is_empty t = Int_table.length t.atoms = 0
 let is_replaced t (s : Ir.signal) = Int_table.mem t.atoms s.id
 
 let rec last t = function
@@ -86,4 +87,4 @@ let apply t (node : Ir.node) =
     transitions = Transitions.map (atom t) node.transitions;
   }
 
-let node t node = if Int_table.length t.atoms = 0 then node else apply t node
+let node t node = if is_empty t then node else apply t node

@@ -14,6 +14,9 @@ val replace : t -> Ir.signal -> Ir.atom -> unit
 val atom : t -> Ir.atom -> Ir.atom
 val is_replaced : t -> Ir.signal -> bool
 
+val is_empty : t -> bool
+(** Is no signal replaced? *)
+
 val node : t -> Ir.node -> Ir.node
 (** The node without equations for replaced signals, the others' operands
     replaced. Outputs of instances stay, read or not. *)

@@ -51,6 +51,17 @@ let keeps_outputs pass evaluate seed =
     QCheck.Test.fail_reportf "%a@.became@.%a@.expected@.%s@.found@.%s" Print.program program
       Print.program optimized (show expected) (show found)
 
+(* A pass that finds nothing to do gives back what it got, which takes no memory. *)
+let stays pass seed =
+  let rng = Random.State.make [| seed |] in
+  let program = Random_program.program rng in
+  QCheck.assume (is_causal program);
+  let done_ = pass program in
+  Array.for_all2
+    (fun (node : Ir.node) (again : Ir.node) ->
+      again == node || Option.is_some node.machine || node.transitions <> [])
+    done_.Ir.nodes (pass done_).Ir.nodes
+
 let random_tests =
   [
     random "simplify keeps every bit" 400 (keeps_outputs Simplify.program Evaluate.by_demand);
@@ -61,6 +72,9 @@ let random_tests =
     random "specific keeps every bit" 400 (keeps_outputs Specific.program Evaluate.by_demand);
     random "inline keeps every bit and leaves a schedule" 400
       (keeps_outputs Inline.program Evaluate.by_schedule);
+    random "uncalled keeps every bit" 400
+      (keeps_outputs (fun program -> Uncalled.program (Inline.program program)) Evaluate.by_demand);
+    random "dead code is dead at once" 400 (stays Dead.program);
     random "all together keep every bit, run by schedule" 1000
       (keeps_outputs Optimize.program Evaluate.by_schedule);
   ]
@@ -379,6 +393,27 @@ let inlined_for_what_it_computes () =
   Alcotest.(check int) "calls left beside the same sine" 1 (build false);
   Alcotest.(check int) "calls left beside another" 2 (build true)
 
+let called_nodes_only () =
+  let p = Build.create () in
+  let sine name =
+    Build.node p name (fun b -> [ ("", Build.op b (Elementary Sin) [ Build.input b "x" ]) ])
+  in
+  let unused = sine "unused" in
+  let used = sine "used" in
+  let user name used =
+    Build.node p name (fun b -> [ ("", Build.run b used [ Build.input b "x" ] "y") ])
+  in
+  let also_unused = user "also unused" unused in
+  ignore (user "user of the unused" also_unused);
+  ignore (user "main" used);
+  let program = Uncalled.program (Build.program p) in
+  Lint.program program;
+  Alcotest.(check (list string)) "what is called" [ "used"; "main" ]
+    (List.map (fun (node : Ir.node) -> node.name) (Array.to_list program.nodes));
+  Alcotest.(check (list int)) "by its number" [ 0 ]
+    (List.map (fun (i : Ir.instance) -> i.node) (root program).instances);
+  Alcotest.(check bool) "nothing else to do" true (Uncalled.program program == program)
+
 let chain n =
   build (fun b ->
       let x = Build.input b "x" in
@@ -413,6 +448,7 @@ let example_tests =
     case "inline: names stay, and tell instances apart where they clash" inlined_names;
     case "inline: what computes an elementary function that is there anyhow"
       inlined_for_what_it_computes;
+    case "uncalled: nodes that only uncalled nodes call" called_nodes_only;
     case "nodes of 100,000 equations" large;
   ]
 
