@@ -17,6 +17,19 @@ let rounding =
   QCheck.Test.make ~count:500 ~name:"a decimal is rounded as the C library rounds it" numbers
     (fun text -> Float.equal (Exact.to_float (decimal text)) (float_of_string text))
 
+(* With an exponent it is read another way. *)
+let short =
+  let digits low high = QCheck.Gen.(string_size ~gen:numeral (int_range low high)) in
+  let text = QCheck.Gen.(map2 (fun a b -> a ^ "." ^ b) (digits 1 9) (digits 0 9)) in
+  let text = QCheck.Gen.(oneof [ digits 1 18; text ]) in
+  QCheck.Test.make ~count:500 ~name:"a short decimal is the same with the exponent 0"
+    (QCheck.make ~print:Fun.id text) (fun text ->
+      Exact.equal (decimal text) (decimal (text ^ "e0")))
+
+let test_forms () =
+  let refused text = Alcotest.(check bool) (Printf.sprintf "`%s`" text) true (Exact.of_decimal text = None) in
+  List.iter refused [ ""; "."; ".5"; "1.2.3"; "-1"; "+1"; "1e"; "e1"; "1x"; " 1"; "1_0" ]
+
 let field =
   QCheck.Test.make ~count:300 ~name:"dividing undoes multiplying, subtracting undoes adding"
     (QCheck.pair numbers numbers) (fun (a, b) ->
@@ -47,6 +60,7 @@ let property test =
 let () =
   Alcotest.run "Basis.Exact"
     [
-      ("properties", List.map property [ rounding; field; order ]);
+      ("properties", List.map property [ rounding; short; field; order ]);
+      ("forms", [ Alcotest.test_case "what is no decimal" `Quick test_forms ]);
       ("pi", [ Alcotest.test_case "degrees are exact" `Quick test_degrees ]);
     ]
