@@ -148,11 +148,11 @@ and part w frames origin e =
   let node = Level_graph.node w.graph ~depth:frame.depth origin in
   let around = frame.owner in
   Option.iter (fun within -> Level_graph.contain node ~within) around;
-  definition w frames node e;
+  defined_by w frames node e;
   frame.owner <- around;
   node
 
-and definition w frames node e =
+and defined_by w frames node e =
   (innermost frames).owner <- Some node;
   expr w frames e
 
@@ -168,12 +168,11 @@ and proc w frames input equations output =
         (node, b.value))
       equations
   in
-  List.iter (fun (node, value) -> definition w frames node value) (List.rev nodes);
+  List.iter (fun (node, value) -> defined_by w frames node value) (List.rev nodes);
   frame.owner <- None;
   expr w frames output
 
-let program sink (p : program) =
+let definition sink (d : definition) =
   let w = { sink; graph = Level_graph.create () } in
-  let frames = push [] ~proc:false in
-  List.iter (fun (d : definition) -> expr w frames d.value) p.definitions;
+  expr w (push [] ~proc:false) d.value;
   w.graph

@@ -27,7 +27,7 @@ type t = {
 }
 
 let create () =
-  { variables = Int_table.create 1024; signals = Queue.create (); statics = Queue.create () }
+  { variables = Int_table.create 16; signals = Queue.create (); statics = Queue.create () }
 
 let node t ~depth origin =
   let make level cause = { depth; origin; level; cause; dependents = [] } in

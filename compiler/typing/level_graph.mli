@@ -1,4 +1,5 @@
-(** What makes what a signal: a graph over the local variables of a program.
+(** What makes what a signal: a graph over the local variables of a definition at
+    the top level.
 
     A node stands for variables that get their values together: those of a
     binding, a proc's input, a function's parameter, or a [case]'s scrutinee.

@@ -323,12 +323,14 @@ and binding w place (b : binding) =
   if level = b.level && value == b.value then b else { b with level; value }
 
 let program sink (p : program) =
-  let graph = Level_dependencies.program sink p in
-  Level_graph.solve graph;
-  let w = { sink; graph; constants = Constant_index.create () } in
+  let constants = Constant_index.create () in
+  (* The variables of one definition are in no other. *)
   let definition (d : definition) =
+    let graph = Level_dependencies.definition sink d in
+    Level_graph.solve graph;
+    let w = { sink; graph; constants } in
     (match d.value.ty with
-    | Number _ -> Constant_index.global w.constants d.name d.value
+    | Number _ -> Constant_index.global constants d.name d.value
     | _ -> ());
     let value = expr w { position = Outside; depth = 1; proc_depth = 0; regions = [] } d.value in
     if value == d.value then d else { d with value }
