@@ -30,6 +30,7 @@ type size = {
 }
 
 type group = {
+  locals : Type.scheme Int_table.t;
   mutable errors : int;
   mutable waiting : question list;  (** newest first *)
   mutable required : required list;  (** newest first *)
@@ -40,7 +41,6 @@ type t = {
   reader : Written.t;
   real : Real.t;
   globals : entry Resolve.Global_table.t;
-  locals : Type.scheme Int_table.t;
   owners : (int, Signature_mistake.owned) Hashtbl.t;
   given : (int, Ir.class_ list) Hashtbl.t;
   needs : (constraint_, required) Hashtbl.t;
@@ -50,14 +50,14 @@ type t = {
   group : group;
 }
 
-let new_group () = { errors = 0; waiting = []; required = []; sizes = [] }
+let new_group () =
+  { locals = Int_table.create 16; errors = 0; waiting = []; required = []; sizes = [] }
 
 let start reader ~real =
   {
     reader;
     real;
     globals = Resolve.Global_table.create 1024;
-    locals = Int_table.create 1024;
     owners = Hashtbl.create 64;
     given = Hashtbl.create 64;
     needs = Hashtbl.create 64;
@@ -68,6 +68,8 @@ let start reader ~real =
   }
 
 let in_group t = { t with group = new_group () }
+let bind_local t (x : Ir.Local.t) scheme = Int_table.replace t.group.locals x.id scheme
+let find_local t (x : Ir.Local.t) = Int_table.find_opt t.group.locals x.id
 let fresh ?kind t = Type.fresh t.reader.supply ?kind ~depth:t.depth ()
 let fresh_number t = Type.fresh_number t.reader.supply ~depth:t.depth
 

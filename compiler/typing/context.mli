@@ -46,7 +46,6 @@ type t = {
   reader : Written.t;
   real : Real.t;
   globals : entry Resolve.Global_table.t;
-  locals : Type.scheme Int_table.t;  (** by id, which is unique *)
   owners : (int, Signature_mistake.owned) Hashtbl.t;  (** see {!Signature_mistake.owner} *)
   given : (int, Ir.class_ list) Hashtbl.t;
       (** what signatures around promise of their variables, by id *)
@@ -60,13 +59,17 @@ type t = {
 }
 
 and group
-(** The top-level binding group being inferred. *)
+(** The top-level binding group being inferred, with the local variables in it. *)
 
 val start : Written.t -> real:Real.t -> t
 (** Outside of all groups. *)
 
 val in_group : t -> t
 (** The start of a new one. *)
+
+val bind_local : t -> Ir.Local.t -> Type.scheme -> unit
+val find_local : t -> Ir.Local.t -> Type.scheme option
+(** Of this group. *)
 
 (** {1 New types} *)
 

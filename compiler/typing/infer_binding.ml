@@ -122,7 +122,7 @@ let declare ctx (local : Ir.Local.t) (written : Resolve.Ir.scheme) =
   let scheme =
     local_scheme ctx ~name:("`" ^ local.name ^ "`") ~at:local.span written scheme
   in
-  Int_table.replace ctx.locals local.id scheme;
+  bind_local ctx local scheme;
   { scheme; inner; at = written.span }
 
 let rec right expressions ctx (r : Resolve.Ir.right) expected =
@@ -163,7 +163,7 @@ and prepare ctx signed (b : Resolve.Ir.binding) =
       | Some declared -> `Signed (local, declared)
       | None ->
           let ty = Context.fresh ctx in
-          Int_table.replace ctx.locals local.id (Type.monomorphic ty);
+          bind_local ctx local (Type.monomorphic ty);
           `Plain (local, ty))
   | Destructure pattern ->
       let ty = Context.fresh ctx in

@@ -44,7 +44,7 @@ let global ctx (e : Resolve.Ir.expr) (name : Ir.Global.t) =
       Diagnostic.bug ~stage:"Typing.Infer" "%s.%s is used before it is typed" name.module_ name.name
 
 let local ctx (e : Resolve.Ir.expr) (local : Ir.Local.t) =
-  match Int_table.find_opt ctx.locals local.id with
+  match find_local ctx local with
   | Some scheme ->
       reference ctx ~at:e.span ~name:local.name scheme (fun instantiation ->
           Local (local, instantiation))

@@ -1,13 +1,12 @@
-open Basis
 open Context
 
 let bind ctx (local : Ir.Local.t) (expected : Expected.t) =
-  match Int_table.find_opt ctx.locals local.id with
+  match find_local ctx local with
   | Some declared ->
       expect ctx ~at:local.span
         { ty = declared.body; because = Signature { name = local.name; at = local.span } }
         expected.ty
-  | None -> Int_table.replace ctx.locals local.id (Type.monomorphic expected.ty)
+  | None -> bind_local ctx local (Type.monomorphic expected.ty)
 
 let rec check ctx (p : Resolve.Ir.pattern) (expected : Expected.t) : Ir.pattern later =
   let node desc () : Ir.pattern =
