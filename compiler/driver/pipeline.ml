@@ -109,8 +109,11 @@ let specialized options sink ~name ~entry core =
   in
   (* Causality before anything is shared or moved: its messages speak of the
      equations as the programmer wrote them. *)
-  Flow.Causality.check sink ~entry:(place core entry) flow;
-  let flow = if Diagnostic.has_errors sink then flow else Flow.Instantaneous_loops.program sink flow in
+  let entry = place core entry in
+  Flow.Causality.check sink ~entry flow;
+  let flow =
+    if Diagnostic.has_errors sink then flow else Flow.Instantaneous_loops.program sink ~entry flow
+  in
   stage options sink Specialize ~lint:lint_flow ~print:Flow.Print.program flow
 
 (* [written]: the entry as the programmer knows it, before a robot closes it. *)

@@ -26,8 +26,6 @@ let passage (program : Ir.program) passages (node : Dependency.node) (instance :
     output = snd (List.nth through.outputs k);
   }
 
-let origin (program : Ir.program) (instance : Ir.instance) = program.nodes.(instance.node).origin
-
 (* How a definition of vertex [v] reads one of vertex [w]. *)
 let hop program passages (node : Dependency.node) (v, w) =
   let reading definition =
@@ -113,11 +111,6 @@ let label_elsewhere hop d =
   in
   List.fold_left label d (elsewhere hop)
 
-(* A place that the programmer can change: the modules of a program lie in one
-   folder, the library's in another. *)
-let is_own (entry : Span.t) (at : Span.t) =
-  String.equal (Filename.dirname entry.file) (Filename.dirname at.file)
-
 let reads hop = Printf.sprintf "reads `%s` here%s" hop.read.name (through hop.via)
 
 (* Can it be written as it stands, or is it a component ([p.1])? *)
@@ -165,8 +158,8 @@ let report_named entry hops =
   in
   let shown, left_out = shorten hops in
   let hint =
-    let own (_, (at : Span.t)) = is_own entry at in
-    match (List.concat_map elsewhere hops, is_own entry last.at) with
+    let own (_, (at : Span.t)) = Own_code.is_own ~entry at in
+    match (List.concat_map elsewhere hops, Own_code.is_own ~entry last.at) with
     | (_ :: _ as others), false -> hint_elsewhere (fst (List.hd others))
     | others, true when List.exists own others ->
         hint_elsewhere (fst (List.find own others))
@@ -200,40 +193,18 @@ let report_unnamed hops =
   |> Diagnostic.here ("its value comes back to it here" ^ through first.via)
   |> Diagnostic.hint "read the previous value instead, with `delay`"
 
-(* For each node the first instance of it, with the caller's index. *)
-let first_uses (program : Ir.program) =
-  let uses = Array.make (Array.length program.nodes) None in
-  let note caller (instance : Ir.instance) =
-    if Option.is_none uses.(instance.node) then uses.(instance.node) <- Some (caller, instance)
-  in
-  Array.iteri (fun i (caller : Ir.node) -> List.iter (note i) caller.instances) program.nodes;
-  uses
-
-(* Of a loop in a node of another module, the library's say: what the program's
-   own module runs there, and where; the entry itself may be such a node. *)
-let own_use (program : Ir.program) (entry : Span.t) uses index =
-  let own (node : Ir.node) = String.equal node.file entry.file in
-  let rec outwards i =
-    match uses.(i) with
-    | None -> (program.nodes.(i).origin, entry)
-    | Some (caller, (instance : Ir.instance)) ->
-        if own program.nodes.(caller) then (origin program instance, instance.span)
-        else outwards caller
-  in
-  if own program.nodes.(index) then None else Some (outwards index)
-
 let report program entry passages uses index (node : Dependency.node) component =
   let cycle = Graph.shortest_cycle node.graph component in
   let next = match cycle with [] -> [] | v :: rest -> List.rev (v :: List.rev rest) in
   let edges = List.rev (List.rev_map2 (fun v w -> (v, w)) cycle next) in
   let hops = Long_list.map (hop program passages node) edges in
   let d = match named_hops hops with Some hops -> report_named entry hops | None -> report_unnamed hops in
-  match own_use program entry uses index with
+  match Own_code.use uses ~entry index with
   | None -> d
   | Some (name, at) -> Diagnostic.label ~at (Printf.sprintf "`%s` runs here" name) d
 
 let check sink ~entry (program : Ir.program) =
-  let uses = first_uses program in
+  let uses = Own_code.uses program in
   let report_cycles passages index (node : Dependency.node) =
     List.iter
       (fun component ->

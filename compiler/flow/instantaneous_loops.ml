@@ -36,12 +36,16 @@ let source ?(cannot_be_true = fun _ -> false) (program : Ir.program) (node : Ir.
   in
   search (Operands.signals [ t.occurs ])
 
-(* The prelude's [after] and [now] are what one meets first inside them. *)
-let hint sources =
-  match sources with
+(* The prelude's [after] and [now] are what one meets first inside them. What occurs in
+   the library cannot be changed there. *)
+let hint ~entry sources =
+  match List.map fst sources with
   | "after" :: _ -> "a time of at least 1 ns makes it wait: `after (max 1[ms] q)`"
-  | "when" :: _ -> "`edge` occurs when a condition becomes True, not at the first instant"
   | "elapsed" :: _ -> "a time of at least 1 ns makes it wait: `max 1[ms] q`"
+  | _ :: _ when not (List.exists (fun (_, at) -> Own_code.is_own ~entry at) sources) ->
+      "let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output \
+       meanwhile"
+  | "when" :: _ -> "`edge` occurs when a condition becomes True, not at the first instant"
   | [] ->
       "something in the circle has to take time: `edge` or `notYet` on an event, `sleepT 10[ms] y` \
        between tasks"
@@ -63,7 +67,19 @@ let circle names =
         (Enumeration.some [ Printf.sprintf "`%s`" one ] ~more:(List.length others))
   | [] -> Diagnostic.bug ~stage:"Flow.Instantaneous_loops" "a circle without modes"
 
-let report sink (program : Ir.program) first (m : Ir.machine) steps cycle =
+(* A circle of the library's modes, closed by what the program has the library do, is shown
+   where the program does it. *)
+let place ~entry uses index (program : Ir.program) modes hops first_mode =
+  let span = program.nodes.(first_mode).span in
+  let own = Own_code.is_own ~entry in
+  let own_transition (_, _, (t : Ir.transition), _) = if own t.span then Some t.span else None in
+  if List.exists (fun mode -> own program.nodes.(mode).span) modes then span
+  else
+    match (List.find_map own_transition hops, Own_code.use uses ~entry index) with
+    | Some at, _ | None, Some (_, at) -> at
+    | None, None -> entry
+
+let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) steps cycle =
   let modes = Array.of_list m.modes in
   let name k = program.nodes.(modes.(k)).origin in
   let rec pairs first = function
@@ -78,9 +94,11 @@ let report sink (program : Ir.program) first (m : Ir.machine) steps cycle =
     (v, w, t, source ~cannot_be_true program program.nodes.(modes.(v)) t)
   in
   let hops = map hop hops in
+  let at =
+    place ~entry uses index program (map (fun k -> modes.(k)) cycle) hops modes.(List.hd cycle)
+  in
   let d =
-    Diagnostic.error ~code:"E0402" ~at:program.nodes.(modes.(List.hd cycle)).span
-      "%s for ever within one instant" (circle (map name cycle))
+    Diagnostic.error ~code:"E0402" ~at "%s for ever within one instant" (circle (map name cycle))
   in
   (* Once, where modes of one name do the same. *)
   let label ~at text (d : Diagnostic.t) =
@@ -100,8 +118,8 @@ let report sink (program : Ir.program) first (m : Ir.machine) steps cycle =
       (Printf.sprintf "`%s` may start `%s` at its own first instant" (name v) (name w))
       d
   in
-  let sources = List.filter_map (fun (_, _, _, source) -> Option.map fst source) hops in
-  List.fold_left label d hops |> Diagnostic.hint (hint sources) |> Diagnostic.emit sink
+  let sources = List.filter_map (fun (_, _, _, source) -> source) hops in
+  List.fold_left label d hops |> Diagnostic.hint (hint ~entry sources) |> Diagnostic.emit sink
 
 (* {1 Bounds} *)
 
@@ -139,7 +157,7 @@ let mark (program : Ir.program) (nodes : Ir.node array) (m : Ir.machine) steps =
       nodes.(index) <- { nodes.(index) with transitions = map transition node.transitions })
     m.modes
 
-let check_machine sink program first nodes (m : Ir.machine) =
+let check_machine sink ~entry uses program first nodes index (m : Ir.machine) =
   let steps = First_transitions.of_machine first m in
   mark program nodes m steps;
   let graph = Array.map targets steps in
@@ -147,18 +165,19 @@ let check_machine sink program first nodes (m : Ir.machine) =
   List.iter
     (fun component ->
       if Graph.is_cyclic graph component then
-        report sink program first m steps (Graph.shortest_cycle graph component))
+        report sink ~entry uses index program first m steps (Graph.shortest_cycle graph component))
     components;
   { m with steps = bound program m (chains graph components) }
 
-let program sink (program : Ir.program) =
+let program sink ~entry (program : Ir.program) =
   if Array.for_all (fun (node : Ir.node) -> Option.is_none node.machine) program.nodes then program
   else
     let first = First_transitions.of_program program in
+    let uses = Own_code.uses program in
     let nodes = Array.copy program.nodes in
     Array.iteri
       (fun index (node : Ir.node) ->
-        let machine = Option.map (check_machine sink program first nodes) node.machine in
+        let machine = Option.map (check_machine sink ~entry uses program first nodes index) node.machine in
         nodes.(index) <- { (nodes.(index)) with machine })
       program.nodes;
     { program with nodes }

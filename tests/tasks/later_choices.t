@@ -45,7 +45,7 @@ start; so it may if the time-out can be at once.
   ...
   51 |     blocked = when (looks && ahead < min blockedAt (norm way)))
      |     ----------------------------------------------------------- `driveTo` may occur at the first instant of `timeOut`
-     = hint: `notYet` drops an occurrence at the first instant; `edge` has none there; `sleepT 10[ms] y` takes time between tasks
+     = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
   1 error
   $ sed 's/20\[s\]/0[s]/' visit.frob > no_time.frob
   $ frobc check no_time.frob 2>&1 | grep -v '^ *|* *$'

@@ -277,3 +277,67 @@ What starts itself again has a name of the top level.
   
   1 error
   [1]
+
+A circle that the library closes, with a task of the library's in it, is shown where the
+program asks for it, with what takes time there.
+
+  $ cat > tour.frob <<'FROB'
+  > import Geometry
+  > import Robot
+  > 
+  > main = reactimateTask (tour 3)
+  > 
+  > tour :: (HasSonar i, DiffDrive o) => Int -> Task i o ()
+  > tour n = if n <= 0 then return () else do
+  >     driveTo (Vec2 1[m] (toFloat n * 1[m]))
+  >     tour (n - 1)
+  > FROB
+  $ frobc check tour.frob --robot pioneer 2>&1 | sed 's/frob:[0-9]*:\([0-9]*\)$/frob:N:\1/; s/^ *[0-9]* |/  N |/'
+  error[E0402]: `driveTo` may start itself again for ever within one instant
+    --> tour.frob:N:5
+    N |
+    N |     tour (n - 1)
+    N |     ^^^^^^^^^^^^ `driveTo` may start `driveTo` at its own first instant
+    N |
+    ::: stdlib/Driving.frob:N:5
+    N |
+    N |     arrived = atPlace goal i
+    N |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
+    N |
+     = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
+  
+  1 error
+  $ cat > places.frob <<'FROB'
+  > import Geometry
+  > import Robot
+  > 
+  > main = reactimateTask (forEachT [Vec2 1[m] 2[m], zeroVec] driveTo)
+  > FROB
+  $ frobc check places.frob --robot pioneer 2>&1 | sed 's/frob:[0-9]*:\([0-9]*\)$/frob:N:\1/; s/^ *[0-9]* |/  N |/'
+  error[E0402]: `driveTo` may start itself again for ever within one instant
+     --> places.frob:N:1
+    N |
+    N | main = reactimateTask (forEachT [Vec2 1[m] 2[m], zeroVec] driveTo)
+    N | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    N |
+     ::: stdlib/Driving.frob:N:5
+    N |
+    N |     arrived = atPlace goal i
+    N |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
+    N |
+     ::: stdlib/Prelude.frob:N:5
+    N |
+    N |     forEachFromT (k + 1) xs task
+    N |     ---------------------------- `driveTo` may start `driveTo` at its own first instant
+    N |
+      = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
+  
+  1 error
+  $ sed 's/driveTo)/visit)/' places.frob > visits.frob
+  $ cat >> visits.frob <<'FROB'
+  > 
+  > visit p = do
+  >     driveTo p
+  >     sleepT 10[ms] restingOutput
+  > FROB
+  $ frobc check visits.frob --robot pioneer

@@ -29,7 +29,7 @@ let core = Core.Of_typed.program typed
 let main : Core.Ir.Global.t = { module_ = core.main_module; name = "main" }
 
 let flow =
-  Flow.Instantaneous_loops.program sink
+  Flow.Instantaneous_loops.program sink ~entry:(Span.start_of_file "main.frob")
     (the (Specialize.Evaluate.program sink ~name:"main" ~entry:main core))
 
 let machine = Machine.Of_flow.program (Flow.Optimize.program flow)
