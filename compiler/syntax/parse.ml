@@ -13,6 +13,8 @@ type reader = {
       (** The item before broke off: one that now ends before it defines anything is
           likely the rest of it. *)
   mutable failed : bool;  (** the item before *)
+  mutable split : bool;
+      (** An item broke off at a `;`: the closing bracket may come in what follows it. *)
   mutable defines : bool;  (** this item has come past its [=] or [::] *)
   mutable tokens : int;  (** of this item, or more *)
 }
@@ -30,6 +32,11 @@ let rec skip reader (token : Layout.token) =
   match token.token with END -> token.last | _ -> skip reader (next reader)
 
 type outcome = Item of Surface.item | Failed
+
+(* Is this the end of an item by a `;` that is written? *)
+let is_semicolon reader (token : Layout.token) =
+  let at = token.start.pos_cnum in
+  at < String.length reader.text && reader.text.[at] = ';'
 
 (* An item read by menhir's automaton, which can be asked where it cannot go on. *)
 let explained reader =
@@ -59,8 +66,12 @@ let explained reader =
         let rest_of_last =
           match (before, !token.token) with
           | None, (RPAREN | RBRACKET | RBRACE) -> reader.failed
+          | Some _, RBRACE when reader.split && start.pos_cnum > start.pos_bol ->
+              reader.split <- false;
+              true
           | _ -> false
         in
+        if ended && is_semicolon reader !token then reader.split <- true;
         if not ((reader.cut && ended && not reader.defines) || rest_of_last) then
           Syntax_error.report reader.sink ~text:reader.text ~state ~before !token;
         reader.cut <- ended && Syntax_hint.expects_more before;
@@ -172,7 +183,7 @@ let read sink ~file text =
         sink;
         text;
         cut = false;
-        failed = false;
+        failed = false; split = false;
         defines = false;
         tokens = 0;
       }

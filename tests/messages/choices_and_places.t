@@ -176,14 +176,41 @@ Records have constructors, and commas:
     |
     = hint: a `;` ends a definition; there is a `,` between two fields
   
-  error[E0111]: this `}` closes nothing
-   --> semicolon.frob:1:47
-    |
-  1 | data P = P { pos :: Distance; vel :: Velocity }
-    |                                               ^
-  
-  2 errors
+  1 error
   [1]
+
+However many there are; what is wrong besides is still said.
+
+  $ cat > semicolons.frob <<'FROB'
+  > data P = P
+  >     { pos :: Distance;
+  >       vel :: Velocity; on :: Bool
+  >     }
+  > data Q = Q { a :: Bool; b : Bool }
+  > f x = x }
+  > main :: SF P P
+  > main = proc p -> p
+  > FROB
+  $ frobc check semicolons.frob 2>&1 | grep -A 3 '^error'
+  error[E0111]: this `{` is never closed
+   --> semicolons.frob:2:5
+    |
+  2 |     { pos :: Distance;
+  --
+  error[E0111]: this `{` is never closed
+   --> semicolons.frob:5:12
+    |
+  5 | data Q = Q { a :: Bool; b : Bool }
+  --
+  error[E0103]: unexpected character `:`
+   --> semicolons.frob:5:27
+    |
+  5 | data Q = Q { a :: Bool; b : Bool }
+  --
+  error[E0111]: this `}` closes nothing
+   --> semicolons.frob:6:9
+    |
+  6 | f x = x }
   $ cat > alias.frob <<'FROB'
   > type P = { pos :: Distance, vel :: Velocity }
   > main :: SF P P
