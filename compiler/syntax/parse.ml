@@ -183,7 +183,8 @@ let read sink ~file text =
         sink;
         text;
         cut = false;
-        failed = false; split = false;
+        failed = false;
+        split = false;
         defines = false;
         tokens = 0;
       }
