@@ -51,6 +51,8 @@ let create lexer =
     outer = []; before = Lexing.dummy_pos; ready = Queue.create ();
   }
 
+let copy t = { t with lexer = Lexer.copy t.lexer; ready = Queue.copy t.ready }
+
 let context token =
   let origin (entry : entry) = { by = entry.by; column = entry.column } in
   Basis.Long_list.map (fun (entry : entry) -> (entry.opener, origin entry)) token.around

@@ -50,3 +50,6 @@ val deepest : int
 
 val create : Lexer.t -> t
 val next : t -> token
+
+val copy : t -> t
+(** To read on from the same place twice. *)

@@ -25,6 +25,7 @@ type t = {
   mutable cut_off : bool;  (** by a comment that is never closed *)
 }
 
+let copy t = { t with at = t.at }
 let byte_order_mark = "\xef\xbb\xbf"
 
 let create sink ~file text =

@@ -20,5 +20,8 @@ type t
 val create : Diagnostic.sink -> file:string -> string -> t
 (** The text must be UTF-8; see {!Basis.Utf8}. *)
 
+val copy : t -> t
+(** To read on from the same place twice. *)
+
 val next : t -> token
 (** The next token; at the end of the text, [END] again and again. *)

@@ -5,8 +5,7 @@ module Automaton = Grammar.MenhirInterpreter
 let most_errors = 50
 
 type reader = {
-  layout : Layout.t;
-  mutable again : Layout.token list;  (** to be read before those of [layout] *)
+  mutable layout : Layout.t;
   sink : Diagnostic.sink;
   text : string;
   mutable cut : bool;
@@ -21,11 +20,7 @@ type reader = {
 
 let next reader =
   reader.tokens <- reader.tokens + 1;
-  match reader.again with
-  | token :: rest ->
-      reader.again <- rest;
-      token
-  | [] -> Layout.next reader.layout
+  Layout.next reader.layout
 
 (* To the end of the item that this token belongs to. *)
 let rec skip reader (token : Layout.token) =
@@ -100,16 +95,19 @@ exception Bad_token
 
 (* The same by the parser that menhir makes code of: it is several times as fast,
    and tells nothing of an error. Its actions have no effects, so what it cannot
-   read is read again from the first token on. *)
+   read is read again from the first character on; what is reported of a character
+   both times counts once (see {!Diagnostic.all}). *)
 let item reader =
+  let again = Layout.copy reader.layout in
   reader.tokens <- 0;
   let first = next reader in
-  let tokens = ref [] in
+  let at_first = ref true and last = ref first.last in
   let buffer = Lexing.from_string "" in
   buffer.lex_curr_p <- first.start;
   let supply (buffer : Lexing.lexbuf) =
-    let token = match !tokens with [] -> first | _ :: _ -> next reader in
-    tokens := token :: !tokens;
+    let token = if !at_first then first else next reader in
+    at_first := false;
+    last := token.last;
     (match token.token with BAD -> raise Bad_token | _ -> ());
     buffer.lex_start_p <- token.start;
     buffer.lex_curr_p <- token.stop;
@@ -118,9 +116,9 @@ let item reader =
   match Quick_grammar.item supply buffer with
   | item ->
       reader.cut <- false;
-      (Item item, match !tokens with token :: _ -> token.last | [] -> first.last)
+      (Item item, !last)
   | exception (Quick_grammar.Error | Bad_token | Reject.Rejected _) ->
-      reader.again <- List.rev_append !tokens reader.again;
+      reader.layout <- again;
       explained reader
 
 let misplaced sink code span message hint =
@@ -179,7 +177,6 @@ let read sink ~file text =
     collect
       {
         layout;
-        again = [];
         sink;
         text;
         cut = false;
