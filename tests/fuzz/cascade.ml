@@ -90,10 +90,11 @@ let ends (inside : Scope.t) style { number; flag; _ } =
     let asked = asked_of inside number in
     if chance inside.random 3 then f "not %s" asked else asked
   in
-  match Random.State.int inside.random 13 with
+  match Random.State.int inside.random 16 with
   | k when style.paced ->
-      if k < 9 then f "after (0.05[s] + abs (toFloat %s) * 0.1[s]) ()" number else f "edge %s" (bool inside)
+      if k < 11 then f "after (0.05[s] + abs (toFloat %s) * 0.1[s]) ()" number else f "edge %s" (bool inside)
   | 9 | 10 | 11 | 12 -> timed inside number
+  | 13 | 14 | 15 -> Remembered.event inside (fun () -> bool inside)
   | 0 -> f "when (%s %s %s)" (bool inside) (one_of inside.random [ "&&"; "||" ]) (asked ())
   | 1 -> f "when %s" (bool inside)
   | 2 -> f "edge %s" (bool inside)
@@ -168,6 +169,15 @@ let machine values input ~alone ~machines =
     define values input style ~machines 1 modes
     @ [ f "%s%s = %s\n\n" (signature start "" input) start begins ] )
 
+(* A machine for each element of an array. *)
+let for_each values input start =
+  Scope.note values "array of machines";
+  let many = Scope.fresh values "s" and whole = Scope.fresh values "i" in
+  let wholes = List.init (1 + Random.State.int values.Scope.random 3) (fun _ -> whole) in
+  ( many,
+    f "%s%s = proc %s -> foldl (\\a b -> 2 * a + b) 0 (mapSF %s [%s])\n\n" (signature many "" input) many whole
+      start (String.concat ", " wholes) )
+
 let definitions values ~input ~pattern:(pattern, bound) =
   Scope.note values "cascade of modes";
   let input = { ty = input; pattern; bound } in
@@ -177,6 +187,9 @@ let definitions values ~input ~pattern:(pattern, bound) =
     if k = 0 then (String.concat "" texts, List.rev machines)
     else
       let start, text = machine values input ~alone ~machines in
-      more (k - 1) (start :: machines) (texts @ text)
+      if chance values.random 8 then
+        let many, definition = for_each values input start in
+        more (k - 1) (many :: machines) (texts @ text @ [ definition ])
+      else more (k - 1) (start :: machines) (texts @ text)
   in
   more (if alone then 1 else 2 + Random.State.int values.random 3) [] []

@@ -43,7 +43,7 @@ let noted =
     "array of functions"; "recursion through a switch"; "recursion of a task";
     "mode with a signal function as parameter"; "mode with a function as parameter";
     "task with a signal function as parameter"; "task with a function as parameter";
-    "guards and where"; "array of signal functions"; "switch into the signal function of an event";
+    "guards and where"; "array of signal functions"; "array of machines"; "switch into the signal function of an event";
     "switch in a switch"; "event of signal functions";
     "event of functions"; "function out of a signal function"; "function out of a switch";
     "feedback through delay"; "feedback through integral"; "machine in a circle"; "wide function"; "pair of signals"; "local function";

@@ -123,19 +123,10 @@ let lively m fuel a payload =
     | 1, _, Some b -> b
     | _, _, _ -> Expression.expression inside fuel Bool
   in
-  (* Of a condition now and as it was an instant ago. *)
-  let remembered () =
-    let now = Scope.fresh m.values "q" in
-    let before = f "delay %s %s" (one_of m.values.random [ "True"; "False" ]) now in
-    let either text = one_of m.values.random [ text; f "not (%s)" text ] in
-    f "let %s = (%s :: Bool) in when (%s %s %s)" now (condition ()) (either now)
-      (one_of m.values.random [ "&&"; "||"; "/=" ])
-      (either before)
-  in
   let event =
     match Random.State.int m.values.random 8 with
     | 0 -> f "every %s ()" (time m)
-    | 6 | 7 -> remembered ()
+    | 6 | 7 -> Remembered.event m.values condition
     | 1 -> f "after %s ()" (time m)
     | 2 -> f "edge %s" (condition ())
     | 3 -> f "when %s" (condition ())
