@@ -51,23 +51,38 @@ let c_string text =
   in
   "\"" ^ String.concat "" (List.map character (List.of_seq (String.to_seq text))) ^ "\""
 
-let expected subject recordings =
+(* The program's own step, by the type that all have. *)
+let step_single (program : Machine.Ir.program) =
+  let name = program.name in
+  Printf.sprintf
+    "static void step_single(void *state, float dt, const void *input, void *output)\n\
+     {\n\
+    \    %s_step((struct %s_state *)state, dt, (const struct %s_input *)input, (struct %s_output *)output);\n\
+     }\n"
+    name name name name
+
+let is_of_singles recording = Recording.precision recording = Single
+
+let expected (program : Machine.Ir.program) subject recordings =
   let recording k r =
-    let rows = Recording.rows r in
-    let row { Recording.time_ns; cells; _ } =
-      Printf.sprintf "    { INT64_C(%d), (const char *const[]){ %s } },\n" time_ns
+    let row { Recording.time_ns; cells; _ } seconds =
+      Printf.sprintf "    { INT64_C(%d), UINT64_C(0x%Lx), (const char *const[]){ %s } },\n" time_ns
+        (Int64.bits_of_float seconds)
         (String.concat ", " (List.map c_string cells @ [ "0" ]))
     in
     Printf.sprintf "static const struct row rows_%d[] = {\n%s};\n" k
-      (String.concat "" (List.map row rows))
+      (String.concat "" (List.map2 row (Recording.rows r) (Recording.seconds r)))
   and entry k r =
-    Printf.sprintf "    { rows_%d, %d, UINT64_C(0x%Lx) },\n" k
+    Printf.sprintf "    { rows_%d, %d, UINT64_C(0x%Lx), %s },\n" k
       (List.length (Recording.rows r))
       (hash (Engines.interpreted subject r))
+      (if is_of_singles r then "step_single" else "0")
   in
   Printf.sprintf
-    "#include \"expected.h\"\n\n%s\nconst struct recording recordings[] = {\n%s};\n\
+    "#include \"expected.h\"\n#include \"%s.h\"\n\n%s%s\nconst struct recording recordings[] = {\n%s};\n\
      const int recording_count = %d;\n"
+    program.name
+    (if List.exists is_of_singles recordings then step_single program ^ "\n" else "")
     (String.concat "\n" (List.mapi recording recordings))
     (String.concat "" (List.mapi entry recordings))
     (List.length recordings)
@@ -87,7 +102,17 @@ let machine ?robot (tools : Engines.tools) file =
   | Some machine -> machine
   | None -> failwith (file ^ " has no state to compare")
 
-let emit ?robot s tools ~name ~seed file =
+(* Whether the program also gets steps of any dt: where there are many, a third of them.
+   Not one for a robot, whose structs in single precision are not its own, nor one that
+   ends, of which the interpreter gives a trace with times alone. *)
+let has_any_dt ?robot (program : Machine.Ir.program) random ~many =
+  let is_robot's shape = Option.is_some (Cgen.Robot.of_shape ?own:robot shape) in
+  (not program.ends)
+  && (not (is_robot's program.input))
+  && (not (is_robot's program.output))
+  && ((not many) || Choice.chance random 3)
+
+let emit ?robot ?(many = false) s tools ~name ~seed file =
   match Engines.load ?robot tools ~entry:"main" file with
   | Error outcome ->
       prerr_endline (name ^ " " ^ Engines.describe outcome);
@@ -96,15 +121,21 @@ let emit ?robot s tools ~name ~seed file =
       let folder = s.out / name in
       Unix.mkdir folder 0o755;
       let random = Random.State.make [| s.seed; seed |] in
+      let program = machine ?robot tools file in
       let recordings = Engines.recordings random ~rows:25 subject in
+      let recordings =
+        if has_any_dt ?robot program random ~many then
+          recordings @ [ Engines.with_dt random ~rows:25 tools subject ]
+        else recordings
+      in
       Unix.mkdir (folder / "for_tcc") 0o755;
       let write_file (file, text) =
         write (folder / file) text;
         write (folder / "for_tcc" / file) (In_process.for_tcc text)
       in
       List.iter write_file (Engines.files subject);
-      write_file ("state.c", State.text (machine ?robot tools file));
-      write (folder / "expected.c") (expected subject recordings)
+      write_file ("state.c", State.text program);
+      write (folder / "expected.c") (expected program subject recordings)
 
 let program_and_robot argument =
   match String.split_on_char ':' argument with
@@ -130,7 +161,7 @@ let () =
       let file = s.out / "program.frob" in
       let real : Basis.Real.t = if Int.rem (Int.div first Batch.size) 3 = 1 then Single else Double in
       write file (Constant.in_range real (Program.make ~seed:s.seed ~first ~count ()));
-      emit s (tools real) ~name:(Printf.sprintf "random_%d" first) ~seed:(-1 - first) file;
+      emit ~many:true s (tools real) ~name:(Printf.sprintf "random_%d" first) ~seed:(-1 - first) file;
       modules (first + count)
     end
   in

@@ -1,11 +1,16 @@
-What differs is found: a run that is stopped before its last row, a compiler's
-warning, a state that becomes another one though no output tells.
+What differs is found: a run that is stopped before its last row, a dt that is not what
+the step was to be given, a compiler's warning, a state that becomes another one though
+no output tells.
 
   $ cat > once.frob << 'END'
   > main :: SF Float Float
   > main = proc x -> x * 3 + 1
   > END
-  $ matrix () { sh ./run.sh ./emit.exe ../../stdlib ../../runtime 0 1 gcc-O0 once.frob; }
+  $ cat > waited.frob << 'END'
+  > main :: SF Float Float
+  > main = proc x -> time () / 1[s] + x
+  > END
+  $ matrix () { sh ./run.sh ./emit.exe ../../stdlib ../../runtime 0 1 gcc-O0 "${1:-once.frob}"; }
   $ matrix
   ok gcc-O0: 2 modules
   $ cp runner.c whole.c
@@ -18,6 +23,8 @@ warning, a state that becomes another one though no output tells.
   once: recording 0: the output differs
   once: recording 1: the output differs
   [1]
+  $ cp whole.c runner.c
+  $ sed -i 's/state, dt, input/state, (double)(int64_t)(dt * 1e9 + 0.5) \/ 1e9, input/' runner.c && matrix waited.frob
   $ sed -i 's/^int main(void)/int main(int argc, char **argv)/' runner.c && matrix 2>&1 | grep -c 'unused parameter'
   2
   $ cp whole.c runner.c

@@ -61,6 +61,13 @@ void mix_real(uint64_t *hash, double number)
     mix_int(hash, bits);
 }
 
+static double seconds(uint64_t bits)
+{
+    double number;
+    memcpy(&number, &bits, sizeof number);
+    return number;
+}
+
 /* The same state elsewhere; what it leaves is littered. */
 static void *moved(void *state, size_t size)
 {
@@ -80,13 +87,13 @@ static uint64_t trace_of(const struct recording *r, uint64_t *state_hash)
          *output = litter(program->output_size);
     struct frob_text text = frob_text_in(buffer, room);
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
-    int64_t before = 0;
 
     frob_trace_header(&text, program, FROB_TRACE_OUT);
     hash = mix(hash, &text);
     program->reset(state);
     for (int i = 0; i < r->count; i++) {
         const struct row *row = &r->rows[i];
+        const double dt = seconds(row->dt);
         for (int k = 0; k < column_count; k++) {
             struct frob_cell_error error;
             if (!frob_cell_read(row->cells[k], columns[k], input, &error)) {
@@ -94,8 +101,10 @@ static uint64_t trace_of(const struct recording *r, uint64_t *state_hash)
                 exit(2);
             }
         }
-        program->step(state, i == 0 ? 0.0 : (double)(row->time_ns - before) / 1e9, input, output);
-        before = row->time_ns;
+        if (r->step_single != NULL)
+            r->step_single(state, (float)dt, input, output);
+        else
+            program->step(state, dt, input, output);
         hash_state(state_hash, state);
         if (i == r->count / 2)
             state = moved(state, program->state_size);
