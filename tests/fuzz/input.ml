@@ -85,11 +85,18 @@ let dt random steady (precision : Basis.Real.t) =
   in
   Basis.Real.round precision seconds
 
+(* So few nanoseconds that in single precision one more shows in the time of a whole
+   recording, and mostly a half of one. *)
+let fine_dt random precision =
+  let ns = Float.of_int (Random.State.int random 4096) +. one_of random [ 0.; 0.25; 0.5; 0.5 ] in
+  Basis.Real.round precision (ns /. 1e9)
+
 (* With the longest of all a recording comes to the end of time. *)
 let with_dt random precision shape ~rows =
   let steady = one_of random [ 0.02; 0.1; 1. /. 30.; 0.7; 0.05; 1. /. 3.; 0.008388609; 1e9 ] in
+  let is_fine = chance random 3 in
   let row _ =
-    let dt = dt random steady precision in
+    let dt = if is_fine then fine_dt random precision else dt random steady precision in
     (dt, value random Tame shape)
   in
   Recording.with_dt precision shape (List.init rows row)
