@@ -19,12 +19,24 @@ no output tells.
   gcc-O0, once:
   once: recording 0: the output differs
   once: recording 1: the output differs
+  once: recording 2: the output differs
   gcc-O0, once_single:
   once: recording 0: the output differs
   once: recording 1: the output differs
+  once: recording 2: the output differs
   [1]
   $ cp whole.c runner.c
   $ sed -i 's/state, dt, input/state, (double)(int64_t)(dt * 1e9 + 0.5) \/ 1e9, input/' runner.c && matrix waited.frob
+  FAIL gcc-O0
+  gcc-O0, waited:
+  waited: recording 2: the output differs
+  [1]
+  $ cp whole.c runner.c
+  $ sed -i 's/(float)dt/2 * &/' runner.c && matrix waited.frob
+  FAIL gcc-O0
+  gcc-O0, waited_single:
+  waited: recording 2: the output differs
+  [1]
   $ sed -i 's/^int main(void)/int main(int argc, char **argv)/' runner.c && matrix 2>&1 | grep -c 'unused parameter'
   2
   $ cp whole.c runner.c
