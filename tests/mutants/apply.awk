@@ -29,6 +29,10 @@ function finish(    text, line, at, rest) {
 /^  / { if (part == "from") from = from "\n" $0; else to = to "\n" $0; next }
 END {
     finish()
+    if (number > seen) {
+        print "FAIL there is no fault " number ", only " seen > "/dev/stderr"
+        failed = 1
+    }
     if (count) print seen
     else if (!number && !failed) print "ok   " seen " faults for `make mutants` can be made"
     exit failed
