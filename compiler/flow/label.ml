@@ -70,8 +70,16 @@ let hash_operand (a : Ir.atom) =
 let hash_operands start operands =
   List.fold_left (fun h a -> ((h * 65_599) + hash_operand a) land max_int) start operands
 
+let hash label =
+  match label with
+  | Equation (_, rhs) -> hash_operands (number_of_operation rhs) (Operands.all rhs)
+  | Instance i -> hash_operands (1_000 + i.node) (operands label)
+  | Output k -> 500 + k
+
 module Table = Hashtbl.Make (struct
   type nonrec t = t
+
+  let hash = hash
 
   let equal a b =
     match (a, b) with
@@ -84,10 +92,4 @@ module Table = Hashtbl.Make (struct
         && same_operands (operands a) (operands b)
     | Output k, Output k' -> Int.equal k k'
     | (Equation _ | Instance _ | Output _), _ -> false
-
-  let hash label =
-    match label with
-    | Equation (_, rhs) -> hash_operands (number_of_operation rhs) (Operands.all rhs)
-    | Instance i -> hash_operands (1_000 + i.node) (operands label)
-    | Output k -> 500 + k
 end)

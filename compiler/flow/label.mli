@@ -9,6 +9,9 @@ type t =
 val operands : t -> Ir.atom list
 (** What it reads, in order; of an output nothing. *)
 
+val hash : t -> int
+(** Equal for equal labels. *)
+
 module Table : Hashtbl.S with type key = t
 (** Two labels are equal if they do the same with signals that may be others.
     Literals count: floats by their bits. *)

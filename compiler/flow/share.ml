@@ -30,48 +30,24 @@ let normal (rhs : Ir.rhs) : Ir.rhs =
 type reads = Operands of Ir.atom list | Element of int
 
 type elements = {
-  mutable labels : int list;  (** numbers, equal for equal labels *)
+  mutable labels : Label.t option list;  (** [None]: like nothing else *)
   mutable reads : reads list;  (** both: last first *)
   mutable count : int;
-  mutable distinct : int;  (** how many labels differ *)
-  numbers : int Label.Table.t;
   of_signal : int Int_table.t;
 }
 
-let add elements number reads =
-  elements.labels <- number :: elements.labels;
+let add elements label reads =
+  elements.labels <- label :: elements.labels;
   elements.reads <- reads :: elements.reads;
   elements.count <- elements.count + 1;
   elements.count - 1
 
-let fresh elements =
-  let n = elements.distinct in
-  elements.distinct <- n + 1;
-  n
-
-let number elements label =
-  match Label.Table.find_opt elements.numbers label with
-  | Some n -> n
-  | None ->
-      let n = fresh elements in
-      Label.Table.add elements.numbers label n;
-      n
-
 let elements_of (node : Ir.node) =
-  let elements =
-    {
-      labels = [];
-      reads = [];
-      count = 0;
-      distinct = 0;
-      numbers = Label.Table.create 64;
-      of_signal = Int_table.create 64;
-    }
-  in
+  let elements = { labels = []; reads = []; count = 0; of_signal = Int_table.create 64 } in
   let define (s : Ir.signal) element = Int_table.replace elements.of_signal s.id element in
-  let add_label label reads = add elements (number elements label) reads in
-  (* Like nothing else, as outputs of a machine and results of C are. *)
-  let parameter s = define s (add elements (fresh elements) (Operands [])) in
+  let add_label label reads = add elements (Some label) reads in
+  (* Outputs of a machine and results of C are like nothing else too. *)
+  let parameter s = define s (add elements None (Operands [])) in
   List.iter parameter node.statics;
   List.iter parameter node.inputs;
   List.iter
@@ -103,13 +79,51 @@ let arguments elements =
   in
   Array.of_list (List.rev_map of_reads elements.reads)
 
-(* Of the node's elements, some of which have the same label: for each signal that
-   equals an earlier one that one, and the instances that stay. *)
-let classes (node : Ir.node) elements instances =
-  let labels = Array.of_list (List.rev elements.labels) in
-  let class_of =
-    Partition.congruence ~distinct:elements.distinct ~labels ~arguments:(arguments elements)
+(* Equal elements have equal numbers: each is made of a label and, so many times, of the
+   numbers of what is read. Elements with other numbers are not equal, and in most nodes
+   that tells all of them apart. *)
+let rounds = 2
+
+let all_differ ~labels ~arguments =
+  let scatter n number = (n * 65_599) + number in
+  let round numbers =
+    Array.mapi
+      (fun e n -> Array.fold_left (fun n argument -> scatter n numbers.(argument)) n arguments.(e))
+      numbers
   in
+  let rec after rounds numbers = if rounds = 0 then numbers else after (rounds - 1) (round numbers) in
+  let of_label e label = match label with Some label -> Label.hash label | None -> -1 - e in
+  let seen = Int_table.create (2 * Array.length labels) in
+  Array.for_all
+    (fun n ->
+      let is_new = not (Int_table.mem seen n) in
+      if is_new then Int_table.replace seen n ();
+      is_new)
+    (after rounds (Array.mapi of_label labels))
+
+(* Numbers from 0, equal for equal labels, and how many there are. *)
+let number labels =
+  let numbers = Label.Table.create 64 and distinct = ref 0 in
+  let fresh () =
+    incr distinct;
+    !distinct - 1
+  in
+  let number label =
+    match Label.Table.find_opt numbers label with
+    | Some n -> n
+    | None ->
+        let n = fresh () in
+        Label.Table.add numbers label n;
+        n
+  in
+  let numbered = Array.map (function Some label -> number label | None -> fresh ()) labels in
+  (numbered, !distinct)
+
+(* Of the node's elements: for each signal that equals an earlier one that one, and the
+   instances that stay. *)
+let classes (node : Ir.node) elements ~labels ~arguments instances =
+  let labels, distinct = number labels in
+  let class_of = Partition.congruence ~distinct ~labels ~arguments in
   let substitution = Substitution.create () in
   let first = Array.make elements.count None in
   let visit (s : Ir.signal) =
@@ -129,8 +143,9 @@ let classes (node : Ir.node) elements instances =
 
 let shared (node : Ir.node) =
   let elements, instances = elements_of node in
-  if elements.distinct = elements.count then (Substitution.create (), node.instances)
-  else classes node elements instances
+  let labels = Array.of_list (List.rev elements.labels) and arguments = arguments elements in
+  if all_differ ~labels ~arguments then (Substitution.create (), node.instances)
+  else classes node elements ~labels ~arguments instances
 
 let equal (node : Ir.node) = Substitution.atom (fst (shared node))
 
