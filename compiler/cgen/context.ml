@@ -24,7 +24,7 @@ let plain desc : Ir.statement = { desc; comment = "" }
 let comment c (span : Span.t) =
   let line = Span.line span.start in
   let place =
-    if String.equal span.file c.node.file then Printf.sprintf "line %d" line
+    if String.equal span.file c.node.file then "line " ^ string_of_int line
     else Printf.sprintf "%s:%d" (Filename.basename span.file) line
   in
   if String.equal place c.place then ""

@@ -17,7 +17,8 @@ let state_comment (v : V.t) (field : M.field) =
     | Value _ | Running_mode | Modes _ | Component _ -> field.purpose
     | State_of k | States_of { node = k; _ } -> v.program.nodes.(k).origin
   in
-  Printf.sprintf "%s at %s:%d" what (Filename.basename field.span.file) (Basis.Span.line field.span.start)
+  let line = string_of_int (Basis.Span.line field.span.start) in
+  String.concat "" [ what; " at "; Filename.basename field.span.file; ":"; line ]
 
 let rec last = function [] -> "" | [ name ] -> name | _ :: rest -> last rest
 

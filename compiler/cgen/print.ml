@@ -54,7 +54,8 @@ let real_suffix : Basis.Real.t -> string = function Double -> "" | Single -> "f"
 let float_literal real x =
   let named name = Printf.sprintf "(%s)%s" (real_name real) name in
   let decimal () =
-    if Float.is_integer x && Float.abs x < 1e7 then Printf.sprintf "%.1f" x
+    if Float.is_integer x && Float.abs x < 1e7 then
+      (if Float.sign_bit x then "-" else "") ^ string_of_int (abs (int_of_float x)) ^ ".0"
     else
       let text = tidy_exponent (Basis.Real.shortest real x) in
       if String.exists (function '.' | 'e' -> true | _ -> false) text then text else text ^ ".0"
@@ -203,10 +204,7 @@ let with_breaks e =
   Buffer.contents b
 
 let add_flat out text =
-  for i = 0 to String.length text - 1 do
-    let c = String.unsafe_get text i in
-    Buffer.add_char out (if is_soft c then ' ' else c)
-  done
+  Buffer.add_string out (String.map (fun c -> if is_soft c then ' ' else c) text)
 
 (* Lines *)
 

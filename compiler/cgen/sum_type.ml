@@ -26,10 +26,10 @@ type slot =
   | Scalar of string
   | Inner of { sum : int; tag : string; first : Machine.Layout.slots }
 
-let float_slot = Printf.sprintf "f%d"
-let int_slot = Printf.sprintf "i%d"
-let bool_slot = Printf.sprintf "b%d"
-let tag_slot = Printf.sprintf "t%d"
+let float_slot k = "f" ^ string_of_int k
+let int_slot k = "i" ^ string_of_int k
+let bool_slot k = "b" ^ string_of_int k
+let tag_slot k = "t" ^ string_of_int k
 
 (* The same in every program, as robots' headers are. *)
 let array_slot sums ty k =
