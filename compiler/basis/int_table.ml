@@ -9,7 +9,7 @@ type 'a t = {
 }
 
 let fewest_bits = 3
-let most_bits_at_first = 6
+let most_bits_at_first = 8
 
 let rec bits_for n bits =
   if bits >= most_bits_at_first || 1 lsl bits >= n then bits else bits_for n (bits + 1)
