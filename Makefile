@@ -4,7 +4,7 @@
 # What a Debian machine needs, by package.
 PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
   libalcotest-ocaml-dev libqcheck-ocaml-dev libbox2d-dev libtomlplusplus-dev \
-  libcairo2-dev libmpfr-dev pkg-config gcc g++ clang libclang-rt-14-dev \
+  libcairo2-dev libmpfr-dev pkg-config gcc g++ clang libclang-rt-dev \
   libtcc-dev tcc
 
 # What only `make matrix` needs: compilers and emulators of other machines.
