@@ -114,6 +114,7 @@ matrix: all
 	  $$(grep -L '^foreign' $(EXAMPLES) | $(FOR_A_ROBOT)) \
 	  tests/interp/*.frob
 	@sh tests/matrix/selftest.sh $(FROBC)
+	@sh tests/matrix/shared_stack.sh
 	@sh tests/targets/run.sh
 
 # The elementary functions of single precision on every float; of two arguments, on as

@@ -29,6 +29,7 @@ tcc|tcc -std=c99||1
 sanitizers|gcc $exact -O1 -g -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all||1
 valgrind|gcc $exact -O1 -g|valgrind -q --error-exitcode=9|10
 aarch64|aarch64-linux-gnu-gcc $exact -O2 $warnings -static|qemu-aarch64|1
+aarch64-Os|aarch64-linux-gnu-gcc $exact -Os $warnings -static|qemu-aarch64|1
 armhf|arm-linux-gnueabihf-gcc $exact -O2 $warnings -static|qemu-arm|1
 cortex-m4|arm-none-eabi-gcc $exact -O2 $warnings -mthumb -mcpu=cortex-m4 --specs=rdimon.specs -T $here/cortex_m.ld|sh $here/on_cortex_m.sh|1
 cortex-m4f|arm-none-eabi-gcc $exact -O2 $warnings -mthumb -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard --specs=rdimon.specs -T $here/cortex_m.ld|sh $here/on_cortex_m.sh|1
