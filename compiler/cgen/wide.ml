@@ -1,11 +1,16 @@
 open Ir
 
+(* Where a result is found: in the struct after the call, or where the struct says
+   before it. The latter are those that the function does not always write; of what it
+   leaves there is nothing to take over. *)
+type place = Inside | Elsewhere
+
 (* Two ways to be given more than a few things. *)
 type shape = {
   kept : int;  (* parameters that stay: state and time *)
   given : member list;
   given_struct : string;
-  results : member list;
+  results : (member * place) list;
   results_struct : string;
 }
 
@@ -19,6 +24,13 @@ let rec split_kept = function
       (parameter :: kept, rest)
   | rest -> ([], rest)
 
+(* Is the result written whatever happens? *)
+let is_always_written (f : function_) name =
+  let writes s =
+    match s.desc with Assign (Unary (Dereference, Name n), _) -> String.equal n name | _ -> false
+  in
+  List.exists writes f.body
+
 let shape ~struct_name (f : function_) =
   if List.compare_length_with f.parameters Machine.Parameters.most <= 0 then None
   else
@@ -27,7 +39,8 @@ let shape ~struct_name (f : function_) =
       List.partition_map
         (fun (ty, name) ->
           match ty with
-          | Pointer ty -> Either.Right { name; ty; comment = "" }
+          | Pointer ty when is_always_written f name -> Either.Right ({ name; ty; comment = "" }, Inside)
+          | Pointer _ -> Right ({ name; ty; comment = "" }, Elsewhere)
           | ty -> Left { name; ty; comment = "" })
         rest
     in
@@ -122,15 +135,16 @@ let names_of (f : function_) =
 
 (* Its parameters where they are now. *)
 let inside shape ~given ~results e =
-  let has members name = List.exists (fun (m : member) -> String.equal m.name name) members in
-  let is_result = has shape.results and is_given = has shape.given in
+  let is_given name = List.exists (fun (m : member) -> String.equal m.name name) shape.given in
+  let is_result name at = List.exists (fun ((m : member), p) -> String.equal m.name name && p = at) shape.results in
   let result name = Arrow (Name results, name) in
   map_expr
     (fun _ e ->
       match e with
-      | Unary (Dereference, Name name) when is_result name -> Some (result name)
-      | Arrow (Name name, field) when is_result name -> Some (Member (result name, field))
-      | Name name when is_result name -> Some (Unary (Address, result name))
+      | Unary (Dereference, Name name) when is_result name Inside -> Some (result name)
+      | Arrow (Name name, field) when is_result name Inside -> Some (Member (result name, field))
+      | Name name when is_result name Inside -> Some (Unary (Address, result name))
+      | Name name when is_result name Elsewhere -> Some (result name)
       | Name name when is_given name -> Some (Arrow (Name given, name))
       | _ -> None)
     e
@@ -158,7 +172,7 @@ let rec split n list =
       (x :: first, others)
   | rest -> ([], rest)
 
-let place = function Unary (Address, e) -> e | e -> Unary (Dereference, e)
+let at = function Unary (Address, e) -> e | e -> Unary (Dereference, e)
 
 (* The call, and what stands before and after the statement in which it is. *)
 let call scope shape name arguments =
@@ -179,11 +193,19 @@ let call scope shape name arguments =
     @
     match results with
     | [] -> []
-    | _ :: _ -> [ plain (Variables { ty = Struct shape.results_struct; names = [ out ] }) ]
+    | _ :: _ ->
+        plain (Variables { ty = Struct shape.results_struct; names = [ out ] })
+        :: List.filter_map
+             (function
+               | e, ((m : member), Elsewhere) -> Some (plain (Assign (Member (Name out, m.name), e)))
+               | _, (_, Inside) -> None)
+             (List.combine results shape.results)
   and after =
-    List.map2
-      (fun e (m : member) -> plain (Assign (place e, Member (Name out, m.name))))
-      results shape.results
+    List.filter_map
+      (function
+        | e, ((m : member), Inside) -> Some (plain (Assign (at e, Member (Name out, m.name))))
+        | _, (_, Elsewhere) -> None)
+      (List.combine results shape.results)
   in
   (Call (name, kept @ address given in_ @ address results out), before, after)
 
@@ -267,7 +289,8 @@ let structs shape =
     | [] -> []
     | members -> [ Struct_definition { name; overlaid = false; members; comment = "" } ]
   in
-  define shape.given_struct shape.given @ define shape.results_struct shape.results
+  define shape.given_struct shape.given
+  @ define shape.results_struct (List.map fst shape.results)
 
 let functions ~struct_name (functions : function_ list) =
   let shapes = Hashtbl.create 8 in

@@ -3,7 +3,8 @@
 
     After it no function has more than {!Machine.Parameters.most} parameters. What is
     given becomes [const struct f_in *in], the results that were written through
-    pointers [struct f_out *out]; state and time stay parameters of their own. A call
+    pointers [struct f_out *out]; state and time stay parameters of their own. A result that
+    the function does not always write (a mode that ends leaves them) stays a pointer in it. A call
     fills the one struct before the statement in which it stands: what it is given has
     no side effects and is computed without harm even where it is not wanted. *)
 

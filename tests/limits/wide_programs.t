@@ -68,3 +68,20 @@ The stack that the report states is enough.
 
   $ sh ../report/measure.sh wide.frob
   all measured
+
+A mode that ends leaves its results unwritten. So these are written where they belong,
+through pointers in the struct, and nobody copies what was never written.
+
+  $ cat > ends.frob <<EOF
+  > main :: SF Float ($(row 40 'Float'))
+  > main = switch (proc x -> (($(row 40 '# * x')), edge (x > 2))) (\_ -> proc x -> ($(row 40 'delay # (# + x)')))
+  > EOF
+  $ frobc compile ends.frob -o .
+  $ grep -o 'main_step_results\.out_[0-9]* = .' ends.c | sed 's/[0-9][0-9]*/N/' | sort | uniq -c | sed 's/^ *//'
+  40 main_step_results.out_N = &
+  $ grep -o '= ends_main_main_step_results\.out_[0-9]*;' ends.c
+  = ends_main_main_step_results.out_41;
+  $ printf 'time,in\n0,1\n1,2.5\n2,3\n3,0\n' > in.csv
+  $ frobc trace ends.frob --input in.csv > compiled.csv
+  $ frobc trace ends.frob --input in.csv --engine interp | cmp - compiled.csv
+  $ gcc -std=c99 -O2 $strict -c ends.c -o ends.o && g++ -x c++ -std=c++17 $strict -c ends.c -o ends.o
