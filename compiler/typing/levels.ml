@@ -205,11 +205,6 @@ let level w place (p : pattern) =
 
 (* Nothing is made anew without need: most expressions stay as they are, and large
    programs have very many. *)
-
-let map_same f list =
-  let mapped = Long_list.map f list in
-  if List.for_all2 (==) list mapped then list else mapped
-
 let rec expr w place (e : expr) : expr =
   let with_ desc : expr = { e with desc } in
   match e.desc with
@@ -249,11 +244,11 @@ let rec expr w place (e : expr) : expr =
       let value = expr w place b.value in
       if value == b.value then b else { b with value }
     in
-    let branches' = map_same branch branches in
+    let branches' = Long_list.map_sharing branch branches in
     if scrutinee' == scrutinee && branches' == branches then e
     else with_ (Case (scrutinee', branches'))
   | Let (bindings, body) ->
-    let bindings' = map_same (binding w place) bindings in
+    let bindings' = Long_list.map_sharing (binding w place) bindings in
     let body' = expr w place body in
     if bindings' == bindings && body' == body then e else with_ (Let (bindings', body'))
   | Lambda (patterns, body) -> lambda w place "" e patterns body
@@ -264,23 +259,23 @@ let rec expr w place (e : expr) : expr =
       let value' = expr w in_branch value in
       if guard' == guard && value' == value then unchanged else (guard', value')
     in
-    let guarded' = map_same alternative guarded in
+    let guarded' = Long_list.map_sharing alternative guarded in
     let last' = Option.map (expr w in_branch) last in
     if guarded' == guarded && Option.equal ( == ) last' last then e
     else with_ (Guards (guarded', last'))
   | Proc { input; equations; output } ->
     let depth = place.depth + 1 in
     let place = { place with position = Every_instant; depth; proc_depth = depth } in
-    let equations' = map_same (binding w place) equations in
+    let equations' = Long_list.map_sharing (binding w place) equations in
     let output' = expr w place output in
     if equations' == equations && output' == output then e
     else with_ (Proc { input; equations = equations'; output = output' })
   | Record (c, fields) ->
-    let fields' = map_same (field w place) fields in
+    let fields' = Long_list.map_sharing (field w place) fields in
     if fields' == fields then e else with_ (Record (c, fields'))
   | Update (record, c, fields) ->
     let record' = expr w place record in
-    let fields' = map_same (field w place) fields in
+    let fields' = Long_list.map_sharing (field w place) fields in
     if record' == record && fields' == fields then e else with_ (Update (record', c, fields'))
 
 and one w place e part make =
@@ -288,7 +283,7 @@ and one w place e part make =
   if part' == part then e else { e with desc = make part' }
 
 and several w place e parts make =
-  let parts' = map_same (expr w place) parts in
+  let parts' = Long_list.map_sharing (expr w place) parts in
   if parts' == parts then e else { e with desc = make parts' }
 
 and field w place ((i, e) as unchanged) =
