@@ -13,6 +13,16 @@ let is_continuation : Core.Ir.ty -> bool = function
   | Function _ | Signal_function _ | Tuple _ | Data _ | Array _ | Size _ | Variable _ | Bool | Int | Float | String ->
       false
 
+(* A type variable counts as a signal's type. *)
+let rec holds_functions (ty : Core.Ir.ty) =
+  match ty with
+  | Function _ | Signal_function _ -> true
+  | Tuple parts | Data (_, parts) -> List.exists holds_functions parts
+  | Array (_, element) -> holds_functions element
+  | Variable _ | Bool | Int | Float | String | Size _ -> false
+
+let is_static (eq : Core.Ir.equation) = eq.parameters <> [] || holds_functions eq.binder.ty
+
 let steps ~first cycle =
   let rec from reversed = function
     | a :: (b :: _ as rest) -> from ((a, b) :: reversed) rest

@@ -12,6 +12,9 @@ val is_continuation : Core.Ir.ty -> bool
     function, or a task? What it mentions runs later, if at all, and is followed from mode
     to mode (see {!Machine}). *)
 
+val is_static : Core.Ir.equation -> bool
+(** Is it a function, a signal function or something with one in it, and no signal? *)
+
 val diagnostic : vertex:(int -> vertex) -> use:(int -> int -> Span.t) -> int list -> Diagnostic.t
 (** E0410 for a cycle, not empty: each vertex uses the next, the last one the
     first; [use]: where. Of a long one the beginning and the last step. *)

@@ -1,5 +1,6 @@
 open Basis
 module Ir = Core.Ir
+module Global_table = Resolve.Global_table
 
 type target = Uses.target =
   | Definition of Ir.Global.t * Ir.ty list
@@ -10,29 +11,29 @@ type definition = { core : Ir.definition; uses : (target * Span.t) list }
 let is_method = function Method _, _ -> true | Definition _, _ -> false
 
 (* The definitions from which a method at a type variable can be reached. *)
-let that_use_methods (program : Ir.program) =
+let that_use_methods definitions =
   let all =
     Array.of_list
       (List.rev
          (List.rev_map
             (fun (core : Ir.definition) -> { core; uses = Uses.of_expr ~continuations:false core.body })
-            program.definitions))
+            definitions))
   in
-  let index = Resolve.Global_table.create (Array.length all) in
-  Array.iteri (fun i d -> Resolve.Global_table.replace index d.core.name i) all;
+  let index = Global_table.create (Array.length all) in
+  Array.iteri (fun i d -> Global_table.replace index d.core.name i) all;
   let users = Array.make (Array.length all) [] in
   let note i = function
     | Definition (g, _), _ ->
-        Option.iter (fun j -> users.(j) <- i :: users.(j)) (Resolve.Global_table.find_opt index g)
+        Option.iter (fun j -> users.(j) <- i :: users.(j)) (Global_table.find_opt index g)
     | Method _, _ -> ()
   in
   Array.iteri (fun i d -> List.iter (note i) d.uses) all;
-  let found = Hashtbl.create 64 in
+  let found = Global_table.create 64 in
   let rec spread = function
     | [] -> ()
-    | i :: rest when Hashtbl.mem found all.(i).core.name -> spread rest
+    | i :: rest when Global_table.mem found all.(i).core.name -> spread rest
     | i :: rest ->
-        Hashtbl.replace found all.(i).core.name all.(i);
+        Global_table.replace found all.(i).core.name all.(i);
         spread (List.rev_append users.(i) rest)
   in
   Array.iteri (fun i d -> if List.exists is_method d.uses then spread [ i ]) all;
@@ -54,7 +55,7 @@ type vertex = {
 }
 
 type graph = {
-  program : (Ir.Global.t, definition) Hashtbl.t;
+  program : definition Global_table.t;
   instances : Core.Instance.table;
   sink : Diagnostic.sink;
   numbers : int Instantiations.t;
@@ -79,7 +80,7 @@ let report_growth g (d : definition) span =
 
 (* Its number, if it may lead to a method. *)
 let vertex g name types ~span =
-  match Hashtbl.find_opt g.program name with
+  match Global_table.find_opt g.program name with
   | None -> None
   | Some definition -> (
       match Instantiations.find_opt g.numbers (name, types) with
@@ -129,7 +130,7 @@ let rec follow_all g =
 let start g (program : Ir.program) =
   let own (d : definition) = List.map (fun v -> Ir.Variable v) d.core.parameters in
   let enter name types =
-    match Hashtbl.find_opt g.program name with
+    match Global_table.find_opt g.program name with
     | Some d -> ignore (vertex g name (types (own d)) ~span:d.core.span)
     | None -> ()
   in
@@ -191,10 +192,10 @@ let closed_by_a_method vertices component =
         vertices.(v).out)
     component
 
-let check_instances sink (program : Ir.program) =
+let check_instances sink (program : Ir.program) ~among =
   let g =
     {
-      program = that_use_methods program;
+      program = that_use_methods among;
       instances = Core.Instance.table program.instances;
       sink;
       numbers = Instantiations.create 64;
@@ -214,5 +215,5 @@ let check_instances sink (program : Ir.program) =
         report g defaults vertices (Graph.shortest_cycle graph component))
     (Graph.components graph)
 
-let check sink (program : Ir.program) =
-  if program.instances <> [] then check_instances sink program
+let check sink (program : Ir.program) ~among =
+  if program.instances <> [] then check_instances sink program ~among

@@ -57,8 +57,8 @@ let report sink (definitions : Ir.definition array) uses i { index; by; types; a
   |> Diagnostic.hint "start it again at the same types"
   |> Diagnostic.emit sink
 
-let check sink (program : Ir.program) =
-  let definitions = Array.of_list program.definitions in
+let check sink definitions =
+  let definitions = Array.of_list definitions in
   let index = Global_table.create (Array.length definitions) in
   Array.iteri (fun i (d : Ir.definition) -> Global_table.replace index d.name i) definitions;
   let uses =

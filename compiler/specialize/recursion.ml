@@ -22,14 +22,6 @@ let edge g source target span =
   let others = Option.value (Int_table.find_opt g.edges source) ~default:[] in
   Int_table.replace g.edges source ((target, span) :: others)
 
-(* A type variable counts as a signal's type. *)
-let rec holds_functions (ty : Ir.ty) =
-  match ty with
-  | Function _ | Signal_function _ -> true
-  | Tuple parts | Data (_, parts) -> List.exists holds_functions parts
-  | Array (_, element) -> holds_functions element
-  | Variable _ | Bool | Int | Float | String | Size _ -> false
-
 (* First all local vertices, as uses may come before their binding; then the
    edges. [visit] gets an expression and the vertex whose value it belongs to. *)
 let sub_expressions visit (e : Ir.expr) =
@@ -52,8 +44,6 @@ let rhs_expressions visit : Ir.rhs -> unit = function
       visit signal_function;
       visit input
 
-let is_vertex (eq : Ir.equation) = eq.parameters <> [] || holds_functions eq.binder.ty
-
 let rec declare g (e : Ir.expr) =
   match e.desc with
   | Let { binder; value; body; parameters = _ } ->
@@ -63,7 +53,7 @@ let rec declare g (e : Ir.expr) =
   | Proc proc ->
       List.iter
         (fun (eq : Ir.equation) ->
-          if is_vertex eq then declare_local g eq.binder;
+          if Cycle.is_static eq then declare_local g eq.binder;
           rhs_expressions (declare g) eq.rhs)
         proc.equations;
       declare g proc.output
@@ -90,7 +80,7 @@ let rec uses g owner (e : Ir.expr) =
       List.iter
         (fun (eq : Ir.equation) ->
           let owner =
-            if is_vertex eq then Int_table.find g.locals eq.binder.local.id else owner
+            if Cycle.is_static eq then Int_table.find g.locals eq.binder.local.id else owner
           in
           rhs_expressions (uses g owner) eq.rhs)
         proc.equations;
@@ -110,7 +100,7 @@ let report sink vertices use cycle =
   in
   Cycle.diagnostic ~vertex:(fun v -> vertices.(v)) ~use cycle |> cure |> Diagnostic.emit sink
 
-let check_graph sink (program : Ir.program) =
+let check_graph sink (definitions : Ir.definition list) =
   let g =
     {
       globals = Global_table.create 256;
@@ -124,12 +114,12 @@ let check_graph sink (program : Ir.program) =
     let number = vertex g d.name.name ~ty:d.ty d.span in
     Global_table.replace g.globals d.name number
   in
-  List.iter number program.definitions;
-  List.iter (fun (d : Ir.definition) -> declare g d.body) program.definitions;
+  List.iter number definitions;
+  List.iter (fun (d : Ir.definition) -> declare g d.body) definitions;
   List.iter
     (fun (d : Ir.definition) ->
       uses g (Global_table.find g.globals d.name) d.body)
-    program.definitions;
+    definitions;
   let vertices = Array.of_list (List.rev g.vertices) in
   let out v = List.rev (Option.value (Int_table.find_opt g.edges v) ~default:[]) in
   let graph = Array.init g.count (fun v -> List.map fst (out v)) in
@@ -144,8 +134,10 @@ let check_graph sink (program : Ir.program) =
 
 let check sink program =
   let own = Diagnostic.sink () in
-  check_graph own program;
+  let candidates = Candidates.of_program program in
+  check_graph own candidates.at_once;
   (* What runs in a circle by itself would do so again at every type. *)
-  if not (Diagnostic.has_errors own) then Method_recursion.check own program;
-  if not (Diagnostic.has_errors own) then Polymorphic_recursion.check own program;
+  if not (Diagnostic.has_errors own) then
+    Method_recursion.check own program ~among:candidates.by_methods;
+  if not (Diagnostic.has_errors own) then Polymorphic_recursion.check own candidates.ever;
   List.iter (Diagnostic.emit sink) (Diagnostic.all own)
