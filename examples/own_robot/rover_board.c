@@ -173,7 +173,7 @@ static void advance(void *memory, int64_t now_ns, struct frob_answer *answer)
     struct board *b = (struct board *)memory;
     b->now_ns = now_ns;
     if (b->pings && now_ns >= b->ping_ns) {
-        char text[16];
+        char text[24];
         bool heard = b->echo_m[b->pinged] > 0.0 && now_ns - b->echo_ns[b->pinged] <= ROUND_NS;
         snprintf(text, sizeof text, "%ld\r\n", heard ? lround(b->echo_m[b->pinged] * 100.0) : 0L);
         say(answer, text);

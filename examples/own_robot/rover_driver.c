@@ -226,7 +226,7 @@ static enum frob_status command(void *device, const void *from)
     const struct frob_rover_output *output = (const struct frob_rover_output *)from;
     struct frob_wheels wheels = frob_wheels_of(output->forward, output->turn,
                                                d->settings[ROVER_SEPARATION_M], MOST_M_S);
-    double counts = d->settings[ROVER_COUNTS_PER_M] / ROVER_LOOPS; /* of 1 m/s */
+    double counts = d->settings[ROVER_COUNTS_PER_M] / (double)ROVER_LOOPS; /* of 1 m/s */
     if (!d->guarded)
         return FROB_BUSY_CONNECTING;
     d->left = (int32_t)lround(wheels.left * counts);

@@ -14,18 +14,18 @@ that it knows would. What the module says makes a C header beside the program.
   $ frobc header $rover/Rover.frob | cmp - generated/rover.h
 
 All its C is C++ too; the body since C++20, which has names of members. Of those that it
-leaves out no C compiler warns.
+leaves out no C compiler warns, but clang 19 where it is C++.
 
   $ compiles () {
   >   for source in $2; do
-  >     $1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off -Igenerated -I../../runtime -I../../runtime/include -fsyntax-only $source
+  >     $1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off -Igenerated -I../../runtime -I../../runtime/include -fsyntax-only $3 $source
   >   done
   > }
   $ others=$(ls generated/wall_follow.c $rover/*.c | grep -v body)
   $ compiles "gcc -std=c99" "$others $rover/rover_body.c"
   $ compiles "clang -std=c99" "$others $rover/rover_body.c"
   $ compiles "g++ -x c++ -std=c++17" "$others"
-  $ compiles "clang++ -x c++ -std=c++20" $rover/rover_body.c
+  $ compiles "clang++ -x c++ -std=c++20" $rover/rover_body.c -Wno-missing-field-initializers
 
 The wall follower goes round its room on it, unchanged, with its simulated body; and
 what is recorded replays on both engines.

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#define MOST_M_S (FROB_CREATE_MAX_SPEED_MM_S * 1e-3)
+#define MOST_M_S ((double)FROB_CREATE_MAX_SPEED_MM_S * 1e-3)
 #define MOST_PADDING 8
 #define LONGEST_COMMAND 513 /* bytes: a song of 255 notes */
 

@@ -245,7 +245,7 @@ static void look_after_controller(struct supervisor *s)
     }
     if (since_ns > GIVE_UP * s->patience_ns)
         end(s, FAULT, "the controller has not finished a step for %g s",
-            GIVE_UP * s->options->patience_s);
+            (double)GIVE_UP * s->options->patience_s);
 }
 
 /* Instant k is due at a multiple of the period from when the robot was ready;
