@@ -244,11 +244,12 @@ typedef char %s[sizeof(%s) == %d ? 1 : -1];
    at the same place of the stack, for filled already, and then read it before the
    first: they are of different types (aarch64 with -Os; tests/matrix/shared_stack.c is
    the whole of it). No attribute of the structs helps, as these are variables and
-   no pointers. *)
+   no pointers. Only for that machine: a function with the pragma is not taken into a
+   caller without it, which link-time optimization does otherwise. *)
 let without_strict_aliasing =
-  {|/* gcc (11 to 13, for aarch64) reads a struct on the stack too early where two of
- * different types share its place, unless all accesses may be of the same memory. */
-#if defined(__GNUC__) && !defined(__clang__)
+  {|/* gcc 11 to 13 for aarch64 read a struct on the stack too early where two of different
+ * types share its place, unless all accesses may be of the same memory. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__aarch64__)
 #pragma GCC optimize("no-strict-aliasing")
 #endif
 |}

@@ -3,7 +3,7 @@
  * the same time and get the same place on the stack; the zeros of the second are there
  * already; and what it is read for comes before these, which are of another type.
  * Prints what is wrong; the exit status is 1 then. */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(STRICT)
+#if defined(__GNUC__) && !defined(__clang__) && defined(__aarch64__) && !defined(STRICT)
 #pragma GCC optimize("no-strict-aliasing")
 #endif
 #include <stdint.h>
