@@ -45,7 +45,7 @@ N ?= 1000
 SEED ?= $(shell date +%s)
 
 # For `make mutants`: within how many random programs each fault is to be found, and
-# which faults of tests/mutants/list, by number; none: all.
+# which faults of tests/meaning/mutants/list, by number; none: all.
 MUTANT_PROGRAMS ?= 10000
 MUTANTS ?=
 
@@ -78,66 +78,66 @@ test: setup
 	@sh tests/run.sh
 
 fuzz: all
-	@dune build tests/fuzz/main.exe
-	@_build/default/tests/fuzz/main.exe --count $(N) --seed $(SEED) --jobs $$(nproc) --sanitize-every 50
+	@dune build tests/meaning/fuzz/main.exe
+	@_build/default/tests/meaning/fuzz/main.exe --count $(N) --seed $(SEED) --jobs $$(nproc) --sanitize-every 50
 
 # Deliberate faults in the compiler: the random programs must find each. With direct calls
 # between modules each fault would ask for all that depends on its module to be built again.
 mutants: DUNE_PROFILE = dev
 mutants: setup
-	@sh tests/mutants/run.sh $(MUTANT_PROGRAMS) 1 $(MUTANTS)
+	@sh tests/meaning/mutants/run.sh $(MUTANT_PROGRAMS) 1 $(MUTANTS)
 
 # The compiler on bytes that are nearly programs, in a build that afl-fuzz can watch.
 fuzz-frontend: setup
 	@sh tests/setup.sh $(AFL_PACKAGES)
 	@mkdir -p $(CURDIR)/_build
-	@OCAMLPARAM='_,afl-instrument=1' dune build --build-dir $(CURDIR)/_build/afl ./tests/frontend/harness.exe
-	@sh tests/frontend/run.sh $(CURDIR)/_build/afl/default/tests/frontend/harness.exe $(CURDIR)/stdlib $(SECONDS)
+	@OCAMLPARAM='_,afl-instrument=1' dune build --build-dir $(CURDIR)/_build/afl ./tests/users/frontend/harness.exe
+	@sh tests/users/frontend/run.sh $(CURDIR)/_build/afl/default/tests/users/frontend/harness.exe $(CURDIR)/stdlib $(SECONDS)
 
 fuzz-drivers: setup
-	@dune build ./tests/wire/fuzz/fuzz_scout ./tests/wire/fuzz/fuzz_create ./tests/wire/fuzz/fuzz_pioneer
-	@sh tests/wire/fuzz/run.sh _build/default/tests/wire/fuzz $(BYTES) $(SEED) scout create pioneer
+	@dune build ./tests/robots/wire/fuzz/fuzz_scout ./tests/robots/wire/fuzz/fuzz_create ./tests/robots/wire/fuzz/fuzz_pioneer
+	@sh tests/robots/wire/fuzz/run.sh _build/default/tests/robots/wire/fuzz $(BYTES) $(SEED) scout create pioneer
 
 # The examples with many seeds of noise, in the simulator and through each robot's
 # driver and line, and BUG in real time behind each line: what a minute is too short
 # for in `make test`.
 seeds: all
-	@dune build ./tests/line/frob-line
-	@sh tests/line/seeds.sh $(CURDIR)/$(FROBC) _build/default/tests/line/frob-line examples $(SEEDS)
-	@sh tests/robot/bug.sh $(CURDIR)/$(FROBC) $(CURDIR)/examples
-	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh tests/run/all_seeds.sh $(SEEDS)
+	@dune build ./tests/robots/line/frob-line
+	@sh tests/robots/line/seeds.sh $(CURDIR)/$(FROBC) _build/default/tests/robots/line/frob-line examples $(SEEDS)
+	@sh tests/robots/robot/bug.sh $(CURDIR)/$(FROBC) $(CURDIR)/examples
+	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh tests/robots/run/all_seeds.sh $(SEEDS)
 
 matrix: all
 	@sh tests/setup.sh $(MATRIX_PACKAGES)
-	@dune build tests/matrix/emit.exe
-	@sh tests/matrix/run.sh _build/default/tests/matrix/emit.exe stdlib runtime $(N) $(SEED) all \
+	@dune build tests/generated/matrix/emit.exe
+	@sh tests/generated/matrix/run.sh _build/default/tests/generated/matrix/emit.exe stdlib runtime $(N) $(SEED) all \
 	  $$(grep -L '^foreign' $(EXAMPLES) | $(FOR_A_ROBOT)) \
-	  tests/interp/*.frob
-	@sh tests/matrix/selftest.sh $(FROBC)
-	@sh tests/matrix/shared_stack.sh
-	@sh tests/targets/run.sh
+	  tests/meaning/interp/*.frob
+	@sh tests/generated/matrix/selftest.sh $(FROBC)
+	@sh tests/generated/matrix/shared_stack.sh
+	@sh tests/generated/targets/run.sh
 
 # The elementary functions of single precision on every float; of two arguments, on as
 # many pairs. An hour's work for two processors.
 elementary: setup
-	@dune build ./tests/elementary/single_errors_fast
+	@dune build ./tests/generated/elementary/single_errors_fast
 	@echo exp log sin cos tan asin acos atan pow atan2 hypot | tr ' ' '\n' | \
-	  xargs -P $$(nproc) -n 1 _build/default/tests/elementary/single_errors_fast 1
+	  xargs -P $$(nproc) -n 1 _build/default/tests/generated/elementary/single_errors_fast 1
 
 # No undefined behaviour in the C of the examples, and a clamp that holds, by static
 # analysis; and what MISRA C says.
 prove: all
 	@sh tests/setup.sh $(PROVE_PACKAGES)
-	@sh tests/prove/run.sh $(CURDIR)/$(FROBC) runtime docs/generated-c.md $(PROGRAMS)
+	@sh tests/generated/prove/run.sh $(CURDIR)/$(FROBC) runtime docs/generated-c.md $(PROGRAMS)
 
 soak: setup
-	@dune build ./tests/faults/soak
-	@_build/default/tests/faults/soak $(SEED) $(SEEDS) $(SECONDS)
+	@dune build ./tests/robots/faults/soak
+	@_build/default/tests/robots/faults/soak $(SEED) $(SEEDS) $(SECONDS)
 
 bench: all
 	@sh tests/setup.sh $(BENCH_PACKAGES)
 	-@sh tests/setup.sh $(COMPARED_PACKAGES)
-	@sh tests/bench/run.sh
+	@sh tests/generated/bench/run.sh
 
 install: setup
 	dune build -p frobc @install

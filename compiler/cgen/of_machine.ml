@@ -242,7 +242,7 @@ typedef char %s[sizeof(%s) == %d ? 1 : -1];
 
 (* gcc 11 to 13 take the second of two structs that are filled with the same constants,
    at the same place of the stack, for filled already, and then read it before the
-   first: they are of different types (aarch64 with -Os; tests/matrix/shared_stack.c is
+   first: they are of different types (aarch64 with -Os; tests/generated/matrix/shared_stack.c is
    the whole of it). No attribute of the structs helps, as these are variables and
    no pointers. Only for that machine: a function with the pragma is not taken into a
    caller without it, which link-time optimization does otherwise. *)

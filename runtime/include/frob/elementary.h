@@ -8,7 +8,7 @@
  * -ffast-math.
  *
  * Errors are in units in the last place of the result (ulp) against the exact
- * value; 0.5 would be correctly rounded. tests/elementary measures them (those of
+ * value; 0.5 would be correctly rounded. tests/generated/elementary measures them (those of
  * single precision for every float: make elementary).
  * Special cases are those of C99, Annex F; no function sets errno. */
 #ifndef FROB_ELEMENTARY_H

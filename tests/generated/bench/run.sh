@@ -1,0 +1,29 @@
+#!/bin/sh
+# Measures: prints a table and writes _build/bench.json. Each part prints JSON
+# objects, one a line; see the parts for what they measure.
+set -eu
+cd "$(dirname "$0")/../../.."
+out=_build/bench
+mkdir -p "$out"
+
+{
+    sh tests/generated/bench/step/run.sh "$out"
+    sh tests/generated/bench/step/cortex_m/run.sh "$out"
+    sh tests/generated/bench/compile_time.sh "$out"
+    sh tests/generated/bench/shapes.sh "$out"
+    sh tests/generated/bench/simulator.sh "$out"
+    sh tests/generated/bench/code_size.sh "$out"
+    sh tests/generated/bench/stop/run.sh "$out"
+} >"$out/lines"
+
+{
+    echo '['
+    sed '$!s/$/,/' "$out/lines"
+    echo ']'
+} >_build/bench.json
+
+awk -F'"' '
+    BEGIN { printf "%-14s %-26s %-10s %10s %10s %7s  %s\n", "program", "measure", "compiler", "value", "reference", "ratio", "unit" }
+    function number(text) { gsub(/[:, ]/, "", text); return text }
+    { printf "%-14s %-26s %-10s %10s %10s %7s  %s\n", $4, $8, $12, number($15), number($17), number($19), $22 }
+' "$out/lines"

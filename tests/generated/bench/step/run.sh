@@ -1,0 +1,183 @@
+#!/bin/sh
+# Generated C beside C by hand, under gcc and clang at -O2 and -O3, each also with
+# link-time optimization, which takes the step into the loop that calls it: the
+# step's time (see bench.c) and instructions (counted by valgrind, so the same on
+# each run), bytes of state, and bytes of text at -O2. Where the machine code lies in
+# memory alone moves the ratio of two times by up to a tenth: so each is compiled in
+# several layouts, and the time is that of the layout whose ratio is in the middle.
+# Some also stand beside what Copilot makes of the same program. The arguments are the folder to work in,
+# and programs, if not all.
+set -eu
+out=$1/step
+shift
+here=tests/generated/bench/step
+frobc=_build/install/default/bin/frobc
+rounds=67
+# Where functions and loops begin; the usual one is what the compilers do by themselves.
+usual=-falign-functions=16
+layouts="-falign-functions=64 -falign-loops=32 $usual"
+# The elementary functions.
+library=_build/install/default/lib/frobc/libfrob.a
+# As frobc's own hosts build generated code; hand-written code gets the same.
+exact="-std=c99 -ffp-contract=off"
+warnings="-Wall -Wextra -Werror"
+mkdir -p "$out"
+
+# Measure, compiler, value, reference, unit.
+row() {
+    ratio=$(awk "BEGIN { printf \"%.3f\", $3 / $4 }")
+    printf '{"program": "%s", "measure": "%s", "compiler": "%s", "value": %s, "reference": %s, "ratio": %s, "unit": "%s"}\n' \
+        "$program" "$1" "$2" "$3" "$4" "$ratio" "$5"
+}
+
+# Of code and constants, without tables for debuggers and exceptions.
+text_bytes() {
+    size -A "$1" | awk '$1 ~ /^\.(text|rodata)/ { sum += $2 } END { print sum + 0 }'
+}
+
+# Instructions of a pass, a step.
+instructions() {
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$2*" "$1" 1 2>&1 |
+        awk '/Collected/ { printf "%.1f", $4 / 16384 }'
+}
+
+# Of the executable in each layout, what that in the middle prints.
+middle_of_layouts() {
+    for layout in $layouts; do
+        "$1$layout" $rounds
+    done >"$1-times"
+    awk '{ print $1 / $2, $0 }' "$1-times" | sort -n | sed -n 2p | cut -d ' ' -f 2-
+}
+
+measure() {
+    compiler=$1
+    label="$compiler -$2"
+    made=$out/$program-$compiler-$2
+    include="-I $out -I $here -I $here/$program -I runtime/include"
+    # The usual layout is the last: its objects are what is measured in bytes.
+    for layout in $layouts; do
+        flags="-$2 $layout $exact"
+        # shellcheck disable=SC2086
+        {
+            $compiler $flags $warnings $include -c "$out/$program.c" -o "$made-generated.o"
+            $compiler $flags $warnings $include -c "$here/$program/by_hand.c" -o "$made-by_hand.o"
+            $compiler $flags $warnings $include -c "$here/$program/by_hand.c" -DDT_AS_IT_COMES \
+                -o "$made-by_hand_dt_as_it_comes.o"
+            $compiler $flags $warnings $include "$here/$program/bench.c" "$here/bench.c" \
+                "$made-generated.o" "$made-by_hand.o" $library -lm -o "$made$layout"
+            $compiler $flags $warnings $include "$here/$program/bench.c" "$here/bench.c" \
+                "$made-generated.o" "$made-by_hand_dt_as_it_comes.o" $library -lm -o "$made-dt_as_it_comes$layout"
+        }
+    done
+    set -- $(middle_of_layouts "$made")
+    row "step time" "$label" "$1" "$2" ns
+    if [ "$label" = "gcc -O2" ]; then row "state" "$compiler" "$3" "$4" bytes; fi
+    set -- $(middle_of_layouts "$made-dt_as_it_comes")
+    row "step time, dt as it comes" "$label" "$1" "$2" ns
+    row "step instructions" "$label" "$(instructions "$made$usual" generated_pass)" \
+        "$(instructions "$made$usual" by_hand_pass)" instructions
+    case $label in
+    *-O2) row "text" "$label" "$(text_bytes "$made-generated.o")" "$(text_bytes "$made-by_hand.o")" bytes ;;
+    esac
+}
+
+# The same, and the bench, as one unit.
+measure_linked() {
+    compiler=$1
+    label="$compiler -$2 -flto"
+    made=$out/$program-$compiler-$2-lto
+    include="-I $out -I $here -I $here/$program -I runtime/include"
+    for layout in $layouts; do
+        # shellcheck disable=SC2086
+        $compiler -$2 -flto $layout $exact $warnings $include "$here/$program/bench.c" \
+            "$here/bench.c" "$out/$program.c" "$here/$program/by_hand.c" $library -lm -o "$made$layout"
+    done
+    set -- $(middle_of_layouts "$made")
+    row "step time" "$label" "$1" "$2" ns
+    row "step instructions" "$label" "$(instructions "$made$usual" generated_pass)" \
+        "$(instructions "$made$usual" by_hand_pass)" instructions
+}
+
+# All steps in one call beside a call for each.
+measure_batch() {
+    compiler=$1
+    made=$out/$program-$compiler-batch
+    include="-I $out/batch -I $here -I $here/$program -I runtime/include"
+    mkdir -p "$out/batch"
+    "$frobc" compile --batch "$here/$program/$program.frob" -o "$out/batch"
+    for layout in $layouts; do
+        flags="-O2 $layout $exact"
+        # shellcheck disable=SC2086
+        {
+            $compiler $flags $warnings $include -c "$out/batch/$program.c" -o "$made.o"
+            $compiler $flags $warnings $include -DBENCH_BATCH "$here/$program/bench.c" "$here/bench.c" \
+                "$made.o" $library -lm -o "$made$layout"
+        }
+    done
+    set -- $(middle_of_layouts "$made")
+    row "step time, many in a call" "$compiler -O2" "$1" "$2" ns
+}
+
+# The generated step beside Copilot's: C that `copilot.hs` writes, compiled alike.
+measure_copilot() {
+    tool=$out/$program-copilot
+    mkdir -p "$tool"
+    ghc -v0 -i"$here" -outputdir "$tool" -o "$tool/write" "$here/$program/copilot.hs"
+    (cd "$tool" && ./write)
+    for compiler in gcc clang; do
+        flags="-O2 $exact"
+        include="-I $tool -I $out -I $here -I $here/$program -I runtime/include"
+        # shellcheck disable=SC2086
+        {
+            $compiler $flags $include -c "$tool/copilot.c" -o "$tool/copilot.o"
+            $compiler $flags $include "$here/$program/bench.c" "$here/bench.c" \
+                "$here/$program/copilot_step.c" "$tool/copilot.o" \
+                "$out/$program-$compiler-O2-generated.o" $library -lm -o "$tool/bench"
+        }
+        set -- $("$tool/bench" $((3 * rounds)))
+        row "step time beside Copilot" "$compiler -O2" "$1" "$2" ns
+        row "state beside Copilot" "$compiler -O2" "$3" \
+            "$(size "$tool/copilot.o" | awk 'NR == 2 { print $2 + $3 }')" bytes
+        row "text beside Copilot" "$compiler -O2" \
+            "$(text_bytes "$out/$program-$compiler-O2-generated.o")" "$(text_bytes "$tool/copilot.o")" bytes
+    done
+}
+
+# Text for a microcontroller, as programs for one are compiled.
+measure_cortex() {
+    flags="-mcpu=cortex-m4 -mthumb -Os $exact $warnings"
+    include="-I $out -I $here -I $here/$program -I runtime/include"
+    # shellcheck disable=SC2086
+    {
+        arm-none-eabi-gcc $flags $include -c "$out/$program.c" -o "$out/$program-m4-generated.o"
+        arm-none-eabi-gcc $flags $include -c "$here/$program/by_hand.c" -o "$out/$program-m4-by_hand.o"
+    }
+    row "text" "Cortex-M4" "$(text_bytes "$out/$program-m4-generated.o")" \
+        "$(text_bytes "$out/$program-m4-by_hand.o")" bytes
+}
+
+skipped() {
+    printf '{"program": "%s", "measure": "%s", "compiler": "%s", "value": null, "reference": null, "ratio": null, "unit": "skipped: not installed"}\n' \
+        "$program" "$1" "$2"
+}
+
+has_copilot() {
+    command -v ghc >/dev/null && ghc-pkg --simple-output list copilot-c99 2>/dev/null | grep -q copilot
+}
+
+if [ $# -eq 0 ]; then set -- wall_follow pid modes obstacles kalman events nested patrol bug; fi
+for program in "$@"; do
+    "$frobc" compile "$here/$program/$program.frob" -o "$out"
+    for level in O2 O3; do
+        for compiler in gcc clang; do
+            measure "$compiler" "$level"
+            measure_linked "$compiler" "$level"
+        done
+    done
+    measure_batch gcc
+    measure_batch clang
+    if [ -f "$here/$program/copilot.hs" ]; then
+        if has_copilot; then measure_copilot; else skipped "step time beside Copilot" ghc; fi
+    fi
+    if command -v arm-none-eabi-gcc >/dev/null; then measure_cortex; else skipped "text" Cortex-M4; fi
+done

@@ -1,0 +1,84 @@
+(* Each program here, and the examples, through the interpreter and through C:
+   the same bytes for the same input. Once with tcc, once with the sanitizers of
+   an optimizing compiler, which stop what is out of bounds or undefined. The input
+   is random; a recording beside a program, as the fuzzer prints it, is input too. *)
+
+open Fuzz
+
+let root = "../../.."
+let ( / ) = Filename.concat
+
+let tools real =
+  {
+    Engines.library = root / "stdlib";
+    runtime = root / "runtime";
+    folder = Filename.current_dir_name;
+    real;
+  }
+
+let read path =
+  let channel = open_in_bin path in
+  Fun.protect
+    ~finally:(fun () -> close_in channel)
+    (fun () -> really_input_string channel (in_channel_length channel))
+
+(* What a program was seen to fail on. *)
+let recorded subject file =
+  let path = Filename.remove_extension file ^ ".csv" in
+  if not (Sys.file_exists path) then []
+  else
+    match Engines.read_recording subject (read path) with
+    | Ok recording -> [ recording ]
+    | Error text -> Alcotest.fail (path ^ ": " ^ text)
+
+let agree ?(real = Basis.Real.Double) engine (file, robot) () =
+  let tools = tools real in
+  let random = Random.State.make [| 2001 |] in
+  let outcome =
+    match Engines.load ?robot tools ~entry:"main" file with
+    | Error outcome -> outcome
+    | Ok subject ->
+        let random = Engines.recordings random ~rows:200 subject in
+        Engines.judge tools [ engine ] subject (recorded subject file @ random)
+  in
+  match outcome with
+  | Agree -> ()
+  | Rejected _ | Failed _ | Differ _ -> Alcotest.fail (Engines.describe outcome)
+
+let case ?real engine ((file, _) as program) =
+  let words = String.concat " " (String.split_on_char '_' (Filename.basename file)) in
+  Alcotest.test_case (Filename.remove_extension words) `Quick (agree ?real engine program)
+
+let programs =
+  Sys.readdir Filename.current_dir_name
+  |> Array.to_list
+  |> List.filter (fun file -> Filename.check_suffix file ".frob")
+  |> List.sort String.compare
+  |> List.map (fun file -> (file, None))
+
+let robot name =
+  match Driver.Robots.known (Some name) with Ok robot -> robot | Error reason -> failwith reason
+
+(* Those without code in C. *)
+let examples =
+  let example ?robot name = (root / "examples" / name / (name ^ ".frob"), robot) in
+  let for_pioneer =
+    [ "bug"; "corridor"; "dock"; "explore"; "heading_hold"; "patrol"; "wall_follow" ]
+  in
+  List.map (fun name -> example name) for_pioneer
+  @ [
+      example ?robot:(robot "create") "line_follow";
+      example ?robot:(robot "pioneer") "safe_stick";
+      example ?robot:(robot (root / "examples/light_seek/Moth.frob")) "light_seek";
+    ]
+
+let () =
+  (* What stays in memory until the host ends is not lost. *)
+  Unix.putenv "ASAN_OPTIONS" "detect_leaks=0";
+  Alcotest.run "both engines"
+    [
+      ("constructs", List.map (case Tcc) programs);
+      ("examples", List.map (case Tcc) examples);
+      ("under the sanitizers", List.map (case (Sanitized Gcc)) (programs @ examples));
+      ("in single precision", List.map (case ~real:Single Tcc) (programs @ examples));
+    ]

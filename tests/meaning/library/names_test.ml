@@ -1,0 +1,119 @@
+(* Each name of the library says what it is, and is run by some test. *)
+
+open Basis
+
+let root = "../../.."
+let ( / ) = Filename.concat
+let stdlib = root / "stdlib"
+
+let read file =
+  let channel = open_in_bin file in
+  Fun.protect
+    ~finally:(fun () -> close_in channel)
+    (fun () -> really_input_string channel (in_channel_length channel))
+
+(* Programs that both engines run, and whose results are stated or compared. *)
+let tests =
+  let files folder extension =
+    Sys.readdir (root / folder)
+    |> Array.to_list
+    |> List.filter (fun file -> Filename.check_suffix file extension)
+    |> List.map (fun file -> read (root / folder / file))
+  in
+  read (root / "docs" / "semantics.md")
+  :: (files "tests/meaning/interp" ".frob"
+     @ List.concat_map
+         (fun area -> files ("tests" / area) ".t")
+         [
+           "meaning/library";
+           "meaning/arrays";
+           "meaning/switch";
+           "meaning/tasks";
+           "meaning/capabilities";
+           "meaning/paper";
+           "robots/run";
+         ])
+
+let is_name_character c =
+  match c with 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false
+
+let is_word name = is_name_character name.[0]
+
+(* A word as a whole, an operator anywhere. *)
+let occurs name text =
+  let n = String.length name in
+  let apart i = i < 0 || i >= String.length text || not (is_name_character text.[i]) in
+  let rec from i =
+    i + n <= String.length text
+    && ((String.sub text i n = name && ((not (is_word name)) || (apart (i - 1) && apart (i + n))))
+       || from (i + 1))
+  in
+  from 0
+
+let load name =
+  let sink = Diagnostic.sink () in
+  let file = stdlib / (name ^ ".frob") in
+  match
+    Resolve.Program.load sink ~files:Resolve.Files.on_disk
+      ~remember:(fun ~file:_ _ -> ())
+      ~library:stdlib file
+  with
+  | Some program -> program
+  | None -> Alcotest.fail (file ^ " does not load")
+
+type declared = { name : string; doc : string option; runs : bool }
+
+(* What a module declares itself. *)
+let declared module_ (program : Resolve.Ir.program) =
+  let own (g : Resolve.Ir.Global.t) = String.equal g.module_ module_ in
+  let value (g : Resolve.Ir.Global.t) doc =
+    if own g then [ { name = g.name; doc; runs = true } ] else []
+  in
+  let of_type (t : Resolve.Ir.type_declaration) =
+    if own t.tycon && t.definition <> Builtin then
+      [ { name = t.tycon.name; doc = t.doc; runs = false } ]
+    else []
+  in
+  (* Of a class that is about one thing the comment says what its method is. *)
+  let method_ (c : Resolve.Ir.class_) (m : Resolve.Ir.method_) =
+    value m.name (match (m.doc, c.methods) with None, [ _ ] -> c.doc | doc, _ -> doc)
+  in
+  let of_class (c : Resolve.Ir.class_) =
+    if not (own c.class_) then []
+    else
+      { name = c.class_.name; doc = c.doc; runs = false }
+      :: List.concat_map (method_ c) c.methods
+  in
+  let of_binding (b : Resolve.Ir.binding) =
+    match b.name with Top (g, _) -> value g b.doc | Inner _ | Destructure _ -> []
+  in
+  List.concat
+    [
+      List.concat_map of_type program.types;
+      List.concat_map (fun (p : Resolve.Ir.primitive) -> value p.name p.doc) program.primitives;
+      List.concat_map of_class program.classes;
+      List.concat_map
+        (fun (g : Resolve.Ir.binding_group) -> List.concat_map of_binding g.bindings)
+        program.groups;
+    ]
+
+let names suits declared = List.filter_map (fun d -> if suits d then Some d.name else None) declared
+
+(* What the robots' modules say is tested with the robots, in the simulator. *)
+let general = [ "Prelude"; "Control"; "Geometry" ]
+
+let check module_ =
+  let declared = declared module_ (load module_) in
+  let case what suits =
+    Alcotest.test_case (module_ ^ ": " ^ what) `Quick (fun () ->
+        Alcotest.(check (list string)) what [] (names suits declared))
+  in
+  case "without a doc comment" (fun d -> d.doc = None)
+  ::
+  (if List.mem module_ general then
+     [ case "in no test" (fun d -> d.runs && not (List.exists (occurs d.name) tests)) ]
+   else [])
+
+let () =
+  let modules = Resolve.Files.on_disk.modules_in stdlib in
+  Alcotest.run "names of the library" [ ("modules", List.concat_map check modules) ]

@@ -1,0 +1,27 @@
+The wall follower drives a robot of one's own behind a line: the driver on one side,
+the board and the simulated body on the other.
+
+  $ . ../robot/robot.sh
+  $ . ../run/within.sh
+  $ rover=../../../examples/own_robot
+  $ follow=../../../examples/wall_follow/wall_follow.frob
+  $ kind="$rover/Rover.frob --with $rover/rover_body.c --with $rover/rover_board.c"
+  $ start_robot --world ../robot/wall.toml
+  $ all=$(printf -- '--with %s ' $rover/*.c)
+  $ frobc run $follow --robot $rover/Rover.frob $all --device ./line --for 12s --record log.csv > summary
+  $ grep robot: summary
+  robot: Rover
+  $ end_robot
+  $ within distance_driven 1.2 3.5 largest_wall_distance_error 0 0.3 odometry_error_at_the_end 0 0.1 collisions 0 0 < served
+  $ within connections 1 1 time_run 11.9 12.1 < summary
+  $ frobc trace $follow --robot $rover/Rover.frob --input log.csv --output again.csv
+  $ sed 's/,.*,\([^,]*,[^,]*\)$/,\1/' log.csv | cmp - again.csv
+
+The parts that are missing are named, and what is no robot of one's own has none.
+
+  $ frobc serve --robot $rover/Rover.frob --with $rover/rover_body.c --for 1s
+  error: there is no `frob_rover_board` in the C files of the robot: the board of a robot of your own is in a C file that is given with `--with`
+  [2]
+  $ frobc serve --robot scout --with $rover/rover_body.c --for 1s
+  error: --with is for a robot of your own: --robot FILE.frob
+  [2]

@@ -1,0 +1,160 @@
+A robot that Frob does not know: the file of its module stands where the name of one
+that it knows would. What the module says makes a C header beside the program.
+
+  $ rover=../../../examples/own_robot
+  $ follow=../../../examples/wall_follow/wall_follow.frob
+  $ frobc check --lint $follow --robot $rover/Rover.frob
+  $ frobc compile $follow --robot $rover/Rover.frob -o generated
+  $ ls generated
+  rover.h
+  wall_follow.c
+  wall_follow.h
+  $ grep include generated/wall_follow.h | head -1
+  #include "rover.h"
+  $ frobc header $rover/Rover.frob | cmp - generated/rover.h
+
+All its C is C++ too; the body since C++20, which has names of members. Of those that it
+leaves out no C compiler warns, but clang 19 where it is C++.
+
+  $ compiles () {
+  >   for source in $2; do
+  >     $1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off -Igenerated -I../../../runtime -I../../../runtime/include -fsyntax-only $3 $source
+  >   done
+  > }
+  $ others=$(ls generated/wall_follow.c $rover/*.c | grep -v body)
+  $ compiles "gcc -std=c99" "$others $rover/rover_body.c"
+  $ compiles "clang -std=c99" "$others $rover/rover_body.c"
+  $ compiles "g++ -x c++ -std=c++17" "$others"
+  $ compiles "clang++ -x c++ -std=c++20" $rover/rover_body.c -Wno-missing-field-initializers
+
+The wall follower goes round its room on it, unchanged, with its simulated body; and
+what is recorded replays on both engines.
+
+  $ frobc run $follow --robot $rover/Rover.frob --with $rover/rover_body.c --for 60s --seed 1 --record run.csv | grep -E 'error:|collisions'
+  mean wall distance error: 0.0151 m
+  largest wall distance error: 0.1331 m
+  collisions: 0
+  $ frobc trace $follow --robot $rover/Rover.frob --input run.csv > replayed.csv
+  $ frobc trace $follow --robot $rover/Rover.frob --input run.csv --engine interp | cmp - replayed.csv
+  $ head -1 replayed.csv
+  time,out.forward,out.turn
+
+In single precision too: its structs stay of doubles, the table for hosts converts.
+
+  $ frobc run $follow --real float --robot $rover/Rover.frob --with $rover/rover_body.c --for 60s --seed 1 --record run.csv | grep -E 'error:|collisions'
+  mean wall distance error: 0.0152 m
+  largest wall distance error: 0.1331 m
+  collisions: 0
+  $ frobc trace $follow --real float --robot $rover/Rover.frob --input run.csv > replayed.csv
+  $ frobc trace $follow --real float --robot $rover/Rover.frob --input run.csv --engine interp | cmp - replayed.csv
+  $ frobc compile $follow --real float --robot $rover/Rover.frob -o single
+  $ ls single
+  rover.h
+  wall_follow.c
+  wall_follow.h
+  $ frobc header $rover/Rover.frob | cmp - single/rover.h
+
+All its C files may be given at once.
+
+  $ all=$(printf -- '--with %s ' $rover/*.c)
+  $ frobc run ../../../examples/patrol/patrol.frob --robot $rover/Rover.frob $all --for 60s --strict | grep collisions
+  collisions: 0
+  $ frobc build $follow --robot $rover/Rover.frob $all -o wall_follow
+  $ ./wall_follow --help | sed -n '/^Settings/,$p'
+  Settings:
+    baud               rate of the serial line, bits per second, 9600 to 115200 (57600)
+    watchdog           the robot stops by itself after so many ms without a speed, 100 to 2000 (500)
+    counts             of an encoder for each metre of way, 100 to 1e+06 (8000)
+    wheel-separation   between the wheels, m, 0.05 to 1 (0.19)
+    patience           until a command without answer is given up, s, 0.01 to 1 (0.06)
+  $ frobc build $follow --robot $rover/Rover.frob $all --target linux -o wall_follow && ./wall_follow --help | grep watchdog
+    watchdog           the robot stops by itself after so many ms without a speed, 100 to 2000 (500)
+
+An exported library has what its C files include; each builds by itself, in both precisions.
+
+  $ frobc export $follow --robot $rover/Rover.frob $all --platformio library
+  $ ls library/examples
+  wall_follow
+  $ ls library/src | grep -i rover
+  rover.h
+  rover_board.c
+  rover_body.c
+  rover_driver.c
+  rover_driver.h
+  rover_odometry.c
+  rover_odometry.h
+  rover_wire.c
+  rover_wire.h
+  $ grep '= &' library/src/wall_follow_driver.c
+  const struct frob_driver *const frob_own_driver = &frob_rover_driver;
+  $ builds () { for source in library/src/*.c; do gcc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off -Ilibrary/src -c $source -o out.o || echo $source; done; }
+  $ builds
+  $ frobc export $follow --real float --robot $rover/Rover.frob $all --platformio library && builds
+
+A program can name it, as any other module.
+
+  $ cat > own.frob <<'FROB'
+  > import Robot
+  > import Rover
+  > 
+  > main :: Program RoverInput RoverOutput
+  > main = reactimateRobot (proc i -> resting { forward = min 0.2[m/s] (0.5[1/s] * (frontSonar i - 0.3[m])) })
+  > FROB
+  $ frobc run own.frob --robot $rover/Rover.frob --with $rover/rover_body.c --for 5s | grep collisions
+  collisions: 0
+  $ frobc run own.frob --robot scout
+  error[E0201]: there is no module `Rover`
+   --> own.frob:2:8
+    |
+  2 | import Rover
+    |        ^^^^^
+    |
+    = note: looked for `Rover.frob` beside this file and in the library
+  
+  1 error
+  [1]
+
+What is missing is said.
+
+  $ frobc run $follow --robot $rover/Rover.frob
+  error: there is no simulated rover; the body of a robot of your own is `frob_rover_body`, in a C file that is given with `--with`
+  [2]
+  $ frobc build $follow --robot $rover/Rover.frob
+  error: ../../../examples/own_robot/Rover.frob is a robot of your own: name the C files of its driver, which define `frob_rover_driver`, with `--with FILE.c`
+  [2]
+  $ frobc run $follow --robot Rover.frob
+  error: there is no file Rover.frob
+  [2]
+  $ cat > bumping.frob <<'FROB'
+  > import Robot
+  > main :: (HasBumpers i, DiffDrive o) => Program i o
+  > main = reactimateRobot (proc i -> roMake (setVelTR (if bumped i then 0 else 0.2[m/s]) 0))
+  > FROB
+  $ frobc check bumping.frob --robot $rover/Rover.frob
+  error[E0503]: `rover` has no `HasBumpers`
+   --> bumping.frob:3:56
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR (if bumped i then 0 else 0.2[m/s]) 0))
+    |                                                        ^^^^^^ `bumped` needs it
+    |
+    = note: `pioneer`, `scout` and `create` have it
+    = note: `main` is compiled for `rover`: there is no instance `HasBumpers RoverInput`
+  
+  1 error
+  [1]
+  $ printf 'data RoverInput = RoverInput { x :: Float }\n' > Little.frob
+  $ frobc check bumping.frob --robot Little.frob
+  error[E0503]: module `Little` is no robot: it has no record `LittleInput`
+   --> Little.frob:1:1
+    |
+  1 | data RoverInput = RoverInput { x :: Float }
+    | ^
+    |
+    = hint: a robot's module has records `LittleInput` and `LittleOutput`, and instances of what it can do
+  
+  1 error
+  [1]
+  $ cp $rover/Rover.frob Scout.frob
+  $ frobc check bumping.frob --robot Scout.frob
+  error: there is a robot `scout` already: give Scout.frob another name
+  [2]

@@ -1,0 +1,26 @@
+`frobc build --target` compiles the host from its sources, here for this machine.
+
+  $ . ./robot.sh
+  $ frobc build drive.frob --target linux -o drive
+  $ start_robot
+  $ ./drive --device ./line --for 0.5 | sed -n '1p; /connections/p'
+  robot: Pioneer p3dx-sh, FrobSim
+  connections: 1
+  $ end_robot
+
+All the sources are installed.
+
+  $ share=$(dirname "$(command -v frobc)")/../share/frobc
+  $ (cd ../../../runtime; find core hal/*.h hal/posix hal/cortex_m drivers hosts/robot hosts/cortex_m hosts/board hosts/arduino hosts/common/console.* hosts/common/record.* hosts/common/streams.* -name '*.[chl]*' | sort) > here
+  $ (cd "$share/runtime"; find . -name '*.[chl]*' | sed 's|^\./||' | sort) | diff here -
+
+Other targets are named; a compiler that is missing is told with what helps.
+
+  $ frobc build drive.frob --target arduino
+  error: there is no target `arduino`; the targets: host, linux, aarch64-linux, armhf-linux, cortex-m; for Arduino there is `frobc export --platformio`
+  [2]
+  $ mkdir tools; ln -s "$(command -v frobc)" tools/frobc
+  $ export FROB_HOME=$(dirname "$(command -v frobc)")/..
+  $ PATH=$PWD/tools frobc build drive.frob --target aarch64-linux
+  error: there is no C compiler `aarch64-linux-gnu-gcc` here; on Debian: apt-get install gcc-aarch64-linux-gnu libc6-dev-arm64-cross
+  [2]

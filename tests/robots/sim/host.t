@@ -1,0 +1,111 @@
+A program drives the robot; the summary says how it went. (The last digits
+depend on the machine.)
+
+  $ sim () { ../../../runtime/frob-sim "$@"; }
+  $ world=../../../examples/wall_follow/world.toml
+  $ sim ./wall_follower.so --world $world --target 0.5 --for 30 --record one.csv --picture run.svg | sed 's/: [0-9.]* m$/: N m/; s/second: .*/second: N/'
+  time simulated: 30.000 s
+  distance driven: N m
+  wall distance to keep: N m
+  mean wall distance error: N m
+  largest wall distance error: N m
+  odometry error at the end: N m
+  collisions: 0
+  simulated seconds per second: N
+  picture: run.svg
+  log: one.csv
+
+The same seed gives the same log, byte for byte; another seed another one.
+
+  $ sim ./wall_follower.so --world $world --for 30 --record two.csv > /dev/null
+  $ cmp one.csv two.csv
+  $ sim ./wall_follower.so --world $world --for 30 --seed 2 --record three.csv > /dev/null
+  $ cmp -s one.csv three.csv
+  [1]
+
+The program replayed on its recorded input commands what it did then.
+
+  $ ../../../runtime/frob-trace ./wall_follower.so one.csv replayed.csv
+  $ sed 's/,.*,\([^,]*,[^,]*\)$/,\1/' one.csv | cmp - replayed.csv
+
+At 30 Hz the instant after 30 steps is at exactly one second.
+
+  $ sim ./wall_follower.so --world $world --for 1 --rate 30 --record rate.csv > /dev/null
+  $ tail -1 rate.csv | cut -d, -f1
+  1.000000000
+  $ sed 1d rate.csv | wc -l | tr -d ' '
+  31
+
+A PNG picture is one, and a picture that is neither is refused.
+
+  $ sim ./wall_follower.so --world $world --for 1 --picture run.png > /dev/null
+  $ head -c 4 run.png | tail -c 3; echo
+  PNG
+  $ sim ./wall_follower.so --world $world --for 1 --picture run.gif
+  error: the picture `run.gif` must be named .svg or .png
+  [2]
+
+Running into a wall is told, and with --strict it is a fault.
+
+  $ cat > ahead.c <<EOF
+  > #include <frob/arithmetic.h>
+  > #include <frob/pioneer.h>
+  > #include <frob/program.h>
+  > static void reset(void *self) { (void)self; }
+  > static void step(void *self, double dt, const void *in, void *out)
+  > {
+  >     struct frob_pioneer_output ahead = { 0.5, 0.0 };
+  >     (void)self; (void)dt; (void)in;
+  >     *(struct frob_pioneer_output *)out = ahead;
+  > }
+  > const struct frob_program frob_program = {
+  >     FROB_PROGRAM_ABI, "ahead", ROBOT, 0, sizeof(struct frob_pioneer_input),
+  >     sizeof(struct frob_pioneer_output), NULL, NULL, reset, step,
+  >     frob_arithmetic_faults };
+  > EOF
+  $ compile () { gcc -shared -fPIC -I../../../runtime/include "-DROBOT=\"$1\"" ahead.c -o $2; }
+  $ compile pioneer ahead.so
+  $ sim ./ahead.so --world $world --for 10 | grep collisions
+  collisions: 1
+  $ sim ./ahead.so --world $world --for 10 --strict > /dev/null
+  error: the robot ran into something
+  [4]
+
+A program for another robot is refused.
+
+  $ compile rover rover.so
+  $ sim ./rover.so --world $world
+  error: there is no simulated rover; the body of a robot of your own is `frob_rover_body`, in a C file that is given with `--with`
+  [2]
+
+Wrong use has status 2, and says what is wrong.
+
+  $ sim ./wall_follower.so
+  error: --world is missing; `frob-sim --help` says how to use it
+  [2]
+  $ sim ./wall_follower.so --world missing.toml
+  error: missing.toml: cannot read this world file
+  [2]
+  $ sim ./missing.so --world $world 2>&1 | cut -c1-44
+  error: ./missing.so is not a compiled progra
+  $ sim ./wall_follower.so --world $world --rate fast
+  error: --rate takes a number from 0.1 to 10000, not `fast`
+  [2]
+  $ sim ./wall_follower.so --world $world --speed 3
+  error: unknown option `--speed`; `frob-sim --help` lists them
+  [2]
+  $ sim ./wall_follower.so --world $world --record no/such/folder.csv
+  error: cannot write no/such/folder.csv: No such file or directory
+  [2]
+
+Every mistake in a world file is told at once.
+
+  $ cat > wrong.toml <<EOF
+  > [start]
+  > x = 1
+  > heading = 90
+  > EOF
+  $ sim ./wall_follower.so --world wrong.toml
+  error: wrong.toml:1:1: this needs a key `y`
+  error: wrong.toml:3:1: unknown key `heading`; did you mean `heading_deg`?
+  [2]

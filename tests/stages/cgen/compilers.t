@@ -1,0 +1,27 @@
+The programs made by hand, and their tables for hosts, compile without a warning
+as C99 and as C++17.
+
+  $ mkdir c && cd c && ../generate.exe
+  $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fsyntax-only -I ../../../../runtime/include"
+  $ gcc -std=c99 $flags *.c
+  $ clang -std=c99 $flags *.c
+  $ g++ -std=c++17 -x c++ $flags *.c
+  $ clang++ -std=c++17 -x c++ $flags *.c
+
+They refuse to compile where numbers would not be IEEE doubles.
+
+  $ refused () { "$@" -std=c99 -fsyntax-only hold.c 2>&1 | grep -o 'error:.*compile without.*"'; }
+  $ for option in -ffast-math -ffinite-math-only -freciprocal-math -fno-signed-zeros; do refused gcc $option; done
+  error: #error "the program's numbers are IEEE doubles: compile without -ffast-math and its parts"
+  error: #error "the program's numbers are IEEE doubles: compile without -ffast-math and its parts"
+  error: #error "the program's numbers are IEEE doubles: compile without -ffast-math and its parts"
+  error: #error "the program's numbers are IEEE doubles: compile without -ffast-math and its parts"
+  $ refused clang -ffast-math
+  error: "the program's numbers are IEEE doubles: compile without -ffast-math and its parts"
+  $ refused clang -ffinite-math-only
+  error: "the program's numbers are IEEE doubles: compile without -ffast-math and its parts"
+
+The same program gives the same text, every time.
+
+  $ mkdir again && cd again && ../../generate.exe && cd ..
+  $ for f in *.c *.h; do cmp $f again/$f; done

@@ -1,0 +1,39 @@
+(* The pages of the reader's codes: the faulty example gives the code of the
+   page and no other, the cured one parses. (What it means is checked where
+   names and types are.) *)
+
+open Programs
+
+let block kind page =
+  let rec outside = function
+    | [] -> None
+    | line :: rest -> if line = "```" ^ kind then inside [] rest else outside rest
+  and inside text = function
+    | [] -> None
+    | "```" :: _ -> Some (String.concat "\n" (List.rev ("" :: text)))
+    | line :: rest -> inside (line :: text) rest
+  in
+  outside (String.split_on_char '\n' page)
+
+(* No small program is nested ten thousand deep. *)
+let without_example = [ "E0106" ]
+
+let check path =
+  let code = Filename.remove_extension (Filename.basename path) in
+  let page = read path in
+  let check () =
+    (match block "frob-error" page with
+    | Some text ->
+        Alcotest.(check (list string)) "the example" [ code ]
+          (List.sort_uniq String.compare (codes text))
+    | None -> Alcotest.(check bool) "has an example" true (List.mem code without_example));
+    match block "frob" page with
+    | Some text -> Alcotest.(check (list string)) "the cured example" [] (codes text)
+    | None -> Alcotest.fail "no cured example"
+  in
+  Alcotest.test_case code `Quick check
+
+let () =
+  let of_reader path = String.sub (Filename.basename path) 0 3 = "E01" in
+  let pages = List.filter of_reader (files_of "../../../compiler/explain" ".md") in
+  Alcotest.run "pages on syntax" [ ("pages", List.map check pages) ]

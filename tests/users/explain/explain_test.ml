@@ -1,0 +1,133 @@
+(* The pages that explain diagnostics: the faulty example of each gives the
+   code of the page and no other, the cured one gives none. And each code that
+   the compiler can emit has a page. *)
+
+let read path =
+  let channel = open_in_bin path in
+  Fun.protect
+    ~finally:(fun () -> close_in channel)
+    (fun () -> really_input_string channel (in_channel_length channel))
+
+let write path text =
+  let channel = open_out_bin path in
+  Fun.protect ~finally:(fun () -> close_out channel) (fun () -> output_string channel text)
+
+(* The fenced blocks of a page: what the fence says, and the text. *)
+let blocks page =
+  let starts_block line = String.length line > 3 && String.sub line 0 3 = "```" in
+  let rec outside found = function
+    | [] -> List.rev found
+    | line :: rest when starts_block line ->
+        inside found (String.sub line 3 (String.length line - 3)) [] rest
+    | _ :: rest -> outside found rest
+  and inside found info text = function
+    | [] -> failwith "a block is not closed"
+    | "```" :: rest -> outside ((info, String.concat "\n" (List.rev ("" :: text))) :: found) rest
+    | line :: rest -> inside found info (line :: text) rest
+  in
+  outside [] (String.split_on_char '\n' page)
+
+let options =
+  {
+    Driver.Pipeline.dump = None;
+    stop_after = None;
+    lint = true;
+    specialization_limit = 10_000;
+    real = Double;
+  }
+
+(* A fresh folder for each program: its modules must not find each other's. *)
+let folder =
+  let count = ref 0 in
+  fun () ->
+    incr count;
+    let path = Printf.sprintf "program-%d" !count in
+    if not (Sys.file_exists path) then Sys.mkdir path 0o755;
+    path
+
+let library = "../../../stdlib"
+
+(* How far a program must go for the diagnostic to come. *)
+type stage =
+  | Check
+  | Compile
+  | Interpret
+
+let codes_of stage files =
+  let folder = folder () in
+  List.iter (fun (name, text) -> write (Filename.concat folder name) text) files;
+  let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
+  let main = Filename.concat folder (fst (List.hd files)) in
+  (match stage with
+  | Compile -> ignore (Driver.Pipeline.compile options sink sources ~library ~entry:"main" main)
+  | Interpret ->
+      ignore (Driver.Pipeline.interpretable options sink sources ~library ~entry:"main" main)
+  | Check -> Driver.Pipeline.check options sink sources ~library main);
+  List.sort_uniq String.compare
+    (List.map (fun (d : Basis.Diagnostic.t) -> d.code) (Basis.Diagnostic.all sink))
+
+let beside (info, text) =
+  match String.split_on_char ' ' info with
+  | [ "frob-module"; name ] -> Some (name ^ ".frob", text)
+  | _ -> None
+
+(* Codes of the last stages need an entry, so the program is compiled. *)
+let stage_of code =
+  if String.equal code Driver.Pipeline.no_interpreter then Interpret
+  else if List.mem (String.sub code 0 3) [ "E04"; "E05" ] then Compile
+  else Check
+
+(* The smallest program that nests too deeply is too long for a page. *)
+let faulty_example code blocks =
+  match code with
+  | "E0106" ->
+      let depth = 10_001 in
+      "x = " ^ String.make depth '(' ^ "1" ^ String.make depth ')'
+  | _ -> List.assoc "frob-error" blocks
+
+let check_page code () =
+  let blocks = blocks (Option.get (Basis.Explain.find code)) in
+  let others = List.filter_map beside blocks in
+  let result text = codes_of (stage_of code) (("main.frob", text) :: others) in
+  Alcotest.(check (list string)) "the example" [ code ] (result (faulty_example code blocks));
+  Alcotest.(check (list string)) "the cured example" [] (result (List.assoc "frob" blocks))
+
+(* Codes as they stand in the compiler's own sources. *)
+let emitted () =
+  let pattern text i =
+    i + 6 < String.length text
+    && text.[i] = '"'
+    && (text.[i + 1] = 'E' || text.[i + 1] = 'W')
+    && String.for_all (function '0' .. '9' -> true | _ -> false) (String.sub text (i + 2) 4)
+    && text.[i + 6] = '"'
+  in
+  let codes_in path =
+    let text = read path in
+    List.filter_map
+      (fun i -> if pattern text i then Some (String.sub text (i + 1) 5) else None)
+      (List.init (String.length text) Fun.id)
+  in
+  let compiler = "../../../compiler" in
+  let sources folder =
+    let path = Filename.concat compiler folder in
+    if Sys.is_directory path then
+      List.filter_map
+        (fun file ->
+          if Filename.check_suffix file ".ml" then Some (Filename.concat path file) else None)
+        (Array.to_list (Sys.readdir path))
+    else []
+  in
+  List.sort_uniq String.compare
+    (List.concat_map codes_in
+       (List.concat_map sources (Array.to_list (Sys.readdir compiler))))
+
+let check_complete () =
+  Alcotest.(check (list string)) "codes with a page" (emitted ()) Basis.Explain.codes
+
+let () =
+  let pages = List.map (fun c -> Alcotest.test_case c `Quick (check_page c)) Basis.Explain.codes in
+  Alcotest.run "explain"
+    [
+      ("pages", pages);
+      ("completeness", [ Alcotest.test_case "every code has a page" `Quick check_complete ]);
+    ]
