@@ -338,13 +338,30 @@ void PioneerFirmware::send_io() {
     if (io_ == Asked::once) io_ = Asked::no;
 }
 
+// The whole packet, as the ARCOS manual's "Configuration packet" and AriaCoda read it:
+// a client takes its limits from it, so that one cut short would have it stand still.
+// Speeds in mm/s and deg/s, with their accelerations; 0 where this robot has nothing.
 void PioneerFirmware::send_config() {
+    constexpr int speed_up = 300, turn_up = 100;             // what FLASH sets at first
+    constexpr int turn_gains[] = {40, 20, 0}, gains[] = {40, 30, 0}; // KP, KV, KI
+    constexpr int turn_most = 300, speed_most = 750;
     P2osBody body(0x20);
-    body.text("Pioneer").text(model_.subclass).text("0").u8(4);
+    body.text("Pioneer").text(model_.subclass).text("0").u8(0);    // serial number; four motors
     body.u16(top_turn).u16(top_speed).u16(300).u16(2000).u16(500); // tops; PWM
-    body.text("FrobSim").u8(100).u8(0).u8(0);                      // SIP's period; bauds
+    body.text("FrobSim").u8(sip_period_ns / ms).u8(0).u8(0);       // bauds: host, auxiliary
     body.u16(0).u16(1).u8(1);                                      // gripper, sonars
-    body.u16(115).u16(0).u16(static_cast<int>(watchdog_ns / ms));
+    body.u16(115).u16(16570).u16(static_cast<int>(watchdog_ns / ms)).u8(0);
+    body.u16(200).u16(100).u16(speed_most).u16(turn_most);         // stalls, joystick
+    body.u16(turn_most).u16(speed_most).u16(turn_up).u16(turn_up);
+    for (const int gain : turn_gains) body.u16(gain);
+    body.u16(speed_up).u16(speed_up);
+    for (const int gain : gains) body.u16(gain);
+    body.u8(1).u8(1).u8(0).u8(40).u8(0).u8(0); // bumpers, charger, sonars' cycle, baud, gyro
+    body.u16(0).u8(0).u8(0);                   // drift; auxiliary bauds
+    body.u16(rounded(ticks_per_m / 1000.0)).u16(110);
+    body.text("2.9").u16(0).u16(0).u8(0);      // firmware; gyro; delay
+    for (int lateral = 0; lateral < 5; ++lateral) body.u16(0);
+    body.u16(0).u8(0).u16(0).u8(-128);         // charging, its port, gyro's limit, heat: none
     send(body.packet());
 }
 

@@ -119,6 +119,32 @@ void handshake() {
     check::that(late.packets.size() == 1, "a handshake is forgotten after ten seconds");
 }
 
+// What AriaCoda takes for its limits, at its place in the packet, and the packet's end.
+void config(const Client &c) {
+    Bytes body;
+    for (const Bytes &packet : c.packets)
+        if (packet[3] == 0x20) body.assign(packet.begin() + 4, packet.end() - 2);
+    std::size_t at = 0;
+    const auto texts = [&](int n) {
+        while (n > 0 && at < body.size()) n -= body[at++] == 0 ? 1 : 0;
+    };
+    const auto u16 = [&](std::size_t from) {
+        return from + 1 < body.size() ? body[from] | body[from + 1] << 8 : -1;
+    };
+    texts(3); // type, subclass, serial number
+    at += 11;
+    texts(1); // name
+    check::that(u16(at + 10) == 16570 && u16(at + 12) == 2000, "the config packet's watchdog");
+    check::that(u16(at + 23) == 300 && u16(at + 25) == 750, "its greatest turn and speed");
+    check::that(u16(at + 27) == 100 && u16(at + 37) == 300 && u16(at + 43) == 30,
+                "its accelerations and gains");
+    at += 47 + 6 + 4;
+    check::that(u16(at) == 132, "its ticks per millimetre");
+    at += 4;
+    texts(1); // firmware
+    check::that(body.size() == at + 21, "it is there to its last field");
+}
+
 void clients() {
     Client c;
     c.shake_hands();
@@ -127,6 +153,7 @@ void clients() {
         c.wait(210 * ms);
     }
     check::that(c.count(0x20) == 5, "each CONFIG is answered");
+    config(c);
     c.command(4, 1);
     c.command(11, 200);
     c.wait(1500 * ms);
