@@ -174,6 +174,11 @@ let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
   | Divide, Float -> Binary (Over, x, y)
   | Div, Int -> helper Int_div
   | Mod, Int -> helper Int_mod
+  | Bitwise Bit_and, Int -> helper Bit_and
+  | Bitwise Bit_or, Int -> helper Bit_or
+  | Bitwise Bit_xor, Int -> helper Bit_xor
+  | Bitwise Shift_left, Int -> helper Shift_left
+  | Bitwise Shift_right, Int -> helper Shift_right
   | Pow, Float -> Call (V.pow n.v, [ x; y ])
   | Equal, (Bool | Int | Float) -> Binary (Equal, x, y)
   | Less, (Int | Float) -> (

@@ -10,6 +10,11 @@ type t =
   | Int_maximum
   | Int_div
   | Int_mod
+  | Bit_and
+  | Bit_or
+  | Bit_xor
+  | Shift_left
+  | Shift_right
   | Float_add
   | Float_subtract
   | Float_minimum
@@ -191,6 +196,52 @@ static inline int32_t frob_int_mod(int32_t a, int32_t b)
     }
     rest = a % b;
     return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
+}
+|} );
+    ( Bit_and,
+      "frob_int_and",
+      [ Wrap ],
+      {|static inline int32_t frob_int_and(int32_t a, int32_t b)
+{
+    return frob_wrap((uint32_t)a & (uint32_t)b);
+}
+|} );
+    ( Bit_or,
+      "frob_int_or",
+      [ Wrap ],
+      {|static inline int32_t frob_int_or(int32_t a, int32_t b)
+{
+    return frob_wrap((uint32_t)a | (uint32_t)b);
+}
+|} );
+    ( Bit_xor,
+      "frob_int_xor",
+      [ Wrap ],
+      {|static inline int32_t frob_int_xor(int32_t a, int32_t b)
+{
+    return frob_wrap((uint32_t)a ^ (uint32_t)b);
+}
+|} );
+    ( Shift_left,
+      "frob_int_shift_left",
+      [ Wrap ],
+      {|/* By a negative number to the right, where the sign stays; by 32 or more, what as
+ * many by 1 come to. */
+static inline int32_t frob_int_shift_left(int32_t a, int32_t by)
+{
+    const uint32_t sign = a < 0 ? 0xffffffffu : 0u;
+    if (by < 0) {
+        return frob_wrap((((uint32_t)a ^ sign) >> (by < -31 ? 31 : -by)) ^ sign);
+    }
+    return by > 31 ? 0 : frob_wrap((uint32_t)a << by);
+}
+|} );
+    ( Shift_right,
+      "frob_int_shift_right",
+      [ Shift_left ],
+      {|static inline int32_t frob_int_shift_right(int32_t a, int32_t by)
+{
+    return frob_int_shift_left(a, by < -32 ? 32 : -by);
 }
 |} );
     ( Float_add,

@@ -18,6 +18,11 @@ type t =
   | Int_maximum
   | Int_div
   | Int_mod
+  | Bit_and
+  | Bit_or
+  | Bit_xor
+  | Shift_left
+  | Shift_right
   | Float_add  (** of a literal zero *)
   | Float_subtract  (** likewise *)
   | Float_minimum

@@ -11,6 +11,7 @@ type t =
   | Elementary of elementary
   | Div
   | Mod
+  | Bitwise of bitwise
   | To_float
   | Round
   | Floor
@@ -72,6 +73,8 @@ and elementary =
   | Atan
   | Atan2
 
+and bitwise = Bit_and | Bit_or | Bit_xor | Shift_left | Shift_right
+
 and foreign = {
   module_ : string;
   foreign_name : string;
@@ -106,6 +109,11 @@ let table =
     ("atan2", Elementary Atan2, 2);
     ("div", Div, 2);
     ("mod", Mod, 2);
+    (".&.", Bitwise Bit_and, 2);
+    (".|.", Bitwise Bit_or, 2);
+    ("xor", Bitwise Bit_xor, 2);
+    ("shiftL", Bitwise Shift_left, 2);
+    ("shiftR", Bitwise Shift_right, 2);
     ("toFloat", To_float, 1);
     ("round", Round, 1);
     ("floor", Floor, 1);

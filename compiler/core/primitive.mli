@@ -20,6 +20,7 @@ type t =
   (* on Int *)
   | Div
   | Mod
+  | Bitwise of bitwise
   (* conversions *)
   | To_float
   | Round
@@ -91,6 +92,10 @@ and elementary =
   | Acos
   | Atan
   | Atan2
+
+(** A shift by a negative number goes the other way; one by 32 or more is what as many
+    by one are. To the right the sign stays. *)
+and bitwise = Bit_and | Bit_or | Bit_xor | Shift_left | Shift_right
 
 (** C code of the user's. *)
 and foreign = {

@@ -19,7 +19,7 @@ let of_primitive (p : Primitive.t) types =
   | (Divide | Power | Elementary (Hypot | Atan2)), [] -> Some (binary Float)
   | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan), [] ->
     Some (unary Float)
-  | (Div | Mod), [] -> Some (binary Int)
+  | (Div | Mod | Bitwise _), [] -> Some (binary Int)
   | To_float, [] -> Some (Function (Int, Float))
   | (Round | Floor | Ceiling | Truncate), [] -> Some (Function (Float, Int))
   | (And | Or), [] -> Some (binary Bool)
@@ -69,7 +69,7 @@ let of_primitive (p : Primitive.t) types =
   | Ending, [ i; o; c ] ->
     Some (Function (Signal_function (i, Tuple [ o; event c ]), Signal_function (i, o)))
   | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power
-      | Power_literal _ | Elementary _ | Div | Mod | To_float | Round | Floor | Ceiling
+      | Power_literal _ | Elementary _ | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling
       | Truncate | Equal | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum
       | Maximum | And | Or | Delay | Time | Time_since | Ticks | Integral | Derivative | Switch | Delayed_switch
       | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Reactimate | Ending

@@ -7,6 +7,17 @@ let saturate x =
   else if x <= -2147483648. then Int32.min_int
   else Int32.of_float x
 
+let shift a n = if n < 0 then a asr min 32 (-n) else a lsl min 32 n
+
+let bitwise (operation : Core.Primitive.bitwise) a b =
+  let on_wide f = Int32.of_int (f (Int32.to_int a) (Int32.to_int b)) in
+  match operation with
+  | Bit_and -> Int32.logand a b
+  | Bit_or -> Int32.logor a b
+  | Bit_xor -> Int32.logxor a b
+  | Shift_left -> on_wide shift
+  | Shift_right -> on_wide (fun a n -> shift a (-n))
+
 let on_ints operator a b : Ir.atom option =
   let below = Int32.compare a b < 0 in
   match operator with
@@ -15,6 +26,7 @@ let on_ints operator a b : Ir.atom option =
   | Multiply -> Some (Int (Int32.mul a b))
   | Div -> Some (Int (Basis.Division.div a b))
   | Mod -> Some (Int (Basis.Division.mod_ a b))
+  | Bitwise operation -> Some (Int (bitwise operation a b))
   | Equal -> Some (Bool (Int32.equal a b))
   | Less -> Some (Bool below)
   | Less_equal -> Some (Bool (below || Int32.equal a b))
@@ -69,7 +81,7 @@ let on_floats real operator a b : Ir.atom option =
   | Maximum -> nan_or (if b > a then b else a)
   | Pow -> Some (constant (E.pow a b))
   | Elementary f -> Option.map constant (elementary_of_two real f a b)
-  | Negate | Absolute | Signum | Div | Mod | To_float | Round | Floor | Ceiling | Truncate | Not | And
+  | Negate | Absolute | Signum | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling | Truncate | Not | And
   | Or ->
       None
 
@@ -80,7 +92,7 @@ let on_int real operator a : Ir.atom option =
   | Signum -> Some (Int (Int32.of_int (Int32.compare a 0l)))
   | To_float -> Some (Float (Basis.Real.round real (Int32.to_float a)))
   | Add | Subtract | Multiply | Equal | Less | Less_equal | Minimum | Maximum | Divide | Pow
-  | Elementary _ | Div | Mod | Round | Floor | Ceiling | Truncate | Not | And | Or ->
+  | Elementary _ | Div | Mod | Bitwise _ | Round | Floor | Ceiling | Truncate | Not | And | Or ->
       None
 
 let on_float real operator a : Ir.atom option =
@@ -94,7 +106,7 @@ let on_float real operator a : Ir.atom option =
   | Ceiling -> Some (Int (saturate (Float.ceil a)))
   | Truncate -> Some (Int (saturate (Float.trunc a)))
   | Add | Subtract | Multiply | Equal | Less | Less_equal | Minimum | Maximum | Divide | Pow | Div
-  | Mod | To_float | Not | And | Or ->
+  | Mod | Bitwise _ | To_float | Not | And | Or ->
       None
 
 let operation real operator (arguments : Ir.atom list) : Ir.atom option =

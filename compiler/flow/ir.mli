@@ -96,6 +96,7 @@ type operator =
   (* Int *)
   | Div
   | Mod
+  | Bitwise of Core.Primitive.bitwise
   (* conversions, saturating *)
   | To_float
   | Round

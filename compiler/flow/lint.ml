@@ -71,7 +71,7 @@ let operator scope (operator : Ir.operator) (arguments : Ir.ty list) : Ir.ty =
   | Equal, [ Bool; Bool ] -> Bool
   | (Divide | Pow | Elementary (Hypot | Atan2)), [ Float; Float ] -> Float
   | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan), [ Float ] -> Float
-  | (Div | Mod), [ Int; Int ] -> Int
+  | (Div | Mod | Bitwise _), [ Int; Int ] -> Int
   | To_float, [ Int ] -> Float
   | (Round | Floor | Ceiling | Truncate), [ Float ] -> Int
   | Not, [ Bool ] -> Bool

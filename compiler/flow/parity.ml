@@ -5,7 +5,7 @@ let is_even : Ir.operator -> bool = function
   | Add | Subtract | Multiply | Negate | Signum | Equal | Less | Less_equal | Minimum | Maximum
   | Divide | Pow
   | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Tan | Asin | Acos | Atan | Atan2)
-  | Div | Mod | To_float | Round | Floor | Ceiling | Truncate | Not | And | Or ->
+  | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling | Truncate | Not | And | Or ->
       false
 
 (* An Int has a least number without a negation. *)

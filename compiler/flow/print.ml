@@ -66,6 +66,7 @@ let operator : Ir.operator -> string = function
   | Elementary e -> Core.Primitive.name (Elementary e)
   | Div -> "div"
   | Mod -> "mod"
+  | Bitwise b -> Core.Primitive.name (Bitwise b)
   | To_float -> "toFloat"
   | Round -> "round"
   | Floor -> "floor"
@@ -76,9 +77,10 @@ let operator : Ir.operator -> string = function
   | Or -> "||"
 
 let is_infix : Ir.operator -> bool = function
-  | Add | Subtract | Multiply | Equal | Less | Less_equal | Divide | Pow | And | Or -> true
-  | Negate | Absolute | Signum | Minimum | Maximum | Elementary _ | Div | Mod | To_float
-  | Round | Floor | Ceiling | Truncate | Not ->
+  | Add | Subtract | Multiply | Equal | Less | Less_equal | Divide | Pow | And | Or
+  | Bitwise (Bit_and | Bit_or) -> true
+  | Negate | Absolute | Signum | Minimum | Maximum | Elementary _ | Div | Mod
+  | Bitwise (Bit_xor | Shift_left | Shift_right) | To_float | Round | Floor | Ceiling | Truncate | Not ->
       false
 
 let sum_name (sums : Ir.sum array) index =

@@ -3,10 +3,11 @@ open Basis
 (* Bit for bit the same with its arguments exchanged. Not so [Minimum] and
    [Maximum], which tell 0 from -0. *)
 let is_commutative : Ir.operator -> bool = function
-  | Add | Multiply | Equal | And | Or | Elementary Hypot -> true
+  | Add | Multiply | Equal | And | Or | Elementary Hypot | Bitwise (Bit_and | Bit_or | Bit_xor) ->
+      true
   | Subtract | Negate | Absolute | Signum | Less | Less_equal | Minimum | Maximum | Divide | Pow
   | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2)
-  | Div | Mod | To_float | Round | Floor | Ceiling | Truncate | Not ->
+  | Div | Mod | Bitwise (Shift_left | Shift_right) | To_float | Round | Floor | Ceiling | Truncate | Not ->
       false
 
 let compare_atoms (a : Ir.atom) (b : Ir.atom) =

@@ -24,6 +24,15 @@ module Int = struct
           if a mod b <> 0 && a < 0 <> (b < 0) then quotient - 1 else quotient)
 
   let modulo a b = if b = 0l then 0l else Int32.sub a (Int32.mul (div a b) b)
+  let bitwise (operation : Core.Primitive.bitwise) =
+    let shift a n = if n >= 0 then a lsl min n 32 else a asr min (-n) 32 in
+    match operation with
+    | Bit_and -> Int32.logand
+    | Bit_or -> Int32.logor
+    | Bit_xor -> Int32.logxor
+    | Shift_left -> wide shift
+    | Shift_right -> wide (fun a n -> shift a (-n))
+
   let power x k = power ~one:1l ~times:Int32.mul x k
 end
 

@@ -11,6 +11,8 @@ module Int : sig
   val modulo : int32 -> int32 -> int32
   (** What {!div} leaves; by 0 it is 0. *)
 
+  val bitwise : Core.Primitive.bitwise -> int32 -> int32 -> int32
+
   val power : int32 -> int -> int32
   (** The exponent is not negative. *)
 end

@@ -28,6 +28,7 @@ let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
   | Elementary f, _ -> Float (Number.Float.elementary real f (List.map float arguments))
   | Div, [ Int a; Int b ] -> Int (Number.Int.div a b)
   | Mod, [ Int a; Int b ] -> Int (Number.Int.modulo a b)
+  | Bitwise operation, [ Int a; Int b ] -> Int (Number.Int.bitwise operation a b)
   | To_float, [ Int a ] -> Float (Basis.Real.round real (Int32.to_float a))
   | Round, [ Float a ] -> Int (Number.round a)
   | Floor, [ Float a ] -> Int (Number.floor a)
@@ -44,7 +45,7 @@ let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
   | Maximum, [ Float a; Float b ] -> Float (Number.Float.maximum a b)
   | Maximum, [ a; b ] -> if Comparison.less a b then b else a
   | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power
-      | Power_literal _ | Div | Mod | To_float | Round | Floor | Ceiling | Truncate | Equal
+      | Power_literal _ | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling | Truncate | Equal
       | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum | Maximum | And
       | Or | Delay | Time | Time_since | Ticks | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
       | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right

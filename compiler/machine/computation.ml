@@ -19,9 +19,10 @@ let operation operator ty arguments : Ir.expr = Operation { operator; ty; argume
 
 let operator_weight : F.operator -> int = function
   | Add | Subtract | Multiply | Negate | Absolute | Equal | Less | Less_equal | Not | And | Or
-  | To_float ->
+  | To_float | Bitwise (Bit_and | Bit_or | Bit_xor) ->
       1
   | Signum | Minimum | Maximum | Truncate | Floor | Ceiling | Round
+  | Bitwise (Shift_left | Shift_right)
   | Elementary (Floor_float | Ceiling_float) ->
       2
   | Divide -> 5

@@ -77,7 +77,7 @@ let operation c (operator : Flow.Ir.operator) (ty : Ir.ty) : int * Ir.ty =
   | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan) ->
       only [ Float ];
       (1, Float)
-  | Div | Mod ->
+  | Div | Mod | Bitwise _ ->
       only [ Int ];
       (2, Int)
   | To_float ->

@@ -13,8 +13,8 @@ let is_expensive = function
   | Flow.Ir.Op ((Pow | Elementary _), _) -> true
   | Op
       ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Equal | Less | Less_equal
-        | Minimum | Maximum | Divide | Div | Mod | To_float | Round | Floor | Ceiling | Truncate
-        | Not | And | Or ),
+        | Minimum | Maximum | Divide | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling
+        | Truncate | Not | And | Or ),
         _ )
   | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
   | At _ | Replace _ | Delay _ | Time _ | Ticks _ | Integral _

@@ -35,7 +35,7 @@ let rec scalars_of_state c fields =
 
 let operation (operator : Flow.Ir.operator) (ty : M.ty) =
   match operator with
-  | Add | Subtract | Negate -> Cost.one Additions
+  | Add | Subtract | Negate | Bitwise _ -> Cost.one Additions
   | Multiply -> Cost.one Multiplications
   | Divide | Div | Mod -> Cost.one Divisions
   | Absolute -> if ty = Float then Cost.one (Calls "fabs") else Cost.one Choices

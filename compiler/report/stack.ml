@@ -52,7 +52,9 @@ let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
   match operator with
   | Add | Subtract | Multiply | Negate -> if ty = Int then Helper else Operators
   | Absolute -> if ty = Int then Helper else Library
-  | Signum | Minimum | Maximum | Div | Mod | Round | Floor | Ceiling | Truncate -> Helper
+  | Signum | Minimum | Maximum | Div | Mod | Round | Floor | Ceiling | Truncate
+  | Bitwise _ ->
+      Helper
   | Pow | Elementary _ -> Library
   | Divide | Equal | Less | Less_equal | To_float | Not | And | Or -> Operators
 

@@ -27,6 +27,8 @@ let number = function
   | "fmod" | "fmodf" | "remainder" ->
       Some "of Floats it is `x - y * floorFloat (x / y)`, which has the sign of y; of angles, `wrapAngle`"
   | "rem" | "quot" | "divMod" | "quotRem" -> Some whole_division
+  | "testBit" -> Some "it is `x .&. shiftL 1 n /= 0`"
+  | "shift" | "unsafeShiftL" | "unsafeShiftR" -> Some "bits are moved by `shiftL` and `shiftR`"
   | "even" -> Some "it is `mod n 2 == 0`"
   | "odd" -> Some "it is `mod n 2 == 1`"
   | "constrain" | "clip" | "saturate" -> Some clamped

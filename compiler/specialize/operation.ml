@@ -66,6 +66,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   | Elementary e -> operate (Elementary e)
   | Div -> operate Div
   | Mod -> operate Mod
+  | Bitwise b -> operate (Bitwise b)
   | To_float -> operate To_float
   | Round -> operate Round
   | Floor -> operate Floor

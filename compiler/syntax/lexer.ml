@@ -294,7 +294,7 @@ let unexpected t =
     | "'" when peek t 1 = '\'' -> Some "a text stands in `\"`"
     | ":" when peek t 0 = '=' -> Some "an equation is written with `=`"
     | ":" -> Some (colon t)
-    | "&" -> Some "write `&&`"
+    | "&" -> Some "write `&&`, or `.&.` of bits"
     | "#" -> Some "a comment starts with `--`"
     | "?" -> Some "a choice is written `if c then a else b`"
     | "'" -> Some "an infix name stands in backticks, as in ``x `mod` 2``"

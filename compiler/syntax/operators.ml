@@ -8,8 +8,9 @@ let table =
     (9, Right, [ "." ]);
     (9, Left, [ "!" ]);
     (8, Right, [ "^"; "**" ]);
-    (7, Left, [ "*"; "/"; "*^" ]);
+    (7, Left, [ "*"; "/"; "*^"; ".&." ]);
     (6, Left, [ "+"; "-"; "^+^"; "^-^" ]);
+    (5, Left, [ ".|." ]);
     (4, Neither, [ "=="; "/="; "<"; "<="; ">"; ">=" ]);
     (3, Right, [ "&&"; "***"; "&&&" ]);
     (2, Right, [ "||" ]);
@@ -23,10 +24,12 @@ let precedences =
   List.concat_map (fun (level, side, symbols) -> List.map (fun s -> (s, (level, side))) symbols) table
   |> List.to_seq |> String_table.of_seq
 
-(* A name in backticks binds like [!], but [div] and [mod] like [*]. *)
+(* Names in backticks bind like [!] but for these, as in Haskell. *)
 let precedence (operator : Ir.qualified) =
   match operator.name.text with
+  | "shiftL" | "shiftR" -> (8, Left)
   | "div" | "mod" -> (7, Left)
+  | "xor" -> (6, Left)
   | text -> Option.value (String_table.find_opt precedences text) ~default:(9, Left)
 
 let minus_level = 6

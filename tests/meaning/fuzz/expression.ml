@@ -205,7 +205,8 @@ and nearly_nothing s fuel ty =
       one_of s.random
         [
           f "(%s + 0)" e; f "(0 - %s)" e; f "(%s * 1)" e; f "(%s * 0)" e; f "(0 * %s)" e;
-          f "(div %s 1)" e; f "(mod %s 1)" e; f "(div 0 %s)" e; f "(%s * (-1))" e; f "(div %s (-1))" e;
+          f "(div %s 1)" e; f "(mod %s 1)" e; f "(%s .&. (-1))" e; f "(shiftL %s 32)" e;
+          f "(%s .|. %s)" e e; f "(xor %s %s)" e e; f "(shiftR %s (-1))" e; f "(div 0 %s)" e; f "(%s * (-1))" e; f "(div %s (-1))" e;
         ]
 
 (* The same two operands both ways round, or an operand with itself. *)
@@ -246,10 +247,13 @@ and float s fuel =
   | _ -> unary s fuel "toFloat" Int
 
 and int s fuel =
-  match Random.State.int s.random 13 with
+  match Random.State.int s.random 16 with
+  | 13 -> binary s fuel (one_of s.random [ "shiftL"; "shiftR" ]) Int
+  | 14 -> infix s fuel (one_of s.random [ ".&."; ".|."; "`xor`"; "`shiftL`"; "`shiftR`" ]) Int
+  | 15 -> unary s fuel "complement" Int
   | 10 -> nearly_nothing s fuel Int
   | 11 | 12 ->
-      let one, other = both_ways s Int [ "+"; "-"; "*"; "`div`"; "`mod`" ] in
+      let one, other = both_ways s Int [ "+"; "-"; "*"; "`div`"; "`mod`"; ".&."; ".|."; "`xor`" ] in
       f "(%s %s %s)" one (one_of s.random [ "+"; "-"; "*" ]) other
   | 0 | 1 | 2 -> infix s fuel (one_of s.random [ "+"; "-"; "*" ]) Int
   | 3 | 4 ->

@@ -56,6 +56,55 @@ Products, absolute values, signs:
   -2147483648,-2147483648,-2147483648,-1
   2147418111,2147483647,-2147483647,1
 
+Bits are those of 32-bit numbers, and shifts are defined for every amount: the shell
+counts in 64 bits, so what it makes is wrapped.
+
+  $ cat > bits.frob << FROB
+  > main :: SF (Int, Int) ((Int, Int, Int, Int), Int, Int)
+  > main = proc (a, b) -> ((a .&. b, a .|. b, a \`xor\` b, complement a), a \`shiftL\` b, a \`shiftR\` b)
+  > FROB
+  $ cat > pairs << PAIRS
+  > 12,10
+  > -1,255
+  > 1,31
+  > -2147483648,31
+  > -5,1
+  > 77,32
+  > -77,32
+  > -77,1000
+  > 77,-1
+  > -77,-3
+  > 77,-32
+  > -77,-40
+  > 2147483647,2147483647
+  > -2147483648,-2147483648
+  > 1431655765,-1431655766
+  > PAIRS
+  $ cat > expect.sh << 'SHELL'
+  > wrap() { echo $((($1 << 32) >> 32)); }
+  > left() { wrap $(($2 > 31 ? 0 : $1 << $2)); }
+  > right() { wrap $(($1 >> ($2 > 31 ? 31 : $2))); }
+  > while IFS=, read -r a b; do
+  >   if [ $b -lt 0 ]; then l=$(right $a $((-b))) r=$(left $a $((-b))); else l=$(left $a $b) r=$(right $a $b); fi
+  >   echo "$((a & b)),$((a | b)),$((a ^ b)),$((~a)),$l,$r"
+  > done
+  > SHELL
+  $ rows in.1,in.2 < pairs | trace bits | cells > found
+  $ sh expect.sh < pairs | diff - found
+  $ sed -n '3p;5p;10p' found
+  1,31,30,-2,-2147483648,0
+  1,-5,-6,4,-10,-3
+  -79,-1,78,76,-10,-616
+
+Of numbers that are known when compiling, and in Haskell's order:
+
+  $ cat > known.frob << FROB
+  > main :: SF () (Int, Int, Int, Bool, Int)
+  > main = constant (1 .|. 6 \`xor\` 5 .&. 3 \`shiftL\` 1, 1 \`shiftL\` 40, (-77) \`shiftR\` (-3), 5 .&. 4 == 4, 3 + 1 .&. 2)
+  > FROB
+  $ printf 'time\n0\n' | trace known | cells
+  3,0,-616,true,3
+
 `round` takes halves away from zero; all conversions saturate, and give 0 for
 NaN:
 

@@ -43,7 +43,7 @@ What C and Python write differently is named in Frob's own words.
   2 | f x y = x & y
     |           ^
     |
-    = hint: write `&&`
+    = hint: write `&&`, or `.&.` of bits
   
   1 error
   [1]
