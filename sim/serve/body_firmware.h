@@ -29,6 +29,7 @@ template <class Wire, class Input> class BodyFirmware : public Firmware {
         pass_on();
     }
 
+    void forget() override { wire_.forget(); }
     std::int64_t next_ns() const override { return next_ns_; }
     std::uint32_t rate() const override { return rate_; }
 

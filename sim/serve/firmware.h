@@ -23,6 +23,10 @@ class Firmware {
     // A byte has arrived; `advance` has been called with this time.
     virtual void receive(std::uint8_t byte) = 0;
 
+    // The client has left, or paused: what it has begun and not completed is no
+    // command any more.
+    virtual void forget() {}
+
     // When the firmware wants to be advanced next.
     virtual std::int64_t next_ns() const = 0;
 

@@ -10,6 +10,7 @@
 #include <ctime>
 #include <exception>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -70,14 +71,16 @@ Simulation open_simulation(const Options &options, const OwnRobot &own) {
     return sim;
 }
 
-std::unique_ptr<Connection> make_connection(const Options &options) {
-    if (options.tcp_port >= 0) return std::make_unique<TcpPort>(options.tcp_port);
+using Log = std::function<void(const std::string &)>;
+
+std::unique_ptr<Connection> make_connection(const Options &options, const Log &tell) {
+    if (options.tcp_port >= 0) return std::make_unique<TcpPort>(options.tcp_port, tell);
     return std::make_unique<Terminal>();
 }
 
 // Plugs a new line in, and tells its name. False if that could not be written.
-bool plug(Server &server, const Options &options) {
-    server.plug(make_connection(options));
+bool plug(Server &server, const Options &options, const Log &tell) {
+    server.plug(make_connection(options, tell));
     const std::string device = server.connection()->device();
     if (!options.link.empty()) {
         const std::string next = options.link + ".next";
@@ -91,10 +94,10 @@ bool plug(Server &server, const Options &options) {
     return std::fflush(stdout) == 0;
 }
 
-void run(Server &server, const Options &options, std::int64_t started_ns) {
+void run(Server &server, const Options &options, std::int64_t started_ns, const Log &tell) {
     const auto end_ns = static_cast<std::int64_t>(options.duration_s * 1e9);
     // Without it nobody would know the device.
-    if (!plug(server, options) && options.link.empty())
+    if (!plug(server, options, tell) && options.link.empty())
         throw WrongUse(std::string("cannot write standard output: ") + std::strerror(errno));
     while (!ended) {
         const std::int64_t time_ns = clock_ns() - started_ns;
@@ -106,7 +109,7 @@ void run(Server &server, const Options &options, std::int64_t started_ns) {
         }
         if (plugged) {
             plugged = 0;
-            plug(server, options);
+            plug(server, options, tell);
         }
         server.advance(time_ns);
         server.wait(time_ns);
@@ -127,19 +130,22 @@ int serve(const Options &options) {
         throw WrongUse("there is no model `" + options.model + "`; there are: p3dx-sh, p3dx, p2dx");
     const std::int64_t started_ns = clock_ns();
     std::ofstream log;
+    const auto write_log = [&](std::int64_t time_ns, const std::string &text) {
+        char time[32];
+        std::snprintf(time, sizeof time, "%.6f", static_cast<double>(started_ns + time_ns) * 1e-9);
+        log << time << ' ' << text << std::endl;
+    };
     if (!options.log.empty()) {
         log.open(options.log, std::ios::app);
         if (!log) throw WrongUse("cannot write " + options.log);
-        firmware->set_log([&](std::int64_t time_ns, const std::string &text) {
-            char time[32];
-            std::snprintf(time, sizeof time, "%.6f",
-                          static_cast<double>(started_ns + time_ns) * 1e-9);
-            log << time << ' ' << text << std::endl;
-        });
+        firmware->set_log(write_log);
     }
     Server server(*firmware, options.paced);
     catch_signals();
-    run(server, options, started_ns);
+    run(server, options, started_ns, [&](const std::string &text) {
+        std::fprintf(stderr, "%s\n", text.c_str());
+        if (log.is_open()) write_log(clock_ns() - started_ns, text);
+    });
     print_summary(sim.get());
     return 0;
 }

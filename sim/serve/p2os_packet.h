@@ -40,6 +40,9 @@ class P2osReader {
   public:
     std::optional<P2osCommand> take(std::uint8_t byte);
 
+    // A packet that has begun.
+    void forget() { packet_.clear(); }
+
   private:
     Bytes packet_; // from FA on
 };

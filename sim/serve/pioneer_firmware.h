@@ -34,6 +34,7 @@ class PioneerFirmware : public Firmware {
 
     void advance(std::int64_t time_ns) override;
     void receive(std::uint8_t byte) override;
+    void forget() override { reader_.forget(); }
     std::int64_t next_ns() const override;
     std::uint32_t rate() const override { return rate_; }
 

@@ -9,6 +9,7 @@ namespace frob::serve {
 namespace {
 
 constexpr std::int64_t most_wait_ns = 5'000'000; // also how soon a new client is seen
+constexpr std::int64_t pause_ns = 100'000'000;   // longer than within any command
 
 // What a byte looks like at another rate: anything but itself.
 std::uint8_t garbled(std::uint8_t byte) { return static_cast<std::uint8_t>((byte ^ 0x5A) * 3 + 1); }
@@ -19,21 +20,31 @@ void Server::plug(std::unique_ptr<Connection> connection) {
     connection_ = std::move(connection);
     to_robot_.clear();
     to_client_.clear();
+    firmware_.forget();
 }
 
-// Bytes reach the firmware in their order in time, each at its time.
+// Bytes reach the firmware in their order in time, each at its time. A client's come
+// when those of the one before are through.
 void Server::receive(std::int64_t time_ns) {
-    if (connection_) {
+    if (left_ && to_robot_.travelling() == 0) {
+        firmware_.forget();
+        left_ = false;
+    }
+    if (connection_ && !left_) {
         Bytes bytes = connection_->read();
         const std::uint32_t theirs = connection_->rate();
         if (theirs != 0 && theirs != firmware_.rate())
             std::transform(bytes.begin(), bytes.end(), bytes.begin(), garbled);
         to_robot_.push(bytes, time_ns, firmware_.rate());
+        left_ = !connection_->connected() && (there_ || !bytes.empty());
+        there_ = connection_->connected();
     }
     std::uint8_t byte = 0;
     std::int64_t arrived_ns = 0;
     while (to_robot_.take(time_ns, byte, arrived_ns)) {
         firmware_.advance(arrived_ns);
+        if (arrived_ns - heard_ns_ > pause_ns) firmware_.forget();
+        heard_ns_ = arrived_ns;
         firmware_.receive(byte);
         to_client_.push(firmware_.take_output(), arrived_ns, firmware_.rate());
     }

@@ -35,6 +35,8 @@ class Server {
     Firmware &firmware_;
     PacedLine to_robot_, to_client_;
     std::unique_ptr<Connection> connection_;
+    bool there_ = false, left_ = false; // a client; one whose bytes are still on their way
+    std::int64_t heard_ns_ = 0;         // the last byte
 };
 
 } // namespace frob::serve

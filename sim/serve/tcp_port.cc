@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -11,8 +12,9 @@
 
 namespace frob::serve {
 
-TcpPort::TcpPort(int port)
-    : listener_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
+TcpPort::TcpPort(int port, std::function<void(const std::string &)> refused)
+    : listener_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)),
+      refused_(std::move(refused)) {
     const int one = 1;
     sockaddr_in address{};
     socklen_t size = sizeof address;
@@ -40,17 +42,38 @@ void TcpPort::leave() {
     client_ = -1;
 }
 
+// A robot has one line: whoever would wait for it is told so by its end.
+void TcpPort::refuse_others() {
+    sockaddr_in address{};
+    socklen_t size = sizeof address;
+    const int other = accept4(listener_, reinterpret_cast<sockaddr *>(&address), &size, SOCK_CLOEXEC);
+    if (other < 0) return;
+    close(other);
+    refused_("refused a second client, from port " + std::to_string(ntohs(address.sin_port)) +
+             ": another one has the robot");
+}
+
+void TcpPort::accept_one() {
+    const int one = 1;
+    client_ = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+    if (client_ >= 0) setsockopt(client_, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
+}
+
+// To the last byte of a client that has left, so that one that comes at once is let in.
 Bytes TcpPort::read() {
-    if (client_ < 0) {
-        const int one = 1;
-        client_ = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
-        if (client_ < 0) return {};
-        setsockopt(client_, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
+    Bytes bytes;
+    if (client_ < 0) accept_one();
+    while (client_ >= 0) {
+        std::uint8_t some[4096];
+        const ssize_t count = recv(client_, some, sizeof some, 0);
+        if (count > 0) {
+            bytes.insert(bytes.end(), some, some + count);
+            continue;
+        }
+        if (count < 0 && (errno == EAGAIN || errno == EINTR)) break;
+        leave();
     }
-    Bytes bytes(4096);
-    const ssize_t count = recv(client_, bytes.data(), bytes.size(), 0);
-    if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) leave();
-    bytes.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    if (client_ >= 0) refuse_others();
     return bytes;
 }
 

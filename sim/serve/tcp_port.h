@@ -1,5 +1,8 @@
-// A TCP port on this machine, for one client at a time.
+// A TCP port on this machine, for one client at a time: another one is refused.
 #pragma once
+
+#include <functional>
+#include <string>
 
 #include "connection.h"
 
@@ -7,7 +10,9 @@ namespace frob::serve {
 
 class TcpPort : public Connection {
   public:
-    explicit TcpPort(int port); // 0: any free one; throws std::system_error
+    // 0: any free port; throws std::system_error. `refused` is told of each client
+    // that is turned away.
+    TcpPort(int port, std::function<void(const std::string &)> refused);
     ~TcpPort() override;
     TcpPort(const TcpPort &) = delete;
     TcpPort &operator=(const TcpPort &) = delete;
@@ -21,9 +26,12 @@ class TcpPort : public Connection {
 
   private:
     void leave();
+    void accept_one();
+    void refuse_others();
 
     int listener_ = -1, client_ = -1;
     int port_ = 0;
+    std::function<void(const std::string &)> refused_;
 };
 
 } // namespace frob::serve

@@ -25,6 +25,9 @@ class CreateWire {
     // Bytes from the client.
     void receive(const std::uint8_t *bytes, std::size_t count);
 
+    // Forgets a command that is not complete.
+    void forget() { command_.clear(); }
+
     // What the body senses from `now_ns` on. Safe mode ends here: at a cliff
     // while moving, a wheel drop, or a charger.
     void sense(const frob_create_input &input, std::int64_t now_ns);

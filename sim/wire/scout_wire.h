@@ -23,6 +23,9 @@ class ScoutWire {
     // Bytes from the client.
     void receive(const std::uint8_t *bytes, std::size_t count);
 
+    // Forgets a packet that is not complete.
+    void forget() { pending_.clear(); }
+
     // What the body senses from `now_ns` on. An echo stays its transducer's
     // reading until the next; after a round without one the reading is 255.
     void sense(const frob_scout_input &input, std::int64_t now_ns);

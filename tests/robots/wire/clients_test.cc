@@ -47,6 +47,26 @@ static void pycreate2() {
     check(robot.left_mm_s() == 0, "pycreate2: stop");
 }
 
+// A stream of nothing ends the stream; the bits of the light bumpers have a threshold.
+static void streams_and_lights() {
+    CreateWire robot;
+    frob_create_input body{};
+    body.light[0] = 9;
+    body.light[5] = 10;
+    robot.sense(body, 0);
+    ask(robot, {128});
+    check(ask(robot, {142, 45}) == Bytes{0x20}, "faint light sets no bit");
+    ask(robot, {148, 1, 7});
+    robot.advance(100 * ms);
+    check(!robot.to_client.empty(), "a stream");
+    ask(robot, {148, 0});
+    robot.advance(200 * ms);
+    check(robot.to_client.empty(), "STREAM of no packets ends it");
+    ask(robot, {150, 1});
+    robot.advance(300 * ms);
+    check(robot.to_client.empty(), "and there is none to resume");
+}
+
 // libcreate: a stream of its packets, each frame with the header in its sum.
 static void libcreate() {
     static const Bytes ids = {7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 18, 21, 22, 23, 24, 25, 26,
@@ -209,6 +229,7 @@ static void scout_moves() {
 
 int main() {
     pycreate2();
+    streams_and_lights();
     libcreate();
     pyroombaadapter();
     create_in_safe_mode();
