@@ -236,10 +236,36 @@ let any_decimal text =
         else reduce false digits (ten_to (-scale)))
   | _ -> None
 
-let of_decimal text =
-  match short_decimal text with
-  | Some _ as value -> value
-  | None -> any_decimal text
+(* Of one digit, in any base up to 16. *)
+let value_of_digit c = int_of_string_opt (Printf.sprintf "0x%c" c)
+
+let in_base base digits =
+  let digit sum c =
+    match (sum, value_of_digit c) with
+    | Some sum, Some value when value < base ->
+        Some (Natural.add (Natural.multiply sum (Natural.of_int base)) (Natural.of_int value))
+    | _, _ -> None
+  in
+  if digits = "" then None
+  else
+    String.fold_left digit (Some Natural.zero) digits
+    |> Option.map (fun n -> reduce false n Natural.one)
+
+let base_of_prefix = function
+  | '0', ('x' | 'X') -> Some 16
+  | '0', ('o' | 'O') -> Some 8
+  | '0', ('b' | 'B') -> Some 2
+  | _ -> None
+
+let of_literal text =
+  let text = String.concat "" (String.split_on_char '_' text) in
+  let length = String.length text in
+  match if length < 3 then None else base_of_prefix (text.[0], text.[1]) with
+  | Some base -> in_base base (String.sub text 2 (length - 2))
+  | None -> (
+      match short_decimal text with
+      | Some _ as value -> value
+      | None -> any_decimal text)
 
 (* OEIS A000796, the first hundred decimals; in lowest terms, for the last of them
    is neither even nor 5. *)

@@ -10,9 +10,16 @@ val zero : t
 val one : t
 val of_int : int -> t
 
-val of_decimal : string -> t option
-(** [digits[.digits][(e|E)[+-]digits]]; [None] if it is not of that form or
-    its exponent is beyond ±400 times what a double can hold. *)
+val of_literal : string -> t option
+(** [digits[.digits][(e|E)[+-]digits]], or [0x], [0o], [0b] and digits of that base, all
+    perhaps with [_] among the digits; [None] if it is not of that form or its exponent is
+    beyond ±400. *)
+
+val base_of_prefix : char * char -> int option
+(** Of a literal's first two characters. *)
+
+val value_of_digit : char -> int option
+(** In any base up to 16. *)
 
 val pi : t
 val negate : t -> t

@@ -102,8 +102,11 @@ let foreign_include ~word header : Ir.declaration_desc =
   expect_word "include" word;
   Foreign (Foreign_include header)
 
+(* Of a number without a point; none if it is no [Int]. *)
+let whole digits = Option.map Int32.to_int (Option.bind (Exact.of_literal digits) Exact.to_int32)
+
 let size location (digits, decimal) =
-  match int_of_string_opt ("0u" ^ digits) with
+  match whole digits with
   | Some n when not decimal -> n
   | Some _ | None ->
       Reject.at ~code:"E0110" (span location) "the size of an array is a whole number, not `%s`"
@@ -143,7 +146,7 @@ let rec gcd a b = if b = 0 then a else gcd b (a mod b)
 
 let exponent location ~negative numerator ~over : Ir.rational =
   let small digits =
-    match int_of_string_opt ("0u" ^ digits) with
+    match whole digits with
     | Some n when n <= 1000 -> n
     | Some _ | None ->
         Reject.at ~code:"E0119" (span location) "the exponent of a unit is a whole number up to 1000, or a quotient of two"

@@ -40,6 +40,9 @@ val foreign_signal_function :
 val foreign_type : Ir.name -> Ir.name -> word:Ir.name option -> Ir.declaration_desc
 val foreign_include : word:Ir.name -> Ir.name -> Ir.declaration_desc
 
+val whole : string -> int option
+(** The value of a number written without a point; [None] if it is out of the range of [Int]. *)
+
 val size : location -> string * bool -> int
 (** A number, and whether it is decimal, as the size of an array. *)
 

@@ -199,7 +199,17 @@ let upper t =
   end
   else UPPER word
 
-let digits t = while is_digit (peek t 0) do t.at <- t.at + 1 done
+(* Digits in a base, with [_] between them as wanted. *)
+let rec digits ?(base = 10) t =
+  let is_digit c =
+    match Exact.value_of_digit c with Some value -> value < base | None -> false
+  in
+  let rec after_blanks i = if peek t i = '_' then after_blanks (i + 1) else i in
+  let next = if t.at > 0 && is_digit t.text.[t.at - 1] then after_blanks 0 else 0 in
+  if is_digit (peek t next) then begin
+    t.at <- t.at + next + 1;
+    digits ~base t
+  end
 
 (* Reading a number exactly takes time that grows with the square of its digits. *)
 let most_digits = 1_000
@@ -207,27 +217,33 @@ let most_digits = 1_000
 let number t =
   let start = position t in
   let first = t.at in
-  digits t;
-  let point = peek t 0 = '.' && is_digit (peek t 1) in
+  let base = Option.value (Exact.base_of_prefix (peek t 0, peek t 1)) ~default:10 in
+  if base <> 10 then t.at <- t.at + 2;
+  digits ~base t;
+  let point = base = 10 && peek t 0 = '.' && is_digit (peek t 1) in
   if point then begin t.at <- t.at + 1; digits t end;
   let exponent =
     match (peek t 0, peek t 1) with
-    | ('e' | 'E'), ('+' | '-') -> if is_digit (peek t 2) then 2 else 0
-    | ('e' | 'E'), c -> if is_digit c then 1 else 0
+    | ('e' | 'E'), ('+' | '-') when base = 10 -> if is_digit (peek t 2) then 2 else 0
+    | ('e' | 'E'), c when base = 10 -> if is_digit c then 1 else 0
     | _ -> 0
   in
   if exponent > 0 then begin t.at <- t.at + exponent; digits t end;
   let text = String.sub t.text first (t.at - first) in
-  if is_name (peek t 0) then begin
+  if is_name (peek t 0) || (base <> 10 && t.at = first + 2) then begin
     let rest = take_name t in
     let hint =
-      match (text, rest.[0]) with
-      | _, '_' -> "the digits of a number stand together, without `_`"
-      | "0", ('x' | 'X' | 'b' | 'o') -> "numbers are written in decimal"
+      match (base, rest) with
+      | 16, _ -> "the digits after `0x` are `0` to `9` and `a` to `f`"
+      | 8, _ -> "the digits after `0o` are `0` to `7`"
+      | 2, _ -> "the digits after `0b` are `0` and `1`"
+      | _ when rest.[0] = '_' -> "`_` stands between two digits"
       | _ -> Printf.sprintf "a unit stands in brackets: `%s[%s]`" text rest
     in
-    report t ~code:"E0105" ~start ~hint
-      (Printf.sprintf "the number `%s` is directly followed by `%s`" text rest);
+    let problem =
+      if rest = "" then "has no digits" else Printf.sprintf "is directly followed by `%s`" rest
+    in
+    report t ~code:"E0105" ~start ~hint (Printf.sprintf "the number `%s` %s" text problem);
     BAD
   end
   else if String.length text > most_digits then begin

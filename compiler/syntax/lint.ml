@@ -63,7 +63,7 @@ let expression span (desc : Ir.expr_desc) =
       in
       List.iter statement statements
   | Number { digits; _ } ->
-      if Exact.of_decimal digits = None && String.length digits < 100 then
+      if Exact.of_literal digits = None && String.length digits < 100 then
         broken span "`%s` is no number" digits
   | Variable _ | Constructor _ | String _ | Array _ | Apply _ | Negate _ | Left_section _ | Right_section _
   | Power _ | If _ | Case _ | Field _ | Annotated _ | Parenthesized _ ->

@@ -52,9 +52,9 @@ let literal_exponent (operator : Ir.qualified) (right : term) =
     | Parenthesized t -> read negative t
     | Negated t when not negative -> read true t
     | Number { digits; decimal = false; unit_ = None } -> (
-        match int_of_string_opt ("0u" ^ digits) with
-        | Some n when n <= 0x7fff_ffff -> if negative then -n else n
-        | Some _ | None -> reject right.span)
+        match Build.whole digits with
+        | Some n -> if negative then -n else n
+        | None -> reject right.span)
     | Number _ | Negated _ | Expression _ | Wildcard | As _ | Variable _ | Constructor _
     | Tuple _ | Application _ | Braces _ ->
         reject right.span

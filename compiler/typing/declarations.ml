@@ -8,7 +8,7 @@ let usable scale =
   magnitude > 1e-150 && magnitude < 1e150
 
 let scale (written : Syntax.Ir.scale) =
-  match (Exact.of_decimal written.factor, Exact.of_decimal written.divided_by) with
+  match (Exact.of_literal written.factor, Exact.of_literal written.divided_by) with
   | Some factor, Some divisor when not (Exact.equal divisor Exact.zero) ->
       let quotient = Exact.divide factor divisor in
       Some (if written.times_pi then Exact.multiply quotient Exact.pi else quotient)

@@ -5,9 +5,16 @@ let fits value = Option.is_some (Exact.to_int32 value)
 let is_only_negative (n : Resolve.Ir.number) =
   (not n.decimal) && n.unit_ = None
   &&
-  match Exact.of_decimal n.digits with
+  match Exact.of_literal n.digits with
   | Some value -> (not (fits value)) && fits (Exact.negate value)
   | None -> false
+
+(* The number that has the bits written in another base. *)
+let as_bits digits =
+  match Exact.of_literal digits with
+  | Some value when String.length digits > 2 && Exact.base_of_prefix (digits.[0], digits.[1]) <> None ->
+      Exact.(to_int32 (add value (negate (power (of_int 2) 32))))
+  | Some _ | None -> None
 
 (* What is too large for an [Int] is a [Float] if it may be. *)
 let too_large (ctx : Context.t) ~at (n : Resolve.Ir.number) representation =
@@ -15,7 +22,10 @@ let too_large (ctx : Context.t) ~at (n : Resolve.Ir.number) representation =
     Context.report ctx (fun _ ->
         Diagnostic.(
           error ~code:"E0313" ~at "`%s` is out of the range of `Int`" n.digits
-          |> note "an `Int` is from -2147483648 to 2147483647"))
+          |> note "an `Int` is from -2147483648 to 2147483647"
+          |> match as_bits n.digits with
+             | Some m -> hint (Printf.sprintf "as 32 bits, one for the sign, it is `(%ld)`" m)
+             | None -> Fun.id))
   in
   let attempt () =
     match Type.representation representation with
@@ -49,7 +59,7 @@ let is_long digits =
 
 let number (ctx : Context.t) ~negative ~at (n : Resolve.Ir.number) =
   let magnitude =
-    match Exact.of_decimal n.digits with
+    match Exact.of_literal n.digits with
     | Some value -> value
     | None ->
         Context.report ctx (fun _ -> out_of_range ctx ~at n);

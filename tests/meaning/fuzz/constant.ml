@@ -19,7 +19,7 @@ let in_range : Basis.Real.t -> string -> string = function
       let replaced pattern text = Str.global_replace (Str.regexp_string pattern) text in
       fun program -> replaced "1.0e300" "3.0e38" (replaced "5.0e-324" "1.0e-45" program)
 
-let ints = [ "0"; "1"; "2"; "(-1)"; "(-3)"; "7"; "100"; "65537"; "2147483647"; "(-2147483647 - 1)" ]
+let ints = [ "0"; "1"; "2"; "(-1)"; "(-3)"; "7"; "100"; "65537"; "0x7F"; "0b1010"; "0o17"; "1_000"; "2147483647"; "(-2147483647 - 1)" ]
 
 let measure s u =
   let unit = Type.unit_text u in

@@ -99,11 +99,11 @@ counts in 64 bits, so what it makes is wrapped.
 Of numbers that are known when compiling, and in Haskell's order:
 
   $ cat > known.frob << FROB
-  > main :: SF () (Int, Int, Int, Bool, Int)
-  > main = constant (1 .|. 6 \`xor\` 5 .&. 3 \`shiftL\` 1, 1 \`shiftL\` 40, (-77) \`shiftR\` (-3), 5 .&. 4 == 4, 3 + 1 .&. 2)
+  > main :: SF () (Int, Int, Int, Bool, Int, Array 0x2 Int)
+  > main = constant (1 .|. 6 \`xor\` 5 .&. 3 \`shiftL\` 1, 1 \`shiftL\` 40, (-77) \`shiftR\` (-3), 5 .&. 4 == 4, 3 + 1 .&. 2, [0x1F .|. 0b1010_0000, 0o17 ^ 0x2])
   > FROB
   $ printf 'time\n0\n' | trace known | cells
-  3,0,-616,true,3
+  3,0,-616,true,3,191,225
 
 `round` takes halves away from zero; all conversions saturate, and give 0 for
 NaN:

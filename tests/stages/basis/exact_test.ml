@@ -1,7 +1,7 @@
 open Basis
 
 let decimal text =
-  match Exact.of_decimal text with Some n -> n | None -> Alcotest.failf "%s is a decimal" text
+  match Exact.of_literal text with Some n -> n | None -> Alcotest.failf "%s is a decimal" text
 
 (* [digits.digitsE±dd], short and long. *)
 let decimals =
@@ -27,8 +27,11 @@ let short =
       Exact.equal (decimal text) (decimal (text ^ "e0")))
 
 let test_forms () =
-  let refused text = Alcotest.(check bool) (Printf.sprintf "`%s`" text) true (Exact.of_decimal text = None) in
-  List.iter refused [ ""; "."; ".5"; "1.2.3"; "-1"; "+1"; "1e"; "e1"; "1x"; " 1"; "1_0" ]
+  let refused text = Alcotest.(check bool) (Printf.sprintf "`%s`" text) true (Exact.of_literal text = None) in
+  List.iter refused [ ""; "."; ".5"; "1.2.3"; "-1"; "+1"; "1e"; "e1"; "1x"; " 1"; "0x"; "0b2"; "0o8"; "0x1.5"; "1x0" ];
+  let read value text = Alcotest.(check string) text value (Exact.to_string (decimal text)) in
+  List.iter (read "31") [ "0x1F"; "0X1f"; "0o37"; "0b1_1111"; "31"; "3_1"; "3.1e1" ];
+  read "340282366920938463463374607431768211455" ("0x" ^ String.make 32 'f')
 
 let field =
   QCheck.Test.make ~count:300 ~name:"dividing undoes multiplying, subtracting undoes adding"

@@ -9,7 +9,7 @@ let main name : Global.t = { module_ = "Main"; name }
 let var (b : binder) = make (Local (b.local, [])) b.ty
 
 let number x =
-  match Exact.of_decimal (string_of_float x ^ "0") with
+  match Exact.of_literal (string_of_float x ^ "0") with
   | Some exact -> make (Number exact) Float
   | None -> invalid_arg "number"
 

@@ -25,27 +25,62 @@ Numbers and units written as elsewhere.
   [1]
 
   $ cat > digits.frob <<'FROB'
-  > n = 1_000
-  > k = 0xFF
+  > n = 1_000_
+  > k = 0xFG
+  > b = 0b
+  > f x = x ^ 9223372036854775807
   > FROB
   $ frobc check digits.frob
-  error[E0105]: the number `1` is directly followed by `_000`
+  error[E0105]: the number `1_000` is directly followed by `_`
    --> digits.frob:1:5
     |
-  1 | n = 1_000
-    |     ^^^^^
+  1 | n = 1_000_
+    |     ^^^^^^
     |
-    = hint: the digits of a number stand together, without `_`
+    = hint: `_` stands between two digits
   
-  error[E0105]: the number `0` is directly followed by `xFF`
+  error[E0105]: the number `0xF` is directly followed by `G`
    --> digits.frob:2:5
     |
-  2 | k = 0xFF
+  2 | k = 0xFG
     |     ^^^^
     |
-    = hint: numbers are written in decimal
+    = hint: the digits after `0x` are `0` to `9` and `a` to `f`
   
-  2 errors
+  error[E0105]: the number `0b` has no digits
+   --> digits.frob:3:5
+    |
+  3 | b = 0b
+    |     ^^
+    |
+    = hint: the digits after `0b` are `0` and `1`
+  
+  error[E0117]: the exponent of `^` must be a whole number written out
+   --> digits.frob:4:11
+    |
+  4 | f x = x ^ 9223372036854775807
+    |           ^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: for other exponents there is `**`, on numbers without a unit
+  
+  4 errors
+  [1]
+
+  $ cat > bits.frob <<'FROB'
+  > mask :: Int
+  > mask = 0xFFFF_0000
+  > FROB
+  $ frobc check bits.frob
+  error[E0313]: `0xFFFF_0000` is out of the range of `Int`
+   --> bits.frob:2:8
+    |
+  2 | mask = 0xFFFF_0000
+    |        ^^^^^^^^^^^
+    |
+    = note: an `Int` is from -2147483648 to 2147483647
+    = hint: as 32 bits, one for the sign, it is `(-65536)`
+  
+  1 error
   [1]
 
 A unit stands on a literal or a type, never on a name, and touches it.
