@@ -30,3 +30,12 @@ let offset t file (p : Span.position) =
       if Span.line p < 1 then 0
       else if Span.line p > Array.length starts then length
       else min length (starts.(Span.line p - 1) + Span.column p - 1)
+
+let quote t (span : Span.t) =
+  match line t span.file (Span.line span.start) with
+  | Some text when Span.line span.start = Span.line span.stop ->
+    let first = Span.column span.start - 1 and after = Span.column span.stop - 1 in
+    if 0 <= first && first <= after && after <= String.length text then
+      Some (String.sub text first (after - first))
+    else None
+  | _ -> None

@@ -16,6 +16,9 @@ val line : t -> string -> int -> string option
 (** [line t file n]: line [n] from 1, without its end; [None] if the file is
     not there or has fewer lines. *)
 
+val quote : t -> Span.t -> string option
+(** The text there, if it is on one line. *)
+
 val offset : t -> string -> Span.position -> int
 (** The position's distance in bytes from the start of the text (0 if the
     file is not there); never beyond its end. *)

@@ -2,12 +2,13 @@ open Basis
 module T = Typing.Ir
 
 type place =
-  | Every_instant of Equations.t
+  | Every_instant
   | Elsewhere
 
-(* [name] is that of the nearest definition around; [fall] is what to do where
+(* [equations] are those of the proc around: an instance is one of them wherever in it it
+   stands. [name] is that of the nearest definition around; [fall] is what to do where
    a branch's guards all fail. *)
-type env = { ctx : Context.t; place : place; name : string; fall : Ir.expr option }
+type env = { ctx : Context.t; place : place; equations : Equations.t option; name : string; fall : Ir.expr option }
 
 let bug format = Diagnostic.bug ~stage:"Core.Of_typed" format
 let elsewhere env = { env with place = Elsewhere; fall = None }
@@ -60,13 +61,13 @@ let rec expr env (e : T.expr) : Ir.expr =
   | Lambda (patterns, body) -> lambda (elsewhere env) patterns body
   | Proc { input; equations; output } -> proc env e input equations output
   | Run (h, input) -> (
-    match env.place with
-    | Elsewhere -> bug "an instance at %a, which not every instant computes" Span.pp e.span
-    | Every_instant equations ->
+    match env.equations with
+    | None -> bug "an instance at %a, outside of all procs" Span.pp e.span
+    | Some equations ->
       let binder : Ir.binder =
         { local = Context.fresh env.ctx "" e.span; ty = Erasure.ty e.ty }
       in
-      run env equations binder h input e.span;
+      run { env with place = Every_instant } equations binder h input e.span;
       Term.variable binder e.span)
   | Record (c, fields) ->
     let env = inside env in
@@ -212,11 +213,11 @@ and lambda env patterns body =
     (expr env body) parameters
 
 and let_ env bindings body =
-  match env.place with
-  | Every_instant equations ->
+  match (env.place, env.equations) with
+  | Every_instant, Some equations ->
     List.iter (equation env equations) bindings;
     expr env body
-  | Elsewhere ->
+  | _ ->
     let bound newest (b : T.binding) =
       let binder = Matching.binder env.ctx b.pattern in
       let root = Term.variable binder b.pattern.span in
@@ -238,7 +239,7 @@ and proc env (e : T.expr) input equations output =
   let binder = Matching.binder env.ctx input in
   let mine = Equations.create () in
   Equations.parts mine input ~root:(Term.variable binder input.span) input.span;
-  let env = { env with place = Every_instant mine; fall = None } in
+  let env = { env with place = Every_instant; equations = Some mine; fall = None } in
   List.iter (equation env mine) equations;
   let output = expr env output in
   Term.make (Erasure.ty e.ty) e.span
@@ -266,4 +267,4 @@ and run env equations binder h input span =
   let input = expr (inside env) input in
   Equations.run equations binder ~signal_function ~input span
 
-let closed ctx ~name e = expr { ctx; place = Elsewhere; name; fall = None } e
+let closed ctx ~name e = expr { ctx; place = Elsewhere; equations = None; name; fall = None } e

@@ -61,7 +61,7 @@ let front ?robot options sink sources ~library file =
      repeat it in other words. *)
   let* typed = if Diagnostic.has_errors sink then None else Some typed in
   Option.iter (Robots.check_own sink typed) own;
-  let typed = Typing.Levels.program sink typed in
+  let typed = Typing.Levels.program ~sources sink typed in
   Typing.Patterns.check sink typed;
   let* typed =
     stage options sink Types ~lint:Typing.Lint.program ~print:Typing.Print.program typed

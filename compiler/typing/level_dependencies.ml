@@ -11,23 +11,13 @@ type frame = {
 
 type walk = { sink : Diagnostic.sink; graph : Level_graph.t }
 
-let variables (p : pattern) =
-  let rec collect found (p : pattern) =
-    match p.desc with
-    | Any | Literal _ -> found
-    | Bound x -> x :: found
-    | As (x, p) -> collect (x :: found) p
-    | Tuple_of ps | Constructed (_, ps) -> List.fold_left collect found ps
-  in
-  collect [] p
-
 let origin (b : binding) : Level_graph.origin =
   match (b.pattern.desc, b.pattern.ty) with
   | Bound _, Signal_function _ -> Bound_signal_function
   | Bound _, Data { tycon; _ } when tycon = Environment.task -> Bound_signal_function
   | _ -> Derived
 
-let name w node p = List.iter (fun x -> Level_graph.name w.graph x node) (variables p)
+let name w node p = List.iter (fun x -> Level_graph.name w.graph x node) (Parts.variables p)
 
 let rec leads_to_signal_function = function
   | Signal_function _ -> true
@@ -91,6 +81,15 @@ let innermost = function
   | frame :: _ -> frame
   | [] -> Diagnostic.bug ~stage:"Typing.Levels" "a walk outside of all frames"
 
+(* In a function too it is the proc around that an instance may belong to. *)
+let runs w frames (e : expr) =
+  let proc_depth = (innermost frames).proc_depth in
+  List.iter
+    (fun frame ->
+      if frame.depth >= proc_depth then
+        Option.iter (Level_graph.runs w.graph ~at:e.span) frame.owner)
+    frames
+
 let rec expr w frames (e : expr) =
   match e.desc with
   | Local (x, _) -> mention w frames x e
@@ -100,9 +99,7 @@ let rec expr w frames (e : expr) =
     expr w frames f;
     expr w frames a
   | Run (h, input) ->
-    (match (innermost frames).owner with
-    | Some node -> Level_graph.runs w.graph node ~at:e.span
-    | None -> ());
+    runs w frames e;
     expr w frames h;
     expr w frames input
   | Negate a | Power (a, _) | Field (a, _, _) | Index (a, _) -> expr w frames a

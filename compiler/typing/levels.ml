@@ -1,14 +1,6 @@
 open Basis
 open Ir
 
-(* Whether what stands here is computed at every instant. *)
-type position =
-  | Outside  (** of all procs *)
-  | Every_instant
-  | In_branch
-  | In_guard
-  | In_function of string  (** its name, [""] for a lambda *)
-
 (* An expression that may not depend on the signals of the proc around it;
    what is outside of that proc is captured, and static here. [depth] is that
    of the place, [proc_depth] that of the proc; at most one message for each. *)
@@ -20,13 +12,22 @@ and kind =
   | Binding_of_task of Local.t
 
 type place = {
-  position : position;
+  position : Misplaced.position;
   depth : int;
   proc_depth : int;
   regions : region list;  (** innermost first *)
+  conditional : pattern list;
+      (** what is bound since it is not every instant that is looked at, innermost first *)
+  polymorphic : bool;  (** within a local function with type variables of its own *)
 }
 
-type walk = { sink : Diagnostic.sink; graph : Level_graph.t; constants : Constant_index.constants }
+type walk = {
+  sink : Diagnostic.sink;
+  graph : Level_graph.t;
+  constants : Constant_index.constants;
+  sources : Source.t;
+  memory : Memory.t;
+}
 
 let enter place kind =
   {
@@ -96,59 +97,62 @@ let mention w place (x : Local.t) (e : expr) =
 
 (* {1 Where instances stand} *)
 
-let rec head_name (h : expr) =
-  match h.desc with
-  | Local (x, _) -> Printf.sprintf "`%s`" x.name
-  | Global (g, _) | Primitive (g, _) | Method { method_ = g; _ } -> Printf.sprintf "`%s`" g.name
-  | Apply (f, _) -> head_name f
-  | _ -> "a signal function"
+(* A variable of the expression that has no value at every instant. *)
+let bound_here place e =
+  let found = ref None in
+  let bound (e : expr) =
+    match e.desc with
+    | Local (x, _) when List.exists (fun p -> List.memq x (Parts.variables p)) place.conditional ->
+      found := Some x;
+      true
+    | _ -> false
+  in
+  if place.conditional <> [] then ignore (Parts.exists bound e);
+  !found
 
-let own_equation = "give it an equation of its own"
+let obstacle w place (e : expr) head : Misplaced.obstacle option =
+  match (place.position, bound_here place e) with
+  | Every_instant, _ -> None
+  | Outside, _ -> Some Depends_on_start
+  | _, Some x -> Some (Bound_here x)
+  | _ when place.polymorphic -> Some Polymorphic
+  | _ -> if Memory.remembers w.memory head then Some Depends_on_start else None
 
-let report_misplaced w position (e : expr) h =
-  let name = head_name h in
-  let error code text = Diagnostic.error ~code ~at:e.span "%s" text in
-  let emit d = Diagnostic.emit w.sink d in
-  match position with
-  | Every_instant -> ()
-  | Outside ->
-    emit
-      (error "E0341" (Printf.sprintf "%s is run outside of a `proc`" name)
-      |> Diagnostic.here "an instance needs a `proc` around it"
-      |> Diagnostic.hint "write `proc x -> …`, and run it there")
-  | In_branch ->
-    emit
-      (error "E0342" (Printf.sprintf "%s is run in a branch" name)
-      |> Diagnostic.here "would run even when not chosen"
-      |> Diagnostic.hint own_equation)
-  | In_guard ->
-    emit
-      (error "E0342" (Printf.sprintf "%s is run in a guard" name)
-      |> Diagnostic.here "would run even when not reached"
-      |> Diagnostic.hint own_equation)
-  | In_function f ->
-    let where = if f = "" then "a function" else Printf.sprintf "the function `%s`" f in
-    emit
-      (error "E0343" (Printf.sprintf "%s is run in %s" name where)
-      |> Diagnostic.here "functions hold no instances"
-      |> Diagnostic.hint own_equation)
+(* The places of the head and of the input. One mistake is enough for an instance. What
+   remembers nothing runs at every instant wherever in its proc it stands. *)
+let instance w place (e : expr) head input =
+  let region around = outermost (fun (r : region) -> r.depth >= around) place.regions in
+  let nothing_runs region =
+    report w region ~at:e.span (Printf.sprintf "%s is run here" (Misplaced.name head)) Fun.id;
+    (place, place)
+  in
+  match region place.depth with
+  | Some region -> nothing_runs region
+  | None -> (
+    match obstacle w place e head with
+    | Some obstacle ->
+      Misplaced.report w.sink w.sources place.position obstacle e ~head ~input;
+      (place, place)
+    | None -> (
+      match region place.proc_depth with
+      | Some region -> nothing_runs region
+      | None ->
+        let place =
+          { place with position = Every_instant; depth = place.proc_depth; conditional = [] }
+        in
+        (enter place (Head head), place)))
 
-(* The place of the head. One mistake is enough for an instance. *)
-let instance w place (e : expr) h =
-  let same_frame (r : region) = r.depth = place.depth in
-  match (outermost same_frame place.regions, place.position) with
-  | Some region, _ ->
-    report w region ~at:e.span (Printf.sprintf "%s is run here" (head_name h)) Fun.id;
-    place
-  | None, Every_instant -> enter place (Head h)
-  | None, ((Outside | In_branch | In_guard | In_function _) as position) ->
-    report_misplaced w position e h;
-    place
-
-let conditional place position =
+let conditional place (position : Misplaced.position) =
   match place.position with
   | Every_instant -> { place with position }
-  | Outside | In_branch | In_guard | In_function _ -> place
+  | In_branch (Some _) -> { place with position = In_branch None }
+  | Outside | In_branch None | In_guard | In_function _ -> place
+
+let knowing place patterns =
+  match place.position with
+  | Outside | Every_instant -> place
+  | In_branch _ | In_guard | In_function _ ->
+    { place with conditional = List.rev_append patterns place.conditional }
 
 (* {1 The index of an array} *)
 
@@ -190,16 +194,10 @@ let index w array (k : expr) =
     0
 
 (* {1 The walk} *)
-let rec first_variable (p : pattern) =
-  match p.desc with
-  | Any | Literal _ -> None
-  | Bound x | As (x, _) -> Some x
-  | Tuple_of ps | Constructed (_, ps) -> List.find_map first_variable ps
-
 (* What binds no variable is mentioned by nothing: there its level is only a
    guess on the safe side. *)
 let level w place (p : pattern) =
-  match Option.bind (first_variable p) (Level_graph.find w.graph) with
+  match List.find_map (Level_graph.find w.graph) (Parts.variables p) with
   | Some node -> Level_graph.level node
   | None -> ( match place.position with Outside -> Static | _ -> Signal)
 
@@ -225,7 +223,8 @@ let rec expr w place (e : expr) : expr =
     let a' = expr w place a in
     if f' == f && a' == a then e else with_ (Apply (f', a'))
   | Run (h, input) ->
-    let head = expr w (instance w place e h) h in
+    let place_of_head, place = instance w place e h input in
+    let head = expr w place_of_head h in
     let input' = expr w place input in
     if head == h && input' == input then e else with_ (Run (head, input'))
   | Negate a -> one w place e a (fun a -> Negate a)
@@ -233,27 +232,32 @@ let rec expr w place (e : expr) : expr =
   | Field (a, c, i) -> one w place e a (fun a -> Field (a, c, i))
   | If (condition, a, b) ->
     let condition' = expr w place condition in
-    let place = conditional place In_branch in
-    let a' = expr w place a in
-    let b' = expr w place b in
+    let branch chosen_if =
+      expr w (conditional place (In_branch (Some { test = condition; chosen_if })))
+    in
+    let a' = branch true a in
+    let b' = branch false b in
     if condition' == condition && a' == a && b' == b then e else with_ (If (condition', a', b'))
   | Case (scrutinee, branches) ->
     let scrutinee' = expr w place scrutinee in
-    let place = conditional place In_branch in
+    let place = conditional place (In_branch None) in
     let branch (b : branch) =
-      let value = expr w place b.value in
+      let value = expr w (knowing place [ b.pattern ]) b.value in
       if value == b.value then b else { b with value }
     in
     let branches' = Long_list.map_sharing branch branches in
     if scrutinee' == scrutinee && branches' == branches then e
     else with_ (Case (scrutinee', branches'))
   | Let (bindings, body) ->
-    let bindings' = Long_list.map_sharing (binding w place) bindings in
+    List.iter (Memory.local w.memory) bindings;
+    let bind place (b : binding) = (knowing place [ b.pattern ], binding w place b) in
+    let place, bindings' = List.fold_left_map bind place bindings in
     let body' = expr w place body in
-    if bindings' == bindings && body' == body then e else with_ (Let (bindings', body'))
+    if List.for_all2 ( == ) bindings' bindings && body' == body then e
+    else with_ (Let (bindings', body'))
   | Lambda (patterns, body) -> lambda w place "" e patterns body
   | Guards (guarded, last) ->
-    let in_guard = conditional place In_guard and in_branch = conditional place In_branch in
+    let in_guard = conditional place In_guard and in_branch = conditional place (In_branch None) in
     let alternative ((guard, value) as unchanged) =
       let guard' = expr w in_guard guard in
       let value' = expr w in_branch value in
@@ -265,7 +269,17 @@ let rec expr w place (e : expr) : expr =
     else with_ (Guards (guarded', last'))
   | Proc { input; equations; output } ->
     let depth = place.depth + 1 in
-    let place = { place with position = Every_instant; depth; proc_depth = depth } in
+    let place =
+      {
+        place with
+        position = Every_instant;
+        depth;
+        proc_depth = depth;
+        conditional = [];
+        polymorphic = false;
+      }
+    in
+    List.iter (Memory.local w.memory) equations;
     let equations' = Long_list.map_sharing (binding w place) equations in
     let output' = expr w place output in
     if equations' == equations && output' == output then e
@@ -291,19 +305,21 @@ and field w place ((i, e) as unchanged) =
   if e' == e then unchanged else (i, e')
 
 and lambda w place name e patterns body =
-  let body' = function_ w place name body in
+  let body' = function_ w place name patterns body in
   if body' == body then e else { e with desc = Lambda (patterns, body') }
 
-and function_ w place name body =
-  let position =
+and function_ w place name patterns body =
+  let position : Misplaced.position =
     match place.position with
     | Outside -> Outside
-    | Every_instant | In_branch | In_guard | In_function _ -> In_function name
+    | Every_instant | In_branch _ | In_guard | In_function _ -> In_function name
   in
-  expr w { place with position; depth = place.depth + 1 } body
+  expr w (knowing { place with position; depth = place.depth + 1 } patterns) body
 
 and binding w place (b : binding) =
   let level = level w place b.pattern in
+  let own = b.scheme.types <> [] || b.scheme.representations <> [] in
+  let place = if own then { place with polymorphic = true } else place in
   let value =
     match (b.pattern.desc, b.pattern.ty, b.value.desc) with
     | Bound x, _, Lambda (patterns, body) -> lambda w place x.name b.value patterns body
@@ -317,17 +333,27 @@ and binding w place (b : binding) =
   | _ -> ());
   if level = b.level && value == b.value then b else { b with level; value }
 
-let program sink (p : program) =
-  let constants = Constant_index.create () in
+let top_level =
+  {
+    position = Outside;
+    depth = 1;
+    proc_depth = 0;
+    regions = [];
+    conditional = [];
+    polymorphic = false;
+  }
+
+let program ?(sources = Source.create ()) sink (p : program) =
+  let constants = Constant_index.create () and memory = Memory.create p in
   (* The variables of one definition are in no other. *)
   let definition (d : definition) =
     let graph = Level_dependencies.definition sink d in
     Level_graph.solve graph;
-    let w = { sink; graph; constants } in
+    let w = { sink; graph; constants; sources; memory } in
     (match d.value.ty with
     | Number _ -> Constant_index.global constants d.name d.value
     | _ -> ());
-    let value = expr w { position = Outside; depth = 1; proc_depth = 0; regions = [] } d.value in
+    let value = expr w top_level d.value in
     if value == d.value then d else { d with value }
   in
   { p with definitions = Long_list.map definition p.definitions }

@@ -444,9 +444,10 @@ Methods that are signal functions run where any may.
     --> levels.frob:11:19
      |
   11 |         Just x -> derivative 0
-     |                   ^^^^^^^^^^^^ would run even when not chosen
+     |                   ^^^^^^^^^^^^ what it gives depends on when it started
      |
-     = hint: give it an equation of its own
+     = hint: to run it at every instant, write the equation `derivativeNow = derivative 0` beside the others, and `derivativeNow` here
+     = hint: to start it anew whenever this is chosen, `switch` between signal functions
   
   error[E0350]: this `case` does not cover every value
     --> levels.frob:12:18
@@ -454,13 +455,5 @@ Methods that are signal functions run where any may.
   12 |     far m = case m of
      |                  ^ no branch for `Just _`
   
-  error[E0342]: `frontDistance` is run in a branch
-    --> levels.frob:17:24
-     |
-  17 |     y = if near i then frontDistance i else 0
-     |                        ^^^^^^^^^^^^^^^ would run even when not chosen
-     |
-     = hint: give it an equation of its own
-  
-  4 errors
+  3 errors
   [1]

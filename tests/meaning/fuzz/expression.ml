@@ -37,8 +37,8 @@ let rec expression s fuel ty =
     in
     make ()
 
-(* Where a value may not be computed, no instance may stand. *)
-and elsewhere s = { s with run = None }
+(* Where a value may not be computed, no instance of what remembers may stand. *)
+and elsewhere s = { s with run = (if s.run = None then None else s.senses) }
 
 and unary s fuel name ty = f "(%s %s)" name (expression s fuel ty)
 and binary s fuel name ty = f "(%s %s %s)" name (expression s fuel ty) (expression s fuel ty)

@@ -21,6 +21,7 @@ let scope ~seen ~seed ~random ~prefix ~declared number =
     variables = [];
     functions = [];
     run = None;
+    senses = None;
   }
 
 let large ~seen ~seed ~random ~prefix ~(bias : Bias.t) number =

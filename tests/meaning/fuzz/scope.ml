@@ -11,12 +11,12 @@ type t = {
   variables : (string * Type.t) list;
   functions : (string * Type.t list * Type.t) list;
   run : (t -> int -> Type.t -> string) option;
+  senses : (t -> int -> Type.t -> string) option;
 }
 
 let fresh s start =
   incr s.count;
   Printf.sprintf "%s%s%d" s.prefix start !(s.count)
-
 
 let note s name = Coverage.note s.seen name
 

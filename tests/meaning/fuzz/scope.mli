@@ -12,6 +12,8 @@ type t = {
   functions : (string * Type.t list * Type.t) list;
   run : (t -> int -> Type.t -> string) option;
       (** an instance with an output of this type; where none may stand, none *)
+  senses : (t -> int -> Type.t -> string) option;
+      (** likewise in branches and functions: of what remembers nothing *)
 }
 
 val fresh : t -> string -> string

@@ -193,6 +193,22 @@ and running s values fuel ty =
 
 and run s = Some (running s)
 
+(* An instance that may stand anywhere in the proc of these signals. *)
+and sense signals (values : Scope.t) _ (ty : Type.t) =
+  let of_type t = List.filter (fun (_, t') -> t' = t) signals in
+  let measured (_, t) = Type.has_instances ~measured:true t in
+  Scope.note values "instance in a branch or function";
+  match (ty, List.filter measured signals, of_type ty, of_type Bool) with
+  | Float, (_ :: _ as them), _, _ when values.methods && chance values.random 2 ->
+    let x, t = one_of values.random them in
+    f "((smooth :: SF %s Float) %s)" (Type.text t) x
+  | _, _, (_ :: _ as them), (_ :: _ as conditions) when chance values.random 2 ->
+    let x = fst (one_of values.random them) and b = fst (one_of values.random conditions) in
+    let other = Constant.literal values ty in
+    f "((proc (y, b) -> if b then y else %s) (%s, %s))" other x b
+  | _, _, (_ :: _ as them), _ -> f "(identity %s)" (fst (one_of values.random them))
+  | _ -> f "(constant %s ())" (Constant.literal values ty)
+
 (* A signal function whose output is a function; of a switch different modes may give
    different ones. *)
 and of_functions s fuel a argument result =
@@ -349,7 +365,9 @@ let body s ~indent ~input ~signals output =
   let local_text = f "%s = %s" local.name (expression s 2 local.input local.output) in
   let s = { s with known = local :: s.known } in
   let signals = List.map (fun t -> (fresh "v", t)) signals in
-  let instances values = { values with Scope.run = run s } in
+  let instances (values : Scope.t) =
+    { values with run = run s; senses = Some (sense values.variables) }
+  in
   let later = instances (Scope.bind (bound @ signals) s.values) in
   let h = (fresh "h", Scope.any_type s.values, Scope.any_type s.values) in
   let rec equations found known = function

@@ -52,7 +52,7 @@ let recursive_equations () =
     ]
 
 let branches () =
-  check "E0342: `delay` is run in a branch [would run even when not chosen]"
+  check "E0342: `delay` is run in a branch [what it gives depends on when it started]"
     [
       ( "f",
         proc (bound x float) []

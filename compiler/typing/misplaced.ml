@@ -1,0 +1,121 @@
+open Basis
+open Ir
+
+type position =
+  | Outside
+  | Every_instant
+  | In_branch of condition option
+  | In_guard
+  | In_function of string
+
+and condition = { test : expr; chosen_if : bool }
+
+type obstacle =
+  | Depends_on_start
+  | Bound_here of Local.t
+  | Polymorphic
+
+let rec head_name (h : expr) =
+  match h.desc with
+  | Local (x, _) -> Some x.name
+  | Global (g, _) | Primitive (g, _) | Method { method_ = g; _ } -> Some g.name
+  | Apply (f, _) -> head_name f
+  | _ -> None
+
+let name h =
+  match head_name h with Some name -> Printf.sprintf "`%s`" name | None -> "a signal function"
+
+(* {1 What to write} *)
+
+let longest = 60
+
+let quote sources (e : expr) =
+  match Source.quote sources e.span with
+  | Some text when String.length text <= longest -> Some text
+  | _ -> None
+
+let atomic text =
+  let joins c = String.contains "() +-*/<>=&|$." c in
+  if text = "()" || not (String.exists joins text) then text else "(" ^ text ^ ")"
+
+let signal h = Option.fold (head_name h) ~none:"itsValue" ~some:(fun name -> name ^ "Now")
+
+let equation sources h (e : expr) =
+  Printf.sprintf "`%s = %s`" (signal h) (Option.value (quote sources e) ~default:"…")
+
+let own_equation sources h e =
+  Diagnostic.hint
+    (Printf.sprintf
+       "to run it at every instant, write the equation %s beside the others, and `%s` here"
+       (equation sources h e) (signal h))
+
+(* What starts anew whenever the branch is chosen. *)
+let anew sources condition h input =
+  let resets { test; chosen_if } =
+    match (quote sources h, quote sources input, quote sources test) with
+    | Some h', Some input, Some test ->
+      let becomes = if chosen_if then atomic test else Printf.sprintf "(not %s)" (atomic test) in
+      let input = if String.contains input '$' then atomic input else input in
+      Some
+        (Printf.sprintf
+           "to start it anew whenever this branch is chosen: `%s = resetOn %s (%s, edge %s)`"
+           (signal h) (atomic h') input becomes)
+    | _ -> None
+  in
+  Diagnostic.hint
+    (Option.value (Option.bind condition resets)
+       ~default:"to start it anew whenever this is chosen, `switch` between signal functions")
+
+(* {1 What is wrong} *)
+
+
+let report sink sources position obstacle (e : expr) ~head ~input =
+  let run where code =
+    Diagnostic.error ~code ~at:e.span "%s is run %s" (name head) where
+  in
+  let emit d = Diagnostic.emit sink d in
+  let bound (x : Local.t) d =
+    Diagnostic.here (Printf.sprintf "`%s` has a value only here" x.name) d
+    |> Diagnostic.label ~at:x.span (Printf.sprintf "`%s` is bound here" x.name)
+  in
+  let of_choice where condition =
+    let d = run where "E0342" in
+    match obstacle with
+    | Depends_on_start | Polymorphic ->
+      emit
+        (Diagnostic.here "what it gives depends on when it started" d
+        |> own_equation sources head e
+        |> anew sources condition head input)
+    | Bound_here x ->
+      emit
+        (bound x d
+        |> Diagnostic.hint
+             "a signal function runs at every instant: give it an input that has a value at each, \
+              or run it on events with `onEvent`")
+  in
+  match position with
+  | Every_instant -> ()
+  | Outside ->
+    emit
+      (run "outside of a `proc`" "E0341"
+      |> Diagnostic.here "an instance needs a `proc` around it"
+      |> Diagnostic.hint "write `proc x -> …`, and run it there")
+  | In_branch condition -> of_choice "in a branch" condition
+  | In_guard -> of_choice "in a guard" None
+  | In_function f -> (
+    let where = if f = "" then "in a function" else Printf.sprintf "in the function `%s`" f in
+    let d = run where "E0343" in
+    match obstacle with
+    | Depends_on_start | Polymorphic ->
+      emit (Diagnostic.here "functions hold no instances" d |> own_equation sources head e)
+    | Bound_here x ->
+      emit
+        (bound x d
+        |> Diagnostic.hint
+             (match (f, quote sources head) with
+             | "", Some h ->
+               Printf.sprintf "`mapSF %s` runs one for each element of an array" (atomic h)
+             | _, _ ->
+               Printf.sprintf
+                 "make %s a signal function, of the form `proc %s -> …`: that is run, not applied"
+                 (if f = "" then "this" else Printf.sprintf "`%s`" f) x.name)))

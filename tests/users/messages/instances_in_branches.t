@@ -1,0 +1,123 @@
+Where signal functions run in branches, guards and functions.
+
+A robot's senses may stand there, and what remembers nothing: they run at every instant.
+
+  $ cat > senses.frob <<'FROB'
+  > import Robot
+  > 
+  > blocked :: HasSonar i => SF i Bool
+  > blocked = proc i -> frontSonar i < 0.3[m]
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR (v i) w) where
+  >     v j = if bumped j then 0 else 0.5[1/s] * frontSonar i
+  >     w | blocked i = 1[rad/s]
+  >       | otherwise = case keyPressed i of
+  >           Event k -> if k > 0 then 1[rad/s] else 0
+  >           NoEvent -> if frontSonar i > 1[m] then 0 else kTurn * (sideSonar i - 0.5[m])
+  >     kTurn = 1[1/(m s)])
+  > FROB
+  $ frobc check senses.frob
+
+Of what remembers, the program has to say which of two things it means.
+
+  $ cat > remembers.frob <<'FROB'
+  > main :: SF (Bool, Velocity, Velocity) (Distance, Float, Float, Float)
+  > main = proc (b, v, w) -> (x, y, z, f 1) where
+  >     x = if b && v > w then integral v else integral $ v + w
+  >     y = if b then 0 else if v > w then after' () else 1
+  >     z | edge b == Event () = 1
+  >       | otherwise = 0
+  >     after' = proc () -> if after 2[s] () == Event () then 1 else 0
+  >     f k = k * delay 0 (v / 1[m/s])
+  > FROB
+  $ frobc check remembers.frob
+  error[E0342]: `integral` is run in a branch
+   --> remembers.frob:3:28
+    |
+  3 |     x = if b && v > w then integral v else integral $ v + w
+    |                            ^^^^^^^^^^ what it gives depends on when it started
+    |
+    = hint: to run it at every instant, write the equation `integralNow = integral v` beside the others, and `integralNow` here
+    = hint: to start it anew whenever this branch is chosen: `integralNow = resetOn integral (v, edge (b && v > w))`
+  
+  error[E0342]: `integral` is run in a branch
+   --> remembers.frob:3:44
+    |
+  3 |     x = if b && v > w then integral v else integral $ v + w
+    |                                            ^^^^^^^^^^^^^^^^ what it gives depends on when it started
+    |
+    = hint: to run it at every instant, write the equation `integralNow = integral $ v + w` beside the others, and `integralNow` here
+    = hint: to start it anew whenever this branch is chosen: `integralNow = resetOn integral (v + w, edge (not (b && v > w)))`
+  
+  error[E0342]: `after'` is run in a branch
+   --> remembers.frob:4:40
+    |
+  4 |     y = if b then 0 else if v > w then after' () else 1
+    |                                        ^^^^^^^^^ what it gives depends on when it started
+    |
+    = hint: to run it at every instant, write the equation `after'Now = after' ()` beside the others, and `after'Now` here
+    = hint: to start it anew whenever this is chosen, `switch` between signal functions
+  
+  error[E0342]: `edge` is run in a guard
+   --> remembers.frob:5:9
+    |
+  5 |     z | edge b == Event () = 1
+    |         ^^^^^^ what it gives depends on when it started
+    |
+    = hint: to run it at every instant, write the equation `edgeNow = edge b` beside the others, and `edgeNow` here
+    = hint: to start it anew whenever this is chosen, `switch` between signal functions
+  
+  error[E0343]: `delay` is run in the function `f`
+   --> remembers.frob:8:15
+    |
+  8 |     f k = k * delay 0 (v / 1[m/s])
+    |               ^^^^^^^^^^^^^^^^^^^^ functions hold no instances
+    |
+    = hint: to run it at every instant, write the equation `delayNow = delay 0 (v / 1[m/s])` beside the others, and `delayNow` here
+  
+  5 errors
+  [1]
+
+What has a value only there cannot be the input of what runs at every instant.
+
+  $ cat > only_there.frob <<'FROB'
+  > main :: SF (Event Velocity, Array 4 Distance) (Distance, Array 4 Velocity, Velocity)
+  > main = proc (e, ds) -> (x, map (\d -> derivative d) ds, slope (ds ! 0)) where
+  >     x = case e of
+  >         Event v -> integral v
+  >         NoEvent -> 0
+  >     slope d = derivative d
+  > FROB
+  $ frobc check only_there.frob
+  error[E0343]: `derivative` is run in a function
+   --> only_there.frob:2:39
+    |
+  2 | main = proc (e, ds) -> (x, map (\d -> derivative d) ds, slope (ds ! 0)) where
+    |                                  -    ^^^^^^^^^^^^ `d` has a value only here
+    |                                  |
+    |                                  `d` is bound here
+    |
+    = hint: `mapSF derivative` runs one for each element of an array
+  
+  error[E0342]: `integral` is run in a branch
+   --> only_there.frob:4:20
+    |
+  4 |         Event v -> integral v
+    |               -    ^^^^^^^^^^ `v` has a value only here
+    |               |
+    |               `v` is bound here
+    |
+    = hint: a signal function runs at every instant: give it an input that has a value at each, or run it on events with `onEvent`
+  
+  error[E0343]: `derivative` is run in the function `slope`
+   --> only_there.frob:6:15
+    |
+  6 |     slope d = derivative d
+    |           -   ^^^^^^^^^^^^ `d` has a value only here
+    |           |
+    |           `d` is bound here
+    |
+    = hint: make `slope` a signal function, of the form `proc d -> …`: that is run, not applied
+  
+  3 errors
+  [1]
