@@ -248,6 +248,12 @@ static void close(void *device)
     stop(device);
 }
 
+static bool stands(const void *device)
+{
+    const struct rover *d = (const struct rover *)device;
+    return d->odometry.left_m_s == 0.0 && d->odometry.right_m_s == 0.0;
+}
+
 static const char *describe(const void *device)
 {
     (void)device;
@@ -290,5 +296,6 @@ const struct frob_driver frob_rover_driver = {
     command,
     stop,
     close,
-    describe
+    describe,
+    stands
 };

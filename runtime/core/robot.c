@@ -148,8 +148,16 @@ enum frob_status frob_robot_command(struct frob_robot *robot, const void *output
 enum frob_status frob_robot_halt(struct frob_robot *robot)
 {
     robot->at_rest = true;
-    robot->stop_due_ns = frob_now_ns(&robot->clock) + STOP_PERIOD_NS;
+    robot->halted_ns = frob_now_ns(&robot->clock);
+    robot->stop_due_ns = robot->halted_ns + STOP_PERIOD_NS;
     return robot->driver->stop(robot->device);
+}
+
+bool frob_robot_stands(const struct frob_robot *robot)
+{
+    return robot->driver->stands != NULL && robot->at_rest &&
+           robot->driver->sensed_ns(robot->device) > robot->halted_ns &&
+           robot->driver->stands(robot->device);
 }
 
 void frob_robot_close(struct frob_robot *robot)

@@ -52,6 +52,7 @@ struct frob_robot {
     bool at_rest;            /* no command since it was connected or halted */
     bool connected_now;      /* the next command is the first of a connection */
     int64_t stop_due_ns;     /* while at rest */
+    int64_t halted_ns;       /* the last frob_robot_halt */
     uint32_t connections;
     uint32_t stale;          /* how often readings became too old */
     union {
@@ -81,6 +82,9 @@ enum frob_status frob_robot_command(struct frob_robot *robot, const void *output
 
 /* Stops the robot at once, and keeps it so until the next command. */
 enum frob_status frob_robot_halt(struct frob_robot *robot);
+
+/* Whether the robot has been seen to stand still since it was halted. */
+bool frob_robot_stands(const struct frob_robot *robot);
 
 /* Stops the robot and ends its session. The line is the caller's to close. */
 void frob_robot_close(struct frob_robot *robot);

@@ -23,6 +23,7 @@
 #ifndef FROB_DRIVERS_DRIVER_H
 #define FROB_DRIVERS_DRIVER_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -100,6 +101,10 @@ struct frob_driver {
 
     /* What is known about the robot, for a person: "Pioneer p3dx, AMRISim". */
     const char *(*describe)(const void *device);
+
+    /* Whether the robot stood still at the newest complete sensor reading. NULL:
+     * its sensors do not tell, and hosts wait for as long as it may take. */
+    bool (*stands)(const void *device);
 };
 
 #ifdef __cplusplus

@@ -2,6 +2,7 @@
 
 #include "drivers/create/command.h"
 #include "drivers/create/lights.h"
+#include "drivers/pause.h"
 #include "drivers/wheels.h"
 
 #include <frob/create.h>
@@ -166,6 +167,8 @@ static enum frob_status read_all(struct frob_create *d)
             return status;
         if (count == 0)
             return FROB_OK;
+        if (frob_after_pause(&d->clock, &d->byte_ns))
+            frob_create_stream_clear(&d->stream);
         for (size_t k = 0; k < count; k++)
             if (frob_create_stream_receive(&d->stream, bytes[k], &sensors))
                 take(d, &sensors, frob_now_ns(&d->clock));
@@ -322,6 +325,12 @@ static void close(void *device)
     write(d, bytes, frob_create_plain(FROB_CREATE_START, bytes));
 }
 
+static bool stands(const void *device)
+{
+    const struct frob_create *d = (const struct frob_create *)device;
+    return d->odometry.left_m_s == 0.0 && d->odometry.right_m_s == 0.0;
+}
+
 static const char *describe(const void *device)
 {
     const struct frob_create *d = (const struct frob_create *)device;
@@ -371,5 +380,6 @@ const struct frob_driver frob_create_driver = {
     command,
     stop,
     close,
-    describe
+    describe,
+    stands
 };

@@ -64,6 +64,7 @@ struct frob_create {
     unsigned attempts;        /* to connect */
     int64_t step_ns;          /* when the step's command was sent */
     int64_t heard_ns;         /* when the last frame came, or the connection began */
+    int64_t byte_ns;          /* the last byte */
     int64_t sensed_ns;        /* when the last frame came */
     int64_t asked_ns;         /* when the stream was asked for */
     unsigned out_of_mode;     /* frames, one after the other */

@@ -5,15 +5,17 @@
 #include <string.h>
 
 enum {
+    OVERHEARING_MS = 150, /* longer than from one SIP to the next */
     SYNC_PATIENCE_MS = 250,
     SYNC_ATTEMPTS = 2,   /* at one rate */
     ROUNDS = 3,          /* over all rates */
-    CLOSING_MS = 200,
+    CLOSING_MS = 200,    /* a SIP in its second half: CLOSE was lost */
     STEP_MS = 20,        /* between the commands that open a session */
     SWITCHING_MS = 100,  /* the robot's, from HOSTBAUD to the new rate */
     SIP_PATIENCE_MS = 1000,
     CONFIG_PATIENCE_MS = 300,
-    CONFIG_ATTEMPTS = 3
+    CONFIG_ATTEMPTS = 3,
+    AFTER_RATE = 6       /* the step of opening behind those that switch the rate */
 };
 
 /* In the order in which robots are usually found. */
@@ -44,22 +46,41 @@ static enum frob_status ask_rate(struct frob_pioneer *d, uint32_t rate, bool *ca
     return status == FROB_OK && *can ? set_rate(d, before) : status;
 }
 
-/* Sends a SYNC and waits for its echo. A robot that is still in a session takes
- * SYNC0 for PULSE, and would take up the speed again that its watchdog has
- * stopped. So zeros come before each SYNC0, for it may be the first packet that
- * the robot hears; a robot that is in no session does not heed them. */
+static enum frob_status send_zeros(struct frob_pioneer *d)
+{
+    enum frob_status status = frob_pioneer_send_int(d, FROB_P2OS_VEL, 0);
+    return status == FROB_OK ? frob_pioneer_send_int(d, FROB_P2OS_RVEL, 0) : status;
+}
+
+/* Sends a SYNC and waits for its echo. */
 static enum frob_status send_sync(struct frob_pioneer *d, uint8_t sync)
 {
-    enum frob_status status = FROB_OK;
-    if (sync == 0) {
-        status = frob_pioneer_send_int(d, FROB_P2OS_VEL, 0);
-        if (status == FROB_OK)
-            status = frob_pioneer_send_int(d, FROB_P2OS_RVEL, 0);
-    }
     d->phase = FROB_PIONEER_SYNC;
     d->sync = sync;
     d->until_ns = after(d, SYNC_PATIENCE_MS);
-    return status == FROB_OK ? frob_pioneer_send(d, sync) : status;
+    return frob_pioneer_send(d, sync);
+}
+
+/* A robot outside a session is told nothing but SYNC, for it echoes other packets or
+ * goes away. One in a session takes SYNC0 for PULSE, and would take up the speed again
+ * that its watchdog has stopped: it is told zeros first. It is known by its SIPs; of
+ * bytes that are no packets nobody can tell. */
+static enum frob_status overheard(struct frob_pioneer *d)
+{
+    bool silent = d->heard_ns <= d->until_ns - OVERHEARING_MS * frob_pioneer_ms;
+    enum frob_status status = silent ? FROB_OK : send_zeros(d);
+    return status == FROB_OK ? send_sync(d, 0) : status;
+}
+
+/* Ends a session that nobody has ended: with the robot at rest. */
+static enum frob_status end_session(struct frob_pioneer *d)
+{
+    enum frob_status status = send_zeros(d);
+    d->good_rate = d->rate;
+    d->phase = FROB_PIONEER_CLOSING;
+    d->still_open = false;
+    d->until_ns = after(d, CLOSING_MS);
+    return status == FROB_OK ? frob_pioneer_send(d, FROB_P2OS_CLOSE) : status;
 }
 
 /* Which rate to try: where a robot has answered before, then the usual ones. */
@@ -89,7 +110,9 @@ static enum frob_status try_rate(struct frob_pioneer *d)
         status = d->serial.operations->discard(d->serial.port);
     if (status == FROB_OK && d->tried > 0)
         status = frob_pioneer_send(d, FROB_P2OS_CLOSE);
-    return status == FROB_OK ? send_sync(d, 0) : status;
+    d->phase = FROB_PIONEER_OVERHEARING;
+    d->until_ns = after(d, OVERHEARING_MS);
+    return status;
 }
 
 void frob_pioneer_connect(struct frob_pioneer *d)
@@ -188,14 +211,14 @@ static enum frob_status send_hostbaud(struct frob_pioneer *d)
     bool can = false;
     enum frob_status status = switches(d) ? ask_rate(d, d->model.switch_rate, &can) : FROB_OK;
     if (!can)
-        d->step = 4;
+        d->step = AFTER_RATE;
     else if (status == FROB_OK)
         status = frob_pioneer_send_int(d, FROB_P2OS_HOSTBAUD, baud_number(d->model.switch_rate));
     return status;
 }
 
-/* One command of the session's beginning. Both speeds are zero before the
- * motors go on. */
+/* One command of the session's beginning. Both speeds are zero before anything that
+ * a session could go on by. */
 static enum frob_status open_step(struct frob_pioneer *d)
 {
     enum frob_status status = FROB_OK;
@@ -205,24 +228,24 @@ static enum frob_status open_step(struct frob_pioneer *d)
         status = frob_pioneer_send(d, FROB_P2OS_OPEN);
         break;
     case 1:
-        status = frob_pioneer_send(d, FROB_P2OS_PULSE);
+        status = frob_pioneer_send_int(d, FROB_P2OS_VEL, 0);
         break;
     case 2:
-        status = send_hostbaud(d);
-        if (d->step == 4)
-            return status;
+        status = frob_pioneer_send_int(d, FROB_P2OS_RVEL, 0);
         break;
     case 3:
+        status = frob_pioneer_send(d, FROB_P2OS_PULSE);
+        break;
+    case 4:
+        status = send_hostbaud(d);
+        if (d->step == AFTER_RATE)
+            return status;
+        break;
+    case 5:
         status = set_rate(d, d->model.switch_rate);
         pause_ms = SWITCHING_MS;
         break;
-    case 4:
-        status = frob_pioneer_send_int(d, FROB_P2OS_VEL, 0);
-        break;
-    case 5:
-        status = frob_pioneer_send_int(d, FROB_P2OS_RVEL, 0);
-        break;
-    case 6:
+    case AFTER_RATE:
         status = frob_pioneer_send_int(d, FROB_P2OS_SONAR, 1);
         break;
     case 7:
@@ -282,11 +305,7 @@ static enum frob_status sync_packet(struct frob_pioneer *d, const struct frob_p2
     }
     if (type <= 2)
         return FROB_OK; /* the echo of a SYNC that was sent twice */
-    /* The robot is in a session that nobody ended. */
-    d->good_rate = d->rate;
-    d->phase = FROB_PIONEER_CLOSING;
-    d->until_ns = after(d, CLOSING_MS);
-    return frob_pioneer_send(d, FROB_P2OS_CLOSE);
+    return end_session(d);
 }
 
 /* Nothing tells that a command has arrived, but whether ENABLE has can be seen.
@@ -306,6 +325,8 @@ enum frob_status frob_pioneer_connect_packet(struct frob_pioneer *d,
     struct frob_p2os_sip sip;
     struct frob_p2os_robot_config config;
     switch (d->phase) {
+    case FROB_PIONEER_OVERHEARING:
+        return packet->body[0] > 2 ? end_session(d) : FROB_OK;
     case FROB_PIONEER_SYNC:
         return sync_packet(d, packet);
     case FROB_PIONEER_LISTENING:
@@ -328,6 +349,8 @@ enum frob_status frob_pioneer_connect_packet(struct frob_pioneer *d,
         }
         break;
     case FROB_PIONEER_CLOSING:
+        d->still_open = frob_now_ns(&d->clock) > d->until_ns - CLOSING_MS / 2 * frob_pioneer_ms;
+        break;
     case FROB_PIONEER_OPENING:
     case FROB_PIONEER_SILENT:
     case FROB_PIONEER_UNKNOWN:
@@ -367,11 +390,14 @@ enum frob_status frob_pioneer_connect_advance(struct frob_pioneer *d)
     bool due = now >= d->until_ns;
     enum frob_status status = FROB_OK;
     switch (d->phase) {
+    case FROB_PIONEER_OVERHEARING:
+        status = due ? overheard(d) : FROB_OK;
+        break;
     case FROB_PIONEER_SYNC:
         status = due ? sync_again(d) : FROB_OK;
         break;
     case FROB_PIONEER_CLOSING:
-        status = due ? sync_after_close(d) : FROB_OK;
+        status = !due ? FROB_OK : d->still_open ? end_session(d) : sync_after_close(d);
         break;
     case FROB_PIONEER_OPENING:
         status = due ? open_step(d) : FROB_OK;

@@ -1,4 +1,5 @@
 /* The driver's table: starting, polling, commanding, stopping. */
+#include "drivers/pause.h"
 #include "drivers/pioneer/device.h"
 
 #include <math.h>
@@ -52,6 +53,7 @@ static void start(void *device, const double *values, const struct frob_serial *
     d->has_config = false;
     d->sensed_ns = INT64_MIN;
     d->sent_ns = INT64_MIN;
+    d->heard_ns = frob_now_ns(clock);
     d->has_wanted = d->second_pending = false;
     memset(d->wanted, 0, sizeof d->wanted);
     memset(d->sent, 0, sizeof d->sent);
@@ -134,6 +136,8 @@ static enum frob_status poll(void *device)
     enum frob_status status;
     do {
         status = d->serial.operations->read(d->serial.port, bytes, sizeof bytes, &count);
+        if (status == FROB_OK && count > 0 && frob_after_pause(&d->clock, &d->heard_ns))
+            memset(&d->receiver, 0, sizeof d->receiver);
         for (used = 0; status == FROB_OK && used < count;) {
             used += frob_p2os_feed(&d->receiver, bytes + used, count - used);
             while (status == FROB_OK && frob_p2os_next(&d->receiver, &packet))
@@ -242,6 +246,12 @@ static void close(void *device)
     d->phase = FROB_PIONEER_SILENT;
 }
 
+static bool stands(const void *device)
+{
+    const struct frob_pioneer *d = (const struct frob_pioneer *)device;
+    return d->sip.left == 0 && d->sip.right == 0;
+}
+
 static const char *describe(const void *device)
 {
     return ((const struct frob_pioneer *)device)->description;
@@ -270,4 +280,5 @@ const struct frob_driver frob_pioneer_driver = {
     stop,
     close,
     describe,
+    stands,
 };

@@ -5,9 +5,10 @@
  * packet.h and sip.h, and never leave this folder.
  *
  * Connecting finds the line's rate, shakes hands (SYNC0 to SYNC2), looks the
- * model up, sets both speeds to zero, and only then turns the motors on. Zeros go
- * before each SYNC0 too: a Pioneer whose watchdog has stopped it takes up its old
- * speed again at the next command, and one in a session takes SYNC0 for PULSE.
+ * model up, sets both speeds to zero, and only then turns the motors on. It listens
+ * first: a Pioneer whose watchdog has stopped it takes up its old speed again at the
+ * next command, and one in a session takes SYNC0 for PULSE. Such a one sends packets,
+ * and is told zeros and CLOSE. One that is silent is told nothing before SYNC0.
  * The driver sends no PULSE once the robot can be commanded: then only commands
  * feed the robot's watchdog, so that a host that has stopped commanding is noticed
  * by the robot itself. */
@@ -52,6 +53,7 @@ enum { FROB_PIONEER_SONARS = 16 };
 
 /* Where connecting has got to. */
 enum frob_pioneer_phase {
+    FROB_PIONEER_OVERHEARING, /* is the robot in a session already? */
     FROB_PIONEER_SYNC, /* sync 0, 1 or 2 is sent, its echo awaited */
     FROB_PIONEER_CLOSING, /* the robot was in a session; its end is awaited */
     FROB_PIONEER_OPENING, /* the commands that begin a session are being sent */
@@ -80,6 +82,8 @@ struct frob_pioneer {
     uint8_t attempt;      /* of what the phase sends */
     uint8_t tried;        /* rates, so far */
     uint8_t step;         /* of opening */
+    bool still_open;      /* a SIP came after CLOSE */
+    int64_t heard_ns;     /* the last byte */
     bool motors_seen;     /* the motors have been on in this session */
     int64_t until_ns;     /* when the phase loses patience, or sends its next */
     uint32_t rate;        /* of the line now */

@@ -1,5 +1,6 @@
 #include "drivers/scout/scout.h"
 
+#include "drivers/pause.h"
 #include "drivers/wheels.h"
 
 #include <frob/scout.h>
@@ -138,6 +139,8 @@ static enum frob_status read_all(struct frob_scout *d)
             return status;
         if (count == 0)
             return FROB_OK;
+        if (frob_after_pause(&d->clock, &d->byte_ns))
+            memset(&d->receiver, 0, sizeof d->receiver);
         for (size_t k = 0; k < count; k++)
             if (frob_scout_receive(&d->receiver, bytes[k], &packet))
                 take(d, &packet, frob_now_ns(&d->clock));
@@ -255,6 +258,12 @@ static void close(void *device)
     send(d, frob_scout_sonars_off());
 }
 
+static bool stands(const void *device)
+{
+    const struct frob_scout *d = (const struct frob_scout *)device;
+    return d->odometry.forward_m_s == 0.0 && d->odometry.turn_rad_s == 0.0;
+}
+
 static const char *describe(const void *device)
 {
     const struct frob_scout *d = (const struct frob_scout *)device;
@@ -304,5 +313,6 @@ const struct frob_driver frob_scout_driver = {
     command,
     stop,
     close,
-    describe
+    describe,
+    stands
 };

@@ -60,6 +60,7 @@ struct frob_scout {
     uint8_t awaited;      /* the type of answer that is due; 0: none */
     int64_t sent_ns;      /* the command that went out last */
     int64_t heard_ns;     /* the answer that came last, or the start */
+    int64_t byte_ns;      /* the last byte */
     int64_t sensed_ns;    /* the state that came last */
     int64_t commanded_ns; /* the velocity, or the stop, that the host gave last */
     bool velocity_waits;  /* a velocity is to be sent */

@@ -25,7 +25,7 @@
 enum { DONE = 0, WRONG_USE = 2, FAULT = 4 };
 
 #define BEAT_NS INT64_C(20000000)      /* how often the guard hears from here, at least */
-#define FAREWELL_NS INT64_C(300000000) /* for a last stop to reach the robot */
+#define FAREWELL_NS INT64_C(2000000000) /* for a robot that was told to stop to stand */
 enum { GIVE_UP = 10 };                 /* patiences, with a step */
 
 static volatile sig_atomic_t ended_by = 0;
@@ -321,7 +321,7 @@ static void run(struct supervisor *s)
     }
 }
 
-/* Stops the robot, lets that arrive, and leaves it. */
+/* Stops the robot, sees it stand, and leaves it. */
 static void say_farewell(struct supervisor *s)
 {
     int64_t until;
@@ -330,7 +330,7 @@ static void say_farewell(struct supervisor *s)
     halt(s);
     until = now_ns() + FAREWELL_NS;
     while (s->robot.state != FROB_ROBOT_CONNECTING && now_ns() < until &&
-           frob_robot_poll(&s->robot) != FROB_ROBOT_FAILED) {
+           frob_robot_poll(&s->robot) != FROB_ROBOT_FAILED && !frob_robot_stands(&s->robot)) {
         struct frob_serial serial = frob_posix_serial(&s->line.port);
         guard_hear(&s->guard);
         serial.operations->wait(serial.port, earlier(until, now_ns() + BEAT_NS));

@@ -22,6 +22,8 @@ static struct {
     bool in_session, open, heeds_hostbaud, keeps_rate, silent, motors;
     uint8_t expected_sync;
     int enables_lost;  /* so many are lost on their way */
+    bool strict;       /* echoes what it does not know, and hangs up at CLOSE */
+    bool stands;       /* its wheels are at rest */
     bool deaf;         /* waits for the rest of what noise announced */
     uint8_t commands[LOG_ROOM];
     int32_t arguments[LOG_ROOM];
@@ -65,8 +67,8 @@ static void send_sip(uint8_t battery, const uint8_t *echoes, uint8_t echo_count)
     b[4] = (uint8_t)(other.y >> 8);
     b[5] = (uint8_t)((uint16_t)other.heading & 0xFF);
     b[6] = (uint8_t)((uint16_t)other.heading >> 8);
-    b[7] = 100; /* left wheel, mm/s */
-    b[9] = 200;
+    b[7] = other.stands ? 0 : 100; /* left wheel, mm/s */
+    b[9] = other.stands ? 0 : 200;
     b[11] = battery;
     b[12] = 0x02; /* a rear bumper */
     b[13] = 0x01; /* right stall */
@@ -96,6 +98,10 @@ static void take(const struct frob_p2os_packet *packet)
         uint8_t body[64] = { number };
         if (number == 0)
             other.expected_sync = 0;
+        if (other.strict && number > 2)
+            send_body(packet->body, packet->length);
+        if (other.strict && number == 2 && other.expected_sync != 2)
+            line.lost = true;
         if (number > 2 || number != other.expected_sync++)
             return;
         if (number < 2)
@@ -107,6 +113,7 @@ static void take(const struct frob_p2os_packet *packet)
         }
     } else if (number == FROB_P2OS_CLOSE) {
         other.in_session = other.open = other.motors = false;
+        line.lost = other.strict;
         if (!other.keeps_rate)
             other.rate = 9600;
     } else if (number == FROB_P2OS_OPEN) {
@@ -221,11 +228,15 @@ static void handshake(void)
     check(strcmp(frob_pioneer_driver.describe(&device), "Pioneer P3DX-SH, fake") == 0,
           "says which robot it is");
     check(line.rate == 38400, "switches the rate as the model has it");
-    check(other.commands[0] == FROB_P2OS_VEL && other.arguments[0] == 0,
-          "zero is the first thing sent");
+    check(other.commands[0] == FROB_P2OS_SYNC0 && other.commands[1] == 1 && other.commands[2] == 2,
+          "nothing comes before SYNC0");
+    check(other.commands[3] == FROB_P2OS_OPEN && other.commands[4] == FROB_P2OS_VEL &&
+              other.commands[5] == FROB_P2OS_RVEL && other.arguments[4] == 0 && other.arguments[5] == 0,
+          "zeros are the first thing in the session");
     check(last_of(FROB_P2OS_ENABLE) != LOG_ROOM && last_of(FROB_P2OS_ENABLE) > 5 &&
               other.arguments[last_of(FROB_P2OS_ENABLE)] == 1,
           "turns the motors on");
+    run(300);
     check(count_of(FROB_P2OS_CONFIG) == 3, "asks three times for a config packet, then goes without");
     start();
     other.enables_lost = 2;
@@ -289,27 +300,103 @@ static void rates(void)
           "gives up when nobody answers");
 }
 
+static bool is_zero(size_t i, uint8_t number)
+{
+    return other.commands[i] == number && other.arguments[i] == 0;
+}
+
 /* A robot in a session that begins to hear at last, with whatever packet: its
  * watchdog has stopped it, and a pulse alone would let it go on. */
 static void hears_late(void)
 {
     bool zeros_first = true;
-    size_t pulses = 0;
+    size_t ends = 0;
     start();
     other.in_session = other.open = other.deaf = true;
     connect_again();
     run(3000);
     for (size_t i = 0; i < other.count; i++) {
-        if (other.commands[i] != FROB_P2OS_PULSE)
+        if (other.commands[i] == FROB_P2OS_VEL || other.commands[i] == FROB_P2OS_RVEL)
             continue;
-        pulses++;
-        zeros_first = zeros_first && i >= 2 && other.commands[i - 2] == FROB_P2OS_VEL &&
-                      other.arguments[i - 2] == 0 && other.commands[i - 1] == FROB_P2OS_RVEL &&
-                      other.arguments[i - 1] == 0;
+        ends++;
+        zeros_first = zeros_first && other.commands[i] == FROB_P2OS_CLOSE && i >= 2 &&
+                      is_zero(i - 2, FROB_P2OS_VEL) && is_zero(i - 1, FROB_P2OS_RVEL);
     }
-    check(pulses > 5 && zeros_first, "zeros come before each, for it may be the first that is heard");
+    check(ends > 10 && zeros_first,
+          "a session that is heard is ended, with zeros first, for they may be what is heard first");
     other.deaf = false;
-    check(run(3000) == FROB_ROBOT_READY, "and when it hears again, the session is ended and begun");
+    check(run(3000) == FROB_ROBOT_READY, "and when it hears again, another one is begun");
+}
+
+/* What is heard is no packet: there may be a session behind the noise. */
+static void noise(void)
+{
+    start();
+    connect_again();
+    run(20);
+    frob_fake_send(&line, (const uint8_t *)"noise", 5, 0);
+    run(400);
+    check(is_zero(0, FROB_P2OS_VEL) && is_zero(1, FROB_P2OS_RVEL) &&
+              other.commands[2] == FROB_P2OS_SYNC0,
+          "after noise zeros come before SYNC0");
+    run(600);
+    check(robot.state == FROB_ROBOT_READY, "and it connects");
+}
+
+/* A simulator that echoes packets that it does not know, and hangs up at CLOSE, as
+ * AMRISim does. */
+static void strict_peer(void)
+{
+    start();
+    other.strict = true;
+    line.refuses_rates = true;
+    connect_again();
+    check(run(1000) == FROB_ROBOT_READY && !line.lost, "a peer that wants SYNC0 first is satisfied");
+    run_commanding(300, 0.3, 0.0);
+    check(last_argument(FROB_P2OS_VEL) == 300, "and drives");
+    frob_robot_close(&robot);
+    run(10);
+    check(line.lost, "until CLOSE, when it hangs up");
+}
+
+/* The halves of a packet, a pause apart, are no packet. */
+static void torn(void)
+{
+    static const uint8_t sync0[] = { 0xFA, 0xFB, 3, 0, 0, 0 };
+    start();
+    other.silent = true;
+    connect_again();
+    run(160);
+    frob_fake_send(&line, sync0, 3, 0);
+    run(50);
+    frob_fake_send(&line, sync0 + 3, 3, 0);
+    run(10);
+    check(last_of(1) != LOG_ROOM, "the halves of an echo 50 ms apart are one");
+    start();
+    other.silent = true;
+    connect_again();
+    run(160);
+    frob_fake_send(&line, sync0, 3, 0);
+    run(120);
+    frob_fake_send(&line, sync0 + 3, 3, 0);
+    run(10);
+    check(last_of(1) == LOG_ROOM, "120 ms apart they are not");
+}
+
+static void stands(void)
+{
+    start();
+    connect_again();
+    run(1000);
+    run_commanding(300, 0.3, 0.0);
+    check(!frob_robot_stands(&robot), "a robot that is commanded does not stand");
+    frob_robot_halt(&robot);
+    run(300);
+    check(!frob_robot_stands(&robot), "nor one that was told to stop, and rolls");
+    other.stands = true;
+    check(!frob_robot_stands(&robot), "which is known by a reading");
+    run(300);
+    check(frob_robot_stands(&robot), "that shows its wheels at rest");
 }
 
 static void sessions(void)
@@ -321,8 +408,7 @@ static void sessions(void)
     /* CLOSE and SYNC2 have the same number. */
     check(run(1500) == FROB_ROBOT_READY && count_of(FROB_P2OS_CLOSE) == 2,
           "ends a session that is still open, and begins its own");
-    check(other.commands[0] == FROB_P2OS_VEL && other.arguments[0] == 0 &&
-              other.commands[1] == FROB_P2OS_RVEL && other.arguments[1] == 0,
+    check(is_zero(0, FROB_P2OS_VEL) && is_zero(1, FROB_P2OS_RVEL),
           "zeros come before anything that a robot in a session takes for a pulse");
     start();
     other.in_session = true; /* its answer to SYNC2 was lost, and OPEN never came */
@@ -522,6 +608,10 @@ int main(void)
     rates();
     sessions();
     hears_late();
+    noise();
+    strict_peer();
+    torn();
+    stands();
     driving();
     stale();
     halting();

@@ -14,9 +14,10 @@ the summary says how it went.
   connections: 1
   log: log.csv
 
-Before anything else the robot is told zero, and in the end to stop.
+Behind the handshake (whose SYNCs have the numbers of PULSE, OPEN and CLOSE) the robot
+is told zero before anything else, and in the end to stop.
 
-  $ awk '{ print $2, $3 }' told | sed -n '1,2p'
+  $ awk '{ print $2, $3 }' told | sed -n '5,6p'
   VEL 0
   RVEL 0
   $ until_true 'grep -q "CLOSE" told && tail -1 told | grep -q CLOSE'
