@@ -8,6 +8,7 @@ type t = {
   data : data Global_table.t;
   instances : Instance.table;
   foreign : Primitive.foreign Global_table.t;
+  mutable newest_first : Ir.definition list;
 }
 
 let create data instances (foreign : Ir.foreign) =
@@ -21,7 +22,7 @@ let create data instances (foreign : Ir.foreign) =
     Global_table.replace values { Ir.Global.module_ = f.module_; name = f.foreign_name } f
   in
   List.iter add_value foreign.values;
-  { last = 0; data = table; instances = Instance.table instances; foreign = values }
+  { last = 0; data = table; instances = Instance.table instances; foreign = values; newest_first = [] }
 
 let primitive t (g : Ir.Global.t) : Primitive.t =
   match (Global_table.find_opt t.foreign g, Primitive.of_name g.name) with
@@ -34,6 +35,8 @@ let fresh t name span : Ir.Local.t =
   t.last <- t.last - 1;
   { id = t.last; name; span }
 
+let define t definition = t.newest_first <- definition :: t.newest_first
+let definitions t = List.rev t.newest_first
 let instances t = t.instances
 
 let data t (tycon : Ir.Global.t) =

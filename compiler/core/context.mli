@@ -15,6 +15,10 @@ val fresh : t -> string -> Span.t -> Ir.Local.t
 (** A variable of that name, [""] for what has none in the program. Its [id]
     is negative: none that the resolver gave. *)
 
+val define : t -> Ir.definition -> unit
+val definitions : t -> Ir.definition list
+(** As defined. *)
+
 val field_types : t -> Ir.ty -> constructor:int -> Ir.ty list
 (** Of a constructor of a data type at given arguments. *)
 

@@ -5,7 +5,7 @@
 type t
 
 val create : unit -> t
-val pure : t -> Ir.binder -> Ir.variable list -> Ir.expr -> Basis.Span.t -> unit
+val pure : t -> Ir.binder -> Ir.expr -> Basis.Span.t -> unit
 
 val run :
   t -> Ir.binder -> signal_function:Ir.expr -> input:Ir.expr -> Basis.Span.t -> unit

@@ -8,7 +8,15 @@ type place =
 (* [equations] are those of the proc around: an instance is one of them wherever in it it
    stands. [name] is that of the nearest definition around; [fall] is what to do where
    a branch's guards all fail. *)
-type env = { ctx : Context.t; place : place; equations : Equations.t option; name : string; fall : Ir.expr option }
+type env = {
+  ctx : Context.t;
+  lifted : Lifting.table;
+  scope : Lifting.scope;
+  place : place;
+  equations : Equations.t option;
+  name : string;
+  fall : Ir.expr option;
+}
 
 let bug format = Diagnostic.bug ~stage:"Core.Of_typed" format
 let elsewhere env = { env with place = Elsewhere; fall = None }
@@ -34,7 +42,7 @@ let method_of ctx ~class_ ~name ty types : Ir.expr_desc =
 let rec expr env (e : T.expr) : Ir.expr =
   let make desc = Term.make (Erasure.ty e.ty) e.span desc in
   match e.desc with
-  | Local (x, i) -> make (Local (x, Erasure.instantiation i))
+  | Local (x, i) -> Lifting.variable env.lifted env.scope e x (Erasure.instantiation i)
   | Global (g, i) -> make (Global (g, Erasure.instantiation i))
   | Primitive (g, i) -> make (Primitive (Context.primitive env.ctx g, Erasure.instantiation i))
   | Method { class_; method_; instantiation } -> (
@@ -212,7 +220,30 @@ and lambda env patterns body =
       Term.make (Ir.Function (b.ty, body.ty)) p.span (Ir.Lambda (b, body)))
     (expr env body) parameters
 
+(* Without those that become definitions. What a [let] in an equation binds is an
+   equation beside it. *)
+and local_bindings env bindings =
+  let at_every_instant = env.place = Every_instant in
+  let rec flat (b : T.binding) =
+    match b.value.desc with
+    | Let (inner, body) ->
+      List.concat_map flat inner @ [ { b with value = body } ]
+    | _ -> [ b ]
+  in
+  let bindings = if at_every_instant then List.concat_map flat bindings else bindings in
+  let lifted, others =
+    Lifting.choose env.lifted env.ctx env.scope ~at_every_instant bindings
+  in
+  let define (l : Lifting.lifted) =
+    let env = { (elsewhere env) with equations = None; scope = l.inside } in
+    let env = named l.binding.pattern env in
+    Context.define env.ctx (Lifting.definition l (expr env l.binding.value))
+  in
+  List.iter define lifted;
+  others
+
 and let_ env bindings body =
+  let bindings = local_bindings env bindings in
   match (env.place, env.equations) with
   | Every_instant, Some equations ->
     List.iter (equation env equations) bindings;
@@ -224,13 +255,12 @@ and let_ env bindings body =
       let parts = Matching.variables b.pattern ~root in
       let value = expr (named b.pattern env) b.value in
       List.rev_append
-        (List.rev_map (fun (binder, value) -> (binder, [], value)) parts)
-        ((binder, Erasure.parameters b.scheme, value) :: newest)
+        (List.rev parts)
+        ((binder, value) :: newest)
     in
     let newest = List.fold_left bound [] bindings in
     List.fold_left
-      (fun (body : Ir.expr) (binder, parameters, value) ->
-        Term.make body.ty body.span (Ir.Let { binder; parameters; value; body }))
+      (fun (body : Ir.expr) (binder, value) -> Term.let_ binder value body)
       (expr env body) newest
 
 (* {2 Signal functions} *)
@@ -240,31 +270,27 @@ and proc env (e : T.expr) input equations output =
   let mine = Equations.create () in
   Equations.parts mine input ~root:(Term.variable binder input.span) input.span;
   let env = { env with place = Every_instant; equations = Some mine; fall = None } in
-  List.iter (equation env mine) equations;
+  List.iter (equation env mine) (local_bindings env equations);
   let output = expr env output in
   Term.make (Erasure.ty e.ty) e.span
     (Ir.Proc { name = env.name; input = binder; equations = Equations.all mine; output })
 
+(* An instance that is all of a right side needs no variable of its own. *)
 and equation env equations (b : T.binding) =
   let binder = Matching.binder env.ctx b.pattern in
-  right env equations binder (Erasure.parameters b.scheme) (named b.pattern env) b.value
-    b.span;
+  let inner = named b.pattern env in
+  (match b.value.desc with
+  | Run (h, input) -> run inner equations binder h input b.span
+  | _ -> Equations.pure equations binder (expr inner b.value) b.span);
   Equations.parts equations b.pattern
     ~root:(Term.variable binder b.pattern.span)
     b.span
-
-(* An instance that is all of a right side needs no variable of its own. *)
-and right env equations binder parameters inner (value : T.expr) span =
-  match value.desc with
-  | Run (h, input) -> run inner equations binder h input span
-  | Let (bindings, body) ->
-    List.iter (equation env equations) bindings;
-    right env equations binder parameters inner body span
-  | _ -> Equations.pure equations binder parameters (expr inner value) span
 
 and run env equations binder h input span =
   let signal_function = expr (elsewhere env) h in
   let input = expr (inside env) input in
   Equations.run equations binder ~signal_function ~input span
 
-let closed ctx ~name e = expr { ctx; place = Elsewhere; equations = None; name; fall = None } e
+let closed ctx lifted ~name:(name : Ir.Global.t) types e =
+  let scope = Lifting.scope name types in
+  expr { ctx; lifted; scope; place = Elsewhere; equations = None; name = name.name; fall = None } e

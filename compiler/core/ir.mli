@@ -4,7 +4,8 @@
     No longer there: units, patterns (tests and payloads instead), guards,
     records as such (data with one constructor), do-notation, arrow commands,
     anonymous instances: each run of a signal function is an equation of a
-    proc.
+    proc; local functions that are polymorphic, and local signal functions and
+    tasks that go on as themselves: they are definitions.
 
     Always true (see {!Lint}): every variable is bound once and in scope;
     types are closed over the type parameters of their definition; in a proc
@@ -95,8 +96,7 @@ and binder = { local : Local.t; ty : ty }
 and expr = { desc : expr_desc; ty : ty; span : Span.t }
 
 and expr_desc =
-  | Local of Local.t * ty list
-      (** the types: for a polymorphic local function *)
+  | Local of Local.t
   | Global of Global.t * ty list
   | Primitive of Primitive.t * ty list
   | Method of { class_ : Global.t; name : string; ty : ty; types : ty list }
@@ -108,8 +108,7 @@ and expr_desc =
   | String of string
   | Lambda of binder * expr
   | Apply of expr * expr
-  | Let of { binder : binder; parameters : variable list; value : expr; body : expr }
-      (** not recursive; polymorphic if it has parameters *)
+  | Let of { binder : binder; value : expr; body : expr }  (** not recursive *)
   | Tuple of expr list
   | Component of expr * int  (** of a tuple, from 0 *)
   | Array of expr list  (** at least one *)
@@ -131,7 +130,6 @@ and proc = {
 
 and equation = {
   binder : binder;
-  parameters : variable list;  (** polymorphic local functions only *)
   rhs : rhs;
   span : Span.t;
 }

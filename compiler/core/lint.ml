@@ -7,7 +7,7 @@ type scope = {
   globals : (Global.t, variable list * ty) Hashtbl.t;
   foreign : (Primitive.foreign * ty) list;
   bound : (int, unit) Hashtbl.t;  (** every variable met so far *)
-  locals : (int, variable list * ty) Hashtbl.t;  (** those in scope *)
+  locals : (int, ty) Hashtbl.t;  (** those in scope *)
   parameters : (int, unit) Hashtbl.t;  (** type variables in scope *)
 }
 
@@ -84,11 +84,11 @@ let with_parameters s span (parameters : variable list) f =
   List.iter (fun (v : variable) -> Hashtbl.remove s.parameters v.id) parameters;
   result
 
-let enter s parameters ({ local; ty } : binder) =
+let enter s ({ local; ty } : binder) =
   if Hashtbl.mem s.bound local.id then fail local.span "`%s` is bound twice" local.name;
   Hashtbl.replace s.bound local.id ();
-  Hashtbl.replace s.locals local.id (parameters, ty);
-  with_parameters s local.span parameters (fun () -> closed s local.span ty)
+  Hashtbl.replace s.locals local.id ty;
+  closed s local.span ty
 
 let leave s ({ local; _ } : binder) = Hashtbl.remove s.locals local.id
 
@@ -98,9 +98,9 @@ let rec expr s (e : expr) =
   closed s e.span e.ty;
   let is found = agree e.span ~expected:e.ty ~found in
   match e.desc with
-  | Local (x, types) -> (
+  | Local x -> (
     match Hashtbl.find_opt s.locals x.id with
-    | Some scheme -> is (instantiate s e.span scheme types)
+    | Some ty -> is ty
     | None -> fail e.span "`%s` (%d) is not in scope" x.name x.id)
   | Global (g, types) -> (
     match Hashtbl.find_opt s.globals g with
@@ -131,7 +131,7 @@ let rec expr s (e : expr) =
   | Boolean _ -> is Bool
   | String _ -> is String
   | Lambda (b, body) ->
-    enter s [] b;
+    enter s b;
     expr s body;
     leave s b;
     is (Function (b.ty, body.ty))
@@ -197,11 +197,10 @@ let rec expr s (e : expr) =
 (* A chain of bindings is as long as a program: it must not nest here. *)
 and lets s ty entered (e : expr) =
   match e.desc with
-  | Let { binder; parameters; value; body } ->
-    with_parameters s e.span parameters (fun () ->
-        expr s value;
-        agree value.span ~expected:binder.ty ~found:value.ty);
-    enter s parameters binder;
+  | Let { binder; value; body } ->
+    expr s value;
+    agree value.span ~expected:binder.ty ~found:value.ty;
+    enter s binder;
     agree e.span ~expected:ty ~found:e.ty;
     lets s ty (binder :: entered) body
   | _ ->
@@ -210,8 +209,8 @@ and lets s ty entered (e : expr) =
     List.iter (leave s) entered
 
 and proc s (p : proc) =
-  enter s [] p.input;
-  List.iter (fun (eq : equation) -> enter s eq.parameters eq.binder) p.equations;
+  enter s p.input;
+  List.iter (fun (eq : equation) -> enter s eq.binder) p.equations;
   List.iter (equation s) p.equations;
   expr s p.output;
   List.iter (fun (eq : equation) -> leave s eq.binder) p.equations;
@@ -219,13 +218,11 @@ and proc s (p : proc) =
   Signal_function (p.input.ty, p.output.ty)
 
 and equation s (eq : equation) =
-  with_parameters s eq.span eq.parameters @@ fun () ->
   match eq.rhs with
   | Pure value ->
     expr s value;
     agree eq.span ~expected:eq.binder.ty ~found:value.ty
   | Run { signal_function; input } ->
-    if eq.parameters <> [] then fail eq.span "an instance is not polymorphic";
     expr s signal_function;
     expr s input;
     agree eq.span

@@ -37,6 +37,19 @@ and collect_parts part ps found =
   in
   snd (List.fold_left visit (0, found) ps)
 
+let rec part_of (p : T.pattern) root (x : Ir.Local.t) =
+  match p.desc with
+  | Any | Literal _ -> None
+  | Bound y -> if y.id = x.id then Some root else None
+  | As (y, p) -> if y.id = x.id then Some root else part_of p root x
+  | Tuple_of ps -> part_in (component root) ps x
+  | Constructed (c, ps) -> part_in (payload root c) ps x
+
+and part_in part ps x =
+  List.find_map Fun.id (List.mapi (fun i p -> part_of p (part i p) x) ps)
+
+let part p ~root x = Option.get (part_of p root x)
+
 let variables (p : T.pattern) ~root =
   match p.desc with
   | Bound _ -> []

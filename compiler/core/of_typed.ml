@@ -54,14 +54,11 @@ let foreign (f : T.foreign) : Ir.foreign =
     values = List.map value f.values;
   }
 
-let definition ctx (d : T.definition) : Ir.definition =
-  {
-    name = d.name;
-    parameters = Erasure.parameters d.scheme;
-    ty = Erasure.ty d.scheme.ty;
-    body = Expression.closed ctx ~name:d.name.name d.value;
-    span = d.span;
-  }
+let define ctx lifted (d : T.definition) =
+  let parameters = Erasure.parameters d.scheme in
+  let body = Expression.closed ctx lifted ~name:d.name parameters d.value in
+  Context.define ctx
+    { name = d.name; parameters; ty = Erasure.ty d.scheme.ty; body; span = d.span }
 
 let program (p : T.program) : Ir.program =
   let is_built_in (d : T.data) = List.mem d.tycon [ Erasure.boolean; Erasure.array ] in
@@ -74,7 +71,8 @@ let program (p : T.program) : Ir.program =
   let instances = List.map instance p.instances in
   let foreign = foreign p.foreign in
   let ctx = Context.create data instances foreign in
-  let definitions = Basis.Long_list.map (definition ctx) p.definitions in
+  List.iter (define ctx (Lifting.table ())) p.definitions;
+  let definitions = Context.definitions ctx in
   {
     main_module = p.main_module;
     real = p.real;

@@ -8,7 +8,7 @@ let rec globals found (e : expr) =
   | Lambda (_, e) | Component (e, _) | Index (e, _) | Is_constructor (e, _) | Payload { value = e; _ } ->
       globals found e
   | Apply (a, b) -> globals (globals found a) b
-  | Let { value; body; binder = _; parameters = _ } -> globals (globals found value) body
+  | Let { value; body; binder = _ } -> globals (globals found value) body
   | Tuple es | Array es | Construct { arguments = es; _ } -> List.fold_left globals found es
   | If (a, b, c) -> globals (globals (globals found a) b) c
   | Proc p ->

@@ -97,9 +97,8 @@ let type_arguments c types =
 
 let type_parameters c vs = List.iter (fun (v : variable) -> put c (" @" ^ v.name)) vs
 
-let binder ?(parameters = []) c (b : binder) =
+let binder c (b : binder) =
   put c (local c b.local);
-  type_parameters c parameters;
   put c " : ";
   type_ c 0 b.ty
 
@@ -127,7 +126,7 @@ let is_block (e : expr) =
 (* 0 anywhere, 1 operand or function, 2 argument *)
 let rec expr c level (e : expr) =
   match e.desc with
-  | Local (x, types) -> name c level (local c x) types
+  | Local x -> put c (local c x)
   | Global (g, types) -> name c level (global c g) types
   | Primitive (p, types) -> name c level (operator (Primitive.name p)) types
   | Method m -> name c level m.name (m.ty :: m.types)
@@ -261,10 +260,10 @@ and lambda c (e : expr) =
 (* A chain of bindings is as long as a program: no recursion but the tail's. *)
 and lets c (e : expr) =
   match e.desc with
-  | Let { binder = b; parameters = vs; value; body } ->
+  | Let { binder = b; value; body } ->
     Format.pp_open_hovbox c.out 2;
     put c "let ";
-    binder c b ~parameters:vs;
+    binder c b;
     put c " =";
     space c;
     expr c 0 value;
@@ -294,7 +293,7 @@ and proc c p =
 
 and equation c eq =
   Format.pp_open_hovbox c.out 2;
-  binder c eq.binder ~parameters:eq.parameters;
+  binder c eq.binder;
   (match eq.rhs with
   | Pure value ->
     put c " =";

@@ -1,7 +1,7 @@
 open Ir
 
 let make ty span desc = { desc; ty; span }
-let variable (binder : binder) span = make binder.ty span (Local (binder.local, []))
+let variable (binder : binder) span = make binder.ty span (Local binder.local)
 let boolean b span = make Bool span (Boolean b)
 let apply f a ty span = make ty span (Apply (f, a))
 
@@ -25,7 +25,7 @@ let equal (a : expr) (b : expr) =
   apply (apply equal a partial a.span) b Bool a.span
 
 let let_ binder value (body : expr) =
-  make body.ty body.span (Let { binder; parameters = []; value; body })
+  make body.ty body.span (Let { binder; value; body })
 
 let rec is_trivial (e : expr) =
   match e.desc with

@@ -15,12 +15,8 @@ type program = {
 type env = {
   program : program;
   types : ty Variables.t;  (** what the type variables in scope stand for *)
-  locals : local Variables.t;
+  locals : Value.thunk Variables.t;
 }
-
-and local =
-  | Value of Value.thunk
-  | Polymorphic of (ty list -> Value.thunk)
 
 let bug format = Diagnostic.bug ~stage:"Interp" format
 let nesting program = program.nesting
@@ -73,15 +69,11 @@ let number env ty value : Value.t =
 (* {1 Expressions} *)
 
 let bind (binder : binder) value env =
-  { env with locals = Variables.add binder.local.id (Value value) env.locals }
+  { env with locals = Variables.add binder.local.id value env.locals }
 
-let bind_polymorphic (binder : binder) instantiate env =
-  { env with locals = Variables.add binder.local.id (Polymorphic instantiate) env.locals }
-
-let local env (x : Local.t) types =
+let local env (x : Local.t) =
   match Variables.find_opt x.id env.locals with
-  | Some (Value value) -> value
-  | Some (Polymorphic instantiate) -> instantiate (List.map (closed env.types) types)
+  | Some value -> value
   | None -> bug "`%s` is not in scope" x.name
 
 let is_true : Value.t -> bool = function
@@ -91,7 +83,7 @@ let is_true : Value.t -> bool = function
 
 let rec expr env (e : expr) : Value.t =
   match e.desc with
-  | Local (x, types) -> Thunk.force (local env x types)
+  | Local x -> Thunk.force (local env x)
   | Global (name, types) ->
       Thunk.force (global env.program name (List.map (closed env.types) types))
   | Primitive (p, types) -> primitive env p types []
@@ -105,10 +97,7 @@ let rec expr env (e : expr) : Value.t =
   | String text -> Text text
   | Lambda (binder, body) -> Function (fun argument -> expr (bind binder argument env) body)
   | Apply (f, argument) -> application env f [ argument ]
-  | Let { binder; parameters = []; value; body } ->
-      expr (bind binder (on_demand env value) env) body
-  | Let { binder; parameters; value; body } ->
-      expr (bind_polymorphic binder (polymorphic env parameters value) env) body
+  | Let { binder; value; body } -> expr (bind binder (on_demand env value) env) body
   | Tuple parts -> Tuple (parts_on_demand env parts)
   | Array elements -> Array (parts_on_demand env elements)
   | Index (array, k) -> Arrays.element (expr env array) k
@@ -132,13 +121,10 @@ let rec expr env (e : expr) : Value.t =
 
 and on_demand env (e : expr) =
   match e.desc with
-  | Local (x, types) -> local env x types
+  | Local x -> local env x
   | _ -> Thunk.delay (fun () -> expr env e)
 
 and parts_on_demand env parts = Array.map (on_demand env) (Array.of_list parts)
-
-and polymorphic env parameters value types =
-  on_demand { env with types = with_types parameters types env.types } value
 
 (* [arguments]: of the applications around [f], innermost first. *)
 and application env (f : expr) arguments =
@@ -232,17 +218,14 @@ and inside env proc ~input outputs =
          (List.fold_left equation
             (bind proc.input input env, outputs)
             proc.equations))
-  and equation (scope_so_far, outputs) { binder; parameters; rhs; span = _ } =
-    match (rhs, parameters, outputs) with
-    | Pure value, [], _ ->
+  and equation (scope_so_far, outputs) { binder; rhs; span = _ } =
+    match (rhs, outputs) with
+    | Pure value, _ ->
         let evaluate () = expr (Lazy.force scope) value in
         let value = Thunk.equation env.program.nesting ~name:binder.local.name evaluate in
         (bind binder value scope_so_far, outputs)
-    | Pure value, _ :: _, _ ->
-        let instantiate types = polymorphic (Lazy.force scope) parameters value types in
-        (bind_polymorphic binder instantiate scope_so_far, outputs)
-    | Run _, _, output :: others -> (bind binder output scope_so_far, others)
-    | Run _, _, [] -> bug "an instance without an output"
+    | Run _, output :: others -> (bind binder output scope_so_far, others)
+    | Run _, [] -> bug "an instance without an output"
   in
   Lazy.force scope
 

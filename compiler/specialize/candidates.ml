@@ -1,4 +1,3 @@
-open Basis
 module Ir = Core.Ir
 module Global_table = Resolve.Global_table
 
@@ -11,11 +10,9 @@ type t = {
 type walk = {
   numbers : int Global_table.t;  (* of the definitions, in their order *)
   leads_to_method : bool array;  (* not known yet counts as yes *)
-  unfinished : unit Int_table.t;  (* locals on whose values the walk is, or that it has not reached *)
   (* Of the present definition: *)
   mutable last_at_once : int;  (* the last definition it uses *)
   mutable last_later : int;  (* in continuations *)
-  mutable uses_unfinished : bool;
   mutable uses_method : bool;
 }
 
@@ -29,15 +26,11 @@ let uses_global w ~later name =
         if w.leads_to_method.(number) then w.uses_method <- true
       end
 
-let begin_local w (binder : Ir.binder) = Int_table.replace w.unfinished binder.local.id ()
-let end_local w (binder : Ir.binder) = Int_table.remove w.unfinished binder.local.id
-
 let rec visit w ~later (e : Ir.expr) =
   match e.desc with
   | Global (name, _) -> uses_global w ~later name
   | Method _ -> if not later then w.uses_method <- true
-  | Local (local, _) -> if Int_table.mem w.unfinished local.id then w.uses_unfinished <- true
-  | Primitive _ | Number _ | Boolean _ | String _ -> ()
+  | Local _ | Primitive _ | Number _ | Boolean _ | String _ -> ()
   | Lambda (_, e) | Component (e, _) | Index (e, _) | Is_constructor (e, _) | Payload { value = e; _ } ->
       visit w ~later e
   | Apply (f, argument) ->
@@ -48,22 +41,17 @@ let rec visit w ~later (e : Ir.expr) =
       visit w ~later condition;
       visit w ~later then_;
       visit w ~later else_
-  | Let { binder; value; body; parameters = _ } ->
-      begin_local w binder;
+  | Let { value; body; binder = _ } ->
       visit w ~later value;
-      end_local w binder;
       visit w ~later body
   | Proc proc ->
-      let begin_ (eq : Ir.equation) = if Cycle.is_static eq then begin_local w eq.binder in
       let right (eq : Ir.equation) =
-        (match eq.rhs with
+        match eq.rhs with
         | Pure e -> visit w ~later e
         | Run { signal_function; input } ->
             visit w ~later signal_function;
-            visit w ~later input);
-        if Cycle.is_static eq then end_local w eq.binder
+            visit w ~later input
       in
-      List.iter begin_ proc.equations;
       List.iter right proc.equations;
       visit w ~later proc.output
 
@@ -77,23 +65,20 @@ let of_program (program : Ir.program) =
     {
       numbers = Global_table.create count;
       leads_to_method = Array.make count true;
-      unfinished = Int_table.create 64;
       last_at_once = -1;
       last_later = -1;
-      uses_unfinished = false;
       uses_method = false;
     }
   in
   List.iteri (fun i (d : Ir.definition) -> Global_table.replace w.numbers d.name i) program.definitions;
   let add found (d : Ir.definition) = function true -> d :: found | false -> found in
   let definition (number, found) (d : Ir.definition) =
-    w.uses_unfinished <- false;
     w.uses_method <- false;
     visit w ~later:false d.body;
     w.leads_to_method.(number) <- w.uses_method;
     let found =
       {
-        at_once = add found.at_once d (w.uses_unfinished || spanned ~last:w.last_at_once number);
+        at_once = add found.at_once d (spanned ~last:w.last_at_once number);
         ever = add found.ever d (spanned ~last:(Int.max w.last_at_once w.last_later) number);
         by_methods = add found.by_methods d w.uses_method;
       }

@@ -6,8 +6,7 @@
 
 type t = {
   at_once : Core.Ir.definition list;
-      (** that may need themselves, or in which something local may, not counting
-          what {!Cycle.is_continuation} says is a continuation *)
+      (** that may need themselves, not counting what {!Cycle.is_continuation} says is a continuation *)
   ever : Core.Ir.definition list;
       (** that may need themselves, continuations counted *)
   by_methods : Core.Ir.definition list;

@@ -1,5 +1,3 @@
-open Basis
-
 exception Needs_itself of Core.Ir.Local.t
 
 let forced (entry : Value.entry) =
@@ -11,9 +9,7 @@ let forced (entry : Value.entry) =
       entry.contents <- Known value;
       value
   | Being_evaluated -> raise (Needs_itself entry.local)
-  | Polymorphic _ -> 
-      Diagnostic.bug ~stage:"Specialize.Closure" "`%s` has no type arguments" entry.local.name
 
 let code_id : Value.code -> int = function
-  | Lambda (binder, _) | Generic (binder, _, _) -> binder.local.id
+  | Lambda (binder, _) -> binder.local.id
   | Proc proc -> proc.input.local.id

@@ -13,16 +13,6 @@ let is_continuation : Core.Ir.ty -> bool = function
   | Function _ | Signal_function _ | Tuple _ | Data _ | Array _ | Size _ | Variable _ | Bool | Int | Float | String ->
       false
 
-(* A type variable counts as a signal's type. *)
-let rec holds_functions (ty : Core.Ir.ty) =
-  match ty with
-  | Function _ | Signal_function _ -> true
-  | Tuple parts | Data (_, parts) -> List.exists holds_functions parts
-  | Array (_, element) -> holds_functions element
-  | Variable _ | Bool | Int | Float | String | Size _ -> false
-
-let is_static (eq : Core.Ir.equation) = eq.parameters <> [] || holds_functions eq.binder.ty
-
 let steps ~first cycle =
   let rec from reversed = function
     | a :: (b :: _ as rest) -> from ((a, b) :: reversed) rest
@@ -40,9 +30,7 @@ let shorten steps =
   else List.filteri (fun i _ -> i < longest_shown - 1 || i = n - 1) steps
 
 let diagnostic ~vertex ~use cycle =
-  let named v =
-    match (vertex v).name with "" -> "it" | name -> "`" ^ name ^ "`"
-  in
+  let named v = "`" ^ (vertex v).name ^ "`" in
   let first =
     match cycle with
     | first :: _ -> first
@@ -50,10 +38,17 @@ let diagnostic ~vertex ~use cycle =
   in
   let steps = shorten (steps ~first cycle) in
   let message = if List.length steps = 1 then "calls itself" else "calls itself through others" in
+  let way =
+    String.concat " → " (List.map (fun (a, _) -> (vertex a).name) steps @ [ (vertex first).name ])
+  in
+  let path d =
+    if List.compare_length_with cycle 1 = 0 || List.compare_lengths steps cycle <> 0 then d
+    else Diagnostic.here ("`" ^ way ^ "`") d
+  in
   List.fold_left
     (fun diagnostic (a, b) ->
       Diagnostic.label ~at:(use a b) (Printf.sprintf "%s uses %s here" (named a) (named b)) diagnostic)
-    (Diagnostic.error ~code:"E0410" ~at:(vertex first).span "%s %s" (named first) message)
+    (Diagnostic.error ~code:"E0410" ~at:(vertex first).span "%s %s" (named first) message |> path)
     steps
   |> Diagnostic.note
        (if List.for_all (fun v -> (vertex v).task) cycle then

@@ -14,7 +14,7 @@ let rec path types substitution (parameter : Ir.binder) (e : Ir.expr) =
     Option.map join (path types substitution parameter value)
   in
   match e.desc with
-  | Local (local, _) -> if local.id = parameter.local.id then Some "" else None
+  | Local local -> if local.id = parameter.local.id then Some "" else None
   | Component (value, index) -> below value (string_of_int (index + 1))
   | Payload { value; field; constructor = _ } -> (
       match (Types.layout types (Types.close substitution value.ty)).kind with
@@ -34,7 +34,7 @@ let note types substitution parameter parts (binder : Ir.binder) value =
 let of_lambda types substitution (parameter : Ir.binder) body =
   let rec lets parts (e : Ir.expr) =
     match e.desc with
-    | Let { binder; value; body; parameters = [] } ->
+    | Let { binder; value; body } ->
         lets (note types substitution parameter parts binder value) body
     | _ -> parts
   in

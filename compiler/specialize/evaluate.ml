@@ -43,7 +43,7 @@ let refuse_cycle (c : Context.t) (local : Ir.Local.t) =
   Diagnostic.(
     error ~code:"E0414" ~at:local.span "`%s` holds a function that depends on itself" local.name
     |> note "functions, signal functions and tasks are evaluated while compiling"
-    |> hint "what starts itself again is a definition of the top level, not of a `where` or `let`"
+    |> hint "feed back the numbers that it is made from"
     |> emit c.sink)
 
 (* A program that ends has a result beside its output, as one more field where

@@ -27,12 +27,6 @@ let enter (binder : Ir.binder) entry locals = Variables.add binder.local.id entr
 let bind (binder : Ir.binder) ty value locals =
   enter binder { Value.local = binder.local; local_ty = ty; contents = Known value } locals
 
-let polymorphic (c : Context.t) s (binder : Ir.binder) parameters body ~span : Value.entry =
-  let generic =
-    closure c s Unnamed (Generic (binder, parameters, body)) ~name:binder.local.name ~span
-  in
-  { local = binder.local; local_ty = binder.ty; contents = Polymorphic generic }
-
 (* No call is worth a node that would do nothing. *)
 let rec is_trivial (e : Ir.expr) =
   match e.desc with
@@ -59,10 +53,9 @@ let bind_types substitution parameters types =
 
 let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
   match e.desc with
-  | Local (local, types) -> (
+  | Local local -> (
       match Variables.find_opt local.id s.locals with
       | None -> bug "`%s` is not in scope" local.name
-      | Some { contents = Polymorphic generic; _ } -> instantiate c s generic types
       | Some entry -> Closure.forced entry)
   | Global (name, types) ->
       let value = global c s target e name (List.map (Types.close s.types) types) in
@@ -81,15 +74,12 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
       Function (closure c s target (Lambda (binder, body)) ~name:"" ~span:e.span)
   | Proc proc -> Signal_function (closure c s target (Proc proc) ~name:proc.name ~span:e.span)
   | Apply (f, argument) -> spine c s target e f [ argument ]
-  | Let { binder; parameters = []; value; body } ->
+  | Let { binder; value; body } ->
       let at = value.span in
       let value = expr c s (Named binder.local.name) value in
       let value = Task.named c ~name:(Some binder.local.name) ~at value in
       let ty = Types.close s.types binder.ty in
       expr c { s with locals = bind binder ty value s.locals } target body
-  | Let { binder; parameters; value; body } ->
-      let entry = polymorphic c s binder parameters value ~span:e.span in
-      expr c { s with locals = enter binder entry s.locals } target body
   | Tuple parts -> Product (exprs c s target e parts)
   | Array elements -> Elements (List.map (expr c s Unnamed) elements)
   | Index (array, k) -> element c s target ~span:e.span array k
@@ -156,21 +146,6 @@ and spine (c : Context.t) s target (whole : Ir.expr) (f : Ir.expr) arguments =
 and argument (c : Context.t) s (e : Ir.expr) : Value.argument =
   let value = expr c s Unnamed e in
   { value; ty = Types.close s.types e.ty }
-
-and instantiate (c : Context.t) s (generic : Value.closure) types =
-  match generic.code with
-  | Generic (binder, parameters, body) ->
-      let types = List.map (Types.close s.types) types in
-      let inside =
-        {
-          s with
-          locals = generic.captured;
-          types = bind_types generic.types parameters types;
-          owner = generic.name;
-        }
-      in
-      expr c inside (Named binder.local.name) body
-  | Lambda _ | Proc _ -> bug "`%s` is not polymorphic" generic.name
 
 (* A definition of first-order type is a function without arguments; any other
    is evaluated where it is used, once if it needs no equations. *)
@@ -257,7 +232,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       let else_ = apply c s Unnamed ~span ~result else_ arguments in
       Leaves.select c.types s.node target ~span result condition then_ else_
   | Unspecified, _ -> Unspecified
-  | ( ( Function { code = Proc _ | Generic _; _ }
+  | ( ( Function { code = Proc _; _ }
       | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Signal_function _
       | Program _ ),
       _ ) ->
@@ -369,7 +344,7 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
   | Primitive { primitive = Run_task; types = [ _; output; ended ]; _ } ->
       run_task c s target ~span ~result ~output ~ended signal_function input
   | Unspecified -> Unspecified
-  | Signal_function { code = Lambda _ | Generic _; _ }
+  | Signal_function { code = Lambda _; _ }
   | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Primitive _
   | Program _ ->
       bug "what is run is no signal function"
@@ -514,46 +489,23 @@ and proc_body (c : Context.t) s (proc : Ir.proc) : Value.t =
   let declare (locals, promises) (eq : Ir.equation) =
     let ty = Types.close s.types eq.binder.ty in
     let { Ir.local; _ } = eq.binder in
-    match (eq.parameters, eq.rhs) with
-    | _ :: _, Pure body ->
-        let entry : Value.entry =
-          {
-            local;
-            local_ty = eq.binder.ty;
-            contents =
-              Suspended (fun () -> bug "`%s` is polymorphic" local.name);
-          }
-        in
-        (enter eq.binder entry locals, `Generic (eq, entry, body) :: promises)
-    | _, _ ->
-        let layout = Types.layout c.types ty in
-        if layout.first_order then
-          let signals = Node.promise s.node ~name:local.name ~span:local.span layout.leaves in
-          let value =
-            Leaves.value c.types ty (List.map (fun s -> Flow.Ir.Signal s) signals)
-          in
-          (bind eq.binder ty value locals, `Signals (eq, ty, signals) :: promises)
-        else
-          let evaluate () = equation c !inside (Node.Named local.name) ty eq in
-          let entry : Value.entry = { local; local_ty = ty; contents = Suspended evaluate } in
-          (enter eq.binder entry locals, promises)
+    let layout = Types.layout c.types ty in
+    if layout.first_order then
+      let signals = Node.promise s.node ~name:local.name ~span:local.span layout.leaves in
+      let value = Leaves.value c.types ty (List.map (fun s -> Flow.Ir.Signal s) signals) in
+      (bind eq.binder ty value locals, (eq, ty, signals) :: promises)
+    else
+      let evaluate () = equation c !inside (Node.Named local.name) ty eq in
+      let entry : Value.entry = { local; local_ty = ty; contents = Suspended evaluate } in
+      (enter eq.binder entry locals, promises)
   in
   let locals, promises = List.fold_left declare (s.locals, []) proc.equations in
   inside := { s with locals };
   List.iter
-    (function
-      | `Generic ((eq : Ir.equation), (entry : Value.entry), body) ->
-          let complete = polymorphic c !inside eq.binder eq.parameters body ~span:eq.span in
-          entry.contents <- complete.contents
-      | `Signals _ -> ())
-    promises;
-  List.iter
-    (function
-      | `Generic _ -> ()
-      | `Signals ((eq : Ir.equation), ty, signals) ->
-          let value = equation c !inside (Node.Defines signals) ty eq in
-          let atoms = Leaves.atoms c.types s.node ~span:eq.span ty value in
-          Node.settle s.node ~span:eq.span signals atoms)
+    (fun ((eq : Ir.equation), ty, signals) ->
+      let value = equation c !inside (Node.Defines signals) ty eq in
+      let atoms = Leaves.atoms c.types s.node ~span:eq.span ty value in
+      Node.settle s.node ~span:eq.span signals atoms)
     (List.rev promises);
   expr c !inside Unnamed proc.output
 

@@ -17,12 +17,12 @@ let bind table (binder : Ir.binder) body =
 
 let rec free table (e : Ir.expr) =
   match e.desc with
-  | Local (local, _) -> Set.singleton local.id
+  | Local local -> Set.singleton local.id
   | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ -> Set.empty
   | Lambda (binder, body) -> bind table binder (free table body)
   | Apply (f, argument) -> Set.union (free table f) (free table argument)
-  | Let { binder; parameters; value; body } ->
-      let in_value = named table binder parameters (free table value) in
+  | Let { binder; value; body } ->
+      let in_value = free table value in
       Set.union in_value (Set.remove binder.local.id (free table body))
   | Tuple parts | Array parts | Construct { arguments = parts; _ } ->
       List.fold_left (fun set part -> Set.union set (free table part)) Set.empty parts
@@ -31,19 +31,11 @@ let rec free table (e : Ir.expr) =
       Set.union (free table condition) (Set.union (free table then_) (free table else_))
   | Proc proc -> free_of_proc table proc
 
-and named table (binder : Ir.binder) parameters in_value =
-  if parameters <> [] then Table.replace table.free binder.local.id in_value;
-  in_value
-
 and free_of_proc table (proc : Ir.proc) =
   let of_equation (eq : Ir.equation) =
-    let in_rhs =
-      match eq.rhs with
-      | Pure e -> free table e
-      | Run { signal_function; input } ->
-          Set.union (free table signal_function) (free table input)
-    in
-    named table eq.binder eq.parameters in_rhs
+    match eq.rhs with
+    | Pure e -> free table e
+    | Run { signal_function; input } -> Set.union (free table signal_function) (free table input)
   in
   let all =
     List.fold_left

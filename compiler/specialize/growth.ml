@@ -35,11 +35,7 @@ let rec nest known (value : Value.t) =
 
 and inside known (closure : Value.closure) =
   Variables.fold
-    (fun _ (entry : Value.entry) deeper ->
-      match entry.contents with
-      | Polymorphic _ -> deeper
-      | Known _ | Suspended _ | Being_evaluated ->
-          deepest [ deeper; nest known (Closure.forced entry) ])
+    (fun _ (entry : Value.entry) deeper -> deepest [ deeper; nest known (Closure.forced entry) ])
     closure.captured (0, "")
 
 (* Likewise of what a mode runs, but without the mode's own code. *)

@@ -64,8 +64,8 @@ let unnamed span : Core.Ir.Local.t = { id = 0; name = ""; span }
 (* [proc x -> sf x] is read as [sf]. *)
 let eta (proc : Core.Ir.proc) =
   match (proc.equations, proc.output.desc) with
-  | ( [ { binder; rhs = Run { signal_function; input = { desc = Local (input, _); _ } }; _ } ],
-      Local (output, _) )
+  | ( [ { binder; rhs = Run { signal_function; input = { desc = Local input; _ } }; _ } ],
+      Local output )
     when input.id = proc.input.local.id && output.id = binder.local.id ->
       Some signal_function
   | _, _ -> None

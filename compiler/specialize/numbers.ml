@@ -49,11 +49,7 @@ and in_captured table ~inside (closure : Value.closure) =
   Variables.fold
     (fun _ (entry : Value.entry) sum ->
       if sum > table.limit then sum
-      else
-        match entry.contents with
-        | Polymorphic generic -> sum + in_closure table generic
-        | Known _ | Suspended _ | Being_evaluated ->
-            sum + in_value table ~inside entry.local_ty (Closure.forced entry))
+      else sum + in_value table ~inside entry.local_ty (Closure.forced entry))
     closure.captured 0
   |> min (table.limit + 1)
 

@@ -1,9 +1,7 @@
 (** No definition may be needed to evaluate itself.
 
     Of functions and signal functions everything is evaluated while compiling,
-    which ends only if none of them calls itself, directly or through others.
-    Equations of a proc may be recursive where they are signals; those that
-    are functions or signal functions may not. What is mentioned in a function
+    which ends only if none of them calls itself, directly or through others. What is mentioned in a function
     that gives a signal function and is passed as an argument, as the
     continuation of a switch is, does not count here. *)
 

@@ -198,12 +198,9 @@ and add_captured w (closure : Value.closure) =
   Variables.iter (fun _ ty -> add_number w (type_id w ty)) closure.types;
   Variables.iter
     (fun _ (entry : Value.entry) ->
-      match entry.contents with
-      | Polymorphic generic -> add_closure w generic
-      | Known _ | Suspended _ | Being_evaluated ->
-          (* A closure has no name of its own, what it captures has. *)
-          try add_at w entry.local "" entry.local_ty (Closure.forced entry)
-          with Closure.Needs_itself { id = 0; _ } -> raise (Closure.Needs_itself entry.local))
+      (* A closure has no name of its own, what it captures has. *)
+      try add_at w entry.local "" entry.local_ty (Closure.forced entry)
+      with Closure.Needs_itself { id = 0; _ } -> raise (Closure.Needs_itself entry.local))
     closure.captured
 
 (* Deeper nests of functions in functions than [deepest_nest] are refused, as a
@@ -231,18 +228,15 @@ and closed_key (w : walk) closure =
 
 (* No, as far as one can see without going through everything. *)
 and may_be_closed (w : walk) (entry : Value.entry) =
-  match entry.contents with
-  | Polymorphic generic -> closed_key w generic <> None
-  | Known _ | Suspended _ | Being_evaluated -> (
-      match ((Types.layout w.table.types entry.local_ty).leaves, w.numbers) with
-      | _ :: _, Holes -> false
-      | _ :: _, In_key -> true
-      | [], _ -> (
-          match Closure.forced entry with
-          | Function closure | Signal_function closure -> closed_key w closure <> None
-          | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Primitive _ | Choice _ | Program _
-          | Unspecified ->
-              true))
+  match ((Types.layout w.table.types entry.local_ty).leaves, w.numbers) with
+  | _ :: _, Holes -> false
+  | _ :: _, In_key -> true
+  | [], _ -> (
+      match Closure.forced entry with
+      | Function closure | Signal_function closure -> closed_key w closure <> None
+      | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Primitive _ | Choice _
+      | Program _ | Unspecified ->
+          true)
 
 let add w local ty value = add_at w local "" ty value
 
@@ -324,10 +318,7 @@ and copy_closure c (closure : Value.closure) : Value.closure =
 and captured_at c ~inside (closure : Value.closure) =
   Variables.map
     (fun (entry : Value.entry) : Value.entry ->
-      match entry.contents with
-      | Polymorphic generic -> { entry with contents = Polymorphic (copy_closure c generic) }
-      | Known _ | Suspended _ | Being_evaluated ->
-          { entry with contents = Known (value_at c ~inside entry.local_ty (Closure.forced entry)) })
+      { entry with contents = Known (value_at c ~inside entry.local_ty (Closure.forced entry)) })
     closure.captured
 
 let value c ty original = value_at c ~inside:false ty original

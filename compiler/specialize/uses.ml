@@ -15,7 +15,7 @@ let of_expr ~continuations e =
     | Apply (f, argument) when (not continuations) && Cycle.is_continuation argument.ty ->
         uses found f
     | Apply (a, b) -> uses (uses found a) b
-    | Let { value; body; binder = _; parameters = _ } -> uses (uses found value) body
+    | Let { value; body; binder = _ } -> uses (uses found value) body
     | Tuple es | Array es | Construct { arguments = es; _ } -> List.fold_left uses found es
     | If (a, b, c) -> uses (uses (uses found a) b) c
     | Proc p ->

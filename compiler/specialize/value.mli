@@ -46,8 +46,6 @@ and closure = {
 and code =
   | Lambda of Core.Ir.binder * Core.Ir.expr
   | Proc of Core.Ir.proc
-  | Generic of Core.Ir.binder * Core.Ir.variable list * Core.Ir.expr
-      (** a polymorphic local function, not yet at certain types *)
 
 and environment = entry Variables.t
 
@@ -56,7 +54,7 @@ and substitution = Core.Ir.ty Variables.t
 
 and entry = {
   local : Core.Ir.Local.t;
-  local_ty : Core.Ir.ty;  (** closed, unless the contents are polymorphic *)
+  local_ty : Core.Ir.ty;  (** closed *)
   mutable contents : contents;
 }
 
@@ -66,4 +64,3 @@ and contents =
       (** an equation of a proc that Flow cannot hold: evaluated where first
           needed, so that the order of equations has no meaning *)
   | Being_evaluated
-  | Polymorphic of closure

@@ -177,7 +177,8 @@ and binding expressions ctx ~recursive (b : Resolve.Ir.binding) prepared : Ir.bi
   in
   let finish pattern (scheme : Type.scheme) value () : Ir.binding =
     let pattern : Ir.pattern = pattern () in
-    { pattern; scheme = Final.scheme scheme; value = value (); level = Constant; span = b.span }
+    let scheme = Final.scheme scheme in
+    { pattern; scheme; value = value (); recursive; level = Constant; span = b.span }
   in
   let bound (local : Ir.Local.t) ty () : Ir.pattern =
     { desc = Bound local; ty = Final.ty ty; span = local.span }
@@ -222,6 +223,7 @@ let annotated expressions ctx (e : Resolve.Ir.expr) inner_expr written =
           pattern = { desc = Bound local; ty = Final.ty scheme.body; span = e.span };
           scheme = Final.scheme scheme;
           value = value ();
+          recursive = false;
           level = Constant;
           span = e.span;
         }

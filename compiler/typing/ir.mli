@@ -163,7 +163,9 @@ and expr_desc =
   | Power of expr * int
   | If of expr * expr * expr
   | Case of expr * branch list
-  | Let of binding list * expr  (** dependency order *)
+  | Let of binding list * expr
+      (** dependency order; in a circle signal functions and tasks, and functions that
+          give such, may be used before they are defined *)
   | Lambda of pattern list * expr
   | Guards of (expr * expr) list * expr option
       (** first guard that holds; [None]: falls through to the next branch of
@@ -183,6 +185,7 @@ and binding = {
   pattern : pattern;  (** [Bound] for a plain name or a function *)
   scheme : scheme;  (** polymorphic only for local functions with a signature *)
   value : expr;
+  recursive : bool;  (** it uses itself, maybe through others of its list *)
   level : level;
   span : Span.t;
 }

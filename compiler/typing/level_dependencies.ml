@@ -9,7 +9,11 @@ type frame = {
   mutable owner : Level_graph.node option;
 }
 
-type walk = { sink : Diagnostic.sink; graph : Level_graph.t }
+type walk = {
+  sink : Diagnostic.sink;
+  graph : Level_graph.t;
+  unfinished : unit Int_table.t;  (** variables of lets whose definition is not yet behind *)
+}
 
 let origin (b : binding) : Level_graph.origin =
   match (b.pattern.desc, b.pattern.ty) with
@@ -19,44 +23,31 @@ let origin (b : binding) : Level_graph.origin =
 
 let name w node p = List.iter (fun x -> Level_graph.name w.graph x node) (Parts.variables p)
 
-let rec leads_to_signal_function = function
+(* What may go on as itself: a value of this type is made only when it starts. *)
+let rec starts = function
   | Signal_function _ -> true
-  | Function (_, result) -> leads_to_signal_function result
-  | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ -> false
-
-let rec leads_to_task = function
   | Data { tycon; _ } -> tycon = Environment.task
-  | Function (_, result) -> leads_to_task result
-  | Signal_function _ | Variable _ | Number _ | Bool | String | Tuple _ | Size _ -> false
+  | Function (_, result) -> starts result
+  | Tuple parts -> List.exists starts parts
+  | Variable _ | Number _ | Bool | String | Size _ -> false
 
 let report_recursion w (x : Local.t) (e : expr) =
   let why =
     match e.ty with
-    | Function _ | Signal_function _ -> "functions may not call themselves"
-    | t when leads_to_task t -> "no local task may call itself"
-    | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ ->
+    | Function _ -> "functions may not call themselves"
+    | Signal_function _ | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ ->
       "only the equations of a `proc` may be recursive"
   in
   Diagnostic.(
     error ~code:"E0346" ~at:e.span "`%s` is used in its own definition" x.name
     |> here why
     |> label ~at:x.span (Printf.sprintf "`%s` is defined here" x.name)
-    |> (if leads_to_signal_function e.ty then
-          hint
-            (Printf.sprintf
-               "at the top level a signal function may go on as itself through a switch: define \
-                `%s` there"
-               x.name)
-        else if leads_to_task e.ty then
-          hint
-            (Printf.sprintf "at the top level a task may go on as itself in its last statement: define `%s` there"
-               x.name)
-        else Fun.id)
     |> emit w.sink)
 
 let mention w frames (x : Local.t) (e : expr) =
+  if Int_table.mem w.unfinished x.id && not (starts e.ty) then report_recursion w x e;
   match Level_graph.find w.graph x with
-  | None -> report_recursion w x e
+  | None -> Diagnostic.bug ~stage:"Typing.Levels" "`%s` has no level" x.name
   | Some node ->
     let bound_at = Level_graph.depth node in
     let rec visit = function
@@ -108,18 +99,25 @@ let rec expr w frames (e : expr) =
     expr w frames b;
     expr w frames c
   | Case (scrutinee, branches) ->
-    let node = part w frames Level_graph.Derived scrutinee in
+    let node = part_node w frames Level_graph.Derived in
+    part w frames node scrutinee;
     List.iter
       (fun (b : branch) ->
         name w node b.pattern;
         expr w frames b.value)
       branches
   | Let (bindings, body) ->
-    List.iter
-      (fun (b : binding) ->
-        let node = part w frames (origin b) b.value in
-        name w node b.pattern)
-      bindings;
+    let declare (b : binding) =
+      let node = part_node w frames (origin b) in
+      name w node b.pattern;
+      List.iter (fun (x : Local.t) -> Int_table.replace w.unfinished x.id ()) (Parts.variables b.pattern);
+      (node, b)
+    in
+    let define (node, (b : binding)) =
+      part w frames node b.value;
+      List.iter (fun (x : Local.t) -> Int_table.remove w.unfinished x.id) (Parts.variables b.pattern)
+    in
+    List.iter define (Long_list.map declare bindings);
     expr w frames body
   | Lambda (patterns, body) ->
     let frames = push frames ~proc:false in
@@ -140,14 +138,17 @@ let rec expr w frames (e : expr) =
     List.iter (fun (_, e) -> expr w frames e) fields
 
 (* A part of a definition with variables of its own. *)
-and part w frames origin e =
+and part_node w frames origin =
   let frame = innermost frames in
   let node = Level_graph.node w.graph ~depth:frame.depth origin in
-  let around = frame.owner in
-  Option.iter (fun within -> Level_graph.contain node ~within) around;
-  defined_by w frames node e;
-  frame.owner <- around;
+  Option.iter (fun within -> Level_graph.contain node ~within) frame.owner;
   node
+
+and part w frames node e =
+  let frame = innermost frames in
+  let around = frame.owner in
+  defined_by w frames node e;
+  frame.owner <- around
 
 and defined_by w frames node e =
   (innermost frames).owner <- Some node;
@@ -170,6 +171,6 @@ and proc w frames input equations output =
   expr w frames output
 
 let definition sink (d : definition) =
-  let w = { sink; graph = Level_graph.create () } in
+  let w = { sink; graph = Level_graph.create (); unfinished = Int_table.create 16 } in
   expr w (push [] ~proc:false) d.value;
   w.graph

@@ -18,7 +18,7 @@ type place = {
   regions : region list;  (** innermost first *)
   conditional : pattern list;
       (** what is bound since it is not every instant that is looked at, innermost first *)
-  polymorphic : bool;  (** within a local function with type variables of its own *)
+  lifted : bool;  (** within a local function that is a definition without instances *)
 }
 
 type walk = {
@@ -115,7 +115,7 @@ let obstacle w place (e : expr) head : Misplaced.obstacle option =
   | Every_instant, _ -> None
   | Outside, _ -> Some Depends_on_start
   | _, Some x -> Some (Bound_here x)
-  | _ when place.polymorphic -> Some Polymorphic
+  | _ when place.lifted -> Some Lifted
   | _ -> if Memory.remembers w.memory head then Some Depends_on_start else None
 
 (* The places of the head and of the input. One mistake is enough for an instance. What
@@ -276,7 +276,7 @@ let rec expr w place (e : expr) : expr =
         depth;
         proc_depth = depth;
         conditional = [];
-        polymorphic = false;
+        lifted = false;
       }
     in
     List.iter (Memory.local w.memory) equations;
@@ -318,8 +318,11 @@ and function_ w place name patterns body =
 
 and binding w place (b : binding) =
   let level = level w place b.pattern in
-  let own = b.scheme.types <> [] || b.scheme.representations <> [] in
-  let place = if own then { place with polymorphic = true } else place in
+  let is_lifted =
+    b.scheme.types <> [] || b.scheme.representations <> []
+    || (b.recursive && Parts.is_static b.scheme.ty)
+  in
+  let place = if is_lifted then { place with lifted = true } else place in
   let value =
     match (b.pattern.desc, b.pattern.ty, b.value.desc) with
     | Bound x, _, Lambda (patterns, body) -> lambda w place x.name b.value patterns body
@@ -340,7 +343,7 @@ let top_level =
     proc_depth = 0;
     regions = [];
     conditional = [];
-    polymorphic = false;
+    lifted = false;
   }
 
 let program ?(sources = Source.create ()) sink (p : program) =

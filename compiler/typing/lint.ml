@@ -269,11 +269,13 @@ let rec expr s (e : expr) =
         leave s entered)
       branches
   | Let (bindings, body) ->
-    let enter entered b =
+    let enter recursive entered b = if b.recursive = recursive then binder s entered b else entered in
+    let entered = List.fold_left (enter true) [] bindings in
+    let define entered b =
       value s b;
-      binder s entered b
+      enter false entered b
     in
-    let entered = List.fold_left enter [] bindings in
+    let entered = List.fold_left define entered bindings in
     expr s body;
     is "a body" body.ty;
     leave s entered

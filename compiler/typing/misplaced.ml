@@ -13,7 +13,7 @@ and condition = { test : expr; chosen_if : bool }
 type obstacle =
   | Depends_on_start
   | Bound_here of Local.t
-  | Polymorphic
+  | Lifted
 
 let rec head_name (h : expr) =
   match h.desc with
@@ -81,7 +81,7 @@ let report sink sources position obstacle (e : expr) ~head ~input =
   let of_choice where condition =
     let d = run where "E0342" in
     match obstacle with
-    | Depends_on_start | Polymorphic ->
+    | Depends_on_start | Lifted ->
       emit
         (Diagnostic.here "what it gives depends on when it started" d
         |> own_equation sources head e
@@ -106,7 +106,7 @@ let report sink sources position obstacle (e : expr) ~head ~input =
     let where = if f = "" then "in a function" else Printf.sprintf "in the function `%s`" f in
     let d = run where "E0343" in
     match obstacle with
-    | Depends_on_start | Polymorphic ->
+    | Depends_on_start | Lifted ->
       emit (Diagnostic.here "functions hold no instances" d |> own_equation sources head e)
     | Bound_here x ->
       emit

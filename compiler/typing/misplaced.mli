@@ -17,7 +17,7 @@ and condition = { test : Ir.expr; chosen_if : bool }
 type obstacle =
   | Depends_on_start  (** it could, but may not be meant to *)
   | Bound_here of Ir.Local.t  (** this, which it mentions, has no value elsewhere *)
-  | Polymorphic  (** its function's type variables have no meaning elsewhere *)
+  | Lifted  (** its function is polymorphic or goes on as itself, so it is of no one proc *)
 
 val name : Ir.expr -> string
 (** What is run, as a message says it. *)

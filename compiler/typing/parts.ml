@@ -20,6 +20,12 @@ let exists leaf (e : expr) =
   in
   expr e
 
+let rec is_static = function
+  | Function _ | Signal_function _ -> true
+  | Tuple parts -> List.exists is_static parts
+  | Data { tycon; arguments; _ } -> tycon = Environment.task || List.exists is_static arguments
+  | Variable _ | Number _ | Bool | String | Size _ -> false
+
 let variables (p : pattern) =
   let rec collect found (p : pattern) =
     match p.desc with

@@ -18,8 +18,9 @@ Two defaults, each by the other, are a circle in an instance that gives none.
     |
   3 |     less x y = more y x
     |     ^^^^^^^^^^^^^^^^^^^
-    |                |
-    |                `less` uses `more` here
+    |     |          |
+    |     |          `less` uses `more` here
+    |     `less → more → less`
   4 |     more x y = less y x
     |                ---- `more` uses `less` here
     |
@@ -52,8 +53,9 @@ A circle through an instance shows its way, as one of functions does.
   ...
   7 |     level = proc t -> above t
     |     ^^^^^^^^^^^^^^^^^^^^^^^^^
-    |                       |
-    |                       `level@T` uses `above` here
+    |     |                 |
+    |     |                 `level@T` uses `above` here
+    |     `level@T → above → level@T`
     |
     = note: functions may not be recursive; a signal function may start itself again only in the continuation of a switch
   

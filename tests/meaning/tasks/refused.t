@@ -110,8 +110,9 @@ nothing would ever be done.
      |
   11 | c e = if e then sleepT 1[s] 2 else d e
      | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
-     |                                    |
-     |                                    `c` uses `d` here
+     | |                                  |
+     | |                                  `c` uses `d` here
+     | `c → d → c`
   12 | d e = c (not e)
      |       - `d` uses `c` here
      |
@@ -255,28 +256,6 @@ Parameters that grow.
   1 error
   [1]
 
-
-What starts itself again has a name of the top level.
-
-  $ cat > local.frob <<'EOF'
-  > main :: SF Float (Either Float ())
-  > main = proc x -> runTask go x where
-  >     go = do
-  >         sleepT 1[s] 2
-  >         go
-  > EOF
-  $ frobc check local.frob
-  error[E0414]: `go` holds a function that depends on itself
-   --> local.frob:3:5
-    |
-  3 |     go = do
-    |     ^^
-    |
-    = note: functions, signal functions and tasks are evaluated while compiling
-    = hint: what starts itself again is a definition of the top level, not of a `where` or `let`
-  
-  1 error
-  [1]
 
 A circle that the library closes, with a task of the library's in it, is shown where the
 program asks for it, with what takes time there.

@@ -338,15 +338,6 @@ let recursion () =
   let main = define "main" (proc "main" i [] (apply (global g' []) [ var i ])) in
   rejected "E0410: `f` calls itself through others" [ { f with body = calling }; g; fst main ]
 
-let recursive_local_functions () =
-  let h = local 44 "h" (fn float float) in
-  let body =
-    proc "main" i
-      [ h := lambda [ x ] (apply (var h) [ var x ]); y := apply (var h) [ var i ] ]
-      (var y)
-  in
-  rejected "E0410: `h` calls itself" [ fst (define "main" body) ]
-
 let stored_functions () =
   let h = local 45 "h" (fn float float) in
   let body =
@@ -428,7 +419,6 @@ let () =
       ( "rejected",
         [
           test "functions that call each other" recursion;
-          test "a local function that calls itself" recursive_local_functions;
           test "a function in a delay" stored_functions;
         ] );
       ( "size",

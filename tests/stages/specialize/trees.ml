@@ -6,7 +6,7 @@ let make desc ty : expr = { desc; ty; span }
 let float : ty = Float
 let local id name ty : binder = { local = { id; name; span }; ty }
 let main name : Global.t = { module_ = "Main"; name }
-let var (b : binder) = make (Local (b.local, [])) b.ty
+let var (b : binder) = make (Local b.local) b.ty
 
 let number x =
   match Exact.of_literal (string_of_float x ^ "0") with
@@ -37,7 +37,7 @@ let apply f arguments =
     f arguments
 
 let let_ binder value (body : expr) =
-  make (Let { binder; parameters = []; value; body }) body.ty
+  make (Let { binder; value; body }) body.ty
 
 let binary primitive (a : expr) b =
   let result : ty = match primitive with Core.Primitive.Less | Equal -> Bool | _ -> a.ty in
@@ -50,7 +50,7 @@ let ( * ) = binary Multiply
 let proc name (input : binder) equations (output : expr) =
   make (Proc { name; input; equations; output }) (Signal_function (input.ty, output.ty))
 
-let equation (binder : binder) rhs = { binder; parameters = []; rhs; span }
+let equation (binder : binder) rhs = { binder; rhs; span }
 let ( := ) binder e = equation binder (Pure e)
 let run binder signal_function input = equation binder (Run { signal_function; input })
 

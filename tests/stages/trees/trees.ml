@@ -67,7 +67,7 @@ let construct c ty parts = pattern (Constructed (c, parts)) ty
 let monomorphic ty : scheme = { types = []; representations = []; units = []; context = []; ty }
 
 let binding pattern (value : expr) =
-  { pattern; scheme = monomorphic value.ty; value; level = Constant; span }
+  { pattern; scheme = monomorphic value.ty; value; recursive = false; level = Constant; span }
 
 let a : variable = { id = 1; name = "a" }
 let nothing = { constructor = main "Nothing"; index = 0; record = false; fields = [] }

@@ -116,27 +116,6 @@ What an argument makes of a type is said where it is:
   4 errors
   [1]
 
-A mode that goes on as itself is a definition at the top level:
-
-  $ cat > local.frob <<'FROB'
-  > counting :: SF Float Float
-  > counting = go 0 where
-  >     go v = switch (proc x -> (x + v, edge (x > 0))) (\_ -> go (v + 1))
-  > FROB
-  $ frobc check local.frob
-  error[E0346]: `go` is used in its own definition
-   --> local.frob:3:60
-    |
-  3 |     go v = switch (proc x -> (x + v, edge (x > 0))) (\_ -> go (v + 1))
-    |     --                                                     ^^ functions may not call themselves
-    |     |
-    |     `go` is defined here
-    |
-    = hint: at the top level a signal function may go on as itself through a switch: define `go` there
-  
-  1 error
-  [1]
-
 A field is no function:
 
   $ cat > field.frob <<'FROB'

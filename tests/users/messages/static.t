@@ -37,7 +37,7 @@ What must be static but is a signal: the two usual wishes behind it.
   1 error
   [1]
 
-A task that goes on as itself is one of the top level.
+A task that goes on as itself must take time.
 
   $ cat > local_task.frob <<'FROB'
   > import Geometry
@@ -48,16 +48,18 @@ A task that goes on as itself is one of the top level.
   >         go
   > FROB
   $ frobc check local_task.frob
-  error[E0346]: `go` is used in its own definition
-   --> local_task.frob:6:9
-    |
-  4 |     go = do
-    |     -- `go` is defined here
-  5 |         driveTo (Vec2 { x = 1[m], y = 0 })
-  6 |         go
-    |         ^^ no local task may call itself
-    |
-    = hint: at the top level a task may go on as itself in its last statement: define `go` there
+  error[E0402]: `driveTo` may start itself again for ever within one instant
+    --> local_task.frob:6:9
+     |
+   6 |         go
+     |         ^^ `driveTo` may start `driveTo` at its own first instant
+     |
+    ::: stdlib/Driving.frob:50:5
+     |
+  50 |     arrived = atPlace goal i
+     |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
+     |
+     = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
   
   1 error
   [1]
