@@ -44,6 +44,11 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   | Let { bindings; body } ->
       let env, declarations = declarations env bindings in
       Let { declarations; body = expr env body }
+  | Tuple_section places -> tuple_section env e.span places
+  | Lambda_case branches ->
+      let keyword = { e.span with stop = Span.forward 5 e.span.start } in
+      function_of env "value" ~at:keyword e.span (fun scrutinee ->
+          Ir.Case { scrutinee; branches = Long_list.map (branch env) branches })
   | Lambda { parameters; body } ->
       let env, parameters = Patterns.bind env parameters in
       Lambda { parameters; body = expr env body }
@@ -78,6 +83,12 @@ and declarations env bindings =
   Bindings.declarations env ~expr ~command ~items:(Bindings.items bindings)
     ~signatures:(Bindings.signatures bindings)
 
+(* A function of one value. *)
+and function_of env name ~at span body : Ir.expr_desc =
+  let local = Context.fresh (Env.context env) name at in
+  let body = body ({ desc = Local local; span = at } : Ir.expr) in
+  Lambda { parameters = [ { desc = Bound local; span = at } ]; body = { desc = body; span } }
+
 (* Operators *)
 
 and style (operator : Syntax.Ir.qualified) : Ir.apply_style =
@@ -107,10 +118,22 @@ and binary env span operator (left : Ir.expr) right : Ir.expr_desc =
 
 (* [(- x)] is no section; [(`f` x)] is the function of f's first argument. *)
 and right_section env span operator right : Ir.expr_desc =
-  let local = Context.fresh (Env.context env) "left" operator.span in
-  let left : Ir.expr = { desc = Local local; span = operator.span } in
-  let body : Ir.expr = { desc = binary env span operator left (expr env right); span } in
-  Lambda { parameters = [ { desc = Bound local; span = operator.span } ]; body }
+  function_of env "left" ~at:operator.span span (fun left ->
+      binary env span operator left (expr env right))
+
+(* Of the elements that are missing, in order. *)
+and tuple_section env span places : Ir.expr_desc =
+  let missing = List.filter (( = ) None) places in
+  let locals = List.map (fun _ -> Context.fresh (Env.context env) "element" span) missing in
+  let place locals element =
+    match (element, locals) with
+    | Some e, _ -> (locals, expr env e)
+    | None, local :: locals -> (locals, ({ desc = Local local; span } : Ir.expr))
+    | None, [] -> Diagnostic.bug ~stage:"Resolve.Expressions" "a section without a parameter"
+  in
+  let _, elements = List.fold_left_map place locals places in
+  let parameter local : Ir.pattern = { desc = Bound local; span } in
+  Lambda { parameters = List.map parameter locals; body = { desc = Tuple elements; span } }
 
 and command env (c : Syntax.Ir.command) : Ir.expr =
   let head = expr env c.signal_function in

@@ -33,6 +33,10 @@ let qualified location (qualifier, text) : Ir.qualified =
 
 let field location text : Ir.name = { text; span = drop 1 (span location) }
 
+let tuple places : Surface.term_desc =
+  if List.for_all Option.is_some places then Tuple (Long_list.map Option.get places)
+  else Expression (Tuple_section (Long_list.map (Option.map Term.to_expr) places))
+
 (* Types *)
 
 let context (t : Ir.ty) =

@@ -19,6 +19,9 @@ val qualified : location -> string * string -> Ir.qualified
 val field : location -> string -> Ir.name
 (** The name in a [.field] token. *)
 
+val tuple : Surface.term option list -> Surface.term_desc
+(** Of its elements; without some of them it is a section. *)
+
 val context : Ir.ty -> (Ir.qualified * Ir.ty) list
 (** What stands before [=>], read as a type. *)
 

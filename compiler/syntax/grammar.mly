@@ -31,6 +31,7 @@ let expr = Term.to_expr
 %token LBRACKET RBRACKET
 %token COMMA BACKTICK UNDERSCORE AT BACKSLASH EQUAL BAR
 %token ARROW LEFT_ARROW TAIL DOUBLE_ARROW DOUBLE_COLON
+%token LAMBDA_CASE "`\\case`"
 %token LET IN WHERE DO OF CASE IF THEN ELSE PROC REC
 %token MODULE IMPORT QUALIFIED AS DATA TYPE UNIT PRIMITIVE FOREIGN CLASS INSTANCE
 %token OPEN CLOSE SEMICOLON END
@@ -238,6 +239,7 @@ open_ended:
 | BACKSLASH parameters = some(argument) ARROW body = chain
     { expression $loc
         (Lambda { parameters = List.rev_map Term.to_pattern parameters; body = expr body }) }
+| LAMBDA_CASE branches = block(branch) { expression $loc (Lambda_case branches) }
 | LET bindings = locals IN body = chain { expression $loc (Let { bindings; body = expr body }) }
 | IF condition = chain THEN then_ = chain ELSE else_ = chain
     { expression $loc (If { condition = expr condition; then_ = expr then_; else_ = expr else_ }) }
@@ -263,6 +265,7 @@ primary:
 
 field:
 | x = lower EQUAL t = chain { (x, t) }
+| x = lower { (x, { desc = Variable (unqualified x); span = x.span }) }
 
 atom:
 | x = variable
@@ -274,8 +277,7 @@ atom:
 | UNDERSCORE { term $loc Wildcard }
 | LPAREN RPAREN { term $loc (Tuple []) }
 | LPAREN t = chain RPAREN { term $loc (Parenthesized t) }
-| LPAREN t = chain COMMA ts = comma_separated(chain) RPAREN
-    { term $loc (Tuple (t :: List.rev ts)) }
+| LPAREN places = places RPAREN { term $loc (tuple (List.rev places)) }
 | LBRACKET RBRACKET { expression $loc (Array []) }
 | LBRACKET ts = comma_separated(chain) RBRACKET
     { expression $loc (Array (List.rev_map expr ts)) }
@@ -289,6 +291,11 @@ atom:
     { Operators.right_section ~span:(span $loc) operator [] t }
 | LPAREN operator = section_operator steps = some(step) t = last RPAREN
     { Operators.right_section ~span:(span $loc) operator steps t }
+
+/* Of a tuple, with at least one comma; what is not there makes it a function. */
+places:
+| x = option(chain) COMMA y = option(chain) { [ y; x ] }
+| xs = places COMMA x = option(chain) { x :: xs }
 
 section_operator:
 | x = symbol { unqualified x }

@@ -116,6 +116,7 @@ and expr_desc =
   | Number of number
   | String of string
   | Tuple of expr list  (** none for [()], else at least two *)
+  | Tuple_section of expr option list  (** [(, x)]; some are there or none, not all *)
   | Array of expr list  (** [[a, b]]; that it is not empty is for typing to say *)
   | Apply of expr * expr  (** juxtaposition; also what [f $ x] means *)
   | Binary of { operator : qualified; left : expr; right : expr }
@@ -128,6 +129,7 @@ and expr_desc =
   | Case of { scrutinee : expr; branches : branch list }
   | Let of { bindings : declaration list; body : expr }
   | Lambda of { parameters : pattern list; body : expr }
+  | Lambda_case of branch list  (** [\case …] *)
   | Proc of { input : pattern; body : proc_body }
   | Sequence of { statements : task_statement list; result : expr }
       (** a task: [do …] that is not the body of a [proc] *)

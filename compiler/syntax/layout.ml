@@ -199,6 +199,7 @@ let opens t (token : Lexer.token) ~if_ =
   | IF -> push t If token ~column
   | THEN -> push t Then if_ ~column
   | CASE -> push t Case token ~column
+  | LAMBDA_CASE -> t.opening <- Some (Of, token)
   | LET -> t.opening <- Some (Let, token)
   | WHERE when t.header ->
       t.header <- false;

@@ -412,6 +412,9 @@ let next t =
       | c when is_upper c -> upper t
       | c when is_digit c -> number t
       | '"' -> string t
+      | '\\' when stands_here t "\\case" 1 && not (is_name (peek t 5)) ->
+          t.at <- t.at + 5;
+          LAMBDA_CASE
       | '[' -> bracket t
       | '.' when selects t ->
           t.at <- t.at + 1;

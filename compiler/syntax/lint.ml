@@ -66,7 +66,7 @@ let expression span (desc : Ir.expr_desc) =
       if Exact.of_literal digits = None && String.length digits < 100 then
         broken span "`%s` is no number" digits
   | Variable _ | Constructor _ | String _ | Array _ | Apply _ | Negate _ | Left_section _ | Right_section _
-  | Power _ | If _ | Case _ | Field _ | Annotated _ | Parenthesized _ ->
+  | Power _ | If _ | Case _ | Lambda_case _ | Tuple_section _ | Field _ | Annotated _ | Parenthesized _ ->
       ()
 
 let node (node : Node.t) =

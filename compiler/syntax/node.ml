@@ -72,11 +72,12 @@ let declaration (desc : Ir.declaration_desc) =
   | Foreign (Foreign_type { name; c_type; copyable = _ }) -> [ Name name; Name c_type ]
   | Foreign (Foreign_include header) -> [ Name header ]
 
+let of_right (r : Ir.right) =
+  let rest = declarations r.where [] in
+  match r.body with Plain e -> Expression e :: rest | Guarded list -> guards list rest
+
 let binding (b : Ir.binding) =
-  let rest = declarations b.right.where [] in
-  let rest =
-    match b.right.body with Plain e -> Expression e :: rest | Guarded list -> guards list rest
-  in
+  let rest = of_right b.right in
   match b.left with
   | Name x -> Name x :: rest
   | Function_name { name; parameters } -> Name name :: patterns parameters rest
@@ -107,6 +108,7 @@ let expression (desc : Ir.expr_desc) =
   | Number n -> number n []
   | String _ -> []
   | Tuple es | Array es -> expressions es []
+  | Tuple_section places -> expressions (List.filter_map Fun.id places) []
   | Apply (f, x) -> [ Expression f; Expression x ]
   | Binary { operator; left; right } -> [ Qualified operator; Expression left; Expression right ]
   | Negate e | Parenthesized e -> [ Expression e ]
@@ -115,6 +117,7 @@ let expression (desc : Ir.expr_desc) =
   | Power { base; exponent = _ } -> [ Expression base ]
   | If { condition; then_; else_ } -> [ Expression condition; Expression then_; Expression else_ ]
   | Case { scrutinee; branches } -> Expression scrutinee :: all (fun b -> Branch b) branches []
+  | Lambda_case branches -> all (fun b -> Branch b) branches []
   | Let { bindings; body } -> Expression body :: declarations bindings []
   | Lambda { parameters; body } -> Expression body :: patterns parameters []
   | Proc { input; body } -> Pattern input :: proc_body body

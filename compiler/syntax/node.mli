@@ -18,6 +18,7 @@ type t =
 
 val span : t -> Span.t
 val children : t -> t list
+val of_right : Ir.right -> t list
 
 val depth_exceeds : int -> t -> Span.t option
 (** A place that lies more than so many nodes deep, if there is one. Needs no

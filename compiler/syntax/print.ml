@@ -154,10 +154,12 @@ let string_literal s =
 (* Can stand as an argument without parentheses. *)
 let is_argument (e : expr) =
   match e.desc with
-  | Variable _ | Constructor _ | Number _ | String _ | Tuple _ | Array _ | Left_section _ | Right_section _
-  | Record _ | Update _ | Field _ | Annotated _ | Parenthesized _ ->
+  | Variable _ | Constructor _ | Number _ | String _ | Tuple _ | Tuple_section _ | Array _
+  | Left_section _ | Right_section _ | Record _ | Update _ | Field _ | Annotated _ | Parenthesized _ ->
       true
-  | Apply _ | Binary _ | Negate _ | Power _ | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ -> false
+  | Apply _ | Binary _ | Negate _ | Power _ | If _ | Case _ | Let _ | Lambda _
+  | Lambda_case _ | Proc _ | Sequence _ ->
+      false
 
 let rec is_application (e : expr) =
   match e.desc with Apply (f, x) -> is_argument x && is_application f | _ -> is_argument e
@@ -170,6 +172,8 @@ let rec expr b column (e : expr) =
   | Number n -> number b n
   | String s -> text b (string_literal s)
   | Tuple es -> between b "(" ")" (fun () -> separated b ", " expr es)
+  | Tuple_section places ->
+      between b "(" ")" (fun () -> separated b ", " (Option.iter expr) places)
   | Array es -> between b "[" "]" (fun () -> separated b ", " expr es)
   | Apply (f, x) ->
       expr f;
@@ -188,8 +192,8 @@ let rec expr b column (e : expr) =
   | If { condition; then_; else_ } ->
       text b "if "; expr condition; text b " then "; expr then_; text b " else "; expr else_
   | Case { scrutinee; branches } ->
-      text b "case "; expr scrutinee; text b " of";
-      List.iter (fun x -> line b (column + 2); branch b (column + 2) x) branches
+      text b "case "; expr scrutinee; text b " of"; block_of b column branches
+  | Lambda_case branches -> text b "\\case"; block_of b column branches
   | Let { bindings; body } ->
       text b "let"; block b column bindings; line b (column + 1); text b "in "; expr body
   | Lambda { parameters; body } ->
@@ -236,6 +240,9 @@ and task_statement b column = function
       Option.iter (fun p -> pattern b p; text b " <- ") p;
       expr b column task
   | Let_values bindings -> text b "let"; block b column bindings
+
+and block_of b column branches =
+  List.iter (fun x -> line b (column + 2); branch b (column + 2) x) branches
 
 and branch b column (x : branch) =
   pattern b x.pattern;

@@ -205,10 +205,8 @@ let of_token found =
       else Some "there is a `,` between two fields"
   | DO, Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _; _ } ->
       Some "a `do` among arguments needs parentheses, or a `$` before it"
-  | BACKSLASH, Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _; _ } ->
+  | (BACKSLASH | LAMBDA_CASE), Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _; _ } ->
       Some "a lambda among arguments needs parentheses: `f (\\x -> …)`"
-  | (RBRACE | COMMA), Some { token = LOWER _; _ } when opens_with Layout.Brace found.context ->
-      Some "a field is written with its value or pattern, as in `heading = h`"
   | LBRACE, Some { token = OPEN; _ } -> Some by_indentation
   | (LOWER _ | UPPER _ | NUMBER _ | LPAREN), Some { token = LOWER _; _ }
     when opens_with Layout.Brace found.context ->

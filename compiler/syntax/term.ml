@@ -86,7 +86,8 @@ and no_expression span (desc : Ir.expr_desc) =
   | If _ -> no_pattern span "an `if`"
   | Case _ -> no_pattern span "a `case`"
   | Let _ -> no_pattern span "a `let`"
-  | Lambda _ -> no_pattern span "a function"
+  | Lambda _ | Lambda_case _ -> no_pattern span "a function"
+  | Tuple_section _ -> no_pattern span "a tuple without some of its elements"
   | Proc _ -> no_pattern span "a `proc`"
   | Sequence _ -> no_pattern span "a `do`"
   | Array _ ->

@@ -46,8 +46,10 @@ let noted =
     "guards and where"; "array of signal functions"; "array of machines"; "switch into the signal function of an event";
     "switch in a switch"; "event of signal functions";
     "event of functions"; "function out of a signal function"; "function out of a switch";
-    "feedback through delay"; "feedback through integral"; "machine in a circle"; "wide function"; "pair of signals"; "instance in a branch or function"; "local function";
-    "section"; "both orders"; "record update"; "record field"; "guards that fall through"; "data with parameters";
+    "feedback through delay"; "feedback through integral"; "machine in a circle"; "wide function"; "pair of signals";
+    "instance in a branch or function"; "local function";
+    "section"; "both orders"; "record update"; "record field";
+    "pun in an expression"; "pun in a pattern"; "function by cases"; "tuple section"; "guards that fall through"; "data with parameters";
     "function chosen at run time"; "method of a class"; "division by zero"; "NaN"; "unit";
   ]
 

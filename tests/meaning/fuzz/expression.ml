@@ -50,6 +50,9 @@ and extreme s fuel ty =
 
 and parts s fuel (ty : Type.t) =
   match ty with
+  | Tuple [ a; b ] when chance s.random 12 ->
+      note s "tuple section";
+      f "((, %s) %s)" (expression (elsewhere s) fuel b) (expression s fuel a)
   | Tuple parts -> f "(%s)" (String.concat ", " (List.map (expression s fuel) parts))
   | Array (n, t) -> Constant.array (List.init n (fun _ -> expression s fuel t))
   | Float | Measure _ | Int | Bool | Data _ -> expression s fuel ty
@@ -71,7 +74,12 @@ and by_type s fuel (ty : Type.t) =
       if Type.is_record data && chance s.random 3 then
         let name, t = one_of s.random c.fields in
         note s "record update";
-        f "(%s { %s = %s })" (typed (expression s fuel ty) ty) name (expression s fuel t)
+        let record = typed (expression s fuel ty) ty and value = expression s fuel t in
+        if chance s.random 4 then begin
+          note s "pun in an expression";
+          f "(let %s = %s in %s { %s })" name value record name
+        end
+        else f "(%s { %s = %s })" record name value
       else typed (Constant.construct data c arguments) ty
 
 (* What compilers have rules for: numbers that change nothing, or everything, and one
@@ -318,7 +326,12 @@ and case s fuel ty =
     | [] -> []
   in
   let branches = shortened (Pattern.cover s 2 scrutinized) in
-  f "(case %s of %s)" value (String.concat "; " (List.map branch branches))
+  let text = String.concat "; " (List.map branch branches) in
+  if chance s.random 6 then begin
+    note s "function by cases";
+    f "((\\case %s) %s)" text value
+  end
+  else f "(case %s of %s)" value text
 
 and let_ s fuel ty =
   let other = any_type s in
@@ -470,8 +483,14 @@ and field s fuel ty =
   | [] -> by_type s fuel ty
   | fields ->
       let record, name = one_of s.random fields in
-      note s "record field";
-      f "%s.%s" (typed (expression s fuel record) record) name
+      let value = typed (expression s fuel record) record in
+      (match record with
+      | Data { constructors = [ c ]; _ } when chance s.random 4 ->
+          note s "pun in a pattern";
+          f "(case %s of %s { %s } -> %s)" value c.name name name
+      | _ ->
+          note s "record field";
+          f "%s.%s" value name)
 
 and call s fuel ty =
   let name, parameters, _ = one_of s.random (functions_to s ty) in

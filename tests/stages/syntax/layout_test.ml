@@ -95,7 +95,7 @@ let rec bracketed (e : Syntax.Ir.expr) =
       Printf.sprintf "[%s %s]" (bracketed left) operator.name.text
   | Right_section { operator; right } ->
       Printf.sprintf "[%s %s]" operator.name.text (bracketed right)
-  | String _ | Tuple _ | Array _ | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ | Record _
+  | String _ | Tuple _ | Tuple_section _ | Lambda_case _ | Array _ | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ | Record _
   | Update _
   | Annotated _ ->
       Alcotest.fail "not in these tests"

@@ -64,6 +64,7 @@ let rec expr (e : expr) : expr =
     | String s -> String s
     | Array es -> Array (all expr es)
     | Tuple es -> Tuple (all expr es)
+    | Tuple_section places -> Tuple_section (all (Option.map expr) places)
     | Apply (f, x) -> Apply (expr f, expr x)
     | Binary { operator; left; right } ->
         Binary { operator = qualified operator; left = expr left; right = expr right }
@@ -77,6 +78,7 @@ let rec expr (e : expr) : expr =
         If { condition = expr condition; then_ = expr then_; else_ = expr else_ }
     | Case { scrutinee; branches } ->
         Case { scrutinee = expr scrutinee; branches = all branch branches }
+    | Lambda_case branches -> Lambda_case (all branch branches)
     | Let { bindings; body } -> Let { bindings = all declaration bindings; body = expr body }
     | Lambda { parameters; body } ->
         Lambda { parameters = all pattern parameters; body = expr body }

@@ -52,7 +52,7 @@ Declarations whose punctuation or capitals are those of another language.
   > s = Stick { ahead :: 1 }
   > FROB
   $ frobc check field.frob
-  error[E0110]: expected `=` after the name of a field, found `::`
+  error[E0110]: expected `=`, `,` or `}` after the name of a field, found `::`
    --> field.frob:2:19
     |
   2 | s = Stick { ahead :: 1 }

@@ -36,8 +36,11 @@ Blocks in braces, and a lambda, a field or a unit as elsewhere:
   > go :: SF Bool Float
   > go = switch (constant 1 &&& edge) \_ -> constant 2
   > 
-  > heading p = case p of
-  >     Pose { heading } -> heading
+  > far = map \case Just d -> d; Nothing -> 0
+  > 
+  > near = \ case Just d -> d
+  > 
+  > second (, x) = x
   > FROB
   $ frobc check lambda.frob
   error[E0110]: expected an operator, an argument, or the end of the expression, found `\`
@@ -48,13 +51,47 @@ Blocks in braces, and a lambda, a field or a unit as elsewhere:
     |
     = hint: a lambda among arguments needs parentheses: `f (\x -> …)`
   
-  error[E0110]: expected `=` after the name of a field, found `}`
-   --> lambda.frob:5:20
+  error[E0110]: expected an operator, an argument, or the end of the expression, found `\case`
+   --> lambda.frob:4:11
     |
-  5 |     Pose { heading } -> heading
-    |                    ^
+  4 | far = map \case Just d -> d; Nothing -> 0
+    |           ^^^^^
     |
-    = hint: a field is written with its value or pattern, as in `heading = h`
+    = hint: a lambda among arguments needs parentheses: `f (\x -> …)`
+  
+  error[E0110]: expected a parameter after `\`, found `case`
+   --> lambda.frob:6:10
+    |
+  6 | near = \ case Just d -> d
+    |          ^^^^
+    |
+    = hint: as in `\x -> x + 1`, or `\case`, without a blank in it, and branches
+  
+  error[E0114]: a tuple without some of its elements cannot be part of a pattern
+   --> lambda.frob:8:8
+    |
+  8 | second (, x) = x
+    |        ^^^^^
+  
+  4 errors
+  [1]
+  $ cat > cases.frob <<'FROB'
+  > near :: Maybe Float -> Float
+  > near = \case Just d -> d
+  > far = \case
+  > FROB
+  $ frobc check cases.frob
+  error[E0350]: this `case` does not cover every value
+   --> cases.frob:2:8
+    |
+  2 | near = \case Just d -> d
+    |        ^^^^^ no branch for `Nothing`
+  
+  error[E0350]: this `case` does not cover every value
+   --> cases.frob:3:7
+    |
+  3 | far = \case
+    |       ^^^^^ no branch for `_`
   
   2 errors
   [1]
