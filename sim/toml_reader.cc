@@ -70,6 +70,8 @@ bool within(double x, Range range) {
     case Range::size: return x >= smallest;
     case Range::share: return x >= 0.0 && x < 1.0;
     case Range::part: return x >= 0.0 && x <= 1.0;
+    case Range::error: return x >= -1.0 && x <= 1.0;
+    case Range::turn: return x >= -360.0 && x <= 360.0;
     }
     return false;
 }
@@ -82,6 +84,8 @@ const char *describe(Range range) {
     case Range::size: return "at least 0.01 m";
     case Range::share: return "at least 0 and less than 1";
     case Range::part: return "from 0 to 1";
+    case Range::error: return "a share of what is measured, from -1 to 1";
+    case Range::turn: return "a turn at most either way, from -360 to 360";
     }
     return "";
 }
@@ -198,6 +202,11 @@ std::vector<Vec> TomlReader::needed_points(std::string_view key, std::size_t lea
     if (list == nullptr || list->size() < least) {
         mistakes_.add(node->source(), quoted(key) + " takes a list of at least " +
                                           std::to_string(least) + " points [x, y]");
+        return {};
+    }
+    if (list->size() > most_points) {
+        mistakes_.add(node->source(), quoted(key) + " takes at most " + std::to_string(most_points) +
+                                          " points, these are " + std::to_string(list->size()));
         return {};
     }
     std::vector<Vec> points;

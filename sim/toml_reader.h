@@ -36,9 +36,12 @@ class Mistakes {
     std::vector<Mistake> found_;
 };
 
+// What a world has of points at the most: more are slower than the robot.
+constexpr std::size_t most_points = 20'000;
+
 // Which numbers a key takes; none beyond a million. Box2D merges what is nearer
 // than a few millimetres, so things that have a size are a centimetre or more.
-enum class Range { any, not_negative, positive, size, share, part };
+enum class Range { any, not_negative, positive, size, share, part, error, turn };
 
 // Asks a table for its keys; `finish` then reports the keys nobody asked for, and
 // those that are needed and missing, unless one of the former was meant for it.

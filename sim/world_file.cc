@@ -16,6 +16,10 @@ namespace {
 
 constexpr int most_robots = 10'000;
 
+// More than these are slower than the robot, or want a gigabyte.
+constexpr std::size_t most_bytes = 4 << 20; // of a file
+constexpr std::size_t most_boxes = 2'000, most_in_one_place = 16;
+
 // One robot, or a block of `count` in rows of `columns`, `spacing` apart: the
 // first row goes from (x, y) along x, the next stands beside it along y.
 void read_start(TomlReader reader, std::vector<Start> &starts) {
@@ -76,6 +80,41 @@ Box read_box(TomlReader reader) {
     return box;
 }
 
+std::string shown(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", x);
+    return text;
+}
+
+// Boxes that lie in one another are pushed apart, each pair by itself: a few are a
+// heap, hundreds in one place are a slip of a program that wrote the file.
+void look_at_boxes(TomlReader &reader, const std::vector<Box> &boxes) {
+    if (boxes.size() > most_boxes)
+        return reader.mistake("a world has at most " + std::to_string(most_boxes) +
+                              " boxes, this one " + std::to_string(boxes.size()));
+    const auto reach = [](const Box &box) { return 0.5 * std::min(box.size.x, box.size.y); };
+    for (const Box &box : boxes) {
+        std::size_t others = 0;
+        for (const Box &other : boxes)
+            if (length(other.pose.position - box.pose.position) < reach(box) + reach(other)) ++others;
+        if (others > most_in_one_place)
+            return reader.mistake(std::to_string(others) + " boxes lie in one another at [" +
+                                  shown(box.pose.position.x) + ", " + shown(box.pose.position.y) +
+                                  "]; at most " + std::to_string(most_in_one_place) + " may");
+    }
+}
+
+void look_at_points(TomlReader &reader, const Scene &scene) {
+    std::size_t points = 0;
+    const auto add = [&](const auto &things) {
+        for (const auto &thing : things) points += thing.points.size();
+    };
+    add(scene.walls), add(scene.polygons), add(scene.holes), add(scene.patches), add(scene.tapes);
+    if (points > most_points)
+        reader.mistake("a world's walls, polygons, holes, patches and tapes have at most " +
+                       std::to_string(most_points) + " points, this one's " + std::to_string(points));
+}
+
 std::optional<double> in_radians(std::optional<double> angle) {
     return angle ? std::optional(radians(*angle)) : std::nullopt;
 }
@@ -95,10 +134,12 @@ DriveSettings read_drive(TomlReader reader) {
 
 OdometrySettings read_odometry(TomlReader reader) {
     OdometrySettings odometry;
-    odometry.distance_error = reader.number("distance_error", 0.0, Range::any);
-    odometry.turn_error = reader.number("turn_error", 0.0, Range::any);
-    odometry.veer = radians(reader.number("veer_deg", 0.0, Range::any));
-    odometry.heading_noise = radians(reader.number("heading_noise_deg", 0.0, Range::not_negative));
+    odometry.distance_error = reader.number("distance_error", 0.0, Range::error);
+    odometry.turn_error = reader.number("turn_error", 0.0, Range::error);
+    odometry.veer = radians(reader.number("veer_deg", 0.0, Range::turn));
+    odometry.heading_noise = radians(reader.number("heading_noise_deg", 0.0, Range::turn));
+    if (odometry.heading_noise < 0.0)
+        reader.mistake_at("heading_noise_deg", "`heading_noise_deg` must be zero or more");
     reader.finish();
     return odometry;
 }
@@ -126,12 +167,6 @@ Hole read_hole(TomlReader reader) {
         reader.mistake_at("points", "the edges of this hole cross or touch");
     reader.finish();
     return hole;
-}
-
-std::string shown(double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", x);
-    return text;
 }
 
 Tape read_tape(TomlReader reader) {
@@ -271,6 +306,8 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root) {
         scene.measure = read_measure(inside(table));
     if (scene.measure && scene.measure->what == MeasureSettings::What::tape && scene.tapes.empty())
         reader.mistake_at("measure", "there is no [[tape]] in this world to be measured");
+    look_at_boxes(reader, scene.boxes);
+    look_at_points(reader, scene);
     reader.finish();
     return scene;
 }
@@ -299,10 +336,13 @@ Scene read_world_file(const std::string &path) {
         file.exceptions(std::ios::badbit | std::ios::failbit);
         file.peek();
         file.exceptions(std::ios::badbit);
-        text.assign(std::istreambuf_iterator<char>(file), {});
+        for (std::istreambuf_iterator<char> at(file), end; at != end && text.size() <= most_bytes; ++at)
+            text.push_back(*at);
     } catch (const std::ios::failure &) {
         throw WorldFileError(path + ": cannot read this world file");
     }
+    if (text.size() > most_bytes)
+        throw WorldFileError(path + ": this world file is longer than 4 MB: is it one?");
     return parse_world(text, path);
 }
 

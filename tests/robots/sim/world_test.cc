@@ -202,6 +202,32 @@ void mistakes() {
             "w.toml:4:8: `rays` must be a whole number from 1 to 101");
 }
 
+// What no machine could simulate, or no robot could be.
+void excesses() {
+    rejects("odometry that is no measurement", start + "[odometry]\nveer_deg = 1e6\nturn_error = -2\n",
+            "w.toml:5:12: `veer_deg` must be a turn at most either way, from -360 to 360\n"
+            "w.toml:6:14: `turn_error` must be a share of what is measured, from -1 to 1");
+    std::string heap = start, hall = start;
+    for (int i = 0; i < 17; ++i) heap += "[[box]]\ncenter = [2, 2]\nsize = [1, 1]\n";
+    for (int i = 0; i < 2001; ++i)
+        hall += "[[box]]\ncenter = [" + std::to_string(9 + i) + ", 2]\nsize = [0.5, 0.5]\n";
+    rejects("a heap of boxes", heap,
+            "w.toml:1:1: 17 boxes lie in one another at [2, 2]; at most 16 may");
+    rejects("a hall full of boxes", hall,
+            "w.toml:1:1: a world has at most 2000 boxes, this one 2001");
+    const auto wall = [](int points, int y) {
+        std::string text = "[[wall]]\npoints = [";
+        for (int i = 0; i < points; ++i)
+            text += "[" + std::to_string(i) + "," + std::to_string(y) + "],";
+        return text + "]\n";
+    };
+    rejects("a wall of very many points", start + wall(20001, 9),
+            "w.toml:5:10: `points` takes at most 20000 points, these are 20001");
+    rejects("walls of very many points", start + wall(15000, 9) + wall(15000, 12),
+            "w.toml:1:1: a world's walls, polygons, holes, patches and tapes have at most 20000 points, "
+            "this one's 30000");
+}
+
 // What is no TOML at all.
 void syntax_mistakes() {
     const std::string unit = "numbers have no unit here: lengths are in metres, angles in degrees, "
@@ -250,6 +276,7 @@ int main() {
     measure();
     triangles();
     mistakes();
+    excesses();
     syntax_mistakes();
     return check::status();
 }
