@@ -39,3 +39,13 @@ let quote t (span : Span.t) =
       Some (String.sub text first (after - first))
     else None
   | _ -> None
+
+let grouped text =
+  let joins c = String.contains "() +-*/<>=&|$." c in
+  let open_bracket = String.index_opt text '[' in
+  let outside = match open_bracket with
+    | Some i when String.ends_with ~suffix:"]" text && i > 0 -> String.sub text 0 i
+    | _ -> text
+  in
+  let is_number = text <> "" && String.for_all (fun c -> ('0' <= c && c <= '9') || c = '.') outside in
+  if text = "()" || is_number || not (String.exists joins text) then text else "(" ^ text ^ ")"

@@ -19,6 +19,9 @@ val line : t -> string -> int -> string option
 val quote : t -> Span.t -> string option
 (** The text there, if it is on one line. *)
 
+val grouped : string -> string
+(** An expression as it stands among arguments: in parentheses, if it needs them. *)
+
 val offset : t -> string -> Span.position -> int
 (** The position's distance in bytes from the start of the text (0 if the
     file is not there); never beyond its end. *)

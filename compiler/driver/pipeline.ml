@@ -56,7 +56,7 @@ let front ?robot options sink sources ~library file =
   in
   (* Nobody looks at a definition of the library that the program cannot come to. *)
   let resolved = Resolve.Reachable.program ~keep:Specialize.Context.known_by_name resolved in
-  let typed = Typing.Infer.program sink ~real:options.real resolved in
+  let typed = Typing.Infer.program ~sources sink ~real:options.real resolved in
   (* Levels and patterns read types: after an error there they would only
      repeat it in other words. *)
   let* typed = if Diagnostic.has_errors sink then None else Some typed in

@@ -165,6 +165,19 @@ let same_foreign ctx a b =
   | Some a, Some b -> a = b
   | _, _ -> false
 
+(* What has no capability, and stands where a robot's input or output was meant. *)
+let is_no_robot t =
+  Environment.is_task t
+  ||
+  match Type.expand t with
+  | Function _ | Signal_function _ | Tuple _ | Number _ | Bool | String -> true
+  | Flexible _ | Rigid _ | Data _ | Size _ | Erroneous | Alias _ -> false
+
+(* The types that have the class. *)
+let those_with ctx class_ =
+  let name : Head.t -> string option = function Data g -> Some ("`" ^ g.name ^ "`") | _ -> None in
+  List.filter_map name (Environment.heads ctx.reader.environment class_)
+
 let is_pair t = match Type.expand t with Tuple [ _; _ ] -> true | _ -> false
 
 let about_foreign ctx t diagnostic =
@@ -185,6 +198,8 @@ let report_lacking ctx required lack =
       in
       let diagnostic =
         match lack.lacking with
+        | Declared _ when Environment.is_task lack.culprit ->
+            Diagnostic.error ~code:"E0371" ~at "a task stands where a robot's input or output is needed"
         | Declared _ ->
             Diagnostic.error ~code:"E0360" ~at "there is no instance `%s`"
               (Show.constraint_ words lack.lacking lack.culprit)
@@ -203,6 +218,13 @@ let report_lacking ctx required lack =
           Diagnostic.hint
             "tasks side by side put out both their outputs, of which `mapOutput` makes one; `timeOut` and `abortWhen` end a task and have its output only"
             diagnostic
+      | Declared _ when Environment.is_task lack.culprit ->
+          Diagnostic.note
+            (Printf.sprintf "the type is %s, a task's, for what stands beside it" culprit)
+            diagnostic
+          |> Diagnostic.hint
+               "a task takes time, and no equation runs it: `reactimateTask` does, and in a `do` \
+                one follows another"
       | Declared _ when is_signal_function lack.culprit ->
           Diagnostic.hint "`constant e` is the signal function that always gives `e`" diagnostic
       | (Eq | Ord) when (not direct) && lack.through = [] ->
@@ -212,7 +234,13 @@ let report_lacking ctx required lack =
       | Declared { name = "RobotOutput"; _ } when by <> "`roMake`" ->
           let hint = Output_mistake.hint_without_instance lack.culprit in
           Option.fold hint ~none:Fun.id ~some:Diagnostic.hint diagnostic
-      | Declared _ -> diagnostic)
+      | Declared class_ -> (
+          match those_with ctx class_ with
+          | _ :: _ as types when lack.through = [] && List.compare_length_with types 6 <= 0 ->
+              Diagnostic.note
+                (Printf.sprintf "what has `%s`: %s" class_.name (String.concat ", " types))
+                diagnostic
+          | _ -> diagnostic))
 
 let undecided ctx (required : required) class_ =
   report ctx (fun words ->
@@ -269,9 +297,9 @@ let solve ctx (generalized : Generalize.t) =
       | exception Lacking lack -> (
           (* One that should be something else is one mistake, whatever it lacks. *)
           match Type.expand lack.culprit with
-          | Function _ as function_ when List.memq function_ !functions -> ()
-          | Function _ as function_ ->
-              functions := function_ :: !functions;
+          | culprit when is_no_robot culprit && List.memq culprit !functions -> ()
+          | culprit when is_no_robot culprit ->
+              functions := culprit :: !functions;
               report_lacking ctx required lack
           | _ -> report_lacking ctx required lack))
     (requirements ctx);

@@ -31,6 +31,8 @@ type size = {
 
 type group = {
   locals : Type.scheme Int_table.t;
+  definitions : Resolve.Ir.expr Int_table.t;  (** of locals without parameters *)
+  first_uses : Span.t option Int_table.t;  (** of local functions of one type *)
   mutable errors : int;
   mutable waiting : question list;  (** newest first *)
   mutable required : required list;  (** newest first *)
@@ -47,13 +49,23 @@ type t = {
   scope : Written.scope;
   depth : int;
   left_operand : (Resolve.Ir.expr * string) option;
+  inputs : (string * Type.t) list;
+  sources : Source.t;
   group : group;
 }
 
 let new_group () =
-  { locals = Int_table.create 16; errors = 0; waiting = []; required = []; sizes = [] }
+  {
+    locals = Int_table.create 16;
+    definitions = Int_table.create 8;
+    first_uses = Int_table.create 8;
+    errors = 0;
+    waiting = [];
+    required = [];
+    sizes = [];
+  }
 
-let start reader ~real =
+let start reader ~sources ~real =
   {
     reader;
     real;
@@ -64,19 +76,54 @@ let start reader ~real =
     scope = Written.empty;
     depth = 1;
     left_operand = None;
+    inputs = [];
+    sources;
     group = new_group ();
   }
 
 let in_group t = { t with group = new_group () }
 let bind_local t (x : Ir.Local.t) scheme = Int_table.replace t.group.locals x.id scheme
 let find_local t (x : Ir.Local.t) = Int_table.find_opt t.group.locals x.id
+
+let defined_locally t (x : Ir.Local.t) (b : Resolve.Ir.binding) =
+  match (b.parameters, b.body) with
+  | [], { guards = [ { condition = None; value } ]; _ } ->
+      Int_table.replace t.group.definitions x.id value
+  | [], _ -> ()
+  | _ :: _, _ -> Int_table.replace t.group.first_uses x.id None
+
+let first_use t (x : Ir.Local.t) ~at =
+  match Int_table.find_opt t.group.first_uses x.id with
+  | Some None ->
+      Int_table.replace t.group.first_uses x.id (Some at);
+      None
+  | Some (Some earlier) when Span.compare earlier at <> 0 -> Some earlier
+  | Some _ | None -> None
+
 let fresh ?kind t = Type.fresh t.reader.supply ?kind ~depth:t.depth ()
 let fresh_number t = Type.fresh_number t.reader.supply ~depth:t.depth
 
+let words t =
+  let asks input (r : required) = Type.expand r.argument == Type.expand input in
+  let needs_class input = List.exists (asks input) t.group.required in
+  let definition (x : Ir.Local.t) = Int_table.find_opt t.group.definitions x.id in
+  let fields ty =
+    match Type.expand ty with
+    | Data { tycon; _ } ->
+        Option.map
+          (fun (c : Environment.constructor) ->
+            (c.ir.constructor.name, List.map fst c.ir.fields))
+          (Environment.record_of t.reader.environment tycon)
+    | _ -> None
+  in
+  let place : Show.place =
+    { sources = t.sources; inputs = t.inputs; needs_class; definition; fields }
+  in
+  Show.words ~place ~named_unit:(Environment.named_unit t.reader.environment) ()
+
 let report t diagnostic =
   t.group.errors <- t.group.errors + 1;
-  let words = Show.words ~named_unit:(Environment.named_unit t.reader.environment) in
-  Diagnostic.emit t.reader.sink (diagnostic words)
+  Diagnostic.emit t.reader.sink (diagnostic (words t))
 
 let errors t = t.group.errors
 

@@ -55,13 +55,15 @@ type t = {
   depth : int;  (** signatures around *)
   left_operand : (Resolve.Ir.expr * string) option;
       (** the operand that is being inferred, if it is the left one, and its operator *)
+  inputs : (string * Type.t) list;  (** of the proc around: signals *)
+  sources : Source.t;
   group : group;
 }
 
 and group
 (** The top-level binding group being inferred, with the local variables in it. *)
 
-val start : Written.t -> real:Real.t -> t
+val start : Written.t -> sources:Source.t -> real:Real.t -> t
 (** Outside of all groups. *)
 
 val in_group : t -> t
@@ -71,12 +73,20 @@ val bind_local : t -> Ir.Local.t -> Type.scheme -> unit
 val find_local : t -> Ir.Local.t -> Type.scheme option
 (** Of this group. *)
 
+val defined_locally : t -> Ir.Local.t -> Resolve.Ir.binding -> unit
+(** By this, without a signature. *)
+
+val first_use : t -> Ir.Local.t -> at:Span.t -> Span.t option
+(** Notes that such a function is applied there; where it was before. *)
+
 (** {1 New types} *)
 
 val fresh : ?kind:Type.kind -> t -> Type.t
 val fresh_number : t -> Type.t
 
 (** {1 Diagnostics} *)
+
+val words : t -> Show.words
 
 val report : t -> (Show.words -> Diagnostic.t) -> unit
 

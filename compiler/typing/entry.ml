@@ -52,21 +52,28 @@ let apply name arguments =
       Printf.sprintf "`proc (%s) -> %s %s` applies it at every instant"
         (String.concat ", " several) name (String.concat " " several)
 
+(* Where what comes out is written. *)
+let rec output_of (e : Ir.expr) =
+  match e.desc with
+  | Apply (_, argument) -> output_of argument
+  | Proc { output; _ } -> output.span
+  | _ -> e.span
+
 let refusal program ~closed (d : Ir.definition) =
   let name = d.name.name and ty = Show.scheme d.scheme in
-  let refuse what cure =
+  let refuse ?(at = d.span) what cure =
     Some
-      (Diagnostic.error ~code:"E0411" ~at:d.span "`%s` cannot run: %s" name what
+      (Diagnostic.error ~code:"E0411" ~at "`%s` cannot run: %s" name what
       |> Diagnostic.hint cure)
   in
   match kind d.scheme.ty with
   | (Signal_function { output } | Program { output }) when sets_output program d output ->
-      refuse
+      refuse ~at:(output_of d.value)
         (Printf.sprintf "what comes out is a function, `%s`, not the output of a robot"
            (Show.ty output))
         "`roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`"
   | Program { output = Function _ | Number _ | Bool | Tuple _ } ->
-      refuse
+      refuse ~at:(output_of d.value)
         (Printf.sprintf "its type is `%s`, and what comes out is not what a robot takes" ty)
         "the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`"
   | (Signal_function _ | Program _) when closed -> None

@@ -87,6 +87,10 @@ let superclasses t : Ir.class_ -> Ir.class_ list = function
 let add_instance t class_ head i = Hashtbl.replace t.instances (class_, head) i
 let instance t class_ head = Hashtbl.find_opt t.instances (class_, head)
 
+let heads t class_ =
+  let add (c, head) _ found = if c = class_ then head :: found else found in
+  List.sort compare (Hashtbl.fold add t.instances [])
+
 let record_of t tycon =
   match (type_ t tycon).definition with
   | Data { constructors = [ { record = true; constructor = name; _ } ]; _ } ->

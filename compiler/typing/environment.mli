@@ -74,6 +74,9 @@ type instance = {
 val add_instance : t -> Ir.Global.t -> Head.t -> instance -> unit
 val instance : t -> Ir.Global.t -> Head.t -> instance option
 
+val heads : t -> Ir.Global.t -> Head.t list
+(** Of the class's instances. *)
+
 (** {1 Constructors} *)
 
 type constructor = {

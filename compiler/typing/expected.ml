@@ -11,6 +11,7 @@ type reason =
       decided_by : (Span.t * Type.t) option;
       later : Type.t list;
       before : string option;
+      of_local : Span.t option;
     }
   | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }
   | Branch of Span.t
@@ -21,7 +22,7 @@ type reason =
   | Statement of Span.t option
   | Last_statement of reason
   | Uses of { name : string; at : Span.t }
-  | Field of { name : string; at : Span.t }
+  | Field of { name : string; at : Span.t; units : string option }
   | Output of reason
 
 type t = { ty : Type.t; because : reason }
@@ -80,8 +81,9 @@ let rec explain_reason words reason (expected : Type.t) diagnostic =
         diagnostic
       |> decided words decided_by
   | Output reason -> explain_reason words reason expected diagnostic
-  | Field { name; at } ->
-      label ~at (Printf.sprintf "the field `%s` is %s" name (Show.described words expected)) diagnostic
+  | Field { name; at; units } ->
+      Option.fold units ~none:Fun.id ~some:note diagnostic
+      |> label ~at (Printf.sprintf "the field `%s` is %s" name (Show.described words expected))
 
 (* A variable's own definition is the other place if there is no better one. *)
 

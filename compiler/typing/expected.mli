@@ -15,6 +15,8 @@ type reason =
           (** an earlier argument, where the parameter's type has that argument's type in it *)
       later : Type.t list;  (** of the parameters of the arguments that come after it *)
       before : string option;  (** the operator behind the argument, if it is the last one *)
+      of_local : Span.t option;
+          (** the callee is a local function without a signature, first applied there *)
     }
   | Operand of { operator : string; other : Resolve.Ir.expr; other_type : Type.t }
       (** beside the other operand *)
@@ -27,7 +29,12 @@ type reason =
       (** of a [do], and what says of its tasks what goes in and comes out *)
   | Last_statement of reason  (** of a [do] that is expected for this reason *)
   | Uses of { name : string; at : Span.t }  (** of what is being defined *)
-  | Field of { name : string; at : Span.t }
+  | Field of {
+      name : string;
+      at : Span.t;
+      units : string option;
+          (** what the units of the record's fields have to do with each other *)
+    }
   | Output of reason  (** of the signal function that is expected for this reason *)
 
 type t = { ty : Type.t; because : reason }

@@ -160,7 +160,7 @@ let definitions_of_instance ctx (i : Class_declarations.instance) =
 let check_superclasses ctx (i : Class_declarations.instance) =
   let ctx = in_group ctx in
   Classes.give ctx i.scheme;
-  let words = Show.words ~named_unit:(Environment.named_unit ctx.reader.environment) in
+  let words = Context.words ctx in
   let by = Printf.sprintf "`%s`" (Show.constraint_ words (Declared i.of_class.class_) i.head) in
   let require_superclass (class_, span) =
     let text _ =
@@ -221,12 +221,12 @@ let with_needs ctx (program : Resolve.Ir.program) (d : Ir.definition) : Ir.defin
   | [] -> d
   | context -> { d with needs = List.map of_constraint context }
 
-let program sink ~real (program : Resolve.Ir.program) : Ir.program =
+let program ?(sources = Source.create ()) sink ~real (program : Resolve.Ir.program) : Ir.program =
   let reader : Written.t =
     { environment = Environment.create (); supply = Type.supply (); sink }
   in
   let data = Declarations.program reader program in
-  let ctx = Context.start reader ~real in
+  let ctx = Context.start reader ~sources ~real in
   let primitives = Long_list.map (primitive ctx) program.primitives @ [ sequence ctx ] in
   let classes = Class_declarations.classes ctx program in
   let instances = Class_declarations.instances ctx classes program in

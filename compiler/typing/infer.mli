@@ -9,7 +9,9 @@
 
 open Basis
 
-val program : Diagnostic.sink -> real:Real.t -> Resolve.Ir.program -> Ir.program
-(** [real]: the precision of [Float], which says what literals are in range. Emits [E03xx]. After errors the result has the shape of the program, with
+val program :
+  ?sources:Source.t -> Diagnostic.sink -> real:Real.t -> Resolve.Ir.program -> Ir.program
+(** [sources]: what messages quote from. [real]: the precision of [Float], which says what
+    literals are in range. Emits [E03xx]. After errors the result has the shape of the program, with
     arbitrary types where an error was: fit for further checks of what is
     right, not for translation. *)

@@ -59,7 +59,7 @@ let rec without_first n = function
 let later given argument = without_first argument.position given
 
 (* Why the argument must have the parameter's type. *)
-let reason ~(head : Resolve.Ir.expr) ~decided_by ~later ~before ~previous argument : Expected.reason =
+let reason ctx ~(head : Resolve.Ir.expr) ~decided_by ~later ~before ~previous argument : Expected.reason =
   match (argument.style, previous) with
   | Operator operator, Some ((other : Resolve.Ir.expr), other_type) ->
       Operand { operator; other; other_type }
@@ -72,6 +72,7 @@ let reason ~(head : Resolve.Ir.expr) ~decided_by ~later ~before ~previous argume
           decided_by;
           later;
           before;
+          of_local = (match head.desc with Local x -> first_use ctx x ~at:head.span | _ -> None);
         }
 
 type decision = Applies | Runs
@@ -137,7 +138,7 @@ let looks_negative (head : Resolve.Ir.expr) arguments =
 
 let is_function t = match Type.expand t with Type.Function _ -> true | _ -> false
 
-let step expressions ctx ~(head : Resolve.Ir.expr) ~negative ~because ~previous (function_ : typed) argument =
+let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~previous (function_ : typed) argument =
   (* The result, and the type of the argument. *)
   let known decision parameter output =
     let before = errors ctx in
@@ -154,7 +155,7 @@ let step expressions ctx ~(head : Resolve.Ir.expr) ~negative ~because ~previous 
           let value = expressions.infer { ctx with left_operand } argument.value in
           if negative && Option.is_none previous && is_function value.ty then
             report ctx (fun words ->
-                Mistake.negative_argument words ~minus:head.span argument.value value.ty)
+                Mistake.negative_argument words ~minus:head.span argument.value value.ty ~operand)
           else expect ctx ~subject:argument.value ~at:argument.value.span expected value.ty;
           value
       | Juxtaposed | Command ->
@@ -195,6 +196,7 @@ let step expressions ctx ~(head : Resolve.Ir.expr) ~negative ~because ~previous 
 let infer expressions ctx e =
   let head, arguments = spine e in
   let negative = looks_negative head arguments in
+  let operand = match arguments with [ _; right ] -> Some right.value | _ -> None in
   let before argument =
     match ctx.left_operand with
     | Some (operand, operator) when operand == e && argument.span = e.span -> Some operator
@@ -207,8 +209,8 @@ let infer expressions ctx e =
         (function_, previous)
     | _ ->
         let later = later given argument in
-        let because = reason ~head ~decided_by ~later ~before:(before argument) ~previous argument in
-        let next, ty = step expressions ctx ~head ~negative ~because ~previous function_ argument in
+        let because = reason ctx ~head ~decided_by ~later ~before:(before argument) ~previous argument in
+        let next, ty = step expressions ctx ~operand ~head ~negative ~because ~previous function_ argument in
         (next, Some (argument.value, ty))
   in
   forgetting_what_errors_need ctx (fun () ->

@@ -164,6 +164,7 @@ and prepare ctx signed (b : Resolve.Ir.binding) =
       | None ->
           let ty = Context.fresh ctx in
           bind_local ctx local (Type.monomorphic ty);
+          defined_locally ctx local b;
           `Plain (local, ty))
   | Destructure pattern ->
       let ty = Context.fresh ctx in

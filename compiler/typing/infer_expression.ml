@@ -78,7 +78,15 @@ let rec infer ctx (e : Resolve.Ir.expr) : typed =
       let ty = Context.fresh_number ctx in
       let because : Expected.reason =
         Parameter
-          { callee = Some "-"; at = e.span; position = 1; decided_by = None; later = []; before = None }
+          {
+            callee = Some "-";
+            at = e.span;
+            position = 1;
+            decided_by = None;
+            later = [];
+            before = None;
+            of_local = None;
+          }
       in
       let operand = check ctx operand (Expected.make because ty) in
       { ty; build = (fun () -> node e.span ty (Negate (operand ()))) }
@@ -130,7 +138,7 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   | Array (_ :: _ as elements), Data { tycon; arguments = [ _; element ]; _ }
     when tycon = Environment.array ->
       let written = Type.Size (List.length elements) in
-      expect ctx ~subject:e ~at:e.span expected (Environment.array_of written element);
+      if not (List.exists lacks_a_comma elements) then expect ctx ~subject:e ~at:e.span expected (Environment.array_of written element);
       let elements = array_elements ctx { expected with ty = element } elements in
       fun () -> node e.span expected.ty (Array (List.map (fun build -> build ()) elements))
   | Record { constructor; fields }, (Data { tycon; _ } as wanted)
@@ -143,6 +151,13 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
       let typed = infer ctx e in
       expect ctx ~subject:e ~at:e.span expected typed.ty;
       typed.build
+
+(* As in [[1 2]], which is said of the number. *)
+and lacks_a_comma (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Apply { head = { desc = Number _; _ }; style = Juxtaposed; _ } -> true
+  | Apply { head; style = Juxtaposed; _ } -> lacks_a_comma head
+  | _ -> false
 
 (* What the first element is, the others must be. *)
 and array_elements ctx (expected : Expected.t) elements =
@@ -186,6 +201,14 @@ and case ctx e scrutinee branches expected =
     let value = value.build () in
     node e.span expected.ty (Case (value, List.rev_map (fun build -> build ()) branches))
 
+and signals ctx (p : Resolve.Ir.pattern) =
+  let found x = Option.map (fun (s : Type.scheme) -> (x.Ir.Local.name, s.body)) (find_local ctx x) in
+  match p.desc with
+  | Bound x -> Option.to_list (found x)
+  | As (x, inner) -> Option.to_list (found x) @ signals ctx inner
+  | Tuple_of ps -> List.concat_map (signals ctx) ps
+  | Any | Constructed _ | Literal _ -> []
+
 and proc ctx e input body expected =
   let from, into =
     match Type.expand expected.ty with
@@ -195,7 +218,9 @@ and proc ctx e input body expected =
         expect ctx ~subject:e ~at:e.span expected (Signal_function (a, b));
         (a, b)
   in
+  let pattern = input in
   let input = Infer_pattern.check ctx input { expected with ty = from } in
+  let ctx = { ctx with inputs = signals ctx pattern } in
   let equations = Infer_binding.declarations expressions ctx body.equations in
   let output = check ctx body.output { ty = into; because = Output expected.because } in
   fun () ->

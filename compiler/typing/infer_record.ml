@@ -36,6 +36,26 @@ let one_of_several environment ty name =
       | Alias _ | Builtin | Foreign -> None)
   | _ -> None
 
+(* A function or signal function of that name, written as a field is. *)
+let as_a_function ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagnostic =
+  let found (g : Ir.Global.t) (entry : entry) earlier =
+    if not (String.equal g.name name.text) then earlier
+    else
+      match Type.expand entry.scheme.body with
+      | Function _ -> Some "function"
+      | Signal_function _ -> Some "signal function"
+      | _ -> earlier
+  in
+  match Resolve.Global_table.fold found ctx.globals None with
+  | None -> None
+  | Some kind ->
+      let argument words = Option.fold (Show.quote words record.span) ~none:"x" ~some:Source.grouped in
+      Some
+        (Diagnostic.hint
+           (Printf.sprintf "`%s` is a %s: write `%s %s`" name.text kind name.text
+              (argument (words ctx)))
+           diagnostic)
+
 let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
   report ctx (fun words ->
       let described = Show.described words ty in
@@ -48,19 +68,25 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
                   constructor.name constructor.name name.text)
       | None ->
           let d = error "%s has no field `%s`" described name.text in
-          (match (Suggest.closest name.text known, known) with
+          let usual () = match (Suggest.closest name.text known, known) with
           | None, _ :: _ when List.compare_length_with known 8 <= 0 ->
               let fields = List.map (Printf.sprintf "`%s`") known in
               Diagnostic.note ("its fields: " ^ String.concat ", " fields) d
-          | _ -> suggest name known d))
+          | _ -> suggest name known d
+          in
+          match as_a_function ctx name ~record d with Some d -> d | None -> usual ())
       |> Diagnostic.label ~at:record.span ("this is " ^ described))
 
 (* Of a record whose type is not known, perhaps for another error. *)
-let no_such_field ctx (name : Syntax.Ir.name) =
+let no_such_field ctx (name : Syntax.Ir.name) ~record =
   if errors ctx = 0 then
-  report ctx (fun _ ->
-      Diagnostic.error ~code:"E0310" ~at:name.span "no type in scope has a field `%s`" name.text
-      |> suggest name (Environment.field_names ctx.reader.environment))
+    report ctx (fun _ ->
+        let d =
+          Diagnostic.error ~code:"E0310" ~at:name.span "no type in scope has a field `%s`" name.text
+        in
+        match as_a_function ctx name ~record d with
+        | Some d -> d
+        | None -> suggest name (Environment.field_names ctx.reader.environment) d)
 
 let several_records ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) candidates =
   report ctx (fun _ ->
@@ -120,7 +146,7 @@ let when_known ctx ~(record : Resolve.Ir.expr) ty (fields : Syntax.Ir.name list)
       in
       let give_up () =
         (match candidates with
-        | [] -> no_such_field ctx first
+        | [] -> no_such_field ctx first ~record
         | _ when errors ctx > 0 -> ()
         | _ -> several_records ctx first ~record candidates);
         found None
@@ -140,6 +166,16 @@ let indexed (constructor : Environment.constructor) (name : Syntax.Ir.name) =
       Diagnostic.bug ~stage:"Typing.Infer_record" "%s has no field %s"
         constructor.ir.constructor.name name.text
 
+(* What the fields' units have to do with each other. *)
+let in_units (constructor : Environment.constructor) =
+  let field (name, ty) =
+    match (ty : Ir.ty) with
+    | Number (_, u) -> Some (Printf.sprintf "`%s` has `%s`" name (Show.unit_ u))
+    | _ -> None
+  in
+  Printf.sprintf "of the units in a `%s`, %s" constructor.tycon.name
+    (String.concat ", " (List.filter_map field constructor.ir.fields))
+
 let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   let constructor = Environment.constructor ctx.reader.environment name in
   let ty, _ = use ctx ~at:e.span ~name:name.name constructor.scheme in
@@ -147,14 +183,18 @@ let construct expressions ctx ?wanted (e : Resolve.Ir.expr) name fields =
   (* a clash is for the caller to report *)
   Option.iter (fun wanted -> ignore (Unify.types wanted result)) wanted;
   let types = Array.of_list types in
+  let before = errors ctx in
+  let several = List.compare_length_with constructor.scheme.units 1 > 0 in
+  let units = if several then Some (in_units constructor) else None in
   let field ((name : Syntax.Ir.name), value) =
     let index = indexed constructor name in
-    let expected : Expected.t =
-      { ty = types.(index); because = Field { name = name.text; at = name.span } }
-    in
-    (index, expressions.check ctx value expected)
+    (* one field of a wrong unit makes the others look wrong *)
+    let ty = if several && errors ctx > before then Type.Erroneous else types.(index) in
+    let because = Expected.Field { name = name.text; at = name.span; units } in
+    (index, expressions.check ctx value { ty; because })
   in
   let fields = List.map field fields in
+  let result = if several && errors ctx > before then Type.Erroneous else result in
   let build () =
     node e.span result
       (Record (constructor.ir, List.map (fun (index, build) -> (index, build ())) fields))
@@ -205,13 +245,13 @@ let update expressions ctx (e : Resolve.Ir.expr) ~record fields ~candidates =
       List.iter
         (fun ((name : Syntax.Ir.name), (value : Resolve.Ir.expr), ty) ->
           expect ctx ~subject:value ~at:value.span
-            { ty = types name; because = Field { name = name.text; at = name.span } }
+            { ty = types name; because = Field { name = name.text; at = name.span; units = None } }
             ty)
         values);
   let values =
     List.map
       (fun ((name : Syntax.Ir.name), value, ty) ->
-        let because = Expected.Field { name = name.text; at = name.span } in
+        let because = Expected.Field { name = name.text; at = name.span; units = None } in
         (name, expressions.check ctx value { ty; because }))
       values
   in

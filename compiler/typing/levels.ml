@@ -25,6 +25,7 @@ type walk = {
   sink : Diagnostic.sink;
   graph : Level_graph.t;
   constants : Constant_index.constants;
+  definition : Global.t;
   sources : Source.t;
   memory : Memory.t;
 }
@@ -113,9 +114,10 @@ let bound_here place e =
 let obstacle w place (e : expr) head : Misplaced.obstacle option =
   match (place.position, bound_here place e) with
   | Every_instant, _ -> None
-  | Outside, _ -> Some Depends_on_start
+  | (Outside | In_task), _ -> Some Depends_on_start
   | _, Some x -> Some (Bound_here x)
   | _ when place.lifted -> Some Lifted
+  | _ when Misplaced.runs head w.definition -> Some Own_definition
   | _ -> if Memory.remembers w.memory head then Some Depends_on_start else None
 
 (* The places of the head and of the input. One mistake is enough for an instance. What
@@ -146,11 +148,19 @@ let conditional place (position : Misplaced.position) =
   match place.position with
   | Every_instant -> { place with position }
   | In_branch (Some _) -> { place with position = In_branch None }
-  | Outside | In_branch None | In_guard | In_function _ -> place
+  | Outside | In_task | In_branch None | In_guard | In_function _ -> place
+
+(* [f]: what is applied to the rest of a [do]. *)
+let in_task place (f : expr) =
+  match f.desc with
+  | Apply ({ desc = Primitive (g, _); _ }, _)
+    when place.position = Outside && g = Environment.sequence ->
+    { place with position = In_task }
+  | _ -> place
 
 let knowing place patterns =
   match place.position with
-  | Outside | Every_instant -> place
+  | Outside | In_task | Every_instant -> place
   | In_branch _ | In_guard | In_function _ ->
     { place with conditional = List.rev_append patterns place.conditional }
 
@@ -199,7 +209,7 @@ let index w array (k : expr) =
 let level w place (p : pattern) =
   match List.find_map (Level_graph.find w.graph) (Parts.variables p) with
   | Some node -> Level_graph.level node
-  | None -> ( match place.position with Outside -> Static | _ -> Signal)
+  | None -> ( match place.position with Outside | In_task -> Static | _ -> Signal)
 
 (* Nothing is made anew without need: most expressions stay as they are, and large
    programs have very many. *)
@@ -219,6 +229,7 @@ let rec expr w place (e : expr) : expr =
     with_ (Index (expr w place array, index w array k))
   | Index (array, k) -> one w place e array (fun array -> Index (array, k))
   | Apply (f, a) ->
+    let place = in_task place f in
     let f' = expr w place f in
     let a' = expr w place a in
     if f' == f && a' == a then e else with_ (Apply (f', a'))
@@ -311,7 +322,7 @@ and lambda w place name e patterns body =
 and function_ w place name patterns body =
   let position : Misplaced.position =
     match place.position with
-    | Outside -> Outside
+    | (Outside | In_task) as position -> position
     | Every_instant | In_branch _ | In_guard | In_function _ -> In_function name
   in
   expr w (knowing { place with position; depth = place.depth + 1 } patterns) body
@@ -352,7 +363,7 @@ let program ?(sources = Source.create ()) sink (p : program) =
   let definition (d : definition) =
     let graph = Level_dependencies.definition sink d in
     Level_graph.solve graph;
-    let w = { sink; graph; constants; sources; memory } in
+    let w = { sink; graph; constants; definition = d.name; sources; memory } in
     (match d.value.ty with
     | Number _ -> Constant_index.global constants d.name d.value
     | _ -> ());

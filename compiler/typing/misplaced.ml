@@ -3,6 +3,7 @@ open Ir
 
 type position =
   | Outside
+  | In_task
   | Every_instant
   | In_branch of condition option
   | In_guard
@@ -13,6 +14,7 @@ and condition = { test : expr; chosen_if : bool }
 type obstacle =
   | Depends_on_start
   | Bound_here of Local.t
+  | Own_definition
   | Lifted
 
 let rec head_name (h : expr) =
@@ -21,6 +23,12 @@ let rec head_name (h : expr) =
   | Global (g, _) | Primitive (g, _) | Method { method_ = g; _ } -> Some g.name
   | Apply (f, _) -> head_name f
   | _ -> None
+
+let rec runs (h : expr) definition =
+  match h.desc with
+  | Global (g, _) -> g = definition
+  | Apply (f, _) -> runs f definition
+  | _ -> false
 
 let name h =
   match head_name h with Some name -> Printf.sprintf "`%s`" name | None -> "a signal function"
@@ -33,10 +41,6 @@ let quote sources (e : expr) =
   match Source.quote sources e.span with
   | Some text when String.length text <= longest -> Some text
   | _ -> None
-
-let atomic text =
-  let joins c = String.contains "() +-*/<>=&|$." c in
-  if text = "()" || not (String.exists joins text) then text else "(" ^ text ^ ")"
 
 let signal h = Option.fold (head_name h) ~none:"itsValue" ~some:(fun name -> name ^ "Now")
 
@@ -54,12 +58,12 @@ let anew sources condition h input =
   let resets { test; chosen_if } =
     match (quote sources h, quote sources input, quote sources test) with
     | Some h', Some input, Some test ->
-      let becomes = if chosen_if then atomic test else Printf.sprintf "(not %s)" (atomic test) in
-      let input = if String.contains input '$' then atomic input else input in
+      let becomes = if chosen_if then Source.grouped test else Printf.sprintf "(not %s)" (Source.grouped test) in
+      let input = if String.contains input '$' then Source.grouped input else input in
       Some
         (Printf.sprintf
            "to start it anew whenever this branch is chosen: `%s = resetOn %s (%s, edge %s)`"
-           (signal h) (atomic h') input becomes)
+           (signal h) (Source.grouped h') input becomes)
     | _ -> None
   in
   Diagnostic.hint
@@ -81,6 +85,13 @@ let report sink sources position obstacle (e : expr) ~head ~input =
   let of_choice where condition =
     let d = run where "E0342" in
     match obstacle with
+    | Own_definition ->
+      emit
+        (Diagnostic.error ~code:"E0342" ~at:e.span "%s is run in its own definition" (name head)
+        |> Diagnostic.hint
+             "every equation holds at every instant: nothing is called again to go on"
+        |> Diagnostic.hint
+             "to do something else from an event on, and then perhaps this again, `switch`")
     | Depends_on_start | Lifted ->
       emit
         (Diagnostic.here "what it gives depends on when it started" d
@@ -100,13 +111,19 @@ let report sink sources position obstacle (e : expr) ~head ~input =
       (run "outside of a `proc`" "E0341"
       |> Diagnostic.here "an instance needs a `proc` around it"
       |> Diagnostic.hint "write `proc x -> …`, and run it there")
+  | In_task ->
+    emit
+      (run "outside of a `proc`" "E0341"
+      |> Diagnostic.here "the statements of a task run no signal functions"
+      |> Diagnostic.hint
+           "a task in which it runs at every instant is `mkTask (proc i -> (output, event))`")
   | In_branch condition -> of_choice "in a branch" condition
   | In_guard -> of_choice "in a guard" None
   | In_function f -> (
     let where = if f = "" then "in a function" else Printf.sprintf "in the function `%s`" f in
     let d = run where "E0343" in
     match obstacle with
-    | Depends_on_start | Lifted ->
+    | Depends_on_start | Own_definition | Lifted ->
       emit (Diagnostic.here "functions hold no instances" d |> own_equation sources head e)
     | Bound_here x ->
       emit
@@ -114,7 +131,7 @@ let report sink sources position obstacle (e : expr) ~head ~input =
         |> Diagnostic.hint
              (match (f, quote sources head) with
              | "", Some h ->
-               Printf.sprintf "`mapSF %s` runs one for each element of an array" (atomic h)
+               Printf.sprintf "`mapSF %s` runs one for each element of an array" (Source.grouped h)
              | _, _ ->
                Printf.sprintf
                  "make %s a signal function, of the form `proc %s -> …`: that is run, not applied"

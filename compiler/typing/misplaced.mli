@@ -6,6 +6,7 @@ open Basis
 (** Whether what stands here is computed at every instant. *)
 type position =
   | Outside  (** of all procs *)
+  | In_task  (** likewise, in a [do] *)
   | Every_instant
   | In_branch of condition option  (** of the only choice around *)
   | In_guard
@@ -17,7 +18,11 @@ and condition = { test : Ir.expr; chosen_if : bool }
 type obstacle =
   | Depends_on_start  (** it could, but may not be meant to *)
   | Bound_here of Ir.Local.t  (** this, which it mentions, has no value elsewhere *)
+  | Own_definition  (** of which it is a part *)
   | Lifted  (** its function is polymorphic or goes on as itself, so it is of no one proc *)
+
+val runs : Ir.expr -> Ir.Global.t -> bool
+(** Is this what is run, perhaps with arguments? *)
 
 val name : Ir.expr -> string
 (** What is run, as a message says it. *)

@@ -1,12 +1,31 @@
 open Basis
 open Diagnostic
 
+(* A local function without a signature does for one type only. *)
+let of_one_type words (expected : Expected.t) found diagnostic =
+  let shown t = Show.described words t in
+  let quantity t = match Type.expand t with Type.Number _ -> true | _ -> false in
+  match expected.because with
+  | Parameter { callee = Some name; of_local = Some first; _ }
+    when not (String.equal (shown expected.ty) (shown found)) ->
+      let variable = if quantity expected.ty && quantity found then "Float[u]" else "a" in
+      label ~at:first (Printf.sprintf "because of this use of `%s`" name) diagnostic
+      |> hint
+           (Printf.sprintf
+              "a local function without a signature has one type: give `%s` a signature with a \
+               variable, of the form `%s :: %s -> …`"
+              name name variable)
+  | _ -> diagnostic
+
 let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : Unify.clash) =
   (* names of signatures first, so that no invented name repeats one *)
   (match Show.described words expected.ty with
   | "a number" -> ()
   | _ -> ignore (Show.type_ words expected.ty));
-  let finish diagnostic = Expected.explain_all words ~subject expected diagnostic in
+  Show.tell_apart words [ expected.ty; found ];
+  let finish diagnostic =
+    Expected.explain_all words ~subject expected diagnostic |> of_one_type words expected found
+  in
   match clash with
   | Different_units (wanted, given) -> (
       match Signature_mistake.promised_unit (wanted, given) with
@@ -41,11 +60,18 @@ let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : U
 
 (* {1 Heads} *)
 
-let negative_argument words ~(minus : Span.t) (function_ : Resolve.Ir.expr) ty =
-  let name = Option.value (Plain_name.of_expr function_) ~default:"f" in
+let negative_argument words ~(minus : Span.t) ~operand (function_ : Resolve.Ir.expr) ty =
+  (* of [1 x] in [f -1 x] *)
+  let rec first (e : Resolve.Ir.expr) =
+    match e.desc with
+    | Apply { head; style = Juxtaposed; _ } -> first head
+    | _ -> Show.quote words e.span
+  in
+  let name = Option.value (Show.quote words function_.span) ~default:"f" in
+  let operand = Option.value (Option.bind operand first) ~default:"1" in
   error ~code:"E0301" ~at:minus "this `-` subtracts from a function"
   |> label ~at:function_.span (Printf.sprintf "this is %s" (Show.described words ty))
-  |> hint (Printf.sprintf "a negative argument needs parentheses: `%s (-1)`" name)
+  |> hint (Printf.sprintf "a negative argument needs parentheses: `%s (-%s)`" name operand)
 
 let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
   let callee = match Plain_name.of_expr head with Some name -> "`" ^ name ^ "`" | None -> "this" in
@@ -62,9 +88,20 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
               (if position = 2 then "one argument" else Printf.sprintf "%d arguments" (position - 1))
               (Show.described words left))
   in
-  if Environment.is_task left then
-    hint "a task is run by `runTask`: `runTask t` is a signal function" diagnostic
-  else diagnostic
+  match (Type.expand left, head.desc) with
+  | _, Number { digits; _ } when position = 1 ->
+      hint
+        (Printf.sprintf "the elements of an array are separated by commas, factors by `*`: `[%s, …]`"
+           digits)
+        diagnostic
+  | Data { tycon; _ }, _ when tycon = Environment.array ->
+      hint
+        (Printf.sprintf "an element is `%s ! 0`, counted from 0"
+           (Option.value (Plain_name.of_expr head) ~default:"xs"))
+        diagnostic
+  | _ when Environment.is_task left ->
+      hint "a task is run by `runTask`: `runTask t` is a signal function" diagnostic
+  | _ -> diagnostic
 
 let not_a_signal_function words ~(head : Resolve.Ir.expr) found =
   let diagnostic =

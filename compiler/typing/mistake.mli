@@ -31,8 +31,13 @@ val not_a_function :
 (** What is left of the head's type cannot take the argument of that number. *)
 
 val negative_argument :
-  Show.words -> minus:Span.t -> Resolve.Ir.expr -> Type.t -> Diagnostic.t
-(** [f -1], where [f] is a function of that type. *)
+  Show.words ->
+  minus:Span.t ->
+  operand:Resolve.Ir.expr option ->
+  Resolve.Ir.expr ->
+  Type.t ->
+  Diagnostic.t
+(** [f -1], where [f] is a function of that type; [operand] is what follows the minus. *)
 
 val not_a_signal_function :
   Show.words -> head:Resolve.Ir.expr -> Type.t -> Diagnostic.t

@@ -10,26 +10,103 @@ let angle : Resolve.Ir.unit_ option -> string option = function
 
 let is_per_second words u = String.equal (Show.measure words u) "1/s"
 
+let is_angular_velocity (t : Type.t) =
+  match Type.repr t with
+  | Alias { alias = { name = "AngularVelocity"; _ }; _ } -> true
+  | _ -> false
+
+(* Below this a time without a unit may well be in seconds. *)
+let many_seconds = 20.
+
+let with_unit words ~ty digits unit_ =
+  let text = Show.measure words unit_ in
+  let is_long = Option.fold (float_of_string_opt digits) ~none:false ~some:(( <= ) many_seconds) in
+  if is_angular_velocity ty then
+    Printf.sprintf "write `%s[deg/s]` for degrees in a second, `%s[rad/s]` for radians" digits digits
+  else if String.equal text "s" && is_long then
+    Printf.sprintf "write `%s[ms]` if these are milliseconds, `%s[s]` for seconds" digits digits
+  else Printf.sprintf "write `%s[%s]` if that is its unit" digits text
+
+(* The number that an expression is, or that it stands for. *)
+let literal words (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Number { digits; unit_; _ } -> Some (digits, unit_, None)
+  | Local x -> (
+      match Show.definition words x with
+      | Some { desc = Number { digits; unit_; _ }; span } -> Some (digits, unit_, Some (x, span))
+      | _ -> None)
+  | _ -> None
+
 (* A plain number written where one with a unit is needed. *)
-let unit_of_literal words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
-  let write (e : Resolve.Ir.expr option) unit_ =
-    match e with
-    | Some { desc = Number { digits; unit_ = None; _ }; _ }
+let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, given) diagnostic =
+  let write (e : Resolve.Ir.expr option) ~ty unit_ =
+    match Option.bind e (literal words) with
+    | Some (digits, None, place)
       when Units.flexible_powers unit_ = [] && Units.rigid_powers unit_ = [] ->
-        Some (Printf.sprintf "write `%s[%s]` if that is its unit" digits (Show.measure words unit_))
-    | Some { desc = Number { digits; unit_ = written; _ }; _ } when is_per_second words unit_ ->
+        Some (with_unit words ~ty digits unit_, place)
+    | Some (digits, written, place) when is_per_second words unit_ ->
         let per_second angle =
-          Printf.sprintf "write `%s[%s/s]` if that is how far it turns in a second" digits angle
+          ( Printf.sprintf "write `%s[%s/s]` if that is how far it turns in a second" digits angle,
+            place )
         in
         Option.map per_second (angle written)
     | _ -> None
   in
   let other = match expected.because with Operand { other; _ } -> Some other | _ -> None in
   let is_one u = Units.equal u Units.one in
-  let text =
-    if is_one given then write subject wanted else if is_one wanted then write other given else None
+  let cure =
+    if is_one given then write subject ~ty:expected.ty wanted
+    else if is_one wanted then write other ~ty:found given
+    else None
   in
-  Option.fold ~none:diagnostic ~some:(fun text -> hint text diagnostic) text
+  match cure with
+  | None -> diagnostic
+  | Some (text, None) -> hint text diagnostic
+  | Some (text, Some ((x : Resolve.Ir.Local.t), at)) ->
+      label ~at (Printf.sprintf "`%s` is this number" x.name) diagnostic |> hint text
+
+(* What makes one quantity of another. *)
+let conversion words ~subject (wanted, given) diagnostic =
+  let factor = Show.measure words (Units.divide wanted given) in
+  let e =
+    Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span)
+    |> Option.fold ~none:"e" ~some:Source.grouped
+  in
+  let written = match subject with Some { desc = Number n; _ } -> Some n.digits | _ -> None in
+  if Units.is_open wanted || Units.is_open given then diagnostic
+  else if Units.equal given Units.one || Units.equal wanted Units.one then diagnostic
+  else if written <> None then
+    hint
+      (Printf.sprintf "write `%s[%s]` if that unit was meant" (Option.get written)
+         (Show.measure words wanted))
+      diagnostic
+  else if Units.equal (Units.multiply wanted wanted) given then
+    hint (Printf.sprintf "`sqrt %s` has half the unit" e) diagnostic
+  else if String.equal factor "1/s" || String.equal factor "Hz" then
+    hint
+      (Printf.sprintf
+         "a gain makes `%s` of `%s`, as in `0.5[1/s] * %s`; `derivative %s` is how fast it changes"
+         (Show.measure words wanted) (Show.measure words given) e e)
+      diagnostic
+  else if String.equal factor "s" then
+    hint
+      (Printf.sprintf
+         "times a time it is `%s`, as in `1[s] * %s`; `integral %s` adds it up over time"
+         (Show.measure words wanted) e e)
+      diagnostic
+  else diagnostic
+
+(* `Float` in a signature where a quantity was meant. *)
+let without_brackets words (wanted, given) diagnostic =
+  let write u =
+    hint
+      (Printf.sprintf "a `Float` without brackets has no unit; `Float[%s]` has this one"
+         (Show.measure words u))
+      diagnostic
+  in
+  if Units.equal given Units.one && not (Units.is_open wanted) then write wanted
+  else if Units.equal wanted Units.one && not (Units.is_open given) then write given
+  else diagnostic
 
 let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   let text = Show.measure words and is_one u = Units.equal u Units.one in
@@ -46,13 +123,16 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   let is_number t = match Type.expand t with Number _ -> true | _ -> false in
   let diagnostic =
     here (Printf.sprintf "this is %s" (Show.described words found)) diagnostic
-    |> unit_of_literal words ~subject ~expected (wanted, given)
+    |> unit_of_literal words ~subject ~expected ~found (wanted, given)
   in
-  if is_number expected.ty && is_number found then diagnostic
+  if is_number expected.ty && is_number found then
+    conversion words ~subject (wanted, given) diagnostic
   else
-    note
-      (Printf.sprintf "expected %s, found %s" (Show.described words expected.ty) (Show.described words found))
-      diagnostic
+    without_brackets words (wanted, given) diagnostic
+    |> note
+         (Printf.sprintf "expected %s, found %s"
+            (Show.described words expected.ty)
+            (Show.described words found))
 
 (* {1 Int and Float} *)
 

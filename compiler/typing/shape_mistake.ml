@@ -6,19 +6,58 @@ let has_initial_value = function
   | "delay" | "hold" | "dHold" | "accum" | "accumHold" | "dAccumHold" -> true
   | _ -> false
 
-let hint_to_run subject input =
-  let on_unit = match Type.expand input with Flexible _ | Tuple [] -> true | _ -> false in
-  match (Option.bind subject Plain_name.of_head, on_unit) with
-  | Some name, _ when has_initial_value name && Option.bind subject Plain_name.of_expr = None ->
-      hint (Printf.sprintf "`%s` has an initial value before its signal: `%s x0 …`" name name)
-  | Some name, false when Option.bind subject Plain_name.of_expr = None ->
-      hint (Printf.sprintf "run it on a signal, its last argument: `%s … x`" name)
-  | Some name, true when Option.bind subject Plain_name.of_expr = None ->
-      hint (Printf.sprintf "run it on `()`, its last argument: `%s … ()`" name)
-  | Some name, true -> hint (Printf.sprintf "run it on `()`: `%s ()`" name)
-  | Some name, false -> hint (Printf.sprintf "run it on a signal, as in `%s x`" name)
-  | None, true -> hint "run it on `()`"
-  | None, false -> hint "run it on a signal"
+let count = function
+  | 1 -> "one argument"
+  | 2 -> "two arguments"
+  | n -> Printf.sprintf "%d arguments" n
+
+let rec arguments_of (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Apply { head; argument; style = Juxtaposed } -> arguments_of head @ [ argument ]
+  | _ -> []
+
+(* What it would be run on. *)
+let signal_for words input =
+  match Type.expand input with
+  | Tuple [] -> "()"
+  | Flexible _ when not (Show.needs_class words input) -> "()"
+  | _ -> Option.value (Show.signal words input) ~default:"x"
+
+(* [f 1 x], where [f 1 y x] was meant. *)
+let signal_in_place_of_an_argument words name arguments =
+  match List.rev_map (fun (e : Resolve.Ir.expr) -> (e, Show.quote words e.span)) arguments with
+  | ({ desc = Local _; _ }, Some signal) :: before when before <> [] ->
+      let before = List.rev_map (fun (_, text) -> Option.fold text ~none:"…" ~some:Source.grouped) before in
+      Some
+        (Printf.sprintf
+           "`%s` takes %s before its signal: `%s`, where the signal is `%s`" name
+           (count (List.length arguments))
+           (String.concat " " ((name :: before) @ [ "…"; signal ]))
+           signal)
+  | _ -> None
+
+let hint_to_run words subject input =
+  let signal = signal_for words input in
+  let arguments = Option.fold subject ~none:[] ~some:arguments_of in
+  let argument = function
+    | ({ span; _ } : Resolve.Ir.expr) ->
+      Option.fold (Show.quote words span) ~none:"…" ~some:Source.grouped
+  in
+  hint
+    (match (Option.bind subject Plain_name.of_head, arguments) with
+    | Some name, [ only ] when has_initial_value name ->
+        Printf.sprintf "`%s` has an initial value before its signal: `%s x0 %s`" name name
+          (argument only)
+    | Some name, _ :: _ -> (
+        match signal_in_place_of_an_argument words name arguments with
+        | Some text -> text
+        | None ->
+            Printf.sprintf "run it on %s, its last argument: `%s %s`"
+              (if signal = "()" then "`()`" else "a signal")
+              (String.concat " " (name :: List.map argument arguments))
+              signal)
+    | Some name, [] -> Printf.sprintf "run it on `%s`: `%s %s`" signal name signal
+    | None, _ -> Printf.sprintf "run it on `%s`" signal)
 
 (* As a foreign function without arguments. *)
 let of_nothing t =
@@ -29,12 +68,10 @@ let of_nothing t =
 let rec missing_arguments t =
   match Type.expand t with Function (_, result) -> 1 + missing_arguments result | _ -> 0
 
-let arguments = function 1 -> "one argument" | n -> Printf.sprintf "%d arguments" n
-
 let unrun words ~subject ~at ~input ~found =
   error ~code:"E0303" ~at "a signal function stands where the value of its signal is needed"
   |> here (Printf.sprintf "this is %s" (Show.described words found))
-  |> hint_to_run subject input
+  |> hint_to_run words subject input
 
 (* The operand before, if what is expected is nothing but its type. *)
 let operand_before (expected : Expected.t) =
@@ -51,18 +88,67 @@ let is_number t = match Type.expand t with Number _ -> true | _ -> false
 let separated_by_commas (expected : Expected.t) =
   match expected.because with Parameter { position = 1; callee = Some _; _ } -> true | _ -> false
 
-(* How a vector is built. *)
-let vector = function
-  | Type.Data { tycon = { name = "Vec2"; _ }; _ } -> Some "`Vec2 { x = a, y = b }`"
-  | Type.Data { tycon = { name = "Vec3"; _ }; _ } -> Some "`Vec3 { x = a, y = b, z = c }`"
+(* How a vector is built, perhaps of these. *)
+let vector words ?(elements = []) wanted =
+  let built name fields =
+    let value i field =
+      let element = List.nth_opt elements i in
+      let text = Option.bind element (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
+      Printf.sprintf "%s = %s" field
+        (Option.value text ~default:(Variable_name.nth Variable_name.Type i))
+    in
+    Some
+      (Printf.sprintf "`%s { %s }`, with `import Geometry`" name
+         (String.concat ", " (List.mapi value fields)))
+  in
+  match wanted with
+  | Type.Data { tycon = { name = "Vec2"; _ }; _ } -> built "Vec2" [ "x"; "y" ]
+  | Type.Data { tycon = { name = "Vec3"; _ }; _ } -> built "Vec3" [ "x"; "y"; "z" ]
   | _ -> None
 
 (* Of a place, written as a pair. *)
-let vector_fields wanted elements =
-  match (wanted, List.length elements) with
-  | Type.Data { tycon = { name = "Vec2"; _ }; _ }, 2 | Type.Data { tycon = { name = "Vec3"; _ }; _ }, 3 ->
-      vector wanted
+let vector_fields words ~subject wanted types =
+  let elements = match subject with Some ({ desc = Tuple es; _ } : Resolve.Ir.expr) -> es | _ -> [] in
+  match (wanted, List.length types) with
+  | Type.Data { tycon = { name = "Vec2"; _ }; _ }, 2
+  | Type.Data { tycon = { name = "Vec3"; _ }; _ }, 3 ->
+      vector words ~elements wanted
   | _ -> None
+
+(* How a record is built that is wanted as an argument. *)
+let record words (expected : Expected.t) =
+  match (expected.because, Show.fields words expected.ty) with
+  | Parameter _, Some (constructor, fields) when List.compare_length_with fields 8 <= 0 ->
+      Some
+        (Printf.sprintf "it is a record: `%s { %s }`" constructor
+           (String.concat ", " (List.map (Printf.sprintf "%s = …") fields)))
+  | _ -> None
+
+(* What lacks arguments: the head of this, or of what it stands for. *)
+let lacking_arguments words ~subject missing d =
+  match (subject : Resolve.Ir.expr option) with
+  | Some { desc = Local x; _ } -> (
+      match Option.map (fun e -> (e, Plain_name.of_head e)) (Show.definition words x) with
+      | Some (({ desc = Apply _; _ } as e), Some head) ->
+          let all = missing + List.length (arguments_of e) in
+          label ~at:e.span (Printf.sprintf "`%s` is this, and lacks %s" x.name (count missing)) d
+          |> hint (Printf.sprintf "`%s` takes %s" head (count all))
+          |> Option.some
+      | _ -> None)
+  | _ -> None
+
+(* The result of a function that is given an argument too many. *)
+let one_too_many words ~subject ~wanted d =
+  match (wanted, subject) with
+  | Type.Function _, Some ({ desc = Apply { style = Juxtaposed; head; _ }; _ } as e : Resolve.Ir.expr)
+    -> (
+      match (Plain_name.of_head e, Show.quote words head.span) with
+      | Some name, Some text ->
+          hint
+            (Printf.sprintf "without its last argument, as `%s`, `%s` leaves a function" text name)
+            d
+      | _ -> d)
+  | _ -> d
 
 let is_a_parameter (expected : Expected.t) =
   match expected.because with
@@ -179,7 +265,9 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       | _ when goes_on expected ->
           hint
             (Printf.sprintf "it is given a value, and may ignore it: `\\_ -> %s`"
-               (Option.value (Option.bind subject Plain_name.of_expr) ~default:"…"))
+               (Option.value
+                  (Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span))
+                  ~default:"…"))
             diagnostic
       | Parameter { callee = Some "arr"; _ }, _ -> hint "leave out `arr`" diagnostic
       | Parameter { callee = Some "map"; _ }, _ ->
@@ -203,26 +291,28 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> hint (Option.get (Output_mistake.hint ~subject ~expected:expected.ty ~found))
   | (Number _ | Bool | String | Tuple _ | Data _), Function _, _ ->
       let missing = missing_arguments found in
-      error ~code:"E0301" ~at "expected %s, found the function %s" (text expected.ty) (text found)
-      |> hint
-           (match Option.bind subject Plain_name.of_expr with
-           | Some name when missing = 1 && of_nothing found -> Printf.sprintf "write `%s ()`" name
-           | Some name ->
-               Printf.sprintf "`%s` takes %d argument%s" name missing
-                 (if missing = 1 then "" else "s")
-           | None ->
-               if missing = 1 then "an argument is missing" else "some arguments are missing")
+      let d =
+        error ~code:"E0301" ~at "expected %s, found the function %s" (text expected.ty) (text found)
+      in
+      let usual () =
+        match Option.bind subject Plain_name.of_expr with
+        | Some name when missing = 1 && of_nothing found -> Printf.sprintf "write `%s ()`" name
+        | Some name ->
+            Printf.sprintf "`%s` takes %d argument%s" name missing (if missing = 1 then "" else "s")
+        | None -> if missing = 1 then "an argument is missing" else "some arguments are missing"
+      in
+      Option.value (lacking_arguments words ~subject missing d) ~default:(hint (usual ()) d)
   | Function _, Function _, _
     when missing_arguments found > missing_arguments expected.ty
          && Option.is_some (Option.bind subject Plain_name.of_head) ->
       let too_many = missing_arguments found - missing_arguments expected.ty in
       error ~code:"E0301" ~at "expected a function of %s, found one of %d: %s"
-        (arguments (missing_arguments expected.ty))
+        (count (missing_arguments expected.ty))
         (missing_arguments found)
         (text found)
       |> hint
            (Printf.sprintf "`%s` lacks %s" (Option.get (Option.bind subject Plain_name.of_head))
-              (arguments too_many))
+              (count too_many))
   | Number _, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ }, _ when Option.is_some (vector_operator expected) ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint
@@ -245,13 +335,22 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> (match subject with
          | Some { desc = Tuple _; _ } -> Fun.id
          | _ -> here (Printf.sprintf "this is %s" (text found)))
-  | wanted, Number _, _ when is_a_parameter expected && vector wanted <> None ->
+  | wanted, Number _, _ when is_a_parameter expected && vector words wanted <> None ->
+      let elements = Option.to_list subject in
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
-      |> hint (Printf.sprintf "a vector has its fields by name: %s" (Option.get (vector wanted)))
-  | wanted, Tuple (_ :: _ as elements), _ when vector_fields wanted elements <> None ->
+      |> hint ("a vector has its fields by name: " ^ Option.get (vector words ~elements wanted))
+  | Data _, (Number _ | Bool), _ when record words expected <> None ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint (Option.get (record words expected))
+  | wanted, Tuple (_ :: _ as types), _ when vector_fields words ~subject wanted types <> None ->
       error ~code:"E0301" ~at "expected %s, found a tuple of %d" (text expected.ty)
-        (List.length elements)
-      |> hint (Printf.sprintf "a vector has its fields by name: %s" (Option.get (vector_fields wanted elements)))
+        (List.length types)
+      |> hint
+           ("a vector has its fields by name: "
+           ^ Option.get (vector_fields words ~subject wanted types))
+  | (Function _ as wanted), (Number _ | Bool | Data _ | Tuple _), _ ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> one_too_many words ~subject ~wanted
   | (Number _ | Bool | String | Data _), Tuple (_ :: _ as elements), _ when separated_by_commas expected ->
       let name = match expected.because with Parameter { callee = Some f; _ } -> f | _ -> "f" in
       let arguments = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) elements in

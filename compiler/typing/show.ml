@@ -1,3 +1,5 @@
+open Basis
+
 (* Both kinds of type become this small tree, which one printer writes. *)
 type tree =
   | Word of string
@@ -108,13 +110,73 @@ let scheme (s : Ir.scheme) =
 
 (* {1 Types in messages} *)
 
+type place = {
+  sources : Source.t;
+  inputs : (string * Type.t) list;
+  needs_class : Type.t -> bool;
+  definition : Resolve.Ir.Local.t -> Resolve.Ir.expr option;
+  fields : Type.t -> (string * string list) option;
+}
+
+let nowhere =
+  {
+    sources = Source.create ();
+    inputs = [];
+    needs_class = (fun _ -> false);
+    definition = (fun _ -> None);
+    fields = (fun _ -> None);
+  }
+
 type words = {
   named_unit : Units.t -> string option;
+  place : place;
+  mutable namesakes : string list;  (** of data types of several modules *)
   names : (int, string) Hashtbl.t;  (** of variables to be found, by id *)
   taken : (string, unit) Hashtbl.t;
 }
 
-let words ~named_unit = { named_unit; names = Hashtbl.create 8; taken = Hashtbl.create 8 }
+let words ?(place = nowhere) ~named_unit () =
+  { named_unit; place; namesakes = []; names = Hashtbl.create 8; taken = Hashtbl.create 8 }
+
+let longest_quote = 60
+
+let quote words (at : Span.t) =
+  match Source.quote words.place.sources at with
+  | Some text when String.length text <= longest_quote -> Some text
+  | Some _ | None -> None
+
+let needs_class words t = words.place.needs_class t
+let definition words x = words.place.definition x
+let fields words t = words.place.fields t
+
+let signal words input =
+  let same_kind t =
+    match (Head.of_type input, Head.of_type t) with
+    | Some (a, _), Some (b, _) -> a = b
+    | _ -> true
+  in
+  Option.map fst (List.find_opt (fun (_, t) -> same_kind t) words.place.inputs)
+
+(* {2 Types of one name} *)
+
+let rec data_types found t =
+  match Type.repr t with
+  | Data { tycon; arguments; _ } | Alias { alias = tycon; arguments; _ } ->
+      List.fold_left data_types (tycon :: found) arguments
+  | Tuple ts -> List.fold_left data_types found ts
+  | Function (a, b) | Signal_function (a, b) -> data_types (data_types found a) b
+  | Flexible _ | Rigid _ | Number _ | Bool | String | Size _ | Erroneous -> found
+
+let tell_apart words types =
+  let all = List.fold_left data_types [] types in
+  let has_namesake (g : Ir.Global.t) =
+    List.exists (fun (other : Ir.Global.t) -> other.name = g.name && other.module_ <> g.module_) all
+  in
+  words.namesakes <-
+    List.filter_map (fun (g : Ir.Global.t) -> if has_namesake g then Some g.name else None) all
+
+let data_name words (g : Ir.Global.t) =
+  if List.mem g.name words.namesakes then g.module_ ^ "." ^ g.name else g.name
 
 let of_rigid words (variable : Ir.variable) =
   Hashtbl.replace words.taken variable.name ();
@@ -184,10 +246,10 @@ let rec tree_of words depth t =
         Applied ("SF", [ a; continue_ b ])
     | Alias { alias; units = [ u ]; arguments = []; expansion = Number (_, v) }
       when Units.equal u v ->
-        Word (number (`Named alias.name) (measure words u))
+        Word (number (`Named (data_name words alias)) (measure words u))
     | Data { tycon; units; arguments } | Alias { alias = tycon; units; arguments; _ } ->
         applied
-          (bracketed tycon.name (List.map (measure words) units))
+          (bracketed (data_name words tycon) (List.map (measure words) units))
           (List.map continue_ arguments)
     | Erroneous -> Word "_"
 

@@ -1,5 +1,7 @@
 (** Types and units as a programmer would write them. *)
 
+open Basis
+
 (** {1 What inference found} *)
 
 val ty : Ir.ty -> string
@@ -17,11 +19,34 @@ val unit_ : Ir.unit_ -> string
     of one message, and apart from the names a signature uses. *)
 
 type words
-(** The names given so far in one message. *)
+(** The names given so far in one message, and what it may speak of. *)
 
-val words : named_unit:(Units.t -> string option) -> words
+type place = {
+  sources : Source.t;
+  inputs : (string * Type.t) list;  (** the signals that come into the proc around *)
+  needs_class : Type.t -> bool;  (** something was used that asks for one *)
+  definition : Resolve.Ir.Local.t -> Resolve.Ir.expr option;
+      (** the value of a local that has no parameters *)
+  fields : Type.t -> (string * string list) option;
+      (** a record's constructor, and its fields *)
+}
+
+val words : ?place:place -> named_unit:(Units.t -> string option) -> unit -> words
 (** [named_unit] knows units with a name of their own, as [N] for
     [kg m/s^2]. *)
+
+val quote : words -> Span.t -> string option
+(** What is written there, if it is short. *)
+
+val needs_class : words -> Type.t -> bool
+val definition : words -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
+val fields : words -> Type.t -> (string * string list) option
+
+val signal : words -> Type.t -> string option
+(** An input of the proc around that may be of this type. *)
+
+val tell_apart : words -> Type.t list -> unit
+(** Data types among these that have one name, of several modules, are shown with the module's. *)
 
 val type_ : words -> Type.t -> string
 (** By its alias where it has one. *)

@@ -76,7 +76,7 @@ let unit_ t scope (written : Resolve.Ir.unit_) : Environment.unit_ =
 let unit_of_type t scope (written : Resolve.Ir.unit_) =
   let { Environment.measure; scale } = unit_ t scope written in
   if not (Exact.equal scale Exact.one) then begin
-    let words = Show.words ~named_unit:(Environment.named_unit t.environment) in
+    let words = Show.words ~named_unit:(Environment.named_unit t.environment) () in
     Diagnostic.(
       error ~code:"E0321" ~at:written.span
         "a type cannot mention a scaled unit: values are held in base units"
@@ -97,7 +97,7 @@ let check_size t span n =
       |> emit t.sink)
 
 let report_kind t span (wanted : Type.kind) found =
-  let words = Show.words ~named_unit:(Environment.named_unit t.environment) in
+  let words = Show.words ~named_unit:(Environment.named_unit t.environment) () in
   let shown = Show.quoted words found in
   let diagnostic =
     match (wanted, Type.expand found) with

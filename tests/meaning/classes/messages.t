@@ -52,6 +52,8 @@ What is missing is named where it is needed, with the place that asks for it.
   ...
   24 | e1 = total (Square { side = 1[m] }) (Disc { radius = 1[m] })
      |      ^^^^^ `total` needs it
+     |
+     = note: what has `Shape`: `Bag`, `Square`, `Maybe`
   
   error[E0360]: there is no instance `Shape Disc`
     --> needed.frob:26:6
@@ -86,6 +88,8 @@ What is missing is named where it is needed, with the place that asks for it.
   ...
   31 | e4 = area 3.0
      |      ^^^^ `area` needs it
+     |
+     = note: what has `Shape`: `Bag`, `Square`, `Maybe`
   
   error[E0307]: `Angle -> Float` has no equality
     --> needed.frob:33:6
@@ -116,12 +120,16 @@ What is missing is named where it is needed, with the place that asks for it.
      |
   38 | e7 = f7 True
      |      ^^ `f7` needs it
+     |
+     = note: what has `Shape`: `Bag`, `Square`, `Maybe`
   
   error[E0360]: there is no instance `Shape Float`
     --> needed.frob:41:7
      |
   41 | e10 = f9 2
      |       ^^ `f9` needs it
+     |
+     = note: what has `Shape`: `Bag`, `Square`, `Maybe`
   
   8 errors
   [1]
@@ -190,6 +198,8 @@ What an instance may be, and what it must give.
   ...
   13 | instance Derived T where
      |          ^^^^^^^^^ `Derived T` needs it
+     |
+     = note: what has `Base`: `U`, `W`, `Maybe`
   
   error[E0309]: `Derived (Maybe a)` needs `Base a`, which the instance of `Derived` does not promise
     --> declared.frob:18:10
@@ -269,6 +279,8 @@ What an instance may be, and what it must give.
   ...
   34 | instance Third U where
      |          ^^^^^^^ `Third U` needs it
+     |
+     = note: what has `Derived`: `T`, `W`, `Maybe`
   
   error[E0364]: the context speaks of `b`, but the type does not
     --> declared.frob:36:10

@@ -193,7 +193,7 @@ hold an instance.
   14 |         constT (derivative x / 1[1/s])
      |                 ^^^^^^^^^^^^ functions hold no instances
      |
-     = hint: give it an equation of its own
+     = hint: to run it at every instant, write the equation `derivativeNow = derivative x` beside the others, and `derivativeNow` here
   
   error[E0344]: `t` is a task and must be static, but `x` is a signal
     --> patterns.frob:14:28
@@ -210,9 +210,9 @@ hold an instance.
     --> patterns.frob:19:18
      |
   19 |     sleepT 1[s] (sf y)
-     |                  ^^^^ an instance needs a `proc` around it
+     |                  ^^^^ the statements of a task run no signal functions
      |
-     = hint: write `proc x -> …`, and run it there
+     = hint: a task in which it runs at every instant is `mkTask (proc i -> (output, event))`
   
   5 errors
   [1]

@@ -60,7 +60,9 @@ let branches () =
     ]
 
 let local_functions () =
-  check "E0343: `delay` is run in the function `f` [functions hold no instances]"
+  check
+    "E0343: `delay` is run in the function `f` [`k` has a value only here]\n\
+    \  `k` is bound here"
     [
       ( "f",
         proc (bound x float)

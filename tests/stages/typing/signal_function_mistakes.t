@@ -41,7 +41,7 @@ A signal function is not its signal: it has to be run.
     |                   this is `SF Float[u] Float[u/s]`
     |
     = note: expected a number
-    = hint: run it on a signal, as in `derivative x`
+    = hint: run it on `d`: `derivative d`
   
   3 errors
   [1]

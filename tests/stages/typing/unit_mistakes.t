@@ -16,6 +16,8 @@ aliases, at both places.
     |           -   ^^^^ this is `Velocity` (m/s)
     |           |
     |           this is `Distance` (m)
+    |
+    = hint: times a time it is `m`, as in `1[s] * vMax`; `integral vMax` adds it up over time
   
   1 error
   [1]
@@ -34,6 +36,8 @@ The second branch has to agree with the first.
     |                                   -      ^ this is `Velocity` (m/s)
     |                                   |
     |                                   this branch is `Distance` (m)
+    |
+    = hint: times a time it is `m`, as in `1[s] * v`; `integral v` adds it up over time
   
   1 error
   [1]
@@ -56,6 +60,8 @@ against its part of the signature.
     |              ---- ^ this is `Distance` (m)
     |              |
     |              argument 1 of `stop` is `Velocity` (m/s)
+    |
+    = hint: a gain makes `m/s` of `m`, as in `0.5[1/s] * d`; `derivative d` is how fast it changes
   
   error[E0320]: expected the unit `m`, found `m/s`
    --> signatures.frob:5:33
@@ -64,6 +70,8 @@ against its part of the signature.
     |          ---------------------------------------- the signature of `brake` asks for `Distance` (m)
   5 | brake d v = (stop d 2.0[m/s^2], v)
     |                                 ^ this is `Velocity` (m/s)
+    |
+    = hint: times a time it is `m`, as in `1[s] * v`; `integral v` adds it up over time
   
   2 errors
   [1]
@@ -85,6 +93,8 @@ Units with a name of their own keep it; wrong roots and powers show.
     |             -----   ^^^^^^ this is `Float[J]`
     |             |
     |             this is `Float[N]`
+    |
+    = hint: write `2.0[N]` if that unit was meant
   
   error[E0320]: expected the unit `m`, found `m^2`
    --> named.frob:5:13
@@ -93,6 +103,8 @@ Units with a name of their own keep it; wrong roots and powers show.
     |         ---------------------- the signature of `side` asks for `Distance` (m)
   5 | side area = area / 2
     |             ^^^^^^^^ this is `Float[m^2]`
+    |
+    = hint: `sqrt (area / 2)` has half the unit
   
   2 errors
   [1]
@@ -122,6 +134,8 @@ A signature for every unit that works for one, or for a related one, only.
     |           -------------------- the signature of `square` asks for `Float[u]`
   5 | square x = x * x
     |            ^^^^^ this is `Float[u^2]`
+    |
+    = hint: `sqrt (x * x)` has half the unit
   
   2 errors
   [1]
@@ -142,6 +156,8 @@ One mistake is one message, however often what it defines is used.
     |        ----   ^^^^ this is a number of `s`
     |        |
     |        this is a number of `m`
+    |
+    = hint: write `1[m]` if that unit was meant
   
   1 error
   [1]

@@ -26,7 +26,7 @@ Arguments of the wrong form: a negative number, a tuple of another size, a value
     |       |
     |       this is `Float -> Float`
     |
-    = hint: a negative argument needs parentheses: `f (-1)`
+    = hint: a negative argument needs parentheses: `max x (-1)`
   
   2 errors
   [1]
@@ -102,20 +102,7 @@ A minus with blanks on both sides, or on none, is a subtraction.
       |
       = hint: `constant e` is the signal function that always gives `e`
   
-  error[E0360]: there is no instance `DiffDrive (SF a b)`
-     --> value.frob:2:33
-      |
-    2 | main = reactimateRobot (roMake (setVelTR 0.3[m/s] 0))
-      |                                 ^^^^^^^^ `setVelTR` needs it
-      |
-     ::: stdlib/Capability.frob:148:17
-      |
-  148 |     setVelTR :: Velocity -> AngularVelocity -> o -> o
-      |                 ------------------------------------- `setVelTR` asks for `DiffDrive o` here
-      |
-      = hint: `constant e` is the signal function that always gives `e`
-  
-  2 errors
+  1 error
   [1]
 
 A function that is to be given lacks an argument.

@@ -404,7 +404,7 @@ What a switch takes, what a program is made of, what is computed with arrays, an
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: a vector has its fields by name: `Vec2 { x = a, y = b }`
+    = hint: a vector has its fields by name: `Vec2 { x = 1, y = b }`, with `import Geometry`
   
   1 error
   [1]

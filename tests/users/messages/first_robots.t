@@ -101,7 +101,7 @@ A place written as a pair.
     |                        |
     |                        argument 1 of `driveTo` is `Point2`
     |
-    = hint: a vector has its fields by name: `Vec2 { x = a, y = b }`
+    = hint: a vector has its fields by name: `Vec2 { x = 3, y = 4 }`, with `import Geometry`
   
   1 error
   [1]
@@ -114,10 +114,10 @@ The output of a robot without `roMake`.
   > FROB
   $ frobc check no_make.frob
   error[E0411]: `main` cannot run: what comes out is a function, `b -> b`, not the output of a robot
-   --> no_make.frob:2:1
+   --> no_make.frob:2:35
     |
   2 | main = reactimateRobot (proc i -> setVelTR 0.1[m/s] 0)
-    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |                                   ^^^^^^^^^^^^^^^^^^^
     |
     = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
   
@@ -132,10 +132,10 @@ Likewise in a signal function, in a function, and where a signature says what co
   > FROB
   $ frobc check no_make.frob
   error[E0411]: `main` cannot run: what comes out is a function, `b -> b`, not the output of a robot
-   --> no_make.frob:2:1
+   --> no_make.frob:2:18
     |
   2 | main = proc i -> setVelTR 0.1[m/s] (if bumped i then 1[rad/s] else 0)
-    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |                  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
     = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
   
@@ -149,10 +149,10 @@ Likewise in a signal function, in a function, and where a signature says what co
   > FROB
   $ frobc check no_make.frob
   error[E0411]: `main` cannot run: what comes out is a function, `PioneerOutput -> PioneerOutput`, not the output of a robot
-   --> no_make.frob:4:1
+   --> no_make.frob:4:18
     |
   4 | main = proc i -> setVelTR 0.1[m/s] 0
-    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |                  ^^^^^^^^^^^^^^^^^^^
     |
     = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
   

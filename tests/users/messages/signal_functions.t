@@ -15,7 +15,7 @@ Signal functions taken for functions: not run, composed with a point, given a fu
     |                  this is `SF Float[u] Float[u]`
     |
     = note: expected a number
-    = hint: run it on a signal, its last argument: `lowPass … x`
+    = hint: run it on a signal, its last argument: `lowPass 0.5[s] x`
   
   1 error
   [1]
@@ -112,7 +112,7 @@ An initial value was forgotten.
     |     elsewhere `y` is used as `Float`
     |
     = note: expected `Float`
-    = hint: `delay` has an initial value before its signal: `delay x0 …`
+    = hint: `delay` has an initial value before its signal: `delay x0 (y + x)`
   
   1 error
   [1]
