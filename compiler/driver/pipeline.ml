@@ -63,6 +63,7 @@ let front ?robot options sink sources ~library file =
   Option.iter (Robots.check_own sink typed) own;
   let typed = Typing.Levels.program ~sources sink typed in
   Typing.Patterns.check sink typed;
+  if not (Diagnostic.has_errors sink) then Resolve.Unused.warn sink resolved;
   let* typed =
     stage options sink Types ~lint:Typing.Lint.program ~print:Typing.Print.program typed
   in

@@ -5,56 +5,10 @@ type search = {
 }
 
 let rec expr search (e : Ir.expr) =
-  match e.desc with
-  | Local _ | Constructor _ | Number _ | String _ -> ()
-  | Global g -> mention search g
-  | Tuple es | Array es -> List.iter (expr search) es
-  | Apply { head; argument; style = _ } ->
-      expr search head;
-      expr search argument
-  | Negate e
-  | Power { base = e; exponent = _ }
-  | Field { record = e; field = _; candidates = _ }
-  | Annotated { expr = e; scheme = _ } ->
-      expr search e
-  | If { condition; then_; else_ } ->
-      expr search condition;
-      expr search then_;
-      expr search else_
-  | Case { scrutinee; branches } ->
-      expr search scrutinee;
-      List.iter (fun (b : Ir.branch) -> right search b.right) branches
-  | Let { declarations = ds; body } ->
-      declarations search ds;
-      expr search body
-  | Lambda { parameters = _; body } -> expr search body
-  | Proc { input = _; body } ->
-      declarations search body.equations;
-      expr search body.output
-  | Sequence { statements; result } ->
-      let statement : Ir.statement -> unit = function
-        | Task { pattern = _; task } -> expr search task
-        | Values ds -> declarations search ds
-      in
-      List.iter statement statements;
-      expr search result
-  | Record { constructor = _; fields } -> List.iter (fun (_, e) -> expr search e) fields
-  | Update { record; fields; candidates = _ } ->
-      expr search record;
-      List.iter (fun (_, e) -> expr search e) fields
+  match e.desc with Global g -> mention search g | _ -> Walk.expr (visitor search) e
 
-and right search (r : Ir.right) =
-  declarations search r.where;
-  List.iter
-    (fun (g : Ir.guarded) ->
-      Option.iter (expr search) g.condition;
-      expr search g.value)
-    r.guards
-
-and declarations search (ds : Ir.declarations) =
-  List.iter (fun (g : Ir.binding_group) -> List.iter (binding search) g.bindings) ds.groups
-
-and binding search (b : Ir.binding) = right search b.body
+and binding search b = Walk.binding (visitor search) b
+and visitor search : Walk.visitor = { expr = expr search; pattern = ignore; binding = binding search }
 
 and mention search g =
   match Global_table.find_opt search.definitions g with

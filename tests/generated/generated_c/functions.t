@@ -47,7 +47,7 @@ and so at each call, reads them by the pointer to the input.
 
   $ cat > pointer.frob <<'FROB'
   > main :: SF (Float, Float, Float, Bool) Float
-  > main = proc (a, b, c, on) -> y where
+  > main = proc (a, b, c, _) -> y where
   >     y = work 1 (a, b, c) + work 2 (a, b, c) + other (c, b, a) + other (a, b, c)
   > 
   > other :: SF (Float, Float, Float) Float

@@ -10,11 +10,11 @@ else they give it to; an instant in another mode does nothing about it.
   >     mkTask (proc (near, x) -> (x, edge near))
   >     mkTask (proc i -> (either id id (runTask within i), after 1[s] ()))
   >     sleepT 0.25[s] 0
-  >     mkTask (proc (near, x) -> (2, edge (not near))))
+  >     mkTask (proc (near, _) -> (2, edge (not near))))
   > within = forever (do
-  >     mkTask (proc (near, x) -> (3, when (x > 1)))
+  >     mkTask (proc (_, x) -> (3, when (x > 1)))
   >     sleepT 0.1[s] 4
-  >     mkTask (proc (near, x) -> (5, when (x > 2)))
+  >     mkTask (proc (_, x) -> (5, when (x > 2)))
   >     sleepT 0.05[s] 6)
   > FROB
   $ frobc compile rounds.frob --lint

@@ -4,8 +4,8 @@ over the same elements that is not.
   $ cat > start.frob <<'FROB'
   > main :: SF Float (Event Int, Event Int)
   > main = proc x -> (v, z) where
-  >     z = delay (maximumBy (\i -> 0) [NoEvent, NoEvent]) NoEvent
-  >     v = minimumBy (\i -> x) [NoEvent, NoEvent]
+  >     z = delay (maximumBy (\_ -> 0) [NoEvent, NoEvent]) NoEvent
+  >     v = minimumBy (\_ -> x) [NoEvent, NoEvent]
   > FROB
   $ printf 'time,in\n0,1\n1,2\n' > in.csv
   $ frobc trace --lint start.frob --input in.csv | tee compiled.csv

@@ -8,9 +8,9 @@ to, also the built-in ones.
   > instance Size Float[u] where
   >     size x = if x < 0 then -1 else 1
   > instance Size Int[u] where
-  >     size n = 10
+  >     size _ = 10
   > instance Size Bool where
-  >     size b = 100
+  >     size _ = 100
   > instance Size () where
   >     size _ = 1000
   > instance (Size a, Size b) => Size (a, b) where
@@ -20,9 +20,9 @@ to, also the built-in ones.
   >         Nothing -> 0
   >         Just x -> if m == Just x then 2 * size x else 7
   > instance Size (a -> b) where
-  >     size f = 5
+  >     size _ = 5
   > instance Size (SF a b) where
-  >     size f = 6
+  >     size _ = 6
   > 
   > twice :: Size n[u] => n[u] -> Int
   > twice x = size (x, x)
@@ -53,12 +53,12 @@ context of their own:
   > class Container f where
   >     scaled :: Float[u] -> f -> n[v] -> (Float[u], n[v])
   >     choose :: (Ord a, Eq b) => f -> a -> a -> b -> (a, Bool)
-  >     choose f x y z = (max x y, z == z)
+  >     choose _ x y z = (max x y, z == z)
   > 
   > type Boxed b = Box b
   > data Box a = Box { content :: a }
   > instance Container (Boxed a) where
-  >     scaled k b x = (2 * k, x + x)
+  >     scaled k _ x = (2 * k, x + x)
   > instance Container Bool where
   >     scaled k b x = (k, if b then x else 0)
   >     choose b x y z = if b then (min x y, other z) else (x, False) where

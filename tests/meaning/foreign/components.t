@@ -101,7 +101,7 @@ In a loop the whole component is one box: every output needs every input.
   > foreign sf filter :: SF Float (Int, Event Float) = "filter"
   > main :: SF Float Int
   > main = proc x -> n where
-  >     (n, e) = filter (x + toFloat n)
+  >     (n, _) = filter (x + toFloat n)
   > EOF
   $ frobc compile loop.frob
   error[E0401]: signal `n` needs its own value in the same instant

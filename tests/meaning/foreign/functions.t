@@ -116,7 +116,7 @@ at the start:
   > main :: SF Float Float
   > main = proc x -> x * gain where
   >     gain = look 3
-  >     unused = look x
+  >     _unused = look x
   > EOF
   $ frobc compile start.frob && grep 'start_look(' start.c
   static inline double start_look(double a)

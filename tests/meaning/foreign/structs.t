@@ -41,8 +41,8 @@ values, arrays of arrays and of addresses, what holds nothing.
   >     before = delay Nothing st
   >     r = recf (Rec { e = LeftEye, s = stamp f, fs = frames g, n = (1, ()) })
   >     (k, _) = count (r.fs ! 0, Just r.s)
-  >     u = nothing ()
-  >     z = unitf 3
+  >     _u = nothing ()
+  >     _z = unitf 3
   > 
   > fed :: SF (Frame, Float) Int
   > fed = proc (f, x) -> n where
@@ -51,7 +51,7 @@ values, arrays of arrays and of addresses, what holds nothing.
   > 
   > loopy :: SF (Frame, Float) Float
   > loopy = proc (f, x) -> out where
-  >     out = dSwitch (proc (y, f2) -> (delay 0 y, edge (y > 5))) (\_ -> proc (y, f2) -> delay 1 y + toFloat (fst (count (f2, Nothing)))) (out + x, f)
+  >     out = dSwitch (proc (y, _) -> (delay 0 y, edge (y > 5))) (\_ -> proc (y, f2) -> delay 1 y + toFloat (fst (count (f2, Nothing)))) (out + x, f)
   > EOF
   $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -c -o out.o"
   $ for entry in main fed loopy; do

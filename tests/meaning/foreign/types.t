@@ -161,7 +161,7 @@ Foreign values are not compared, and not kept unless copyable, in whatever way:
   > foreign type Frame = "struct frame"
   > foreign likeness :: Frame -> Frame -> Float = "frame_likeness"
   > main :: SF (Event Frame, Frame) Float
-  > main = switch (proc (e, f) -> (0, e)) (\first -> proc (e, f) -> likeness first f)
+  > main = switch (proc (e, _) -> (0, e)) (\first -> proc (_, f) -> likeness first f)
   > EOF
   $ frobc check captured.frob
   error[E0430]: a value of the foreign type `Frame` would be kept here

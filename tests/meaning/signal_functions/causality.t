@@ -94,7 +94,7 @@ A loop is a loop even where an operand or a branch would not matter:
   $ cat > needless.frob <<EOF
   > data P = P { f :: Float, g :: Float }
   > main :: SF (Bool, P) (Bool, P)
-  > main = proc (b, p) -> (x, q) where
+  > main = proc (_, p) -> (x, q) where
   >     x = x && False
   >     q = if q.g > 0 then p { f = 1 } else p
   > EOF

@@ -21,7 +21,7 @@ An event later than the first one is nobody's.
 
   $ cat > once.frob <<'EOF'
   > main :: SF Float (Float, Int)
-  > main = switch (proc x -> ((x, 1), edge (x > 2))) (\_ -> proc x -> (100, 2))
+  > main = switch (proc x -> ((x, 1), edge (x > 2))) (\_ -> proc _ -> (100, 2))
   > EOF
   $ printf 'time,in\n0,1\n1,2\n2,3\n3,4\n4,1\n5,5\n' > once.csv
   $ both once.frob once.csv

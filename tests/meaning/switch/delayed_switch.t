@@ -4,7 +4,7 @@ has its first instant there, unseen: a second later its local time is 1.
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > late.frob <<'EOF'
   > main :: SF Float Float
-  > main = dSwitch (proc x -> (x, tag (edge (x > 2)) 100)) (\w -> proc x -> w + time () / 1[s])
+  > main = dSwitch (proc x -> (x, tag (edge (x > 2)) 100)) (\w -> proc _ -> w + time () / 1[s])
   > EOF
   $ printf 'time,in\n0,1\n1,2\n2,3\n3,4\n4,1\n5,5\n' > late.csv
   $ both late.frob late.csv
@@ -37,7 +37,7 @@ The events of that unseen instant count: the second one ends at once.
   $ cat > chain.frob <<'EOF'
   > main :: SF Float Float
   > main = dSwitch (proc x -> (x, now 1 ()))
-  >     (\a -> switch (proc x -> (x + 1000, now (a + 1) ())) (\b -> proc x -> 100 * b + time () / 1[s]))
+  >     (\a -> switch (proc x -> (x + 1000, now (a + 1) ())) (\b -> proc _ -> 100 * b + time () / 1[s]))
   > EOF
   $ printf 'time,in\n0,1\n1,2\n2,3\n3,4\n4,1\n5,5\n' > chain.csv
   $ both chain.frob chain.csv

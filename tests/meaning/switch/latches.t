@@ -3,7 +3,7 @@ a time is compared as it is kept, in nanoseconds.
 
   $ cat > pause.frob <<'EOF'
   > main :: SF Float Float
-  > main = switch (proc x -> (0, after 1.5[s] ())) (\_ -> go)
+  > main = switch (proc _ -> (0, after 1.5[s] ())) (\_ -> go)
   > 
   > go, pause :: SF Float Float
   > go = switch (proc x -> (x, edge (x > 9))) (\_ -> pause)

@@ -52,7 +52,7 @@ keeps its own (it took the two for independent, at -O2):
   $ cat > overlaid.frob <<'EOF'
   > main :: SF Int (Either Int Float)
   > main = proc i -> v where
-  >   v = (switch ((proc x -> drSwitch (constant (Left (-1))) (0, mapE (\k -> arr (\_ -> Left 100)) ((NoEvent :: Event Int)))) &&& (proc p -> mapE (\_ -> Event (NoEvent :: Event Bool)) (when True))) (\_ -> (proc x -> mapE (\_ -> 2) (when False)) >>> dAccumHoldBy (\x y -> Right 1) (Right (-0.0)))) i
+  >   v = (switch ((proc _ -> drSwitch (constant (Left (-1))) (0, mapE (\_ -> arr (\_ -> Left 100)) ((NoEvent :: Event Int)))) &&& (proc _ -> mapE (\_ -> Event (NoEvent :: Event Bool)) (when True))) (\_ -> (proc _ -> mapE (\_ -> 2) (when False)) >>> dAccumHoldBy (\_ _ -> Right 1) (Right (-0.0)))) i
   > EOF
   $ printf 'time,in\n0,1\n1,1\n' > ones.csv
   $ both overlaid.frob ones.csv

@@ -4,7 +4,7 @@ last instant, its first has none.
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > body.frob <<'EOF'
   > main :: SF (Event Float) (Event Float, Event Float, Event Float)
-  > main = proc e -> (onEvent (proc x -> time () / 1[s]) e, onEvent (proc x -> derivative x * 1[s]) e, onEvent (delay 7) e)
+  > main = proc e -> (onEvent (proc _ -> time () / 1[s]) e, onEvent (proc x -> derivative x * 1[s]) e, onEvent (delay 7) e)
   > EOF
   $ printf 'time,in\n0,\n1,2\n2.5,3\n3,4\n4,\n5,5\n6,1\n' > body.csv
   $ both body.frob body.csv

@@ -13,7 +13,7 @@ each of them pads the number of its mode to eight bytes.
   > 
   > hop, land :: SF Float Float
   > hop = switch (proc x -> (100 * delay 0 x, edge (x > 1))) (\_ -> land)
-  > land = switch (proc x -> (0, after 1[s] ())) (\_ -> hop)
+  > land = switch (proc _ -> (0, after 1[s] ())) (\_ -> hop)
   > EOF
   $ frobc compile tour.frob --lint
   $ sed -n '/^struct.*tour_.*{/,/^};/p' tour.h | sed 's, */\*.*,,'

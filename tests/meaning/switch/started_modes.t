@@ -10,7 +10,7 @@ is in its first mode.
   > 
   > ramp, flat :: SF Float Float
   > ramp = switch (proc x -> (10 + integral x / 1[s], edge (x > 3))) (\_ -> flat)
-  > flat = switch (proc x -> (time () / 1[s], after 2[s] ())) (\_ -> ramp)
+  > flat = switch (proc _ -> (time () / 1[s], after 2[s] ())) (\_ -> ramp)
   > EOF
   $ frobc compile inside.frob --lint
   $ sed -n '/^static.*_start(/,/^}/p' inside.c | sed 's, */\*.*,,'

@@ -7,7 +7,7 @@ machine that is part of a mode that does not run.
   > driveTo goal = mkTask (proc x -> (1, mergeE (tag (edge (x > goal)) True) (tag (edge (x < 0)) False)))
   > 
   > goAround, circle :: Float -> Task Float Float ()
-  > goAround goal = do
+  > goAround _ = do
   >     start <- snapT
   >     mapT (const ()) (circle start `timeOut` 20[s])
   >     sleepT 0.5[s] 0

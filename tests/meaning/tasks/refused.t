@@ -34,7 +34,7 @@ A call that something around goes on watching.
   > bug :: Float -> Task Float Float ()
   > bug goal = do
   >     sleepT 1[s] goal
-  >     r <- bug (goal + 1) `timeOut` 3[s]
+  >     _ <- bug (goal + 1) `timeOut` 3[s]
   >     return ()
   > 
   > main = runTask (bug 1)
@@ -148,7 +148,7 @@ known to end at once …
   $ cat > choice.frob <<'EOF'
   > go :: Int -> Task Float Float ()
   > go n = do
-  >     x <- snapT
+  >     _ <- snapT
   >     m <- return (n + 1)
   >     other m
   > 

@@ -8,7 +8,7 @@ inside a state, and what comes from outside.
   > driveTo goal = mkTask (proc x -> (1, mergeE (tag (edge (x > goal)) True) (tag (edge (x < 0)) False)))
   > 
   > goAround, circle :: Float -> Task Float Float ()
-  > goAround goal = do
+  > goAround _ = do
   >     start <- snapT
   >     mapT (const ()) (circle start `timeOut` 20[s])
   >     sleepT 0.5[s] 0

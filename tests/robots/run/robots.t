@@ -94,7 +94,7 @@ A Scout's bumpers tell from where it is pressed: it drives back into the wall be
   $ cat > back.frob <<'FROB'
   > import Robot
   > main :: (HasBumpers i, DiffDrive o) => Program i o
-  > main = reactimateRobot (proc i -> roMake (setVelTR (-0.2[m/s]) 0))
+  > main = reactimateRobot (proc _ -> roMake (setVelTR (-0.2[m/s]) 0))
   > FROB
   $ printf '[start]\nx = 0\ny = 0\n[[wall]]\npoints = [[-1, -2], [-1, 2]]\n' > behind.toml
   $ frobc run back.frob --robot scout --world behind.toml --for 10s --record log.csv | grep collisions

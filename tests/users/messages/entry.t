@@ -108,13 +108,13 @@ A program that leaves its robot open cannot be run as it stands.
 
   $ cat > robot.frob <<'FROB'
   > import Robot
-  > main = reactimateRobot (proc i -> 0.3[m/s])
+  > main = reactimateRobot (proc _ -> 0.3[m/s])
   > FROB
   $ frobc check robot.frob
   error[E0411]: `main` cannot run: its type is `Program a Float[m/s]`, and what comes out is not what a robot takes
    --> robot.frob:2:35
     |
-  2 | main = reactimateRobot (proc i -> 0.3[m/s])
+  2 | main = reactimateRobot (proc _ -> 0.3[m/s])
     |                                   ^^^^^^^^
     |
     = hint: the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`

@@ -37,13 +37,13 @@ An angle where a speed of turning is needed.
 
   $ cat > degrees.frob <<'FROB'
   > import Robot
-  > main = reactimateRobot (proc i -> roMake (setVelTR 0 30[deg]))
+  > main = reactimateRobot (proc _ -> roMake (setVelTR 0 30[deg]))
   > FROB
   $ frobc check degrees.frob
   error[E0320]: expected the unit `1/s`, found none
    --> degrees.frob:2:54
     |
-  2 | main = reactimateRobot (proc i -> roMake (setVelTR 0 30[deg]))
+  2 | main = reactimateRobot (proc _ -> roMake (setVelTR 0 30[deg]))
     |                                           --------   ^^^^^^^ this is `Float`
     |                                           |
     |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
@@ -110,13 +110,13 @@ The output of a robot without `roMake`.
 
   $ cat > no_make.frob <<'FROB'
   > import Robot
-  > main = reactimateRobot (proc i -> setVelTR 0.1[m/s] 0)
+  > main = reactimateRobot (proc _ -> setVelTR 0.1[m/s] 0)
   > FROB
   $ frobc check no_make.frob
   error[E0411]: `main` cannot run: what comes out is a function, `b -> b`, not the output of a robot
    --> no_make.frob:2:35
     |
-  2 | main = reactimateRobot (proc i -> setVelTR 0.1[m/s] 0)
+  2 | main = reactimateRobot (proc _ -> setVelTR 0.1[m/s] 0)
     |                                   ^^^^^^^^^^^^^^^^^^^
     |
     = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
@@ -145,13 +145,13 @@ Likewise in a signal function, in a function, and where a signature says what co
   > import Pioneer
   > import Robot
   > main :: SF PioneerInput (PioneerOutput -> PioneerOutput)
-  > main = proc i -> setVelTR 0.1[m/s] 0
+  > main = proc _ -> setVelTR 0.1[m/s] 0
   > FROB
   $ frobc check no_make.frob
   error[E0411]: `main` cannot run: what comes out is a function, `PioneerOutput -> PioneerOutput`, not the output of a robot
    --> no_make.frob:4:18
     |
-  4 | main = proc i -> setVelTR 0.1[m/s] 0
+  4 | main = proc _ -> setVelTR 0.1[m/s] 0
     |                  ^^^^^^^^^^^^^^^^^^^
     |
     = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
@@ -284,7 +284,7 @@ signature it is for a Pioneer, as a program is.
   > logger :: HasOdometry i => SF i Float[m]
   > logger = proc i -> integral (abs (velocity i))
   > 
-  > main = proc i -> roMake (setVelTR 0.1[m/s] 0)
+  > main = proc _ -> roMake (setVelTR 0.1[m/s] 0)
   > FROB
   $ frobc compile logger.frob --entry logger
   error[E0502]: `logger` leaves open which robot it runs on

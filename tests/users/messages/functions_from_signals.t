@@ -133,13 +133,13 @@ the input or the output of the program.
   1 error
   $ cat > output.frob <<'FROB'
   > main :: SF Float (Maybe (Array 2 (Float -> Float)))
-  > main = proc x -> Just (generate (\k y -> y + x))
+  > main = proc x -> Just (generate (\_ y -> y + x))
   > FROB
   $ frobc check output.frob
   error[E0412]: the output of `main` cannot be of type `Maybe (Array 2 (Float -> Float))`
    --> output.frob:2:1
     |
-  2 | main = proc x -> Just (generate (\k y -> y + x))
+  2 | main = proc x -> Just (generate (\_ y -> y + x))
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     |
     = note: functions, signal functions and labels exist only while compiling

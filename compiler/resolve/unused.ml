@@ -1,0 +1,113 @@
+open Basis
+
+type kind = Equation | Variable
+
+(* A variable, or a binding that takes a pattern apart, whose variables depend on it. *)
+type vertex = { name : string; at : Span.t; kind : kind; needs : int list }
+
+type found = {
+  mutable vertices : vertex list;  (* the last one first *)
+  mutable count : int;
+  of_local : int Int_table.t;
+  mutable reads : (int * int) list;  (* who reads which local variable *)
+}
+
+let add found vertex =
+  let number = found.count in
+  found.vertices <- vertex :: found.vertices;
+  found.count <- number + 1;
+  number
+
+let add_local found kind needs (local : Ir.Local.t) =
+  Int_table.replace found.of_local local.id
+    (add found { name = local.name; at = local.span; kind; needs })
+
+let add_pattern found needs pattern =
+  List.iter (add_local found Variable needs) (Patterns.variables pattern)
+
+(* [reader]: the vertex that what is looked at belongs to. *)
+let rec expr found reader (e : Ir.expr) =
+  match e.desc with
+  | Local local -> found.reads <- (reader, local.id) :: found.reads
+  | _ -> Walk.expr (visitor found reader) e
+
+and binding found (b : Ir.binding) =
+  let number = found.count in
+  (match b.name with
+  | Top (g, at) -> ignore (add found { name = g.name; at; kind = Equation; needs = [] })
+  | Inner local -> add_local found Equation [] local
+  | Destructure p ->
+      (* A pattern without variables is there for nobody to use. *)
+      let name = if Patterns.variables p = [] then "_" else "" in
+      ignore (add found { name; at = p.span; kind = Equation; needs = [] });
+      add_pattern found [ number ] p);
+  Walk.binding (visitor found number) b
+
+and visitor found reader : Walk.visitor =
+  { expr = expr found reader; pattern = add_pattern found []; binding = binding found }
+
+(* [circle]: the names that depend on each other, if it is one. *)
+let report_equation sink ~circle at name =
+  Diagnostic.warning ~code:"W0304" ~at "%s here, and nothing uses %s"
+    (if name = "" then "these are defined" else Printf.sprintf "`%s` is defined" name)
+    (if name = "" then "them" else "it")
+  |> (match circle with
+     | [] -> Fun.id
+     | [ _ ] -> Diagnostic.note "only its own equation reads it"
+     | names -> Diagnostic.note (Enumeration.all names ^ " use only each other"))
+  |> Diagnostic.hint
+       (if name = "" then "use one of them in what comes out, or take the equation out"
+        else
+          Printf.sprintf "use it in what comes out, or take it out; `_%s` says that this is meant" name)
+  |> Diagnostic.emit sink
+
+let report_variable sink at name =
+  Diagnostic.warning ~code:"W0305" ~at "nothing reads `%s`" name
+  |> Diagnostic.hint (Printf.sprintf "write `_` in its place, or `_%s`" name)
+  |> Diagnostic.emit sink
+
+(* A definition's own: each vertex with what it needs, and what the definition needs itself. *)
+let of_definition sink ~is_labelled (b : Ir.binding) =
+  let found = { vertices = []; count = 0; of_local = Int_table.create 16; reads = [] } in
+  binding found b;
+  let vertices = Array.of_list (List.rev found.vertices) in
+  let graph = Array.map (fun v -> v.needs) vertices in
+  let read (reader, local) =
+    let vertex = Int_table.find found.of_local local in
+    graph.(reader) <- vertex :: graph.(reader)
+  in
+  List.iter read found.reads;
+  let used = Array.make found.count false in
+  let unused = Array.make found.count false in
+  used.(0) <- true;
+  let is_silent v = v.kind = Variable && String.starts_with ~prefix:"_" v.name in
+  (* Components come after what leads to them. What an unused variable of a pattern needs is not
+     used by that, so that a pattern of which nothing is used is told as one. *)
+  let component members =
+    let first = vertices.(List.hd members) in
+    let is_used = is_silent first || List.exists (fun v -> used.(v)) members in
+    let mark v = if not (List.mem v members) then used.(v) <- true in
+    if is_used || first.kind = Equation then List.iter (fun v -> List.iter mark graph.(v)) members;
+    if not is_used then unused.(List.hd members) <- true
+  in
+  let components = List.rev (Graph.components graph) in
+  List.iter component components;
+  let report members =
+    let number = List.hd members in
+    let v = vertices.(number) in
+    if unused.(number) && not (List.exists (fun whole -> unused.(whole)) v.needs) then
+      match v.kind with
+      | Equation when String.starts_with ~prefix:"_" v.name -> ()
+      | Equation ->
+          let name v = if vertices.(v).name = "" then None else Some (Printf.sprintf "`%s`" vertices.(v).name) in
+          let circle = if Graph.is_cyclic graph members then List.filter_map name members else [] in
+          report_equation sink ~circle v.at v.name
+      | Variable -> if not (is_labelled v.at) then report_variable sink v.at v.name
+  in
+  List.iter report components
+
+let warn sink program =
+  (* Another warning may have the reason: `stop` where `Stop` was meant. *)
+  let labels = List.concat_map (fun (d : Diagnostic.t) -> d.labels) (Diagnostic.all sink) in
+  let is_labelled at = List.exists (fun (l : Diagnostic.label) -> l.at = at) labels in
+  List.iter (of_definition sink ~is_labelled) (Walk.own program)
