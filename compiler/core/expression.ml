@@ -25,7 +25,7 @@ let inside env = if env.fall = None then env else { env with fall = None }
 let named (p : T.pattern) env =
   match p.desc with
   | Bound local -> { env with name = local.name; fall = None }
-  | Any | As _ | Tuple_of _ | Constructed _ | Literal _ -> inside env
+  | Any | As _ | Tuple_of _ | Array_of _ | Constructed _ | Literal _ -> inside env
 
 let unary primitive (argument : Ir.expr) span =
   let ty = argument.ty in

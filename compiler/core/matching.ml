@@ -4,11 +4,14 @@ module T = Typing.Ir
 let binder ctx (p : T.pattern) : Ir.binder =
   match p.desc with
   | Bound local -> { local; ty = Erasure.ty p.ty }
-  | Any | As _ | Tuple_of _ | Constructed _ | Literal _ ->
+  | Any | As _ | Tuple_of _ | Array_of _ | Constructed _ | Literal _ ->
     { local = Context.fresh ctx "" p.span; ty = Erasure.ty p.ty }
 
 let component root index (p : T.pattern) =
   Term.make (Erasure.ty p.ty) p.span (Ir.Component (root, index))
+
+let element root index (p : T.pattern) =
+  Term.make (Erasure.ty p.ty) p.span (Ir.Index (root, index))
 
 let payload root (c : T.constructor) field (p : T.pattern) =
   Term.make (Erasure.ty p.ty) p.span
@@ -24,6 +27,7 @@ let rec collect (p : T.pattern) root found =
     let binder = { Ir.local; ty = root.Ir.ty } in
     collect p (Term.variable binder p.span) ((binder, root) :: found)
   | Tuple_of ps -> collect_parts (component root) ps found
+  | Array_of ps -> collect_parts (element root) ps found
   | Constructed (c, ps) -> collect_parts (payload root c) ps found
 
 and collect_parts part ps found =
@@ -31,7 +35,7 @@ and collect_parts part ps found =
     let found =
       match p.desc with
       | Any | Literal _ -> found
-      | Bound _ | As _ | Tuple_of _ | Constructed _ -> collect p (part index p) found
+      | Bound _ | As _ | Tuple_of _ | Array_of _ | Constructed _ -> collect p (part index p) found
     in
     (index + 1, found)
   in
@@ -43,6 +47,7 @@ let rec part_of (p : T.pattern) root (x : Ir.Local.t) =
   | Bound y -> if y.id = x.id then Some root else None
   | As (y, p) -> if y.id = x.id then Some root else part_of p root x
   | Tuple_of ps -> part_in (component root) ps x
+  | Array_of ps -> part_in (element root) ps x
   | Constructed (c, ps) -> part_in (payload root c) ps x
 
 and part_in part ps x =
@@ -53,7 +58,7 @@ let part p ~root x = Option.get (part_of p root x)
 let variables (p : T.pattern) ~root =
   match p.desc with
   | Bound _ -> []
-  | Any | As _ | Tuple_of _ | Constructed _ | Literal _ -> List.rev (collect p root [])
+  | Any | As _ | Tuple_of _ | Array_of _ | Constructed _ | Literal _ -> List.rev (collect p root [])
 
 let constructor_test ctx (c : T.constructor) root (p : T.pattern) =
   match root.Ir.ty with
@@ -70,6 +75,7 @@ let rec tests ctx (p : T.pattern) root found =
   | Literal value ->
     Term.equal root (Term.make root.ty p.span (Ir.Number value)) :: found
   | Tuple_of ps -> part_tests ctx (component root) ps found
+  | Array_of ps -> part_tests ctx (element root) ps found
   | Constructed (c, ps) ->
     let found =
       match constructor_test ctx c root p with Some test -> test :: found | None -> found
@@ -81,7 +87,7 @@ and part_tests ctx part ps found =
     let found =
       match p.desc with
       | Any | Bound _ -> found
-      | As _ | Tuple_of _ | Constructed _ | Literal _ -> tests ctx p (part index p) found
+      | As _ | Tuple_of _ | Array_of _ | Constructed _ | Literal _ -> tests ctx p (part index p) found
     in
     (index + 1, found)
   in

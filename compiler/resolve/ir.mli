@@ -241,6 +241,7 @@ and pattern_desc =
   | Bound of Local.t
   | As of Local.t * pattern
   | Tuple_of of pattern list
+  | Array_of of pattern list  (** at least one *)
   | Constructed of Global.t * pattern list
       (** arity checked; record patterns have become positional, with [Any] *)
   | Literal of { negative : bool; number : number }

@@ -106,7 +106,7 @@ let rec pattern known scope (p : Ir.pattern) =
       scope
   | Bound l -> bind known scope l
   | As (l, p) -> pattern known (bind known scope l) p
-  | Tuple_of ps -> List.fold_left (pattern known) scope ps
+  | Tuple_of ps | Array_of ps -> List.fold_left (pattern known) scope ps
   | Constructed (g, ps) ->
       if find known.constructors "constructor" g <> List.length ps then
         broken "constructor %s has the wrong number of arguments" g.name;

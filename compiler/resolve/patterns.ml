@@ -70,6 +70,7 @@ and desc scope (p : Syntax.Ir.pattern) : Ir.pattern_desc =
       let local = Context.fresh scope.context name.text name.span in
       As (local, pattern scope inner)
   | Tuple_of ps -> Tuple_of (Long_list.map (pattern scope) ps)
+  | Array_of ps -> Array_of (Long_list.map (pattern scope) ps)
   | Literal { negative; number = n } -> Literal { negative; number = number scope n }
   | Constructed (name, arguments) -> (
       let arguments = Long_list.map (pattern scope) arguments in
@@ -103,7 +104,7 @@ let variables p =
     | Any | Literal _ -> found
     | Bound local -> local :: found
     | As (local, inner) -> add (local :: found) inner
-    | Tuple_of ps | Constructed (_, ps) -> List.fold_left add found ps
+    | Tuple_of ps | Array_of ps | Constructed (_, ps) -> List.fold_left add found ps
   in
   List.rev (add [] p)
 

@@ -14,6 +14,7 @@ let local ppf (l : Ir.Local.t) =
 let tight_comma ppf () = pp_print_string ppf ", "
 let comma ppf () = fprintf ppf ",@ "
 let tuple pp ppf xs = fprintf ppf "@[<1>(%a)@]" (pp_print_list ~pp_sep:comma pp) xs
+let array pp ppf xs = fprintf ppf "[%a]" (pp_print_list ~pp_sep:tight_comma pp) xs
 let words pp ppf xs = List.iter (fun x -> fprintf ppf " %a" pp x) xs
 let space ppf () = pp_print_char ppf ' '
 
@@ -119,6 +120,7 @@ let rec pattern ppf (p : Ir.pattern) =
   | Bound l -> local ppf l
   | As (l, p) -> fprintf ppf "%a@@%a" local l pattern p
   | Tuple_of ps -> tuple pattern ppf ps
+  | Array_of ps -> array pattern ppf ps
   | Constructed (g, []) -> global ppf g
   | Constructed (g, ps) -> fprintf ppf "(%a%a)" global g (words pattern) ps
   | Literal { negative; number = n } -> fprintf ppf "%s%a" (if negative then "-" else "") number n
@@ -171,7 +173,7 @@ and atom ppf (e : Ir.expr) =
   | Number n -> number ppf n
   | String text -> fprintf ppf "%S" text
   | Tuple es -> tuple expr ppf es
-  | Array es -> fprintf ppf "[%a]" (pp_print_list ~pp_sep:tight_comma expr) es
+  | Array es -> array expr ppf es
   | Record { constructor; fields } -> fprintf ppf "%a {%a}" global constructor assignments fields
   | Update { record; fields; candidates } ->
       fprintf ppf "%a {%a : %a}" atom record assignments fields candidate_list candidates

@@ -7,7 +7,7 @@ let rec add_pattern names (p : pattern) =
   | Any | Literal _ -> names
   | Bound name -> name :: names
   | As (name, p) -> add_pattern (name :: names) p
-  | Tuple_of ps | Constructed (_, ps) -> List.fold_left add_pattern names ps
+  | Tuple_of ps | Array_of ps | Constructed (_, ps) -> List.fold_left add_pattern names ps
   | Record_of (_, fields) -> List.fold_left (fun names (_, p) -> add_pattern names p) names fields
 
 let add_declaration names (d : declaration) =

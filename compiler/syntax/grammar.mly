@@ -278,9 +278,8 @@ atom:
 | LPAREN RPAREN { term $loc (Tuple []) }
 | LPAREN t = chain RPAREN { term $loc (Parenthesized t) }
 | LPAREN places = places RPAREN { term $loc (tuple (List.rev places)) }
-| LBRACKET RBRACKET { expression $loc (Array []) }
-| LBRACKET ts = comma_separated(chain) RBRACKET
-    { expression $loc (Array (List.rev_map expr ts)) }
+| LBRACKET RBRACKET { term $loc (Array []) }
+| LBRACKET ts = comma_separated(chain) RBRACKET { term $loc (Array (List.rev ts)) }
 | LPAREN t = chain DOUBLE_COLON ty = qualified_type RPAREN
     { expression $loc (Annotated { expr = expr t; ty }) }
 | LPAREN t = application operator = infix RPAREN

@@ -177,6 +177,7 @@ and pattern_desc =
   | Bound of name
   | As of name * pattern
   | Tuple_of of pattern list  (** none for [()] *)
+  | Array_of of pattern list  (** at least one *)
   | Constructed of qualified * pattern list
   | Record_of of qualified * (name * pattern) list
   | Literal of { negative : bool; number : number }

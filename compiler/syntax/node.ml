@@ -137,7 +137,7 @@ let pattern (desc : Ir.pattern_desc) =
   | Any -> []
   | Bound x -> [ Name x ]
   | As (x, p) -> [ Name x; Pattern p ]
-  | Tuple_of ps -> patterns ps []
+  | Tuple_of ps | Array_of ps -> patterns ps []
   | Constructed (c, ps) -> Qualified c :: patterns ps []
   | Record_of (c, fields) -> Qualified c :: pattern_fields fields []
   | Literal { negative = _; number = n } -> number n []

@@ -56,7 +56,7 @@ let literal_exponent (operator : Ir.qualified) (right : term) =
         | Some n -> if negative then -n else n
         | None -> reject right.span)
     | Number _ | Negated _ | Expression _ | Wildcard | As _ | Variable _ | Constructor _
-    | Tuple _ | Application _ | Braces _ ->
+    | Tuple _ | Array _ | Application _ | Braces _ ->
         reject right.span
   in
   read false right

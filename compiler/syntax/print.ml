@@ -115,19 +115,20 @@ let rec pattern b (p : pattern) =
       qualified b c;
       List.iter (fun p -> text b " "; argument_pattern b p) ps
   | Literal { negative = true; number = n } -> text b "-"; number b n
-  | Any | Bound _ | As _ | Tuple_of _ | Record_of _ | Literal { negative = false; _ } ->
+  | Any | Bound _ | As _ | Tuple_of _ | Array_of _ | Record_of _ | Literal { negative = false; _ } ->
       argument_pattern b p
 
 and argument_pattern b p =
   match p.desc with
   | As (x, p) -> text b x.text; text b "@"; primary_pattern b p
-  | Any | Bound _ | Tuple_of _ | Record_of _ | Constructed _ | Literal _ -> primary_pattern b p
+  | Any | Bound _ | Tuple_of _ | Array_of _ | Record_of _ | Constructed _ | Literal _ -> primary_pattern b p
 
 and primary_pattern b p =
   match p.desc with
   | Any -> text b "_"
   | Bound x -> text b x.text
   | Tuple_of ps -> between b "(" ")" (fun () -> separated b ", " (pattern b) ps)
+  | Array_of ps -> between b "[" "]" (fun () -> separated b ", " (pattern b) ps)
   | Constructed (c, []) -> qualified b c
   | Record_of (c, fields) ->
       qualified b c;

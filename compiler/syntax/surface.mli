@@ -17,6 +17,7 @@ and term_desc =
   | Number of Ir.number
   | Negated of term
   | Tuple of term list  (** none, or at least two *)
+  | Array of term list
   | Parenthesized of term
   | Application of { head : term; arguments : term list }  (** at least one *)
   | Braces of { before : term; fields : (Ir.name * term) list }

@@ -10,8 +10,9 @@ let rec to_expr (t : term) : Ir.expr =
   | Number n -> make (Number n)
   | Negated t -> make (Negate (to_expr t))
   | Tuple ts -> make (Tuple (Long_list.map to_expr ts))
+  | Array ts -> make (Array (Long_list.map to_expr ts))
   | Parenthesized t -> make (Parenthesized (to_expr t))
-  | Application { head = { desc = Number _; _ }; arguments = { desc = Expression (Array _); span } :: _ }
+  | Application { head = { desc = Number _; _ }; arguments = { desc = Array _; span } :: _ }
     ->
       Reject.at ~code:"E0110" span ~hint:"as in `0.4[m/s]`"
         "a unit directly follows its number, without a blank"
@@ -26,7 +27,7 @@ let rec to_expr (t : term) : Ir.expr =
       match before.desc with
       | Constructor constructor -> make (Record { constructor; fields })
       | Expression _ | Wildcard | As _ | Variable _ | Number _ | Negated _ | Tuple _
-      | Parenthesized _ | Application _ | Braces _ ->
+      | Array _ | Parenthesized _ | Application _ | Braces _ ->
           make (Update { record = to_expr before; fields }))
   | Wildcard ->
       Reject.at ~code:"E0114" t.span "`_` is a pattern that matches anything; it has no value"
@@ -60,6 +61,8 @@ let rec to_pattern (t : term) : Ir.pattern =
   | Number number -> make (Literal { negative = false; number })
   | Negated { desc = Number number; _ } -> make (Literal { negative = true; number })
   | Tuple ts -> make (Tuple_of (Long_list.map to_pattern ts))
+  | Array [] -> Reject.at ~code:"E0114" t.span "an array has at least one element"
+  | Array ts -> make (Array_of (Long_list.map to_pattern ts))
   | Parenthesized t -> { (to_pattern t) with span = t.span }
   | Application { head = { desc = Constructor c; _ }; arguments } ->
       make (Constructed (c, Long_list.map to_pattern arguments))
@@ -90,16 +93,13 @@ and no_expression span (desc : Ir.expr_desc) =
   | Tuple_section _ -> no_pattern span "a tuple without some of its elements"
   | Proc _ -> no_pattern span "a `proc`"
   | Sequence _ -> no_pattern span "a `do`"
-  | Array _ ->
-      Reject.at ~code:"E0114" span ~hint:"give the array a name, and take an element with `xs ! 0`"
-        "an array cannot be part of a pattern"
   | Field _ -> no_pattern span "the selection of a field"
   | Annotated _ ->
       Reject.at ~code:"E0114" span
         ~hint:"give the definition a signature of its own"
         "a type cannot be part of a pattern"
   | Left_section _ | Right_section _ -> no_pattern span "an operator"
-  | Apply _ | Update _ | Variable _ | Constructor _ | Number _ | Tuple _ | Negate _ | Record _
+  | Apply _ | Update _ | Variable _ | Constructor _ | Number _ | Tuple _ | Array _ | Negate _ | Record _
   | Parenthesized _ ->
       no_pattern span "this expression"
 
@@ -118,12 +118,12 @@ let rec to_left (t : term) : Ir.left =
       Reject.at ~code:"E0114" head.span ~hint:"leave out the parentheses: `f x y = …`"
         "the left side of a definition starts with the name it defines"
   | Application _ | Expression _ | Wildcard | As _ | Constructor _ | Number _ | Negated _
-  | Tuple _ | Braces _ ->
+  | Tuple _ | Array _ | Braces _ ->
       Pattern (to_pattern t)
 
 and to_left_inside (t : term) : Ir.left =
   match t.desc with
   | Variable _ -> to_left t
   | Application _ | Parenthesized _ | Expression _ | Wildcard | As _ | Constructor _ | Number _
-  | Negated _ | Tuple _ | Braces _ ->
+  | Negated _ | Tuple _ | Array _ | Braces _ ->
       Pattern (to_pattern t)

@@ -27,6 +27,7 @@ type value =
   | Constructed of string * value list
   | Record of string * (string * value) list  (** not all of them anything *)
   | Tuple of value list
+  | Array of value list
 
 let show value =
   let out = Buffer.create 32 in
@@ -51,10 +52,12 @@ let show value =
           go false value)
         fields;
       put " }"
-    | Tuple parts ->
-      put "(";
-      separated (go false) parts;
-      put ")"
+    | Tuple parts -> between "(" ")" parts
+    | Array parts -> between "[" "]" parts
+  and between opening closing parts =
+    put opening;
+    separated (go false) parts;
+    put closing
   and separated : 'a. ('a -> unit) -> 'a list -> unit =
    fun put_one parts ->
     List.iteri
@@ -73,6 +76,7 @@ type head =
   | Constructor of { index : int; name : string; arity : int; fields : string list }
       (** of a record the fields' names *)
   | Components of int
+  | Elements of int
   | Number of Exact.t
 
 let rec head (p : pattern) =
@@ -80,17 +84,18 @@ let rec head (p : pattern) =
   | Any | Bound _ -> None
   | As (_, p) -> head p
   | Tuple_of ps -> Some (Components (List.length ps), ps)
+  | Array_of ps -> Some (Elements (List.length ps), ps)
   | Constructed (c, ps) ->
     let name = c.constructor.name and arity = List.length ps in
     let fields = if c.record then List.map fst c.fields else [] in
     Some (Constructor { index = c.index; name; arity; fields }, ps)
   | Literal n -> Some (Number n, [])
 
-let arity = function Constructor { arity; _ } -> arity | Components n -> n | Number _ -> 0
+let arity = function Constructor { arity; _ } -> arity | Components n | Elements n -> n | Number _ -> 0
 
 let key = function
   | Constructor { index; _ } -> string_of_int index
-  | Components _ -> ""
+  | Components _ | Elements _ -> ""
   | Number n -> Exact.to_string n
 
 let rebuild head parts =
@@ -101,6 +106,7 @@ let rebuild head parts =
     | [] -> Constructed (name, parts)
     | known -> Record (name, known))
   | Components _ -> Tuple parts
+  | Elements _ -> Array parts
   | Number n -> Constructed (Exact.to_string n, [])
 
 (* {1 Several} *)
@@ -155,6 +161,7 @@ let others t (ty : ty) heads =
   in
   match ty with
   | Bool -> all_but_given [| ("False", 0); ("True", 0) |]
+  | Data { tycon; _ } when tycon = Environment.array -> none
   | Data { tycon; _ } -> (
     match Resolve.Global_table.find_opt t tycon with
     | Some constructors ->

@@ -206,7 +206,7 @@ and signals ctx (p : Resolve.Ir.pattern) =
   match p.desc with
   | Bound x -> Option.to_list (found x)
   | As (x, inner) -> Option.to_list (found x) @ signals ctx inner
-  | Tuple_of ps -> List.concat_map (signals ctx) ps
+  | Tuple_of ps | Array_of ps -> List.concat_map (signals ctx) ps
   | Any | Constructed _ | Literal _ -> []
 
 and proc ctx e input body expected =

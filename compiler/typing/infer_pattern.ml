@@ -36,6 +36,16 @@ let rec check ctx (p : Resolve.Ir.pattern) (expected : Expected.t) : Ir.pattern 
         List.map2 (fun p ty -> check ctx p { expected with ty }) elements types
       in
       node (fun () -> Tuple_of (List.map (fun build -> build ()) elements))
+  | Array_of elements ->
+      let element =
+        match Type.expand expected.ty with
+        | Data { tycon; arguments = [ _; element ]; _ } when tycon = Environment.array -> element
+        | _ -> Context.fresh ctx
+      in
+      let size = Type.Size (List.length elements) in
+      expect ctx ~at:p.span expected (Environment.array_of size element);
+      let elements = List.map (fun p -> check ctx p { expected with ty = element }) elements in
+      node (fun () -> Array_of (List.map (fun build -> build ()) elements))
   | Constructed (name, arguments) ->
       let constructor = Environment.constructor ctx.reader.environment name in
       let ty, _ = use ctx ~at:p.span ~name:name.name constructor.scheme in

@@ -205,5 +205,6 @@ and pattern_desc =
   | Bound of Local.t
   | As of Local.t * pattern
   | Tuple_of of pattern list
+  | Array_of of pattern list  (** at least one *)
   | Constructed of constructor * pattern list
   | Literal of Exact.t

@@ -154,6 +154,12 @@ let bind s (x : Local.t) scheme entered =
 
 let leave s entered = List.iter (fun (x : Local.t) -> Hashtbl.remove s.locals x.id) entered
 
+(* The type of each of these, which are an array. *)
+let element span (array : ty) parts =
+  match array with
+  | Data { arguments = [ Size n; element ]; _ } when n = List.length parts -> element
+  | _ -> fail span "an array of %d of another type" (List.length parts)
+
 let rec pattern s entered (p : pattern) =
   closed s p.span p.ty;
   match p.desc with
@@ -170,6 +176,10 @@ let rec pattern s entered (p : pattern) =
   | Tuple_of ps ->
     let types = List.map (fun (p : pattern) -> p.ty) ps in
     agree p.span "a pattern" ~expected:p.ty ~found:(Tuple types);
+    List.fold_left (pattern s) entered ps
+  | Array_of ps ->
+    let expected = element p.span p.ty ps in
+    List.iter (fun (p : pattern) -> agree p.span "a pattern" ~expected ~found:p.ty) ps;
     List.fold_left (pattern s) entered ps
   | Constructed (c, ps) ->
     let fields = field_types s p.span p.ty c in
@@ -223,13 +233,8 @@ let rec expr s (e : expr) =
     is "a tuple" (Tuple (Long_list.map (fun (e : expr) -> e.ty) es))
   | Array es ->
     List.iter (expr s) es;
-    let n = List.length es in
-    let element =
-      match e.ty with
-      | Data { arguments = [ Size m; element ]; _ } when m = n -> element
-      | _ -> fail e.span "an array of %d of another type" n
-    in
-    List.iter (fun (a : expr) -> agree a.span "an element" ~expected:element ~found:a.ty) es
+    let expected = element e.span e.ty es in
+    List.iter (fun (a : expr) -> agree a.span "an element" ~expected ~found:a.ty) es
   | Index (a, k) -> (
     expr s a;
     match a.ty with
@@ -337,7 +342,7 @@ and binder s entered (b : binding) =
       result :=
         match b.pattern.desc with
         | Bound x -> bind s x b.scheme entered
-        | Any | As _ | Tuple_of _ | Constructed _ | Literal _ -> pattern s entered b.pattern);
+        | Any | As _ | Tuple_of _ | Array_of _ | Constructed _ | Literal _ -> pattern s entered b.pattern);
   !result
 
 and value s (b : binding) =

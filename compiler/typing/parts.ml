@@ -32,6 +32,6 @@ let variables (p : pattern) =
     | Any | Literal _ -> found
     | Bound x -> x :: found
     | As (x, p) -> collect (x :: found) p
-    | Tuple_of ps | Constructed (_, ps) -> List.fold_left collect found ps
+    | Tuple_of ps | Array_of ps | Constructed (_, ps) -> List.fold_left collect found ps
   in
   collect [] p

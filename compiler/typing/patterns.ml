@@ -74,7 +74,7 @@ let case w (scrutinee : expr) branches =
 let always_matches w what (p : pattern) =
   match p.desc with
   | Any | Bound _ -> ()
-  | As _ | Tuple_of _ | Constructed _ | Literal _ -> (
+  | As _ | Tuple_of _ | Array_of _ | Constructed _ | Literal _ -> (
     match (Coverage.check w.coverage [ { pattern = p; guarded = false } ]).missing with
     | None -> ()
     | Some missing ->

@@ -20,9 +20,9 @@ let parenthesized c yes f =
   f ();
   if yes then put c ")"
 
-let tuple c f parts =
+let listed c opening closing f parts =
   Format.pp_open_hvbox c.out 1;
-  put c "(";
+  put c opening;
   List.iteri
     (fun i part ->
       if i > 0 then (
@@ -30,8 +30,11 @@ let tuple c f parts =
         space c);
       f part)
     parts;
-  put c ")";
+  put c closing;
   close c
+
+let tuple c f parts = listed c "(" ")" f parts
+let array c f parts = listed c "[" "]" f parts
 
 let operator text =
   match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> text | _ -> "(" ^ text ^ ")"
@@ -85,6 +88,7 @@ let rec pattern c nested (p : pattern) =
     put c (local c x ^ "@");
     pattern c true p
   | Tuple_of ps -> tuple c (pattern c false) ps
+  | Array_of ps -> array c (pattern c false) ps
   | Constructed (k, ps) ->
     parenthesized c (nested && ps <> []) (fun () ->
         put c k.constructor.name;
@@ -111,7 +115,7 @@ let rec expr c depth (e : expr) =
     parenthesized c (depth > 0 && text.[0] = '-') (fun () -> put c text)
   | String text -> put c (Printf.sprintf "%S" text)
   | Tuple es -> tuple c (expr c 0) es
-  | Array es -> elements c es
+  | Array es -> array c (expr c 0) es
   | Index (a, k) ->
     parenthesized c (depth > 0) (fun () ->
         expr c 1 a;
@@ -197,19 +201,6 @@ let rec expr c depth (e : expr) =
   | Field (r, k, index) ->
     expr c 2 r;
     put c ("." ^ field k index)
-
-and elements c es =
-  Format.pp_open_hvbox c.out 1;
-  put c "[";
-  List.iteri
-    (fun i e ->
-      if i > 0 then (
-        put c ",";
-        space c);
-      expr c 0 e)
-    es;
-  put c "]";
-  close c
 
 and words c depth f =
   parenthesized c (depth > 1) (fun () ->

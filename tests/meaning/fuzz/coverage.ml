@@ -49,7 +49,7 @@ let noted =
     "feedback through delay"; "feedback through integral"; "machine in a circle"; "wide function"; "pair of signals";
     "instance in a branch or function"; "local function";
     "section"; "both orders"; "record update"; "record field";
-    "pun in an expression"; "pun in a pattern"; "function by cases"; "tuple section"; "guards that fall through"; "data with parameters";
+    "pattern of an array"; "pun in an expression"; "pun in a pattern"; "function by cases"; "tuple section"; "guards that fall through"; "data with parameters";
     "function chosen at run time"; "method of a class"; "division by zero"; "NaN"; "unit";
   ]
 

@@ -15,6 +15,10 @@ let rec any s (ty : Type.t) =
   | Tuple parts when not (chance s.random 4) ->
       let patterns = List.map (any s) parts in
       (f "(%s)" (String.concat ", " (List.map fst patterns)), List.concat_map snd patterns)
+  | Array (n, element) when n <= 4 && chance s.random 4 ->
+      note s "pattern of an array";
+      let patterns = List.init n (fun _ -> any s element) in
+      (Constant.array (List.map fst patterns), List.concat_map snd patterns)
   (* Its size may be known from nowhere else. *)
   | Data { constructors = [ { name = "Series"; _ } ]; _ } -> variable s ty
   | Data ({ constructors = [ c ]; _ } as data) when chance s.random 2 ->
@@ -26,6 +30,9 @@ let rec any s (ty : Type.t) =
 let rec cover s depth (ty : Type.t) =
   match ty with
   | _ when depth = 0 -> [ any s ty ]
+  | Array (n, element) when n <= 4 && chance s.random 4 ->
+      let array (texts, bound) = (Constant.array texts, bound) in
+      List.map array (one_split s depth (List.init n (fun _ -> element)))
   | Float | Measure _ | Array _ -> [ variable s ty ]
   | Int ->
       let number = f "%d" (Random.State.int s.random 4) in

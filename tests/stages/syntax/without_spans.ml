@@ -47,6 +47,7 @@ let rec pattern (p : pattern) : pattern =
     | Bound x -> Bound (name x)
     | As (x, p) -> As (name x, pattern p)
     | Tuple_of ps -> Tuple_of (all pattern ps)
+    | Array_of ps -> Array_of (all pattern ps)
     | Constructed (c, ps) -> Constructed (qualified c, all pattern ps)
     | Record_of (c, fields) ->
         Record_of (qualified c, all (fun (x, p) -> (name x, pattern p)) fields)
