@@ -49,7 +49,7 @@ let uninitialized c variables =
 let in_seconds c ns = Ir.Binary (Over, Cast (V.real c.v, ns), V.float c.v 1e9)
 
 let seconds_of c ns =
-  if c.v.divides_by_time then Ir.Call (V.helper c.v Seconds, [ ns; Name "dt" ])
+  if c.v.divides_by_time then Ir.Call ("frob_seconds", [ ns; Name "dt" ])
   else Ir.Binary (Over, ns, V.float c.v 1e9)
 
 let seconds c =

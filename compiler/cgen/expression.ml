@@ -79,9 +79,9 @@ let literal : M.expr -> float option = function
    argument is the exception, as it must win over the other zero. *)
 let limited n general simple (a : M.expr) (b : M.expr) x y =
   match (literal a, literal b) with
-  | _, Some _ -> Ir.Call (V.helper n.v simple, [ x; y ])
-  | Some limit, None when not (Float.equal limit 0.) -> Call (V.helper n.v simple, [ y; x ])
-  | Some _, None | None, None -> Call (V.helper n.v general, [ x; y ])
+  | _, Some _ -> V.call n.v simple [ x; y ]
+  | Some limit, None when not (Float.equal limit 0.) -> V.call n.v simple [ y; x ]
+  | Some _, None | None, None -> V.call n.v general [ x; y ]
 
 let bad () = Diagnostic.bug ~stage:"Cgen.Expression" "an operation on values it does not have"
 
@@ -136,19 +136,19 @@ let rec in_braces : Ir.expr -> Ir.expr = function
   | e -> e
 
 let unary n (operator : Flow.Ir.operator) (ty : M.ty) x : Ir.expr =
-  let helper h : Ir.expr = Call (V.helper n.v h, [ x ]) in
+  let whole name : Ir.expr = Call (name, [ x ]) and real name = V.call n.v name [ x ] in
   match (operator, ty) with
   | Negate, Float -> Unary (Negate, x)
-  | Negate, Int -> helper Int_negate
-  | Absolute, Float -> Call (V.math_function n.v "fabs", [ x ])
-  | Absolute, Int -> helper Int_absolute
-  | Signum, Float -> helper Float_signum
-  | Signum, Int -> helper Int_signum
+  | Negate, Int -> whole "frob_int_neg"
+  | Absolute, Float -> real "fabs"
+  | Absolute, Int -> whole "frob_int_abs"
+  | Signum, Float -> real "frob_signum"
+  | Signum, Int -> whole "frob_int_signum"
   | To_float, Int -> Cast (V.real n.v, x)
-  | Round, Float -> helper Round
-  | Floor, Float -> helper Floor
-  | Ceiling, Float -> helper Ceiling
-  | Truncate, Float -> helper Truncate
+  | Round, Float -> real "frob_round"
+  | Floor, Float -> real "frob_floor"
+  | Ceiling, Float -> real "frob_ceiling"
+  | Truncate, Float -> real "frob_truncate"
   | Not, Bool -> (
       match x with
       | Binary (Equal, a, b) -> Binary (Not_equal, a, b)
@@ -158,28 +158,28 @@ let unary n (operator : Flow.Ir.operator) (ty : M.ty) x : Ir.expr =
   | _, _ -> bad ()
 
 let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
-  let helper h : Ir.expr = Call (V.helper n.v h, [ x; y ]) in
+  let whole name : Ir.expr = Call (name, [ x; y ]) and real name = V.call n.v name [ x; y ] in
   (* gcc 12 folds [0.0 - fabs(x)] and the like to the wrong zero, unless the
      operands are a function's parameters. *)
   let has_zero = match (a, b) with M.Float 0., _ | _, M.Float 0. -> true | _, _ -> false in
   match (operator, ty) with
-  | Add, Float when has_zero -> helper Float_add
-  | Subtract, Float when has_zero -> helper Float_subtract
+  | Add, Float when has_zero -> real "frob_add"
+  | Subtract, Float when has_zero -> real "frob_subtract"
   | Add, Float -> Binary (Plus, x, y)
-  | Add, Int -> helper Int_add
+  | Add, Int -> whole "frob_int_add"
   | Subtract, Float -> Binary (Minus, x, y)
-  | Subtract, Int -> helper Int_subtract
+  | Subtract, Int -> whole "frob_int_sub"
   | Multiply, Float -> Binary (Times, x, y)
-  | Multiply, Int -> helper Int_multiply
+  | Multiply, Int -> whole "frob_int_mul"
   | Divide, Float -> Binary (Over, x, y)
-  | Div, Int -> helper Int_div
-  | Mod, Int -> helper Int_mod
-  | Bitwise Bit_and, Int -> helper Bit_and
-  | Bitwise Bit_or, Int -> helper Bit_or
-  | Bitwise Bit_xor, Int -> helper Bit_xor
-  | Bitwise Shift_left, Int -> helper Shift_left
-  | Bitwise Shift_right, Int -> helper Shift_right
-  | Pow, Float -> Call (V.pow n.v, [ x; y ])
+  | Div, Int -> whole "frob_int_div"
+  | Mod, Int -> whole "frob_int_mod"
+  | Bitwise Bit_and, Int -> whole "frob_int_and"
+  | Bitwise Bit_or, Int -> whole "frob_int_or"
+  | Bitwise Bit_xor, Int -> whole "frob_int_xor"
+  | Bitwise Shift_left, Int -> whole "frob_int_shift_left"
+  | Bitwise Shift_right, Int -> whole "frob_int_shift_right"
+  | Pow, Float -> real "frob_pow"
   | Equal, (Bool | Int | Float) -> Binary (Equal, x, y)
   | Less, (Int | Float) -> (
       (* [x > 0] reads better than [0 < x]. *)
@@ -187,10 +187,10 @@ let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
       | M.Float _ | Int _ -> Binary (Greater, y, x)
       | _ -> Binary (Less, x, y))
   | Less_equal, (Int | Float | Nanoseconds) -> Binary (Less_equal, x, y)
-  | Minimum, Float -> limited n Float_minimum At_most a b x y
-  | Maximum, Float -> limited n Float_maximum At_least a b x y
-  | Minimum, Int -> helper Int_minimum
-  | Maximum, Int -> helper Int_maximum
+  | Minimum, Float -> limited n "frob_min" "frob_at_most" a b x y
+  | Maximum, Float -> limited n "frob_max" "frob_at_least" a b x y
+  | Minimum, Int -> whole "frob_int_min"
+  | Maximum, Int -> whole "frob_int_max"
   | And, Bool ->
       Binary ((if (is_there x && is_there y) || is_decided ~by:( && ) x y then Both else And), x, y)
   | Or, Bool when is_decided ~by:( || ) x y -> Unary (Not, Binary (Both, whole_not x, whole_not y))
@@ -235,7 +235,7 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   | Dt -> Name "dt"
   | Dt_nanoseconds -> Name "dt_ns"
   | Operation { operator = Elementary f; arguments; _ } ->
-      Call (V.elementary n.v f, list arguments)
+      V.call n.v (V.elementary f) (list arguments)
   (* One test for NaN is enough: where x is NaN, so is -x. *)
   | Operation
       {
@@ -248,7 +248,7 @@ let rec of_machine n (e : M.expr) : Ir.expr =
           ];
       }
     when x = x' && Option.is_none (literal x) ->
-      Call (V.helper n.v Limit, list [ x; y ])
+      V.call n.v "frob_limit" (list [ x; y ])
   | Operation { operator = Less_equal; ty = Float; arguments = [ Float x; In_nanoseconds time ] } ->
       at_least n time x
   | Operation { operator; ty; arguments = [ a ] } -> unary n operator ty (of_machine n a)
@@ -280,15 +280,15 @@ let rec of_machine n (e : M.expr) : Ir.expr =
       }
     when x = x' && x = x'' && Option.is_none (literal x)
          && ((a = else_ && b = x) || (a = x && b = else_)) ->
-      Call (V.helper n.v (if a = else_ then Least else Largest), list [ else_; x ])
+      V.call n.v (if a = else_ then "frob_least" else "frob_largest") (list [ else_; x ])
   | Select { condition; then_ = Bool true; else_ } ->
       Binary (Or, of_machine n condition, of_machine n else_)
   | Select { condition; then_; else_ = Bool false } ->
       Binary (And, of_machine n condition, of_machine n then_)
   | Select { condition; then_ = x; else_ = zero } when is_zero zero && is_looked_up n x ->
-      Call (V.helper n.v Where, list [ condition; x ])
+      V.call n.v "frob_where" (list [ condition; x ])
   | Select { condition; then_ = zero; else_ = x } when is_zero zero && is_looked_up n x ->
-      Call (V.helper n.v Where, [ unary n Not Bool (of_machine n condition); of_machine n x ])
+      V.call n.v "frob_where" [ unary n Not Bool (of_machine n condition); of_machine n x ]
   | Select { condition; then_; else_ } ->
       Conditional (of_machine n condition, of_machine n then_, of_machine n else_)
   | Construct { sum; constructor; payload } ->
@@ -311,16 +311,16 @@ let rec of_machine n (e : M.expr) : Ir.expr =
           [ address (of_machine n array); of_machine n index; of_machine n value ] )
   | Call { node; arguments = given } ->
       Call (n.v.nodes.(node).step, arguments n n.v.program.nodes.(node).step.parameters given)
-  | In_nanoseconds e -> Call (V.helper n.v Time_in_nanoseconds, [ of_machine n e ])
+  | In_nanoseconds e -> V.call n.v "frob_time_in_ns" [ of_machine n e ]
   | Seconds e -> Binary (Over, Cast (V.real n.v, of_machine n e), V.float n.v 1e9)
-  | Soon (a, b) -> Call (V.helper n.v Soon, [ of_machine n a; of_machine n b ])
-  | Later (a, b) -> Call (V.helper n.v Later, [ of_machine n a; of_machine n b ])
+  | Soon (a, b) -> Call ("frob_soon", [ of_machine n a; of_machine n b ])
+  | Later (a, b) -> Call ("frob_later", [ of_machine n a; of_machine n b ])
   | Reached { time; period = Float period } when is_whole_period period ->
       Binary (Less_equal, Long (Int64.of_float period), of_machine n time)
-  | Reached { time; period } -> Call (V.helper n.v Reached, list [ time; period ])
+  | Reached { time; period } -> V.call n.v "frob_reached" (list [ time; period ])
   | Rest { time; period = Float period } when is_whole_period period ->
       Binary (Remainder, of_machine n time, Long (Int64.of_float period))
-  | Rest { time; period } -> Call (V.helper n.v Rest, list [ time; period ])
+  | Rest { time; period } -> V.call n.v "frob_rest" (list [ time; period ])
 
 (* Integers are quicker to compare than what Floats they make. *)
 and at_least n time x =

@@ -41,7 +41,7 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let condition = expression c condition in
       let condition =
         (* an update without an alternative stays a branch in any case *)
-        if predicted && else_ <> [] then Ir.Call (V.helper c.v Branch, [ condition ])
+        if predicted && else_ <> [] then Ir.Call ("FROB_BRANCH", [ condition ])
         else condition
       in
       let comment = comment c span in
@@ -155,11 +155,8 @@ let variables_read (v : V.t) (node : M.node) body =
 
 let self v k =
   let names = v.V.nodes.(k) in
-  let flags () =
-    ignore (V.helper v Restrict : string);
-    (Ir.Only_way_to (Pointer (Struct names.flags)), "flags")
-  in
-  (Ir.Pointer (Struct names.state), "self") :: (if String.equal names.flags "" then [] else [ flags () ])
+  (Ir.Pointer (Struct names.state), "self")
+  :: (if names.flags = "" then [] else [ (Ir.Only_way_to (Pointer (Struct names.flags)), "flags") ])
 
 let ignored name = plain (Ir.Do (Cast (Void, Name name)))
 
@@ -207,18 +204,15 @@ let read_member (v : V.t) names read (variable : M.variable) steps =
 (* Structs that share memory might otherwise be where the input is. *)
 let input (v : V.t) : Ir.ty =
   let input = Ir.Pointer_to_const (Struct v.input.struct_name) in
-  if V.has_modes v then (
-    ignore (V.helper v Restrict : string);
-    Only_way_to input)
-  else input
+  if V.has_modes v then Only_way_to input else input
 
 (* Where a mode is entered no time has passed. *)
 let time_variable node ty name value =
   if Modes.forgets_time node then Ir.Variable { ty; name; value } else Constant { ty; name; value }
 
 (* Of the dt that a mode is given. *)
-let whole_nanoseconds v node =
-  plain (time_variable node Int64 "dt_ns" (Call (V.helper v Dt_nanoseconds, [ Name "dt" ])))
+let whole_nanoseconds node =
+  plain (time_variable node Int64 "dt_ns" (Call ("frob_dt_ns", [ Name "dt" ])))
 
 (* A node's step or start, which has some of its outputs. *)
 let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.code) : Ir.function_ =
@@ -257,7 +251,7 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
   let dt = if time && node.seconds then [ (V.real v, "dt") ] else [] in
   let dt_ns, rounded =
     if not (time && node.nanoseconds) then ([], [])
-    else if V.rounds_dt v k then ([ (V.real v, "dt") ], [ whole_nanoseconds v node ])
+    else if V.rounds_dt v k then ([ (V.real v, "dt") ], [ whole_nanoseconds node ])
     else ([ (Ir.Int64, "dt_ns") ], [])
   in
   let body = statements c code.body in
@@ -274,7 +268,7 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
 let own_step (v : V.t) k =
   let node = v.program.nodes.(k) in
   let linkage : Ir.linkage =
-    if Shared.is_shared v.shared k then Static_marked (V.helper v Shared)
+    if Shared.is_shared v.shared k then Static_marked "FROB_SHARED"
     else if node.operations <= Shared.inline_size then Static_inline
     else Static
   in
@@ -314,7 +308,7 @@ let looks_at_time c (node : M.node) =
 
 (* dt becomes whole nanoseconds, and 0 where the step cannot know it. *)
 let double_clock c (node : M.node) =
-  let rounded () = Ir.Call (V.helper c.v Whole_nanoseconds, [ Name "dt" ]) in
+  let rounded () = Ir.Call ("frob_whole_ns", [ Name "dt" ]) in
   let at_first zero value = at_first c zero value in
   let whole () =
     let ty = c.nanoseconds and name = "dt_ns" in
@@ -339,7 +333,7 @@ let double_clock c (node : M.node) =
         whole () @ [ seconds (if c.nanoseconds = Int64 then Cast (V.real c.v, ns) else ns) ]
     | false, true, Given -> (
         let whole =
-          if c.v.divides_by_time then Ir.Call (V.helper c.v Whole_dt, [ Name "dt" ])
+          if c.v.divides_by_time then Ir.Call ("frob_whole_dt", [ Name "dt" ])
           else seconds_of c (rounded ())
         in
         (* 0 before all else: after a choice of dt C compilers write the step twice. *)
@@ -352,7 +346,7 @@ let single_clock c (node : M.node) =
   if not (node.nanoseconds || node.seconds) then []
   else
     let dt_ns = Ir.Name "dt_ns" in
-    let span = Ir.Call (V.helper c.v Time_span, [ dt_ns ]) in
+    let span = Ir.Call ("frob_span", [ dt_ns ]) in
     plain (Ir.Assign (dt_ns, at_first c (Ir.Integer 0l) span))
     ::
     (match (node.seconds, c.seconds) with
@@ -417,7 +411,7 @@ let inputs c (node : M.node) =
 
 (* Seconds are made nanoseconds first: a float has too few bits for these. *)
 let step_in_seconds (v : V.t) (step : Ir.function_) : Ir.function_ =
-  let rounded = Ir.Call (V.helper v Whole_nanoseconds, [ Name "dt" ]) in
+  let rounded = V.call v "frob_whole_ns" [ Name "dt" ] in
   let parameter (ty, name) = if name = "dt_ns" then (V.real v, "dt") else (ty, name) in
   let argument (_, name) = if name = "dt_ns" then rounded else Ir.Name name in
   {

@@ -111,6 +111,6 @@ type declaration =
   | Prototype of function_  (** without its body *)
   | Function of function_
   | Text of string
-      (** lines of C of our own: directives and the helpers of {!Helper} *)
+      (** lines of C of our own: directives, comments *)
 
 type file = declaration list

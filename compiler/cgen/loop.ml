@@ -45,7 +45,7 @@ let statements names (l : M.loop) ~call =
         if is_array p.ty then Expression.address name else name
     | Same e -> once p e
     | Counted (Int 0l) -> Name index
-    | Counted e -> Call (V.helper v Int_add, [ Expression.of_machine names e; Name index ])
+    | Counted e -> Call ("frob_int_add", [ Expression.of_machine names e; Name index ])
     | Each e ->
         let element = Expression.element names e (Name index) in
         if is_array p.ty then Expression.address element else element

@@ -32,7 +32,7 @@ let functions =
      nan nearbyint nextafter nexttoward pow pow10 remainder remquo rint round scalb scalbln scalbn \
      signbit signgam significand sin sincos sinh sqrt tan tanh tgamma trunc y0 y1 yn abs div labs \
      time clock main std frob_exp frob_log frob_pow frob_sin frob_cos frob_tan frob_asin frob_acos \
-     frob_atan frob_atan2 frob_hypot frob_angle"
+     frob_atan frob_atan2 frob_hypot frob_reduce"
 
 let is_macro_like name =
   let starts prefix = String.starts_with ~prefix name in

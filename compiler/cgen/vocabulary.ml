@@ -40,8 +40,6 @@ type t = {
   foreign_records : Ir.declaration list;
   imports : Foreign_interface.t list;
   robots : Robot.t list;
-  helpers : (Helper.t, unit) Hashtbl.t;
-  elementary : (string, unit) Hashtbl.t;
   makers : (int * int, unit) Hashtbl.t;
   projections : (int * int * int, unit) Hashtbl.t;
   operations : (Array_type.operation * M.ty, string) Hashtbl.t;
@@ -168,7 +166,7 @@ let foreign_names (program : M.program) =
 
 let of_program ?own (program : M.program) =
   let name = Name.identifier program.name in
-  let scope = Name.scope Identifiers ~taken:(foreign_names program @ Helper.names) in
+  let scope = Name.scope Identifiers ~taken:(foreign_names program @ Helpers.names ()) in
   let input_name = Name.fresh scope (name ^ "_input") in
   let output_name = Name.fresh scope (name ^ "_output") in
   (* What a host calls and sees has the first choice: the root's names are the
@@ -259,8 +257,6 @@ let of_program ?own (program : M.program) =
     imports;
     robots =
       List.sort_uniq compare (List.filter_map Fun.id [ input_robot; output_robot ]);
-    helpers = Hashtbl.create 16;
-    elementary = Hashtbl.create 4;
     makers = Hashtbl.create 16;
     projections = Hashtbl.create 16;
     operations = Hashtbl.create 16;
@@ -284,28 +280,17 @@ let absent t (ty : F.foreign_type) : Ir.expr =
 
 let zero t ty = Sum_type.zero t.program.real t.program.sums ~absent:(absent t) ty
 
-let helper t helper =
-  Hashtbl.replace t.helpers helper ();
-  Helper.name helper
-
 let rounds_dt t k = List.mem k t.rounded_by_modes
 
-let math_function t name = name ^ Print.real_suffix t.program.real
+let call t name arguments = Ir.Call (name ^ Print.real_suffix t.program.real, arguments)
 
-let runtime_function t name =
-  let name = math_function t ("frob_" ^ name) in
-  Hashtbl.replace t.elementary name ();
-  name
-
-let elementary t (f : Core.Primitive.elementary) =
-  let name = Core.Primitive.name (Elementary f) in
+let elementary (f : Core.Primitive.elementary) =
   match f with
-  | Sqrt -> math_function t name
-  | Floor_float -> math_function t "floor"
-  | Ceiling_float -> math_function t "ceil"
-  | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2 -> runtime_function t name
-
-let pow t = runtime_function t "pow"
+  | Sqrt -> "sqrt"
+  | Floor_float -> "floor"
+  | Ceiling_float -> "ceil"
+  | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2 ->
+      "frob_" ^ Core.Primitive.name (Elementary f)
 
 let maker t ~sum ~constructor =
   Hashtbl.replace t.makers (sum, constructor) ();

@@ -44,8 +44,6 @@ type t = {
   foreign_records : Ir.declaration list;  (** those that C code of the user's knows *)
   imports : Foreign_interface.t list;
   robots : Robot.t list;  (** whose headers are needed *)
-  helpers : (Helper.t, unit) Hashtbl.t;
-  elementary : (string, unit) Hashtbl.t;  (** functions of the runtime's that are called *)
   makers : (int * int, unit) Hashtbl.t;  (** sum, constructor *)
   projections : (int * int * int, unit) Hashtbl.t;  (** sum, constructor, leaf *)
   operations : (Array_type.operation * Machine.Ir.ty, string) Hashtbl.t;
@@ -62,8 +60,6 @@ val absent : t -> Flow.Ir.foreign_type -> Ir.expr
 val zero : t -> Machine.Ir.ty -> Ir.expr
 (** Some value, as an initial value. *)
 
-val helper : t -> Helper.t -> string
-
 val rounds_dt : t -> int -> bool
 (** Does the node's step make whole nanoseconds of dt itself? *)
 
@@ -72,13 +68,12 @@ val real : t -> Ir.ty
 
 val float : t -> float -> Ir.expr
 
-val math_function : t -> string -> string
-(** As the C library's [<math.h>] calls it for the program's precision. *)
+val call : t -> string -> Ir.expr list -> Ir.expr
+(** Of a function of [<frob/step.h>] or [<math.h>] on Floats, in the program's precision. *)
 
-val elementary : t -> Core.Primitive.elementary -> string
-(** The C function; the square root is <math.h>'s, as exact everywhere. *)
+val elementary : Core.Primitive.elementary -> string
+(** The C function of doubles; the square root is [<math.h>]'s, as exact everywhere. *)
 
-val pow : t -> string
 val maker : t -> sum:int -> constructor:int -> string
 val projection : t -> sum:int -> constructor:int -> leaf:int -> string
 val array_function : t -> Array_type.operation -> Machine.Ir.ty -> string

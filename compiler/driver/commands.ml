@@ -127,13 +127,16 @@ let not_a_file ~folder file =
       (Printf.sprintf "-o takes the folder for %s.c and %s.h; %s is the name of a file (-o %s)" name
          name folder (Filename.dirname folder))
 
-let compile general entry ~batch folder file =
+let compile general entry ~batch ~standalone folder file =
   let* () = not_a_file ~folder file in
   let* resources = Resources.find () in
   compiled ~batch general resources ~entry file (fun (files : Cgen.Emit.t) ->
       if general.dump <> None then Exit_status.ok
       else
         let path extension = Filename.concat folder (Pipeline.c_name file ^ extension) in
+        let* files =
+          if standalone then Standalone.files resources ~real:general.real files else Ok files
+        in
         let* () = writable_folder folder in
         let* () = write (path ".h") files.header in
         let* () = write (path ".c") files.source in

@@ -14,7 +14,8 @@ type general = {
 }
 
 val check : general -> string list -> int
-val compile : general -> string -> batch:bool -> string -> string -> int
+val compile :
+  general -> string -> batch:bool -> standalone:bool -> string -> string -> int
 
 type engine =
   | C  (** the compiled program *)

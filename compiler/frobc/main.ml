@@ -122,9 +122,18 @@ let compile =
     in
     Arg.(value & flag & info [ "batch" ] ~doc)
   in
-  let run general entry batch folder file = Commands.compile general entry ~batch folder file in
+  let standalone =
+    let doc =
+      "Put into the two files what they need of frobc's own headers and sources, so that they \
+       compile anywhere by themselves."
+    in
+    Arg.(value & flag & info [ "standalone" ] ~doc)
+  in
+  let run general entry batch standalone folder file =
+    Commands.compile general entry ~batch ~standalone folder file
+  in
   command "compile" ~doc:"translate a program to C: NAME.c and NAME.h"
-    Term.(const run $ general $ entry $ batch $ folder $ file)
+    Term.(const run $ general $ entry $ batch $ standalone $ folder $ file)
 
 let trace =
   let input =

@@ -13,7 +13,7 @@ static const uint32_t two_over_pi[40] = {
     0x6bfb5fb1u, 0x1f8d5d08u, 0x56033046u, 0xfc7b6babu,
 };
 
-enum { WORDS = 6 };
+#define WORDS 6 /* of 32 bits */
 
 /* The remainder of any finite x from its leading bits times the bits of 2/pi
  * that matter, modulo 4, as an integer of 192 bits (M. Payne and R. Hanek,
@@ -88,7 +88,7 @@ static struct angle reduce_any(double x) {
   return a;
 }
 
-struct angle frob_angle(double x) {
+struct angle frob_reduce(double x) {
   struct angle a;
   double const size = fabs(x);
   if (size < 0x1.921fb54442d18p-1) { /* pi/4 */

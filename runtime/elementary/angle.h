@@ -14,7 +14,7 @@ struct angle {
 };
 
 /* x is finite. */
-struct angle frob_angle(double x);
+struct angle frob_reduce(double x);
 
 /* The sine and the cosine of a rest, to about 60 bits. The polynomials are
  * Sollya's,

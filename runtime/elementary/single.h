@@ -96,7 +96,7 @@ struct logarithm {
 };
 
 /* Of a positive finite number; its relative error is below 2^-35. */
-struct logarithm frob_logarithm(struct scaled x);
+struct logarithm frob_log2_of(struct scaled x);
 
 /* 2^(+-t), t being Q32; below 2^41. */
 float frob_power_of_two(bool negative_sign, bool negative, uint64_t t);

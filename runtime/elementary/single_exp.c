@@ -47,7 +47,7 @@ float frob_expf(float x) {
 /* Table-driven, after P. T. P. Tang, "Table-driven implementation of the logarithm
  * function in IEEE floating-point arithmetic", ACM TOMS 16 (1990): x = 2^k m, and
  * with a short c near 1/m, log2(x) = k - log2(c) + log2(1 + r), r = m c - 1. */
-struct logarithm frob_logarithm(struct scaled x) {
+struct logarithm frob_log2_of(struct scaled x) {
   /* By the five leading bits of m: 512 c, and -log2(c), Q62. From the 15th
      interval on m is halved, so that both ends have c = 1 and nothing cancels on
      either side of x = 1. */
@@ -91,7 +91,7 @@ struct logarithm frob_logarithm(struct scaled x) {
   /* (log2(1 + r) / r - log2(e)) / r, Q31, found as above; error below 2^-37. */
   static const int32_t q[6] = {-1549082005, 1032721336, -774540794,
                                619632617,   -516928458, 443099571};
-  int64_t const one = INT64_C(0x100000000);
+  int64_t const unit = INT64_C(0x100000000); /* 1 in Q32 */
   uint32_t const i = (x.m >> 26) & 31u;
   int32_t k = x.e + 31 + (i >= 14 ? 1 : 0);
   /* Exact: m has 24 bits. Q40, then Q32. */
@@ -100,9 +100,9 @@ struct logarithm frob_logarithm(struct scaled x) {
   int64_t slope; /* log2(1 + r) / r, Q62 */
   int64_t fraction;
   struct logarithm l;
-  for (int j = 4; j >= 0; --j) p = q[j] + (int32_t)(p * r / one);
+  for (int j = 4; j >= 0; --j) p = q[j] + (int32_t)(p * r / unit);
   slope = INT64_C(0x5c551d94ae0bf85e) + r * p / 2;
-  fraction = table[i].minus_log + r * (slope / one) + r * (slope % one) / one;
+  fraction = table[i].minus_log + r * (slope / unit) + r * (slope % unit) / unit;
 
   l.negative = k < 0 || (k == 0 && fraction < 0);
   if (l.negative) {
@@ -124,7 +124,7 @@ float frob_logf(float x) {
   if (isinf(x)) return INFINITY;
   if (x == 1.0f) return 0.0f;
   {
-    struct logarithm const l = frob_logarithm(scaled_of_single(x));
+    struct logarithm const l = frob_log2_of(scaled_of_single(x));
     struct scaled s = l.whole == 0 ? scaled_of(l.fraction, -62)
                                    : scaled_of((uint64_t)l.whole << 56 | l.fraction >> 6, -56);
     /* times log(2) */
@@ -143,7 +143,7 @@ static bool is_odd(float y) {
 
 /* x^y for 0 < x < inf, x != 1, and a finite y other than 0: 2^(y log2(x)). */
 static float power_of_positive(bool negative_sign, float x, float y) {
-  struct logarithm const l = frob_logarithm(scaled_of_single(x));
+  struct logarithm const l = frob_log2_of(scaled_of_single(x));
   bool const negative = l.negative != (y < 0.0f);
   float const beyond = negative_sign ? (negative ? -0.0f : -INFINITY) : (negative ? 0.0f : INFINITY);
   struct scaled const s = scaled_of_single(y);

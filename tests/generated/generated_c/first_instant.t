@@ -1,6 +1,7 @@
 What is short at the first instant stands in a branch of its own; the other branch
 knows that it is not the first. The dt that comes then is looked at by nobody.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > button.frob <<'EOF'
   > import Control
   > 

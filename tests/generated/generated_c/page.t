@@ -21,6 +21,8 @@ From C:
 
   $ block c 4 >drive.c
   $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
+  $ gcc -std=c99 -O2 -ffp-contract=off $flags -I "$include" -c cruise.c
+  $ frobc compile --standalone cruise.frob
   $ gcc -std=c99 -O2 -ffp-contract=off $flags cruise.c drive.c -lm -o drive_c && ./drive_c
   4.000 V at 0.000 m/s
   3.240 V at 0.200 m/s

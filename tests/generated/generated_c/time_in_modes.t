@@ -1,6 +1,7 @@
 Where two modes of several look at the time, these two round dt themselves, whatever
 else they give it to; an instant in another mode does nothing about it.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > rounds.frob <<'FROB'
   > main :: SF (Bool, Float) Float
   > main = proc i -> either id id (runTask rounds i)

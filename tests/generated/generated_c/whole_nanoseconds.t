@@ -2,6 +2,7 @@ Where something is divided by dt, dt is mostly the double nearest to whole nanos
 already, and is taken as it is after a look at its bits. Every dt gives what rounding it
 and one division give.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > slope.frob <<'FROB'
   > main :: SF Float (Float[s], Float[1/s])
   > main = proc x -> (integral x, derivative x)

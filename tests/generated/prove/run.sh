@@ -92,7 +92,7 @@ END
 
     cppcheck -q --enable=warning,style,portability --addon=misra --std=c99 --platform=unix64 \
         --suppress=missingIncludeSystem -I "$runtime/include" -I "$folder" \
-        "$made/$name.c" 2>&1 | grep "^$made/.*\]\$" >"$work/$name.findings" || :
+        "$made/$name.c" 2>&1 | grep -E "^($made|$runtime/include)/.*\]\$" >"$work/$name.findings" || :
     sed 's/.*\[\(.*\)\]$/\1/' "$work/$name.findings" | sort -u >"$work/$name.rules"
     new=$(comm -13 "$work/argued" "$work/$name.rules")
     if [ -n "$new" ]; then

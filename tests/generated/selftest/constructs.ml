@@ -24,7 +24,7 @@ let rec ty (t : ty) =
   | Array (t, _) -> note "Array"; ty t
   | Pointer t -> note "Pointer"; ty t
   | Pointer_to_const t -> note "Pointer_to_const"; ty t
-  | Only_way_to t -> note "Only_way_to"; note (Cgen.Helper.name Restrict); ty t
+  | Only_way_to t -> note "Only_way_to"; note "FROB_RESTRICT"; ty t
 
 and member m = ty m.ty
 
@@ -154,7 +154,7 @@ let () =
   let wanted =
     [
       ("constructors", constructors Sys.argv.(3));
-      ("helpers", List.filter (fun name -> not (List.mem name called_by_helpers_only)) Cgen.Helper.names);
+      ("helpers", List.filter (fun name -> not (List.mem name called_by_helpers_only)) (Cgen.Helpers.names ()));
       ("elementary functions", elementary Sys.argv.(4));
       ("operations on arrays", List.map (fun o -> "array " ^ Cgen.Array_type.suffix o) Cgen.Array_type.operations);
     ]

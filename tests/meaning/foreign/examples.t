@@ -31,14 +31,17 @@ With the window going along with the blob it is not lost when it becomes faster:
   time,out
   0.000000000,1
   0.100000000,0.80000000000000004
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ frobc compile blob_tracker.frob
   $ for cc in gcc clang; do $cc $flags -c blob_tracker.c && $cc $flags -c blob.c; done
   $ g++ -x c++ -std=c++17 ${flags#-std=c99} -c -o out.o blob_tracker.c
 
+  $ unset CPATH
+
 Generated C called from C and from C++, several instances at once:
 
   $ cp ../../../examples/from_c/* .
-  $ frobc compile wheel.frob
+  $ frobc compile --standalone wheel.frob
   $ gcc $flags -O2 -ffp-contract=off main.c wheel.c -lm -o wheels && ./wheels | tee from_c
   0.0 s, wheel 0: 0.000 m/s, 2.00 V
   0.0 s, wheel 1: 0.000 m/s, 3.20 V
@@ -56,7 +59,7 @@ The example of docs/foreign.md:
   $ page=../../../docs/foreign.md
   $ block() { awk -v start="\`\`\`$1" -v wanted="$2" '$0 == "```" { inside = 0 } inside && n == wanted; $0 == start { inside = 1; n++ }' $page; }
   $ block frob 1 >smoothing.frob && block c 1 >moving.h && block c 2 >moving.c
-  $ frobc compile smoothing.frob && gcc $flags -c smoothing.c && gcc $flags -c moving.c
+  $ frobc compile --standalone smoothing.frob && gcc $flags -c smoothing.c && gcc $flags -c moving.c
   $ printf 'time,in\n0,3\n1,6\n2,9\n3,0\n' >in.csv
   $ frobc trace smoothing.frob --with moving.c --input in.csv
   time,out

@@ -1,6 +1,7 @@
 Functions in C: numbers, truth values, sums, records, tuples and arrays go in and
 come out.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > shapes.frob <<'EOF'
   > data Point = Point { x :: Distance, y :: Distance }
   > 

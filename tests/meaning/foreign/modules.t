@@ -1,5 +1,6 @@
 Foreign code in modules: what a program imports comes with its header, used or not.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ mkdir vision
   $ cat > vision/Vision.frob <<'EOF'
   > module Vision (Frame, mean, shake) where

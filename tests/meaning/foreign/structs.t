@@ -1,6 +1,7 @@
 Every shape of value goes over: sums with arrays and sums in them, records with foreign
 values, arrays of arrays and of addresses, what holds nothing.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > camera.h <<'EOF'
   > #ifndef CAMERA_H
   > #define CAMERA_H

@@ -1,5 +1,6 @@
 Types in C: Frob code passes on what it does not look into.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > camera.h <<'EOF'
   > #ifndef CAMERA_H
   > #define CAMERA_H

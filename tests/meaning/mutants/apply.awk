@@ -5,7 +5,7 @@
 # changes the file below DIR and prints its name, a tab and the fault's. With
 # number=0 it changes nothing and says whether each fault could be made, with
 # count=1 only how many there are. The text to change must stand in the file
-# exactly once. A text may go on in lines that are indented.
+# exactly once. A text may go on in lines that are indented or begin with {.
 
 function finish(    text, line, at, rest) {
     if (count || !seen || (number && seen != number)) return
@@ -26,7 +26,7 @@ function finish(    text, line, at, rest) {
 /^file / { file = substr($0, 6); next }
 /^from / { part = "from"; from = substr($0, 6); next }
 /^to   / { part = "to"; to = substr($0, 6); next }
-/^  / { if (part == "from") from = from "\n" $0; else to = to "\n" $0; next }
+/^(  |[{])/ { if (part == "from") from = from "\n" $0; else to = to "\n" $0; next }
 END {
     finish()
     if (number > seen) {

@@ -2,6 +2,7 @@ With `--real float` each number is C's float: members, parameters, literals,
 functions. Time is counted in whole nanoseconds; a step may be given them, or
 seconds.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > cruise.frob <<EOF
   > import Control
   > 
@@ -61,9 +62,9 @@ seconds.
       const float dt = (float)dt_ns / 1e9f;
       self->error_integral += dt * self->error_integral_input; /* line 6 */
       const float error = in->wanted - in->measured;          /* line 7 */
-      out->f1 = frob_at_least(frob_at_most(4.1f * error + 2.0f * self->error_integral, 12.0f),
+      out->f1 = frob_at_leastf(frob_at_mostf(4.1f * error + 2.0f * self->error_integral, 12.0f),
               -12.0f); /* Control.frob:12 */
-      out->f2 = frob_round(frob_sinf(error));                 /* line 6 */
+      out->f2 = frob_roundf(frob_sinf(error));                /* line 6 */
       self->error_integral_input = error;
   }
   
@@ -73,7 +74,7 @@ seconds.
                    const struct cruise_input *in,
                    struct cruise_output *out)
   {
-      cruise_step_ns(self, frob_whole_ns(dt), in, out);
+      cruise_step_ns(self, frob_whole_nsf(dt), in, out);
   }
 
 There is no double in it, and no compiler has anything to say.

@@ -1,6 +1,7 @@
 The user's C has doubles whatever a program computes with: the same files serve both, and
 nothing but the program knows. Numbers are converted on the way there and back.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cp ../../../examples/blob_tracker/blob* .
   $ awk -f ../foreign/pictures.awk > pictures.csv
   $ trace () { frobc trace --lint blob_tracker.frob --with blob.c --input pictures.csv "$@"; }

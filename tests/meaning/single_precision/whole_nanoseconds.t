@@ -1,14 +1,14 @@
 `NAME_step` of a program in single precision is given seconds: whole ones, and a
 fraction that is multiplied by 1e9 as a float and rounded to nanoseconds, halves to even.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > slope.frob <<'FROB'
   > main :: SF Float (Float[s], Int)
   > main = proc x -> (integral x, truncate (nanoseconds (time ())))
   > FROB
   $ frobc compile slope.frob --real float --lint
-  $ sed -n '/^ \* NaN and negative/,/^}/p' slope.c
-   * NaN and negative give 0; at most 1e9 s. */
-  static inline int64_t frob_whole_ns(float dt)
+  $ sed -n '/frob_whole_nsf/,/^}/p' $CPATH/frob/step.h
+  static inline int64_t frob_whole_nsf(float dt)
   {
       if (!(dt > 0.0f)) {
           return 0;

@@ -1,6 +1,7 @@
 A machine whose first mode looks at no time needs no mark of the first instant, whose dt
 may be anything: what the mode leads to there is entered at a dt of 0.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > alarm.frob <<'EOF'
   > watch, ring :: SF Bool Float
   > watch = switch (proc b -> (0, when b)) (\_ -> ring)

@@ -1,6 +1,7 @@
 Machines in a machine keep their small fields apart from the large ones, so that not
 each of them pads the number of its mode to eight bytes.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > tour.frob <<'EOF'
   > main, off :: SF Float Float

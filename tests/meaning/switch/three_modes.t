@@ -1,6 +1,7 @@
 A controller of three modes: follow a wall; back up for 1 s after a bump; turn until
 the way is free.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > three_modes.frob <<'EOF'
   > data Sensed = Sensed { bump :: Bool, side :: Distance, front :: Distance }
   > data Command = Command { speed :: Velocity, turn :: AngularVelocity }

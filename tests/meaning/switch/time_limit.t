@@ -1,6 +1,7 @@
 A local time stops at the end of time, after 292 years. Where a mode ends long before
 that, its time is added up without a thought of it.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ advances () { frobc compile "$1".frob --lint && grep "time = .*frob_" "$1".c | sed "s, */\*.*,,"; }
   $ cat > ends.frob <<'EOF'

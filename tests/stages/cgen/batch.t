@@ -1,5 +1,6 @@
 With `--batch` a program has a function that takes many steps in one call.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > modes.frob <<'END'
   > data Command = Command { speed :: Velocity, stopped :: Event Time }
   > 

@@ -1,6 +1,7 @@
 Two comparisons of a number that never hold together, or of which one always does: clang
 warns of them where they have a branch.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > contrary.frob <<'END'
   > main :: SF Int (Bool, Bool, Bool)
   > main = proc n -> (n <= 1 && n > 3, n /= 3 || n /= 0, n < 0 || n > 5)

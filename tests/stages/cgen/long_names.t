@@ -1,6 +1,7 @@
 Names of types nested deeply are cut at a word, and numbered; the whole name stands in
 a comment above.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > deep.frob <<'FROB'
   > type Two a = Maybe (Maybe a)
   > type Eight a = Two (Two (Two (Two a)))

@@ -1,5 +1,6 @@
 Names that begin as macros of the headers do, in a program whose name begins so:
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > m.frob <<EOF
   > main :: SF Int (Maybe Int)
   > main = arr Just

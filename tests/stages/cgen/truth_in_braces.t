@@ -1,6 +1,7 @@
 In the braces of an array or of a struct a truth value has to be a `bool`, or C++ does not
 take it: it is no `&` there, which is an `int`, nor a choice with one in a branch.
 
+  $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ check () {
   >   for c in "gcc -std=c99" "clang -std=c99" "g++ -x c++ -std=c++17" "clang++ -x c++ -std=c++17"; do
   >     $c -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off -fsyntax-only $1.c
