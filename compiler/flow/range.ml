@@ -109,32 +109,51 @@ let constant : t -> Ir.atom option = function
 let ints least most =
   if least < least_int || most > most_int then any_int else Ints { least; most }
 
-(* Bounds that came out as NaN: then anything may have. *)
+(* A bound that came out as NaN bounds nothing. *)
 let floats real ~nan bounds =
-  let bounds = List.map (Basis.Real.round real) bounds in
-  if List.exists Float.is_nan bounds then any_float
-  else
-    Floats
-      {
-        least = List.fold_left Float.min infinity bounds;
-        most = List.fold_left Float.max neg_infinity bounds;
-        nan;
-      }
+  let bounds =
+    List.filter (fun x -> not (Float.is_nan x)) (List.map (Basis.Real.round real) bounds)
+  in
+  Floats
+    {
+      least = List.fold_left Float.min infinity bounds;
+      most = List.fold_left Float.max neg_infinity bounds;
+      nan;
+    }
 
 let corners f (a, b) (c, d) = [ f a c; f a d; f b c; f b d ]
 let no_numbers least most = (least : float) > most
+let has_zero least most = least <= 0. && most >= 0.
+let has_infinity least most = least = neg_infinity || most = infinity
 
-(* Rounding keeps the order of numbers, so bounds of results are results of
-   bounds. *)
+(* Rounding keeps the order of numbers, so bounds of results are results of bounds. Of
+   numbers, NaN comes by inf - inf, 0 * inf and inf / inf (0 / 0 is left out here),
+   wherever in the ranges they are. *)
 let on_floats real (operator : Ir.operator) (al, ah, a_nan) (bl, bh, b_nan) : t option =
   let nan = a_nan || b_nan in
+  let sum (bl, bh) =
+    let opposed = (ah = infinity && bl = neg_infinity) || (al = neg_infinity && bh = infinity) in
+    let bounds = [ al +. bl; ah +. bh ] in
+    if List.exists Float.is_nan bounds then any_float
+    else floats real ~nan:(nan || opposed) bounds
+  in
   if no_numbers al ah || no_numbers bl bh then None
   else
     match operator with
-    | Add -> Some (floats real ~nan [ al +. bl; ah +. bh ])
-    | Subtract -> Some (floats real ~nan [ al -. bh; ah -. bl ])
-    | Multiply -> Some (floats real ~nan (corners ( *. ) (al, ah) (bl, bh)))
-    | Divide when bl > 0. || bh < 0. -> Some (floats real ~nan (corners ( /. ) (al, ah) (bl, bh)))
+    | Add -> Some (sum (bl, bh))
+    | Subtract -> Some (sum (-.bh, -.bl))
+    | Multiply ->
+        let vanishing =
+          (has_zero al ah && has_infinity bl bh) || (has_infinity al ah && has_zero bl bh)
+        in
+        (* 0 * inf at a corner is next to 0 * x, which is 0. *)
+        let times x y = if x = 0. || y = 0. then 0. else x *. y in
+        Some (floats real ~nan:(nan || vanishing) (corners times (al, ah) (bl, bh)))
+    | Divide when bl > 0. || bh < 0. ->
+        let nan = nan || (has_infinity al ah && has_infinity bl bh) in
+        (* x / inf is 0 for all x but the corners. *)
+        let inside = if has_infinity bl bh then [ 0. ] else [] in
+        Some (floats real ~nan (inside @ corners ( /. ) (al, ah) (bl, bh)))
     | Minimum -> Some (floats real ~nan [ Float.min al bl; Float.min ah bh ])
     | Maximum -> Some (floats real ~nan [ Float.max al bl; Float.max ah bh ])
     | Less -> Some (Bools { true_ = al < bh; false_ = ah >= bl || nan })

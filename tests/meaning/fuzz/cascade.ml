@@ -4,8 +4,19 @@ let f = Printf.sprintf
 
 let small (values : Scope.t) = string_of_int (Random.State.int values.random 5)
 
+(* What a range of it must not forget: numbers from -infinity to infinity, and NaN. *)
+let unbounded (values : Scope.t) n =
+  let part () =
+    one_of values.random
+      [ f "toFloat %s" n; f "(toFloat %s / 0)" n; f "(- toFloat %s / 0)" n;
+        f "max 0 (toFloat %s / 0)" n ]
+  in
+  f "(%s %s %s)" (part ()) (one_of values.random [ "+"; "-"; "*"; "/" ]) (part ())
+
 let asked_of (values : Scope.t) n =
-  f "(%s %s %s)" n (one_of values.random [ "<"; "<="; ">"; ">="; "=="; "/=" ]) (small values)
+  let asked = if chance values.random 8 then unbounded values n else n in
+  let asked = if chance values.random 20 then f "(max 0 %s)" asked else asked in
+  f "(%s %s %s)" asked (one_of values.random [ "<"; "<="; ">"; ">="; "=="; "/=" ]) (small values)
 
 let bool (values : Scope.t) =
   match (Scope.variable values Bool, Scope.variable values Int) with

@@ -88,3 +88,17 @@ One that starts itself again, and several.
   > EOF
   $ frobc check three.frob 2>&1 | head -1
   error[E0402]: `one` and 2 more may start each other for ever within one instant
+
+A number that may be infinite may be NaN less itself, so this may go on for ever too: the
+mode that is handed 1/0.
+
+  $ cat > infinite.frob <<'EOF'
+  > go :: Float -> SF Float Float
+  > go a = switch (proc x -> (x, when (not (max 0 (a - a) >= 0)))) (\_ -> go a)
+  > main = switch (proc x -> (x, tag (edge (x > 1)) (x > 2))) (\c -> if c then go (1/0) else go 0)
+  > EOF
+  $ frobc check infinite.frob 2>&1 | head -1
+  error[E0402]: `go` may start itself again for ever within one instant
+  $ sed 's|a - a|a * x|' infinite.frob > times.frob
+  $ frobc check times.frob 2>&1 | head -1
+  error[E0402]: `go` may start itself again for ever within one instant
