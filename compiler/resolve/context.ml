@@ -6,9 +6,12 @@ type t = {
   mutable depth : int;
   mutable too_deep : bool;  (** reported *)
   mutable suggestions : int;  (** still to be made *)
+  mutable absent : absent list;  (** newest first *)
 }
 
-let create sink = { sink; next_local = 0; depth = 0; too_deep = false; suggestions = 100 }
+and absent = { imports : string; code : string; noun : string; name : Syntax.Ir.name }
+
+let create sink = { sink; next_local = 0; depth = 0; too_deep = false; suggestions = 100; absent = [] }
 let emit t diagnostic = Diagnostic.emit t.sink diagnostic
 
 let fresh t name span : Ir.Local.t =
@@ -43,3 +46,28 @@ let suggest t name candidates diagnostic =
     | Some near -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
     | None -> diagnostic
   end
+
+let not_imported t absent = t.absent <- absent :: t.absent
+
+(* One import is missing, however many names it would bring. *)
+let tell_imports t =
+  let by_place a b = Span.compare a.name.span b.name.span in
+  let rec tell = function
+    | [] -> ()
+    | ({ imports; code; noun; name } as first) :: rest ->
+        let likewise, rest = List.partition (fun a -> String.equal a.imports imports) rest in
+        let names =
+          List.map (fun a -> Printf.sprintf "`%s`" a.name.text) (first :: likewise)
+          |> List.fold_left (fun all n -> if List.mem n all then all else n :: all) []
+          |> List.rev
+        in
+        Diagnostic.error ~code ~at:name.span "unknown %s `%s`" noun name.text
+        |> Diagnostic.hint
+             (Printf.sprintf "%s %s in the library: %s" (Enumeration.all names)
+                (if List.compare_length_with names 1 = 0 then "is" else "are")
+                imports)
+        |> emit t;
+        tell rest
+  in
+  tell (List.sort by_place t.absent);
+  t.absent <- []

@@ -29,6 +29,8 @@ val bind : t -> variable list -> t
 (** Adds variables that come into scope together. Emits E0212 if two have one
     name, W0201 if one hides a local variable. *)
 
+val is_known : t -> Syntax.Ir.name -> bool
+
 val variable : t -> Syntax.Ir.qualified -> Ir.expr_desc option
 (** Notes the reference in the group of what it refers to. Emits a diagnostic
     if there is no such variable. *)

@@ -23,9 +23,13 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   | String text -> String text
   | Tuple es -> Tuple (Long_list.map (expr env) es)
   | Array es -> Array (Long_list.map (expr env) es)
+  | Apply (head, { desc = Array [ unit_ ]; span }) when is_unit_of env head unit_ ->
+      report_apart env head unit_ span;
+      missing
   | Apply (head, argument) ->
-      let head = expr env head in
-      Apply { head; argument = expr env argument; style = Juxtaposed }
+      let resolved = expr env head in
+      if resolved.desc == missing && is_statement_elsewhere head then missing
+      else Apply { head = resolved; argument = expr env argument; style = Juxtaposed }
   | Binary { operator; left; right } ->
       let left = expr env left in
       binary env e.span operator left (expr env right)
@@ -78,6 +82,37 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
       Field { record = expr env record; field; candidates }
   | Annotated { expr = inner; ty } ->
       Annotated { expr = expr env inner; scheme = Types.scheme scope ty }
+
+and head_of (e : Syntax.Ir.expr) =
+  match e.desc with Apply (head, _) | Parenthesized head -> head_of head | _ -> e
+
+(* Of another language, as `while (…) …`: what follows is of that language too. *)
+and is_statement_elsewhere head =
+  match (head_of head).desc with
+  | Variable { qualifier = None; name; _ } -> Other_languages.is_statement name.text
+  | _ -> false
+
+(* As in `f 3 [m/s]`, where `m` and `s` are units and nothing else. *)
+and is_unit_of env (head : Syntax.Ir.expr) unit_ =
+  match head.desc with
+  | Number { unit_ = None; _ } | Apply (_, { desc = Number { unit_ = None; _ }; _ }) ->
+      let is_unit (name : Syntax.Ir.name) =
+        (not (Env.is_known env name))
+        && Scope.look (Env.scope env) Interface.units name <> None
+      in
+      Unit_word.is_expression is_unit unit_
+  | _ -> false
+
+and report_apart env (head : Syntax.Ir.expr) unit_ span =
+  let digits =
+    match head.desc with
+    | Number { digits; _ } | Apply (_, { desc = Number { digits; _ }; _ }) -> digits
+    | _ -> "3"
+  in
+  Diagnostic.error ~code:"E0205" ~at:span "this unit stands apart from its number"
+  |> Diagnostic.hint
+       (Printf.sprintf "no blank stands between them: `%s[%s]`" digits (Unit_word.of_expression unit_))
+  |> Context.emit (Env.context env)
 
 and declarations env bindings =
   Bindings.declarations env ~expr ~command ~items:(Bindings.items bindings)

@@ -65,7 +65,10 @@ let data = function
   | _ -> None
 
 let activity = function
-  | "show" | "print" | "putStrLn" | "printf" ->
+  | "pure" -> Some "it is `return`"
+  | "mapM" | "mapM_" | "forM" | "forM_" | "traverse" | "traverse_" ->
+      Some "tasks one after the other are `forEachT xs f`"
+  | "show" | "print" | "putStrLn" | "printf" | "disp" | "fprintf" ->
       Some "nothing is printed: what is to be seen is an output, and `--record` writes all of them"
   | "analogRead" | "digitalRead" -> Some "what is read is a part of the program's input"
   | "analogWrite" | "digitalWrite" -> Some "what is written is a part of the program's output"
@@ -97,6 +100,10 @@ let signal_function = function
 
 let value name = List.find_map (fun hint -> hint name) [ number; data; activity; signal_function ]
 
+let is_statement = function
+  | "while" | "for" | "foreach" | "print" | "printf" | "disp" | "fprintf" -> true
+  | _ -> false
+
 let constructor = function
   | "None" | "Null" | "NULL" -> Some "it is `Nothing`"
   | "Some" -> Some "it is `Just`"
@@ -111,4 +118,15 @@ let constructor = function
 
 let module_ = function
   | "Math" -> Some no_module
+  | _ -> None
+
+let class_ = function
+  | "Num" | "Fractional" | "Floating" | "Real" | "Integral" | "RealFrac" ->
+      Some
+        "numbers have no classes: `n[u]` is any number, of any unit, as in `twice :: n[u] -> n[u]`; \
+         `Float[u]` has fractions"
+  | "Show" | "Read" -> Some "leave it out: a trace shows values of every type"
+  | "Functor" | "Applicative" | "Monad" | "Foldable" | "Traversable" | "Semigroup" | "Monoid" ->
+      Some "a class is of types, not of what makes types of others"
+  | "Enum" | "Bounded" -> Some "a `case` gives each constructor its number"
   | _ -> None

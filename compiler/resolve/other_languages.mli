@@ -7,8 +7,14 @@
 val value : string -> string option
 (** A hint for who writes this name of a value, unless Frob has one just like it. *)
 
+val is_statement : string -> bool
+(** Is that the word of a statement, so that what follows is of that language too? *)
+
 val constructor : string -> string option
 (** Likewise of a constructor, as in an expression or a pattern. *)
+
+val class_ : string -> string option
+(** Likewise of a type class. *)
 
 val module_ : string -> string option
 (** Likewise of a module, as in [Math.sqrt]. *)

@@ -45,3 +45,32 @@ let of_right r =
   in
   List.fold_left add [] (Syntax.Node.of_right r)
   |> List.sort (fun a b -> Basis.Span.compare a.name.span b.name.span)
+
+let rights (program : program) =
+  let declaration (d : declaration) = match d.desc with Binding b -> Some b.right | _ -> None in
+  List.filter_map declaration program.declarations
+
+let of_module program = List.concat_map of_right (rights program)
+
+let is_c_type = function
+  | "int" | "float" | "double" | "bool" | "char" | "long" | "unsigned" | "auto" | "var" | "let"
+  | "uint8_t" | "uint16_t" | "int16_t" | "int32_t" | "byte" | "boolean" | "const" ->
+      true
+  | _ -> false
+
+let c_declarations program =
+  let rec add found (node : Syntax.Node.t) =
+    let own =
+      match node with
+      | Declaration { desc = Binding { left = Function_name { name; parameters }; _ }; _ }
+        when is_c_type name.text -> (
+          match List.rev parameters with
+          | { desc = Bound parameter; _ } :: _ -> [ (name, parameter) ]
+          | _ -> [])
+      | _ -> []
+    in
+    List.fold_left add (own @ found) (Syntax.Node.children node)
+  in
+  List.fold_left
+    (fun found d -> add found (Syntax.Node.Declaration d))
+    [] program.declarations

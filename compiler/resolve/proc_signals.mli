@@ -11,5 +11,12 @@ val of_body : Syntax.Ir.body -> t list
 (** What the [proc] that this body is binds: its input and, in its [do], the
     statements. *)
 
+val of_module : Syntax.Ir.program -> t list
+(** What all [proc]s of its definitions bind. *)
+
+val c_declarations : Syntax.Ir.program -> (Syntax.Ir.name * Syntax.Ir.name) list
+(** Definitions of functions whose names are types of C, with their last parameters: in
+    [int m = n + 1] these are [int] and [m]. *)
+
 val of_right : Syntax.Ir.right -> t list
 (** What all [proc]s within a right side bind. *)

@@ -94,7 +94,7 @@ let resolve context ~elsewhere exports (m : Modules.t) =
   let scope =
     Scope.create context ~module_:m.name ~library:m.library ~own
       ~imports:(List.filter_map import m.imports)
-      ~complete:m.complete ~elsewhere
+      ~complete:m.complete ~elsewhere ~syntax:m.syntax
   in
   let exported = Exports.of_module scope m.syntax.header in
   let units = Declarations.units scope m.syntax in
@@ -110,6 +110,7 @@ let resolve context ~elsewhere exports (m : Modules.t) =
   let instances =
     Classes.instances env ~expr:Expressions.expr ~command:Expressions.command m.syntax
   in
+  Context.tell_imports context;
   let info : Ir.module_ =
     {
       name = m.name;

@@ -21,6 +21,8 @@ type t = {
   elsewhere : of_library list Lazy.t;
   records : tycon list String_map.t Lazy.t;
   records_of : Ir.Global.t list String_map.t Lazy.t;
+  signals : Proc_signals.t list Lazy.t;
+  c_declarations : (Syntax.Ir.name * Syntax.Ir.name) list Lazy.t;
 }
 
 let same_global (a : Ir.Global.t) (b : Ir.Global.t) =
@@ -121,7 +123,15 @@ let from_elsewhere space name =
   match space.noun with
   | "name" -> Other_languages.value name
   | "constructor" -> Other_languages.constructor name
+  | "type class" -> Other_languages.class_ name
   | _ -> None
+
+(* As in `int m = n + 1`, the definition of a function `int`. *)
+let c_type_before t (name : Syntax.Ir.name) =
+  let is_it ((_ : Syntax.Ir.name), (parameter : Syntax.Ir.name)) =
+    String.equal parameter.text name.text
+  in
+  Option.map fst (List.find_opt is_it (Lazy.force t.c_declarations))
 
 let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =
@@ -129,10 +139,18 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
     |> other_meaning t space name
   in
   let is_it (signal : Proc_signals.t) = String.equal signal.name.text name.text in
+  let elsewhere_in_module =
+    lazy
+      (if String.equal space.noun "name" then List.find_opt is_it (Lazy.force t.signals) else None)
+  in
   let has (m : of_library) = String_table.mem (space.table m.names) name.text in
   let with_it =
     let all = List.filter has (Lazy.force t.elsewhere) in
     match List.filter (fun m -> m.gathers) all with [] -> all | gathering -> gathering
+  in
+  let imports =
+    List.map (fun (m : of_library) -> Printf.sprintf "`import %s`" m.module_) with_it
+    |> String.concat " or "
   in
   let diagnostic =
     match (with_it, other_writing t space name.text) with
@@ -148,11 +166,7 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
              else
                "a `proc` ends at the bracket or comma that follows it; behind that, and in a `where` \
                 behind that, its signals are not known")
-    | (_ :: _ as modules), _ ->
-        let imports = List.map (fun (m : of_library) -> Printf.sprintf "`import %s`" m.module_) modules in
-        Diagnostic.hint
-          (Printf.sprintf "`%s` is in the library: %s" name.text (String.concat " or " imports))
-          diagnostic
+    | _ :: _, _ -> diagnostic
     | [], Some other -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
     | [], None when Option.is_some (operator_word space name.text) ->
         Diagnostic.hint
@@ -160,10 +174,32 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
           diagnostic
     | [], None when Option.is_some (from_elsewhere space name.text) ->
         Diagnostic.hint (Option.get (from_elsewhere space name.text)) diagnostic
+    | [], None when c_type_before t name <> None ->
+        let c_type = Option.get (c_type_before t name) in
+        Diagnostic.label ~at:c_type.span
+          (Printf.sprintf "this defines a function `%s` of `%s`" c_type.text name.text)
+          diagnostic
+        |> Diagnostic.hint
+             (Printf.sprintf
+                "no type stands before a name: `%s = …`, and if wanted `%s :: Int` on a line of its own"
+                name.text name.text)
+    | [], None when Lazy.force elsewhere_in_module <> None ->
+        let signal = Option.get (Lazy.force elsewhere_in_module) in
+        Diagnostic.label ~at:signal.name.span
+          (Printf.sprintf "this `%s` is a signal of a `proc`" name.text)
+          diagnostic
+        |> Diagnostic.hint
+             (Printf.sprintf
+                "a signal is known in its `proc` only: write the equation in the `where` of that \
+                 one, or make a signal function, `proc %s -> …`"
+                name.text)
     | [], None ->
         Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
   in
-  Context.emit t.context diagnostic
+  let hidden = List.exists is_it (Lazy.force signals) in
+  if with_it <> [] && not hidden then
+    Context.not_imported t.context { imports; code = space.unknown; noun = space.noun; name }
+  else Context.emit t.context diagnostic
 
 let report_unknown_module t (qualifier : Syntax.Ir.name) =
   let of_library (m : of_library) = String.equal m.module_ qualifier.text in
@@ -254,8 +290,10 @@ let records_by_field own (imports : import list) =
   let all = List.fold_left (fun fields (i : import) -> add fields i.names) String_map.empty imports in
   String_map.map (List.sort_uniq compare_records) (add all own)
 
-let create context ~module_ ~library ~own ~imports ~complete ~elsewhere =
+let create context ~module_ ~library ~own ~imports ~complete ~elsewhere ~syntax =
   let records = lazy (records_by_field own imports) in
   let names = Long_list.map (fun (record : tycon) -> record.global) in
   let records_of = lazy (String_map.map names (Lazy.force records)) in
-  { context; module_; library; own; imports; complete; elsewhere; records; records_of }
+  { context; module_; library; own; imports; complete; elsewhere; records; records_of;
+    signals = lazy (Proc_signals.of_module syntax);
+    c_declarations = lazy (Proc_signals.c_declarations syntax) }

@@ -34,6 +34,9 @@ type t = {
       (** the record types in scope, by the name of a field *)
   records_of : Ir.Global.t list Interface.String_map.t Lazy.t;
       (** their names: one list for all uses of a field, as it may be long *)
+  signals : Proc_signals.t list Lazy.t;  (** of all procs of the module, for messages *)
+  c_declarations : (Syntax.Ir.name * Syntax.Ir.name) list Lazy.t;
+      (** see {!Proc_signals.c_declarations} *)
 }
 
 val create :
@@ -44,6 +47,7 @@ val create :
   imports:import list ->
   complete:bool ->
   elsewhere:of_library list Lazy.t ->
+  syntax:Syntax.Ir.program ->
   t
 
 val find : t -> 'a Interface.space -> Syntax.Ir.qualified -> 'a option

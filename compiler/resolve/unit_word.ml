@@ -23,3 +23,23 @@ let symbol word =
   | "watt" -> Some "W"
   | "kelvin" -> Some "K"
   | _ -> None
+
+let rec is_expression is_unit (e : Syntax.Ir.expr) =
+  match e.desc with
+  | Variable { qualifier = None; name; _ } -> is_unit name
+  | Constructor { qualifier = None; name; _ } -> is_unit name
+  | Binary { operator = { name = { text = "/" | "*"; _ }; _ }; left; right } ->
+      let is_one = match left.desc with Number { digits = "1"; _ } -> true | _ -> false in
+      (is_one || is_expression is_unit left) && is_expression is_unit right
+  | Power { base; _ } | Parenthesized base -> is_expression is_unit base
+  | _ -> false
+
+let rec of_expression (e : Syntax.Ir.expr) =
+  match e.desc with
+  | Variable { name; _ } | Constructor { name; _ } -> name.text
+  | Number { digits; _ } -> digits
+  | Binary { operator; left; right } ->
+      of_expression left ^ operator.name.text ^ of_expression right
+  | Power { base; exponent } -> Printf.sprintf "%s^%d" (of_expression base) exponent
+  | Parenthesized inner -> "(" ^ of_expression inner ^ ")"
+  | _ -> "…"

@@ -290,7 +290,17 @@ let task_body location statements : Ir.expr_desc =
   match (List.rev statements : Surface.statement list) with
   | Bare_expression result :: before ->
       Sequence { statements = List.rev_map statement before; result = Term.to_expr result }
-  | Arrow_bind { left; _ } :: _ -> last_is "bind a name" left.span
+  | Arrow_bind { left; _ } :: _ -> (
+      match (Term.to_pattern left).desc with
+      | Bound { text; _ } ->
+          Reject.at ~code:"E0116" left.span
+            ~hint:
+              (Printf.sprintf
+                 "leave out `%s <-`, and the `do` ends with what the task does; or go on, as with \
+                  `return %s`"
+                 text text)
+            "the last statement of a `do` is a task, so it cannot bind a name"
+      | _ -> last_is "bind a name" left.span)
   | (Let _ as last) :: _ -> last_is "be a `let`" (place [ last ])
   | (Bare_command command | Command_bind { command; _ }) :: _ -> no_command command
   | Rec inner :: _ -> no_rec (place inner)

@@ -22,6 +22,7 @@ type t = {
   mutable doc : string list;  (** lines, last one first *)
   mutable doc_line : int;  (** of the last of them *)
   mutable bad_line : int;  (** the last line with an unexpected character *)
+  mutable colons : string option list;  (** cures of colons that were told *)
   mutable cut_off : bool;  (** by a comment that is never closed *)
 }
 
@@ -35,7 +36,7 @@ let create sink ~file text =
   let at = if marked then 3 else 0 in
   {
     sink; file; text; at; line = 1; line_start = 0; extra = (if marked then 3 else 0);
-    fresh = true; doc = []; doc_line = 0; bad_line = 0; cut_off = false;
+    fresh = true; doc = []; doc_line = 0; bad_line = 0; colons = []; cut_off = false;
   }
 
 (* Past the end there are NULs, which no rule below takes for anything. *)
@@ -285,6 +286,8 @@ let string t =
 (* {1 Symbols} *)
 
 (* The character just read; what Python writes before it. *)
+let of_block = "a block is made by indentation alone; a choice is written `if c then a else b`"
+
 let colon t =
   let start = match String.rindex_from_opt t.text (max 0 (t.at - 1)) '\n' with Some i -> i + 1 | None -> 0 in
   let words = String.split_on_char ' ' (String.trim (String.sub t.text start (t.at - start))) in
@@ -293,7 +296,10 @@ let colon t =
   | "def" :: _ -> "a function is defined by an equation: `f x = …`"
   | _ when List.exists (fun word -> word = "lambda" || word = "(lambda") words ->
       "a function without a name is written `\\x -> …`"
-  | _ when ends_line -> "a block is made by indentation alone; a choice is written `if c then a else b`"
+  | ("for" | "while") :: _ ->
+      "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, \
+       `forever t` and `forEachT xs f` repeat tasks"
+  | _ when ends_line -> of_block
   | _ -> "a type follows `::`"
 
 let unexpected t =
@@ -304,6 +310,11 @@ let unexpected t =
     if character >= " " && character <> "\x7f" then Printf.sprintf "`%s`" character
     else Printf.sprintf "with code %d" (Char.code character.[0])
   in
+  let at = t.at in
+  let starts word =
+    let n = String.length word in
+    at + n <= String.length t.text && String.equal (String.sub t.text at n) word
+  in
   for _ = 1 to length do step t done;
   let hint =
     match character with
@@ -311,7 +322,11 @@ let unexpected t =
     | ":" when peek t 0 = '=' -> Some "an equation is written with `=`"
     | ":" -> Some (colon t)
     | "&" -> Some "write `&&`, or `.&.` of bits"
+    | "#" when starts "#define" -> Some "a constant is an equation: `vMax = 0.4[m/s]`"
+    | "#" when starts "#include" -> Some "a module is imported: `import Control`"
     | "#" -> Some "a comment starts with `--`"
+    | "~" when peek t 0 = '=' -> Some "`/=` says that two values differ"
+    | "~" -> Some "the opposite of `b` is `not b`"
     | "?" -> Some "a choice is written `if c then a else b`"
     | "'" -> Some "an infix name stands in backticks, as in ``x `mod` 2``"
     | "%" -> Some "the remainder is ``x `mod` y``"
@@ -326,7 +341,9 @@ let unexpected t =
     | _ -> None
   in
   (* one a line: the rest of the line is likely to be of the same kind *)
-  if t.bad_line <> t.line then report t ~code:"E0103" ~start ?hint (Printf.sprintf "unexpected character %s" shown);
+  if t.bad_line <> t.line && not (character = ":" && List.mem hint t.colons) then
+    report t ~code:"E0103" ~start ?hint (Printf.sprintf "unexpected character %s" shown);
+  if character = ":" && hint = Some of_block then t.colons <- hint :: t.colons;
   t.bad_line <- t.line;
   BAD
 

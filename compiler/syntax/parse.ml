@@ -26,6 +26,13 @@ let next reader =
 let rec skip reader (token : Layout.token) =
   match token.token with END -> token.last | _ -> skip reader (next reader)
 
+(* Likewise; was there an unexpected character on this token's line? The lexer has told it. *)
+let rec skip_line reader ~bad (at : Layout.token) (token : Layout.token) =
+  let bad = bad || (token.token = BAD && token.start.pos_lnum = at.start.pos_lnum) in
+  match token.token with
+  | END -> (bad, token.last)
+  | _ -> skip_line reader ~bad at (next reader)
+
 type outcome = Item of Surface.item | Failed
 
 (* Is this the end of an item by a `;` that is written? *)
@@ -67,10 +74,13 @@ let explained reader =
           | _ -> false
         in
         if ended && is_semicolon reader !token then reader.split <- true;
-        if not ((reader.cut && ended && not reader.defines) || rest_of_last) then
-          Syntax_error.report reader.sink ~text:reader.text ~state ~before !token;
+        let of_last = (reader.cut && ended && not reader.defines) || rest_of_last in
         reader.cut <- ended && Syntax_hint.expects_more before;
-        (Failed, skip reader !token)
+        let found = !token in
+        let told, last = skip_line reader ~bad:false found found in
+        if not (of_last || told) then
+          Syntax_error.report reader.sink ~text:reader.text ~state ~before found;
+        (Failed, last)
     | Automaton.Accepted item ->
         reader.cut <- false;
         (Item item, !token.last)

@@ -54,12 +54,23 @@ let message_of_state state =
       | [] -> Diagnostic.bug ~stage:"Syntax.Parse" "state %d has an empty message" state)
   | exception Not_found -> Diagnostic.bug ~stage:"Syntax.Parse" "state %d has no message" state
 
+(* What stands for a call, as `setVelTR(0.2, 0)`, is taken for a left side. *)
+let called_for_its_effect = "expected `=` after the left side of a definition"
+
+let no_effect =
+  "nothing is called for its effect: an equation gives a value a name, as in `v = 0.3[m/s]`"
+
 let plain found =
   let expected, state_hints = message_of_state found.state in
   let d =
     Diagnostic.error ~code:"E0110" ~at:(span found.token) "%s, found %s" expected (describe found)
   in
-  List.fold_left (fun d hint -> Diagnostic.hint hint d) d (hint found ~state_hints)
+  let hints =
+    match hint found ~state_hints with
+    | [] when String.equal expected called_for_its_effect -> [ no_effect ]
+    | hints -> hints
+  in
+  List.fold_left (fun d hint -> Diagnostic.hint hint d) d hints
   |> other_place found
 
 (* {1 Brackets} *)
@@ -202,6 +213,8 @@ let missing found =
              "a unit directly follows its type, as in `Float[m]`; the type of an array is `Array 4 Float`")
   | _ -> None
 
+let said_once = [ own_operator; no_procedures; no_effect ]
+
 let report sink ~text ~state ~before token =
   let found = { text; state; before; token; context = Layout.context token } in
   let first_of list = List.find_map (fun explain -> explain found) list in
@@ -210,4 +223,7 @@ let report sink ~text ~state ~before token =
     | Some d -> d
     | None -> plain found
   in
-  Diagnostic.emit sink d
+  (* What is said of the whole program is said once. *)
+  let told (other : Diagnostic.t) = other.code = d.code && other.hints = d.hints in
+  let once = List.exists (fun hint -> List.mem hint said_once) d.hints in
+  if not (once && List.exists told (Diagnostic.all sink)) then Diagnostic.emit sink d

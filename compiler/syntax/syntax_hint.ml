@@ -25,6 +25,7 @@ let char_at found offset =
 let after found = char_at found found.token.stop.pos_cnum
 
 let is_blank = function ' ' | '\t' | '\n' | '\r' -> true | _ -> false
+let is_symbol c = String.contains "+-*/^=<>&|!.@:$" c
 let is_digit c = c >= '0' && c <= '9'
 
 let expects_more : Layout.token option -> bool = function
@@ -106,11 +107,21 @@ let field_of_a_value found (field : Layout.token) =
 
 let is_adjacent found (before : Layout.token) = before.stop.pos_cnum = found.token.start.pos_cnum
 
+let own_operator = "programs define no operators; a function stands between in backticks: ``a `f` b``"
+
 (* An operator of other languages, of which the first characters are one of Frob's. *)
 let foreign_operator found (before : Layout.token) =
   if not (is_adjacent found before) then None
   else
     match written found before ^ written found found.token with
+    | "<$" | "<*" ->
+        Some "`mapE f e` applies a function to an event's value, `map f xs` to each of an array"
+    | ".^" | ".*" | "./" ->
+        Some
+          "operators are of numbers: `map (\\x -> x ^ 2) xs` computes with each of an array, \
+           `zipWith (*) xs ys` with those of two"
+    | "<>" -> Some "`/=` says that two values differ"
+    | text when String.length text > 1 && text.[0] = '|' && is_symbol text.[1] -> Some own_operator
     | ">>" | ">>=" -> Some "tasks follow one another in a `do`, each on a line of its own"
     | "++" when after found = ' ' -> Some "nothing is joined: a text is a label, and an array has a fixed size"
     | "++" -> Some "nothing is counted up: an equation says what holds at every instant, as in `n = delay 0 n + 1`"
@@ -125,6 +136,13 @@ let first_word found =
   let bol = found.token.start.pos_bol in
   let rec stop i = match char_at found i with 'a' .. 'z' -> stop (i + 1) | _ -> i in
   String.sub found.text bol (stop bol - bol)
+
+let line_of found =
+  let bol = found.token.start.pos_bol in
+  let stop = Option.value (String.index_from_opt found.text bol '\n') ~default:(String.length found.text) in
+  String.sub found.text bol (max 0 (stop - bol))
+
+let begins word start = String.starts_with ~prefix:start word
 
 (* The word that ends before this offset, with only blanks between. *)
 let word_before found offset =
@@ -169,8 +187,31 @@ let lacks_where found =
   | ("class" | "instance") :: words -> not (List.mem "where" words)
   | _ -> false
 
+let no_procedures =
+  "there are no procedures: a robot's program is equations that hold at every instant, \
+   `main = reactimateRobot (proc i -> roMake (setVelTR v omega))`"
+
+let beginning_of_line = function
+  | ("end" | "endif" | "endfunction") :: _ -> Some "a block ends where the indentation does"
+  | ("for" | "foreach") :: _ ->
+      Some
+        "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, \
+         `forEachT xs f` does a task for each"
+  | word :: _ when List.exists (begins word) [ "print"; "disp"; "fprintf"; "Serial"; "cout"; "puts" ] ->
+      Some "nothing is printed: what is to be seen is an output, and `--record` writes all of them"
+  | _ -> None
+
+(* The first word of the definition or of the line, with which other languages begin. *)
+let beginning found =
+  let words line = String.split_on_char ' ' (String.trim line) in
+  match (words (first_line_of_definition found), words (line_of found)) with
+  | "void" :: _, _ -> Some no_procedures
+  | "function" :: _, _ -> Some "a function is defined by an equation: `f x = …`"
+  | _, words -> beginning_of_line words
+
 let of_token found =
   match (found.token.token, found.before) with
+  | _ when beginning found <> None -> beginning found
   | _, Some before when foreign_operator found before <> None -> foreign_operator found before
   | QUALIFIED_UPPER _, Some { token = IMPORT | QUALIFIED; _ } ->
       Some "the name of a module has no points: its file stands beside this one, or in the library"
@@ -200,6 +241,8 @@ let of_token found =
   | EQUAL, _ when compares found.context -> Some "`=` defines; to compare write `==`"
   | DOUBLE_COLON, Some { token = UPPER _; _ } ->
       Some "the name of a value starts with a small letter"
+  | EQUAL, Some _ when opens_with Layout.Brace found.context ->
+      Some "there is a `,` between two fields"
   | DOUBLE_COLON, Some field when opens_with Layout.Brace found.context ->
       if field_of_a_value found field then Some "a field gets its value with `=`"
       else Some "there is a `,` between two fields"
@@ -214,6 +257,8 @@ let of_token found =
   | (LOWER _ | NUMBER _ | UNDERSCORE | LPAREN), Some ({ token = UPPER _; _ } as constructor)
     when stands_after found "proc" constructor ->
       Some "a pattern such as `Just x` needs parentheses here"
+  | ELSE, _ when opens_with Layout.If found.context ->
+      Some "`then` stands between the condition and the first choice: `if c then a else b`"
   | THEN, _ when opens_with Layout.Then found.context ->
       Some "a chain of choices is written `if a then x else if b then y else z`"
   | WHERE, None -> Some "indent `where` and what follows it: they belong to the definition above"
@@ -224,6 +269,7 @@ let of_token found =
   | _, Some { token = OPERATOR "."; start; _ } when is_digit (char_at found (start.pos_cnum - 1)) ->
       Some "a number ends with a digit: `0` after the point"
   | SLASH, None -> Some "a comment starts with `--`"
+  | BAR, _ when is_symbol (after found) && after found <> '>' -> Some own_operator
   | BAR, _ when after found = '>' -> Some "a function stands before its argument: `f x`"
   | (UNIT | PRIMITIVE | FOREIGN | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC), Some _ ->
       Some (reserved_word (written found found.token))

@@ -11,6 +11,10 @@ type found = {
   context : Layout.context;  (** what was open before the token *)
 }
 
+val own_operator : string
+val no_procedures : string
+(** Hints for who writes operators or procedures of his own. *)
+
 val innermost_block : Layout.context -> Layout.block
 
 val expects_more : Layout.token option -> bool

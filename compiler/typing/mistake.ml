@@ -1,6 +1,16 @@
 open Basis
 open Diagnostic
 
+let of_two_modules words diagnostic =
+  match Show.namesakes words with
+  | [] -> diagnostic
+  | name :: _ ->
+      hint
+        (Printf.sprintf
+           "two types are called `%s`: use one in both places, or make a value of one from the other's"
+           name)
+        diagnostic
+
 (* A local function without a signature does for one type only. *)
 let of_one_type words (expected : Expected.t) found diagnostic =
   let shown t = Show.described words t in
@@ -24,7 +34,9 @@ let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : U
   | _ -> ignore (Show.type_ words expected.ty));
   Show.tell_apart words [ expected.ty; found ];
   let finish diagnostic =
-    Expected.explain_all words ~subject expected diagnostic |> of_one_type words expected found
+    Expected.explain_all words ~subject expected diagnostic
+    |> of_one_type words expected found
+    |> of_two_modules words
   in
   match clash with
   | Different_units (wanted, given) -> (

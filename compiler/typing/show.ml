@@ -173,7 +173,11 @@ let tell_apart words types =
     List.exists (fun (other : Ir.Global.t) -> other.name = g.name && other.module_ <> g.module_) all
   in
   words.namesakes <-
-    List.filter_map (fun (g : Ir.Global.t) -> if has_namesake g then Some g.name else None) all
+    List.filter has_namesake all
+    |> List.map (fun (g : Ir.Global.t) -> g.name)
+    |> List.sort_uniq String.compare
+
+let namesakes words = words.namesakes
 
 let data_name words (g : Ir.Global.t) =
   if List.mem g.name words.namesakes then g.module_ ^ "." ^ g.name else g.name

@@ -48,6 +48,9 @@ val signal : words -> Type.t -> string option
 val tell_apart : words -> Type.t list -> unit
 (** Data types among these that have one name, of several modules, are shown with the module's. *)
 
+val namesakes : words -> string list
+(** Their names. *)
+
 val type_ : words -> Type.t -> string
 (** By its alias where it has one. *)
 

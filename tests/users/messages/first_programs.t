@@ -100,13 +100,13 @@ Blocks in braces, and a lambda, a field or a unit as elsewhere:
   > bell = after 3 [s]
   > FROB
   $ frobc check unit.frob
-  error[E0205]: unknown name `s`
-   --> unit.frob:2:17
+  error[E0205]: this unit stands apart from its number
+   --> unit.frob:2:16
     |
   2 | bell = after 3 [s]
-    |                 ^
+    |                ^^^
     |
-    = note: `s` is a unit: it stands in brackets directly after a number, as in `3[s]`
+    = hint: no blank stands between them: `3[s]`
   
   1 error
   [1]

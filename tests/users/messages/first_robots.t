@@ -12,25 +12,9 @@ A name that is not imported: the module that gathers what programs for robots ne
   1 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] 0))
     |        ^^^^^^^^^^^^^^^
     |
-    = hint: `reactimateRobot` is in the library: `import Robot`
+    = hint: `reactimateRobot`, `roMake` and `setVelTR` are in the library: `import Robot`
   
-  error[E0205]: unknown name `roMake`
-   --> no_import.frob:1:35
-    |
-  1 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] 0))
-    |                                   ^^^^^^
-    |
-    = hint: `roMake` is in the library: `import Robot`
-  
-  error[E0205]: unknown name `setVelTR`
-   --> no_import.frob:1:43
-    |
-  1 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] 0))
-    |                                           ^^^^^^^^
-    |
-    = hint: `setVelTR` is in the library: `import Robot`
-  
-  3 errors
+  1 error
   [1]
 
 An angle where a speed of turning is needed.

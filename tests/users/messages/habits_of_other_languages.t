@@ -1,0 +1,282 @@
+Loops, calls, declarations and operators as elsewhere: one message for each.
+
+C and Arduino:
+
+  $ cat > if_without_then.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = if (frontSonar i > 0.5[m]) 0.3[m/s] else 0)
+  > FROB
+  $ frobc check if_without_then.frob
+  error[E0110]: expected `then` after the condition, found `else`
+   --> if_without_then.frob:4:45
+    |
+  4 |     v = if (frontSonar i > 0.5[m]) 0.3[m/s] else 0)
+    |                                             ^^^^
+    |
+    = hint: `then` stands between the condition and the first choice: `if c then a else b`
+  
+  1 error
+  [1]
+  $ cat > arduino_loop.frob <<'FROB'
+  > void loop() {
+  >     setVelTR(0.2, 0);
+  >     delay(1000);
+  > }
+  > FROB
+  $ frobc check arduino_loop.frob
+  error[E0110]: expected `=`, `,` or `}` after the name of a field, found `(`
+   --> arduino_loop.frob:2:13
+    |
+  2 |     setVelTR(0.2, 0);
+    |             ^
+    |
+    = hint: there are no procedures: a robot's program is equations that hold at every instant, `main = reactimateRobot (proc i -> roMake (setVelTR v omega))`
+  
+  1 error
+  [1]
+  $ cat > while_loop.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateTask (do
+  >     while (not (bumped i))
+  >         sleepT 1[s] (roMake (setVelTR 0.2[m/s] 0)))
+  > FROB
+  $ frobc check while_loop.frob
+  error[E0205]: unknown name `while`
+   --> while_loop.frob:4:5
+    |
+  4 |     while (not (bumped i))
+    |     ^^^^^
+    |
+    = hint: what goes on until something happens is a task: `mkTask`, `abortWhen`, `forever`
+  
+  1 error
+  [1]
+  $ cat > int_declaration.frob <<'FROB'
+  > main :: SF Int Int
+  > main = proc n -> m where
+  >     int m = n + 1
+  > FROB
+  $ frobc check int_declaration.frob
+  error[E0205]: unknown name `m`
+   --> int_declaration.frob:2:18
+    |
+  2 | main = proc n -> m where
+    |                  ^
+  3 |     int m = n + 1
+    |     --- this defines a function `int` of `m`
+    |
+    = note: `m` is a unit: it stands in brackets directly after a number, as in `3[m]`
+    = hint: no type stands before a name: `m = …`, and if wanted `m :: Int` on a line of its own
+  
+  1 error
+  [1]
+  $ cat > define.frob <<'FROB'
+  > #define V_MAX 0.4
+  > 
+  > main :: SF Float Float
+  > main = proc x -> min x V_MAX
+  > FROB
+  $ frobc check define.frob
+  error[E0103]: unexpected character `#`
+   --> define.frob:1:1
+    |
+  1 | #define V_MAX 0.4
+    | ^
+    |
+    = hint: a constant is an equation: `vMax = 0.4[m/s]`
+  
+  1 error
+  [1]
+
+Python:
+
+  $ cat > print_call.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = 0.2[m/s]
+  >     print("speed", v))
+  > FROB
+  $ frobc check print_call.frob
+  error[E0110]: expected `=` after the left side of a definition, found the end of the block
+   --> print_call.frob:5:22
+    |
+  5 |     print("speed", v))
+    |                      ^
+    |
+    = hint: nothing is printed: what is to be seen is an output, and `--record` writes all of them
+  
+  1 error
+  [1]
+  $ cat > colon_block.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     if bumped i:
+  >         v = 0
+  >     else:
+  >         v = 0.3[m/s])
+  > FROB
+  $ frobc check colon_block.frob
+  error[E0103]: unexpected character `:`
+   --> colon_block.frob:4:16
+    |
+  4 |     if bumped i:
+    |                ^
+    |
+    = hint: a block is made by indentation alone; a choice is written `if c then a else b`
+  
+  1 error
+  [1]
+  $ cat > for_loop.frob <<'FROB'
+  > main :: SF (Array 8 Distance) Distance
+  > main = proc ds -> total where
+  >     total = 0
+  >     for d in ds:
+  >         total = total + d
+  > FROB
+  $ frobc check for_loop.frob
+  error[E0103]: unexpected character `:`
+   --> for_loop.frob:4:16
+    |
+  4 |     for d in ds:
+    |                ^
+    |
+    = hint: nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, `forever t` and `forEachT xs f` repeat tasks
+  
+  1 error
+  [1]
+
+MATLAB:
+
+  $ cat > matlab_function.frob <<'FROB'
+  > function y = twice(x)
+  >     y = 2 * x;
+  > end
+  > 
+  > main = arr twice
+  > FROB
+  $ frobc check matlab_function.frob
+  error[E0110]: expected an operator, an argument, or the end of this definition, found `=`
+   --> matlab_function.frob:2:7
+    |
+  2 |     y = 2 * x;
+    |       ^
+    |
+    = hint: a function is defined by an equation: `f x = …`
+  
+  error[E0110]: expected `=`, `::`, or a parameter after this name, found the end of the definition
+   --> matlab_function.frob:3:4
+    |
+  3 | end
+    |    ^
+    |
+    = hint: a block ends where the indentation does
+  
+  2 errors
+  [1]
+  $ cat > element_powers.frob <<'FROB'
+  > main :: SF (Array 3 Float) (Array 3 Float)
+  > main = proc xs -> xs .^ 2
+  > FROB
+  $ frobc check element_powers.frob
+  error[E0110]: expected an operand after the operator, found `^`
+   --> element_powers.frob:2:23
+    |
+  2 | main = proc xs -> xs .^ 2
+    |                       ^
+    |
+    = hint: operators are of numbers: `map (\x -> x ^ 2) xs` computes with each of an array, `zipWith (*) xs ys` with those of two
+  
+  1 error
+  [1]
+  $ cat > tilde_equals.frob <<'FROB'
+  > main :: SF (Int, Int) Bool
+  > main = proc (a, b) -> a ~= b
+  > FROB
+  $ frobc check tilde_equals.frob
+  error[E0103]: unexpected character `~`
+   --> tilde_equals.frob:2:25
+    |
+  2 | main = proc (a, b) -> a ~= b
+    |                         ^
+    |
+    = hint: `/=` says that two values differ
+  
+  1 error
+  [1]
+
+Haskell:
+
+  $ cat > operator_definition.frob <<'FROB'
+  > (|+|) :: Float -> Float -> Float
+  > a |+| b = sqrt (a * a + b * b)
+  > 
+  > main :: SF (Float, Float) Float
+  > main = proc (a, b) -> a |+| b
+  > FROB
+  $ frobc check operator_definition.frob
+  error[E0110]: expected an expression or an operator after `(`, found `|`
+   --> operator_definition.frob:1:2
+    |
+  1 | (|+|) :: Float -> Float -> Float
+    |  ^
+    |
+    = hint: programs define no operators; a function stands between in backticks: ``a `f` b``
+  
+  1 error
+  [1]
+  $ cat > fmap_operator.frob <<'FROB'
+  > main :: SF (Event Float) (Event Float)
+  > main = proc e -> (* 2) <$> e
+  > FROB
+  $ frobc check fmap_operator.frob
+  error[E0110]: expected an operand after the operator, found `$`
+   --> fmap_operator.frob:2:25
+    |
+  2 | main = proc e -> (* 2) <$> e
+    |                         ^
+    |
+    = hint: `mapE f e` applies a function to an event's value, `map f xs` to each of an array
+  
+  1 error
+  [1]
+  $ cat > pure_result.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateTask (do
+  >     sleepT 1[s] (roMake (setVelTR 0.2[m/s] 0))
+  >     pure ())
+  > FROB
+  $ frobc check pure_result.frob
+  error[E0205]: unknown name `pure`
+   --> pure_result.frob:5:5
+    |
+  5 |     pure ())
+    |     ^^^^
+    |
+    = hint: it is `return`
+  
+  1 error
+  [1]
+  $ cat > num_constraint.frob <<'FROB'
+  > twice :: Num a => a -> a
+  > twice x = x + x
+  > 
+  > main :: SF Float Float
+  > main = arr twice
+  > FROB
+  $ frobc check num_constraint.frob
+  error[E0223]: unknown type class `Num`
+   --> num_constraint.frob:1:10
+    |
+  1 | twice :: Num a => a -> a
+    |          ^^^
+    |
+    = hint: numbers have no classes: `n[u]` is any number, of any unit, as in `twice :: n[u] -> n[u]`; `Float[u]` has fractions
+  
+  1 error
+  [1]

@@ -1,0 +1,257 @@
+Units that are missing, or others.
+
+A turn, a pause, and a unit that stands apart:
+
+  $ cat > turn_without_unit.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 30))
+  > FROB
+  $ frobc check turn_without_unit.frob
+  error[E0320]: expected the unit `1/s`, found none
+   --> turn_without_unit.frob:3:61
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 30))
+    |                                           --------          ^^ this is `Float`
+    |                                           |
+    |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
+    |
+    = hint: write `30[deg/s]` for degrees in a second, `30[rad/s]` for radians
+  
+  1 error
+  [1]
+  $ cat > milliseconds.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateTask (do
+  >     sleepT 1000 (roMake (setVelTR 0.2[m/s] 0))
+  >     sleepT 500 (roMake (setVelTR 0 1[rad/s])))
+  > FROB
+  $ frobc check milliseconds.frob
+  error[E0320]: expected the unit `s`, found none
+   --> milliseconds.frob:4:12
+    |
+  4 |     sleepT 1000 (roMake (setVelTR 0.2[m/s] 0))
+    |     ------ ^^^^ this is `Float`
+    |     |
+    |     argument 1 of `sleepT` is `Time` (s)
+    |
+    = hint: write `1000[ms]` if these are milliseconds, `1000[s]` for seconds
+  
+  error[E0320]: expected the unit `s`, found none
+   --> milliseconds.frob:5:12
+    |
+  5 |     sleepT 500 (roMake (setVelTR 0 1[rad/s])))
+    |     ------ ^^^ this is `Float`
+    |     |
+    |     argument 1 of `sleepT` is `Time` (s)
+    |
+    = hint: write `500[ms]` if these are milliseconds, `500[s]` for seconds
+  
+  2 errors
+  [1]
+  $ cat > unit_after_a_space.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0.3 [m/s] 0))
+  > FROB
+  $ frobc check unit_after_a_space.frob
+  error[E0205]: this unit stands apart from its number
+   --> unit_after_a_space.frob:3:56
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3 [m/s] 0))
+    |                                                        ^^^^^
+    |
+    = hint: no blank stands between them: `0.3[m/s]`
+  
+  1 error
+  [1]
+
+What makes one quantity of another:
+
+  $ cat > speed_from_distance.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR (frontSonar i - 0.5[m]) 0))
+  > FROB
+  $ frobc check speed_from_distance.frob
+  error[E0320]: expected the unit `m/s`, found `m`
+   --> speed_from_distance.frob:3:53
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR (frontSonar i - 0.5[m]) 0))
+    |                                           --------  ^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`
+    |                                           |
+    |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
+    |
+    = hint: a gain makes `m/s` of `m`, as in `0.5[1/s] * (frontSonar i - 0.5[m])`; `derivative (frontSonar i - 0.5[m])` is how fast it changes
+  
+  1 error
+  [1]
+  $ cat > distance_plus_speed.frob <<'FROB'
+  > main :: SF (Distance, Velocity) Distance
+  > main = proc (x, v) -> x + v * 2
+  > FROB
+  $ frobc check distance_plus_speed.frob
+  error[E0320]: the operands of `+` have different units: `m` and `m/s`
+   --> distance_plus_speed.frob:2:27
+    |
+  2 | main = proc (x, v) -> x + v * 2
+    |                       -   ^^^^^ this is `Float[m/s]`
+    |                       |
+    |                       this is `Distance` (m)
+    |
+    = hint: times a time it is `m`, as in `1[s] * (v * 2)`; `integral (v * 2)` adds it up over time
+  
+  1 error
+  [1]
+  $ cat > squared_distance.frob <<'FROB'
+  > import Geometry
+  > 
+  > main :: SF Point2 Distance
+  > main = proc p -> p.x ^ 2 + p.y ^ 2
+  > FROB
+  $ frobc check squared_distance.frob
+  error[E0320]: expected the unit `m`, found `m^2`
+   --> squared_distance.frob:4:18
+    |
+  3 | main :: SF Point2 Distance
+    |         ------------------ the signature of `main` asks for the output `Distance` (m)
+  4 | main = proc p -> p.x ^ 2 + p.y ^ 2
+    |                  ^^^^^^^^^^^^^^^^^ this is `Float[m^2]`
+    |
+    = hint: `sqrt (p.x ^ 2 + p.y ^ 2)` has half the unit
+  
+  1 error
+  [1]
+  $ cat > double_for_velocity.frob <<'FROB'
+  > slow :: Double -> Double
+  > slow v = min v 0.2
+  > 
+  > main :: SF Velocity Velocity
+  > main = arr slow
+  > FROB
+  $ frobc check double_for_velocity.frob
+  error[E0320]: expected the unit `m/s`, found none
+   --> double_for_velocity.frob:5:8
+    |
+  4 | main :: SF Velocity Velocity
+    |         -------------------- the signature of `main` asks for `SF Velocity Velocity`
+  5 | main = arr slow
+    |        ^^^^^^^^ this is `SF Double Double`
+    |
+    = note: expected `SF Velocity Velocity`, found `SF Double Double`
+    = hint: a `Float` without brackets has no unit; `Float[m/s]` has this one
+  
+  1 error
+  [1]
+
+The gains of a controller depend on each other, so one of a wrong unit is one message:
+
+  $ cat > pid_of_three_numbers.frob <<'FROB'
+  > import Control
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = pid 1 0.1 0.01 (frontSonar i - 0.5[m]))
+  > FROB
+  $ frobc check pid_of_three_numbers.frob
+  error[E0301]: expected `Pid[u, v]`, found a number
+   --> pid_of_three_numbers.frob:5:13
+    |
+  5 |     v = pid 1 0.1 0.01 (frontSonar i - 0.5[m]))
+    |         --- ^
+    |         |
+    |         argument 1 of `pid` is `Pid[u, v]`
+    |
+    = hint: it is a record: `Pid { kp = …, ki = …, kd = …, largest = … }`
+  
+  1 error
+  [1]
+  $ cat > pid_gains_without_units.frob <<'FROB'
+  > import Control
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = pid gains (frontSonar i - 0.5[m])
+  >     gains = Pid { kp = 0.8, ki = 0.1, kd = 0.05, largest = 0.3[m/s] })
+  > FROB
+  $ frobc check pid_gains_without_units.frob
+  error[E0320]: expected the unit `1/s`, found none
+   --> pid_gains_without_units.frob:6:34
+    |
+  6 |     gains = Pid { kp = 0.8, ki = 0.1, kd = 0.05, largest = 0.3[m/s] })
+    |                             --   ^^^ this is `Float`
+    |                             |
+    |                             the field `ki` is `Float[1/s]`
+    |
+    = note: of the units in a `Pid`, `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
+    = hint: write `0.1[1/s]` if that is its unit
+  
+  1 error
+  [1]
+  $ cat > pid_gain_of_wrong_unit.frob <<'FROB'
+  > import Control
+  > import Robot
+  > 
+  > gains = Pid { kp = 0.8[1/s], ki = 0.1[1/s], kd = 0.05, largest = 0.3[m/s] }
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR (pid gains (frontSonar i - 0.5[m])) 0))
+  > FROB
+  $ frobc check pid_gain_of_wrong_unit.frob
+  error[E0320]: expected the unit `1/s^2`, found `1/s`
+   --> pid_gain_of_wrong_unit.frob:4:35
+    |
+  4 | gains = Pid { kp = 0.8[1/s], ki = 0.1[1/s], kd = 0.05, largest = 0.3[m/s] }
+    |                              --   ^^^^^^^^ this is `Float[1/s]`
+    |                              |
+    |                              the field `ki` is `Float[1/s^2]`
+    |
+    = note: of the units in a `Pid`, `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
+    = hint: write `0.1[1/s^2]` if that unit was meant
+  
+  1 error
+  [1]
+
+Types of one name, and a local function of one type:
+
+  $ cat > two_modules_T.frob <<'FROB'
+  > import qualified Geometry as G
+  > import Robot
+  > 
+  > data Pose = Pose { position :: G.Point2, heading :: Angle }
+  > 
+  > main :: SF RobotInput Pose
+  > main = proc i -> robotPose i
+  > FROB
+  $ frobc check two_modules_T.frob
+  error[E0301]: expected `Main.Pose`, found `Geometry.Pose`
+   --> two_modules_T.frob:7:18
+    |
+  6 | main :: SF RobotInput Pose
+    |         ------------------ the signature of `main` asks for the output `Main.Pose`
+  7 | main = proc i -> robotPose i
+    |                  ^^^^^^^^^^^
+    |
+    = hint: two types are called `Pose`: use one in both places, or make a value of one from the other's
+  
+  1 error
+  [1]
+  $ cat > local_at_two_types.frob <<'FROB'
+  > main :: SF (Float, Velocity) (Float, Velocity)
+  > main = proc (x, v) -> (twice x, twice v) where
+  >     twice a = a + a
+  > FROB
+  $ frobc check local_at_two_types.frob
+  error[E0320]: expected no unit, found `m/s`
+   --> local_at_two_types.frob:2:39
+    |
+  2 | main = proc (x, v) -> (twice x, twice v) where
+    |                        -----    ----- ^ this is `Velocity` (m/s)
+    |                        |        |
+    |                        |        argument 1 of `twice` is `Float`
+    |                        because of this use of `twice`
+    |
+    = hint: a local function without a signature has one type: give `twice` a signature with a variable, of the form `twice :: Float[u] -> …`
+  
+  1 error
+  [1]

@@ -1,0 +1,237 @@
+What people write at first of a robot's senses, speeds and tasks.
+
+A sense lacks its input, is read like a field, or in a task:
+
+  $ cat > sonar_without_input.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = if frontSonar < 0.5[m] then 0 else 0.3[m/s])
+  > FROB
+  $ frobc check sonar_without_input.frob
+  error[E0303]: a signal function stands where the value of its signal is needed
+   --> sonar_without_input.frob:4:12
+    |
+  4 |     v = if frontSonar < 0.5[m] then 0 else 0.3[m/s])
+    |            ^^^^^^^^^^   ------ this is `Float[m]`
+    |            |
+    |            this is `SF a Distance`
+    |
+    = hint: run it on `i`: `frontSonar i`
+  
+  1 error
+  [1]
+  $ cat > sonar_as_field.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = 0.5[1/s] * (i.frontSonar - 0.3[m]))
+  > FROB
+  $ frobc check sonar_as_field.frob
+  error[E0310]: no type in scope has a field `frontSonar`
+   --> sonar_as_field.frob:4:23
+    |
+  4 |     v = 0.5[1/s] * (i.frontSonar - 0.3[m]))
+    |                       ^^^^^^^^^^
+    |
+    = hint: `frontSonar` is a signal function: write `frontSonar i`
+  
+  1 error
+  [1]
+  $ cat > sonar_in_a_task.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateTask go
+  > 
+  > go :: Task RobotInput RobotOutput ()
+  > go = do
+  >     i <- snapT
+  >     if frontSonar i < 0.5[m]
+  >       then return ()
+  >       else sleepT 1[s] (roMake (setVelTR 0.2[m/s] 0))
+  > FROB
+  $ frobc check sonar_in_a_task.frob
+  error[E0341]: `frontSonar` is run outside of a `proc`
+   --> sonar_in_a_task.frob:8:8
+    |
+  8 |     if frontSonar i < 0.5[m]
+    |        ^^^^^^^^^^^^ the statements of a task run no signal functions
+    |
+    = hint: a task in which it runs at every instant is `mkTask (proc i -> (output, event))`
+  
+  1 error
+  [1]
+  $ cat > signal_outside_proc.frob <<'FROB'
+  > import Robot
+  > 
+  > speed = 0.5[1/s] * (frontSonar i - 0.3[m])
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
+  > FROB
+  $ frobc check signal_outside_proc.frob
+  error[E0205]: unknown name `i`
+   --> signal_outside_proc.frob:3:32
+    |
+  3 | speed = 0.5[1/s] * (frontSonar i - 0.3[m])
+    |                                ^
+  4 |
+  5 | main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
+    |                              - this `i` is a signal of a `proc`
+    |
+    = hint: a signal is known in its `proc` only: write the equation in the `where` of that one, or make a signal function, `proc i -> …`
+  
+  1 error
+  [1]
+  $ cat > mode_calls_itself.frob <<'FROB'
+  > import Robot
+  > 
+  > drive :: SF RobotInput RobotOutput
+  > drive = proc i -> if bumped i then roMake id else drive i
+  > 
+  > main = reactimateRobot drive
+  > FROB
+  $ frobc check mode_calls_itself.frob
+  error[E0342]: `drive` is run in its own definition
+   --> mode_calls_itself.frob:4:51
+    |
+  4 | drive = proc i -> if bumped i then roMake id else drive i
+    |                                                   ^^^^^^^
+    |
+    = hint: every equation holds at every instant: nothing is called again to go on
+    = hint: to do something else from an event on, and then perhaps this again, `switch`
+  
+  1 error
+  [1]
+
+What comes out is not an output, or takes time:
+
+  $ cat > speed_as_output.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> if bumped i then 0 else 0.3[m/s])
+  > FROB
+  $ frobc check speed_as_output.frob
+  error[E0411]: `main` cannot run: its type is `HasBumpers a => Program a Float[m/s]`, and what comes out is not what a robot takes
+   --> speed_as_output.frob:3:35
+    |
+  3 | main = reactimateRobot (proc i -> if bumped i then 0 else 0.3[m/s])
+    |                                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`
+  
+  1 error
+  [1]
+  $ cat > task_started_in_proc.frob <<'FROB'
+  > import Geometry
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i ->
+  >     if bumped i then driveTo (Vec2 { x = 0, y = 0 }) else roMake (setVelTR 0.2[m/s] 0))
+  > FROB
+  $ frobc check task_started_in_proc.frob
+  error[E0371]: a task stands where a robot's input or output is needed
+     --> task_started_in_proc.frob:5:59
+      |
+    5 |     if bumped i then driveTo (Vec2 { x = 0, y = 0 }) else roMake (setVelTR 0.2[m/s] 0))
+      |                                                           ^^^^^^ `roMake` needs it
+      |
+     ::: stdlib/Capability.frob:141:11
+      |
+  141 | roMake :: RobotOutput o => (o -> o) -> o
+      |           ------------------------------ `roMake` asks for `RobotOutput o` here
+      |
+      = note: the type is `Task b c Bool`, a task's, for what stands beside it
+      = hint: a task takes time, and no equation runs it: `reactimateTask` does, and in a `do` one follows another
+  
+  1 error
+  [1]
+  $ cat > place_as_two_numbers.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateTask (do
+  >     driveTo 1[m] 2[m]
+  >     driveTo 0 0)
+  > FROB
+  $ frobc check place_as_two_numbers.frob
+  error[E0301]: expected `Point2`, found a number of `m`
+   --> place_as_two_numbers.frob:4:13
+    |
+  4 |     driveTo 1[m] 2[m]
+    |     ------- ^^^^
+    |     |
+    |     argument 1 of `driveTo` is `Point2`
+    |
+    = hint: a vector has its fields by name: `Vec2 { x = 1[m], y = b }`, with `import Geometry`
+  
+  error[E0301]: expected `Point2`, found a number
+   --> place_as_two_numbers.frob:5:13
+    |
+  5 |     driveTo 0 0)
+    |     ------- ^
+    |     |
+    |     argument 1 of `driveTo` is `Point2`
+    |
+    = hint: a vector has its fields by name: `Vec2 { x = 0, y = b }`, with `import Geometry`
+  
+  2 errors
+  [1]
+  $ cat > task_ends_with_bind.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateTask go
+  > 
+  > go = do
+  >     sleepT 1[s] (roMake (setVelTR 0.2[m/s] 0))
+  >     p <- robotPlace
+  > FROB
+  $ frobc check task_ends_with_bind.frob
+  error[E0116]: the last statement of a `do` is a task, so it cannot bind a name
+   --> task_ends_with_bind.frob:7:5
+    |
+  7 |     p <- robotPlace
+    |     ^
+    |
+    = hint: leave out `p <-`, and the `do` ends with what the task does; or go on, as with `return p`
+  
+  1 error
+  [1]
+
+A robot has no such thing, or its module is not imported:
+
+  $ cat > setLight_on_pioneer.frob <<'FROB'
+  > import Robot
+  > 
+  > main :: Program RobotInput RobotOutput
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . setLight On))
+  > FROB
+  $ frobc check setLight_on_pioneer.frob
+  error[E0360]: there is no instance `HasLight PioneerOutput`
+     --> setLight_on_pioneer.frob:4:65
+      |
+    4 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . setLight On))
+      |                                                                 ^^^^^^^^ `setLight` needs it
+      |
+     ::: stdlib/Capability.frob:155:17
+      |
+  155 |     setLight :: Light -> o -> o
+      |                 --------------- `setLight` asks for `HasLight o` here
+      |
+      = note: what has `HasLight`: `CreateOutput`
+  
+  1 error
+  [1]
+  $ cat > no_import_robot.frob <<'FROB'
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = 0.5[1/s] * (frontSonar i - 0.3[m]))
+  > FROB
+  $ frobc check no_import_robot.frob
+  error[E0205]: unknown name `reactimateRobot`
+   --> no_import_robot.frob:1:8
+    |
+  1 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+    |        ^^^^^^^^^^^^^^^
+    |
+    = hint: `reactimateRobot`, `roMake`, `setVelTR` and `frontSonar` are in the library: `import Robot`
+  
+  1 error
+  [1]
