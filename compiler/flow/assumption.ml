@@ -75,6 +75,7 @@ and follow t (rhs : Ir.rhs) b =
   | Op (Not, [ x ]) -> assume t x (not b)
   | Op (And, [ x; y ]) -> both t x y ~all:true b
   | Op (Or, [ x; y ]) -> both t x y ~all:false b
+  | Op (((Less | Less_equal | Equal) as operator), [ x; y ]) -> comparison t operator x y b
   | If { condition; then_; else_ } ->
       choice t condition
         ~then_:(can_be t then_ b, fun () -> assume t then_ b)
@@ -83,6 +84,29 @@ and follow t (rhs : Ir.rhs) b =
   | Op _ | Construct _ | Payload _ | Delay _ | Elements _ | Fill _ | Index _ | At _ | Replace _
   | Absent | Time _ | Ticks _ | Integral _ | Derivative _ ->
       ()
+
+and comparison t (operator : Ir.operator) x y b =
+  match Range.compared operator (read t x) (read t y) b with
+  | None -> raise Contradiction
+  | Some (in_x, in_y) ->
+      number t x in_x;
+      number t y in_y
+
+(* A number is in this range, which is within what is known of it. *)
+and number t (atom : Ir.atom) range =
+  match atom with
+  | Signal s when range <> read t atom -> (
+      narrow t s range;
+      follow_once t s (function
+        | Copy made -> number_within t made range
+        | Payload _ -> back t atom (fun made -> number_within t made range)
+        | _ -> ()))
+  | Signal _ | Bool _ | Int _ | Float _ -> ()
+
+and number_within t atom range =
+  match Range.meet (read t atom) range with
+  | Some both -> number t atom both
+  | None -> raise Contradiction
 
 and back t atom continue =
   let made = origin t atom in
@@ -129,16 +153,8 @@ and some t atom allowed =
   | Bools _ | Ints _ | Floats _ -> true
 
 (* What is known of a signal both ways. *)
-let meet (known : Range.t) (computed : Range.t) : Range.t =
-  match (known, computed) with
-  | Bools a, Bools b when (a.true_ && b.true_) || (a.false_ && b.false_) ->
-      Bools { true_ = a.true_ && b.true_; false_ = a.false_ && b.false_ }
-  | Bools _, Bools _ -> raise Contradiction
-  | Constructors a, Constructors b -> (
-      match List.filter (fun (k, _) -> List.mem_assoc k a) b with
-      | [] -> raise Contradiction
-      | left -> Constructors left)
-  | _ -> computed
+let meet known computed =
+  match Range.meet known computed with Some both -> both | None -> raise Contradiction
 
 let forward t evaluate equations =
   List.iter
@@ -154,7 +170,7 @@ let forward t evaluate equations =
    need more. *)
 let rounds = 4
 
-let possible values ~read ~evaluate equations assumed =
+let narrowed values ~read ~evaluate equations assumed =
   let definitions = Hashtbl.create 64 in
   List.iter (fun (e : Ir.equation) -> Hashtbl.replace definitions e.defines.id e.rhs) equations;
   let t =
@@ -165,8 +181,8 @@ let possible values ~read ~evaluate equations assumed =
     t.changed <- false;
     Hashtbl.reset t.followed;
     List.iter (fun (atom, b) -> assume t atom b) assumed;
-    if t.changed && round < rounds then (
+    if t.changed then (
       forward t evaluate equations;
-      again (round + 1))
+      if round < rounds then again (round + 1))
   in
-  match again 1 with () -> true | exception Contradiction -> false
+  match again 1 with () -> Some t.values | exception Contradiction -> None

@@ -11,13 +11,13 @@
 type values = (int, Range.t) Hashtbl.t
 (** What the signals of a node may be. *)
 
-val possible :
+val narrowed :
   values ->
   read:(values -> Ir.atom -> Range.t) ->
   evaluate:(values -> Ir.equation -> Range.t) ->
   Ir.equation list ->
   (Ir.atom * bool) list ->
-  bool
-(** Can these atoms be so at once, if the node's signals are among [values]?
-    The equations are in an order in which each comes after what it reads.
-    [values] is left as it is. Errs towards true. *)
+  values option
+(** What the node's signals may be where these atoms are so at once, if they are among
+    [values]; [None] if they cannot. The equations are in an order in which each comes
+    after what it reads. [values] is left as it is. Errs towards what is possible. *)

@@ -13,6 +13,7 @@ type t = {
       (** of each node's statics, what is passed anywhere so far *)
   known : (int * instant * Range.t list * Range.t list, Range.t list) Hashtbl.t;
       (** outputs by node, statics and inputs *)
+  steps : int list Lazy.t;  (** at which bounds of Ints that move may stay *)
   mutable budget : int;  (** of node evaluations; then anything is possible *)
 }
 
@@ -37,6 +38,11 @@ let map = Long_list.map
 (* What is not there may be anything. *)
 type values = Assumption.values
 
+(* Of a signal that is the same as another one of its node, that other one's id. *)
+type same = (int, int) Hashtbl.t
+
+let same_as (same : same) (s : Ir.signal) = Option.value (Hashtbl.find_opt same s.id) ~default:s.id
+
 let read a (values : values) (atom : Ir.atom) =
   match (atom, Range.of_constant atom) with
   | _, Some constant -> constant
@@ -53,11 +59,41 @@ let anything_of a signals = map (fun (s : Ir.signal) -> Range.anything a.program
 
 (* {1 One node} *)
 
-let equation a instant values (e : Ir.equation) =
+(* An operation on a number and itself. *)
+let on_itself (operator : Ir.operator) (x : Range.t) : Range.t option =
+  let regular =
+    match x with
+    | Floats { nan; _ } -> not nan
+    | Ints _ | Bools _ | Constructors _ -> true
+  in
+  match (operator, x) with
+  | Subtract, Floats { least; most; nan } ->
+      Some (Range.zero_or ~nan:(nan || least = neg_infinity || most = infinity))
+  | Subtract, Ints _ -> Some (Ints { least = 0; most = 0 })
+  | Less, _ -> Some (Bools { true_ = false; false_ = true })
+  | (Less_equal | Equal), _ -> Some (Bools { true_ = true; false_ = not regular })
+  | _ -> None
+
+let are_same (same : same) (arguments : Ir.atom list) =
+  match arguments with
+  | [ Signal s; Signal t ] -> same_as same s = same_as same t
+  | _ -> false
+
+let note_same (same : same) (e : Ir.equation) =
+  let is (s : Ir.signal) = Hashtbl.replace same e.defines.id (same_as same s) in
+  match e.rhs with
+  | Copy (Signal s) -> is s
+  | If { then_ = Signal s; else_ = Signal t; _ } when same_as same s = same_as same t -> is s
+  | _ -> ()
+
+let equation a instant same values (e : Ir.equation) =
   let read = read a values in
   let anything () = Range.anything a.program e.defines.ty in
   match (e.rhs, instant) with
   | Copy atom, _ -> read atom
+  | Op (operator, (x :: _ as arguments)), _
+    when are_same same arguments && on_itself operator (read x) <> None ->
+      Option.get (on_itself operator (read x))
   | Op (operator, arguments), _ -> Range.operation a.program.real operator (map read arguments) e.defines.ty
   | If { condition; then_; else_ }, _ -> (
       let condition = read condition in
@@ -86,8 +122,11 @@ let equation a instant values (e : Ir.equation) =
   | Ticks _, _ -> anything ()
   | (Delay _ | Integral _ | Derivative _), Any -> anything ()
 
-(* The transitions that may be the first to occur. *)
-let possible a instant node values (transitions : Ir.transition list) =
+(* A node at an instant. *)
+type evaluated = { values : values; same : same }
+
+(* The transitions that may be the first to occur, each with what holds then. *)
+let possible a instant node { values; same } (transitions : Ir.transition list) =
   let equations =
     lazy
       (List.filter_map
@@ -98,18 +137,19 @@ let possible a instant node values (transitions : Ir.transition list) =
   in
   let at_once before (t : Ir.transition) =
     let not_before (t : Ir.transition) = (t.occurs, false) in
-    Assumption.possible values ~read:(read a) ~evaluate:(equation a instant)
+    Assumption.narrowed values ~read:(read a) ~evaluate:(equation a instant same)
       (Lazy.force equations)
       ((t.occurs, true) :: List.rev_map not_before before)
+    |> Option.map (fun values -> (t, { values; same }))
   in
   let rec first before = function
     | [] -> []
     | (t : Ir.transition) :: others ->
         let occurs = read a values t.occurs in
         if not (Range.may_be_true occurs) then first before others
-        else if not (Range.may_be_false occurs) then if at_once before t then [ t ] else []
-        else if at_once before t then t :: first (t :: before) others
-        else first (t :: before) others
+        else
+          let here = Option.to_list (at_once before t) in
+          if Range.may_be_false occurs then here @ first (t :: before) others else here
   in
   first [] transitions
 
@@ -131,6 +171,23 @@ let inputs_of a values (i : Ir.instance) =
       in
       List.map2 input l.arguments i.inputs
 
+(* Of each of the atoms the first one that is the same, by number; nothing where all are
+   different. *)
+let pattern_of same (atoms : Ir.atom list) =
+  let first = Hashtbl.create 16 in
+  let number i : Ir.atom -> int = function
+    | Signal s -> (
+        let id = same_as same s in
+        match Hashtbl.find_opt first id with
+        | Some j -> j
+        | None ->
+            Hashtbl.replace first id i;
+            i)
+    | Bool _ | Int _ | Float _ -> i
+  in
+  let numbers = List.mapi number atoms in
+  if List.mapi (fun i _ -> i) atoms = numbers then [] else numbers
+
 let rec outputs a instant index ~statics ~inputs =
   let node = a.program.nodes.(index) in
   let key = (index, instant, statics, inputs) in
@@ -141,22 +198,28 @@ let rec outputs a instant index ~statics ~inputs =
         if a.budget <= 0 then
           map (fun (_, atom) -> Range.anything a.program (type_of_atom atom)) node.outputs
         else
-          let values = evaluate a instant index ~statics ~inputs in
+          let { values; _ } = evaluate a instant index ~statics ~inputs in
           map (fun (_, atom) -> read a values atom) node.outputs
       in
       Hashtbl.replace a.known key found;
       found
 
-and evaluate a instant index ~statics ~inputs =
+(* [pattern]: which of statics and inputs are the same. *)
+and evaluate ?(pattern = []) a instant index ~statics ~inputs =
   a.budget <- a.budget - 1;
   let node = a.program.nodes.(index) in
-  let values : values = Hashtbl.create 32 in
+  let values : values = Hashtbl.create 32 and same : same = Hashtbl.create 16 in
   bind values node.statics statics;
   bind values node.inputs inputs;
+  if pattern <> [] then (
+    let formals = Array.of_list (node.statics @ node.inputs) in
+    List.iteri (fun i j -> if i <> j then Hashtbl.replace same formals.(i).id formals.(j).id) pattern);
   List.iter
     (fun (item : Schedule.item) ->
       match item with
-      | Equation e -> Hashtbl.replace values e.defines.id (equation a instant values e)
+      | Equation e ->
+          note_same same e;
+          Hashtbl.replace values e.defines.id (equation a instant same values e)
       | Instance i ->
           let statics = map (read a values) i.statics in
           let inputs = inputs_of a values i in
@@ -165,7 +228,7 @@ and evaluate a instant index ~statics ~inputs =
       | Trial (_, trial) -> bind values trial.gives (anything_of a trial.gives)
       | Machine m -> bind values m.outputs (machine a instant index values m))
     (schedule a index);
-  values
+  { values; same }
 
 (* The outputs of a machine at its own first instant: those of all modes in
    which it may come to stay. *)
@@ -190,21 +253,40 @@ and machine a instant index values (m : Ir.machine) =
           let index = modes.(target) in
           let node = a.program.nodes.(index) in
           let inside = evaluate a First index ~statics:(parameters a index) ~inputs in
-          let next = possible a First index inside node.transitions in
+          let next = map fst (possible a First index inside node.transitions) in
+          let inside = inside.values in
           let stays (t : Ir.transition) = t.delayed || Range.may_be_false (read a inside t.occurs) in
           if List.for_all stays next then
             add (map (fun (_, atom) -> read a inside atom) node.outputs);
           List.iter (fun (t : Ir.transition) -> if not t.delayed then visit t.target) next)
       in
       let enter (t : Ir.transition) = visit t.target in
-      let controls = possible a instant index values m.controls in
+      let possible transitions =
+        map fst (possible a instant index { values; same = Hashtbl.create 1 } transitions)
+      in
+      let controls = possible m.controls in
       let strict = List.filter (fun (t : Ir.transition) -> not t.delayed) controls in
       List.iter enter strict;
       let surely (t : Ir.transition) = not (Range.may_be_false (read a values t.occurs)) in
-      if not (List.exists surely strict) then List.iter enter (possible a instant index values m.start);
+      if not (List.exists surely strict) then List.iter enter (possible m.start);
       Option.value !results ~default:(anything_of a m.outputs)
 
 (* {1 Parameters} *)
+
+let most_steps = 200
+
+(* What an Int is compared with is written in the program, mostly. *)
+let literals (program : Ir.program) =
+  let add found : Ir.atom -> int list = function
+    | Int n ->
+        let n = Int32.to_int n in
+        (n - 1) :: n :: (n + 1) :: found
+    | Bool _ | Float _ | Signal _ -> found
+  in
+  let of_equation found (e : Ir.equation) = List.fold_left add found (Operands.all e.rhs) in
+  let of_node found (node : Ir.node) = List.fold_left of_equation found node.equations in
+  let all = List.sort_uniq Int.compare (Array.fold_left of_node [] program.nodes) in
+  List.filteri (fun i _ -> i < most_steps) all
 
 let pass a ~widening index ranges =
   let changed = ref false in
@@ -214,7 +296,7 @@ let pass a ~widening index ranges =
       let after =
         match before with
         | None -> range
-        | Some before -> (if widening then Range.widen else Range.join) before range
+        | Some before -> (if widening then Range.widen ~steps:(Lazy.force a.steps) else Range.join) before range
       in
       if before <> Some after then (
         a.parameters.(index).(j) <- Some after;
@@ -227,14 +309,15 @@ let rounds = 3
 (* What modes pass to each other, in circles. *)
 let parameters_of_modes a values (m : Ir.machine) =
   let modes = Array.of_list m.modes in
-  let send ~widening values (t : Ir.transition) =
+  let send ~widening ((t : Ir.transition), { values; _ }) =
     pass a ~widening modes.(t.target) (map (read a values) t.arguments)
   in
   let rec again round =
     let widening = round > rounds in
-    let send_all values transitions =
-      List.fold_left (fun changed t -> send ~widening values t || changed) false transitions
+    let send_all transitions =
+      List.fold_left (fun changed t -> send ~widening t || changed) false transitions
     in
+    let unconditional = map (fun t -> (t, { values; same = Hashtbl.create 1 })) in
     let from_mode changed index =
       let node = a.program.nodes.(index) in
       let reached =
@@ -246,10 +329,10 @@ let parameters_of_modes a values (m : Ir.machine) =
         let inside =
           evaluate a Any index ~statics:(parameters a index) ~inputs:(anything_of a node.inputs)
         in
-        send_all inside node.transitions || changed
+        send_all (possible a Any index inside node.transitions) || changed
     in
-    let changed = send_all values m.start in
-    let changed = send_all values m.controls || changed in
+    let changed = send_all (unconditional m.start) in
+    let changed = send_all (unconditional m.controls) || changed in
     if Array.fold_left from_mode changed modes && a.budget > 0 then again (round + 1)
   in
   if Array.exists (fun index -> a.program.nodes.(index).statics <> []) modes then again 1
@@ -261,7 +344,7 @@ let pass_parameters a =
     let inputs = anything_of a node.inputs in
     let passes (i : Ir.instance) = i.statics <> [] in
     if List.exists passes node.instances || Option.is_some node.machine then (
-      let values = evaluate a Any index ~statics:(parameters a index) ~inputs in
+      let { values; _ } = evaluate a Any index ~statics:(parameters a index) ~inputs in
       List.iter
         (fun (i : Ir.instance) ->
           ignore (pass a ~widening:false i.node (map (read a values) i.statics)))
@@ -279,18 +362,49 @@ let of_machine a (m : Ir.machine) =
   let of_mode index =
     let node = a.program.nodes.(index) in
     if node.transitions = [] then []
-    else possible a First index (at_first_instant a index) node.transitions
+    else map fst (possible a First index (at_first_instant a index) node.transitions)
   in
   Array.of_list (map of_mode m.modes)
 
+type state = { mode : int; known : Range.t list; pattern : int list }
+
+let entered a inputs ((t : Ir.transition), { values; same }) =
+  let atoms = t.arguments @ inputs in
+  (t, { mode = t.target; known = map (read a values) atoms; pattern = pattern_of same atoms })
+
+let of_running a ?controls index inputs =
+  let node = a.program.nodes.(index) in
+  let inside =
+    evaluate a Any index ~statics:(parameters a index) ~inputs:(anything_of a node.inputs)
+  in
+  let transitions = Option.value controls ~default:node.transitions in
+  map (entered a inputs) (possible a Any index inside transitions)
+
+let signals = map (fun s -> Ir.Signal s)
+
+let from_running a index = of_running a index (signals a.program.nodes.(index).inputs)
+
+let from_owner a index (m : Ir.machine) transitions =
+  of_running a ~controls:transitions index m.inputs
+
+let from_state a index state =
+  let node = a.program.nodes.(index) in
+  if node.transitions = [] then []
+  else
+    let count = List.length node.statics in
+    let statics = List.filteri (fun i _ -> i < count) state.known in
+    let inputs = List.filteri (fun i _ -> i >= count) state.known in
+    let inside = evaluate a First index ~statics ~inputs ~pattern:state.pattern in
+    map (entered a (signals node.inputs)) (possible a First index inside node.transitions)
+
 let cannot_be_true a index =
-  let values = at_first_instant a index in
+  let { values; _ } = at_first_instant a index in
   fun (s : Ir.signal) ->
     match read a values (Signal s) with
     | Bools { true_; false_ = _ } -> not true_
     | Ints _ | Floats _ | Constructors _ -> false
 
-let of_program (program : Ir.program) =
+let of_program ?(patient = false) (program : Ir.program) =
   let count = Array.length program.nodes in
   let a =
     {
@@ -301,6 +415,7 @@ let of_program (program : Ir.program) =
           (fun (node : Ir.node) -> Array.make (List.length node.statics) None)
           program.nodes;
       known = Hashtbl.create 256;
+      steps = lazy (if patient then literals program else []);
       budget;
     }
   in

@@ -10,12 +10,35 @@
 
 type t
 
-val of_program : Ir.program -> t
-(** For a causal program. *)
+val of_program : ?patient:bool -> Ir.program -> t
+(** For a causal program. [patient]: a bound of an Int that moves stays at the numbers
+    written in the program before it becomes infinite. *)
 
 val of_machine : t -> Ir.machine -> Ir.transition list array
 (** By the machine's modes, in their order: the transitions, physically those of the
     mode's node, in their order. *)
+
+(** {1 With what is known on the way}
+
+    Within an instant all modes have the same input. So what made one of them go says
+    something about the input that the next one has, and a parameter may be a part of it. *)
+
+type state = {
+  mode : int;  (** of the machine's, by number *)
+  known : Range.t list;  (** of its parameters, then of its inputs *)
+  pattern : int list;
+      (** of each of them the first that is the same; empty where all may be different *)
+}
+(** How a mode may be entered. *)
+
+val from_running : t -> int -> (Ir.transition * state) list
+(** By this node's own transitions, as a mode that may have run for any time. *)
+
+val from_owner : t -> int -> Ir.machine -> Ir.transition list -> (Ir.transition * state) list
+(** By the start or the controls of a machine of this node. *)
+
+val from_state : t -> int -> state -> (Ir.transition * state) list
+(** By this node's own transitions, as a mode that has just been entered so. *)
 
 val cannot_be_true : t -> int -> Ir.signal -> bool
 (** [cannot_be_true a mode] evaluates the first instant of this node of the program

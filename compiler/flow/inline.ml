@@ -335,16 +335,30 @@ let calls (program : Ir.program) =
   Array.iter (fun (node : Ir.node) -> List.iter call node.instances) program.nodes;
   calls
 
+let context_of (program : Ir.program) =
+  {
+    nodes = Array.copy program.nodes;
+    is_small = Array.make (Array.length program.nodes) false;
+    passages = lazy (Dependency.program program);
+    fresh = program.next_id;
+  }
+
+let to_look_at ~most (program : Ir.program) =
+  let context = context_of program in
+  Array.iteri
+    (fun index (node : Ir.node) ->
+      let chosen (i : Ir.instance) = i.loop = None && i.trials = [] && context.is_small.(i.node) in
+      let expanded = expand_chosen context chosen node in
+      context.nodes.(index) <- expanded;
+      context.is_small.(index) <-
+        Option.is_none expanded.machine && Option.is_none expanded.foreign
+        && List.compare_length_with expanded.equations most <= 0)
+    program.nodes;
+  { program with nodes = context.nodes; next_id = context.fresh }
+
 let program (program : Ir.program) =
   let calls = calls program in
-  let context =
-    {
-      nodes = Array.copy program.nodes;
-      is_small = Array.make (Array.length program.nodes) false;
-      passages = lazy (Dependency.program program);
-      fresh = program.next_id;
-    }
-  in
+  let context = context_of program in
   let changed = ref false in
   Array.iteri
     (fun index (node : Ir.node) ->

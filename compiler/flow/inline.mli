@@ -13,5 +13,10 @@
     Names are kept, those of the node's inside with the instance's name in
     front where they would clash; spans stay where the programmer wrote. *)
 
+val to_look_at : most:int -> Ir.program -> Ir.program
+(** Every instance expanded whose node has at most so many equations then, loops and machines
+    aside: not to be compiled, but for what can be said of it. Nodes keep their numbers, and
+    transitions their order. *)
+
 val program : Ir.program -> Ir.program
 (** The same program, physically, if there was nothing to inline. *)

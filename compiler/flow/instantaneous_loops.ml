@@ -79,20 +79,14 @@ let place ~entry uses index (program : Ir.program) modes hops first_mode =
     | Some at, _ | None, Some (_, at) -> at
     | None, None -> entry
 
-let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) steps cycle =
+let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) ~note hops =
   let modes = Array.of_list m.modes in
   let name k = program.nodes.(modes.(k)).origin in
-  let rec pairs first = function
-    | v :: (w :: _ as rest) -> (v, w) :: pairs first rest
-    | [ last ] -> [ (last, first) ]
-    | [] -> []
-  in
-  let hops = pairs (List.hd cycle) cycle in
-  let hop (v, w) =
-    let t = List.find (fun (t : Ir.transition) -> t.target = w) steps.(v) in
+  let hop ({ from = v; by = t } : Chains.hop) =
     let cannot_be_true = First_transitions.cannot_be_true first modes.(v) in
-    (v, w, t, source ~cannot_be_true program program.nodes.(modes.(v)) t)
+    (v, t.target, t, source ~cannot_be_true program program.nodes.(modes.(v)) t)
   in
+  let cycle = map (fun (h : Chains.hop) -> h.from) hops in
   let hops = map hop hops in
   let at =
     place ~entry uses index program (map (fun k -> modes.(k)) cycle) hops modes.(List.hd cycle)
@@ -119,19 +113,11 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
       d
   in
   let sources = List.filter_map (fun (_, _, _, source) -> source) hops in
-  List.fold_left label d hops |> Diagnostic.hint (hint ~entry sources) |> Diagnostic.emit sink
+  List.fold_left label d hops |> note
+  |> Diagnostic.hint (hint ~entry sources)
+  |> Diagnostic.emit sink
 
 (* {1 Bounds} *)
-
-(* How many modes are stepped at most, from entering each. The components come
-   in an order in which targets are before sources. *)
-let chains graph components =
-  let chain = Array.make (Array.length graph) 1 in
-  List.iter
-    (List.iter (fun v ->
-         chain.(v) <- List.fold_left (fun n w -> max n (1 + chain.(w))) 1 graph.(v)))
-    components;
-  chain
 
 let bound (program : Ir.program) (m : Ir.machine) chain =
   let entering (t : Ir.transition) = chain.(t.target) in
@@ -157,27 +143,75 @@ let mark (program : Ir.program) (nodes : Ir.node array) (m : Ir.machine) steps =
       nodes.(index) <- { nodes.(index) with transitions = map transition node.transitions })
     m.modes
 
-let check_machine sink ~entry uses program first nodes index (m : Ir.machine) =
+(* The hops of a circle of modes. *)
+let hops_of steps cycle =
+  let hop from target : Chains.hop =
+    { from; by = List.find (fun (t : Ir.transition) -> t.target = target) steps.(from) }
+  in
+  List.map2 hop cycle (List.tl cycle @ [ List.hd cycle ])
+
+(* The program with small nodes expanded says more, of the same transitions. *)
+let chains (program : Ir.program) (expanded, first) index m : Chains.outcome =
+  let expanded : Ir.program = Lazy.force expanded in
+  let by_number (t : Ir.transition) mode =
+    let rec find (ours : Ir.transition list) (theirs : Ir.transition list) =
+      match (ours, theirs) with
+      | ours :: _, theirs :: _ when theirs == t -> ours
+      | _ :: ours, _ :: theirs -> find ours theirs
+      | [], _ | _, [] -> Diagnostic.bug ~stage:"Flow.Instantaneous_loops" "a transition is gone"
+    in
+    let node = List.nth m.Ir.modes mode in
+    find program.nodes.(node).transitions expanded.nodes.(node).transitions
+  in
+  let expanded_machine = Option.get expanded.nodes.(index).machine in
+  match Chains.of_machine (Lazy.force first) index expanded_machine with
+  | Goes_far -> Goes_far
+  | Goes_round hops ->
+      Goes_round
+        (List.map (fun (h : Chains.hop) -> { h with by = by_number h.by h.from }) hops)
+  | Ends { steps; possible } ->
+      let possible =
+        Array.mapi (fun mode -> List.map (fun t -> by_number t mode)) possible
+      in
+      Ends { steps; possible }
+
+let check_machine sink ~entry uses program first expanded nodes index (m : Ir.machine) =
   let steps = First_transitions.of_machine first m in
-  mark program nodes m steps;
   let graph = Array.map targets steps in
   let components = Graph.components graph in
-  List.iter
-    (fun component ->
-      if Graph.is_cyclic graph component then
-        report sink ~entry uses index program first m steps (Graph.shortest_cycle graph component))
-    components;
-  { m with steps = bound program m (chains graph components) }
+  let report = report sink ~entry uses index program first m in
+  match List.find_opt (Graph.is_cyclic graph) components with
+  | None ->
+      mark program nodes m steps;
+      { m with steps = bound program m (Chains.lengths graph components) }
+  | Some component -> (
+      match chains program expanded index m with
+      | Ends { steps; possible } ->
+          mark program nodes m possible;
+          { m with steps }
+      | Goes_round hops ->
+          report ~note:Fun.id hops;
+          m
+      | Goes_far ->
+          let far = Printf.sprintf "it may go on so more than %d times within one instant" Chains.most in
+          report ~note:(Diagnostic.note far)
+            (hops_of steps (Graph.shortest_cycle graph component));
+          m)
 
 let program sink ~entry (program : Ir.program) =
   if Array.for_all (fun (node : Ir.node) -> Option.is_none node.machine) program.nodes then program
   else
     let first = First_transitions.of_program program in
     let uses = Own_code.uses program in
+    (* A number that two functions have captured is one parameter. *)
+    let to_look_at = lazy (Twin_parameters.program (Inline.to_look_at ~most:200 program)) in
+    let expanded =
+      (to_look_at, lazy (First_transitions.of_program ~patient:true (Lazy.force to_look_at)))
+    in
     let nodes = Array.copy program.nodes in
     Array.iteri
       (fun index (node : Ir.node) ->
-        let machine = Option.map (check_machine sink ~entry uses program first nodes index) node.machine in
+        let machine = Option.map (check_machine sink ~entry uses program first expanded nodes index) node.machine in
         nodes.(index) <- { (nodes.(index)) with machine })
       program.nodes;
     { program with nodes }

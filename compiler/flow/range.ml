@@ -36,6 +36,7 @@ let of_constant : Ir.atom -> t option = function
   | Signal _ -> None
 
 let zero = float 0.
+let zero_or ~nan = Floats { least = 0.; most = 0.; nan }
 let not_negative = Floats { least = 0.; most = infinity; nan = false }
 
 let rec union merge a b =
@@ -61,18 +62,20 @@ let rec join a b =
   | Constructors a, Constructors b -> Constructors (union join a b)
   | (Bools _ | Ints _ | Floats _ | Constructors _), _ -> bug "values of different types"
 
-let rec widen a b =
+let rec widen ~steps a b =
   match (a, b) with
-  | Constructors a, Constructors b -> Constructors (union widen a b)
-  | _ -> widened a (join a b)
+  | Constructors a, Constructors b -> Constructors (union (widen ~steps) a b)
+  | _ -> widened ~steps a (join a b)
 
-and widened a joined =
+and widened ~steps a joined =
   match (a, joined) with
   | Ints a, Ints j ->
+      let below = List.fold_left (fun found n -> if n <= j.least then max found n else found) in
+      let above = List.fold_left (fun found n -> if n >= j.most then min found n else found) in
       Ints
         {
-          least = (if j.least < a.least then least_int else a.least);
-          most = (if j.most > a.most then most_int else a.most);
+          least = (if j.least < a.least then below least_int steps else a.least);
+          most = (if j.most > a.most then above most_int steps else a.most);
         }
   | Floats a, Floats j ->
       Floats
@@ -82,6 +85,70 @@ and widened a joined =
           nan = j.nan;
         }
   | _, joined -> joined
+
+let is_empty = function
+  | Bools { true_; false_ } -> not (true_ || false_)
+  | Ints { least; most } -> least > most
+  | Floats { least; most; nan } -> least > most && not nan
+  | Constructors _ -> false
+
+let non_empty t = if is_empty t then None else Some t
+
+(* Of two data the second's payloads are kept, of what is in both. *)
+let meet a b =
+  match (a, b) with
+  | Bools a, Bools b ->
+      non_empty (Bools { true_ = a.true_ && b.true_; false_ = a.false_ && b.false_ })
+  | Ints a, Ints b -> non_empty (Ints { least = max a.least b.least; most = min a.most b.most })
+  | Floats a, Floats b ->
+      let least = Float.max a.least b.least and most = Float.min a.most b.most in
+      non_empty (Floats { least; most; nan = a.nan && b.nan })
+  | Constructors a, Constructors b -> (
+      match List.filter (fun (k, _) -> List.mem_assoc k a) b with
+      | [] when a <> [] || b <> [] -> None
+      | left -> Some (Constructors left))
+  | (Bools _ | Ints _ | Floats _ | Constructors _), _ -> bug "values of different types"
+
+let both a b = match (non_empty a, non_empty b) with Some a, Some b -> Some (a, b) | _ -> None
+
+let rec compared (operator : Ir.operator) a b holds =
+  match (operator, a, b, holds) with
+  | Less, Ints x, Ints y, true ->
+      both
+        (Ints { x with most = min x.most (y.most - 1) })
+        (Ints { y with least = max y.least (x.least + 1) })
+  | Less_equal, Ints x, Ints y, true ->
+      both (Ints { x with most = min x.most y.most }) (Ints { y with least = max y.least x.least })
+  | Less, Ints _, Ints _, false -> swapped Ir.Less_equal a b
+  | Less_equal, Ints _, Ints _, false -> swapped Ir.Less a b
+  | Equal, (Ints _ | Floats _), (Ints _ | Floats _), true -> (
+      match meet a b with
+      | Some (Floats same) -> both (Floats { same with nan = false }) (Floats { same with nan = false })
+      | Some same -> Some (same, same)
+      | None -> None)
+  | Equal, Ints x, Ints y, false -> both (without x.least x.most y.least y.most) (without y.least y.most x.least x.most)
+  | (Less | Less_equal), Floats x, Floats y, true ->
+      both
+        (Floats { x with most = Float.min x.most y.most; nan = false })
+        (Floats { y with least = Float.max y.least x.least; nan = false })
+  | (Less | Less_equal), Floats x, Floats y, false ->
+      (* It is false too where the other one is NaN. *)
+      let x' = if y.nan then x.least else Float.max x.least y.least in
+      let y' = if x.nan then y.most else Float.min y.most x.most in
+      both (Floats { x with least = x' }) (Floats { y with most = y' })
+  | _ -> Some (a, b)
+
+and swapped (operator : Ir.operator) a b = Option.map (fun (b, a) -> (a, b)) (compared operator b a true)
+
+(* Of a range what is not the only number of the other. *)
+and without least most other_least other_most =
+  if other_least < other_most then Ints { least; most }
+  else
+    Ints
+      {
+        least = (if least = other_least then least + 1 else least);
+        most = (if most = other_most then most - 1 else most);
+      }
 
 let may_be_true = function Bools b -> b.true_ | _ -> bug "a condition that is no Bool"
 let may_be_false = function Bools b -> b.false_ | _ -> bug "a condition that is no Bool"
@@ -178,8 +245,22 @@ let on_ints (operator : Ir.operator) (al, ah) (bl, bh) : t option =
       Some (Bools { true_ = al <= bh && bl <= ah; false_ = not (al = ah && bl = bh && al = bl) })
   | _ -> None
 
+let is_zero least most = least = 0. && most = 0.
+
 let on_ranges real (operator : Ir.operator) arguments =
   match (operator, arguments) with
+  | Elementary Hypot, [ Floats a; Floats b ] ->
+      let most = if is_zero a.least a.most && is_zero b.least b.most then 0. else infinity in
+      Some (Floats { least = 0.; most; nan = a.nan || b.nan })
+  | Elementary Sqrt, [ Floats a ] when a.least <= a.most && a.most >= 0. ->
+      Some
+        (floats real
+           ~nan:(a.nan || a.least < 0.)
+           [ Float.sqrt (Float.max 0. a.least); Float.sqrt a.most ])
+  | Elementary Floor_float, [ Floats a ] when a.least <= a.most ->
+      Some (Floats { a with least = Float.floor a.least; most = Float.floor a.most })
+  | Elementary Ceiling_float, [ Floats a ] when a.least <= a.most ->
+      Some (Floats { a with least = Float.ceil a.least; most = Float.ceil a.most })
   | And, [ Bools a; Bools b ] ->
       Some (Bools { true_ = a.true_ && b.true_; false_ = a.false_ || b.false_ })
   | Or, [ Bools a; Bools b ] ->

@@ -16,13 +16,22 @@ val of_constant : Ir.atom -> t option
 val zero : t
 (** The Float. *)
 
+val zero_or : nan:bool -> t
 val not_negative : t
 (** All Floats from 0 to infinity. *)
 
 val join : t -> t -> t
 
-val widen : t -> t -> t
-(** The join with the second, its bounds that move being infinite. *)
+val widen : steps:int list -> t -> t -> t
+(** The join with the second, its bounds that move being infinite; those of Ints are the
+    next one of the steps. *)
+
+val meet : t -> t -> t option
+(** What is in both; [None]: nothing is. *)
+
+val compared : Ir.operator -> t -> t -> bool -> (t * t) option
+(** What two numbers of these ranges may be where the comparison ([Less], [Less_equal],
+    [Equal]) is true, or is false; [None]: it never is. *)
 
 val may_be_true : t -> bool
 val may_be_false : t -> bool

@@ -230,6 +230,10 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
       in
       match Task.head task.value with
       | Ends result -> (output ~shown:Unspecified ~has_ended:true ~ended:result.value, [])
+      | Passes ->
+          let span = Task.next_place task.value in
+          ( output ~shown:Unspecified ~has_ended:false ~ended:Unspecified,
+            transitions m node ~input ~from:(Some mode.growth) ~span ~delayed:false (Bool true) value )
       | Runs { signal_function; primitive; output = while_it_runs; result } ->
           let name = mode.name in
           let shown, occurs, ended =

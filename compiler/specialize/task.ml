@@ -12,6 +12,7 @@ type head =
       result : Core.Ir.ty;
     }
   | Ends of Value.argument
+  | Passes
 
 let type_of input output result : Core.Ir.ty =
   Data ({ module_ = "Prelude"; name = "Task" }, [ input; output; result ])
@@ -68,7 +69,8 @@ let sequence types owner at first rest : Value.t =
 
 let rec head (task : Value.t) =
   match task with
-  | Primitive { primitive = Sequence; arguments = [ _; first ]; _ } -> head first.value
+  | Primitive { primitive = Sequence; arguments = [ _; first ]; _ } -> (
+      match head first.value with Ends _ -> Passes | head -> head)
   | Primitive
       {
         primitive = (Make_task | Until_right) as primitive;
@@ -83,26 +85,30 @@ let rec head (task : Value.t) =
 let unnamed span : Core.Ir.Local.t = { id = 0; name = ""; span }
 
 let reduced (c : Context.t) node apply ends_at_once ~span task =
-  (* Continuation and result without what only the running program knows: the
-     same once more is a circle, and so is what grows for ever. *)
+  (* Continuation and result without their numbers, and these. *)
   let key ~span (rest : Value.argument) (value : Value.argument) =
     let walk = Skeleton.walk c.keys node Holes in
     Skeleton.add walk (unnamed span) rest.ty rest.value;
     Skeleton.add walk (unnamed span) value.ty value.value;
-    Skeleton.key walk
+    let numbers = List.map (fun (h : Skeleton.hole) -> h.atom) (Skeleton.take_holes walk) in
+    (Skeleton.key walk, numbers)
   in
+  (* The same once more is a circle, and so is what grows for ever. With other numbers it
+     may end: that becomes a mode, for there it can be told. *)
   let enter ~span chain rest value =
-    let key = key ~span rest value in
+    let key, numbers = key ~span rest value in
     let rec since found = function
-      | (k, place) :: _ when k = key -> Some (place :: found)
-      | (_, place) :: others -> since (place :: found) others
+      | (k, before, place) :: _ when k = key -> Some (before, place :: found)
+      | (_, _, place) :: others -> since (place :: found) others
       | [] -> None
     in
     match since [] chain with
-    | Some circle -> report_circle c ~span circle
+    | Some (before, circle) when compare before numbers = 0 -> report_circle c ~span circle
+    | Some _ -> None
     | None when List.compare_length_with chain most_at_once >= 0 ->
-        report_circle c ~span (List.filteri (fun i _ -> i < 10) (List.map snd chain))
-    | None -> (key, place_of ~otherwise:span rest.value) :: chain
+        let places = List.map (fun (_, _, place) -> place) chain in
+        report_circle c ~span (List.filteri (fun i _ -> i < 10) places)
+    | None -> Some ((key, numbers, place_of ~otherwise:span rest.value) :: chain)
   in
   (* [span]: the nearest place around in the program itself. *)
   let rec reduce ~span chain (task : Value.t) : Value.t =
@@ -123,9 +129,11 @@ let reduced (c : Context.t) node apply ends_at_once ~span task =
     | task -> task
   and follow ~span chain types origin rest (first : Value.argument) ~result =
     match first.value with
-    | Primitive { primitive = Return; arguments = [ value ]; _ } ->
-        let chain = enter ~span chain rest value in
-        reduce ~span chain (apply ~span:(snd (List.hd chain)) ~result rest.value value)
+    | Primitive { primitive = Return; arguments = [ value ]; _ } -> (
+        match enter ~span chain rest value with
+        | Some ((_, _, place) :: _ as chain) ->
+            reduce ~span chain (apply ~span:place ~result rest.value value)
+        | Some [] | None -> sequence types (fst origin) (snd origin) first rest)
     | Choice { condition; then_; else_ } ->
         let branch value = follow ~span chain types origin rest { first with value } ~result in
         let then_ = branch then_ in
@@ -145,14 +153,16 @@ let rec after (task : Value.t) result : Value.t =
 
 let rec name (task : Value.t) =
   match task with
-  | Primitive { primitive = Sequence; arguments = [ _; first ]; _ } -> name first.value
+  | Primitive { primitive = Sequence; arguments = [ _; first ]; owner; _ } -> (
+      match head first.value with Ends _ -> owner | Runs _ | Passes -> name first.value)
   | Primitive { primitive = Return; _ } -> "ended"
   | Primitive { owner; _ } -> owner
   | _ -> bug "a name of what is no task"
 
 let rec place (task : Value.t) =
   match task with
-  | Primitive { primitive = Sequence; arguments = [ _; first ]; _ } -> place first.value
+  | Primitive { primitive = Sequence; arguments = [ _; first ]; at; _ } -> (
+      match head first.value with Ends _ -> at | Runs _ | Passes -> place first.value)
   | Primitive { at; _ } -> at
   | _ -> bug "the place of what is no task"
 

@@ -19,6 +19,8 @@ type head =
       result : Core.Ir.ty;  (** what it ends with *)
     }
   | Ends of Value.argument  (** all of it has ended *)
+  | Passes
+      (** to what comes next, at once: a mode of its own, as one cannot tell yet how often *)
 
 val named : Context.t -> name:string option -> at:Span.t -> Value.t -> Value.t
 (** A task that the prelude has made is named after the definition of the program
@@ -47,8 +49,8 @@ val reduced :
   Value.t
 (** The same task, or choice of tasks, with a head: what ends at once is done
     with, in this node. The function says what a task ends with at once, if it
-    is known to do so. Reports tasks that end at once in a circle; then raises
-    {!Context.Stopped}. *)
+    is known to do so. Reports tasks that end at once in a circle where nothing
+    changes; then raises {!Context.Stopped}. *)
 
 val head : Value.t -> head
 (** Of a task that is reduced, and no choice. *)

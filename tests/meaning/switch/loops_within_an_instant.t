@@ -3,7 +3,7 @@ makes each step possible.
 
   $ cat > ever.frob <<'EOF'
   > go :: Float -> SF Float Float
-  > go v = switch (proc x -> (x + v, tag (when (x > 2)) x)) (\w -> rest w)
+  > go v = switch (proc x -> (x + v, tag (when (x > -2)) x)) (\w -> rest w)
   > 
   > rest :: Float -> SF Float Float
   > rest v = switch (proc x -> (x + v, after (max 0 (v * 1[s])) ())) (\_ -> go v)
@@ -11,20 +11,20 @@ makes each step possible.
   > main = go 0.5
   > EOF
   $ frobc check ever.frob
-  error[E0402]: `go` and `rest` may start each other for ever within one instant
-   --> ever.frob:2:16
+  error[E0402]: `rest` and `go` may start each other for ever within one instant
+   --> ever.frob:5:18
     |
-  2 | go v = switch (proc x -> (x + v, tag (when (x > 2)) x)) (\w -> rest w)
-    |                ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^         ------ `go` may start `rest` at its own first instant
+  2 | go v = switch (proc x -> (x + v, tag (when (x > -2)) x)) (\w -> rest w)
+    |                                       -------------             ------ `go` may start `rest` at its own first instant
     |                                       |
     |                                       `when` may occur at the first instant of `go`
   ...
   5 | rest v = switch (proc x -> (x + v, after (max 0 (v * 1[s])) ())) (\_ -> go v)
-    |                                    ---------------------------          ---- `rest` may start `go` at its own first instant
+    |                  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^         ---- `rest` may start `go` at its own first instant
     |                                    |
     |                                    `after` may occur at the first instant of `rest`
     |
-    = hint: `edge` occurs when a condition becomes True, not at the first instant
+    = hint: a time of at least 1 ns makes it wait: `after (max 1[ms] q)`
   
   1 error
   [1]

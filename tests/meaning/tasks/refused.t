@@ -145,33 +145,6 @@ known to end at once …
   
   1 error
 
-  $ cat > choice.frob <<'EOF'
-  > go :: Int -> Task Float Float ()
-  > go n = do
-  >     _ <- snapT
-  >     m <- return (n + 1)
-  >     other m
-  > 
-  > other :: Int -> Task Float Float ()
-  > other m = if m > 10 then return () else go m
-  > 
-  > main = runTask (go 1)
-  > EOF
-  $ frobc check choice.frob
-  error[E0402]: these tasks may follow each other for ever in no time
-   --> choice.frob:5:5
-    |
-  4 |     m <- return (n + 1)
-    |          -------------- then this, at once
-  5 |     other m
-    |     ^^^^^^^ this starts when the one before has ended at once
-    |
-    = note: each cycle of tasks must take time, whichever way it goes: `return` and `snapT` take none
-    = hint: put a task into the cycle that takes time, such as `sleepT 10[ms] y`
-  
-  1 error
-  [1]
-
 … that are no more than `return` …
 
   $ cat > returns.frob <<'EOF'
@@ -188,17 +161,16 @@ known to end at once …
   > main = runTask (go 1)
   > EOF
   $ frobc check returns.frob
-  error[E0402]: these tasks may follow each other for ever in no time
-   --> returns.frob:9:4
+  error[E0402]: `go` may start itself again for ever within one instant
+   --> returns.frob:3:10
     |
+  3 |     m <- return (n + 1)
+    |          ^^^^^^^^^^^^^^
   4 |     other m
-    |     ------- then this, at once
-  ...
-  9 |    go m
-    |    ^^^^ this starts when the one before has ended at once
+    |     ------- `go` may start `go` at its own first instant
     |
-    = note: each cycle of tasks must take time, whichever way it goes: `return` and `snapT` take none
-    = hint: put a task into the cycle that takes time, such as `sleepT 10[ms] y`
+    = note: it may go on so more than 1000 times within one instant
+    = hint: something in the circle has to take time: `edge` or `notYet` on an event, `sleepT 10[ms] y` between tasks
   
   1 error
   [1]
@@ -267,7 +239,7 @@ program asks for it, with what takes time there.
   > main = reactimateTask (tour 3)
   > 
   > tour :: (HasSonar i, DiffDrive o) => Int -> Task i o ()
-  > tour n = if n <= 0 then return () else do
+  > tour n = do
   >     driveTo (Vec2 1[m] (toFloat n * 1[m]))
   >     tour (n - 1)
   > FROB
@@ -283,6 +255,7 @@ program asks for it, with what takes time there.
     N |     arrived = atPlace goal i
     N |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
     N |
+     = note: it may go on so more than 1000 times within one instant
      = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
   
   1 error
@@ -290,14 +263,14 @@ program asks for it, with what takes time there.
   > import Geometry
   > import Robot
   > 
-  > main = reactimateTask (forEachT [Vec2 1[m] 2[m], zeroVec] driveTo)
+  > main = reactimateTask (forever (forEachT [Vec2 1[m] 2[m], zeroVec] driveTo))
   > FROB
   $ frobc check places.frob --robot pioneer 2>&1 | sed 's/frob:[0-9]*:\([0-9]*\)$/frob:N:\1/; s/^ *[0-9]* |/  N |/'
   error[E0402]: `driveTo` may start itself again for ever within one instant
      --> places.frob:N:1
     N |
-    N | main = reactimateTask (forEachT [Vec2 1[m] 2[m], zeroVec] driveTo)
-    N | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    N | main = reactimateTask (forever (forEachT [Vec2 1[m] 2[m], zeroVec] driveTo))
+    N | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     N |
      ::: stdlib/Driving.frob:N:5
     N |

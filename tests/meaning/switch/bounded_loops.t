@@ -1,0 +1,138 @@
+A circle of modes that ends within the instant is no loop: what is known of the numbers
+that modes hand on, and of the input, which is the same for all of them, tells how far
+it goes. The report says so.
+
+  $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cut -d, -f2- c.csv | xargs && frobc report "$1" | sed -n 's/.*, \(at most.*instant\)$/\1/p'; }
+  $ printf 'time,in\n0,0\n1,2\n2,-1\n3,4\n4,0\n5,1\n6,-2\n7,3\n' > in.csv
+
+Counters, up to a number and to just that number.
+
+  $ cat > counter.frob <<'EOF'
+  > step :: Task Float Float ()
+  > step = mkTask (proc x -> (x, when (x > 1)))
+  > 
+  > go :: Int -> Task Float Float Int
+  > go n = do
+  >     step
+  >     if n >= 3 then return n else go (n + 1)
+  > 
+  > main :: SF Float (Either Float Int)
+  > main = runTask (go 0)
+  > EOF
+  $ both counter.frob in.csv
+  out Left 0 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3
+  at most 5 stepped within one instant
+  $ cat > equal.frob <<'EOF'
+  > step :: Task Float Float ()
+  > step = mkTask (proc x -> (x, when (x > 1)))
+  > 
+  > go :: Int -> Task Float Float Int
+  > go n = do
+  >     step
+  >     if n == 100 then return n else go (n + 1)
+  > 
+  > main :: SF Float (Either Float Int)
+  > main = runTask (go 0)
+  > EOF
+  $ both equal.frob in.csv
+  out Left 0 Right 100 Right 100 Right 100 Right 100 Right 100 Right 100 Right 100
+  at most 102 stepped within one instant
+  $ cat > without_time.frob <<'EOF'
+  > go :: Int -> Task Float Float Int
+  > go n = if n >= 3 then return n else do
+  >     x <- snapT
+  >     if x > 1 then sleepT 1[s] 2 else return ()
+  >     go (n + 1)
+  > 
+  > main :: SF Float (Either Float Int)
+  > main = runTask (go 0)
+  > EOF
+  $ both without_time.frob in.csv
+  out Right 3 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3
+  at most 4 stepped within one instant
+  $ cat > modes.frob <<'EOF'
+  > main :: SF Float Float
+  > main = go 0 where
+  >     go n = switch (proc x -> (x + toFloat n, gate (when (x > 1)) (n < 5))) (\_ -> go (n + 1))
+  > EOF
+  $ both modes.frob in.csv
+  out 0 7 4 9 5 6 3 8
+  at most 6 stepped within one instant
+
+Repetitions of the library, of a known number and of one that is limited.
+
+  $ cat > repeat.frob <<'EOF'
+  > step :: Task Float Float ()
+  > step = mkTask (proc x -> (x, when (x > 1)))
+  > 
+  > main :: SF Float (Either Float ())
+  > main = runTask (repeatT 4 step)
+  > EOF
+  $ both repeat.frob in.csv
+  out Left 0 Right () Right () Right () Right () Right () Right () Right ()
+  at most 5 stepped within one instant
+  $ cat > limited.frob <<'EOF'
+  > step :: Task Float Float ()
+  > step = mkTask (proc x -> (x, when (x > 1)))
+  > 
+  > main :: SF Float (Either Float ())
+  > main = initially (\x -> runTask (repeatT (min 10 (round x + 2)) step))
+  > EOF
+  $ both limited.frob in.csv
+  out Left 0 Right () Right () Right () Right () Right () Right () Right ()
+  at most 12 stepped within one instant
+  $ cat > for_each.frob <<'EOF'
+  > visit :: Float -> Task Float Float ()
+  > visit p = mkTask (proc x -> (x, when (x > p)))
+  > 
+  > main :: SF Float (Either Float ())
+  > main = runTask (forever (do
+  >     forEachT [1, 2, 3] visit
+  >     sleepT 1[s] 0))
+  > EOF
+  $ both for_each.frob in.csv
+  out Left 0 Left 2 Left (-1) Left 0 Left 0 Left 1 Left (-2) Left 3
+  at most 5 stepped within one instant
+
+What made one mode go keeps the next one.
+
+  $ cat > hysteresis.frob <<'EOF'
+  > high, low :: SF Float Float
+  > high = switch (proc x -> (1, when (x < 0))) (\_ -> low)
+  > low = switch (proc x -> (0, when (x > 1))) (\_ -> high)
+  > 
+  > main = low
+  > EOF
+  $ both hysteresis.frob in.csv
+  out 0 1 0 1 1 1 0 1
+  at most 2 stepped within one instant
+
+A task that begins where the robot is has not gone far yet.
+
+  $ cat > square.frob <<'EOF'
+  > import Geometry
+  > 
+  > side :: Task Pose Velocity ()
+  > side = do
+  >     i <- snapT
+  >     mkTask (proc j -> (1[m/s], when (distance j.position i.position >= 1[m])))
+  > 
+  > turn :: Task Pose Velocity ()
+  > turn = do
+  >     i <- snapT
+  >     mkTask (proc j -> (0, when (abs (angleDiff j.heading i.heading) >= 90[deg])))
+  > 
+  > square :: Int -> Task Pose Velocity ()
+  > square n = do
+  >     side
+  >     turn
+  >     if n == 4 then return () else square (n + 1)
+  > 
+  > main :: SF Float (Either Velocity ())
+  > main = proc x -> runTask (forever (square 1)) (pose x)
+  > pose :: Float -> Pose
+  > pose x = Pose { position = Vec2 (x * 1[m]) 0, heading = x * 1[rad] }
+  > EOF
+  $ both square.frob in.csv
+  out Left 1 Left 0 Left 1 Left 0 Left 1 Left 0 Left 1 Left 0
+  at most 2 stepped within one instant
