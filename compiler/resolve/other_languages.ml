@@ -43,7 +43,7 @@ let number = function
   | "angle_diff" | "shortest_angular_distance" -> Some "it is `angleDiff a b`: `import Geometry`"
   | "math" | "np" | "numpy" -> Some no_module
   | "random" | "rand" | "randn" ->
-      Some "a program has no chance in it: random numbers come with its input"
+      Some "noise that is the same in each run is `whiteNoise 1 ()`, of a seed: `import Sources`"
   | _ -> None
 
 let data = function
@@ -51,9 +51,8 @@ let data = function
   | "fromJust" -> Some "`fromMaybe x m` is what is in `m`, and `x` where there is nothing"
   | "isJust" | "isNothing" -> Some "`maybe False (const True) m` tells whether there is something in `m`"
   | "fmap" -> Some "it is `map` on arrays, `mapE` on events, `mapT` on the results of tasks"
-  | "sum" -> Some "`foldl (+) 0 xs` adds up the elements of an array"
   | "product" -> Some "`foldl (*) 1 xs` multiplies the elements of an array"
-  | "mean" -> Some "it is `foldl (+) 0 xs / toFloat (length xs)`"
+  | "average" | "avg" -> Some "it is `mean xs`"
   | "minimum" -> Some "the least element of an array is `minimumBy id xs`"
   | "maximum" -> Some "the greatest element of an array is `maximumBy id xs`"
   | "foldr" | "reduce" -> Some "arrays are folded from the first element on: `foldl f x xs`"
@@ -73,7 +72,7 @@ let activity = function
   | "analogRead" | "digitalRead" -> Some "what is read is a part of the program's input"
   | "analogWrite" | "digitalWrite" -> Some "what is written is a part of the program's output"
   | "sleep" | "usleep" | "wait" | "delayMicroseconds" -> Some "a task that waits is `sleepT q out`"
-  | "while" -> Some "what goes on until something happens is a task: `mkTask`, `abortWhen`, `forever`"
+  | "while" -> Some "a task again and again is `whileT condition t`; until something happens, `abortWhen`"
   | "for" | "foreach" | "forEach" ->
       Some "`map f xs` is each element's; tasks one after the other are `forEachT xs f`"
   | "millis" | "micros" -> Some "`time ()` is the time since the start, in seconds"

@@ -118,7 +118,7 @@ and some_array s fuel (n, t) = typed (expression s fuel (Array (n, t))) (Array (
 and computed_array s fuel n t =
   let whole : Type.t = Array (n, t) in
   let other = any_type s and fuel = fuel - 1 in
-  match Random.State.int s.random 8 with
+  match Random.State.int s.random 9 with
   | 0 -> f "(map %s %s)" (function_ s fuel [ other ] t) (some_array s fuel (n, other))
   | 1 -> f "(imap %s %s)" (function_ s fuel [ Int; other ] t) (some_array s fuel (n, other))
   | 2 ->
@@ -130,6 +130,9 @@ and computed_array s fuel n t =
         (some_array s fuel (n, other))
   | 4 -> f "(replace %s %s %s)" (index s fuel) (expression s fuel t) (some_array s fuel (n, t))
   | 5 -> typed (f "generate %s" (function_ s fuel [ Int ] t)) whole
+  | 6 ->
+      let some = some_array s fuel (1 + Random.State.int s.random 4, t) in
+      typed (f "%s %s" (one_of s.random [ "take"; "drop" ]) some) whole
   | _ -> parts s fuel whole
 
 and index s fuel =
@@ -155,6 +158,9 @@ and of_array s fuel ty =
   | (3 | 4), _ ->
       f "(%s %s %s)" (one_of s.random [ "minimumBy"; "maximumBy" ]) (function_ s fuel [ ty ] key)
         (some_array s fuel own)
+  | 5, (Float | Measure _ | Int) when chance s.random 2 ->
+      let name = if ty = Int || chance s.random 2 then "sum" else "mean" in
+      f "(%s %s)" name (some_array s fuel own)
   | 5, _ -> f "(%s ! %d)" (some_array s fuel own) (Random.State.int s.random (fst own))
   | _, _ -> f "(at %s %s %s)" (index s fuel) (expression s fuel ty) (some_array s fuel own)
 

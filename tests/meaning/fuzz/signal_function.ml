@@ -60,7 +60,8 @@ and expression s fuel (a : Type.t) (b : Type.t) =
           one_of random
             [
               "(integral >>> arr (\\x -> x / 1[s]))"; "(derivative >>> arr (\\x -> x * 1[s]))";
-              "(lowPass 0.3[s])"; "(movingAverage [1, 2, 1])"; "previous"; "(rateLimit 2[1/s])";
+              "(sine 0.7[Hz])"; "(squareWave 0.3[Hz])"; "(chirp 0.1[Hz] 2[Hz] 3[s])"; "(whiteNoise 1)";
+              "(colouredNoise 0.4[s] 2)"; "(uniformNoise (-3))"; "(lowPass 0.3[s])"; "(movingAverage [1, 2, 1])"; "previous"; "(rateLimit 2[1/s])";
             ] );
       ( (match (a, b) with
          | Array (n, _), Array (n', _) when n = n' && fuel > 0 -> 10

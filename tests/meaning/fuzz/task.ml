@@ -38,6 +38,8 @@ let rec task (m : Reactive.maker) ~slow fuel a b (c : Type.t) =
       :: ( (if fuel > 0 then 2 else 0),
            fun () ->
              f "(untilRight %s)" (m.signal_function m.values (fuel - 1) a (Type.either b c)) )
+      :: ( (if fuel > 0 then 2 else 0),
+           fun () -> f "(ask %s)" (m.signal_function m.values (fuel - 1) a c) )
       :: (if a = c then [ (3, fun () -> "snapT") ] else [])
   in
   let of_nothing =
@@ -132,6 +134,10 @@ and by_result m ~slow fuel a b (c : Type.t) =
       let array = Type.Array (1 + Random.State.int m.values.random 3, x) in
       [
         (2, fun () -> f "(repeatT %s %s)" (times m) (sub ~slow:true a b (any_result m)));
+        ( 2,
+          fun () ->
+            let condition = m.signal_function m.values (fuel - 1) a Type.Bool in
+            f "(whileT %s %s)" condition (sub ~slow:true a b (any_result m)) );
         ( 2,
           fun () ->
             f "(forEachT %s (\\%s -> %s))" (annotated (value m 1 array) array) text

@@ -106,3 +106,13 @@ Combinators; the last two are `delay 1 >>> (+ 1)` and a counter.
   2,10,1,20,2,10,2,1,2,2,7,1
   4,20,2,40,4,20,4,2,2,2,7,3
   6,30,3,60,6,30,6,3,3,3,7,6
+
+Sums and means, on Int too; the first and the last elements, also more than there are:
+
+  $ cat > arrays.frob << FROB
+  > main :: SF (Float, Int) (Float, Float, Int, Array 2 Int, Array 4 Int, Array 2 Int, Array 4 Int, Array 3 Int)
+  > main = proc (x, n) -> (sum xs, mean xs, sum ns, take ns, take ns, drop ns, drop ns, drop ns) where
+  >     xs = [x, 2, 0.5]
+  >     ns = [n, 2, 3]
+  > FROB
+  $ printf '%s\n' 0.5,1 inf,2147483647 nan,-6 | rows in.1,in.2 | trace arrays | cells

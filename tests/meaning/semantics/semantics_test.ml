@@ -10,7 +10,7 @@ let declared module_ = Library_module.declared (Page.read (root / "stdlib" / (mo
 let prelude = declared "Prelude"
 
 (* With a heading each in appendix B. *)
-let modules = List.map (fun name -> (name, declared name)) [ "Control"; "Geometry"; "Driving"; "WallFollow" ]
+let modules = List.map (fun name -> (name, declared name)) [ "Control"; "Geometry"; "Driving"; "Sources"; "WallFollow" ]
 let frobc = Sys.argv.(1)
 
 let write file text =

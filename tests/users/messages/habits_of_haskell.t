@@ -272,7 +272,7 @@ Names from Haskell, Yampa and C are told by the name here.
 
   $ cat > names.frob <<'FROB'
   > main :: SF Int Float
-  > main = proc n -> fromIntegral n + sum [1.0] + fromJust None where
+  > main = proc n -> fromIntegral n + product [1.0] + fromJust None where
   >     a = iPre 0 n
   >     b = lMerge NoEvent NoEvent
   >     c = fmap id NoEvent

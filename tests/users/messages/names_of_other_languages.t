@@ -64,7 +64,7 @@ Names that other languages have are answered with what they are here. Of each na
   Math.sqrt: the functions on numbers need no module: `sqrt x`
   np.abs: the functions on numbers need no module: `sqrt x`
   random: a program has no chance in it: random numbers come with its input
-  $ hint minimum maximum mean len enumerate zeros append null TRUE
+  $ hint minimum maximum average len enumerate zeros append null TRUE
   minimum: the least element of an array is `minimumBy id xs`
   maximum: the greatest element of an array is `maximumBy id xs`
   mean: it is `foldl (+) 0 xs / toFloat (length xs)`
