@@ -162,7 +162,8 @@ let occurrence m node ~span ty event =
 
 (* {1 Modes} *)
 
-let proc_of (value : Value.t) =
+(* Whose names an input has; of a task, those of what runs first. *)
+let rec proc_of (value : Value.t) =
   match value with
   | Signal_function { code = Proc proc; types; _ }
   | Primitive
@@ -172,6 +173,8 @@ let proc_of (value : Value.t) =
         _;
       } ->
       Some (proc, types)
+  | Primitive { primitive = Run_task; arguments = [ { value = task; _ } ]; _ } ->
+      Option.bind (Task.first task) proc_of
   | _ -> None
 
 (* Names for an input of the machine in a mode. *)
@@ -279,9 +282,10 @@ let build m ~input_value ~input_holes (mode : mode) =
   in
   let names, local = input_names m value in
   let input (hole : Skeleton.hole) =
-    match local with
-    | Some local -> parameter node ~name:(Destructuring.name names local hole.path) hole
-    | None -> parameter node ~name:"" hole
+    let own = Option.map (fun local -> Destructuring.name names local hole.path) local in
+    match (own, hole.atom) with
+    | (None | Some ""), Signal s -> parameter node ~name:s.name hole
+    | own, _ -> parameter node ~name:(Option.value own ~default:"") hole
   in
   let inputs = List.map input input_holes in
   let input : Value.argument =

@@ -82,6 +82,11 @@ let rec head (task : Value.t) =
   | Primitive { primitive = Return; arguments = [ value ]; _ } -> Ends value
   | _ -> bug "what is no task, or not reduced"
 
+let rec first : Value.t -> Value.t option = function
+  | Primitive { primitive = Sequence; arguments = [ _; before ]; _ } -> first before.value
+  | Primitive { primitive = Make_task | Until_right; arguments = [ runs ]; _ } -> Some runs.value
+  | _ -> None
+
 let unnamed span : Core.Ir.Local.t = { id = 0; name = ""; span }
 
 let reduced (c : Context.t) node apply ends_at_once ~span task =

@@ -55,5 +55,8 @@ val reduced :
 val head : Value.t -> head
 (** Of a task that is reduced, and no choice. *)
 
+val first : Value.t -> Value.t option
+(** The signal function that runs first, if that is known of a task as it stands. *)
+
 val after : Value.t -> Value.argument -> Value.t
 (** What is left when the head of a reduced task has ended with this. *)

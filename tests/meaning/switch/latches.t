@@ -10,9 +10,9 @@ a time is compared as it is kept, in nanoseconds.
   > pause = switch (proc x -> (-x, after 2[s] ())) (\_ -> go)
   > EOF
   $ frobc compile pause.frob --lint --dump=flow | grep -A3 "nanoseconds"
-    _1 : Float = nanoseconds
-    _2 : Bool = 1500000000.0 <= _1
-    when _2 -> main.go
+    _2 : Float = nanoseconds
+    _3 : Bool = 1500000000.0 <= _2
+    when _3 -> main.go
     -> (out = 0.0)
   --
     _2 : Float = nanoseconds

@@ -30,10 +30,10 @@ of them occurs.
   $ frobc compile early.frob
   $ sed -n '/^static.*abortWhen_step(/,/^}/p' early.c | sed -n '/^{/,$p'
   {
-      const bool t3 = fabs(t1 - 1.0) < 0.1;                   /* line 18 */
-      *out_2 = t3;
-      if (!t3) {                                              /* line 10 */
-          const double y = early_go_step(&self->go, &flags->go, dt, dt_ns, t1, t2); /* line 15 */
+      const bool t1 = fabs(x_x - 1.0) < 0.1;                  /* line 18 */
+      *out_2 = t1;
+      if (!t1) {                                              /* line 10 */
+          const double y = early_go_step(&self->go, &flags->go, dt, dt_ns, x_x, x_ahead); /* line 15 */
           *out_1 = y;                                         /* Prelude.frob:665 */
       }
   }

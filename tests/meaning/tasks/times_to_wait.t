@@ -21,8 +21,8 @@ is computed by the compiler too.
   errand.h:            double sin_a;                           /* parameter at errand.frob:12 */
   errand.h:            int64_t q_ns;                             /* parameter at errand.frob:9 */
   errand.c:                                            double sin_a,
-  errand.c:        *out_1 = t1 * sin_a;
-  errand.c:    const bool t2 = q_ns <= self->time;                     /* Prelude.frob:356 */
+  errand.c:        *out_1 = x * sin_a;
+  errand.c:    const bool t1 = q_ns <= self->time;                     /* Prelude.frob:356 */
   errand.c:                self->modes.turn.sin_a = 0.5;
   errand.c:                self->modes.turn.sin_a = -1.0;
   errand.c:            errand_forever_turn_step(&self->modes.turn.state, self->modes.turn.sin_a, x,

@@ -27,18 +27,18 @@ out the rest of its step as any mode that ends.
   static inline void laps_straight_straight_2_step(struct laps_straight_straight_2_state *self,
                                                    struct laps_straight_straight_2_flags *FROB_RESTRICT flags,
                                                    double dt,
-                                                   bool t1,
-                                                   double t2,
+                                                   bool i_stop,
+                                                   double i_x,
                                                    double *out_1,
                                                    bool *out_2)
   {
-      self->integral += dt * self->integral_input;
-      const bool t3 = t1 & !flags->delay || t2 > 1.8;
-      *out_2 = t3;
-      if (!t3) {
-          *out_1 = self->integral;
-          flags->delay = t1;
-          self->integral_input = t2;
+      self->i_x_integral += dt * self->i_x_integral_input;
+      const bool t1 = i_stop & !flags->i_stop_prev || i_x > 1.8;
+      *out_2 = t1;
+      if (!t1) {
+          *out_1 = self->i_x_integral;
+          flags->i_stop_prev = i_stop;
+          self->i_x_integral_input = i_x;
       }
   }
   $ grep -A 5 -h "the modes of" laps.h
