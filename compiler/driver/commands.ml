@@ -93,30 +93,6 @@ let accepted pipeline general (resources : Resources.t) ~entry file continue =
 let compiled ?batch general resources ~entry file continue =
   accepted (Pipeline.compile ?batch) general resources ~entry file continue
 
-let write path text =
-  match open_out_bin path with
-  | exception Sys_error reason -> Error (Printf.sprintf "cannot write %s" reason)
-  | channel -> (
-      match
-        Fun.protect ~finally:(fun () -> close_out_noerr channel) (fun () ->
-            output_string channel text;
-            flush channel)
-      with
-      | () -> Ok ()
-      | exception Sys_error reason -> Error (Printf.sprintf "cannot write %s: %s" path reason))
-
-let rec make_folder path =
-  if not (Sys.file_exists path) then begin
-    make_folder (Filename.dirname path);
-    Unix.mkdir path 0o777
-  end
-
-let writable_folder path =
-  match make_folder path with
-  | () -> Ok ()
-  | exception Unix.Unix_error (reason, _, _) ->
-      Error (Printf.sprintf "cannot make the folder %s: %s" path (Unix.error_message reason))
-
 (* As other compilers' [-o] takes a file. *)
 let not_a_file ~folder file =
   let name = Pipeline.c_name file in
@@ -137,14 +113,16 @@ let compile general entry ~batch ~standalone folder file =
         let* files =
           if standalone then Standalone.files resources ~real:general.real files else Ok files
         in
-        let* () = writable_folder folder in
-        let* () = write (path ".h") files.header in
-        let* () = write (path ".c") files.source in
-        let* () =
-          match files.robot_header with
-          | Some (header, text) -> write (Filename.concat folder header) text
-          | None -> Ok ()
+        let robot_header =
+          Option.map (fun (name, text) -> (Filename.concat folder name, text)) files.robot_header
         in
+        let texts =
+          [ (path ".h", files.header); (path ".c", files.source) ] @ Option.to_list robot_header
+        in
+        let output (path, _) = { Output.path; content = C; asked = "compile" } in
+        let* () = Output.check ~reads:[ file ] (List.map output texts) in
+        let* () = Output.folder folder in
+        let* () = Output.write texts in
         Exit_status.ok)
 
 (* {1 Reporting} *)
@@ -264,6 +242,8 @@ let hosted general ~entry ~sources file ~host ~arguments =
 
 type engine = C | Interpreter
 
+let as_output content asked path = { Output.path; content; asked }
+
 let compiled_trace general ~entry ~sources ~modes ~input ~output file =
   hosted general ~entry ~sources file
     ~host:(fun resources -> resources.Resources.trace_host)
@@ -280,21 +260,9 @@ let interpreted_trace general ~entry ~input ~output file =
           List.iter (Printf.eprintf "error: %s\n") errors;
           Exit_status.wrong_use)
 
-let same_file path other =
-  match (Unix.stat path, Unix.stat other) with
-  | a, b -> a.st_kind = Unix.S_REG && a.st_dev = b.st_dev && a.st_ino = b.st_ino
-  | exception Unix.Unix_error _ -> false
-
-(* Opening an output empties what is there: a recording is read while the answer to
-   it is written. *)
-let overwritten ~output files =
-  match Option.map (fun output -> List.filter (same_file output) files) output with
-  | Some (read :: _) ->
-      Error (Printf.sprintf "the output would overwrite %s, which is read; name another file" read)
-  | Some [] | None -> Ok ()
-
 let trace general engine ~entry ~sources ~modes ~input ~output file =
-  let* () = overwritten ~output [ input; file ] in
+  let outputs = List.map (as_output Table "--output") (Option.to_list output) in
+  let* () = Output.check ~reads:(input :: file :: sources) outputs in
   match engine with
   | C -> compiled_trace general ~entry ~sources ~modes ~input ~output file
   | Interpreter when modes ->
@@ -336,6 +304,11 @@ let run general ~entry ~sources run file =
     match general.robot with Some _ as robot -> robot | None -> robot_of_world resources world
   in
   let general = { general with robot } in
+  let outputs =
+    List.map (as_output Table "--record") (Option.to_list run.record)
+    @ List.map (as_output Picture "--picture") (Option.to_list run.picture)
+  in
+  let* () = Output.check ~reads:(file :: world :: sources) outputs in
   let option name value = match value with Some value -> [ name; value ] | None -> [] in
   let flag name value = if value then [ name ] else [] in
   hosted general ~entry ~sources file

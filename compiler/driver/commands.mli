@@ -71,11 +71,8 @@ val compiled :
 val host_table : entry:string -> Cgen.Emit.t -> (string, string) result
 (** The table by which hosts read and write the program's values. *)
 
-val write : string -> string -> (unit, string) result
-(** [write path text] *)
-
-val writable_folder : string -> (unit, string) result
-(** Makes the folder, and those above it, if they are not there. *)
+val as_output : Output.content -> string -> string -> Output.t
+(** [as_output content option path] *)
 
 val all_exist : string list -> (unit, string) result
 (** Whether the files named on the command line are there. *)

@@ -1,21 +1,19 @@
 let ( / ) = Filename.concat
 
 (* All or the first error. *)
-let rec each f = function
-  | [] -> Ok ()
-  | x :: others -> Result.bind (f x) (fun () -> each f others)
+let rec all = function
+  | [] -> Ok []
+  | x :: others -> Result.bind x (fun x -> Result.map (List.cons x) (all others))
 
 let files folder =
   let names = Sys.readdir folder in
   Array.sort compare names;
   List.filter (fun name -> not (Sys.is_directory (folder / name))) (Array.to_list names)
 
-(* Copies the files of a folder, not those of the folders in it. *)
-let copy_folder source target =
-  Result.bind (Commands.writable_folder target) (fun () ->
-      each
-        (fun name -> Result.bind (Own_headers.read (source / name)) (Commands.write (target / name)))
-        (files source))
+(* The files of a folder, not those of the folders in it, and where they go. *)
+let copies_of source target =
+  let one name = Result.map (fun text -> (target / name, text)) (Own_headers.read (source / name)) in
+  all (List.map one (files source))
 
 let manifest name =
   Printf.sprintf
@@ -59,23 +57,41 @@ let headers_of ~sources ~foreign_folders generated =
   let is_own (h : Own_headers.t) = not (List.mem_assoc h.name generated) in
   Ok (List.filter is_own (of_sources @ of_program))
 
+(* A folder is the export's own: new, empty, or one that an export has made. *)
+let is_ours ~folder ~name =
+  (not (Sys.file_exists folder))
+  || Sys.is_directory folder
+     && (Sys.readdir folder = [||]
+        || Own_headers.read (folder / "library.json") = Ok (manifest name))
+
 let write_library (resources : Resources.t) ~folder ~name ~sources ~foreign_folders generated =
   let ( let* ) = Result.bind in
-  let source = folder / "src" and example = folder / "examples" / name in
-  let* () = Commands.writable_folder source in
-  let* () = Commands.write (folder / "library.json") (manifest name) in
-  let* () = each (fun (file, text) -> Commands.write (source / file) text) generated in
-  let copy from target =
-    let* () = Commands.writable_folder (Filename.dirname target) in
-    Result.bind (Own_headers.read from) (Commands.write target)
-  in
-  let* () = each (fun file -> copy file (source / Filename.basename file)) sources in
-  let* headers = headers_of ~sources ~foreign_folders generated in
-  let* () = each (fun (h : Own_headers.t) -> copy h.path (source / h.name)) headers in
+  let source = folder / "src" in
   let* () =
-    each (fun (from, into) -> copy_folder from (source / into)) (runtime_folders resources)
+    if is_ours ~folder ~name then Ok ()
+    else
+      Error
+        (Printf.sprintf
+           "%s is there already, and is no export of %s: move it away, or name another folder" folder
+           name)
   in
-  copy_folder (resources.runtime_sources / "hosts" / "arduino") example
+  let copy from target = Result.map (fun text -> (target, text)) (Own_headers.read from) in
+  let* own = all (List.map (fun file -> copy file (source / Filename.basename file)) sources) in
+  let* headers = headers_of ~sources ~foreign_folders generated in
+  let* headers = all (List.map (fun (h : Own_headers.t) -> copy h.path (source / h.name)) headers) in
+  let* runtime =
+    all (List.map (fun (from, into) -> copies_of from (source / into)) (runtime_folders resources))
+  in
+  let* example =
+    copies_of (resources.runtime_sources / "hosts" / "arduino") (folder / "examples" / name)
+  in
+  let generated = List.map (fun (file, text) -> (source / file, text)) generated in
+  let files =
+    ((folder / "library.json", manifest name) :: generated)
+    @ own @ headers @ List.concat runtime @ example
+  in
+  let* _ = all (List.map (fun (path, _) -> Output.folder (Filename.dirname path)) files) in
+  Output.write files
 
 let platformio (general : Commands.general) ~entry ~sources ~folder file =
   let ( let* ) result continue =

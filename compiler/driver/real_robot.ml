@@ -45,6 +45,11 @@ let serve ~robot ~sources serve =
   let world =
     Option.value serve.world ~default:(Filename.concat resources.worlds "room.toml")
   in
+  let outputs =
+    List.map (Commands.as_output Link "--link") (Option.to_list serve.link)
+    @ List.map (Commands.as_output Log "--log") (Option.to_list serve.log)
+  in
+  let* () = Output.check ~reads:(world :: Option.to_list robot @ sources) outputs in
   become resources.server
     ([ "--world"; world; "--seed"; string_of_int serve.seed ]
     @ option "--robot" robot
@@ -82,6 +87,8 @@ let run general ~entry ~sources ~simulated run file =
     | [] -> Ok ()
     | option :: _ -> Error (Printf.sprintf "%s is for the simulator, and not for a robot" option)
   in
+  let outputs = List.map (Commands.as_output Table "--record") (Option.to_list run.record) in
+  let* () = Output.check ~reads:(file :: sources) outputs in
   executable general this_machine ~entry ~sources file (fun program ->
       become program
         ([ "--device"; run.device; "--rate"; Printf.sprintf "%.9g" run.rate ]
@@ -95,28 +102,6 @@ let run general ~entry ~sources ~simulated run file =
         @ flag "--exit-when-done" run.exit_when_done
         @ flag "--console" run.console))
 
-let read path =
-  let channel = open_in_bin path in
-  Fun.protect
-    ~finally:(fun () -> close_in channel)
-    (fun () -> really_input_string channel (in_channel_length channel))
-
-(* A program that runs may be replaced: by another file of its name. *)
-let install program path =
-  if Sys.file_exists path && Sys.is_directory path then
-    Commands.wrong_use (Printf.sprintf "cannot write %s: it is a directory" path)
-  else
-  let next = path ^ ".next" in
-  match
-    let channel = open_out_gen [ Open_wronly; Open_creat; Open_trunc; Open_binary ] 0o777 next in
-    Fun.protect
-      ~finally:(fun () -> close_out channel)
-      (fun () -> output_string channel (read program));
-    Sys.rename next path
-  with
-  | () -> Exit_status.ok
-  | exception Sys_error reason -> Commands.wrong_use ("cannot write " ^ reason)
-
 let build general ~entry ~sources ~target ~output file =
   match Target.of_name target with
   | None ->
@@ -125,9 +110,12 @@ let build general ~entry ~sources ~target ~output file =
                          `frobc export --platformio`" target
            (String.concat ", " Target.names))
   | Some target ->
+      let path = Option.value output ~default:(Pipeline.c_name file) in
+      let asked = if output = None then "the program" else "-o" in
+      let* () = Output.check ~reads:(file :: sources) [ Commands.as_output Program asked path ] in
       executable general target ~entry ~sources file (fun program ->
-          let path = Option.value output ~default:(Pipeline.c_name file) in
-          match (install program path, Target.size_tool target) with
-          | 0, Some tool -> (
+          let* () = Output.copy program path in
+          match Target.size_tool target with
+          | Some tool -> (
               match Process.hand_over tool [ path ] with Ok status -> status | Error _ -> 0)
-          | status, _ -> status)
+          | None -> Exit_status.ok)

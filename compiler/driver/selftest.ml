@@ -84,7 +84,7 @@ let include_flags t =
     (fun folder -> [ "-I"; folder ])
     [ t.resources.headers; t.folder; t.resources.selftest ]
 
-let write path text = Result.map_error (fun reason -> Untried reason) (Commands.write path text)
+let write path text = Result.map_error (fun reason -> Untried reason) (Output.write [ (path, text) ])
 
 (* {1 Before anything of ours is tried} *)
 
@@ -284,6 +284,6 @@ let run compiler =
       let run = Option.fold compiler.runner ~none:[] ~some:words in
       let compile = words cc @ flags in
       let t = { compile; run; resources; folder; real = compiler.real; warned = false } in
-      match Commands.writable_folder folder with
+      match Output.folder folder with
       | Error text -> Commands.wrong_use text
       | Ok () -> Fun.protect ~finally:(fun () -> remove folder) (fun () -> verdict t (judged t)))

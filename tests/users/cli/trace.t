@@ -126,13 +126,13 @@ What is read is not written over: the recording, under any name, or the program.
 
   $ cp in.csv log.csv; ln -s log.csv link.csv
   $ frobc trace sum.frob --input log.csv --output log.csv
-  error: the output would overwrite log.csv, which is read; name another file
+  error: --output would overwrite log.csv, which is read: name another file
   [2]
   $ frobc trace sum.frob --input log.csv --output link.csv --engine interp
-  error: the output would overwrite log.csv, which is read; name another file
+  error: --output would overwrite log.csv, which is read: name another file
   [2]
   $ frobc trace sum.frob --input log.csv --output ./sum.frob
-  error: the output would overwrite sum.frob, which is read; name another file
+  error: --output would overwrite sum.frob, which is read: name another file
   [2]
   $ cmp in.csv log.csv
 

@@ -1,0 +1,31 @@
+(** What may be written, decided in one place: never what is read, never the same
+    file twice, never a file that frobc did not make. Devices and pipes may be
+    written; so may an empty file. *)
+
+type content =
+  | C  (** generated C and headers: the first line says so *)
+  | Table  (** a trace or a recording: its first column is [time] *)
+  | Picture  (** PNG, or SVG as frobc draws it *)
+  | Program  (** an executable with a table for hosts *)
+  | Link  (** a symbolic link *)
+  | Log  (** of a served robot; it goes on where it ended *)
+
+type t = {
+  path : string;
+  content : content;
+  asked : string;  (** by what option, for messages: ["--record"] *)
+}
+
+val check : reads:string list -> t list -> (unit, string) result
+(** Whether all may be written by a command that reads these files; the error says
+    which one not, why, and what to do. *)
+
+val write : (string * string) list -> (unit, string) result
+(** Paths and texts, all or none: they are written beside, and renamed when all are
+    whole. *)
+
+val copy : string -> string -> (unit, string) result
+(** [copy from path], likewise, executable. *)
+
+val folder : string -> (unit, string) result
+(** Makes the folder, and those above it, if they are not there. *)
