@@ -31,16 +31,20 @@ let wrong_use text =
   Printf.eprintf "error: %s\n" text;
   Exit_status.wrong_use
 
-let report_bug exn =
-  let stage, message =
-    match exn with
-    | Diagnostic.Bug { stage; message } -> (stage, message)
-    | Stack_overflow -> ("frobc", "the stack overflowed")
-    | exn -> ("frobc", Printexc.to_string exn)
-  in
+let report_bug stage message =
   Printf.eprintf "internal error in %s: %s\nThis is a fault of frobc's own, not of your program.\n"
     stage message;
   Exit_status.bug
+
+(* Where it was not foreseen, the system's reason is the best that can be said. *)
+let report_exception = function
+  | Diagnostic.Bug { stage; message } -> report_bug stage message
+  | Stack_overflow -> report_bug "frobc" "the stack overflowed"
+  | Sys_error reason -> wrong_use reason
+  | Unix.Unix_error (reason, _, what) ->
+    let what = if what = "" then "frobc" else what in
+    wrong_use (Printf.sprintf "%s: %s" what (Unix.error_message reason))
+  | exn -> report_bug "frobc" (Printexc.to_string exn)
 
 (* {1 Compiling} *)
 

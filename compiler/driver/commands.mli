@@ -101,6 +101,6 @@ val built :
     and goes on with the path of the result; tells what is wrong with it
     otherwise. [name] is that of the C files. *)
 
-val report_bug : exn -> int
-(** Says that the compiler itself is at fault; the status is
-    {!Exit_status.bug}. *)
+val report_exception : exn -> int
+(** Says what ended the command: what the system refused, which is {!Exit_status.wrong_use},
+    or a fault of the compiler's own, {!Exit_status.bug}. *)

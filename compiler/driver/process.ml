@@ -18,27 +18,30 @@ let start program arguments ~stdout ~stderr =
   | exception Unix.Unix_error (reason, _, _) ->
       Error (Failed { status = 126; errors = Unix.error_message reason })
 
+let read_all channel =
+  let text = Buffer.create 1024 and chunk = Bytes.create 1024 in
+  let rec go () =
+    match input channel chunk 0 1024 with
+    | 0 -> Buffer.contents text
+    | n ->
+      Buffer.add_subbytes text chunk 0 n;
+      go ()
+  in
+  go ()
+
 (* Where processes are made by fork, a missing program shows as status 127. *)
 let checked program status = if status = 127 then Error (Not_found program) else Ok status
 
-let read_all path =
-  let channel = open_in_bin path in
-  Fun.protect
-    ~finally:(fun () -> close_in channel)
-    (fun () -> really_input_string channel (in_channel_length channel))
-
 let output program arguments =
-  let log = Filename.temp_file "frobc" ".log" in
-  Fun.protect
-    ~finally:(fun () -> Sys.remove log)
-    (fun () ->
-      let channel = Unix.openfile log [ Unix.O_WRONLY; Unix.O_TRUNC ] 0o600 in
-      let started = start program arguments ~stdout:channel ~stderr:channel in
-      Unix.close channel;
-      match Result.bind started (fun pid -> checked program (wait pid)) with
-      | Ok 0 -> Ok (read_all log)
-      | Ok status -> Error (Failed { status; errors = read_all log })
-      | Error failure -> Error failure)
+  let read, write = Unix.pipe ~cloexec:true () in
+  let started = start program arguments ~stdout:write ~stderr:write in
+  Unix.close write;
+  let channel = Unix.in_channel_of_descr read in
+  let text = Fun.protect ~finally:(fun () -> close_in channel) (fun () -> read_all channel) in
+  match Result.bind started (fun pid -> checked program (wait pid)) with
+  | Ok 0 -> Ok text
+  | Ok status -> Error (Failed { status; errors = text })
+  | Error failure -> Error failure
 
 let run program arguments = Result.map ignore (output program arguments)
 

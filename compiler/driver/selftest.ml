@@ -266,24 +266,14 @@ let verdict t = function
       Exit_status.rejected
   | Error (Untried text) -> Commands.wrong_use text
 
-let rec remove path =
-  if Sys.is_directory path then (
-    Array.iter (fun name -> remove (path / name)) (Sys.readdir path);
-    Unix.rmdir path)
-  else Sys.remove path
-
 let run compiler =
   match Resources.find () with
   | Error text -> Commands.wrong_use text
-  | Ok resources -> (
-      let folder =
-        Filename.get_temp_dir_name () / Printf.sprintf "frobc-selftest-%d" (Unix.getpid ())
-      in
-      let cc = Option.value compiler.cc ~default:(Toolchain.this_machine ()).compiler in
-      let flags = Option.fold compiler.cflags ~none:Toolchain.flags ~some:words in
-      let run = Option.fold compiler.runner ~none:[] ~some:words in
-      let compile = words cc @ flags in
-      let t = { compile; run; resources; folder; real = compiler.real; warned = false } in
-      match Output.folder folder with
-      | Error text -> Commands.wrong_use text
-      | Ok () -> Fun.protect ~finally:(fun () -> remove folder) (fun () -> verdict t (judged t)))
+  | Ok resources ->
+    let folder = Temporary.folder () in
+    let cc = Option.value compiler.cc ~default:(Toolchain.this_machine ()).compiler in
+    let flags = Option.fold compiler.cflags ~none:Toolchain.flags ~some:words in
+    let run = Option.fold compiler.runner ~none:[] ~some:words in
+    let compile = words cc @ flags in
+    let t = { compile; run; resources; folder; real = compiler.real; warned = false } in
+    verdict t (judged t)

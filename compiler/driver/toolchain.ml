@@ -13,38 +13,13 @@ let this_machine () =
     options = [];
   }
 
-let rec make_folder path =
-  if not (Sys.file_exists path) then begin
-    make_folder (Filename.dirname path);
-    try Unix.mkdir path 0o700 with Unix.Unix_error (Unix.EEXIST, _, _) -> ()
-  end
-
-(* A cache that cannot be written must not keep anybody from working. *)
-let cache_folder () =
-  let user =
-    match (Sys.getenv_opt "XDG_CACHE_HOME", Sys.getenv_opt "HOME") with
-    | Some cache, _ when cache <> "" -> Some (cache / "frobc")
-    | _, Some home when home <> "" -> Some (home / ".cache" / "frobc")
-    | _ -> None
-  in
-  let usable path =
-    match
-      make_folder path;
-      Unix.access path [ Unix.W_OK ]
-    with
-    | () -> true
-    | exception (Unix.Unix_error _ | Sys_error _) -> false
-  in
-  match user with
-  | Some path when usable path -> path
-  | _ ->
-      let path = Filename.get_temp_dir_name () / Printf.sprintf "frobc-%d" (Unix.getuid ()) in
-      make_folder path;
-      path
-
 let write path content =
   let channel = open_out_bin path in
-  Fun.protect ~finally:(fun () -> close_out channel) (fun () -> output_string channel content)
+  Fun.protect
+    ~finally:(fun () -> close_out_noerr channel)
+    (fun () ->
+      output_string channel content;
+      close_out channel)
 
 (* Headers that generated code includes are part of what matters. *)
 let headers_digest folder =
@@ -140,42 +115,28 @@ let compile_cpp machine ~headers ~folder foreign =
 let compile machine ~headers ~inputs ~foreign ~folder ~result kind files =
   List.iter (fun (file, content) -> write (folder / file) content) files;
   let sources = List.filter (fun (file, _) -> Filename.check_suffix file ".c") files in
-  let built = folder / "program" in
   let link () =
     Process.run machine.compiler
       (flags @ machine.options
       @ kind_flags kind
-      @ [ "-I"; headers; "-I"; folder; "-o"; built ]
+      @ [ "-I"; headers; "-I"; folder; "-o"; result ]
       @ List.map (fun (file, _) -> folder / file) sources
       @ with_foreign ~folder foreign
       @ inputs @ [ "-lm" ])
   in
-  let build () =
-    Result.map_error (explain machine)
-      (Result.bind (compile_cpp machine ~headers ~folder foreign) link)
-  in
-  match Result.bind (Option.fold foreign ~none:(Ok ()) ~some:(copies ~folder)) build with
-  | Ok () ->
-      (* Renaming is atomic, so two runs at once do not see half a file. *)
-      Sys.rename built result;
-      Ok result
-  | Error _ as error -> error
-
-let remove_folder folder =
-  Array.iter (fun file -> Sys.remove (folder / file)) (Sys.readdir folder);
-  Unix.rmdir folder
+  let ( let* ) = Result.bind in
+  let* () = Option.fold foreign ~none:(Ok ()) ~some:(copies ~folder) in
+  let* () = Result.map_error (explain machine) (compile_cpp machine ~headers ~folder foreign) in
+  let* () = Result.map_error (explain machine) (link ()) in
+  if Sys.file_exists result then Ok ()
+  else
+    Error
+      (Printf.sprintf "the C compiler `%s` made no program, and gave no error; %s"
+         machine.compiler machine.cure)
 
 let build ?machine kind ~headers ~inputs ?(includes = []) ~foreign ~name files =
   let machine = match machine with Some machine -> machine | None -> this_machine () in
-  let cache = cache_folder () in
-  let key = key machine ~headers ~inputs ~includes ~foreign ~name kind files in
-  let result = cache / Printf.sprintf "%s-%s%s" name key (suffix kind) in
   (* What files of the user's include we do not know: they are compiled anew. *)
-  if foreign = None && Sys.file_exists result then Ok result
-  else begin
-    let folder = cache / Printf.sprintf "%s.%d" key (Unix.getpid ()) in
-    make_folder folder;
-    Fun.protect
-      ~finally:(fun () -> remove_folder folder)
-      (fun () -> compile machine ~headers ~inputs ~foreign ~folder ~result kind files)
-  end
+  Cache.entry ~name ~suffix:(suffix kind) ~reuse:(foreign = None)
+    ~key:(key machine ~headers ~inputs ~includes ~foreign ~name kind files)
+    (fun ~folder result -> compile machine ~headers ~inputs ~foreign ~folder ~result kind files)

@@ -35,7 +35,6 @@ val build :
     [.c] files among [files] (name and content), links them with the archives
     and sources [inputs], which include [includes], and gives the path of the
     result; for this machine, with its C compiler, unless told otherwise.
-    Results are kept in the user's cache ([XDG_CACHE_HOME], or [~/.cache]),
-    under a name made from everything that matters, so the same program is
-    compiled once; with files of the user's, each time. The error is a text for
-    the user. *)
+    Results are kept in the {!Cache}, by everything that matters, so the same program is
+    compiled once; with files of the user's, each time. The error is a text for the
+    user. *)

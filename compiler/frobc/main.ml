@@ -522,7 +522,7 @@ let () =
     | Ok (`Version | `Help) -> Driver.Exit_status.ok
     | Error (`Parse | `Term) -> Driver.Exit_status.wrong_use
     | Error `Exn -> Driver.Exit_status.bug
-    | exception exn when Driver.Streams.output_fault () = None -> Commands.report_bug exn
+    | exception exn when Driver.Streams.output_fault () = None -> Commands.report_exception exn
     | exception _ -> Driver.Exit_status.wrong_use
   in
   let status =

@@ -1,0 +1,68 @@
+  $ cat > add.frob <<'F'
+  > main :: SF Float Float
+  > main = proc x -> x + 1
+  > F
+  $ printf 'time,in\n0,1\n' > in.csv
+
+What is built is kept, in a folder that is the user's alone; a second run takes it from there.
+
+  $ export XDG_CACHE_HOME=$PWD/cache
+  $ frobc trace add.frob --input in.csv
+  time,out
+  0.000000000,2
+  $ stat -c %a cache/frobc
+  700
+  $ ls cache/frobc | sed 's/-[0-9a-f]*\./-KEY./'
+  add-KEY.so
+  add-KEY.so.md5
+  $ CC=false frobc trace add.frob --input in.csv > /dev/null 2>&1; echo $?
+  2
+
+An entry that was damaged heals itself.
+
+  $ truncate -s 100 cache/frobc/add-*.so
+  $ frobc trace add.frob --input in.csv
+  time,out
+  0.000000000,2
+
+What was left by a command that was killed goes with the next one that builds.
+
+  $ mkdir cache/frobc/work-0123.99999999
+  $ touch cache/frobc/work-0123.99999999/add.c
+  $ rm cache/frobc/add-*; frobc trace add.frob --input in.csv > /dev/null
+  $ ls cache/frobc | sed 's/-[0-9a-f]*\./-KEY./'
+  add-KEY.so
+  add-KEY.so.md5
+
+A folder that others may write, or that is somebody else's, is not trusted: what is built goes
+when the command has ended.
+
+  $ mkdir tmp; export TMPDIR=$PWD/tmp
+  $ rm -r cache/frobc; mkdir -m 777 cache/frobc; chmod 777 cache/frobc
+  $ gone() { for i in 1 2 3 4 5 6 7 8 9 10; do [ -z "$(ls tmp)" ] && break; sleep 0.2; done; ls tmp; }
+  $ frobc trace add.frob --input in.csv
+  time,out
+  0.000000000,2
+  $ ls cache/frobc; gone
+  $ rm -r cache/frobc; ln -s ../tmp cache/frobc
+  $ frobc trace add.frob --input in.csv
+  time,out
+  0.000000000,2
+  $ gone
+  $ unset XDG_CACHE_HOME
+  $ HOME= frobc trace add.frob --input in.csv
+  time,out
+  0.000000000,2
+  $ gone
+
+Where nothing can be written, that is said.
+
+  $ HOME= TMPDIR=/dev/null frobc trace add.frob --input in.csv 2>&1 | sed 's/frobc-[0-9a-f]*/frobc-N/'
+  error: cannot keep what is built in /dev/null/frobc-N: Not a directory; make room there, or set TMPDIR and XDG_CACHE_HOME to folders that can be written
+  $ CC=true HOME=$PWD frobc trace add.frob --input in.csv
+  error: the C compiler `true` made no program, and gave no error; install one (on Debian: apt-get install gcc) or name yours in the environment variable CC
+  [2]
+  $ name=$(printf 'a%.0s' $(seq 230)); cp add.frob $name.frob
+  $ HOME=$PWD frobc trace $name.frob --input in.csv
+  time,out
+  0.000000000,2
