@@ -19,17 +19,17 @@ knows that it is not the first. The dt that comes then is looked at by nobody.
       const bool b = in->value;
       if (!self->started) {                                   /* Control.frob:26 */
           self->started = true;
-          self->before = b;                                   /* Control.frob:104 */
+          self->before = b;                                   /* Control.frob:102 */
       } else {
           const int64_t dt_ns = (int64_t)frob_whole_ns(dt);
-          const bool differs = b != self->before;             /* Control.frob:105 */
+          const bool differs = b != self->before;             /* Control.frob:103 */
           self->time = (differs & self->waiting) ? frob_soon(self->time, dt_ns) : 0; /* Prelude.frob:343 */
-          const bool settled = INT64_C(30000000) <= self->time; /* Control.frob:108 */
-          self->waiting = differs & !settled;                 /* Control.frob:106 */
+          const bool settled = INT64_C(30000000) <= self->time; /* Control.frob:106 */
+          self->waiting = differs & !settled;                 /* Control.frob:104 */
           if (settled && b & !self->before) {                 /* Prelude.frob:437 */
               self->accumBy_before = frob_int_add(self->accumBy_before, 1);
           }
-          if (settled) {                                      /* Control.frob:104 */
+          if (settled) {                                      /* Control.frob:102 */
               self->before = b;
           }
       }

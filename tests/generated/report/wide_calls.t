@@ -18,7 +18,7 @@ Of this program's functions the two modes and the machine are wide as soon as th
   > next k = switch (proc i -> ((derivative i.a1 * 1[s] + k * $(list ' * ' i.a), i.a2), edge (i.a2 < 1 && i.a3 > 2))) (\\_ -> machine)
   > 
   > main :: SF (Float, Bool) ((Float, Float), (Float, Float))
-  > main = proc (x, b) -> (machine (Numbers { $(list ', ' a ' = x') }), machine (Numbers { $(list ', ' a ' = x * 2') }))
+  > main = proc (x, _) -> (machine (Numbers { $(list ', ' a ' = x') }), machine (Numbers { $(list ', ' a ' = x * 2') }))
   > END
   > }
   $ for n in 24 27 28 29; do

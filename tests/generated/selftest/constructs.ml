@@ -143,8 +143,10 @@ let constructors path =
 
 let elementary path = found_in path (fun line -> Scanf.sscanf line "double %[a-z0-9_](" Fun.id)
 
-(* What only other helpers call or are marked with is with them. *)
-let called_by_helpers_only = [ "frob_wrap"; "FROB_ONE_COPY" ]
+(* What only other helpers call or are marked with is with them; what the header asks for,
+   it calls nowhere. *)
+let called_by_nobody =
+  [ "frob_wrap"; "FROB_ONE_COPY"; "FROB_STEP_H"; "FROB_STRUCTS_SHARE_STACK" ]
 
 let () =
   let library = Sys.argv.(1) and folder = Sys.argv.(2) in
@@ -154,7 +156,7 @@ let () =
   let wanted =
     [
       ("constructors", constructors Sys.argv.(3));
-      ("helpers", List.filter (fun name -> not (List.mem name called_by_helpers_only)) (Cgen.Helpers.names ()));
+      ("helpers", List.filter (fun name -> not (List.mem name called_by_nobody)) (Cgen.Helpers.names ()));
       ("elementary functions", elementary Sys.argv.(4));
       ("operations on arrays", List.map (fun o -> "array " ^ Cgen.Array_type.suffix o) Cgen.Array_type.operations);
     ]

@@ -19,7 +19,7 @@ agree.
   > 
   > nested :: Array 2 (Array 2 (Maybe Int)) -> Int
   > nested = \case
-  >     [[Just a, _], all@[_, Just b]] -> a + b
+  >     [[Just a, _], _all@[_, Just b]] -> a + b
   >     [[Nothing, _], [Nothing, _]] -> 0
   >     [_, [x, y]] -> fromMaybe 1 x - fromMaybe 2 y
   > 

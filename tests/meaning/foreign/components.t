@@ -107,7 +107,7 @@ In a loop the whole component is one box: every output needs every input.
   error[E0401]: signal `n` needs its own value in the same instant
    --> loop.frob:5:6
     |
-  5 |     (n, e) = filter (x + toFloat n)
+  5 |     (n, _) = filter (x + toFloat n)
     |      ^                   --------- `n` reads `n` here, through `filter`
     |
     = hint: let `n` read its own previous value: `delay x0 n`, where `x0` is the initial value

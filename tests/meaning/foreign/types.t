@@ -168,7 +168,7 @@ Foreign values are not compared, and not kept unless copyable, in whatever way:
   error[E0430]: a value of the foreign type `Frame` would be kept here
    --> captured.frob:4:50
     |
-  4 | main = switch (proc (e, f) -> (0, e)) (\first -> proc (e, f) -> likeness first f)
+  4 | main = switch (proc (e, _) -> (0, e)) (\first -> proc (_, f) -> likeness first f)
     | -------------------------------------------------^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^- `main` is called here
     |
     = note: C gives a `Frame` for one instant, and may use its memory again after it

@@ -116,3 +116,6 @@ Sums and means, on Int too; the first and the last elements, also more than ther
   >     ns = [n, 2, 3]
   > FROB
   $ printf '%s\n' 0.5,1 inf,2147483647 nan,-6 | rows in.1,in.2 | trace arrays | cells
+  3,1,6,1,2,1,2,3,3,2,3,1,1,2,3,1,2,3
+  inf,inf,-2147483644,2147483647,2,2147483647,2,3,3,2,3,2147483647,2147483647,2,3,2147483647,2,3
+  nan,nan,-1,-6,2,-6,2,3,3,2,3,-6,-6,2,3,-6,2,3

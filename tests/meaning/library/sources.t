@@ -25,6 +25,13 @@ Random bits, and what is made of them; a seed may be any number.
   > FROB
   $ printf '%s\n' 0 1 2 -1 2147483647 -2147483648 -1640531527 | rows in | trace noise | cells > found
   $ cat found
+  -1640531527,0,0
+  -1640531526,1364076727,0.31759881973266602
+  -1640531525,821347078,0.1912347674369812
+  -1640531528,-2114883783,0.50759023427963257
+  506952120,-104067416,0.97576987743377686
+  506952121,1832674720,0.42670279741287231
+  1013904242,-1832243442,0.57339757680892944
   $ for n in 0 1 2 -1 2147483647 -2147483648 -1640531527; do
   >   m=4294967295 s=$((n & 4294967295))
   >   a=$(( ((s ^ (s >> 16)) * 2246822507) & m ))
@@ -47,11 +54,22 @@ single precision, as far as it has bits.
   > main = proc n -> (uniform n, normal 0.75 (uniform n))
   > FROB
   $ trace signals < times.csv | cells | rounded | tee double
+  0.137064159,-0.517535939,-0.517535939,-0.517535939
+  0.45108223,-3.35061144,-2.97783887,-3.35061144
+  0.998101294,-0.140285633,-2.97783887,-0.140285633
+  0.552324831,-0.0735351317,-0.475865265,-0.0735351317
+  0.445999205,-0.0334465376,-0.138783198,-0.0334465376
+  0.270601034,-0.108711166,-0.122733285,-0.108711166
+  0.674866617,1.65987601,1.65653051,1.65987601
+  0.257810593,-0.29038798,-0.279219774,-0.29038798
+  0.297694445,-0.481600418,-0.483470854,-0.481600418
+  0.25633353,-1.12182857,-1.12182857,-1.12182857
   $ frobc trace --real float signals.frob --input times.csv > float
   $ frobc trace --real float --engine interp signals.frob --input times.csv | cmp - float
   $ cells < float | cut -d, -f1 | awk '{ printf "%.7g\n", $1 }' > single
   $ cut -d, -f1 double | awk '{ printf "%.7g\n", $1 }' | diff - single
   $ echo 1640531527 | rows in | trace by_hand | cells | rounded
+  0.213861048,0.374851878
 
 White noise is normal, and has nothing to do with what came before; coloured noise is
 normal too, and forgets in its time constant.
@@ -65,3 +83,5 @@ normal too, and forgets in its time constant.
   $ frobc trace many.frob --input many.csv | cells | awk -F, '
   >   { for (i = 1; i <= 2; i++) { sum[i] += $i; square[i] += $i * $i; next_[i] += before[i] * $i; before[i] = $i; far[i] += ($i > 2 || $i < -2) } }
   >   END { for (i = 1; i <= 2; i++) printf "%.1f %.1f %.1f %.2f\n", sum[i] / NR + 1, square[i] / NR, next_[i] / NR + 1, far[i] / NR }'
+  1.0 1.0 1.0 0.05
+  1.0 1.0 1.8 0.04

@@ -43,7 +43,7 @@ A call that something around goes on watching.
   error[E0415]: `bug` would run inside itself
    --> watched.frob:4:10
     |
-  4 |     r <- bug (goal + 1) `timeOut` 3[s]
+  4 |     _ <- bug (goal + 1) `timeOut` 3[s]
     |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, inside `timeOut`
     |
     = note: a task may start itself again only as the last statement of its `do`, with nothing around it that goes on: then it takes no room

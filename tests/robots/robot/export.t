@@ -87,7 +87,7 @@ With C of the user's: its headers come along, and those that they include.
   > import Robot
   > foreign include "half.h"
   > foreign sf halved :: SF Velocity Velocity = "halved"
-  > main = reactimateRobot (proc i -> roMake (setVelTR (halved 0.4[m/s]) 0))
+  > main = reactimateRobot (proc _ -> roMake (setVelTR (halved 0.4[m/s]) 0))
   > FROB
   $ echo '#include "parts/state.h"' > c/half.h
   $ echo 'struct halved_state { int steps; };' > c/parts/state.h

@@ -70,7 +70,7 @@ As many mistakes as lines:
 
 20,000 equations in one loop are judged as fast as without it:
 
-  $ awk 'BEGIN { n = 20000; print "main :: SF Float Float\nmain = proc x -> y0 where"
+  $ awk 'BEGIN { n = 20000; print "main :: SF Float Float\nmain = proc _ -> y0 where"
   >   for (i = 0; i < n; i++) printf "    y%d = y%d + 1\n", i, (i + 1) % n }' > ring.frob
   $ timeout 20 frobc check ring.frob 2> message; echo $?; head -1 message
   1

@@ -27,7 +27,7 @@ in a choice.
   > mixed w z = sin w.x1 * z + $(row 40 'cos (w.x# + z) * w.x@' | sed 's/,/ +/g')
   > 
   > main :: SF ($types) ($types, Float, Float)
-  > main = proc (i@($(row 300 'v#'))) -> ($(row 300 'o#'), keep $(row 40 '#' | sed 's/,//g') (v1, v2 > 0), z) where
+  > main = proc (i@($(row 300 'v#' | sed 's,v,_v,4g'))) -> ($(row 300 'o#'), keep $(row 40 '#' | sed 's/,//g') (v1, v2 > 0), z) where
   >     ($(row 300 'o#')) = both False (both True i)
   >     held = hold NoEvent (tag (edge (v2 > 1)) (Event (wide $(row 40 'v1' | sed 's/,//g'))))
   >     z = if v2 > 2 then fromEvent 0 (mapE (\w -> mixed w v1) held) else mixed (wide $(row 40 'v3' | sed 's/,//g')) 1

@@ -283,32 +283,32 @@ Names from Haskell, Yampa and C are told by the name here.
   error[E0205]: unknown name `fromIntegral`
    --> names.frob:2:18
     |
-  2 | main = proc n -> fromIntegral n + sum [1.0] + fromJust None where
+  2 | main = proc n -> fromIntegral n + product [1.0] + fromJust None where
     |                  ^^^^^^^^^^^^
     |
     = hint: `toFloat n` makes a Float of an Int
   
-  error[E0205]: unknown name `sum`
+  error[E0205]: unknown name `product`
    --> names.frob:2:35
     |
-  2 | main = proc n -> fromIntegral n + sum [1.0] + fromJust None where
-    |                                   ^^^
+  2 | main = proc n -> fromIntegral n + product [1.0] + fromJust None where
+    |                                   ^^^^^^^
     |
-    = hint: `foldl (+) 0 xs` adds up the elements of an array
+    = hint: `foldl (*) 1 xs` multiplies the elements of an array
   
   error[E0205]: unknown name `fromJust`
-   --> names.frob:2:47
+   --> names.frob:2:51
     |
-  2 | main = proc n -> fromIntegral n + sum [1.0] + fromJust None where
-    |                                               ^^^^^^^^
+  2 | main = proc n -> fromIntegral n + product [1.0] + fromJust None where
+    |                                                   ^^^^^^^^
     |
     = hint: `fromMaybe x m` is what is in `m`, and `x` where there is nothing
   
   error[E0206]: unknown constructor `None`
-   --> names.frob:2:56
+   --> names.frob:2:60
     |
-  2 | main = proc n -> fromIntegral n + sum [1.0] + fromJust None where
-    |                                                        ^^^^
+  2 | main = proc n -> fromIntegral n + product [1.0] + fromJust None where
+    |                                                            ^^^^
     |
     = hint: it is `Nothing`
   

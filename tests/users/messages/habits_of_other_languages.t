@@ -50,7 +50,7 @@ C and Arduino:
   4 |     while (not (bumped i))
     |     ^^^^^
     |
-    = hint: what goes on until something happens is a task: `mkTask`, `abortWhen`, `forever`
+    = hint: a task again and again is `whileT condition t`; until something happens, `abortWhen`
   
   1 error
   [1]

@@ -63,11 +63,11 @@ Names that other languages have are answered with what they are here. Of each na
   math.sqrt: the functions on numbers need no module: `sqrt x`
   Math.sqrt: the functions on numbers need no module: `sqrt x`
   np.abs: the functions on numbers need no module: `sqrt x`
-  random: a program has no chance in it: random numbers come with its input
+  random: noise that is the same in each run is `whiteNoise 1 ()`, of a seed: `import Sources`
   $ hint minimum maximum average len enumerate zeros append null TRUE
   minimum: the least element of an array is `minimumBy id xs`
   maximum: the greatest element of an array is `maximumBy id xs`
-  mean: it is `foldl (+) 0 xs / toFloat (length xs)`
+  average: it is `mean xs`
   len: the size of an array is `length xs`
   enumerate: `imap (\i x -> (i, x)) xs` has each element with its index
   zeros: `generate (const 0)` makes an array of as many elements as its type says
