@@ -34,10 +34,9 @@ let comment c (span : Span.t) =
 
 let expression c = Expression.of_machine c.names
 
-(* Declarations without values, one for each run of equal types. *)
-let uninitialized c variables =
-  let declare groups (variable : M.variable) =
-    let ty = V.ty c.v variable.ty and name = Expression.variable c.names variable in
+let declared c variables =
+  let declare groups ((variable : M.variable), name) =
+    let ty = V.ty c.v variable.ty in
     match groups with
     | (last, names) :: groups when last = ty -> (last, name :: names) :: groups
     | groups -> (ty, [ name ]) :: groups
@@ -45,6 +44,10 @@ let uninitialized c variables =
   List.rev_map
     (fun (ty, names) -> plain (Ir.Variables { ty; names = List.rev names }))
     (List.fold_left declare [] variables)
+
+let uninitialized c variables =
+  let own = List.filter (fun v -> not (Expression.is_elsewhere c.names v)) variables in
+  List.rev (declared c (List.map (fun v -> (v, Expression.variable c.names v)) own))
 
 let in_seconds c ns = Ir.Binary (Over, Cast (V.real c.v, ns), V.float c.v 1e9)
 

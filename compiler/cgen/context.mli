@@ -30,8 +30,12 @@ val comment : t -> Span.t -> string
 
 val expression : t -> M.expr -> Ir.expr
 
+val declared : t -> (M.variable * string) list -> Ir.statement list
+(** Declarations without values, one for each run of equal types, of variables by these
+    names. *)
+
 val uninitialized : t -> M.variable list -> Ir.statement list
-(** Declarations without values, last first, one for each run of equal types. *)
+(** Likewise, last first. *)
 
 val seconds_of : t -> Ir.expr -> Ir.expr
 (** Of nanoseconds, a double, that were made of [dt]: mostly that. *)

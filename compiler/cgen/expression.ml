@@ -49,6 +49,11 @@ let variable n (variable : M.variable) =
       Int_table.replace n.variables variable.id (Ir.Name name);
       name
 
+let is_elsewhere n (variable : M.variable) =
+  match Int_table.find_opt n.variables variable.id with
+  | None | Some (Name _) -> false
+  | Some _ -> true
+
 let places n (field : M.field) =
   let names = n.v.nodes.(n.node) in
   let place pointer table =

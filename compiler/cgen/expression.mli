@@ -23,6 +23,9 @@ val element : names -> Machine.Ir.expr -> Ir.expr -> Ir.expr
 val variable : names -> Machine.Ir.variable -> string
 (** Its name, chosen at the first call. *)
 
+val is_elsewhere : names -> Machine.Ir.variable -> bool
+(** Whether it is read as what is no name, and so needs none. *)
+
 val field : names -> Machine.Ir.field -> Ir.expr
 (** [self->x] *)
 

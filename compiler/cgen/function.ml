@@ -110,9 +110,7 @@ and with_results c rest ~call results span =
       { desc = Constant { ty; name; value }; comment = comment c span } :: rest
   | variables ->
       let declarations = uninitialized c variables in
-      let address variable =
-        Ir.Unary (Address, Name (Expression.variable c.names variable))
-      in
+      let address variable = Expression.address (expression c (M.Variable variable)) in
       { desc = Do (call (List.map address variables)); comment = comment c span }
       :: List.rev_append declarations rest
 
@@ -121,8 +119,10 @@ and statements c body = List.rev (List.fold_left (statement c) [] body)
 (* The programmer's names come before the compiler's: [t1] stays [t1]. *)
 let name_variables names body =
   let named pass (variable : M.variable) =
-    if Bool.equal pass (not (String.equal variable.name "")) then
-      ignore (Expression.variable names variable)
+    if
+      Bool.equal pass (not (String.equal variable.name ""))
+      && not (Expression.is_elsewhere names variable)
+    then ignore (Expression.variable names variable)
   in
   let declared visit =
     Machine.Walk.statements
@@ -139,6 +139,34 @@ let name_variables names body =
   in
   declared (named true);
   declared (named false)
+
+(* A result of a call that only becomes one of the function's own goes there at once:
+   the body without the statement between, and the numbers of these results. *)
+let handed_on body =
+  let reads = Int_table.create 16 and results = ref [] in
+  let count (v : M.variable) = Option.value (Int_table.find_opt reads v.id) ~default:0 in
+  Machine.Walk.expressions
+    (function M.Variable v -> Int_table.replace reads v.id (count v + 1) | _ -> ())
+    body;
+  let rec block statements =
+    let given = Int_table.create 4 in
+    let keep (s : M.statement) : M.statement option =
+      match s with
+      | Step { results = _ :: _ :: _ as results; _ }
+      | Start { results = _ :: _ :: _ as results; _ } ->
+          List.iter (fun (v : M.variable) -> Int_table.replace given v.id ()) results;
+          Some s
+      | Assign { place = Result k; value = Variable v; _ }
+        when Int_table.mem given v.id && count v = 1 ->
+          results := (v, k) :: !results;
+          None
+      | If i -> Some (If { i with then_ = block i.then_; else_ = block i.else_ })
+      | s -> Some s
+    in
+    List.filter_map keep statements
+  in
+  let body = block body in
+  (body, !results)
 
 (* What only goes on by the pointer to the input is not read. *)
 let variables_read (v : V.t) (node : M.node) body =
@@ -232,7 +260,6 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
     List.concat_map (fun (variable, steps) -> read_member v names read variable steps) by_pointer
   in
   let input = if given_input then [ (input v, "in") ] else [] in
-  name_variables names code.body;
   let single, results =
     match node.outputs with
     | [ (_, ty) ] -> (V.ty v ty, [])
@@ -245,6 +272,12 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
         (Void, List.map result outputs)
   in
   let places = Array.of_list results in
+  let own_body, handed_on = if results = [] then (code.body, []) else handed_on code.body in
+  List.iter
+    (fun (variable, k) ->
+      Expression.read_as names variable (Unary (Dereference, Name (snd places.(k)))))
+    handed_on;
+  name_variables names own_body;
   let write k value = plain (Ir.Assign (Unary (Dereference, Name (snd places.(k))), value)) in
   let c = { v; names; index = k; node; write; read; seconds = Given; nanoseconds = Int64; place = "" } in
   let state = if V.has_state v k then self v k else [] in
@@ -254,7 +287,7 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
     else if V.rounds_dt v k then ([ (V.real v, "dt") ], [ whole_nanoseconds node ])
     else ([ (Ir.Int64, "dt_ns") ], [])
   in
-  let body = statements c code.body in
+  let body = statements c own_body in
   let unread = unread names state in
   {
     linkage;

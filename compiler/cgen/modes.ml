@@ -88,8 +88,6 @@ let results_of_run c ~may_end (run : M.run) =
   else
     List.map (fun v -> zero c v (Expression.variable c.names v)) run.results
 
-let declare c (v : M.variable) name = plain (Ir.Variables { ty = V.ty c.v v.ty; names = [ name ] })
-
 let address name = Ir.Unary (Ir.Address, Name name)
 
 (* A mode's step, with the names of its results. *)
@@ -112,7 +110,7 @@ let first_step c (run : M.run) (entry : M.entry) =
       else [ plain (Ir.Do (call (List.map address results))) ]
   | Reset_by _ ->
       let ignored = List.map (fun v -> (v, Name.fresh (Expression.scope c.names) "")) case.others in
-      List.map (fun (v, name) -> declare c v name) ignored
+      declared c ignored
       @ [ step ~time:None_passed c mode case (results @ List.map snd ignored) ]
 
 let begin_ c run (entry : M.entry) span =
@@ -139,12 +137,16 @@ let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
   (* Nor can who analyses this C see that what only a later transition needs is read only
      where the step gives it. *)
   let untold = Option.fold c.v.program.nodes.(mode.node).ends_early ~none:max_int ~some:snd in
-  let declare_other k (v, name) =
-    (if List.length results + k < untold then declare else zero) c v name
+  let told, untold =
+    List.partition_map Fun.id
+      (List.mapi
+         (fun k (v, name) ->
+           if List.length results + k < untold then Either.Left (v, name) else Right (v, name))
+         others)
   in
   let declarations =
-    List.map (fun (v, name, _) -> declare c v name) own
-    @ List.mapi declare_other others
+    declared c (List.map (fun (v, name, _) -> (v, name)) own @ told)
+    @ List.map (fun (v, name) -> zero c v name) untold
   in
   let call = step c mode case (targets @ List.map snd others) in
   let keep =

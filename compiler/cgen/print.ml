@@ -342,7 +342,6 @@ let rec members out ~indent (all : member list) =
 
 let heading out comment = if comment <> "" then line out ~indent:0 ("/* " ^ comment ^ " */")
 
-(* On one line, or a parameter a line, below each other. *)
 let signature { linkage; result; name; parameters; _ } =
   let linkage =
     match linkage with
@@ -351,16 +350,12 @@ let signature { linkage; result; name; parameters; _ } =
     | Static_inline -> "static inline "
     | Static_marked macro -> "static " ^ macro ^ " "
   in
-  let head = linkage ^ declarator result name ^ "(" in
   let parameters =
     match parameters with
     | [] -> [ "void" ]
     | parameters -> List.map (fun (ty, name) -> declarator ty name) parameters
   in
-  let on_one_line = head ^ String.concat ", " parameters ^ ")" in
-  if String.length on_one_line < width then on_one_line
-  else
-    head ^ String.concat (",\n" ^ String.make (String.length head) ' ') parameters ^ ")"
+  String.concat "" [ linkage; declarator result name; "("; commas parameters; ")" ]
 
 (* What only a definition says of its parameters. *)
 let declared function_ =
@@ -388,10 +383,10 @@ let declaration out = function
       line out ~indent:0 "};"
   | Prototype function_ ->
       heading out function_.comment;
-      Buffer.add_string out (signature (declared function_) ^ ";\n")
+      line out ~indent:0 (signature (declared function_) ^ ";")
   | Function function_ ->
       heading out function_.comment;
-      Buffer.add_string out (signature function_ ^ "\n");
+      line out ~indent:0 (signature function_);
       line out ~indent:0 "{";
       List.iter (statement out ~indent:4) function_.body;
       line out ~indent:0 "}"

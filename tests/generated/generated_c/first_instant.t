@@ -11,10 +11,8 @@ knows that it is not the first. The dt that comes then is looked at by nobody.
   > EOF
   $ frobc compile button.frob --lint
   $ sed -n '/^void button_step/,$p' button.c
-  void button_step(struct button_state *self,
-                   double dt,
-                   const struct button_input *in,
-                   struct button_output *out)
+  void button_step(struct button_state *self, double dt, const struct button_input *in,
+          struct button_output *out)
   {
       const bool b = in->value;
       if (!self->started) {                                   /* Control.frob:26 */

@@ -63,24 +63,21 @@ and so at each call, reads them by the pointer to the input.
   >    s = delay 0 (sin p) + exp (delay 0 r) * p + q * r + exp p * exp q + delay 3 (q * q + r * r)
   > FROB
   $ frobc compile pointer.frob
-  $ grep -A 4 '^static.*_step(' pointer.c
+  $ grep -A 3 '^static.*_step(' pointer.c
   static double pointer_inner_step(struct pointer_inner_state *self,
-                                   const struct pointer_input *in)
-  {
-      const double p = in->f1;
-      const double q = in->f2;
-  --
-  static double pointer_work_step(struct pointer_work_state *self,
-                                  const struct pointer_input *in,
-                                  double k)
+          const struct pointer_input *in)
   {
       const double p = in->f1;
   --
-  static double pointer_other_step(struct pointer_other_state *self,
-                                   double p,
-                                   double q,
-                                   double r)
+  static double pointer_work_step(struct pointer_work_state *self, const struct pointer_input *in,
+          double k)
   {
+      const double p = in->f1;
+  --
+  static double pointer_other_step(struct pointer_other_state *self, double p, double q, double r)
+  {
+      const double s = self->delay + frob_exp(self->r_prev) * p + q * r
+              + frob_exp(p) * frob_exp(q) + self->delay_2 * frob_sin(frob_cos(q)); /* line 7 */
   $ grep '= pointer_.*_step(' pointer.c
       const double t1 = pointer_inner_step(&self->inner, in); /* line 11 */
       const double t1 = pointer_work_step(&self->work, in, 1.0); /* line 3 */

@@ -27,7 +27,7 @@ into each of them; two of it side by side, or a short one, are for them to decid
   > EOF
   $ frobc compile rover.frob --lint
   $ grep 'static FROB_SHARED' rover.c
-  static FROB_SHARED void rover_follow_step(struct rover_follow_state *self,
+  static FROB_SHARED void rover_follow_step(struct rover_follow_state *self, double dt,
 
   $ sed 's/^main = .*/main = proc i -> let (a, b) = follow 0.3 i; (c, d) = follow 0.2 i in (a + c, b + d)/' rover.frob > pair.frob
   $ frobc compile pair.frob --lint

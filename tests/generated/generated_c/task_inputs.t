@@ -19,7 +19,7 @@ as `sleepT` has not, those of the machine it is in.
   >         whenT (seen.side < 0.3[m]) turnAway
   > END
   $ frobc compile patrol.frob
-  $ grep -oE '(bool|double) [a-z]+_[a-z]+[,)]|(bool|double) t[0-9][,)]' patrol.c
+  $ grep -v ';' patrol.c | grep -oE '(bool|double) [a-z]+_[a-z]+[,)]|(bool|double) t[0-9][,)]'
   bool i_bump,
   double i_side,
   double i_side,

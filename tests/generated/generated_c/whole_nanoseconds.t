@@ -9,10 +9,8 @@ and one division give.
   > FROB
   $ frobc compile slope.frob --lint
   $ sed -n '/^void slope_step/,$p' slope.c
-  void slope_step(struct slope_state *self,
-                  double dt,
-                  const struct slope_input *in,
-                  struct slope_output *out)
+  void slope_step(struct slope_state *self, double dt, const struct slope_input *in,
+          struct slope_output *out)
   {
       dt = frob_whole_dt(dt);
       const double x = in->value;

@@ -25,10 +25,8 @@ is ever an array.
   > EOF
   $ frobc compile avoid.frob --lint
   $ sed -n '/^void avoid_step/,/^}/p' avoid.c | sed "s, */\*.*,,"
-  void avoid_step(struct avoid_state *self,
-                  double dt,
-                  const struct avoid_input *in,
-                  struct avoid_output *out)
+  void avoid_step(struct avoid_state *self, double dt, const struct avoid_input *in,
+          struct avoid_output *out)
   {
       (void)dt;
       static const struct avoid_float_4 t1 = {{1.0, 2.0, 3.0, 4.0}};

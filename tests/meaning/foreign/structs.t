@@ -96,10 +96,8 @@ copy of its state, with the component in it; then on the state:
       shapes_loopy_2_step(&self->loopy, &self->loopy_flags, dt, out_2 + x, f);
   $ sed -n '/: `count`/,/^}/p' shapes.c
   /* count: `count` in the user's C */
-  static inline int32_t shapes_count_step(struct count_state *self,
-                                          double dt,
-                                          const struct frame *a_1,
-                                          struct frob_maybe_stamp a_2)
+  static inline int32_t shapes_count_step(struct count_state *self, double dt,
+          const struct frame *a_1, struct frob_maybe_stamp a_2)
   {
       int32_t value = 0;
       if (a_1 != 0) {

@@ -31,15 +31,11 @@ seconds.
   
   void cruise_reset(struct cruise_state *self);
   
-  void cruise_step_ns(struct cruise_state *self,
-                      int64_t dt_ns,
-                      const struct cruise_input *in,
-                      struct cruise_output *out);
+  void cruise_step_ns(struct cruise_state *self, int64_t dt_ns, const struct cruise_input *in,
+          struct cruise_output *out);
   
-  void cruise_step(struct cruise_state *self,
-                   float dt,
-                   const struct cruise_input *in,
-                   struct cruise_output *out);
+  void cruise_step(struct cruise_state *self, float dt, const struct cruise_input *in,
+          struct cruise_output *out);
   
   #ifdef __cplusplus
   }
@@ -53,10 +49,8 @@ seconds.
   }
   
   /* main, cruise.frob:6 */
-  void cruise_step_ns(struct cruise_state *self,
-                      int64_t dt_ns,
-                      const struct cruise_input *in,
-                      struct cruise_output *out)
+  void cruise_step_ns(struct cruise_state *self, int64_t dt_ns, const struct cruise_input *in,
+          struct cruise_output *out)
   {
       dt_ns = frob_span(dt_ns);
       const float dt = (float)dt_ns / 1e9f;
@@ -69,10 +63,8 @@ seconds.
   }
   
   /* main, cruise.frob:6 */
-  void cruise_step(struct cruise_state *self,
-                   float dt,
-                   const struct cruise_input *in,
-                   struct cruise_output *out)
+  void cruise_step(struct cruise_state *self, float dt, const struct cruise_input *in,
+          struct cruise_output *out)
   {
       cruise_step_ns(self, frob_whole_nsf(dt), in, out);
   }

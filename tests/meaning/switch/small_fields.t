@@ -123,11 +123,9 @@ each of them pads the number of its mode to eight bytes.
 
 Each function is given both structs, and says that they are two.
 
-  $ grep -A3 "tour_sway_step(struct" tour.c
+  $ grep -A1 "tour_sway_step(struct" tour.c
   static inline double tour_sway_step(struct tour_sway_state *self,
-                                      struct tour_sway_flags *FROB_RESTRICT flags,
-                                      double dt,
-                                      int64_t dt_ns,
+          struct tour_sway_flags *FROB_RESTRICT flags, double dt, int64_t dt_ns, double x)
   $ printf 'time,in\n0,1\n1,1.5\n2,3\n3,3\n4,1\n4.5,-1\n5,-1\n6,2\n7,2.5\n8,1\n9.5,1.5\n' > tour.csv
   $ both tour.frob tour.csv
   time,out

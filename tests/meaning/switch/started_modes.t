@@ -15,9 +15,7 @@ is in its first mode.
   $ frobc compile inside.frob --lint
   $ sed -n '/^static.*_start(/,/^}/p' inside.c | sed 's, */\*.*,,'
   static inline void inside_ramp_ramp_start(struct inside_ramp_ramp_state *self,
-                                            struct inside_ramp_ramp_flags *FROB_RESTRICT flags,
-                                            double x,
-                                            double *out_2)
+          struct inside_ramp_ramp_flags *FROB_RESTRICT flags, double x, double *out_2)
   {
       self->x_integral = 0.0;
       *out_2 = 10.0;
@@ -30,25 +28,21 @@ is in its first mode.
       *out_2 = 0.0;
   }
   static inline double inside_ramp_start(struct inside_ramp_state *self,
-                                         struct inside_ramp_flags *FROB_RESTRICT flags,
-                                         double x)
+          struct inside_ramp_flags *FROB_RESTRICT flags, double x)
   {
       double t1;
       flags->mode = INSIDE_RAMP_RAMP;
       inside_ramp_ramp_start(&self->modes.ramp.state, &flags->modes.ramp.state, x, &t1);
       return t1;
   }
-  static inline void inside_main_main_start(struct inside_main_main_state *self,
-                                            double x,
-                                            double *out_2)
+  static inline void inside_main_main_start(struct inside_main_main_state *self, double x,
+          double *out_2)
   {
       *out_2 = x;
       self->delay = x > 1.0;
   }
   static inline void inside_main_work_start(struct inside_main_work_state *self,
-                                            struct inside_main_work_flags *FROB_RESTRICT flags,
-                                            double x,
-                                            double *out_2)
+          struct inside_main_work_flags *FROB_RESTRICT flags, double x, double *out_2)
   {
       const double t1 = inside_ramp_start(&self->ramp, &flags->ramp, x);
       *out_2 = t1 + 7.0;

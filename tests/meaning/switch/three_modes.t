@@ -65,10 +65,8 @@ chosen.
       uint8_t mode;  /* the mode that runs at three_modes.frob:12 */
   };
   $ sed -n '/^void three_modes_step/,$p' three_modes.c
-  void three_modes_step(struct three_modes_state *self,
-                        double dt,
-                        const struct three_modes_input *FROB_RESTRICT in,
-                        struct three_modes_output *out)
+  void three_modes_step(struct three_modes_state *self, double dt,
+          const struct three_modes_input *FROB_RESTRICT in, struct three_modes_output *out)
   {
       double dt_ns = 0.0;
       if (self->mode != THREE_MODES_TURN_AWAY) {

@@ -20,7 +20,7 @@ is computed by the compiler too.
   $ grep -E 'parameter at|_ns = INT|_ns <=|sin_a' errand.h errand.c
   errand.h:            double sin_a;                           /* parameter at errand.frob:12 */
   errand.h:            int64_t q_ns;                             /* parameter at errand.frob:9 */
-  errand.c:                                            double sin_a,
+  errand.c:        double sin_a, double x, double *out_1, bool *out_2, bool *out_3)
   errand.c:        *out_1 = x * sin_a;
   errand.c:    const bool t1 = q_ns <= self->time;                     /* Prelude.frob:356 */
   errand.c:                self->modes.turn.sin_a = 0.5;

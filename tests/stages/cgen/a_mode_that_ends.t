@@ -14,12 +14,8 @@ is left out, the machine within it among that.
   $ frobc compile duty.frob --lint
   $ sed -n '/^static.* duty_rest_work_step/,/^}/p' duty.c | sed "s, */\*.*,,"
   static inline void duty_rest_work_step(struct duty_rest_work_state *self,
-                                         struct duty_rest_work_flags *FROB_RESTRICT flags,
-                                         double dt,
-                                         bool i_1,
-                                         double i_2,
-                                         double *out_2,
-                                         bool *out_3)
+          struct duty_rest_work_flags *FROB_RESTRICT flags, double dt, bool i_1, double i_2,
+          double *out_2, bool *out_3)
   {
       const bool t1 = !i_1 & flags->i_1_prev;
       *out_3 = t1;
@@ -66,11 +62,8 @@ where it is much; and it is not asked again that the first one is not taken.
   > END
   $ frobc compile turn.frob --lint
   $ sed -n '/^static.* turn_go_/,/^}/p' turn.c | sed "s, */\*.*,,"
-  static inline void turn_go_go(const struct turn_input *FROB_RESTRICT in,
-                                double *out_2,
-                                bool *out_3,
-                                double *out_p_x,
-                                bool *out_4)
+  static inline void turn_go_go(const struct turn_input *FROB_RESTRICT in, double *out_2,
+          bool *out_3, double *out_p_x, bool *out_4)
   {
       const double p_x = in->f1.x;
       const double p_y = in->f1.y;
@@ -127,14 +120,8 @@ is asked.
   > END
   $ frobc compile both.frob --lint
   $ sed -n '/^static.* both_go_go_step/,/^}/p' both.c | sed "s, */\*.*,,"
-  static inline void both_go_go_step(struct both_go_go_state *self,
-                                     double dt,
-                                     bool on,
-                                     double x,
-                                     double *out_2,
-                                     bool *out_3,
-                                     bool *out_4,
-                                     double *out_x)
+  static inline void both_go_go_step(struct both_go_go_state *self, double dt, bool on, double x,
+          double *out_2, bool *out_3, bool *out_4, double *out_x)
   {
       self->x_integral += dt * self->x_integral_input;
       const bool t1 = x > 5.0;

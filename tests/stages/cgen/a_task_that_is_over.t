@@ -25,12 +25,8 @@ out the rest of its step as any mode that ends.
   $ frobc compile laps.frob --lint
   $ sed -n '/^static.* laps_straight_straight_2_step/,/^}/p' laps.c | sed "s, */\*.*,,"
   static inline void laps_straight_straight_2_step(struct laps_straight_straight_2_state *self,
-                                                   struct laps_straight_straight_2_flags *FROB_RESTRICT flags,
-                                                   double dt,
-                                                   bool i_stop,
-                                                   double i_x,
-                                                   double *out_1,
-                                                   bool *out_2)
+          struct laps_straight_straight_2_flags *FROB_RESTRICT flags, double dt, bool i_stop,
+          double i_x, double *out_1, bool *out_2)
   {
       self->i_x_integral += dt * self->i_x_integral_input;
       const bool t1 = i_stop & !flags->i_stop_prev || i_x > 1.8;
@@ -94,10 +90,8 @@ out the rest of its step as any mode that ends.
 The time at which a task is over bounds the time of its last mode too: it is just added to.
 
   $ sed -n '/^static.* laps_turns_sleepT_step/,/^}/p' laps.c | sed "s, */\*.*,,"
-  static inline void laps_turns_sleepT_step(struct laps_turns_sleepT_state *self,
-                                            int64_t dt_ns,
-                                            double *out_1,
-                                            bool *out_2)
+  static inline void laps_turns_sleepT_step(struct laps_turns_sleepT_state *self, int64_t dt_ns,
+          double *out_1, bool *out_2)
   {
       self->time = frob_soon(self->time, dt_ns);
       const bool t1 = INT64_C(3000000000) <= self->time;

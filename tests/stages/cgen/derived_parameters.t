@@ -20,8 +20,8 @@ between needs nothing of it: so that is handed on, and it is there anyhow where 
               double hypot_hit; /* parameter at hit.frob:8 */
               double hypot_hit; /* parameter at hit.frob:9 */
       const double t1 = frob_hypot(3.0 - p_x, 1.0 - p_y);     /* Geometry.frob:46 */
-  static inline void hit_toGoal_away(double hypot_hit,
-                                     double *out_hypot_hit)
+  static inline void hit_toGoal_away(double hypot_hit, double p_x, double p_y, double *out_2,
+          bool *out_3, double *out_hypot_hit)
       *out_hypot_hit = hypot_hit;                             /* Geometry.frob:46 */
   static inline double hit_toGoal_back(double hypot_hit, double p_x, double p_y)
       return frob_hypot(p_x - 3.0, p_y - 1.0) - hypot_hit;    /* line 9 */

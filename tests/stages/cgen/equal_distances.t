@@ -22,10 +22,8 @@ function of its own, and from there to here.
   > FROB
   $ frobc compile near.frob
   $ sed -n '/^void near_step/,/^}/p' near.c
-  void near_step(struct near_state *self,
-                 double dt,
-                 const struct near_input *in,
-                 struct near_output *out)
+  void near_step(struct near_state *self, double dt, const struct near_input *in,
+          struct near_output *out)
   {
       (void)dt;
       const double way_x = 3.0 - in->x;                       /* Geometry.frob:26 */

@@ -44,10 +44,8 @@
   
   void gain_reset(struct gain_state *self);
   
-  void gain_step(struct gain_state *self,
-                 double dt,
-                 const struct gain_input *in,
-                 struct gain_output *out);
+  void gain_step(struct gain_state *self, double dt, const struct gain_input *in,
+          struct gain_output *out);
   
   #ifdef __cplusplus
   }
@@ -65,10 +63,8 @@
   }
   
   /* main, gain.frob:3 */
-  void gain_step(struct gain_state *self,
-                 double dt,
-                 const struct gain_input *in,
-                 struct gain_output *out)
+  void gain_step(struct gain_state *self, double dt, const struct gain_input *in,
+          struct gain_output *out)
   {
       (void)dt;
       const double x = in->value;

@@ -23,10 +23,8 @@ void hold_reset(struct hold_state *self)
 }
 
 /* hold, test.frob:1 */
-void hold_step(struct hold_state *self,
-               double dt,
-               const struct hold_input *in,
-               struct hold_output *out)
+void hold_step(struct hold_state *self, double dt, const struct hold_input *in,
+        struct hold_output *out)
 {
     (void)dt;
     const struct hold_maybe_float e = in->value;

@@ -13,10 +13,8 @@ void wall_follow_reset(struct wall_follow_state *self)
 }
 
 /* wallFollow, test.frob:1 */
-void wall_follow_step(struct wall_follow_state *self,
-                      double dt,
-                      const struct wall_follow_input *in,
-                      struct wall_follow_output *out)
+void wall_follow_step(struct wall_follow_state *self, double dt,
+        const struct wall_follow_input *in, struct wall_follow_output *out)
 {
     dt = frob_whole_dt(dt);
     const double vCurr = in->f1;
