@@ -337,13 +337,21 @@ let parameters_of_modes a values (m : Ir.machine) =
   in
   if Array.exists (fun index -> a.program.nodes.(index).statics <> []) modes then again 1
 
-(* Callers come before callees here. *)
+(* Callers come before callees here. Who is called by nobody passes nothing. *)
 let pass_parameters a =
-  for index = Array.length a.program.nodes - 1 downto 0 do
+  let last = Array.length a.program.nodes - 1 in
+  let is_called = Array.make (last + 1) false in
+  is_called.(last) <- true;
+  for index = last downto 0 do
     let node = a.program.nodes.(index) in
+    if is_called.(index) then (
+      List.iter (fun (i : Ir.instance) -> is_called.(i.node) <- true) node.instances;
+      Option.iter
+        (fun (m : Ir.machine) -> List.iter (fun mode -> is_called.(mode) <- true) m.modes)
+        node.machine);
     let inputs = anything_of a node.inputs in
     let passes (i : Ir.instance) = i.statics <> [] in
-    if List.exists passes node.instances || Option.is_some node.machine then (
+    if is_called.(index) && (List.exists passes node.instances || Option.is_some node.machine) then (
       let { values; _ } = evaluate a Any index ~statics:(parameters a index) ~inputs in
       List.iter
         (fun (i : Ir.instance) ->

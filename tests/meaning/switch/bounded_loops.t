@@ -59,6 +59,27 @@ Counters, up to a number and to just that number.
   out 0 7 4 9 5 6 3 8
   at most 6 stepped within one instant
 
+A number that goes through a signal function is as well known as before.
+
+  $ cat > through.frob <<'EOF'
+  > step :: Task Float Float ()
+  > step = mkTask (proc x -> (x, when (x > 1)))
+  > 
+  > go :: Int -> Int -> Task Float Float Int
+  > go most n = do
+  >     step
+  >     if n >= most then return n else go most (n + 1)
+  > 
+  > counted :: Int -> SF Float (Either Float Int)
+  > counted n = proc x -> runTask (go n 0) (x + 1)
+  > 
+  > main :: SF Float (Either Float Int)
+  > main = proc x -> counted 3 (x * 2)
+  > EOF
+  $ both through.frob in.csv
+  out Left 1 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3 Right 3
+  at most 5 stepped within one instant
+
 Repetitions of the library, of a known number and of one that is limited.
 
   $ cat > repeat.frob <<'EOF'
