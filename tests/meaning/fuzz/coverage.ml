@@ -44,7 +44,8 @@ let noted =
     "mode with a signal function as parameter"; "mode with a function as parameter";
     "task with a signal function as parameter"; "task with a function as parameter";
     "guards and where"; "array of signal functions"; "array of machines"; "switch into the signal function of an event";
-    "switch in a switch"; "event of signal functions";
+    "switch in a switch"; "event of signal functions"; "local modes that start each other";
+    "local task that starts itself";
     "event of functions"; "function out of a signal function"; "function out of a switch";
     "feedback through delay"; "feedback through integral"; "machine in a circle"; "wide function"; "pair of signals";
     "instance in a branch or function"; "local function";

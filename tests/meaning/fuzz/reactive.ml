@@ -191,6 +191,37 @@ let rec cascade m ?latest fuel a b =
     (one_of random [ "when"; "edgeFrom False" ])
     asked n c made after
 
+(* Modes that start each other where they are needed: so often that it ends, or each time
+   after a while. They capture what is in scope. *)
+let local_modes m fuel a b =
+  let values = m.values in
+  let go = Scope.fresh values "go" and up = Scope.fresh values "go" in
+  let often = Random.State.int values.random 3 and slow = chance values.random 2 in
+  let counting name next =
+    let n = Scope.fresh values "n" in
+    let m = { m with values = Scope.bind [ (n, Type.Int) ] values } in
+    let first = ending m ~slow (fuel - 1) a b (Scope.any_type values) in
+    let next = f "%s (%s + 1)" next n in
+    let next =
+      if slow && name = go then next
+      else f "if %s >= %d then %s else %s" n often (m.signal_function m.values (fuel - 1) a b) next
+    in
+    (n, f "%s %s (\\_ -> %s)" (switch m) first next)
+  in
+  let definitions =
+    if chance values.random 2 then
+      let n, mode = counting go go in
+      f "%s %s = %s" go n mode
+    else
+      let n, mode = counting go up in
+      let n', mode' = counting up go in
+      f "(%s, %s) = (\\%s -> %s, \\%s -> %s)" go up n mode n' mode'
+  in
+  Scope.note values "local modes that start each other";
+  f "(let %s in (%s (%d :: Int) :: SF %s %s))" definitions go
+    (Random.State.int values.random 3 - 1)
+    (Type.text a) (Type.text b)
+
 (* Of a period that is known to the compiler, or of any. *)
 let ticks m =
   match Random.State.int m.values.random 3 with
@@ -300,6 +331,7 @@ let alternatives m fuel a b =
     [
       (3, fun () -> once_switched m fuel a b);
       (2, fun () -> cascade m fuel a b);
+      (2, fun () -> local_modes m fuel a b);
       (3, fun () -> replaced m fuel a b);
       (1, fun () -> initially m fuel a b);
       (1, fun () -> brought m fuel a b);

@@ -54,6 +54,7 @@ let rec task (m : Reactive.maker) ~slow fuel a b (c : Type.t) =
       [
         (6, fun () -> sequence m ~slow fuel a b c);
         (3, fun () -> chosen m ~slow fuel a b c);
+        ((if slow then 0 else 2), fun () -> local m fuel a b c);
         ( 2,
           fun () ->
             f "(if %s then %s else %s)" (value m 1 Bool) (sub a b c) (sub a b c) );
@@ -89,6 +90,18 @@ and chosen m ~slow fuel a b c =
   let rest () = task m ~slow:false (fuel - 1) a b c in
   f "(do %s <- mkTask %s; if %s then %s else %s)" by first by (rest ()) (rest ())
 
+(* A task that goes on as itself where it is needed, as [Reactive.local_modes]. *)
+and local m fuel a b c =
+  let values = m.Reactive.values in
+  let go = Scope.fresh values "go" and n = Scope.fresh values "n" in
+  let m = { m with values = Scope.bind [ (n, Type.Int) ] values } in
+  let often = Random.State.int values.random 3 and first = any_result m in
+  let before = task m ~slow:(chance values.random 2) (fuel - 1) a b first in
+  let last = task m ~slow:false (fuel - 1) a b c in
+  Scope.note values "local task that starts itself";
+  f "(let %s %s = (do %s; if %s >= %d then %s else %s (%s + 1)) in (%s (0 :: Int) :: Task %s %s %s))"
+    go n before n often last go n go (Type.text a) (Type.text b) (Type.text c)
+
 and side_by_side m ~slow fuel a b c =
   let output = any m and output' = any m and result = any m and result' = any m in
   let sub slow = task m ~slow (fuel - 1) a in
@@ -107,6 +120,10 @@ and side_by_side m ~slow fuel a b c =
 
 and by_result m ~slow fuel a b (c : Type.t) =
   let sub ?(slow = slow) = task m ~slow (fuel - 1) in
+  let until () =
+    let shown = Type.Tuple [ b; Bool ] in
+    f "(untilT %s)" (m.signal_function m.values (fuel - 1) a shown)
+  in
   let observed () =
     match c with
     | Tuple [ result; seen ] ->
@@ -127,12 +144,14 @@ and by_result m ~slow fuel a b (c : Type.t) =
         [ (6, fun () -> f "(abortWhen %s %s)" (sub a b result) stop) ]
     | _ -> []
   and repeated () =
-    if c <> Type.unit || slow then []
+    if c <> Type.unit then []
+    else if slow then [ (4, until) ]
     else
       let x = any m in
       let text, bound = Pattern.any m.values x in
       let array = Type.Array (1 + Random.State.int m.values.random 3, x) in
       [
+        (3, until);
         (2, fun () -> f "(repeatT %s %s)" (times m) (sub ~slow:true a b (any_result m)));
         ( 2,
           fun () ->
