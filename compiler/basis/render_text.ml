@@ -206,7 +206,7 @@ let place source (at : Span.t) =
     | Some line -> 1 + Display.characters_before line (Span.column at.start - 1)
     | None -> Span.column at.start
   in
-  Printf.sprintf "%s:%d:%d" at.file (Span.line at.start) column
+  Printf.sprintf "%s:%d:%d" (Printable.name at.file) (Span.line at.start) column
 
 let header paint (d : Diagnostic.t) =
   let kind = match d.severity with Error -> "error" | Warning -> "warning" in

@@ -25,7 +25,7 @@ let comment c (span : Span.t) =
   let line = Span.line span.start in
   let place =
     if String.equal span.file c.node.file then "line " ^ string_of_int line
-    else Printf.sprintf "%s:%d" (Filename.basename span.file) line
+    else Printf.sprintf "%s:%d" (Printable.name (Filename.basename span.file)) line
   in
   if String.equal place c.place then ""
   else (

@@ -195,7 +195,9 @@ let unread names pointers =
     pointers
 
 let place_of (node : M.node) =
-  Printf.sprintf "%s, %s:%d" node.origin (Filename.basename node.file) (Span.line node.span.start)
+  Printf.sprintf "%s, %s:%d" node.origin
+    (Printable.name (Filename.basename node.file))
+    (Span.line node.span.start)
 
 let no_result _ _ = Diagnostic.bug ~stage:"Cgen.Function" "a result where there is none"
 

@@ -1,47 +1,5 @@
 open Basis
 
-let table names =
-  let table = String_table.create 512 in
-  List.iter (fun name -> String_table.replace table name ()) (String.split_on_char ' ' names);
-  table
-
-(* Keywords of C and C++, and names that compilers and the headers
-   <math.h>, <stdint.h>, <stdbool.h> may define as macros. *)
-let keywords =
-  table
-    "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t \
-     char32_t class co_await co_return co_yield compl concept const const_cast consteval constexpr \
-     constinit continue decltype default delete do double dynamic_cast else enum explicit export \
-     extern false float for friend goto if import inline int long module mutable namespace new \
-     noexcept not not_eq nullptr operator or or_eq override private protected public register \
-     reinterpret_cast requires restrict return short signed sizeof static static_assert \
-     static_cast struct switch template this thread_local throw true try typedef typeid typename \
-     typeof union unsigned using virtual void volatile wchar_t while xor xor_eq complex imaginary \
-     noreturn errno linux unix i386 INFINITY NAN HUGE_VAL NULL EOF DOMAIN SING OVERFLOW UNDERFLOW \
-     PLOSS TLOSS float_t double_t int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t \
-     uint64_t intptr_t uintptr_t intmax_t uintmax_t size_t ptrdiff_t"
-
-(* Functions that the headers and the runtime declare; members of structs may have their
-   names. *)
-let functions =
-  table
-    "acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh drem erf erfc exp exp2 \
-     exp10 expm1 fabs fdim finite floor fma fmax fmin fmod fpclassify frexp gamma hypot ilogb \
-     isfinite isgreater isgreaterequal isinf isless islessequal islessgreater isnan isnormal \
-     isunordered j0 j1 jn ldexp lgamma llrint llround log log10 log1p log2 logb lrint lround modf \
-     nan nearbyint nextafter nexttoward pow pow10 remainder remquo rint round scalb scalbln scalbn \
-     signbit signgam significand sin sincos sinh sqrt tan tanh tgamma trunc y0 y1 yn abs div labs \
-     time clock main std frob_exp frob_log frob_pow frob_sin frob_cos frob_tan frob_asin frob_acos \
-     frob_atan frob_atan2 frob_hypot frob_reduce"
-
-let is_macro_like name =
-  let starts prefix = String.starts_with ~prefix name in
-  (* FP_NAN, M_PI, INT32_MAX, … *)
-  name <> ""
-  && Char.uppercase_ascii name.[0] = name.[0]
-  && List.exists starts
-       [ "FP_"; "M_"; "MATH_"; "INT"; "UINT"; "FLT_"; "DBL_"; "SIZE_MAX"; "WCHAR"; "WINT" ]
-
 type kind = Identifiers | Members
 
 type scope = {
@@ -52,8 +10,8 @@ type scope = {
 }
 
 let is_reserved kind name =
-  String_table.mem keywords name || is_macro_like name
-  || match kind with Identifiers -> String_table.mem functions name | Members -> false
+  C_names.is_taken name
+  || match kind with Identifiers -> C_names.is_function name | Members -> false
 
 let scope ?within ?(taken = []) kind =
   let table = String_table.create 16 in
@@ -132,7 +90,7 @@ let fresh scope text =
     else
       let base = identifier text in
       (* No number at the end would make another name of it. *)
-      let base = if is_macro_like base then "x_" ^ base else base in
+      let base = if C_names.is_macro_like base then "x_" ^ base else base in
       if is_taken scope base then (
         if not (String_table.mem scope.counts base) then String_table.replace scope.counts base 1;
         numbered scope base "_")

@@ -18,7 +18,7 @@ let state_comment (v : V.t) (field : M.field) =
     | State_of k | States_of { node = k; _ } -> v.program.nodes.(k).origin
   in
   let line = string_of_int (Basis.Span.line field.span.start) in
-  String.concat "" [ what; " at "; Filename.basename field.span.file; ":"; line ]
+  String.concat "" [ what; " at "; Basis.Printable.name (Filename.basename field.span.file); ":"; line ]
 
 let rec last = function [] -> "" | [ name ] -> name | _ :: rest -> last rest
 

@@ -28,7 +28,7 @@ let print_diagnostics general sources sink =
 
 (* What is wrong with the call and not with the program. *)
 let wrong_use text =
-  Printf.eprintf "error: %s\n" text;
+  Printf.eprintf "error: %s\n" (Printable.text text);
   Exit_status.wrong_use
 
 let report_bug stage message =
@@ -95,11 +95,12 @@ let accepted pipeline general (resources : Resources.t) ~entry file continue =
   match result with Some result -> continue result | None -> status sink
 
 let compiled ?batch general resources ~entry file continue =
+  let* () = C_file.check file in
   accepted (Pipeline.compile ?batch) general resources ~entry file continue
 
 (* As other compilers' [-o] takes a file. *)
 let not_a_file ~folder file =
-  let name = Pipeline.c_name file in
+  let name = C_file.name file in
   let is_c = List.exists (Filename.check_suffix folder) [ ".c"; ".h" ] in
   if (not is_c) || (Sys.file_exists folder && Sys.is_directory folder) then Ok ()
   else
@@ -113,7 +114,7 @@ let compile general entry ~batch ~standalone folder file =
   compiled ~batch general resources ~entry file (fun (files : Cgen.Emit.t) ->
       if general.dump <> None then Exit_status.ok
       else
-        let path extension = Filename.concat folder (Pipeline.c_name file ^ extension) in
+        let path extension = Filename.concat folder (C_file.name file ^ extension) in
         let* files =
           if standalone then Standalone.files resources ~real:general.real files else Ok files
         in
@@ -181,19 +182,13 @@ let is_driver_missing general ~sources text =
   in
   driver <> "" && has driver && not (List.exists has sources)
 
-(* What a C compiler or linker says of the user's C, and what it may mean. *)
-let about_foreign general (files : Cgen.Emit.t) ~sources text =
-  match (files.foreign.calls, sources) with
-  | _ when is_driver_missing general ~sources text ->
-      Printf.sprintf
-        "%s is a robot of your own: name the C files of its driver, which define `%s`, with `--with \
-         FILE.c`"
-        (Option.value general.robot ~default:"this") (own_driver general)
-  | [], _ | _, _ :: _ -> text
-  | calls, [] ->
-      let names = String.concat ", " (List.map (Printf.sprintf "`%s`") calls) in
-      Printf.sprintf "%s\nthe program calls %s in C: name the C files with `--with FILE.c`"
-        (String.trim text) names
+let about_driver general ~sources text =
+  if is_driver_missing general ~sources text then
+    Printf.sprintf
+      "%s is a robot of your own: name the C files of its driver, which define `%s`, with `--with \
+       FILE.c`"
+      (Option.value general.robot ~default:"this") (own_driver general)
+  else text
 
 type linked = {
   machine : Toolchain.machine option;
@@ -206,9 +201,13 @@ let built general kind ~entry ~sources ~linked file continue =
   let* resources = Resources.find () in
   let* () = all_exist sources in
   compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
-      let name = Pipeline.c_name file in
+      let name = C_file.name file in
       let* () = match (kind : Toolchain.kind) with Executable -> for_robot ~name files | Shared_object -> Ok () in
       let* host_table = host_table ~entry files in
+      let* () =
+        Foreign_symbols.check ~calls:files.foreign.calls ~sources ~header:files.header
+          ~folders:files.foreign.folders
+      in
       let foreign =
         if files.foreign.folders = [] && files.foreign.calls = [] && sources = [] then None
         else Some { Toolchain.sources; folders = files.foreign.folders }
@@ -221,7 +220,7 @@ let built general kind ~entry ~sources ~linked file continue =
              (name ^ ".h", files.header); (name ^ ".c", files.source); (name ^ "_host.c", host_table);
            ]
           @ Option.to_list files.robot_header @ linked.generated)
-        |> Result.map_error (about_foreign general files ~sources)
+        |> Result.map_error (about_driver general ~sources)
       in
       continue resources program)
 

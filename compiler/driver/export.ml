@@ -100,7 +100,7 @@ let platformio (general : Commands.general) ~entry ~sources ~folder file =
   let* resources = Resources.find () in
   let* () = Commands.all_exist sources in
   Commands.compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
-      let name = Pipeline.c_name file in
+      let name = C_file.name file in
       let* () = Commands.for_robot ~name files in
       let* table = Commands.host_table ~entry files in
       let generated =

@@ -147,7 +147,7 @@ let entries (core : Core.Ir.program) =
 
 (* A program for several robots is checked as it stands, and in what needs a
    robot, such as its loops, with any that it runs on. *)
-let check_entry ?robot options sink front (d : Core.Ir.definition) =
+let check_entry ?robot options sink front ~file (d : Core.Ir.definition) =
   let program = for_a_robot ?robot front d.name in
   let closed =
     match robot with
@@ -155,7 +155,7 @@ let check_entry ?robot options sink front (d : Core.Ir.definition) =
     | robot -> Robots.closed sink robot program
   in
   match closed with
-  | Some (core, entry) -> ignore (flow options sink front ~written:d.name ~name:d.name.name ~entry core)
+  | Some (core, entry) -> ignore (flow options sink front ~written:d.name ~name:(C_file.name file) ~entry core)
   | None -> Specialize.Recursion.check sink front.core
 
 let check ?robot options sink sources ~library file =
@@ -164,10 +164,7 @@ let check ?robot options sink sources ~library file =
   | Some front -> (
       match entries front.core with
       | [] -> Specialize.Recursion.check sink front.core
-      | entries -> List.iter (check_entry ?robot options sink front) entries)
-
-(* The C files are named after the program's file. *)
-let c_name file = Filename.remove_extension (Filename.basename file)
+      | entries -> List.iter (check_entry ?robot options sink front ~file) entries)
 
 let no_entry = "E0501"
 
@@ -220,7 +217,7 @@ let checked ?robot options sink sources ~library ~entry file =
   let* front = front ?robot options sink sources ~library file in
   let* written = find_entry sink front.core ~file entry in
   let* core, entry = Robots.closed sink robot (for_a_robot ?robot front written) in
-  let* flow = flow options sink front ~written ~name:(c_name file) ~entry core in
+  let* flow = flow options sink front ~written ~name:(C_file.name file) ~entry core in
   Some (core, entry, flow)
 
 let interpretable ?robot options sink sources ~library ~entry file =

@@ -10,9 +10,6 @@ type options = {
   real : Real.t;  (** the precision of [Float] *)
 }
 
-val c_name : string -> string
-(** The name of the C files and functions for a program's file. *)
-
 val check : ?robot:Cgen.Robot.t -> options -> Diagnostic.sink -> Source.t -> library:string -> string -> unit
 (** [check options sink sources ~library file]: all that can reject a program, of its `main`
     or, in a module without one, of each signal function that could be an entry; what there

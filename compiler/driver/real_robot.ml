@@ -110,7 +110,7 @@ let build general ~entry ~sources ~target ~output file =
                          `frobc export --platformio`" target
            (String.concat ", " Target.names))
   | Some target ->
-      let path = Option.value output ~default:(Pipeline.c_name file) in
+      let path = Option.value output ~default:(C_file.name file) in
       let asked = if output = None then "the program" else "-o" in
       let* () = Output.check ~reads:(file :: sources) [ Commands.as_output Program asked path ] in
       executable general target ~entry ~sources file (fun program ->

@@ -1,23 +1,12 @@
 open Basis
 
-(* Of C99 and C++17: generated C is both. *)
-let keywords =
-  String.split_on_char ' '
-    "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t char32_t \
-     class compl const const_cast constexpr continue decltype default delete do double \
-     dynamic_cast else enum explicit export extern false float for friend goto if inline int long \
-     mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public \
-     register reinterpret_cast restrict return short signed sizeof static static_assert \
-     static_cast struct switch template this thread_local throw true try typedef typeid typename \
-     union unsigned using virtual void volatile wchar_t while xor xor_eq _Bool _Complex _Imaginary"
-
 let is_name text =
   text <> ""
   && (match text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> true | _ -> false)
   && String.for_all
        (function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' -> true | _ -> false)
        text
-  && not (List.mem text keywords)
+  && not (C_names.is_keyword text)
 
 let refuse (scope : Scope.t) (text : Syntax.Ir.name) ~wanted ~hint =
   let what = if text.text = "" then "an empty text" else Printf.sprintf "`%s`" text.text in
@@ -25,9 +14,30 @@ let refuse (scope : Scope.t) (text : Syntax.Ir.name) ~wanted ~hint =
   |> Diagnostic.hint hint
   |> Context.emit scope.context
 
-let check_symbol scope (text : Syntax.Ir.name) =
+(* What C or its headers may mean by this name, so that a declaration of it is an error
+   there or another thing. *)
+let meaning ~(kind : Syntax.Ir.foreign_kind) text =
+  let starts prefix = String.starts_with ~prefix text in
+  let is_reserved =
+    starts "__" || (starts "_" && String.length text > 1 && text.[1] = Char.uppercase_ascii text.[1])
+  in
+  if is_reserved then Some "one of those that C compilers keep for themselves"
+  else if C_names.is_taken text then Some "a macro or a type of C's headers"
+  else if starts "frob_" then Some "one of those that generated C and its runtime have"
+  else if kind = Foreign_function && text = "main" then Some "where C programs begin"
+  else None
+
+let check_symbol (scope : Scope.t) ~kind (text : Syntax.Ir.name) =
   if not (is_name text.text) then
     refuse scope text ~wanted:"a name" ~hint:"write the name of the function alone, as in `\"cbrt\"`"
+  else
+    match meaning ~kind text.text with
+    | None -> ()
+    | Some meaning ->
+      Diagnostic.error ~code:"E0232" ~at:text.span "`%s` cannot be a function of yours: it is %s"
+        text.text meaning
+      |> Diagnostic.hint "give the function another name in C"
+      |> Context.emit scope.context
 
 let check_type scope (text : Syntax.Ir.name) =
   let is_type =
@@ -44,6 +54,12 @@ let check_header scope (text : Syntax.Ir.name) =
   if text.text = "" || not (String.for_all is_plain text.text) then
     refuse scope text ~wanted:"the name of a header"
       ~hint:"write the path from this file's folder, as in `\"blob.h\"`"
+  else if
+    (not (Filename.is_relative text.text)) || List.mem ".." (String.split_on_char '/' text.text)
+  then
+    Diagnostic.error ~code:"E0232" ~at:text.span "`%s` is outside of this module's folder" text.text
+    |> Diagnostic.hint "put the header beside the module, or into a folder there"
+    |> Context.emit scope.context
 
 let check_includes (scope : Scope.t) (program : Syntax.Ir.program) =
   let is_include (d : Syntax.Ir.declaration) =

@@ -52,7 +52,7 @@ let primitives (scope : Scope.t) (program : Syntax.Ir.program) =
     match d.desc with
     | Primitive { names; ty } -> Long_list.map (primitive (Types.scheme scope ty) d.doc) names
     | Foreign (Foreign_value { kind; name; ty; symbol }) ->
-        Foreign_code.check_symbol scope symbol;
+        Foreign_code.check_symbol scope ~kind symbol;
         if Interface.is_operator name.text then Bindings.report_operator scope name;
         let scheme = Types.scheme scope ty in
         let global : Ir.Global.t = { module_ = scope.module_; name = name.text } in

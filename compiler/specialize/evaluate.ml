@@ -185,27 +185,36 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
 
 (* In C both would have the struct and the functions of that name. *)
 let refuse_own_name sink ~name (foreign : Ir.foreign) =
-  let same_name ((f : Core.Primitive.foreign), _) =
-    f.kind = Stateful && String.equal f.symbol name
+  (* [my-robot.frob] has [my_robot_step]. *)
+  let prefix = String.map (fun c -> if c = '-' || c = ' ' || c = '.' then '_' else c) name in
+  let collision ((f : Core.Primitive.foreign), _) =
+    match f.kind with
+    | Stateful when String.equal f.symbol prefix ->
+      Some
+        ( f,
+          Printf.sprintf "the program and the component `%s` in C have one name" f.symbol,
+          Printf.sprintf "both would have `struct %s_state`, `%s_reset` and `%s_step`" prefix
+            prefix prefix )
+    | Stateless _ when List.mem f.symbol [ prefix ^ "_reset"; prefix ^ "_step" ] ->
+      Some
+        ( f,
+          Printf.sprintf "the program's own C has a function `%s`" f.symbol,
+          "the functions of a program are named after its file" )
+    | Stateful | Stateless _ -> None
   in
-  let refuse ((f : Core.Primitive.foreign), _) =
-      Diagnostic.error ~code:"E0431" ~at:f.span
-        "the program and the component `%s` in C have one name" name
-      |> Diagnostic.note
-           (Printf.sprintf "both would have `struct %s_state`, `%s_reset` and `%s_step`" name name
-              name)
-      |> Diagnostic.hint "rename the program's file"
-      |> Diagnostic.emit sink
+  let refuse ~at ?note ~hint message =
+    let diagnostic = Diagnostic.error ~code:"E0431" ~at "%s" message in
+    Option.fold note ~none:diagnostic ~some:(fun note -> Diagnostic.note note diagnostic)
+    |> Diagnostic.hint hint |> Diagnostic.emit sink
   in
   let refuse_header (h : Ir.header) =
     if String.equal h.header (name ^ ".h") then
-      Diagnostic.error ~code:"E0431" ~at:(Span.start_of_file h.of_file)
-        "the program's own header would be `%s`, which it includes" h.header
-      |> Diagnostic.hint "rename the program's file, or the header"
-      |> Diagnostic.emit sink
+      refuse ~at:(Span.start_of_file h.of_file) ~hint:"rename the program's file, or the header"
+        (Printf.sprintf "the program's own header would be `%s`, which it includes" h.header)
   in
-  match List.find_opt same_name foreign.values with
-  | Some component -> refuse component
+  match List.find_map collision foreign.values with
+  | Some ((f : Core.Primitive.foreign), message, note) ->
+    refuse ~at:f.span ~note ~hint:"rename the program's file" message
   | None -> List.iter refuse_header foreign.headers
 
 let program ?(options = Context.default) sink ~name ~entry:(entry : Ir.Global.t)

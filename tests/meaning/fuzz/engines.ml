@@ -66,7 +66,7 @@ let load ?robot tools ~entry file =
   with
   | None -> Error (Rejected (Render_text.diagnostics ~colour:false sources (Diagnostic.all sink)))
   | Some (core, entry, c) ->
-      let name = Driver.Pipeline.c_name file in
+      let name = Driver.C_file.name file in
       let input, output = Interp.Execution.interface core entry in
       Ok
         {
