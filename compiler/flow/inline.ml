@@ -310,7 +310,7 @@ let sharing real context (node : Ir.node) =
       let before = context.fresh in
       let expanded = expand_chosen ~note context may_share node in
       context.fresh <- before;
-      let equal = Share.equal (Parity.node (Simplify.to_look_at real expanded)) in
+      let equal = Share.equal (Simplify.to_look_at real expanded) in
       let by_class = Int_table.create 16 in
       let equal_to (s : Ir.signal) =
         match equal (Signal s) with Signal first -> first.id | Bool _ | Int _ | Float _ -> s.id

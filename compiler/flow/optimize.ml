@@ -20,7 +20,7 @@ let tidy_nodes (program : Ir.program) =
   let program, found = each_node_and simplify ~last:Condition.node program in
   let program, found = each_node_and (simplify_if found) ~last:Latch.node program in
   Each_node.program
-    (fun ~fresh node -> node |> simplify_if found ~fresh |> Parity.node |> Share.node)
+    (fun ~fresh node -> node |> simplify_if found ~fresh |> Share.node)
     program
 
 (* Literals first, as they decide choices; dead code last, for what all of them leave
@@ -61,14 +61,8 @@ let program program =
      from what is known now. *)
   let joined = Fusion.program tidied in
   let tidied = if joined == tidied then tidied else inline joined in
-  (* When it is known who runs a machine, and what its modes put out. *)
-  let awaited = Waiting.program tidied in
-  let tidied = if awaited == tidied then tidied else tidy awaited in
   (* When loops are what they will be. *)
   let started = Extreme.program tidied in
   (* Last, for a machine that so becomes a part of its user is inlined no more. *)
   let absorbed = Absorb.program started in
-  (* When what is computed of a parameter stands where it is read. *)
-  let derived = Derived_parameters.program absorbed in
-  let computed = Literal_parameters.program derived in
-  if computed == tidied then tidied else Dead.program computed
+  if absorbed == tidied then tidied else Dead.program absorbed

@@ -16,6 +16,26 @@ let with_own_instants (program : Ir.program) =
   done;
   found
 
+(* By parameter: what is passed for it everywhere, if that is always literal. *)
+let passed (program : Ir.program) =
+  let all = Basis.Int_table.create 64 in
+  let note (s : Ir.signal) (a : Ir.atom) =
+    let before = Option.value (Basis.Int_table.find_opt all s.id) ~default:(Some []) in
+    let now = match a with Signal _ -> None | Bool _ | Int _ | Float _ -> Option.map (List.cons a) before in
+    Basis.Int_table.replace all s.id now
+  in
+  let call k atoms = List.iter2 note program.nodes.(k).statics atoms in
+  let machine (m : Ir.machine) =
+    let modes = Array.of_list m.modes in
+    Transitions.into program m (fun t -> call modes.(t.target) t.arguments)
+  in
+  Array.iter
+    (fun (node : Ir.node) ->
+      List.iter (fun (i : Ir.instance) -> call i.node i.statics) node.instances;
+      Option.iter machine node.machine)
+    program.nodes;
+  fun (s : Ir.signal) -> Option.join (Basis.Int_table.find_opt all s.id)
+
 let same_restart (a : Ir.atom) (b : Ir.atom) =
   match (a, b) with
   | Bool a, Bool b -> Bool.equal a b
@@ -49,15 +69,10 @@ let reached passed (node : Ir.node) restart =
       | _ -> None)
     node.equations
 
-(* A mode goes on where no transition occurs and it does not tell that all is over. *)
-let ends_in_time passed over (node : Ir.node) =
-  let goes_on =
-    match Option.map (fun k -> snd (List.nth node.outputs k)) over with
-    | Some (Ir.Signal s) -> [ (s, false) ]
-    | Some (Bool _ | Int _ | Float _) | None -> []
-  in
-  let known = lazy (Truth.while_running node goes_on) in
-  (node.transitions <> [] || goes_on <> [])
+(* A mode goes on where no transition occurs. *)
+let ends_in_time passed (node : Ir.node) =
+  let known = lazy (Truth.while_running node []) in
+  node.transitions <> []
   && List.exists
        (fun s -> Truth.value (Lazy.force known) (Signal s) = Some false)
        (reached passed node (Bool false))
@@ -83,12 +98,11 @@ let starts_again_in_time passed (node : Ir.node) restart =
 
 let is_limited program =
   let with_own_instants = lazy (with_own_instants program) in
-  let literals = lazy (Literal_parameters.passed program) in
-  let over = lazy (Over.outputs program) in
+  let literals = lazy (passed program) in
   let passed s = Lazy.force literals s in
   fun k restart ->
     let node = program.Ir.nodes.(k) in
     (match (restart : Ir.atom) with
     | Signal _ -> starts_again_in_time passed node restart
-    | Bool _ | Int _ | Float _ -> ends_in_time passed (Lazy.force over).(k) node)
+    | Bool _ | Int _ | Float _ -> ends_in_time passed node)
     && not (Lazy.force with_own_instants).(k)

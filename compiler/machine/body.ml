@@ -17,7 +17,7 @@ let modes_context (context : Calls.context) draft state : Modes.context =
 let output_span (node : F.node) (atom : F.atom) =
   match atom with Signal s -> s.span | Bool _ | Int _ | Float _ -> node.span
 
-let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_end_early ~over (statics : Statics.t) =
+let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_end_early (statics : Statics.t) =
   let d = Draft.create () in
   let parameter (s : F.signal) = Draft.leaf d s (Variable (Modes.variable s)) in
   List.iter parameter node.statics;
@@ -66,9 +66,7 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
     }
   in
   let fragment =
-    if may_end_early then
-      Early_end.find d ~fresh:context.fresh node ~over make
-    else make d
+    if may_end_early then Early_end.find d ~fresh:context.fresh node make else make d
   in
   let told =
     let told (ending : Fragment.ending) =

@@ -11,11 +11,9 @@ val step :
   limited:(Flow.Ir.atom -> bool) ->
   is_root:bool ->
   may_end_early:bool ->
-  over:int option ->
   Statics.t ->
   Ir.statement list * (int * int) option
-(** The statements, and the node's [ends_early]. [limited] as in {!Memory.advance}, [over] as in
-    {!Early_end.find}. A node with one output returns it, but for the root, whose outputs are
+(** The statements, and the node's [ends_early]. [limited] as in {!Memory.advance}. A node with one output returns it, but for the root, whose outputs are
     always written to a struct. *)
 
 val reset : Calls.context -> State.t -> Flow.Ir.node -> Statics.t -> Ir.statement list

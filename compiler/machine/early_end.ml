@@ -90,19 +90,9 @@ let implies_other draft (node : F.node) atoms atom =
         node.equations
   | Bool _ | Int _ | Float _ -> false
 
-let find draft ~fresh (node : F.node) ~over make =
-  let own = List.length node.outputs in
-  let is_over k =
-    match Draft.resolve draft (snd (List.nth node.outputs k)) with
-    | Signal _ as atom when k = own - 1 -> Some atom
-    | Signal _ | Bool _ | Int _ | Float _ -> None
-  in
-  let over = Option.bind over is_over in
-  let told = if Option.is_some over then own - 1 else own in
-  let occurs =
-    List.map (fun (t : F.transition) -> Draft.resolve draft t.occurs) node.transitions
-    @ Option.to_list over
-  in
+let find draft ~fresh (node : F.node) make =
+  let told = List.length node.outputs in
+  let occurs = List.map (fun (t : F.transition) -> Draft.resolve draft t.occurs) node.transitions in
   let can_occur = List.filter (function F.Bool false -> false | _ -> true) occurs in
   let either (a : F.atom) (b : F.atom) : F.atom =
     let id = fresh () in
@@ -129,7 +119,7 @@ let find draft ~fresh (node : F.node) ~over make =
         let whole = { ends; told; first = None; span = node.span } in
         let ending =
           match (later, node.transitions) with
-          | Some later, transition :: _ when Option.is_none over && Draft.resolve draft transition.occurs = first ->
+          | Some later, transition :: _ when Draft.resolve draft transition.occurs = first ->
               let untold =
                 told + List.length (Modes.results_for_transitions { node with transitions = [ transition ] })
               in

@@ -26,8 +26,6 @@ val needed_first : Fragment.t -> told:int -> Fragment.first -> bool array
 (** The items that are needed where its first transition occurs. *)
 
 val find :
-  Draft.t -> fresh:(unit -> int) -> Flow.Ir.node -> over:int option -> (Draft.t -> Fragment.t) -> Fragment.t
+  Draft.t -> fresh:(unit -> int) -> Flow.Ir.node -> (Draft.t -> Fragment.t) -> Fragment.t
 (** The fragment of that node, a mode for which it is possible, with its [ending].
-    The function makes the fragment without. [over] is the mode's output that tells that its
-    machine is over (see {!Flow.Over}): where that is true it ends as well. Only the last
-    output is taken for such. *)
+    The function makes the fragment without. *)

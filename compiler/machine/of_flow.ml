@@ -7,7 +7,6 @@ type context = {
   sees_first_dt : bool array;  (** of the nodes already translated *)
   is_limited : int -> F.atom -> bool;  (** see {!Flow.Time_limit} *)
   may_end_early : bool array;
-  over : int option array;  (** see {!Flow.Over} *)
   start_weights : int array;  (** operations of the nodes' starts *)
 }
 
@@ -93,8 +92,7 @@ let own_node context k ~is_root =
   let state = State.of_node ~callee:calls.callee ~statics:statics_of statics in
   let limited = context.is_limited k in
   let step, ends_early =
-    Body.step calls state node ~limited ~is_root ~may_end_early:context.may_end_early.(k)
-      ~over:context.over.(k) statics
+    Body.step calls state node ~limited ~is_root ~may_end_early:context.may_end_early.(k) statics
   in
   let modes = State.modes state in
   let any property stepped = Int_table.fold (fun k () any -> any || property k) stepped false in
@@ -138,7 +136,7 @@ let own_node context k ~is_root =
           if Option.is_none ends_early then step
           else
             let body, _ =
-              Body.step calls state node ~limited ~is_root ~may_end_early:false ~over:None statics
+              Body.step calls state node ~limited ~is_root ~may_end_early:false statics
             in
             { step with body }
         in
@@ -201,7 +199,6 @@ let program (program : F.program) : Ir.program =
       sees_first_dt = Array.make count false;
       is_limited = Flow.Time_limit.is_limited program;
       may_end_early = Early_end.possible program;
-      over = Flow.Over.outputs program;
       start_weights = Array.make count 0;
     }
   in

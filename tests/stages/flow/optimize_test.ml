@@ -66,7 +66,6 @@ let random_tests =
   [
     random "simplify keeps every bit" 400 (keeps_outputs Simplify.program Evaluate.by_demand);
     random "condition keeps every bit" 400 (keeps_outputs Condition.program Evaluate.by_demand);
-    random "parity keeps every bit" 400 (keeps_outputs Parity.program Evaluate.by_demand);
     random "share keeps every bit" 400 (keeps_outputs Share.program Evaluate.by_demand);
     random "dead keeps every bit" 400 (keeps_outputs Dead.program Evaluate.by_demand);
     random "specific keeps every bit" 400 (keeps_outputs Specific.program Evaluate.by_demand);
@@ -196,47 +195,6 @@ let conditions_anyhow () =
             let both = choice a b (Bool false) in
             let only_a = choice a (Build.let_ ~ty n "" (Op (Not, [ b ]))) (Bool false) in
             [ ("", Build.let_ ~ty n "either" (Op (Or, [ both; only_a ]))) ])))
-
-(* The difference that is read as it is stays. *)
-let distances_either_way () =
-  check
-    [
-      "signal function main (x : Float, y : Float)";
-      "way : Float = 3.0 - x";
-      "there : Float = hypot(way, y)";
-      "c : Float = cos(way)";
-      "-> ( = there,  = there,  = c,  = way)";
-    ]
-    (Optimize.program
-       (build (fun n ->
-            let x = Build.input n "x" and y = Build.input n "y" in
-            let back = Build.let_ n "back" (Op (Subtract, [ x; Float 3. ])) in
-            let way = Build.let_ n "way" (Op (Subtract, [ Float 3.; x ])) in
-            let there = Build.let_ n "there" (Op (Elementary Hypot, [ back; y ])) in
-            let down = Build.op n Negate [ y ] in
-            let again = Build.let_ n "again" (Op (Elementary Hypot, [ down; way ])) in
-            let c = Build.let_ n "c" (Op (Elementary Cos, [ Build.op n Negate [ back ] ])) in
-            [ ("", there); ("", again); ("", c); ("", way) ])))
-
-(* The least Int has no negation. *)
-let differences_of_ints () =
-  check
-    [
-      "signal function main (x : Int)";
-      "back : Int = x - 3";
-      "way : Int = 3 - x";
-      "a : Int = abs(back)";
-      "b : Int = abs(way)";
-      "-> ( = a,  = b)";
-    ]
-    (Optimize.program
-       (build (fun n ->
-            let ty : Ir.ty = Int in
-            let x = Build.input ~ty n "x" in
-            let back = Build.let_ ~ty n "back" (Op (Subtract, [ x; Int 3l ])) in
-            let way = Build.let_ ~ty n "way" (Op (Subtract, [ Int 3l; x ])) in
-            let a = Build.let_ ~ty n "a" (Op (Absolute, [ back ])) in
-            [ ("", a); ("", Build.let_ ~ty n "b" (Op (Absolute, [ way ]))) ])))
 
 let known_constructors () =
   let p = Build.create () in
@@ -439,8 +397,6 @@ let example_tests =
     case "simplify: known constructors need no tag" known_constructors;
     case "condition: one that is said by cases" conditions_in_cases;
     case "condition: one for which another one does not matter" conditions_anyhow;
-    case "parity: a distance is the same there and back" distances_either_way;
-    case "parity: not of Ints" differences_of_ints;
     case "share: equal feedback loops are one" shared_counters;
     case "share: 0 and -0 are different" different_counters;
     case "share and specific: instances, literals, unread outputs" shared_instances;
