@@ -34,8 +34,10 @@ inside a state, and what comes from outside.
       start0 [shape=point];
       state0_0 [label="sleepT\nline 11"];
       state0_1 [label="circle\nline 12"];
+      state0_2 [label="ended\nline 12"];
       start0 -> state0_0;
       state0_0 -> state0_1 [label="elapsed"];
+      state0_1 -> state0_2 [label="edge"];
     }
     subgraph cluster1 {
       label="main, bug.frob:21";
@@ -78,7 +80,7 @@ The report says how many states an instant can pass through.
   $ frobc report bug.frob | sed -n '/^modes/,$p' | without_lines
   modes
     main, bug.frob:21: 4 modes (driveTo, timeOut, ended, sleepT), at most 2 stepped within one instant
-    circle, bug.frob:11: 2 modes (sleepT, circle), at most 2 stepped within one instant
+    circle, bug.frob:11: 3 modes (sleepT, circle, ended), at most 2 stepped within one instant
   
   events that switch, at the first instant of the mode they leave
     from driveTo to ended      cannot occur: `edge`     bug.frob:2
@@ -86,3 +88,4 @@ The report says how many states an instant can pass through.
     from timeOut to sleepT     cannot occur: `elapsed`  Prelude.frob
     from sleepT to driveTo     cannot occur: `elapsed`  Prelude.frob
     from sleepT to circle      cannot occur: `elapsed`  Prelude.frob
+    from circle to ended       cannot occur: `edge`     bug.frob:12

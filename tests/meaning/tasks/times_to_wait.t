@@ -1,6 +1,5 @@
-How long a mode waits is kept as whole nanoseconds if all that enter it give literals: then
-nothing is left to convert at each step. What else is computed of such a parameter alone
-is computed by the compiler too.
+What a mode is entered with is kept as it was given; what is computed of that alone is computed when it
+starts, not at each step.
 
   $ cat > errand.frob <<'EOF'
   > main :: SF Float Float
@@ -18,15 +17,7 @@ is computed by the compiler too.
   > EOF
   $ frobc compile errand.frob --lint
   $ grep -E 'parameter at|_ns = INT|_ns <=|sin_a' errand.h errand.c
-  errand.h:            double sin_a;                           /* parameter at errand.frob:12 */
-  errand.h:            int64_t q_ns;                             /* parameter at errand.frob:9 */
-  errand.c:        double sin_a, double x, double *out_1, bool *out_2, bool *out_3)
-  errand.c:        *out_1 = x * sin_a;
-  errand.c:    const bool t1 = q_ns <= self->time;                     /* Prelude.frob:356 */
-  errand.c:                self->modes.turn.sin_a = 0.5;
-  errand.c:                self->modes.turn.sin_a = -1.0;
-  errand.c:            errand_forever_turn_step(&self->modes.turn.state, self->modes.turn.sin_a, x,
-  errand.c:                self->modes.sleepT.q_ns = INT64_C(1000000000);
-  errand.c:                self->modes.sleepT.q_ns = INT64_C(2500000000);
-  errand.c:                self->modes.turn.sin_a = 0.5;
-  errand.c:                self->modes.turn.sin_a = -1.0;
+  errand.h:    double sin_a;  /* known at the start at errand.frob:12 */
+  errand.h:            double q;                                 /* parameter at errand.frob:9 */
+  errand.c:    self->sin_a = frob_sin(a);
+  errand.c:        *out_1 = x * self->sin_a;
