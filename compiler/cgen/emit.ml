@@ -35,3 +35,7 @@ let program ?own ?batch (program : Machine.Ir.program) =
             (List.map (fun (h : Flow.Ir.header) -> h.folder) program.headers);
       };
   }
+
+let print ppf files =
+  Format.pp_print_string ppf files.header;
+  Format.pp_print_string ppf files.source

@@ -48,14 +48,9 @@ let report_exception = function
 
 (* {1 Compiling} *)
 
-let options general =
-  {
-    Pipeline.dump = general.dump;
-    stop_after = general.stop_after;
-    lint = general.lint;
-    specialization_limit = general.specialization_limit;
-    real = general.real;
-  }
+let request general ?robot ?(entry = "main") ?(batch = false) ~library file : Request.t =
+  let { dump; stop_after; lint; specialization_limit; real; format = _; robot = _ } = general in
+  { file; entry; library; robot; real; batch; specialization_limit; lint; dump; stop_after }
 
 let ( let* ) result continue =
   match result with Ok value -> continue value | Error text -> wrong_use text
@@ -64,7 +59,7 @@ let ( let* ) result continue =
    not a wrong program. *)
 let status sink =
   let wrong_call (d : Diagnostic.t) =
-    List.mem d.code [ Pipeline.no_entry; Pipeline.no_interpreter ]
+    List.mem d.code [ Typing.Entry.no_entry; Interpreted.no_interpreter ]
   in
   if List.exists wrong_call (Diagnostic.all sink) then Exit_status.wrong_use
   else if Diagnostic.has_errors sink then Exit_status.rejected
@@ -73,7 +68,7 @@ let status sink =
 let check_one general ?robot ~library file =
   let* () = Program_file.check file in
   let sink = Diagnostic.sink () and sources = Source.create () in
-  Pipeline.check ?robot (options general) sink sources ~library file;
+  Pipeline.check sink sources (request general ?robot ~library file);
   print_diagnostics general sources sink;
   status sink
 
@@ -86,17 +81,39 @@ let check general files =
   else List.fold_left max Exit_status.ok statuses
 
 (* Goes on with what a pipeline gives, or gives the status with which to end. *)
-let accepted pipeline general (resources : Resources.t) ~entry file continue =
+let accepted pipeline general ?batch (resources : Resources.t) ~entry file continue =
   let* robot = Robots.known general.robot in
   let* () = Program_file.check file in
   let sink = Diagnostic.sink () and sources = Source.create () in
-  let result = pipeline ?robot (options general) sink sources ~library:resources.library ~entry file in
+  let request = request general ?robot ?batch ~entry ~library:resources.library file in
+  let result = pipeline sink sources request in
   print_diagnostics general sources sink;
-  match result with Some result -> continue result | None -> status sink
+  match result with Some result -> continue request result | None -> status sink
+
+(* Of the robot's types: those of any signal function from one to the other, such as
+   [atRest] in its module. *)
+let header_of (resources : Resources.t) (robot : Robots.t) =
+  let sink = Diagnostic.sink () and sources = Source.create () and library = resources.library in
+  let file = Option.value robot.file ~default:(Filename.concat library (robot.module_ ^ ".frob")) in
+  let request = { (Request.make ~library file) with robot = Some robot; entry = "atRest" } in
+  (Option.map (Cgen.Interface_header.text robot) (Pipeline.machine sink sources request), sink, sources)
+
+let robot_header resources (robot : Robots.t) =
+  match header_of resources robot with
+  | Some text, _, _ -> Ok (robot.header, text)
+  | None, sink, sources ->
+      Error
+        (Printf.sprintf "%s cannot be compiled:\n%s" (Option.value robot.file ~default:robot.module_)
+           (Render_text.diagnostics ~colour:(colour ()) sources (Diagnostic.all sink)))
 
 let compiled ?batch general resources ~entry file continue =
   let* () = C_file.check file in
-  accepted (Pipeline.compile ?batch) general resources ~entry file continue
+  accepted Pipeline.compile general ?batch resources ~entry file (fun request files ->
+      match Request.own_robot request with
+      | None -> continue files
+      | Some robot ->
+          let* header = robot_header resources robot in
+          continue { files with robot_header = Some header })
 
 (* As other compilers' [-o] takes a file. *)
 let not_a_file ~folder file =
@@ -132,9 +149,14 @@ let compile general entry ~batch ~standalone folder file =
 
 (* {1 Reporting} *)
 
-let report general ~entry file =
+let report general ~entry ~states file =
   let* resources = Resources.find () in
-  accepted Pipeline.machine general resources ~entry file (fun program ->
+  if states then
+    accepted Pipeline.flow general resources ~entry file (fun _ program ->
+        Format.printf "%a@?" Report.Diagram.print program;
+        Exit_status.ok)
+  else
+  accepted Pipeline.machine general resources ~entry file (fun _ program ->
       if general.dump = None then begin
         let bounds = Report.Bounds.of_program program in
         match general.format with
@@ -256,7 +278,7 @@ let compiled_trace general ~entry ~sources ~modes ~input ~output file =
 (* Speaks as the host of compiled programs does. *)
 let interpreted_trace general ~entry ~input ~output file =
   let* resources = Resources.find () in
-  accepted Pipeline.interpretable general resources ~entry file (fun (core, entry) ->
+  accepted Pipeline.interpretable general resources ~entry file (fun _ (core, entry) ->
       match Interpreted.trace core ~entry ~input ~output with
       | Ok () -> Exit_status.ok
       | Error errors ->
@@ -328,19 +350,6 @@ let run general ~entry ~sources run file =
       @ flag "--strict" run.strict)
 
 (* {1 Explaining} *)
-
-let header_of (resources : Resources.t) robot =
-  let sink = Diagnostic.sink () and sources = Source.create () in
-  let text = Pipeline.robot_header sink sources ~library:resources.library robot in
-  (text, sink, sources)
-
-let robot_header resources (robot : Robots.t) =
-  match header_of resources robot with
-  | Some text, _, _ -> Ok (robot.header, text)
-  | None, sink, sources ->
-      Error
-        (Printf.sprintf "%s cannot be compiled:\n%s" (Option.value robot.file ~default:robot.module_)
-           (Render_text.diagnostics ~colour:(colour ()) sources (Diagnostic.all sink)))
 
 let header robot =
   let* resources = Resources.find () in

@@ -49,8 +49,9 @@ type run = {
 
 val run : general -> entry:string -> sources:string list -> run -> string -> int
 
-val report : general -> entry:string -> string -> int
-(** Prints what the program needs, in the format of the diagnostics. *)
+val report : general -> entry:string -> states:bool -> string -> int
+(** Prints what the program needs, in the format of the diagnostics; or its state diagram,
+    for Graphviz. *)
 
 val header : string -> int
 (** Prints the C header with a robot's types. *)

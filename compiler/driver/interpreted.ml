@@ -46,3 +46,18 @@ let trace core ~entry ~input ~output =
           try Interp.Trace.run core ~entry ~name ~read ~write
           with Stack_overflow ->
             Error [ "this program nests too deeply for the interpreter; use `--engine c`" ]))
+
+let no_interpreter = "E0505"
+
+let refusal ~at (flow : Flow.Ir.program) =
+  let refuse at what =
+    Basis.Diagnostic.error ~code:no_interpreter ~at "the interpreter cannot run this program: %s" what
+    |> Basis.Diagnostic.hint "run it with `--engine c`"
+    |> Option.some
+  in
+  let calls (node : Flow.Ir.node) = Option.is_some node.foreign in
+  match List.find_opt calls (Array.to_list flow.nodes) with
+  | Some node -> refuse node.span (Printf.sprintf "`%s` is in C" node.origin)
+  | None when List.exists (Flow.Lasting.mentions_foreign flow.sums) [ flow.input; flow.output ] ->
+      refuse at "it takes or gives a value of a foreign type"
+  | None -> None

@@ -153,17 +153,14 @@ let objects t =
 
 (* {1 A program} *)
 
-let options real =
-  { Pipeline.dump = None; stop_after = None; lint = false; specialization_limit = 10_000; real }
-
 (* The program, its table for hosts, and the output that it must have. *)
 let made t group =
   let file = t.resources.selftest / (group.name ^ ".frob") in
-  let options = options t.real and library = t.resources.library in
+  let request = { (Request.make ~library:t.resources.library file) with real = t.real } in
   let sink = Diagnostic.sink () in
   match
-    ( Pipeline.compile options sink (Source.create ()) ~library ~entry:group.entry file,
-      Pipeline.interpretable options sink (Source.create ()) ~library ~entry:group.meant file )
+    ( Pipeline.compile sink (Source.create ()) { request with entry = group.entry },
+      Pipeline.interpretable sink (Source.create ()) { request with entry = group.meant } )
   with
   | Some (files : Cgen.Emit.t), Some (core, entry) -> (
       let csv = Sample_input.(csv (rows ())) in

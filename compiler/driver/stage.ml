@@ -1,4 +1,4 @@
-type t = Parse | Resolve | Types | Core | Specialize | Flow | States | Machine | C
+type t = Parse | Resolve | Types | Core | Specialize | Flow | Machine | C
 
 let table =
   [
@@ -8,7 +8,6 @@ let table =
     (Core, "core", "the small language that gives the program its meaning");
     (Specialize, "specialize", "first-order nodes of equations");
     (Flow, "flow", "the same after sharing, folding and inlining");
-    (States, "states", "its state diagram, for Graphviz");
     (Machine, "machine", "state, reset and step as statements");
     (C, "c", "the generated C");
   ]

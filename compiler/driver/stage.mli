@@ -8,7 +8,6 @@ type t =
   | Core
   | Specialize
   | Flow
-  | States
   | Machine
   | C
 

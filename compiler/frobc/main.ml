@@ -398,10 +398,14 @@ let serve =
     Term.(const make $ robot $ sources $ world $ seed $ tcp $ duration $ model $ log $ link)
 
 let report =
+  let states =
+    let doc = "Instead of that the program's switches and tasks as a state diagram, for Graphviz." in
+    Arg.(value & flag & info [ "states" ] ~doc)
+  in
   command "report" ~doc:"memory, operations and stack of a step, stated before it runs"
     Term.(
-      const (fun general entry file -> Commands.report general ~entry file)
-      $ general $ entry $ file)
+      const (fun general entry states file -> Commands.report general ~entry ~states file)
+      $ general $ entry $ states $ file)
 
 let header =
   let robot =

@@ -7,8 +7,6 @@ let ends (core : Ir.definition) =
       Some (input, output)
   | _, _ -> None
 
-let is_entry core = Option.is_some (ends core)
-
 (* Of a type as it is printed. *)
 let has_a_label text =
   let is_letter = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' | '.' -> true | _ -> false in

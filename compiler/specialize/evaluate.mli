@@ -11,9 +11,6 @@
 
 open Basis
 
-val is_entry : Core.Ir.definition -> bool
-(** A signal function or program, and closed. *)
-
 val program :
   ?options:Context.options ->
   Diagnostic.sink ->
@@ -21,5 +18,5 @@ val program :
   entry:Core.Ir.Global.t ->
   Core.Ir.program ->
   Flow.Ir.program option
-(** [name]: of the C files. The entry is one ({!is_entry}); [None] if
+(** [name]: of the C files. The entry is a signal function or program, and closed; [None] if
     errors were reported. *)

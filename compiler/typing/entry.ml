@@ -59,6 +59,8 @@ let rec output_of (e : Ir.expr) =
   | Proc { output; _ } -> output.span
   | _ -> e.span
 
+let is_closed (d : Ir.definition) = d.scheme.types = [] && d.scheme.representations = []
+
 let refusal program ~closed (d : Ir.definition) =
   let name = d.name.name and ty = Show.scheme d.scheme in
   let refuse ?(at = d.span) what cure =
@@ -76,7 +78,7 @@ let refusal program ~closed (d : Ir.definition) =
       refuse ~at:(output_of d.value)
         (Printf.sprintf "its type is `%s`, and what comes out is not what a robot takes" ty)
         "the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`"
-  | (Signal_function _ | Program _) when closed -> None
+  | (Signal_function _ | Program _) when closed || is_closed d -> None
   | Signal_function _ | Program _ ->
       refuse
         (Printf.sprintf "its type `%s` leaves open what comes in or goes out" ty)
@@ -103,3 +105,45 @@ let refusal program ~closed (d : Ir.definition) =
         | Number _ | Variable _ -> "it is a value, not a signal function"
         | ty -> Printf.sprintf "it is a value of type `%s`, not a signal function" (Show.ty ty))
         (Printf.sprintf "`constant %s` is the signal function that always gives it" name)
+
+(* {1 Which} *)
+
+let own (program : Ir.program) =
+  List.filter
+    (fun (d : Ir.definition) -> String.equal d.name.module_ program.main_module)
+    program.definitions
+
+let no_entry = "E0501"
+
+let find sink program ~file name =
+  let own = own program in
+  let found = List.find_opt (fun (d : Ir.definition) -> String.equal d.name.name name) own in
+  if Option.is_none found then
+    Diagnostic.error ~code:no_entry ~at:(Span.start_of_file file)
+      "there is no `%s` in this module to compile" name
+    |> Diagnostic.hint
+         (match Suggest.closest name (List.map (fun (d : Ir.definition) -> d.name.name) own) with
+         | Some name -> Printf.sprintf "did you mean `--entry %s`?" name
+         | None -> "define `main`, or name a signal function of this module with `--entry NAME`")
+    |> Diagnostic.emit sink;
+  found
+
+let all program =
+  let own = own program in
+  let could_be (d : Ir.definition) =
+    match kind d.scheme.ty with
+    | Signal_function _ | Program _ -> is_closed d
+    | Task | Function _ | Value -> false
+  in
+  match List.filter (fun (d : Ir.definition) -> d.name.name = "main") own with
+  | [] -> List.filter could_be own
+  | main -> main
+
+let is_signed (program : Resolve.Ir.program) name =
+  let is_it (b : Resolve.Ir.binding) =
+    match b.name with
+    | Top (top, _) -> top = name && Option.is_some b.signature
+    | Inner _ | Destructure _ -> false
+  in
+  let among (g : Resolve.Ir.binding_group) = List.exists is_it g.bindings in
+  List.exists among program.groups

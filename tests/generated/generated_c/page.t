@@ -46,4 +46,4 @@ From C++, linked with C and compiled as C++ too:
 The diagram of states:
 
   $ block frob 2 >patrol.frob
-  $ block dot 1 >shown && frobc compile patrol.frob --dump=states | diff shown -
+  $ block dot 1 >shown && frobc report patrol.frob --states | diff shown -

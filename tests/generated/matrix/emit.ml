@@ -88,17 +88,9 @@ let expected (program : Machine.Ir.program) subject recordings =
     (List.length recordings)
 
 let machine ?robot (tools : Engines.tools) file =
-  let options =
-    {
-      Driver.Pipeline.dump = None;
-      stop_after = None;
-      lint = false;
-      specialization_limit = 10_000;
-      real = tools.real;
-    }
-  in
+  let request = { (Driver.Request.make ~library:tools.library file) with robot; real = tools.real } in
   let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
-  match Driver.Pipeline.machine options sink sources ~library:tools.library ?robot ~entry:"main" file with
+  match Driver.Pipeline.machine sink sources request with
   | Some machine -> machine
   | None -> failwith (file ^ " has no state to compare")
 

@@ -109,11 +109,9 @@ let declaration : declaration -> unit = function
   | Text _ -> note "Text"
 
 let program ~library ~real folder (file, entry) =
-  let options =
-    { Driver.Pipeline.dump = None; stop_after = None; lint = true; specialization_limit = 10_000; real }
-  in
+  let request = Driver.Request.make ~library (Filename.concat folder file) in
   let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
-  match Driver.Pipeline.machine options sink sources ~library ~entry (Filename.concat folder file) with
+  match Driver.Pipeline.machine sink sources { request with entry; real; lint = true } with
   | None -> failwith (file ^ " is rejected")
   | Some machine ->
       let files = Cgen.Of_machine.program machine in

@@ -29,9 +29,6 @@ let describe outcome =
       Printf.sprintf "differs in row %d of `%s`: %s gives %s, the interpreter %s" row column
         (engine_name by) c interpreted
 
-let options real =
-  { Driver.Pipeline.dump = None; stop_after = None; lint = true; specialization_limit = 10_000; real }
-
 type subject = {
   core : Core.Ir.program;
   entry : Core.Ir.Global.t;
@@ -61,9 +58,9 @@ let guarded act =
 let load ?robot tools ~entry file =
   guarded @@ fun () ->
   let sink = Diagnostic.sink () and sources = Source.create () in
-  match
-    Driver.Pipeline.for_both_engines ?robot (options tools.real) sink sources ~library:tools.library ~entry file
-  with
+  let request = Driver.Request.make ~library:tools.library file in
+  let request = { request with robot; entry; real = tools.real; lint = true } in
+  match Driver.Pipeline.for_both_engines sink sources request with
   | None -> Error (Rejected (Render_text.diagnostics ~colour:false sources (Diagnostic.all sink)))
   | Some (core, entry, c) ->
       let name = Driver.C_file.name file in

@@ -1,4 +1,4 @@
-`--dump=states` shows the machines of a program, for Graphviz: machines that run
+`frobc report --states` shows the machines of a program, for Graphviz: machines that run
 inside a state, and what comes from outside.
 
   $ . ./trace.sh
@@ -26,7 +26,7 @@ inside a state, and what comes from outside.
   > 
   > main = runTask (bug 10)
   > EOF
-  $ frobc compile bug.frob --dump=states
+  $ frobc report bug.frob --states
   digraph "bug" {
     node [shape=box, style=rounded];
     subgraph cluster0 {
@@ -60,7 +60,7 @@ inside a state, and what comes from outside.
   > main = proc (x, e) -> rSwitch (constant 0) (x, mapE ramp e) where
   >     ramp k = dSwitch (proc y -> (k * y, edge (y > 2))) (\_ -> constant 1)
   > EOF
-  $ frobc compile outside.frob --dump=states | without_lines
+  $ frobc report outside.frob --states | without_lines
   digraph "outside" {
     node [shape=box, style=rounded];
     subgraph cluster0 {

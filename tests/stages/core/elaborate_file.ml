@@ -3,14 +3,6 @@
 
 open Basis
 
-let check sink (program : Resolve.Ir.program) =
-  let typed = Typing.Infer.program sink ~real:Double program in
-  if Diagnostic.has_errors sink then None
-  else
-    let typed = Typing.Levels.program sink typed in
-    Typing.Patterns.check sink typed;
-    if Diagnostic.has_errors sink then None else Some typed
-
 let print stage typed =
   Typing.Lint.program typed;
   let core = Core.Of_typed.program typed in
@@ -27,7 +19,7 @@ let () =
   let typed =
     Option.bind
       (Resolve.Program.load sink ~files:Resolve.Files.on_disk ~remember ~library file)
-      (check sink)
+      (Typing.Of_resolved.program sink ~real:Double)
   in
   print_string (Render_text.diagnostics ~colour:false source (Diagnostic.all sink));
   Option.iter (print stage) typed

@@ -14,9 +14,7 @@ let diagnostics file =
   | None -> ()
   | Some resolved ->
       Resolve.Lint.program resolved;
-      let typed = Typing.Infer.program sink ~real:Double resolved in
-      if not (Diagnostic.has_errors sink) then
-        Typing.Patterns.check sink (Typing.Levels.program sink typed));
+      ignore (Typing.Of_resolved.program sink ~real:Double resolved));
   List.map
     (fun (d : Diagnostic.t) -> Format.asprintf "%a: %s: %s" Span.pp d.at d.code d.message)
     (Diagnostic.all sink)

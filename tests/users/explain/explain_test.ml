@@ -27,15 +27,6 @@ let blocks page =
   in
   outside [] (String.split_on_char '\n' page)
 
-let options =
-  {
-    Driver.Pipeline.dump = None;
-    stop_after = None;
-    lint = true;
-    specialization_limit = 10_000;
-    real = Double;
-  }
-
 (* A fresh folder for each program: its modules must not find each other's. *)
 let folder =
   let count = ref 0 in
@@ -58,11 +49,11 @@ let codes_of stage files =
   List.iter (fun (name, text) -> write (Filename.concat folder name) text) files;
   let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
   let main = Filename.concat folder (fst (List.hd files)) in
+  let request = { (Driver.Request.make ~library main) with lint = true } in
   (match stage with
-  | Compile -> ignore (Driver.Pipeline.compile options sink sources ~library ~entry:"main" main)
-  | Interpret ->
-      ignore (Driver.Pipeline.interpretable options sink sources ~library ~entry:"main" main)
-  | Check -> Driver.Pipeline.check options sink sources ~library main);
+  | Compile -> ignore (Driver.Pipeline.compile sink sources request)
+  | Interpret -> ignore (Driver.Pipeline.interpretable sink sources request)
+  | Check -> Driver.Pipeline.check sink sources request);
   List.sort_uniq String.compare
     (List.map (fun (d : Basis.Diagnostic.t) -> d.code) (Basis.Diagnostic.all sink))
 
@@ -73,7 +64,7 @@ let beside (info, text) =
 
 (* Codes of the last stages need an entry, so the program is compiled. *)
 let stage_of code =
-  if String.equal code Driver.Pipeline.no_interpreter then Interpret
+  if String.equal code Driver.Interpreted.no_interpreter then Interpret
   else if List.mem (String.sub code 0 3) [ "E04"; "E05" ] then Compile
   else Check
 

@@ -7,9 +7,6 @@
 
 open Basis
 
-let options =
-  { Driver.Pipeline.dump = None; stop_after = None; lint = true; specialization_limit = 10_000; real = Double }
-
 let read file =
   let channel = open_in_bin file in
   Fun.protect
@@ -31,11 +28,12 @@ let show sink sources = ignore (Render_text.diagnostics ~colour:false sources (D
 let run ~library file =
   if parses file then begin
     let sink = Diagnostic.sink () and sources = Source.create () in
-    Driver.Pipeline.check options sink sources ~library file;
+    let request = { (Driver.Request.make ~library file) with lint = true } in
+    Driver.Pipeline.check sink sources request;
     show sink sources;
     if not (Diagnostic.has_errors sink) then begin
       let sink = Diagnostic.sink () and sources = Source.create () in
-      ignore (Driver.Pipeline.compile options sink sources ~library ~entry:"main" file);
+      ignore (Driver.Pipeline.compile sink sources request);
       show sink sources
     end
   end

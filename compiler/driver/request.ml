@@ -1,0 +1,36 @@
+open Basis
+
+type t = {
+  file : string;
+  entry : string;
+  library : string;
+  robot : Cgen.Robot.t option;
+  real : Real.t;
+  batch : bool;
+  specialization_limit : int;
+  lint : bool;
+  dump : Stage.t option;
+  stop_after : Stage.t option;
+}
+
+let make ~library file =
+  {
+    file;
+    entry = "main";
+    library;
+    robot = None;
+    real = Double;
+    batch = false;
+    specialization_limit = 10_000;
+    lint = false;
+    dump = None;
+    stop_after = None;
+  }
+
+let own_robot r =
+  match r.robot with Some robot when Cgen.Robot.is_own robot -> Some robot | Some _ | None -> None
+
+let stage r sink name ~lint ~print result =
+  if r.lint && not (Diagnostic.has_errors sink) then lint result;
+  if r.dump = Some name then Format.printf "%a@?" print result;
+  if r.stop_after = Some name || Diagnostic.has_errors sink then None else Some result

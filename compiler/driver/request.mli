@@ -1,0 +1,35 @@
+(** What is to be compiled, for which robot, and what is asked of the compiler. *)
+
+open Basis
+
+type t = {
+  file : string;  (** of the program's main module *)
+  entry : string;  (** the definition of it to compile *)
+  library : string;  (** the folder of the standard library *)
+  robot : Cgen.Robot.t option;
+      (** for a program that leaves its robot open; see {!Robots.closed} *)
+  real : Real.t;  (** the precision of [Float] *)
+  batch : bool;  (** as for {!Cgen.Emit.program} *)
+  specialization_limit : int;
+  lint : bool;  (** check each stage's promises *)
+  dump : Stage.t option;  (** print the program after this stage *)
+  stop_after : Stage.t option;
+}
+
+val make : library:string -> string -> t
+(** The [main] of a file, with nothing else asked for. *)
+
+val own_robot : t -> Cgen.Robot.t option
+(** The robot, if it is a user's own. *)
+
+val stage :
+  t ->
+  Diagnostic.sink ->
+  Stage.t ->
+  lint:('a -> unit) ->
+  print:(Format.formatter -> 'a -> unit) ->
+  'a ->
+  'a option
+(** What happens after a stage: its promises are checked (they hold for programs without
+    errors) and its result shown, if asked for; [None] with errors, or if it is the last one
+    wanted. *)

@@ -1,0 +1,11 @@
+open Basis
+
+let sound sink typed = if Diagnostic.has_errors sink then None else Some typed
+
+(* Levels and patterns read types: after an error there they would only repeat it in other
+   words. *)
+let program ?sources sink ~real resolved =
+  Option.bind (sound sink (Infer.program ?sources sink ~real resolved)) (fun typed ->
+      let typed = Levels.program ?sources sink typed in
+      Patterns.check sink typed;
+      sound sink typed)
