@@ -14,6 +14,7 @@ constexpr double radius = 0.17425; // m
 constexpr double light_constant = 2.5;
 constexpr int largest_signal = 4095;
 constexpr double farthest_light = 1.5; // m; what is farther gives no signal
+constexpr int faintest_light = 10;     // of a wall that sets a light bumper's bit, 0.5 m off
 
 // Where the cliff sensors look down, from the left to the right, m: as in
 // create_robot's model.

@@ -20,7 +20,9 @@ void LightBumpers::advance(std::int64_t time_ns, const Body &body) {
             distance ? gain * create2::light_constant / std::max(*distance * *distance, 1e-6) : 0.0;
         signals_[i] = static_cast<std::int32_t>(
             std::lround(std::clamp(signal, 0.0, double{create2::largest_signal})));
-        if (distance && time_ns % keep_ns == 0) echoes_.push_back({time_ns, i, *distance, from});
+        // A signal fainter than that, a program takes for none.
+        if (signals_[i] >= create2::faintest_light && time_ns % keep_ns == 0)
+            echoes_.push_back({time_ns, i, *distance, from});
     }
 }
 

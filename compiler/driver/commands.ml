@@ -315,18 +315,25 @@ let world_of run (resources : Resources.t) file =
   | None when Sys.file_exists beside -> beside
   | None -> Filename.concat resources.worlds "room.toml"
 
-(* Of a program that leaves its robot open, and of a world that does not, it is
-   the world's. What is wrong with a world, its host says. *)
+(* Of a program that leaves its robot open, and of a world that does not, it is the
+   world's. What is wrong with the world is told before anything that follows from it. *)
 let robot_of_world (resources : Resources.t) world =
   match Process.output resources.simulator [ "--robot-of"; world ] with
-  | Ok "" | Error (Not_found _ | Failed _) -> None
-  | Ok name -> Some (String.trim name)
+  | Ok name -> Ok (match String.trim name with "" -> None | name -> Some name)
+  | Error (Not_found host) -> Error (Printf.sprintf "the host %s is missing: install frobc again" host)
+  | Error (Failed { errors; _ }) ->
+    let text = String.trim errors and prefix = "error: " in
+    let n = if String.starts_with ~prefix text then String.length prefix else 0 in
+    Error (String.sub text n (String.length text - n))
 
 let run general ~entry ~sources run file =
   let* resources = Resources.find () in
+  let* () = Program_file.check file in
   let world = world_of run resources file in
-  let robot =
-    match general.robot with Some _ as robot -> robot | None -> robot_of_world resources world
+  let* robot =
+    match general.robot with
+    | Some _ as robot -> Ok robot
+    | None -> robot_of_world resources world
   in
   let general = { general with robot } in
   let outputs =

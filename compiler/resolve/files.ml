@@ -8,19 +8,25 @@ type t = {
 
 let none_parsed ~file:_ _ = None
 
+let read_regular path =
+  match open_in_bin path with
+  | exception Sys_error _ -> Error (Unreadable "permission denied")
+  | channel ->
+    Fun.protect
+      ~finally:(fun () -> close_in_noerr channel)
+      (fun () ->
+        match really_input_string channel (in_channel_length channel) with
+        | text -> Ok text
+        | exception (Sys_error _ | End_of_file) -> Error (Unreadable "reading failed"))
+
+(* To open a pipe may take for ever. *)
 let read_on_disk path =
-  if not (Sys.file_exists path) then Error Missing
-  else if Sys.is_directory path then Error (Unreadable "it is a directory")
-  else
-    match open_in_bin path with
-    | exception Sys_error _ -> Error (Unreadable "permission denied")
-    | channel ->
-        Fun.protect
-          ~finally:(fun () -> close_in_noerr channel)
-          (fun () ->
-            match really_input_string channel (in_channel_length channel) with
-            | text -> Ok text
-            | exception (Sys_error _ | End_of_file) -> Error (Unreadable "reading failed"))
+  match (Unix.stat path).st_kind with
+  | S_REG -> read_regular path
+  | S_DIR -> Error (Unreadable "it is a directory")
+  | _ -> Error (Unreadable "it is a pipe or a device, and no file")
+  | exception Unix.Unix_error (ENOENT, _, _) -> Error Missing
+  | exception Unix.Unix_error (reason, _, _) -> Error (Unreadable (Unix.error_message reason))
 
 let module_of_file file =
   if Filename.check_suffix file ".frob" then Some (Filename.chop_suffix file ".frob") else None

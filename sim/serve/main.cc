@@ -9,6 +9,7 @@
 #include <cstring>
 #include <ctime>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
@@ -78,6 +79,15 @@ std::unique_ptr<Connection> make_connection(const Options &options, const Log &t
     return std::make_unique<Terminal>();
 }
 
+// Takes the link away, if it still leads where it was made to: somebody else may have put
+// another one in its place.
+void unlink_own(const Options &options, const Server &server) {
+    if (options.link.empty() || server.connection() == nullptr) return;
+    std::error_code error;
+    if (std::filesystem::read_symlink(options.link, error) == server.connection()->device())
+        unlink(options.link.c_str());
+}
+
 // Plugs a new line in, and tells its name. False if that could not be written.
 bool plug(Server &server, const Options &options, const Log &tell) {
     server.plug(make_connection(options, tell));
@@ -104,8 +114,8 @@ void run(Server &server, const Options &options, std::int64_t started_ns, const 
         if (end_ns > 0 && time_ns >= end_ns) break;
         if (pulled) {
             pulled = 0;
+            unlink_own(options, server);
             server.plug(nullptr);
-            if (!options.link.empty()) unlink(options.link.c_str());
         }
         if (plugged) {
             plugged = 0;
@@ -114,8 +124,8 @@ void run(Server &server, const Options &options, std::int64_t started_ns, const 
         server.advance(time_ns);
         server.wait(time_ns);
     }
+    unlink_own(options, server);
     server.plug(nullptr);
-    if (!options.link.empty()) unlink(options.link.c_str());
 }
 
 int serve(const Options &options) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../create2.h"
+
 namespace frob::sim {
 namespace {
 
@@ -12,7 +14,6 @@ constexpr int most_mm_s = 500;
 constexpr std::int64_t frame_period_ns = 15000000;
 constexpr std::size_t most_frame = 172; // bytes: at 115200 baud
 constexpr std::uint8_t header = 19;
-constexpr int light_threshold = 10; // of a light bumper's bit: a wall half a metre off
 
 // Data bytes of single packets from 7 on.
 constexpr std::array<std::uint8_t, 52> sizes = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 1, 2, 2, 1,
@@ -273,7 +274,7 @@ void CreateWire::append(unsigned id, std::vector<std::uint8_t> &to) {
         value = count_of(right_way_mm_);
         break;
     case 45:
-        for (unsigned i = 0; i < 6; ++i) value |= s.light[i] >= light_threshold ? 1u << i : 0u;
+        for (unsigned i = 0; i < 6; ++i) value |= s.light[i] >= create2::faintest_light ? 1u << i : 0u;
         break;
     case 46: case 47: case 48: case 49: case 50: case 51:
         value = static_cast<unsigned>(std::clamp(s.light[id - 46], 0, 4095));

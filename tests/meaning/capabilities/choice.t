@@ -209,3 +209,15 @@ A program for one robot is not one for another, and half of one is none.
   $ frobc compile other_half.frob && grep -o 'frob_[a-z]*_[a-z]*put \*' other_half.h
   frob_pioneer_input *
   frob_pioneer_output *
+
+A world that is missing, or wrong, is told before the robot that it would have named:
+
+  $ cat > open.frob <<'FROB'
+  > import Robot
+  > main :: (HasOdometry i, DiffDrive o) => Program i o
+  > main = reactimateRobot (proc i -> setVelTR (if position2X i > 1[m] then 0 else 0.1[m/s]) 0) where
+  >     position2X i = (position i).x
+  > FROB
+  $ frobc run open.frob --world nowhere.toml
+  $ echo 'robot = "crate"' > wrong.toml
+  $ frobc run open.frob --world wrong.toml

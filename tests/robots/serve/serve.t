@@ -37,3 +37,10 @@ A link is kept to the device while it is there, and taken away at the end.
   /dev/pts/N
   $ wait; [ -e robot ] || echo gone
   gone
+
+But not another that somebody has put in its place.
+
+  $ frobc serve --link robot --for 1s > out &
+  $ for i in 1 2 3 4 5 6 7 8 9 10; do [ -e robot ] && break; sleep 0.05; done; ln -sf /dev/null robot
+  $ wait; readlink robot
+  /dev/null

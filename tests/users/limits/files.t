@@ -78,7 +78,7 @@ Files that cannot be read:
   [2]
   $ ln -s ring.frob ring.frob
   $ frobc check ring.frob
-  error: there is no file ring.frob
+  error: cannot read ring.frob: Too many levels of symbolic links
   [2]
 
 A file of another kind says what it is for, whatever the command:
@@ -100,3 +100,10 @@ A file of another kind says what it is for, whatever the command:
   $ frobc trace in.csv --input in.csv
   error: in.csv is no Frob program but a table of inputs, or a recording; it goes beside a program: `frobc trace PROGRAM.frob --input in.csv`
   [2]
+
+A pipe is no module, nor is a device:
+
+  $ mkfifo Pipe.frob && echo 'import Pipe' > uses_pipe.frob
+  $ timeout 20 frobc check uses_pipe.frob
+  $ timeout 20 frobc check Pipe.frob
+  $ timeout 20 frobc check /dev/null
