@@ -128,20 +128,6 @@ let convert out program sums shape side ~own ~host ~inward =
 
 (* {1 The step} *)
 
-let whole_ns =
-  {|
-/* dt in nanoseconds, a whole number of them, halves to even: adding 2^52 leaves no
- * bits for a fraction. NaN and negative give 0; at most 1e9 s. */
-static int64_t whole_ns(double dt)
-{
-    double ns = dt * 1e9;
-    ns = ns > 0.0 ? ns : 0.0;
-    if (ns >= 4503599627370496.0)
-        return (int64_t)(ns < 1e18 ? ns : 1e18);
-    return (int64_t)((ns + 4503599627370496.0) - 4503599627370496.0);
-}
-|}
-
 let double_step ~name ~(input : side) ~(output : side) =
   sprintf
     {|
@@ -154,7 +140,6 @@ static void step(void *state, double dt, const void *in, void *out)
 
 let single_step (program : Machine.Ir.program) sums ~name ~input ~output =
   let out = Buffer.create 1024 in
-  Buffer.add_string out whole_ns;
   let own_type side = "struct " ^ side.own.struct_name in
   let host_type side = "struct " ^ side.host.struct_name in
   bprintf out "\nstatic void step(void *state, double dt, const void *in, void *out)\n{\n";
@@ -174,7 +159,7 @@ let single_step (program : Machine.Ir.program) sums ~name ~input ~output =
   declare output ~constant:"" "out";
   if input.robot <> None then
     convert out program sums program.input input ~own:"own_in." ~host:"host_in->" ~inward:true;
-  bprintf out "    %s_step_ns((struct %s_state *)state, whole_ns(dt), %s, %s);\n" name name
+  bprintf out "    %s_step_ns((struct %s_state *)state, frob_whole_ns(dt), %s, %s);\n" name name
     (given input ~constant:"const " "in") (given output ~constant:"" "out");
   if output.robot <> None then
     convert out program sums program.output output ~own:"own_out." ~host:"host_out->" ~inward:false;

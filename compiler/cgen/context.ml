@@ -2,10 +2,6 @@ open Basis
 module M = Machine.Ir
 module V = Vocabulary
 
-type seconds =
-  | Given
-  | Where_wanted
-
 type t = {
   v : V.t;
   names : Expression.names;
@@ -13,8 +9,6 @@ type t = {
   node : M.node;
   write : int -> Ir.expr -> Ir.statement;  (** an output *)
   read : unit Basis.Int_table.t;  (** variables that anything reads *)
-  seconds : seconds;
-  nanoseconds : Ir.ty;  (** of [dt_ns]: [Int64] or [Real] *)
   mutable place : string;  (** the source line last mentioned *)
 }
 
@@ -51,21 +45,6 @@ let uninitialized c variables =
 
 let in_seconds c ns = Ir.Binary (Over, Cast (V.real c.v, ns), V.float c.v 1e9)
 
-let seconds_of c ns =
-  if c.v.divides_by_time then Ir.Call ("frob_seconds", [ ns; Name "dt" ])
-  else Ir.Binary (Over, ns, V.float c.v 1e9)
-
-let seconds c =
-  match c.seconds with
-  | Given -> Ir.Name "dt"
-  | Where_wanted when c.v.program.real = Single -> in_seconds c (Name "dt_ns")
-  | Where_wanted ->
-      let ns = Ir.Name "dt_ns" in
-      seconds_of c (if c.nanoseconds = Int64 then Cast (V.real c.v, ns) else ns)
-
-let nanoseconds c =
-  if c.nanoseconds = Int64 then Ir.Name "dt_ns" else Cast (Int64, Name "dt_ns")
-
 type time =
   | Passed
   | None_passed  (** the callee's first instant *)
@@ -73,13 +52,12 @@ type time =
 (* [own]: the address of the state, if there is one. *)
 let step_call ?(time = Passed) c ~node ~own arguments results =
   let callee = c.v.program.nodes.(node) in
-  let given passed zero = match time with Passed -> [ passed c ] | None_passed -> [ zero ] in
-  let dt = if callee.seconds then given seconds (V.float c.v 0.) else [] in
-  let dt_ns =
-    if not callee.nanoseconds then []
-    else if V.rounds_dt c.v node then given (fun _ -> Ir.Name "dt") (V.float c.v 0.)
-    else given nanoseconds (Ir.Integer 0l)
+  let given is_read name zero =
+    if not is_read then []
+    else match time with Passed -> [ Ir.Name name ] | None_passed -> [ zero ]
   in
+  let dt = given callee.seconds "dt" (V.float c.v 0.) in
+  let dt_ns = given callee.nanoseconds "dt_ns" (Ir.Integer 0l) in
   Ir.Call (c.v.nodes.(node).step, List.concat [ own; dt; dt_ns; arguments; results ])
 
 let is_given c node = Program_input.is_given c.v.by_pointer node

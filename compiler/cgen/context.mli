@@ -3,13 +3,6 @@
 open Basis
 module M = Machine.Ir
 
-(** Seconds since the instant before. *)
-type seconds =
-  | Given  (** in [dt] *)
-  | Where_wanted
-      (** computed from [dt_ns] where a mode is stepped that reads them: see
-          {!Machine.Time_use} *)
-
 type t = {
   v : Vocabulary.t;
   names : Expression.names;
@@ -17,9 +10,6 @@ type t = {
   node : M.node;
   write : int -> Ir.expr -> Ir.statement;  (** an output *)
   read : unit Basis.Int_table.t;  (** variables that anything reads *)
-  seconds : seconds;
-  nanoseconds : Ir.ty;
-      (** of [dt_ns]: [Int64], or [Real Double]: see {!Machine.Time_use.nanoseconds_in_floats} *)
   mutable place : string;  (** the source line last mentioned *)
 }
 
@@ -36,9 +26,6 @@ val declared : t -> (M.variable * string) list -> Ir.statement list
 
 val uninitialized : t -> M.variable list -> Ir.statement list
 (** Likewise, last first. *)
-
-val seconds_of : t -> Ir.expr -> Ir.expr
-(** Of nanoseconds, a double, that were made of [dt]: mostly that. *)
 
 val in_seconds : t -> Ir.expr -> Ir.expr
 (** Of nanoseconds, 64 bits. *)

@@ -207,7 +207,7 @@ let reset (v : V.t) k : Ir.function_ =
   let own = self v k in
   let parameters = own @ Expression.parameters names node.reset.parameters in
   name_variables names node.reset.body;
-  let c = { v; names; index = k; node; write = no_result; read = variables_read v node node.reset.body; seconds = Given; nanoseconds = Int64; place = "" } in
+  let c = { v; names; index = k; node; write = no_result; read = variables_read v node node.reset.body; place = "" } in
   let body = statements c node.reset.body in
   let unread = unread names own in
   {
@@ -239,10 +239,6 @@ let input (v : V.t) : Ir.ty =
 (* Where a mode is entered no time has passed. *)
 let time_variable node ty name value =
   if Modes.forgets_time node then Ir.Variable { ty; name; value } else Constant { ty; name; value }
-
-(* Of the dt that a mode is given. *)
-let whole_nanoseconds node =
-  plain (time_variable node Int64 "dt_ns" (Call ("frob_dt_ns", [ Name "dt" ])))
 
 (* A node's step or start, which has some of its outputs. *)
 let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.code) : Ir.function_ =
@@ -281,14 +277,10 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
     handed_on;
   name_variables names own_body;
   let write k value = plain (Ir.Assign (Unary (Dereference, Name (snd places.(k))), value)) in
-  let c = { v; names; index = k; node; write; read; seconds = Given; nanoseconds = Int64; place = "" } in
+  let c = { v; names; index = k; node; write; read; place = "" } in
   let state = if V.has_state v k then self v k else [] in
   let dt = if time && node.seconds then [ (V.real v, "dt") ] else [] in
-  let dt_ns, rounded =
-    if not (time && node.nanoseconds) then ([], [])
-    else if V.rounds_dt v k then ([ (V.real v, "dt") ], [ whole_nanoseconds node ])
-    else ([ (Ir.Int64, "dt_ns") ], [])
-  in
+  let dt_ns = if time && node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
   let body = statements c own_body in
   let unread = unread names state in
   {
@@ -296,7 +288,7 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
     result = single;
     name;
     parameters = List.concat [ state; dt; dt_ns; input; given; results ];
-    body = unread @ rounded @ taken @ body;
+    body = unread @ taken @ body;
     comment = place_of node;
   }
 
@@ -325,56 +317,20 @@ let at_first c zero value =
   | Unseen | Apart | Marked_by_mode -> value
   | Marked_by { field; own = _ } -> Ir.Conditional (Expression.field c.names field, value, zero)
 
-(* Whether a mode runs that looks at the time, if not all do. *)
-let looks_at_time c (node : M.node) =
-  let compared operator number mode =
-    Ir.Binary (operator, number, Name c.v.nodes.(c.index).modes.(mode).constant)
-  in
-  let all ~of_each ~joined number = function
-    | [] -> None
-    | first :: others ->
-        let join condition mode = Ir.Binary (joined, condition, compared of_each number mode) in
-        Some (List.fold_left join (compared of_each number first) others)
-  in
-  match (Machine.Time_use.only_in_modes c.v.program node, Modes.running_mode c) with
-  | Some (In modes), Some number -> all ~of_each:Equal ~joined:Or number modes
-  | Some (Not_in modes), Some number -> all ~of_each:Not_equal ~joined:And number modes
-  | _, _ -> None
-
 (* dt becomes whole nanoseconds, and 0 where the step cannot know it. *)
 let double_clock c (node : M.node) =
-  let rounded () = Ir.Call ("frob_whole_ns", [ Name "dt" ]) in
-  let at_first zero value = at_first c zero value in
-  let whole () =
-    let ty = c.nanoseconds and name = "dt_ns" in
-    let value =
-      if ty = Int64 then at_first (Ir.Integer 0l) (Cast (Int64, rounded ()))
-      else at_first (V.float c.v 0.) (rounded ())
-    in
-    let zero = if ty = Int64 then Ir.Integer 0l else V.float c.v 0. in
-    match looks_at_time c node with
-    | Some condition ->
-        let then_ = [ plain (Ir.Assign (Name name, value)) ] in
-        [ plain (Ir.Variable { ty; name; value = zero }); plain (If { condition; then_; else_ = [] }) ]
-    | None -> [ plain (time_variable node ty name value) ]
-  in
-  let seconds ns = plain (Ir.Assign (Name "dt", seconds_of c ns)) in
-  match (node.nanoseconds, node.seconds, c.seconds) with
-    | false, false, _ -> []
-    | true, false, _ when c.v.rounded_by_modes <> [] -> []
-    | true, false, _ | _, true, Where_wanted -> whole ()
-    | true, true, Given ->
-        let ns = Ir.Name "dt_ns" in
-        whole () @ [ seconds (if c.nanoseconds = Int64 then Cast (V.real c.v, ns) else ns) ]
-    | false, true, Given -> (
-        let whole =
-          if c.v.divides_by_time then Ir.Call ("frob_whole_dt", [ Name "dt" ])
-          else seconds_of c (rounded ())
-        in
-        (* 0 before all else: after a choice of dt C compilers write the step twice. *)
-        match at_first (V.float c.v 0.) (Name "dt") with
-        | Name _ -> [ plain (Ir.Assign (Name "dt", whole)) ]
-        | dt -> [ plain (Ir.Assign (Name "dt", dt)); plain (Assign (Name "dt", whole)) ])
+  let dt = Ir.Name "dt" in
+  let set_dt value = plain (Ir.Assign (dt, value)) in
+  if node.nanoseconds then
+    let rounded = at_first c (Ir.Integer 0l) (Call ("frob_whole_ns", [ dt ])) in
+    plain (time_variable node Int64 "dt_ns" rounded)
+    :: (if node.seconds then [ set_dt (in_seconds c (Name "dt_ns")) ] else [])
+  else if node.seconds then
+    (* 0 before all else: after a choice of dt C compilers write the step twice. *)
+    match at_first c (V.float c.v 0.) dt with
+    | Name _ -> [ set_dt (Call ("frob_whole_dt", [ dt ])) ]
+    | first -> [ set_dt first; set_dt (Call ("frob_whole_dt", [ dt ])) ]
+  else []
 
 (* Nanoseconds are given. *)
 let single_clock c (node : M.node) =
@@ -384,9 +340,8 @@ let single_clock c (node : M.node) =
     let span = Ir.Call ("frob_span", [ dt_ns ]) in
     plain (Ir.Assign (dt_ns, at_first c (Ir.Integer 0l) span))
     ::
-    (match (node.seconds, c.seconds) with
-    | true, Given -> [ plain (time_variable node (V.real c.v) "dt" (in_seconds c dt_ns)) ]
-    | true, Where_wanted | false, _ -> [])
+    (if node.seconds then [ plain (time_variable node (V.real c.v) "dt" (in_seconds c dt_ns)) ]
+     else [])
 
 let clock c node =
   let times =
@@ -465,13 +420,7 @@ let root_step (v : V.t) k : Ir.function_ =
       Access.copy names outputs.(k) ~from_interface:false (Name "out") value
     else plain (Ir.Assign (Access.path (Name "out") outputs.(k) [], value))
   in
-  let seconds =
-    if Machine.Time_use.by_one_mode v.program node then Where_wanted else Given
-  in
-  let nanoseconds : Ir.ty =
-    if Machine.Time_use.nanoseconds_in_floats v.program node then V.real v else Int64
-  in
-  let c = { v; names; index = k; node; write; read = variables_read v node node.step.body; seconds; nanoseconds; place = "" } in
+  let c = { v; names; index = k; node; write; read = variables_read v node node.step.body; place = "" } in
   let own = self v k in
   let inputs = inputs c node in
   name_variables names node.step.body;

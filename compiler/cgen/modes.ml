@@ -58,12 +58,8 @@ let forgets_time (node : M.node) =
 (* What a mode enters at its first instant sees no time. *)
 let forget_time c =
   let set name zero = [ plain (Ir.Assign (Name name, zero)) ] in
-  let no_nanoseconds () = set "dt_ns" (if c.nanoseconds = Int64 then Ir.Integer 0l else V.float c.v 0.) in
-  match c.seconds with
-  | Where_wanted -> no_nanoseconds ()
-  | Given ->
-      (if c.node.seconds then set "dt" (V.float c.v 0.) else [])
-      @ if c.node.nanoseconds then no_nanoseconds () else []
+  (if c.node.seconds then set "dt" (V.float c.v 0.) else [])
+  @ if c.node.nanoseconds then set "dt_ns" (Ir.Integer 0l) else []
 
 (* The first alternative that holds. *)
 let first_of alternatives =

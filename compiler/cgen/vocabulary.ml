@@ -22,8 +22,6 @@ type t = {
   program : M.program;
   apart : Machine.Apart.t;
   rounds : Machine.Rounds.t;
-  divides_by_time : bool;  (** something does: see {!Machine.Time_use.divides} *)
-  rounded_by_modes : int list;
   shared : Shared.t;
   name : string;
   file_scope : Name.scope;
@@ -238,8 +236,6 @@ let of_program ?own (program : M.program) =
     program;
     apart;
     rounds = Machine.Rounds.of_program program;
-    divides_by_time = Machine.Time_use.divides program;
-    rounded_by_modes = Machine.Time_use.rounded_by_modes program;
     shared = Shared.of_program program;
     name;
     file_scope = scope;
@@ -280,7 +276,6 @@ let absent t (ty : F.foreign_type) : Ir.expr =
 
 let zero t ty = Sum_type.zero t.program.real t.program.sums ~absent:(absent t) ty
 
-let rounds_dt t k = List.mem k t.rounded_by_modes
 
 let call t name arguments = Ir.Call (name ^ Print.real_suffix t.program.real, arguments)
 

@@ -26,8 +26,6 @@ type t = {
   program : Machine.Ir.program;
   apart : Machine.Apart.t;
   rounds : Machine.Rounds.t;
-  divides_by_time : bool;  (** something does: see {!Machine.Time_use.divides} *)
-  rounded_by_modes : int list;  (** see {!Machine.Time_use.rounded_by_modes} *)
   shared : Shared.t;
   name : string;  (** the prefix of all names *)
   file_scope : Name.scope;
@@ -59,9 +57,6 @@ val ty : t -> Machine.Ir.ty -> Ir.ty
 val absent : t -> Flow.Ir.foreign_type -> Ir.expr
 val zero : t -> Machine.Ir.ty -> Ir.expr
 (** Some value, as an initial value. *)
-
-val rounds_dt : t -> int -> bool
-(** Does the node's step make whole nanoseconds of dt itself? *)
 
 val real : t -> Ir.ty
 (** Of a Float. *)

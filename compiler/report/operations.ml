@@ -107,31 +107,6 @@ let entry c (e : M.entry) =
   in
   Cost.sum ((number :: parameters) @ [ expressions c e.parameters; first ])
 
-(* Of nanoseconds; see the helpers of the generated C. *)
-let seconds (program : M.program) =
-  if program.real = Double && Machine.Time_use.divides program then
-    Cost.(sum [ one Divisions; one Choices; one Additions ])
-  else Cost.one Divisions
-
-(* Of dt itself, whose bits may tell that it is some already. *)
-let seconds_of_dt (program : M.program) =
-  if Machine.Time_use.divides program then
-    Cost.(sum [ one Multiplications; several 2 Additions; several 2 Choices; one Divisions ])
-  else Cost.one Divisions
-
-(* Of the root's integers in single precision. *)
-let seconds_where_wanted c =
-  match c.program.real with
-  | Double -> seconds c.program
-  | Single -> Cost.add (Cost.one Conversions) (seconds c.program)
-
-let is_root (program : M.program) (node : M.node) =
-  let root = program.nodes.(Array.length program.nodes - 1) in
-  String.equal root.name node.name
-
-let has_seconds_where_wanted c =
-  is_root c.program c.node && Machine.Time_use.by_one_mode c.program c.node
-
 (* What a machine with instants of its own does about its time: it goes on where
    the machine has begun, and is read and put back where it is active. *)
 let clock c (clock : M.clock) =
@@ -171,20 +146,12 @@ let run c (r : M.run) =
     if r.steps > 1 && not direct then Cost.add (Cost.one Choices) (Cost.one Additions) else Cost.none
   in
   let late = if r.late then Cost.several 2 Choices else Cost.none in
-  let is_root = is_root c.program c.node in
-  let in_floats = is_root && Machine.Time_use.nanoseconds_in_floats c.program c.node in
   let own_step k = c.done_.(modes.(k).node).step in
   (* The step of a mode, all its transitions tested. *)
   let round k (case : M.case) =
-    let node = c.program.nodes.(modes.(k).node) in
-    let seconds =
-      Cost.add
-        (if node.seconds && has_seconds_where_wanted c then seconds_where_wanted c else Cost.none)
-        (if node.nanoseconds && in_floats then Cost.one Conversions else Cost.none)
-    in
     let tests = List.map (fun (n : M.next) -> test n.condition) case.transitions in
     Cost.sum
-      ([ chosen; seconds; expressions c case.arguments; own_step k ]
+      ([ chosen; expressions c case.arguments; own_step k ]
       @ tests @ [ kept; again; late ])
   in
   let rounds = Array.mapi round cases in
@@ -267,21 +234,16 @@ let whole_nanoseconds (program : M.program) =
 (* What the root does with them, and 0 at the first instant; see the helpers of the
    generated C. *)
 let root_clock (program : M.program) (root : M.node) =
-  let seconds = seconds program and whole = whole_nanoseconds program in
-  let at_once = root.seconds && not (Machine.Time_use.by_one_mode program root) in
-  (* To integers, and back. *)
-  let conversions n =
-    if Machine.Time_use.nanoseconds_in_floats program root then Cost.none else Cost.several n Conversions
-  in
+  let whole = whole_nanoseconds program in
+  let to_integer = match program.real with Double -> [ Cost.one Conversions ] | Single -> [] in
   let times =
-    match (root.nanoseconds, at_once) with
-    | false, false -> if root.seconds then [ whole ] else []
-    | false, true when program.real = Single -> [ whole; Cost.one Conversions; seconds ]
-    | true, false when program.real = Single -> [ whole ]
-    | true, true when program.real = Single -> [ whole; Cost.one Conversions; seconds ]
-    | false, true -> [ whole; seconds_of_dt program ]
-    | true, false -> [ whole; conversions 1 ]
-    | true, true -> [ whole; conversions 2; seconds ]
+    (if root.nanoseconds || root.seconds then whole :: to_integer else [])
+    @ (if root.seconds then Cost.[ one Conversions; one Divisions ] else [])
+    @
+    (* See [frob_whole_dt]. *)
+    if program.real = Double && root.seconds && not root.nanoseconds then
+      Cost.[ one Multiplications; several 2 Additions; several 2 Choices ]
+    else []
   in
   let first =
     match (program.first_instant, times) with
@@ -290,14 +252,7 @@ let root_clock (program : M.program) (root : M.node) =
         (if own then [ Cost.one Stores ] else [])
         @ if times = [] then [] else Cost.[ one Loads; one Choices ]
   in
-  let in_some_modes =
-    match Machine.Time_use.only_in_modes program root with
-    | Some (In modes | Not_in modes) ->
-        Cost.[ one Loads; several (1 + List.length modes) Choices ]
-    | None -> []
-  in
-  if Machine.Time_use.rounded_by_modes program <> [] then Cost.none
-  else Cost.sum (first @ in_some_modes @ times)
+  Cost.sum (first @ times)
 
 (* The user's C has doubles. *)
 let crossing (program : M.program) (node : M.node) =
@@ -313,11 +268,6 @@ let of_program (program : M.program) =
   let nothing = { reset = Cost.none; start = Cost.none; step = Cost.none } in
   let count = Array.length program.nodes in
   let done_ = Array.make count nothing and scalars = Array.make count 0 in
-  let rounded_by_modes = Machine.Time_use.rounded_by_modes program in
-  let own_clock k =
-    if List.mem k rounded_by_modes then Cost.add (whole_nanoseconds program) (Cost.one Conversions)
-    else Cost.none
-  in
   Array.iteri
     (fun k (node : M.node) ->
       let c = { program; node; done_; scalars } in
@@ -334,7 +284,7 @@ let of_program (program : M.program) =
             {
               reset = statements c node.reset.body;
               start = Option.fold node.start ~none:Cost.none ~some:start;
-              step = Cost.add (own_clock k) (statements c node.step.body);
+              step = statements c node.step.body;
             })
     program.nodes;
   let last = count - 1 in

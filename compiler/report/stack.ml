@@ -11,7 +11,6 @@ type context = {
   node : M.node;
   state : State.t;
   apart : Machine.Apart.t;
-  rounded_by_modes : int list;  (** see {!Machine.Time_use.rounded_by_modes} *)
   done_ : of_node array;  (** of the nodes before *)
 }
 
@@ -317,9 +316,6 @@ let function_ c k ~results (code : M.code) =
   given (Machine.Apart.is_split c.apart k);
   given c.node.seconds;
   given c.node.nanoseconds;
-  if List.mem k c.rounded_by_modes then (
-    given true;
-    needs_helper frame helper);
   let in_place = in_place c.program k in
   let is_array (v : M.variable) =
     match v.ty with Array _ -> true | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> false
@@ -356,10 +352,9 @@ let of_program (program : M.program) state =
   let nothing = { bytes = 0; chain = [] } in
   let count = Array.length program.nodes in
   let done_ = Array.make count { reset = nothing; start = nothing; step = nothing } in
-  let rounded_by_modes = Machine.Time_use.rounded_by_modes program in
   Array.iteri
     (fun k (node : M.node) ->
-      let c = { program; node; state; apart; rounded_by_modes; done_ } in
+      let c = { program; node; state; apart; done_ } in
       let results = List.length node.outputs in
       done_.(k) <-
         (match node.foreign with

@@ -74,14 +74,6 @@
 #define FROB_SHARED
 #endif
 
-/* What several modes do, of which one runs at an instant: each has its own copy,
- * but where size counts. */
-#if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
-#define FROB_ONE_COPY __attribute__((__noinline__, __unused__))
-#else
-#define FROB_ONE_COPY inline
-#endif
-
 /* ---- Integers */
 
 /* The number that a 32-bit register holds, read as signed. */
@@ -346,20 +338,14 @@ static inline int32_t frob_round(double x)
 
 /* dt in nanoseconds, a whole number of them, halves to even: adding 2^52
  * leaves no bits for a fraction. NaN and negative give 0; at most 1e9 s. */
-static inline double frob_whole_ns(double dt)
+static inline int64_t frob_whole_ns(double dt)
 {
     double ns = (1e9 < dt ? 1e9 : dt) * 1e9;
     if (FROB_BRANCH(ns >= 4503599627370496.0)) {
-        return ns;
+        return (int64_t)ns;
     }
     ns = ns > 0.0 ? ns : 0.0;
-    return (ns + 4503599627370496.0) - 4503599627370496.0;
-}
-
-/* The same as an integer. */
-static FROB_ONE_COPY int64_t frob_dt_ns(double dt)
-{
-    return (int64_t)frob_whole_ns(dt);
+    return (int64_t)((ns + 4503599627370496.0) - 4503599627370496.0);
 }
 
 /* dt rounded to whole nanoseconds, in seconds. Almost always dt is the double nearest
@@ -378,23 +364,7 @@ static inline double frob_whole_dt(double dt)
         return dt;
     }
 #endif
-    return frob_whole_ns(dt) / 1e9;
-}
-
-/* Whole nanoseconds in seconds. Almost always that is the dt they come from, and
- * then what is divided by it waits for one division, not for two: worth the bytes
- * where these do not count.
- * (Adding 0.0 makes 0.0 of -0.0.) */
-static inline double frob_seconds(double ns, double dt)
-{
-    const double s = ns / 1e9;
-#ifndef __OPTIMIZE_SIZE__
-    if (!FROB_BRANCH(s != dt)) {
-        return dt + 0.0;
-    }
-#endif
-    (void)dt;
-    return s;
+    return (double)frob_whole_ns(dt) / 1e9;
 }
 
 /* A local time in nanoseconds, as they are made of its seconds; for the first

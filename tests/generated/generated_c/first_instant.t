@@ -19,7 +19,7 @@ knows that it is not the first. The dt that comes then is looked at by nobody.
           self->started = true;
           self->before = b;                                   /* Control.frob:102 */
       } else {
-          const int64_t dt_ns = (int64_t)frob_whole_ns(dt);
+          const int64_t dt_ns = frob_whole_ns(dt);
           const bool differs = b != self->before;             /* Control.frob:103 */
           self->time = (differs & self->waiting) ? frob_soon(self->time, dt_ns) : 0; /* Prelude.frob:343 */
           const bool settled = INT64_C(30000000) <= self->time; /* Control.frob:106 */
@@ -91,6 +91,6 @@ branch: it would stand there twice.
   $ frobc compile smooth.frob
   $ grep 'started' smooth.c
       self->started = false;                                  /* Control.frob:26 */
-      const int64_t dt_ns = self->started ? (int64_t)frob_whole_ns(dt) : 0;
+      const int64_t dt_ns = self->started ? frob_whole_ns(dt) : 0;
       const double y = self->started
       self->started = true;                                   /* Control.frob:26 */

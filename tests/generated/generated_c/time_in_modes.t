@@ -1,5 +1,5 @@
-Where two modes of several look at the time, these two round dt themselves, whatever
-else they give it to; an instant in another mode does nothing about it.
+The step rounds dt once, for whatever modes look at the time; what is entered sees none of
+it pass.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > rounds.frob <<'FROB'
@@ -19,19 +19,14 @@ else they give it to; an instant in another mode does nothing about it.
   >     sleepT 0.05[s] 6)
   > FROB
   $ frobc compile rounds.frob --lint
-  $ grep 'dt_ns = \|, dt, \| 0[.]0, ' rounds.c
+  $ grep 'dt_ns = ' rounds.c
                   dt_ns = 0;
                   dt_ns = 0;
                   dt_ns = 0;
                   dt_ns = 0;
-      const int64_t dt_ns = frob_dt_ns(dt);
-      const int64_t dt_ns = frob_dt_ns(dt);
-                      &self->modes_flags.rounds_2.state, 0.0, i_2, &x, &t5);
-                  &self->modes_flags.rounds_2.state, dt, i_2, &x, &t2);
-          rounds_rounds_sleepT_step(&self->modes.sleepT.state, dt, &x, &t3);
+      const int64_t dt_ns = frob_whole_ns(dt);
 
-What is entered by its step sees no time then. Not each dt is whole nanoseconds, and not each
-is a time.
+Not each dt is whole nanoseconds, and not each is a time.
 
   $ awk 'BEGIN {
   >     split("0.02 0.001 0.0300000004 0.25 0.6 0.0000000015", dt)
@@ -56,21 +51,6 @@ is a time.
   4 often
   5 often
   6 often
-
-A compiler that compiles for size leaves the rounding one function, another need not.
-
-  $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off"
-  $ for cc in gcc clang; do
-  >     for level in -O2 -Os; do
-  >         $cc -std=c99 $level $flags -c rounds.c -o rounds.o &&
-  >         echo $cc $level $(nm rounds.o | grep -c frob_dt_ns)
-  >         $cc -std=c++17 -x c++ $level $flags -c rounds.c -o rounds.o
-  >     done
-  > done
-  gcc -O2 0
-  gcc -Os 1
-  clang -O2 0
-  clang -Os 1
 
 Whichever compiles it, the step takes all that may come as a dt.
 
@@ -98,6 +78,7 @@ Whichever compiles it, the step takes all that may come as a dt.
   >     return 0;
   > }
   > C
+  $ flags="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off"
   $ for cc in gcc clang; do
   >     for level in -O0 -O2 -O3 -Os; do
   >         $cc -std=c99 $level $flags drive.c rounds.c -lm -o drive && ./drive > $cc$level

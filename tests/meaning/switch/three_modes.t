@@ -68,10 +68,8 @@ chosen.
   void three_modes_step(struct three_modes_state *self, double dt,
           const struct three_modes_input *FROB_RESTRICT in, struct three_modes_output *out)
   {
-      double dt_ns = 0.0;
-      if (self->mode != THREE_MODES_TURN_AWAY) {
-          dt_ns = frob_whole_ns(dt);
-      }
+      const int64_t dt_ns = frob_whole_ns(dt);
+      dt = (double)dt_ns / 1e9;
       double speed = 0.0;
       double turn = 0.0;
       switch (self->mode) {
@@ -84,8 +82,7 @@ chosen.
       case THREE_MODES_FOLLOW: {
           bool t1;
           three_modes_follow_follow_step(&self->modes.follow.state,
-                  &self->modes_flags.follow.state, frob_seconds(dt_ns, dt), in->bump, in->side,
-                  &speed, &turn, &t1);
+                  &self->modes_flags.follow.state, dt, in->bump, in->side, &speed, &turn, &t1);
           if (t1) {
               self->mode = THREE_MODES_BACK_UP;               /* line 5 */
               three_modes_follow_backUp_start(&self->modes.backUp.state, &speed, &turn);
@@ -94,8 +91,7 @@ chosen.
       }
       case THREE_MODES_BACK_UP: {
           bool t2;
-          three_modes_follow_backUp_step(&self->modes.backUp.state, (int64_t)dt_ns, &speed, &turn,
-                  &t2);
+          three_modes_follow_backUp_step(&self->modes.backUp.state, dt_ns, &speed, &turn, &t2);
           if (t2) {
               self->mode = THREE_MODES_TURN_AWAY;             /* line 6 */
               three_modes_follow_turnAway_start(&self->modes_flags.turnAway.state, in->front,

@@ -10,10 +10,8 @@ void branches_reset(struct branches_state *self)
 }
 
 /* turn, test.frob:1 */
-void branches_step(struct branches_state *self,
-                   double dt,
-                   const struct branches_input *in,
-                   struct branches_output *out)
+void branches_step(struct branches_state *self, double dt, const struct branches_input *in,
+        struct branches_output *out)
 {
     (void)self;
     (void)dt;
