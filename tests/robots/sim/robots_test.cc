@@ -97,6 +97,13 @@ void create_light() {
     Simulation dark = world("create", "");
     dark.advance(second);
     check::that(read<frob_create_input>(dark).light[2] == 0, "nothing near gives no light");
+    Simulation near = world("create", "[[wall]]\npoints = [[0.6, -4], [0.6, 4]]\n");
+    near.advance(second);
+    check::that(!near.robot().echoes().empty(), "a wall near enough to be told is an echo");
+    Simulation faint = world("create", "[[wall]]\npoints = [[0.9, -4], [0.9, 4]]\n");
+    faint.advance(second);
+    check::that(read<frob_create_input>(faint).light[2] > 0 && faint.robot().echoes().empty(),
+                "a signal too faint for programs is none");
 }
 
 void create_bumps() {
