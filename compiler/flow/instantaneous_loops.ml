@@ -38,34 +38,39 @@ let source ?(cannot_be_true = fun _ -> false) (program : Ir.program) (node : Ir.
 
 (* The prelude's [after] and [now] are what one meets first inside them. What occurs in
    the library cannot be changed there. *)
-let hint ~entry sources =
-  match List.map fst sources with
-  | "after" :: _ -> "a time of at least 1 ns makes it wait: `after (max 1[ms] q)`"
-  | "elapsed" :: _ -> "a time of at least 1 ns makes it wait: `max 1[ms] q`"
-  | _ :: _ when not (List.exists (fun (_, at) -> Own_code.is_own ~entry at) sources) ->
+let hint ~entry ~(by : Ir.follower) sources =
+  match (List.map fst sources, by) with
+  | "after" :: _, _ -> "a time of at least 1 ns makes it wait: `after (max 1[ms] q)`"
+  | "elapsed" :: _, _ -> "a time of at least 1 ns makes it wait: `max 1[ms] q`"
+  | _ :: _, _ when not (List.exists (fun (_, at) -> Own_code.is_own ~entry at) sources) ->
       "let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output \
        meanwhile"
-  | "when" :: _ -> "`edge` occurs when a condition becomes True, not at the first instant"
-  | [] ->
-      "something in the circle has to take time: `edge` or `notYet` on an event, `sleepT 10[ms] y` \
-       between tasks"
-  | _ ->
-      "`notYet` drops an occurrence at the first instant; `edge` has none there; `sleepT 10[ms] y` \
-       takes time between tasks"
+  | _, Statement _ ->
+      "`untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one \
+       instant; `edge` may wait for ever where it holds from the start"
+  | _, Continuation _ ->
+      "`notYet` on the event takes one instant at least; `edge` may wait for ever where the \
+       condition holds from the start"
 
-(* A mode of a switch is left by an event, a task ends: both start what comes next. *)
-let circle names =
-  let different =
-    List.rev
-      (List.fold_left (fun found name -> if List.mem name found then found else name :: found) [] names)
+(* The modes, and the definitions that say which comes next. *)
+let circle hops =
+  let names (from, target, (by : Ir.follower)) =
+    match by with
+    | (Continuation name | Statement name) when name <> from && name <> target -> [ from; name ]
+    | Continuation _ | Statement _ -> [ from ]
   in
-  match different with
-  | [ one ] -> Printf.sprintf "`%s` may start itself again" one
-  | [ one; other ] -> Printf.sprintf "`%s` and `%s` may start each other" one other
-  | one :: others ->
-      Printf.sprintf "%s may start each other"
-        (Enumeration.some [ Printf.sprintf "`%s`" one ] ~more:(List.length others))
-  | [] -> Diagnostic.bug ~stage:"Flow.Instantaneous_loops" "a circle without modes"
+  Enumeration.circle (List.concat_map names hops)
+
+(* The instant at which nothing waits. *)
+let note modes =
+  let at_which what =
+    Printf.sprintf "at an instant at which %s, nothing waits for the next one" what
+  in
+  match List.sort_uniq compare modes with
+  | [ (mode, Some event) ] ->
+      at_which (Printf.sprintf "`%s` occurs as soon as `%s` starts" event mode)
+  | [ (mode, None) ] -> at_which (Printf.sprintf "`%s` is left as soon as it starts" mode)
+  | _ -> at_which "each is left as soon as it starts"
 
 (* A circle of the library's modes, closed by what the program has the library do, is shown
    where the program does it. *)
@@ -79,7 +84,7 @@ let place ~entry uses index (program : Ir.program) modes hops first_mode =
     | Some at, _ | None, Some (_, at) -> at
     | None, None -> entry
 
-let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) ~note hops =
+let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) ~far hops =
   let modes = Array.of_list m.modes in
   let name k = program.nodes.(modes.(k)).origin in
   let hop ({ from = v; by = t } : Chains.hop) =
@@ -91,9 +96,8 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
   let at =
     place ~entry uses index program (map (fun k -> modes.(k)) cycle) hops modes.(List.hd cycle)
   in
-  let d =
-    Diagnostic.error ~code:"E0402" ~at "%s for ever within one instant" (circle (map name cycle))
-  in
+  let round = circle (map (fun (v, w, (t : Ir.transition), _) -> (name v, name w, t.by)) hops) in
+  let d = Diagnostic.error ~code:"E0402" ~at "%s may go round for ever within one instant" round in
   (* Once, where modes of one name do the same. *)
   let label ~at text (d : Diagnostic.t) =
     let there (l : Diagnostic.label) = l.at = at && String.equal l.text text in
@@ -113,8 +117,11 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
       d
   in
   let sources = List.filter_map (fun (_, _, _, source) -> source) hops in
-  List.fold_left label d hops |> note
-  |> Diagnostic.hint (hint ~entry sources)
+  let by = match hops with (_, _, t, _) :: _ -> t.Ir.by | [] -> Continuation "" in
+  List.fold_left label d hops
+  |> Diagnostic.note (note (map (fun (v, _, _, source) -> (name v, Option.map fst source)) hops))
+  |> far
+  |> Diagnostic.hint (hint ~entry ~by sources)
   |> Diagnostic.emit sink
 
 (* {1 Bounds} *)
@@ -190,11 +197,11 @@ let check_machine sink ~entry uses program first expanded nodes index (m : Ir.ma
           mark program nodes m possible;
           { m with steps }
       | Goes_round hops ->
-          report ~note:Fun.id hops;
+          report ~far:Fun.id hops;
           m
       | Goes_far ->
-          let far = Printf.sprintf "it may go on so more than %d times within one instant" Chains.most in
-          report ~note:(Diagnostic.note far)
+          let far = Printf.sprintf "if it ends, then after more than %d rounds" Chains.most in
+          report ~far:(Diagnostic.note far)
             (hops_of steps (Graph.shortest_cycle graph component));
           m)
 

@@ -212,8 +212,14 @@ type transition = {
   delayed : bool;
       (** at this instant the output is still that of the mode that is left *)
   at_entry : at_entry;
+  by : follower;
   span : Span.t;
 }
+
+(** The definition that says what comes next, for messages. *)
+and follower =
+  | Continuation of string  (** of a switch *)
+  | Statement of string  (** after a task that ends *)
 
 (** Whether a mode's transition may occur at the mode's own first instant, which
     {!Instantaneous_loops} finds out. *)

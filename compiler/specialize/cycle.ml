@@ -38,12 +38,9 @@ let diagnostic ~vertex ~use cycle =
   in
   let steps = shorten (steps ~first cycle) in
   let message = if List.length steps = 1 then "calls itself" else "calls itself through others" in
-  let way =
-    String.concat " → " (List.map (fun (a, _) -> (vertex a).name) steps @ [ (vertex first).name ])
-  in
   let path d =
-    if List.compare_length_with cycle 1 = 0 || List.compare_lengths steps cycle <> 0 then d
-    else Diagnostic.here ("`" ^ way ^ "`") d
+    if List.compare_length_with cycle 1 = 0 then d
+    else Diagnostic.here (Enumeration.circle (List.map (fun v -> (vertex v).name) cycle)) d
   in
   List.fold_left
     (fun diagnostic (a, b) ->

@@ -136,11 +136,16 @@ and spine (c : Context.t) s target (whole : Ir.expr) (f : Ir.expr) arguments =
   | Apply (f, argument) -> spine c s target whole f (argument :: arguments)
   | Local _ | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ | Lambda _ | Let _
   | Tuple _ | Component _ | Array _ | Index _ | Construct _ | Is_constructor _ | Payload _ | If _ | Proc _ ->
-      let name = match f.desc with Global (g, _) when g.module_ <> "Prelude" -> Some g.name | _ -> None in
-      let f = expr c s Unnamed f in
+      let function_ = expr c s Unnamed f in
+      let name =
+        match (f.desc, function_) with
+        | Global (g, _), _ -> if g.module_ = "Prelude" then None else Some g.name
+        | _, Function { name; span; _ } when name <> "" && not (Context.in_prelude c span) -> Some name
+        | _ -> None
+      in
       let arguments = List.map (argument c s) arguments in
       let result = Types.close s.types whole.ty in
-      let value = apply c s target ~span:whole.span ~result f arguments in
+      let value = apply c s target ~span:whole.span ~result function_ arguments in
       Task.named c ~name ~at:whole.span value
 
 and argument (c : Context.t) s (e : Ir.expr) : Value.argument =

@@ -136,14 +136,14 @@ let both node ~span (a : Ir.atom) (b : Ir.atom) : Ir.atom =
   | _, _ -> Node.define node Unnamed ~span Bool (Op (And, [ a; b ]))
 
 (* In order, of which the first that occurs counts. *)
-let transitions m node ?input ~from ~span ~delayed occurs value =
+let transitions m node ?input ~from ~by ~span ~delayed occurs value =
   let rec go occurs choice rest =
     match choice with
     | If (condition, then_, else_) ->
         go (both node ~span occurs condition) then_ (go occurs else_ rest)
     | One value ->
         let mode, arguments = mode_of m node ~from ~at:span value in
-        { Ir.occurs; target = mode.number; arguments; delayed; at_entry = Possible; span } :: rest
+        { Ir.occurs; target = mode.number; arguments; delayed; at_entry = Possible; by; span } :: rest
   in
   match (occurs : Ir.atom) with
   | Bool false -> []
@@ -204,7 +204,12 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
         let after =
           m.evaluator.apply c m.trail node ~span ~result:(signal_function m) continuation argument
         in
-        transitions m node ~input ~from:(Some mode.growth) ~span ~delayed occurs after
+        let by : Ir.follower =
+          match continuation with
+          | Function { name; _ } -> Continuation name
+          | _ -> Continuation mode.name
+        in
+        transitions m node ~input ~from:(Some mode.growth) ~by ~span ~delayed occurs after
   in
   match value with
   | Primitive
@@ -231,12 +236,16 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
         | _ when has_ended -> Constructed { constructor = 1; arguments = [ ended ] }
         | _ -> Constructed { constructor = 0; arguments = [ shown ] }
       in
+      let follow occurs task after =
+        let definition, span = Task.next task in
+        transitions m node ~input ~from:(Some mode.growth) ~by:(Statement definition) ~span
+          ~delayed:false occurs after
+      in
       match Task.head task.value with
       | Ends result -> (output ~shown:Unspecified ~has_ended:true ~ended:result.value, [])
       | Passes ->
-          let span = Task.next_place task.value in
           ( output ~shown:Unspecified ~has_ended:false ~ended:Unspecified,
-            transitions m node ~input ~from:(Some mode.growth) ~span ~delayed:false (Bool true) value )
+            follow (Bool true) task.value value )
       | Runs { signal_function; primitive; output = while_it_runs; result } ->
           let name = mode.name in
           let shown, occurs, ended =
@@ -262,9 +271,7 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
           let after =
             match occurs with
             | Bool false -> []
-            | _ ->
-                let span = Task.next_place task.value in
-                transitions m node ~input ~from:(Some mode.growth) ~span ~delayed:false occurs (left ())
+            | _ -> follow occurs task.value (left ())
           in
           (output ~shown ~has_ended:false ~ended:Unspecified, after))
   | _ -> (run ~name:mode.name ~result:m.result value input, [])
@@ -334,7 +341,7 @@ let parts m node ~span (value : Value.t) (input : Value.t) =
         match occurs with
         | Bool false -> []
         | _ ->
-            transitions m node ~from:None ~span
+            transitions m node ~from:None ~by:(Continuation "") ~span
               ~delayed:(primitive = Delayed_recurring_switch)
               occurs (payload ())
       in
@@ -371,7 +378,7 @@ let body (c : Context.t) evaluator trail node ~name ~span ~own_input ~own_result
   let walk = Skeleton.walk c.keys node Holes in
   Skeleton.add walk (unnamed span) m.input input_value;
   let input_holes = Skeleton.take_holes walk in
-  let start = transitions m node ~from:None ~span ~delayed:false (Bool true) parts.first in
+  let start = transitions m node ~from:None ~by:(Continuation "") ~span ~delayed:false (Bool true) parts.first in
   let controls = parts.controls () in
   let rec all built =
     match Queue.take_opt m.waiting with

@@ -20,18 +20,16 @@ let type_of input output result : Core.Ir.ty =
 let is_task (p : Core.Primitive.t) =
   match p with Make_task | Until_right | Return | Sequence -> true | _ -> false
 
-let rec named c ~name ~at (value : Value.t) : Value.t =
+let rec named (c : Context.t) ~name ~at (value : Value.t) : Value.t =
   match value with
-  | Primitive ({ primitive; _ } as p)
-    when is_task primitive && (not (Context.in_prelude c at))
-         && (Context.in_prelude c p.at || Resolve.Global_table.mem c.definitions { module_ = "Prelude"; name = p.owner }) ->
-      let at = if Context.in_prelude c p.at then at else p.at in
-      let owner =
-        match name with
-        | Some name when Resolve.Global_table.mem c.definitions { module_ = "Prelude"; name = p.owner } -> name
-        | Some _ | None -> p.owner
-      in
-      Primitive { p with owner; at }
+  | Primitive ({ primitive; _ } as p) when is_task primitive -> (
+      let is_library's = Resolve.Global_table.mem c.definitions { module_ = "Prelude"; name = p.owner } in
+      match (Context.in_prelude c p.at, Context.in_prelude c at) with
+      | true, true -> value
+      | is_there, _ when is_there || is_library's ->
+          let owner = if is_library's then Option.value name ~default:p.owner else p.owner in
+          Primitive { p with owner; at = (if is_there then at else p.at) }
+      | _ -> value)
   | Choice { condition; then_; else_ } ->
       let then_ = named c ~name ~at then_ in
       Choice { condition; then_; else_ = named c ~name ~at else_ }
@@ -45,22 +43,31 @@ let place_of ~otherwise (continuation : Value.t) =
 (* So many tasks in a row end at once in no program that means it. *)
 let most_at_once = 1000
 
-(* What was gone into, the last one first: a key of it, and its place. *)
-let report_circle (c : Context.t) ~span circle =
+(* What was gone into: what ended, who says what comes next, and where. *)
+type hop = { ended : string; by : string; place : Span.t }
+
+let report_circle (c : Context.t) ~span hops =
+  let places = List.map (fun hop -> hop.place) hops in
   let at, others =
-    match List.partition (Context.in_prelude c) (List.rev circle) with
+    match List.partition (Context.in_prelude c) places with
     | of_the_prelude, [] -> (span, of_the_prelude)
-    | _, first :: others -> (first, others)
+    | _, own -> (List.nth own (List.length own - 1), own)
   in
   let others = List.filteri (fun i _ -> i < 10) (List.sort_uniq Span.compare others) in
   let label d place =
     if Span.compare place at = 0 then d else Diagnostic.label ~at:place "then this, at once" d
   in
-  Diagnostic.error ~code:"E0402" ~at "these tasks may follow each other for ever in no time"
+  let names = List.concat_map (fun hop -> [ hop.ended; hop.by ]) hops in
+  Diagnostic.error ~code:"E0402" ~at "%s may go round for ever within one instant"
+    (Enumeration.circle names)
   |> Diagnostic.here "this starts when the one before has ended at once"
   |> (fun d -> List.fold_left label d others)
-  |> Diagnostic.note "each cycle of tasks must take time, whichever way it goes: `return` and `snapT` take none"
-  |> Diagnostic.hint "put a task into the cycle that takes time, such as `sleepT 10[ms] y`"
+  |> Diagnostic.note
+       "what ends as soon as it starts takes no time, as `return` and `snapT`: nothing here waits \
+        for the next instant"
+  |> Diagnostic.hint
+       "put a task that takes time into the circle: `untilT (proc x -> (y, condition))` gives `y` \
+        for one instant at least, `sleepT 10[ms] y` for 10 ms"
   |> Diagnostic.emit c.sink;
   raise Context.Stopped
 
@@ -100,20 +107,20 @@ let reduced (c : Context.t) node apply ends_at_once ~span task =
   in
   (* The same once more is a circle, and so is what grows for ever. With other numbers it
      may end: that becomes a mode, for there it can be told. *)
-  let enter ~span chain rest value =
+  let enter ~span ~ended ~by chain (rest : Value.argument) value =
     let key, numbers = key ~span rest value in
     let rec since found = function
-      | (k, before, place) :: _ when k = key -> Some (before, place :: found)
-      | (_, _, place) :: others -> since (place :: found) others
+      | (k, before, hop) :: _ when k = key -> Some (before, hop :: found)
+      | (_, _, hop) :: others -> since (hop :: found) others
       | [] -> None
     in
     match since [] chain with
     | Some (before, circle) when compare before numbers = 0 -> report_circle c ~span circle
     | Some _ -> None
     | None when List.compare_length_with chain most_at_once >= 0 ->
-        let places = List.map (fun (_, _, place) -> place) chain in
-        report_circle c ~span (List.filteri (fun i _ -> i < 10) places)
-    | None -> Some ((key, numbers, place_of ~otherwise:span rest.value) :: chain)
+        report_circle c ~span (List.rev_map (fun (_, _, hop) -> hop) chain)
+    | None ->
+        Some ((key, numbers, { ended; by; place = place_of ~otherwise:span rest.value }) :: chain)
   in
   (* [span]: the nearest place around in the program itself. *)
   let rec reduce ~span chain (task : Value.t) : Value.t =
@@ -134,9 +141,9 @@ let reduced (c : Context.t) node apply ends_at_once ~span task =
     | task -> task
   and follow ~span chain types origin rest (first : Value.argument) ~result =
     match first.value with
-    | Primitive { primitive = Return; arguments = [ value ]; _ } -> (
-        match enter ~span chain rest value with
-        | Some ((_, _, place) :: _ as chain) ->
+    | Primitive { primitive = Return; arguments = [ value ]; owner; _ } -> (
+        match enter ~span ~ended:owner ~by:(fst origin) chain rest value with
+        | Some ((_, _, { place; _ }) :: _ as chain) ->
             reduce ~span chain (apply ~span:place ~result rest.value value)
         | Some [] | None -> sequence types (fst origin) (snd origin) first rest)
     | Choice { condition; then_; else_ } ->
@@ -171,12 +178,12 @@ let rec place (task : Value.t) =
   | Primitive { at; _ } -> at
   | _ -> bug "the place of what is no task"
 
-let rec next_place (task : Value.t) =
+let rec next (task : Value.t) =
   match task with
   | Primitive
       { primitive = Sequence; arguments = [ _; { value = Primitive { primitive = Sequence; _ } as first; _ } ]; _ } ->
-      next_place first
-  | Primitive { primitive = Sequence; arguments = [ { value = Function { code = Lambda (_, body); _ }; _ }; _ ]; _ } ->
-      body.span
-  | Primitive { at; _ } -> at
+      next first
+  | Primitive { primitive = Sequence; arguments = [ rest; _ ]; owner; at; _ } ->
+      (owner, place_of ~otherwise:at rest.value)
+  | Primitive { owner; at; _ } -> (owner, at)
   | _ -> bug "the place of what is no task"

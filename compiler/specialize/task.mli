@@ -33,8 +33,8 @@ val name : Value.t -> string
 val place : Value.t -> Span.t
 (** Likewise. *)
 
-val next_place : Value.t -> Span.t
-(** Where it says what runs next. *)
+val next : Value.t -> string * Span.t
+(** Who says what runs next, and where. *)
 
 val type_of : Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty
 (** Of input, output and result. *)

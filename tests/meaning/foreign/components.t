@@ -124,7 +124,7 @@ What comes from C is unknown when a program starts, so it may switch at once:
   > main = switch filter (\_ -> main)
   > EOF
   $ frobc compile endless.frob
-  error[E0402]: `main` may start itself again for ever within one instant
+  error[E0402]: `main → main` may go round for ever within one instant
    --> endless.frob:4:1
     |
   4 | main = switch filter (\_ -> main)
@@ -133,7 +133,8 @@ What comes from C is unknown when a program starts, so it may switch at once:
     | |                           `main` may start `main` at its own first instant
     | `filter` may occur at the first instant of `main`
     |
-    = hint: `notYet` drops an occurrence at the first instant; `edge` has none there; `sleepT 10[ms] y` takes time between tasks
+    = note: at an instant at which `filter` occurs as soon as `main` starts, nothing waits for the next one
+    = hint: `notYet` on the event takes one instant at least; `edge` may wait for ever where the condition holds from the start
   
   1 error
   [1]

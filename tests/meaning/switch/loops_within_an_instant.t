@@ -11,7 +11,7 @@ makes each step possible.
   > main = go 0.5
   > EOF
   $ frobc check ever.frob
-  error[E0402]: `rest` and `go` may start each other for ever within one instant
+  error[E0402]: `rest → go → rest` may go round for ever within one instant
    --> ever.frob:5:18
     |
   2 | go v = switch (proc x -> (x + v, tag (when (x > -2)) x)) (\w -> rest w)
@@ -24,6 +24,7 @@ makes each step possible.
     |                                    |
     |                                    `after` may occur at the first instant of `rest`
     |
+    = note: at an instant at which each is left as soon as it starts, nothing waits for the next one
     = hint: a time of at least 1 ns makes it wait: `after (max 1[ms] q)`
   
   1 error
@@ -78,7 +79,7 @@ One that starts itself again, and several.
   > main = switch (proc x -> (x, when (x > 1))) (\_ -> main)
   > EOF
   $ frobc check itself.frob 2>&1 | head -1
-  error[E0402]: `main` may start itself again for ever within one instant
+  error[E0402]: `main → main` may go round for ever within one instant
   $ cat > three.frob <<'EOF'
   > one, two, three :: SF Float Float
   > one = switch (proc x -> (x, when (x > 1))) (\_ -> two)
@@ -87,7 +88,7 @@ One that starts itself again, and several.
   > main = one
   > EOF
   $ frobc check three.frob 2>&1 | head -1
-  error[E0402]: `one` and 2 more may start each other for ever within one instant
+  error[E0402]: `one → two → three → one` may go round for ever within one instant
 
 A number that may be infinite may be NaN less itself, so this may go on for ever too: the
 mode that is handed 1/0.
@@ -98,7 +99,7 @@ mode that is handed 1/0.
   > main = switch (proc x -> (x, tag (edge (x > 1)) (x > 2))) (\c -> if c then go (1/0) else go 0)
   > EOF
   $ frobc check infinite.frob 2>&1 | head -1
-  error[E0402]: `go` may start itself again for ever within one instant
+  error[E0402]: `go → go` may go round for ever within one instant
   $ sed 's|a - a|a * x|' infinite.frob > times.frob
   $ frobc check times.frob 2>&1 | head -1
-  error[E0402]: `go` may start itself again for ever within one instant
+  error[E0402]: `go → go` may go round for ever within one instant

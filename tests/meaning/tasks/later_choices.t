@@ -30,7 +30,7 @@ start; so it may if the time-out can be at once.
 
   $ sed 's/Just True -> .*/Just True -> return ()/' visit.frob > at_once.frob
   $ frobc check at_once.frob 2>&1 | grep -v '^ *|* *$'
-  error[E0402]: `timeOut` may start itself again for ever within one instant
+  error[E0402]: `timeOut → visit → timeOut` may go round for ever within one instant
     --> at_once.frob:6:10
    6 |     r <- driveTo goal `timeOut` 20[s]
      |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
@@ -45,11 +45,12 @@ start; so it may if the time-out can be at once.
   ...
   51 |     blocked = when (looks && ahead < min blockedAt (norm way)))
      |     ----------------------------------------------------------- `driveTo` may occur at the first instant of `timeOut`
+     = note: at an instant at which `driveTo` occurs as soon as `timeOut` starts, nothing waits for the next one
      = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
   1 error
   $ sed 's/20\[s\]/0[s]/' visit.frob > no_time.frob
   $ frobc check no_time.frob 2>&1 | grep -v '^ *|* *$'
-  error[E0402]: `timeOut` may start itself again for ever within one instant
+  error[E0402]: `timeOut → visit → timeOut` may go round for ever within one instant
      --> no_time.frob:6:10
     6 |     r <- driveTo goal `timeOut` 0[s]
       |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^
@@ -61,6 +62,7 @@ start; so it may if the time-out can be at once.
      ::: stdlib/Prelude.frob:657:11
   657 |     where late = elapsed q ())
       |           ------------------- `elapsed` may occur at the first instant of `timeOut`
+      = note: at an instant at which `elapsed` occurs as soon as `timeOut` starts, nothing waits for the next one
       = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
   1 error
 

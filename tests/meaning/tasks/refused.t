@@ -129,7 +129,7 @@ known to end at once …
   > main = runTask (forever snapT)
   > EOF
   $ frobc check at_once.frob 2>&1 | without_lines
-  error[E0402]: these tasks may follow each other for ever in no time
+  error[E0402]: `snapT → forever → snapT` may go round for ever within one instant
      --> at_once.frob:2:17
       |
     2 | main = runTask (forever snapT)
@@ -140,8 +140,8 @@ known to end at once …
       |     forever t
       |     --------- then this, at once
       |
-      = note: each cycle of tasks must take time, whichever way it goes: `return` and `snapT` take none
-      = hint: put a task into the cycle that takes time, such as `sleepT 10[ms] y`
+      = note: what ends as soon as it starts takes no time, as `return` and `snapT`: nothing here waits for the next instant
+      = hint: put a task that takes time into the circle: `untilT (proc x -> (y, condition))` gives `y` for one instant at least, `sleepT 10[ms] y` for 10 ms
   
   1 error
 
@@ -161,7 +161,7 @@ known to end at once …
   > main = runTask (go 1)
   > EOF
   $ frobc check returns.frob
-  error[E0402]: `go` may start itself again for ever within one instant
+  error[E0402]: `go → go` may go round for ever within one instant
    --> returns.frob:3:10
     |
   3 |     m <- return (n + 1)
@@ -169,8 +169,9 @@ known to end at once …
   4 |     other m
     |     ------- `go` may start `go` at its own first instant
     |
-    = note: it may go on so more than 1000 times within one instant
-    = hint: something in the circle has to take time: `edge` or `notYet` on an event, `sleepT 10[ms] y` between tasks
+    = note: at an instant at which `go` is left as soon as it starts, nothing waits for the next one
+    = note: if it ends, then after more than 1000 rounds
+    = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
   
   1 error
   [1]
@@ -185,7 +186,7 @@ known to end at once …
   >       forever (sleepT (x * 1[s]) 2)
   > EOF
   $ frobc check may_be_none.frob 2>&1 | without_lines
-  error[E0402]: `sleepT` may start itself again for ever within one instant
+  error[E0402]: `sleepT → forever → sleepT` may go round for ever within one instant
      --> may_be_none.frob:5:16
       |
     5 |       forever (sleepT (x * 1[s]) 2)
@@ -199,11 +200,44 @@ known to end at once …
       |     forever t
       |     --------- `sleepT` may start `sleepT` at its own first instant
       |
+      = note: at an instant at which `elapsed` occurs as soon as `sleepT` starts, nothing waits for the next one
       = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
   
   1 error
   $ sed 's/x \* 1\[s\]/max 1[ms] (x * 1[s])/' may_be_none.frob > is_some.frob
   $ frobc check is_some.frob
+
+A condition that may hold from the start takes no time; the message shows the way round,
+and `untilT` is the cure that neither waits for a change nor stands still.
+
+  $ cat > corners.frob <<'EOF'
+  > main :: SF Float (Either Float ())
+  > main = runTask (forever (forEachT [1, 2] past))
+  > 
+  > past :: Float -> Task Float Float ()
+  > past limit = mkTask (proc x -> (limit, when (x > limit)))
+  > EOF
+  $ frobc check corners.frob 2>&1 | without_lines
+  error[E0402]: `past → forEachFromT → past` may go round for ever within one instant
+     --> corners.frob:5:14
+      |
+    5 | past limit = mkTask (proc x -> (limit, when (x > limit)))
+      |              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+      |                                        |
+      |                                        `when` may occur at the first instant of `past`
+      |
+     ::: stdlib/Prelude.frob
+      |
+      |     forEachFromT (k + 1) xs task
+      |     ---------------------------- `past` may start `past` at its own first instant
+      |
+      = note: at an instant at which `when` occurs as soon as `past` starts, nothing waits for the next one
+      = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
+  
+  1 error
+  $ sed 's/mkTask (proc x -> (limit, when (x > limit)))/untilT (proc x -> (limit, x > limit))/' corners.frob > until.frob
+  $ yes 3 | head -5 | rows in | trace until | cut -d, -f2 | xargs
+  out Left 1 Left 2 Left 1 Left 2 Left 1
 
 Parameters that grow.
 
@@ -244,7 +278,7 @@ program asks for it, with what takes time there.
   >     tour (n - 1)
   > FROB
   $ frobc check tour.frob --robot pioneer 2>&1 | sed 's/frob:[0-9]*:\([0-9]*\)$/frob:N:\1/; s/^ *[0-9]* |/  N |/'
-  error[E0402]: `driveTo` may start itself again for ever within one instant
+  error[E0402]: `driveTo → tour → driveTo` may go round for ever within one instant
     --> tour.frob:N:5
     N |
     N |     tour (n - 1)
@@ -255,7 +289,8 @@ program asks for it, with what takes time there.
     N |     arrived = atPlace goal i
     N |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
     N |
-     = note: it may go on so more than 1000 times within one instant
+     = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one
+     = note: if it ends, then after more than 1000 rounds
      = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
   
   1 error
@@ -266,7 +301,7 @@ program asks for it, with what takes time there.
   > main = reactimateTask (forever (forEachT [Vec2 1[m] 2[m], zeroVec] driveTo))
   > FROB
   $ frobc check places.frob --robot pioneer 2>&1 | sed 's/frob:[0-9]*:\([0-9]*\)$/frob:N:\1/; s/^ *[0-9]* |/  N |/'
-  error[E0402]: `driveTo` may start itself again for ever within one instant
+  error[E0402]: `driveTo → forEachFromT → driveTo` may go round for ever within one instant
      --> places.frob:N:1
     N |
     N | main = reactimateTask (forever (forEachT [Vec2 1[m] 2[m], zeroVec] driveTo))
@@ -282,6 +317,7 @@ program asks for it, with what takes time there.
     N |     forEachFromT (k + 1) xs task
     N |     ---------------------------- `driveTo` may start `driveTo` at its own first instant
     N |
+      = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one
       = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
   
   1 error

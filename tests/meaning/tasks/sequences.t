@@ -71,7 +71,7 @@ takes no time.
 Tasks are values: polymorphic, passed, returned, chosen, built by functions, and
 mutually recursive with parameters.
 
-  $ cat > values.frob <<'EOF'
+  $ cat > results.frob <<'EOF'
   > -- | Both in turn, n times.
   > alternate :: Int -> Task a b c -> Task a b d -> Task a b Int
   > alternate n s t = other n 0 s t
@@ -99,7 +99,7 @@ mutually recursive with parameters.
   >     sleepT 0.5[s] 10
   >     return n)
   > EOF
-  $ printf '%s\n' 0 0 3 4 5 6 7 8 9 | rows in | trace values
+  $ printf '%s\n' 0 0 3 4 5 6 7 8 9 | rows in | trace results
   time,out
   0.000000000,Left 1
   0.500000000,Left (-1)
@@ -110,7 +110,7 @@ mutually recursive with parameters.
   3.000000000,Right (-3)
   3.500000000,Right (-3)
   4.000000000,Right (-3)
-  $ printf '%s\n' 2 0 3 4 5 6 7 8 9 | rows in | trace values
+  $ printf '%s\n' 2 0 3 4 5 6 7 8 9 | rows in | trace results
   time,out
   0.000000000,Left 1
   0.500000000,Left 2

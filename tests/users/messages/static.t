@@ -48,7 +48,7 @@ A task that goes on as itself must take time.
   >         go
   > FROB
   $ frobc check local_task.frob
-  error[E0402]: `driveTo` may start itself again for ever within one instant
+  error[E0402]: `driveTo → go → driveTo` may go round for ever within one instant
     --> local_task.frob:6:9
      |
    6 |         go
@@ -59,6 +59,7 @@ A task that goes on as itself must take time.
   50 |     arrived = atPlace goal i
      |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
      |
+     = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one
      = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
   
   1 error
