@@ -35,3 +35,21 @@ let rec is_trivial (e : expr) =
   | Construct _ | Lambda _ | Apply _ | Let _ | Tuple _ | Array _ | Index _ | Component _ | Is_constructor _
   | Payload _ | If _ | Proc _ ->
     false
+
+let parts (e : expr) =
+  match e.desc with
+  | Local _ | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ -> []
+  | Lambda (_, e) | Component (e, _) | Index (e, _) | Is_constructor (e, _)
+  | Payload { value = e; _ } ->
+    [ e ]
+  | Apply (f, argument) -> [ f; argument ]
+  | Let { value; body; binder = _ } -> [ value; body ]
+  | Tuple es | Array es | Construct { arguments = es; _ } -> es
+  | If (a, b, c) -> [ a; b; c ]
+  | Proc { equations; output; input = _ } ->
+    let right (eq : equation) =
+      match eq.rhs with
+      | Pure e -> [ e ]
+      | Run { signal_function; input } -> [ signal_function; input ]
+    in
+    List.concat_map right equations @ [ output ]

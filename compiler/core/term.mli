@@ -28,3 +28,7 @@ val let_ : Ir.binder -> Ir.expr -> Ir.expr -> Ir.expr
 val is_trivial : Ir.expr -> bool
 (** As good twice as once: a variable, a constant, or the call of a nullary
     function; binds nothing. *)
+
+val parts : Ir.expr -> Ir.expr list
+(** The expressions in it, in the order of the text; those of a proc's equations before its
+    output. *)

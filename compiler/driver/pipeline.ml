@@ -49,7 +49,7 @@ let lint_flow program =
 let specialized (r : Request.t) sink { typed; _ } ~(written : Typing.Ir.definition) (core, entry) =
   match Typing.Entry.refusal typed ~closed:(entry <> written.name) written with
   | Some refusal ->
-      Specialize.Recursion.check sink core;
+      Core.Recursion.check sink core;
       Diagnostic.emit sink refusal;
       None
   | None ->
@@ -70,12 +70,12 @@ let check_entry (r : Request.t) sink front (written : Typing.Ir.definition) =
   let sampled = Option.is_none r.robot && Robots.is_open program in
   match if sampled then Robots.sampled program else Robots.closed sink r.robot program with
   | Some closed -> ignore (specialized r sink front ~written closed)
-  | None -> Specialize.Recursion.check sink front.core
+  | None -> Core.Recursion.check sink front.core
 
 let check sink sources r =
   let check front =
     match Typing.Entry.all front.typed with
-    | [] -> Specialize.Recursion.check sink front.core
+    | [] -> Core.Recursion.check sink front.core
     | entries -> List.iter (check_entry r sink front) entries
   in
   Option.iter check (front r sink sources)

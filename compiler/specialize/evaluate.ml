@@ -218,7 +218,7 @@ let refuse_own_name sink ~name (foreign : Ir.foreign) =
 let program ?(options = Context.default) sink ~name ~entry:(entry : Ir.Global.t)
     (program : Ir.program) =
   let c = Context.create sink options program in
-  Recursion.check sink program;
+  Core.Recursion.check sink program;
   refuse_own_name sink ~name program.foreign;
   match Resolve.Global_table.find_opt c.definitions entry with
   | None ->

@@ -105,5 +105,17 @@ A pipe is no module, nor is a device:
 
   $ mkfifo Pipe.frob && echo 'import Pipe' > uses_pipe.frob
   $ timeout 20 frobc check uses_pipe.frob
+  error[E0201]: cannot read `Pipe.frob`: it is a pipe or a device, and no file
+   --> uses_pipe.frob:1:8
+    |
+  1 | import Pipe
+    |        ^^^^
+  
+  1 error
+  [1]
   $ timeout 20 frobc check Pipe.frob
+  error: cannot read Pipe.frob: it is a pipe or a device, and no file
+  [2]
   $ timeout 20 frobc check /dev/null
+  error: cannot read /dev/null: it is a pipe or a device, and no file
+  [2]

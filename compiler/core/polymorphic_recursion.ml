@@ -1,5 +1,4 @@
 open Basis
-module Ir = Core.Ir
 module Global_table = Resolve.Global_table
 
 let rec is_open : Ir.ty -> bool = function
@@ -49,7 +48,7 @@ let report sink (definitions : Ir.definition array) uses i { index; by; types; a
   in
   let ty = List.find grows types in
   Diagnostic.error ~code:"E0417" ~at "`%s` starts itself again at a larger type" by.name
-  |> Diagnostic.here (Printf.sprintf "here a type variable of it becomes `%s`" (Types.to_string ty))
+  |> Diagnostic.here (Printf.sprintf "here a type variable of it becomes `%s`" (Print.type_name ty))
   |> (fun diagnostic ->
        match way uses index i with
        | [] -> Diagnostic.label ~at:d.span (Printf.sprintf "`%s` is defined here" d.name.name) diagnostic
@@ -57,22 +56,15 @@ let report sink (definitions : Ir.definition array) uses i { index; by; types; a
   |> Diagnostic.hint "start it again at the same types"
   |> Diagnostic.emit sink
 
-let check sink definitions =
-  let definitions = Array.of_list definitions in
-  let index = Global_table.create (Array.length definitions) in
-  Array.iteri (fun i (d : Ir.definition) -> Global_table.replace index d.name i) definitions;
-  let uses =
-    Array.map
-      (fun (d : Ir.definition) ->
-        List.filter_map
-          (fun (target, at) ->
-            match (target : Uses.target) with
-            | Definition (g, types) ->
-                Option.map (fun index -> { index; by = g; types; at }) (Global_table.find_opt index g)
-            | Method _ -> None)
-          (Uses.of_expr ~continuations:true d.body))
-      definitions
+let check sink { Uses.definitions; index; uses } =
+  let use ({ target; span; later = _ } : Uses.use) =
+    match target with
+    | Definition (by, types) ->
+        let use index = { index; by; types; at = span } in
+        Option.map use (Global_table.find_opt index by)
+    | Method _ -> None
   in
+  let uses = Array.map (List.filter_map use) uses in
   let graph = Array.map (List.map (fun use -> use.index)) uses in
   let components = Graph.components graph in
   let component = Array.make (Array.length definitions) 0 in

@@ -1,42 +1,32 @@
 open Basis
-module Ir = Core.Ir
 module Global_table = Resolve.Global_table
 
-type target = Uses.target =
-  | Definition of Ir.Global.t * Ir.ty list
-  | Method of { class_ : Ir.Global.t; name : string; ty : Ir.ty; types : Ir.ty list }
-
-type definition = { core : Ir.definition; uses : (target * Span.t) list }
-
-let is_method = function Method _, _ -> true | Definition _, _ -> false
+type definition = { core : Ir.definition; uses : Uses.use list }
 
 (* The definitions from which a method at a type variable can be reached. *)
-let that_use_methods definitions =
-  let all =
-    Array.of_list
-      (List.rev
-         (List.rev_map
-            (fun (core : Ir.definition) -> { core; uses = Uses.of_expr ~continuations:false core.body })
-            definitions))
-  in
-  let index = Global_table.create (Array.length all) in
-  Array.iteri (fun i d -> Global_table.replace index d.core.name i) all;
-  let users = Array.make (Array.length all) [] in
-  let note i = function
-    | Definition (g, _), _ ->
+let that_use_methods { Uses.definitions; index; uses } =
+  let uses = Array.map (List.filter (fun (use : Uses.use) -> not use.later)) uses in
+  let users = Array.make (Array.length definitions) [] in
+  let note i (use : Uses.use) =
+    match use.target with
+    | Definition (g, _) ->
         Option.iter (fun j -> users.(j) <- i :: users.(j)) (Global_table.find_opt index g)
-    | Method _, _ -> ()
+    | Method _ -> ()
   in
-  Array.iteri (fun i d -> List.iter (note i) d.uses) all;
+  Array.iteri (fun i uses -> List.iter (note i) uses) uses;
   let found = Global_table.create 64 in
   let rec spread = function
     | [] -> ()
-    | i :: rest when Global_table.mem found all.(i).core.name -> spread rest
+    | i :: rest when Global_table.mem found definitions.(i).name -> spread rest
     | i :: rest ->
-        Global_table.replace found all.(i).core.name all.(i);
+        Global_table.replace found definitions.(i).name
+          { core = definitions.(i); uses = uses.(i) };
         spread (List.rev_append users.(i) rest)
   in
-  Array.iteri (fun i d -> if List.exists is_method d.uses then spread [ i ]) all;
+  let is_method (use : Uses.use) =
+    match use.target with Method _ -> true | Definition _ -> false
+  in
+  Array.iteri (fun i uses -> if List.exists is_method uses then spread [ i ]) uses;
   found
 
 (* {1 Definitions at types} *)
@@ -56,7 +46,7 @@ type vertex = {
 
 type graph = {
   program : definition Global_table.t;
-  instances : Core.Instance.table;
+  instances : Instance.table;
   sink : Diagnostic.sink;
   numbers : int Instantiations.t;
   mutable vertices : vertex list;  (* the last one first *)
@@ -97,13 +87,9 @@ let vertex g name types ~span =
           Some number)
 
 let follow g v =
-  let substitution =
-    List.fold_left2
-      (fun by (parameter : Ir.variable) ty -> Variables.add parameter.id ty by)
-      Variables.empty v.definition.core.parameters v.types
-  in
-  let closed = List.map (Types.close substitution) in
-  let use (target, span) =
+  let close = Erasure.substitute (List.combine v.definition.core.parameters v.types) in
+  let closed = List.map close in
+  let use ({ target; span; later = _ } : Uses.use) =
     let to_ (name, types) ~by_method =
       match vertex g name types ~span with
       | Some number -> v.out <- (number, span, by_method) :: v.out
@@ -113,8 +99,7 @@ let follow g v =
     | Definition (name, types) -> to_ (name, closed types) ~by_method:false
     | Method { class_; name; ty; types } ->
         Option.iter (to_ ~by_method:true)
-          (Core.Instance.find g.instances ~class_ ~name (Types.close substitution ty)
-             (closed types))
+          (Instance.find g.instances ~class_ ~name (close ty) (closed types))
   in
   List.iter use v.definition.uses
 
@@ -159,10 +144,7 @@ let defaults (program : Ir.program) =
   table
 
 let report g defaults vertices cycle =
-  let vertex v : Cycle.vertex =
-    let { core; _ } = vertices.(v).definition in
-    { name = core.name.name; span = core.span; task = Cycle.gives_task core.ty }
-  in
+  let vertex v = Cycle.vertex vertices.(v).definition.core in
   let use a b =
     match List.find_opt (fun (target, _, _) -> target = b) vertices.(a).out with
     | Some (_, span, _) -> span
@@ -179,7 +161,7 @@ let report g defaults vertices cycle =
       diagnostic
       |> Diagnostic.note
            (Printf.sprintf "for the type `%s`, whose instance of `%s` leaves it to the default"
-              (Types.to_string ty) class_)
+              (Print.type_name ty) class_)
       |> Diagnostic.hint "define one of the methods in the instance"
   | None -> diagnostic)
   |> Diagnostic.emit g.sink
@@ -192,11 +174,11 @@ let closed_by_a_method vertices component =
         vertices.(v).out)
     component
 
-let check_instances sink (program : Ir.program) ~among =
+let check_instances sink (program : Ir.program) uses =
   let g =
     {
-      program = that_use_methods among;
-      instances = Core.Instance.table program.instances;
+      program = that_use_methods uses;
+      instances = Instance.table program.instances;
       sink;
       numbers = Instantiations.create 64;
       vertices = [];
@@ -215,5 +197,5 @@ let check_instances sink (program : Ir.program) ~among =
         report g defaults vertices (Graph.shortest_cycle graph component))
     (Graph.components graph)
 
-let check sink (program : Ir.program) ~among =
-  if program.instances <> [] then check_instances sink program ~among
+let check sink (program : Ir.program) uses =
+  if program.instances <> [] then check_instances sink program uses

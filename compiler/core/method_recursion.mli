@@ -8,6 +8,6 @@
 
 open Basis
 
-val check : Diagnostic.sink -> Core.Ir.program -> among:Core.Ir.definition list -> unit
-(** [among]: the program's definitions, or at least its {!Candidates.t.by_methods}. Emits E0410 for each cycle that a method closes, and E0413 where a method
-    is needed at ever larger types. Linear in the uses it follows. *)
+val check : Diagnostic.sink -> Ir.program -> Uses.t -> unit
+(** Emits E0410 for each cycle that a method closes, and E0413 where a method is needed at
+    ever larger types. Linear in the uses it follows. *)

@@ -2,24 +2,14 @@ open Basis
 
 type vertex = { name : string; span : Span.t; task : bool }
 
-let rec gives_task : Core.Ir.ty -> bool = function
+let rec gives_task : Ir.ty -> bool = function
   | Data ({ module_ = "Prelude"; name = "Task" }, _) -> true
   | Function (_, result) -> gives_task result
   | _ -> false
 
-let is_continuation : Core.Ir.ty -> bool = function
-  | Function (_, Signal_function _) -> true
-  | Function (_, Data ({ module_ = "Prelude"; name = "Task" }, _)) -> true
-  | Function _ | Signal_function _ | Tuple _ | Data _ | Array _ | Size _ | Variable _ | Bool | Int | Float | String ->
-      false
+let vertex (d : Ir.definition) = { name = d.name.name; span = d.span; task = gives_task d.ty }
 
-let steps ~first cycle =
-  let rec from reversed = function
-    | a :: (b :: _ as rest) -> from ((a, b) :: reversed) rest
-    | [ last ] -> List.rev ((last, first) :: reversed)
-    | [] -> List.rev reversed
-  in
-  from [] cycle
+let steps ~first cycle = List.combine cycle (List.tl cycle @ [ first ])
 
 (* Of a cycle too long to read, the beginning and the last step. *)
 let longest_shown = 12

@@ -6,6 +6,5 @@
 
 open Basis
 
-val check : Diagnostic.sink -> Core.Ir.definition list -> unit
-(** Emits E0417 for each such use. Of the program's definitions it needs only
-    {!Candidates.t.ever}. Linear. *)
+val check : Diagnostic.sink -> Uses.t -> unit
+(** Emits E0417 for each such use. Linear. *)
