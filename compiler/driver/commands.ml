@@ -226,6 +226,7 @@ let built general kind ~entry ~sources ~linked file continue =
       let name = C_file.name file in
       let* () = match (kind : Toolchain.kind) with Executable -> for_robot ~name files | Shared_object -> Ok () in
       let* host_table = host_table ~entry files in
+      let* () = C_file.check ~beside_c:(sources <> []) file in
       let* () =
         Foreign_symbols.check ~calls:files.foreign.calls ~sources ~header:files.header
           ~folders:files.foreign.folders

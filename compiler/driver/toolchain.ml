@@ -59,7 +59,7 @@ let folders_of { sources; folders } =
 let with_foreign ~folder = function
   | None -> []
   | Some ({ sources; _ } as foreign) ->
-      include_flags (folders_of foreign)
+      include_flags (folder :: folders_of foreign)
       @ List.mapi (object_of ~folder) sources
       @ (if List.exists is_cpp sources then [ "-lstdc++" ] else [])
       @ [ "-Wl,--no-undefined" ]
@@ -119,7 +119,7 @@ let compile machine ~headers ~inputs ~foreign ~folder ~result kind files =
     Process.run machine.compiler
       (flags @ machine.options
       @ kind_flags kind
-      @ [ "-I"; headers; "-I"; folder; "-o"; result ]
+      @ [ "-I"; headers; "-o"; result ]
       @ List.map (fun (file, _) -> folder / file) sources
       @ with_foreign ~folder foreign
       @ inputs @ [ "-lm" ])

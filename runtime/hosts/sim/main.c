@@ -73,6 +73,13 @@ static const struct frob_program *load(const char *path)
 
 /* Opens the world with the program's robot in it; NULL with a line for each
  * mistake on standard error. */
+/* A message has a line for each fault of a world. */
+static void tell_faults(char *message)
+{
+    for (char *line = strtok(message, "\n"); line != NULL; line = strtok(NULL, "\n"))
+        fprintf(stderr, "error: %s\n", line);
+}
+
 static struct frob_sim *open_world(const struct options *options,
                                    const struct frob_program *program)
 {
@@ -86,8 +93,7 @@ static struct frob_sim *open_world(const struct options *options,
     settings.body = (const struct frob_body *)frob_load_part(program->robot, "body");
     sim = frob_sim_open(options->world, &settings, message, sizeof message);
     if (sim == NULL) {
-        for (char *line = strtok(message, "\n"); line != NULL; line = strtok(NULL, "\n"))
-            fprintf(stderr, "error: %s\n", line);
+        tell_faults(message);
         return NULL;
     }
     if (program->input_size != frob_sim_input_size(sim) ||
@@ -195,7 +201,7 @@ static int tell_robot(const char *world)
     char message[8192];
     const char *robot = frob_sim_world_robot(world, message, sizeof message);
     if (robot == NULL) {
-        fprintf(stderr, "error: %s\n", message);
+        tell_faults(message);
         return WRONG_USE;
     }
     if (robot[0] != '\0')

@@ -219,5 +219,10 @@ A world that is missing, or wrong, is told before the robot that it would have n
   >     position2X i = (position i).x
   > FROB
   $ frobc run open.frob --world nowhere.toml
+  error: nowhere.toml: cannot read this world file
+  [2]
   $ echo 'robot = "crate"' > wrong.toml
   $ frobc run open.frob --world wrong.toml
+  error: wrong.toml:1:1: a world needs a table [start] with `x` and `y`, where the robot starts
+  error: wrong.toml:1:9: there is no robot `crate`; the robots: pioneer, scout, create; a world for a robot of your own names none
+  [2]

@@ -19,6 +19,14 @@ A program's C files are named after it, and must not stand before the headers th
   time,out
   0.000000000,2
 
+Other headers it may be called like, but where there is C of the user's that may include them.
+
+  $ cp add.frob time.frob && frobc trace time.frob --input in.csv
+  time,out
+  0.000000000,2
+  $ echo "#include <time.h>" > clock.c; frobc trace time.frob --with clock.c --input in.csv; rm clock.c
+  error: a program in C named time would hide C's own header <time.h>: give time.frob another name
+
 What C's quotes cannot hold is replaced, and no control character comes to the terminal or
 into C.
 
