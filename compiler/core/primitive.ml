@@ -39,6 +39,7 @@ type t =
   | Delay
   | Time
   | Time_since
+  | Step_time
   | Ticks
   | Integral
   | Derivative
@@ -144,6 +145,7 @@ let table =
     ("delay", Delay, 1);
     ("time", Time, 0);
     ("timeSince", Time_since, 0);
+    ("stepTime", Step_time, 0);
     ("ticks", Ticks, 1);
     ("integral", Integral, 0);
     ("derivative", Derivative, 0);

@@ -53,6 +53,7 @@ type t =
   | Delay
   | Time
   | Time_since
+  | Step_time
   | Ticks
   | Integral
   | Derivative

@@ -24,7 +24,7 @@ let of_primitive (p : Primitive.t) types =
   | (Round | Floor | Ceiling | Truncate), [] -> Some (Function (Float, Int))
   | (And | Or), [] -> Some (binary Bool)
   | Delay, [ a ] -> Some (Function (a, Signal_function (a, a)))
-  | Time, [ a ] -> Some (Signal_function (a, Float))
+  | (Time | Step_time), [ a ] -> Some (Signal_function (a, Float))
   | Time_since, [] -> Some (Signal_function (Bool, Float))
   | Ticks, [ a ] -> Some (Function (Float, Signal_function (a, Bool)))
   | (Integral | Derivative), [] -> Some (Signal_function (Float, Float))
@@ -71,7 +71,7 @@ let of_primitive (p : Primitive.t) types =
   | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power
       | Power_literal _ | Elementary _ | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling
       | Truncate | Equal | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum
-      | Maximum | And | Or | Delay | Time | Time_since | Ticks | Integral | Derivative | Switch | Delayed_switch
+      | Maximum | And | Or | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch
       | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Reactimate | Ending
       | Make_task | Until_right | Return | Sequence | Run_task
       | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf

@@ -117,8 +117,8 @@ let equation a instant same values (e : Ir.equation) =
   | At { array; default; index = _ }, _ -> Range.join (read array) (read default)
   | Replace { array; value; index = _ }, _ -> Range.join (read array) (read value)
   | Delay { init; _ }, First -> read init
-  | (Time _ | Integral _ | Derivative _), First -> Range.zero
-  | Time _, Any -> Range.not_negative
+  | (Time _ | Step_time | Integral _ | Derivative _), First -> Range.zero
+  | (Time _ | Step_time), Any -> Range.not_negative
   | Ticks _, _ -> anything ()
   | (Delay _ | Integral _ | Derivative _), Any -> anything ()
 

@@ -29,7 +29,7 @@ let check_node (program : Ir.program) (node : Ir.node) =
       | Delay { init; next = _ } -> expect "an initial value" init
       | Ticks period -> expect "a period" period
       | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
-  | Replace _ | Time _ | Integral _
+  | Replace _ | Time _ | Step_time | Integral _
       | Derivative _ ->
           ())
     node.equations;

@@ -31,7 +31,7 @@ let size (node : Ir.node) =
     | Copy _ | Construct { payload = []; _ } -> 0
     | _ when node.statics <> [] && of_statics e -> 0
     | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
-    | Replace _ | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ ->
+    | Replace _ | Delay _ | Time _ | Step_time | Ticks _ | Integral _ | Derivative _ ->
         1
   in
   List.fold_left
@@ -204,7 +204,7 @@ let without_copies (node : Ir.node) =
       match e.rhs with
       | Copy a -> Substitution.replace substitution e.defines a
       | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-      | At _ | Replace _ | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ ->
+      | At _ | Replace _ | Delay _ | Time _ | Step_time | Ticks _ | Integral _ | Derivative _ ->
           ())
     node.equations;
   Substitution.node substitution node

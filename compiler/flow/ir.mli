@@ -140,6 +140,7 @@ and rhs =
   | Time of { unit : time_unit; restart : atom }
       (** local time, and 0 where [restart] holds and from then on the time since,
           as a Float *)
+  | Step_time  (** seconds since the instant before, and 0 at the first *)
   | Ticks of atom
       (** of a static number of nanoseconds, a whole one (a fraction is dropped):
           does it or a multiple of it lie between this local time and the one an

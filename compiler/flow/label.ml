@@ -30,12 +30,13 @@ let same_operation (a : Ir.rhs) (b : Ir.rhs) =
   | At _, At _
   | Replace _, Replace _
   | Absent, Absent
+  | Step_time, Step_time
   | Ticks _, Ticks _
   | Integral _, Integral _
   | Derivative _, Derivative _ ->
       true
   | ( ( Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Delay _ | Elements _
-      | Fill _ | Index _ | At _ | Replace _ | Absent | Time _ | Ticks _ | Integral _
+      | Fill _ | Index _ | At _ | Replace _ | Absent | Time _ | Step_time | Ticks _ | Integral _
       | Derivative _ ),
       _ ) ->
       false
@@ -59,6 +60,7 @@ let number_of_operation (rhs : Ir.rhs) =
   | Ticks _ -> 10
   | Integral _ -> 11
   | Derivative _ -> 12
+  | Step_time -> 13
 
 let hash_operand (a : Ir.atom) =
   match a with

@@ -156,6 +156,9 @@ let equation scope (eq : Ir.equation) =
         stateful scope "time";
         expect scope "when a time starts again" Bool (type_of scope restart);
         Float
+    | Step_time ->
+        stateful scope "a step's time";
+        Float
     | Ticks period ->
         stateful scope "ticks";
         expect scope "a period" Float (type_of scope period);

@@ -18,12 +18,12 @@ let all = function
   | At { array; index; default } -> [ array; index; default ]
   | Replace { array; index; value } -> [ array; index; value ]
   | Delay { init; next } -> [ init; next ]
-  | Absent -> []
+  | Absent | Step_time -> []
 
 let same_instant = function
   | Delay _ | Integral _ -> []
   | ( Copy _ | Is_constructor _ | Payload _ | Derivative _ | Op _ | If _ | Construct _ | Elements _
-    | Fill _ | Index _ | At _ | Replace _ | Time _ | Ticks _ | Absent ) as rhs ->
+    | Fill _ | Index _ | At _ | Replace _ | Time _ | Step_time | Ticks _ | Absent ) as rhs ->
       all rhs
 
 let fold f start = function
@@ -44,7 +44,7 @@ let fold f start = function
   | Replace { array = a; index = b; value = c } ->
       f (f (f start a) b) c
   | Delay { init; next } -> f (f start init) next
-  | Absent -> start
+  | Absent | Step_time -> start
 
 (* Most lists are short; a constructor's payload may be long. *)
 let map_list f atoms =
@@ -102,7 +102,7 @@ let map f rhs =
       map3 f rhs array index value (fun array index value -> Replace { array; index; value })
   | Time { unit; restart } -> map1 f rhs restart (fun restart -> Time { unit; restart })
   | Ticks a -> map1 f rhs a (fun a -> Ticks a)
-  | Absent -> rhs
+  | Absent | Step_time -> rhs
   | Integral a -> map1 f rhs a (fun a -> Integral a)
   | Derivative a -> map1 f rhs a (fun a -> Derivative a)
 

@@ -136,6 +136,7 @@ let rhs sums names ppf ~(defines : Ir.signal) : Ir.rhs -> unit = function
       match restart with
       | Bool false -> pp_print_string ppf unit
       | Signal _ | Bool _ | Int _ | Float _ -> fprintf ppf "%s since %a" unit (atom names) restart)
+  | Step_time -> pp_print_string ppf "step time"
   | Ticks a -> fprintf ppf "ticks %a" (atom names) a
   | Integral a -> fprintf ppf "integral %a" (atom names) a
   | Derivative a -> fprintf ppf "derivative %a" (atom names) a

@@ -22,7 +22,7 @@ let normal (rhs : Ir.rhs) : Ir.rhs =
   | Op (operator, arguments) when is_commutative operator ->
       Op (operator, List.stable_sort compare_atoms arguments)
   | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
-  | Replace _ | Delay _ | Time _ | Ticks _
+  | Replace _ | Delay _ | Time _ | Step_time | Ticks _
   | Integral _ | Derivative _ ->
       rhs
 

@@ -50,7 +50,7 @@ let rec bounds ?(depth = 2) known (a : Ir.atom) =
   | Float x, _ when not (Float.is_nan x) -> Some (x, x)
   | _, Some (Integral (Float rate)) when Float.is_finite rate ->
       Some (if rate >= 0. then (0., infinity) else (neg_infinity, 0.))
-  | _, Some (Time _) -> Some (0., infinity)
+  | _, Some (Time _ | Step_time) -> Some (0., infinity)
   | _, Some (Op (Minimum, [ a; b ])) -> both Float.min a b
   | _, Some (Op (Maximum, [ a; b ])) -> both Float.max a b
   | _, _ -> None
@@ -229,7 +229,7 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
   | Replace { array; index = Int k; value = _ }
     when Int32.to_int k < 0 || Int32.to_int k >= size array ->
       Copy array
-  | Copy _ | Construct _ | Elements _ | Absent | Fill _ | At _ | Replace _ | Delay _ | Time _ | Ticks _ | Integral _
+  | Copy _ | Construct _ | Elements _ | Absent | Fill _ | At _ | Replace _ | Delay _ | Time _ | Step_time | Ticks _ | Integral _
   | Derivative _ ->
       rhs
 

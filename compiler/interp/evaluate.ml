@@ -148,6 +148,7 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
   | Time, [] -> Signal_function (fun () -> Stateful.time env.program.real)
   | Time_since, [] ->
       Signal_function (fun () -> Stateful.time_since env.program.real env.program.nesting)
+  | Step_time, [] -> Signal_function (fun () -> Stateful.step_time env.program.real)
   | Ticks, [ period ] -> Signal_function (fun () -> Stateful.ticks env.program.nesting period)
   | Integral, [] -> Signal_function (fun () -> Stateful.integral env.program.real)
   | Derivative, [] -> Signal_function (fun () -> Stateful.derivative env.program.real env.program.nesting)

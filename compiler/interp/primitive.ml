@@ -47,7 +47,7 @@ let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
   | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power
       | Power_literal _ | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling | Truncate | Equal
       | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum | Maximum | And
-      | Or | Delay | Time | Time_since | Ticks | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
+      | Or | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
       | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right
       | Return | Sequence | Run_task
       | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate | Ending

@@ -35,6 +35,13 @@ let time real : Value.instance =
     successor;
   }
 
+let step_time real : Value.instance =
+  {
+    output = (fun instant _ -> Thunk.known (Value.Float (Clock.seconds real instant)));
+    commit = ignore;
+    successor;
+  }
+
 let bool : Value.t -> bool = function
   | Bool b -> b
   | Float _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->

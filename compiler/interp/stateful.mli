@@ -6,6 +6,7 @@ val delay : Value.thunk -> Value.instance
 (** From the initial value. *)
 
 val time : Basis.Real.t -> Value.instance
+val step_time : Basis.Real.t -> Value.instance
 val time_since : Basis.Real.t -> Thunk.nesting -> Value.instance
 (** Since the input was last True, or else since the start; 0 where it is. *)
 

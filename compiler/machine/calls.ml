@@ -156,7 +156,7 @@ let call context resolve (i : F.instance) state =
   let operands = List.map resolve (arguments context i node.step) in
   match (i.loop, state, i.outputs) with
   | Some l, _, _ -> loop context resolve i l state
-  | None, None, [ signal ] when i.trials = [] ->
+  | None, None, [ signal ] when i.trials = [] && not (node.seconds || node.nanoseconds) ->
       let build arguments = Ir.Call { node = i.node; arguments } in
       Computed
         { signal; operands; build; choice = None; weight = 2 + node.operations; span = i.span }

@@ -59,7 +59,7 @@ let of_node (node : F.node) : t =
                   Int_table.replace found eq.defines.id ()
               | _, _ -> ())
           | If _ | Copy _ | Op _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-  | At _ | Replace _ | Delay _ | Time _ | Ticks _
+  | At _ | Replace _ | Delay _ | Time _ | Step_time | Ticks _
           | Integral _ | Derivative _ ->
               ())
         node.equations;

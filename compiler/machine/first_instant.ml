@@ -6,16 +6,14 @@ type t = {
   told : Ir.first_instant;
 }
 
-let shows : State.memory -> bool = function
-  | Elapsed _ | Ticked _ | Differentiated _ -> true
-  | Integrated { input = Field _; _ } | Delayed _ | Kept _ -> false
-  | Integrated _ -> true
+let shows state (eq : F.equation) =
+  match State.memory state eq.defines with
+  | None -> eq.rhs = Step_time
+  | Some (Elapsed _ | Ticked _ | Differentiated _) -> true
+  | Some (Integrated { input = Field _; _ } | Delayed _ | Kept _) -> false
+  | Some (Integrated _) -> true
 
-let shows_in state statics =
-  let own (eq : F.equation) =
-    Option.fold (State.memory state eq.defines) ~none:false ~some:shows
-  in
-  List.exists own (Statics.equations_in_step statics)
+let shows_in state statics = List.exists (shows state) (Statics.equations_in_step statics)
 
 (* The number of a mode may be one byte. *)
 let most_modes_and_none = 255
@@ -59,8 +57,7 @@ let is_for_one_derivative state statics =
   let see_it (eq : F.equation) =
     match State.memory state eq.defines with
     | Some (Differentiated _) -> [ true ]
-    | Some memory -> if shows memory then [ false ] else []
-    | None -> []
+    | Some _ | None -> if shows state eq then [ false ] else []
   in
   List.concat_map see_it (Statics.equations_in_step statics) = [ true ]
 

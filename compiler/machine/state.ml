@@ -107,7 +107,7 @@ let equation t { defines = s; rhs; span } =
       let input = field ~name:(name ^ "_input") ~purpose:"its last input" in
       remember t s (Differentiated { value; input })
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-  | At _ | Replace _ -> ()
+  | At _ | Replace _ | Step_time -> ()
 
 let kept_name rhs =
   let after operator operand =
@@ -117,7 +117,7 @@ let kept_name rhs =
   | Op (Elementary e, operand :: _) -> after (Core.Primitive.name (Elementary e)) operand
   | Op (Pow, operand :: _) -> after "pow" operand
   | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-  | At _ | Replace _ | Delay _ | Time _ | Ticks _ | Integral _
+  | At _ | Replace _ | Delay _ | Time _ | Step_time | Ticks _ | Integral _
   | Derivative _ ->
       "start_value"
 

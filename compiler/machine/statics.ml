@@ -17,7 +17,7 @@ let is_expensive = function
         | Truncate | Not | And | Or ),
         _ )
   | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-  | At _ | Replace _ | Delay _ | Time _ | Ticks _ | Integral _
+  | At _ | Replace _ | Delay _ | Time _ | Step_time | Ticks _ | Integral _
   | Derivative _ ->
       false
 

@@ -220,7 +220,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       let missing = Core.Primitive.arity primitive - List.length all in
       match (primitive, all) with
       | Reactimate, [ signal_function ] -> Program signal_function.value
-      | ( ( Delay | Time | Time_since | Ticks | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
+      | ( ( Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
           | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right
           | Return | Sequence | Run_task | Ending | Foreign { kind = Stateful; _ } ),
           _ ) ->
@@ -324,6 +324,7 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
   | Primitive { primitive = Time_since; _ } ->
       let restart = Leaves.atom c.types s.node ~span input.ty input.value in
       Atom (Node.define s.node target ~span Float (Time { unit = Seconds; restart }))
+  | Primitive { primitive = Step_time; _ } -> Atom (Node.define s.node target ~span Float Step_time)
   | Primitive { primitive = Ticks; arguments = [ period ]; _ } ->
       let period = Leaves.atom c.types s.node ~span period.ty period.value in
       Atom (Node.define s.node target ~span Bool (Ticks period))

@@ -92,7 +92,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
       | [ Bool a; Bool b ] -> Atom (Bool (if primitive = And then a && b else a || b))
       | [ _; _ ] -> operate operator
       | _ -> bug ())
-  | Delay | Time | Time_since | Ticks | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
+  | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
   | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right | Return
   | Sequence | Run_task
   | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate | Ending

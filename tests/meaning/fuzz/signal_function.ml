@@ -79,7 +79,8 @@ and expression s fuel (a : Type.t) (b : Type.t) =
           match (a, b) with
           | Measure u, Measure v -> if v.seconds > u.seconds then "integral" else "derivative"
           | _ -> arr () );
-      ((match b with Measure { metres = 0; seconds = 1 } -> 4 | _ -> 0), fun () -> "time");
+      ( (match b with Measure { metres = 0; seconds = 1 } -> 6 | _ -> 0),
+        fun () -> one_of random [ "time"; "time"; "stepTime" ] );
       ( (match (a, b) with Bool, Measure { metres = 0; seconds = 1 } -> 8 | Bool, Float -> 3 | _ -> 0),
         fun () ->
           match b with

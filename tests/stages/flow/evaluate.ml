@@ -171,6 +171,7 @@ let value clock read memory (e : Ir.equation) =
   | Time { unit; restart } -> (
       let time = time clock read memory e restart in
       match unit with Seconds -> Float time | Nanoseconds -> Float (Clock.nanoseconds Double time))
+  | Step_time -> Float (if clock.first then 0. else clock.dt)
   | Ticks period -> Bool (is_due (number (read period)) (since_tick clock memory e))
   | Delay { init; _ } -> if clock.first then read init else (memory e).past
   | Integral _ ->
@@ -196,7 +197,7 @@ let advance clock read memory now (e : Ir.equation) =
       let rest = if period < 1. then 0. else Float.rem time (Float.trunc period) in
       Some { past = now; total = (if is_due period time then rest else time) }
   | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-  | At _ | Replace _ ->
+  | At _ | Replace _ | Step_time ->
       None
 
 let constant : Ir.atom -> value option = function

@@ -131,7 +131,7 @@ let operation scope ~static =
 
 let stateful scope =
   let pick ty = choose scope ~static:false ty in
-  match Random.State.int scope.rng 6 with
+  match Random.State.int scope.rng 7 with
   | 0 ->
       let ty = any scope.rng types in
       let init = choose scope ~static:true ty in
@@ -140,6 +140,7 @@ let stateful scope =
   | 2 -> ignore (define scope Float (Integral (pick Float)))
   | 3 -> ignore (define scope Float (Time { unit = Seconds; restart = pick Bool }))
   | 4 -> ignore (define scope Bool (Ticks (choose scope ~static:true Float)))
+  | 5 -> ignore (define scope Float Step_time)
   | _ -> ignore (define scope Float (Derivative (pick Float)))
 
 (* What callers have to know of the nodes built so far. *)
