@@ -17,17 +17,17 @@ knows that it is not the first. The dt that comes then is looked at by nobody.
       const bool b = in->value;
       if (!self->started) {                                   /* Control.frob:26 */
           self->started = true;
-          self->before = b;                                   /* Control.frob:102 */
+          self->before = b;                                   /* Control.frob:94 */
       } else {
           const int64_t dt_ns = frob_whole_ns(dt);
-          const bool differs = b != self->before;             /* Control.frob:103 */
+          const bool differs = b != self->before;             /* Control.frob:95 */
           self->time = (differs & self->waiting) ? frob_soon(self->time, dt_ns) : 0; /* Prelude.frob:343 */
-          const bool settled = INT64_C(30000000) <= self->time; /* Control.frob:106 */
-          self->waiting = differs & !settled;                 /* Control.frob:104 */
+          const bool settled = INT64_C(30000000) <= self->time; /* Control.frob:98 */
+          self->waiting = differs & !settled;                 /* Control.frob:96 */
           if (settled && b & !self->before) {                 /* Prelude.frob:437 */
               self->accumBy_before = frob_int_add(self->accumBy_before, 1);
           }
-          if (settled) {                                      /* Control.frob:102 */
+          if (settled) {                                      /* Control.frob:94 */
               self->before = b;
           }
       }
@@ -91,6 +91,6 @@ branch: it would stand there twice.
   $ frobc compile smooth.frob
   $ grep 'started' smooth.c
       self->started = false;                                  /* Control.frob:26 */
-      const int64_t dt_ns = self->started ? frob_whole_ns(dt) : 0;
+      dt = self->started ? dt : 0.0;
       const double y = self->started
       self->started = true;                                   /* Control.frob:26 */

@@ -43,8 +43,8 @@ report.
   error[E0502]: `main` leaves open which robot it runs on
   $ frobc report follow.frob --robot create | head -3
   state, in bytes
-    approach                  112                          follow.frob:4
-      frontSonar@CreateInput  104                          follow.frob:4
+    approach                  80                          follow.frob:4
+      frontSonar@CreateInput  72                          follow.frob:4
 
 Both engines run it for any of them. A Create's light bumpers see a wall at half a
 metre and nearer: 2.5 is the signal at a metre.
