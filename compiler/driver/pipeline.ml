@@ -117,4 +117,5 @@ let compile sink sources r = Option.bind (machine sink sources r) (c r sink)
 let for_both_engines sink sources r =
   let* _, (core, entry), flow = checked sink sources r in
   let* machine = lowered r sink flow in
-  Option.map (fun files -> (core, entry, files)) (c r sink machine)
+  (* The structs of a user's own robot are the program's then, and in no file of their own. *)
+  Option.map (fun files -> (core, entry, files)) (c { r with robot = None } sink machine)
