@@ -5,3 +5,6 @@ val of_primitive : Primitive.t -> Ir.ty list -> Ir.ty option
 
 val event : Ir.ty -> Ir.ty
 (** [Event a] *)
+
+val either : Ir.ty -> Ir.ty -> Ir.ty
+(** [Either a b] *)

@@ -2,28 +2,7 @@ open Basis
 module Ir = Flow.Ir
 module T = Core.Ir
 
-type evaluator = {
-  apply :
-    Context.t ->
-    Context.trail ->
-    Node.t ->
-    span:Span.t ->
-    result:T.ty ->
-    Value.t ->
-    Value.argument list ->
-    Value.t;
-  run :
-    Context.t ->
-    Context.trail ->
-    Node.t ->
-    span:Span.t ->
-    result:T.ty ->
-    Value.t ->
-    Value.argument ->
-    Value.t;
-}
-
-type position = Comparison.position
+type position = Evaluator.position
 
 let bug format = Diagnostic.bug ~stage:"Specialize.Arrays" format
 
@@ -84,37 +63,37 @@ let argument source local : Loop.argument =
   | Each { value; ty } -> { form = Element; ty = snd (size_and_element ty); value; local }
   | Number -> { form = Counter; ty = Int; value = Atom (Int 0l); local }
 
-(* [round] gets [f] and the arguments of one round. *)
-let loop (p : position) primitive targets ~kind ~count (f : Value.argument) sources ~final ~elements
-    round =
+(* What [f] gives in each round is the next accumulator, if there is one, and the element
+   of the array that comes out, if there is one. *)
+let loop (p : position) (evaluator : Evaluator.t) primitive target ~count (f : Value.argument)
+    sources ~final ~elements =
   let arguments = List.map2 argument sources (locals p f.value (List.length sources)) in
-  Loop.run p.context p.trail p.node targets ~span:p.span
-    {
-      name = name_of f.value (Core.Primitive.name primitive);
-      kind;
-      count;
-      key = Core.Primitive.name primitive;
-      captured = [ f ];
-      arguments;
-      final;
-      elements;
-    }
-    (fun trail node captured values ->
-      match captured with
-      | [ f ] ->
-          let given =
-            List.map2
-              (fun (a : Loop.argument) value : Value.argument -> { value; ty = a.ty })
-              arguments values
-          in
-          round trail node f given
-      | [] | _ :: _ :: _ -> bug "a round without its function")
+  let results = final @ elements in
+  let result = List.hd results in
+  let kind : Ir.kind = if primitive = Core.Primitive.Map_sf then Signal_function else Function in
+  let round p captured values =
+    let given =
+      List.map2
+        (fun (a : Loop.argument) value : Value.argument -> { value; ty = a.ty })
+        arguments values
+    in
+    let f = List.hd captured in
+    let next =
+      match kind with
+      | Function -> evaluator.apply p ~result f given
+      | Signal_function -> evaluator.run p ~result f (List.hd given)
+    in
+    List.map (fun _ -> next) results
+  in
+  let targets = List.rev (target :: List.map (fun _ -> Node.Unnamed) (List.tl results)) in
+  let key = Core.Primitive.name primitive in
+  Loop.run p targets
+    { name = name_of f.value key; kind; count; key; captured = [ f ]; arguments; final; elements }
+    round
+  |> List.rev |> List.hd
 
-let apply_round (p : position) evaluator result trail node f given =
-  evaluator.apply p.context trail node ~span:p.span ~result f given
-
-let apply_here (p : position) evaluator ~result (f : Value.argument) given =
-  evaluator.apply p.context p.trail p.node ~span:p.span ~result f.value given
+let apply_here (p : position) (evaluator : Evaluator.t) ~result (f : Value.argument) given =
+  evaluator.apply p ~result f.value given
 
 (* The array of what [f] makes of each element of [arrays], and of its number
    where [numbered]. *)
@@ -128,12 +107,7 @@ let elementwise (p : position) evaluator target primitive ~result ~numbered f ar
     let sources =
       (if numbered then [ Number ] else []) @ List.map (fun a -> Each a) arrays
     in
-    match
-      loop p primitive [ target ] ~kind:Function ~count f sources ~final:[] ~elements:[ element ]
-        (fun trail node f given -> [ apply_round p evaluator element trail node f given ])
-    with
-    | [ array ] -> array
-    | [] | _ :: _ :: _ -> bug "a loop with a wrong number of results"
+    loop p evaluator primitive target ~count f sources ~final:[] ~elements:[ element ]
   else
     let columns = List.map (fun a -> Stdlib.Array.of_list (elements p a)) arrays in
     let one k =
@@ -142,43 +116,20 @@ let elementwise (p : position) evaluator target primitive ~result ~numbered f ar
     in
     Value.Elements (List.init count one)
 
-let foldl (p : position) evaluator target (f : Value.argument) (first : Value.argument)
+(* [foldl], and [scanl], which keeps what came on the way. *)
+let fold (p : position) evaluator primitive target (f : Value.argument) (first : Value.argument)
     (array : Value.argument) =
-  let count, _ = size_and_element array.ty in
-  let ty = first.ty in
+  let count, _ = size_and_element array.ty and ty = first.ty in
   if is_first_order p ty && is_first_order p array.ty && not (is_written_out array) then
-    match
-      loop p Foldl [ target ] ~kind:Function ~count f [ From first; Each array ] ~final:[ ty ]
-        ~elements:[]
-        (fun trail node f given -> [ apply_round p evaluator ty trail node f given ])
-    with
-    | [ last ] -> last
-    | [] | _ :: _ :: _ -> bug "a loop with a wrong number of results"
+    loop p evaluator primitive target ~count f [ From first; Each array ] ~final:[ ty ]
+      ~elements:(if primitive = Core.Primitive.Scanl then [ ty ] else [])
   else
-    List.fold_left
-      (fun value element -> apply_here p evaluator ~result:ty f [ { first with value }; element ])
-      first.value (elements p array)
-
-let scanl (p : position) evaluator target (f : Value.argument) (first : Value.argument)
-    (array : Value.argument) =
-  let count, _ = size_and_element array.ty in
-  let ty = first.ty in
-  if is_first_order p ty && is_first_order p array.ty && not (is_written_out array) then
-    match
-      loop p Scanl [ Unnamed; target ] ~kind:Function ~count f [ From first; Each array ]
-        ~final:[ ty ] ~elements:[ ty ]
-        (fun trail node f given ->
-          let next = apply_round p evaluator ty trail node f given in
-          [ next; next ])
-    with
-    | [ _; array ] -> array
-    | _ -> bug "a loop with a wrong number of results"
-  else
-    let next (value, reversed) element =
-      let value = apply_here p evaluator ~result:ty f [ { first with value }; element ] in
-      (value, value :: reversed)
+    let next reversed element =
+      let value = List.hd reversed in
+      apply_here p evaluator ~result:ty f [ { first with value }; element ] :: reversed
     in
-    Value.Elements (List.rev (snd (List.fold_left next (first.value, []) (elements p array))))
+    let reversed = List.fold_left next [ first.value ] (elements p array) in
+    if primitive = Scanl then Value.Elements (List.tl (List.rev reversed)) else List.hd reversed
 
 (* {1 Single elements} *)
 
@@ -253,25 +204,12 @@ let apply (p : position) evaluator target (primitive : Core.Primitive.t) ~result
   | Map, [ f; array ] -> elementwise ~numbered:false f [ array ]
   | Imap, [ f; array ] -> elementwise ~numbered:true f [ array ]
   | Zip_with, [ f; a; b ] -> elementwise ~numbered:false f [ a; b ]
-  | Foldl, [ f; first; array ] -> foldl p evaluator target f first array
-  | Scanl, [ f; first; array ] -> scanl p evaluator target f first array
+  | (Foldl | Scanl), [ f; first; array ] -> fold p evaluator primitive target f first array
   | _ -> bug "`%s` on %d arguments" (Core.Primitive.name primitive) (List.length arguments)
 
-let map_sf (p : position) evaluator target ~result (signal_function : Value.argument)
+let map_sf (p : position) (evaluator : Evaluator.t) target ~result (f : Value.argument)
     (array : Value.argument) =
   let count, element = size_and_element result in
   if is_first_order p element && is_first_order p array.ty then
-    match
-      loop p Map_sf [ target ] ~kind:Signal_function ~count signal_function [ Each array ] ~final:[]
-        ~elements:[ element ]
-        (fun trail node signal_function given ->
-          let input = List.hd given in
-          [ evaluator.run p.context trail node ~span:p.span ~result:element signal_function input ])
-    with
-    | [ array ] -> array
-    | [] | _ :: _ :: _ -> bug "a loop with a wrong number of results"
-  else
-    let one input =
-      evaluator.run p.context p.trail p.node ~span:p.span ~result:element signal_function.value input
-    in
-    Value.Elements (List.map one (elements p array))
+    loop p evaluator Map_sf target ~count f [ Each array ] ~final:[] ~elements:[ element ]
+  else Value.Elements (List.map (evaluator.run p ~result:element f.value) (elements p array))

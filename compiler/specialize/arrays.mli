@@ -4,43 +4,19 @@
     functions has been written out, so there each element is treated for
     itself. So are the elements of a short array that is written out. *)
 
-open Basis
-
-(** Evaluation in the node of one round. *)
-type evaluator = {
-  apply :
-    Context.t ->
-    Context.trail ->
-    Node.t ->
-    span:Span.t ->
-    result:Core.Ir.ty ->
-    Value.t ->
-    Value.argument list ->
-    Value.t;
-  run :
-    Context.t ->
-    Context.trail ->
-    Node.t ->
-    span:Span.t ->
-    result:Core.Ir.ty ->
-    Value.t ->
-    Value.argument ->
-    Value.t;
-}
-
 val apply :
-  Comparison.position ->
-  evaluator ->
+  Evaluator.position ->
+  Evaluator.t ->
   Node.target ->
   Core.Primitive.t ->
   result:Core.Ir.ty ->
   Value.argument list ->
   Value.t
-(** All its arguments. *)
+(** All its arguments. The evaluator is one for the nodes of rounds. *)
 
 val map_sf :
-  Comparison.position ->
-  evaluator ->
+  Evaluator.position ->
+  Evaluator.t ->
   Node.target ->
   result:Core.Ir.ty ->
   Value.argument ->

@@ -1,21 +1,15 @@
 open Basis
 module Ir = Flow.Ir
 
-type position = {
-  context : Context.t;
-  trail : Context.trail;
-  types : Types.table;
-  node : Node.t;
-  span : Span.t;
-}
+type position = Evaluator.position
 
-let define p target rhs = Node.define p.node target ~span:p.span Bool rhs
+let define (p : position) target rhs = Node.define p.node target ~span:p.span Bool rhs
+
 (* Of constants it is known at once: what depends on it is then chosen here. *)
-let operate p target operator atoms =
+let operate (p : position) target operator atoms =
   match Flow.Fold.operation p.context.real operator atoms with
   | Some known -> known
   | None -> define p target (Op (operator, atoms))
-
 
 let not_ p target (a : Ir.atom) : Ir.atom =
   match a with
@@ -40,10 +34,10 @@ let if_ p target condition (then_ : Ir.atom) (else_ : Ir.atom) : Ir.atom =
   | Bool false -> else_
   | Signal _ | Int _ | Float _ -> define p target (If { condition; then_; else_ })
 
-let has p ty value index =
+let has (p : position) ty value index =
   Leaves.is_constructor p.types p.node Unnamed ~span:p.span ty value index
 
-let fields p ty value constructor parts =
+let fields (p : position) ty value constructor parts =
   List.mapi
     (fun field (part : Types.part) ->
       ( part.ty,
@@ -60,14 +54,14 @@ let part_pairs parts a b =
     (fun i (part : Types.part) -> (part.ty, Leaves.component a i, Leaves.component b i))
     parts
 
-let numbers p ty a b =
+let numbers (p : position) ty a b =
   List.map (Leaves.atom p.types p.node ~span:p.span ty) [ a; b ]
 
 let refuse ty =
   Diagnostic.bug ~stage:"Specialize.Comparison" "values of type %s are compared"
     (Types.to_string ty)
 
-let rec equal p target ty a b : Ir.atom =
+let rec equal (p : position) target ty a b : Ir.atom =
   match ((Types.layout p.types ty).kind, ty) with
   | Scalar, Bool -> (
       match numbers p ty a b with
@@ -116,7 +110,7 @@ and equal_arrays p target ~count element a b : Ir.atom =
   | _ -> refuse element
 
 (* Rounds over the elements of two arrays, with such truth values to start. *)
-and compare_arrays p targets ~name ~count element initial a b round =
+and compare_arrays (p : position) targets ~name ~count element initial a b round =
   let local name : Core.Ir.Local.t = { id = 0; name; span = p.span } in
   let accumulator initial : Loop.argument =
     { form = Accumulator; ty = Bool; value = Atom initial; local = local "so_far" }
@@ -124,7 +118,7 @@ and compare_arrays p targets ~name ~count element initial a b round =
   let each name value : Loop.argument =
     { form = Element; ty = element; value; local = local name }
   in
-  Loop.run p.context p.trail p.node targets ~span:p.span
+  Loop.run p targets
     {
       name;
       kind = Function;
@@ -135,7 +129,7 @@ and compare_arrays p targets ~name ~count element initial a b round =
       final = List.map (fun _ : Core.Ir.ty -> Bool) initial;
       elements = [];
     }
-    (fun trail node _ values -> round { p with trail; node } values)
+    (fun p _ values -> round p values)
 
 (* What [<] and [<=] differ in: numbers, and products whose parts are equal. *)
 type order = { of_scalars : Ir.operator; of_equals : bool }
@@ -143,7 +137,7 @@ type order = { of_scalars : Ir.operator; of_equals : bool }
 let strict = { of_scalars = Less; of_equals = false }
 let weak = { of_scalars = Less_equal; of_equals = true }
 
-let rec ordered p order target ty a b : Ir.atom =
+let rec ordered (p : position) order target ty a b : Ir.atom =
   match ((Types.layout p.types ty).kind, ty) with
   | Scalar, Bool -> (
       match numbers p ty a b with

@@ -5,16 +5,7 @@
     of numbers, so with NaN inside, a product is neither equal to, less than
     nor greater than another whose other parts do not decide. *)
 
-open Basis
-
-type position = {
-  context : Context.t;
-  trail : Context.trail;
-  types : Types.table;
-  node : Node.t;
-  span : Span.t;
-}
-(** Where the equations go. *)
+type position := Evaluator.position
 
 val equal : position -> Node.target -> Core.Ir.ty -> Value.t -> Value.t -> Flow.Ir.atom
 val less : position -> Node.target -> Core.Ir.ty -> Value.t -> Value.t -> Flow.Ir.atom

@@ -10,7 +10,8 @@ type scope = {
 }
 
 let bug format = Diagnostic.bug ~stage:"Specialize.Evaluate" format
-let position (c : Context.t) s span : Operation.position =
+
+let position (c : Context.t) s span : Evaluator.position =
   { context = c; trail = s.trail; types = c.types; node = s.node; span }
 
 let closure (c : Context.t) s target code ~name ~span : Value.closure =
@@ -346,7 +347,7 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
           | On_event );
         _;
       } ->
-      Machine.run c (evaluator s) s.trail s.node target ~span ~result signal_function input
+      Machine.run (position c s span) (evaluator s) target ~result signal_function input
   | Primitive { primitive = Run_task; types = [ _; output; ended ]; _ } ->
       run_task c s target ~span ~result ~output ~ended signal_function input
   | Unspecified -> Unspecified
@@ -359,7 +360,7 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (inpu
 and run_task (c : Context.t) s target ~span ~result ~output ~ended signal_function input =
   let parts : Ir.ty = Tuple [ output; Bool; ended ] in
   let value =
-    Machine.run c (evaluator s) s.trail s.node Unnamed ~span ~result:parts signal_function input
+    Machine.run (position c s span) (evaluator s) Unnamed ~result:parts signal_function input
   in
   let part = Leaves.component value in
   let left : Value.t = Constructed { constructor = 0; arguments = [ part 0 ] } in
@@ -389,52 +390,48 @@ and on_arrays (c : Context.t) s target ~span ~result primitive types arguments =
       in
       apply c s target ~span ~result value others
 
-(* What {!Arrays} needs of evaluation: all of a function in the round's node. *)
-and evaluator_of_rounds s : Arrays.evaluator =
-  let scope trail node : scope =
-    { locals = Variables.empty; types = Variables.empty; node; owner = s.owner; trail }
-  in
-  let rec in_place c trail node ~span ~result (f : Value.t) (arguments : Value.argument list) =
-    match (f, arguments) with
-    | Function { code = Lambda (binder, body); captured; types; name; _ }, first :: others ->
-        let locals = bind binder first.ty first.value captured in
-        let inside = { (scope trail node) with locals; types; owner = name } in
-        in_place c trail node ~span ~result (expr c inside Unnamed body) others
-    | _, [] -> f
-    | _, _ :: _ -> apply c (scope trail node) Unnamed ~span ~result f arguments
-  in
-  {
-    apply =
-      (fun c trail node ~span ~result f arguments ->
-        if node == s.node then apply c (scope trail node) Unnamed ~span ~result f arguments
-        else in_place c trail node ~span ~result f arguments);
-    run =
-      (fun c trail node ~span ~result signal_function input ->
-        if node == s.node then
-          run c (scope trail node) Unnamed ~span ~result signal_function input
-        else (evaluator s).run c trail node ~span ~result signal_function input);
-  }
-
-(* What {!Machine} needs of evaluation, in nodes of its own. *)
-and evaluator s : Machine.evaluator =
-  let scope trail node : scope =
+(* In nodes of their own, or this one. *)
+and evaluator s : Evaluator.t =
+  let scope ({ node; trail; _ } : Evaluator.position) =
     { locals = Variables.empty; types = Variables.empty; node; owner = s.owner; trail }
   in
   {
     run =
-      (fun c trail node ~span ~result signal_function input ->
+      (fun p ~result signal_function input ->
         match signal_function with
         | Signal_function { code = Proc proc; name; captured; types; _ } ->
-            let locals = bind proc.input input.Value.ty input.value captured in
-            proc_body c { (scope trail node) with locals; types; owner = name } proc
-        | _ -> run c (scope trail node) Unnamed ~span ~result signal_function input);
+            let locals = bind proc.input input.ty input.value captured in
+            proc_body p.context { (scope p) with locals; types; owner = name } proc
+        | _ -> run p.context (scope p) Unnamed ~span:p.span ~result signal_function input);
     apply =
-      (fun c trail node ~span ~result f argument ->
-        apply c (scope trail node) Unnamed ~span ~result f [ argument ]);
+      (fun p ~result f arguments ->
+        apply p.context (scope p) Unnamed ~span:p.span ~result f arguments);
     static =
-      (fun c trail node closure e ->
-        let inside = { (scope trail node) with locals = closure.Value.captured } in
-        expr c { inside with types = closure.types; owner = closure.name } Unnamed e);
+      (fun p { captured = locals; types; name = owner; _ } e ->
+        expr p.context { (scope p) with locals; types; owner } Unnamed e);
+  }
+
+(* In the node of a round all of a function stands in that node. *)
+and evaluator_of_rounds s =
+  let plain = evaluator s in
+  let rec in_place (p : Evaluator.position) ~result (f : Value.t) arguments =
+    match (f, (arguments : Value.argument list)) with
+    | Function { code = Lambda (binder, body); captured; types; name = owner; _ }, first :: others ->
+        let locals = bind binder first.ty first.value captured in
+        let inside = { locals; types; node = p.node; owner; trail = p.trail } in
+        in_place p ~result (expr p.context inside Unnamed body) others
+    | _, [] -> f
+    | _, _ :: _ -> plain.apply p ~result f arguments
+  in
+  {
+    plain with
+    apply = (fun p -> if p.node == s.node then plain.apply p else in_place p);
+    run =
+      (fun p ~result signal_function input ->
+        if p.node == s.node then
+          let inside = { s with locals = Variables.empty; types = Variables.empty; trail = p.trail } in
+          run p.context inside Unnamed ~span:p.span ~result signal_function input
+        else plain.run p ~result signal_function input);
   }
 
 and delay (c : Context.t) s target ~span (initial : Value.argument) (input : Value.argument) : Value.t =

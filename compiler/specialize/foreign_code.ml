@@ -26,7 +26,7 @@ let imports types (foreign : Core.Ir.foreign) =
   in
   List.rev (List.fold_left add [] foreign.values)
 
-let build (p : Comparison.position) (f : Core.Primitive.foreign) ~result arguments =
+let build (p : Evaluator.position) (f : Core.Primitive.foreign) ~result arguments =
   let c = p.context in
   let node = Node.create ~fresh:c.fresh in
   let signals name ty =
@@ -56,7 +56,7 @@ let build (p : Comparison.position) (f : Core.Primitive.foreign) ~result argumen
     }
 
 (* The same for all calls. *)
-let node (p : Comparison.position) f ~result arguments =
+let node (p : Evaluator.position) f ~result arguments =
   let c = p.context in
   let walk = Skeleton.walk c.keys p.node Holes in
   Skeleton.add_text walk (Core.Primitive.key (Foreign f));
@@ -69,7 +69,7 @@ let node (p : Comparison.position) f ~result arguments =
         { callee = Node node; result = Unspecified; outputs = [] };
       node
 
-let apply (p : Comparison.position) target (f : Core.Primitive.foreign) ~result arguments =
+let apply (p : Evaluator.position) target (f : Core.Primitive.foreign) ~result arguments =
   let node = node p f ~result arguments in
   let leaves = (Types.layout p.types result).leaves in
   let atoms (a : Value.argument) = Leaves.atoms p.types p.node ~span:p.span a.ty a.value in

@@ -2,7 +2,7 @@
     is imported, called like any other. *)
 
 val apply :
-  Comparison.position ->
+  Evaluator.position ->
   Node.target ->
   Core.Primitive.foreign ->
   result:Core.Ir.ty ->

@@ -18,36 +18,16 @@ let bind table (binder : Ir.binder) body =
 let rec free table (e : Ir.expr) =
   match e.desc with
   | Local local -> Set.singleton local.id
-  | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ -> Set.empty
   | Lambda (binder, body) -> bind table binder (free table body)
-  | Apply (f, argument) -> Set.union (free table f) (free table argument)
   | Let { binder; value; body } ->
-      let in_value = free table value in
-      Set.union in_value (Set.remove binder.local.id (free table body))
-  | Tuple parts | Array parts | Construct { arguments = parts; _ } ->
-      List.fold_left (fun set part -> Set.union set (free table part)) Set.empty parts
-  | Component (e, _) | Index (e, _) | Is_constructor (e, _) | Payload { value = e; _ } -> free table e
-  | If (condition, then_, else_) ->
-      Set.union (free table condition) (Set.union (free table then_) (free table else_))
-  | Proc proc -> free_of_proc table proc
+      Set.union (free table value) (Set.remove binder.local.id (free table body))
+  | Proc { input; equations; output = _ } ->
+      let remove set (eq : Ir.equation) = Set.remove eq.binder.local.id set in
+      bind table input (List.fold_left remove (of_parts table e) equations)
+  | _ -> of_parts table e
 
-and free_of_proc table (proc : Ir.proc) =
-  let of_equation (eq : Ir.equation) =
-    match eq.rhs with
-    | Pure e -> free table e
-    | Run { signal_function; input } -> Set.union (free table signal_function) (free table input)
-  in
-  let all =
-    List.fold_left
-      (fun set eq -> Set.union set (of_equation eq))
-      (free table proc.output) proc.equations
-  in
-  let unbound =
-    List.fold_left
-      (fun set (eq : Ir.equation) -> Set.remove eq.binder.local.id set)
-      all proc.equations
-  in
-  bind table proc.input unbound
+and of_parts table e =
+  List.fold_left (fun set part -> Set.union set (free table part)) Set.empty (Core.Term.parts e)
 
 let expr table e = ignore (free table e)
 

@@ -85,7 +85,8 @@ let define_outputs (c : Context.t) node ~span tys values =
         (List.map2 copy leaves (Leaves.atoms c.types node ~span ty value)))
     tys values
 
-let run (c : Context.t) trail caller targets ~span request round =
+let run (p : Evaluator.position) targets request round =
+  let { Evaluator.context = c; trail; node = caller; span; _ } = p in
   let walk = Skeleton.walk c.keys caller Holes in
   Skeleton.add_number walk code;
   Skeleton.add_text walk request.key;
@@ -121,7 +122,7 @@ let run (c : Context.t) trail caller targets ~span request round =
       List.map (fun (a : Value.argument) -> Skeleton.value copy a.ty a.value) request.captured
     in
     let arguments = split c (List.map (fun a -> a.ty) request.arguments) rest in
-    let values = round trail node captured arguments in
+    let values = round { p with trail; node } captured arguments in
     let only_hands_on () =
       let changing =
         List.concat

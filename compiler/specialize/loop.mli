@@ -1,8 +1,6 @@
 (** Loops over arrays: a node that is made for one round, and the instance
     that runs it for each. *)
 
-open Basis
-
 type argument = {
   form : Flow.Ir.argument;
   ty : Core.Ir.ty;  (** closed; of what one round gets; first-order *)
@@ -25,13 +23,10 @@ type request = {
 }
 
 val run :
-  Context.t ->
-  Context.trail ->
-  Node.t ->
+  Evaluator.position ->
   Node.target list ->
-  span:Span.t ->
   request ->
-  (Context.trail -> Node.t -> Value.t list -> Value.t list -> Value.t list) ->
+  (Evaluator.position -> Value.t list -> Value.t list -> Value.t list) ->
   Value.t list
 (** The final accumulators, and the arrays; a target for each. The function is
     one round, in a node of its own: from what is captured and the arguments to

@@ -3,28 +3,6 @@ module Ir = Flow.Ir
 
 let bug format = Diagnostic.bug ~stage:"Specialize.Machine" format
 
-type evaluator = {
-  run :
-    Context.t ->
-    Context.trail ->
-    Node.t ->
-    span:Span.t ->
-    result:Core.Ir.ty ->
-    Value.t ->
-    Value.argument ->
-    Value.t;
-  apply :
-    Context.t ->
-    Context.trail ->
-    Node.t ->
-    span:Span.t ->
-    result:Core.Ir.ty ->
-    Value.t ->
-    Value.argument ->
-    Value.t;
-  static : Context.t -> Context.trail -> Node.t -> Value.closure -> Core.Ir.expr -> Value.t;
-}
-
 type mode = {
   number : int;
   value : Value.t;  (* in terms of the node that found it first *)
@@ -47,7 +25,7 @@ type built = {
 
 type machine = {
   context : Context.t;
-  evaluator : evaluator;
+  evaluator : Evaluator.t;
   trail : Context.trail;
   input : Core.Ir.ty;
   result : Core.Ir.ty;
@@ -55,6 +33,9 @@ type machine = {
   mutable count : int;
   waiting : mode Queue.t;
 }
+
+let position ?(in_mode = Fun.id) m node span : Evaluator.position =
+  { context = m.context; trail = in_mode m.trail; types = m.context.types; node; span }
 
 let signal_function m : Core.Ir.ty = Signal_function (m.input, m.result)
 let unnamed span : Core.Ir.Local.t = { id = 0; name = ""; span }
@@ -85,8 +66,6 @@ let rec choices m node ?input ~span (value : Value.t) =
           let then_ = choices m node ?input ~span then_ in
           If (condition, then_, choices m node ?input ~span else_))
   | Primitive { primitive = Run_task; types; arguments = [ task ]; owner; at } ->
-      let apply ~span = m.evaluator.apply m.context m.trail node ~span in
-      let run_now ~span ~result = m.evaluator.run m.context m.trail node ~span ~result in
       let run value : Value.t =
         Primitive { primitive = Run_task; types; arguments = [ { task with value } ]; owner; at }
       in
@@ -96,11 +75,11 @@ let rec choices m node ?input ~span (value : Value.t) =
             If (condition, then_, each else_)
         | task -> One (run task)
       in
-      each (Task.reduced m.context node apply (At_once.result m.context run_now node input) ~span task.value)
+      each (Task.reduced (position m node span) m.evaluator ?input task.value)
   | Signal_function ({ code = Proc proc; _ } as closure) -> (
       match eta proc with
       | Some inner ->
-          choices m node ?input ~span (m.evaluator.static m.context m.trail node closure inner)
+          choices m node ?input ~span (m.evaluator.static (position m node span) closure inner)
       | None -> One value)
   | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Primitive _ | Signal_function _
   | Program _ | Unspecified ->
@@ -154,9 +133,9 @@ let transitions m node ?input ~from ~by ~span ~delayed occurs value =
 (* [Event] is the second constructor. *)
 let occurrence m node ~span ty event =
   let types = m.context.types in
-  let occurs = Leaves.is_constructor types node Unnamed ~span (At_once.event_type ty) event 1 in
+  let occurs = Leaves.is_constructor types node Unnamed ~span (Core.Signature.event ty) event 1 in
   let value () =
-    Leaves.payload types node Unnamed ~span (At_once.event_type ty) event ~constructor:1 ~field:0
+    Leaves.payload types node Unnamed ~span (Core.Signature.event ty) event ~constructor:1 ~field:0
   in
   (occurs, value)
 
@@ -191,8 +170,8 @@ let parameter node ~name (hole : Skeleton.hole) =
 let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
   let c = m.context and at = mode.place in
   let run ~name ~result =
-    let trail = Context.enter c m.trail ~name ~span:mode.at in
-    m.evaluator.run c trail node ~span:at ~result
+    let in_mode trail = Context.enter c trail ~name ~span:mode.at in
+    m.evaluator.run (position ~in_mode m node at) ~result
   in
   let next ~delayed ty event (continuation : Value.t) =
     let span = Origin.place ~otherwise:at continuation in
@@ -202,7 +181,7 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
     | _ ->
         let argument : Value.argument = { value = payload (); ty } in
         let after =
-          m.evaluator.apply c m.trail node ~span ~result:(signal_function m) continuation argument
+          m.evaluator.apply (position m node span) ~result:(signal_function m) continuation [ argument ]
         in
         let by : Ir.follower =
           match continuation with
@@ -219,7 +198,7 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
         types = [ _; _; ty ];
         _;
       } ->
-      let result : Core.Ir.ty = Tuple [ m.result; At_once.event_type ty ] in
+      let result : Core.Ir.ty = Tuple [ m.result; Core.Signature.event ty ] in
       let outputs = run ~name:(Core.Primitive.name primitive) ~result before.value input in
       let delayed = primitive = Delayed_switch in
       ( Leaves.component outputs 0,
@@ -251,12 +230,12 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
           let shown, occurs, ended =
             if primitive = Make_task then
               let both =
-                run ~name ~result:(Core.Ir.Tuple [ while_it_runs; At_once.event_type result ]) signal_function input
+                run ~name ~result:(Core.Ir.Tuple [ while_it_runs; Core.Signature.event result ]) signal_function input
               in
               let occurs, ended = occurrence m node ~span:at result (Leaves.component both 1) in
               (Leaves.component both 0, occurs, ended)
             else
-              let ty = At_once.either_type while_it_runs result in
+              let ty = Core.Signature.either while_it_runs result in
               let either = run ~name ~result:ty signal_function input in
               let part constructor =
                 Leaves.payload c.types node Unnamed ~span:at ty either ~constructor ~field:0
@@ -355,12 +334,13 @@ let parts m node ~span (value : Value.t) (input : Value.t) =
         | Bool true -> event
         | Bool false -> none
         | occurs ->
-            Leaves.select m.context.types node Unnamed ~span (At_once.event_type m.result) occurs event none
+            Leaves.select m.context.types node Unnamed ~span (Core.Signature.event m.result) occurs event none
       in
       { (plain first.value (payload ())) with active = Some occurs; complete }
   | _ -> plain value input
 
-let body (c : Context.t) evaluator trail node ~name ~span ~own_input ~own_result value input =
+let body ({ context = c; trail; node; span; _ } : Evaluator.position) evaluator ~name ~own_input
+    ~own_result value input =
   let m =
     {
       context = c;
@@ -440,7 +420,8 @@ let refuse_nesting (c : Context.t) ~name ~is_task ~outside ~inside =
 
 let is_task : Value.t -> bool = function Primitive { primitive = Run_task; _ } -> true | _ -> false
 
-let run (c : Context.t) evaluator trail node target ~span ~result value (input : Value.argument) =
+let run (p : Evaluator.position) evaluator target ~result value (input : Value.argument) =
+  let { Evaluator.context = c; trail; node; span; _ } = p in
   let name = Origin.name value in
   let span =
     match value with
@@ -480,7 +461,8 @@ let run (c : Context.t) evaluator trail node target ~span ~result value (input :
     Variables.Table.replace c.building key trail;
     Fun.protect
       ~finally:(fun () -> Variables.Table.remove c.building key)
-      (fun () -> body c evaluator trail node ~name ~span ~own_input ~own_result value input)
+      (fun () ->
+        body { p with trail; node; span } evaluator ~name ~own_input ~own_result value input)
   in
   Specialization.call c trail node target
     {

@@ -8,41 +8,10 @@
     comes back to itself through continuations closes a circle; what the
     skeleton leaves out, first-order values, are the mode's parameters. *)
 
-open Basis
-
-(** Evaluation in a node under construction. *)
-type evaluator = {
-  run :
-    Context.t ->
-    Context.trail ->
-    Node.t ->
-    span:Span.t ->
-    result:Core.Ir.ty ->
-    Value.t ->
-    Value.argument ->
-    Value.t;
-      (** A signal function's output; a proc's equations stand in the node
-          itself. *)
-  apply :
-    Context.t ->
-    Context.trail ->
-    Node.t ->
-    span:Span.t ->
-    result:Core.Ir.ty ->
-    Value.t ->
-    Value.argument ->
-    Value.t;
-  static : Context.t -> Context.trail -> Node.t -> Value.closure -> Core.Ir.expr -> Value.t;
-      (** an expression in a proc that mentions no signal of it *)
-}
-
 val run :
-  Context.t ->
-  evaluator ->
-  Context.trail ->
-  Node.t ->
+  Evaluator.position ->
+  Evaluator.t ->
   Node.target ->
-  span:Span.t ->
   result:Core.Ir.ty ->
   Value.t ->
   Value.argument ->

@@ -1,7 +1,7 @@
 open Basis
 module Ir = Flow.Ir
 
-type position = Comparison.position
+type position = Evaluator.position
 
 let apply (p : position) target (primitive : Core.Primitive.t) ~result
     (arguments : Value.argument list) : Value.t =

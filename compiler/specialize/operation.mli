@@ -1,6 +1,6 @@
 (** The meaning of the primitives that are functions of values. *)
 
-type position = Comparison.position
+type position = Evaluator.position
 
 val apply :
   position ->

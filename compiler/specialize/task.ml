@@ -2,8 +2,6 @@ open Basis
 
 let bug format = Diagnostic.bug ~stage:"Specialize.Task" format
 
-type evaluator = span:Span.t -> result:Core.Ir.ty -> Value.t -> Value.argument -> Value.t
-
 type head =
   | Runs of {
       signal_function : Value.t;
@@ -96,7 +94,35 @@ let rec first : Value.t -> Value.t option = function
 
 let unnamed span : Core.Ir.Local.t = { id = 0; name = ""; span }
 
-let reduced (c : Context.t) node apply ends_at_once ~span task =
+let keeps_nothing (proc : Core.Ir.proc) =
+  List.for_all
+    (fun (e : Core.Ir.equation) -> match e.rhs with Pure _ -> true | Run _ -> false)
+    proc.equations
+
+(* What a task ends with at its first instant, as far as it is known; [Event] and [Right]
+   are second constructors. *)
+let end_at_once (p : Evaluator.position) (evaluator : Evaluator.t) input = function
+  | Runs
+      { signal_function = Signal_function { code = Proc proc; _ } as running; primitive; output; result }
+    when keeps_nothing proc ->
+      let p = { p with span = proc.output.span } in
+      let event = Core.Signature.event result in
+      let ty, value =
+        if primitive = Make_task then
+          let both : Core.Ir.ty = Tuple [ output; event ] in
+          (event, Leaves.component (evaluator.run p ~result:both running input) 1)
+        else
+          let either = Core.Signature.either output result in
+          (either, evaluator.run p ~result:either running input)
+      in
+      let at f = f p.types p.node Node.Unnamed ~span:p.span ty value in
+      if at Leaves.is_constructor 1 = Bool true then
+        Some { Value.value = at Leaves.payload ~constructor:1 ~field:0; ty = result }
+      else None
+  | Runs _ | Ends _ | Passes -> None
+
+let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
+  let { Evaluator.context = c; node; span; _ } = p in
   (* Continuation and result without their numbers, and these. *)
   let key ~span (rest : Value.argument) (value : Value.argument) =
     let walk = Skeleton.walk c.keys node Holes in
@@ -135,7 +161,7 @@ let reduced (c : Context.t) node apply ends_at_once ~span task =
         let then_ = reduce ~span chain then_ in
         Choice { condition; then_; else_ = reduce ~span chain else_ }
     | Primitive { primitive = Make_task | Until_right; types = [ a; b; c ]; owner; at; _ } -> (
-        match ends_at_once (head task) with
+        match Option.bind input (fun input -> end_at_once p evaluator input (head task)) with
         | Some result -> Primitive { primitive = Return; types = [ c; a; b ]; arguments = [ result ]; owner; at }
         | None -> task)
     | task -> task
@@ -144,7 +170,8 @@ let reduced (c : Context.t) node apply ends_at_once ~span task =
     | Primitive { primitive = Return; arguments = [ value ]; owner; _ } -> (
         match enter ~span ~ended:owner ~by:(fst origin) chain rest value with
         | Some ((_, _, { place; _ }) :: _ as chain) ->
-            reduce ~span chain (apply ~span:place ~result rest.value value)
+            let task = evaluator.apply { p with span = place } ~result rest.value [ value ] in
+            reduce ~span chain task
         | Some [] | None -> sequence types (fst origin) (snd origin) first rest)
     | Choice { condition; then_; else_ } ->
         let branch value = follow ~span chain types origin rest { first with value } ~result in

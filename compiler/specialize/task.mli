@@ -7,9 +7,6 @@
 
 open Basis
 
-type evaluator = span:Span.t -> result:Core.Ir.ty -> Value.t -> Value.argument -> Value.t
-(** Applies a function. *)
-
 (** What runs first. *)
 type head =
   | Runs of {
@@ -40,17 +37,12 @@ val type_of : Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty
 (** Of input, output and result. *)
 
 val reduced :
-  Context.t ->
-  Node.t ->
-  evaluator ->
-  (head -> Value.argument option) ->
-  span:Span.t ->
-  Value.t ->
-  Value.t
-(** The same task, or choice of tasks, with a head: what ends at once is done
-    with, in this node. The function says what a task ends with at once, if it
-    is known to do so. Reports tasks that end at once in a circle where nothing
-    changes; then raises {!Context.Stopped}. *)
+  Evaluator.position -> Evaluator.t -> ?input:Value.argument -> Value.t -> Value.t
+(** The same task, or choice of tasks, with a head: what ends at once is done with, in this
+    node. On an [input] that is known that is also what is known to end at its first
+    instant and keeps nothing, such as [snapT]: it is no mode, and takes no step. Reports
+    tasks that end at once in a circle where nothing changes; then raises
+    {!Context.Stopped}. *)
 
 val head : Value.t -> head
 (** Of a task that is reduced, and no choice. *)
