@@ -233,6 +233,25 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
   | Derivative _ ->
       rhs
 
+(* Each element of an array of equal ones is what it is filled with. *)
+let of_loop known (i : Ir.instance) =
+  let all_equal array =
+    match definition known array with
+    | Some (Fill a) -> Some a
+    | Some (Elements (a :: others)) when List.for_all (same a) others -> Some a
+    | Some _ | None -> None
+  in
+  let given (how : Ir.argument) atom =
+    match if how = Element then all_equal atom else None with
+    | Some a -> (Ir.Same, a)
+    | None -> (how, atom)
+  in
+  match i.loop with
+  | None -> i
+  | Some l ->
+      let arguments, inputs = List.split (List.map2 given l.arguments i.inputs) in
+      if arguments = l.arguments then i else { i with inputs; loop = Some { l with arguments } }
+
 let node real ~fresh (node : Ir.node) =
   let known : known = Int_table.create 64 in
   (* Few ask for it. *)
@@ -264,7 +283,13 @@ let node real ~fresh (node : Ir.node) =
         | rhs -> Int_table.replace known e.defines.id rhs)
   in
   List.iter visit (Schedule.as_far_as_possible node);
-  if not !changed then node
+  let instance (i : Ir.instance) =
+    if i.loop = None then i
+    else of_loop known { i with inputs = List.map (Substitution.atom substitution) i.inputs }
+  in
+  let instances = Long_list.map_sharing instance node.instances in
+  let loops (i : Ir.instance) = i.loop in
+  if not (!changed || List.exists2 (fun a b -> loops a <> loops b) instances node.instances) then node
   else
     let equations =
       List.filter_map
@@ -274,7 +299,7 @@ let node real ~fresh (node : Ir.node) =
             (Int_table.find_opt known e.defines.id))
         node.equations
     in
-    Substitution.node substitution { node with equations = List.rev_append !added equations }
+    Substitution.node substitution { node with equations = List.rev_append !added equations; instances }
 
 let to_look_at real looked_at =
   let next = ref 0 in
