@@ -34,7 +34,8 @@ let diagnostic ~vertex ~use cycle =
   in
   List.fold_left
     (fun diagnostic (a, b) ->
-      Diagnostic.label ~at:(use a b) (Printf.sprintf "%s uses %s here" (named a) (named b)) diagnostic)
+      let text = Printf.sprintf "%s uses %s here" (named a) (named b) in
+      Diagnostic.label ~at:(use a b) text diagnostic)
     (Diagnostic.error ~code:"E0410" ~at:(vertex first).span "%s %s" (named first) message |> path)
     steps
   |> Diagnostic.note

@@ -51,7 +51,9 @@ let report sink (definitions : Ir.definition array) uses i { index; by; types; a
   |> Diagnostic.here (Printf.sprintf "here a type variable of it becomes `%s`" (Print.type_name ty))
   |> (fun diagnostic ->
        match way uses index i with
-       | [] -> Diagnostic.label ~at:d.span (Printf.sprintf "`%s` is defined here" d.name.name) diagnostic
+       | [] ->
+           let text = Printf.sprintf "`%s` is defined here" d.name.name in
+           Diagnostic.label ~at:d.span text diagnostic
        | way -> List.fold_left label diagnostic way)
   |> Diagnostic.hint "start it again at the same types"
   |> Diagnostic.emit sink

@@ -6,7 +6,8 @@ let report sink (definitions : Ir.definition array) use cycle =
   let cure =
     if List.for_all (fun v -> (vertex v).task) cycle then Fun.id
     else
-      Diagnostic.hint "a value that depends on its own past is an equation of a `proc`, with `delay`"
+      Diagnostic.hint
+        "a value that depends on its own past is an equation of a `proc`, with `delay`"
   in
   Cycle.diagnostic ~vertex ~use cycle |> cure |> Diagnostic.emit sink
 

@@ -55,7 +55,7 @@ let specialized (r : Request.t) sink { typed; _ } ~(written : Typing.Ir.definiti
   | None ->
       let options = { Specialize.Context.default with limit = r.specialization_limit } in
       let name = C_file.name r.file in
-      let* flow = Specialize.Evaluate.program ~options sink ~name ~entry core in
+      let* flow = Specialize.Of_core.program ~options sink ~name ~entry core in
       (* Before anything is moved: messages speak of equations as they were written. *)
       let entry = written.span in
       Flow.Causality.check sink ~entry flow;

@@ -161,7 +161,8 @@ let report_stored t trail ~span ty =
       |> Diagnostic.label ~at:span "it would be stored here, in a `delay`"
       |> with_trail { trail with calls }
   | _ ->
-      Diagnostic.error ~code:"E0412" ~at:span "a value of type `%s` cannot be stored in a `delay`" ty
+      Diagnostic.error ~code:"E0412" ~at:span
+        "a value of type `%s` cannot be stored in a `delay`" ty
       |> with_trail trail)
   |> Diagnostic.note "functions, signal functions and labels exist only while compiling"
   |> Diagnostic.emit t.sink
@@ -193,7 +194,8 @@ let count t trail ~name ~span =
       (Diagnostic.error ~code:"E0413" ~at:span
          "`%s` is specialized for more than %d different arguments" name t.options.limit
       |> Diagnostic.note
-           "it has a copy for each type, function and signal function that it is given, not for each number"
+           "it has a copy for each type, function and signal function that it is given, not for \
+            each number"
       |> Diagnostic.hint "the option `--specialization-limit` allows more")
 
 let add_node t node =

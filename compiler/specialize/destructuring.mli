@@ -10,5 +10,5 @@ val of_lambda : Types.table -> Value.substitution -> Core.Ir.binder -> Core.Ir.e
 val of_proc : Types.table -> Value.substitution -> Core.Ir.proc -> t
 
 val name : t -> Core.Ir.Local.t -> string -> string
-(** Of the leaf at a path of a variable: the leaf [1.x] of the pair [(p, v)] is [p.x]. Empty for what
-    no variable of the pattern stands for. *)
+(** Of the leaf at a path of a variable: the leaf [1.x] of the pair [(p, v)] is [p.x].
+    Empty for what no variable of the pattern stands for. *)

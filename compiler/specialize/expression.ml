@@ -9,7 +9,7 @@ type scope = {
   trail : Context.trail;
 }
 
-let bug format = Diagnostic.bug ~stage:"Specialize.Evaluate" format
+let bug format = Diagnostic.bug ~stage:"Specialize.Expression" format
 
 let position (c : Context.t) s span : Evaluator.position =
   { context = c; trail = s.trail; types = c.types; node = s.node; span }
@@ -47,6 +47,9 @@ let number real ty value : Flow.Ir.atom =
   | Size _ ->
       bug "a number of type %s" (Types.to_string ty)
 
+(* Of a definition that is not the prelude's. *)
+let own_name (g : Ir.Global.t) = if g.module_ = "Prelude" then None else Some g.name
+
 let bind_types substitution parameters types =
   List.fold_left2
     (fun substitution (v : Ir.variable) ty -> Variables.add v.id ty substitution)
@@ -60,14 +63,15 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
       | Some entry -> Closure.forced entry)
   | Global (name, types) ->
       let value = global c s target e name (List.map (Types.close s.types) types) in
-      Task.named c ~name:(if name.module_ = "Prelude" then None else Some name.name) ~at:e.span value
+      Task.named c ~name:(own_name name) ~at:e.span value
   | Method { class_; name; ty; types } -> (
       let types = List.map (Types.close s.types) types in
       match Core.Instance.find c.instances ~class_ ~name (Types.close s.types ty) types with
       | Some (definition, types) -> global c s target e definition types
       | None -> bug "the method `%s` at an open type" name)
   | Primitive (primitive, types) ->
-      Primitive { primitive; types = List.map (Types.close s.types) types; arguments = []; owner = s.owner; at = e.span }
+      let types = List.map (Types.close s.types) types in
+      Primitive { primitive; types; arguments = []; owner = s.owner; at = e.span }
   | Number value -> Atom (number c.real (Types.close s.types e.ty) value)
   | Boolean b -> Atom (Bool b)
   | String text -> Text text
@@ -136,12 +140,14 @@ and spine (c : Context.t) s target (whole : Ir.expr) (f : Ir.expr) arguments =
   match f.desc with
   | Apply (f, argument) -> spine c s target whole f (argument :: arguments)
   | Local _ | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ | Lambda _ | Let _
-  | Tuple _ | Component _ | Array _ | Index _ | Construct _ | Is_constructor _ | Payload _ | If _ | Proc _ ->
+  | Tuple _ | Component _ | Array _ | Index _ | Construct _ | Is_constructor _ | Payload _ | If _
+  | Proc _ ->
       let function_ = expr c s Unnamed f in
       let name =
         match (f.desc, function_) with
-        | Global (g, _), _ -> if g.module_ = "Prelude" then None else Some g.name
-        | _, Function { name; span; _ } when name <> "" && not (Context.in_prelude c span) -> Some name
+        | Global (g, _), _ -> own_name g
+        | _, Function { name; span; _ } ->
+            if name = "" || Context.in_prelude c span then None else Some name
         | _ -> None
       in
       let arguments = List.map (argument c s) arguments in
@@ -211,7 +217,8 @@ and global (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types =
         evaluate s.node
 
 (* [result]: the type after all arguments. *)
-and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Value.argument list) : Value.t =
+and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Value.argument list) :
+    Value.t =
   match (f, arguments) with
   | _, [] -> f
   | Function ({ code = Lambda (binder, body); captured; _ } as closure), first :: others ->
@@ -221,9 +228,10 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       let missing = Core.Primitive.arity primitive - List.length all in
       match (primitive, all) with
       | Reactimate, [ signal_function ] -> Program signal_function.value
-      | ( ( Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
-          | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right
-          | Return | Sequence | Run_task | Ending | Foreign { kind = Stateful; _ } ),
+      | ( ( Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch
+          | Delayed_switch | Recurring_switch | Delayed_recurring_switch | Initially | On_event
+          | Map_sf | Make_task | Until_right | Return | Sequence | Run_task | Ending
+          | Foreign { kind = Stateful; _ } ),
           _ ) ->
           Primitive { primitive; types; arguments = all; owner = s.owner; at = span }
       | _, _ when missing > 0 ->
@@ -266,7 +274,8 @@ and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (b
         if not (Types.layout c.types ty).first_order then
           (* What is left is named after this function, not after its use. *)
           expr c (inside (Context.enter c s.trail ~name:closure.name ~span)) Unnamed body
-        else if is_trivial body then expr c (inside (trail_of_trivial c s ~span closure body)) whole body
+        else if is_trivial body then
+          expr c (inside (trail_of_trivial c s ~span closure body)) whole body
         else if first.ty = Tuple [] && others = [] then
           join s closure (fun () -> expr c (inside s.trail) Unnamed body)
         else call_function c s whole ~span ~result:ty applied binder body
@@ -313,8 +322,8 @@ and call_function (c : Context.t) s target ~span ~result (applied : Value.closur
       expr c { locals; types = applied.types; node; owner = applied.name; trail } Unnamed body)
 
 (* An instance of a signal function. *)
-and run (c : Context.t) s target ~span ~result (signal_function : Value.t) (input : Value.argument) : Value.t
-    =
+and run (c : Context.t) s target ~span ~result (signal_function : Value.t)
+    (input : Value.argument) : Value.t =
   match signal_function with
   | Signal_function ({ code = Proc proc; _ } as closure) ->
       run_proc c s target ~span ~result closure proc input
@@ -416,9 +425,9 @@ and evaluator_of_rounds s =
   let plain = evaluator s in
   let rec in_place (p : Evaluator.position) ~result (f : Value.t) arguments =
     match (f, (arguments : Value.argument list)) with
-    | Function { code = Lambda (binder, body); captured; types; name = owner; _ }, first :: others ->
+    | Function { code = Lambda (binder, body); captured; types; name; _ }, first :: others ->
         let locals = bind binder first.ty first.value captured in
-        let inside = { locals; types; node = p.node; owner; trail = p.trail } in
+        let inside = { locals; types; node = p.node; owner = name; trail = p.trail } in
         in_place p ~result (expr p.context inside Unnamed body) others
     | _, [] -> f
     | _, _ :: _ -> plain.apply p ~result f arguments
@@ -429,12 +438,14 @@ and evaluator_of_rounds s =
     run =
       (fun p ~result signal_function input ->
         if p.node == s.node then
-          let inside = { s with locals = Variables.empty; types = Variables.empty; trail = p.trail } in
+          let none = Variables.empty in
+          let inside = { s with locals = none; types = Variables.empty; trail = p.trail } in
           run p.context inside Unnamed ~span:p.span ~result signal_function input
         else plain.run p ~result signal_function input);
   }
 
-and delay (c : Context.t) s target ~span (initial : Value.argument) (input : Value.argument) : Value.t =
+and delay (c : Context.t) s target ~span (initial : Value.argument) (input : Value.argument) :
+    Value.t =
   let layout = Types.layout c.types input.ty in
   if layout.first_order then (
     Context.check_lasting c s.trail ~span

@@ -1,6 +1,8 @@
+open Basis
 module Ir = Flow.Ir
 
-let letter k = if k < 26 then String.make 1 (Char.chr (Char.code 'a' + k)) else Printf.sprintf "a%d" k
+let letter k =
+  if k < 26 then String.make 1 (Char.chr (Char.code 'a' + k)) else Printf.sprintf "a%d" k
 
 let import types (f : Core.Primitive.foreign) ~arguments ~result : Ir.import =
   {
@@ -80,3 +82,37 @@ let apply (p : Evaluator.position) target (f : Core.Primitive.foreign) ~result a
       (List.map (fun (leaf : Types.leaf) -> leaf.leaf) leaves)
   in
   Leaves.value p.types result outputs
+
+(* In C both would have the struct and the functions of that name. *)
+let check_names sink ~name (foreign : Core.Ir.foreign) =
+  (* [my-robot.frob] has [my_robot_step]. *)
+  let prefix = String.map (fun c -> if c = '-' || c = ' ' || c = '.' then '_' else c) name in
+  let collision ((f : Core.Primitive.foreign), _) =
+    match f.kind with
+    | Stateful when String.equal f.symbol prefix ->
+      Some
+        ( f,
+          Printf.sprintf "the program and the component `%s` in C have one name" f.symbol,
+          Printf.sprintf "both would have `struct %s_state`, `%s_reset` and `%s_step`" prefix
+            prefix prefix )
+    | Stateless _ when List.mem f.symbol [ prefix ^ "_reset"; prefix ^ "_step" ] ->
+      Some
+        ( f,
+          Printf.sprintf "the program's own C has a function `%s`" f.symbol,
+          "the functions of a program are named after its file" )
+    | Stateful | Stateless _ -> None
+  in
+  let refuse ~at ?note ~hint message =
+    let diagnostic = Diagnostic.error ~code:"E0431" ~at "%s" message in
+    Option.fold note ~none:diagnostic ~some:(fun note -> Diagnostic.note note diagnostic)
+    |> Diagnostic.hint hint |> Diagnostic.emit sink
+  in
+  let refuse_header (h : Core.Ir.header) =
+    if String.equal h.header (name ^ ".h") then
+      refuse ~at:(Span.start_of_file h.of_file) ~hint:"rename the program's file, or the header"
+        (Printf.sprintf "the program's own header would be `%s`, which it includes" h.header)
+  in
+  match List.find_map collision foreign.values with
+  | Some ((f : Core.Primitive.foreign), message, note) ->
+    refuse ~at:f.span ~note ~hint:"rename the program's file" message
+  | None -> List.iter refuse_header foreign.headers

@@ -11,3 +11,7 @@ val apply :
 (** On all arguments; of a signal function, an instance on its input. *)
 
 val imports : Types.table -> Core.Ir.foreign -> Flow.Ir.import list
+
+val check_names : Basis.Diagnostic.sink -> name:string -> Core.Ir.foreign -> unit
+(** [name]: of the program's C files. Emits E0431 where the program's own C has the names
+    of what it imports. *)

@@ -50,12 +50,16 @@ let rec nest_of_mode known (value : Value.t) =
   | Function closure | Signal_function closure -> inside known closure
   | Primitive { arguments; _ } ->
       deepest (List.map (fun (a : Value.argument) -> nest_of_mode known a.value) arguments)
-  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Choice _ | Program _ | Unspecified -> (0, "")
+  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Choice _ | Program _
+  | Unspecified ->
+      (0, "")
 
 let name_of : Value.t -> string = function
   | Function closure | Signal_function closure -> closure.name
   | Primitive { owner; _ } -> owner
-  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Choice _ | Program _ | Unspecified -> ""
+  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Choice _ | Program _
+  | Unspecified ->
+      ""
 
 let rec head (value : Value.t) =
   match value with
@@ -63,7 +67,9 @@ let rec head (value : Value.t) =
   | Function closure | Signal_function closure -> [ Closure.code_id closure.code ]
   | Primitive { arguments; _ } ->
       List.concat_map (fun (a : Value.argument) -> head a.value) arguments
-  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Choice _ | Program _ | Unspecified -> []
+  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Choice _ | Program _
+  | Unspecified ->
+      []
 
 (* As far back as a circle of modes is long. *)
 let rec before head t steps =
@@ -140,7 +146,9 @@ let report_task (c : Context.t) (t : t) place =
 let report_growth (c : Context.t) ~name (t : t) =
   let on_the_way diagnostic hop =
     if Span.compare hop.at t.at = 0 || String.equal hop.name "" then diagnostic
-    else Diagnostic.label ~at:hop.at (Printf.sprintf "on the way `%s` starts here" hop.name) diagnostic
+    else
+      let text = Printf.sprintf "on the way `%s` starts here" hop.name in
+      Diagnostic.label ~at:hop.at text diagnostic
   in
   Diagnostic.(
     error ~code:"E0416" ~at:(in_program c t) "`%s` grows each time it starts itself again" name

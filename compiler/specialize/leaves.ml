@@ -175,7 +175,7 @@ let rec select table node target ~span ty condition (a : Value.t) (b : Value.t) 
         Product (List.mapi choose_target (List.combine parts targets))
     | Array (_, element), Elements of_a, Elements of_b ->
         Elements
-          (List.map2 (fun a b -> select table node Node.Unnamed ~span element condition a b) of_a of_b)
+          (List.map2 (select table node Node.Unnamed ~span element condition) of_a of_b)
     | (Scalar | Sum _ | Array _ | Opaque), _, _ -> Choice { condition; then_ = a; else_ = b }
 
 let rec payload table node target ~span ty (value : Value.t) ~constructor ~field : Value.t =

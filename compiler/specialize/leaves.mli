@@ -23,7 +23,14 @@ val construct :
 (** A constructor's value, by the data type. *)
 
 val is_constructor :
-  Types.table -> Node.t -> Node.target -> span:Span.t -> Core.Ir.ty -> Value.t -> int -> Flow.Ir.atom
+  Types.table ->
+  Node.t ->
+  Node.target ->
+  span:Span.t ->
+  Core.Ir.ty ->
+  Value.t ->
+  int ->
+  Flow.Ir.atom
 (** Does a value of the data type have this constructor? *)
 
 val payload :

@@ -113,7 +113,9 @@ let run (p : Evaluator.position) targets request round =
   let results = request.final @ request.elements in
   let body trail node atoms =
     (* Statics come before inputs: what is captured is first or second. *)
-    let before = match request.kind with Signal_function -> 0 | Function -> List.length accumulated in
+    let before =
+      match request.kind with Signal_function -> 0 | Function -> List.length accumulated
+    in
     let is_captured i = i >= before && i < before + List.length captured in
     let own = List.filteri (fun i _ -> is_captured i) atoms in
     let rest = List.filteri (fun i _ -> not (is_captured i)) atoms in

@@ -81,8 +81,8 @@ let rec choices m node ?input ~span (value : Value.t) =
       | Some inner ->
           choices m node ?input ~span (m.evaluator.static (position m node span) closure inner)
       | None -> One value)
-  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Primitive _ | Signal_function _
-  | Program _ | Unspecified ->
+  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Primitive _
+  | Signal_function _ | Program _ | Unspecified ->
       One value
 
 (* The mode in which a signal function runs, and what it gets for parameters. *)
@@ -122,7 +122,8 @@ let transitions m node ?input ~from ~by ~span ~delayed occurs value =
         go (both node ~span occurs condition) then_ (go occurs else_ rest)
     | One value ->
         let mode, arguments = mode_of m node ~from ~at:span value in
-        { Ir.occurs; target = mode.number; arguments; delayed; at_entry = Possible; by; span } :: rest
+        let target = mode.number in
+        { Ir.occurs; target; arguments; delayed; at_entry = Possible; by; span } :: rest
   in
   match (occurs : Ir.atom) with
   | Bool false -> []
@@ -181,7 +182,8 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
     | _ ->
         let argument : Value.argument = { value = payload (); ty } in
         let after =
-          m.evaluator.apply (position m node span) ~result:(signal_function m) continuation [ argument ]
+          let result = signal_function m in
+          m.evaluator.apply (position m node span) ~result continuation [ argument ]
         in
         let by : Ir.follower =
           match continuation with
@@ -230,7 +232,8 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
           let shown, occurs, ended =
             if primitive = Make_task then
               let both =
-                run ~name ~result:(Core.Ir.Tuple [ while_it_runs; Core.Signature.event result ]) signal_function input
+                let both : Core.Ir.ty = Tuple [ while_it_runs; Core.Signature.event result ] in
+                run ~name ~result:both signal_function input
               in
               let occurs, ended = occurrence m node ~span:at result (Leaves.component both 1) in
               (Leaves.component both 0, occurs, ended)
@@ -244,7 +247,8 @@ let behaviour m node (mode : mode) (value : Value.t) (input : Value.argument) =
               (part 0, occurs, fun () -> part 1)
           in
           let left () =
-            let task = { task with value = Task.after task.value { value = ended (); ty = result } } in
+            let result : Value.argument = { value = ended (); ty = result } in
+            let task = { task with value = Task.after task.value result } in
             Value.Primitive { runs with arguments = [ task ] }
           in
           let after =
@@ -334,7 +338,8 @@ let parts m node ~span (value : Value.t) (input : Value.t) =
         | Bool true -> event
         | Bool false -> none
         | occurs ->
-            Leaves.select m.context.types node Unnamed ~span (Core.Signature.event m.result) occurs event none
+            let ty = Core.Signature.event m.result in
+            Leaves.select m.context.types node Unnamed ~span ty occurs event none
       in
       { (plain first.value (payload ())) with active = Some occurs; complete }
   | _ -> plain value input
@@ -358,7 +363,9 @@ let body ({ context = c; trail; node; span; _ } : Evaluator.position) evaluator 
   let walk = Skeleton.walk c.keys node Holes in
   Skeleton.add walk (unnamed span) m.input input_value;
   let input_holes = Skeleton.take_holes walk in
-  let start = transitions m node ~from:None ~by:(Continuation "") ~span ~delayed:false (Bool true) parts.first in
+  let start =
+    transitions m node ~from:None ~by:(Continuation "") ~span ~delayed:false (Bool true) parts.first
+  in
   let controls = parts.controls () in
   let rec all built =
     match Queue.take_opt m.waiting with

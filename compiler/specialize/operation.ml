@@ -23,7 +23,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
     | Some known -> Value.Atom known
     | None -> Atom (define target (Op (operator, arguments)))
   in
-  let one : Ir.atom = match leaf with Int -> Int 1l | Bool | Float | Sum _ | Array _ | Foreign _ -> Float 1. in
+  let one : Ir.atom = if leaf = Int then Int 1l else Float 1. in
   let times target a b = define target (Op (Multiply, [ a; b ])) in
   (* The halves are unnamed: only the whole is what the programmer wrote. *)
   let rec power target x k : Ir.atom =
@@ -92,9 +92,8 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
       | [ Bool a; Bool b ] -> Atom (Bool (if primitive = And then a && b else a || b))
       | [ _; _ ] -> operate operator
       | _ -> bug ())
-  | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
-  | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right | Return
-  | Sequence | Run_task
-  | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate | Ending
-  | Foreign _ ->
+  | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch
+  | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task
+  | Until_right | Return | Sequence | Run_task | At | Length | Replace | Generate | Map | Imap
+  | Zip_with | Foldl | Scanl | Reactimate | Ending | Foreign _ ->
       bug ()

@@ -8,7 +8,8 @@ let rec place ~otherwise (value : Value.t) =
   | Function { code = Lambda (_, body); _ } -> body.span
   | Function closure | Signal_function closure -> closure.span
   | Choice { then_; _ } -> place ~otherwise then_
-  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Program _ | Unspecified -> otherwise
+  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Program _ | Unspecified ->
+      otherwise
 
 let name (value : Value.t) =
   match value with
@@ -18,7 +19,9 @@ let name (value : Value.t) =
   | Primitive { owner; _ } -> owner
   | Signal_function closure -> closure.name
   | Choice _ -> "choice"
-  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Program _ | Unspecified -> "mode"
+  | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Function _ | Program _
+  | Unspecified ->
+      "mode"
 
 let mode_name (value : Value.t) =
   match value with

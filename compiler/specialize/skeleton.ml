@@ -293,7 +293,9 @@ let rec value_at c ~inside ty (original : Value.t) : Value.t =
     | Function closure, _ -> Function (copy_closure c closure)
     | Signal_function closure, _ -> Signal_function (copy_closure c closure)
     | Primitive { primitive; types; arguments; owner; at }, _ ->
-        let argument (a : Value.argument) = { a with value = value_at c ~inside:true a.ty a.value } in
+        let argument (a : Value.argument) =
+          { a with value = value_at c ~inside:true a.ty a.value }
+        in
         Primitive { primitive; types; arguments = List.map argument arguments; owner; at }
     | Choice { then_; else_; condition = _ }, _ ->
         let condition = next_atom c in

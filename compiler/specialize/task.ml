@@ -21,7 +21,8 @@ let is_task (p : Core.Primitive.t) =
 let rec named (c : Context.t) ~name ~at (value : Value.t) : Value.t =
   match value with
   | Primitive ({ primitive; _ } as p) when is_task primitive -> (
-      let is_library's = Resolve.Global_table.mem c.definitions { module_ = "Prelude"; name = p.owner } in
+      let owner : Core.Ir.Global.t = { module_ = "Prelude"; name = p.owner } in
+      let is_library's = Resolve.Global_table.mem c.definitions owner in
       match (Context.in_prelude c p.at, Context.in_prelude c at) with
       | true, true -> value
       | is_there, _ when is_there || is_library's ->
@@ -72,6 +73,9 @@ let report_circle (c : Context.t) ~span hops =
 let sequence types owner at first rest : Value.t =
   Primitive { primitive = Sequence; types; arguments = [ rest; first ]; owner; at }
 
+let returned types result owner at : Value.t =
+  Primitive { primitive = Return; types; arguments = [ result ]; owner; at }
+
 let rec head (task : Value.t) =
   match task with
   | Primitive { primitive = Sequence; arguments = [ _; first ]; _ } -> (
@@ -102,24 +106,25 @@ let keeps_nothing (proc : Core.Ir.proc) =
 (* What a task ends with at its first instant, as far as it is known; [Event] and [Right]
    are second constructors. *)
 let end_at_once (p : Evaluator.position) (evaluator : Evaluator.t) input = function
-  | Runs
-      { signal_function = Signal_function { code = Proc proc; _ } as running; primitive; output; result }
-    when keeps_nothing proc ->
-      let p = { p with span = proc.output.span } in
-      let event = Core.Signature.event result in
-      let ty, value =
-        if primitive = Make_task then
-          let both : Core.Ir.ty = Tuple [ output; event ] in
-          (event, Leaves.component (evaluator.run p ~result:both running input) 1)
-        else
-          let either = Core.Signature.either output result in
-          (either, evaluator.run p ~result:either running input)
-      in
-      let at f = f p.types p.node Node.Unnamed ~span:p.span ty value in
-      if at Leaves.is_constructor 1 = Bool true then
-        Some { Value.value = at Leaves.payload ~constructor:1 ~field:0; ty = result }
-      else None
-  | Runs _ | Ends _ | Passes -> None
+  | Ends _ | Passes -> None
+  | Runs { signal_function; primitive; output; result } -> (
+      match signal_function with
+      | Signal_function { code = Proc proc; _ } when keeps_nothing proc ->
+          let p = { p with span = proc.output.span } in
+          let run result = evaluator.run p ~result signal_function input in
+          let ty, value =
+            if primitive = Make_task then
+              let event = Core.Signature.event result in
+              (event, Leaves.component (run (Tuple [ output; event ])) 1)
+            else
+              let either = Core.Signature.either output result in
+              (either, run either)
+          in
+          let of_value f = f p.types p.node Node.Unnamed ~span:p.span ty value in
+          if of_value Leaves.is_constructor 1 = Bool true then
+            Some { Value.value = of_value Leaves.payload ~constructor:1 ~field:0; ty = result }
+          else None
+      | _ -> None)
 
 let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
   let { Evaluator.context = c; node; span; _ } = p in
@@ -151,8 +156,10 @@ let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
   (* [span]: the nearest place around in the program itself. *)
   let rec reduce ~span chain (task : Value.t) : Value.t =
     match task with
-    | Primitive { primitive = Sequence; types = [ a; b; _; d ] as types; arguments = [ rest; first ]; owner; at }
-      ->
+    | Primitive { primitive = Sequence; types; arguments = [ rest; first ]; owner; at } ->
+        let a, b, d =
+          match types with [ a; b; _; d ] -> (a, b, d) | _ -> bug "a sequence of other types"
+        in
         let span = if Context.in_prelude c at then span else at in
         follow ~span chain types (owner, at) rest
           { first with value = reduce ~span chain first.value }
@@ -162,7 +169,7 @@ let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
         Choice { condition; then_; else_ = reduce ~span chain else_ }
     | Primitive { primitive = Make_task | Until_right; types = [ a; b; c ]; owner; at; _ } -> (
         match Option.bind input (fun input -> end_at_once p evaluator input (head task)) with
-        | Some result -> Primitive { primitive = Return; types = [ c; a; b ]; arguments = [ result ]; owner; at }
+        | Some result -> returned [ c; a; b ] result owner at
         | None -> task)
     | task -> task
   and follow ~span chain types origin rest (first : Value.argument) ~result =
@@ -187,7 +194,7 @@ let rec after (task : Value.t) result : Value.t =
   | Primitive { primitive = Sequence; types; arguments = [ rest; first ]; owner; at } ->
       sequence types owner at { first with value = after first.value result } rest
   | Primitive { primitive = Make_task | Until_right; types = [ a; b; c ]; owner; at; _ } ->
-      Primitive { primitive = Return; types = [ c; a; b ]; arguments = [ result ]; owner; at }
+      returned [ c; a; b ] result owner at
   | _ -> bug "what has ended is no task that runs"
 
 let rec name (task : Value.t) =
@@ -207,10 +214,9 @@ let rec place (task : Value.t) =
 
 let rec next (task : Value.t) =
   match task with
-  | Primitive
-      { primitive = Sequence; arguments = [ _; { value = Primitive { primitive = Sequence; _ } as first; _ } ]; _ } ->
-      next first
-  | Primitive { primitive = Sequence; arguments = [ rest; _ ]; owner; at; _ } ->
-      (owner, place_of ~otherwise:at rest.value)
+  | Primitive { primitive = Sequence; arguments = [ rest; first ]; owner; at; _ } -> (
+      match first.value with
+      | Primitive { primitive = Sequence; _ } -> next first.value
+      | _ -> (owner, place_of ~otherwise:at rest.value))
   | Primitive { owner; at; _ } -> (owner, at)
   | _ -> bug "the place of what is no task"

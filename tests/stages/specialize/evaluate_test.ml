@@ -8,7 +8,7 @@ let flow definitions =
   let sink = Diagnostic.sink () in
   let core = program definitions in
   Core.Lint.program core;
-  match Specialize.Evaluate.program sink ~name:"test" ~entry:(main "main") core with
+  match Specialize.Of_core.program sink ~name:"test" ~entry:(main "main") core with
   | Some flow ->
       Flow.Lint.program flow;
       Format.asprintf "%a" Flow.Print.program flow
@@ -392,7 +392,7 @@ let deep_calls () =
 
 let () =
   let test name f = Alcotest.test_case name `Quick f in
-  Alcotest.run "Specialize.Evaluate"
+  Alcotest.run "Specialize.Of_core"
     [
       ( "equations",
         [

@@ -30,7 +30,7 @@ let main : Core.Ir.Global.t = { module_ = core.main_module; name = "main" }
 
 let flow =
   Flow.Instantaneous_loops.program sink ~entry:(Span.start_of_file "main.frob")
-    (the (Specialize.Evaluate.program sink ~name:"main" ~entry:main core))
+    (the (Specialize.Of_core.program sink ~name:"main" ~entry:main core))
 
 let machine = Machine.Of_flow.program (Flow.Optimize.program flow)
 

@@ -9,7 +9,10 @@ let ends (core : Ir.definition) =
 
 (* Of a type as it is printed. *)
 let has_a_label text =
-  let is_letter = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' | '.' -> true | _ -> false in
+  let is_letter = function
+    | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' | '.' -> true
+    | _ -> false
+  in
   String.map (fun c -> if is_letter c then c else ' ') text
   |> String.split_on_char ' ' |> List.mem "String"
 
@@ -123,7 +126,9 @@ let root c ~unique (core : Ir.definition) ~input ~output =
     | Signal_function { code = Proc proc; name; captured; types; _ } ->
         let locals = Expression.bind proc.input input value captured in
         Expression.proc_body c { s with locals; types; owner = name } proc
-    | _ -> Expression.run c s Unnamed ~span ~result:whole_output signal_function { value; ty = input }
+    | _ ->
+        let input : Value.argument = { value; ty = input } in
+        Expression.run c s Unnamed ~span ~result:whole_output signal_function input
   in
   let is_first_order = (Types.layout c.types whole_output).first_order in
   if is_first_order then begin
@@ -181,50 +186,17 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
         ends = Option.is_some !ended;
       }
 
-(* In C both would have the struct and the functions of that name. *)
-let refuse_own_name sink ~name (foreign : Ir.foreign) =
-  (* [my-robot.frob] has [my_robot_step]. *)
-  let prefix = String.map (fun c -> if c = '-' || c = ' ' || c = '.' then '_' else c) name in
-  let collision ((f : Core.Primitive.foreign), _) =
-    match f.kind with
-    | Stateful when String.equal f.symbol prefix ->
-      Some
-        ( f,
-          Printf.sprintf "the program and the component `%s` in C have one name" f.symbol,
-          Printf.sprintf "both would have `struct %s_state`, `%s_reset` and `%s_step`" prefix
-            prefix prefix )
-    | Stateless _ when List.mem f.symbol [ prefix ^ "_reset"; prefix ^ "_step" ] ->
-      Some
-        ( f,
-          Printf.sprintf "the program's own C has a function `%s`" f.symbol,
-          "the functions of a program are named after its file" )
-    | Stateful | Stateless _ -> None
-  in
-  let refuse ~at ?note ~hint message =
-    let diagnostic = Diagnostic.error ~code:"E0431" ~at "%s" message in
-    Option.fold note ~none:diagnostic ~some:(fun note -> Diagnostic.note note diagnostic)
-    |> Diagnostic.hint hint |> Diagnostic.emit sink
-  in
-  let refuse_header (h : Ir.header) =
-    if String.equal h.header (name ^ ".h") then
-      refuse ~at:(Span.start_of_file h.of_file) ~hint:"rename the program's file, or the header"
-        (Printf.sprintf "the program's own header would be `%s`, which it includes" h.header)
-  in
-  match List.find_map collision foreign.values with
-  | Some ((f : Core.Primitive.foreign), message, note) ->
-    refuse ~at:f.span ~note ~hint:"rename the program's file" message
-  | None -> List.iter refuse_header foreign.headers
-
 let program ?(options = Context.default) sink ~name ~entry:(entry : Ir.Global.t)
     (program : Ir.program) =
   let c = Context.create sink options program in
   Core.Recursion.check sink program;
-  refuse_own_name sink ~name program.foreign;
+  Foreign_code.check_names sink ~name program.foreign;
   match Resolve.Global_table.find_opt c.definitions entry with
   | None ->
-      Diagnostic.bug ~stage:"Specialize.Evaluate" "there is no `%s.%s`" entry.module_ entry.name
+      Diagnostic.bug ~stage:"Specialize.Of_core" "there is no `%s.%s`" entry.module_ entry.name
   | Some { core; _ } -> (
       match ends core with
       | Some (input, output) -> closed_program c ~name core ~input ~output
       | None ->
-          Diagnostic.bug ~stage:"Specialize.Evaluate" "`%s` is no closed signal function" entry.name)
+          Diagnostic.bug ~stage:"Specialize.Of_core" "`%s` is no closed signal function"
+            entry.name)
