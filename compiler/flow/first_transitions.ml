@@ -94,7 +94,8 @@ let equation a instant same values (e : Ir.equation) =
   | Op (operator, (x :: _ as arguments)), _
     when are_same same arguments && on_itself operator (read x) <> None ->
       Option.get (on_itself operator (read x))
-  | Op (operator, arguments), _ -> Range.operation a.program.real operator (map read arguments) e.defines.ty
+  | Op (operator, arguments), _ ->
+      Range.operation a.program.real operator (map read arguments) e.defines.ty
   | If { condition; then_; else_ }, _ -> (
       let condition = read condition in
       match (Range.may_be_true condition, Range.may_be_false condition) with
@@ -213,7 +214,8 @@ and evaluate ?(pattern = []) a instant index ~statics ~inputs =
   bind values node.inputs inputs;
   if pattern <> [] then (
     let formals = Array.of_list (node.statics @ node.inputs) in
-    List.iteri (fun i j -> if i <> j then Hashtbl.replace same formals.(i).id formals.(j).id) pattern);
+    let is_same i j = if i <> j then Hashtbl.replace same formals.(i).id formals.(j).id in
+    List.iteri is_same pattern);
   List.iter
     (fun (item : Schedule.item) ->
       match item with
@@ -255,7 +257,9 @@ and machine a instant index values (m : Ir.machine) =
           let inside = evaluate a First index ~statics:(parameters a index) ~inputs in
           let next = map fst (possible a First index inside node.transitions) in
           let inside = inside.values in
-          let stays (t : Ir.transition) = t.delayed || Range.may_be_false (read a inside t.occurs) in
+          let stays (t : Ir.transition) =
+            t.delayed || Range.may_be_false (read a inside t.occurs)
+          in
           if List.for_all stays next then
             add (map (fun (_, atom) -> read a inside atom) node.outputs);
           List.iter (fun (t : Ir.transition) -> if not t.delayed then visit t.target) next)
@@ -296,7 +300,8 @@ let pass a ~widening index ranges =
       let after =
         match before with
         | None -> range
-        | Some before -> (if widening then Range.widen ~steps:(Lazy.force a.steps) else Range.join) before range
+        | Some before when widening -> Range.widen ~steps:(Lazy.force a.steps) before range
+        | Some before -> Range.join before range
       in
       if before <> Some after then (
         a.parameters.(index).(j) <- Some after;
@@ -351,7 +356,8 @@ let pass_parameters a =
         node.machine);
     let inputs = anything_of a node.inputs in
     let passes (i : Ir.instance) = i.statics <> [] in
-    if is_called.(index) && (List.exists passes node.instances || Option.is_some node.machine) then (
+    let hands_on = List.exists passes node.instances || Option.is_some node.machine in
+    if is_called.(index) && hands_on then (
       let { values; _ } = evaluate a Any index ~statics:(parameters a index) ~inputs in
       List.iter
         (fun (i : Ir.instance) ->

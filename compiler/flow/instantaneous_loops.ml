@@ -67,9 +67,9 @@ let note modes =
     Printf.sprintf "at an instant at which %s, nothing waits for the next one" what
   in
   match List.sort_uniq compare modes with
-  | [ (mode, Some event) ] ->
+  | [ (mode, Some event) ] when mode <> event ->
       at_which (Printf.sprintf "`%s` occurs as soon as `%s` starts" event mode)
-  | [ (mode, None) ] -> at_which (Printf.sprintf "`%s` is left as soon as it starts" mode)
+  | [ (mode, _) ] -> at_which (Printf.sprintf "`%s` is left as soon as it starts" mode)
   | _ -> at_which "each is left as soon as it starts"
 
 (* A circle of the library's modes, closed by what the program has the library do, is shown
@@ -86,13 +86,25 @@ let place ~entry uses index (program : Ir.program) modes hops first_mode =
 
 let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) ~far hops =
   let modes = Array.of_list m.modes in
-  let name k = program.nodes.(modes.(k)).origin in
   let hop ({ from = v; by = t } : Chains.hop) =
     let cannot_be_true = First_transitions.cannot_be_true first modes.(v) in
     (v, t.target, t, source ~cannot_be_true program program.nodes.(modes.(v)) t)
   in
   let cycle = map (fun (h : Chains.hop) -> h.from) hops in
   let hops = map hop hops in
+  (* Where a task of the program's runs inside a combinator, it is that which may end. *)
+  let is_task origin (node : Ir.node) =
+    String.equal node.origin origin
+    && Option.is_some node.machine
+    && Own_code.is_own ~entry node.span
+  in
+  let mode (v, _, (t : Ir.transition), source) =
+    match (t.by, source) with
+    | Statement _, Some (origin, _) when Array.exists (is_task origin) program.nodes -> (v, origin)
+    | (Statement _ | Continuation _), _ -> (v, program.nodes.(modes.(v)).origin)
+  in
+  let names = map mode hops in
+  let name v = List.assoc v names in
   let at =
     place ~entry uses index program (map (fun k -> modes.(k)) cycle) hops modes.(List.hd cycle)
   in
@@ -106,6 +118,8 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
   let label d (v, w, (t : Ir.transition), source) =
     let d =
       match source with
+      | Some (origin, at) when origin = name v ->
+          label ~at (Printf.sprintf "`%s` may end at its first instant" origin) d
       | Some (origin, at) ->
           label ~at
             (Printf.sprintf "`%s` may occur at the first instant of `%s`" origin (name v))
@@ -218,7 +232,8 @@ let program sink ~entry (program : Ir.program) =
     let nodes = Array.copy program.nodes in
     Array.iteri
       (fun index (node : Ir.node) ->
-        let machine = Option.map (check_machine sink ~entry uses program first expanded nodes index) node.machine in
+        let check = check_machine sink ~entry uses program first expanded nodes index in
+        let machine = Option.map check node.machine in
         nodes.(index) <- { (nodes.(index)) with machine })
       program.nodes;
     { program with nodes }

@@ -239,6 +239,35 @@ and `untilT` is the cure that neither waits for a change nor stands still.
   $ yes 3 | head -5 | rows in | trace until | cut -d, -f2 | xargs
   out Left 1 Left 2 Left 1 Left 2 Left 1
 
+A task in a combinator of the library's is called by its own name.
+
+  $ cat > blink.frob <<'EOF'
+  > main :: SF Float (Either Float ())
+  > main = runTask (forever (blink `timeOut` 1[s]))
+  > 
+  > blink :: Task Float Float ()
+  > blink = mkTask (proc x -> (1, when (x > 1)))
+  > EOF
+  $ frobc check blink.frob 2>&1 | without_lines
+  error[E0402]: `blink → forever → blink` may go round for ever within one instant
+     --> blink.frob:2:26
+      |
+    2 | main = runTask (forever (blink `timeOut` 1[s]))
+      |                          ^^^^^^^^^^^^^^^^^^^^
+  ...
+    5 | blink = mkTask (proc x -> (1, when (x > 1)))
+      |         ------------------------------------ `blink` may end at its first instant
+      |
+     ::: stdlib/Prelude.frob
+      |
+      |     forever t
+      |     --------- `blink` may start `blink` at its own first instant
+      |
+      = note: at an instant at which `blink` is left as soon as it starts, nothing waits for the next one
+      = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
+  
+  1 error
+
 Parameters that grow.
 
   $ cat > grows.frob <<'EOF'
