@@ -209,9 +209,8 @@ let without_copies (node : Ir.node) =
     node.equations;
   Substitution.node substitution node
 
-(* The instances that [chosen] holds for are expanded where they stand; [note] gets each
-   with its equations. *)
-let expand_chosen ?(note = fun _ _ -> ()) context chosen (node : Ir.node) =
+(* The instances that [chosen] holds for are expanded where they stand. *)
+let expand_chosen context chosen (node : Ir.node) =
   let signals = signal_names node and instances = instance_names node in
   let equations, kept =
     List.fold_left
@@ -222,7 +221,6 @@ let expand_chosen ?(note = fun _ _ -> ()) context chosen (node : Ir.node) =
         | Instance i when not (chosen i) -> (equations, i :: kept)
         | Instance i ->
             let inner_equations, inner_instances = expand context ~signals ~instances i in
-            note i inner_equations;
             (List.rev_append inner_equations equations, List.rev_append inner_instances kept))
       ([], [])
       (Schedule.in_source_order node)
@@ -282,52 +280,6 @@ let rec open_loops context (node : Ir.node) =
       |> expand_chosen context (fun i -> is_chosen i && not (is_machine context i))
       |> open_loops context
 
-let is_costly (e : Ir.equation) =
-  match e.rhs with Op ((Elementary _ | Pow), _) -> true | _ -> false
-
-(* The instances that compute a costly function which the node computes too, or another
-   of them: in one place once would do. Tried out on all of them at a time. *)
-let sharing real context (node : Ir.node) =
-  let may_share (i : Ir.instance) =
-    let callee = context.nodes.(i.node) in
-    i.loop = None && i.trials = []
-    && Option.is_none callee.machine
-    && callee.instances = []
-    && List.exists is_costly callee.equations
-    && size callee <= small_once
-  in
-  let own = List.filter is_costly node.equations in
-  match (List.filter may_share node.instances, own) with
-  | [], _ | [ _ ], [] -> []
-  | _, _ ->
-      let costly = ref (List.map (fun (e : Ir.equation) -> (None, e.defines)) own) in
-      let note (i : Ir.instance) equations =
-        let add (e : Ir.equation) =
-          if is_costly e then costly := (Some i.name, e.defines) :: !costly
-        in
-        List.iter add equations
-      in
-      let before = context.fresh in
-      let expanded = expand_chosen ~note context may_share node in
-      context.fresh <- before;
-      let equal = Share.equal (Simplify.to_look_at real expanded) in
-      let by_class = Int_table.create 16 in
-      let equal_to (s : Ir.signal) =
-        match equal (Signal s) with Signal first -> first.id | Bool _ | Int _ | Float _ -> s.id
-      in
-      let add (owner, s) =
-        let alone =
-          match Int_table.find_opt by_class (equal_to s) with
-          | None -> Some owner
-          | Some (Some other) when other = owner -> Some owner
-          | Some (Some _ | None) -> None
-        in
-        Int_table.replace by_class (equal_to s) alone
-      in
-      List.iter add !costly;
-      let shares (_, s) = Int_table.find by_class (equal_to s) = None in
-      List.filter_map fst (List.filter shares !costly)
-
 (* In how many places each node is called. *)
 let calls (program : Ir.program) =
   let calls = Array.make (Array.length program.nodes) 0 in
@@ -365,11 +317,6 @@ let program (program : Ir.program) =
       let is_small (i : Ir.instance) = i.loop = None && context.is_small.(i.node) in
       let expanded =
         if List.exists is_small node.instances then expand_chosen context is_small node else node
-      in
-      let expanded =
-        match sharing program.real context expanded with
-        | [] -> expanded
-        | names -> expand_chosen context (fun i -> List.mem i.name names) expanded
       in
       let expanded = if expanded.instances = [] then expanded else open_loops context expanded in
       if expanded != node then changed := true;

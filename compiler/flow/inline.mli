@@ -5,9 +5,7 @@
     call. A machine is stepped on trial instead. Expects a causal program;
     afterwards {!Schedule.of_node} succeeds on
     every node. (b) Where the node is so small that reading it in place is
-    easier than a call. (c) Where it computes an elementary function that is
-    computed beside it too, of the same arguments: then that is left out once, if
-    the node is not much larger than a small one. All others stay functions of their own, so one
+    easier than a call. All others stay functions of their own, so one
     definition gives one C function, however often it is used.
 
     Names are kept, those of the node's inside with the instance's name in

@@ -26,7 +26,7 @@ let tidy_nodes (program : Ir.program) =
 (* Literals first, as they decide choices; dead code last, for what all of them leave
    behind. *)
 let tidy_once program =
-  program |> Specific.program |> Uncalled.program |> tidy_nodes |> Twins.program |> Twin_parameters.program
+  program |> Specific.program |> tidy_nodes |> Twins.program |> Twin_parameters.program
   |> Unreachable.program |> Dead.program
 
 let modes (program : Ir.program) =
@@ -61,8 +61,6 @@ let program program =
      from what is known now. *)
   let joined = Fusion.program tidied in
   let tidied = if joined == tidied then tidied else inline joined in
-  (* When loops are what they will be. *)
-  let started = Extreme.program tidied in
   (* Last, for a machine that so becomes a part of its user is inlined no more. *)
-  let absorbed = Absorb.program started in
+  let absorbed = Absorb.program tidied in
   if absorbed == tidied then tidied else Dead.program absorbed

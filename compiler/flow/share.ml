@@ -148,8 +148,6 @@ let shared (node : Ir.node) =
   if all_differ ~labels ~arguments then (Substitution.create (), node.instances)
   else classes node elements ~labels ~arguments instances
 
-let equal (node : Ir.node) = Substitution.atom (fst (shared node))
-
 let node (node : Ir.node) =
   let substitution, instances = shared node in
   if Substitution.is_empty substitution && List.compare_lengths instances node.instances = 0 then node

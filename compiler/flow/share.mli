@@ -7,9 +7,6 @@
     congruence ({!Basis.Partition}); the first of each class stays, and with
     it a name that the programmer gave to any of them. *)
 
-val equal : Ir.node -> Ir.atom -> Ir.atom
-(** For a signal the first one of its class. *)
-
 val node : Ir.node -> Ir.node
 val program : Ir.program -> Ir.program
 (** Both: the same, physically, if nothing is computed twice. *)

@@ -71,8 +71,6 @@ let random_tests =
     random "specific keeps every bit" 400 (keeps_outputs Specific.program Evaluate.by_demand);
     random "inline keeps every bit and leaves a schedule" 400
       (keeps_outputs Inline.program Evaluate.by_schedule);
-    random "uncalled keeps every bit" 400
-      (keeps_outputs (fun program -> Uncalled.program (Inline.program program)) Evaluate.by_demand);
     random "dead code is dead at once" 400 (stays Dead.program);
     random "all together keep every bit, run by schedule" 1000
       (keeps_outputs Optimize.program Evaluate.by_schedule);
@@ -322,56 +320,6 @@ let inlined_names () =
     ]
     (Optimize.program (Build.program p))
 
-(* A node of 14 operations that takes a sine: it is inlined where that sine is taken
-   beside it, not where another one is. *)
-let inlined_for_what_it_computes () =
-  let build other =
-    let p = Build.create () in
-    let swing =
-      Build.node p "swing" (fun b ->
-          let x = Build.input b "x" in
-          let y = ref (Build.let_ b "wave" (Ir.Op (Elementary Sin, [ x ]))) in
-          for _ = 1 to 13 do
-            y := Build.op b Multiply [ !y; x ]
-          done;
-          [ ("", !y) ])
-    in
-    let main b =
-      let x = Build.input b "x" in
-      let z = if other then Build.op b Negate [ x ] else x in
-      let beside = Build.op b (Elementary Sin) [ z ] in
-      let y = Build.run b swing [ x ] "y" in
-      let again = Build.run b swing [ y ] "again" in
-      [ ("", beside); ("", y); ("", again) ]
-    in
-    ignore (Build.node p "main" main);
-    let optimized = Optimize.program (Build.program p) in
-    List.length (root optimized).instances
-  in
-  Alcotest.(check int) "calls left beside the same sine" 1 (build false);
-  Alcotest.(check int) "calls left beside another" 2 (build true)
-
-let called_nodes_only () =
-  let p = Build.create () in
-  let sine name =
-    Build.node p name (fun b -> [ ("", Build.op b (Elementary Sin) [ Build.input b "x" ]) ])
-  in
-  let unused = sine "unused" in
-  let used = sine "used" in
-  let user name used =
-    Build.node p name (fun b -> [ ("", Build.run b used [ Build.input b "x" ] "y") ])
-  in
-  let also_unused = user "also unused" unused in
-  ignore (user "user of the unused" also_unused);
-  ignore (user "main" used);
-  let program = Uncalled.program (Build.program p) in
-  Lint.program program;
-  Alcotest.(check (list string)) "what is called" [ "used"; "main" ]
-    (List.map (fun (node : Ir.node) -> node.name) (Array.to_list program.nodes));
-  Alcotest.(check (list int)) "by its number" [ 0 ]
-    (List.map (fun (i : Ir.instance) -> i.node) (root program).instances);
-  Alcotest.(check bool) "nothing else to do" true (Uncalled.program program == program)
-
 let chain n =
   build (fun b ->
       let x = Build.input b "x" in
@@ -402,9 +350,6 @@ let example_tests =
     case "share and specific: instances, literals, unread outputs" shared_instances;
     case "inline: what feeds back through its delay is opened, no more" inlined_for_feedback;
     case "inline: names stay, and tell instances apart where they clash" inlined_names;
-    case "inline: what computes an elementary function that is there anyhow"
-      inlined_for_what_it_computes;
-    case "uncalled: nodes that only uncalled nodes call" called_nodes_only;
     case "nodes of 100,000 equations" large;
   ]
 
