@@ -11,10 +11,8 @@ void feedback_reset(struct feedback_state *self)
 }
 
 /* feedback, test.frob:1 */
-void feedback_step(struct feedback_state *self,
-                   double dt,
-                   const struct feedback_input *in,
-                   struct feedback_output *out)
+void feedback_step(struct feedback_state *self, double dt, const struct feedback_input *in,
+        struct feedback_output *out)
 {
     (void)dt;
     const double x = in->value;
