@@ -83,9 +83,8 @@ let start_call c ~node ~own arguments results =
 let returns_result (node : M.node) = match node.outputs with [ _ ] -> true | _ -> false
 
 let own_state c state =
-  List.map
-    (fun place -> Ir.Unary (Ir.Address, place))
-    (List.concat_map (Expression.places c.names) (Option.to_list state))
+  let address field = Ir.Unary (Address, Expression.field c.names field) in
+  Option.to_list (Option.map address state)
 
 (* Arguments of a node's functions. *)
 let for_step c node = for_code c node (is_given c node) c.v.program.nodes.(node).step

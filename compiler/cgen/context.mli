@@ -46,7 +46,7 @@ val returns_result : M.node -> bool
     their results. *)
 
 val own_state : t -> M.field option -> Ir.expr list
-(** The address, or of a node with two structs both. *)
+(** The address. *)
 
 val for_step : t -> int -> M.expr list -> Ir.expr list
 (** The arguments of a node's step. *)

@@ -9,7 +9,7 @@ type names = {
   variables : Ir.expr Int_table.t;
   in_place : (Ir.expr list -> Ir.expr) Int_table.t;
   indices : string Int_table.t;  (* of loops, by how deep they are in others *)
-  reached : unit String_table.t;  (* pointers to state by which a field was reached *)
+  mutable reaches_state : bool;
 }
 
 let given = [ "self"; "in"; "out"; "dt"; "dt_ns" ]
@@ -18,12 +18,11 @@ let names (v : V.t) ~node =
   {
     v;
     node;
-    scope = Name.scope Identifiers ~within:v.file_scope ~taken:
-        (if String.equal v.nodes.(node).flags "" then given else "flags" :: given);
+    scope = Name.scope Identifiers ~within:v.file_scope ~taken:given;
     variables = Int_table.create 16;
     in_place = Int_table.create 4;
     indices = Int_table.create 4;
-    reached = String_table.create 2;
+    reaches_state = false;
   }
 
 let scope n = n.scope
@@ -54,25 +53,14 @@ let is_elsewhere n (variable : M.variable) =
   | None | Some (Name _) -> false
   | Some _ -> true
 
-let places n (field : M.field) =
-  let names = n.v.nodes.(n.node) in
-  let place pointer table =
-    match Int_table.find_opt table field.id with
-    | Some (first :: inside) ->
-        String_table.replace n.reached pointer ();
-        let start = Ir.Arrow (Name pointer, first) in
-        [ List.fold_left (fun e member -> Ir.Member (e, member)) start inside ]
-    | Some [] | None -> []
-  in
-  let large = place "self" names.members.large in
-  large @ place (if String.equal names.flags "" then "self" else "flags") names.members.small
+let field n (field : M.field) =
+  match Int_table.find_opt n.v.nodes.(n.node).members field.id with
+  | Some (first :: inside) ->
+      n.reaches_state <- true;
+      List.fold_left (fun e member -> Ir.Member (e, member)) (Arrow (Name "self", first)) inside
+  | Some [] | None -> Diagnostic.bug ~stage:"Cgen.Expression" "a field that is not in the state"
 
-let field n field =
-  match places n field with
-  | place :: _ -> place
-  | [] -> Diagnostic.bug ~stage:"Cgen.Expression" "a field that is not in the state"
-
-let reaches n pointer = String_table.mem n.reached pointer
+let reaches_state n = n.reaches_state
 
 (* A literal that is not NaN. *)
 let literal : M.expr -> float option = function
@@ -90,55 +78,34 @@ let limited n general simple (a : M.expr) (b : M.expr) x y =
 
 let bad () = Diagnostic.bug ~stage:"Cgen.Expression" "an operation on values it does not have"
 
-(* A truth value that takes no work to look at: of two of these compilers make less
-   without a branch. *)
-let rec is_there : Ir.expr -> bool = function
-  | Name _ -> true
-  | Member (e, _) | Arrow (e, _) | Unary ((Not | Address | Dereference), e) -> is_there e
-  | _ -> false
-
 (* A comparison of a whole number with a literal: the number, the literal, and what it
    comes to if the number is that. *)
 let comparison : Ir.expr -> (Ir.expr * int32 * (int32 -> bool)) option = function
   | Binary (((Less | Less_equal | Greater | Equal | Not_equal) as operator), a, b) -> (
       let holds x y =
+        let order = Int32.compare x y in
         match operator with
-        | Less -> x < y
-        | Less_equal -> x <= y
-        | Greater -> x > y
-        | Equal -> Int32.equal x y
-        | _ -> not (Int32.equal x y)
+        | Less -> order < 0
+        | Less_equal -> order <= 0
+        | Greater -> order > 0
+        | Equal -> order = 0
+        | _ -> order <> 0
       in
       match (a, b) with
-      | Integer k, e -> Some (e, k, fun n -> holds k n)
+      | Integer k, e -> Some (e, k, holds k)
       | e, Integer k -> Some (e, k, fun n -> holds n k)
       | _, _ -> None)
   | _ -> None
 
 (* Two comparisons of one number which never hold together, as [n <= 1 && n > 3], or of
-   which one always holds: clang warns of them, but not without a branch. *)
+   which one always holds: clang warns of them where it sees them. *)
 let is_decided ~by x y =
   match (comparison x, comparison y) with
   | Some (a, k, first), Some (b, l, second) when a = b ->
-      let around k = Int32.[ (if k = min_int then k else pred k); k; (if k = max_int then k else succ k) ]
-      in
+      let around k = Int32.[ (if k = min_int then k else pred k); k; (if k = max_int then k else succ k) ] in
       let both = List.map (fun n -> by (first n) (second n)) (around k @ around l) in
       List.for_all (Bool.equal (List.hd both)) both
   | _, _ -> false
-
-let whole_not : Ir.expr -> Ir.expr = function
-  | Binary (Less, a, b) -> Binary (Less_equal, b, a)
-  | Binary (Less_equal, a, b) -> Binary (Less, b, a)
-  | Binary (Greater, a, b) -> Binary (Less_equal, a, b)
-  | Binary (Equal, a, b) -> Binary (Not_equal, a, b)
-  | Binary (Not_equal, a, b) -> Binary (Equal, a, b)
-  | e -> Unary (Not, e)
-
-let rec in_braces : Ir.expr -> Ir.expr = function
-  | Binary (Both, a, b) as e when is_decided ~by:( && ) a b -> Binary (Not_equal, e, Integer 0l)
-  | Binary (Both, a, b) -> Binary (And, a, b)
-  | Conditional (condition, a, b) -> Conditional (condition, in_braces a, in_braces b)
-  | e -> e
 
 let unary n (operator : Flow.Ir.operator) (ty : M.ty) x : Ir.expr =
   let whole name : Ir.expr = Call (name, [ x ]) and real name = V.call n.v name [ x ] in
@@ -197,25 +164,10 @@ let binary n (operator : Flow.Ir.operator) (ty : M.ty) (a, x) (b, y) : Ir.expr =
   | Minimum, Int -> whole "frob_int_min"
   | Maximum, Int -> whole "frob_int_max"
   | And, Bool ->
-      Binary ((if (is_there x && is_there y) || is_decided ~by:( && ) x y then Both else And), x, y)
-  | Or, Bool when is_decided ~by:( || ) x y -> Unary (Not, Binary (Both, whole_not x, whole_not y))
+      if is_decided ~by:( && ) x y then whole "frob_both" else Binary (And, x, y)
+  | Or, Bool when is_decided ~by:( || ) x y -> whole "frob_either"
   | Or, Bool -> Binary (Or, x, y)
   | _, _ -> bad ()
-
-(* So little that it may as well be computed where it is not needed. *)
-let is_little e =
-  let rec size : M.expr -> int = function
-    | Variable _ | Field _ | Float _ -> 1
-    | Operation { operator = Add | Subtract | Multiply | Negate | Absolute; ty = Float; arguments } ->
-        List.fold_left (fun sum e -> sum + size e) 1 arguments
-    | _ -> 9
-  in
-  size e < 9
-
-let is_zero : M.expr -> bool = function Float x -> Float.equal x 0. && not (Float.sign_bit x) | _ -> false
-
-(* Of each element alone. *)
-let is_looked_up n x = is_little x && Machine.Rounds.is_own n.v.rounds n.node x
 
 let address : Ir.expr -> Ir.expr = function
   | Unary (Dereference, pointer) -> pointer
@@ -260,40 +212,10 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   | Operation { operator; ty; arguments = [ a; b ] } ->
       binary n operator ty (a, of_machine n a) (b, of_machine n b)
   | Operation _ -> bad ()
-  (* What [minimumBy] and [maximumBy] of the elements themselves fold. *)
-  | Select
-      {
-        condition =
-          Operation
-            {
-              operator = And;
-              arguments =
-                [
-                  Operation
-                    {
-                      operator = Not;
-                      arguments =
-                        [ Operation { operator = Less_equal; ty = Float; arguments = [ a; b ] } ];
-                      _;
-                    };
-                  Operation { operator = Equal; arguments = [ x; x' ]; _ };
-                ];
-              _;
-            };
-        then_ = x'';
-        else_;
-      }
-    when x = x' && x = x'' && Option.is_none (literal x)
-         && ((a = else_ && b = x) || (a = x && b = else_)) ->
-      V.call n.v (if a = else_ then "frob_least" else "frob_largest") (list [ else_; x ])
   | Select { condition; then_ = Bool true; else_ } ->
       Binary (Or, of_machine n condition, of_machine n else_)
   | Select { condition; then_; else_ = Bool false } ->
       Binary (And, of_machine n condition, of_machine n then_)
-  | Select { condition; then_ = x; else_ = zero } when is_zero zero && is_looked_up n x ->
-      V.call n.v "frob_where" (list [ condition; x ])
-  | Select { condition; then_ = zero; else_ = x } when is_zero zero && is_looked_up n x ->
-      V.call n.v "frob_where" [ unary n Not Bool (of_machine n condition); of_machine n x ]
   | Select { condition; then_; else_ } ->
       Conditional (of_machine n condition, of_machine n then_, of_machine n else_)
   | Construct { sum; constructor; payload } ->
@@ -302,7 +224,7 @@ let rec of_machine n (e : M.expr) : Ir.expr =
       Binary
         (Equal, Member (of_machine n value, "tag"), Name n.v.sums.(sum).tags.(constructor))
   | Payload { sum; value; constructor; leaf } -> payload n ~sum ~constructor ~leaf (of_machine n value)
-  | Elements { elements; _ } -> Aggregate [ Aggregate (List.map in_braces (list elements)) ]
+  | Elements { elements; _ } -> Aggregate [ Aggregate (list elements) ]
   | Fill { count; element; value } ->
       Call (V.array_function n.v Fill (Array (count, element)), [ of_machine n value ])
   | Index { array; index } -> element n array (Ir.Integer (Int32.of_int index))

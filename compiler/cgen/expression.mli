@@ -29,11 +29,8 @@ val is_elsewhere : names -> Machine.Ir.variable -> bool
 val field : names -> Machine.Ir.field -> Ir.expr
 (** [self->x] *)
 
-val places : names -> Machine.Ir.field -> Ir.expr list
-(** All its parts: of the state of a node with two structs (see {!Machine.Apart}) both. *)
-
-val reaches : names -> string -> bool
-(** Whether a field was reached by that pointer: [self], or [flags]. *)
+val reaches_state : names -> bool
+(** Whether any field was reached. *)
 
 val parameters : names -> Machine.Ir.variable list -> (Ir.ty * string) list
 (** Of a node's function: an array is passed by address. *)
@@ -44,7 +41,3 @@ val arguments : names -> Machine.Ir.variable list -> Machine.Ir.expr list -> Ir.
 (** For these parameters of a node's function. *)
 
 val of_machine : names -> Machine.Ir.expr -> Ir.expr
-
-val in_braces : Ir.expr -> Ir.expr
-(** The same, as it may stand in the braces of an array or struct: what is a truth value is
-    of type [bool] there. [a & b] is an [int], which C++ does not take in braces. *)

@@ -49,36 +49,31 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let else_ = statements c else_ in
       { desc = If { condition; then_; else_ }; comment } :: List.rev_append declarations rest
   | Step { node; state = Some state; arguments; results; on_trial = true; span } ->
-      let names = c.v.nodes.(node) in
-      let copy part value =
-        (Ir.Struct (if part = 0 then names.state else names.flags), Name.fresh (Expression.scope c.names) "trial", value)
-      in
-      let copies = List.mapi copy (Expression.places c.names state) in
-      let declare (ty, name, value) = plain (Ir.Variable { ty; name; value }) in
-      let own = List.map (fun (_, name, _) -> Ir.Unary (Address, Name name)) copies in
-      step c (List.rev_append (List.map declare copies) rest) ~node ~own arguments results span
+      let ty = Ir.Struct c.v.nodes.(node).state in
+      let name = Name.fresh (Expression.scope c.names) "trial" in
+      let copy = plain (Ir.Variable { ty; name; value = Expression.field c.names state }) in
+      step c (copy :: rest) ~node ~own:[ Ir.Unary (Address, Name name) ] arguments results span
   | Step { node; state; arguments; results; on_trial = _; span } ->
       step c rest ~node ~own:(own_state c state) arguments results span
   | Reset { node; state; arguments; span } ->
-      let own = Expression.places c.names state and arguments = for_reset c node arguments in
-      let address place = Ir.Unary (Address, place) in
-      let call own = Ir.Do (Call (c.v.nodes.(node).reset, List.map address own @ arguments)) in
+      let place = Expression.field c.names state and arguments = for_reset c node arguments in
+      let call place =
+        Ir.Do (Call (c.v.nodes.(node).reset, Unary (Address, place) :: arguments))
+      in
       let desc =
         match state.content with
         | States_of { count; _ } ->
             let index = Expression.index c.names 0 in
-            Ir.For { index; count; body = [ plain (call (List.map (fun place -> Ir.Subscript (place, Name index)) own)) ] }
-        | State_of _ | Value _ | Running_mode | Modes _ | Component _ -> call own
+            Ir.For { index; count; body = [ plain (call (Subscript (place, Name index))) ] }
+        | State_of _ | Value _ | Running_mode | Modes _ | Component _ -> call place
       in
       { desc; comment = comment c span } :: rest
   | Loop l ->
       let own index =
-        match l.state with
-        | None -> []
-        | Some field ->
-            List.map
-              (fun place -> Ir.Unary (Address, Subscript (place, Name index)))
-              (Expression.places c.names field)
+        let of_round field =
+          Ir.Unary (Address, Subscript (Expression.field c.names field, Name index))
+        in
+        Option.to_list (Option.map of_round l.state)
       in
       let call index = step_call c ~node:l.node ~own:(own index) in
       let statements = Loop.statements c.names l ~call in
@@ -181,18 +176,12 @@ let variables_read (v : V.t) (node : M.node) body =
   Int_table.fold (fun id n () -> if n > 0 then Int_table.replace read id ()) reads ();
   read
 
-let self v k =
-  let names = v.V.nodes.(k) in
-  (Ir.Pointer (Struct names.state), "self")
-  :: (if names.flags = "" then [] else [ (Ir.Only_way_to (Pointer (Struct names.flags)), "flags") ])
-
+let self v k = (Ir.Pointer (Struct v.V.nodes.(k).state), "self")
 let ignored name = plain (Ir.Do (Cast (Void, Name name)))
 
-(* Pointers to state that a body, already made, does not use. *)
-let unread names pointers =
-  List.filter_map
-    (fun (_, name) -> if Expression.reaches names name then None else Some (ignored name))
-    pointers
+(* The pointer to a state that a body, already made, does not use. *)
+let unread names =
+  if Expression.reaches_state names then [] else [ ignored "self" ]
 
 let place_of (node : M.node) =
   Printf.sprintf "%s, %s:%d" node.origin
@@ -204,18 +193,17 @@ let no_result _ _ = Diagnostic.bug ~stage:"Cgen.Function" "a result where there 
 let reset (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
-  let own = self v k in
-  let parameters = own @ Expression.parameters names node.reset.parameters in
+  let parameters = self v k :: Expression.parameters names node.reset.parameters in
   name_variables names node.reset.body;
   let c = { v; names; index = k; node; write = no_result; read = variables_read v node node.reset.body; place = "" } in
   let body = statements c node.reset.body in
-  let unread = unread names own in
+  let unread = unread names in
   {
     linkage = (if V.is_root v k then External else Static);
     result = Void;
     name = v.nodes.(k).reset;
     parameters;
-    body = List.rev_append (List.rev unread) body;
+    body = unread @ body;
     comment = place_of node;
   }
 
@@ -231,10 +219,7 @@ let read_member (v : V.t) names read (variable : M.variable) steps =
     [ plain (Ir.Constant { ty; name; value = place }) ]
   else []
 
-(* Structs that share memory might otherwise be where the input is. *)
-let input (v : V.t) : Ir.ty =
-  let input = Ir.Pointer_to_const (Struct v.input.struct_name) in
-  if V.has_modes v then Only_way_to input else input
+let input (v : V.t) : Ir.ty = Pointer_to_const (Struct v.input.struct_name)
 
 (* Where a mode is entered no time has passed. *)
 let time_variable node ty name value =
@@ -278,11 +263,11 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
   name_variables names own_body;
   let write k value = plain (Ir.Assign (Unary (Dereference, Name (snd places.(k))), value)) in
   let c = { v; names; index = k; node; write; read; place = "" } in
-  let state = if V.has_state v k then self v k else [] in
+  let state = if V.has_state v k then [ self v k ] else [] in
   let dt = if time && node.seconds then [ (V.real v, "dt") ] else [] in
   let dt_ns = if time && node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
   let body = statements c own_body in
-  let unread = unread names state in
+  let unread = if state = [] then [] else unread names in
   {
     linkage;
     result = single;
@@ -292,12 +277,13 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
     comment = place_of node;
   }
 
+(* So few operations are worth a copy at every call. *)
+let inline_size = 12
+
 let own_step (v : V.t) k =
   let node = v.program.nodes.(k) in
   let linkage : Ir.linkage =
-    if Shared.is_shared v.shared k then Static_marked "FROB_SHARED"
-    else if node.operations <= Shared.inline_size then Static_inline
-    else Static
+    if node.operations <= inline_size then Static_inline else Static
   in
   own_code v k ~name:v.nodes.(k).step ~linkage ~outputs:node.outputs ~time:true
     ~given_input:(Program_input.is_given v.by_pointer k) node.step
@@ -421,7 +407,6 @@ let root_step (v : V.t) k : Ir.function_ =
     else plain (Ir.Assign (Access.path (Name "out") outputs.(k) [], value))
   in
   let c = { v; names; index = k; node; write; read = variables_read v node node.step.body; place = "" } in
-  let own = self v k in
   let inputs = inputs c node in
   name_variables names node.step.body;
   let clock = clock c node in
@@ -450,8 +435,8 @@ let root_step (v : V.t) k : Ir.function_ =
     result = Void;
     name = v.nodes.(k).step;
     parameters =
-      own
-      @ [
+      [
+        self v k;
         dt;
         (input v, "in");
         (Pointer (Struct v.output.struct_name), "out");
@@ -459,7 +444,7 @@ let root_step (v : V.t) k : Ir.function_ =
     body =
       List.concat
         [
-          unread names own;
+          unread names;
           ignore_unless (node.seconds || node.nanoseconds) (snd dt);
           ignore_unless reads_input "in";
           clock;

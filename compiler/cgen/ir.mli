@@ -18,9 +18,6 @@ type ty =
   | Array of ty * int  (** only of a member *)
   | Pointer of ty
   | Pointer_to_const of ty
-  | Only_way_to of ty
-      (** that pointer, of a parameter: what the function writes or reads there it
-          reaches by no other. Only the definition says so, not a prototype *)
 
 and member = { name : string; ty : ty; comment : string  (** or [""] *) }
 
@@ -41,7 +38,6 @@ type binary =
   | Greater
   | Equal
   | Not_equal
-  | Both  (** [a & b] of truth values, without a branch *)
   | And
   | Or
 
@@ -87,7 +83,6 @@ type linkage =
   | External
   | Static
   | Static_inline
-  | Static_marked of string  (** with a macro, for compilers that know what it says *)
 
 type function_ = {
   linkage : linkage;

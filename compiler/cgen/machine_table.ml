@@ -26,20 +26,11 @@ let unique s name =
 let join path name = if String.equal path "" then name else path ^ "." ^ name
 
 (* [element]: of the arrays that the path goes through, as in [[2]]. *)
-let rec node s k ~path ~flags ~element ~within =
+let rec node s k ~path ~element ~within =
   let node_ = s.v.program.nodes.(k) in
-  let names = s.v.nodes.(k) in
-  let path_in table start (field : M.field) =
-    Option.map (fun inside -> join start (String.concat "." inside)) (Basis.Int_table.find_opt table field.id)
+  let path_of (field : M.field) =
+    join path (String.concat "." (Basis.Int_table.find s.v.nodes.(k).members field.id))
   in
-  let large = path_in names.members.large path in
-  let small = path_in names.members.small (if String.equal names.flags "" then path else flags) in
-  let path_of field =
-    match (large field, small field) with
-    | Some path, _ | None, Some path -> path
-    | None, None -> ""
-  in
-  let flags_of field = Option.value (small field) ~default:"" in
   let is_running (field : M.field) = field.content = Running_mode in
   let machine =
     match List.find_opt is_running node_.state with
@@ -60,11 +51,11 @@ let rec node s k ~path ~flags ~element ~within =
   let rec field ~within (f : M.field) =
     match f.content with
     | Value _ | Running_mode | Component _ -> ()
-    | State_of inner -> node s inner ~path:(path_of f) ~flags:(flags_of f) ~element ~within
+    | State_of inner -> node s inner ~path:(path_of f) ~element ~within
     | States_of { node = inner; count } when count <= longest_array ->
         for i = 0 to count - 1 do
           let number = Printf.sprintf "[%d]" i in
-          node s inner ~path:(path_of f ^ number) ~flags:(flags_of f ^ number) ~element:(element ^ number) ~within
+          node s inner ~path:(path_of f ^ number) ~element:(element ^ number) ~within
         done
     | States_of _ -> ()
     | Modes modes ->
@@ -80,5 +71,5 @@ let rec node s k ~path ~flags ~element ~within =
 
 let of_program (v : V.t) =
   let s = { v; names = Hashtbl.create 16; found = []; count = 0 } in
-  node s (Array.length v.program.nodes - 1) ~path:"" ~flags:"" ~element:"" ~within:None;
+  node s (Array.length v.program.nodes - 1) ~path:"" ~element:"" ~within:None;
   List.rev s.found

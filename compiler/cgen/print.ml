@@ -10,7 +10,6 @@ let level = function
   | Plus | Minus -> 12
   | Less | Less_equal | Greater -> 10
   | Equal | Not_equal -> 9
-  | Both -> 8
   | And -> 5
   | Or -> 4
 
@@ -25,7 +24,6 @@ let symbol = function
   | Greater -> ">"
   | Equal -> "=="
   | Not_equal -> "!="
-  | Both -> "&"
   | And -> "&&"
   | Or -> "||"
 
@@ -35,9 +33,8 @@ let symbol = function
 let operand_levels operator =
   match operator with
   | Times | Over | Remainder | Plus | Minus -> (level operator, level operator + 1)
-  | Less | Less_equal | Greater | Equal | Not_equal | Both -> (11, 11)
-  | And -> (level operator, level operator + 1)
-  | Or -> (level operator, level operator + 1)
+  | Less | Less_equal | Greater | Equal | Not_equal -> (11, 11)
+  | And | Or -> (level operator, level operator)
 
 (* [1e+09] as [1e9] *)
 let tidy_exponent text =
@@ -77,26 +74,25 @@ let rec ty_name = function
   | Named name -> name
   | Members _ -> "struct"
   | Union _ -> "union"
-  | Pointer ((Pointer _ | Pointer_to_const _ | Only_way_to _) as t) -> ty_name t ^ "*"
+  | Pointer ((Pointer _ | Pointer_to_const _) as t) -> ty_name t ^ "*"
   | Pointer t -> ty_name t ^ " *"
   | Pointer_to_const t -> "const " ^ ty_name t ^ " *"
-  | Only_way_to pointer -> ty_name pointer ^ "FROB_RESTRICT "
 
 let rec declarator ty name =
   match ty with
   | Array (t, n) -> declarator t (Printf.sprintf "%s[%d]" name n)
-  | Pointer _ | Pointer_to_const _ | Only_way_to _ -> ty_name ty ^ name
+  | Pointer _ | Pointer_to_const _ -> ty_name ty ^ name
   | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Members _ | Union _ -> ty_name ty ^ " " ^ name
 
 (* [const T x], [T *const x] *)
 let constant ty name =
   match ty with
-  | Pointer _ | Pointer_to_const _ | Only_way_to _ -> ty_name ty ^ "const " ^ name
+  | Pointer _ | Pointer_to_const _ -> ty_name ty ^ "const " ^ name
   | _ -> "const " ^ declarator ty name
 
 (* Several variables of one type: each pointer has its star. *)
 let variables ty names =
-  let separator = match ty with Pointer _ | Pointer_to_const _ | Only_way_to _ -> ",\001*" | _ -> ",\001" in
+  let separator = match ty with Pointer _ | Pointer_to_const _ -> ",\001*" | _ -> ",\001" in
   declarator ty (String.concat separator names)
 
 let precedence = function
@@ -151,9 +147,7 @@ and bare b ~depth e =
       add " ";
       logical b ~depth:(depth + 1) operator ~at:at_right right
   | Conditional (c, x, y) ->
-      (* Of [a & b ? x : y] compilers warn. *)
-      let at = match c with Binary (Both, _, _) -> postfix | _ -> conditional + 1 in
-      expr b ~depth:(depth + 1) ~at c;
+      expr b ~depth:(depth + 1) ~at:(conditional + 1) c;
       soft b ~depth;
       add "? ";
       expr b ~depth:(depth + 1) ~at:(conditional + 1) x;
@@ -336,7 +330,7 @@ let rec members out ~indent (all : member list) =
       | Union inside ->
           line out ~indent "union {";
           members out ~indent:(indent + 4) inside
-      | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Array _ | Pointer _ | Pointer_to_const _ | Only_way_to _ -> ());
+      | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Array _ | Pointer _ | Pointer_to_const _ -> ());
       line out ~indent ~column ~comment:m.comment (text m))
     all
 
@@ -348,7 +342,6 @@ let signature { linkage; result; name; parameters; _ } =
     | External -> ""
     | Static -> "static "
     | Static_inline -> "static inline "
-    | Static_marked macro -> "static " ^ macro ^ " "
   in
   let parameters =
     match parameters with
@@ -356,13 +349,6 @@ let signature { linkage; result; name; parameters; _ } =
     | parameters -> List.map (fun (ty, name) -> declarator ty name) parameters
   in
   String.concat "" [ linkage; declarator result name; "("; commas parameters; ")" ]
-
-(* What only a definition says of its parameters. *)
-let declared function_ =
-  let plain (ty, name) =
-    match ty with Only_way_to pointer -> (pointer, name) | ty -> (ty, name)
-  in
-  { function_ with parameters = List.map plain function_.parameters }
 
 let declaration out = function
   | Text text -> Buffer.add_string out text
@@ -383,7 +369,7 @@ let declaration out = function
       line out ~indent:0 "};"
   | Prototype function_ ->
       heading out function_.comment;
-      line out ~indent:0 (signature (declared function_) ^ ";")
+      line out ~indent:0 (signature function_ ^ ";")
   | Function function_ ->
       heading out function_.comment;
       line out ~indent:0 (signature function_);

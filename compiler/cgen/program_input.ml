@@ -41,16 +41,13 @@ let is_leaf t k (v : M.variable) =
 (* All that calls it has been seen. *)
 let decide t k (node : M.node) =
   let own = t.nodes.(k) in
-  let leaves, others = List.partition (is_leaf t k) node.step.parameters in
+  let leaves = List.filter (is_leaf t k) node.step.parameters in
   let different = Hashtbl.create 8 in
   List.iter (fun (v : M.variable) -> Hashtbl.replace different (Hashtbl.find own.passed v.id) ()) leaves;
-  (* State and time may be parameters too, and the pointer is one. *)
-  let parameters = 5 + List.length others + List.length node.outputs in
   own.given <-
     (not own.refused)
     && Option.is_none node.foreign
     && Hashtbl.length different >= few
-    && parameters <= Machine.Parameters.most
 
 let note_call t ~from ~node parameters arguments =
   let callee = t.nodes.(node) in

@@ -3,16 +3,12 @@ module M = Machine.Ir
 
 type mode = { constant : string; member : string }
 
-(* The members that lead to the parts of fields. *)
-type paths = { large : string list Basis.Int_table.t; small : string list Basis.Int_table.t }
-
 type node = {
   state : string;
-  flags : string;
   reset : string;
   start : string option;
   step : string;
-  members : paths;
+  members : string list Basis.Int_table.t;
   modes : mode array;
   waiting : string option;
   foreign : Foreign_interface.t option;
@@ -20,9 +16,6 @@ type node = {
 
 type t = {
   program : M.program;
-  apart : Machine.Apart.t;
-  rounds : Machine.Rounds.t;
-  shared : Shared.t;
   name : string;
   file_scope : Name.scope;
   types : Value_types.t;
@@ -52,49 +45,34 @@ let has_modes t =
 
 let has_state t k = match t.program.nodes.(k).state with [] -> false | _ :: _ -> true
 
-let small_suffix = "_flags"
-
-(* The members of structs with these fields, each after a path: of one struct, or of
-   one for each part. *)
-let name_members apart k tables ~structs fields =
+(* The members of a struct with these fields, each after a path, last first. *)
+let name_members table path fields =
   let scope = Name.scope Members in
-  let large, small, separate =
-    match structs with `One path -> (path, path, false) | `Two (large, small) -> (large, small, true)
-  in
-  let put table (field : M.field) path name = Basis.Int_table.replace table field.id (List.rev (name :: path)) in
   List.iter
     (fun (field : M.field) ->
       let name = Name.fresh scope field.name in
-      match Machine.Apart.parts apart k field with
-      | [ Small ] -> put tables.small field small name
-      | Large :: more ->
-          put tables.large field large name;
-          if more <> [] then
-            put tables.small field small
-              (if separate then name else Name.fresh scope (field.name ^ small_suffix))
-      | _ -> Basis.Diagnostic.bug ~stage:"Cgen.Vocabulary" "a field without parts")
+      Basis.Int_table.replace table field.id (List.rev (name :: path)))
     fields
 
 (* Modes are named after their definitions. *)
-let name_modes (nodes : M.node array) apart k tables scope ~prefix (node : M.node) =
+let name_modes (nodes : M.node array) table scope ~prefix (node : M.node) =
   let modes = Name.scope Members in
   let is_room (field : M.field) =
     match field.content with
     | Modes _ -> true
     | Value _ | State_of _ | States_of _ | Running_mode | Component _ -> false
   in
-  let room table =
-    let path (field : M.field) = Basis.Int_table.find_opt table field.id in
-    List.rev (Option.value (Option.bind (List.find_opt is_room node.state) path) ~default:[])
+  let room =
+    match List.find_opt is_room node.state with
+    | Some field -> List.rev (Basis.Int_table.find table field.id)
+    | None -> []
   in
   let constant name =
     Name.fresh scope (String.uppercase_ascii (Name.identifier (prefix ^ "_" ^ Name.snake name)))
   in
   let name (mode : M.mode) =
-    let definition = nodes.(mode.node).origin in
-    let member = Name.fresh modes definition in
-    let structs = `Two (member :: room tables.large, member :: room tables.small) in
-    name_members apart k tables ~structs (Machine.State.fields_of_mode mode);
+    let member = Name.fresh modes nodes.(mode.node).origin in
+    name_members table (member :: room) (Machine.State.fields_of_mode mode);
     let constant =
       match node.modes with
       | [] | [ _ ] -> ""
@@ -108,12 +86,11 @@ let name_modes (nodes : M.node array) apart k tables scope ~prefix (node : M.nod
   in
   (modes, if waits then Some (constant "start") else None)
 
-let members scope ~prefix nodes apart k (node : M.node) =
-  let tables = { large = Basis.Int_table.create 16; small = Basis.Int_table.create 16 } in
-  let structs = if Machine.Apart.is_split apart k then `Two ([], []) else `One [] in
-  name_members apart k tables ~structs node.state;
-  let modes, waiting = name_modes nodes apart k tables scope ~prefix node in
-  (tables, modes, waiting)
+let members scope ~prefix nodes (node : M.node) =
+  let table = Basis.Int_table.create 16 in
+  name_members table [] node.state;
+  let modes, waiting = name_modes nodes table scope ~prefix node in
+  (table, modes, waiting)
 
 (* With [root_in_seconds] as a step of its own, the root's is in nanoseconds. *)
 type root = { root_state : string; root_reset : string; root_step : string; root_in_seconds : string }
@@ -126,16 +103,15 @@ let name_root scope ~name ~(real : Basis.Real.t) =
   let root_step = match real with Double -> root_in_seconds | Single -> take "_step_ns" in
   { root_state; root_reset; root_step; root_in_seconds }
 
-let name_nodes scope ~name ~root ~foreign apart (nodes : M.node array) =
+let name_nodes scope ~name ~root ~foreign (nodes : M.node array) =
   let last = Array.length nodes - 1 in
   Array.mapi
     (fun k (node : M.node) ->
       let own = name ^ "_" ^ node.name in
       let prefix = if k = last then name else own in
-      let members, modes, waiting = members scope ~prefix nodes apart k node in
-      let flags = if Machine.Apart.is_split apart k then Name.fresh scope (own ^ small_suffix) else "" in
+      let members, modes, waiting = members scope ~prefix nodes node in
       let names ~state ~reset ?start ~step () =
-        { state; flags; reset; start; step; members; modes; waiting; foreign = foreign.(k) }
+        { state; reset; start; step; members; modes; waiting; foreign = foreign.(k) }
       in
       if k = last then names ~state:root.root_state ~reset:root.root_reset ~step:root.root_step ()
       else
@@ -230,13 +206,9 @@ let of_program ?own (program : M.program) =
   let foreign_records =
     List.filter (fun d -> not (is_robots d)) (Interface.definitions shared)
   in
-  let apart = Machine.Apart.of_program program in
-  let nodes = name_nodes scope ~name ~root ~foreign apart program.nodes in
+  let nodes = name_nodes scope ~name ~root ~foreign program.nodes in
   {
     program;
-    apart;
-    rounds = Machine.Rounds.of_program program;
-    shared = Shared.of_program program;
     name;
     file_scope = scope;
     types;

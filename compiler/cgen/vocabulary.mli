@@ -6,17 +6,12 @@ type mode = {
   member : string;  (** of the union of all *)
 }
 
-(** The members that lead to the parts of fields, from the state struct or the struct
-    of small fields, by field. *)
-type paths = { large : string list Basis.Int_table.t; small : string list Basis.Int_table.t }
-
 type node = {
   state : string;  (** struct *)
-  flags : string;  (** struct of small fields, if there is one: see {!Machine.Apart} *)
   reset : string;
   start : string option;  (** of the function that resets and makes the first step *)
   step : string;
-  members : paths;
+  members : string list Basis.Int_table.t;  (** that lead to fields from the state struct *)
   modes : mode array;  (** of its machine *)
   waiting : string option;  (** the number in place of a mode's, up to the first step *)
   foreign : Foreign_interface.t option;  (** if it is C code of the user's *)
@@ -24,9 +19,6 @@ type node = {
 
 type t = {
   program : Machine.Ir.program;
-  apart : Machine.Apart.t;
-  rounds : Machine.Rounds.t;
-  shared : Shared.t;
   name : string;  (** the prefix of all names *)
   file_scope : Name.scope;
   types : Value_types.t;

@@ -10,7 +10,6 @@ type context = {
   program : M.program;
   node : M.node;
   state : State.t;
-  apart : Machine.Apart.t;
   done_ : of_node array;  (** of the nodes before *)
 }
 
@@ -74,23 +73,6 @@ let rec calls (e : M.expr) =
 let is_sum (ty : M.ty) =
   match ty with Sum _ -> true | Bool | Int | Float | Nanoseconds | Array _ | Foreign _ -> false
 
-(* Parameters that stay ones: state, its small fields, seconds and nanoseconds. *)
-let most_kept = 4
-
-(* What a call with very many parameters has in structs, arrays that it is given by
-   their addresses. *)
-let in_structs c frame given results =
-  if List.length given + List.length results > Machine.Parameters.most - most_kept then begin
-    let by_address (ty : M.ty) =
-      match ty with
-      | Array _ -> word
-      | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> room c ty
-    in
-    List.iter (fun ty -> need frame (by_address ty)) given;
-    List.iter (fun ty -> need frame (room c ty)) results;
-    need frame (2 * word)
-  end
-
 (* A function of a node's. *)
 type callee = Step of int | Start of int | Reset of int
 
@@ -119,9 +101,6 @@ let rec within c frame ~calling (e : M.expr) =
       let given = Basis.Amount.times word (List.length payload) in
       needs_helper frame (List.fold_left Basis.Amount.add (2 * fixed) [ made; made; made; given ]);
       need frame made;
-      (* A maker's parameters are all of its payload. *)
-      if List.compare_length_with payload Machine.Parameters.most > 0 then
-        need frame (Basis.Amount.add given (Basis.Amount.add made word));
       arguments c frame ~calling payload
   | Is_constructor { value; _ } ->
       intermediate ();
@@ -194,20 +173,12 @@ and arguments c frame ~calling es =
     es
 
 and call c frame callee es =
-  let bounds, given, results =
+  let bounds =
     match callee with
-    | Step k ->
-        let node = c.program.nodes.(k) in
-        (c.done_.(k).step, node.step.parameters, node.outputs)
-    | Start k ->
-        let node = c.program.nodes.(k) in
-        let parameters = Option.fold node.start ~none:[] ~some:(fun (code : M.code) -> code.parameters) in
-        (c.done_.(k).start, parameters, node.outputs)
-    | Reset k -> (c.done_.(k).reset, c.program.nodes.(k).reset.parameters, [])
+    | Step k -> c.done_.(k).step
+    | Start k -> c.done_.(k).start
+    | Reset k -> c.done_.(k).reset
   in
-  let k = match callee with Step k | Start k | Reset k -> k in
-  if Machine.Apart.is_split c.apart k then need frame word;
-  in_structs c frame (List.map (fun (v : M.variable) -> v.ty) given) (List.map snd results);
   frame.callees <- bounds :: frame.callees;
   arguments c frame ~calling:(List.exists calls es) es
 
@@ -273,7 +244,7 @@ let statement c frame (s : M.statement) =
       expression c frame condition
   | Step { node; arguments; results; on_trial; _ } ->
       if on_trial then
-        need frame (Basis.Amount.add word (Basis.Amount.round_up (State.bytes_of_node c.state node) ~alignment:word));
+        need frame (Basis.Amount.add word (Basis.Amount.round_up ((State.definition c.state node).bytes) ~alignment:word));
       List.iter (variable c frame) results;
       need frame (Basis.Amount.times word (List.length results));
       call c frame (Step node) arguments
@@ -313,7 +284,6 @@ let function_ c k ~results (code : M.code) =
   let frame = { bytes = fixed; helper = 0; callees = [] } in
   let given present = if present then need frame word in
   given (c.node.state <> []);
-  given (Machine.Apart.is_split c.apart k);
   given c.node.seconds;
   given c.node.nanoseconds;
   let in_place = in_place c.program k in
@@ -348,13 +318,12 @@ let root (program : M.program) (node : M.node) (bounds : of_node) : bounds =
   { reset = more bounds.reset word; step = more bounds.step ((4 * word) + clock + outer) }
 
 let of_program (program : M.program) state =
-  let apart = Machine.Apart.of_program program in
   let nothing = { bytes = 0; chain = [] } in
   let count = Array.length program.nodes in
   let done_ = Array.make count { reset = nothing; start = nothing; step = nothing } in
   Array.iteri
     (fun k (node : M.node) ->
-      let c = { program; node; state; apart; done_ } in
+      let c = { program; node; state; done_ } in
       let results = List.length node.outputs in
       done_.(k) <-
         (match node.foreign with

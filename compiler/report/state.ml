@@ -31,79 +31,80 @@ type definition = {
   members : member list;
 }
 
-(* First the struct of each node, then those of small fields. *)
-type t = { definitions : definition array; nodes : int }
+(* The struct of each node. *)
+type t = definition array
 
-let root t = t.nodes - 1
-let definition t k = t.definitions.(k)
+let root t = Array.length t - 1
+let definition = Array.get
 
-let bytes_of_node t k = Amount.add t.definitions.(k).bytes t.definitions.(t.nodes + k).bytes
+(* [structs]: the room of those of the nodes before. *)
+type context = { program : M.program; structs : Machine.Block.t array }
 
-type context = { program : M.program; apart : Machine.Apart.t }
+(* The number of a mode is a byte while that is enough. *)
+let running_mode (node : M.node) : Machine.Block.t =
+  let bytes = if List.compare_length_with node.modes 256 <= 0 then 1 else 4 in
+  { bytes; alignment = bytes }
+
+let rec block c k (field : M.field) =
+  match field.content with
+  | Value ty -> Machine.Block.of_value c.program.real c.program.sums ty
+  | State_of node -> c.structs.(node)
+  | States_of { node; count } -> Machine.Block.run count c.structs.(node)
+  | Running_mode -> running_mode c.program.nodes.(k)
+  | Component _ -> Machine.Block.foreign
+  | Modes modes ->
+      let mode m = snd (members c k (Machine.State.fields_of_mode m)) in
+      Machine.Block.of_alternatives (List.map mode modes)
 
 (* The members of a struct with these fields, and its room. *)
-let rec members c k fields =
-  let blocks = Long_list.map (Machine.Apart.block c.apart k) fields in
+and members c k fields =
+  let blocks = Long_list.map (block c k) fields in
   let offsets, whole = Machine.Block.of_members blocks in
-  let member (placed, fields, offsets) (room : Machine.Block.t) =
-    match (fields, offsets) with
-    | (((field : M.field), _) as part) :: fields, offset :: offsets ->
-        let holds = content c k part in
-        ( { name = field.name; offset; bytes = room.bytes; holds; span = field.span } :: placed,
-          fields,
-          offsets )
-    | _, _ -> (placed, fields, offsets)
+  let rec placed (fields : M.field list) offsets blocks found =
+    match (fields, offsets, blocks) with
+    | field :: fields, offset :: offsets, (room : Machine.Block.t) :: blocks ->
+        let holds = content c k field in
+        let member =
+          { name = field.name; offset; bytes = room.bytes; holds; span = field.span }
+        in
+        placed fields offsets blocks (member :: found)
+    | _, _, _ -> List.rev found
   in
-  let placed, _, _ = List.fold_left member ([], fields, offsets) blocks in
-  (List.rev placed, whole.bytes)
+  (placed fields offsets blocks [], whole)
 
-and content c k ((field : M.field), (part : Machine.Apart.part)) =
-  let struct_of node =
-    if part = Small && Machine.Apart.is_split c.apart node then Array.length c.program.nodes + node
-    else node
-  in
+and content c k (field : M.field) =
   match field.content with
   | Value _ -> Value field.purpose
-  | State_of node -> Struct (struct_of node)
-  | States_of { node; count } -> Structs { node = struct_of node; count }
+  | State_of node -> Struct node
+  | States_of { node; count } -> Structs { node; count }
   | Running_mode -> Running_mode
   | Component symbol -> Value (Printf.sprintf "`struct %s_state`" symbol)
-  | Modes modes -> Largest (List.map (alternative c k part) modes)
+  | Modes modes -> Largest (List.map (alternative c k) modes)
 
-and alternative c k part (mode : M.mode) =
-  let fields = Machine.Apart.in_order c.apart k (Machine.State.fields_of_mode mode) in
-  let members, bytes = members c k (List.filter (fun (_, p) -> p = part) fields) in
-  { mode = c.program.nodes.(mode.node).origin; node = mode.node; bytes; members }
+and alternative c k (mode : M.mode) =
+  let members, room = members c k (Machine.State.fields_of_mode mode) in
+  let name = c.program.nodes.(mode.node).origin in
+  { mode = name; node = mode.node; bytes = room.bytes; members }
 
 let of_program (program : M.program) =
   let count = Array.length program.nodes in
-  let c = { program; apart = Machine.Apart.of_program program } in
-  let definition (node : M.node) name bytes members =
-    { name; file = node.file; span = node.span; bytes; members }
-  in
+  let c = { program; structs = Array.make count { Machine.Block.bytes = 0; alignment = 1 } } in
   let of_node k (node : M.node) =
-    let fields = Machine.Apart.in_order c.apart k node.state in
-    let large, small =
-      if Machine.Apart.is_split c.apart k then
-        List.partition (fun (_, part) -> part = Machine.Apart.Large) fields
-      else (fields, [])
-    in
-    let members, bytes = members c k large and small_members, small_bytes = members c k small in
+    let members, room = members c k node.state in
+    c.structs.(k) <- room;
     (* C has no struct without members. *)
-    let bytes = if k = count - 1 then max 1 bytes else bytes in
-    ( definition node node.origin bytes members,
-      definition node (node.origin ^ ", small fields") small_bytes small_members )
+    let bytes = if k = count - 1 then max 1 room.bytes else room.bytes in
+    { name = node.origin; file = node.file; span = node.span; bytes; members }
   in
-  let both = Array.mapi of_node program.nodes in
-  { definitions = Array.append (Array.map fst both) (Array.map snd both); nodes = count }
+  Array.mapi of_node program.nodes
 
 let in_use t =
-  let seen = Array.make (Array.length t.definitions) false in
+  let seen = Array.make (Array.length t) false in
   let rec visit found k =
     if seen.(k) then found
     else begin
       seen.(k) <- true;
-      List.fold_left inside (k :: found) t.definitions.(k).members
+      List.fold_left inside (k :: found) t.(k).members
     end
   and inside found (member : member) =
     match member.holds with

@@ -41,11 +41,7 @@ val of_program : Machine.Ir.program -> t
 val root : t -> int
 
 val definition : t -> int -> definition
-(** Of a node with state, or the root; or the struct of a node's small fields, by the
-    number under which a member holds it. *)
-
-val bytes_of_node : t -> int -> int
-(** Of both structs, if it has two (see {!Machine.Apart}). *)
+(** Of a node with state, or the root. *)
 
 val in_use : t -> int list
 (** The definitions that the root's holds, itself first, each before those it holds

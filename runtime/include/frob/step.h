@@ -56,23 +56,18 @@
 #define FROB_BRANCH(condition) (condition)
 #endif
 
-/* What this pointer leads to no other does that is written through. Compilers could
- * not know: modes have structs that may share memory with any other. */
-#ifndef __cplusplus
-#define FROB_RESTRICT restrict
-#elif defined(__GNUC__)
-#define FROB_RESTRICT __restrict__
-#else
-#define FROB_RESTRICT
-#endif
+/* ---- Truth values */
 
-/* A step that several modes have in common, of which one runs at an instant: copies
- * would make the program larger and no faster. For size compilers know best. */
-#if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
-#define FROB_SHARED __attribute__((__noinline__))
-#else
-#define FROB_SHARED
-#endif
+/* a && b, a || b, where a C compiler would warn that it knows what they come to. */
+static inline bool frob_both(bool a, bool b)
+{
+    return a && b;
+}
+
+static inline bool frob_either(bool a, bool b)
+{
+    return a || b;
+}
 
 /* ---- Integers */
 
@@ -233,26 +228,6 @@ static inline double frob_max(double a, double b)
     return b > a ? b : a;
 }
 
-/* The smaller, the first of two equal ones; a number rather than NaN. */
-static inline double frob_least(double a, double b)
-{
-    const double less = b < a ? b : a;
-    if (FROB_BRANCH(less != less)) {
-        return b;
-    }
-    return less;
-}
-
-/* The larger, the first of two equal ones; a number rather than NaN. */
-static inline double frob_largest(double a, double b)
-{
-    const double more = b > a ? b : a;
-    if (FROB_BRANCH(more != more)) {
-        return b;
-    }
-    return more;
-}
-
 /* The minimum with a limit that is not NaN; NaN if x is. */
 static inline double frob_at_most(double x, double limit)
 {
@@ -263,14 +238,6 @@ static inline double frob_at_most(double x, double limit)
 static inline double frob_at_least(double x, double limit)
 {
     return limit > x ? limit : x;
-}
-
-/* x where the condition holds, else 0.0. Looked up: of a choice gcc would make a
- * branch, which from one element of an array to the next a processor guesses wrong. */
-static inline double frob_where(bool condition, double x)
-{
-    const double choice[2] = {0.0, x};
-    return choice[condition ? 1 : 0];
 }
 
 /* max (-x) (min x y): y within x of 0; NaN if either is. */
@@ -423,26 +390,6 @@ static inline float frob_maxf(float a, float b)
     return b > a ? b : a;
 }
 
-/* The smaller, the first of two equal ones; a number rather than NaN. */
-static inline float frob_leastf(float a, float b)
-{
-    const float less = b < a ? b : a;
-    if (FROB_BRANCH(less != less)) {
-        return b;
-    }
-    return less;
-}
-
-/* The larger, the first of two equal ones; a number rather than NaN. */
-static inline float frob_largestf(float a, float b)
-{
-    const float more = b > a ? b : a;
-    if (FROB_BRANCH(more != more)) {
-        return b;
-    }
-    return more;
-}
-
 /* The minimum with a limit that is not NaN; NaN if x is. */
 static inline float frob_at_mostf(float x, float limit)
 {
@@ -453,14 +400,6 @@ static inline float frob_at_mostf(float x, float limit)
 static inline float frob_at_leastf(float x, float limit)
 {
     return limit > x ? limit : x;
-}
-
-/* x where the condition holds, else 0.0. Looked up: of a choice gcc would make a
- * branch, which from one element of an array to the next a processor guesses wrong. */
-static inline float frob_wheref(bool condition, float x)
-{
-    const float choice[2] = {0.0f, x};
-    return choice[condition ? 1 : 0];
 }
 
 /* max (-x) (min x y): y within x of 0; NaN if either is. */

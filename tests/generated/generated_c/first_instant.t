@@ -21,10 +21,10 @@ knows that it is not the first. The dt that comes then is looked at by nobody.
       } else {
           const int64_t dt_ns = frob_whole_ns(dt);
           const bool differs = b != self->before;             /* Control.frob:95 */
-          self->time = (differs & self->waiting) ? frob_soon(self->time, dt_ns) : 0; /* Prelude.frob:343 */
+          self->time = differs && self->waiting ? frob_soon(self->time, dt_ns) : 0; /* Prelude.frob:343 */
           const bool settled = INT64_C(30000000) <= self->time; /* Control.frob:98 */
-          self->waiting = differs & !settled;                 /* Control.frob:96 */
-          if (settled && b & !self->before) {                 /* Prelude.frob:437 */
+          self->waiting = differs && !settled;                /* Control.frob:96 */
+          if (settled && b && !self->before) {                /* Prelude.frob:437 */
               self->accumBy_before = frob_int_add(self->accumBy_before, 1);
           }
           if (settled) {                                      /* Control.frob:94 */

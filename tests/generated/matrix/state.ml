@@ -30,25 +30,16 @@ and sum v ~depth at k =
   ^ lines (List.map scalar scalars)
   ^ lines (List.map2 (fun (name, _) ty -> value v ~depth (f "%s.%s" at name) ty) arrays types)
 
-let has_two (v : V.t) k = not (String.equal v.nodes.(k).flags "")
-
-(* All parts of a field; a value has one. *)
-let places (v : V.t) k (field : M.field) =
-  let paths = v.nodes.(k).members in
-  let place pointer table =
-    Option.to_list (Option.map (fun path -> pointer ^ String.concat "." path) (Basis.Int_table.find_opt table field.id))
-  in
-  place "s->" paths.large @ place (if has_two v k then "flags->" else "s->") paths.small
+let place (v : V.t) k (field : M.field) =
+  "s->" ^ String.concat "." (Basis.Int_table.find v.nodes.(k).members field.id)
 
 let rec field (v : V.t) k (field_ : M.field) =
-  let places = places v k field_ in
-  let at = List.hd places in
-  let addresses index = String.concat ", " (List.map (fun place -> f "&%s%s" place index) places) in
+  let at = place v k field_ in
   match field_.content with
   | Value ty -> value v ~depth:0 at ty
-  | State_of inner -> f "    node_%d(hash, %s);\n" inner (addresses "")
+  | State_of inner -> f "    node_%d(hash, &%s);\n" inner at
   | States_of { node; count } ->
-      f "    for (int i = 0; i < %d; i++) {\n    node_%d(hash, %s);\n    }\n" count node (addresses "[i]")
+      f "    for (int i = 0; i < %d; i++) {\n    node_%d(hash, &%s[i]);\n    }\n" count node at
   | Running_mode -> f "    mix_int(hash, (int64_t)%s);\n" at
   | Modes modes -> of_modes v k modes
   | Component _ -> ""
@@ -65,7 +56,7 @@ and of_modes v k modes =
         f "    case %s:\n%s        break;\n" v.nodes.(k).modes.(number).constant (all mode)
       in
       f "    switch (%s) {\n%s    default:\n        mix_int(hash, -1);\n    }\n"
-        (List.hd (places v k running))
+        (place v k running)
         (lines (List.mapi case modes))
   | _, None -> invalid_arg "State.of_modes: modes without a number"
 
@@ -73,11 +64,8 @@ let node (v : V.t) k (node : M.node) =
   if Option.is_some node.foreign || not (V.has_state v k) then ""
   else
     let names = v.nodes.(k) in
-    let flags, unread =
-      if has_two v k then (f ", const struct %s *flags" names.flags, "    (void)flags;\n") else ("", "")
-    in
-    f "static void node_%d(uint64_t *hash, const struct %s *s%s)\n{\n    (void)hash;\n    (void)s;\n%s%s}\n\n" k
-      names.state flags unread
+    f "static void node_%d(uint64_t *hash, const struct %s *s)\n{\n    (void)hash;\n    (void)s;\n%s}\n\n" k
+      names.state
       (lines (List.map (field v k) node.state))
 
 let text (program : M.program) =

@@ -33,22 +33,19 @@ Modes share room: it is that of the largest.
   > EOF
   $ frobc report modes.frob | sed '/^$/,$d; s/Prelude.frob:.*/Prelude.frob/'
   state, in bytes
-    main            24                                modes.frob:2
-      modes         16  room for one of these         modes.frob:2
-        near         8  mode                          modes.frob:5
-          state      8  near                          modes.frob:5
-            x_prev   8  delay                         modes.frob:5
-        far         16  mode                          modes.frob:8
-          state     16  far                           modes.frob:8
-            x_prev   8  delay                         modes.frob:8
-            delay    8  delay                         modes.frob:8
-      modes          1  room for one of these         modes.frob:2
-        near         0  mode                          modes.frob:5
-        far          1  mode                          modes.frob:8
-          state      1  far, small fields             modes.frob:8
-            delay    1  delay                         Prelude.frob
-      mode           1  number of the mode that runs  modes.frob:2
-      (padding)      6
+    main               32                                modes.frob:2
+      modes            24  room for one of these         modes.frob:2
+        near            8  mode                          modes.frob:5
+          state         8  near                          modes.frob:5
+            x_prev      8  delay                         modes.frob:5
+        far            24  mode                          modes.frob:8
+          state        24  far                           modes.frob:8
+            x_prev      8  delay                         modes.frob:8
+            delay       8  delay                         modes.frob:8
+            delay       1  delay                         Prelude.frob
+            (padding)   7
+      mode              1  number of the mode that runs  modes.frob:2
+      (padding)         7
   $ frobc report modes.frob | sed -n '/^modes/,$p'
   modes
     main, modes.frob:2: 2 modes (near, far), at most 3 stepped within one instant
@@ -56,36 +53,6 @@ Modes share room: it is that of the largest.
   events that switch, at the first instant of the mode they leave
     from near to far    may occur             modes.frob:5
     from far to near    cannot occur: `edge`  modes.frob:8
-
-Apart from each other, modes' numbers and truth values would take more room here,
-as one mode keeps many of these and another many of those: 24 and 13 bytes. In one
-room 24 are enough for either.
-
-  $ cat > unlike.frob <<EOF
-  > main :: SF Float Float
-  > main = numbers
-  > 
-  > numbers :: SF Float Float
-  > numbers = switch (proc x -> (delay 0 (delay 0 (delay 0 x)), when (x > 5))) (\_ -> truths)
-  > 
-  > truths :: SF Float Float
-  > truths = switch (proc x -> (if late (late (late (late (x > 1)))) then 1 else 0, edge (x < 4))) (\_ -> numbers)
-  > 
-  > late :: SF Bool Bool
-  > late = proc b -> delay False (delay False (delay False b))
-  > EOF
-  $ frobc report unlike.frob | sed '/^$/,$d' | grep -v ' delay '
-  state, in bytes
-    main            32                                unlike.frob:2
-      modes         24  room for one of these         unlike.frob:2
-        numbers     24  mode                          unlike.frob:5
-          state     24  numbers                       unlike.frob:5
-        truths      13  mode                          unlike.frob:8
-          state     13  truths                        unlike.frob:8
-      mode           1  number of the mode that runs  unlike.frob:2
-      (padding)      7
-  $ frobc compile unlike.frob && grep flags unlike.h
-  [1]
 
 A struct is shown once, so the report of a million instances is short.
 

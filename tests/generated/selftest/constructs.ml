@@ -24,7 +24,6 @@ let rec ty (t : ty) =
   | Array (t, _) -> note "Array"; ty t
   | Pointer t -> note "Pointer"; ty t
   | Pointer_to_const t -> note "Pointer_to_const"; ty t
-  | Only_way_to t -> note "Only_way_to"; note "FROB_RESTRICT"; ty t
 
 and member m = ty m.ty
 
@@ -44,7 +43,6 @@ let binary : binary -> string = function
   | Greater -> "Greater"
   | Equal -> "Equal"
   | Not_equal -> "Not_equal"
-  | Both -> "Both"
   | And -> "And"
   | Or -> "Or"
   | Remainder -> "Remainder"
@@ -88,10 +86,7 @@ let function_ (f : function_) =
   (match f.linkage with
   | External -> note "External"
   | Static -> note "Static"
-  | Static_inline -> note "Static_inline"
-  | Static_marked macro ->
-      note "Static_marked";
-      note macro);
+  | Static_inline -> note "Static_inline");
   ty f.result;
   List.iter (fun (t, _) -> ty t) f.parameters;
   List.iter statement f.body;

@@ -145,8 +145,6 @@ so is joined with the loop that makes the array.
   $ sed -n '/^void starts_step/,/^}/p' starts.c | grep "for (\|NAN" | sed "s, */\*.*,,"
       for (int32_t i = 0; i < 3; i++) {
       for (int32_t i = 0; i < 3; i++) {
-  $ grep "= frob_least" starts.c | sed "s, */\*.*,,"
-      *out_2 = frob_least(t2, t3);
   $ both starts 'in[0],in[1],in[2]' 1,2,3 3,2,1 nan,2,1 -0,nan,0 0,0,0
   out.1,out.2,out.3
   -5,-4,1
@@ -190,8 +188,7 @@ Written with another test, or read by anything else:
   false,false,0
   true,true,inf
 
-What each element adds or not is looked up; what goes on from one element to the next
-is a choice, as the next would wait to look it up.
+What each element adds or not is a choice, and so is what goes on from one to the next.
 
   $ cat > where.frob <<'EOF'
   > main :: SF (Array 3 Float, Float) (Float, Float, Float)
@@ -201,9 +198,9 @@ is a choice, as the next would wait to look it up.
   >     restarted s x = if x < q then s + x else 0
   > EOF
   $ frobc compile where.frob --lint
-  $ sed -n '/main_loop/,$p' where.c | grep "frob_where(\|?" | sed "s, */\*.*,,"
-      *out_1 = t1 + frob_where(t3, q - x);
-      *out_2 = t2 + frob_where(!t3, x);
+  $ sed -n '/main_loop/,$p' where.c | grep "?" | sed "s, */\*.*,,"
+      *out_1 = t1 + (t3 ? q - x : 0.0);
+      *out_2 = t2 + (t3 ? 0.0 : x);
       *out_3 = t3 ? s + x : 0.0;
   $ both where 'in.1[0],in.1[1],in.1[2],in.2' 1,2,3,2.5 nan,2,-1,1.5 -0,0,inf,0 1,2,3,nan
   out.1,out.2,out.3

@@ -91,9 +91,9 @@ A machine that gives its output before all its inputs are known is first stepped
 copy of its state, with the component in it; then on the state:
 
   $ grep -B1 'loopy_2_step(&' shapes.c | sed 's, */\*.*,,'
-      struct shapes_loopy_2_flags trial_2 = self->loopy_flags;
-      const double out_2 = shapes_loopy_2_step(&trial, &trial_2, dt, 0.0, f);
-      shapes_loopy_2_step(&self->loopy, &self->loopy_flags, dt, out_2 + x, f);
+      struct shapes_loopy_2_state trial = self->loopy;
+      const double out_2 = shapes_loopy_2_step(&trial, dt, 0.0, f);
+      shapes_loopy_2_step(&self->loopy, dt, out_2 + x, f);
   $ sed -n '/: `count`/,/^}/p' shapes.c
   /* count: `count` in the user's C */
   static inline int32_t shapes_count_step(struct count_state *self, double dt,

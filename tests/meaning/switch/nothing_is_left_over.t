@@ -44,7 +44,7 @@ A machine is as large as its largest mode, and the number of the mode.
   > int main(void) { printf("%zu doubles\n", sizeof(struct memory_state) / sizeof(double)); return 0; }
   > EOF
   $ gcc size.c -o size && ./size
-  4 doubles
+  5 doubles
 
 The first mode ends at once; gcc must not read its parameter where the second
 keeps its own (it took the two for independent, at -O2):

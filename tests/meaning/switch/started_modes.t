@@ -14,25 +14,24 @@ is in its first mode.
   > EOF
   $ frobc compile inside.frob --lint
   $ sed -n '/^static.*_start(/,/^}/p' inside.c | sed 's, */\*.*,,'
-  static inline void inside_ramp_ramp_start(struct inside_ramp_ramp_state *self,
-          struct inside_ramp_ramp_flags *FROB_RESTRICT flags, double x, double *out_2)
+  static inline void inside_ramp_ramp_start(struct inside_ramp_ramp_state *self, double x,
+          double *out_2)
   {
       self->x_integral = 0.0;
       *out_2 = 10.0;
       self->x_integral_input = x;
-      flags->delay = x > 3.0;
+      self->delay = x > 3.0;
   }
   static inline void inside_ramp_flat_start(struct inside_ramp_flat_state *self, double *out_2)
   {
       self->time = 0;
       *out_2 = 0.0;
   }
-  static inline double inside_ramp_start(struct inside_ramp_state *self,
-          struct inside_ramp_flags *FROB_RESTRICT flags, double x)
+  static inline double inside_ramp_start(struct inside_ramp_state *self, double x)
   {
       double t1;
-      flags->mode = INSIDE_RAMP_RAMP;
-      inside_ramp_ramp_start(&self->modes.ramp.state, &flags->modes.ramp.state, x, &t1);
+      self->mode = INSIDE_RAMP_RAMP;
+      inside_ramp_ramp_start(&self->modes.ramp.state, x, &t1);
       return t1;
   }
   static inline void inside_main_main_start(struct inside_main_main_state *self, double x,
@@ -41,13 +40,13 @@ is in its first mode.
       *out_2 = x;
       self->delay = x > 1.0;
   }
-  static inline void inside_main_work_start(struct inside_main_work_state *self,
-          struct inside_main_work_flags *FROB_RESTRICT flags, double x, double *out_2)
+  static inline void inside_main_work_start(struct inside_main_work_state *self, double x,
+          double *out_2)
   {
-      const double t1 = inside_ramp_start(&self->ramp, &flags->ramp, x);
+      const double t1 = inside_ramp_start(&self->ramp, x);
       *out_2 = t1 + 7.0;
       self->x_prev = x;
-      flags->delay = x < 0.0;
+      self->delay = x < 0.0;
   }
 
 The first mode of the program has no use for time, so nothing tells its first step from
@@ -57,7 +56,7 @@ others; the first dt is not looked at.
   void inside_reset(struct inside_state *self)
   {
       self->mode = INSIDE_MAIN;
-      inside_main_main_reset(&self->modes_flags.main.state);
+      inside_main_main_reset(&self->modes.main.state);
   }
   $ printf 'time,in\n5,0\n6,2\n7,1\n8,4\n9,4\n10,4\n11,2\n12,-1\n13,2\n' > inside.csv
   $ both inside.frob inside.csv

@@ -53,20 +53,15 @@ chosen.
           struct {
               struct three_modes_follow_backUp_state state; /* backUp at three_modes.frob:6 */
           } backUp;
-      } modes;       /* what they keep at three_modes.frob:12 */
-      union {
-          struct {
-              struct three_modes_follow_follow_flags state; /* follow at three_modes.frob:5 */
-          } follow;
           struct {
               struct three_modes_follow_turnAway_state state; /* turnAway at three_modes.frob:7 */
           } turnAway;
-      } modes_flags; /* what they keep at three_modes.frob:12 */
-      uint8_t mode;  /* the mode that runs at three_modes.frob:12 */
+      } modes;      /* what they keep at three_modes.frob:12 */
+      uint8_t mode; /* the mode that runs at three_modes.frob:12 */
   };
   $ sed -n '/^void three_modes_step/,$p' three_modes.c
   void three_modes_step(struct three_modes_state *self, double dt,
-          const struct three_modes_input *FROB_RESTRICT in, struct three_modes_output *out)
+          const struct three_modes_input *in, struct three_modes_output *out)
   {
       const int64_t dt_ns = frob_whole_ns(dt);
       dt = (double)dt_ns / 1e9;
@@ -75,14 +70,14 @@ chosen.
       switch (self->mode) {
       case THREE_MODES_START: {
           self->mode = THREE_MODES_FOLLOW;                    /* line 12 */
-          three_modes_follow_follow_start(&self->modes.follow.state,
-                  &self->modes_flags.follow.state, in->bump, in->side, &speed, &turn);
+          three_modes_follow_follow_start(&self->modes.follow.state, in->bump, in->side, &speed,
+                  &turn);
           break;
       }
       case THREE_MODES_FOLLOW: {
           bool t1;
-          three_modes_follow_follow_step(&self->modes.follow.state,
-                  &self->modes_flags.follow.state, dt, in->bump, in->side, &speed, &turn, &t1);
+          three_modes_follow_follow_step(&self->modes.follow.state, dt, in->bump, in->side,
+                  &speed, &turn, &t1);
           if (t1) {
               self->mode = THREE_MODES_BACK_UP;               /* line 5 */
               three_modes_follow_backUp_start(&self->modes.backUp.state, &speed, &turn);
@@ -94,19 +89,19 @@ chosen.
           three_modes_follow_backUp_step(&self->modes.backUp.state, dt_ns, &speed, &turn, &t2);
           if (t2) {
               self->mode = THREE_MODES_TURN_AWAY;             /* line 6 */
-              three_modes_follow_turnAway_start(&self->modes_flags.turnAway.state, in->front,
-                      &speed, &turn);
+              three_modes_follow_turnAway_start(&self->modes.turnAway.state, in->front, &speed,
+                      &turn);
           }
           break;
       }
       default: {                                              /* THREE_MODES_TURN_AWAY */
           bool t3;
-          three_modes_follow_turnAway_step(&self->modes_flags.turnAway.state, in->front, &speed,
-                  &turn, &t3);
+          three_modes_follow_turnAway_step(&self->modes.turnAway.state, in->front, &speed, &turn,
+                  &t3);
           if (t3) {
               self->mode = THREE_MODES_FOLLOW;                /* line 7 */
-              three_modes_follow_follow_start(&self->modes.follow.state,
-                      &self->modes_flags.follow.state, in->bump, in->side, &speed, &turn);
+              three_modes_follow_follow_start(&self->modes.follow.state, in->bump, in->side,
+                      &speed, &turn);
           }
           break;
       }

@@ -14,36 +14,30 @@ later is kept once.
   > EOF
   $ frobc report lamp.frob | sed -n '/^state/,/^$/p' | without_lines
   state, in bytes
-    thenSF               32                                Prelude.frob
-      modes              24  room for one of these         Prelude.frob
-        snapT             0  mode                          lamp.frob:8
-        thenSF           24  mode                          Prelude.frob
-          state          24  thenSF                        Prelude.frob
-            modes        24  room for one of these         lamp.frob:8
-              sleepT     16  mode                          lamp.frob:3
-                level     8  parameter                     lamp.frob:3
-                state     8  sleepT                        lamp.frob:3
-                  time    8  time in ns                    Prelude.frob
-              lamp        8  mode                          lamp.frob:4
-                level     8  parameter                     lamp.frob:4
-              sleepT     24  mode                          lamp.frob:5
-                level     8  parameter                     lamp.frob:5
-                y         8  parameter                     lamp.frob:5
-                state     8  sleepT                        lamp.frob:5
-                  time    8  time in ns                    Prelude.frob
-      modes               2  room for one of these         Prelude.frob
-        snapT             0  mode                          lamp.frob:8
-        thenSF            2  mode                          Prelude.frob
-          state           2  thenSF, small fields          Prelude.frob
-            modes         1  room for one of these         lamp.frob:8
-              sleepT      0  mode                          lamp.frob:3
-              lamp        1  mode                          lamp.frob:4
-                state     1  lamp                          lamp.frob:4
-                  delay   1  delay                         Prelude.frob
-              sleepT      0  mode                          lamp.frob:5
-            mode          1  number of the mode that runs  lamp.frob:8
-      mode                1  number of the mode that runs  Prelude.frob
-      (padding)           5
+    thenSF                 40                                Prelude.frob
+      modes                32  room for one of these         Prelude.frob
+        snapT               0  mode                          lamp.frob:8
+        thenSF             32  mode                          Prelude.frob
+          state            32  thenSF                        Prelude.frob
+            modes          24  room for one of these         lamp.frob:8
+              sleepT       16  mode                          lamp.frob:3
+                level       8  parameter                     lamp.frob:3
+                state       8  sleepT                        lamp.frob:3
+                  time      8  time in ns                    Prelude.frob
+              lamp         16  mode                          lamp.frob:4
+                level       8  parameter                     lamp.frob:4
+                state       1  lamp                          lamp.frob:4
+                  delay     1  delay                         Prelude.frob
+                (padding)   7
+              sleepT       24  mode                          lamp.frob:5
+                level       8  parameter                     lamp.frob:5
+                y           8  parameter                     lamp.frob:5
+                state       8  sleepT                        lamp.frob:5
+                  time      8  time in ns                    Prelude.frob
+            mode            1  number of the mode that runs  lamp.frob:8
+            (padding)       7
+      mode                  1  number of the mode that runs  Prelude.frob
+      (padding)             7
   
 
 A task that never ends keeps nothing about its end: this one is one number for the

@@ -13,16 +13,15 @@ is left out, the machine within it among that.
   > END
   $ frobc compile duty.frob --lint
   $ sed -n '/^static.* duty_rest_work_step/,/^}/p' duty.c | sed "s, */\*.*,,"
-  static inline void duty_rest_work_step(struct duty_rest_work_state *self,
-          struct duty_rest_work_flags *FROB_RESTRICT flags, double dt, bool i_1, double i_2,
-          double *out_2, bool *out_3)
+  static inline void duty_rest_work_step(struct duty_rest_work_state *self, double dt, bool i_1,
+          double i_2, double *out_2, bool *out_3)
   {
-      const bool t1 = !i_1 & flags->i_1_prev;
+      const bool t1 = !i_1 && self->i_1_prev;
       *out_3 = t1;
       if (!t1) {
-          const double t2 = duty_up_step(&self->up, &flags->up, dt, i_2);
+          const double t2 = duty_up_step(&self->up, dt, i_2);
           *out_2 = t2;
-          flags->i_1_prev = i_1;
+          self->i_1_prev = i_1;
       }
   }
   $ printf 'time,in.1,in.2\n0,false,1\n1,true,1\n2,true,2\n3,true,-1\n4,true,3\n5,true,3\n6,false,-1\n7,true,2\n8,true,2\n' > in.csv
@@ -62,8 +61,8 @@ where it is much; and it is not asked again that the first one is not taken.
   > END
   $ frobc compile turn.frob --lint
   $ sed -n '/^static.* turn_go_/,/^}/p' turn.c | sed "s, */\*.*,,"
-  static inline void turn_go_go(const struct turn_input *FROB_RESTRICT in, double *out_2,
-          bool *out_3, double *out_p_x, bool *out_4)
+  static inline void turn_go_go(const struct turn_input *in, double *out_2, bool *out_3,
+          double *out_p_x, bool *out_4)
   {
       const double p_x = in->f1.x;
       const double p_y = in->f1.y;
@@ -125,7 +124,7 @@ is asked.
   {
       self->x_integral += dt * self->x_integral_input;
       const bool t1 = x > 5.0;
-      *out_3 = t1 & on;
+      *out_3 = t1 && on;
       *out_4 = t1;
       *out_x = x;
       if (!t1) {

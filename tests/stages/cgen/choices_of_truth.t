@@ -11,5 +11,5 @@ A choice with True or False in it is written with `||` or `&&`.
   > FROB
   $ frobc compile nearer.frob
   $ sed -n '/out->/p' nearer.c
-      out->f1 = t1 || (a.tag == NEARER_SIDE_RIGHT_SIDE || a.f0 < 2.0);
+      out->f1 = t1 || a.tag == NEARER_SIDE_RIGHT_SIDE || a.f0 < 2.0;
       out->f2 = t1 && b.tag == NEARER_SIDE_LEFT_SIDE;

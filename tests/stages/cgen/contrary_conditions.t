@@ -8,8 +8,8 @@ warns of them where they have a branch.
   > END
   $ frobc compile contrary.frob
   $ grep 'out->' contrary.c | sed "s, */\*.*,,"
-      out->f1 = (n <= 1) & (n > 3);
-      out->f2 = !((n == 3) & (n == 0));
+      out->f1 = frob_both(n <= 1, n > 3);
+      out->f2 = frob_either(n != 3, n != 0);
       out->f3 = n < 0 || n > 5;
   $ for cc in gcc clang; do $cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -c contrary.c; done
   $ printf 'time,in\n0,0\n1,1\n2,2\n3,3\n4,4\n5,6\n' > in.csv

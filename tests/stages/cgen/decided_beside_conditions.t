@@ -33,7 +33,7 @@ What still reads the field comes before.
   $ frobc compile reads.frob --lint
   $ sed -n '/^void reads_step/,/^}/p' reads.c | sed -n '/grows/,$p' | sed "s, */\*.*,,"
       const bool grows = self->before < x;
-      out->f2 = self->was & b;
+      out->f2 = self->was && b;
       if (FROB_BRANCH(grows)) {
           self->before = x;
           self->was = false;

@@ -14,10 +14,8 @@ void exchange_reset(struct exchange_state *self)
 }
 
 /* exchange, test.frob:1 */
-void exchange_step(struct exchange_state *self,
-                   double dt,
-                   const struct exchange_input *in,
-                   struct exchange_output *out)
+void exchange_step(struct exchange_state *self, double dt, const struct exchange_input *in,
+        struct exchange_output *out)
 {
     (void)dt;
     const bool go = in->value;
