@@ -10,6 +10,9 @@ type outcome =
 
 let most = 1000
 
+(* Several ways may lead through as many steps. *)
+let most_states = 8 * most
+
 module States = Hashtbl.Make (struct
   type t = First.state
 
@@ -28,7 +31,7 @@ let explore first modes roots =
     | Some n -> n
     | None ->
         let n = States.length numbers in
-        if n >= most then raise_notrace Far;
+        if n >= most_states then raise_notrace Far;
         States.replace numbers state n;
         Queue.add state waiting;
         n
@@ -94,4 +97,4 @@ let of_machine first index (m : Ir.machine) =
                 max (max start (1 + running) + late) strict
             | _ -> Diagnostic.bug ~stage:"Flow.Chains" "other roots"
           in
-          Ends { steps; possible = possible modes states })
+          if steps > most + 1 then Goes_far else Ends { steps; possible = possible modes states })

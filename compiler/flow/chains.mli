@@ -13,7 +13,7 @@ type outcome =
       (** how many modes an instant steps at most; by mode the transitions that may occur at
           its first instant, physically those of its node *)
   | Goes_round of hop list  (** a shortest circle *)
-  | Goes_far  (** further than {!most} states *)
+  | Goes_far  (** more than {!most} steps, or too many ways *)
 
 val most : int
 

@@ -214,7 +214,7 @@ let check_machine sink ~entry uses program first expanded nodes index (m : Ir.ma
           report ~far:Fun.id hops;
           m
       | Goes_far ->
-          let far = Printf.sprintf "if it ends, then after more than %d rounds" Chains.most in
+          let far = Printf.sprintf "if it ends, then after more than %d steps" Chains.most in
           report ~far:(Diagnostic.note far)
             (hops_of steps (Graph.shortest_cycle graph component));
           m)

@@ -115,6 +115,16 @@ Repetitions of the library, of a known number and of one that is limited.
   out Left 0 Left 2 Left (-1) Left 0 Left 0 Left 1 Left (-2) Left 3
   at most 5 stepped within one instant
 
+A thousand steps are the most.
+
+  $ sed 's/repeatT 4/repeatT 1000/' repeat.frob > many.frob
+  $ frobc report many.frob | grep -o 'at most.*instant'
+  at most 1001 stepped within one instant
+  $ sed 's/repeatT 4/repeatT 1001/' repeat.frob > too_many.frob
+  $ frobc check too_many.frob 2>&1 | grep -e E0402 -e 'if it ends'
+  error[E0402]: `step → repeatT → step` may go round for ever within one instant
+      = note: if it ends, then after more than 1000 steps
+
 What made one mode go keeps the next one.
 
   $ cat > hysteresis.frob <<'EOF'
