@@ -170,7 +170,7 @@ known to end at once …
     |     ------- `go` may start `go` at its own first instant
     |
     = note: at an instant at which `go` is left as soon as it starts, nothing waits for the next one
-    = note: if it ends, then after more than 1000 rounds
+    = note: if it ends, then after more than 1000 steps
     = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
   
   1 error
@@ -319,7 +319,7 @@ program asks for it, with what takes time there.
     N |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
     N |
      = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one
-     = note: if it ends, then after more than 1000 rounds
+     = note: if it ends, then after more than 1000 steps
      = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
   
   1 error
