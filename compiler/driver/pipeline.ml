@@ -94,8 +94,18 @@ let interpretable sink sources r =
   Option.iter (Diagnostic.emit sink) refusal;
   if Option.is_none refusal then Some (core, entry) else None
 
-let optimized r sink flow =
-  stage r sink Flow ~lint:lint_flow ~print:Flow.Print.program (Flow.Optimize.program flow)
+let optimized (r : Request.t) sink flow =
+  let text = Format.asprintf "%a" Flow.Print.program in
+  let before = ref "" in
+  let show (pass : Flow.Optimize.pass) program =
+    let after = text program in
+    if after <> !before then Format.printf "%s: %s@.%s@." pass.name pass.reason after;
+    before := after
+  in
+  let after = if r.dump = Some Passes then Some show else None in
+  let optimized = Flow.Optimize.program ?after flow in
+  let* optimized = stage r sink Passes ~lint:ignore ~print:(fun _ _ -> ()) optimized in
+  stage r sink Flow ~lint:lint_flow ~print:Flow.Print.program optimized
 
 let lowered r sink flow =
   let* flow = optimized r sink flow in

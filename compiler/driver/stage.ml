@@ -1,4 +1,4 @@
-type t = Parse | Resolve | Types | Core | Specialize | Flow | Machine | C
+type t = Parse | Resolve | Types | Core | Specialize | Passes | Flow | Machine | C
 
 let table =
   [
@@ -7,7 +7,8 @@ let table =
     (Types, "types", "everything with its type and level");
     (Core, "core", "the small language that gives the program its meaning");
     (Specialize, "specialize", "first-order nodes of equations");
-    (Flow, "flow", "the same after sharing, folding and inlining");
+    (Passes, "passes", "the same after each pass of the optimizer that changes it");
+    (Flow, "flow", "the same after all of them");
     (Machine, "machine", "state, reset and step as statements");
     (C, "c", "the generated C");
   ]

@@ -7,6 +7,7 @@ type t =
   | Types
   | Core
   | Specialize
+  | Passes
   | Flow
   | Machine
   | C

@@ -225,7 +225,7 @@ let program sink ~entry (program : Ir.program) =
     let first = First_transitions.of_program program in
     let uses = Own_code.uses program in
     (* A number that two functions have captured is one parameter. *)
-    let to_look_at = lazy (Twin_parameters.program (Inline.to_look_at ~most:200 program)) in
+    let to_look_at = lazy (Equal_parameters.program (Inline.to_look_at ~most:200 program)) in
     let expanded =
       (to_look_at, lazy (First_transitions.of_program ~patient:true (Lazy.force to_look_at)))
     in

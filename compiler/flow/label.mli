@@ -1,5 +1,5 @@
 (** What the elements of a node are, but for the signals that they read: what a
-    partition by congruence starts from ({!Share}). *)
+    partition by congruence starts from ({!Common_subexpressions}). *)
 
 type t =
   | Equation of Ir.ty * Ir.rhs

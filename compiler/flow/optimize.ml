@@ -1,33 +1,89 @@
-(* The program after [pass], and whether any node is another one after [last], which
-   comes after it. *)
-let each_node_and pass ~last program =
-  let found = ref false in
-  let pass ~fresh node =
-    let node = pass ~fresh node in
-    let after = last node in
-    if after != node then found := true;
-    after
-  in
-  let program = Each_node.program pass program in
-  (program, !found)
+type pass = { name : string; pass : Ir.program -> Ir.program; reason : string }
 
-(* A condition may be the same as another one, or a constant. A latch that is a constant
-   simplifies what reads it; it takes a simple condition to see it. Sharing after
-   simplifying, which makes equal what looked different. *)
-let tidy_nodes (program : Ir.program) =
-  let simplify ~fresh node = Simplify.node program.real ~fresh node in
-  let simplify_if needed ~fresh node = if needed then simplify ~fresh node else node in
-  let program, found = each_node_and simplify ~last:Condition.node program in
-  let program, found = each_node_and (simplify_if found) ~last:Latch.node program in
-  Each_node.program
-    (fun ~fresh node -> node |> simplify_if found ~fresh |> Share.node)
-    program
+let constant_propagation =
+  {
+    name = "constant-propagation";
+    pass = Constant_propagation.program;
+    reason = "literals first, as they decide choices";
+  }
 
-(* Literals first, as they decide choices; dead code last, for what all of them leave
-   behind. *)
-let tidy_once program =
-  program |> Specific.program |> tidy_nodes |> Twins.program |> Twin_parameters.program
-  |> Unreachable.program |> Dead.program
+let simplify =
+  { name = "simplify"; pass = Simplify.program; reason = "what is known of operands is known" }
+
+let dead_code =
+  {
+    name = "dead-code";
+    pass = Dead_code.program;
+    reason = "last, for what all of them leave behind";
+  }
+
+(* What makes each node as simple as it gets. *)
+let tidy =
+  [
+    constant_propagation;
+    simplify;
+    {
+      name = "boolean-simplification";
+      pass = Boolean_simplification.program;
+      reason = "it looks at choices and operators as they are simplified";
+    };
+    {
+      name = "constant-delays";
+      pass = Constant_delays.program;
+      reason = "it takes simple conditions to see them";
+    };
+    {
+      name = "common-subexpressions";
+      pass = Common_subexpressions.program;
+      reason = "after simplifying, which makes equal what looked different";
+    };
+    {
+      name = "equal-accumulators";
+      pass = Equal_accumulators.program;
+      reason = "what a loop computes stands there once";
+    };
+    {
+      name = "equal-parameters";
+      pass = Equal_parameters.program;
+      reason = "what is handed on stands there once";
+    };
+    {
+      name = "unreachable-modes";
+      pass = Unreachable_modes.program;
+      reason = "conditions that are constant are seen to be";
+    };
+    dead_code;
+  ]
+
+let loop_fusion =
+  {
+    name = "loop-fusion";
+    pass = Loop_fusion.program;
+    reason = "before inlining, which takes the joined loops' bodies together";
+  }
+
+let inline =
+  {
+    name = "inline";
+    pass = Inline.program;
+    reason = "sizes are those of the work that remains; what was done twice is inlined once";
+  }
+
+let absorb =
+  {
+    name = "absorb";
+    pass = Absorb.program;
+    reason = "late, for a machine that so becomes a part of its user is inlined no more";
+  }
+
+type step =
+  | Pass of pass
+  | Tidy  (** if anything has changed since *)
+
+(* Twice, as inlining brings loops of several nodes together. *)
+let steps =
+  [ Tidy; Pass loop_fusion; Pass inline; Tidy; Pass loop_fusion; Pass inline; Tidy; Pass absorb;
+    Pass simplify; Pass dead_code ]
 
 let modes (program : Ir.program) =
   Array.fold_left
@@ -35,32 +91,22 @@ let modes (program : Ir.program) =
       Option.fold node.machine ~none:n ~some:(fun (m : Ir.machine) -> n + List.length m.modes))
     0 program.nodes
 
-(* Of a machine with fewer modes more can be said: what is left may put out the
-   same literal, or get it. *)
-let rec tidy program =
-  let tidied = tidy_once program in
-  if modes tidied < modes program then tidy tidied else tidied
-
-let inline program =
-  let inlined = Inline.program program in
-  if inlined == program then program
-  else
-    (* Inlined equations meet their arguments, and then what they share with their
-       new neighbours. *)
-    let tidied = tidy inlined in
-    let simple = Simplify.program tidied in
-    if simple == tidied then tidied else Dead.program simple
-
-let program program =
-  (* Before inlining, so that sizes are those of the work that remains, and
-     what is done twice is inlined once. *)
-  let tidied = tidy program in
-  (* Before inlining, which takes the joined loops' bodies together. *)
-  let tidied = inline (Fusion.program tidied) in
-  (* Loops that stood in other nodes may be joined now; so may those that started
-     from what is known now. *)
-  let joined = Fusion.program tidied in
-  let tidied = if joined == tidied then tidied else inline joined in
-  (* Last, for a machine that so becomes a part of its user is inlined no more. *)
-  let absorbed = Absorb.program tidied in
-  if absorbed == tidied then tidied else Dead.program absorbed
+let program ?(after = fun _ _ -> ()) program =
+  let run program p =
+    let made = p.pass program in
+    after p made;
+    made
+  in
+  (* Of a machine with fewer modes more can be said: what is left may put out the same
+     literal, or get it. *)
+  let rec tidied program =
+    let once = List.fold_left run program tidy in
+    if modes once < modes program then tidied once else once
+  in
+  let step (program, is_tidy) = function
+    | Pass p ->
+        let made = run program p in
+        (made, is_tidy && made == program)
+    | Tidy -> ((if is_tidy then program else tidied program), true)
+  in
+  fst (List.fold_left step (program, false) steps)

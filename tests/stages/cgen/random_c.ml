@@ -132,7 +132,7 @@ let () =
       let program = { (causal rng) with name } in
       let instants = List.map exact_dt (Random_program.instants rng program) in
       let outputs = Evaluate.by_demand program instants in
-      let prepared = if k mod 2 = 0 then Optimize.program program else Dead.program (Inline.program program) in
+      let prepared = if k mod 2 = 0 then Optimize.program program else Dead_code.program (Inline.program program) in
       let machine = Machine.Of_flow.program prepared in
       Machine.Lint.program machine;
       let files = Cgen.Emit.program machine in

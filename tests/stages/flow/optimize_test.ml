@@ -65,15 +65,15 @@ let stays pass seed =
 let random_tests =
   [
     random "simplify keeps every bit" 400 (keeps_outputs Simplify.program Evaluate.by_demand);
-    random "condition keeps every bit" 400 (keeps_outputs Condition.program Evaluate.by_demand);
-    random "share keeps every bit" 400 (keeps_outputs Share.program Evaluate.by_demand);
-    random "dead keeps every bit" 400 (keeps_outputs Dead.program Evaluate.by_demand);
-    random "specific keeps every bit" 400 (keeps_outputs Specific.program Evaluate.by_demand);
+    random "boolean simplification keeps every bit" 400 (keeps_outputs Boolean_simplification.program Evaluate.by_demand);
+    random "common subexpressions keep every bit" 400 (keeps_outputs Common_subexpressions.program Evaluate.by_demand);
+    random "dead code keeps every bit" 400 (keeps_outputs Dead_code.program Evaluate.by_demand);
+    random "constant propagation keeps every bit" 400 (keeps_outputs Constant_propagation.program Evaluate.by_demand);
     random "inline keeps every bit and leaves a schedule" 400
       (keeps_outputs Inline.program Evaluate.by_schedule);
-    random "dead code is dead at once" 400 (stays Dead.program);
+    random "dead code is dead at once" 400 (stays Dead_code.program);
     random "all together keep every bit, run by schedule" 1000
-      (keeps_outputs Optimize.program Evaluate.by_schedule);
+      (keeps_outputs (fun p -> Optimize.program p) Evaluate.by_schedule);
   ]
 
 (* Examples: the nodes that are left, as {!Print} shows them. *)
@@ -94,7 +94,7 @@ let counter b name =
 let float_identities () =
   check
     [ "signal function main (x : Float)"; "a : Float = x + 0.0"; "-> ( = a,  = x,  = x,  = x)" ]
-    (Dead.program @@ Simplify.program
+    (Dead_code.program @@ Simplify.program
        (build (fun b ->
             let x = Build.input b "x" in
             let a = Build.let_ b "a" (Op (Add, [ x; zero ])) in
@@ -137,7 +137,7 @@ let ends_of_limits () =
       "d : Float = max(least_2, -0.5)";
       "-> ( = least,  = b,  = c,  = d)";
     ]
-    (Dead.program @@ Simplify.program
+    (Dead_code.program @@ Simplify.program
        (build (fun n ->
             let x = Build.input n "x" in
             let limit name v =
@@ -160,7 +160,7 @@ let negations_are_not_kept () =
       "d : Bool = not(_1)";
       "-> ( = d)";
     ]
-    (Dead.program @@ Simplify.program
+    (Dead_code.program @@ Simplify.program
        (build (fun n ->
             let ty : Ir.ty = Bool in
             let x = Build.input ~ty n "x" in
@@ -219,7 +219,7 @@ let shared_counters () =
       "_1 : Float = n + 1.0";
       "-> ( = n,  = n)";
     ]
-    (Share.program
+    (Common_subexpressions.program
        (build (fun b ->
             let n = counter b "n" in
             let m = counter b "m" in
@@ -227,7 +227,7 @@ let shared_counters () =
 
 let different_counters () =
   let program =
-    Share.program
+    Common_subexpressions.program
       (build (fun b ->
            let n = counter b "n" in
            let next = Build.declare b "" in
@@ -343,11 +343,11 @@ let example_tests =
     case "simplify: ends that a limit cannot come to" ends_of_limits;
     case "simplify: of a negation what it negates is kept" negations_are_not_kept;
     case "simplify: known constructors need no tag" known_constructors;
-    case "condition: one that is said by cases" conditions_in_cases;
-    case "condition: one for which another one does not matter" conditions_anyhow;
-    case "share: equal feedback loops are one" shared_counters;
-    case "share: 0 and -0 are different" different_counters;
-    case "share and specific: instances, literals, unread outputs" shared_instances;
+    case "boolean simplification: one that is said by cases" conditions_in_cases;
+    case "boolean simplification: one for which another one does not matter" conditions_anyhow;
+    case "common subexpressions: equal feedback loops are one" shared_counters;
+    case "common subexpressions: 0 and -0 are different" different_counters;
+    case "common subexpressions and constants: instances, literals, unread outputs" shared_instances;
     case "inline: what feeds back through its delay is opened, no more" inlined_for_feedback;
     case "inline: names stay, and tell instances apart where they clash" inlined_names;
     case "nodes of 100,000 equations" large;

@@ -60,3 +60,70 @@ A dump takes the place of the files:
   7
   $ ls gain*
   gain.frob
+
+The optimizer's passes, each with the reason for its place, and the program where it changes it:
+
+  $ cat > twice.frob <<END
+  > main :: SF Float (Float, Float)
+  > main = proc x -> (2 * double x, if delay False False then 1 else 3 * double x)
+  > 
+  > double :: Float -> Float
+  > double x = x + x
+  > END
+  $ frobc compile twice.frob --dump=passes --stop-after=passes
+  constant-propagation: literals first, as they decide choices
+  program twice
+  function double (x : Float)
+    _1 : Float = x + x
+    -> (out = _1)
+  signal function main (x : Float)
+    _1 : Bool = delay False False
+    _2 : Float = 2.0 * _5
+    _3 : Float = 3.0 * _6
+    _4 : Float = if _1 then 1.0 else _3
+    (_5 : Float) = double as double(x)
+    (_6 : Float) = double as double_2(x)
+    -> (out.1 = _2, out.2 = _4)
+  
+  simplify: what is known of operands is known
+  program twice
+  function double (x : Float)
+    _1 : Float = x + x
+    -> (out = _1)
+  signal function main (x : Float)
+    _1 : Float = 2.0 * _3
+    _2 : Float = 3.0 * _4
+    (_3 : Float) = double as double(x)
+    (_4 : Float) = double as double_2(x)
+    -> (out.1 = _1, out.2 = _2)
+  
+  common-subexpressions: after simplifying, which makes equal what looked different
+  program twice
+  function double (x : Float)
+    _1 : Float = x + x
+    -> (out = _1)
+  signal function main (x : Float)
+    _1 : Float = 2.0 * _3
+    _2 : Float = 3.0 * _3
+    (_3 : Float) = double as double(x)
+    -> (out.1 = _1, out.2 = _2)
+  
+  inline: sizes are those of the work that remains; what was done twice is inlined once
+  program twice
+  function double (x : Float)
+    _1 : Float = x + x
+    -> (out = _1)
+  signal function main (x : Float)
+    _1 : Float = 2.0 * _2
+    _2 : Float = x + x
+    _3 : Float = 3.0 * _2
+    -> (out.1 = _1, out.2 = _3)
+  
+  dead-code: last, for what all of them leave behind
+  program twice
+  signal function main (x : Float)
+    _1 : Float = 2.0 * _2
+    _2 : Float = x + x
+    _3 : Float = 3.0 * _2
+    -> (out.1 = _1, out.2 = _3)
+  

@@ -16,3 +16,10 @@ let node (node : Ir.node) =
     in
     let equations = List.map constant node.equations in
     if List.for_all2 ( == ) equations node.equations then node else { node with equations }
+
+let program (program : Ir.program) =
+  let pass ~fresh before =
+    let after = node before in
+    if after == before then before else Simplify.node program.real ~fresh after
+  in
+  Each_node.program pass program

@@ -196,7 +196,7 @@ let need_instance search waiting (instance : instance) =
 (* What is needed because this one is. *)
 let consequences search waiting (s : Ir.signal) =
   match search.definitions.(s.id) with
-  | Undefined -> Basis.Diagnostic.bug ~stage:"Flow.Dead" "`%s` (%d) is not defined" s.name s.id
+  | Undefined -> Basis.Diagnostic.bug ~stage:"Flow.Dead_code" "`%s` (%d) is not defined" s.name s.id
   | Equation -> Operands.fold (need search) waiting search.right_sides.(s.id)
   | Parameter { node; number } -> need_parameter search waiting node number
   | Foreign_result inputs ->

@@ -7,6 +7,5 @@
     congruence ({!Basis.Partition}); the first of each class stays, and with
     it a name that the programmer gave to any of them. *)
 
-val node : Ir.node -> Ir.node
 val program : Ir.program -> Ir.program
-(** Both: the same, physically, if nothing is computed twice. *)
+(** The same program, physically, if nothing is computed twice. *)

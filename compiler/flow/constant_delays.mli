@@ -6,5 +6,5 @@
     occurs its next value is b again: the first instant at which it would be
     another one is the mode's last. *)
 
-val node : Ir.node -> Ir.node
-(** The same node, physically, if it has no such delay. *)
+val program : Ir.program -> Ir.program
+(** The same program, physically, if it has no such delay. *)

@@ -126,4 +126,9 @@ let node (node : Ir.node) =
   then node
   else { node with equations; transitions }
 
-let program program = Each_node.program (fun ~fresh:_ -> node) program
+let program (program : Ir.program) =
+  let pass ~fresh before =
+    let after = node before in
+    if after == before then before else Simplify.node program.real ~fresh after
+  in
+  Each_node.program pass program

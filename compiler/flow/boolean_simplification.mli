@@ -6,6 +6,5 @@
     two. And of the transitions of a mode a later one asks only what those before it do
     not ask, as it counts only where they do not occur. *)
 
-val node : Ir.node -> Ir.node
 val program : Ir.program -> Ir.program
-(** Both: the same, physically, if there is no such condition. *)
+(** The same program, physically, if there is no such condition. *)
