@@ -61,7 +61,6 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
       results;
       states;
       returned;
-      feedback = Feedback.of_node node;
       ending = None;
     }
   in
@@ -75,7 +74,7 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
     in
     Option.map told fragment.ending
   in
-  let body = Decided.statements (Adjacent.statements (Placement.statements fragment)) in
+  let body = Adjacent.statements (Placement.statements fragment) in
   (List.rev_append (List.rev advances) body, told)
 
 (* What reset does for one item; it comes after all static values. *)
@@ -110,7 +109,6 @@ let reset (context : Calls.context) state (node : F.node) (statics : Statics.t) 
       results = [];
       states = [];
       returned = None;
-      feedback = Feedback.none;
       ending = None;
     }
 

@@ -152,7 +152,6 @@ let step real ~(started : field) ~reset body =
                  Operation { operator = Not; ty = Bool; arguments = [ Field started ] };
                then_ = first;
                else_ = others;
-               predicted = false;
                span = started.span;
              }
           :: results)

@@ -208,16 +208,15 @@ let program (program : F.program) : Ir.program =
     translated.(k) <- Some node;
     first_instant := first
   done;
-  Time_parameters.program
-    {
-      name = program.name;
-      sums = program.sums;
-      imports = program.imports;
-      headers = program.headers;
-      nodes = Array.init count callee;
-      input = program.input;
-      output = program.output;
-      ends = program.ends;
-      real = program.real;
-      first_instant = !first_instant;
-    }
+  {
+    name = program.name;
+    sums = program.sums;
+    imports = program.imports;
+    headers = program.headers;
+    nodes = Array.init count callee;
+    input = program.input;
+    output = program.output;
+    ends = program.ends;
+    real = program.real;
+    first_instant = !first_instant;
+  }

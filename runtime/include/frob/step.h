@@ -48,8 +48,7 @@
 #pragma GCC optimize("no-strict-aliasing")
 #endif
 
-/* The condition of a branch that is to stay one, for the processor to predict:
- * a select in its place would have each step wait for the one before. */
+/* What hardly ever holds: a branch, which costs nothing, where a select would have to wait. */
 #ifdef __GNUC__
 #define FROB_BRANCH(condition) (__builtin_expect((condition), 0) != 0)
 #else
