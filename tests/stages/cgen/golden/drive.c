@@ -11,11 +11,8 @@ static void drive_pi_reset(struct drive_pi_state *self)
 }
 
 /* pi, Control.frob:1 */
-static inline double drive_pi_step(struct drive_pi_state *self,
-                                   double dt,
-                                   double kp,
-                                   double ki,
-                                   double error)
+static inline double drive_pi_step(struct drive_pi_state *self, double dt, double kp, double ki,
+        double error)
 {
     self->sum += dt * self->sum_input;                      /* line 8 */
     self->sum_input = error;
@@ -40,12 +37,10 @@ void drive_reset(struct drive_state *self)
 }
 
 /* drive, test.frob:1 */
-void drive_step(struct drive_state *self,
-                double dt,
-                const struct drive_input *in,
-                struct drive_output *out)
+void drive_step(struct drive_state *self, double dt, const struct drive_input *in,
+        struct drive_output *out)
 {
-    const int64_t dt_ns = self->started ? (int64_t)frob_whole_ns(dt) : 0;
+    const int64_t dt_ns = self->started ? frob_whole_ns(dt) : 0;
     dt = (double)dt_ns / 1e9;
     self->started = true;
     self->t = frob_later(self->t, dt_ns);                   /* line 8 */

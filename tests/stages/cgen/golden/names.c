@@ -10,10 +10,8 @@ void names_reset(struct names_state *self)
 }
 
 /* names, test.frob:1 */
-void names_step(struct names_state *self,
-                double dt,
-                const struct names_input *in,
-                struct names_output *out)
+void names_step(struct names_state *self, double dt, const struct names_input *in,
+        struct names_output *out)
 {
     (void)dt;
     const double int_2 = in->f1;

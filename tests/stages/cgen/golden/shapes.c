@@ -42,10 +42,8 @@ void shapes_reset(struct shapes_state *self)
 }
 
 /* shapes, test.frob:1 */
-void shapes_step(struct shapes_state *self,
-                 double dt,
-                 const struct shapes_input *in,
-                 struct shapes_output *out)
+void shapes_step(struct shapes_state *self, double dt, const struct shapes_input *in,
+        struct shapes_output *out)
 {
     (void)dt;
     const struct shapes_either_maybe_float_bool e = in->f1;

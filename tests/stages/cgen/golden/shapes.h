@@ -73,10 +73,8 @@ struct shapes_state {
 
 void shapes_reset(struct shapes_state *self);
 
-void shapes_step(struct shapes_state *self,
-                 double dt,
-                 const struct shapes_input *in,
-                 struct shapes_output *out);
+void shapes_step(struct shapes_state *self, double dt, const struct shapes_input *in,
+        struct shapes_output *out);
 
 #ifdef __cplusplus
 }
