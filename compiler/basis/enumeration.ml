@@ -24,7 +24,8 @@ let longest_shown = 12
 let period names =
   let names = Array.of_list names in
   let n = Array.length names in
-  let repeats k = n mod k = 0 && Array.for_all Fun.id (Array.init n (fun i -> names.(i) = names.(i mod k))) in
+  let is_again k i = names.(i) = names.(i mod k) in
+  let repeats k = n mod k = 0 && List.for_all (is_again k) (List.init n Fun.id) in
   let rec least k = if repeats k then k else least (k + 1) in
   Array.to_list (Array.sub names 0 (least 1))
 

@@ -22,7 +22,8 @@ let create data instances (foreign : Ir.foreign) =
     Global_table.replace values { Ir.Global.module_ = f.module_; name = f.foreign_name } f
   in
   List.iter add_value foreign.values;
-  { last = 0; data = table; instances = Instance.table instances; foreign = values; newest_first = [] }
+  let instances = Instance.table instances in
+  { last = 0; data = table; instances; foreign = values; newest_first = [] }
 
 let primitive t (g : Ir.Global.t) : Primitive.t =
   match (Global_table.find_opt t.foreign g, Primitive.of_name g.name) with
@@ -55,5 +56,6 @@ let field_types t (ty : Ir.ty) ~constructor =
     List.map
       (fun (_, field) -> Erasure.substitute by field)
       (List.nth d.constructors constructor).fields
-  | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Array _ | Size _ ->
+  | Variable _ | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Array _
+  | Size _ ->
     Diagnostic.bug ~stage:"Core.Context" "the fields of what is no data type"

@@ -40,8 +40,8 @@ let diagnostic ~vertex ~use cycle =
     steps
   |> Diagnostic.note
        (if List.for_all (fun v -> (vertex v).task) cycle then
-          "a task may start itself again only as the last statement of a `do`, after something that \
-           takes time"
+          "a task may start itself again only as the last statement of a `do`, after something \
+           that takes time"
         else
           "functions may not be recursive; a signal function may start itself again only in the \
            continuation of a switch")

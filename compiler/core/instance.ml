@@ -1,5 +1,7 @@
 open Basis
 
+let bug format = Diagnostic.bug ~stage:"Core.Instance" format
+
 (* A type constructor. *)
 type head =
   | Data_head of Ir.Global.t
@@ -32,7 +34,7 @@ let table instances =
     (fun (i : Ir.instance) ->
       match split i.head with
       | Some (head, _) -> Hashtbl.replace table (i.class_, head) i
-      | None -> Diagnostic.bug ~stage:"Core.Instance" "an instance of `%s` for a variable" i.class_.name)
+      | None -> bug "an instance of `%s` for a variable" i.class_.name)
     instances;
   table
 
@@ -41,7 +43,7 @@ let find table ~class_ ~name ty types =
   | None -> None
   | Some (head, arguments) -> (
       let missing () =
-        Diagnostic.bug ~stage:"Core.Instance" "no `%s` of `%s` for a type" name class_.Ir.Global.name
+        bug "no `%s` of `%s` for a type" name class_.Ir.Global.name
       in
       match Hashtbl.find_opt table (class_, head) with
       | None -> missing ()

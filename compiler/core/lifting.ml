@@ -132,7 +132,8 @@ let choose t ctx scope ~at_every_instant bindings =
     in
     let graph = Array.map edges candidates in
     let is_lifted group =
-      Graph.is_cyclic graph group || List.exists (fun i -> is_polymorphic (fst candidates.(i))) group
+      Graph.is_cyclic graph group
+      || List.exists (fun i -> is_polymorphic (fst candidates.(i))) group
     in
     let lifted =
       List.concat_map

@@ -121,7 +121,8 @@ let rec expr s (e : expr) =
     List.iter (closed s e.span) (ty :: types);
     match ty with
     | Variable _ -> ()
-    | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _ | Size _ ->
+    | Bool | Int | Float | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _
+    | Size _ ->
       fail e.span "a method of the known type %a" Print.ty ty)
   | Number _ -> (
     match e.ty with
@@ -142,7 +143,8 @@ let rec expr s (e : expr) =
     | Function (parameter, result) ->
       agree a.span ~expected:parameter ~found:a.ty;
       is result
-    | Variable _ | Bool | Int | Float | String | Tuple _ | Signal_function _ | Data _ | Array _ | Size _ ->
+    | Variable _ | Bool | Int | Float | String | Tuple _ | Signal_function _ | Data _ | Array _
+    | Size _ ->
       fail f.span "a value of type %a is applied" Print.ty f.ty)
   | Let _ -> lets s e.ty [] e
   | Tuple parts ->

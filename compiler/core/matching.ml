@@ -87,7 +87,8 @@ and part_tests ctx part ps found =
     let found =
       match p.desc with
       | Any | Bound _ -> found
-      | As _ | Tuple_of _ | Array_of _ | Constructed _ | Literal _ -> tests ctx p (part index p) found
+      | As _ | Tuple_of _ | Array_of _ | Constructed _ | Literal _ ->
+          tests ctx p (part index p) found
     in
     (index + 1, found)
   in

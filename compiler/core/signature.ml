@@ -17,7 +17,8 @@ let of_primitive (p : Primitive.t) types =
   | (Equal | Not_equal | Less | Less_equal | Greater | Greater_equal), [ a ] ->
     Some (comparison a)
   | (Divide | Power | Elementary (Hypot | Atan2)), [] -> Some (binary Float)
-  | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan), [] ->
+  | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos
+    | Atan), [] ->
     Some (unary Float)
   | (Div | Mod | Bitwise _), [] -> Some (binary Int)
   | To_float, [] -> Some (Function (Int, Float))
@@ -71,7 +72,8 @@ let of_primitive (p : Primitive.t) types =
   | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power
       | Power_literal _ | Elementary _ | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling
       | Truncate | Equal | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum
-      | Maximum | And | Or | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch
+      | Maximum | And | Or | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative
+      | Switch | Delayed_switch
       | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Reactimate | Ending
       | Make_task | Until_right | Return | Sequence | Run_task
       | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf

@@ -32,7 +32,8 @@ let rec is_trivial (e : expr) =
   | Local _ | Global _ | Primitive _ | Method _ | Number _ | Boolean _ | String _ | Tuple [] -> true
   | Apply (f, { desc = Tuple []; _ }) -> is_trivial f
   | Construct { arguments = []; _ } -> true
-  | Construct _ | Lambda _ | Apply _ | Let _ | Tuple _ | Array _ | Index _ | Component _ | Is_constructor _
+  | Construct _ | Lambda _ | Apply _ | Let _ | Tuple _ | Array _ | Index _ | Component _
+  | Is_constructor _
   | Payload _ | If _ | Proc _ ->
     false
 

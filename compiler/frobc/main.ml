@@ -399,7 +399,7 @@ let serve =
 
 let report =
   let states =
-    let doc = "Instead of that the program's switches and tasks as a state diagram, for Graphviz." in
+    let doc = "Instead of that the switches and tasks as a state diagram, for Graphviz." in
     Arg.(value & flag & info [ "states" ] ~doc)
   in
   command "report" ~doc:"memory, operations and stack of a step, stated before it runs"

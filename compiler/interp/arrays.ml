@@ -2,12 +2,14 @@ let bug what = Basis.Diagnostic.bug ~stage:"Interp" "%s" what
 
 let elements : Value.t -> Value.thunk array = function
   | Array elements -> elements
-  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->
+  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Data _ | Function _ | Signal_function _ | Task _
+  | Ending _ ->
       bug "an array is something else"
 
 let number : Value.t -> int = function
   | Int n -> Int32.to_int n
-  | Bool _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->
+  | Bool _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _
+  | Task _ | Ending _ ->
       bug "an index is something else"
 
 let element array k = Thunk.force (elements array).(k)
@@ -42,7 +44,8 @@ let apply apply (p : Core.Primitive.t) ~size arguments : Value.t option =
       let k = number (Thunk.force index) and xs = Array.copy (array xs) in
       if inside k xs then xs.(k) <- by;
       Some (Array xs)
-  | Generate, [ f ] -> Some (Array (Array.init size (fun k -> made (fun () -> given f [ of_int k ]))))
+  | Generate, [ f ] ->
+      Some (Array (Array.init size (fun k -> made (fun () -> given f [ of_int k ]))))
   | Map, [ f; xs ] -> Some (Array (Array.map (fun x -> made (fun () -> given f [ x ])) (array xs)))
   | Imap, [ f; xs ] ->
       Some (Array (Array.mapi (fun k x -> made (fun () -> given f [ of_int k; x ])) (array xs)))
@@ -60,7 +63,8 @@ let map_sf ~size signal_function : Value.instance =
   let start _ =
     match (Thunk.force signal_function : Value.t) with
     | Signal_function start -> start ()
-    | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Task _ | Ending _ ->
+    | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Task _
+    | Ending _ ->
         bug "what is run is no signal function"
   in
   let instances = Array.init size start in

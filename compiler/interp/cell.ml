@@ -57,7 +57,8 @@ let write shape value =
         put "]"
     | Data { constructors; _ }, Data { constructor; arguments } ->
         constructed place (List.nth constructors constructor) (Array.to_list arguments)
-    | (Bool | Int | Float _ | Tuple _ | Array _ | Data _), _ -> bug "a value that is not of its type"
+    | (Bool | Int | Float _ | Tuple _ | Array _ | Data _), _ ->
+        bug "a value that is not of its type"
   and constructed place (c : Shape.constructor) arguments =
     let fields = List.combine c.fields arguments in
     if Shape.is_record c then (

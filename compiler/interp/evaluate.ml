@@ -62,7 +62,8 @@ let number env ty value : Value.t =
   match closed env.types ty with
   | Int -> ( match Exact.to_int32 value with Some n -> Int n | None -> wrong ())
   | Float -> Float (rounded env.program value)
-  | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _ | Size _
+  | Variable _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Array _
+  | Size _
     ->
       wrong ()
 
@@ -78,7 +79,8 @@ let local env (x : Local.t) =
 
 let is_true : Value.t -> bool = function
   | Bool b -> b
-  | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->
+  | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Ending _ ->
       bug "a condition that is no Bool"
 
 let rec expr env (e : expr) : Value.t =
@@ -137,7 +139,8 @@ and apply (f : Value.t) arguments =
   match (f, arguments) with
   | _, [] -> f
   | Function f, first :: others -> apply (f first) others
-  | (Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Signal_function _ | Task _ | Ending _), _ ->
+  | (Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Signal_function _ | Task _
+    | Ending _), _ ->
       bug "what is applied is no function"
 
 (* A primitive on the arguments that are there: with some missing it is a
@@ -151,7 +154,8 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
   | Step_time, [] -> Signal_function (fun () -> Stateful.step_time env.program.real)
   | Ticks, [ period ] -> Signal_function (fun () -> Stateful.ticks env.program.nesting period)
   | Integral, [] -> Signal_function (fun () -> Stateful.integral env.program.real)
-  | Derivative, [] -> Signal_function (fun () -> Stateful.derivative env.program.real env.program.nesting)
+  | Derivative, [] ->
+      Signal_function (fun () -> Stateful.derivative env.program.real env.program.nesting)
   | (Switch | Delayed_switch), [ before; continuation ] ->
       let delayed = p = Delayed_switch in
       Signal_function (fun () -> Switching.switch env.program.nesting ~delayed before continuation)
@@ -273,7 +277,8 @@ and started env signal_function =
   in
   match Thunk.demand value with
   | Signal_function start -> start ()
-  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Task _ | Ending _ ->
+  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Task _
+  | Ending _ ->
       bug "what is run is no signal function"
 
 let definition program name = global program name []

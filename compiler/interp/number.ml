@@ -75,7 +75,8 @@ module Float = struct
     | Acos, [ x ] -> Elementary.acos x
     | Atan, [ x ] -> Elementary.atan x
     | Atan2, [ y; x ] -> Elementary.atan2 y x
-    | (Sqrt | Floor_float | Ceiling_float | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2), _ ->
+    | (Sqrt | Floor_float | Ceiling_float | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos
+      | Atan | Atan2), _ ->
         Basis.Diagnostic.bug ~stage:"Interp" "an elementary function of %d arguments"
           (List.length arguments)
 end

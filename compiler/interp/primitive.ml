@@ -4,7 +4,8 @@ let bug (p : Core.Primitive.t) =
 
 let float : Value.t -> float = function
   | Float x -> x
-  | Bool _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->
+  | Bool _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Float is something else"
 
 let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
@@ -45,19 +46,23 @@ let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
   | Maximum, [ Float a; Float b ] -> Float (Number.Float.maximum a b)
   | Maximum, [ a; b ] -> if Comparison.less a b then b else a
   | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power
-      | Power_literal _ | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling | Truncate | Equal
+      | Power_literal _ | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling | Truncate
+      | Equal
       | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum | Maximum | And
-      | Or | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch | Recurring_switch
+      | Or | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch
+      | Delayed_switch | Recurring_switch
       | Delayed_recurring_switch | Initially | On_event | Map_sf | Make_task | Until_right
       | Return | Sequence | Run_task
-      | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate | Ending
+      | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate
+      | Ending
       | Foreign _ ),
       _ ) ->
       bug p
 
 let bool p : Value.t -> bool = function
   | Bool b -> b
-  | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ -> bug p
+  | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Ending _ -> bug p
 
 let apply real (p : Core.Primitive.t) arguments : Value.t =
   match (p, arguments) with

@@ -2,7 +2,8 @@ open Number.Float
 
 let float : Value.t -> float = function
   | Float x -> x
-  | Bool _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->
+  | Bool _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Float is something else"
 
 let zero = Thunk.known (Value.Float 0.)
@@ -44,7 +45,8 @@ let step_time real : Value.instance =
 
 let bool : Value.t -> bool = function
   | Bool b -> b
-  | Float _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _ | Ending _ ->
+  | Float _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Bool is something else"
 
 let time_since real nesting : Value.instance =
@@ -107,7 +109,9 @@ let derivative real nesting : Value.instance =
         let before = !before and slope_before = !slope_before in
         let slope () =
           if Int64.equal instant 0L then slope_before
-          else divide real (subtract real (float (Thunk.force input)) before) (Clock.seconds real instant)
+          else
+            let change = subtract real (float (Thunk.force input)) before in
+            divide real change (Clock.seconds real instant)
         in
         now := input;
         slope_now := Thunk.equation nesting ~name:"derivative" (fun () -> Value.Float (slope ()));

@@ -101,7 +101,8 @@ let nanoseconds text =
     if not (String.exists (fun c -> c = 'e' || c = 'E') text) then Some text
     else
       match float_of_string_opt text with
-      | Some seconds when (not (String.contains text '_')) && Float.abs seconds < 1e9 -> Some (Printf.sprintf "%.12f" seconds)
+      | Some seconds when (not (String.contains text '_')) && Float.abs seconds < 1e9 ->
+          Some (Printf.sprintf "%.12f" seconds)
       | Some _ | None -> None
   in
   let is_number digits = String.for_all (fun c -> '0' <= c && c <= '9') digits in
@@ -194,7 +195,8 @@ let outputs core execution output =
         else Shape.columns "out.1" output @ Shape.columns "out.2" event
       in
       let cells : Value.t -> Value.t list = function
-        | Tuple [| value; event |] -> Shape.cells output (Thunk.demand value) @ [ Thunk.demand event ]
+        | Tuple [| value; event |] ->
+            Shape.cells output (Thunk.demand value) @ [ Thunk.demand event ]
         | _ -> Basis.Diagnostic.bug ~stage:"Interp" "a program that ends without a result"
       in
       (columns, cells)

@@ -18,7 +18,8 @@ let of_program program =
     machines = Hops.of_program program;
   }
 
-let place ~file (span : Span.t) = Printf.sprintf "%s:%d" (Filename.basename file) (Span.line span.start)
+let place ~file (span : Span.t) =
+  Printf.sprintf "%s:%d" (Filename.basename file) (Span.line span.start)
 
 let operations : (string * Cost.kind) list =
   [

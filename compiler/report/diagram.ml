@@ -44,7 +44,9 @@ let edge ppf number ~from (t : Ir.transition) =
        ])
 
 let machine ppf (program : Ir.program) ~file number (node : Ir.node) (m : Ir.machine) =
-  let title = Printf.sprintf "%s, %s:%d" node.origin (Filename.basename m.span.file) (Span.line m.span.start) in
+  let title =
+    Printf.sprintf "%s, %s:%d" node.origin (Filename.basename m.span.file) (Span.line m.span.start)
+  in
   Format.fprintf ppf "  subgraph cluster%d {@.    label=%s;@." number (quoted title);
   Format.fprintf ppf "    %s [shape=point];@." (start number);
   List.iteri

@@ -28,8 +28,10 @@ let of_node (program : M.program) (node : M.node) =
                  (fun leaves (case : M.case) -> List.map (transition leaves) case.transitions)
                  modes cases)
           in
-          found := { name = node.origin; file = span.file; span; modes; transitions; steps } :: !found
-      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Enter _ | Start _ | Begin _ | Await _ | Return _ -> ())
+          let hops = { name = node.origin; file = span.file; span; modes; transitions; steps } in
+          found := hops :: !found
+      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Enter _ | Start _ | Begin _
+      | Await _ | Return _ -> ())
     node.step.body;
   List.rev !found
 

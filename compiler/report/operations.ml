@@ -56,10 +56,12 @@ let in_nanoseconds =
 
 let rec expression c (e : M.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Dt | Dt_nanoseconds -> Cost.none
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Dt | Dt_nanoseconds ->
+      Cost.none
   | Field { content = Value ty; _ } -> Cost.several (scalars c ty) Loads
   | Field _ -> Cost.one Loads
-  | Operation { operator; ty; arguments } -> Cost.add (operation operator ty) (expressions c arguments)
+  | Operation { operator; ty; arguments } ->
+      Cost.add (operation operator ty) (expressions c arguments)
   | Select { condition; then_; else_ } ->
       let branches = Cost.larger (expression c then_) (expression c else_) in
       Cost.sum [ Cost.one Choices; expression c condition; branches ]
@@ -89,7 +91,7 @@ let rec expression c (e : M.expr) =
       Cost.sum [ Cost.one Conversions; Cost.several 2 Choices; expressions c [ time; period ] ]
   | Rest { time; period } ->
       Cost.sum
-        [ Cost.one Conversions; Cost.one Divisions; Cost.one Choices; expressions c [ time; period ] ]
+        (List.map Cost.one [ Conversions; Divisions; Choices ] @ [ expressions c [ time; period ] ])
 
 and expressions c es = List.fold_left (fun cost e -> Cost.add cost (expression c e)) Cost.none es
 
@@ -143,7 +145,8 @@ let run c (r : M.run) =
   let kept = if r.drops then Cost.one Choices else Cost.none in
   let again =
     (* May another mode be stepped; one more step. *)
-    if r.steps > 1 && not direct then Cost.add (Cost.one Choices) (Cost.one Additions) else Cost.none
+    if r.steps > 1 && not direct then Cost.add (Cost.one Choices) (Cost.one Additions)
+    else Cost.none
   in
   let late = if r.late then Cost.several 2 Choices else Cost.none in
   let own_step k = c.done_.(modes.(k).node).step in
@@ -186,7 +189,9 @@ let run c (r : M.run) =
   let controlled = entries c after (List.map snd r.controls) in
   let steps =
     if r.late then Cost.add running controlled
-    else largest [ running; start; entries c (fun e -> from after at_entry e.mode) (List.map snd r.controls) ]
+    else
+      let entered = entries c (fun e -> from after at_entry e.mode) (List.map snd r.controls) in
+      largest [ running; start; entered ]
   in
   let active =
     match r.active with
@@ -213,7 +218,8 @@ let rec statement c (s : M.statement) =
         | Each e | Same e | Counted e -> expression c e
       in
       let round = Cost.sum [ Cost.one Choices; Cost.one Additions; c.done_.(l.node).step ] in
-      Cost.sum (expressions c l.initial :: Cost.times l.count round :: List.map argument l.arguments)
+      let rounds = Cost.times l.count round in
+      Cost.sum (expressions c l.initial :: rounds :: List.map argument l.arguments)
   | Reset { node; arguments; state; _ } ->
       let count = match state.content with States_of { count; _ } -> count | _ -> 1 in
       Cost.add (expressions c arguments) (Cost.times count c.done_.(node).reset)

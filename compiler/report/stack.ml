@@ -1,3 +1,4 @@
+module Amount = Basis.Amount
 module M = Machine.Ir
 
 type t = { bytes : int; chain : int list }
@@ -32,11 +33,11 @@ type frame = {
   mutable callees : t list;
 }
 
-let need frame bytes = frame.bytes <- Basis.Amount.add frame.bytes bytes
+let need frame bytes = frame.bytes <- Amount.add frame.bytes bytes
 let needs_helper frame bytes = frame.helper <- max frame.helper bytes
 
 let room_as real c ty =
-  Basis.Amount.round_up (Machine.Block.of_value real c.program.sums ty).bytes ~alignment:word
+  Amount.round_up (Machine.Block.of_value real c.program.sums ty).bytes ~alignment:word
 
 let room c = room_as c.program.real c
 let variable c frame (v : M.variable) = need frame (room c v.ty)
@@ -59,8 +60,10 @@ let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
 (* Calls within an expression make it keep intermediate values in memory. *)
 let rec calls (e : M.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Variable _ | Field _ -> false
-  | Construct _ | Call _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ | Fill _ | At _ | Replace _ -> true
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Variable _
+  | Field _ -> false
+  | Construct _ | Call _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ | Fill _ | At _
+  | Replace _ -> true
   | Elements { elements; _ } -> List.exists calls elements
   | Index { array; _ } -> calls array
   | Payload { value; _ } | Is_constructor { value; _ } | Seconds value -> calls value
@@ -81,7 +84,8 @@ let rec within c frame ~calling (e : M.expr) =
   let all = List.iter (within c frame ~calling) in
   let intermediate () = if calling then need frame word in
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Variable _ | Field _ -> ()
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Variable _
+  | Field _ -> ()
   | Operation { operator = And | Or; arguments; _ } ->
       need frame word;
       all arguments
@@ -98,8 +102,8 @@ let rec within c frame ~calling (e : M.expr) =
       all [ condition; then_; else_ ]
   | Construct { sum; payload; _ } ->
       let made = room c (Sum sum) in
-      let given = Basis.Amount.times word (List.length payload) in
-      needs_helper frame (List.fold_left Basis.Amount.add (2 * fixed) [ made; made; made; given ]);
+      let given = Amount.times word (List.length payload) in
+      needs_helper frame (List.fold_left Amount.add (2 * fixed) [ made; made; made; given ]);
       need frame made;
       arguments c frame ~calling payload
   | Is_constructor { value; _ } ->
@@ -107,27 +111,28 @@ let rec within c frame ~calling (e : M.expr) =
       within c frame ~calling value
   | Payload { sum; value; _ } ->
       let whole = room c (Sum sum) in
-      needs_helper frame (List.fold_left Basis.Amount.add (2 * fixed) [ whole; whole; whole ]);
+      needs_helper frame (List.fold_left Amount.add (2 * fixed) [ whole; whole; whole ]);
       need frame whole;
       within c frame ~calling value
   | Elements { elements; _ } -> all elements
   | Fill { count; element; value } ->
       let made = room c (Array (count, element)) in
-      needs_helper frame (Basis.Amount.add (2 * fixed) (Basis.Amount.times 3 made));
+      needs_helper frame (Amount.add (2 * fixed) (Amount.times 3 made));
       need frame made;
       all [ value ]
   | Index { array; _ } ->
       intermediate ();
       within c frame ~calling array
   | At { element; array; index; default; _ } ->
-      needs_helper frame (Basis.Amount.add (2 * fixed) (Basis.Amount.times 3 (room c element)));
+      needs_helper frame (Amount.add (2 * fixed) (Amount.times 3 (room c element)));
       need frame (room c element);
       all [ array; index; default ]
   | Replace { count; element; array; index; value } ->
       let made = room c (Array (count, element)) in
       needs_helper frame
-        (Basis.Amount.add (2 * fixed) (Basis.Amount.add (Basis.Amount.times 3 made) (Basis.Amount.times 2 (room c element))));
-      need frame (Basis.Amount.add made (room c element));
+        (Amount.add (2 * fixed)
+           (Amount.add (Amount.times 3 made) (Amount.times 2 (room c element))));
+      need frame (Amount.add made (room c element));
       all [ array; index; value ]
   | Call { node; arguments } ->
       List.iter (fun (_, ty) -> need frame (room c ty)) c.program.nodes.(node).outputs;
@@ -152,8 +157,10 @@ and choice c (e : M.expr) =
   | Payload { sum; _ } -> room c (Sum sum)
   | Select { then_; _ } -> choice c then_
   | Call { node; _ } ->
-      List.fold_left (fun sum (_, ty) -> Basis.Amount.add sum (room c ty)) 0 c.program.nodes.(node).outputs
-  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Field _ | Operation _
+      let add sum (_, ty) = Amount.add sum (room c ty) in
+      List.fold_left add 0 c.program.nodes.(node).outputs
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Field _
+  | Operation _
   | Is_constructor _ | Seconds _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ ->
       word
   | Elements { element; elements } -> room c (Array (List.length elements, element))
@@ -196,19 +203,21 @@ let entry c frame (e : M.entry) =
 let entry_and_step c frame (r : M.run) (e : M.entry) =
   entry c frame e;
   match e.first with
-  | Started_by _ -> need frame (Basis.Amount.times word (List.length r.results))
+  | Started_by _ -> need frame (Amount.times word (List.length r.results))
   | Reset_by _ when Machine.Direct.is_direct r ->
       let case = List.nth r.cases e.mode in
       List.iter (variable c frame) case.others;
-      need frame (Basis.Amount.times word (List.length case.others + List.length r.results));
+      need frame (Amount.times word (List.length case.others + List.length r.results));
       call c frame (Step (List.nth c.node.modes e.mode).node) case.arguments
   | Reset_by _ -> ()
 
 let run c frame (r : M.run) =
-  let results = List.fold_left (fun sum (v : M.variable) -> Basis.Amount.add sum (room c v.ty)) 0 r.results in
-  let addresses = Basis.Amount.times word (List.length r.results) in
+  let results =
+    List.fold_left (fun sum (v : M.variable) -> Amount.add sum (room c v.ty)) 0 r.results
+  in
+  let addresses = Amount.times word (List.length r.results) in
   (* The machine's flags and counters. *)
-  need frame (Basis.Amount.add results (4 * word));
+  need frame (Amount.add results (4 * word));
   Option.iter (expression c frame) r.active;
   Option.iter (fun (clock : M.clock) -> expression c frame clock.elapsed) r.clock;
   List.iter
@@ -223,7 +232,7 @@ let run c frame (r : M.run) =
       if r.drops then need frame results;
       need frame addresses;
       List.iter (variable c frame) case.others;
-      need frame (Basis.Amount.times word (List.length case.others));
+      need frame (Amount.times word (List.length case.others));
       call c frame (Step mode.node) case.arguments;
       List.iter
         (fun (n : M.next) ->
@@ -244,28 +253,29 @@ let statement c frame (s : M.statement) =
       expression c frame condition
   | Step { node; arguments; results; on_trial; _ } ->
       if on_trial then
-        need frame (Basis.Amount.add word (Basis.Amount.round_up ((State.definition c.state node).bytes) ~alignment:word));
+        let { State.bytes; _ } = State.definition c.state node in
+        need frame (Amount.add word (Amount.round_up bytes ~alignment:word));
       List.iter (variable c frame) results;
-      need frame (Basis.Amount.times word (List.length results));
+      need frame (Amount.times word (List.length results));
       call c frame (Step node) arguments
   | Loop l ->
       (* The index, and what the accumulators that are arrays become next. *)
       need frame word;
       List.iter (variable c frame) l.results;
       List.iter (variable c frame) l.results;
-      need frame (Basis.Amount.times word (List.length l.results));
+      need frame (Amount.times word (List.length l.results));
       List.iter (expression c frame) l.initial;
       let argument : M.argument -> M.expr option = function
         | Accumulated _ -> None
         | Each e | Same e | Counted e -> Some e
       in
-      need frame (Basis.Amount.times word (List.length l.arguments));
+      need frame (Amount.times word (List.length l.arguments));
       call c frame (Step l.node) (List.filter_map argument l.arguments)
   | Reset { node; arguments; _ } -> call c frame (Reset node) arguments
   | Enter { entry = e; _ } -> entry c frame e
   | Start { node; arguments; results; _ } ->
       List.iter (variable c frame) results;
-      need frame (Basis.Amount.times word (List.length results));
+      need frame (Amount.times word (List.length results));
       call c frame (Start node) arguments
   | Begin { run; entry; _ } ->
       List.iter (variable c frame) run.results;
@@ -291,11 +301,11 @@ let function_ c k ~results (code : M.code) =
     match v.ty with Array _ -> true | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> false
   in
   List.iter (fun v -> if is_array v || not in_place then variable c frame v) code.parameters;
-  need frame (Basis.Amount.times word results);
+  need frame (Amount.times word results);
   Machine.Walk.statements (statement c frame) code.body;
   let longer (a : t) (b : t) = if b.bytes > a.bytes then b else a in
   let deepest = List.fold_left longer { bytes = frame.helper; chain = [] } frame.callees in
-  { bytes = Basis.Amount.add frame.bytes deepest.bytes; chain = k :: deepest.chain }
+  { bytes = Amount.add frame.bytes deepest.bytes; chain = k :: deepest.chain }
 
 (* The user's C is given structs of the leaves, and gives others, of doubles; what it
    needs itself we do not know. *)
@@ -304,14 +314,14 @@ let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
     List.concat_map Machine.Layout.shape_leaves (import.result :: import.arguments)
     |> List.map Machine.Layout.ty
   in
-  let rooms = List.fold_left (fun sum ty -> Basis.Amount.add sum (room_as Double c ty)) 0 leaves in
-  let calls = Basis.Amount.times word (2 + List.length leaves) in
-  Basis.Amount.add (2 * fixed) (Basis.Amount.add (Basis.Amount.times 3 rooms) calls)
+  let rooms = List.fold_left (fun sum ty -> Amount.add sum (room_as Double c ty)) 0 leaves in
+  let calls = Amount.times word (2 + List.length leaves) in
+  Amount.add (2 * fixed) (Amount.add (Amount.times 3 rooms) calls)
 
 (* The root is given the state, dt, its input and its output by address, and its
    step calls the helpers of the clock. *)
 let root (program : M.program) (node : M.node) (bounds : of_node) : bounds =
-  let more (t : t) bytes = { t with bytes = Basis.Amount.add t.bytes bytes } in
+  let more (t : t) bytes = { t with bytes = Amount.add t.bytes bytes } in
   let clock = if node.seconds || node.nanoseconds then helper + (2 * word) else 0 in
   (* In single precision a step in seconds calls it. *)
   let outer = match program.real with Double -> 0 | Single -> fixed + (5 * word) in

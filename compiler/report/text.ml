@@ -23,7 +23,9 @@ let table rows =
   let notes = width (fun row -> String.length row.note) rows in
   let line row =
     let label = String.make (indentation row) ' ' ^ row.label in
-    let text = Printf.sprintf "%-*s  %*s  %-*s  %s" labels label amounts row.amount notes row.note row.place in
+    let text =
+      Printf.sprintf "%-*s  %*s  %-*s  %s" labels label amounts row.amount notes row.note row.place
+    in
     (* nothing stands in the last columns of some rows *)
     let rec length n = if n > 0 && text.[n - 1] = ' ' then length (n - 1) else n in
     String.sub text 0 (length (String.length text)) ^ "\n"
@@ -59,7 +61,8 @@ let state_rows (t : State.t) =
           row (if String.equal name "" then "as above" else name ^ ", as above") :: rows
         else definition k (depth + 1) (row name :: rows)
     | Largest alternatives ->
-        List.fold_left (alternative (depth + 1) ~place) (row "room for one of these" :: rows) alternatives
+        let rows = row "room for one of these" :: rows in
+        List.fold_left (alternative (depth + 1) ~place) rows alternatives
   and alternative depth ~place rows (a : State.alternative) =
     let inner = State.definition t a.node in
     let at = Bounds.place ~file:inner.file inner.span in
