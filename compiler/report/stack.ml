@@ -252,9 +252,8 @@ let statement c frame (s : M.statement) =
       List.iter (variable c frame) uninitialized;
       expression c frame condition
   | Step { node; arguments; results; on_trial; _ } ->
-      if on_trial then
-        let { State.bytes; _ } = State.definition c.state node in
-        need frame (Amount.add word (Amount.round_up bytes ~alignment:word));
+      let { State.bytes; _ } = State.definition c.state node in
+      if on_trial then need frame (Amount.add word (Amount.round_up bytes ~alignment:word));
       List.iter (variable c frame) results;
       need frame (Amount.times word (List.length results));
       call c frame (Step node) arguments
