@@ -71,40 +71,6 @@ let simpler at_an_instant definitions (e : Ir.equation) : Ir.rhs option =
   | Some rhs -> Some rhs
   | None -> List.find_map two (List.rev (pairs parts))
 
-(* Of a mode's transitions the first that occurs counts, so what an earlier one asks a
-   later one need not ask again. *)
-let transitions definitions transitions =
-  let asked = Int_table.create 8 in
-  let is_asked : Ir.atom -> bool = function
-    | Signal s -> Int_table.mem asked s.id
-    | Bool _ | Int _ | Float _ -> false
-  in
-  let rec rest (atom : Ir.atom) =
-    match atom with
-    | Bool _ | Int _ | Float _ -> atom
-    | Signal s -> (
-        match Int_table.find_opt definitions s.id with
-        | Some (Ir.Op (Or, [ a; b ])) when is_asked a -> rest b
-        | Some (Ir.Op (Or, [ a; b ])) when is_asked b -> rest a
-        | Some _ | None -> atom)
-  in
-  let rec ask (atom : Ir.atom) =
-    match atom with
-    | Signal s when not (Int_table.mem asked s.id) -> (
-        Int_table.replace asked s.id ();
-        match Int_table.find_opt definitions s.id with
-        | Some (Ir.Op (Or, parts)) -> List.iter ask parts
-        | Some (Copy same) -> ask same
-        | Some _ | None -> ())
-    | Signal _ | Bool _ | Int _ | Float _ -> ()
-  in
-  let transition (t : Ir.transition) =
-    let occurs = rest t.occurs in
-    ask t.occurs;
-    if occurs == t.occurs then t else { t with occurs }
-  in
-  Basis.Long_list.map transition transitions
-
 let node (node : Ir.node) =
   let definitions = Int_table.create 64 in
   let define (e : Ir.equation) =
@@ -120,11 +86,7 @@ let node (node : Ir.node) =
       | Some _ | None -> e
   in
   let equations = Basis.Long_list.map equation node.equations in
-  List.iter define equations;
-  let transitions = transitions definitions node.transitions in
-  if List.for_all2 ( == ) equations node.equations && List.for_all2 ( == ) transitions node.transitions
-  then node
-  else { node with equations; transitions }
+  if List.for_all2 ( == ) equations node.equations then node else { node with equations }
 
 let program (program : Ir.program) =
   let pass ~fresh before =

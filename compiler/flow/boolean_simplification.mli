@@ -3,8 +3,7 @@
 
     [mergeE] makes a choice of three cases where only whether one of two events
     occurs is wanted in the end. What is found is tried out, with all values of the
-    two. And of the transitions of a mode a later one asks only what those before it do
-    not ask, as it counts only where they do not occur. *)
+    two. *)
 
 val program : Ir.program -> Ir.program
 (** The same program, physically, if there is no such condition. *)

@@ -80,28 +80,6 @@ let arguments elements =
   in
   Array.of_list (List.rev_map of_reads elements.reads)
 
-(* Equal elements have equal numbers: each is made of a label and, so many times, of the
-   numbers of what is read. Elements with other numbers are not equal, and in most nodes
-   that tells all of them apart. *)
-let rounds = 2
-
-let all_differ ~labels ~arguments =
-  let scatter n number = (n * 65_599) + number in
-  let round numbers =
-    Array.mapi
-      (fun e n -> Array.fold_left (fun n argument -> scatter n numbers.(argument)) n arguments.(e))
-      numbers
-  in
-  let rec after rounds numbers = if rounds = 0 then numbers else after (rounds - 1) (round numbers) in
-  let of_label e label = match label with Some label -> Label.hash label | None -> -1 - e in
-  let seen = Int_table.create (2 * Array.length labels) in
-  Array.for_all
-    (fun n ->
-      let is_new = not (Int_table.mem seen n) in
-      if is_new then Int_table.replace seen n ();
-      is_new)
-    (after rounds (Array.mapi of_label labels))
-
 (* Numbers from 0, equal for equal labels, and how many there are. *)
 let number labels =
   let numbers = Label.Table.create 64 and distinct = ref 0 in
@@ -145,8 +123,7 @@ let classes (node : Ir.node) elements ~labels ~arguments instances =
 let shared (node : Ir.node) =
   let elements, instances = elements_of node in
   let labels = Array.of_list (List.rev elements.labels) and arguments = arguments elements in
-  if all_differ ~labels ~arguments then (Substitution.create (), node.instances)
-  else classes node elements ~labels ~arguments instances
+  classes node elements ~labels ~arguments instances
 
 let node (node : Ir.node) =
   let substitution, instances = shared node in

@@ -36,31 +36,6 @@ let ticks_later known a =
   | Some (Ticks (Float period)) -> period >= 1.
   | Some _ | None -> false
 
-(* Numbers between which this one is, which is no NaN. An integral of what is never
-   negative only grows, as time does. A limit has two ends, so it is looked through two. *)
-let rec bounds ?(depth = 2) known (a : Ir.atom) =
-  let both f a b =
-    if depth = 0 then None
-    else
-      match (bounds ~depth:(depth - 1) known a, bounds ~depth:(depth - 1) known b) with
-      | Some (least, most), Some (least', most') -> Some (f least least', f most most')
-      | _, _ -> None
-  in
-  match (a, definition known a) with
-  | Float x, _ when not (Float.is_nan x) -> Some (x, x)
-  | _, Some (Integral (Float rate)) when Float.is_finite rate ->
-      Some (if rate >= 0. then (0., infinity) else (neg_infinity, 0.))
-  | _, Some (Time _ | Step_time) -> Some (0., infinity)
-  | _, Some (Op (Minimum, [ a; b ])) -> both Float.min a b
-  | _, Some (Op (Maximum, [ a; b ])) -> both Float.max a b
-  | _, _ -> None
-
-(* Is the first always less than the second? *)
-let below known a b =
-  match (bounds known a, bounds known b) with
-  | Some (_, most), Some (least, _) -> most < least
-  | _, _ -> false
-
 (* Is the second what the first is not? *)
 let is_not known a b =
   match (definition known b, (a : Ir.atom)) with
@@ -85,10 +60,6 @@ let operation known add ~unchanged (operator : Ir.operator) (arguments : Ir.atom
   | Multiply, ([ a; (Int 1l | Float 1.) ] | [ (Int 1l | Float 1.); a ]) -> Copy a
   | Divide, [ a; Float 1. ] | Div, [ a; Int 1l ] -> Copy a
   | (Minimum | Maximum), [ a; b ] when same a b -> Copy a
-  | Minimum, [ a; b ] when below known a b -> Copy a
-  | Minimum, [ a; b ] when below known b a -> Copy b
-  | Maximum, [ a; b ] when below known a b -> Copy b
-  | Maximum, [ a; b ] when below known b a -> Copy a
   | (Equal | Less_equal), [ a; b ] when is_no_float a && same a b -> Copy (Bool true)
   | Less, [ a; b ] when same a b -> Copy (Bool false)
   | (And | Or), [ a; b ] when same a b -> Copy a
@@ -258,7 +229,8 @@ let node real ~fresh (node : Ir.node) =
   let written : known Lazy.t =
     lazy
       (let written = Int_table.create 64 in
-       List.iter (fun (e : Ir.equation) -> Int_table.replace written e.defines.id e.rhs) node.equations;
+       let write (e : Ir.equation) = Int_table.replace written e.defines.id e.rhs in
+       List.iter write node.equations;
        written)
   in
   let substitution = Substitution.create () in

@@ -61,8 +61,8 @@ where it is much; and it is not asked again that the first one is not taken.
   > END
   $ frobc compile turn.frob --lint
   $ sed -n '/^static.* turn_go_/,/^}/p' turn.c | sed "s, */\*.*,,"
-  static inline void turn_go_go(const struct turn_input *in, double *out_2, bool *out_3,
-          double *out_p_x, bool *out_4)
+  static void turn_go_go(const struct turn_input *in, double *out_2, bool *out_3, double *out_p_x,
+          bool *out_4)
   {
       const double p_x = in->f1.x;
       const double p_y = in->f1.y;
@@ -74,7 +74,7 @@ where it is much; and it is not asked again that the first one is not taken.
           const double t2 = frob_atan2(p_y, p_x) - a;
           const double t3 = fabs(t2
                   - 6.283185307179586 * ceil((t2 - 3.141592653589793) / 6.283185307179586));
-          const bool t4 = t3 > 1.0;
+          const bool t4 = t1 || t3 > 1.0;
           *out_4 = t4;
           if (!t4) {
               *out_2 = t3;

@@ -121,37 +121,6 @@ let names_of_copies () =
             let t = Build.op b Negate [ x ] in
             [ ("", Build.let_ b "speed" (Copy t)) ])))
 
-(* An integral of what is never negative cannot come to the lower end of a limit; one of
-   what is not known can, and NaN goes through. *)
-let ends_of_limits () =
-  check
-    [
-      "signal function main (x : Float)";
-      "grows : Float = integral 2.0";
-      "any : Float = integral x";
-      "least : Float = min(grows, 0.5)";
-      "shrinks : Float = integral -2.0";
-      "b : Float = max(shrinks, -0.5)";
-      "c : Float = max(grows, 0.0)";
-      "least_2 : Float = min(any, 0.5)";
-      "d : Float = max(least_2, -0.5)";
-      "-> ( = least,  = b,  = c,  = d)";
-    ]
-    (Dead_code.program @@ Simplify.program
-       (build (fun n ->
-            let x = Build.input n "x" in
-            let limit name v =
-              let least = Build.let_ n "least" (Op (Minimum, [ v; Float 0.5 ])) in
-              Build.let_ n name (Op (Maximum, [ least; Float (-0.5) ]))
-            in
-            let grows = Build.let_ n "grows" (Integral (Float 2.)) in
-            let any = Build.let_ n "any" (Integral x) in
-            let a = limit "a" grows in
-            let shrinks = Build.let_ n "shrinks" (Integral (Float (-2.))) in
-            let b = limit "b" shrinks in
-            let c = Build.let_ n "c" (Op (Maximum, [ grows; Float 0. ])) in
-            [ ("", a); ("", b); ("", c); ("", limit "d" any) ])))
-
 let negations_are_not_kept () =
   check
     [
@@ -340,7 +309,6 @@ let example_tests =
     case "simplify: only identities of every float" float_identities;
     case "simplify: elementary functions of constants" elementary_functions;
     case "simplify: a copy's name goes on" names_of_copies;
-    case "simplify: ends that a limit cannot come to" ends_of_limits;
     case "simplify: of a negation what it negates is kept" negations_are_not_kept;
     case "simplify: known constructors need no tag" known_constructors;
     case "boolean simplification: one that is said by cases" conditions_in_cases;
