@@ -146,6 +146,16 @@ let handed_on body =
       | Start { results = _ :: _ :: _ as results; _ } ->
           List.iter (fun (v : M.variable) -> Int_table.replace given v.id ()) results;
           Some s
+      | Run { results; active = None; drops = false; _ }
+      | Begin { run = { results; active = None; drops = false; _ }; _ } ->
+          (* What may need a zero first. *)
+          let give (v : M.variable) =
+            match v.ty with
+            | Bool | Int | Float | Nanoseconds -> Int_table.replace given v.id ()
+            | Sum _ | Array _ | Foreign _ -> ()
+          in
+          List.iter give results;
+          Some s
       | Assign { place = Result k; value = Variable v; _ }
         when Int_table.mem given v.id && count v = 1 ->
           results := (v, k) :: !results;
@@ -215,10 +225,6 @@ let read_member (v : V.t) names read (variable : M.variable) steps =
   else []
 
 let input (v : V.t) : Ir.ty = Pointer_to_const (Struct v.input.struct_name)
-
-(* Where a mode is entered no time has passed. *)
-let time_variable node ty name value =
-  if Modes.forgets_time node then Ir.Variable { ty; name; value } else Constant { ty; name; value }
 
 (* A node's step or start, which has some of its outputs. *)
 let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.code) : Ir.function_ =
@@ -304,7 +310,7 @@ let double_clock c (node : M.node) =
   let set_dt value = plain (Ir.Assign (dt, value)) in
   if node.nanoseconds then
     let rounded = at_first c (Ir.Integer 0l) (Call ("frob_whole_ns", [ dt ])) in
-    plain (time_variable node Int64 "dt_ns" rounded)
+    plain (Ir.Variable { ty = Int64; name = "dt_ns"; value = rounded })
     :: (if node.seconds then [ set_dt (in_seconds c (Name "dt_ns")) ] else [])
   else if node.seconds then
     (* 0 before all else: after a choice of dt C compilers write the step twice. *)
@@ -321,7 +327,8 @@ let single_clock c (node : M.node) =
     let span = Ir.Call ("frob_span", [ dt_ns ]) in
     plain (Ir.Assign (dt_ns, at_first c (Ir.Integer 0l) span))
     ::
-    (if node.seconds then [ plain (time_variable node (V.real c.v) "dt" (in_seconds c dt_ns)) ]
+    (if node.seconds then
+       [ plain (Variable { ty = V.real c.v; name = "dt"; value = in_seconds c dt_ns }) ]
      else [])
 
 let clock c node =

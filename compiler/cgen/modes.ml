@@ -44,17 +44,6 @@ let enter c (entry : M.entry) span =
 
 let goes_round (run : M.run) = run.steps > 1 && not (Machine.Direct.is_direct run)
 
-let forgets_time (node : M.node) =
-  let found = ref false in
-  Machine.Walk.statements
-    (function
-      | M.Run run ->
-          if goes_round run || run.controls <> [] || Option.is_some run.clock then found := true
-      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Enter _ | Start _ | Begin _
-      | Await _ | Return _ -> ())
-    node.step.body;
-  !found
-
 (* What a mode enters at its first instant sees no time. *)
 let forget_time c =
   let set name zero = [ plain (Ir.Assign (Name name, zero)) ] in
@@ -72,6 +61,9 @@ let first_of alternatives =
 
 let ends_early c (mode : M.mode) = Option.is_some c.v.program.nodes.(mode.node).ends_early
 
+let place c (v : M.variable) = expression c (M.Variable v)
+let named (_, name) = Ir.Name name
+
 let zero c (v : M.variable) name =
   plain (Ir.Variable { ty = V.ty c.v v.ty; name; value = V.zero c.v v.ty })
 
@@ -82,32 +74,35 @@ let results_of_run c ~may_end (run : M.run) =
   if (not run.drops) && Option.is_none run.active && not ends then
     List.rev (uninitialized c run.results)
   else
-    List.map (fun v -> zero c v (Expression.variable c.names v)) run.results
+    let set (v : M.variable) =
+      if Expression.is_elsewhere c.names v then
+        plain (Ir.Assign (place c v, V.zero c.v v.ty))
+      else zero c v (Expression.variable c.names v)
+    in
+    List.map set run.results
 
-let address name = Ir.Unary (Ir.Address, Name name)
-
-(* A mode's step, with the names of its results. *)
+(* A mode's step, with the places of its results. *)
 let step ?time c (mode : M.mode) (case : M.case) results =
   let state = own_state c mode.state in
   let call = step_call ?time c ~node:mode.node ~own:state (for_step c mode.node case.arguments) in
   match results with
-  | [ name ] -> plain (Ir.Assign (Name name, call []))
-  | names -> plain (Ir.Do (call (List.map address names)))
+  | [ place ] -> plain (Ir.Assign (place, call []))
+  | places -> plain (Ir.Do (call (List.map Expression.address places)))
 
 (* The first instant of a mode, in which nothing ends it. *)
 let first_step c (run : M.run) (entry : M.entry) =
   let case = List.nth run.cases entry.mode and mode = List.nth c.node.modes entry.mode in
-  let results = List.map (Expression.variable c.names) run.results in
+  let results = List.map (place c) run.results in
   match entry.first with
   | Started_by arguments ->
       let call = start_call c ~node:mode.node ~own:(own_state c mode.state) arguments in
       if returns_result c.v.program.nodes.(mode.node) then
-        [ plain (Ir.Assign (Name (List.hd results), call [])) ]
-      else [ plain (Ir.Do (call (List.map address results))) ]
+        [ plain (Ir.Assign (List.hd results, call [])) ]
+      else [ plain (Ir.Do (call (List.map Expression.address results))) ]
   | Reset_by _ ->
       let ignored = List.map (fun v -> (v, Name.fresh (Expression.scope c.names) "")) case.others in
       declared c ignored
-      @ [ step ~time:None_passed c mode case (results @ List.map snd ignored) ]
+      @ [ step ~time:None_passed c mode case (results @ List.map named ignored) ]
 
 let begin_ c run (entry : M.entry) span =
   let may_end = match entry.first with Started_by _ -> false | Reset_by _ -> true in
@@ -116,18 +111,18 @@ let begin_ c run (entry : M.entry) span =
 let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
   let mode = List.nth c.node.modes k in
   c.place <- "";
-  let results = List.map (fun v -> (v, Expression.variable c.names v)) run.results in
+  let results = List.map (fun v -> (v, place c v)) run.results in
   (* Where results may be dropped they first go to variables of the case. *)
   let own =
     if not run.drops then []
     else
       List.map
         (fun ((v : M.variable), result) ->
-          (v, Name.fresh (Expression.scope c.names) result, result))
+          (v, Name.fresh (Expression.scope c.names) v.name, result))
         results
   in
   let targets =
-    if run.drops then List.map (fun (_, name, _) -> name) own else List.map snd results
+    if run.drops then List.map (fun (_, name, _) -> Ir.Name name) own else List.map snd results
   in
   let others = List.map (fun v -> (v, Expression.variable c.names v)) case.others in
   (* Nor can who analyses this C see that what only a later transition needs is read only
@@ -144,13 +139,13 @@ let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
     declared c (List.map (fun (v, name, _) -> (v, name)) own @ told)
     @ List.map (fun (v, name) -> zero c v name) untold
   in
-  let call = step c mode case (targets @ List.map snd others) in
+  let call = step c mode case (targets @ List.map named others) in
   let keep =
     match own with
     | [] -> []
     | own ->
         let then_ =
-          List.map (fun (_, name, result) -> plain (Ir.Assign (Name result, Name name))) own
+          List.map (fun (_, name, result) -> plain (Ir.Assign (result, Name name))) own
         in
         [ plain (Ir.If { condition = Unary (Not, Name dropped); then_; else_ = [] }) ]
   in

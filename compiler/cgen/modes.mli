@@ -4,16 +4,8 @@
 
 open Basis
 
-val running_mode : Context.t -> Ir.expr option
-(** The number of the mode that runs, if there are several. *)
-
 val enter : Context.t -> Machine.Ir.entry -> Span.t -> Ir.statement list
 (** The number, the parameters, and the state at its start. *)
-
-val forgets_time : Machine.Ir.node -> bool
-(** Whether the code of [run] assigns to the time that has passed: 0 where a mode
-    is entered before the [switch] or goes round, its own of a machine that has
-    instants of its own. *)
 
 val await : Context.t -> Span.t -> Ir.statement list
 (** The number that stands for no mode. *)

@@ -14,6 +14,11 @@ type node = {
   foreign : Foreign_interface.t option;
 }
 
+type helper =
+  | Maker of { sum : int; constructor : int }
+  | Projection of { sum : int; constructor : int; leaf : int }
+  | On_arrays of Array_type.operation * M.ty
+
 type t = {
   program : M.program;
   name : string;
@@ -31,9 +36,8 @@ type t = {
   foreign_records : Ir.declaration list;
   imports : Foreign_interface.t list;
   robots : Robot.t list;
-  makers : (int * int, unit) Hashtbl.t;
-  projections : (int * int * int, unit) Hashtbl.t;
-  operations : (Array_type.operation * M.ty, string) Hashtbl.t;
+  helpers : (helper, string) Hashtbl.t;
+  mutable pending : Ir.function_ list;
   absent : (F.foreign_type, string) Hashtbl.t;
 }
 
@@ -225,9 +229,8 @@ let of_program ?own (program : M.program) =
     imports;
     robots =
       List.sort_uniq compare (List.filter_map Fun.id [ input_robot; output_robot ]);
-    makers = Hashtbl.create 16;
-    projections = Hashtbl.create 16;
-    operations = Hashtbl.create 16;
+    helpers = Hashtbl.create 16;
+    pending = [];
     absent = Hashtbl.create 4;
   }
 
@@ -259,36 +262,36 @@ let elementary (f : Core.Primitive.elementary) =
   | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2 ->
       "frob_" ^ Core.Primitive.name (Elementary f)
 
-let maker t ~sum ~constructor =
-  Hashtbl.replace t.makers (sum, constructor) ();
-  t.sums.(sum).makers.(constructor)
-
-let projection t ~sum ~constructor ~leaf =
-  Hashtbl.replace t.projections (sum, constructor, leaf) ();
-  Sum_type.projection_name t.sums.(sum) ~constructor ~leaf
-
-let array_function t operation array =
-  match Hashtbl.find_opt t.operations (operation, array) with
+(* Defined where it is first called. *)
+let helper t key make =
+  match Hashtbl.find_opt t.helpers key with
   | Some name -> name
   | None ->
-      let suffix = "_" ^ Array_type.suffix operation in
-      let name = Name.fresh t.file_scope (Value_types.array_name t.types array ^ suffix) in
-      Hashtbl.replace t.operations (operation, array) name;
-      name
+      let function_ : Ir.function_ = make () in
+      Hashtbl.replace t.helpers key function_.name;
+      t.pending <- function_ :: t.pending;
+      function_.name
 
-let size_and_element : M.ty -> int * M.ty = function
-  | Array (count, element) -> (count, element)
+let maker t ~sum ~constructor =
+  helper t (Maker { sum; constructor }) (fun () ->
+      Sum_type.maker t.program.sums ~absent:(absent t) t.sums sum constructor)
+
+let projection t ~sum ~constructor ~leaf =
+  helper t (Projection { sum; constructor; leaf }) (fun () ->
+      Sum_type.projection t.program.sums t.sums sum ~constructor ~leaf)
+
+let array_function t operation (array : M.ty) =
+  match array with
+  | Array (count, element) ->
+      helper t (On_arrays (operation, array)) (fun () ->
+          let struct_name = Value_types.array_name t.types array in
+          let suffix = "_" ^ Array_type.suffix operation in
+          let name = Name.fresh t.file_scope (struct_name ^ suffix) in
+          Array_type.function_ operation name ~struct_name ~count ~element:(ty t element))
   | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ ->
       Basis.Diagnostic.bug ~stage:"Cgen.Vocabulary" "an array that is none"
 
-let array_functions t =
-  let function_ (array, struct_name) operation =
-    let count, element = size_and_element array in
-    Option.map
-      (fun name ->
-        Array_type.function_ operation name ~struct_name ~count ~element:(ty t element))
-      (Hashtbl.find_opt t.operations (operation, array))
-  in
-  List.concat_map
-    (fun array -> List.filter_map (function_ array) Array_type.operations)
-    (Value_types.arrays t.types)
+let take_pending t =
+  let all = List.rev t.pending in
+  t.pending <- [];
+  all

@@ -17,6 +17,12 @@ type node = {
   foreign : Foreign_interface.t option;  (** if it is C code of the user's *)
 }
 
+(** A small function on values of one type, called somewhere. *)
+type helper =
+  | Maker of { sum : int; constructor : int }
+  | Projection of { sum : int; constructor : int; leaf : int }
+  | On_arrays of Array_type.operation * Machine.Ir.ty
+
 type t = {
   program : Machine.Ir.program;
   name : string;  (** the prefix of all names *)
@@ -34,10 +40,8 @@ type t = {
   foreign_records : Ir.declaration list;  (** those that C code of the user's knows *)
   imports : Foreign_interface.t list;
   robots : Robot.t list;  (** whose headers are needed *)
-  makers : (int * int, unit) Hashtbl.t;  (** sum, constructor *)
-  projections : (int * int * int, unit) Hashtbl.t;  (** sum, constructor, leaf *)
-  operations : (Array_type.operation * Machine.Ir.ty, string) Hashtbl.t;
-      (** functions on arrays, by array type *)
+  helpers : (helper, string) Hashtbl.t;
+  mutable pending : Ir.function_ list;  (** last first *)
   absent : (Flow.Ir.foreign_type, string) Hashtbl.t;
       (** variables that stand for values that are not there *)
 }
@@ -66,8 +70,8 @@ val projection : t -> sum:int -> constructor:int -> leaf:int -> string
 val array_function : t -> Array_type.operation -> Machine.Ir.ty -> string
 (** Of an array type. *)
 
-val array_functions : t -> Ir.function_ list
-(** All that were asked for. *)
+val take_pending : t -> Ir.function_ list
+(** The helpers that were asked for since the last time. *)
 
 val is_root : t -> int -> bool
 val has_state : t -> int -> bool

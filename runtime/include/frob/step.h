@@ -36,15 +36,13 @@
 
 /* ---- For compilers */
 
-/* Generated code defines FROB_STRUCTS_SHARE_STACK where it has two structs on the stack:
- * gcc 11 to 13 for aarch64 read one too early where two of different types share their
- * place, unless all accesses may be of the same memory
+/* gcc 11 to 13 for aarch64 read a struct too early where two of different types share
+ * their place on the stack, unless all accesses may be of the same memory
  * (tests/generated/matrix/shared_stack.c is the whole of it). No attribute of the structs
  * helps, as these are variables and no pointers. Only for that machine: a function with
  * the pragma is not taken into a caller without it, which link-time optimization does
  * otherwise. */
-#if defined(FROB_STRUCTS_SHARE_STACK) && defined(__GNUC__) && !defined(__clang__) && \
-    defined(__aarch64__)
+#if defined(__GNUC__) && !defined(__clang__) && defined(__aarch64__)
 #pragma GCC optimize("no-strict-aliasing")
 #endif
 

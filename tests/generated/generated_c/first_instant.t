@@ -19,7 +19,7 @@ knows that it is not the first. The dt that comes then is looked at by nobody.
           self->started = true;
           self->before = b;                                   /* Control.frob:94 */
       } else {
-          const int64_t dt_ns = frob_whole_ns(dt);
+          int64_t dt_ns = frob_whole_ns(dt);
           const bool differs = b != self->before;             /* Control.frob:95 */
           self->time = differs && self->waiting ? frob_soon(self->time, dt_ns) : 0; /* Prelude.frob:343 */
           const bool settled = INT64_C(30000000) <= self->time; /* Control.frob:98 */

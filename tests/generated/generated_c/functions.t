@@ -3,7 +3,7 @@ it is used: numbers and units are no reason for another, other signal functions 
 functions are.
 
   $ steps() { awk '/^\/\* .*, .*\.frob:[0-9]+ \*\/$/ { def = $2 " " $3; next }
-  >   /^[a-z].*\(/ && def != "" && !/_reset\(/ { print def } { def = "" }' "$1" | sed 's/:.*//' | sort | uniq -c; }
+  >   /^[a-z].*\(/ && def != "" && !/_reset\(/ { print def; def = "" }' "$1" | sed 's/:.*//' | sort | uniq -c; }
   $ cat > uses.frob <<'FROB'
   > import Control
   > 
@@ -40,7 +40,7 @@ one's states, and no more code for it: one function for each level.
   $ sed 's/^main = f20/main = f10/' levels.frob > ten.frob
   $ frobc compile ten.frob
   $ echo $(($(wc -l < levels.c) - $(wc -l < ten.c))) more lines for ten more levels
-  95 more lines for ten more levels
+  90 more lines for ten more levels
 
 A function that gets three or more members of the program's input, just as they came,
 and so at each call, reads them by the pointer to the input.

@@ -24,7 +24,7 @@ it pass.
                   dt_ns = 0;
                   dt_ns = 0;
                   dt_ns = 0;
-      const int64_t dt_ns = frob_whole_ns(dt);
+      int64_t dt_ns = frob_whole_ns(dt);
 
 Not each dt is whole nanoseconds, and not each is a time.
 

@@ -48,12 +48,11 @@ seconds.
       self->error_integral_input = 0.0f;
   }
   
-  /* main, cruise.frob:6 */
   void cruise_step_ns(struct cruise_state *self, int64_t dt_ns, const struct cruise_input *in,
           struct cruise_output *out)
   {
       dt_ns = frob_span(dt_ns);
-      const float dt = (float)dt_ns / 1e9f;
+      float dt = (float)dt_ns / 1e9f;
       self->error_integral += dt * self->error_integral_input; /* line 6 */
       const float error = in->wanted - in->measured;          /* line 7 */
       out->f1 = frob_at_leastf(frob_at_mostf(4.1f * error + 2.0f * self->error_integral, 12.0f),
@@ -62,7 +61,6 @@ seconds.
       self->error_integral_input = error;
   }
   
-  /* main, cruise.frob:6 */
   void cruise_step(struct cruise_state *self, float dt, const struct cruise_input *in,
           struct cruise_output *out)
   {

@@ -63,7 +63,7 @@ chosen.
   void three_modes_step(struct three_modes_state *self, double dt,
           const struct three_modes_input *in, struct three_modes_output *out)
   {
-      const int64_t dt_ns = frob_whole_ns(dt);
+      int64_t dt_ns = frob_whole_ns(dt);
       dt = (double)dt_ns / 1e9;
       double speed = 0.0;
       double turn = 0.0;
