@@ -164,6 +164,15 @@ let groups_of program (node : Ir.node) =
   List.iter (add_item work) (Schedule.of_node node);
   List.filter (fun group -> List.length group.members > 1) (Array.to_list work.groups)
 
+(* The least or largest number may as well start from NaN as from the first element. *)
+let is_extreme (node : Ir.node) =
+  match (node.inputs, node.outputs) with
+  | [ best; x ], [ (_, best') ] -> (
+      match Extreme.find node ~best best' with
+      | Some (_, element) -> element.id = x.id
+      | None -> false)
+  | _, _ -> false
+
 (* {1 The node of a joined loop} *)
 
 type context = {
@@ -230,11 +239,13 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
        define Bool caller.span (Op (Equal, [ Signal parameter; Int 0l ])))
   in
   (* An accumulator that starts as an element of the first round. *)
-  let from_first element (like : Ir.signal) =
-    let zero : Ir.atom = match like.ty with Bool -> Bool false | Int -> Int 0l | _ -> Float 0. in
-    let else_ = pass Accumulator zero like in
-    let condition = Lazy.force is_first_round in
-    define like.ty like.span (If { condition; then_ = Signal element; else_ })
+  let from_first ~extreme element (like : Ir.signal) =
+    if extreme && like.ty = Float then pass Accumulator (Float Fold.nan) like
+    else
+      let zero : Ir.atom = match like.ty with Bool -> Bool false | Int -> Int 0l | _ -> Float 0. in
+      let else_ = pass Accumulator zero like in
+      let condition = Lazy.force is_first_round in
+      define like.ty like.span (If { condition; then_ = Signal element; else_ })
   in
   let add ((i : Ir.instance), (l : Ir.loop)) =
     let callee = program.nodes.(i.node) in
@@ -252,7 +263,7 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
             Option.bind (first_of firsts atom) (fun (array : Ir.signal) ->
                 Hashtbl.find_opt elements array.id)
           with
-          | Some element -> from_first element like
+          | Some element -> from_first ~extreme:(is_extreme callee) element like
           | None -> pass argument atom like)
       | _, _ -> pass argument atom like
     in

@@ -69,6 +69,13 @@ let inline =
     reason = "sizes are those of the work that remains; what was done twice is inlined once";
   }
 
+let extreme =
+  {
+    name = "extreme";
+    pass = Extreme.program;
+    reason = "loops are what they will be";
+  }
+
 let absorb =
   {
     name = "absorb";
@@ -82,8 +89,8 @@ type step =
 
 (* Twice, as inlining brings loops of several nodes together. *)
 let steps =
-  [ Tidy; Pass loop_fusion; Pass inline; Tidy; Pass loop_fusion; Pass inline; Tidy; Pass absorb;
-    Pass simplify; Pass dead_code ]
+  [ Tidy; Pass loop_fusion; Pass inline; Tidy; Pass loop_fusion; Pass inline; Tidy; Pass extreme;
+    Pass absorb; Pass simplify; Pass dead_code ]
 
 let modes (program : Ir.program) =
   Array.fold_left

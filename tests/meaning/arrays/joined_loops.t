@@ -134,7 +134,7 @@ of equal ones wins.
   -inf,inf,-0
 
 A fold that starts at the first element of an array finds it in its first round, and
-so is joined with the loop that makes the array.
+so is joined with the loop that makes the array; the least starts from NaN.
 
   $ cat > starts.frob <<'EOF'
   > main :: SF (Array 3 Float) (Float, Float, Float)
@@ -153,15 +153,21 @@ so is joined with the loop that makes the array.
   nan,nan,1
   nan,nan,0
 
-The least and the largest, only compared with others: NaN never wins.
+Of NaN and of infinity the same is known where the least is only compared with what
+is less: then the loop starts from infinity, and needs no test for NaN.
 
-  $ cat > least.frob <<'EOF'
+  $ cat > limits.frob <<'EOF'
   > main :: SF (Array 3 Float, Float) (Bool, Bool, Bool, Bool)
   > main = proc (xs, q) ->
   >     (minimumBy id xs < q, maximumBy id (map (* 2) xs) >= 6, 1.5 < minimumBy id (map (* 3) xs), minimumBy id (map (+ 1) xs) <= q)
   > EOF
-  $ frobc compile least.frob --lint
-  $ both least 'in.1[0],in.1[1],in.1[2],in.2' 1,2,3,1 nan,2,1,1.5 nan,nan,nan,inf nan,nan,nan,nan 2,-inf,inf,0 inf,inf,inf,inf inf,nan,nan,nan -inf,-inf,-inf,-inf
+  $ frobc compile limits.frob --lint
+  $ grep "INFINITY;\|NAN;" limits.c | sed "s, */\*.*,,"
+      double t1 = (double)INFINITY;
+      double t2 = -(double)INFINITY;
+      double t3 = (double)NAN;
+      double t4 = (double)NAN;
+  $ both limits 'in.1[0],in.1[1],in.1[2],in.2' 1,2,3,1 nan,2,1,1.5 nan,nan,nan,inf nan,nan,nan,nan 2,-inf,inf,0 inf,inf,inf,inf inf,nan,nan,nan -inf,-inf,-inf,-inf
   out.1,out.2,out.3,out.4
   false,true,true,false
   true,false,true,false
@@ -172,7 +178,7 @@ The least and the largest, only compared with others: NaN never wins.
   false,true,true,false
   false,false,false,true
 
-Written with another test, or read by anything else:
+Is any of these written with another test, or read by anything else, NaN is told apart.
 
   $ cat > told.frob <<'EOF'
   > main :: SF (Array 3 Float, Float) (Bool, Bool, Float)
@@ -181,6 +187,9 @@ Written with another test, or read by anything else:
   >     largest = maximumBy id (map (* 2) xs)
   > EOF
   $ frobc compile told.frob --lint
+  $ grep -c "INFINITY;" told.c
+  0
+  [1]
   $ both told 'in.1[0],in.1[1],in.1[2],in.2' 1,2,3,1 2,nan,1,1.5 nan,nan,nan,inf 2,-inf,inf,0
   out.1,out.2,out.3
   false,true,6
@@ -188,7 +197,8 @@ Written with another test, or read by anything else:
   false,false,0
   true,true,inf
 
-What each element adds or not is a choice, and so is what goes on from one to the next.
+What each element adds or not is looked up; what goes on from one element to the next
+is a choice, as the next would wait to look it up.
 
   $ cat > where.frob <<'EOF'
   > main :: SF (Array 3 Float, Float) (Float, Float, Float)
@@ -198,7 +208,7 @@ What each element adds or not is a choice, and so is what goes on from one to th
   >     restarted s x = if x < q then s + x else 0
   > EOF
   $ frobc compile where.frob --lint
-  $ sed -n '/main_loop/,$p' where.c | grep "?" | sed "s, */\*.*,,"
+  $ sed -n '/main_loop/,$p' where.c | grep "frob_where(\|?" | sed "s, */\*.*,,"
       *out_1 = t1 + (t3 ? q - x : 0.0);
       *out_2 = t2 + (t3 ? 0.0 : x);
       *out_3 = t3 ? s + x : 0.0;
