@@ -4,8 +4,7 @@ let ( let* ) = Option.bind
 let stage = Request.stage
 let files = { Resolve.Files.on_disk with parsed = Prepared.Library.tree }
 
-(* The resolver reads modules as imports ask for them. The main one is read
-   here too if it is to be looked at as it was parsed. *)
+(* Imports ask for modules; the main one is read here too, to be looked at as parsed. *)
 let parse (r : Request.t) sink sources =
   let asked = r.dump = Some Parse || r.stop_after = Some Parse in
   match if asked then Result.to_option (files.read r.file) else None with
@@ -63,8 +62,7 @@ let specialized (r : Request.t) sink { typed; _ } ~(written : Typing.Ir.definiti
       let flow = Flow.Instantaneous_loops.program sink ~entry flow in
       stage r sink Specialize ~lint:lint_flow ~print:Flow.Print.program flow
 
-(* A program for several robots is checked as it stands, and in what needs a
-   robot, such as its loops, with any that it runs on. *)
+(* A program for several robots is checked open, and what needs one with any that fits. *)
 let check_entry (r : Request.t) sink front (written : Typing.Ir.definition) =
   let program = for_a_robot r front written.name in
   let sampled = Option.is_none r.robot && Robots.is_open program in
@@ -94,16 +92,8 @@ let interpretable sink sources r =
   Option.iter (Diagnostic.emit sink) refusal;
   if Option.is_none refusal then Some (core, entry) else None
 
-let optimized (r : Request.t) sink flow =
-  let text = Format.asprintf "%a" Flow.Print.program in
-  let before = ref "" in
-  let show (pass : Flow.Optimize.pass) program =
-    let after = text program in
-    if after <> !before then Format.printf "%s: %s@.%s@." pass.name pass.reason after;
-    before := after
-  in
-  let after = if r.dump = Some Passes then Some show else None in
-  let optimized = Flow.Optimize.program ?after flow in
+let optimized r sink flow =
+  let optimized = Flow.Optimize.program ?after:(Request.each_pass r) flow in
   let* optimized = stage r sink Passes ~lint:ignore ~print:(fun _ _ -> ()) optimized in
   stage r sink Flow ~lint:lint_flow ~print:Flow.Print.program optimized
 
@@ -117,8 +107,7 @@ let c (r : Request.t) sink machine =
   stage r sink C ~lint:ignore ~print:Cgen.Emit.print files
 
 let after_checks next sink sources r =
-  let* _, _, flow = checked sink sources r in
-  next r sink flow
+  Option.bind (checked sink sources r) (fun (_, _, flow) -> next r sink flow)
 
 let flow sink = after_checks optimized sink
 let machine sink = after_checks lowered sink

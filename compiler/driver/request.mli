@@ -33,3 +33,6 @@ val stage :
 (** What happens after a stage: its promises are checked (they hold for programs without
     errors) and its result shown, if asked for; [None] with errors, or if it is the last one
     wanted. *)
+
+val each_pass : t -> (Flow.Optimize.pass -> Flow.Ir.program -> unit) option
+(** If asked for: shows the program after each of Flow's passes that changes it. *)
