@@ -44,7 +44,10 @@ let plain desc : statement = { desc; comment = "" }
 let function_ operation name ~struct_name ~count ~element:ty =
   let array = Struct struct_name in
   let size = Integer (Int32.of_int count) in
-  let inside = Binary (And, Binary (Less_equal, Integer 0l, Name "index"), Binary (Less, Name "index", size)) in
+  let index = Name "index" in
+  let inside =
+    Binary (And, Binary (Less_equal, Integer 0l, index), Binary (Less, index, size))
+  in
   let given = Unary (Dereference, Name "array") in
   let own = element (Name "result") in
   let result, parameters, body =

@@ -29,6 +29,7 @@ val includes : side list -> string
 val definitions : Machine.Ir.program -> Sum_type.t array -> side -> string
 (** Of the host's output where it is a robot's and what a program has ended with. *)
 
-val step : Machine.Ir.program -> Sum_type.t array -> name:string -> input:side -> output:side -> string
+val step :
+  Machine.Ir.program -> Sum_type.t array -> name:string -> input:side -> output:side -> string
 (** The table's step, and what it needs: C functions, as text. In single precision
     also [arithmetic], for the table. *)

@@ -20,8 +20,8 @@ and foreign = {
 }
 
 val program : ?own:Robot.t -> ?batch:bool -> Machine.Ir.program -> t
-(** [own]: the user's own robot, if the program is for one; [batch]: with the function that takes many
-    steps ({!Batch}). *)
+(** [own]: the user's own robot, if the program is for one; [batch]: with the function that
+    takes many steps ({!Batch}). *)
 
 val print : Format.formatter -> t -> unit
 (** The header, then the source. *)

@@ -65,7 +65,8 @@ let reaches_state n = n.reaches_state
 (* A literal that is not NaN. *)
 let literal : M.expr -> float option = function
   | Float x when not (Float.is_nan x) -> Some x
-  | Operation { operator = Negate; arguments = [ Float x ]; _ } when not (Float.is_nan x) -> Some (-.x)
+  | Operation { operator = Negate; arguments = [ Float x ]; _ } when not (Float.is_nan x) ->
+      Some (-.x)
   | _ -> None
 
 (* With a literal, [limit < x ? limit : x] is right: a zero as the first
@@ -102,7 +103,9 @@ let comparison : Ir.expr -> (Ir.expr * int32 * (int32 -> bool)) option = functio
 let is_decided ~by x y =
   match (comparison x, comparison y) with
   | Some (a, k, first), Some (b, l, second) when a = b ->
-      let around k = Int32.[ (if k = min_int then k else pred k); k; (if k = max_int then k else succ k) ] in
+      let before k = if k = Int32.min_int then k else Int32.pred k in
+      let after k = if k = Int32.max_int then k else Int32.succ k in
+      let around k = [ before k; k; after k ] in
       let both = List.map (fun n -> by (first n) (second n)) (around k @ around l) in
       List.for_all (Bool.equal (List.hd both)) both
   | _, _ -> false
@@ -223,7 +226,8 @@ let rec of_machine n (e : M.expr) : Ir.expr =
   | Is_constructor { sum; value; constructor } ->
       Binary
         (Equal, Member (of_machine n value, "tag"), Name n.v.sums.(sum).tags.(constructor))
-  | Payload { sum; value; constructor; leaf } -> payload n ~sum ~constructor ~leaf (of_machine n value)
+  | Payload { sum; value; constructor; leaf } ->
+      payload n ~sum ~constructor ~leaf (of_machine n value)
   | Elements { elements; _ } -> Aggregate [ Aggregate (list elements) ]
   | Fill { count; element; value } ->
       Call (V.array_function n.v Fill (Array (count, element)), [ of_machine n value ])

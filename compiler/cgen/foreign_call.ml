@@ -104,7 +104,8 @@ let outputs names (node : M.node) foreign =
   | several ->
       List.map
         (fun (name, ty) ->
-          let pointer = Name.fresh (Expression.scope names) (if name = "out" then "result" else name) in
+          let own = if name = "out" then "result" else name in
+          let pointer = Name.fresh (Expression.scope names) own in
           { ty; leaf = leaf_number foreign name; pointer })
         several
 
@@ -143,7 +144,8 @@ let body v names outputs results ~call ~present =
   let given = List.filter_map direct outputs in
   if present = [] && List.compare_lengths given outputs = 0 then call @ given
   else
-    let declared, work, given = through_variables v names ~initial:(present <> []) outputs results call in
+    let initial = present <> [] in
+    let declared, work, given = through_variables v names ~initial outputs results call in
     match present with
     | [] -> declared @ work @ given
     | first :: others ->
@@ -180,7 +182,8 @@ let call_function v names (node : M.node) symbol arguments (passing : Foreign_in
   | Elements element, [ (_, ty) ] when Crossing.is_converted names ty ->
       into (variable (Array (element, size ty))) (fun name -> Name name) (fun name -> Bare name)
   | Elements _, [ (_, ty) ] ->
-      into (variable (V.ty v ty)) (fun name -> Member (Name name, "at")) (fun name -> Whole (Name name))
+      let pointer name = Ir.Member (Name name, "at") in
+      into (variable (V.ty v ty)) pointer (fun name -> Whole (Name name))
   | Elements _, _ -> bug "an array of several leaves"
 
 let step (v : V.t) k (interface : Foreign_interface.t) : Ir.function_ =
@@ -200,7 +203,8 @@ let step (v : V.t) k (interface : Foreign_interface.t) : Ir.function_ =
   let own, call, results =
     match interface.form with
     | Function { arguments; result } ->
-        let ready = List.mapi (fun k (p, values) -> argument names k p values) (List.combine arguments values) in
+        let ready_one k (passing, values) = argument names k passing values in
+        let ready = List.mapi ready_one (List.combine arguments values) in
         let prepared = List.concat_map fst ready and passed = List.concat_map snd ready in
         let call, results = call_function v names node interface.symbol passed result in
         ([], prepared @ call, results)

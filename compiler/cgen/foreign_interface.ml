@@ -27,7 +27,8 @@ let passing types ~fresh name (shape : F.shape) =
   | Leaf (Array _) | Repeated _ | Product _ ->
       Struct (Interface.of_type types ~name:(fun () -> fresh name) shape)
 
-let letter k = if k < 26 then String.make 1 (Char.chr (Char.code 'a' + k)) else Printf.sprintf "a%d" k
+let letter k =
+  if k < 26 then String.make 1 (Char.chr (Char.code 'a' + k)) else Printf.sprintf "a%d" k
 
 let of_import types ~fresh (f : F.import) =
   let form =

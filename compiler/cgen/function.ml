@@ -73,7 +73,8 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let call index = step_call c ~node:l.node ~own:(own index) in
       let statements = Loop.statements c.names l ~call in
       let comment = comment c l.span in
-      List.rev_append (List.map (fun s -> if is_loop s then { s with comment } else s) statements) rest
+      let placed s = if is_loop s then { s with Ir.comment } else s in
+      List.rev_append (List.map placed statements) rest
   | Enter { entry; span } -> List.rev_append (Modes.enter c entry span) rest
   | Start { node; state; arguments; results; span } ->
       let call = start_call c ~node ~own:(own_state c (Some state)) arguments in
@@ -200,7 +201,8 @@ let reset (v : V.t) k : Ir.function_ =
   let names = Expression.names v ~node:k in
   let parameters = self v k :: Expression.parameters names node.reset.parameters in
   name_variables names node.reset.body;
-  let c = { v; names; index = k; node; write = no_result; read = variables_read v node node.reset.body; place = "" } in
+  let read = variables_read v node node.reset.body in
+  let c = { v; names; index = k; node; write = no_result; read; place = "" } in
   let body = statements c node.reset.body in
   let unread = unread names in
   {
@@ -250,7 +252,8 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
     | _ ->
         let result (name, ty) =
           (* An unnamed one is [out] or [out.x]. *)
-          let name = if List.hd (String.split_on_char '.' name) = "out" then name else "out_" ^ name in
+          let is_out = List.hd (String.split_on_char '.' name) = "out" in
+          let name = if is_out then name else "out_" ^ name in
           (Ir.Pointer (V.ty v ty), Name.fresh (Expression.scope names) name)
         in
         (Void, List.map result outputs)
@@ -373,7 +376,9 @@ let inputs c (node : M.node) =
   let take (variable : M.variable) members =
     if Access.is_in_array members then
       if not (Int_table.mem c.read variable.id) then []
-      else if only_elements_read node.step.body variable ~dimensions:(Access.dimensions members) then (
+      else if
+        only_elements_read node.step.body variable ~dimensions:(Access.dimensions members)
+      then (
         Expression.read_elements_as c.names variable (Access.path (Name "in") members);
         [])
       else
@@ -408,7 +413,8 @@ let root_step (v : V.t) k : Ir.function_ =
       Access.copy names outputs.(k) ~from_interface:false (Name "out") value
     else plain (Ir.Assign (Access.path (Name "out") outputs.(k) [], value))
   in
-  let c = { v; names; index = k; node; write; read = variables_read v node node.step.body; place = "" } in
+  let read = variables_read v node node.step.body in
+  let c = { v; names; index = k; node; write; read; place = "" } in
   let inputs = inputs c node in
   name_variables names node.step.body;
   let clock = clock c node in
@@ -430,7 +436,9 @@ let root_step (v : V.t) k : Ir.function_ =
     List.exists (fun (v : M.variable) -> Int_table.mem c.read v.id) node.step.parameters
     || Program_input.variables_by_pointer v.by_pointer v.program node node.step.body <> []
   in
-  let dt : Ir.ty * string = match v.program.real with Double -> (V.real v, "dt") | Single -> (Int64, "dt_ns") in
+  let dt : Ir.ty * string =
+    match v.program.real with Double -> (V.real v, "dt") | Single -> (Int64, "dt_ns")
+  in
   let ignore_unless read name = if read then [] else [ ignored name ] in
   {
     linkage = External;

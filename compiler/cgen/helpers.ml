@@ -14,7 +14,8 @@ let rewritten ~word ~comment text =
   in
   let rec from k =
     if k < n then
-      if k + 1 < n && text.[k] = '/' && text.[k + 1] = '*' then piece comment k (comment_end (k + 4))
+      if k + 1 < n && text.[k] = '/' && text.[k + 1] = '*' then
+        piece comment k (comment_end (k + 4))
       else if is_word text.[k] then
         piece (match text.[k] with '0' .. '9' -> Fun.id | _ -> word) k (word_end k)
       else piece Fun.id k (k + 1)

@@ -32,6 +32,7 @@ let table c kind name rows =
       bprintf c.out "};\n";
       name
 
+let constructor_table c = table c "constructor" (sprintf "%s_constructors_%d" c.prefix (next c))
 let offset c path = sprintf "offsetof(struct %s, %s)" c.struct_name path
 
 (* Writes a value's table and returns its name. *)
@@ -72,7 +73,7 @@ let rec shape c locations (whole : F.shape) =
       let row =
         constructor c locations ~name:product.constructor ~record:product.record product.parts
       in
-      let constructors = table c "constructor" (sprintf "%s_constructors_%d" c.prefix (next c)) [ row ] in
+      let constructors = constructor_table c [ row ] in
       value c ~kind:"FROB_PRODUCT" ~offset:"0" ~is_event:false ~count:1 constructors
   | Repeated (n, element) ->
       (* As a product of its elements. *)
@@ -84,7 +85,7 @@ let rec shape c locations (whole : F.shape) =
       let rows = List.rev (List.fold_left (fun rows i -> row i :: rows) [] (List.init n Fun.id)) in
       let fields = table c "field" (sprintf "%s_fields_%d" c.prefix (next c)) rows in
       let row = sprintf "NULL, 0, %d, %s" n fields in
-      let constructors = table c "constructor" (sprintf "%s_constructors_%d" c.prefix (next c)) [ row ] in
+      let constructors = constructor_table c [ row ] in
       value c ~kind:"FROB_ARRAY" ~offset:"0" ~is_event:false ~count:1 constructors
 
 and constructor c locations ~name ~record parts =
@@ -122,7 +123,7 @@ and sum c k ~tag ~base ~first ~number =
     constructor c locations ~name:ctor.constructor ~record ctor.fields
   in
   let rows = List.rev (List.fold_left (fun rows ctor -> row ctor :: rows) [] sum.constructors) in
-  let constructors = table c "constructor" (sprintf "%s_constructors_%d" c.prefix (next c)) rows in
+  let constructors = constructor_table c rows in
   let is_event =
     String.equal sum.module_ "Prelude"
     && match String.split_on_char ' ' sum.name with "Event" :: _ -> true | _ -> false
@@ -162,7 +163,8 @@ let result out (program : Machine.Ir.program) (side : Border.side) =
   let c =
     { out; sums = program.sums; struct_name = side.host.struct_name; prefix = "result"; count = 0 }
   in
-  match (snd (Interface.apart program.output), List.rev (locations program side program.output)) with
+  let _, ended = Interface.apart program.output in
+  match (ended, List.rev (locations program side program.output)) with
   | Some ended, last :: _ -> "&" ^ shape c (ref [ last ]) ended
   | _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a program that ends without a result"
 
@@ -209,7 +211,8 @@ let text ?own (program : Machine.Ir.program) (files : Of_machine.t) =
   let output = interface out program ~prefix:"out" output_side program.output in
   let result = if program.ends then result out program output_side else "NULL" in
   let machines, machine_count = machines out ~state:(name ^ "_state") files.machines in
-  let robot = Option.fold ~none:"" ~some:(fun (robot : Robot.t) -> robot.name) (robot ?own program) in
+  let robot_name = function Some (robot : Robot.t) -> robot.name | None -> "" in
+  let robot = robot_name (robot ?own program) in
   bprintf out
     {|
 static void reset(void *state)

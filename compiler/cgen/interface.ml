@@ -67,13 +67,15 @@ and record types (product : F.product) =
   | Some (name, _) -> name
   | None ->
       let members = members types product in
-      let name = Name.fresh types.scope (types.prefix ^ "_" ^ Name.short (Name.snake product.product_name)) in
+      let own = Name.short (Name.snake product.product_name) in
+      let name = Name.fresh types.scope (types.prefix ^ "_" ^ own) in
       Hashtbl.replace types.known (key product) (name, members);
       define types name members;
       name
 
 and define types name members =
-  types.definitions <- Struct_definition { overlaid = false; name; members; comment = "" } :: types.definitions
+  let definition = Ir.Struct_definition { overlaid = false; name; members; comment = "" } in
+  types.definitions <- definition :: types.definitions
 
 (* The paths through the members of a shape, to leaves and to unused bytes. *)
 let paths (shape : F.shape) (members : Ir.member list) member_list_of =
@@ -100,7 +102,8 @@ let with_paths types ~name members (shape : F.shape) =
   let member_list_of (product : F.product) (ty : Ir.ty) =
     match ty with
     | Members members -> members
-    | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Union _ | Array _ | Pointer _ | Pointer_to_const _ -> (
+    | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Union _ | Array _
+    | Pointer _ | Pointer_to_const _ -> (
         match Hashtbl.find_opt types.known (key product) with
         | Some (_, members) -> members
         | None -> Basis.Diagnostic.bug ~stage:"Cgen.Interface" "a record without a struct")

@@ -14,7 +14,8 @@ val types :
   sum:(int -> string) ->
   foreign:(Flow.Ir.foreign_type -> Ir.ty) ->
   types
-(** [real] is the type of a Float, [sum] gives the struct of a sum, [foreign] how C has a foreign type. *)
+(** [real] is the type of a Float, [sum] gives the struct of a sum, [foreign] how C has a
+    foreign type. *)
 
 type t = {
   struct_name : string;

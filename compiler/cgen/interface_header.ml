@@ -34,7 +34,8 @@ let text (robot : Robot.t) (program : Machine.Ir.program) =
                robot.module_ guard guard);
           Text "#include <stdbool.h>\n#include <stdint.h>\n";
         ];
-        List.concat_map (guarded robot) (Value_types.definitions v.types ~of_:(fun owner -> owner = Value_types.Robot));
+        List.concat_map (guarded robot)
+          (Value_types.definitions v.types ~of_:(fun owner -> owner = Value_types.Robot));
         List.concat_map (guarded robot) v.robot_records;
         [ Text "#endif\n" ];
       ]

@@ -2,7 +2,8 @@ module M = Machine.Ir
 module V = Vocabulary
 
 let plain desc : Ir.statement = { desc; comment = "" }
-let is_array (ty : M.ty) = match ty with Array _ -> true | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> false
+let is_array (ty : M.ty) =
+  match ty with Array _ -> true | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> false
 
 (* Cheap to read again in every round. *)
 let rec is_place : Ir.expr -> bool = function

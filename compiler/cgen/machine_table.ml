@@ -12,7 +12,12 @@ type t = {
 (* Nobody reads more columns of modes than that. *)
 let longest_array = 64
 
-type search = { v : V.t; names : (string, unit) Hashtbl.t; mutable found : t list; mutable count : int }
+type search = {
+  v : V.t;
+  names : (string, unit) Hashtbl.t;
+  mutable found : t list;
+  mutable count : int;
+}
 
 let unique s name =
   let rec try_ n =

@@ -3,9 +3,8 @@ module V = Vocabulary
 open Context
 
 let field_with c has =
-  List.find_map
-    (fun (field : M.field) -> if has field.content then Some (Expression.field c.names field) else None)
-    c.node.state
+  Option.map (Expression.field c.names)
+    (List.find_opt (fun (field : M.field) -> has field.content) c.node.state)
 
 let running_mode c = field_with c (function M.Running_mode -> true | _ -> false)
 

@@ -18,7 +18,8 @@ let state_comment (v : V.t) (field : M.field) =
     | State_of k | States_of { node = k; _ } -> v.program.nodes.(k).origin
   in
   let line = string_of_int (Basis.Span.line field.span.start) in
-  String.concat "" [ what; " at "; Basis.Printable.name (Filename.basename field.span.file); ":"; line ]
+  let file = Basis.Printable.name (Filename.basename field.span.file) in
+  String.concat "" [ what; " at "; file; ":"; line ]
 
 let rec last = function [] -> "" | [ name ] -> name | _ :: rest -> last rest
 
@@ -162,7 +163,8 @@ let foreign_prototypes (v : V.t) =
 
 (* Stand for foreign values that are not there. *)
 let absent (v : V.t) =
-  let variables = Hashtbl.fold (fun (f : Flow.Ir.foreign_type) name all -> (name, f.c_type) :: all) v.absent [] in
+  let add (f : Flow.Ir.foreign_type) name all = (name, f.c_type) :: all in
+  let variables = Hashtbl.fold add v.absent [] in
   List.map
     (fun (name, c_type) -> Ir.Text (Printf.sprintf "static %s %s;\n" c_type name))
     (List.sort compare variables)

@@ -43,7 +43,8 @@ let tidy_exponent text =
   | Some k ->
       let mantissa = String.sub text 0 k in
       let exponent = String.sub text (k + 1) (String.length text - k - 1) in
-      Printf.sprintf "%se%d" mantissa (int_of_string (String.concat "" (String.split_on_char '+' exponent)))
+      let exponent = String.concat "" (String.split_on_char '+' exponent) in
+      Printf.sprintf "%se%d" mantissa (int_of_string exponent)
 
 let real_name : Basis.Real.t -> string = function Double -> "double" | Single -> "float"
 let real_suffix : Basis.Real.t -> string = function Double -> "" | Single -> "f"
@@ -82,7 +83,8 @@ let rec declarator ty name =
   match ty with
   | Array (t, n) -> declarator t (Printf.sprintf "%s[%d]" name n)
   | Pointer _ | Pointer_to_const _ -> ty_name ty ^ name
-  | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Members _ | Union _ -> ty_name ty ^ " " ^ name
+  | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Members _ | Union _ ->
+      ty_name ty ^ " " ^ name
 
 (* [const T x], [T *const x] *)
 let constant ty name =
@@ -98,7 +100,8 @@ let variables ty names =
 let precedence = function
   | Name _ | Boolean _ | Long _ | Call _ | Member _ | Arrow _ | Subscript _ | Aggregate _ -> postfix
   | Integer i -> if Int32.compare i 0l < 0 then prefix else postfix
-  | Float (_, x) -> if Float.sign_bit x || not (Float.abs x < Float.infinity) then prefix else postfix
+  | Float (_, x) ->
+      if Float.sign_bit x || not (Float.abs x < Float.infinity) then prefix else postfix
   | Unary _ | Cast _ -> prefix
   | Binary (operator, _, _) -> level operator
   | Conditional _ -> conditional
@@ -330,7 +333,7 @@ let rec members out ~indent (all : member list) =
       | Union inside ->
           line out ~indent "union {";
           members out ~indent:(indent + 4) inside
-      | Void | Bool | Uint8 | Int32 | Int64 | Real _ | Struct _ | Named _ | Array _ | Pointer _ | Pointer_to_const _ -> ());
+      | _ -> ());
       line out ~indent ~column ~comment:m.comment (text m))
     all
 

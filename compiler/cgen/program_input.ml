@@ -43,7 +43,8 @@ let decide t k (node : M.node) =
   let own = t.nodes.(k) in
   let leaves = List.filter (is_leaf t k) node.step.parameters in
   let different = Hashtbl.create 8 in
-  List.iter (fun (v : M.variable) -> Hashtbl.replace different (Hashtbl.find own.passed v.id) ()) leaves;
+  let note (v : M.variable) = Hashtbl.replace different (Hashtbl.find own.passed v.id) () in
+  List.iter note leaves;
   own.given <-
     (not own.refused)
     && Option.is_none node.foreign
@@ -55,7 +56,8 @@ let note_call t ~from ~node parameters arguments =
   let note (v : M.variable) (argument : M.expr) =
     let passed =
       match argument with
-      | Variable given -> Option.value (Hashtbl.find_opt t.nodes.(from).passed given.id) ~default:Different
+      | Variable given ->
+          Option.value (Hashtbl.find_opt t.nodes.(from).passed given.id) ~default:Different
       | _ -> Different
     in
     let joined =
@@ -113,8 +115,7 @@ let note_calls t (program : M.program) k =
   let node = program.nodes.(k) in
   let refuse k = t.nodes.(k).refused <- true in
   let note body =
-    calls (fun _ callee parameters arguments -> note_call t ~from:k ~node:callee parameters arguments)
-      program node body
+    calls (fun _ callee -> note_call t ~from:k ~node:callee) program node body
   in
   note node.step.body;
   Option.iter (fun (code : M.code) -> note code.body) node.start;
@@ -133,7 +134,10 @@ let decide_start t (program : M.program) k (node : M.node) =
   let uses (code : M.code) =
     let found = ref (List.exists (fun v -> Option.is_some (member t k v)) code.parameters) in
     let note called callee _ _ =
-      if (match called with Step -> is_given t callee | Start -> t.starts.(callee)) then found := true
+      let is_given =
+        match called with Step -> is_given t callee | Start -> t.starts.(callee)
+      in
+      if is_given then found := true
     in
     calls note program node code.body;
     !found

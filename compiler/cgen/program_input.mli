@@ -20,6 +20,10 @@ val member : t -> int -> Machine.Ir.variable -> Interface.step list option
 (** What leads to a parameter of that node's step or start from the pointer, if it is read there. *)
 
 val variables_by_pointer :
-  t -> Machine.Ir.program -> Machine.Ir.node -> Machine.Ir.statement list -> Machine.Ir.variable list
+  t ->
+  Machine.Ir.program ->
+  Machine.Ir.node ->
+  Machine.Ir.statement list ->
+  Machine.Ir.variable list
 (** What this body of the node's hands over by the pointer, once for each call that reads
     it there. *)

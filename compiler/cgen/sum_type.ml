@@ -162,9 +162,11 @@ let maker sums ~absent types sum constructor =
   function_
     ~result:(Struct t.struct_name)
     t.makers.(constructor) parameters
-    (Name t.tags.(constructor) :: List.map2 value (members sums t) (zeros t.real sums ~absent t.slots))
+    (Name t.tags.(constructor)
+    :: List.map2 value (members sums t) (zeros t.real sums ~absent t.slots))
 
-let projection_name t ~constructor ~leaf = Printf.sprintf "%s_part%d" t.makers.(constructor) (leaf + 1)
+let projection_name t ~constructor ~leaf =
+  Printf.sprintf "%s_part%d" t.makers.(constructor) (leaf + 1)
 
 let projection sums types sum ~constructor ~leaf =
   let t = types.(sum) in

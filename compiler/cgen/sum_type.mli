@@ -27,7 +27,8 @@ type slot =
   | Inner of { sum : int; tag : string; first : Machine.Layout.slots }
       (** its tag's member; its slots start after [first] *)
 
-val payload : Flow.Ir.sum array -> ?first:Machine.Layout.slots -> Flow.Ir.sum_constructor -> slot list
+val payload :
+  Flow.Ir.sum array -> ?first:Machine.Layout.slots -> Flow.Ir.sum_constructor -> slot list
 (** The slots of all leaves; [first] slots belong to others. *)
 
 val zero : Basis.Real.t ->
@@ -53,7 +54,12 @@ val definition : Flow.Ir.sum array -> Flow.Ir.sum -> t -> Ir.declaration list
 (** The tags' constants and the struct. *)
 
 val maker :
-  Flow.Ir.sum array -> absent:(Flow.Ir.foreign_type -> Ir.expr) -> t array -> int -> int -> Ir.function_
+  Flow.Ir.sum array ->
+  absent:(Flow.Ir.foreign_type -> Ir.expr) ->
+  t array ->
+  int ->
+  int ->
+  Ir.function_
 (** Of a sum and a constructor. *)
 
 val projection_name : t -> constructor:int -> leaf:int -> string

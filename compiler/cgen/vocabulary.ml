@@ -97,7 +97,12 @@ let members scope ~prefix nodes (node : M.node) =
   (table, modes, waiting)
 
 (* With [root_in_seconds] as a step of its own, the root's is in nanoseconds. *)
-type root = { root_state : string; root_reset : string; root_step : string; root_in_seconds : string }
+type root = {
+  root_state : string;
+  root_reset : string;
+  root_step : string;
+  root_in_seconds : string;
+}
 
 let name_root scope ~name ~(real : Basis.Real.t) =
   let take suffix = Name.fresh scope (name ^ suffix) in
@@ -183,7 +188,8 @@ let of_program ?own (program : M.program) =
     let robots =
       match (robot, shape) with
       | Some _, Product product ->
-          Some (Interface.of_record shared ~name:("frob_" ^ Name.snake product.product_name) product)
+          let name = "frob_" ^ Name.snake product.product_name in
+          Some (Interface.of_record shared ~name product)
       | _, _ -> None
     in
     match (program.real, robots, result) with
@@ -205,7 +211,8 @@ let of_program ?own (program : M.program) =
       (fun (i : Foreign_interface.t) -> String.equal i.symbol f.import.symbol)
       imports
   in
-  let foreign = Array.map (fun (node : M.node) -> Option.map interface_of node.foreign) program.nodes in
+  let foreign_of (node : M.node) = Option.map interface_of node.foreign in
+  let foreign = Array.map foreign_of program.nodes in
   let is_robots d = List.memq d robot_records in
   let foreign_records =
     List.filter (fun d -> not (is_robots d)) (Interface.definitions shared)
