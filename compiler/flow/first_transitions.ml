@@ -11,10 +11,13 @@ type t = {
   schedules : Schedule.item list option array;
   parameters : Range.t option array array;
       (** of each node's statics, what is passed anywhere so far *)
+  arguments : Range.t list option array;
+      (** of each node's inputs, likewise, at any instant; nothing of modes *)
   known : (int * instant * Range.t list * Range.t list, Range.t list) Hashtbl.t;
       (** outputs by node, statics and inputs *)
   steps : int list Lazy.t;  (** at which bounds of Ints that move may stay *)
   mutable budget : int;  (** of node evaluations; then anything is possible *)
+  mutable parameters_known : bool;  (** the budget was enough for that *)
 }
 
 let budget = 200_000
@@ -159,6 +162,14 @@ let parameters a index =
     (fun j (s : Ir.signal) ->
       Option.value a.parameters.(index).(j) ~default:(Range.anything a.program s.ty))
     a.program.nodes.(index).statics
+
+(* Whether anything passes something to it, if it takes anything at all. *)
+let is_entered a index = Array.for_all Option.is_some a.parameters.(index)
+
+let arguments a index =
+  match a.arguments.(index) with
+  | Some ranges -> ranges
+  | None -> anything_of a a.program.nodes.(index).inputs
 
 (* Of all rounds of a loop together. *)
 let inputs_of a values (i : Ir.instance) =
@@ -325,11 +336,7 @@ let parameters_of_modes a values (m : Ir.machine) =
     let unconditional = map (fun t -> (t, { values; same = Hashtbl.create 1 })) in
     let from_mode changed index =
       let node = a.program.nodes.(index) in
-      let reached =
-        List.for_all (fun j -> Option.is_some a.parameters.(index).(j))
-          (List.mapi (fun j _ -> j) node.statics)
-      in
-      if node.transitions = [] || not reached then changed
+      if node.transitions = [] || not (is_entered a index) then changed
       else
         let inside =
           evaluate a Any index ~statics:(parameters a index) ~inputs:(anything_of a node.inputs)
@@ -342,9 +349,40 @@ let parameters_of_modes a values (m : Ir.machine) =
   in
   if Array.exists (fun index -> a.program.nodes.(index).statics <> []) modes then again 1
 
+(* On trial what does not matter may be any value. *)
+let with_trials a (i : Ir.instance) ranges =
+  let on_trial ranges (trial : Ir.trial) =
+    List.map2
+      (fun range -> function Some _ -> range | None -> None)
+      ranges trial.given
+  in
+  let known = List.fold_left on_trial (map Option.some ranges) i.trials in
+  List.map2
+    (fun range (s : Ir.signal) -> Option.value range ~default:(Range.anything a.program s.ty))
+    known a.program.nodes.(i.node).inputs
+
+let pass_inputs a index ranges =
+  let joined =
+    match a.arguments.(index) with
+    | None -> ranges
+    | Some before -> List.rev (List.rev_map2 Range.join before ranges)
+  in
+  a.arguments.(index) <- Some joined
+
+(* The nodes with a machine in them, for which it matters what they are given. *)
+let with_machines (program : Ir.program) =
+  let found = Array.make (Array.length program.nodes) false in
+  Array.iteri
+    (fun index (node : Ir.node) ->
+      let has (i : Ir.instance) = found.(i.node) in
+      found.(index) <- Option.is_some node.machine || List.exists has node.instances)
+    program.nodes;
+  found
+
 (* Callers come before callees here. Who is called by nobody passes nothing. *)
 let pass_parameters a =
   let last = Array.length a.program.nodes - 1 in
+  let with_machines = with_machines a.program in
   let is_called = Array.make (last + 1) false in
   is_called.(last) <- true;
   for index = last downto 0 do
@@ -354,16 +392,23 @@ let pass_parameters a =
       Option.iter
         (fun (m : Ir.machine) -> List.iter (fun mode -> is_called.(mode) <- true) m.modes)
         node.machine);
-    let inputs = anything_of a node.inputs in
-    let passes (i : Ir.instance) = i.statics <> [] in
+    let passes (i : Ir.instance) = i.statics <> [] || with_machines.(i.node) in
     let hands_on = List.exists passes node.instances || Option.is_some node.machine in
     if is_called.(index) && hands_on then (
+      let inputs = arguments a index in
       let { values; _ } = evaluate a Any index ~statics:(parameters a index) ~inputs in
       List.iter
         (fun (i : Ir.instance) ->
-          ignore (pass a ~widening:false i.node (map (read a values) i.statics)))
+          ignore (pass a ~widening:false i.node (map (read a values) i.statics));
+          if with_machines.(i.node) then pass_inputs a i.node (with_trials a i (inputs_of a values i)))
         node.instances;
-      Option.iter (parameters_of_modes a values) node.machine)
+      let of_machine (m : Ir.machine) =
+        List.iter
+          (fun mode -> pass_inputs a mode (anything_of a a.program.nodes.(mode).inputs))
+          m.modes;
+        parameters_of_modes a values m
+      in
+      Option.iter of_machine node.machine)
   done
 
 (* {1 First instants of modes} *)
@@ -372,10 +417,13 @@ let at_first_instant a index =
   evaluate a First index ~statics:(parameters a index)
     ~inputs:(anything_of a a.program.nodes.(index).inputs)
 
+(* A mode that no transition which may occur goes to. *)
+let never_runs a index = a.parameters_known && not (is_entered a index)
+
 let of_machine a (m : Ir.machine) =
   let of_mode index =
     let node = a.program.nodes.(index) in
-    if node.transitions = [] then []
+    if node.transitions = [] || never_runs a index then []
     else map fst (possible a First index (at_first_instant a index) node.transitions)
   in
   Array.of_list (map of_mode m.modes)
@@ -389,14 +437,15 @@ let entered a inputs ((t : Ir.transition), { values; same }) =
 let of_running a ?controls index inputs =
   let node = a.program.nodes.(index) in
   let inside =
-    evaluate a Any index ~statics:(parameters a index) ~inputs:(anything_of a node.inputs)
+    evaluate a Any index ~statics:(parameters a index) ~inputs:(arguments a index)
   in
   let transitions = Option.value controls ~default:node.transitions in
   map (entered a inputs) (possible a Any index inside transitions)
 
 let signals = map (fun s -> Ir.Signal s)
 
-let from_running a index = of_running a index (signals a.program.nodes.(index).inputs)
+let from_running a index =
+  if never_runs a index then [] else of_running a index (signals a.program.nodes.(index).inputs)
 
 let from_owner a index (m : Ir.machine) transitions =
   of_running a ~controls:transitions index m.inputs
@@ -428,14 +477,19 @@ let of_program ?(patient = false) (program : Ir.program) =
         Array.map
           (fun (node : Ir.node) -> Array.make (List.length node.statics) None)
           program.nodes;
+      arguments = Array.make count None;
       known = Hashtbl.create 256;
       steps = lazy (if patient then literals program else []);
       budget;
+      parameters_known = false;
     }
   in
   pass_parameters a;
+  a.parameters_known <- a.budget > 0;
   (* Where the work was too much nothing is known of parameters. *)
-  if a.budget <= 0 then Array.iter (fun p -> Array.fill p 0 (Array.length p) None) a.parameters;
+  if not a.parameters_known then (
+    Array.iter (fun p -> Array.fill p 0 (Array.length p) None) a.parameters;
+    Array.fill a.arguments 0 count None);
   (* What was found on the way rested on parameters not yet all known. *)
   Hashtbl.reset a.known;
   a.budget <- budget;

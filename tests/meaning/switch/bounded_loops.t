@@ -167,3 +167,28 @@ A task that begins where the robot is has not gone far yet.
   $ both square.frob in.csv
   out Left 1 Left 0 Left 1 Left 0 Left 1 Left 0 Left 1 Left 0
   at most 2 stepped within one instant
+
+What a repetition begins with is known also where an event brings it, and where its circle
+is in a mode that nothing ever starts.
+
+  $ cat > brought.frob <<'EOF'
+  > main :: SF (Int, Bool) Int
+  > main = proc (x, b) -> rSwitch identity (x, mapE (\() -> go 0) (when b))
+  > 
+  > go :: Int -> SF Int Int
+  > go n = switch (identity &&& now ()) (\_ -> if n >= 2 then arr (\x -> x + n) else go (n + 1))
+  > EOF
+  $ printf 'time,in.1,in.2\n0,1,false\n1,2,true\n2,5,false\n' > brought.csv
+  $ frobc trace brought.frob --input brought.csv
+  time,out
+  0.000000000,1
+  1.000000000,4
+  2.000000000,7
+  $ cat > never_started.frob <<'EOF'
+  > main :: SF Int Int
+  > main = switch (proc x -> (x, tag (edge (x > 0)) 0)) (\_ -> switch (identity &&& (proc _ -> when (1 > 2))) (\_ -> go 0))
+  > 
+  > go :: Int -> SF Int Int
+  > go n = switch (identity &&& now ()) (\_ -> if n == 2 then arr (\x -> x + n) else go (n + 1))
+  > EOF
+  $ frobc check never_started.frob
