@@ -36,9 +36,14 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
         | value -> Assign (target', expression c value)
       in
       { desc; comment = comment c span } :: rest
-  | If { uninitialized = variables; condition; then_; else_; span } ->
+  | If { uninitialized = variables; condition; then_; else_; predicted; span } ->
       let declarations = uninitialized c variables in
       let condition = expression c condition in
+      let condition =
+        (* an update without an alternative stays a branch in any case *)
+        if predicted && else_ <> [] then Ir.Call ("FROB_BRANCH", [ condition ])
+        else condition
+      in
       let comment = comment c span in
       let then_ = statements c then_ in
       let else_ = statements c else_ in

@@ -61,6 +61,7 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
       results;
       states;
       returned;
+      feedback = Feedback.of_node node;
       ending = None;
     }
   in
@@ -109,6 +110,7 @@ let reset (context : Calls.context) state (node : F.node) (statics : Statics.t) 
       results = [];
       states = [];
       returned = None;
+      feedback = Feedback.none;
       ending = None;
     }
 

@@ -152,6 +152,7 @@ let step real ~(started : field) ~reset body =
                  Operation { operator = Not; ty = Bool; arguments = [ Field started ] };
                then_ = first;
                else_ = others;
+               predicted = false;
                span = started.span;
              }
           :: results)

@@ -105,6 +105,8 @@ type statement =
       condition : expr;
       then_ : statement list;
       else_ : statement list;
+      predicted : bool;
+          (** worth a branch of the machine, not a select: see {!Feedback} *)
       span : Span.t;
     }
   | Step of {

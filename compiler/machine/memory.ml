@@ -20,6 +20,7 @@ let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
                     { place = Own value; value = operation F.Divide Float [ change; Dt ]; span };
                 ];
               else_ = [];
+              predicted = false;
               span;
             };
           Assign { place = Own input; value = kept; span };

@@ -176,6 +176,7 @@ let start context (m : F.machine) =
                 condition = read t.occurs;
                 then_ = [ Enter { entry = entry context targets read t; span = t.span } ];
                 else_ = choose others;
+                predicted = false;
                 span = t.span;
               };
           ]

@@ -11,6 +11,7 @@ and branch = {
   position : int;
   parent : block;
   condition : Ir.expr;
+  predicted : bool;
   then_ : block;
   else_ : block;
   mutable uninitialized : Ir.variable list;
@@ -105,6 +106,7 @@ let new_branch ?leaf t block condition span =
       position = use.position;
       parent = block;
       condition = tree ?leaf t use condition;
+      predicted = Usage.predicted t.usage condition;
       then_ = block_at t (block.depth + 1);
       else_ = block_at t (block.depth + 1);
       uninitialized = [];
@@ -292,13 +294,13 @@ let negation : Ir.expr -> Ir.expr = function
 let rec emit block =
   let emit_code rest = function
     | Statement s -> s :: rest
-    | Branch_here { condition; then_; else_; uninitialized; span; _ } -> (
+    | Branch_here { condition; then_; else_; predicted; uninitialized; span; _ } -> (
         match (emit then_, emit else_) with
         | [], [] -> rest
         | [], then_ ->
             let condition = negation condition in
-            Ir.If { uninitialized; condition; then_; else_ = []; span } :: rest
-        | then_, else_ -> Ir.If { uninitialized; condition; then_; else_; span } :: rest)
+            Ir.If { uninitialized; condition; then_; else_ = []; predicted; span } :: rest
+        | then_, else_ -> Ir.If { uninitialized; condition; then_; else_; predicted; span } :: rest)
   in
   List.rev (List.fold_left emit_code [] block.code)
 

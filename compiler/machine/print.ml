@@ -92,9 +92,10 @@ let rec statement c indent ppf (s : Ir.statement) =
       put "%s = %a  -- %d" (variable c.names v) (expr c) value (Basis.Span.line span.start)
   | Assign { place = p; value; span } ->
       put "%s := %a  -- %d" (place c p) (expr c) value (Basis.Span.line span.start)
-  | If { uninitialized; condition; then_; else_; span } ->
+  | If { uninitialized; condition; then_; else_; predicted; span } ->
       if uninitialized <> [] then put "var %s" (variables c uninitialized);
-      put "if %a  -- %d" (expr c) condition (Basis.Span.line span.start);
+      let word = if predicted then "if predicted" else "if" in
+      put "%s %a  -- %d" word (expr c) condition (Basis.Span.line span.start);
       List.iter (statement c (indent + 2) ppf) then_;
       if else_ <> [] then (
         put "else";

@@ -16,6 +16,7 @@ type t = {
   apart : unit Int_table.t;
   taken : unit Int_table.t;  (** choices absorbed by writes *)
   branching : unit Int_table.t;  (** conditions worth an [If] *)
+  predicted : unit Int_table.t;  (** those of choices in {!Feedback} *)
   mutable writes : write list;
   mutable results : write list;
 }
@@ -48,6 +49,10 @@ let computed_of t s =
   match item_of t s with
   | Some (_, Computed c) -> Some c
   | Some (_, Action _) | None -> None
+
+let predicted t = function
+  | Flow.Signal s -> Int_table.mem t.predicted s.id
+  | Bool _ | Int _ | Float _ -> false
 
 let absorbed t (s : Flow.signal) = Int_table.mem t.taken s.id
 let keep_apart t (s : Flow.signal) = Int_table.replace t.apart s.id ()
@@ -139,8 +144,10 @@ let rec update t own depth (atom : atom) =
             if uses t s = 1 then
               let then_ = update t own (depth - 1) then_ in
               let else_ = update t own (depth - 1) else_ in
-              if keeps then_ || keeps else_ then Branch { condition; then_; else_ } else Set atom
-            else if is_cheap_to_store s then Set atom
+              if keeps then_ || keeps else_ || predicted t condition then
+                Branch { condition; then_; else_ }
+              else Set atom
+            else if is_cheap_to_store s && not (predicted t condition) then Set atom
             else if same own else_ then Branch { condition; then_ = Set atom; else_ = Keep }
             else if same own then_ then Branch { condition; then_ = Keep; else_ = Set atom }
             else Set atom
@@ -165,6 +172,16 @@ let state_write t (field, atom, own, span) =
   { place = Ir.Own field; update; span }
 
 (* Which conditions deserve an If. *)
+
+let find_predicted t =
+  Array.iter
+    (function
+      | Computed { choice = Some (Signal c, _, _); signal; _ }
+        when Feedback.mem t.fragment.feedback signal ->
+          Int_table.replace t.predicted c.id ();
+          Int_table.replace t.branching c.id ()
+      | Computed _ | Action _ -> ())
+    t.fragment.items
 
 let meet a b =
   match (a, b) with
@@ -292,6 +309,7 @@ let of_fragment (fragment : Fragment.t) =
       apart = Int_table.create 16;
       taken = Int_table.create 16;
       branching = Int_table.create 16;
+      predicted = Int_table.create 16;
       writes =
         List.rev
           (List.rev_map (fun (field, atom, _, span) -> plain (Ir.Own field, atom, span))
@@ -299,6 +317,7 @@ let of_fragment (fragment : Fragment.t) =
       results = Basis.Long_list.map plain fragment.results;
     }
   in
+  find_predicted t;
   count_all t;
   let writes = List.rev_map (state_write t) fragment.states in
   t.writes <-

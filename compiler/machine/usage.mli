@@ -37,6 +37,9 @@ val choice : t -> Fragment.computed -> (Fragment.atom * Fragment.update * Fragme
 (** Condition and branches, if the choice is to be an [If]. Choices that only
     the branches use become part of them, and need no place of their own. *)
 
+val predicted : t -> Fragment.atom -> bool
+(** Is this the condition of a choice in {!Feedback}? *)
+
 val item_of : t -> Flow.Ir.signal -> (int * Fragment.item) option
 (** Position and item that define a signal; [None] for leaves. *)
 

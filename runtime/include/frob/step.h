@@ -46,7 +46,8 @@
 #pragma GCC optimize("no-strict-aliasing")
 #endif
 
-/* What hardly ever holds: a branch, which costs nothing, where a select would have to wait. */
+/* The condition of a branch that is to stay one, for the processor to predict:
+ * a select in its place would have each step wait for the one before. */
 #ifdef __GNUC__
 #define FROB_BRANCH(condition) (__builtin_expect((condition), 0) != 0)
 #else

@@ -1,5 +1,6 @@
 A choice of what the state keeps stands next to its condition, before results that do
-not need it: with two ways to the choice C compilers would make these twice.
+not need it: with two ways to the choice C compilers would make these twice. (What
+winds up decides about itself, and so is a branch.)
 
   $ cat > winds.frob <<'END'
   > import Control
@@ -13,10 +14,13 @@ not need it: with two ways to the choice C compilers would make these twice.
   $ frobc compile winds.frob --lint
   $ sed -n '/^void winds_step/,/^}/p' winds.c | sed -n '/windsUp =/,$p' | sed "s, */\*.*,,"
       const bool windsUp = fabs(u) > 1.0 && k < e * u;
-      const double counted = windsUp ? 0.0 : e;
+      if (FROB_BRANCH(windsUp)) {
+          self->counted_integral_input = 0.0;
+      } else {
+          self->counted_integral_input = e;
+      }
       out->f1 = frob_at_least(frob_at_most(u, 1.0), -1.0);
       out->f2 = windsUp;
-      self->counted_integral_input = counted;
   }
 
 Not before what still reads the field: the greatest one so far, as it was.

@@ -102,6 +102,25 @@ let branches =
   program b "branches" ~input:(tuple [ leaf Float; leaf Float ])
     ~output:(tuple [ leaf Float; leaf Float; leaf Float; leaf Float ])
 
+(* A choice that decides about itself from step to step is a branch to be
+   predicted, a choice by the input is not. *)
+let feedback =
+  let b = create () in
+  let _ =
+    node b "feedback" (fun n ->
+        let x = input n "x" in
+        let before = declare ~line:2 n "before" in
+        let full = let_ ~ty:Bool ~line:3 n "full" (Op (Less_equal, [ float 1.; Signal before ])) in
+        let more = op n Add [ Signal before; x ] in
+        let sum = let_ ~line:4 n "sum" (If { condition = full; then_ = float 0.; else_ = more }) in
+        define n before (Delay { init = float 0.; next = sum });
+        let low = op ~ty:Bool n Less [ x; float 0. ] in
+        let positive = let_ ~line:5 n "" (If { condition = low; then_ = float 0.; else_ = x }) in
+        let last = let_ ~line:5 n "last" (Delay { init = float 0.; next = positive }) in
+        [ ("1", Signal before); ("2", last) ])
+  in
+  program b "feedback" ~input:(leaf Float) ~output:(tuple [ leaf Float; leaf Float ])
+
 (* Delays that read each other's old values. *)
 let exchange =
   let b = create () in
@@ -315,6 +334,7 @@ let all =
     ("wall_follow", wall_follow);
     ("hold", hold);
     ("branches", branches);
+    ("feedback", feedback);
     ("exchange", exchange);
     ("drive", instances);
     ("names", names);
