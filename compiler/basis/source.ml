@@ -40,12 +40,27 @@ let quote t (span : Span.t) =
     else None
   | _ -> None
 
-let grouped text =
-  let joins c = String.contains "() +-*/<>=&|$." c in
-  let open_bracket = String.index_opt text '[' in
-  let outside = match open_bracket with
-    | Some i when String.ends_with ~suffix:"]" text && i > 0 -> String.sub text 0 i
-    | _ -> text
+(* Does the bracket at the start close at the end? *)
+let in_brackets text =
+  let last = String.length text - 1 in
+  let rec closes depth i =
+    match text.[i] with
+    | '(' | '[' | '{' -> closes (depth + 1) (i + 1)
+    | ')' | ']' | '}' -> if depth = 1 then i = last else closes (depth - 1) (i + 1)
+    | _ -> i < last && closes depth (i + 1)
   in
-  let is_number = text <> "" && String.for_all (fun c -> ('0' <= c && c <= '9') || c = '.') outside in
-  if text = "()" || is_number || not (String.exists joins text) then text else "(" ^ text ^ ")"
+  last > 0 && (text.[0] = '(' || text.[0] = '[') && closes 0 0
+
+let is_digit c = '0' <= c && c <= '9'
+
+(* With its unit, which may have operators in it. *)
+let is_number text =
+  let n = match String.index_opt text '[' with Some i -> i | None -> String.length text in
+  n > 0
+  && String.for_all (fun c -> is_digit c || c = '.') (String.sub text 0 n)
+  && (n = String.length text || text.[String.length text - 1] = ']')
+
+let grouped text =
+  let joins c = String.contains " +-*/<>=&|$." c in
+  if is_number text || in_brackets text || not (String.exists joins text) then text
+  else "(" ^ text ^ ")"

@@ -43,5 +43,5 @@ let diagnostic ~vertex ~use cycle =
           "a task may start itself again only as the last statement of a `do`, after something \
            that takes time"
         else
-          "functions may not be recursive; a signal function may start itself again only in the \
-           continuation of a switch")
+          "functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal \
+           function may start itself again only in the continuation of a switch")

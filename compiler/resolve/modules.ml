@@ -64,9 +64,17 @@ let report_missing loader ~directory (target : Syntax.Ir.name) =
     |> Diagnostic.note
          (Printf.sprintf "looked for `%s` beside this file and in the library" (file_of target.text))
   in
-  (match Suggest.closest target.text known with
-  | Some near -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
-  | None -> diagnostic)
+  let is_module name = name <> "" && 'A' <= name.[0] && name.[0] <= 'Z' in
+  let modules, others = List.partition is_module known in
+  let same name = String.equal (String.capitalize_ascii name) target.text in
+  (match (List.find_opt same others, Suggest.closest target.text modules) with
+  | Some file, _ ->
+      Diagnostic.hint
+        (Printf.sprintf "a module's file begins with a capital too: call `%s` `%s`" (file_of file)
+           (file_of target.text))
+        diagnostic
+  | None, Some near -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
+  | None, None -> diagnostic)
   |> Diagnostic.emit loader.sink
 
 let report_unreadable loader ~at shown reason =

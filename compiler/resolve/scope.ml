@@ -136,7 +136,7 @@ let c_type_before t (name : Syntax.Ir.name) =
 let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
   let diagnostic =
     Diagnostic.error ~code:space.unknown ~at:name.span "unknown %s `%s`" space.noun name.text
-    |> other_meaning t space name
+    |> if c_type_before t name = None then other_meaning t space name else Fun.id
   in
   let is_it (signal : Proc_signals.t) = String.equal signal.name.text name.text in
   let elsewhere_in_module =

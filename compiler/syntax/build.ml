@@ -325,7 +325,8 @@ let second_clause (first : Ir.declaration) (second : Ir.declaration) =
       Some
         (Diagnostic.error ~code:"E0115" ~at:b.span "`%s` is defined by several clauses" b.text
         |> Diagnostic.label ~at:a.span "the first"
-        |> Diagnostic.hint "write one clause, with a `case` on the parameter")
+        |> Diagnostic.hint
+             (Printf.sprintf "write one clause, with a branch for each: `%s x = case x of …`" b.text))
   | _ -> None
 
 let declarations list =

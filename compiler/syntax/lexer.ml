@@ -285,15 +285,23 @@ let string t =
 
 (* {1 Symbols} *)
 
-(* The character just read; what Python writes before it. *)
+(* [f x y] of `def f(x, y)`. *)
+let of_def words =
+  let text = String.concat " " (List.tl words) in
+  let blank = function '(' | ')' | ',' | ':' -> ' ' | c -> c in
+  let names = List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank text)) in
+  let is_name w = String.for_all (fun c -> is_name c) w in
+  if names <> [] && List.for_all is_name names then String.concat " " names else "f x"
+
 let of_block = "a block is made by indentation alone; a choice is written `if c then a else b`"
 
+(* The character just read; what Python writes before it. *)
 let colon t =
   let start = match String.rindex_from_opt t.text (max 0 (t.at - 1)) '\n' with Some i -> i + 1 | None -> 0 in
   let words = String.split_on_char ' ' (String.trim (String.sub t.text start (t.at - start))) in
   let ends_line = t.at >= String.length t.text || t.text.[t.at] = '\n' in
   match words with
-  | "def" :: _ -> "a function is defined by an equation: `f x = …`"
+  | "def" :: _ -> Printf.sprintf "a function is defined by an equation: `%s = …`" (of_def words)
   | _ when List.exists (fun word -> word = "lambda" || word = "(lambda") words ->
       "a function without a name is written `\\x -> …`"
   | ("for" | "while") :: _ ->

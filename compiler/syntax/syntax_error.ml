@@ -60,6 +60,11 @@ let called_for_its_effect = "expected `=` after the left side of a definition"
 let no_effect =
   "nothing is called for its effect: an equation gives a value a name, as in `v = 0.3[m/s]`"
 
+let lacks_else found =
+  match (found.token.token, found.context) with
+  | (END | SEMICOLON | CLOSE | RPAREN), (Layout.Then, _) :: _ -> true
+  | _ -> false
+
 let plain found =
   let expected, state_hints = message_of_state found.state in
   let d =
@@ -68,6 +73,8 @@ let plain found =
   let hints =
     match hint found ~state_hints with
     | [] when String.equal expected called_for_its_effect -> [ no_effect ]
+    | hints when lacks_else found && innermost_block found.context <> Do ->
+        List.map (fun _ -> "every `if` has both `then` and `else`, since it always has a value") hints
     | hints -> hints
   in
   List.fold_left (fun d hint -> Diagnostic.hint hint d) d hints
@@ -152,7 +159,7 @@ let choice_of_commands found =
           Diagnostic.error ~code:"E0116" ~at:(span found.token)
             "`if` and `case` cannot choose between commands"
           |> Diagnostic.label ~at:(opener_span by) "the choice"
-          |> Diagnostic.hint "choose the value instead, as in `y <- sf -< if c then a else b`")
+          |> Diagnostic.hint "choose the value, as in `y <- sf -< if c then a else b`, or run both and choose between what they give")
         (choice found.context)
   | _ -> None
 
@@ -213,7 +220,7 @@ let missing found =
              "a unit directly follows its type, as in `Float[m]`; the type of an array is `Array 4 Float`")
   | _ -> None
 
-let said_once = [ own_operator; no_procedures; no_effect ]
+let said_once = [ own_operator; no_procedures; by_equation; no_effect ]
 
 let report sink ~text ~state ~before token =
   let found = { text; state; before; token; context = Layout.context token } in

@@ -187,12 +187,15 @@ let lacks_where found =
   | ("class" | "instance") :: words -> not (List.mem "where" words)
   | _ -> false
 
+let by_equation =
+  "a function is defined by an equation, `f x = …`, and a block ends where the indentation does"
+
 let no_procedures =
   "there are no procedures: a robot's program is equations that hold at every instant, \
    `main = reactimateRobot (proc i -> roMake (setVelTR v omega))`"
 
 let beginning_of_line = function
-  | ("end" | "endif" | "endfunction") :: _ -> Some "a block ends where the indentation does"
+  | ("end" | "endif" | "endfunction") :: _ -> Some by_equation
   | ("for" | "foreach") :: _ ->
       Some
         "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, \
@@ -206,13 +209,29 @@ let beginning found =
   let words line = String.split_on_char ' ' (String.trim line) in
   match (words (first_line_of_definition found), words (line_of found)) with
   | "void" :: _, _ -> Some no_procedures
-  | "function" :: _, _ -> Some "a function is defined by an equation: `f x = …`"
+  | "function" :: _, _ -> Some by_equation
   | _, words -> beginning_of_line words
+
+(* [MyRobot] of `my-robot`, which begins with the token. *)
+let module_name found =
+  let is_part c =
+    match c with 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '-' -> true | _ -> false
+  in
+  let rec stop i = if is_part (char_at found i) then stop (i + 1) else i in
+  let start = found.token.start.pos_cnum in
+  String.split_on_char '-' (String.sub found.text start (stop start - start))
+  |> List.map String.capitalize_ascii |> String.concat ""
+
+let capital found =
+  let name = module_name found in
+  Some
+    (Printf.sprintf "a module begins with a capital, and its file too: `%s`, in `%s.frob`" name name)
 
 let of_token found =
   match (found.token.token, found.before) with
   | _ when beginning found <> None -> beginning found
   | _, Some before when foreign_operator found before <> None -> foreign_operator found before
+  | LOWER _, Some { token = MODULE | IMPORT | QUALIFIED; _ } -> capital found
   | QUALIFIED_UPPER _, Some { token = IMPORT | QUALIFIED; _ } ->
       Some "the name of a module has no points: its file stands beside this one, or in the library"
   | IMPORT, Some _ when first_word found = "from" ->

@@ -13,6 +13,7 @@ type found = {
 
 val own_operator : string
 val no_procedures : string
+val by_equation : string
 (** Hints for who writes operators or procedures of his own. *)
 
 val innermost_block : Layout.context -> Layout.block

@@ -178,6 +178,11 @@ let those_with ctx class_ =
   let name : Head.t -> string option = function Data g -> Some ("`" ^ g.name ^ "`") | _ -> None in
   List.filter_map name (Environment.heads ctx.reader.environment class_)
 
+let for_any_robot =
+  Diagnostic.hint
+    "a `main` whose signature asks for this class in place of a robot's type is for each robot \
+     that has it"
+
 let is_pair t = match Type.expand t with Tuple [ _; _ ] -> true | _ -> false
 
 let about_foreign ctx t diagnostic =
@@ -199,7 +204,7 @@ let report_lacking ctx required lack =
       let diagnostic =
         match lack.lacking with
         | Declared _ when Environment.is_task lack.culprit ->
-            Diagnostic.error ~code:"E0371" ~at "a task stands where a robot's input or output is needed"
+            Diagnostic.error ~code:"E0371" ~at "%s makes no task, but %s is needed here" by culprit
         | Declared _ ->
             Diagnostic.error ~code:"E0360" ~at "there is no instance `%s`"
               (Show.constraint_ words lack.lacking lack.culprit)
@@ -210,8 +215,11 @@ let report_lacking ctx required lack =
       in
       let diagnostic =
         diagnostic
-        |> Diagnostic.here (Printf.sprintf "%s needs it" by)
-        |> through_instances words lack |> explain words required
+        |>
+        if Environment.is_task lack.culprit then Fun.id
+        else fun d ->
+          Diagnostic.here (Printf.sprintf "%s needs it" by) d
+          |> through_instances words lack |> explain words required
       in
       match lack.lacking with
       | Declared { name = "RobotOutput"; _ } when is_pair lack.culprit ->
@@ -219,9 +227,7 @@ let report_lacking ctx required lack =
             "tasks side by side put out both their outputs, of which `mapOutput` makes one; `timeOut` and `abortWhen` end a task and have its output only"
             diagnostic
       | Declared _ when Environment.is_task lack.culprit ->
-          Diagnostic.note
-            (Printf.sprintf "the type is %s, a task's, for what stands beside it" culprit)
-            diagnostic
+          diagnostic
           |> Diagnostic.hint
                "a task takes time, and no equation runs it: `reactimateTask` does, and in a `do` \
                 one follows another"
@@ -240,6 +246,7 @@ let report_lacking ctx required lack =
               Diagnostic.note
                 (Printf.sprintf "what has `%s`: %s" class_.name (String.concat ", " types))
                 diagnostic
+              |> if String.equal class_.module_ "Capability" then for_any_robot else Fun.id
           | _ -> diagnostic))
 
 let undecided ctx (required : required) class_ =

@@ -86,7 +86,8 @@ let refusal program ~closed (d : Ir.definition) =
   | Function { result = Signal_function _ | Program _; _ } ->
       refuse
         (Printf.sprintf "it still needs an argument, its type is `%s`" ty)
-        (Printf.sprintf "define another with the argument, as in `main = %s …`" name)
+        (if String.equal name "main" then "give it another name, `run` say, and write `main = run …`"
+        else Printf.sprintf "define another with the argument, as in `main = %s …`" name)
   | Task ->
       refuse
         (Printf.sprintf "it is a task, `%s`, not a signal function" ty)

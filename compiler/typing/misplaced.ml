@@ -91,7 +91,8 @@ let report sink sources position obstacle (e : expr) ~head ~input =
         |> Diagnostic.hint
              "every equation holds at every instant: nothing is called again to go on"
         |> Diagnostic.hint
-             "to do something else from an event on, and then perhaps this again, `switch`")
+             "to go on otherwise after an event, and perhaps then as this again: `switch (proc x \
+              -> (output, event)) (\\_ -> …)`")
     | Depends_on_start | Lifted ->
       emit
         (Diagnostic.here "what it gives depends on when it started" d

@@ -108,8 +108,9 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
         diagnostic
   | Data { tycon; _ }, _ when tycon = Environment.array ->
       hint
-        (Printf.sprintf "an element is `%s ! 0`, counted from 0"
-           (Option.value (Plain_name.of_expr head) ~default:"xs"))
+        (Printf.sprintf "an element is `%s ! %s`, counted from 0"
+           (Option.value (Plain_name.of_expr head) ~default:"xs")
+           (Option.value (Show.quote words at) ~default:"0"))
         diagnostic
   | _ when Environment.is_task left ->
       hint "a task is run by `runTask`: `runTask t` is a signal function" diagnostic

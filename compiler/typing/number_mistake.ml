@@ -100,7 +100,7 @@ let conversion words ~subject (wanted, given) diagnostic =
 let without_brackets words (wanted, given) diagnostic =
   let write u =
     hint
-      (Printf.sprintf "a `Float` without brackets has no unit; `Float[%s]` has this one"
+      (Printf.sprintf "without brackets `Float` and `Double` have no unit; `Float[%s]` has this one"
          (Show.measure words u))
       diagnostic
   in

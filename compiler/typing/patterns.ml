@@ -30,6 +30,12 @@ let taken_for_a_constructor w (branches : branch list) =
       | _ -> None)
     branches
 
+(* Numbers are never all named: one in an example stands for more of them. *)
+let has_number text =
+  let is_digit c = '0' <= c && c <= '9' in
+  String.split_on_char ' ' (String.map (function '(' | '[' | ',' | '-' -> ' ' | c -> c) text)
+  |> List.exists (fun word -> word <> "" && is_digit word.[0])
+
 let case w (scrutinee : expr) branches =
   let row (b : branch) : Coverage.row = { pattern = b.pattern; guarded = falls b.value } in
   let result = Coverage.check w.coverage (Long_list.map row branches) in
@@ -42,9 +48,15 @@ let case w (scrutinee : expr) branches =
         |> here (Printf.sprintf "no branch for %s" (listed missing)))
     in
     let d =
-      match result.guarded_only with
-      | None -> d
-      | Some index ->
+      match (result.guarded_only, missing) with
+      | None, { named = [ one ]; more = 0 } when not (has_number one) ->
+        Diagnostic.hint (Printf.sprintf "add a branch `%s -> …`" one) d
+      | None, { named = one :: _; _ } ->
+        Diagnostic.hint
+          (Printf.sprintf "add branches such as `%s -> …`, or `_ -> …` for all that is left" one)
+          d
+      | None, { named = []; _ } -> d
+      | Some index, _ ->
         let b : branch = List.nth branches index in
         d
         |> Diagnostic.label ~at:b.pattern.span "the guards of this branch may all fail"
@@ -81,7 +93,10 @@ let always_matches w what (p : pattern) =
       Diagnostic.(
         error ~code:"E0351" ~at:p.span "the pattern of %s must match every value" what
         |> here (Printf.sprintf "does not match %s" (listed missing))
-        |> hint "use `case`"
+        |> hint
+             (match missing.named with
+             | one :: _ -> Printf.sprintf "a `case` has branches for all: one for `%s` too" one
+             | [] -> "a `case` has branches for all values")
         |> emit w.sink))
 
 let rec expr w (e : expr) =

@@ -82,6 +82,11 @@ let operand_before (expected : Expected.t) =
 let of_a_sequence (expected : Expected.t) =
   match expected.because with Statement _ | Last_statement _ -> true | _ -> false
 
+let is_maybe t =
+  match Type.expand t with
+  | Data { tycon; _ } -> tycon = Environment.built_in "Maybe"
+  | _ -> false
+
 let is_number t = match Type.expand t with Number _ -> true | _ -> false
 
 (* As in `f(x, y)`. *)
@@ -145,7 +150,7 @@ let one_too_many words ~subject ~wanted d =
       match (Plain_name.of_head e, Show.quote words head.span) with
       | Some name, Some text ->
           hint
-            (Printf.sprintf "without its last argument, as `%s`, `%s` leaves a function" text name)
+            (Printf.sprintf "`%s` has an argument too many here: `%s` is a function" name text)
             d
       | _ -> d)
   | _ -> d
@@ -221,6 +226,11 @@ let hint_to_group name operator =
 
 let shapes words ~subject ~at ~(expected : Expected.t) ~found =
   let text t = Show.described words t in
+  let written otherwise =
+    Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span)
+    |> Option.fold ~none:otherwise ~some:Source.grouped
+  in
+  let is_event = hint (Printf.sprintf "`isEvent %s` tells whether it occurs now" (written "e")) in
   match (Type.expand expected.ty, Type.expand found, operand_before expected) with
   | wanted, Signal_function _, _ when Environment.is_task wanted ->
       Task_mistake.task_and_signal_function words ~subject ~at ~expected ~found
@@ -256,7 +266,12 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
            | None -> "`proc x -> edge (f x)` occurs when `f x` becomes True")
   | Signal_function _, Function _, _ ->
       error ~code:"E0304" ~at "expected a signal function, found a function: %s" (text found)
-      |> hint "`arr` makes a signal function of a function"
+      |> hint
+           (match Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) with
+           | Some text ->
+               Printf.sprintf "`arr` makes a signal function of a function: `arr %s`"
+                 (Source.grouped text)
+           | None -> "`arr` makes a signal function of a function")
   | Function _, Signal_function _, _ -> (
       let diagnostic =
         error ~code:"E0304" ~at "expected a function, found a signal function: %s" (text found)
@@ -353,7 +368,18 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> one_too_many words ~subject ~wanted
   | (Number _ | Bool | String | Data _), Tuple (_ :: _ as elements), _ when separated_by_commas expected ->
       let name = match expected.because with Parameter { callee = Some f; _ } -> f | _ -> "f" in
-      let arguments = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) elements in
+      let written =
+        match subject with
+        | Some { desc = Tuple es; _ } ->
+            List.map (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) es
+        | _ -> []
+      in
+      let argument i _ =
+        match List.nth_opt written i with
+        | Some (Some text) -> Source.grouped text
+        | _ -> Variable_name.nth Variable_name.Type i
+      in
+      let arguments = List.mapi argument elements in
       error ~code:"E0301" ~at "expected %s, found a tuple of %d" (text expected.ty)
         (List.length elements)
       |> hint
@@ -369,7 +395,13 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       | Some diagnostic, _ -> diagnostic
       | None, Condition ->
           error ~code:"E0301" ~at "a condition must be `Bool`, but this is %s" (text found)
-          |> if Environment.is_event found then hint "`isEvent e` tells whether it occurs now" else Fun.id
+          |> if Environment.is_event found then is_event else Fun.id
+      | None, (Parameter _ | Operand _ | Output _ | Field _ | Signature _)
+        when is_maybe found && not (is_maybe expected.ty) ->
+          error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+          |> hint
+               (Printf.sprintf
+                  "`fromMaybe x0 %s` is what is in it, and `x0` where there is nothing" (written "m"))
       | None, _ when is_number expected.ty && Environment.is_event found ->
           error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
           |> hint "an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`"
@@ -378,7 +410,11 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
           |> hint (Option.get (of_events expected))
       | None, _ when Environment.is_event expected.ty && Type.expand found = Bool ->
           error ~code:"E0301" ~at "expected %s, found `Bool`" (text expected.ty)
-          |> hint "`edge b` occurs when `b` becomes True, `when b` wherever it is, each with `()`; `tag` gives it another value"
+          |> hint
+               (Printf.sprintf
+                  "`edge %s` occurs when it becomes True, `when %s` wherever it is, each with \
+                   `()`; `tag` gives it another value"
+                  (written "b") (written "b"))
       | None, Parameter { before = Some operator; callee = Some name; _ }
         when Type.expand expected.ty = Bool ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)

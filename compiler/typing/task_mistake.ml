@@ -18,6 +18,10 @@ let task_and_signal_function words ~subject ~at ~(expected : Expected.t) ~found 
   | Signal_function (_, output) ->
       error ~code:"E0371" ~at "a signal function stands where a task is needed"
       |> here (Printf.sprintf "this is %s" (Show.described words found))
+      |> (match expected.because with
+         | Parameter { callee = Some "reactimateTask"; _ } ->
+             hint "`reactimateRobot` makes a program of a signal function"
+         | _ -> Fun.id)
       |> to_task subject output
   | _ ->
       let name = match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "t" in

@@ -70,6 +70,8 @@ A `case` on arrays covers all values, and a pattern elsewhere matches every one:
     |
   2 | g xs = case xs of
     |             ^^ no branch for `[False, False]`
+    |
+    = hint: add a branch `[False, False] -> …`
   
   error[E0351]: the pattern of a function must match every value
    --> uncovered.frob:6:3
@@ -77,7 +79,7 @@ A `case` on arrays covers all values, and a pattern elsewhere matches every one:
   6 | l [1, x] = x
     |   ^^^^^^ does not match `[0, _]`
     |
-    = hint: use `case`
+    = hint: a `case` has branches for all: one for `[0, _]` too
   
   2 errors
   [1]

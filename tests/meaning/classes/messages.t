@@ -466,6 +466,8 @@ Methods that are signal functions run where any may.
      |
   12 |     far m = case m of
      |                  ^ no branch for `Just _`
+     |
+     = hint: add a branch `Just _ -> …`
   
   3 errors
   [1]

@@ -24,7 +24,7 @@ Two defaults, each by the other, are a circle in an instance that gives none.
   4 |     more x y = less y x
     |                ---- `more` uses `less` here
     |
-    = note: functions may not be recursive; a signal function may start itself again only in the continuation of a switch
+    = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
     = note: for the type `T`, whose instance of `Ordered` leaves it to the default
     = hint: define one of the methods in the instance
   
@@ -57,7 +57,7 @@ A circle through an instance shows its way, as one of functions does.
     |     |                 `level@T` uses `above` here
     |     `level@T → above → level@T`
     |
-    = note: functions may not be recursive; a signal function may start itself again only in the continuation of a switch
+    = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
   
   1 error
   [1]

@@ -191,7 +191,7 @@ The rules of tail position are those of the top level.
   5 |     release n = up n
     |                 -- `release` uses `up` here
     |
-    = note: functions may not be recursive; a signal function may start itself again only in the continuation of a switch
+    = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
     = hint: a value that depends on its own past is an equation of a `proc`, with `delay`
   
   1 error
@@ -208,7 +208,7 @@ The rules of tail position are those of the top level.
   3 |     f n = if n > 0 then f (n - 1) else 0
     |     ^                   - `f` uses `f` here
     |
-    = note: functions may not be recursive; a signal function may start itself again only in the continuation of a switch
+    = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
     = hint: a value that depends on its own past is an equation of a `proc`, with `delay`
   
   1 error

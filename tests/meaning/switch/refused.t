@@ -76,7 +76,7 @@ A signal function that calls itself other than in a continuation.
     |                |
     |                `main` uses `main` here
     |
-    = note: functions may not be recursive; a signal function may start itself again only in the continuation of a switch
+    = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
     = hint: a value that depends on its own past is an equation of a `proc`, with `delay`
   
   1 error

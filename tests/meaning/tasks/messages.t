@@ -175,7 +175,7 @@ hold an instance.
   3 |     Just x <- return Nothing
     |     ^^^^^^ does not match `Nothing`
     |
-    = hint: use `case`
+    = hint: a `case` has branches for all: one for `Nothing` too
   
   error[E0344]: `t` is a task and must be static, but `x` is a signal
    --> patterns.frob:8:21

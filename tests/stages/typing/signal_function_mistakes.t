@@ -69,7 +69,7 @@ A function is not a signal function.
   2 | wave = sin
     |        ^^^
     |
-    = hint: `arr` makes a signal function of a function
+    = hint: `arr` makes a signal function of a function: `arr sin`
   
   error[E0304]: expected a signal function, found a function: `Angle -> Float`
    --> functions.frob:4:22
@@ -79,7 +79,7 @@ A function is not a signal function.
     |         |
     |         this is `SF a a`
     |
-    = hint: `arr` makes a signal function of a function
+    = hint: `arr` makes a signal function of a function: `arr cos`
   
   error[E0304]: `-<` needs a signal function, but this is `Angle -> Float`
    --> functions.frob:7:8

@@ -76,7 +76,7 @@ Arguments:
     |                                   |
     |                                   argument 1 of `roMake` is `a -> a`
     |
-    = hint: without its last argument, as `setVelTR 0.3[m/s] 0`, `setVelTR` leaves a function
+    = hint: `setVelTR` has an argument too many here: `setVelTR 0.3[m/s] 0` is a function
   
   1 error
   [1]
@@ -147,7 +147,7 @@ Elements and fields:
   2 | main = proc ds -> ds(1) + ds(2)
     |                   ^^ - it is given an argument here
     |
-    = hint: an element is `ds ! 0`, counted from 0
+    = hint: an element is `ds ! 1`, counted from 0
   
   error[E0302]: `ds` is `Array 3 Distance`, not a function
    --> index_in_parentheses.frob:2:27
@@ -155,7 +155,7 @@ Elements and fields:
   2 | main = proc ds -> ds(1) + ds(2)
     |                           ^^ - it is given an argument here
     |
-    = hint: an element is `ds ! 0`, counted from 0
+    = hint: an element is `ds ! 2`, counted from 0
   
   2 errors
   [1]

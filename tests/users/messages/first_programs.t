@@ -86,12 +86,16 @@ Blocks in braces, and a lambda, a field or a unit as elsewhere:
     |
   2 | near = \case Just d -> d
     |        ^^^^^ no branch for `Nothing`
+    |
+    = hint: add a branch `Nothing -> …`
   
   error[E0350]: this `case` does not cover every value
    --> cases.frob:3:7
     |
   3 | far = \case
     |       ^^^^^ no branch for `_`
+    |
+    = hint: add a branch `_ -> …`
   
   2 errors
   [1]

@@ -57,7 +57,7 @@ An event where a truth or a number is needed.
   4 | stops = proc i -> if edge (bumped i) then 0 else 1
     |                      ^^^^^^^^^^^^^^^
     |
-    = hint: `isEvent e` tells whether it occurs now
+    = hint: `isEvent (edge (bumped i))` tells whether it occurs now
   
   error[E0301]: expected a number, found `Event Float`
    --> events.frob:7:18

@@ -167,7 +167,7 @@ Braces are refused once, not once for each.
     |       |
     |       argument 1 of `limit` is a number
     |
-    = hint: several arguments stand side by side: `limit a b`
+    = hint: several arguments stand side by side: `limit 1 x`
   
   1 error
   [1]

@@ -68,7 +68,6 @@ C and Arduino:
   3 |     int m = n + 1
     |     --- this defines a function `int` of `m`
     |
-    = note: `m` is a unit: it stands in brackets directly after a number, as in `3[m]`
     = hint: no type stands before a name: `m = …`, and if wanted `m :: Int` on a line of its own
   
   1 error
@@ -166,17 +165,9 @@ MATLAB:
   2 |     y = 2 * x;
     |       ^
     |
-    = hint: a function is defined by an equation: `f x = …`
+    = hint: a function is defined by an equation, `f x = …`, and a block ends where the indentation does
   
-  error[E0110]: expected `=`, `::`, or a parameter after this name, found the end of the definition
-   --> matlab_function.frob:3:4
-    |
-  3 | end
-    |    ^
-    |
-    = hint: a block ends where the indentation does
-  
-  2 errors
+  1 error
   [1]
   $ cat > element_powers.frob <<'FROB'
   > main :: SF (Array 3 Float) (Array 3 Float)

@@ -11,7 +11,7 @@ What Python writes, in Frob's words.
   1 | def twice(x):
     |             ^
     |
-    = hint: a function is defined by an equation: `f x = …`
+    = hint: a function is defined by an equation: `twice x = …`
   
   1 error
   [1]

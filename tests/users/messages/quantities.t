@@ -140,7 +140,7 @@ What makes one quantity of another:
     |        ^^^^^^^^ this is `SF Double Double`
     |
     = note: expected `SF Velocity Velocity`, found `SF Double Double`
-    = hint: a `Float` without brackets has no unit; `Float[m/s]` has this one
+    = hint: without brackets `Float` and `Double` have no unit; `Float[m/s]` has this one
   
   1 error
   [1]

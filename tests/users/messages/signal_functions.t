@@ -133,7 +133,7 @@ A truth where an event is needed.
     |                  |    because this is `Float[u]`
     |                  argument 2 of `hold` is `Event Float[u]`
     |
-    = hint: `edge b` occurs when `b` becomes True, `when b` wherever it is, each with `()`; `tag` gives it another value
+    = hint: `edge b` occurs when it becomes True, `when b` wherever it is, each with `()`; `tag` gives it another value
   
   1 error
   [1]

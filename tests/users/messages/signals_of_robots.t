@@ -98,7 +98,7 @@ A sense lacks its input, is read like a field, or in a task:
     |                                                   ^^^^^^^
     |
     = hint: every equation holds at every instant: nothing is called again to go on
-    = hint: to do something else from an event on, and then perhaps this again, `switch`
+    = hint: to go on otherwise after an event, and perhaps then as this again: `switch (proc x -> (output, event)) (\_ -> …)`
   
   1 error
   [1]
@@ -129,19 +129,13 @@ What comes out is not an output, or takes time:
   >     if bumped i then driveTo (Vec2 { x = 0, y = 0 }) else roMake (setVelTR 0.2[m/s] 0))
   > FROB
   $ frobc check task_started_in_proc.frob
-  error[E0371]: a task stands where a robot's input or output is needed
-     --> task_started_in_proc.frob:5:59
-      |
-    5 |     if bumped i then driveTo (Vec2 { x = 0, y = 0 }) else roMake (setVelTR 0.2[m/s] 0))
-      |                                                           ^^^^^^ `roMake` needs it
-      |
-     ::: stdlib/Capability.frob:141:11
-      |
-  141 | roMake :: RobotOutput o => (o -> o) -> o
-      |           ------------------------------ `roMake` asks for `RobotOutput o` here
-      |
-      = note: the type is `Task b c Bool`, a task's, for what stands beside it
-      = hint: a task takes time, and no equation runs it: `reactimateTask` does, and in a `do` one follows another
+  error[E0371]: `roMake` makes no task, but `Task b c Bool` is needed here
+   --> task_started_in_proc.frob:5:59
+    |
+  5 |     if bumped i then driveTo (Vec2 { x = 0, y = 0 }) else roMake (setVelTR 0.2[m/s] 0))
+    |                                                           ^^^^^^
+    |
+    = hint: a task takes time, and no equation runs it: `reactimateTask` does, and in a `do` one follows another
   
   1 error
   [1]
@@ -217,6 +211,7 @@ A robot has no such thing, or its module is not imported:
       |                 --------------- `setLight` asks for `HasLight o` here
       |
       = note: what has `HasLight`: `CreateOutput`
+      = hint: a `main` whose signature asks for this class in place of a robot's type is for each robot that has it
   
   1 error
   [1]

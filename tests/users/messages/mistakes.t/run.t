@@ -1,0 +1,1145 @@
+A hundred mistakes, and what is said of each; INDEX.md tells what its author meant.
+
+  $ for program in [01]*.frob; do echo "# $program"; frobc check "$program"; done 2>&1
+  # 001_sonar_without_input.frob
+  error[E0303]: a signal function stands where the value of its signal is needed
+   --> 001_sonar_without_input.frob:4:12
+    |
+  4 |     v = if frontSonar < 0.5[m] then 0 else 0.3[m/s])
+    |            ^^^^^^^^^^   ------ this is `Float[m]`
+    |            |
+    |            this is `SF a Distance`
+    |
+    = hint: run it on `i`: `frontSonar i`
+  
+  1 error
+  # 002_sonar_as_field.frob
+  error[E0310]: no type in scope has a field `frontSonar`
+   --> 002_sonar_as_field.frob:4:23
+    |
+  4 |     v = 0.5[1/s] * (i.frontSonar - 0.3[m]))
+    |                       ^^^^^^^^^^
+    |
+    = hint: `frontSonar` is a signal function: write `frontSonar i`
+  
+  1 error
+  # 003_no_import_robot.frob
+  error[E0205]: unknown name `reactimateRobot`
+   --> 003_no_import_robot.frob:1:8
+    |
+  1 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+    |        ^^^^^^^^^^^^^^^
+    |
+    = hint: `reactimateRobot`, `roMake`, `setVelTR` and `frontSonar` are in the library: `import Robot`
+  
+  1 error
+  # 004_if_without_then.frob
+  error[E0110]: expected `then` after the condition, found `else`
+   --> 004_if_without_then.frob:4:45
+    |
+  4 |     v = if (frontSonar i > 0.5[m]) 0.3[m/s] else 0)
+    |                                             ^^^^
+    |
+    = hint: `then` stands between the condition and the first choice: `if c then a else b`
+  
+  1 error
+  # 005_sonar_in_a_task.frob
+  error[E0341]: `frontSonar` is run outside of a `proc`
+   --> 005_sonar_in_a_task.frob:8:8
+    |
+  8 |     if frontSonar i < 0.5[m]
+    |        ^^^^^^^^^^^^ the statements of a task run no signal functions
+    |
+    = hint: a task in which it runs at every instant is `mkTask (proc i -> (output, event))`
+  
+  1 error
+  # 006_hysteresis_one_argument.frob
+  error[E0303]: a signal function stands where the value of its signal is needed
+   --> 006_hysteresis_one_argument.frob:4:18
+    |
+  3 | main :: SF Float Bool
+    |         ------------- the signature of `main` asks for the output `Bool`
+  4 | main = proc x -> hysteresis 1 x
+    |                  ^^^^^^^^^^^^^^ this is `SF Float Bool`
+    |
+    = note: expected `Bool`
+    = hint: `hysteresis` takes two arguments before its signal: `hysteresis 1 … x`, where the signal is `x`
+  
+  1 error
+  # 007_local_at_two_types.frob
+  error[E0320]: expected no unit, found `m/s`
+   --> 007_local_at_two_types.frob:2:39
+    |
+  2 | main = proc (x, v) -> (twice x, twice v) where
+    |                        -----    ----- ^ this is `Velocity` (m/s)
+    |                        |        |
+    |                        |        argument 1 of `twice` is `Float`
+    |                        because of this use of `twice`
+    |
+    = hint: a local function without a signature has one type: give `twice` a signature with a variable, of the form `twice :: Float[u] -> …`
+  
+  1 error
+  # 008_turn_without_unit.frob
+  error[E0320]: expected the unit `1/s`, found none
+   --> 008_turn_without_unit.frob:3:61
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 30))
+    |                                           --------          ^^ this is `Float`
+    |                                           |
+    |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
+    |
+    = hint: write `30[deg/s]` for degrees in a second, `30[rad/s]` for radians
+  
+  1 error
+  # 009_pid_of_three_numbers.frob
+  error[E0301]: expected `Pid[u, v]`, found a number
+   --> 009_pid_of_three_numbers.frob:5:13
+    |
+  5 |     v = pid 1 0.1 0.01 (frontSonar i - 0.5[m]))
+    |         --- ^
+    |         |
+    |         argument 1 of `pid` is `Pid[u, v]`
+    |
+    = hint: it is a record: `Pid { kp = …, ki = …, kd = …, largest = … }`
+  
+  1 error
+  # 010_pid_gains_without_units.frob
+  error[E0320]: expected the unit `1/s`, found none
+   --> 010_pid_gains_without_units.frob:6:34
+    |
+  6 |     gains = Pid { kp = 0.8, ki = 0.1, kd = 0.05, largest = 0.3[m/s] })
+    |                             --   ^^^ this is `Float`
+    |                             |
+    |                             the field `ki` is `Float[1/s]`
+    |
+    = note: of the units in a `Pid`, `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
+    = hint: write `0.1[1/s]` if that is its unit
+  
+  1 error
+  # 011_pid_gain_of_wrong_unit.frob
+  error[E0320]: expected the unit `1/s^2`, found `1/s`
+   --> 011_pid_gain_of_wrong_unit.frob:4:35
+    |
+  4 | gains = Pid { kp = 0.8[1/s], ki = 0.1[1/s], kd = 0.05, largest = 0.3[m/s] }
+    |                              --   ^^^^^^^^ this is `Float[1/s]`
+    |                              |
+    |                              the field `ki` is `Float[1/s^2]`
+    |
+    = note: of the units in a `Pid`, `kp` has `v/u`, `ki` has `v/u/s`, `kd` has `v s/u`, `largest` has `v`
+    = hint: write `0.1[1/s^2]` if that unit was meant
+  
+  1 error
+  # 012_integral_in_a_branch.frob
+  error[E0342]: `integral` is run in a branch
+   --> 012_integral_in_a_branch.frob:5:26
+    |
+  5 |     way = if moving then integral v else 0
+    |                          ^^^^^^^^^^ what it gives depends on when it started
+    |
+    = hint: to run it at every instant, write the equation `integralNow = integral v` beside the others, and `integralNow` here
+    = hint: to start it anew whenever this branch is chosen: `integralNow = resetOn integral (v, edge moving)`
+  
+  1 error
+  # 013_timer_in_a_case.frob
+  error[E0342]: `after` is run in a branch
+   --> 013_timer_in_a_case.frob:6:23
+    |
+  6 |     Go -> if isEvent (after 2[s] ()) then 0 else 0.3[m/s]
+    |                       ^^^^^^^^^^^^^ what it gives depends on when it started
+    |
+    = hint: to run it at every instant, write the equation `afterNow = after 2[s] ()` beside the others, and `afterNow` here
+    = hint: to start it anew whenever this is chosen, `switch` between signal functions
+  
+  1 error
+  # 014_delay_without_start.frob
+  error[E0303]: a signal function stands where the value of its signal is needed
+   --> 014_delay_without_start.frob:2:22
+    |
+  2 | main = proc x -> x - delay x
+    |                  -   ^^^^^^^ this is `SF Float Float`
+    |                  |
+    |                  this is `Float`
+    |
+    = note: expected `Float`
+    = hint: `delay` has an initial value before its signal: `delay x0 x`
+  
+  1 error
+  # 015_delay_arguments_swapped.frob
+  error[E0340]: the initial value of `delay` must be static, but `x` is a signal
+   --> 015_delay_arguments_swapped.frob:2:28
+    |
+  2 | main = proc x -> x - delay x 0
+    |             -              ^
+    |             |
+    |             `x` is a signal: it comes from the `proc`'s input here
+    |
+    = hint: the initial value stands first: `delay 0 x` is 0, then `x` one instant ago
+  
+  1 error
+  # 016_speed_as_output.frob
+  error[E0411]: `main` cannot run: its type is `HasBumpers a => Program a Float[m/s]`, and what comes out is not what a robot takes
+   --> 016_speed_as_output.frob:3:35
+    |
+  3 | main = reactimateRobot (proc i -> if bumped i then 0 else 0.3[m/s])
+    |                                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: the output of a robot is made by `roMake`, as in `roMake (setVelTR v omega)`
+  
+  1 error
+  # 017_two_speeds_as_tuple.frob
+  error[E0301]: expected `Velocity` (m/s), found a tuple of 2
+   --> 017_two_speeds_as_tuple.frob:3:52
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR (0.3[m/s], 0)))
+    |                                           -------- ^^^^^^^^^^^^^
+    |                                           |
+    |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
+    |
+    = hint: several arguments stand side by side: `setVelTR 0.3[m/s] 0`
+  
+  1 error
+  # 018_without_roMake.frob
+  error[E0411]: `main` cannot run: what comes out is a function, `b -> b`, not the output of a robot
+   --> 018_without_roMake.frob:3:35
+    |
+  3 | main = reactimateRobot (proc _ -> setVelTR 0.3[m/s] 0)
+    |                                   ^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`
+  
+  1 error
+  # 019_speed_without_unit.frob
+  error[E0320]: the operands of `<` have different units: `m` and `1`
+   --> 019_speed_without_unit.frob:4:27
+    |
+  4 |     v = if frontSonar i < 0.5 then 0 else 0.3[m/s])
+    |            ------------   ^^^ this is `Float`
+    |            |
+    |            this is `Distance` (m)
+    |
+    = hint: write `0.5[m]` if that is its unit
+  
+  1 error
+  # 020_speed_from_distance.frob
+  error[E0320]: expected the unit `m/s`, found `m`
+   --> 020_speed_from_distance.frob:3:53
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR (frontSonar i - 0.5[m]) 0))
+    |                                           --------  ^^^^^^^^^^^^^^^^^^^^^ this is `Float[m]`
+    |                                           |
+    |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
+    |
+    = hint: a gain makes `m/s` of `m`, as in `0.5[1/s] * (frontSonar i - 0.5[m])`; `derivative (frontSonar i - 0.5[m])` is how fast it changes
+  
+  1 error
+  # 021_distance_plus_speed.frob
+  error[E0320]: the operands of `+` have different units: `m` and `m/s`
+   --> 021_distance_plus_speed.frob:2:27
+    |
+  2 | main = proc (x, v) -> x + v * 2
+    |                       -   ^^^^^ this is `Float[m/s]`
+    |                       |
+    |                       this is `Distance` (m)
+    |
+    = hint: times a time it is `m`, as in `1[s] * (v * 2)`; `integral (v * 2)` adds it up over time
+  
+  1 error
+  # 022_squared_distance.frob
+  error[E0320]: expected the unit `m`, found `m^2`
+   --> 022_squared_distance.frob:4:18
+    |
+  3 | main :: SF Point2 Distance
+    |         ------------------ the signature of `main` asks for the output `Distance` (m)
+  4 | main = proc p -> p.x ^ 2 + p.y ^ 2
+    |                  ^^^^^^^^^^^^^^^^^ this is `Float[m^2]`
+    |
+    = hint: `sqrt (p.x ^ 2 + p.y ^ 2)` has half the unit
+  
+  1 error
+  # 023_time_as_number.frob
+  error[E0303]: a signal function stands where the value of its signal is needed
+   --> 023_time_as_number.frob:2:18
+    |
+  2 | main = proc x -> time > 5
+    |                  ^^^^   - this is a number
+    |                  |
+    |                  this is `SF a Time`
+    |
+    = hint: run it on `()`: `time ()`
+  
+  1 error
+  # 024_time_without_unit.frob
+  error[E0320]: the operands of `>` have different units: `s` and `1`
+   --> 024_time_without_unit.frob:2:28
+    |
+  2 | main = proc x -> time () > 5
+    |                  -------   ^ this is `Float`
+    |                  |
+    |                  this is `Time` (s)
+    |
+    = hint: write `5[s]` if that is its unit
+  
+  1 error
+  # 025_no_else.frob
+  error[E0110]: expected `else` after the first branch, found the end of the block
+   --> 025_no_else.frob:4:27
+    |
+  4 |     v = if bumped i then 0)
+    |                           ^
+    |
+    = hint: every `if` has both `then` and `else`, since it always has a value
+  
+  1 error
+  # 026_equation_twice.frob
+  error[E0212]: `v` is bound twice in one group
+   --> 026_equation_twice.frob:4:5
+    |
+  3 |     v = 0.5[1/s] * d
+    |     - first bound here
+  4 |     v = min v 0.3[m/s]
+    |     ^
+    |
+    = hint: nothing is assigned: one equation says what `v` is at every instant; what it was one instant ago is `delay x0 v`
+  
+  1 error
+  # 027_counts_itself.frob
+  error[E0401]: signal `count` needs its own value in the same instant
+   --> 027_counts_itself.frob:3:5
+    |
+  3 |     count = if pressed then count + 1 else count
+    |     ^^^^^   ------------------------------------ `count` reads `count` here
+    |
+    = hint: let `count` read its own previous value: `delay x0 count`, where `x0` is the initial value
+  
+  1 error
+  # 028_task_as_robot.frob
+  error[E0371]: a task stands where a signal function is needed
+   --> 028_task_as_robot.frob:4:25
+    |
+  4 | main = reactimateRobot (driveTo (Vec2 { x = 1[m], y = 0 }))
+    |        ---------------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `Task c d Bool`
+    |        |
+    |        argument 1 of `reactimateRobot` is `SF a b`
+    |
+    = hint: `reactimateTask t` makes a program of a task
+  
+  1 error
+  # 029_robot_as_task.frob
+  error[E0371]: a signal function stands where a task is needed
+   --> 029_robot_as_task.frob:3:24
+    |
+  3 | main = reactimateTask (proc i -> roMake (setVelTR 0.2[m/s] 0))
+    |        --------------  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this is `SF d e`
+    |        |
+    |        argument 1 of `reactimateTask` is `Task a b c`
+    |
+    = hint: `reactimateRobot` makes a program of a signal function
+    = hint: `mkTask (sf &&& event)` ends when the event occurs; `mkTask (sf &&& never)` never does
+  
+  1 error
+  # 030_place_as_two_numbers.frob
+  error[E0301]: expected `Point2`, found a number of `m`
+   --> 030_place_as_two_numbers.frob:4:13
+    |
+  4 |     driveTo 1[m] 2[m]
+    |     ------- ^^^^
+    |     |
+    |     argument 1 of `driveTo` is `Point2`
+    |
+    = hint: a vector has its fields by name: `Vec2 { x = 1[m], y = b }`, with `import Geometry`
+  
+  error[E0301]: expected `Point2`, found a number
+   --> 030_place_as_two_numbers.frob:5:13
+    |
+  5 |     driveTo 0 0)
+    |     ------- ^
+    |     |
+    |     argument 1 of `driveTo` is `Point2`
+    |
+    = hint: a vector has its fields by name: `Vec2 { x = 0, y = b }`, with `import Geometry`
+  
+  2 errors
+  # 031_task_if_without_else.frob
+  error[E0110]: expected `else` after the first branch, found the end of the statement
+   --> 031_task_if_without_else.frob:8:57
+    |
+  7 |     if bumped i
+    |     -- this `if`
+  8 |       then sleepT 1[s] (roMake (setVelTR (-0.2[m/s]) 0))
+    |                                                         ^
+    |
+    = hint: every `if` has both `then` and `else`, since it always has a value; in a task's `do` that is `else return ()`, or `whenT` for the `if`
+  
+  1 error
+  # 032_task_ends_with_bind.frob
+  error[E0116]: the last statement of a `do` is a task, so it cannot bind a name
+   --> 032_task_ends_with_bind.frob:7:5
+    |
+  7 |     p <- robotPlace
+    |     ^
+    |
+    = hint: leave out `p <-`, and the `do` ends with what the task does; or go on, as with `return p`
+  
+  1 error
+  # 033_event_as_truth.frob
+  error[E0301]: a condition must be `Bool`, but this is `Event ()`
+   --> 033_event_as_truth.frob:5:12
+    |
+  4 |     hit = edge (bumped i)
+    |     --- `hit` is bound here
+  5 |     v = if hit then 0 else 0.3[m/s])
+    |            ^^^
+    |
+    = hint: `isEvent hit` tells whether it occurs now
+  
+  1 error
+  # 034_truth_as_event.frob
+  error[E0301]: expected `Event a`, found `Bool`
+   --> 034_truth_as_event.frob:2:37
+    |
+  2 | main = switch (proc d -> (0.3[m/s], d < 0.5[m])) (\_ -> constant 0)
+    |        ------                       ^^^^^^^^^^
+    |        |
+    |        argument 1 of `switch` has the output `Event a`
+    |
+    = hint: `edge (d < 0.5[m])` occurs when it becomes True, `when (d < 0.5[m])` wherever it is, each with `()`; `tag` gives it another value
+  
+  1 error
+  # 035_switch_to_signal_function.frob
+  error[E0304]: expected a function, found a signal function: `SF a n[u]`
+   --> 035_switch_to_signal_function.frob:2:58
+    |
+  2 | main = switch (proc d -> (0.3[m/s], edge (d < 0.5[m]))) (constant 0)
+    |        ------                                            ^^^^^^^^^^
+    |        |
+    |        argument 2 of `switch` is `() -> SF Float[m] Float[m/s]`
+    |
+    = hint: it is given a value, and may ignore it: `\_ -> constant 0`
+  
+  1 error
+  # 036_mode_calls_itself.frob
+  error[E0342]: `drive` is run in its own definition
+   --> 036_mode_calls_itself.frob:4:51
+    |
+  4 | drive = proc i -> if bumped i then roMake id else drive i
+    |                                                   ^^^^^^^
+    |
+    = hint: every equation holds at every instant: nothing is called again to go on
+    = hint: to go on otherwise after an event, and perhaps then as this again: `switch (proc x -> (output, event)) (\_ -> …)`
+  
+  1 error
+  # 037_misspelled_name.frob
+  error[E0205]: unknown name `integrel`
+   --> 037_misspelled_name.frob:2:18
+    |
+  2 | main = proc v -> integrel v
+    |                  ^^^^^^^^
+    |
+    = hint: did you mean `integral`?
+  
+  1 error
+  # 038_misspelled_unit.frob
+  error[E0208]: unknown unit `meters`
+   --> 038_misspelled_unit.frob:3:56
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[meters/sec] 0))
+    |                                                        ^^^^^^
+    |
+    = hint: did you mean `m`?
+  
+  error[E0208]: unknown unit `sec`
+   --> 038_misspelled_unit.frob:3:63
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[meters/sec] 0))
+    |                                                               ^^^
+    |
+    = hint: did you mean `s`?
+  
+  2 errors
+  # 039_unit_after_a_space.frob
+  error[E0205]: this unit stands apart from its number
+   --> 039_unit_after_a_space.frob:3:56
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3 [m/s] 0))
+    |                                                        ^^^^^
+    |
+    = hint: no blank stands between them: `0.3[m/s]`
+  
+  1 error
+  # 040_truth_in_small_letters.frob
+  error[E0205]: unknown name `true`
+   --> 040_truth_in_small_letters.frob:2:32
+    |
+  2 | main = proc x -> if x > 1 then true else False
+    |                                ^^^^
+    |
+    = hint: did you mean `True`?
+  
+  1 error
+  # 041_fields_without_comma.frob
+  error[E0110]: expected an operator, `,` and one more field, or `}`, found `=`
+   --> 041_fields_without_comma.frob:4:34
+    |
+  4 | main = proc x -> Gains { p = x i = 2 }
+    |                                  ^
+    |
+    = hint: there is a `,` between two fields
+  
+  1 error
+  # 042_index_too_large.frob
+  error[E0332]: index 4 is outside of an array of 4
+   --> 042_index_too_large.frob:2:38
+    |
+  2 | main = proc ds -> min (ds ! 1) (ds ! 4)
+    |                                 --   ^
+    |                                 |
+    |                                 this is `Array 4 Float[m]`
+    |
+    = hint: the elements are numbered from 0 to 3
+  
+  1 error
+  # 043_index_computed.frob
+  error[E0347]: the index of `!` must be constant, but `k` is not
+   --> 043_index_computed.frob:2:29
+    |
+  2 | main = proc (ds, k) -> ds ! k
+    |                  -          ^
+    |                  |
+    |                  `k` is bound here
+    |
+    = note: an index is a number, a name of one, or arithmetic with such
+    = hint: `at i default xs` takes any index
+  
+  1 error
+  # 044_case_misses_one.frob
+  error[E0350]: this `case` does not cover every value
+   --> 044_case_misses_one.frob:4:26
+    |
+  4 | main = proc side -> case side of
+    |                          ^^^^ no branch for `Ahead`
+    |
+    = hint: add a branch `Ahead -> …`
+  
+  1 error
+  # 045_argument_forgotten.frob
+  error[E0301]: expected `Velocity` (m/s), found the function `Float[m/s] -> Float[m/s]`
+   --> 045_argument_forgotten.frob:4:52
+    |
+  4 | main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+    |                                           -------- ^
+    |                                           |
+    |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
+  5 |     v = limit (0.5[1/s] * frontSonar i))
+    |         ------------------------------- `v` is this, and lacks one argument
+    |
+    = hint: `limit` takes two arguments
+  
+  1 error
+  # 046_argument_too_many.frob
+  error[E0301]: expected `a -> a`, found a number
+   --> 046_argument_too_many.frob:3:43
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3[m/s] 0 0))
+    |                                   ------  ^^^^^^^^^^^^^^^^^^^^^
+    |                                   |
+    |                                   argument 1 of `roMake` is `a -> a`
+    |
+    = hint: `setVelTR` has an argument too many here: `setVelTR 0.3[m/s] 0` is a function
+  
+  1 error
+  # 047_signature_only.frob
+  error[E0214]: the signature of `wallFollow` has no definition with it
+   --> 047_signature_only.frob:1:1
+    |
+  1 | wallFollow :: Distance -> SF Distance Velocity
+    | ^^^^^^^^^^
+    |
+    = hint: did you mean `wallfollow`?
+  
+  1 error
+  # 048_bracket_forgotten.frob
+  error[E0111]: this `(` is never closed
+   --> 048_bracket_forgotten.frob:3:42
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR v 0 where
+    |                                          ^             ----- expected `)` by here
+  
+  1 error
+  # 049_where_not_indented.frob
+  error[E0110]: nothing belongs to this `where`
+   --> 049_where_not_indented.frob:2:20
+    |
+  2 | main = proc d -> v where
+    |                    ^^^^^
+    |
+    = hint: what belongs to a `where` is indented more than the definition that it ends
+  
+  1 error
+  # 050_signal_outside_proc.frob
+  error[E0205]: unknown name `i`
+   --> 050_signal_outside_proc.frob:3:32
+    |
+  3 | speed = 0.5[1/s] * (frontSonar i - 0.3[m])
+    |                                ^
+  4 |
+  5 | main = reactimateRobot (proc i -> roMake (setVelTR speed 0))
+    |                              - this `i` is a signal of a `proc`
+    |
+    = hint: a signal is known in its `proc` only: write the equation in the `where` of that one, or make a signal function, `proc i -> …`
+  
+  1 error
+  # 051_task_started_in_proc.frob
+  error[E0371]: `roMake` makes no task, but `Task b c Bool` is needed here
+   --> 051_task_started_in_proc.frob:5:59
+    |
+  5 |     if bumped i then driveTo (Vec2 { x = 0, y = 0 }) else roMake (setVelTR 0.2[m/s] 0))
+    |                                                           ^^^^^^
+    |
+    = hint: a task takes time, and no equation runs it: `reactimateTask` does, and in a `do` one follows another
+  
+  1 error
+  # 052_hold_without_start.frob
+  error[E0303]: a signal function stands where the value of its signal is needed
+   --> 052_hold_without_start.frob:2:18
+    |
+  1 | main :: SF (Event Float) Float
+    |         ---------------------- the signature of `main` asks for the output `Float`
+  2 | main = proc e -> hold e
+    |                  ^^^^^^ this is `SF (Event (Event Float)) (Event Float)`
+    |
+    = note: expected `Float`
+    = hint: `hold` has an initial value before its signal: `hold x0 e`
+  
+  1 error
+  # 053_negative_argument.frob
+  error[E0301]: this `-` subtracts from a function
+   --> 053_negative_argument.frob:3:52
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR -0.2[m/s] 0))
+    |                                           -------- ^
+    |                                           |
+    |                                           this is `Velocity -> AngularVelocity -> a -> a`
+    |
+    = hint: a negative argument needs parentheses: `setVelTR (-0.2[m/s])`
+  
+  1 error
+  # 054_setLight_on_pioneer.frob
+  error[E0360]: there is no instance `HasLight PioneerOutput`
+     --> 054_setLight_on_pioneer.frob:4:65
+      |
+    4 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . setLight On))
+      |                                                                 ^^^^^^^^ `setLight` needs it
+      |
+     ::: stdlib/Capability.frob:155:17
+      |
+  155 |     setLight :: Light -> o -> o
+      |                 --------------- `setLight` asks for `HasLight o` here
+      |
+      = note: what has `HasLight`: `CreateOutput`
+      = hint: a `main` whose signature asks for this class in place of a robot's type is for each robot that has it
+  
+  1 error
+  # 055_two_modules_T.frob
+  error[E0301]: expected `Main.Pose`, found `Geometry.Pose`
+   --> 055_two_modules_T.frob:7:18
+    |
+  6 | main :: SF RobotInput Pose
+    |         ------------------ the signature of `main` asks for the output `Main.Pose`
+  7 | main = proc i -> robotPose i
+    |                  ^^^^^^^^^^^
+    |
+    = hint: two types are called `Pose`: use one in both places, or make a value of one from the other's
+  
+  1 error
+  # 056_main_with_parameter.frob
+  error[E0411]: `main` cannot run: it still needs an argument, its type is `(HasSonar a, DiffDrive b) => Float[m] -> Program a b`
+   --> 056_main_with_parameter.frob:3:1
+    |
+  3 | main d = reactimateRobot (proc i -> roMake (setVelTR (0.5[1/s] * (frontSonar i - d)) 0))
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: give it another name, `run` say, and write `main = run …`
+  
+  1 error
+  # 057_several_clauses.frob
+  error[E0115]: `sign` is defined by several clauses
+   --> 057_several_clauses.frob:3:1
+    |
+  2 | sign 0 = 0
+    | ---- the first
+  3 | sign x = x / abs x
+    | ^^^^
+    |
+    = hint: write one clause, with a branch for each: `sign x = case x of …`
+  
+  1 error
+  # 058_list_type.frob
+  error[E0110]: the type of an array is not written in brackets
+   --> 058_list_type.frob:1:12
+    |
+  1 | average :: [Float] -> Float
+    |            ^
+    |
+    = hint: it has the size first, as in `Array 4 Float`
+  
+  1 error
+  # 059_list_range.frob
+  error[E0110]: expected an operand after the operator, found `.`
+   --> 059_list_range.frob:2:34
+    |
+  2 | main = proc x -> foldl (+) x [1 .. 10]
+    |                                  ^
+    |
+    = hint: there are no ranges; `generate (\i -> …)` makes an array by the index
+  
+  1 error
+  # 060_where_after_do.frob
+  error[E0205]: unknown name `v`
+   --> 060_where_after_do.frob:6:18
+    |
+  2 | main = proc v -> do
+    |             - this `v` is a signal of the `proc`
+  ...
+  6 |     scaled = 2 * v
+    |                  ^
+    |
+    = hint: a `where` after `do` belongs to the whole definition and sees no signals: write a `let` in the `do`
+  
+  1 error
+  # 061_bind_operator.frob
+  error[E0110]: expected an operand after the operator, or `)`, found `>=`
+   --> 061_bind_operator.frob:3:36
+    |
+  3 | main = reactimateTask (robotPlace >>= \p -> driveTo p)
+    |                                    ^^
+    |
+    = hint: tasks follow one another in a `do`, each on a line of its own
+  
+  1 error
+  # 062_fmap_operator.frob
+  error[E0110]: expected an operand after the operator, found `$`
+   --> 062_fmap_operator.frob:2:25
+    |
+  2 | main = proc e -> (* 2) <$> e
+    |                         ^
+    |
+    = hint: `mapE f e` applies a function to an event's value, `map f xs` to each of an array
+  
+  1 error
+  # 063_pure_result.frob
+  error[E0205]: unknown name `pure`
+   --> 063_pure_result.frob:5:5
+    |
+  5 |     pure ())
+    |     ^^^^
+    |
+    = hint: it is `return`
+  
+  1 error
+  # 064_num_constraint.frob
+  error[E0223]: unknown type class `Num`
+   --> 064_num_constraint.frob:1:10
+    |
+  1 | twice :: Num a => a -> a
+    |          ^^^
+    |
+    = hint: numbers have no classes: `n[u]` is any number, of any unit, as in `twice :: n[u] -> n[u]`; `Float[u]` has fractions
+  
+  1 error
+  # 065_texts_joined.frob
+  error[E0110]: expected an operand after the operator, found `+`
+   --> 065_texts_joined.frob:2:28
+    |
+  2 | main = proc n -> "count " ++ show n
+    |                            ^
+    |
+    = hint: nothing is joined: a text is a label, and an array has a fixed size
+  
+  1 error
+  # 066_factorial.frob
+  error[E0410]: `factorial` calls itself
+   --> 066_factorial.frob:2:1
+    |
+  2 | factorial n = if n == 0 then 1 else n * factorial (n - 1)
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |                                         |
+    |                                         `factorial` uses `factorial` here
+    |
+    = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
+    = hint: a value that depends on its own past is an equation of a `proc`, with `delay`
+  
+  1 error
+  # 067_if_between_commands.frob
+  error[E0116]: `if` and `case` cannot choose between commands
+   --> 067_if_between_commands.frob:4:20
+    |
+  3 |     if b
+    |     -- the choice
+  4 |       then delay 0 -< x
+    |                    ^^
+    |
+    = hint: choose the value, as in `y <- sf -< if c then a else b`, or run both and choose between what they give
+  
+  1 error
+  # 068_deriving.frob
+  error[E0112]: `deriving` is not part of this version of Frob
+   --> 068_deriving.frob:1:23
+    |
+  1 | data Mode = Wait | Go deriving (Eq, Show)
+    |                       ^^^^^^^^
+    |
+    = hint: leave it out: `==` and `<` work on all data without functions
+  
+  1 error
+  # 069_maybe_as_value.frob
+  error[E0301]: expected a number, found `Maybe Int`
+   --> 069_maybe_as_value.frob:5:18
+    |
+  5 | main = proc i -> beaconSeen i + 1
+    |                  ^^^^^^^^^^^^ - argument 1 of `+` is a number
+    |
+    = hint: `fromMaybe x0 (beaconSeen i)` is what is in it, and `x0` where there is nothing
+  
+  1 error
+  # 070_operator_definition.frob
+  error[E0110]: expected an expression or an operator after `(`, found `|`
+   --> 070_operator_definition.frob:1:2
+    |
+  1 | (|+|) :: Float -> Float -> Float
+    |  ^
+    |
+    = hint: programs define no operators; a function stands between in backticks: ``a `f` b``
+  
+  1 error
+  # 071_double_for_velocity.frob
+  error[E0320]: expected the unit `m/s`, found none
+   --> 071_double_for_velocity.frob:5:8
+    |
+  4 | main :: SF Velocity Velocity
+    |         -------------------- the signature of `main` asks for `SF Velocity Velocity`
+  5 | main = arr slow
+    |        ^^^^^^^^ this is `SF Double Double`
+    |
+    = note: expected `SF Velocity Velocity`, found `SF Double Double`
+    = hint: without brackets `Float` and `Double` have no unit; `Float[m/s]` has this one
+  
+  1 error
+  # 072_fromIntegral.frob
+  error[E0205]: unknown name `fromIntegral`
+   --> 072_fromIntegral.frob:2:18
+    |
+  2 | main = proc n -> fromIntegral n / 2
+    |                  ^^^^^^^^^^^^
+    |
+    = hint: `toFloat n` makes a Float of an Int
+  
+  1 error
+  # 073_int_times_float.frob
+  error[E0312]: the operands of `*` are `Int` and `Float`
+   --> 073_int_times_float.frob:2:27
+    |
+  2 | main = proc (n, x) -> n * x
+    |                       -   ^ this is `Float`
+    |                       |
+    |                       this is `Int`
+    |
+    = hint: write `toFloat n`
+  
+  1 error
+  # 074_function_for_signal_function.frob
+  error[E0304]: expected a signal function, found a function: `n[v] -> n[v]`
+   --> 074_function_for_signal_function.frob:2:21
+    |
+  2 | main = integral >>> (* 2)
+    |        --------     ^^^^^
+    |        |
+    |        this is `SF Float[u] Float[u s]`
+    |
+    = hint: `arr` makes a signal function of a function: `arr (* 2)`
+  
+  1 error
+  # 075_pattern_lambda_case.frob
+  error[E0351]: the pattern of a function must match every value
+   --> 075_pattern_lambda_case.frob:2:21
+    |
+  2 | main = proc e -> (\(Event x) -> x) e
+    |                     ^^^^^^^ does not match `NoEvent`
+    |
+    = hint: a `case` has branches for all: one for `NoEvent` too
+  
+  1 error
+  # 076_let_without_in.frob
+  error[E0110]: expected `in` and an expression after the definitions of this `let`, found `k`
+   --> 076_let_without_in.frob:4:9
+    |
+  4 |         k * x
+    |         ^
+    |
+    = hint: the definitions of this block start at column 13, but this line at column 9
+  
+  1 error
+  # 077_def_function.frob
+  error[E0103]: unexpected character `:`
+   --> 077_def_function.frob:1:24
+    |
+  1 | def limit(x, low, high):
+    |                        ^
+    |
+    = hint: a function is defined by an equation: `limit x low high = …`
+  
+  1 error
+  # 078_plus_equals.frob
+  error[E0110]: expected an operand after the operator, found `=`
+   --> 078_plus_equals.frob:4:18
+    |
+  4 |     if b then n += 1
+    |                  ^
+    |
+    = hint: nothing is assigned: an equation says what holds at every instant, as in `n = delay 0 n + 1`
+  
+  1 error
+  # 079_print_call.frob
+  error[E0110]: expected `=` after the left side of a definition, found the end of the block
+   --> 079_print_call.frob:5:22
+    |
+  5 |     print("speed", v))
+    |                      ^
+    |
+    = hint: nothing is printed: what is to be seen is an output, and `--record` writes all of them
+  
+  1 error
+  # 080_and_word.frob
+  error[E0205]: unknown name `and`
+   --> 080_and_word.frob:2:25
+    |
+  2 | main = proc (b, x) -> b and x > 1
+    |                         ^^^
+    |
+    = hint: write `a && b`
+  
+  1 error
+  # 081_single_equals.frob
+  error[E0110]: expected `then` after the condition, found `=`
+   --> 081_single_equals.frob:2:23
+    |
+  2 | main = proc n -> if n = 0 then 1 else 2
+    |                       ^
+    |
+    = hint: `=` defines; to compare write `==`
+  
+  1 error
+  # 082_elif.frob
+  error[E0110]: expected `else` after the first branch, found `then`
+   --> 082_elif.frob:2:46
+    |
+  2 | main = proc x -> if x > 1 then 1 elif x < -1 then -1 else x
+    |                                              ^^^^
+    |
+    = hint: a chain of choices is written `if a then x else if b then y else z`
+  
+  1 error
+  # 083_colon_block.frob
+  error[E0103]: unexpected character `:`
+   --> 083_colon_block.frob:4:16
+    |
+  4 |     if bumped i:
+    |                ^
+    |
+    = hint: a block is made by indentation alone; a choice is written `if c then a else b`
+  
+  1 error
+  # 084_for_loop.frob
+  error[E0103]: unexpected character `:`
+   --> 084_for_loop.frob:4:16
+    |
+  4 |     for d in ds:
+    |                ^
+    |
+    = hint: nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, `forever t` and `forEachT xs f` repeat tasks
+  
+  1 error
+  # 085_call_with_commas.frob
+  error[E0301]: expected `Velocity` (m/s), found a tuple of 2
+   --> 085_call_with_commas.frob:3:50
+    |
+  3 | main = reactimateRobot (proc i -> roMake(setVelTR(0.2[m/s], 0)))
+    |                                          --------^^^^^^^^^^^^^
+    |                                          |
+    |                                          argument 1 of `setVelTR` is `Velocity` (m/s)
+    |
+    = hint: several arguments stand side by side: `setVelTR 0.2[m/s] 0`
+  
+  1 error
+  # 086_python_lambda.frob
+  error[E0103]: unexpected character `:`
+   --> 086_python_lambda.frob:2:32
+    |
+  2 | main = proc xs -> map (lambda x: 2 * x) xs
+    |                                ^
+    |
+    = hint: a function without a name is written `\x -> …`
+  
+  1 error
+  # 087_arduino_loop.frob
+  error[E0110]: expected `=`, `,` or `}` after the name of a field, found `(`
+   --> 087_arduino_loop.frob:2:13
+    |
+  2 |     setVelTR(0.2, 0);
+    |             ^
+    |
+    = hint: there are no procedures: a robot's program is equations that hold at every instant, `main = reactimateRobot (proc i -> roMake (setVelTR v omega))`
+  
+  1 error
+  # 088_while_loop.frob
+  error[E0205]: unknown name `while`
+   --> 088_while_loop.frob:4:5
+    |
+  4 |     while (not (bumped i))
+    |     ^^^^^
+    |
+    = hint: a task again and again is `whileT condition t`; until something happens, `abortWhen`
+  
+  1 error
+  # 089_milliseconds.frob
+  error[E0320]: expected the unit `s`, found none
+   --> 089_milliseconds.frob:4:12
+    |
+  4 |     sleepT 1000 (roMake (setVelTR 0.2[m/s] 0))
+    |     ------ ^^^^ this is `Float`
+    |     |
+    |     argument 1 of `sleepT` is `Time` (s)
+    |
+    = hint: write `1000[ms]` if these are milliseconds, `1000[s]` for seconds
+  
+  error[E0320]: expected the unit `s`, found none
+   --> 089_milliseconds.frob:5:12
+    |
+  5 |     sleepT 500 (roMake (setVelTR 0 1[rad/s])))
+    |     ------ ^^^ this is `Float`
+    |     |
+    |     argument 1 of `sleepT` is `Time` (s)
+    |
+    = hint: write `500[ms]` if these are milliseconds, `500[s]` for seconds
+  
+  2 errors
+  # 090_int_declaration.frob
+  error[E0205]: unknown name `m`
+   --> 090_int_declaration.frob:2:18
+    |
+  2 | main = proc n -> m where
+    |                  ^
+  3 |     int m = n + 1
+    |     --- this defines a function `int` of `m`
+    |
+    = hint: no type stands before a name: `m = …`, and if wanted `m :: Int` on a line of its own
+  
+  1 error
+  # 091_slash_comment.frob
+  error[E0110]: expected a definition, a signature or a declaration, found `/`
+   --> 091_slash_comment.frob:1:1
+    |
+  1 | // follows a wall
+    | ^
+    |
+    = hint: a comment starts with `--`
+  
+  1 error
+  # 092_question_mark.frob
+  error[E0103]: unexpected character `?`
+   --> 092_question_mark.frob:2:24
+    |
+  2 | main = proc x -> x > 0 ? x : 0
+    |                        ^
+    |
+    = hint: a choice is written `if c then a else b`
+  
+  1 error
+  # 093_exclamation_mark.frob
+  error[E0110]: expected an operand after the operator, found `!`
+   --> 093_exclamation_mark.frob:2:28
+    |
+  2 | main = proc (a, b) -> a && !b
+    |                            ^
+    |
+    = hint: the opposite of `b` is `not b`
+  
+  1 error
+  # 094_define.frob
+  error[E0103]: unexpected character `#`
+   --> 094_define.frob:1:1
+    |
+  1 | #define V_MAX 0.4
+    | ^
+    |
+    = hint: a constant is an equation: `vMax = 0.4[m/s]`
+  
+  1 error
+  # 095_remainder.frob
+  error[E0103]: unexpected character `%`
+   --> 095_remainder.frob:2:20
+    |
+  2 | main = proc n -> n % 2 == 0
+    |                    ^
+    |
+    = hint: the remainder is ``x `mod` y``
+  
+  1 error
+  # 096_matlab_function.frob
+  error[E0110]: expected an operator, an argument, or the end of this definition, found `=`
+   --> 096_matlab_function.frob:2:7
+    |
+  2 |     y = 2 * x;
+    |       ^
+    |
+    = hint: a function is defined by an equation, `f x = …`, and a block ends where the indentation does
+  
+  1 error
+  # 097_element_powers.frob
+  error[E0110]: expected an operand after the operator, found `^`
+   --> 097_element_powers.frob:2:23
+    |
+  2 | main = proc xs -> xs .^ 2
+    |                       ^
+    |
+    = hint: operators are of numbers: `map (\x -> x ^ 2) xs` computes with each of an array, `zipWith (*) xs ys` with those of two
+  
+  1 error
+  # 098_array_without_commas.frob
+  error[E0302]: this is `Float`, not a function
+   --> 098_array_without_commas.frob:2:12
+    |
+  2 | weights = [0.25 0.5 0.25]
+    |            ^^^^ --- it is given an argument here
+    |
+    = hint: the elements of an array are separated by commas, factors by `*`: `[0.25, …]`
+  
+  1 error
+  # 099_index_in_parentheses.frob
+  error[E0302]: `ds` is `Array 3 Distance`, not a function
+   --> 099_index_in_parentheses.frob:2:19
+    |
+  2 | main = proc ds -> ds(1) + ds(2)
+    |                   ^^ - it is given an argument here
+    |
+    = hint: an element is `ds ! 1`, counted from 0
+  
+  error[E0302]: `ds` is `Array 3 Distance`, not a function
+   --> 099_index_in_parentheses.frob:2:27
+    |
+  2 | main = proc ds -> ds(1) + ds(2)
+    |                           ^^ - it is given an argument here
+    |
+    = hint: an element is `ds ! 2`, counted from 0
+  
+  2 errors
+  # 100_tilde_equals.frob
+  error[E0103]: unexpected character `~`
+   --> 100_tilde_equals.frob:2:25
+    |
+  2 | main = proc (a, b) -> a ~= b
+    |                         ^
+    |
+    = hint: `/=` says that two values differ
+  
+  1 error
+  [1]

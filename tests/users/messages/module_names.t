@@ -1,0 +1,68 @@
+The name of a module begins with a capital; that of a program may be any.
+
+  $ cat > wall.frob <<'FROB'
+  > limit :: Float -> Float
+  > limit x = min x 1
+  > FROB
+  $ cat > small.frob <<'FROB'
+  > import wall
+  > 
+  > main :: SF Float Float
+  > main = arr limit
+  > FROB
+  $ frobc check small.frob
+  error[E0110]: expected the name of a module, with a capital, found `wall`
+   --> small.frob:1:8
+    |
+  1 | import wall
+    |        ^^^^
+    |
+    = hint: a module begins with a capital, and its file too: `Wall`, in `Wall.frob`
+  
+  1 error
+  [1]
+  $ sed 's/import wall/import my-wall (limit)/' small.frob > dash.frob
+  $ frobc check dash.frob
+  error[E0110]: expected the name of a module, with a capital, found `my`
+   --> dash.frob:1:8
+    |
+  1 | import my-wall (limit)
+    |        ^^
+    |
+    = hint: a module begins with a capital, and its file too: `MyWall`, in `MyWall.frob`
+  
+  1 error
+  [1]
+  $ (echo 'module wall where'; cat wall.frob) > head.frob
+  $ frobc check head.frob
+  error[E0110]: expected the name of this module, with a capital, found `wall`
+   --> head.frob:1:8
+    |
+  1 | module wall where
+    |        ^^^^
+    |
+    = hint: a module begins with a capital, and its file too: `Wall`, in `Wall.frob`
+  
+  1 error
+  [1]
+
+The import has its capital, the file lacks it:
+
+  $ sed 's/import wall/import Wall/' small.frob > my-robot.frob
+  $ frobc check my-robot.frob
+  error[E0201]: there is no module `Wall`
+   --> my-robot.frob:1:8
+    |
+  1 | import Wall
+    |        ^^^^
+    |
+    = note: looked for `Wall.frob` beside this file and in the library
+    = hint: a module's file begins with a capital too: call `wall.frob` `Wall.frob`
+  
+  1 error
+  [1]
+
+As the hint says:
+
+  $ mv wall.frob Wall.frob
+  $ frobc check my-robot.frob
