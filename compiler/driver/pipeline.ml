@@ -31,6 +31,8 @@ let front (r : Request.t) sink sources =
   let resolved = Resolve.Reachable.program ~keep:Specialize.Context.known_by_name resolved in
   let* typed = Typing.Of_resolved.program ~sources sink ~real:r.real resolved in
   Resolve.Unused.warn sink resolved;
+  Typing.Senseless.warn sink resolved typed;
+  Typing.Reach.warn sink resolved typed ~robot:(Option.map Robots.input r.robot);
   Option.iter (Robots.check_own sink typed) own;
   let* typed = stage r sink Types ~lint:Typing.Lint.program ~print:Typing.Print.program typed in
   let core = Core.Of_typed.program typed in

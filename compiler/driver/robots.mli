@@ -27,6 +27,9 @@ type program = {
   own : t option;  (** the user's own robot, if the program is for one *)
 }
 
+val input : t -> Core.Ir.Global.t
+(** The type of what it senses. *)
+
 val check_own : Diagnostic.sink -> Typing.Ir.program -> t -> unit
 (** Emits a diagnostic if the module of a user's own robot lacks the records of its input
     and output, or the instance of [RobotOutput]. *)

@@ -22,6 +22,7 @@ let of_module (scope : Scope.t) (header : Syntax.Ir.header option) =
       in
       let exported = List.fold_left add (select scope.own wanted) scope.imports in
       let check (name : Syntax.Ir.name) =
+        String_table.replace scope.used name.text ();
         if scope.complete && not (mem exported name.text) then
           report_absent scope.context scope.own ~module_:scope.module_ name "export"
       in
@@ -58,3 +59,14 @@ let imported context (declaration : Syntax.Ir.import option) ~module_ names : Sc
         names;
         span = import.span;
       }
+
+let idle (scope : Scope.t) (declaration : Syntax.Ir.import option) ~module_ names =
+  let idle_import listed at : Ir.idle = { of_module = module_; listed; at } in
+  let is_used names = List.exists (String_table.mem scope.used) (all names) in
+  match declaration with
+  | None -> []
+  | Some { items = Some (_ :: _ as items); _ } ->
+      let is_idle item = not (is_used (select names (texts [ item ]))) in
+      let idle = List.filter is_idle items in
+      List.map (fun (item : Syntax.Ir.name) -> idle_import (Some item.text) item.span) idle
+  | Some import -> if is_used names then [] else [ idle_import None import.span ]

@@ -11,3 +11,7 @@ val imported :
 (** The part of a module's exports that an import takes; [None] is the
     prelude's unwritten import. Emits E0215 for a name that is not
     exported. *)
+
+val idle : Scope.t -> Syntax.Ir.import option -> module_:string -> Interface.names -> Ir.idle list
+(** Of a module's import of these names, when the whole module has been resolved: the names of
+    its list that the module does not use; without a list, the import if nothing of it is used. *)

@@ -37,7 +37,11 @@ and module_ = {
   library : bool;  (** from the standard library *)
   exports : string list;  (** values, in source order *)
   includes : string list;  (** the C headers it is written against *)
+  idle_imports : idle list;
 }
+
+(** An import of which the module uses nothing, or a name in its list. *)
+and idle = { of_module : string; listed : string option; at : Span.t }
 
 (** {1 Types and units} *)
 

@@ -86,14 +86,16 @@ let exported_values (scope : Scope.t) exports =
 
 let resolve context ~elsewhere exports (m : Modules.t) =
   let own = Interface.declared context ~module_:m.name m.syntax in
-  let import (i : Modules.import) =
-    match String_map.find_opt i.module_ exports with
-    | Some names -> Some (Exports.imported context i.declaration ~module_:i.module_ names)
-    | None -> None
+  let known (i : Modules.import) =
+    Option.map (fun names -> (i, names)) (String_map.find_opt i.module_ exports)
+  in
+  let imports = List.filter_map known m.imports in
+  let import ((i : Modules.import), names) =
+    Exports.imported context i.declaration ~module_:i.module_ names
   in
   let scope =
     Scope.create context ~module_:m.name ~library:m.library ~own
-      ~imports:(List.filter_map import m.imports)
+      ~imports:(List.map import imports)
       ~complete:m.complete ~elsewhere ~syntax:m.syntax
   in
   let exported = Exports.of_module scope m.syntax.header in
@@ -111,6 +113,9 @@ let resolve context ~elsewhere exports (m : Modules.t) =
     Classes.instances env ~expr:Expressions.expr ~command:Expressions.command m.syntax
   in
   Context.tell_imports context;
+  let idle ((i : Modules.import), names) =
+    Exports.idle scope i.declaration ~module_:i.module_ names
+  in
   let info : Ir.module_ =
     {
       name = m.name;
@@ -118,6 +123,7 @@ let resolve context ~elsewhere exports (m : Modules.t) =
       library = m.library;
       exports = exported_values scope exported;
       includes = includes scope m.syntax;
+      idle_imports = List.concat_map idle imports;
     }
   in
   (exported, { info; types; units; primitives; groups; classes; instances })

@@ -19,6 +19,7 @@ type t = {
   imports : import list;
   complete : bool;
   elsewhere : of_library list Lazy.t;
+  used : unit String_table.t;
   records : tycon list String_map.t Lazy.t;
   records_of : Ir.Global.t list String_map.t Lazy.t;
   signals : Proc_signals.t list Lazy.t;
@@ -58,11 +59,11 @@ let report_ambiguous t space (name : Syntax.Ir.name) (candidates : (import * _) 
   |> Diagnostic.hint ("write " ^ String.concat " or " (List.map qualified candidates))
   |> Context.emit t.context
 
-let choose t space name = function
+let choose t space (name : Syntax.Ir.name) = function
   | [] -> None
-  | [ (_, entry) ] -> Some entry
-  | (_, entry) :: _ as candidates ->
-      report_ambiguous t space name candidates;
+  | (_, entry) :: others as candidates ->
+      if others <> [] then report_ambiguous t space name candidates;
+      String_table.replace t.used name.text ();
       Some entry
 
 let look t space (name : Syntax.Ir.name) =
@@ -259,7 +260,14 @@ let find_with t space ~locals ~signals (q : Syntax.Ir.qualified) =
 let find t space q = find_with t space ~locals:(lazy []) ~signals:(lazy []) q
 let find_value t ~locals ~signals q = find_with t values ~locals ~signals q
 
-let records_with t = function
+let use_records t records =
+  List.iter (fun (g : Ir.Global.t) -> String_table.replace t.used g.name ()) records;
+  records
+
+let records_with t fields =
+  use_records t
+  @@
+  match fields with
   | [] -> []
   | [ field ] -> Option.value (String_map.find_opt field (Lazy.force t.records_of)) ~default:[]
   | field :: others ->
@@ -294,6 +302,7 @@ let create context ~module_ ~library ~own ~imports ~complete ~elsewhere ~syntax 
   let records = lazy (records_by_field own imports) in
   let names = Long_list.map (fun (record : tycon) -> record.global) in
   let records_of = lazy (String_map.map names (Lazy.force records)) in
-  { context; module_; library; own; imports; complete; elsewhere; records; records_of;
+  let used = String_table.create 16 in
+  { context; module_; library; own; imports; complete; elsewhere; used; records; records_of;
     signals = lazy (Proc_signals.of_module syntax);
     c_declarations = lazy (Proc_signals.c_declarations syntax) }

@@ -30,6 +30,7 @@ type t = {
           since it may be the missing module's *)
   elsewhere : of_library list Lazy.t;
       (** the modules of the library *)
+  used : unit Basis.String_table.t;  (** names that the module uses of what it imports *)
   records : Interface.tycon list Interface.String_map.t Lazy.t;
       (** the record types in scope, by the name of a field *)
   records_of : Ir.Global.t list Interface.String_map.t Lazy.t;

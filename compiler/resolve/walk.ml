@@ -63,11 +63,12 @@ let expr v (e : Ir.expr) =
       v.expr record;
       List.iter (fun (_, e) -> v.expr e) fields
 
-let own (program : Ir.program) =
+let own_modules (program : Ir.program) =
   let is_own (m : Ir.module_) = (not m.library) || String.equal m.name program.main_module in
-  let modules =
-    List.filter_map (fun (m : Ir.module_) -> if is_own m then Some m.name else None) program.modules
-  in
+  List.filter is_own program.modules
+
+let own (program : Ir.program) =
+  let modules = List.map (fun (m : Ir.module_) -> m.name) (own_modules program) in
   let here (g : Ir.Global.t) = List.mem g.module_ modules in
   let bindings = List.concat_map (fun (g : Ir.binding_group) -> g.bindings) program.groups in
   let is_here (b : Ir.binding) = match b.name with Top (g, _) -> here g | Inner _ | Destructure _ -> true in

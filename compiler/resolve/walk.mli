@@ -13,6 +13,8 @@ val expr : visitor -> Ir.expr -> unit
 val binding : visitor -> Ir.binding -> unit
 (** Visits what stands in a binding: its parameters, its [where] and its right side. *)
 
+val own_modules : Ir.program -> Ir.module_ list
+(** Those that are not of the library, and the main one. *)
+
 val own : Ir.program -> Ir.binding list
-(** The bindings of the program's own modules: not the library's, unless the program is a
-    module of it. Those of methods, and their defaults, are among them. *)
+(** The bindings of {!own_modules}. Those of methods, and their defaults, are among them. *)

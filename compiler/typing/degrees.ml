@@ -54,3 +54,19 @@ let rec warn_of_angle ctx (e : Resolve.Ir.expr) =
   | None, _ -> ()
 
 let warn ctx e (expected : Expected.t) = if is_angle expected.ty then warn_of_angle ctx e
+
+let compares = function "==" | "/=" | "<" | "<=" | ">" | ">=" -> true | _ -> false
+
+let warn_of_operands ctx (left, left_type) (right, right_type) =
+  if is_angle left_type then warn_of_angle ctx right;
+  if is_angle right_type then warn_of_angle ctx left
+
+let keeps (head : Resolve.Ir.expr) =
+  match head.desc with
+  | Global { module_ = "Prelude"; name = "abs" | "negate" | "min" | "max" | "+" | "-" } -> true
+  | Global { module_ = "Control"; name } ->
+      List.mem name [ "limit"; "clamp"; "deadband"; "previous"; "lowPass" ]
+  | _ -> false
+
+let kept (result : Type.t) ~operand =
+  match Type.repr result with Number _ when is_angle operand -> operand | _ -> result

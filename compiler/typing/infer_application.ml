@@ -158,6 +158,10 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
                 Mistake.negative_argument words ~minus:head.span argument.value value.ty ~operand)
           else expect ctx ~subject:argument.value ~at:argument.value.span expected value.ty;
           value
+      | Juxtaposed when Degrees.keeps head ->
+          let value = expressions.infer ctx argument.value in
+          expect ctx ~subject:argument.value ~at:argument.value.span expected value.ty;
+          value
       | Juxtaposed | Command ->
           { ty = parameter; build = expressions.check ctx argument.value expected }
     in
@@ -211,6 +215,17 @@ let infer expressions ctx e =
         let later = later given argument in
         let because = reason ctx ~head ~decided_by ~later ~before:(before argument) ~previous argument in
         let next, ty = step expressions ctx ~operand ~head ~negative ~because ~previous function_ argument in
+        let next =
+          match (argument.style, previous) with
+          | Operator operator, Some left when Degrees.compares operator ->
+              let build () =
+                Degrees.warn_of_operands ctx left (argument.value, ty);
+                next.build ()
+              in
+              { next with build }
+          | _ when Degrees.keeps head -> { next with ty = Degrees.kept next.ty ~operand:ty }
+          | _ -> next
+        in
         (next, Some (argument.value, ty))
   in
   forgetting_what_errors_need ctx (fun () ->

@@ -2,7 +2,8 @@ Sources of events: what occurs at the first instant, and when after that.
 
   $ cat > clocks.frob <<EOF
   > main :: SF () (Event Bool, Event (), Event (), Event (), Event (), Event (), Event ())
-  > main = proc _ -> (now True (), after 0 (), after 0.25[s] (), after (-1[s]) (), every 0 (), every 0.2[s] (), never ())
+  > main = proc _ -> (now True (), after 0 (), after 0.25[s] (), ago 1[s] (), every 0 (), every 0.2[s] (), never ())
+  > ago q = after (-q)
   > EOF
   $ printf 'time\n5\n5.1\n5.2\n5.3\n5.9\n6\n6\n' > times.csv
   $ frobc trace clocks.frob --input times.csv

@@ -50,7 +50,10 @@ is none; a limit of the slope; a mean.
   $ cat > filters.frob << FROB
   > import Control
   > main :: SF Float (Float, Float, Float, Float)
-  > main = proc x -> (lowPass 0.5[s] x, lowPass (-1[s]) x, rateLimit 2[1/s] x, movingAverage [1, 1, 1, 1] x)
+  > main = proc x -> (lowPass 0.5[s] x, without 1[s] x, rateLimit 2[1/s] x, movingAverage [1, 1, 1, 1] x)
+  > 
+  > without :: Time -> SF Float Float
+  > without tau = lowPass (-tau)
   > FROB
   $ model filters '{
   >     y = start ? x : y + dt / (0.5 + dt) * (x - y)

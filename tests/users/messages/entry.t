@@ -60,7 +60,7 @@ What cannot be the entry says why, and what would.
 What it shows of types is what a signature would say, units and classes with them.
 
   $ cat > typed.frob <<'FROB'
-  > import Control
+  > -- areas and speeds
   > area :: Float[m] -> Float[m] -> Float[m^2]
   > area a b = a * b
   > 

@@ -232,3 +232,47 @@ well be a frequency.
     = hint: for degrees give one of the numbers its unit, as in `90[deg]`
   
   3 warnings
+
+Degrees that an angle is compared with, on either side, also of what is an angle because
+its operand is.
+
+  $ cat > compared.frob <<'FROB'
+  > import Geometry
+  > main :: SF (Pose, Float[m]) (Bool, Bool, Bool, Bool, Bool)
+  > main = proc (pose, x) -> (h > 90, -45 <= h, abs (angleDiff h 0) > 2 * 45, h + pose.heading == 180, x > 90[m] || h > 3) where
+  >     h = pose.heading
+  > FROB
+  $ frobc check compared.frob
+  warning[W0303]: this angle is more than a whole turn: it is in radians
+   --> compared.frob:3:31
+    |
+  3 | main = proc (pose, x) -> (h > 90, -45 <= h, abs (angleDiff h 0) > 2 * 45, h + pose.heading == 180, x > 90[m] || h > 3) w…
+    |                               ^^
+    |
+    = hint: for degrees write `90[deg]`
+  
+  warning[W0303]: this angle is more than a whole turn: it is in radians
+   --> compared.frob:3:35
+    |
+  3 | main = proc (pose, x) -> (h > 90, -45 <= h, abs (angleDiff h 0) > 2 * 45, h + pose.heading == 180, x > 90[m] || h > 3) w…
+    |                                   ^^^
+    |
+    = hint: for degrees write `(-45[deg])`
+  
+  warning[W0303]: this angle is more than a whole turn: it is in radians
+   --> compared.frob:3:67
+    |
+  3 | …h > 90, -45 <= h, abs (angleDiff h 0) > 2 * 45, h + pose.heading == 180, x > 90[m] || h > 3) where
+    |                                          ^^^^^^
+    |
+    = hint: for degrees give one of the numbers its unit, as in `90[deg]`
+  
+  warning[W0303]: this angle is more than a whole turn: it is in radians
+   --> compared.frob:3:95
+    |
+  3 | …Diff h 0) > 2 * 45, h + pose.heading == 180, x > 90[m] || h > 3) where
+    |                                          ^^^
+    |
+    = hint: for degrees write `180[deg]`
+  
+  4 warnings

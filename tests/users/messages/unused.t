@@ -117,3 +117,92 @@ told of these first.
   
   1 error
   [1]
+
+Imports of which nothing is used, and names of their lists; what a header hands on is used.
+
+  $ cat > imports.frob <<'FROB'
+  > import Control
+  > import Geometry (norm, Pose, Vec2)
+  > import qualified Ranging as R
+  > 
+  > main :: SF Float Float
+  > main = proc x -> norm (Vec2 { x = x, y = 0 })
+  > FROB
+  $ frobc check imports.frob
+  warning[W0306]: nothing of `Control` is used here
+   --> imports.frob:1:1
+    |
+  1 | import Control
+    | ^^^^^^^^^^^^^^
+    |
+    = hint: take it out
+  
+  warning[W0306]: `Pose` is imported, and nothing uses it
+   --> imports.frob:2:24
+    |
+  2 | import Geometry (norm, Pose, Vec2)
+    |                        ^^^^
+    |
+    = hint: take it out
+  
+  warning[W0306]: nothing of `Ranging` is used here
+   --> imports.frob:3:1
+    |
+  3 | import qualified Ranging as R
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: take it out
+  
+  3 warnings
+  $ cat > gathered.frob <<'FROB'
+  > module Gathered (lowPass, length2, heading) where
+  > 
+  > import Control
+  > import Geometry
+  > import Robot
+  > 
+  > length2 :: Float[m] -> Float[m^2]
+  > length2 x = x * x
+  > 
+  > heading :: RobotInput -> Angle
+  > heading i = i.odometry.heading
+  > FROB
+  $ frobc check gathered.frob
+
+A module of the program's own may be there for its instances:
+
+  $ cat > Boxes.frob <<'FROB'
+  > class HasSize a where
+  >     size :: a -> Float
+  > FROB
+  $ cat > Sizes.frob <<'FROB'
+  > import Boxes
+  > 
+  > instance HasSize Bool where
+  >     size b = if b then 1 else 0
+  > FROB
+  $ cat > sized.frob <<'FROB'
+  > import Boxes
+  > import Sizes
+  > 
+  > main :: SF Bool Float
+  > main = proc b -> size b
+  > FROB
+  $ frobc check sized.frob
+
+Many variables of one pattern are one warning.
+
+  $ cat > many.frob <<'FROB'
+  > main :: SF (Float, Float, Float, Float, Float, Float) Float
+  > main = proc (a, b, c, d, e, f) -> c
+  > FROB
+  $ frobc check many.frob
+  warning[W0305]: nothing reads `a`, `b`, `d` and 2 more
+   --> many.frob:2:14
+    |
+  2 | main = proc (a, b, c, d, e, f) -> c
+    |              ^
+    |
+    = hint: write `_` in their places, or names such as `_a`
+  
+  1 warning

@@ -1,0 +1,97 @@
+open Ir
+
+type value = Float of float | Int of int
+
+type t = {
+  definitions : expr Resolve.Global_table.t;
+  found : value Resolve.Global_table.t;
+}
+
+let spine (e : expr) =
+  let rec go (e : expr) arguments =
+    match e.desc with Apply (f, a) -> go f (a :: arguments) | _ -> (e, arguments)
+  in
+  go e []
+
+let operation (e : expr) =
+  match spine e with
+  | { desc = Primitive ({ module_ = "Prelude"; name }, _); _ }, arguments -> Some (name, arguments)
+  | _ -> None
+
+let wrapped n = Int32.to_int (Int32.of_int n)
+
+let compute name arguments =
+  match (name, arguments) with
+  | "+", [ Float a; Float b ] -> Some (Float (a +. b))
+  | "-", [ Float a; Float b ] -> Some (Float (a -. b))
+  | "*", [ Float a; Float b ] -> Some (Float (a *. b))
+  | "/", [ Float a; Float b ] -> Some (Float (a /. b))
+  | "**", [ Float a; Float b ] -> Some (Float (a ** b))
+  | "sqrt", [ Float a ] -> Some (Float (sqrt a))
+  | "exp", [ Float a ] -> Some (Float (exp a))
+  | "log", [ Float a ] -> Some (Float (log a))
+  | "sin", [ Float a ] -> Some (Float (sin a))
+  | "cos", [ Float a ] -> Some (Float (cos a))
+  | "asin", [ Float a ] -> Some (Float (asin a))
+  | "acos", [ Float a ] -> Some (Float (acos a))
+  | "abs", [ Float a ] -> Some (Float (Float.abs a))
+  | "negate", [ Float a ] -> Some (Float (-.a))
+  | "+", [ Int a; Int b ] -> Some (Int (wrapped a + wrapped b))
+  | "-", [ Int a; Int b ] -> Some (Int (wrapped a - wrapped b))
+  | "*", [ Int a; Int b ] -> Some (Int (wrapped a * wrapped b))
+  | "negate", [ Int a ] -> Some (Int (-wrapped a))
+  | "abs", [ Int a ] -> Some (Int (abs (wrapped a)))
+  | "toFloat", [ Int a ] -> Some (Float (float_of_int (wrapped a)))
+  | _ -> None
+
+let rec all_known = function
+  | [] -> Some []
+  | Some x :: rest -> Option.map (fun xs -> x :: xs) (all_known rest)
+  | None :: _ -> None
+
+(* [depth]: how far to look; deeper nothing is known, so that long sums are not looked through
+   again from each of their ends. *)
+let rec at depth t (e : expr) =
+  let value e = if depth = 0 then None else at (depth - 1) t e in
+  match e.desc with
+  | Number exact -> literal e.ty exact
+  | Negate a -> Option.bind (value a) (fun a -> compute "negate" [ a ])
+  | Power (a, n) -> (
+      match value a with Some (Float a) -> Some (Float (a ** float_of_int n)) | _ -> None)
+  | Global (g, _) -> Resolve.Global_table.find_opt t.found g
+  | Field (record, constructor, index) -> Option.bind (field t record constructor index) value
+  | Apply _ ->
+      Option.bind (operation e) (fun (name, arguments) ->
+          Option.bind (all_known (List.map value arguments)) (compute name))
+  | _ -> None
+
+and literal ty exact =
+  match ty with
+  | Ir.Number (Float, _) -> Some (Float (Basis.Exact.to_float exact))
+  | Number (Int, _) -> Option.map (fun n -> Int (Int32.to_int n)) (Basis.Exact.to_int32 exact)
+  | _ -> None
+
+(* Of a record that is a definition's whole value. *)
+and field t (record : expr) constructor index =
+  match record.desc with
+  | Global (g, _) -> (
+      match Resolve.Global_table.find_opt t.definitions g with
+      | Some { desc = Record (built, fields); _ } when built = constructor ->
+          List.assoc_opt index fields
+      | _ -> None)
+  | _ -> None
+
+let value = at 32
+
+let of_program (p : program) =
+  let table () = Resolve.Global_table.create 64 in
+  let t = { definitions = table (); found = table () } in
+  (* In the order of dependency: what a definition uses is known before it. *)
+  let add (d : definition) =
+    Resolve.Global_table.replace t.definitions d.name d.value;
+    Option.iter (Resolve.Global_table.replace t.found d.name) (value t d.value)
+  in
+  List.iter add p.definitions;
+  t
+
+let float t e = match value t e with Some (Float x) -> Some x | Some (Int _) | None -> None
