@@ -48,6 +48,7 @@ type t =
   | Recurring_switch
   | Delayed_recurring_switch
   | Map_sf
+  | Parallel
   | Initially
   | On_event
   | Make_task
@@ -161,6 +162,7 @@ let table =
     ("do", Sequence, 2);
     ("runTask", Run_task, 1);
     ("mapSF", Map_sf, 1);
+    ("parZ", Parallel, 1);
     ("reactimateRobot", Reactimate, 1);
     ("ending", Ending, 1);
   ]

@@ -62,6 +62,7 @@ type t =
   | Recurring_switch
   | Delayed_recurring_switch
   | Map_sf  (** one for each element of an array *)
+  | Parallel  (** [parZ] *)
   | Initially
   | On_event
   (* tasks *)

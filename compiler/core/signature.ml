@@ -65,6 +65,9 @@ let of_primitive (p : Primitive.t) types =
   | Map_sf, [ a; b; n ] ->
     let one = Signal_function (a, b) in
     Some (Function (one, Signal_function (Array (n, a), Array (n, b))))
+  | Parallel, [ n; a; b ] ->
+    let all : Ir.ty = Array (n, Signal_function (a, b)) in
+    Some (Function (all, Signal_function (Array (n, a), Array (n, b))))
   | Reactimate, [ i; o ] ->
     Some (Function (Signal_function (i, o), prelude "Program" [ i; o ]))
   | Ending, [ i; o; c ] ->
@@ -76,7 +79,7 @@ let of_primitive (p : Primitive.t) types =
       | Switch | Delayed_switch
       | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Reactimate | Ending
       | Make_task | Until_right | Return | Sequence | Run_task
-      | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf
+      | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf | Parallel
       | Foreign _ ),
       _ ) ->
     None

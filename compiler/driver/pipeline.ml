@@ -28,7 +28,8 @@ let front (r : Request.t) sink sources =
   let lint = Resolve.Lint.program and print = Resolve.Print.program in
   let* resolved = stage r sink Resolve ~lint ~print resolved in
   (* Nobody looks at a definition of the library that the program cannot come to. *)
-  let resolved = Resolve.Reachable.program ~keep:Specialize.Context.known_by_name resolved in
+  let keep = Typing.Side_by_side.needs @ Specialize.Context.known_by_name in
+  let resolved = Resolve.Reachable.program ~keep resolved in
   let* typed = Typing.Of_resolved.program ~sources sink ~real:r.real resolved in
   Resolve.Unused.warn sink resolved;
   Typing.Senseless.warn sink resolved typed;

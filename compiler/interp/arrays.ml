@@ -59,15 +59,14 @@ let apply apply (p : Core.Primitive.t) ~size arguments : Value.t option =
       Some (Array (Array.of_list (List.rev !reversed)))
   | _, _ -> None
 
-let map_sf ~size signal_function : Value.instance =
-  let start _ =
-    match (Thunk.force signal_function : Value.t) with
-    | Signal_function start -> start ()
-    | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Task _
-    | Ending _ ->
-        bug "what is run is no signal function"
-  in
-  let instances = Array.init size start in
+let start signal_function : Value.instance =
+  match (Thunk.force signal_function : Value.t) with
+  | Signal_function start -> start ()
+  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Task _
+  | Ending _ ->
+      bug "what is run is no signal function"
+
+let side_by_side instances : Value.instance =
   {
     output =
       (fun instant input ->
@@ -84,3 +83,8 @@ let map_sf ~size signal_function : Value.instance =
           instances);
     successor = (fun () -> None);
   }
+
+let map_sf ~size f = side_by_side (Array.init size (fun _ -> start f))
+
+let parallel signal_functions =
+  side_by_side (Array.map start (elements (Thunk.force signal_functions)))

@@ -10,6 +10,7 @@ val apply :
     array that has it from its type. [None] for other primitives. *)
 
 val map_sf : size:int -> Value.thunk -> Value.instance
+val parallel : Value.thunk -> Value.instance
 
 val element : Value.t -> int -> Value.t
 (** [a ! k] *)

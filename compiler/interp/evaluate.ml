@@ -174,6 +174,7 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
   | Map_sf, [ signal_function ] ->
       let size = size env types in
       Signal_function (fun () -> Arrays.map_sf ~size signal_function)
+  | Parallel, [ all ] -> Signal_function (fun () -> Arrays.parallel all)
   | Reactimate, [ signal_function ] -> Thunk.force signal_function
   | Ending, [ signal_function ] -> (
       match List.map (closed env.types) types with

@@ -93,7 +93,7 @@ let signal_function = function
   | "joinE" | "pairE" -> Some "it is `pairEvents`"
   | "iEdge" -> Some "it is `edgeFrom`"
   | "attach" -> Some "it is `snapshot`, on signals of events"
-  | "parB" | "parZ" -> Some "`mapSF sf` runs a signal function on each element of an array"
+  | "par" | "parA" -> Some "`parB sfs` runs an array of signal functions on one input, `parZ sfs` each on its own"
   | "reactimate" -> Some "`reactimateRobot` makes a program of a signal function; any other is traced as it is"
   | _ -> None
 

@@ -207,6 +207,11 @@ let apply (p : position) evaluator target (primitive : Core.Primitive.t) ~result
   | (Foldl | Scanl), [ f; first; array ] -> fold p evaluator primitive target f first array
   | _ -> bug "`%s` on %d arguments" (Core.Primitive.name primitive) (List.length arguments)
 
+let parallel (p : position) (evaluator : Evaluator.t) ~result signal_functions array =
+  let _, element = size_and_element result in
+  let one (f : Value.argument) input = evaluator.run p ~result:element f.value input in
+  Value.Elements (List.map2 one (elements p signal_functions) (elements p array))
+
 let map_sf (p : position) (evaluator : Evaluator.t) target ~result (f : Value.argument)
     (array : Value.argument) =
   let count, element = size_and_element result in

@@ -14,6 +14,15 @@ val apply :
   Value.t
 (** All its arguments. The evaluator is one for the nodes of rounds. *)
 
+val parallel :
+  Evaluator.position ->
+  Evaluator.t ->
+  result:Core.Ir.ty ->
+  Value.argument ->
+  Value.argument ->
+  Value.t
+(** Of an array of signal functions, each run on an element of the second. *)
+
 val map_sf :
   Evaluator.position ->
   Evaluator.t ->

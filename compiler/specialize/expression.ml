@@ -230,7 +230,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
       | Reactimate, [ signal_function ] -> Program signal_function.value
       | ( ( Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch
           | Delayed_switch | Recurring_switch | Delayed_recurring_switch | Initially | On_event
-          | Map_sf | Make_task | Until_right | Return | Sequence | Run_task | Ending
+          | Map_sf | Parallel | Make_task | Until_right | Return | Sequence | Run_task | Ending
           | Foreign { kind = Stateful; _ } ),
           _ ) ->
           Primitive { primitive; types; arguments = all; owner = s.owner; at = span }
@@ -346,6 +346,8 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t)
       Atom (Node.define s.node target ~span Float (Derivative input))
   | Primitive { primitive = Map_sf; arguments = [ inner ]; _ } ->
       Arrays.map_sf (position c s span) (evaluator_of_rounds s) target ~result inner input
+  | Primitive { primitive = Parallel; arguments = [ all ]; _ } ->
+      Arrays.parallel (position c s span) (evaluator_of_rounds s) ~result all input
   | Primitive { primitive = Foreign f; _ } ->
       Foreign_code.apply (position c s span) target f ~result [ input ]
   | Choice _

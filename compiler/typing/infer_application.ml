@@ -80,7 +80,9 @@ type decision = Applies | Runs
 (* The type of the whole stands in that of the function already. *)
 let apply decision span ty (function_ : Ir.expr) argument : Ir.expr =
   match (decision, function_.ty) with
-  | Applies, Function (_, ty) -> { desc = Apply (function_, argument); ty; span }
+  | Applies, Function (_, ty) ->
+      let together = Side_by_side.of_application function_ argument in
+      { desc = Option.value together ~default:(Ir.Apply (function_, argument)); ty; span }
   | Runs, Signal_function (_, ty) -> { desc = Run (function_, argument); ty; span }
   (* only after an error *)
   | Applies, _ -> node span ty (Apply (function_, argument))

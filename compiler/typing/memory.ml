@@ -12,7 +12,7 @@ let rec gives_signal_function = function
   | Variable _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ -> false
 
 (* These remember what they are given does. *)
-let transparent = List.map Environment.built_in [ "mapSF"; "onEvent" ]
+let transparent = List.map Environment.built_in [ "mapSF"; "parZ"; "onEvent" ]
 let is_transparent g = List.mem g transparent
 
 (* What a definition is made of; its own variables are looked at where they get their values. *)

@@ -131,6 +131,8 @@ let report sink sources position obstacle (e : expr) ~head ~input =
         (bound x d
         |> Diagnostic.hint
              (match (f, quote sources head) with
+             | "", Some h when String.equal h x.name ->
+               "`parB` runs an array of signal functions on one input, `parZ` each on its own"
              | "", Some h ->
                Printf.sprintf "`mapSF %s` runs one for each element of an array" (Source.grouped h)
              | _, _ ->

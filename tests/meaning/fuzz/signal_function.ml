@@ -129,6 +129,15 @@ and expression s fuel (a : Type.t) (b : Type.t) =
             let many : Type.t = Array (n, middle) and results : Type.t = Array (n, element) in
             f "(%s >>> (mapSF %s :: SF %s %s) >>> %s)" (sub a many) (sub middle element)
               (Type.text many) (Type.text results) (sub results b) );
+        ( 1,
+          fun () ->
+            let n = 1 + Random.State.int random 3 in
+            let all = String.concat ", " (List.init n (fun _ -> sub a middle)) in
+            let together =
+              if Choice.chance random 2 then f "parB [%s]" all
+              else f "arr (\\x -> (generate (const x) :: Array %d (%s))) >>> parZ [%s]" n (Type.text a) all
+            in
+            f "(%s >>> %s)" together (sub (Array (n, middle)) b) );
         ( (if a = b then 1 else 0),
           fun () ->
             Scope.note s.values "array of signal functions";
