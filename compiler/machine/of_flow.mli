@@ -4,6 +4,6 @@
     {!Flow.Schedule} can order each node. {!Statics} tells what a node computes
     when it starts, {!State} what it keeps, {!Body} makes its reset and its step
     of that, {!Start} a short reset and first step in one, and {!First_instant} lets the
-    root know its first instant. Last, in the whole program, {!Time_parameters}. *)
+    root know its first instant. *)
 
 val program : Flow.Ir.program -> Ir.program
