@@ -13,7 +13,7 @@ dune build "./sim/frob-sim-bench"
 # frobc keeps the shared objects that it makes; here it has a cache for this one.
 rm -rf "$out"
 mkdir -p "$out"
-XDG_CACHE_HOME=$out _build/install/default/bin/frobc run "$example/wall_follow.frob" --for 1s \
+XDG_CACHE_HOME=$PWD/$out _build/install/default/bin/frobc run "$example/wall_follow.frob" --for 1s \
     >"$out/summary"
 
 # Name, world, and what else the bench is to know.

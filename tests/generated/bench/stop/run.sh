@@ -9,5 +9,5 @@ rm -rf "$out"
 mkdir -p "$out"
 gcc -std=c99 -D_GNU_SOURCE -O2 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror \
     "$here/stop_latency.c" -o "$out/stop_latency"
-XDG_CACHE_HOME=$out _build/install/default/bin/frobc build tests/robots/robot/drive.frob -o "$out/drive"
+XDG_CACHE_HOME=$PWD/$out _build/install/default/bin/frobc build tests/robots/robot/drive.frob -o "$out/drive"
 "$out/stop_latency" "$out/drive" 1000 8
