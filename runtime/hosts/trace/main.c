@@ -7,8 +7,9 @@
  * the mode that runs. Exit status: 0, or 2 when a file cannot be read or
  * written or is not a trace of this program. The trace's format is described
  * in <frob/trace.h>. */
+#include "../common/csv.h"
 #include "../common/load.h"
-#include "csv.h"
+#include "../common/seconds.h"
 
 #include <frob/cell.h>
 #include <frob/trace.h>
@@ -196,54 +197,6 @@ static bool read_header(struct trace *t)
     return ok;
 }
 
-/* Seconds as whole nanoseconds, exactly, rounded half away from zero; in
- * decimal arithmetic, for a double has too few digits for a year of them. */
-static bool read_time(const char *text, int64_t *result)
-{
-    char decimal[64];
-    const uint64_t limit = UINT64_C(1000000000000000000); /* 10^9 s */
-    uint64_t ns = 0;
-    bool negative = *text == '-', digits = false;
-    int places = 0;
-    if (strpbrk(text, "eE") != NULL) { /* such as 1e-05: as a plain decimal */
-        char *end;
-        double seconds = strtod(text, &end);
-        if (*end != '\0' || !(seconds > -1e9 && seconds < 1e9))
-            return false;
-        snprintf(decimal, sizeof decimal, "%.12f", seconds);
-        text = decimal;
-        negative = *text == '-';
-    }
-    if (*text == '-' || *text == '+')
-        text++;
-    for (; *text >= '0' && *text <= '9'; text++) {
-        ns = ns * 10 + (uint64_t)(*text - '0');
-        digits = true;
-        if (ns > limit / 1000000000u)
-            return false;
-    }
-    if (*text == '.') {
-        for (text++; *text >= '0' && *text <= '9'; text++) {
-            digits = true;
-            if (places < 9) {
-                ns = ns * 10 + (uint64_t)(*text - '0');
-                places++;
-            } else if (places == 9) {
-                ns += *text >= '5';
-                places++;
-            }
-        }
-    }
-    if (!digits)
-        return false;
-    for (; places < 9; places++)
-        ns *= 10;
-    if (*text != '\0')
-        return false;
-    *result = negative ? -(int64_t)ns : (int64_t)ns;
-    return true;
-}
-
 static bool is_blank(const char *cell)
 {
     return cell[strspn(cell, " \t")] == '\0';
@@ -286,7 +239,7 @@ static bool read_row(const struct trace *t, void *input, int64_t *time)
                  t->csv.count > t->width ? "; a cell with a comma in it stands in double quotes" : "");
         return false;
     }
-    if (!read_time(csv_cell(&t->csv, 0), time)) {
+    if (!seconds_read(csv_cell(&t->csv, 0), time)) {
         complain(t, 0, "`%s` is not a time in seconds%s", csv_cell(&t->csv, 0),
                  on_blanks(csv_cell(&t->csv, 0)));
         return false;
