@@ -1,7 +1,7 @@
 open Ir
 
-let name (sums : Flow.Ir.sum array) (ty : Machine.Ir.ty) =
-  let rec base (ty : Machine.Ir.ty) =
+let name (sums : Flow.Ir.sum array) (ty : Step.Ir.ty) =
+  let rec base (ty : Step.Ir.ty) =
     match ty with
     | Array (_, element) -> base element
     | Bool -> "bool"
@@ -11,7 +11,7 @@ let name (sums : Flow.Ir.sum array) (ty : Machine.Ir.ty) =
     | Sum k -> Name.snake sums.(k).name
     | Foreign f -> Name.snake f.foreign_name
   in
-  let rec sizes (ty : Machine.Ir.ty) =
+  let rec sizes (ty : Step.Ir.ty) =
     match ty with
     | Array (n, element) -> string_of_int n :: sizes element
     | Bool | Int | Float | Nanoseconds | Sum _ | Foreign _ -> []

@@ -1,7 +1,7 @@
 (** Arrays in C: a struct around an array, so that it can be assigned and
     returned like any other value; and functions on it. *)
 
-val name : Flow.Ir.sum array -> Machine.Ir.ty -> string
+val name : Flow.Ir.sum array -> Step.Ir.ty -> string
 (** What tells the type from others: [float_16], [maybe_float_3_4]. *)
 
 val element : Ir.expr -> Ir.expr -> Ir.expr

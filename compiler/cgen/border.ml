@@ -6,7 +6,7 @@ type side = { own : Interface.t; host : Interface.t; robot : Robot.t option }
 let bug format = Basis.Diagnostic.bug ~stage:"Cgen.Border" format
 
 (* Of a program of single precision. *)
-let robot_of ?own (program : Machine.Ir.program) shape =
+let robot_of ?own (program : Step.Ir.program) shape =
   match program.real with Double -> None | Single -> Robot.of_shape ?own shape
 
 let robot_struct (shape : F.shape) =
@@ -16,14 +16,14 @@ let robot_struct (shape : F.shape) =
 
 let same own = { own; host = own; robot = None }
 
-let input ?own_robot (program : Machine.Ir.program) own =
+let input ?own_robot (program : Step.Ir.program) own =
   match robot_of ?own:own_robot program program.input with
   | None -> same own
   | robot -> { own; host = { own with struct_name = robot_struct program.input }; robot }
 
 let host_output = "host_output"
 
-let output ?own_robot (program : Machine.Ir.program) (own : Interface.t) =
+let output ?own_robot (program : Step.Ir.program) (own : Interface.t) =
   let command, result =
     if program.ends then Interface.apart program.output else (program.output, None)
   in
@@ -42,10 +42,10 @@ let includes sides =
 
 let rec last = function [] -> bug "no leaf" | [ x ] -> x | _ :: others -> last others
 
-let definitions (program : Machine.Ir.program) (sums : Sum_type.t array) side =
+let definitions (program : Step.Ir.program) (sums : Sum_type.t array) side =
   if side.robot = None || side.host.struct_name <> host_output then ""
   else
-    match last (Machine.Layout.shape_leaves program.output) with
+    match last (Step.Layout.shape_leaves program.output) with
     | Sum k ->
         sprintf "struct %s {\n    struct %s command;\n    struct %s result;\n};\n\n" host_output
           (robot_struct (fst (Interface.apart program.output)))
@@ -70,7 +70,7 @@ let sizes steps =
   List.filter_map (function Interface.Element n -> Some n | Member _ -> None) steps
 
 (* Assignments of one leaf, as lines without indentation. *)
-let rec assignments (program : Machine.Ir.program) sums (ty : F.ty) ~to_ ~from ~cast =
+let rec assignments (program : Step.Ir.program) sums (ty : F.ty) ~to_ ~from ~cast =
   let equal to_ from = sprintf "%s = %s;" to_ from in
   let scalar (ty : Ir.ty) to_ from =
     match ty with Real _ -> sprintf "%s = (%s)%s;" to_ cast from | _ -> equal to_ from
@@ -103,7 +103,7 @@ let copy out steps assignments =
   List.iteri (fun k _ -> bprintf out "%s}\n" (indent (depth - 1 - k))) sizes
 
 (* What a program has ended with is its own, in both structs. *)
-let is_result (program : Machine.Ir.program) side steps =
+let is_result (program : Step.Ir.program) side steps =
   program.ends && side.host.struct_name = host_output && steps == last side.host.leaves
 
 let convert out program sums shape side ~own ~host ~inward =
@@ -124,7 +124,7 @@ let convert out program sums shape side ~own ~host ~inward =
     | [], [], [] -> ()
     | _, _, _ -> bug "the two sides have different leaves"
   in
-  go (Machine.Layout.shape_leaves shape) side.own.leaves side.host.leaves
+  go (Step.Layout.shape_leaves shape) side.own.leaves side.host.leaves
 
 (* {1 The step} *)
 
@@ -138,7 +138,7 @@ static void step(void *state, double dt, const void *in, void *out)
 |}
     name name input.host.struct_name output.host.struct_name
 
-let single_step (program : Machine.Ir.program) sums ~name ~input ~output =
+let single_step (program : Step.Ir.program) sums ~name ~input ~output =
   let out = Buffer.create 1024 in
   let own_type side = "struct " ^ side.own.struct_name in
   let host_type side = "struct " ^ side.host.struct_name in
@@ -173,7 +173,7 @@ static unsigned arithmetic(void)
 |};
   Buffer.contents out
 
-let step (program : Machine.Ir.program) sums ~name ~input ~output =
+let step (program : Step.Ir.program) sums ~name ~input ~output =
   match program.real with
   | Double -> double_step ~name ~input ~output
   | Single -> single_step program sums ~name ~input ~output

@@ -14,22 +14,22 @@ type side = {
   robot : Robot.t option;  (** whose struct the host's is, if that is not the program's *)
 }
 
-val input : ?own_robot:Robot.t -> Machine.Ir.program -> Interface.t -> side
+val input : ?own_robot:Robot.t -> Step.Ir.program -> Interface.t -> side
 (** [own_robot]: the user's own, if the program is for one. *)
 
-val output : ?own_robot:Robot.t -> Machine.Ir.program -> Interface.t -> side
+val output : ?own_robot:Robot.t -> Step.Ir.program -> Interface.t -> side
 
-val is_result : Machine.Ir.program -> side -> Interface.step list -> bool
+val is_result : Step.Ir.program -> side -> Interface.step list -> bool
 (** Does this lead, in the host's struct, to what the program has ended with? That
     is the program's own in both structs. *)
 
 val includes : side list -> string
 (** Of the robots' headers, as lines. *)
 
-val definitions : Machine.Ir.program -> Sum_type.t array -> side -> string
+val definitions : Step.Ir.program -> Sum_type.t array -> side -> string
 (** Of the host's output where it is a robot's and what a program has ended with. *)
 
 val step :
-  Machine.Ir.program -> Sum_type.t array -> name:string -> input:side -> output:side -> string
+  Step.Ir.program -> Sum_type.t array -> name:string -> input:side -> output:side -> string
 (** The table's step, and what it needs: C functions, as text. In single precision
     also [arithmetic], for the table. *)

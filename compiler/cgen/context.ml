@@ -1,5 +1,5 @@
 open Basis
-module M = Machine.Ir
+module M = Step.Ir
 module V = Vocabulary
 
 type t = {
@@ -26,7 +26,7 @@ let comment c (span : Span.t) =
     c.place <- place;
     place)
 
-let expression c = Expression.of_machine c.names
+let expression c = Expression.of_step c.names
 
 let declared c variables =
   let declare groups ((variable : M.variable), name) =

@@ -1,7 +1,7 @@
 (** What the statements of a function have in common, and calls of nodes. *)
 
 open Basis
-module M = Machine.Ir
+module M = Step.Ir
 
 type t = {
   v : Vocabulary.t;

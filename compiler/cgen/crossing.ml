@@ -1,4 +1,4 @@
-module M = Machine.Ir
+module M = Step.Ir
 
 type direction = To_c | From_c
 
@@ -40,7 +40,7 @@ and sum names direction ~depth k ~to_ ~from =
     let to_ = member to_ name and from = member from name in
     match kind with
     | Number -> value names direction ~depth M.Float ~to_ ~from
-    | Large ty -> value names direction ~depth (Machine.Layout.ty ty) ~to_ ~from
+    | Large ty -> value names direction ~depth (Step.Layout.ty ty) ~to_ ~from
     | Whole | Truth | Inner_tag -> [ plain (Ir.Assign (to_, from)) ]
   in
   List.concat_map one (("tag", Sum_type.Inner_tag) :: Sum_type.kinds sums v.sums.(k))

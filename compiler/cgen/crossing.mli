@@ -8,19 +8,19 @@ type direction =
   | To_c
   | From_c
 
-val is_converted : Expression.names -> Machine.Ir.ty -> bool
+val is_converted : Expression.names -> Step.Ir.ty -> bool
 
-val number : Expression.names -> direction -> Machine.Ir.ty -> Ir.expr -> Ir.expr
+val number : Expression.names -> direction -> Step.Ir.ty -> Ir.expr -> Ir.expr
 (** A value in one piece: a number, or what is not converted. *)
 
 val assign :
-  Expression.names -> direction -> Machine.Ir.ty -> to_:Ir.expr -> from:Ir.expr -> Ir.statement list
+  Expression.names -> direction -> Step.Ir.ty -> to_:Ir.expr -> from:Ir.expr -> Ir.statement list
 (** Any value but an array. *)
 
 val elements :
   Expression.names ->
   direction ->
-  Machine.Ir.ty ->
+  Step.Ir.ty ->
   Interface.step list ->
   c:(Ir.expr list -> Ir.expr) ->
   own:Ir.expr ->

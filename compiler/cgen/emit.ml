@@ -9,8 +9,8 @@ type t = {
 
 and foreign = { calls : string list; folders : string list }
 
-let program ?own ?batch (program : Machine.Ir.program) =
-  let files = Of_machine.program ?own ?batch program in
+let program ?own ?batch (program : Step.Ir.program) =
+  let files = Of_step.program ?own ?batch program in
   {
     header = Print.file files.header;
     source = Print.file files.source;
@@ -27,7 +27,7 @@ let program ?own ?batch (program : Machine.Ir.program) =
       {
         calls =
           List.filter_map
-            (fun (node : Machine.Ir.node) ->
+            (fun (node : Step.Ir.node) ->
               Option.map (fun (f : Flow.Ir.foreign) -> f.import.symbol) node.foreign)
             (Array.to_list program.nodes);
         folders =

@@ -19,7 +19,7 @@ and foreign = {
   folders : string list;  (** where the headers are that it includes *)
 }
 
-val program : ?own:Robot.t -> ?batch:bool -> Machine.Ir.program -> t
+val program : ?own:Robot.t -> ?batch:bool -> Step.Ir.program -> t
 (** [own]: the user's own robot, if the program is for one; [batch]: with the function that
     takes many steps ({!Batch}). *)
 

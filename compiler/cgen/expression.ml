@@ -1,5 +1,5 @@
 open Basis
-module M = Machine.Ir
+module M = Step.Ir
 module V = Vocabulary
 
 type names = {
@@ -178,8 +178,8 @@ let address : Ir.expr -> Ir.expr = function
 
 let is_whole_period period = period >= 1. && period < 0x1p63
 
-let rec of_machine n (e : M.expr) : Ir.expr =
-  let list = List.map (of_machine n) in
+let rec of_step n (e : M.expr) : Ir.expr =
+  let list = List.map (of_step n) in
   match e with
   | Bool b -> Boolean b
   | Int i -> Integer i
@@ -211,53 +211,53 @@ let rec of_machine n (e : M.expr) : Ir.expr =
       V.call n.v "frob_limit" (list [ x; y ])
   | Operation { operator = Less_equal; ty = Float; arguments = [ Float x; In_nanoseconds time ] } ->
       at_least n time x
-  | Operation { operator; ty; arguments = [ a ] } -> unary n operator ty (of_machine n a)
+  | Operation { operator; ty; arguments = [ a ] } -> unary n operator ty (of_step n a)
   | Operation { operator; ty; arguments = [ a; b ] } ->
-      binary n operator ty (a, of_machine n a) (b, of_machine n b)
+      binary n operator ty (a, of_step n a) (b, of_step n b)
   | Operation _ -> bad ()
   | Select { condition; then_ = Bool true; else_ } ->
-      Binary (Or, of_machine n condition, of_machine n else_)
+      Binary (Or, of_step n condition, of_step n else_)
   | Select { condition; then_; else_ = Bool false } ->
-      Binary (And, of_machine n condition, of_machine n then_)
+      Binary (And, of_step n condition, of_step n then_)
   | Select { condition; then_; else_ } ->
-      Conditional (of_machine n condition, of_machine n then_, of_machine n else_)
+      Conditional (of_step n condition, of_step n then_, of_step n else_)
   | Construct { sum; constructor; payload } ->
       Call (V.maker n.v ~sum ~constructor, list payload)
   | Is_constructor { sum; value; constructor } ->
       Binary
-        (Equal, Member (of_machine n value, "tag"), Name n.v.sums.(sum).tags.(constructor))
+        (Equal, Member (of_step n value, "tag"), Name n.v.sums.(sum).tags.(constructor))
   | Payload { sum; value; constructor; leaf } ->
-      payload n ~sum ~constructor ~leaf (of_machine n value)
+      payload n ~sum ~constructor ~leaf (of_step n value)
   | Elements { elements; _ } -> Aggregate [ Aggregate (list elements) ]
   | Fill { count; element; value } ->
-      Call (V.array_function n.v Fill (Array (count, element)), [ of_machine n value ])
+      Call (V.array_function n.v Fill (Array (count, element)), [ of_step n value ])
   | Index { array; index } -> element n array (Ir.Integer (Int32.of_int index))
   | At { count; element; array; index; default } ->
       Call
         ( V.array_function n.v At (Array (count, element)),
-          [ address (of_machine n array); of_machine n index; of_machine n default ] )
+          [ address (of_step n array); of_step n index; of_step n default ] )
   | Replace { count; element; array; index; value } ->
       Call
         ( V.array_function n.v Replace (Array (count, element)),
-          [ address (of_machine n array); of_machine n index; of_machine n value ] )
+          [ address (of_step n array); of_step n index; of_step n value ] )
   | Call { node; arguments = given } ->
       Call (n.v.nodes.(node).step, arguments n n.v.program.nodes.(node).step.parameters given)
-  | In_nanoseconds e -> V.call n.v "frob_time_in_ns" [ of_machine n e ]
-  | Seconds e -> Binary (Over, Cast (V.real n.v, of_machine n e), V.float n.v 1e9)
-  | Soon (a, b) -> Call ("frob_soon", [ of_machine n a; of_machine n b ])
-  | Later (a, b) -> Call ("frob_later", [ of_machine n a; of_machine n b ])
+  | In_nanoseconds e -> V.call n.v "frob_time_in_ns" [ of_step n e ]
+  | Seconds e -> Binary (Over, Cast (V.real n.v, of_step n e), V.float n.v 1e9)
+  | Soon (a, b) -> Call ("frob_soon", [ of_step n a; of_step n b ])
+  | Later (a, b) -> Call ("frob_later", [ of_step n a; of_step n b ])
   | Reached { time; period = Float period } when is_whole_period period ->
-      Binary (Less_equal, Long (Int64.of_float period), of_machine n time)
+      Binary (Less_equal, Long (Int64.of_float period), of_step n time)
   | Reached { time; period } -> V.call n.v "frob_reached" (list [ time; period ])
   | Rest { time; period = Float period } when is_whole_period period ->
-      Binary (Remainder, of_machine n time, Long (Int64.of_float period))
+      Binary (Remainder, of_step n time, Long (Int64.of_float period))
   | Rest { time; period } -> V.call n.v "frob_rest" (list [ time; period ])
 
 (* Integers are quicker to compare than what Floats they make. *)
 and at_least n time x =
   match Flow.Clock.reaches n.v.program.real x with
-  | Some least -> Binary (Less_equal, Long least, of_machine n time)
-  | None -> Binary (Less_equal, V.float n.v x, of_machine n (In_nanoseconds time))
+  | Some least -> Binary (Less_equal, Long least, of_step n time)
+  | None -> Binary (Less_equal, V.float n.v x, of_step n (In_nanoseconds time))
 
 (* Of an array, or of an array of arrays that is read in place. *)
 and element n array index =
@@ -269,15 +269,15 @@ and element n array index =
   in
   match in_place array [ index ] with
   | Some e -> e
-  | None -> Array_type.element (of_machine n array) index
+  | None -> Array_type.element (of_step n array) index
 
 (* Arrays are passed by address. *)
 and arguments n parameters given =
   List.map2
     (fun (p : M.variable) e ->
       match p.ty with
-      | Array _ -> address (of_machine n e)
-      | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> of_machine n e)
+      | Array _ -> address (of_step n e)
+      | Bool | Int | Float | Sum _ | Nanoseconds | Foreign _ -> of_step n e)
     parameters given
 
 and payload n ~sum ~constructor ~leaf value : Ir.expr =

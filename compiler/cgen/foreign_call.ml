@@ -1,5 +1,5 @@
 module F = Flow.Ir
-module M = Machine.Ir
+module M = Step.Ir
 module V = Vocabulary
 
 let plain desc : Ir.statement = { desc; comment = "" }
@@ -9,7 +9,7 @@ let address name = Ir.Unary (Address, Name name)
 (* Splits the leaves of several shapes, given in a row. *)
 let by_shape shapes leaves =
   let take (parts, leaves) shape =
-    let count = List.length (Machine.Layout.shape_leaves shape) in
+    let count = List.length (Step.Layout.shape_leaves shape) in
     let own = List.filteri (fun k _ -> k < count) leaves in
     (own :: parts, List.filteri (fun k _ -> k >= count) leaves)
   in
@@ -160,7 +160,7 @@ let present names parameters =
     (fun (p : M.variable) ->
       match p.ty with
       | Foreign { copyable = false; _ } ->
-          Some (Ir.Binary (Not_equal, Expression.of_machine names (Variable p), Integer 0l))
+          Some (Ir.Binary (Not_equal, Expression.of_step names (Variable p), Integer 0l))
       | Foreign _ | Bool | Int | Float | Sum _ | Nanoseconds | Array _ -> None)
     parameters
 
@@ -196,7 +196,7 @@ let step (v : V.t) k (interface : Foreign_interface.t) : Ir.function_ =
   let values =
     by_shape foreign.import.arguments
       (List.map
-         (fun (p : M.variable) -> (p.ty, Expression.of_machine names (Variable p)))
+         (fun (p : M.variable) -> (p.ty, Expression.of_step names (Variable p)))
          node.step.parameters)
   in
   let outputs = outputs names node foreign in

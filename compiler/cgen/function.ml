@@ -121,7 +121,7 @@ let name_variables names body =
     then ignore (Expression.variable names variable)
   in
   let declared visit =
-    Machine.Walk.statements
+    Step.Walk.statements
       (function
         | M.Declare { variable; _ } -> visit variable
         | If { uninitialized; _ } -> List.iter visit uninitialized
@@ -141,7 +141,7 @@ let name_variables names body =
 let handed_on body =
   let reads = Int_table.create 16 and results = ref [] in
   let count (v : M.variable) = Option.value (Int_table.find_opt reads v.id) ~default:0 in
-  Machine.Walk.expressions
+  Step.Walk.expressions
     (function M.Variable v -> Int_table.replace reads v.id (count v + 1) | _ -> ())
     body;
   let rec block statements =
@@ -181,7 +181,7 @@ let variables_read (v : V.t) (node : M.node) body =
     let before = Option.value (Int_table.find_opt reads variable.id) ~default:0 in
     Int_table.replace reads variable.id (before + n)
   in
-  Machine.Walk.expressions (function M.Variable variable -> count 1 variable | _ -> ()) body;
+  Step.Walk.expressions (function M.Variable variable -> count 1 variable | _ -> ()) body;
   List.iter (count (-1)) (Program_input.variables_by_pointer v.by_pointer v.program node body);
   let read = Int_table.create 16 in
   Int_table.fold (fun id n () -> if n > 0 then Int_table.replace read id ()) reads ();
@@ -360,12 +360,12 @@ let only_elements_read body (variable : M.variable) ~dimensions =
     | _ -> false
   in
   let reads = ref 0 and of_elements = ref 0 in
-  Machine.Walk.expressions
+  Step.Walk.expressions
     (fun e ->
       (match e with M.Variable v when v.id = variable.id -> incr reads | _ -> ());
       if is_chain dimensions e then incr of_elements)
     body;
-  Machine.Walk.statements
+  Step.Walk.statements
     (function
       | M.Loop l ->
           List.iter

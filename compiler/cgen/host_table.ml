@@ -13,7 +13,7 @@ type context = {
 (* Where a leaf lies, as paths of members, and the kind of what Floats it has. *)
 type location =
   | Scalar of { path : string; number : string }
-  | Sum of { tag : string; base : string; first : Machine.Layout.slots; number : string }
+  | Sum of { tag : string; base : string; first : Step.Layout.slots; number : string }
   | Array of (int -> location)  (** of each element *)
 
 let c_string text = "\"" ^ String.escaped text ^ "\""
@@ -57,7 +57,7 @@ let foreign () = Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a host that know
 let rec value_at number path (ty : F.ty) =
   match ty with
   | Bool | Int | Float -> Scalar { path; number }
-  | Sum _ -> Sum { tag = path ^ ".tag"; base = path ^ "."; first = Machine.Layout.none; number }
+  | Sum _ -> Sum { tag = path ^ ".tag"; base = path ^ "."; first = Step.Layout.none; number }
   | Array (_, element) -> Array (fun i -> value_at number (sprintf "%s.at[%d]" path i) element)
   | Foreign _ -> foreign ()
 
@@ -77,7 +77,7 @@ let rec shape c locations (whole : F.shape) =
       value c ~kind:"FROB_PRODUCT" ~offset:"0" ~is_event:false ~count:1 constructors
   | Repeated (n, element) ->
       (* As a product of its elements. *)
-      let arrays = List.map (fun _ -> take locations) (Machine.Layout.shape_leaves element) in
+      let arrays = List.map (fun _ -> take locations) (Step.Layout.shape_leaves element) in
       let row i =
         let locations = ref (List.map (element_of i) arrays) in
         sprintf "NULL, &%s" (shape c locations element)
@@ -118,7 +118,7 @@ and sum c k ~tag ~base ~first ~number =
   in
   let row (ctor : F.sum_constructor) =
     let slots = Sum_type.payload c.sums ~first ctor in
-    let locations = ref (List.map2 locate slots (Machine.Layout.leaves ctor)) in
+    let locations = ref (List.map2 locate slots (Step.Layout.leaves ctor)) in
     let record = List.exists (fun (name, _) -> not (String.equal name "")) ctor.fields in
     constructor c locations ~name:ctor.constructor ~record ctor.fields
   in
@@ -131,14 +131,14 @@ and sum c k ~tag ~base ~first ~number =
   value c ~kind:"FROB_SUM" ~offset:(offset c tag) ~is_event ~count:(List.length rows) constructors
 
 (* The kind of the Floats of a leaf. *)
-let number (program : Machine.Ir.program) (side : Border.side) steps =
+let number (program : Step.Ir.program) (side : Border.side) steps =
   match (program.real, side.robot) with
   | Double, _ -> "FROB_FLOAT"
   | Single, Some _ when not (Border.is_result program side steps) -> "FROB_ROUNDED"
   | Single, (Some _ | None) -> "FROB_SINGLE"
 
 (* Of each leaf. *)
-let locations (program : Machine.Ir.program) (side : Border.side) whole =
+let locations (program : Step.Ir.program) (side : Border.side) whole =
   let rec locate number path (steps : Interface.step list) (ty : F.ty) =
     match (steps, ty) with
     | [], _ -> value_at number path ty
@@ -150,16 +150,16 @@ let locations (program : Machine.Ir.program) (side : Border.side) whole =
         Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an array of a leaf that is none"
   in
   let leaf steps = locate (number program side steps) "" steps in
-  List.rev (List.rev_map2 leaf side.host.leaves (Machine.Layout.shape_leaves whole))
+  List.rev (List.rev_map2 leaf side.host.leaves (Step.Layout.shape_leaves whole))
 
-let interface out (program : Machine.Ir.program) ~prefix (side : Border.side) whole =
+let interface out (program : Step.Ir.program) ~prefix (side : Border.side) whole =
   let c =
     { out; sums = program.sums; struct_name = side.host.struct_name; prefix; count = 0 }
   in
   shape c (ref (locations program side whole)) whole
 
 (* The output's last leaf once more, by itself. *)
-let result out (program : Machine.Ir.program) (side : Border.side) =
+let result out (program : Step.Ir.program) (side : Border.side) =
   let c =
     { out; sums = program.sums; struct_name = side.host.struct_name; prefix = "result"; count = 0 }
   in
@@ -188,12 +188,12 @@ let machines out ~state (list : Machine_table.t list) =
   let c = { out; sums = [||]; struct_name = state; prefix = ""; count = 0 } in
   (table c "machine" "machines" rows, List.length rows)
 
-let robot ?own (program : Machine.Ir.program) =
+let robot ?own (program : Step.Ir.program) =
   match (Robot.of_shape ?own program.input, Robot.of_shape ?own program.output) with
   | Some robot, _ | None, Some robot -> Some robot
   | None, None -> None
 
-let text ?own (program : Machine.Ir.program) (files : Of_machine.t) =
+let text ?own (program : Step.Ir.program) (files : Of_step.t) =
   let out = Buffer.create 4096 in
   let name = files.name in
   let input_side = Border.input ?own_robot:own program files.input in

@@ -15,7 +15,7 @@ let guarded (robot : Robot.t) (declaration : Ir.declaration) : Ir.declaration li
   | Constants { names = name :: _; _ } | Struct_definition { name; _ } -> shared name
   | _ -> [ declaration ]
 
-let text (robot : Robot.t) (program : Machine.Ir.program) =
+let text (robot : Robot.t) (program : Step.Ir.program) =
   let own = if Robot.is_own robot then Some robot else None in
   let v = Vocabulary.of_program ?own program in
   let guard = "FROB_" ^ String.uppercase_ascii robot.name ^ "_H" in

@@ -1,4 +1,4 @@
-module M = Machine.Ir
+module M = Step.Ir
 module V = Vocabulary
 
 let plain desc : Ir.statement = { desc; comment = "" }
@@ -19,7 +19,7 @@ let statements names (l : M.loop) ~call =
   let result_names = List.map (Expression.variable names) l.results in
   let start name (variable : M.variable) initial =
     plain
-      (Ir.Variable { ty = V.ty v variable.ty; name; value = Expression.of_machine names initial })
+      (Ir.Variable { ty = V.ty v variable.ty; name; value = Expression.of_step names initial })
   in
   let declare k (variable : M.variable) =
     let name = List.nth result_names k in
@@ -31,7 +31,7 @@ let statements names (l : M.loop) ~call =
   let index = Expression.index names 0 in
   let before = ref [] in
   let once (p : M.variable) e =
-    let e = Expression.of_machine names e in
+    let e = Expression.of_step names e in
     if is_array p.ty then Expression.address e
     else if is_place e then e
     else
@@ -46,7 +46,7 @@ let statements names (l : M.loop) ~call =
         if is_array p.ty then Expression.address name else name
     | Same e -> once p e
     | Counted (Int 0l) -> Name index
-    | Counted e -> Call ("frob_int_add", [ Expression.of_machine names e; Name index ])
+    | Counted e -> Call ("frob_int_add", [ Expression.of_step names e; Name index ])
     | Each e ->
         let element = Expression.element names e (Name index) in
         if is_array p.ty then Expression.address element else element

@@ -2,7 +2,7 @@
 
 val statements :
   Expression.names ->
-  Machine.Ir.loop ->
+  Step.Ir.loop ->
   call:(string -> Ir.expr list -> Ir.expr list -> Ir.expr) ->
   Ir.statement list
 (** With the declarations of its results before it. [call] is the step of a

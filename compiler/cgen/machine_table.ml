@@ -1,4 +1,4 @@
-module M = Machine.Ir
+module M = Step.Ir
 module V = Vocabulary
 
 type t = {
@@ -69,7 +69,7 @@ let rec node s k ~path ~element ~within =
             let within =
               match machine with Some m -> Some (m, number) | None -> within
             in
-            List.iter (field ~within) (Machine.State.fields_of_mode mode))
+            List.iter (field ~within) (Step.State.fields_of_mode mode))
           modes
   in
   List.iter (field ~within) node_.state

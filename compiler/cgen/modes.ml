@@ -41,7 +41,7 @@ let enter c (entry : M.entry) span =
   | [] -> []
   | first :: others -> { Ir.desc = first; comment } :: List.map plain others
 
-let goes_round (run : M.run) = run.steps > 1 && not (Machine.Direct.is_direct run)
+let goes_round (run : M.run) = run.steps > 1 && not (Step.Direct.is_direct run)
 
 (* What a mode enters at its first instant sees no time. *)
 let forget_time c =
@@ -158,7 +158,7 @@ let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
 let run c (run : M.run) =
   let scope = Expression.scope c.names in
   (* One round steps one mode; another follows if a mode was entered. *)
-  let direct = Machine.Direct.is_direct run in
+  let direct = Step.Direct.is_direct run in
   let loops = goes_round run in
   let flag name = Name.fresh scope name in
   let steps = if loops then flag "steps" else "" in

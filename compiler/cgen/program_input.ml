@@ -1,4 +1,4 @@
-module M = Machine.Ir
+module M = Step.Ir
 
 (* What calls pass for a parameter. *)
 type passed = Leaf of int  (** of the input *) | Different
@@ -81,7 +81,7 @@ let calls f (program : M.program) (node : M.node) body =
   let entry (e : M.entry) =
     match e.first with Started_by arguments -> start (mode e.mode).node arguments | Reset_by _ -> ()
   in
-  Machine.Walk.statements
+  Step.Walk.statements
     (function
       | M.Step { node; arguments; _ } -> step node arguments
       | Start { node; arguments; _ } -> start node arguments
@@ -119,13 +119,13 @@ let note_calls t (program : M.program) k =
   in
   note node.step.body;
   Option.iter (fun (code : M.code) -> note code.body) node.start;
-  Machine.Walk.statements
+  Step.Walk.statements
     (function
       | M.Step { node; on_trial = true; _ } | Loop { node; _ } -> refuse node
       | Step _ | Run _ | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Start _ | Begin _
       | Await _ | Return _ -> ())
     node.step.body;
-  Machine.Walk.expressions
+  Step.Walk.expressions
     (function M.Call { node; _ } -> refuse node | _ -> ())
     node.step.body
 

@@ -7,7 +7,7 @@
 
 type t
 
-val of_program : Machine.Ir.program -> Interface.t -> t
+val of_program : Step.Ir.program -> Interface.t -> t
 (** The interface is that of the program's input. *)
 
 val is_given : t -> int -> bool
@@ -16,14 +16,14 @@ val is_given : t -> int -> bool
 val is_start_given : t -> int -> bool
 (** Whether its start does: if the step does, and the start has a use for it. *)
 
-val member : t -> int -> Machine.Ir.variable -> Interface.step list option
+val member : t -> int -> Step.Ir.variable -> Interface.step list option
 (** What leads to a parameter of that node's step or start from the pointer, if it is read there. *)
 
 val variables_by_pointer :
   t ->
-  Machine.Ir.program ->
-  Machine.Ir.node ->
-  Machine.Ir.statement list ->
-  Machine.Ir.variable list
+  Step.Ir.program ->
+  Step.Ir.node ->
+  Step.Ir.statement list ->
+  Step.Ir.variable list
 (** What this body of the node's hands over by the pointer, once for each call that reads
     it there. *)

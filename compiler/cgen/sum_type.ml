@@ -5,7 +5,7 @@ type t = {
   tags : string array;
   makers : string array;
   real : Basis.Real.t;
-  slots : Machine.Layout.slots;
+  slots : Step.Layout.slots;
   arrays : (F.ty * Ir.ty) list;
 }
 
@@ -24,7 +24,7 @@ let name scope ~prefix ~real (sum : F.sum) ~slots ~arrays =
 
 type slot =
   | Scalar of string
-  | Inner of { sum : int; tag : string; first : Machine.Layout.slots }
+  | Inner of { sum : int; tag : string; first : Step.Layout.slots }
 
 let float_slot k = "f" ^ string_of_int k
 let int_slot k = "i" ^ string_of_int k
@@ -33,10 +33,10 @@ let tag_slot k = "t" ^ string_of_int k
 
 (* The same in every program, as robots' headers are. *)
 let array_slot sums ty k =
-  Printf.sprintf "%s_%d" (Array_type.name sums (Machine.Layout.ty ty)) k
+  Printf.sprintf "%s_%d" (Array_type.name sums (Step.Layout.ty ty)) k
 
-let payload sums ?(first = Machine.Layout.none) (constructor : F.sum_constructor) =
-  let place ((used : Machine.Layout.slots), slots) (ty : F.ty) =
+let payload sums ?(first = Step.Layout.none) (constructor : F.sum_constructor) =
+  let place ((used : Step.Layout.slots), slots) (ty : F.ty) =
     let slot =
       match ty with
       | Float -> Scalar (float_slot used.floats)
@@ -45,20 +45,20 @@ let payload sums ?(first = Machine.Layout.none) (constructor : F.sum_constructor
       | Sum sum ->
           let first = { used with tags = used.tags + 1 } in
           Inner { sum; tag = tag_slot used.tags; first }
-      | Array _ | Foreign _ -> Scalar (array_slot sums ty (Machine.Layout.arrays_before used ty))
+      | Array _ | Foreign _ -> Scalar (array_slot sums ty (Step.Layout.arrays_before used ty))
     in
-    (Machine.Layout.add used (Machine.Layout.leaf sums ty), slot :: slots)
+    (Step.Layout.add used (Step.Layout.leaf sums ty), slot :: slots)
   in
-  let _, slots = List.fold_left place (first, []) (Machine.Layout.leaves constructor) in
+  let _, slots = List.fold_left place (first, []) (Step.Layout.leaves constructor) in
   List.rev slots
 
 type kind = Number | Whole | Truth | Inner_tag | Large of F.ty
 
-let kinds sums ?(first = Machine.Layout.none) t =
+let kinds sums ?(first = Step.Layout.none) t =
   let slots = t.slots in
   let some count start slot kind = List.init count (fun k -> (slot (start + k), kind)) in
   let large (ty, count) =
-    some count (Machine.Layout.arrays_before first ty) (array_slot sums ty) (Large ty)
+    some count (Step.Layout.arrays_before first ty) (array_slot sums ty) (Large ty)
   in
   List.concat
     [
@@ -92,23 +92,23 @@ let definition sums (sum : F.sum) t =
       };
   ]
 
-let rec zero real sums ~absent (ty : Machine.Ir.ty) : Ir.expr =
+let rec zero real sums ~absent (ty : Step.Ir.ty) : Ir.expr =
   match ty with
   | Foreign ty -> absent ty
   | Float -> Float (real, 0.)
   | Bool -> Boolean false
   | Int | Nanoseconds -> Integer 0l
   | Sum k ->
-      let slots = zeros real sums ~absent (Machine.Layout.sum sums k) in
+      let slots = zeros real sums ~absent (Step.Layout.sum sums k) in
       Aggregate (Integer 0l :: List.map (fun zero -> zero ()) slots)
   | Array (_, element) -> Aggregate [ Aggregate [ zero real sums ~absent element ] ]
 
 (* In the order of the members. Each only when it is asked for, as [absent] declares
    a variable. *)
-and zeros real sums ~absent (slots : Machine.Layout.slots) =
+and zeros real sums ~absent (slots : Step.Layout.slots) =
   let some count e = List.init count (fun _ -> e) in
   let large (ty, count) =
-    some count (fun () -> zero real sums ~absent (Machine.Layout.ty ty))
+    some count (fun () -> zero real sums ~absent (Step.Layout.ty ty))
   in
   List.concat
     [

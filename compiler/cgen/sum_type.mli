@@ -7,7 +7,7 @@ type t = {
   tags : string array;  (** constants, by constructor *)
   makers : string array;  (** functions, by constructor *)
   real : Basis.Real.t;  (** of its Floats *)
-  slots : Machine.Layout.slots;
+  slots : Step.Layout.slots;
   arrays : (Flow.Ir.ty * Ir.ty) list;  (** their structs *)
 }
 
@@ -16,7 +16,7 @@ val name :
   prefix:string ->
   real:Basis.Real.t ->
   Flow.Ir.sum ->
-  slots:Machine.Layout.slots ->
+  slots:Step.Layout.slots ->
   arrays:(Flow.Ir.ty * Ir.ty) list ->
   t
 (** Takes names of the file's scope. *)
@@ -24,15 +24,15 @@ val name :
 (** Where the leaves of a payload lie. *)
 type slot =
   | Scalar of string  (** a member; of an array too *)
-  | Inner of { sum : int; tag : string; first : Machine.Layout.slots }
+  | Inner of { sum : int; tag : string; first : Step.Layout.slots }
       (** its tag's member; its slots start after [first] *)
 
 val payload :
-  Flow.Ir.sum array -> ?first:Machine.Layout.slots -> Flow.Ir.sum_constructor -> slot list
+  Flow.Ir.sum array -> ?first:Step.Layout.slots -> Flow.Ir.sum_constructor -> slot list
 (** The slots of all leaves; [first] slots belong to others. *)
 
 val zero : Basis.Real.t ->
-  Flow.Ir.sum array -> absent:(Flow.Ir.foreign_type -> Ir.expr) -> Machine.Ir.ty -> Ir.expr
+  Flow.Ir.sum array -> absent:(Flow.Ir.foreign_type -> Ir.expr) -> Step.Ir.ty -> Ir.expr
 (** Some value of the type, as an initial value. *)
 
 (** What a member holds. *)
@@ -43,11 +43,11 @@ type kind =
   | Inner_tag
   | Large of Flow.Ir.ty  (** an array, or a foreign value *)
 
-val kinds : Flow.Ir.sum array -> ?first:Machine.Layout.slots -> t -> (string * kind) list
+val kinds : Flow.Ir.sum array -> ?first:Step.Layout.slots -> t -> (string * kind) list
 (** The members of its struct, without the tag. *)
 
 val members :
-  Flow.Ir.sum array -> ?first:Machine.Layout.slots -> t -> (string * Ir.ty) list
+  Flow.Ir.sum array -> ?first:Step.Layout.slots -> t -> (string * Ir.ty) list
 (** The same, with their types. *)
 
 val definition : Flow.Ir.sum array -> Flow.Ir.sum -> t -> Ir.declaration list

@@ -1,5 +1,5 @@
 module F = Flow.Ir
-module M = Machine.Ir
+module M = Step.Ir
 
 type owner = Program | Robot | Foreign_code
 
@@ -32,9 +32,9 @@ let rec holds_numbers sums (ty : M.ty) =
   | Bool | Int | Nanoseconds | Foreign _ -> false
   | Array (_, element) -> holds_numbers sums element
   | Sum k ->
-      let slots = Machine.Layout.sum sums k in
+      let slots = Step.Layout.sum sums k in
       slots.floats > 0
-      || List.exists (fun (ty, _) -> holds_numbers sums (Machine.Layout.ty ty)) slots.arrays
+      || List.exists (fun (ty, _) -> holds_numbers sums (Step.Layout.ty ty)) slots.arrays
 
 (* {1 Who knows them} *)
 
@@ -51,15 +51,15 @@ let mark known owner shape =
         if known.sum_owners.(k) = Program then known.sum_owners.(k) <- owner;
         List.iter
           (fun (slot, _) ->
-            let array = Machine.Layout.ty slot in
+            let array = Step.Layout.ty slot in
             if is_array array && not (Hashtbl.mem known.array_owners array) then
               Hashtbl.replace known.array_owners array owner;
             ty slot)
-          (Machine.Layout.sum known.program k).arrays
+          (Step.Layout.sum known.program k).arrays
     | Array (_, element) -> ty element
     | Bool | Int | Float | Foreign _ -> ()
   in
-  List.iter ty (Machine.Layout.shape_leaves shape)
+  List.iter ty (Step.Layout.shape_leaves shape)
 
 let marked t (ty : M.ty) =
   match ty with
@@ -97,9 +97,9 @@ let rec array_name t (ty : M.ty) =
       name
 
 let sum_type t k sum =
-  let slots = Machine.Layout.sum t.known.program k in
+  let slots = Step.Layout.sum t.known.program k in
   let array (ty, _) =
-    match Machine.Layout.ty ty with
+    match Step.Layout.ty ty with
     | Foreign foreign -> (ty, foreign_type foreign)
     | array -> (ty, Ir.Struct (array_name t array))
   in
@@ -167,7 +167,7 @@ let definitions t ~of_:wanted =
       match type_ with
       | Sum k ->
           let own = t.sums.(k) in
-          List.iter (fun (slot, _) -> add (Machine.Layout.ty slot)) own.slots.arrays;
+          List.iter (fun (slot, _) -> add (Step.Layout.ty slot)) own.slots.arrays;
           define type_ own.struct_name (Sum_type.definition sums sums.(k) own)
       | Array (count, element) ->
           add element;

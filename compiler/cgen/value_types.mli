@@ -28,18 +28,18 @@ val of_foreign_code : t -> t
 
 val sums : t -> Sum_type.t array
 
-val ty : t -> Machine.Ir.ty -> Ir.ty
+val ty : t -> Step.Ir.ty -> Ir.ty
 (** An array's struct is named where it is first asked for. *)
 
 val foreign_type : Flow.Ir.foreign_type -> Ir.ty
 
-val array_name : t -> Machine.Ir.ty -> string
+val array_name : t -> Step.Ir.ty -> string
 (** Of an array's struct. *)
 
-val arrays : t -> (Machine.Ir.ty * string) list
+val arrays : t -> (Step.Ir.ty * string) list
 (** Those that were asked for, with their structs: first ones first. *)
 
-val differ : t -> Machine.Ir.ty -> bool
+val differ : t -> Step.Ir.ty -> bool
 (** Has the user's C other values of this type than the program's own table? *)
 
 val definitions : t -> of_:(owner -> bool) -> Ir.declaration list

@@ -1,5 +1,5 @@
 module F = Flow.Ir
-module M = Machine.Ir
+module M = Step.Ir
 
 type mode = { constant : string; member : string }
 
@@ -76,7 +76,7 @@ let name_modes (nodes : M.node array) table scope ~prefix (node : M.node) =
   in
   let name (mode : M.mode) =
     let member = Name.fresh modes nodes.(mode.node).origin in
-    name_members table (member :: room) (Machine.State.fields_of_mode mode);
+    name_members table (member :: room) (Step.State.fields_of_mode mode);
     let constant =
       match node.modes with
       | [] | [ _ ] -> ""

@@ -21,10 +21,10 @@ type node = {
 type helper =
   | Maker of { sum : int; constructor : int }
   | Projection of { sum : int; constructor : int; leaf : int }
-  | On_arrays of Array_type.operation * Machine.Ir.ty
+  | On_arrays of Array_type.operation * Step.Ir.ty
 
 type t = {
-  program : Machine.Ir.program;
+  program : Step.Ir.program;
   name : string;  (** the prefix of all names *)
   file_scope : Name.scope;
   types : Value_types.t;
@@ -46,12 +46,12 @@ type t = {
       (** variables that stand for values that are not there *)
 }
 
-val of_program : ?own:Robot.t -> Machine.Ir.program -> t
+val of_program : ?own:Robot.t -> Step.Ir.program -> t
 (** [own]: the user's own robot, if the program is for one. *)
 
-val ty : t -> Machine.Ir.ty -> Ir.ty
+val ty : t -> Step.Ir.ty -> Ir.ty
 val absent : t -> Flow.Ir.foreign_type -> Ir.expr
-val zero : t -> Machine.Ir.ty -> Ir.expr
+val zero : t -> Step.Ir.ty -> Ir.expr
 (** Some value, as an initial value. *)
 
 val real : t -> Ir.ty
@@ -67,7 +67,7 @@ val elementary : Core.Primitive.elementary -> string
 
 val maker : t -> sum:int -> constructor:int -> string
 val projection : t -> sum:int -> constructor:int -> leaf:int -> string
-val array_function : t -> Array_type.operation -> Machine.Ir.ty -> string
+val array_function : t -> Array_type.operation -> Step.Ir.ty -> string
 (** Of an array type. *)
 
 val take_pending : t -> Ir.function_ list

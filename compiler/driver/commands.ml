@@ -96,7 +96,7 @@ let header_of (resources : Resources.t) (robot : Robots.t) =
   let sink = Diagnostic.sink () and sources = Source.create () and library = resources.library in
   let file = Option.value robot.file ~default:(Filename.concat library (robot.module_ ^ ".frob")) in
   let request = { (Request.make ~library file) with robot = Some robot; entry = "atRest" } in
-  (Option.map (Cgen.Interface_header.text robot) (Pipeline.machine sink sources request), sink, sources)
+  (Option.map (Cgen.Interface_header.text robot) (Pipeline.step sink sources request), sink, sources)
 
 let robot_header resources (robot : Robots.t) =
   match header_of resources robot with
@@ -156,7 +156,7 @@ let report general ~entry ~states file =
         Format.printf "%a@?" Report.Diagram.print program;
         Exit_status.ok)
   else
-  accepted Pipeline.machine general resources ~entry file (fun _ program ->
+  accepted Pipeline.step general resources ~entry file (fun _ program ->
       if general.dump = None then begin
         let bounds = Report.Bounds.of_program program in
         match general.format with

@@ -102,22 +102,22 @@ let optimized r sink flow =
 
 let lowered r sink flow =
   let* flow = optimized r sink flow in
-  let lint = Machine.Lint.program and print = Machine.Print.program in
-  stage r sink Machine ~lint ~print (Machine.Of_flow.program flow)
+  let lint = Step.Lint.program and print = Step.Print.program in
+  stage r sink Step ~lint ~print (Step.Of_flow.program flow)
 
-let c (r : Request.t) sink machine =
-  let files = Cgen.Emit.program ?own:(Request.own_robot r) ~batch:r.batch machine in
+let c (r : Request.t) sink step =
+  let files = Cgen.Emit.program ?own:(Request.own_robot r) ~batch:r.batch step in
   stage r sink C ~lint:ignore ~print:Cgen.Emit.print files
 
 let after_checks next sink sources r =
   Option.bind (checked sink sources r) (fun (_, _, flow) -> next r sink flow)
 
 let flow sink = after_checks optimized sink
-let machine sink = after_checks lowered sink
-let compile sink sources r = Option.bind (machine sink sources r) (c r sink)
+let step sink = after_checks lowered sink
+let compile sink sources r = Option.bind (step sink sources r) (c r sink)
 
 let for_both_engines sink sources r =
   let* _, (core, entry), flow = checked sink sources r in
-  let* machine = lowered r sink flow in
+  let* step = lowered r sink flow in
   (* The structs of a user's own robot are the program's then, and in no file of their own. *)
-  Option.map (fun files -> (core, entry, files)) (c { r with robot = None } sink machine)
+  Option.map (fun files -> (core, entry, files)) (c { r with robot = None } sink step)

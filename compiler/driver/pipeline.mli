@@ -14,7 +14,7 @@ val check : unit t
 val flow : Flow.Ir.program option t
 (** One entry of the file's module, before there is a state struct and a step. *)
 
-val machine : Machine.Ir.program option t
+val step : Step.Ir.program option t
 (** Everything before C. *)
 
 val compile : Cgen.Emit.t option t

@@ -1,4 +1,4 @@
-type t = Parse | Resolve | Types | Core | Specialize | Passes | Flow | Machine | C
+type t = Parse | Resolve | Types | Core | Specialize | Passes | Flow | Step | C
 
 let table =
   [
@@ -9,7 +9,7 @@ let table =
     (Specialize, "specialize", "first-order nodes of equations");
     (Passes, "passes", "the same after each pass of the optimizer that changes it");
     (Flow, "flow", "the same after all of them");
-    (Machine, "machine", "state, reset and step as statements");
+    (Step, "step", "state, reset and step as statements");
     (C, "c", "the generated C");
   ]
 

@@ -9,7 +9,7 @@ type t =
   | Specialize
   | Passes
   | Flow
-  | Machine
+  | Step
   | C
 
 val all : t list

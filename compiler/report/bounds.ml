@@ -1,7 +1,7 @@
 open Basis
 
 type t = {
-  program : Machine.Ir.program;
+  program : Step.Ir.program;
   state : State.t;
   operations : Operations.t;
   stack : Stack.bounds;

@@ -1,14 +1,14 @@
 (** What can be said of a program before it runs. *)
 
 type t = {
-  program : Machine.Ir.program;
+  program : Step.Ir.program;
   state : State.t;
   operations : Operations.t;
   stack : Stack.bounds;
   machines : Hops.machine list;
 }
 
-val of_program : Machine.Ir.program -> t
+val of_program : Step.Ir.program -> t
 
 val place : file:string -> Basis.Span.t -> string
 (** As the report names it: without folders, so that it reads the same

@@ -1,5 +1,5 @@
 open Basis
-module M = Machine.Ir
+module M = Step.Ir
 
 type machine = {
   name : string;
@@ -15,7 +15,7 @@ and transition = { leaves : string; enters : string; at_entry : Flow.Ir.at_entry
 let of_node (program : M.program) (node : M.node) =
   let found = ref [] in
   let mode (mode : M.mode) = program.nodes.(mode.node).origin in
-  Machine.Walk.statements
+  Step.Walk.statements
     (function
       | M.Run { steps; span; cases; _ } ->
           let modes = List.map mode node.modes in

@@ -18,5 +18,5 @@ and transition = {
   at : Span.t;
 }
 
-val of_program : Machine.Ir.program -> machine list
+val of_program : Step.Ir.program -> machine list
 (** One for each machine in the code, callers before callees. *)

@@ -1,4 +1,4 @@
-module M = Machine.Ir
+module M = Step.Ir
 
 type t = { reset : Cost.t; step : Cost.t }
 
@@ -12,7 +12,7 @@ type context = {
   scalars : int array;  (** of their states *)
 }
 
-let scalars c ty = Machine.Block.scalars c.program.sums ty
+let scalars c ty = Step.Block.scalars c.program.sums ty
 
 let stored c (field : M.field) =
   match field.content with
@@ -28,7 +28,7 @@ let rec scalars_of_state c fields =
     | States_of { node; count } -> Basis.Amount.times count c.scalars.(node)
     | Running_mode | Component _ -> 1
     | Modes modes ->
-        let mode m = scalars_of_state c (Machine.State.fields_of_mode m) in
+        let mode m = scalars_of_state c (Step.State.fields_of_mode m) in
         List.fold_left (fun most m -> max most (mode m)) 0 modes
   in
   List.fold_left (fun sum field -> Basis.Amount.add sum (content field)) 0 fields
@@ -69,8 +69,8 @@ let rec expression c (e : M.expr) =
   | Is_constructor { value = Field _; _ } -> Cost.add (Cost.one Choices) (Cost.one Loads)
   | Is_constructor { value; _ } -> Cost.add (Cost.one Choices) (expression c value)
   | Payload { sum; value = Field _; constructor; leaf } ->
-      let leaves = Machine.Layout.leaves (List.nth c.program.sums.(sum).constructors constructor) in
-      Cost.several (scalars c (Machine.Layout.ty (List.nth leaves leaf))) Loads
+      let leaves = Step.Layout.leaves (List.nth c.program.sums.(sum).constructors constructor) in
+      Cost.several (scalars c (Step.Layout.ty (List.nth leaves leaf))) Loads
   | Payload { value; _ } -> expression c value
   | Elements { elements; _ } -> expressions c elements
   | Fill { count; value; _ } -> Cost.add (Cost.several count Choices) (expression c value)
@@ -133,7 +133,7 @@ let first_step c (cases : M.case list) (e : M.entry) =
       Cost.add (expressions c (List.nth cases e.mode).arguments) c.done_.(node).step
 
 let run c (r : M.run) =
-  let direct = Machine.Direct.is_direct r in
+  let direct = Step.Direct.is_direct r in
   let modes = Array.of_list c.node.modes and cases = Array.of_list r.cases in
   let test condition =
     if condition = M.Bool true then Cost.none
@@ -267,7 +267,7 @@ let crossing (program : M.program) (node : M.node) =
   | Single ->
       let given = List.map (fun (v : M.variable) -> v.ty) node.step.parameters in
       let time : M.ty list = if node.seconds then [ Float ] else [] in
-      let numbers ty = Cost.several (Machine.Block.numbers program.sums ty) Conversions in
+      let numbers ty = Cost.several (Step.Block.numbers program.sums ty) Conversions in
       Cost.sum (List.map numbers (time @ given @ List.map snd node.outputs))
 
 let of_program (program : M.program) =

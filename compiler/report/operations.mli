@@ -9,5 +9,5 @@
 
 type t = { reset : Cost.t; step : Cost.t }
 
-val of_program : Machine.Ir.program -> t
+val of_program : Step.Ir.program -> t
 (** Of the root. *)

@@ -1,5 +1,5 @@
 module Amount = Basis.Amount
-module M = Machine.Ir
+module M = Step.Ir
 
 type t = { bytes : int; chain : int list }
 type bounds = { reset : t; step : t }
@@ -37,7 +37,7 @@ let need frame bytes = frame.bytes <- Amount.add frame.bytes bytes
 let needs_helper frame bytes = frame.helper <- max frame.helper bytes
 
 let room_as real c ty =
-  Amount.round_up (Machine.Block.of_value real c.program.sums ty).bytes ~alignment:word
+  Amount.round_up (Step.Block.of_value real c.program.sums ty).bytes ~alignment:word
 
 let room c = room_as c.program.real c
 let variable c frame (v : M.variable) = need frame (room c v.ty)
@@ -204,7 +204,7 @@ let entry_and_step c frame (r : M.run) (e : M.entry) =
   entry c frame e;
   match e.first with
   | Started_by _ -> need frame (Amount.times word (List.length r.results))
-  | Reset_by _ when Machine.Direct.is_direct r ->
+  | Reset_by _ when Step.Direct.is_direct r ->
       let case = List.nth r.cases e.mode in
       List.iter (variable c frame) case.others;
       need frame (Amount.times word (List.length case.others + List.length r.results));
@@ -301,7 +301,7 @@ let function_ c k ~results (code : M.code) =
   in
   List.iter (fun v -> if is_array v || not in_place then variable c frame v) code.parameters;
   need frame (Amount.times word results);
-  Machine.Walk.statements (statement c frame) code.body;
+  Step.Walk.statements (statement c frame) code.body;
   let longer (a : t) (b : t) = if b.bytes > a.bytes then b else a in
   let deepest = List.fold_left longer { bytes = frame.helper; chain = [] } frame.callees in
   { bytes = Amount.add frame.bytes deepest.bytes; chain = k :: deepest.chain }
@@ -310,8 +310,8 @@ let function_ c k ~results (code : M.code) =
    needs itself we do not know. *)
 let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
   let leaves =
-    List.concat_map Machine.Layout.shape_leaves (import.result :: import.arguments)
-    |> List.map Machine.Layout.ty
+    List.concat_map Step.Layout.shape_leaves (import.result :: import.arguments)
+    |> List.map Step.Layout.ty
   in
   let rooms = List.fold_left (fun sum ty -> Amount.add sum (room_as Double c ty)) 0 leaves in
   let calls = Amount.times word (2 + List.length leaves) in

@@ -14,5 +14,5 @@ type t = {
 
 type bounds = { reset : t; step : t }
 
-val of_program : Machine.Ir.program -> State.t -> bounds
+val of_program : Step.Ir.program -> State.t -> bounds
 (** With the state of that program: a step on trial copies some of it. *)

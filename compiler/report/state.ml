@@ -1,5 +1,5 @@
 open Basis
-module M = Machine.Ir
+module M = Step.Ir
 
 type member = {
   name : string;
@@ -38,31 +38,31 @@ let root t = Array.length t - 1
 let definition = Array.get
 
 (* [structs]: the room of those of the nodes before. *)
-type context = { program : M.program; structs : Machine.Block.t array }
+type context = { program : M.program; structs : Step.Block.t array }
 
 (* The number of a mode is a byte while that is enough. *)
-let running_mode (node : M.node) : Machine.Block.t =
+let running_mode (node : M.node) : Step.Block.t =
   let bytes = if List.compare_length_with node.modes 256 <= 0 then 1 else 4 in
   { bytes; alignment = bytes }
 
 let rec block c k (field : M.field) =
   match field.content with
-  | Value ty -> Machine.Block.of_value c.program.real c.program.sums ty
+  | Value ty -> Step.Block.of_value c.program.real c.program.sums ty
   | State_of node -> c.structs.(node)
-  | States_of { node; count } -> Machine.Block.run count c.structs.(node)
+  | States_of { node; count } -> Step.Block.run count c.structs.(node)
   | Running_mode -> running_mode c.program.nodes.(k)
-  | Component _ -> Machine.Block.foreign
+  | Component _ -> Step.Block.foreign
   | Modes modes ->
-      let mode m = snd (members c k (Machine.State.fields_of_mode m)) in
-      Machine.Block.of_alternatives (List.map mode modes)
+      let mode m = snd (members c k (Step.State.fields_of_mode m)) in
+      Step.Block.of_alternatives (List.map mode modes)
 
 (* The members of a struct with these fields, and its room. *)
 and members c k fields =
   let blocks = Long_list.map (block c k) fields in
-  let offsets, whole = Machine.Block.of_members blocks in
+  let offsets, whole = Step.Block.of_members blocks in
   let rec placed (fields : M.field list) offsets blocks found =
     match (fields, offsets, blocks) with
-    | field :: fields, offset :: offsets, (room : Machine.Block.t) :: blocks ->
+    | field :: fields, offset :: offsets, (room : Step.Block.t) :: blocks ->
         let holds = content c k field in
         let member =
           { name = field.name; offset; bytes = room.bytes; holds; span = field.span }
@@ -82,13 +82,13 @@ and content c k (field : M.field) =
   | Modes modes -> Largest (List.map (alternative c k) modes)
 
 and alternative c k (mode : M.mode) =
-  let members, room = members c k (Machine.State.fields_of_mode mode) in
+  let members, room = members c k (Step.State.fields_of_mode mode) in
   let name = c.program.nodes.(mode.node).origin in
   { mode = name; node = mode.node; bytes = room.bytes; members }
 
 let of_program (program : M.program) =
   let count = Array.length program.nodes in
-  let c = { program; structs = Array.make count { Machine.Block.bytes = 0; alignment = 1 } } in
+  let c = { program; structs = Array.make count { Step.Block.bytes = 0; alignment = 1 } } in
   let of_node k (node : M.node) =
     let members, room = members c k node.state in
     c.structs.(k) <- room;
@@ -128,8 +128,8 @@ let foreign (program : M.program) =
     | Array (_, element) -> of_value found element
     | Sum k ->
         List.fold_left
-          (fun found (ty, _) -> of_value found (Machine.Layout.ty ty))
-          found (Machine.Layout.sum program.sums k).arrays
+          (fun found (ty, _) -> of_value found (Step.Layout.ty ty))
+          found (Step.Layout.sum program.sums k).arrays
   in
   let rec of_field found (f : M.field) =
     match f.content with
@@ -137,7 +137,7 @@ let foreign (program : M.program) =
     | Component symbol -> Printf.sprintf "struct %s_state" symbol :: found
     | Modes modes ->
         List.fold_left
-          (fun found m -> List.fold_left of_field found (Machine.State.fields_of_mode m))
+          (fun found m -> List.fold_left of_field found (Step.State.fields_of_mode m))
           found modes
     | State_of _ | States_of _ | Running_mode -> found
   in

@@ -37,7 +37,7 @@ type definition = {
 
 type t
 
-val of_program : Machine.Ir.program -> t
+val of_program : Step.Ir.program -> t
 val root : t -> int
 
 val definition : t -> int -> definition
@@ -50,5 +50,5 @@ val in_use : t -> int list
 val padding : bytes:int -> member list -> int
 (** What of a struct no member has. *)
 
-val foreign : Machine.Ir.program -> string list
+val foreign : Step.Ir.program -> string list
 (** The structs of the user's C in the state. Their size is in no number here. *)

@@ -98,7 +98,7 @@ let operation_rows cost =
 (* Of a long chain the ends. *)
 let shown_at_ends = 4
 
-let chain (program : Machine.Ir.program) nodes =
+let chain (program : Step.Ir.program) nodes =
   let names = List.map (fun k -> program.nodes.(k).origin) nodes in
   let count = List.length names in
   let ends = List.filteri (fun i _ -> i < shown_at_ends || i >= count - shown_at_ends) names in

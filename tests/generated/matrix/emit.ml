@@ -52,7 +52,7 @@ let c_string text =
   "\"" ^ String.concat "" (List.map character (List.of_seq (String.to_seq text))) ^ "\""
 
 (* The program's own step, by the type that all have. *)
-let step_single (program : Machine.Ir.program) =
+let step_single (program : Step.Ir.program) =
   let name = program.name in
   Printf.sprintf
     "static void step_single(void *state, float dt, const void *input, void *output)\n\
@@ -63,7 +63,7 @@ let step_single (program : Machine.Ir.program) =
 
 let is_of_singles recording = Recording.precision recording = Single
 
-let expected (program : Machine.Ir.program) subject recordings =
+let expected (program : Step.Ir.program) subject recordings =
   let recording k r =
     let row { Recording.time_ns; cells; _ } seconds =
       Printf.sprintf "    { INT64_C(%d), UINT64_C(0x%Lx), (const char *const[]){ %s } },\n" time_ns
@@ -87,17 +87,17 @@ let expected (program : Machine.Ir.program) subject recordings =
     (String.concat "" (List.mapi entry recordings))
     (List.length recordings)
 
-let machine ?robot (tools : Engines.tools) file =
+let step ?robot (tools : Engines.tools) file =
   let request = { (Driver.Request.make ~library:tools.library file) with robot; real = tools.real } in
   let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
-  match Driver.Pipeline.machine sink sources request with
-  | Some machine -> machine
+  match Driver.Pipeline.step sink sources request with
+  | Some step -> step
   | None -> failwith (file ^ " has no state to compare")
 
 (* Whether the program also gets steps of any dt: where there are many, a third of them.
    Not one for a robot, whose structs in single precision are not its own, nor one that
    ends, of which the interpreter gives a trace with times alone. *)
-let has_any_dt ?robot (program : Machine.Ir.program) random ~many =
+let has_any_dt ?robot (program : Step.Ir.program) random ~many =
   let is_robot's shape = Option.is_some (Cgen.Robot.of_shape ?own:robot shape) in
   (not program.ends)
   && (not (is_robot's program.input))
@@ -113,7 +113,7 @@ let emit ?robot ?(many = false) s tools ~name ~seed file =
       let folder = s.out / name in
       Unix.mkdir folder 0o755;
       let random = Random.State.make [| s.seed; seed |] in
-      let program = machine ?robot tools file in
+      let program = step ?robot tools file in
       let recordings = Engines.recordings random ~rows:25 subject in
       let recordings =
         if has_any_dt ?robot program random ~many then

@@ -1,4 +1,4 @@
-module M = Machine.Ir
+module M = Step.Ir
 module V = Cgen.Vocabulary
 
 let f = Printf.sprintf
@@ -25,7 +25,7 @@ and sum v ~depth at k =
   let scalar (name, (ty : Cgen.Ir.ty)) : string =
     value v ~depth (f "%s.%s" at name) (match ty with Real _ -> Float | _ -> Int)
   in
-  let types = List.concat_map (fun (ty, n) -> List.init n (fun _ -> Machine.Layout.ty ty)) t.slots.arrays in
+  let types = List.concat_map (fun (ty, n) -> List.init n (fun _ -> Step.Layout.ty ty)) t.slots.arrays in
   f "    mix_int(hash, %s.tag);\n" at
   ^ lines (List.map scalar scalars)
   ^ lines (List.map2 (fun (name, _) ty -> value v ~depth (f "%s.%s" at name) ty) arrays types)

@@ -54,6 +54,6 @@ A program that is rejected has no report.
 
 A dump takes its place.
 
-  $ frobc report twice.frob --dump=machine | head -2
+  $ frobc report twice.frob --dump=step | head -2
   node main
     self.delay#0 : Float  -- delay

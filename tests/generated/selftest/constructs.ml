@@ -106,10 +106,10 @@ let declaration : declaration -> unit = function
 let program ~library ~real folder (file, entry) =
   let request = Driver.Request.make ~library (Filename.concat folder file) in
   let sink = Basis.Diagnostic.sink () and sources = Basis.Source.create () in
-  match Driver.Pipeline.machine sink sources { request with entry; real; lint = true } with
+  match Driver.Pipeline.step sink sources { request with entry; real; lint = true } with
   | None -> failwith (file ^ " is rejected")
-  | Some machine ->
-      let files = Cgen.Of_machine.program machine in
+  | Some step ->
+      let files = Cgen.Of_step.program step in
       List.iter declaration (files.header @ files.source)
 
 let lines path =

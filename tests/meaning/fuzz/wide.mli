@@ -1,5 +1,4 @@
-(** A signal function that is given more numbers than a C function is given one by one
-    ({!Machine.Parameters.most}), needs them all, and gives several. *)
+(** A signal function that is given very many numbers, needs them all, and gives several. *)
 
 val output : Type.t
 

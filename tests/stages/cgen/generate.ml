@@ -6,9 +6,9 @@ let write path text =
   close_out out
 
 let generate (name, program) =
-  let machine = Machine.Of_flow.program program in
-  Machine.Lint.program machine;
-  let files = Cgen.Emit.program machine in
+  let step = Step.Of_flow.program program in
+  Step.Lint.program step;
+  let files = Cgen.Emit.program step in
   write (name ^ ".h") files.Cgen.Emit.header;
   write (name ^ ".c") files.Cgen.Emit.source;
   Option.iter (write (name ^ "_host.c")) files.Cgen.Emit.host_table

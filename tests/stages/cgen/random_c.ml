@@ -133,9 +133,9 @@ let () =
       let instants = List.map exact_dt (Random_program.instants rng program) in
       let outputs = Evaluate.by_demand program instants in
       let prepared = if k mod 2 = 0 then Optimize.program program else Dead_code.program (Inline.program program) in
-      let machine = Machine.Of_flow.program prepared in
-      Machine.Lint.program machine;
-      let files = Cgen.Emit.program machine in
+      let step = Step.Of_flow.program prepared in
+      Step.Lint.program step;
+      let files = Cgen.Emit.program step in
       write (name ^ ".h") files.Cgen.Emit.header;
       write (name ^ ".c") files.source;
       let instants = List.mapi (fun k i -> (k, i)) instants in

@@ -32,7 +32,7 @@ let flow =
   Flow.Instantaneous_loops.program sink ~entry:(Span.start_of_file "main.frob")
     (the (Specialize.Of_core.program sink ~name:"main" ~entry:main core))
 
-let machine = Machine.Of_flow.program (Flow.Optimize.program flow)
+let step = Step.Of_flow.program (Flow.Optimize.program flow)
 
 let is_half (name : Core.Ir.Global.t) = name.module_ = main.module_ && name.name = "half"
 
@@ -119,12 +119,12 @@ let starts_with_a_signal =
 (* {1 Statements} *)
 
 let with_step change =
-  let node (n : Machine.Ir.node) = { n with step = { n.step with body = change n.step.body } } in
-  { machine with nodes = Array.map node machine.nodes }
+  let node (n : Step.Ir.node) = { n with step = { n.step with body = change n.step.body } } in
+  { step with nodes = Array.map node step.nodes }
 
 let without_reset =
-  let node (n : Machine.Ir.node) = { n with reset = { n.reset with body = [] } } in
-  { machine with nodes = Array.map node machine.nodes }
+  let node (n : Step.Ir.node) = { n with reset = { n.reset with body = [] } } in
+  { step with nodes = Array.map node step.nodes }
 
 let () =
   let test name stage lint good broken =
@@ -136,7 +136,7 @@ let () =
   let core_ name = test name "Core.Lint" Core.Lint.program core in
   let flow_ name = test name "Flow.Lint" Flow.Lint.program flow in
   let start name = test name "Flow.Initialization" Flow.Initialization.check flow in
-  let machine_ name = test name "Machine.Lint" Machine.Lint.program machine in
+  let step_ name = test name "Step.Lint" Step.Lint.program step in
   Alcotest.run "Lints"
     [
       ("Syntax", [ syntax "a tuple of one" tuple_of_one; syntax "spans do not nest" elsewhere ]);
@@ -163,10 +163,10 @@ let () =
           flow_ "a next id that is taken" next_id_is_taken;
           start "a delay that starts with a signal" starts_with_a_signal;
         ] );
-      ( "Machine",
+      ( "Step",
         [
-          machine_ "a step that gives nothing" (with_step (fun _ -> []));
-          machine_ "a step that declares twice" (with_step (fun body -> body @ body));
-          machine_ "a reset that leaves the state" without_reset;
+          step_ "a step that gives nothing" (with_step (fun _ -> []));
+          step_ "a step that declares twice" (with_step (fun body -> body @ body));
+          step_ "a reset that leaves the state" without_reset;
         ] );
     ]

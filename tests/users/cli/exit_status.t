@@ -84,7 +84,7 @@ Wrong use:
   [2]
   $ frobc compile good.frob --dump=everything
   frobc: option '--dump': `everything` is not a stage; the stages are parse,
-         resolve, types, core, specialize, passes, flow, machine, c
+         resolve, types, core, specialize, passes, flow, step, c
   Usage: frobc compile [OPTION]… FILE
   Try 'frobc compile --help' or 'frobc --help' for more information.
   [2]

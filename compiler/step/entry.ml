@@ -3,7 +3,7 @@ open Ir
 let given codes (code : code) =
   let argument (p : variable) =
     let rec find = function
-      | [] -> Basis.Diagnostic.bug ~stage:"Machine.Entry" "a start reads what it is not given"
+      | [] -> Basis.Diagnostic.bug ~stage:"Step.Entry" "a start reads what it is not given"
       | (({ parameters; _ } : code), arguments) :: others -> (
           match List.find_opt (fun ((q : variable), _) -> q.id = p.id) (List.combine parameters arguments) with
           | Some (_, argument) -> argument

@@ -139,7 +139,7 @@ let of_signal_function (program : Flow.Ir.program) callee (node : Flow.Ir.node) 
   List.iter
     (fun atom ->
       if not (is_static work atom) then
-        Diagnostic.bug ~stage:"Machine.Statics" "an initial value or a parameter in `%s` is not static"
+        Diagnostic.bug ~stage:"Step.Statics" "an initial value or a parameter in `%s` is not static"
           node.name)
     at_start;
   let outputs =
@@ -180,7 +180,7 @@ let program (program : Flow.Ir.program) =
   let callee i =
     match results.(i) with
     | Some t -> t
-    | None -> Diagnostic.bug ~stage:"Machine.Statics" "node %d comes after its caller" i
+    | None -> Diagnostic.bug ~stage:"Step.Statics" "node %d comes after its caller" i
   in
   Array.mapi
     (fun i (node : Flow.Ir.node) ->

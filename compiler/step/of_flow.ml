@@ -184,7 +184,7 @@ let program (program : F.program) : Ir.program =
   let callee k =
     match translated.(k) with
     | Some node -> node
-    | None -> Diagnostic.bug ~stage:"Machine.Of_flow" "a node is used before it is known"
+    | None -> Diagnostic.bug ~stage:"Step.Of_flow" "a node is used before it is known"
   in
   let next_id = ref program.next_id in
   let fresh () =

@@ -8,7 +8,7 @@ let atom_type : F.atom -> Ir.ty = function
   | Int _ -> Int
   | Float _ -> Float
 
-let broken what = Diagnostic.bug ~stage:"Machine.Computation" "%s" what
+let broken what = Diagnostic.bug ~stage:"Step.Computation" "%s" what
 
 let sum_of (atom : F.atom) =
   match atom with

@@ -2,7 +2,7 @@ module F = Flow.Ir
 open Basis
 open Fragment
 
-let broken what = Diagnostic.bug ~stage:"Machine.Early_end" "%s" what
+let broken what = Diagnostic.bug ~stage:"Step.Early_end" "%s" what
 
 let possible (program : F.program) =
   let found = Array.make (Array.length program.nodes) false in

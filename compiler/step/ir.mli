@@ -1,4 +1,4 @@
-(** Machine: each node as a struct of state, a reset and a step function, made
+(** Step: each node as a struct of state, a reset and a step function, made
     of statements with expression trees.
 
     No longer there: the freedom of order. Equations have become statements in

@@ -1,4 +1,4 @@
-module M = Machine.Ir
+module M = Step.Ir
 module V = Vocabulary
 
 type t = {
@@ -38,7 +38,7 @@ let rec member (v : V.t) k (field : M.field) : Ir.member =
   { name; ty; comment = state_comment v field }
 
 and mode v k number (mode : M.mode) : Ir.member list =
-  match Machine.State.fields_of_mode mode with
+  match Step.State.fields_of_mode mode with
   | [] -> []
   | fields ->
       let members = List.map (member v k) fields in
@@ -114,10 +114,10 @@ let foreign_structs (v : V.t) =
     | Array (_, element) -> note element
     | Sum k ->
         List.iter
-          (fun c -> List.iter note (Machine.Layout.leaves c))
+          (fun c -> List.iter note (Step.Layout.leaves c))
           v.program.sums.(k).constructors
   in
-  let shape shape = List.iter note (Machine.Layout.shape_leaves shape) in
+  let shape shape = List.iter note (Step.Layout.shape_leaves shape) in
   shape v.program.input;
   shape v.program.output;
   List.iter
@@ -223,7 +223,7 @@ let program ?own ?(batch = false) (program : M.program) =
   let v = V.of_program ?own program in
   let batch = if batch then Some (Batch.of_program v) else None in
   let root = Array.length program.nodes - 1 in
-  let called = Machine.Called.of_program program in
+  let called = Step.Called.of_program program in
   (* A function, after the helpers that it is the first to call. *)
   let made make =
     let functions = make () in
@@ -236,8 +236,8 @@ let program ?own ?(batch = false) (program : M.program) =
         let if_called is_called make =
           if is_called called k then made (fun () -> [ make v k ]) else []
         in
-        let reset = if_called Machine.Called.reset Function.reset in
-        let start = if_called Machine.Called.start Function.start in
+        let reset = if_called Step.Called.reset Function.reset in
+        let start = if_called Step.Called.start Function.start in
         named_once (reset @ start @ made (fun () -> Function.steps v k))
   in
   let functions = List.concat (List.init (root + 1) of_node) in

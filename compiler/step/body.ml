@@ -1,7 +1,7 @@
 module F = Flow.Ir
 open Basis
 
-let broken what = Diagnostic.bug ~stage:"Machine.Body" "%s" what
+let broken what = Diagnostic.bug ~stage:"Step.Body" "%s" what
 
 let modes_context (context : Calls.context) draft state : Modes.context =
   match State.machine state with

@@ -1,4 +1,4 @@
-(** Machine as text, for dumps and tests. Variables whose name is not the only
+(** Step as text, for dumps and tests. Variables whose name is not the only
     one of its kind in a function show their number too. *)
 
 val program : Format.formatter -> Ir.program -> unit

@@ -9,7 +9,7 @@ type context = {
 }
 
 let variable = Modes.variable
-let broken what = Diagnostic.bug ~stage:"Machine.Calls" "%s" what
+let broken what = Diagnostic.bug ~stage:"Step.Calls" "%s" what
 
 (* The arguments for those parameters that the callee reads. *)
 let arguments context (i : F.instance) (code : Ir.code) =

@@ -12,5 +12,5 @@ type t = {
   machines : Machine_table.t list;
 }
 
-val program : ?own:Robot.t -> ?batch:bool -> Machine.Ir.program -> t
+val program : ?own:Robot.t -> ?batch:bool -> Step.Ir.program -> t
 (** [batch]: with {!Batch} too; without unless said. *)

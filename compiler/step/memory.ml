@@ -3,7 +3,7 @@ open Basis
 open Fragment
 open Computation
 
-let broken what = Diagnostic.bug ~stage:"Machine.Memory" "%s" what
+let broken what = Diagnostic.bug ~stage:"Step.Memory" "%s" what
 
 let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
   let statements = function

@@ -23,7 +23,7 @@ let results_for_transitions (node : F.node) =
   in
   List.filter is_new (Flow.Operands.signals (Flow.Transitions.atoms node.transitions))
 
-let broken what = Basis.Diagnostic.bug ~stage:"Machine.Modes" "%s" what
+let broken what = Basis.Diagnostic.bug ~stage:"Step.Modes" "%s" what
 
 (* For the parameters that a function reads the values given by [value]. *)
 let given value (parameters : Ir.variable list) =

@@ -1,6 +1,6 @@
 open Basis
 
-let bug format = Diagnostic.bug ~stage:"Machine.Lint" format
+let bug format = Diagnostic.bug ~stage:"Step.Lint" format
 
 type context = {
   program : Ir.program;
