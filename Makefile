@@ -5,7 +5,10 @@
 PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
   libalcotest-ocaml-dev libqcheck-ocaml-dev libbox2d-dev libtomlplusplus-dev \
   libcairo2-dev libmpfr-dev pkg-config gcc g++ clang libclang-rt-dev \
-  libtcc-dev tcc
+  libtcc-dev tcc libwebsockets-dev
+
+# What only `make test` needs: a browser, and another client, for the page of `frobc view`.
+TEST_PACKAGES = chromium chromium-driver fonts-dejavu-core python3-selenium python3-websockets
 
 # What only `make matrix` needs: compilers and emulators of other machines.
 MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \
@@ -60,7 +63,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test seeds fuzz fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench install clean
+.PHONY: all setup run test page seeds fuzz fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench install clean
 
 all: setup
 	dune build @install
@@ -75,7 +78,12 @@ run: all
 	  --record $(OUT)/wall_follow.csv --picture $(OUT)/wall_follow.png
 
 test: setup
+	@sh tests/setup.sh $(TEST_PACKAGES)
 	@sh tests/run.sh
+
+# The page of `frobc view` anew from its sources; with npm, which users need not have.
+page:
+	@sh runtime/hosts/view/page/build.sh _build/page runtime/hosts/view/page/bundle
 
 fuzz: all
 	@dune build tests/meaning/fuzz/main.exe

@@ -257,14 +257,19 @@ let with_runtime general (resources : Resources.t) ~name:_ =
   in
   { machine; inputs = [ resources.runtime ]; includes = []; generated = [] }
 
+let missing_host host =
+  wrong_use (Printf.sprintf "the host %s is missing: install frobc again" host)
+
+let shared general ~entry ~sources file continue =
+  built general Shared_object ~entry ~sources ~linked:(with_runtime general) file continue
+
 (* The program as a shared object, and the host that is to run it. *)
 let hosted general ~entry ~sources file ~host ~arguments =
-  built general Shared_object ~entry ~sources ~linked:(with_runtime general) file (fun resources program ->
+  shared general ~entry ~sources file (fun resources program ->
       let host = host resources in
       match Process.hand_over host (arguments resources program) with
       | Ok status -> status
-      | Error (Not_found _ | Failed _) ->
-          wrong_use (Printf.sprintf "the host %s is missing: install frobc again" host))
+      | Error (Not_found _ | Failed _) -> missing_host host)
 
 type engine = C | Interpreter
 
@@ -309,9 +314,9 @@ type run = {
   console : bool;
 }
 
-let world_of run (resources : Resources.t) file =
+let world_of given (resources : Resources.t) file =
   let beside = Filename.concat (Filename.dirname file) "world.toml" in
-  match run.world with
+  match given with
   | Some world -> world
   | None when Sys.file_exists beside -> beside
   | None -> Filename.concat resources.worlds "room.toml"
@@ -327,16 +332,16 @@ let robot_of_world (resources : Resources.t) world =
     let n = if String.starts_with ~prefix text then String.length prefix else 0 in
     Error (String.sub text n (String.length text - n))
 
+let for_world general resources world =
+  match general.robot with
+  | Some _ -> Ok general
+  | None -> Result.map (fun robot -> { general with robot }) (robot_of_world resources world)
+
 let run general ~entry ~sources run file =
   let* resources = Resources.find () in
   let* () = Program_file.check file in
-  let world = world_of run resources file in
-  let* robot =
-    match general.robot with
-    | Some _ as robot -> Ok robot
-    | None -> robot_of_world resources world
-  in
-  let general = { general with robot } in
+  let world = world_of run.world resources file in
+  let* general = for_world general resources world in
   let outputs =
     List.map (as_output Table "--record") (Option.to_list run.record)
     @ List.map (as_output Picture "--picture") (Option.to_list run.picture)
@@ -356,6 +361,30 @@ let run general ~entry ~sources run file =
       @ flag "--exit-when-done" run.exit_when_done
       @ flag "--console" run.console
       @ flag "--strict" run.strict)
+
+type view = { recording : string; browser : bool; port : int option }
+
+let is_port number = number >= 1 && number <= 65535
+
+(* For the robot that a run would have been for. *)
+let view general ~entry ~sources view file =
+  let* () =
+    match view.port with
+    | Some port when not (is_port port) -> Error "--port takes a number from 1 to 65535"
+    | Some _ | None -> Ok ()
+  in
+  let* resources = Resources.find () in
+  let* () = Program_file.check file in
+  let* () = all_exist [ view.recording ] in
+  let* general = for_world general resources (world_of None resources file) in
+  shared general ~entry ~sources file (fun _ program ->
+      let options =
+        (if view.browser then [] else [ "--print" ])
+        @ Option.fold ~none:[] ~some:(fun port -> [ "--port"; string_of_int port ]) view.port
+      in
+      let arguments = options @ [ "--source"; file; program; view.recording ] in
+      match Process.become resources.viewer arguments with
+      | Not_found _ | Failed _ -> missing_host resources.viewer)
 
 (* {1 Explaining} *)
 

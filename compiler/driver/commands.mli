@@ -49,6 +49,15 @@ type run = {
 
 val run : general -> entry:string -> sources:string list -> run -> string -> int
 
+type view = {
+  recording : string;
+  browser : bool;  (** is opened, if there is a desktop *)
+  port : int option;  (** any that is free if [None] *)
+}
+
+val view : general -> entry:string -> sources:string list -> view -> string -> int
+(** Shows a recorded run on a page, until it is ended. *)
+
 val report : general -> entry:string -> states:bool -> string -> int
 (** Prints what the program needs, in the format of the diagnostics; or its state diagram,
     for Graphviz. *)

@@ -6,6 +6,7 @@ type t = {
   runtime_sources : string;
   elementary : string;
   trace_host : string;
+  viewer : string;
   simulator : string;
   server : string;
   worlds : string;
@@ -23,6 +24,7 @@ let under prefix =
     runtime_sources = prefix / "share" / "frobc" / "runtime";
     elementary = prefix / "share" / "frobc" / "elementary";
     trace_host = prefix / "lib" / "frobc" / "frob-trace";
+    viewer = prefix / "lib" / "frobc" / "frob-view";
     simulator = prefix / "lib" / "frobc" / "frob-sim";
     server = prefix / "lib" / "frobc" / "frob-serve";
     worlds = prefix / "share" / "frobc" / "worlds";

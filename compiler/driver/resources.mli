@@ -10,6 +10,7 @@ type t = {
   runtime_sources : string;  (** of the robot hosts, with their drivers and ports *)
   elementary : string;  (** folder of the sources of [runtime] *)
   trace_host : string;  (** the executable [frob-trace] *)
+  viewer : string;  (** the executable [frob-view] *)
   simulator : string;  (** the executable [frob-sim] *)
   server : string;  (** the executable [frob-serve], of simulated robots on a line *)
   worlds : string;  (** folder of the worlds that come with the simulator *)

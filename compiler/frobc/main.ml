@@ -309,6 +309,42 @@ let run =
       const make $ general $ entry $ sources $ on_robot $ world $ duration $ rate $ seed $ realtime $ record
       $ picture $ strict $ exit_when_done $ console $ file)
 
+let view =
+  let recording =
+    let doc = "The recording: what $(b,frobc run --record) wrote." in
+    Arg.(required & pos 0 (some string) None & info [] ~docv:"RUN.csv" ~doc)
+  in
+  let file =
+    let doc = "The $(b,.frob) program that was recorded." in
+    Arg.(required & pos 1 (some string) None & info [] ~docv:"FILE" ~doc)
+  in
+  let print =
+    let doc = "Print the page's address, and open no browser." in
+    Arg.(value & flag & info [ "print" ] ~doc)
+  in
+  let port =
+    let doc = "The port for the page; without it, any that is free." in
+    Arg.(value & opt (some int) None & info [ "port" ] ~docv:"N" ~doc)
+  in
+  let run general entry sources print port recording file =
+    Commands.view general ~entry ~sources { recording; browser = not print; port } file
+  in
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "The program is run again on the inputs that were recorded, so that each of its signals \
+         can be seen at any instant: in plots, and in its source. Its outputs are compared with \
+         those recorded.";
+      `P
+        "The page is served to this computer alone, and only to who knows the address that is \
+         printed. From another computer: $(b,ssh -L PORT:127.0.0.1:PORT), and the same address \
+         there.";
+    ]
+  in
+  command "view" ~man ~doc:"look at a recorded run on a page, at any instant"
+    Term.(const run $ general $ entry $ sources $ print $ port $ recording $ file)
+
 let build =
   let output =
     let doc = "Where to write it; without it, the program's name." in
@@ -485,7 +521,7 @@ let main =
     ]
   in
   Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
-    [ check; compile; trace; run; serve; build; export; report; selftest; header; explain ]
+    [ check; compile; trace; run; view; serve; build; export; report; selftest; header; explain ]
 
 (* A compilation is short, and what outlives the minor heap mostly lives to the
    end: marking finds little to free. Without it large programs take a tenth less

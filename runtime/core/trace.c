@@ -101,14 +101,13 @@ static void add_cell(void *context, const char *name, const struct frob_value *v
     }
 }
 
-/* The number of the mode that runs; -1 while the machine is not there. */
-static int32_t running_mode(const struct frob_program *program, size_t i, const void *state)
+int32_t frob_trace_mode(const struct frob_program *program, size_t i, const void *state)
 {
     const struct frob_machine *machine = &program->machines[i];
     const unsigned char *place = (const unsigned char *)state + machine->offset;
     int32_t number;
     if (machine->within > 0 &&
-        running_mode(program, machine->within - 1, state) != machine->mode)
+        frob_trace_mode(program, machine->within - 1, state) != machine->mode)
         return -1;
     if (machine->size == 1)
         return *place;
@@ -146,7 +145,7 @@ void frob_trace_row_with_modes(struct frob_text *text, const struct frob_program
 {
     add_columns(text, program, parts, time_ns, in, out);
     for (size_t i = 0; i < program->machine_count; i++) {
-        int32_t number = running_mode(program, i, state);
+        int32_t number = frob_trace_mode(program, i, state);
         frob_text_add_char(text, ',');
         if (number >= 0 && (size_t)number < program->machines[i].count)
             frob_text_add(text, program->machines[i].modes[number]);

@@ -44,6 +44,10 @@ void frob_trace_row_with_modes(struct frob_text *text, const struct frob_program
                                unsigned parts, int64_t time_ns, const void *in,
                                const void *out, const void *state);
 
+/* The number of the mode of machine `i` that runs, from the program's state; -1
+ * while the machine is not there. */
+int32_t frob_trace_mode(const struct frob_program *program, size_t i, const void *state);
+
 /* Room that is enough for the header and for any row, with the NUL. */
 size_t frob_trace_room(const struct frob_program *program, unsigned parts);
 

@@ -1,0 +1,30 @@
+/* buffer.h -- text that grows, and JSON written into it.
+ *
+ * What there is no memory for is dropped and remembered in `failed`. */
+#ifndef FROB_VIEW_BUFFER_H
+#define FROB_VIEW_BUFFER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct buffer {
+    char *data; /* ends in a NUL; NULL while nothing was added */
+    size_t length, capacity;
+    bool failed;
+};
+
+void buffer_clear(struct buffer *b);
+void buffer_free(struct buffer *b);
+
+void buffer_bytes(struct buffer *b, const char *bytes, size_t length);
+void buffer_text(struct buffer *b, const char *text);
+void buffer_format(struct buffer *b, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* A JSON string, with its quotes; bytes that are not UTF-8 become U+FFFD. */
+void buffer_string(struct buffer *b, const char *text);
+
+/* A JSON number that reads back as the same double; `null` if it is not finite. */
+void buffer_number(struct buffer *b, double x);
+
+#endif

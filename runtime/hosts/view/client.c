@@ -1,0 +1,83 @@
+#include "client.h"
+
+#include "token.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void forget(struct client *client, size_t i)
+{
+    client->count--;
+    memmove(client->pending + i, client->pending + i + 1,
+            (client->count - i) * sizeof *client->pending);
+}
+
+static bool is_for_instant(const char *request)
+{
+    return strncmp(request, "instant ", 8) == 0 || strncmp(request, "time ", 5) == 0;
+}
+
+/* Of requests for an instant only the newest is of use: the cursor has moved on. */
+static void drop_older(struct client *client)
+{
+    for (size_t i = client->count; i-- > 0;) {
+        if (is_for_instant(client->pending[i])) {
+            free(client->pending[i]);
+            forget(client, i);
+        }
+    }
+}
+
+static enum verdict take(struct client *client, const char *token, const char *message)
+{
+    static const char greeting[] = "hello ";
+    const size_t length = strlen(message) + 1;
+    if (!client->admitted) {
+        client->admitted = strncmp(message, greeting, sizeof greeting - 1) == 0 &&
+                           token_is(token, message + sizeof greeting - 1);
+        if (!client->admitted)
+            return WRONG_TOKEN;
+        message = "program";
+        return take(client, token, message);
+    }
+    if (is_for_instant(message))
+        drop_older(client);
+    if (client->count == SERVER_PENDING)
+        return TOO_MANY;
+    client->pending[client->count] = (char *)malloc(length);
+    if (client->pending[client->count] == NULL)
+        return TOO_MANY;
+    memcpy(client->pending[client->count++], message, length);
+    return GOES_ON;
+}
+
+enum verdict client_receive(struct client *client, const char *token, const char *piece,
+                            size_t length, bool is_last)
+{
+    enum verdict verdict;
+    if (client->incoming.length + length > SERVER_MESSAGE)
+        return TOO_LONG;
+    buffer_bytes(&client->incoming, piece, length);
+    if (!is_last)
+        return GOES_ON;
+    verdict = take(client, token, client->incoming.length > 0 ? client->incoming.data : "");
+    buffer_clear(&client->incoming);
+    return verdict;
+}
+
+char *client_next(struct client *client)
+{
+    char *request;
+    if (client->count == 0)
+        return NULL;
+    request = client->pending[0];
+    forget(client, 0);
+    return request;
+}
+
+void client_end(struct client *client)
+{
+    while (client->count > 0)
+        free(client_next(client));
+    buffer_free(&client->incoming);
+}

@@ -1,0 +1,99 @@
+/* frob-view -- shows a recorded run of a program on a page.
+ *
+ *   frob-view [--print] [--port N] [--source FILE]... PROGRAM.so RUN.csv
+ *
+ * Prints the page's address, and opens a browser on it unless --print is given. Ends
+ * with SIGINT or SIGTERM. Exit status: 0, or 2 when a file cannot be read or is no
+ * recording, or the port cannot be had. */
+#include "../common/load.h"
+#include "../common/streams.h"
+#include "browser.h"
+#include "server.h"
+#include "token.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DONE = 0, WRONG_USE = 2 };
+
+struct options {
+    bool print;
+    int port;
+    const char **sources;
+    size_t source_count;
+    const char *program, *recording;
+};
+
+/* What is to be told when the page can be asked for. */
+struct start {
+    const struct options *options;
+    const char *token;
+};
+
+static bool read_options(struct options *o, int argc, char **argv)
+{
+    int i = 1;
+    o->sources = (const char **)calloc((size_t)argc, sizeof *o->sources);
+    for (; o->sources != NULL && i < argc && strncmp(argv[i], "--", 2) == 0; i++) {
+        if (strcmp(argv[i], "--print") == 0)
+            o->print = true;
+        else if (strcmp(argv[i], "--port") == 0 && i + 1 < argc)
+            o->port = atoi(argv[++i]);
+        else if (strcmp(argv[i], "--source") == 0 && i + 1 < argc)
+            o->sources[o->source_count++] = argv[++i];
+        else
+            break;
+    }
+    if (o->sources == NULL || i + 2 != argc || o->port < 0 || o->port > 65535) {
+        fprintf(stderr, "usage: frob-view [--print] [--port N] [--source FILE]... PROGRAM.so "
+                        "RUN.csv\n");
+        return false;
+    }
+    o->program = argv[i];
+    o->recording = argv[i + 1];
+    return true;
+}
+
+static bool tell(void *context, int port)
+{
+    const struct start *start = (const struct start *)context;
+    char address[128];
+    snprintf(address, sizeof address, "http://127.0.0.1:%d/#%s", port, start->token);
+    printf("view: %s (ends with Ctrl-C)\n", address);
+    if (!streams_flush())
+        return false;
+    if (!start->options->print)
+        browser_open(address);
+    return true;
+}
+
+int main(int argc, char **argv)
+{
+    struct options options = { 0 };
+    struct view view = { 0 };
+    struct buffer summary = { 0 };
+    char token[TOKEN_LENGTH + 1];
+    struct start start = { &options, token };
+    const struct frob_program *program;
+    int status = WRONG_USE;
+    streams_open();
+    if (!read_options(&options, argc, argv))
+        return WRONG_USE;
+    program = frob_load(options.program);
+    if (program == NULL)
+        return WRONG_USE;
+    if (!token_make(token)) {
+        fprintf(stderr, "error: this computer has no random numbers (/dev/urandom)\n");
+    } else if (view_start(&view, program, options.recording, options.sources,
+                          options.source_count)) {
+        view_summary(&view, &summary);
+        fputs(summary.length > 0 ? summary.data : "", stderr);
+        status = server_run(&view, options.port, token, tell, &start) ? DONE : WRONG_USE;
+        browser_forget();
+    }
+    buffer_free(&summary);
+    view_end(&view);
+    free(options.sources);
+    return status;
+}

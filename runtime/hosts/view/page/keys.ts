@@ -1,0 +1,39 @@
+// Everything by the keyboard; the dialog of the page has the list.
+import type { Player } from "./player";
+import type { Store } from "./store";
+import { toggleTheme } from "./theme";
+
+export function startKeys(store: Store, player: Player, filter: HTMLInputElement,
+                          help: HTMLDialogElement): void {
+  const act = (event: KeyboardEvent): boolean => {
+    const { instant, program } = store;
+    switch (event.key) {
+      case "ArrowLeft": store.stepBy(event.shiftKey ? -10 : -1); break;
+      case "ArrowRight": store.stepBy(event.shiftKey ? 10 : 1); break;
+      case "PageUp": store.goToTime((instant?.time ?? 0) - 1); break;
+      case "PageDown": store.goToTime((instant?.time ?? 0) + 1); break;
+      case "Home": store.goTo(0); break;
+      case "End": store.goTo(program.instants - 1); break;
+      case " ": player.toggle(); break;
+      case "+": case "=": player.faster(1); break;
+      case "-": player.faster(-1); break;
+      case "m": store.setMark(store.mark ? null : instant); break;
+      case "z": store.showAll(); break;
+      case "t": toggleTheme(); break;
+      case "/": filter.closest("section")?.scrollIntoView(); filter.focus(); break;
+      case "?": help.showModal(); break;
+      default: return false;
+    }
+    return true;
+  };
+  const moves = new Set(["ArrowLeft", "ArrowRight", "PageUp", "PageDown", "Home", "End"]);
+  document.addEventListener("keydown", (event) => {
+    const target = event.target instanceof Element ? event.target : null;
+    if (event.ctrlKey || event.altKey || event.metaKey || help.open) return;
+    if (target?.closest("input, select")) return;
+    // A button is pressed by the space bar.
+    if (event.key === " " && target?.closest("button")) return;
+    if (moves.has(event.key)) player.pause();
+    if (act(event)) event.preventDefault();
+  });
+}

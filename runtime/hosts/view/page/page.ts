@@ -1,0 +1,87 @@
+// The page: what there is, and the panels that show it.
+import { Connection } from "./connection";
+import { startKeys } from "./keys";
+import { Player } from "./player";
+import { startPlots } from "./plots";
+import type { Answer, Program } from "./protocol";
+import { startSignals } from "./signals";
+import { startSource } from "./source";
+import { Store } from "./store";
+import { startTheme, toggleTheme } from "./theme";
+import { startTimeline } from "./timeline";
+import { formatNumber } from "./values";
+
+function element<T extends HTMLElement>(id: string): T {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`the page has no ${id}`);
+  return found as T;
+}
+
+function showState(text: string, isGood: boolean): void {
+  element("state").textContent = text;
+  element("state").classList.toggle("bad", !isGood);
+}
+
+function describe(program: Program): void {
+  document.title = `${program.name} – Frob`;
+  element("program").textContent = program.name;
+  element("run").textContent = [program.recording, program.robot,
+    `${program.instants} instants, ${formatNumber(program.end - program.start)} s`]
+    .filter((part) => part !== "").join("  ·  ");
+  const notes = program.notes.trimEnd();
+  element("notes").textContent = notes;
+  element("notes").hidden = notes === "";
+  const diverged = /^diverged at \d+/m.exec(notes);
+  if (diverged) showState(diverged[0], false);
+  else if (!program.runs) showState("as recorded; the program does not fit", false);
+  else showState("replayed: outputs as recorded", true);
+}
+
+/** What to see at first: what the program puts out. */
+function firstPlots(program: Program): number[] {
+  const numbers = program.signals.map((_, number) => number);
+  return numbers.filter((number) => program.signals[number]?.side === "output").slice(0, 4);
+}
+
+function startPanels(): void {
+  const choose = (panel: string) => {
+    document.body.dataset["panel"] = panel;
+    for (const button of element("panels").querySelectorAll("button"))
+      button.ariaPressed = String(button.dataset["panel"] === panel);
+  };
+  for (const button of element("panels").querySelectorAll("button"))
+    button.onclick = () => choose(button.dataset["panel"] ?? "plots");
+  choose("plots");
+}
+
+function start(program: Program): Store {
+  const store = new Store(program, connection);
+  const filter = element<HTMLInputElement>("filter");
+  const help = element<HTMLDialogElement>("keys");
+  describe(program);
+  store.plotted = firstPlots(program);
+  startSource(store, element("source"));
+  startPlots(store, element("plots"));
+  startSignals(store, element("list"), filter);
+  startTimeline(store, element("timeline"));
+  startKeys(store, new Player(store), filter, help);
+  element("help").onclick = () => help.showModal();
+  store.goTo(0);
+  return store;
+}
+
+let store: Store | null = null;
+
+function answered(answer: Answer): void {
+  switch (answer.is) {
+    case "program": store = start(answer); break;
+    case "instant": store?.arrived(answer); break;
+    case "series": store?.received(answer); break;
+    case "refused": showState(answer.why, false); break;
+  }
+}
+
+startTheme();
+element("theme").onclick = toggleTheme;
+startPanels();
+const connection = new Connection(answered, (why) => showState(why, false));

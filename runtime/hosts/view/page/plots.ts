@@ -1,0 +1,250 @@
+// The signals that were picked, one below the other over the same time.
+import uPlot from "uplot";
+import type { Series, Signal } from "./protocol";
+import type { Store } from "./store";
+import { colour, lineColour, onTheme } from "./theme";
+import { difference, formatCell, formatNumber, formatPoint } from "./values";
+
+/** Of a plot of truth or names, and of numbers. */
+const lowHeight = 64;
+const highHeight = 124;
+const axisWidth = 72;
+
+function isLow(signal: Signal): boolean {
+  return signal.kind === "bool" || signal.kind === "mode" || signal.kind === "sum";
+}
+
+class Strip {
+  readonly element = document.createElement("article");
+  private readonly value = document.createElement("output");
+  private readonly apart = document.createElement("output");
+  private readonly place = document.createElement("div");
+  private plot: uPlot | null = null;
+  private isEmpty = false;
+  private data: uPlot.AlignedData = [[], []];
+
+  constructor(
+    private readonly store: Store,
+    readonly number: number,
+    private index: number,
+  ) {
+    const name = document.createElement("h3");
+    name.textContent = this.signal.name;
+    const close = document.createElement("button");
+    close.textContent = "×";
+    close.ariaLabel = `Do not plot ${this.signal.name}`;
+    close.onclick = () => store.toggle(number);
+    const head = document.createElement("header");
+    head.append(name, this.value, this.apart, close);
+    this.place.className = "plot";
+    this.element.append(head, this.place);
+  }
+
+  private get signal(): Signal {
+    const signal = this.store.program.signals[this.number];
+    if (!signal) throw new Error("a plot of no signal");
+    return signal;
+  }
+
+  /** Asks for what there is to draw in the range that is shown. */
+  load(): void {
+    const [from, to] = this.store.range;
+    this.plot?.setScale("x", { min: from, max: Math.max(to, from + 1e-9) });
+    this.store.series(this.number, from, to, this.place.clientWidth - axisWidth, (series) =>
+      this.show(series));
+  }
+
+  private show(series: Series): void {
+    if (series.from !== this.store.range[0] || series.to !== this.store.range[1]) return;
+    this.data = [series.times, series.values];
+    this.isEmpty = series.values.every((value) => value === null);
+    if (this.plot && !this.isEmpty) this.plot.setData(this.data, true);
+    else this.build();
+  }
+
+  /** Draws it anew, in another size or other colours. */
+  build(index = this.index): void {
+    this.index = index;
+    this.plot?.destroy();
+    this.element.style.setProperty("--line", lineColour(this.index));
+    this.plot = new uPlot(this.options(), this.data, this.place);
+    this.readOut();
+  }
+
+  private options(): uPlot.Options {
+    const { signal } = this;
+    const isEvent = signal.kind === "event";
+    const axis = {
+      stroke: colour("dim"),
+      font: "11px system-ui, sans-serif",
+      grid: { stroke: colour("grid"), width: 1 },
+      ticks: { show: false },
+    };
+    const top = Math.max(1, signal.names.length - 1);
+    const low = isLow(signal) || this.isEmpty;
+    return {
+      width: Math.max(100, this.place.clientWidth),
+      height: low ? lowHeight : highHeight,
+      legend: { show: false },
+      padding: [6, 12, 0, 0],
+      cursor: {
+        sync: { key: "frob" },
+        drag: { x: true, y: false, setScale: false },
+        y: false,
+        points: { size: 6 },
+      },
+      scales: {
+        x: { time: false, range: () => [this.store.range[0],
+                                        Math.max(this.store.range[1], this.store.range[0] + 1e-9)] },
+        y: low ? { range: [-0.15, top + 0.15] } : {
+          range: (_plot, least, greatest) => around(least, greatest) },
+      },
+      axes: [
+        { ...axis, size: 20, gap: 2, space: 70, values: (_plot, splits) =>
+            splits.map((x) => `${formatNumber(x)} s`) },
+        { ...axis, size: axisWidth, gap: 4, space: 24,
+          ...(this.isEmpty ? { splits: () => [] } : low ? { splits: () => Array.from({ length: top + 1 }, (_, i) => i),
+                      values: (_plot: uPlot, splits: number[]) =>
+                        splits.map((x) => shorten(formatPoint(signal, x))) }
+                  : { values: (_plot: uPlot, splits: number[]) => splits.map(formatNumber) }) },
+      ],
+      series: [
+        {},
+        {
+          stroke: lineColour(this.index),
+          width: 1.5,
+          spanGaps: false,
+          ...(low ? { fill: `${lineColour(this.index)}22`, fillTo: -0.15 } : {}),
+          ...(isEvent ? { paths: () => null, points: { show: true, size: 5,
+                                                      fill: lineColour(this.index) } }
+                      : { paths: uPlot.paths.stepped?.({ align: 1 }) ?? (() => null),
+                          points: { show: false } }),
+        },
+      ],
+      hooks: {
+        draw: [(plot) => this.drawCursors(plot)],
+        setCursor: [() => this.readOut()],
+        setSelect: [(plot) => this.zoom(plot)],
+        ready: [(plot) => this.listen(plot)],
+      },
+    };
+  }
+
+  private listen(plot: uPlot): void {
+    plot.over.addEventListener("click", (event) => {
+      if (plot.select.width > 2) return;
+      const seconds = plot.posToVal(event.offsetX, "x");
+      this.store.goToTime(seconds, event.shiftKey
+        ? () => this.store.setMark(this.store.instant) : undefined);
+    });
+    plot.over.addEventListener("dblclick", () => this.store.showAll());
+  }
+
+  private zoom(plot: uPlot): void {
+    const { left, width } = plot.select;
+    if (width <= 2) return;
+    const from = plot.posToVal(left, "x"), to = plot.posToVal(left + width, "x");
+    plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+    this.store.setRange(from, to);
+  }
+
+  redraw(): void {
+    this.plot?.redraw(false);
+    this.readOut();
+  }
+
+  private drawCursors(plot: uPlot): void {
+    const draw = (seconds: number, stroke: string, dash: number[]) => {
+      const x = Math.round(plot.valToPos(seconds, "x", true)) + 0.5;
+      if (x < plot.bbox.left || x > plot.bbox.left + plot.bbox.width) return;
+      plot.ctx.save();
+      plot.ctx.strokeStyle = stroke;
+      plot.ctx.lineWidth = devicePixelRatio * 1.5;
+      plot.ctx.setLineDash(dash.map((x) => x * devicePixelRatio));
+      plot.ctx.beginPath();
+      plot.ctx.moveTo(x, plot.bbox.top);
+      plot.ctx.lineTo(x, plot.bbox.top + plot.bbox.height);
+      plot.ctx.stroke();
+      plot.ctx.restore();
+    };
+    if (this.store.mark) draw(this.store.mark.time, colour("mark"), [4, 3]);
+    if (this.store.instant) draw(this.store.instant.time, colour("cursor"), []);
+  }
+
+  /** The value below the pointer, or else at the instant that is shown. */
+  private readOut(): void {
+    const { signal, store, plot } = this;
+    const pointed = plot?.cursor.idx;
+    const cell = store.instant?.cells[this.number] ?? "";
+    const marked = store.mark?.cells[this.number];
+    this.element.classList.toggle("pointed", typeof pointed === "number");
+    if (plot && typeof pointed === "number") {
+      this.value.textContent = formatPoint(signal, this.heldAt(plot));
+      this.apart.textContent = `at ${(plot.posToVal(plot.cursor.left ?? 0, "x")).toFixed(3)} s`;
+      return;
+    }
+    this.value.textContent = formatCell(signal, cell);
+    const apart = marked === undefined ? null : difference(signal, marked, cell);
+    this.apart.textContent = apart === null ? "" : `Δ ${apart}`;
+  }
+
+  /** What a signal was last, at the pointer; of an event, whether it is there. */
+  private heldAt(plot: uPlot): number | null {
+    const seconds = plot.posToVal(plot.cursor.left ?? 0, "x");
+    const nearest = plot.cursor.idx ?? 0;
+    const held = (this.data[0][nearest] ?? 0) > seconds && nearest > 0 ? nearest - 1 : nearest;
+    return this.data[1]?.[this.signal.kind === "event" ? nearest : held] ?? null;
+  }
+
+  resize(): void {
+    this.plot?.setSize({ width: Math.max(100, this.place.clientWidth),
+                         height: this.plot.height });
+  }
+
+  end(): void {
+    this.plot?.destroy();
+    this.element.remove();
+  }
+}
+
+function around(least: number | null, greatest: number | null): [number, number] {
+  if (least === null || greatest === null) return [0, 1];
+  const margin = greatest > least ? (greatest - least) * 0.08 : Math.abs(greatest) * 0.1 || 1;
+  return [least - margin, greatest + margin];
+}
+
+function shorten(name: string): string {
+  return name.length > 11 ? `${name.slice(0, 10)}…` : name;
+}
+
+export function startPlots(store: Store, host: HTMLElement): void {
+  const strips = new Map<number, Strip>();
+  const empty = document.createElement("p");
+  empty.className = "empty";
+  empty.textContent = "Click a signal, here or in the source, to plot it.";
+  const arrange = () => {
+    for (const [number, strip] of strips) {
+      if (!store.plotted.includes(number)) {
+        strip.end();
+        strips.delete(number);
+      }
+    }
+    store.plotted.forEach((number, index) => {
+      if (strips.has(number)) return;
+      const strip = new Strip(store, number, index);
+      strips.set(number, strip);
+      host.append(strip.element);
+      strip.load();
+    });
+    host.append(empty);
+    empty.hidden = strips.size > 0;
+  };
+  const all = (act: (strip: Strip) => void) => () => strips.forEach(act);
+  store.on("plotted", arrange);
+  store.on("range", all((strip) => strip.load()));
+  store.on("instant", all((strip) => strip.redraw()));
+  store.on("mark", all((strip) => strip.redraw()));
+  onTheme(all((strip) => strip.build()));
+  new ResizeObserver(all((strip) => strip.resize())).observe(host);
+  arrange();
+}

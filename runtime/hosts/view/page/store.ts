@@ -1,0 +1,114 @@
+// What the page shows at the moment, and who wants to know when that changes.
+import type { Connection } from "./connection";
+import type { Instant, Program, Series } from "./protocol";
+
+type Listener = () => void;
+export type Change = "instant" | "mark" | "range" | "plotted" | "playing";
+
+export class Store {
+  instant: Instant | null = null;
+  /** The other instant that differences are shown to. */
+  mark: Instant | null = null;
+  /** The seconds that plots show. */
+  range: readonly [number, number];
+  /** The numbers of the signals that are plotted, in order. */
+  plotted: number[] = [];
+  playing = false;
+  speed = 1;
+
+  private readonly listeners = new Map<Change, Listener[]>();
+  private readonly waiting = new Map<string, (series: Series) => void>();
+  private outstanding = false;
+  private wanted: string | null = null;
+  private readonly arrivals: Listener[] = [];
+
+  constructor(
+    readonly program: Program,
+    private readonly connection: Connection,
+  ) {
+    this.range = [program.start, program.end];
+  }
+
+  on(change: Change, listener: Listener): void {
+    this.listeners.set(change, [...(this.listeners.get(change) ?? []), listener]);
+  }
+
+  changed(change: Change): void {
+    for (const listener of this.listeners.get(change) ?? []) listener();
+  }
+
+  // The cursor. One request at a time is on its way; of those that come meanwhile only
+  // the last counts.
+
+  goTo(k: number, then?: Listener): void {
+    const last = this.program.instants - 1;
+    this.ask(`instant ${Math.max(0, Math.min(last, Math.round(k)))}`, then);
+  }
+
+  goToTime(seconds: number, then?: Listener): void {
+    this.ask(`time ${seconds}`, then);
+  }
+
+  stepBy(instants: number): void {
+    this.goTo((this.instant?.k ?? 0) + instants);
+  }
+
+  private ask(request: string, then?: Listener): void {
+    if (then) this.arrivals.push(then);
+    if (this.outstanding) {
+      this.wanted = request;
+      return;
+    }
+    this.outstanding = true;
+    this.connection.ask(request);
+  }
+
+  arrived(instant: Instant): void {
+    this.instant = instant;
+    this.outstanding = false;
+    if (this.wanted !== null) {
+      const request = this.wanted;
+      this.wanted = null;
+      this.ask(request);
+    } else {
+      for (const then of this.arrivals.splice(0)) then();
+    }
+    this.changed("instant");
+  }
+
+  setMark(mark: Instant | null): void {
+    this.mark = mark;
+    this.changed("mark");
+  }
+
+  // Plots.
+
+  setRange(from: number, to: number): void {
+    this.range = [Math.max(this.program.start, from), Math.min(this.program.end, to)];
+    this.changed("range");
+  }
+
+  showAll(): void {
+    this.setRange(this.program.start, this.program.end);
+  }
+
+  toggle(signal: number): void {
+    const at = this.plotted.indexOf(signal);
+    if (at >= 0) this.plotted.splice(at, 1);
+    else this.plotted.push(signal);
+    this.changed("plotted");
+  }
+
+  series(signal: number, from: number, to: number, width: number,
+         then: (series: Series) => void): void {
+    this.waiting.set(`${signal} ${from} ${to}`, then);
+    this.connection.ask(`series ${signal} ${from} ${to} ${Math.max(1, Math.round(width))}`);
+  }
+
+  received(series: Series): void {
+    const key = `${series.signal} ${series.from} ${series.to}`;
+    const then = this.waiting.get(key);
+    this.waiting.delete(key);
+    then?.(series);
+  }
+}

@@ -1,0 +1,40 @@
+// Dark or light, and the colours that what is drawn has in it.
+
+/** Okabe and Ito's, which people tell apart whatever colours they see; yellow is left out on
+ *  light ground and blue on dark. */
+const light = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
+const dark = ["#56b4e9", "#e69f00", "#00c08b", "#e69ac4", "#f0e442", "#ff8552"];
+
+const preferred = matchMedia("(prefers-color-scheme: dark)");
+const listeners: (() => void)[] = [];
+
+export function isDark(): boolean {
+  return document.documentElement.dataset["theme"] === "dark";
+}
+
+export function lineColour(index: number): string {
+  const colours = isDark() ? dark : light;
+  return colours[index % colours.length] ?? "gray";
+}
+
+export function colour(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+}
+
+export function onTheme(listener: () => void): void {
+  listeners.push(listener);
+}
+
+function set(theme: string): void {
+  document.documentElement.dataset["theme"] = theme;
+  for (const listener of listeners) listener();
+}
+
+export function toggleTheme(): void {
+  set(isDark() ? "light" : "dark");
+}
+
+export function startTheme(): void {
+  set(preferred.matches ? "dark" : "light");
+  preferred.addEventListener("change", () => set(preferred.matches ? "dark" : "light"));
+}

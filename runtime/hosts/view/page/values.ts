@@ -1,0 +1,43 @@
+// Values as the language writes them, shortened to what can be read at a glance.
+import type { Signal } from "./protocol";
+
+export function formatNumber(x: number): string {
+  if (!Number.isFinite(x)) return Number.isNaN(x) ? "nan" : x > 0 ? "inf" : "-inf";
+  if (x !== 0 && (Math.abs(x) < 1e-4 || Math.abs(x) >= 1e7))
+    return x.toExponential(4).replace(/\.?0+e/, "e").replace("e+", "e");
+  return String(Number(x.toPrecision(6)));
+}
+
+const numbers = /-?\d+(\.\d+)?(e[-+]?\d+)?/g;
+
+/** The cell of a trace, as in a program. */
+export function formatCell(signal: Signal, cell: string): string {
+  if (cell === "") return signal.kind === "event" ? "NoEvent" : "";
+  if (cell === "true") return "True";
+  if (cell === "false") return "False";
+  // A digit within a name is none of a number.
+  return cell.replace(numbers, (digits, _fraction, _exponent, at: number) =>
+    /[\w']/.test(cell[at - 1] ?? "") ? digits : formatNumber(Number(digits)));
+}
+
+/** A number of its plot, as the value that it stands for. */
+export function formatPoint(signal: Signal, x: number | null): string {
+  if (x === null) return signal.kind === "event" ? "NoEvent" : "";
+  if (signal.kind === "bool") return x === 0 ? "False" : "True";
+  return signal.names[x] ?? formatNumber(x);
+}
+
+export function isNothing(signal: Signal, cell: string): boolean {
+  return cell === "" || (signal.kind === "bool" && cell === "false");
+}
+
+export function formatTime(seconds: number): string {
+  return `${seconds.toFixed(3)} s`;
+}
+
+/** What lies between two cells of a signal of numbers; null if they are none. */
+export function difference(signal: Signal, from: string, to: string): string | null {
+  if ((signal.kind !== "float" && signal.kind !== "int") || from === "" || to === "") return null;
+  const x = Number(to) - Number(from);
+  return Number.isNaN(x) ? null : `${x < 0 ? "−" : "+"}${formatNumber(Math.abs(x))}`;
+}

@@ -1,0 +1,35 @@
+/* recording.h -- a recorded run, read into memory: for each instant its time, the
+ * program's input, and the output as it was recorded. */
+#ifndef FROB_VIEW_RECORDING_H
+#define FROB_VIEW_RECORDING_H
+
+#include "buffer.h"
+#include "signals.h"
+
+struct recording {
+    const struct frob_program *program;
+    const char *name;
+    size_t count;           /* of instants */
+    int64_t *times;         /* in nanoseconds */
+    unsigned char *inputs;  /* count times the program's input struct */
+    unsigned char *outputs; /* likewise; a signal that was not recorded is zero */
+    bool *recorded;         /* for each signal: is there a column of it? */
+    bool has_all_inputs;    /* so that the program can be run on it */
+    struct buffer notes;    /* what was wrong, a line each: what is shown is all the rest */
+    size_t capacity;
+};
+
+/* Reads a file. What does not fit the program is left out, with a line in `notes`:
+ * columns that it does not have, and all from the first row that cannot be read. False,
+ * with one line on standard error, if nothing is left. */
+bool recording_read(struct recording *recording, const struct signals *signals,
+                    const char *name);
+void recording_free(struct recording *recording);
+
+/* Seconds from instant `k - 1` to `k`, as the program is told: 0 at the first. */
+double recording_dt(const struct recording *recording, size_t k);
+
+const void *recording_input(const struct recording *recording, size_t k);
+const void *recording_output(const struct recording *recording, size_t k);
+
+#endif

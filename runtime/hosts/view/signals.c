@@ -1,0 +1,185 @@
+#include "signals.h"
+
+#include <frob/cell.h>
+#include <frob/trace.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void add(struct signals *signals, const char *name, struct signal signal)
+{
+    if (signals->count == signals->capacity) {
+        size_t capacity = signals->capacity == 0 ? 32 : signals->capacity * 2;
+        struct signal *all =
+            (struct signal *)realloc(signals->all, capacity * sizeof *signals->all);
+        if (all == NULL) {
+            signals->no_memory = true;
+            return;
+        }
+        signals->all = all;
+        signals->capacity = capacity;
+    }
+    signal.name = (char *)malloc(strlen(name) + 1);
+    if (signal.name == NULL) {
+        signals->no_memory = true;
+        return;
+    }
+    strcpy(signal.name, name);
+    signals->all[signals->count++] = signal;
+}
+
+static void add_input(void *context, const char *name, const struct frob_value *value)
+{
+    add((struct signals *)context, name, (struct signal){ NULL, INPUT, value, 0 });
+}
+
+static void add_output(void *context, const char *name, const struct frob_value *value)
+{
+    add((struct signals *)context, name, (struct signal){ NULL, OUTPUT, value, 0 });
+}
+
+static void add_modes(struct signals *signals)
+{
+    const struct frob_program *program = signals->program;
+    for (size_t i = 0; i < program->machine_count; i++) {
+        struct buffer name = { 0 };
+        buffer_format(&name, "mode.%s", program->machines[i].name);
+        if (name.data == NULL)
+            signals->no_memory = true;
+        else
+            add(signals, name.data, (struct signal){ NULL, MODE, NULL, i });
+        buffer_free(&name);
+    }
+}
+
+bool signals_start(struct signals *signals, const struct frob_program *program)
+{
+    memset(signals, 0, sizeof *signals);
+    signals->program = program;
+    frob_trace_columns(program->input, "in", add_input, signals);
+    frob_trace_columns(program->output, "out", add_output, signals);
+    add_modes(signals);
+    return !signals->no_memory;
+}
+
+void signals_end(struct signals *signals)
+{
+    for (size_t i = 0; i < signals->count; i++)
+        free(signals->all[i].name);
+    free(signals->all);
+}
+
+const struct signal *signals_find(const struct signals *signals, const char *name)
+{
+    for (size_t i = 0; i < signals->count; i++)
+        if (strcmp(signals->all[i].name, name) == 0)
+            return &signals->all[i];
+    return NULL;
+}
+
+static const void *base(const struct signal *signal, const struct moment *moment)
+{
+    return signal->side == INPUT ? moment->input : moment->output;
+}
+
+void signal_write(const struct signals *signals, const struct signal *signal,
+                  const struct moment *moment, struct buffer *text)
+{
+    if (signal->side == MODE) {
+        const struct frob_machine *machine = &signals->program->machines[signal->machine];
+        int32_t mode = frob_trace_mode(signals->program, signal->machine, moment->state);
+        if (mode >= 0 && (size_t)mode < machine->count)
+            buffer_text(text, machine->modes[mode]);
+        return;
+    }
+    const size_t room = frob_cell_room(signal->value) + 1;
+    char *cell = (char *)malloc(room);
+    struct frob_text written;
+    if (cell == NULL) {
+        text->failed = true;
+        return;
+    }
+    written = frob_text_in(cell, room);
+    frob_cell_write(&written, signal->value, base(signal, moment));
+    buffer_bytes(text, written.data, written.length);
+    free(cell);
+}
+
+static double number_at(const struct frob_value *value, const char *bytes)
+{
+    const char *place = bytes + value->offset;
+    const struct frob_constructor *product;
+    int32_t integer;
+    double real;
+    float single;
+    switch (value->kind) {
+    case FROB_BOOL:
+        return *(const unsigned char *)place != 0 ? 1 : 0;
+    case FROB_INT:
+        memcpy(&integer, place, sizeof integer);
+        return integer;
+    case FROB_FLOAT:
+    case FROB_ROUNDED:
+        memcpy(&real, place, sizeof real);
+        return real;
+    case FROB_SINGLE:
+        memcpy(&single, place, sizeof single);
+        return (double)single;
+    case FROB_SUM:
+        if (!value->is_event)
+            return *(const unsigned char *)place;
+        if (*(const unsigned char *)place == 0)
+            return NAN;
+        return number_at(value->constructors[1].fields[0].value, bytes);
+    case FROB_PRODUCT:
+    case FROB_ARRAY:
+        product = &value->constructors[0];
+        return product->count > 0 ? number_at(product->fields[0].value, bytes) : 1;
+    }
+    return NAN;
+}
+
+double signal_number(const struct signals *signals, const struct signal *signal,
+                     const struct moment *moment)
+{
+    if (signal->side == MODE) {
+        int32_t mode = frob_trace_mode(signals->program, signal->machine, moment->state);
+        return mode < 0 ? (double)NAN : (double)mode;
+    }
+    return number_at(signal->value, (const char *)base(signal, moment));
+}
+
+static bool parts_equal(const struct frob_constructor *parts, const void *a, const void *b)
+{
+    for (size_t i = 0; i < parts->count; i++)
+        if (!signal_values_equal(parts->fields[i].value, a, b))
+            return false;
+    return true;
+}
+
+bool signal_values_equal(const struct frob_value *value, const void *a, const void *b)
+{
+    const char *at = (const char *)a + value->offset, *bt = (const char *)b + value->offset;
+    double x, y;
+    switch (value->kind) {
+    case FROB_BOOL:
+        return *at == *bt;
+    case FROB_INT:
+        return memcmp(at, bt, sizeof(int32_t)) == 0;
+    case FROB_FLOAT:
+    case FROB_ROUNDED:
+    case FROB_SINGLE:
+        x = number_at(value, (const char *)a);
+        y = number_at(value, (const char *)b);
+        /* A trace writes all that are no number the same. */
+        return (isnan(x) && isnan(y)) || memcmp(&x, &y, sizeof x) == 0;
+    case FROB_SUM:
+        return *at == *bt &&
+               parts_equal(&value->constructors[*(const unsigned char *)at], a, b);
+    case FROB_PRODUCT:
+    case FROB_ARRAY:
+        return parts_equal(&value->constructors[0], a, b);
+    }
+    return false;
+}

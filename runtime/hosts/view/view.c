@@ -1,0 +1,336 @@
+#include "view.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* {1 Beginning} */
+
+static const char *without_folder(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash == NULL ? path : slash + 1;
+}
+
+static bool read_source(struct source *source, const char *path)
+{
+    struct buffer text = { 0 };
+    char block[4096];
+    size_t length;
+    FILE *file = fopen(path, "rb");
+    source->name = without_folder(path);
+    if (file != NULL) {
+        while ((length = fread(block, 1, sizeof block, file)) > 0)
+            buffer_bytes(&text, block, length);
+        if (ferror(file)) {
+            fclose(file);
+            file = NULL;
+        }
+    }
+    if (file == NULL) {
+        fprintf(stderr, "error: cannot read %s: %s\n", path, strerror(errno));
+        buffer_free(&text);
+        return false;
+    }
+    fclose(file);
+    buffer_text(&text, "");
+    source->text = text.data;
+    return source->text != NULL;
+}
+
+bool view_start(struct view *view, const struct frob_program *program, const char *recording,
+                const char *const *sources, size_t source_count)
+{
+    memset(view, 0, sizeof *view);
+    view->program = program;
+    view->sources = (struct source *)calloc(source_count + 1, sizeof *view->sources);
+    if (view->sources == NULL || !signals_start(&view->signals, program)) {
+        fprintf(stderr, "error: not enough memory for the program's signals\n");
+        return false;
+    }
+    for (size_t i = 0; i < source_count; i++) {
+        if (!read_source(&view->sources[i], sources[i]))
+            return false;
+        view->source_count++;
+    }
+    if (!recording_read(&view->recording, &view->signals, recording))
+        return false;
+    if (!replay_start(&view->replay, &view->signals, &view->recording)) {
+        fprintf(stderr, "error: not enough memory for the program's states\n");
+        return false;
+    }
+    series_start(&view->series, &view->replay);
+    return true;
+}
+
+void view_end(struct view *view)
+{
+    series_end(&view->series);
+    replay_end(&view->replay);
+    recording_free(&view->recording);
+    signals_end(&view->signals);
+    for (size_t i = 0; i < view->source_count; i++)
+        free(view->sources[i].text);
+    free(view->sources);
+}
+
+void view_summary(const struct view *view, struct buffer *text)
+{
+    if (view->recording.notes.length > 0)
+        buffer_text(text, view->recording.notes.data);
+    if (view->replay.diverged)
+        buffer_format(text,
+                      "diverged at %lu: `%s` is not as recorded, so the recording is of another "
+                      "version of the program, or its C depends on more than its input\n",
+                      (unsigned long)view->replay.diverged_at, view->replay.diverged_in->name);
+}
+
+/* {1 Answers} */
+
+static void refuse(struct buffer *answer, const char *why)
+{
+    buffer_text(answer, "{\"is\":\"refused\",\"why\":");
+    buffer_string(answer, why);
+    buffer_text(answer, "}");
+}
+
+static double seconds_at(const struct view *view, size_t k)
+{
+    return (double)view->recording.times[k] / 1e9;
+}
+
+static const char *kind_of(const struct signal *signal)
+{
+    if (signal->side == MODE)
+        return "mode";
+    switch (signal->value->kind) {
+    case FROB_BOOL:
+        return "bool";
+    case FROB_INT:
+        return "int";
+    case FROB_FLOAT:
+    case FROB_SINGLE:
+    case FROB_ROUNDED:
+        return "float";
+    case FROB_SUM:
+        return signal->value->is_event ? "event" : "sum";
+    case FROB_PRODUCT:
+    case FROB_ARRAY:
+        break;
+    }
+    return "data";
+}
+
+/* The names that the numbers of a plot stand for. */
+static void add_names(const struct view *view, const struct signal *signal,
+                      struct buffer *answer)
+{
+    const char *comma = "";
+    buffer_text(answer, ",\"names\":[");
+    if (signal->side == MODE) {
+        const struct frob_machine *machine = &view->program->machines[signal->machine];
+        for (size_t i = 0; i < machine->count; i++, comma = ",") {
+            buffer_text(answer, comma);
+            buffer_string(answer, machine->modes[i]);
+        }
+    } else if (signal->value->kind == FROB_SUM && !signal->value->is_event) {
+        for (size_t i = 0; i < signal->value->count; i++, comma = ",") {
+            buffer_text(answer, comma);
+            buffer_string(answer, signal->value->constructors[i].name);
+        }
+    }
+    buffer_text(answer, "]");
+}
+
+static void add_signals(const struct view *view, struct buffer *answer)
+{
+    static const char *const sides[] = { "input", "output", "mode" };
+    buffer_text(answer, ",\"signals\":[");
+    for (size_t i = 0; i < view->signals.count; i++) {
+        const struct signal *signal = &view->signals.all[i];
+        buffer_text(answer, i > 0 ? ",{\"name\":" : "{\"name\":");
+        buffer_string(answer, signal->name);
+        buffer_format(answer, ",\"side\":\"%s\",\"kind\":\"%s\"", sides[signal->side],
+                      kind_of(signal));
+        add_names(view, signal, answer);
+        buffer_text(answer, "}");
+    }
+    buffer_text(answer, "]");
+}
+
+static void answer_program(struct view *view, struct buffer *answer)
+{
+    const size_t count = view->recording.count;
+    struct buffer summary = { 0 };
+    buffer_text(answer, "{\"is\":\"program\",\"name\":");
+    buffer_string(answer, view->program->name);
+    buffer_text(answer, ",\"robot\":");
+    buffer_string(answer, view->program->robot);
+    buffer_text(answer, ",\"recording\":");
+    buffer_string(answer, without_folder(view->recording.name));
+    buffer_format(answer, ",\"instants\":%lu,\"start\":", (unsigned long)count);
+    buffer_number(answer, seconds_at(view, 0));
+    buffer_text(answer, ",\"end\":");
+    buffer_number(answer, seconds_at(view, count - 1));
+    buffer_format(answer, ",\"runs\":%s", view->replay.runs ? "true" : "false");
+    buffer_text(answer, ",\"notes\":");
+    view_summary(view, &summary);
+    buffer_string(answer, summary.length > 0 ? summary.data : "");
+    buffer_free(&summary);
+    add_signals(view, answer);
+    buffer_text(answer, ",\"sources\":[");
+    for (size_t i = 0; i < view->source_count; i++) {
+        buffer_text(answer, i > 0 ? ",{\"name\":" : "{\"name\":");
+        buffer_string(answer, view->sources[i].name);
+        buffer_text(answer, ",\"text\":");
+        buffer_string(answer, view->sources[i].text);
+        buffer_text(answer, "}");
+    }
+    buffer_text(answer, "]}");
+}
+
+static void answer_instant(struct view *view, size_t k, struct buffer *answer)
+{
+    struct moment moment = replay_at(&view->replay, k);
+    struct buffer cell = { 0 };
+    buffer_format(answer, "{\"is\":\"instant\",\"k\":%lu,\"time\":", (unsigned long)k);
+    buffer_number(answer, seconds_at(view, k));
+    buffer_text(answer, ",\"dt\":");
+    buffer_number(answer, recording_dt(&view->recording, k));
+    buffer_text(answer, ",\"cells\":[");
+    for (size_t i = 0; i < view->signals.count; i++) {
+        const struct signal *signal = &view->signals.all[i];
+        buffer_clear(&cell);
+        if (signal->side != MODE || moment.state != NULL)
+            signal_write(&view->signals, signal, &moment, &cell);
+        buffer_text(answer, i > 0 ? "," : "");
+        buffer_string(answer, cell.length > 0 ? cell.data : "");
+    }
+    buffer_text(answer, "]}");
+    buffer_free(&cell);
+}
+
+/* The last instant that is not after a time; the first if all are. */
+static size_t instant_at(const struct view *view, double seconds)
+{
+    size_t low = 0, high = view->recording.count;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (seconds_at(view, middle) <= seconds)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+struct points {
+    const struct view *view;
+    const double *numbers;
+    struct buffer *answer, *times, *values;
+};
+
+static void add_point(void *context, size_t k)
+{
+    struct points *p = (struct points *)context;
+    const char *comma = p->times->length > 0 ? "," : "";
+    buffer_text(p->times, comma);
+    buffer_number(p->times, seconds_at(p->view, k));
+    buffer_text(p->values, comma);
+    buffer_number(p->values, p->numbers[k]);
+}
+
+static void answer_series(struct view *view, size_t number, double from, double to, size_t width,
+                          struct buffer *answer)
+{
+    const size_t first = instant_at(view, from), last = instant_at(view, to);
+    const size_t end = last + 1 < view->recording.count ? last + 2 : last + 1;
+    const struct signal *signal = &view->signals.all[number];
+    struct buffer times = { 0 }, values = { 0 };
+    struct points points = { view, NULL, answer, &times, &values };
+    if (signal->side != MODE || view->replay.runs) {
+        points.numbers = series_of(&view->series, signal);
+        if (points.numbers == NULL) {
+            refuse(answer, "not enough memory for this signal's numbers");
+            return;
+        }
+        series_visit(points.numbers, first, end, width, add_point, &points);
+    }
+    buffer_format(answer, "{\"is\":\"series\",\"signal\":%lu,\"from\":", (unsigned long)number);
+    buffer_number(answer, from);
+    buffer_text(answer, ",\"to\":");
+    buffer_number(answer, to);
+    buffer_text(answer, ",\"times\":[");
+    buffer_text(answer, times.length > 0 ? times.data : "");
+    buffer_text(answer, "],\"values\":[");
+    buffer_text(answer, values.length > 0 ? values.data : "");
+    buffer_text(answer, "]}");
+    answer->failed = answer->failed || times.failed || values.failed;
+    buffer_free(&times);
+    buffer_free(&values);
+}
+
+/* {1 Requests} */
+
+/* Takes one word and the blank before it off a request, as a number below `limit`. */
+static bool take_number(const char **at, size_t limit, size_t *result)
+{
+    char *end;
+    unsigned long long number;
+    if (**at != ' ' || (*at)[1] < '0' || (*at)[1] > '9')
+        return false;
+    errno = 0;
+    number = strtoull(*at + 1, &end, 10);
+    if (errno != 0 || number >= limit)
+        return false;
+    *at = end;
+    *result = (size_t)number;
+    return true;
+}
+
+static bool take_word(const char **at, const char *word)
+{
+    size_t length = strlen(word);
+    if (strncmp(*at, word, length) != 0 || ((*at)[length] != '\0' && (*at)[length] != ' '))
+        return false;
+    *at += length;
+    return true;
+}
+
+static bool take_seconds(const char **at, double *result)
+{
+    char *end;
+    if (**at != ' ')
+        return false;
+    *result = strtod(*at + 1, &end);
+    if (end == *at + 1 || !isfinite(*result))
+        return false;
+    *at = end;
+    return true;
+}
+
+void view_answer(struct view *view, const char *request, struct buffer *answer)
+{
+    const size_t count = view->recording.count;
+    const char *at = request;
+    size_t k, signal, width;
+    double seconds, from, to;
+    if (take_word(&at, "program") && *at == '\0')
+        answer_program(view, answer);
+    else if (take_word(&at, "instant") && take_number(&at, count, &k) && *at == '\0')
+        answer_instant(view, k, answer);
+    else if (take_word(&at, "time") && take_seconds(&at, &seconds) && *at == '\0')
+        answer_instant(view, instant_at(view, seconds), answer);
+    else if (take_word(&at, "series") && take_number(&at, view->signals.count, &signal) &&
+             take_seconds(&at, &from) && take_seconds(&at, &to) &&
+             take_number(&at, 100001, &width) && *at == '\0' && from <= to)
+        answer_series(view, signal, from, to, width, answer);
+    else
+        refuse(answer, "this is no request");
+    if (answer->failed) {
+        buffer_clear(answer);
+        refuse(answer, "not enough memory for the answer");
+    }
+}

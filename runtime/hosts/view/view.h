@@ -1,0 +1,45 @@
+/* view.h -- what a page asks of a recorded run, and the answers.
+ *
+ * A request is a line of words, an answer JSON:
+ *
+ *   program                    what there is: signals, sources, notes
+ *   instant K                  all signals at instant K
+ *   time SECONDS               likewise, at the last instant not after that time
+ *   series SIGNAL FROM TO WIDTH
+ *                              points for a plot of signal number SIGNAL from time FROM
+ *                              to TO, on WIDTH columns
+ *
+ * What is no request is answered by `{"is":"refused",…}`, and nothing else happens. */
+#ifndef FROB_VIEW_VIEW_H
+#define FROB_VIEW_VIEW_H
+
+#include "series.h"
+
+struct source {
+    const char *name; /* without its folder */
+    char *text;
+};
+
+struct view {
+    const struct frob_program *program;
+    struct signals signals;
+    struct recording recording;
+    struct replay replay;
+    struct series series;
+    struct source *sources;
+    size_t source_count;
+};
+
+/* Reads the recording and runs the program on it. False with a line on standard error. */
+bool view_start(struct view *view, const struct frob_program *program, const char *recording,
+                const char *const *sources, size_t source_count);
+void view_end(struct view *view);
+
+/* Appends what is to be known at once: what does not fit, and whether outputs are the
+ * recorded ones. Lines. */
+void view_summary(const struct view *view, struct buffer *text);
+
+/* Appends the answer to a request. */
+void view_answer(struct view *view, const char *request, struct buffer *answer);
+
+#endif

@@ -1,0 +1,131 @@
+"""usage: journey.py FROBC RUN.csv FILE ROBOT
+
+A visit to the page in a browser: open, look, plot, scrub, mark, play."""
+
+import os
+import sys
+
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
+
+import viewer
+from viewer import check
+
+
+def start(width, height):
+    options = Options()
+    options.add_argument("--headless=new")
+    options.add_argument(f"--window-size={width},{height}")
+    if os.geteuid() == 0:
+        options.add_argument("--no-sandbox")  # which Chromium does not have for root
+    options.binary_location = "/usr/bin/chromium"
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+
+
+class Page:
+    def __init__(self, driver, address):
+        self.driver = driver
+        driver.get(address)
+
+    def all(self, selector):
+        return self.driver.find_elements(By.CSS_SELECTOR, selector)
+
+    def text(self, selector):
+        return self.all(selector)[0].text
+
+    def wait(self, condition):
+        return WebDriverWait(self.driver, 10).until(lambda _: condition())
+
+    def press(self, *keys):
+        ActionChains(self.driver).send_keys(*keys).perform()
+
+    def at(self, k):
+        return self.wait(lambda: self.text("#now").startswith(f"instant {k} "))
+
+    def instant(self):
+        return int(self.text("#now").split()[1])
+
+    def cells(self):
+        """What the list of signals shows of each, whole."""
+        return dict(self.driver.execute_script(
+            "return [...document.querySelectorAll('#list button')]"
+            ".map(row => [row.title, row.querySelector('output').title])"))
+
+
+def visit(page, rows):
+    last = len(rows) - 1
+    page.at(0)
+    check("the replay is as recorded", page.text("#state") == "replayed: outputs as recorded")
+    page.press(Keys.END)
+    page.at(last)
+    page.press(Keys.ARROW_LEFT)
+    page.at(last - 1)
+    page.wait(lambda: all(page.cells().get(name, cell) == cell
+                          for name, cell in rows[last - 1].items()))
+    check("the list shows what is traced", True)
+
+    before = len(page.all("#plots article"))
+    page.press("/", "heading", Keys.ENTER)
+    page.wait(lambda: len(page.all("#plots article")) == before + 1)
+    shown = page.all("#plots article:last-of-type canvas")
+    check("a signal that is found is plotted", len(shown) == 1)
+    page.press(Keys.ESCAPE)
+
+    page.press("m", Keys.HOME)
+    page.at(0)
+    page.wait(lambda: page.text("#apart").startswith(f"Δ {1 - last} instants"))
+    check("a mark shows what lies between", "Δ" in page.text("#plots article output + output"))
+    page.press("m")
+
+    timeline = page.all("#timeline canvas")[0]
+    ActionChains(page.driver).move_to_element(timeline).click().perform()
+    page.wait(lambda: abs(page.instant() - last / 2) <= last / 50)
+    check("the time line goes where it is clicked", True)
+
+    at = page.instant()
+    page.press(Keys.SPACE)
+    page.wait(lambda: page.instant() > at + 5)
+    page.press(Keys.SPACE)
+    check("it plays", True)
+
+    plot = page.all("#plots article .u-over")[0]
+    ActionChains(page.driver).move_to_element_with_offset(plot, -50, 0).click_and_hold() \
+        .move_by_offset(100, 0).release().perform()
+    page.press(Keys.HOME)
+    page.at(0)
+    ActionChains(page.driver).move_to_element(plot).click().perform()
+    page.wait(lambda: abs(page.instant() - last / 2) <= last / 20)
+    check("a plot shows what was dragged over, and goes where it is clicked", True)
+
+    source = page.driver.execute_script(
+        "return document.querySelector('#source').shadowRoot.querySelector('.cm-content').innerText")
+    check("the source is there", "main" in source)
+    messages = [entry["message"] for entry in page.driver.get_log("browser")]
+    check("the browser has nothing to complain of", messages == [])
+    for message in messages:
+        print(message)
+
+
+def main():
+    frobc, recording, program, robot = sys.argv[1:]
+    v = viewer.Viewer(frobc, recording, program)
+    driver = start(1280, 720)
+    try:
+        visit(Page(driver, v.address), viewer.trace(frobc, recording, program, robot))
+        driver.get("about:blank")
+        stranger = Page(driver, v.address[:-1] + ("0" if v.address[-1] != "0" else "1"))
+        stranger.wait(lambda: "this is not the token" in stranger.text("#state"))
+        check("a page with another token shows nothing", stranger.text("#list") == "")
+        v.end()
+    finally:
+        driver.quit()
+
+
+main()
+sys.exit(viewer.failures > 0)

@@ -1,0 +1,184 @@
+"""usage: protocol.py FROBC RUN.csv FILE ROBOT
+
+What the viewer answers, to a WebSocket client that is not its page; and to who means ill."""
+
+import asyncio
+import json
+import math
+import random
+import socket
+import sys
+
+import websockets
+
+import viewer
+from viewer import check
+
+
+def connect(v, **changes):
+    wanted = dict(subprotocols=["frob-view"], origin=f"http://{v.host}", max_size=None)
+    return websockets.connect(f"ws://{v.host}/", **{**wanted, **changes})
+
+
+async def ask(client, request):
+    await client.send(request)
+    return json.loads(await client.recv())
+
+
+async def greet(v, client):
+    return await ask(client, f"hello {v.token}")
+
+
+def number(cell):
+    if cell in ("true", "false"):
+        return float(cell == "true")
+    return float(cell) if cell else None
+
+
+async def values(v, rows):
+    async with connect(v) as client:
+        program = await greet(v, client)
+        names = [signal["name"] for signal in program["signals"]]
+        check("all columns are signals", set(rows[0]) == {"time", *names})
+        check("as many instants as rows", program["instants"] == len(rows))
+        differing = 0
+        for k in random.Random(1).sample(range(len(rows)), len(rows)):
+            instant = await ask(client, f"instant {k}")
+            differing += instant["cells"] != [rows[k][name] for name in names]
+            differing += not math.isclose(instant["time"], float(rows[k]["time"]))
+        check("each instant, in any order, is as traced", differing == 0)
+        plain = [i for i, signal in enumerate(program["signals"])
+                 if signal["kind"] in ("bool", "int", "float")
+                 or (signal["kind"] == "event" and "sonar" in signal["name"])]
+        series = [await ask(client, f"series {i} -1 1e6 100000") for i in plain]
+        check("plots of whole runs are as traced", all(
+            s["values"] == [number(row[names[i]]) for row in rows] for i, s in zip(plain, series)))
+        heading = names.index("in.odometry.heading")
+        whole = [float(row["in.odometry.heading"]) for row in rows]
+        few = await ask(client, f"series {heading} -1 1e6 20")
+        check("a plot of few columns has the extremes", len(few["values"]) <= 80 and
+              min(few["values"]) == min(whole) and max(few["values"]) == max(whole))
+        after = await ask(client, "time 1.019")
+        check("a time is the last instant not after it", after["k"] == 50)
+
+
+async def refused(v, **changes):
+    """Whether there is no handshake."""
+    try:
+        async with connect(v, **changes):
+            return False
+    except Exception:
+        return True
+
+
+async def closed(v, *messages, greets=False):
+    """With what code the viewer closes after these messages; None if it does not."""
+    try:
+        async with connect(v) as client:
+            if greets:
+                await greet(v, client)
+            for message in messages:
+                await client.send(message)
+            while True:
+                await asyncio.wait_for(client.recv(), 8)
+    except websockets.exceptions.ConnectionClosed as end:
+        return end.rcvd.code if end.rcvd else 1006
+    except asyncio.TimeoutError:
+        return None
+
+
+def http(v, text):
+    """The first line of the answer to some bytes; empty if there is none."""
+    with socket.create_connection(("127.0.0.1", v.port), timeout=5) as line:
+        line.sendall(text)
+        try:
+            return line.recv(4096).split(b"\r\n")[0].decode("latin-1")
+        except OSError:
+            return ""
+
+
+async def strangers(v):
+    check("another origin is refused", await refused(v, origin="http://example.org"))
+    check("the origin of another port is refused", await refused(v, origin="http://127.0.0.1:1"))
+    check("no origin is refused", await refused(v, origin=None))
+    check("another protocol is refused", await refused(v, subprotocols=["chat"]))
+    check("no protocol is refused", await refused(v, subprotocols=None))
+    get = "GET %s HTTP/1.1\r\nHost: %s\r\n\r\n"
+    host = v.host
+    check("the page is served", " 200" in http(v, (get % ("/", host)).encode()))
+    for name in ("example.org", "localhost:%d" % v.port, "127.0.0.1", host + ".example.org"):
+        check(f"the host {name.replace(str(v.port), 'PORT')} is refused",
+              " 403" in http(v, (get % ("/", name)).encode()))
+    upgrade = ("GET / HTTP/1.1\r\nHost: example.org\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+               f"Origin: http://{host}\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+               "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Protocol: frob-view\r\n\r\n")
+    check("a WebSocket of another host is refused", " 101" not in http(v, upgrade.encode()))
+    for path in ("/page.ts", "/etc/passwd", "//etc/passwd", "/%2e%2e/etc/passwd"):
+        check(f"there is no {path}", " 200" not in http(v, (get % (path, host)).encode()))
+    check("only GET is answered",
+          " 405" in http(v, f"POST / HTTP/1.1\r\nHost: {host}\r\nContent-Length: 0\r\n\r\n".encode()))
+
+
+async def wrong_messages(v):
+    check("a wrong token closes", await closed(v, "hello " + "0" * 32) == 1008)
+    check("half a token closes", await closed(v, "hello " + v.token[:16]) == 1008)
+    check("a request before the token closes", await closed(v, "program") == 1008)
+    check("silence closes", await closed(v) is not None)
+    check("bytes that are no text close", await closed(v, b"\0\1", greets=True) == 1003)
+    check("a message over 64 kB closes", await closed(v, "x" * 65537, greets=True) == 1009)
+    flood = ["series 0 0 10 1000"] * 20000
+    check("a flood closes", await closed(v, *flood, greets=True) is not None)
+
+
+async def nonsense(v, count):
+    """Random requests, and random bytes in frames."""
+    chance = random.Random(7)
+    words = ["instant", "time", "series", "program", "hello", "-1", "0", "7", "99999999999999999999",
+             "1e308", "nan", "inf", "", "é", "\0", "\"", "\\", "0x10", "1.5"]
+    async with connect(v) as client:
+        await greet(v, client)
+        answers = [await ask(client, " ".join(chance.choices(words, k=chance.randrange(6))))
+                   for _ in range(count)]
+        kinds = {answer["is"] for answer in answers}
+        check("nonsense is refused, and harmless", "refused" in kinds)
+    for _ in range(100):
+        with socket.create_connection(("127.0.0.1", v.port), timeout=5) as line:
+            handshake = (f"GET / HTTP/1.1\r\nHost: {v.host}\r\nUpgrade: websocket\r\n"
+                         f"Connection: Upgrade\r\nOrigin: http://{v.host}\r\n"
+                         "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n"
+                         "Sec-WebSocket-Protocol: frob-view\r\n\r\n").encode()
+            whole = chance.random() < 0.7
+            line.sendall(handshake if whole else handshake[: chance.randrange(len(handshake))])
+            try:
+                if whole:
+                    line.recv(4096)
+                line.sendall(chance.randbytes(chance.randrange(1, 3000)))
+            except OSError:
+                pass  # it has closed, as well it may
+
+
+async def pages(v):
+    clients = [await connect(v) for _ in range(4)]
+    for client in clients:
+        await greet(v, client)
+    check("a fifth page is turned away", await closed(v) == 1008)
+    check("the four go on", [(await ask(c, "instant 3"))["k"] for c in clients] == [3] * 4)
+    for client in clients:
+        await client.close()
+
+
+async def main():
+    frobc, recording, program, robot = sys.argv[1:]
+    v = viewer.Viewer(frobc, recording, program)
+    await values(v, viewer.trace(frobc, recording, program, robot))
+    await strangers(v)
+    await wrong_messages(v)
+    await nonsense(v, 2000)
+    await asyncio.sleep(0.5)
+    await pages(v)
+    check("it has outlived all that", v.process.poll() is None)
+    check("it ends when it is told to", v.end() == 0)
+
+
+asyncio.run(main())
+sys.exit(viewer.failures > 0)
