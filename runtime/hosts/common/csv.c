@@ -52,9 +52,9 @@ static bool grow_cells(struct csv *csv)
 
 static int next_char(struct csv *csv)
 {
-    int c = getc(csv->file);
+    int c = getc_unlocked(csv->file);
     if (c == '\r') {
-        int after = getc(csv->file);
+        int after = getc_unlocked(csv->file);
         if (after == '\n')
             return '\n';
         if (after != EOF)
@@ -66,14 +66,14 @@ static int next_char(struct csv *csv)
 static void skip_byte_order_mark(struct csv *csv)
 {
     static const int mark[] = { 0xef, 0xbb, 0xbf };
-    int c = getc(csv->file);
+    int c = getc_unlocked(csv->file);
     if (c != mark[0]) {
         if (c != EOF)
             ungetc(c, csv->file);
         return;
     }
-    (void)getc(csv->file);
-    (void)getc(csv->file);
+    (void)getc_unlocked(csv->file);
+    (void)getc_unlocked(csv->file);
 }
 
 const char *csv_cell(const struct csv *csv, size_t index)
@@ -126,7 +126,7 @@ enum csv_status csv_next(struct csv *csv)
             csv->next_line++;
         column++;
         if (quoted && c == '"') {
-            int after = getc(csv->file);
+            int after = getc_unlocked(csv->file);
             if (after == '"') {
                 csv->text[length++] = '"';
                 column++;
