@@ -362,7 +362,7 @@ let run general ~entry ~sources run file =
       @ flag "--console" run.console
       @ flag "--strict" run.strict)
 
-type view = { recording : string; browser : bool; port : int option }
+type view = { recording : string; browser : bool; port : int option; world : string option }
 
 let is_port number = number >= 1 && number <= 65535
 
@@ -375,14 +375,17 @@ let view general ~entry ~sources view file =
   in
   let* resources = Resources.find () in
   let* () = Program_file.check file in
-  let* () = all_exist [ view.recording ] in
-  let* general = for_world general resources (world_of None resources file) in
+  let* () = all_exist (view.recording :: Option.to_list view.world) in
+  let world = world_of view.world resources file in
+  let* general = for_world general resources world in
   shared general ~entry ~sources file (fun _ program ->
       let options =
         (if view.browser then [] else [ "--print" ])
         @ Option.fold ~none:[] ~some:(fun port -> [ "--port"; string_of_int port ]) view.port
       in
-      let arguments = options @ [ "--source"; file; program; view.recording ] in
+      let arguments =
+        options @ [ "--world"; world; "--source"; file; program; view.recording ]
+      in
       match Process.become resources.viewer arguments with
       | Not_found _ | Failed _ -> missing_host resources.viewer)
 

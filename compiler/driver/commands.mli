@@ -53,6 +53,7 @@ type view = {
   recording : string;
   browser : bool;  (** is opened, if there is a desktop *)
   port : int option;  (** any that is free if [None] *)
+  world : string option;  (** where the robot drove; as for a {!run} if [None] *)
 }
 
 val view : general -> entry:string -> sources:string list -> view -> string -> int

@@ -326,8 +326,14 @@ let view =
     let doc = "The port for the page; without it, any that is free." in
     Arg.(value & opt (some int) None & info [ "port" ] ~docv:"N" ~doc)
   in
-  let run general entry sources print port recording file =
-    Commands.view general ~entry ~sources { recording; browser = not print; port } file
+  let world =
+    let doc =
+      "The world that is drawn on the map. Without it: the one that $(b,frobc run) would take."
+    in
+    Arg.(value & opt (some string) None & info [ "world" ] ~docv:"WORLD.toml" ~doc)
+  in
+  let run general entry sources print port world recording file =
+    Commands.view general ~entry ~sources { recording; browser = not print; port; world } file
   in
   let man =
     [
@@ -343,7 +349,7 @@ let view =
     ]
   in
   command "view" ~man ~doc:"look at a recorded run on a page, at any instant"
-    Term.(const run $ general $ entry $ sources $ print $ port $ recording $ file)
+    Term.(const run $ general $ entry $ sources $ print $ port $ world $ recording $ file)
 
 let build =
   let output =

@@ -1,6 +1,7 @@
 /* frob-view -- shows a recorded run of a program on a page.
  *
- *   frob-view [--print] [--port N] [--source FILE]... PROGRAM.so RUN.csv
+ *   frob-view [--print] [--port N] [--source FILE]... [--world FILE]
+ *             PROGRAM.so RUN.csv
  *
  * Prints the page's address, and opens a browser on it unless --print is given. Ends
  * with SIGINT or SIGTERM. Exit status: 0, or 2 when a file cannot be read or is no
@@ -20,9 +21,8 @@ enum { DONE = 0, WRONG_USE = 2 };
 struct options {
     bool print;
     int port;
-    const char **sources;
-    size_t source_count;
-    const char *program, *recording;
+    struct view_files files;
+    const char *program;
 };
 
 /* What is to be told when the page can be asked for. */
@@ -34,24 +34,26 @@ struct start {
 static bool read_options(struct options *o, int argc, char **argv)
 {
     int i = 1;
-    o->sources = (const char **)calloc((size_t)argc, sizeof *o->sources);
-    for (; o->sources != NULL && i < argc && strncmp(argv[i], "--", 2) == 0; i++) {
+    o->files.sources = (const char **)calloc((size_t)argc, sizeof *o->files.sources);
+    for (; o->files.sources != NULL && i < argc && strncmp(argv[i], "--", 2) == 0; i++) {
         if (strcmp(argv[i], "--print") == 0)
             o->print = true;
         else if (strcmp(argv[i], "--port") == 0 && i + 1 < argc)
             o->port = atoi(argv[++i]);
         else if (strcmp(argv[i], "--source") == 0 && i + 1 < argc)
-            o->sources[o->source_count++] = argv[++i];
+            o->files.sources[o->files.source_count++] = argv[++i];
+        else if (strcmp(argv[i], "--world") == 0 && i + 1 < argc)
+            o->files.world = argv[++i];
         else
             break;
     }
-    if (o->sources == NULL || i + 2 != argc || o->port < 0 || o->port > 65535) {
-        fprintf(stderr, "usage: frob-view [--print] [--port N] [--source FILE]... PROGRAM.so "
-                        "RUN.csv\n");
+    if (o->files.sources == NULL || i + 2 != argc || o->port < 0 || o->port > 65535) {
+        fprintf(stderr, "usage: frob-view [--print] [--port N] [--source FILE]... [--world FILE] "
+                        "PROGRAM.so RUN.csv\n");
         return false;
     }
     o->program = argv[i];
-    o->recording = argv[i + 1];
+    o->files.recording = argv[i + 1];
     return true;
 }
 
@@ -85,8 +87,7 @@ int main(int argc, char **argv)
         return WRONG_USE;
     if (!token_make(token)) {
         fprintf(stderr, "error: this computer has no random numbers (/dev/urandom)\n");
-    } else if (view_start(&view, program, options.recording, options.sources,
-                          options.source_count)) {
+    } else if (view_start(&view, program, &options.files)) {
         view_summary(&view, &summary);
         fputs(summary.length > 0 ? summary.data : "", stderr);
         status = server_run(&view, options.port, token, tell, &start) ? DONE : WRONG_USE;
@@ -94,6 +95,6 @@ int main(int argc, char **argv)
     }
     buffer_free(&summary);
     view_end(&view);
-    free(options.sources);
+    free(options.files.sources);
     return status;
 }

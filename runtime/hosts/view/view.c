@@ -1,5 +1,7 @@
 #include "view.h"
 
+#include "condition.h"
+
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -40,22 +42,24 @@ static bool read_source(struct source *source, const char *path)
     return source->text != NULL;
 }
 
-bool view_start(struct view *view, const struct frob_program *program, const char *recording,
-                const char *const *sources, size_t source_count)
+bool view_start(struct view *view, const struct frob_program *program,
+                const struct view_files *files)
 {
     memset(view, 0, sizeof *view);
     view->program = program;
-    view->sources = (struct source *)calloc(source_count + 1, sizeof *view->sources);
+    view->sources = (struct source *)calloc(files->source_count + 1, sizeof *view->sources);
     if (view->sources == NULL || !signals_start(&view->signals, program)) {
         fprintf(stderr, "error: not enough memory for the program's signals\n");
         return false;
     }
-    for (size_t i = 0; i < source_count; i++) {
-        if (!read_source(&view->sources[i], sources[i]))
+    for (size_t i = 0; i < files->source_count; i++) {
+        if (!read_source(&view->sources[i], files->sources[i]))
             return false;
         view->source_count++;
     }
-    if (!recording_read(&view->recording, &view->signals, recording))
+    if (files->world != NULL && !read_source(&view->world, files->world))
+        return false;
+    if (!recording_read(&view->recording, &view->signals, files->recording))
         return false;
     if (!replay_start(&view->replay, &view->signals, &view->recording)) {
         fprintf(stderr, "error: not enough memory for the program's states\n");
@@ -74,6 +78,7 @@ void view_end(struct view *view)
     for (size_t i = 0; i < view->source_count; i++)
         free(view->sources[i].text);
     free(view->sources);
+    free(view->world.text);
 }
 
 void view_summary(const struct view *view, struct buffer *text)
@@ -160,6 +165,19 @@ static void add_signals(const struct view *view, struct buffer *answer)
     buffer_text(answer, "]");
 }
 
+static void add_source(const struct source *source, struct buffer *answer)
+{
+    if (source->text == NULL) {
+        buffer_text(answer, "null");
+        return;
+    }
+    buffer_text(answer, "{\"name\":");
+    buffer_string(answer, source->name);
+    buffer_text(answer, ",\"text\":");
+    buffer_string(answer, source->text);
+    buffer_text(answer, "}");
+}
+
 static void answer_program(struct view *view, struct buffer *answer)
 {
     const size_t count = view->recording.count;
@@ -182,13 +200,12 @@ static void answer_program(struct view *view, struct buffer *answer)
     add_signals(view, answer);
     buffer_text(answer, ",\"sources\":[");
     for (size_t i = 0; i < view->source_count; i++) {
-        buffer_text(answer, i > 0 ? ",{\"name\":" : "{\"name\":");
-        buffer_string(answer, view->sources[i].name);
-        buffer_text(answer, ",\"text\":");
-        buffer_string(answer, view->sources[i].text);
-        buffer_text(answer, "}");
+        buffer_text(answer, i > 0 ? "," : "");
+        add_source(&view->sources[i], answer);
     }
-    buffer_text(answer, "]}");
+    buffer_text(answer, "],\"world\":");
+    add_source(&view->world, answer);
+    buffer_text(answer, "}");
 }
 
 static void answer_instant(struct view *view, size_t k, struct buffer *answer)
@@ -226,6 +243,11 @@ static size_t instant_at(const struct view *view, double seconds)
     return low;
 }
 
+static bool has_numbers(const struct view *view, const struct signal *signal)
+{
+    return signal->side == INPUT || signal->side == OUTPUT || view->replay.runs;
+}
+
 struct points {
     const struct view *view;
     const double *numbers;
@@ -250,7 +272,7 @@ static void answer_series(struct view *view, size_t number, double from, double 
     const struct signal *signal = &view->signals.all[number];
     struct buffer times = { 0 }, values = { 0 };
     struct points points = { view, NULL, answer, &times, &values };
-    if (signal->side != MODE || view->replay.runs) {
+    if (has_numbers(view, signal)) {
         points.numbers = series_of(&view->series, signal);
         if (points.numbers == NULL) {
             refuse(answer, "not enough memory for this signal's numbers");
@@ -270,6 +292,91 @@ static void answer_series(struct view *view, size_t number, double from, double 
     answer->failed = answer->failed || times.failed || values.failed;
     buffer_free(&times);
     buffer_free(&values);
+}
+
+static void answer_path(struct view *view, size_t x, size_t y, size_t count,
+                        struct buffer *answer)
+{
+    const size_t instants = view->recording.count;
+    const size_t points = instants < count ? instants : count;
+    const struct signal *all = view->signals.all;
+    const bool known = has_numbers(view, &all[x]) && has_numbers(view, &all[y]);
+    const double *xs = !known ? NULL : series_of(&view->series, &all[x]);
+    const double *ys = !known ? NULL : series_of(&view->series, &all[y]);
+    if (xs == NULL || ys == NULL) {
+        refuse(answer, "nothing is known of these signals");
+        return;
+    }
+    buffer_format(answer, "{\"is\":\"path\",\"x\":%lu,\"y\":%lu,\"points\":[", (unsigned long)x,
+                  (unsigned long)y);
+    for (size_t i = 0; i < points; i++) {
+        const size_t k = points == 1 ? 0 : i * (instants - 1) / (points - 1);
+        buffer_text(answer, i > 0 ? ",[" : "[");
+        buffer_number(answer, seconds_at(view, k));
+        buffer_text(answer, ",");
+        buffer_number(answer, xs[k]);
+        buffer_text(answer, ",");
+        buffer_number(answer, ys[k]);
+        buffer_text(answer, "]");
+    }
+    buffer_text(answer, "]}");
+}
+
+/* The most spans that are told; a time line has no more pixels. */
+#define SPANS 2000
+
+struct findings {
+    size_t first, before, after; /* of the instants at which it begins to hold; or … */
+    size_t count;
+};
+
+static const size_t nowhere = (size_t)-1;
+
+static void add_instant(struct buffer *answer, const char *name, size_t k)
+{
+    if (k == nowhere)
+        buffer_format(answer, ",\"%s\":null", name);
+    else
+        buffer_format(answer, ",\"%s\":%lu", name, (unsigned long)k);
+}
+
+static void answer_find(struct view *view, size_t from, const char *text, struct buffer *answer)
+{
+    const size_t count = view->recording.count;
+    struct findings found = { nowhere, nowhere, nowhere, 0 };
+    struct buffer why = { 0 }, spans = { 0 };
+    struct condition condition;
+    bool held = false;
+    if (!condition_read(&condition, &view->series, text, &why)) {
+        buffer_text(answer, "{\"is\":\"found\",\"why\":");
+        buffer_string(answer, why.length > 0 ? why.data : "");
+        buffer_text(answer, "}");
+    } else {
+        for (size_t k = 0; k < count; k++) {
+            bool holds = condition_holds(&condition, k);
+            if (holds && !held) {
+                found.count++;
+                found.first = found.first == nowhere ? k : found.first;
+                found.before = k < from ? k : found.before;
+                found.after = k > from && found.after == nowhere ? k : found.after;
+            }
+            if (holds != held && found.count <= SPANS) {
+                buffer_text(&spans, spans.length == 0 ? "" : ",");
+                buffer_number(&spans, seconds_at(view, k));
+            }
+            held = holds;
+        }
+        buffer_format(answer, "{\"is\":\"found\",\"count\":%lu", (unsigned long)found.count);
+        add_instant(answer, "first", found.first);
+        add_instant(answer, "before", found.before);
+        add_instant(answer, "after", found.after);
+        /* From and to, in turn; what holds to the end has no end. */
+        buffer_format(answer, ",\"spans\":[%s]}", spans.length > 0 ? spans.data : "");
+    }
+    answer->failed = answer->failed || spans.failed;
+    condition_free(&condition);
+    buffer_free(&why);
+    buffer_free(&spans);
 }
 
 /* {1 Requests} */
@@ -315,7 +422,7 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
 {
     const size_t count = view->recording.count;
     const char *at = request;
-    size_t k, signal, width;
+    size_t k, signal, other, width;
     double seconds, from, to;
     if (take_word(&at, "program") && *at == '\0')
         answer_program(view, answer);
@@ -327,6 +434,12 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
              take_seconds(&at, &from) && take_seconds(&at, &to) &&
              take_number(&at, 100001, &width) && *at == '\0' && from <= to)
         answer_series(view, signal, from, to, width, answer);
+    else if (take_word(&at, "path") && take_number(&at, view->signals.count, &signal) &&
+             take_number(&at, view->signals.count, &other) && take_number(&at, 100001, &width) &&
+             *at == '\0')
+        answer_path(view, signal, other, width, answer);
+    else if (take_word(&at, "find") && take_number(&at, count, &k) && *at == ' ')
+        answer_find(view, k, at + 1, answer);
     else
         refuse(answer, "this is no request");
     if (answer->failed) {

@@ -8,6 +8,10 @@
  *   series SIGNAL FROM TO WIDTH
  *                              points for a plot of signal number SIGNAL from time FROM
  *                              to TO, on WIDTH columns
+ *   path SIGNAL SIGNAL COUNT   two signals at up to COUNT instants, evenly over the run
+ *   find BEFORE CONDITION      instants at which CONDITION (see condition.h) begins to hold:
+ *                              the first, the last before instant BEFORE, the first after it,
+ *                              how many there are, and the times for which it holds
  *
  * What is no request is answered by `{"is":"refused",…}`, and nothing else happens. */
 #ifndef FROB_VIEW_VIEW_H
@@ -28,11 +32,21 @@ struct view {
     struct series series;
     struct source *sources;
     size_t source_count;
+    struct source world; /* text NULL: none */
 };
 
-/* Reads the recording and runs the program on it. False with a line on standard error. */
-bool view_start(struct view *view, const struct frob_program *program, const char *recording,
-                const char *const *sources, size_t source_count);
+/* Files that are shown as they are. */
+struct view_files {
+    const char *recording;
+    const char **sources;
+    size_t source_count;
+    const char *world; /* that the robot may have driven in; NULL: none */
+};
+
+/* Reads the files and runs the program on the recording. False with a line on standard
+ * error. */
+bool view_start(struct view *view, const struct frob_program *program,
+                const struct view_files *files);
 void view_end(struct view *view);
 
 /* Appends what is to be known at once: what does not fit, and whether outputs are the

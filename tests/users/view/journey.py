@@ -83,6 +83,12 @@ def visit(page, rows):
     check("a mark shows what lies between", "Δ" in page.text("#plots article output + output"))
     page.press("m")
 
+    page.press("f", "mode.bug == withSF", Keys.ENTER)
+    found = next(k for k, row in enumerate(rows) if row["mode.bug"] == "withSF")
+    page.at(found)
+    check("a condition is found", page.text("#found") == "once")
+    page.press(Keys.ESCAPE)
+
     timeline = page.all("#timeline canvas")[0]
     ActionChains(page.driver).move_to_element(timeline).click().perform()
     page.wait(lambda: abs(page.instant() - last / 2) <= last / 50)

@@ -58,8 +58,62 @@ async def values(v, rows):
         few = await ask(client, f"series {heading} -1 1e6 20")
         check("a plot of few columns has the extremes", len(few["values"]) <= 80 and
               min(few["values"]) == min(whole) and max(few["values"]) == max(whole))
+        path = await ask(client, "path %d %d 11" % (names.index("in.odometry.position.x"), heading))
+        check("a path is evenly as traced", path["points"] == [
+            [float(row["time"]), float(row["in.odometry.position.x"]),
+             float(row["in.odometry.heading"])] for row in rows[::len(rows) // 10]])
         after = await ask(client, "time 1.019")
         check("a time is the last instant not after it", after["k"] == 50)
+
+
+def rises(holds):
+    return [k for k, now in enumerate(holds) if now and not (k and holds[k - 1])]
+
+
+async def conditions(v, rows):
+    def x(row, name):
+        return float(row[name]) if row[name] else math.nan
+
+    wanted = {
+        "out.forward < 0.1[m/s]": lambda row: x(row, "out.forward") < 0.1,
+        "forward * 100 < 10 || turn > 0.5": lambda row:
+            x(row, "out.forward") * 100 < 10 or x(row, "out.turn") > 0.5,
+        "sonar[3] <= 150[cm]": lambda row: x(row, "in.sonar[3]") <= 1.5,
+        "not (sonar[3] <= 1.5)": lambda row: not x(row, "in.sonar[3]") <= 1.5,
+        "abs heading > 10[deg] && motorsOn": lambda row:
+            abs(x(row, "in.odometry.heading")) > math.radians(10) and row["in.motorsOn"] == "true",
+        "mode.bug == driveTo": lambda row: row["mode.bug"] == "driveTo",
+        "mode.bug /= driveTo": lambda row: row["mode.bug"] not in ("driveTo", ""),
+        "-forward - 0.1 >= -(0.2 + 0.1) / 2 * 2": lambda row:
+            -x(row, "out.forward") - 0.1 >= -(0.2 + 0.1) / 2 * 2,
+        "True": lambda row: True,
+        "False": lambda row: False,
+    }
+    wrong = {
+        "foo > 1": "there is no signal `foo`",
+        "x": None,
+        "forward >": "something is missing at the end",
+        "(forward > 1": "a parenthesis is not closed before",
+        "forward > 1[ell]": "this is no unit: `[ell]`",
+        "forward ! 1": "this is not understood: `! 1`",
+        "sonar": "there is no signal `sonar`",
+        "mode.bug == drive": "there is no signal `drive`",
+        "1" + " + 1" * 300: "this is too long",
+        "(" * 300: "this is nested too deeply",
+    }
+    async with connect(v) as client:
+        await greet(v, client)
+        for condition, holds in wanted.items():
+            expected = rises([holds(row) for row in rows])
+            found = await ask(client, f"find 100 {condition}")
+            check(f"{condition}: begins to hold where it should",
+                  found["count"] == len(expected)
+                  and found["first"] == (expected or [None])[0]
+                  and found["before"] == ([k for k in expected if k < 100] or [None])[-1]
+                  and found["after"] == ([k for k in expected if k > 100] or [None])[0])
+        for condition, why in wrong.items():
+            found = await ask(client, f"find 0 {condition}")
+            check(f"{condition[:20]}: {why or 'is found'}", found.get("why") == why)
 
 
 async def refused(v, **changes):
@@ -133,7 +187,8 @@ async def wrong_messages(v):
 async def nonsense(v, count):
     """Random requests, and random bytes in frames."""
     chance = random.Random(7)
-    words = ["instant", "time", "series", "program", "hello", "-1", "0", "7", "99999999999999999999",
+    words = ["instant", "time", "find", "path", "(", "not", "out.turn", "<", "/=", "[", "mode.bug",
+              "series", "program", "hello", "-1", "0", "7", "99999999999999999999",
              "1e308", "nan", "inf", "", "é", "\0", "\"", "\\", "0x10", "1.5"]
     async with connect(v) as client:
         await greet(v, client)
@@ -170,7 +225,9 @@ async def pages(v):
 async def main():
     frobc, recording, program, robot = sys.argv[1:]
     v = viewer.Viewer(frobc, recording, program)
-    await values(v, viewer.trace(frobc, recording, program, robot))
+    rows = viewer.trace(frobc, recording, program, robot)
+    await values(v, rows)
+    await conditions(v, rows)
     await strangers(v)
     await wrong_messages(v)
     await nonsense(v, 2000)

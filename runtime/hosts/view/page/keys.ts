@@ -4,7 +4,7 @@ import type { Store } from "./store";
 import { toggleTheme } from "./theme";
 
 export function startKeys(store: Store, player: Player, filter: HTMLInputElement,
-                          help: HTMLDialogElement): void {
+                          find: HTMLInputElement, help: HTMLDialogElement): void {
   const act = (event: KeyboardEvent): boolean => {
     const { instant, program } = store;
     switch (event.key) {
@@ -21,6 +21,7 @@ export function startKeys(store: Store, player: Player, filter: HTMLInputElement
       case "z": store.showAll(); break;
       case "t": toggleTheme(); break;
       case "/": filter.closest("section")?.scrollIntoView(); filter.focus(); break;
+      case "f": find.focus(); find.select(); break;
       case "?": help.showModal(); break;
       default: return false;
     }

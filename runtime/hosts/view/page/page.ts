@@ -2,8 +2,10 @@
 import { Connection } from "./connection";
 import { startKeys } from "./keys";
 import { Player } from "./player";
+import { startMap } from "./map";
 import { startPlots } from "./plots";
 import type { Answer, Program } from "./protocol";
+import { startSearch } from "./search";
 import { startSignals } from "./signals";
 import { startSource } from "./source";
 import { Store } from "./store";
@@ -63,8 +65,11 @@ function start(program: Program): Store {
   startSource(store, element("source"));
   startPlots(store, element("plots"));
   startSignals(store, element("list"), filter);
+  startMap(store, element("map"));
+  startSearch(store, element<HTMLInputElement>("find"), element("found"),
+              element<HTMLButtonElement>("before"), element<HTMLButtonElement>("after"));
   startTimeline(store, element("timeline"));
-  startKeys(store, new Player(store), filter, help);
+  startKeys(store, new Player(store), filter, element<HTMLInputElement>("find"), help);
   element("help").onclick = () => help.showModal();
   store.goTo(0);
   return store;
@@ -77,6 +82,8 @@ function answered(answer: Answer): void {
     case "program": store = start(answer); break;
     case "instant": store?.arrived(answer); break;
     case "series": store?.received(answer); break;
+    case "path": store?.pathReceived(answer); break;
+    case "found": store?.found(answer); break;
     case "refused": showState(answer.why, false); break;
   }
 }

@@ -26,6 +26,8 @@ export interface Program {
   readonly notes: string;
   readonly signals: readonly Signal[];
   readonly sources: readonly Source[];
+  /** That the robot may have driven in. */
+  readonly world: Source | null;
 }
 
 export interface Instant {
@@ -46,9 +48,29 @@ export interface Series {
   readonly values: (number | null)[];
 }
 
+export interface Path {
+  readonly is: "path";
+  readonly x: number;
+  readonly y: number;
+  /** Times and the two signals. */
+  readonly points: readonly (readonly [number, number | null, number | null])[];
+}
+
+export interface Found {
+  readonly is: "found";
+  /** What is wrong with the condition; then there is nothing else. */
+  readonly why?: string;
+  readonly count?: number;
+  readonly first?: number | null;
+  readonly before?: number | null;
+  readonly after?: number | null;
+  /** From and to, in turn; what holds to the end has no end. */
+  readonly spans?: readonly number[];
+}
+
 export interface Refused {
   readonly is: "refused";
   readonly why: string;
 }
 
-export type Answer = Program | Instant | Series | Refused;
+export type Answer = Program | Instant | Series | Path | Found | Refused;

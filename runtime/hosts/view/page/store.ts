@@ -1,9 +1,9 @@
 // What the page shows at the moment, and who wants to know when that changes.
 import type { Connection } from "./connection";
-import type { Instant, Program, Series } from "./protocol";
+import type { Found, Instant, Path, Program, Series } from "./protocol";
 
 type Listener = () => void;
-export type Change = "instant" | "mark" | "range" | "plotted" | "playing";
+export type Change = "instant" | "mark" | "range" | "plotted" | "spans";
 
 export class Store {
   instant: Instant | null = null;
@@ -16,6 +16,11 @@ export class Store {
   playing = false;
   speed = 1;
 
+  /** For which times the condition that is looked for holds: from and to, in turn. */
+  spans: readonly number[] = [];
+
+  private finding: ((found: Found) => void)[] = [];
+  private readonly paths = new Map<string, (path: Path) => void>();
   private readonly listeners = new Map<Change, Listener[]>();
   private readonly waiting = new Map<string, (series: Series) => void>();
   private outstanding = false;
@@ -110,5 +115,30 @@ export class Store {
     const then = this.waiting.get(key);
     this.waiting.delete(key);
     then?.(series);
+  }
+
+  path(x: number, y: number, count: number, then: (path: Path) => void): void {
+    this.paths.set(`${x} ${y}`, then);
+    this.connection.ask(`path ${x} ${y} ${count}`);
+  }
+
+  pathReceived(path: Path): void {
+    this.paths.get(`${path.x} ${path.y}`)?.(path);
+  }
+
+  // Looking for a condition. Answers come in the order of the questions.
+
+  find(condition: string, then: (found: Found) => void): void {
+    this.finding.push(then);
+    this.connection.ask(`find ${this.instant?.k ?? 0} ${condition}`);
+  }
+
+  found(found: Found): void {
+    this.finding.shift()?.(found);
+  }
+
+  setSpans(spans: readonly number[]): void {
+    this.spans = spans;
+    this.changed("spans");
   }
 }

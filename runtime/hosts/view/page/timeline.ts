@@ -96,6 +96,11 @@ export function startTimeline(store: Store, host: HTMLElement): void {
       context.fillStyle = colour("range");
       context.fillRect(place(from), 0, place(to) - place(from), bottom);
     }
+    context.fillStyle = colour("found");
+    for (let i = 0; i < store.spans.length; i += 2) {
+      const x = place(store.spans[i] ?? start);
+      context.fillRect(x, 0, Math.max(2, place(store.spans[i + 1] ?? end) - x), bottom);
+    }
     drawAxis(bottom);
     modes.forEach((number, i) => {
       const series = bands.get(number);
@@ -135,5 +140,6 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   store.on("instant", tell);
   store.on("mark", draw);
   store.on("range", draw);
+  store.on("spans", draw);
   onTheme(draw);
 }

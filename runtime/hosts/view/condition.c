@@ -1,0 +1,352 @@
+#include "condition.h"
+
+#include "unit.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum operator { NUMBER, SIGNAL, OR, AND, NOT, LESS, AT_MOST, GREATER, AT_LEAST, EQUAL, UNEQUAL,
+                PLUS, MINUS, TIMES, OVER, NEGATE, ABSOLUTE };
+
+struct operation {
+    enum operator operator;
+    double number;
+    const double *numbers;       /* of a signal, at each instant */
+    const struct signal *signal;
+};
+
+#define DEEPEST 64
+
+struct reader {
+    struct condition *condition;
+    struct series *series;
+    const char *at;
+    struct buffer *why;
+    unsigned depth, signals;
+    bool wrong;
+};
+
+static void complain(struct reader *r, const char *what, const char *name)
+{
+    if (!r->wrong)
+        buffer_format(r->why, "%s%s%s%s", what, *name != '\0' ? " `" : "", name,
+                      *name != '\0' ? "`" : "");
+    r->wrong = true;
+}
+
+static struct operation *add(struct reader *r, enum operator operator, double number)
+{
+    struct operation *operation = &r->condition->operations[r->condition->count];
+    if (r->condition->count + 1 >= CONDITION_SIZE) {
+        complain(r, "this is too long", "");
+        return operation;
+    }
+    memset(operation, 0, sizeof *operation);
+    operation->operator = operator;
+    operation->number = number;
+    r->condition->count++;
+    return operation;
+}
+
+static void skip_blanks(struct reader *r)
+{
+    while (*r->at == ' ')
+        r->at++;
+}
+
+/* Takes a symbol, if it is the next one. */
+static bool take(struct reader *r, const char *symbol)
+{
+    size_t length = strlen(symbol);
+    skip_blanks(r);
+    if (strncmp(r->at, symbol, length) != 0)
+        return false;
+    r->at += length;
+    return true;
+}
+
+static bool is_of_name(char c)
+{
+    return isalnum((unsigned char)c) || (c != '\0' && strchr("_'.[]", c) != NULL);
+}
+
+/* Takes a name, or a word of the language. False if there is none. */
+static bool take_name(struct reader *r, char *name, size_t size)
+{
+    size_t length = 0;
+    skip_blanks(r);
+    if (!isalpha((unsigned char)*r->at) && *r->at != '_')
+        return false;
+    while (is_of_name(r->at[length]) && length + 1 < size) {
+        name[length] = r->at[length];
+        length++;
+    }
+    name[length] = '\0';
+    r->at += length;
+    return true;
+}
+
+static bool ends_in(const char *whole, const char *name)
+{
+    size_t length = strlen(whole), end = strlen(name);
+    return length > end && whole[length - end - 1] == '.' && strcmp(whole + length - end, name) == 0;
+}
+
+static const struct signal *find(struct reader *r, const char *name)
+{
+    const struct signals *signals = r->series->replay->signals;
+    const struct signal *found = signals_find(signals, name);
+    for (size_t i = 0; found == NULL && i < signals->count; i++)
+        if (ends_in(signals->all[i].name, name))
+            found = &signals->all[i];
+    for (size_t i = 0; found != NULL && strcmp(found->name, name) != 0 && i < signals->count; i++)
+        if (&signals->all[i] != found && ends_in(signals->all[i].name, name)) {
+            complain(r, "several signals are called", name);
+            return NULL;
+        }
+    return found;
+}
+
+static void add_signal(struct reader *r, const char *name)
+{
+    const struct signal *signal = find(r, name);
+    struct operation *operation;
+    if (signal == NULL) {
+        complain(r, "there is no signal", name);
+    } else if (signal->side == MODE && !r->series->replay->runs) {
+        complain(r, "the program cannot be run on this recording, so nothing is known of", name);
+    } else if (++r->signals > SERIES_KEPT) {
+        complain(r, "this has too many signals", "");
+    } else {
+        operation = add(r, SIGNAL, 0);
+        operation->signal = signal;
+        operation->numbers = series_of(r->series, signal);
+        if (operation->numbers == NULL)
+            complain(r, "not enough memory", "");
+    }
+}
+
+static void read_or(struct reader *r);
+
+static void read_number(struct reader *r)
+{
+    char *end;
+    double number = strtod(r->at, &end);
+    r->at = end;
+    if (*r->at == '[') {
+        const char *close = strchr(r->at, ']');
+        double scale = 0;
+        if (close == NULL || !unit_read(r->at + 1, (size_t)(close - r->at - 1), &scale)) {
+            complain(r, "this is no unit:", r->at);
+            return;
+        }
+        number *= scale;
+        r->at = close + 1;
+    }
+    add(r, NUMBER, number);
+}
+
+static void read_primary(struct reader *r)
+{
+    char name[256];
+    if (++r->depth > DEEPEST)
+        complain(r, "this is nested too deeply", "");
+    else if (r->wrong)
+        ;
+    else if (take(r, "(")) {
+        read_or(r);
+        if (!take(r, ")"))
+            complain(r, "a parenthesis is not closed before", r->at);
+    } else if (take(r, "-")) {
+        read_primary(r);
+        add(r, NEGATE, 0);
+    } else if (isdigit((unsigned char)*r->at)) {
+        read_number(r);
+    } else if (!take_name(r, name, sizeof name)) {
+        complain(r, *r->at == '\0' ? "something is missing at the end" : "this is not understood:",
+                 r->at);
+    } else if (strcmp(name, "True") == 0 || strcmp(name, "False") == 0) {
+        add(r, NUMBER, name[0] == 'T');
+    } else if (strcmp(name, "abs") == 0 || strcmp(name, "not") == 0) {
+        read_primary(r);
+        add(r, name[0] == 'a' ? ABSOLUTE : NOT, 0);
+    } else {
+        add_signal(r, name);
+    }
+    r->depth--;
+}
+
+static void read_product(struct reader *r)
+{
+    read_primary(r);
+    while (!r->wrong) {
+        skip_blanks(r);
+        if (strncmp(r->at, "/=", 2) == 0)
+            return;
+        if (take(r, "*")) {
+            read_primary(r);
+            add(r, TIMES, 0);
+        } else if (take(r, "/")) {
+            read_primary(r);
+            add(r, OVER, 0);
+        } else {
+            return;
+        }
+    }
+}
+
+static void read_sum(struct reader *r)
+{
+    read_product(r);
+    while (!r->wrong) {
+        if (take(r, "+")) {
+            read_product(r);
+            add(r, PLUS, 0);
+        } else if (take(r, "-")) {
+            read_product(r);
+            add(r, MINUS, 0);
+        } else {
+            return;
+        }
+    }
+}
+
+/* The number of a mode or constructor of the signal that was read last, if its name is
+ * next. */
+static bool read_name_of(struct reader *r, const struct signal *signal)
+{
+    const char *before = r->at;
+    const struct frob_program *program = r->series->replay->signals->program;
+    const struct frob_machine *machine =
+        signal->side == MODE ? &program->machines[signal->machine] : NULL;
+    size_t count = machine != NULL ? machine->count
+                   : signal->value->kind == FROB_SUM && !signal->value->is_event
+                       ? signal->value->count
+                       : 0;
+    char name[256];
+    if (take_name(r, name, sizeof name)) {
+        for (size_t i = 0; i < count; i++) {
+            const char *of =
+                machine != NULL ? machine->modes[i] : signal->value->constructors[i].name;
+            if (strcmp(of, name) == 0) {
+                add(r, NUMBER, (double)i);
+                return true;
+            }
+        }
+    }
+    r->at = before;
+    return false;
+}
+
+static void read_comparison(struct reader *r)
+{
+    static const struct {
+        const char *symbol;
+        enum operator operator;
+    } all[] = { { "<=", AT_MOST }, { "<", LESS },    { ">=", AT_LEAST },
+                { ">", GREATER },  { "==", EQUAL }, { "/=", UNEQUAL } };
+    size_t from = r->condition->count;
+    read_sum(r);
+    for (size_t i = 0; i < sizeof all / sizeof all[0] && !r->wrong; i++) {
+        const struct operation *left = &r->condition->operations[from];
+        if (!take(r, all[i].symbol))
+            continue;
+        if (all[i].operator < EQUAL || r->condition->count != from + 1 ||
+            left->operator != SIGNAL || !read_name_of(r, left->signal))
+            read_sum(r);
+        add(r, all[i].operator, 0);
+        return;
+    }
+}
+
+static void read_and(struct reader *r)
+{
+    read_comparison(r);
+    while (!r->wrong && take(r, "&&")) {
+        read_comparison(r);
+        add(r, AND, 0);
+    }
+}
+
+static void read_or(struct reader *r)
+{
+    read_and(r);
+    while (!r->wrong && take(r, "||")) {
+        read_and(r);
+        add(r, OR, 0);
+    }
+}
+
+bool condition_read(struct condition *condition, struct series *series, const char *text,
+                    struct buffer *why)
+{
+    struct reader reader = { condition, series, text, why, 0, 0, false };
+    condition->count = 0;
+    condition->operations =
+        (struct operation *)calloc(CONDITION_SIZE, sizeof *condition->operations);
+    if (condition->operations == NULL)
+        complain(&reader, "not enough memory", "");
+    else
+        read_or(&reader);
+    skip_blanks(&reader);
+    if (!reader.wrong && *reader.at != '\0')
+        complain(&reader, "this is not understood:", reader.at);
+    return !reader.wrong;
+}
+
+void condition_free(struct condition *condition)
+{
+    free(condition->operations);
+}
+
+static bool is_true(double x)
+{
+    return !isnan(x) && x != 0;
+}
+
+static double apply(enum operator operator, double x, double y)
+{
+    bool known = !isnan(x) && !isnan(y);
+    switch (operator) {
+    case OR: return is_true(x) || is_true(y);
+    case AND: return is_true(x) && is_true(y);
+    case LESS: return x < y;
+    case AT_MOST: return x <= y;
+    case GREATER: return x > y;
+    case AT_LEAST: return x >= y;
+    case EQUAL: return known && !(x < y) && !(x > y);
+    case UNEQUAL: return known && (x < y || x > y);
+    case PLUS: return x + y;
+    case MINUS: return x - y;
+    case TIMES: return x * y;
+    case OVER: return x / y;
+    case NUMBER:
+    case SIGNAL:
+    case NOT:
+    case NEGATE:
+    case ABSOLUTE: break;
+    }
+    return NAN;
+}
+
+bool condition_holds(const struct condition *condition, size_t k)
+{
+    double stack[CONDITION_SIZE];
+    size_t top = 0; /* of the values that wait */
+    for (size_t i = 0; i < condition->count; i++) {
+        const struct operation *operation = &condition->operations[i];
+        switch (operation->operator) {
+        case NUMBER: stack[top++] = operation->number; break;
+        case SIGNAL: stack[top++] = operation->numbers[k]; break;
+        case NOT: stack[top - 1] = !is_true(stack[top - 1]); break;
+        case NEGATE: stack[top - 1] = -stack[top - 1]; break;
+        case ABSOLUTE: stack[top - 1] = fabs(stack[top - 1]); break;
+        default:
+            top--;
+            stack[top - 1] = apply(operation->operator, stack[top - 1], stack[top]);
+        }
+    }
+    return is_true(stack[0]);
+}

@@ -1,0 +1,151 @@
+// Where the robot is by its odometry, the way it has come, what its sonars hear, and the world.
+import type { Path } from "./protocol";
+import { robotNamed } from "./robots";
+import type { Store } from "./store";
+import { colour, onTheme } from "./theme";
+import { readWorld, type Point, type World } from "./world";
+
+const pathPoints = 4000;
+
+interface Pose {
+  readonly x: number;
+  readonly y: number;
+  readonly heading: number;
+}
+
+/** A pose that is seen from another, in that other's frame. */
+function within(frame: Pose, pose: Pose): Pose {
+  const cos = Math.cos(frame.heading), sin = Math.sin(frame.heading);
+  return {
+    x: frame.x + cos * pose.x - sin * pose.y,
+    y: frame.y + sin * pose.x + cos * pose.y,
+    heading: frame.heading + pose.heading,
+  };
+}
+
+export function startMap(store: Store, host: HTMLElement): void {
+  const { signals, robot: robotName, world: worldFile } = store.program;
+  const number = (name: string) => signals.findIndex((signal) => signal.name === name);
+  const x = number("in.odometry.position.x");
+  const y = number("in.odometry.position.y");
+  const heading = number("in.odometry.heading");
+  const canvas = document.createElement("canvas");
+  const context = canvas.getContext("2d");
+  if (x < 0 || y < 0 || heading < 0 || !context) {
+    host.hidden = true;
+    document.body.classList.add("no-map");
+    return;
+  }
+  host.append(canvas);
+  const robot = robotNamed(robotName);
+  const sonars = robot.sonars.map((_, k) => number(`in.sonar[${k}]`));
+  const world: World | null = worldFile && readWorld(worldFile.text);
+  const start: Pose = world?.start ?? { x: 0, y: 0, heading: 0 };
+  let path: Point[] = [];
+  let times: number[] = [];
+  let toPixel = (p: Point): Point => p;
+  let scale = 1;
+
+  const fit = () => {
+    const all: Point[] = [...path, [start.x, start.y], ...(world?.walls ?? []).flatMap((w) => w.points),
+                          ...(world?.solids ?? []).flat(), ...(world?.lines ?? []).flatMap((l) => l.points)];
+    const xs = all.map((p) => p[0]), ys = all.map((p) => p[1]);
+    const least: Point = [xs.reduce((a, b) => Math.min(a, b)) - 0.35, ys.reduce((a, b) => Math.min(a, b)) - 0.35];
+    const most: Point = [xs.reduce((a, b) => Math.max(a, b)) + 0.35, ys.reduce((a, b) => Math.max(a, b)) + 0.35];
+    const { clientWidth: width, clientHeight: height } = host;
+    scale = Math.min(width / (most[0] - least[0]), height / (most[1] - least[1]));
+    const left = (width - scale * (most[0] - least[0])) / 2;
+    const top = (height - scale * (most[1] - least[1])) / 2;
+    toPixel = ([px, py]) => [left + (px - least[0]) * scale, top + (most[1] - py) * scale];
+  };
+
+  const trace = (points: readonly Point[]) => {
+    context.beginPath();
+    for (const p of points) context.lineTo(...toPixel(p));
+  };
+  const line = (points: readonly Point[], stroke: string, width: number) => {
+    trace(points);
+    context.strokeStyle = stroke;
+    context.lineWidth = width;
+    context.stroke();
+  };
+  const disc = (center: Point, radius: number, fill: string) => {
+    context.beginPath();
+    context.arc(...toPixel(center), radius, 0, 2 * Math.PI);
+    context.fillStyle = fill;
+    context.fill();
+  };
+
+  const drawWorld = (all: World) => {
+    for (const tape of all.lines) line(tape.points, colour("dim"), Math.max(1.5, tape.width * scale));
+    for (const wall of all.walls) line(wall.points, colour("solid"), Math.max(2, wall.thickness * scale));
+    for (const solid of all.solids) {
+      trace(solid);
+      context.fillStyle = colour("solid");
+      context.fill();
+    }
+    for (const { center, radius } of all.circles) disc(center, radius * scale, colour("solid"));
+  };
+
+  const drawRobot = (pose: Pose, cells: readonly string[]) => {
+    const at: Point = [pose.x, pose.y];
+    robot.sonars.forEach((sonar, k) => {
+      const range = Number(cells[sonars[k] ?? -1] || NaN);
+      if (!(range > 0)) return;
+      const from = within(pose, sonar);
+      const to: Point = [from.x + range * Math.cos(from.heading), from.y + range * Math.sin(from.heading)];
+      line([[from.x, from.y], to], colour("mark"), 1);
+      disc(to, 3, colour("mark"));
+    });
+    const radius = Math.max(5, robot.radius * scale);
+    disc(at, radius, colour("accent"));
+    const [px, py] = toPixel(at);
+    context.beginPath();
+    context.moveTo(px, py);
+    context.lineTo(px + radius * Math.cos(pose.heading), py - radius * Math.sin(pose.heading));
+    context.strokeStyle = colour("panel");
+    context.lineWidth = 2;
+    context.stroke();
+  };
+
+  const draw = () => {
+    const { clientWidth: width, clientHeight: height } = host;
+    if (width === 0 || height === 0) return;
+    canvas.width = width * devicePixelRatio;
+    canvas.height = height * devicePixelRatio;
+    context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
+    context.lineJoin = "round";
+    context.lineCap = "round";
+    fit();
+    if (world) drawWorld(world);
+    line(path, colour("edge"), 1.5);
+    const { instant } = store;
+    if (!instant) return;
+    const passed = path.filter((_, i) => (times[i] ?? 0) <= instant.time);
+    const cell = (i: number) => Number(instant.cells[i] ?? 0);
+    const pose = within(start, { x: cell(x), y: cell(y), heading: cell(heading) });
+    line([...passed, [pose.x, pose.y]], colour("accent"), 2);
+    drawRobot(pose, instant.cells);
+  };
+
+  store.path(x, y, pathPoints, (answer: Path) => {
+    times = answer.points.map(([time]) => time);
+    path = answer.points.map(([, px, py]) => {
+      const pose = within(start, { x: px ?? 0, y: py ?? 0, heading: 0 });
+      return [pose.x, pose.y];
+    });
+    draw();
+  });
+  canvas.addEventListener("click", (event) => {
+    const distance = ([px, py]: Point) => Math.hypot(px - event.offsetX, py - event.offsetY);
+    const nearest = path.map((p, i) => ({ i, d: distance(toPixel(p)) }))
+      .reduce((a, b) => (b.d < a.d ? b : a), { i: 0, d: Infinity });
+    store.goToTime(times[nearest.i] ?? store.program.start);
+  });
+  const note = document.createElement("p");
+  note.textContent = world && worldFile ? `by odometry, in ${worldFile.name}` : "by odometry";
+  host.append(note);
+  store.on("instant", draw);
+  onTheme(draw);
+  new ResizeObserver(draw).observe(host);
+}
