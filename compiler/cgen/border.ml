@@ -22,35 +22,42 @@ let input ?own_robot (program : Step.Ir.program) own =
   | robot -> { own; host = { own with struct_name = robot_struct program.input }; robot }
 
 let host_output = "host_output"
+let own_part = Interface.Member "own"
 
+(* What is beside the command is the program's own, in both structs. *)
 let output ?own_robot (program : Step.Ir.program) (own : Interface.t) =
   let command, result =
     if program.ends then Interface.apart program.output else (program.output, None)
   in
-  match (robot_of ?own:own_robot program command, result, List.rev own.leaves) with
-  | None, _, _ -> same own
-  | robot, None, _ -> { own; host = { own with struct_name = robot_struct command }; robot }
-  | robot, Some _, last :: leaves ->
-      let inside path = Interface.Member "command" :: path in
-      let leaves = List.rev (last :: List.map inside leaves) in
+  match robot_of ?own:own_robot program command with
+  | None -> same own
+  | robot when result = None && program.probes = [] ->
+      { own; host = { own with struct_name = robot_struct command }; robot }
+  | robot ->
+      let count = List.length (Step.Layout.shape_leaves command) in
+      let commands path =
+        match path with
+        | Interface.Member "command" :: rest when program.probes <> [] -> rest
+        | path -> path
+      in
+      let leaf k path =
+        if k < count then Interface.Member "command" :: commands path else own_part :: path
+      in
+      let leaves = List.mapi leaf own.leaves in
       { own; host = { own with struct_name = host_output; leaves }; robot }
-  | _, Some _, [] -> bug "a program that ends without a result"
 
 let includes sides =
   let header side = Option.map (fun r -> sprintf "#include %s\n" (Robot.included r)) side.robot in
   String.concat "" (List.sort_uniq compare (List.filter_map header sides))
 
-let rec last = function [] -> bug "no leaf" | [ x ] -> x | _ :: others -> last others
+let has_own side = side.robot <> None && String.equal side.host.struct_name host_output
 
-let definitions (program : Step.Ir.program) (sums : Sum_type.t array) side =
-  if side.robot = None || side.host.struct_name <> host_output then ""
+let definitions (program : Step.Ir.program) side =
+  if not (has_own side) then ""
   else
-    match last (Step.Layout.shape_leaves program.output) with
-    | Sum k ->
-        sprintf "struct %s {\n    struct %s command;\n    struct %s result;\n};\n\n" host_output
-          (robot_struct (fst (Interface.apart program.output)))
-          sums.(k).struct_name
-    | Bool | Int | Float | Array _ | Foreign _ -> bug "an end that is no event"
+    let command = if program.ends then fst (Interface.apart program.output) else program.output in
+    sprintf "struct %s {\n    struct %s command;\n    struct %s own;\n};\n\n" host_output
+      (robot_struct command) side.own.struct_name
 
 (* {1 Converting} *)
 
@@ -102,29 +109,29 @@ let copy out steps assignments =
     assignments;
   List.iteri (fun k _ -> bprintf out "%s}\n" (indent (depth - 1 - k))) sizes
 
-(* What a program has ended with is its own, in both structs. *)
-let is_result (program : Step.Ir.program) side steps =
-  program.ends && side.host.struct_name = host_output && steps == last side.host.leaves
+let is_own side (steps : Interface.step list) =
+  has_own side && match steps with first :: _ -> first = own_part | [] -> false
 
 let convert out program sums shape side ~own ~host ~inward =
   let leaf ty own_steps host_steps =
     let own = path own own_steps and host = path host host_steps in
     let lines =
-      if is_result program side host_steps then [ sprintf "%s = %s;" host own ]
+      if is_own side host_steps then []
       else if inward then assignments program sums ty ~to_:own ~from:host ~cast:"float"
       else assignments program sums ty ~to_:host ~from:own ~cast:"double"
     in
-    copy out own_steps lines
+    if lines <> [] then copy out own_steps lines
   in
   let rec go types own host =
     match (types, own, host) with
     | ty :: types, own_steps :: own, host_steps :: host ->
         leaf ty own_steps host_steps;
         go types own host
-    | [], [], [] -> ()
+    | [], _, _ -> ()
     | _, _, _ -> bug "the two sides have different leaves"
   in
-  go (Step.Layout.shape_leaves shape) side.own.leaves side.host.leaves
+  go (Step.Layout.shape_leaves shape) side.own.leaves side.host.leaves;
+  if has_own side then bprintf out "    host_out->own = own_out;\n"
 
 (* {1 The step} *)
 

@@ -19,15 +19,15 @@ val input : ?own_robot:Robot.t -> Step.Ir.program -> Interface.t -> side
 
 val output : ?own_robot:Robot.t -> Step.Ir.program -> Interface.t -> side
 
-val is_result : Step.Ir.program -> side -> Interface.step list -> bool
-(** Does this lead, in the host's struct, to what the program has ended with? That
-    is the program's own in both structs. *)
+val is_own : side -> Interface.step list -> bool
+(** Does this lead, in the host's struct, to what is beside a robot's command: what the
+    program has ended with, and its probes? Those are the program's own in both structs. *)
 
 val includes : side list -> string
 (** Of the robots' headers, as lines. *)
 
-val definitions : Step.Ir.program -> Sum_type.t array -> side -> string
-(** Of the host's output where it is a robot's and what a program has ended with. *)
+val definitions : Step.Ir.program -> side -> string
+(** Of the host's output where it is a robot's and something beside it. *)
 
 val step :
   Step.Ir.program -> Sum_type.t array -> name:string -> input:side -> output:side -> string

@@ -134,7 +134,7 @@ and sum c k ~tag ~base ~first ~number =
 let number (program : Step.Ir.program) (side : Border.side) steps =
   match (program.real, side.robot) with
   | Double, _ -> "FROB_FLOAT"
-  | Single, Some _ when not (Border.is_result program side steps) -> "FROB_ROUNDED"
+  | Single, Some _ when not (Border.is_own side steps) -> "FROB_ROUNDED"
   | Single, (Some _ | None) -> "FROB_SINGLE"
 
 (* Of each leaf. *)
@@ -152,21 +152,39 @@ let locations (program : Step.Ir.program) (side : Border.side) whole =
   let leaf steps = locate (number program side steps) "" steps in
   List.rev (List.rev_map2 leaf side.host.leaves (Step.Layout.shape_leaves whole))
 
-let interface out (program : Step.Ir.program) ~prefix (side : Border.side) whole =
+let table_of out (program : Step.Ir.program) ~prefix (side : Border.side) locations whole =
   let c =
     { out; sums = program.sums; struct_name = side.host.struct_name; prefix; count = 0 }
   in
-  shape c (ref (locations program side whole)) whole
+  shape c (ref locations) whole
 
-(* The output's last leaf once more, by itself. *)
-let result out (program : Step.Ir.program) (side : Border.side) =
-  let c =
-    { out; sums = program.sums; struct_name = side.host.struct_name; prefix = "result"; count = 0 }
+let input out (program : Step.Ir.program) (side : Border.side) =
+  table_of out program ~prefix:"in" side (locations program side program.input) program.input
+
+(* The output; its last leaf once more, by itself, where it is what the program ends with;
+   and the probes. *)
+let outputs out (program : Step.Ir.program) (side : Border.side) =
+  let probes = Interface.record_of program.probes in
+  let all =
+    let pair = Interface.record_of [ ("", program.output); ("", probes) ] in
+    locations program side pair
   in
-  let _, ended = Interface.apart program.output in
-  match (ended, List.rev (locations program side program.output)) with
-  | Some ended, last :: _ -> "&" ^ shape c (ref [ last ]) ended
-  | _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a program that ends without a result"
+  let count = List.length (Step.Layout.shape_leaves program.output) in
+  let own = List.filteri (fun k _ -> k < count) all in
+  let output = table_of out program ~prefix:"out" side own program.output in
+  let result =
+    if not program.ends then "NULL"
+    else
+      match (snd (Interface.apart program.output), List.rev own) with
+      | Some ended, last :: _ -> "&" ^ table_of out program ~prefix:"result" side [ last ] ended
+      | _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a program that ends without a result"
+  in
+  let others = List.filteri (fun k _ -> k >= count) all in
+  let probes =
+    if program.probes = [] then "NULL"
+    else "&" ^ table_of out program ~prefix:"probe" side others probes
+  in
+  (output, result, probes)
 
 (* The table of machines, and how many rows it has. *)
 let machines out ~state (list : Machine_table.t list) =
@@ -206,10 +224,9 @@ let text ?own (program : Step.Ir.program) (files : Of_step.t) =
     program.name
     (Border.includes [ input_side; output_side ])
     rounds_dt;
-  bprintf out "%s" (Border.definitions program files.sums output_side);
-  let input = interface out program ~prefix:"in" input_side program.input in
-  let output = interface out program ~prefix:"out" output_side program.output in
-  let result = if program.ends then result out program output_side else "NULL" in
+  bprintf out "%s" (Border.definitions program output_side);
+  let input = input out program input_side in
+  let output, result, probes = outputs out program output_side in
   let machines, machine_count = machines out ~state:(name ^ "_state") files.machines in
   let robot_name = function Some (robot : Robot.t) -> robot.name | None -> "" in
   let robot = robot_name (robot ?own program) in
@@ -236,6 +253,7 @@ const struct frob_program frob_program = {
     %s,
     %s,
     %d,
+    %s,
 };
 |}
     name name
@@ -243,5 +261,5 @@ const struct frob_program frob_program = {
     (c_string program.name) (c_string robot) name input_side.host.struct_name
     output_side.host.struct_name input output
     (match program.real with Double -> "frob_arithmetic_faults" | Single -> "arithmetic")
-    result machines machine_count;
+    result machines machine_count probes;
   Buffer.contents out

@@ -111,6 +111,10 @@ let with_paths types ~name members (shape : F.shape) =
   let leaves, unused = paths shape members member_list_of in
   { struct_name = name; leaves; unused }
 
+let record_of parts =
+  F.Product
+    { product_name = "Probes"; product_module = ""; constructor = "Probes"; record = true; parts }
+
 let apart (shape : F.shape) =
   match shape with
   | Product product -> (
@@ -121,15 +125,25 @@ let apart (shape : F.shape) =
       | _ -> (shape, None))
   | Leaf _ | Repeated _ -> (shape, None)
 
-let with_result types ~name command (result : F.shape) =
-  let member name ty : Ir.member = { name; ty; comment = "" } in
-  define types name
-    [ member "command" (Struct command.struct_name); member "result" (part_type types result) ];
+let with_others types ~name command (others : (string * F.shape) list) =
+  let product : F.product =
+    {
+      product_name = "";
+      product_module = "";
+      constructor = "";
+      record = false;
+      parts = others;
+    }
+  in
+  let first : Ir.member = { name = "command"; ty = Struct command.struct_name; comment = "" } in
+  let others = members types product in
+  define types name (first :: others);
+  let beside = with_paths types ~name others (Product product) in
   let inside path = Member "command" :: path in
   {
-    struct_name = name;
-    leaves = List.map inside command.leaves @ [ [ Member "result" ] ];
-    unused = List.map inside command.unused;
+    beside with
+    leaves = List.map inside command.leaves @ beside.leaves;
+    unused = List.map inside command.unused @ beside.unused;
   }
 
 let of_shape types ~name (shape : F.shape) =

@@ -42,9 +42,12 @@ val apart : Flow.Ir.shape -> Flow.Ir.shape * Flow.Ir.shape option
 (** The output of a program that ends: what it commands, and what it has ended
     with. *)
 
-val with_result : types -> name:string -> t -> Flow.Ir.shape -> t
-(** A struct of two members: what is commanded, whose struct is defined
-    elsewhere, and what the program has ended with. *)
+val record_of : (string * Flow.Ir.shape) list -> Flow.Ir.shape
+(** Of what a probed program shows. *)
+
+val with_others : types -> name:string -> t -> (string * Flow.Ir.shape) list -> t
+(** A struct of several members: [command], whose struct is defined elsewhere, and others by
+    name, such as what the program has ended with. *)
 
 val definitions : types -> Ir.declaration list
 (** All structs, used before users. *)

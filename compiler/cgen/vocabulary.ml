@@ -195,13 +195,20 @@ let of_program ?own (program : M.program) =
     match (program.real, robots, result) with
     | Double, Some robots, None -> robots
     | Double, Some robots, Some result ->
-        Interface.with_result own ~name:struct_name robots result
+        Interface.with_others own ~name:struct_name robots [ ("result", result) ]
     | Double, None, _ | Single, _, _ -> Interface.of_shape own ~name:struct_name whole
   in
   let input =
     interface input_robot input_name ~whole:program.input ~robots:program.input None
   in
-  let output = interface output_robot output_name ~whole:program.output ~robots:command result in
+  let output name = interface output_robot name ~whole:program.output ~robots:command result in
+  let output =
+    match program.probes with
+    | [] -> output output_name
+    | probes ->
+        let plain = output (Name.fresh scope (name ^ "_command")) in
+        Interface.with_others own ~name:output_name plain [ ("probes", Interface.record_of probes) ]
+  in
   let robot_records = Interface.definitions shared in
   let imports =
     List.map (Foreign_interface.of_import shared ~fresh:(Name.fresh scope)) program.imports

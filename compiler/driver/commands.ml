@@ -10,6 +10,7 @@ type general = {
   specialization_limit : int;
   real : Real.t;
   robot : string option;
+  probes : string list;
 }
 
 (* {1 Speaking} *)
@@ -49,8 +50,10 @@ let report_exception = function
 (* {1 Compiling} *)
 
 let request general ?robot ?(entry = "main") ?(batch = false) ~library file : Request.t =
-  let { dump; stop_after; lint; specialization_limit; real; format = _; robot = _ } = general in
-  { file; entry; library; robot; real; batch; specialization_limit; lint; dump; stop_after }
+  let { dump; stop_after; lint; specialization_limit; real; probes; format = _; robot = _ } =
+    general
+  in
+  { file; entry; library; robot; real; probes; batch; specialization_limit; lint; dump; stop_after }
 
 let ( let* ) result continue =
   match result with Ok value -> continue value | Error text -> wrong_use text
@@ -59,7 +62,7 @@ let ( let* ) result continue =
    not a wrong program. *)
 let status sink =
   let wrong_call (d : Diagnostic.t) =
-    List.mem d.code [ Typing.Entry.no_entry; Interpreted.no_interpreter ]
+    List.mem d.code [ Typing.Entry.no_entry; Interpreted.no_interpreter; Probes.unknown ]
   in
   if List.exists wrong_call (Diagnostic.all sink) then Exit_status.wrong_use
   else if Diagnostic.has_errors sink then Exit_status.rejected
@@ -271,6 +274,14 @@ let hosted general ~entry ~sources file ~host ~arguments =
       | Ok status -> status
       | Error (Not_found _ | Failed _) -> missing_host host)
 
+(* Instead of running a program. *)
+let list_probes general ~entry file =
+  let general = { general with probes = [] } in
+  let* resources = Resources.find () in
+  accepted Pipeline.probes general resources ~entry file (fun _ list ->
+      print_string list;
+      Exit_status.ok)
+
 type engine = C | Interpreter
 
 let as_output content asked path = { Output.path; content; asked }
@@ -291,15 +302,22 @@ let interpreted_trace general ~entry ~input ~output file =
           List.iter (Printf.eprintf "error: %s\n") errors;
           Exit_status.wrong_use)
 
+let asks_for_list general = List.mem "list" general.probes
+
 let trace general engine ~entry ~sources ~modes ~input ~output file =
-  let outputs = List.map (as_output Table "--output") (Option.to_list output) in
-  let* () = Output.check ~reads:(input :: file :: sources) outputs in
-  match engine with
-  | C -> compiled_trace general ~entry ~sources ~modes ~input ~output file
-  | Interpreter when modes ->
-      prerr_endline "error: modes are those of the compiled program: `--modes` needs `--engine c`";
-      Exit_status.wrong_use
-  | Interpreter -> interpreted_trace general ~entry ~input ~output file
+  match input with
+  | _ when asks_for_list general -> list_probes general ~entry file
+  | None -> wrong_use "there is nothing to run on: `--input IN.csv` names a recording"
+  | Some input -> (
+      let outputs = List.map (as_output Table "--output") (Option.to_list output) in
+      let* () = Output.check ~reads:(input :: file :: sources) outputs in
+      match engine with
+      | C -> compiled_trace general ~entry ~sources ~modes ~input ~output file
+      | Interpreter when modes ->
+          prerr_endline
+            "error: modes are those of the compiled program: `--modes` needs `--engine c`";
+          Exit_status.wrong_use
+      | Interpreter -> interpreted_trace general ~entry ~input ~output file)
 
 type run = {
   world : string option;
@@ -342,6 +360,8 @@ let run general ~entry ~sources run file =
   let* () = Program_file.check file in
   let world = world_of run.world resources file in
   let* general = for_world general resources world in
+  if asks_for_list general then list_probes general ~entry file
+  else
   let outputs =
     List.map (as_output Table "--record") (Option.to_list run.record)
     @ List.map (as_output Picture "--picture") (Option.to_list run.picture)

@@ -11,6 +11,7 @@ type general = {
   specialization_limit : int;
   real : Basis.Real.t;  (** the precision of [Float] *)
   robot : string option;  (** the robot to compile for, where the program leaves it open *)
+  probes : string list;  (** inner signals to be seen, as {!Probe.Selection} takes them *)
 }
 
 val check : general -> string list -> int
@@ -27,7 +28,7 @@ val trace :
   entry:string ->
   sources:string list ->
   modes:bool ->
-  input:string ->
+  input:string option ->
   output:string option ->
   string ->
   int

@@ -81,13 +81,38 @@ let check sink sources r =
   in
   Option.iter check (front r sink sources)
 
+(* With what is to be seen beside its output. *)
+let observed (r : Request.t) sink ~at core flow =
+  match r.probes with
+  | [] -> Some flow
+  | names ->
+      let* probes = Probes.named sink ~at core flow names in
+      let observed = Probe.Observed.program flow probes in
+      if r.lint then lint_flow observed;
+      Some observed
+
+(* Where the entry is defined: a definition begins with its name. *)
+let name_of (written : Typing.Ir.definition) =
+  let { Span.file; start; _ } = written.span in
+  Span.make ~file ~start ~stop:(Span.forward (String.length written.name.name) start)
+
 (* A program is rejected for the same reasons whatever is to run it. *)
-let checked sink sources (r : Request.t) =
+let plain sink sources (r : Request.t) =
   let* front = front r sink sources in
   let* written = Typing.Entry.find sink front.typed ~file:r.file r.entry in
   let* closed = Robots.closed sink r.robot (for_a_robot r front written.name) in
   let* flow = specialized r sink front ~written closed in
+  Some (front, written, closed, flow)
+
+let checked sink sources (r : Request.t) =
+  let* _, written, closed, flow = plain sink sources r in
+  let* flow = observed r sink ~at:(name_of written) (fst closed) flow in
   Some (written, closed, flow)
+
+let probes sink sources r =
+  let* front, written, (core, _), flow = plain sink sources r in
+  let* all = Probes.all sink ~at:(name_of written) core flow in
+  Some (Probes.list front.typed flow all)
 
 let interpretable sink sources r =
   let* written, (core, entry), flow = checked sink sources r in

@@ -24,6 +24,9 @@ val interpretable : (Core.Ir.program * Core.Ir.Global.t) option t
 (** The program and its entry, for the interpreter: everything that can reject
     a program has looked at it. *)
 
+val probes : string option t
+(** What of the program can be seen ({!Probes.list}). *)
+
 val for_both_engines : (Core.Ir.program * Core.Ir.Global.t * Cgen.Emit.t) option t
 (** What {!interpretable} and {!compile} give, with one run of the stages that
     they share. *)

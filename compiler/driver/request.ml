@@ -6,6 +6,7 @@ type t = {
   library : string;
   robot : Cgen.Robot.t option;
   real : Real.t;
+  probes : string list;
   batch : bool;
   specialization_limit : int;
   lint : bool;
@@ -20,6 +21,7 @@ let make ~library file =
     library;
     robot = None;
     real = Double;
+    probes = [];
     batch = false;
     specialization_limit = 10_000;
     lint = false;

@@ -9,6 +9,7 @@ type t = {
   robot : Cgen.Robot.t option;
       (** for a program that leaves its robot open; see {!Robots.closed} *)
   real : Real.t;  (** the precision of [Float] *)
+  probes : string list;  (** inner signals to be seen, as {!Probe.Selection} takes them *)
   batch : bool;  (** as for {!Cgen.Emit.program} *)
   specialization_limit : int;
   lint : bool;  (** check each stage's promises *)

@@ -291,4 +291,7 @@ type program = {
   ends : bool;
       (** the last part of the output is an event, at and after the end of the
           program: what it has ended with *)
+  probes : (string * shape) list;
+      (** inner signals to be seen, by what they are called: the root gives their leaves
+          after those of [output] *)
 }

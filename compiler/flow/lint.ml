@@ -328,7 +328,8 @@ let program (p : Ir.program) =
       if n.statics <> [] then bug "the root `%s` has statics" n.name;
       check_all scope "a root input" (leaves p.input)
         (List.map (fun s -> Ir.Signal s) n.inputs);
-      check_all scope "a root output" (leaves p.output) (List.map snd n.outputs));
+      let outputs = p.output :: List.map snd p.probes in
+      check_all scope "a root output" (List.concat_map leaves outputs) (List.map snd n.outputs));
     (index, scope)
   in
   if Array.length p.nodes = 0 then bug "there is no node";

@@ -97,9 +97,19 @@ let general =
     Arg.(value & opt (some string) None & info [ "robot" ] ~docv:"ROBOT" ~doc)
   in
   let make format dump stop_after lint specialization_limit robot real =
-    { Commands.format; dump; stop_after; lint; specialization_limit; robot; real }
+    { Commands.format; dump; stop_after; lint; specialization_limit; robot; real; probes = [] }
   in
   Term.(const make $ format $ dump $ stop_after $ lint $ limit $ robot $ real)
+
+let probed =
+  let doc =
+    "Show inner signals too, each in a column $(b,probe.NAME): those whose names end in NAME, as \
+     $(b,v) or $(b,wallFollow.v); all of a signal function that runs, as $(b,wallFollow); or \
+     $(b,all). May be given several times; $(b,list) prints what there is."
+  in
+  let names = Arg.(value & opt_all (list string) [] & info [ "probe" ] ~docv:"NAME,…" ~doc) in
+  let make general names = { general with Commands.probes = List.concat names } in
+  Term.(const make $ general $ names)
 
 let time_span =
   let parse text = Result.map_error (fun message -> `Msg message) (Driver.Time_span.parse text) in
@@ -138,7 +148,7 @@ let compile =
 let trace =
   let input =
     let doc = "The recorded input, CSV with a header; $(b,-) is standard input." in
-    Arg.(required & opt (some string) None & info [ "input" ] ~docv:"IN.csv" ~doc)
+    Arg.(value & opt (some string) None & info [ "input" ] ~docv:"IN.csv" ~doc)
   in
   let output =
     let doc = "Where the output goes, instead of standard output." in
@@ -178,7 +188,7 @@ let trace =
     ]
   in
   command "trace" ~man ~doc:"run a signal function on recorded input"
-    Term.(const run $ general $ entry $ sources $ modes $ input $ output $ engine $ file)
+    Term.(const run $ probed $ entry $ sources $ modes $ input $ output $ engine $ file)
 
 let run =
   let some_string names ~docv ~doc = Arg.(value & opt (some string) None & info names ~docv ~doc) in
@@ -306,7 +316,7 @@ let run =
   in
   command "run" ~doc:"run a robot program in the simulator, or on a robot"
     Term.(
-      const make $ general $ entry $ sources $ on_robot $ world $ duration $ rate $ seed $ realtime $ record
+      const make $ probed $ entry $ sources $ on_robot $ world $ duration $ rate $ seed $ realtime $ record
       $ picture $ strict $ exit_when_done $ console $ file)
 
 let view =

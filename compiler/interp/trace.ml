@@ -42,7 +42,7 @@ let is_output column =
     String.length column >= String.length prefix
     && String.equal prefix (String.sub column 0 (String.length prefix))
   in
-  String.equal column "out" || starts "out." || starts "out[" || starts "mode."
+  String.equal column "out" || starts "out." || starts "out[" || starts "mode." || starts "probe."
 
 (* The header that is wanted follows: of a robot's input the names are many. *)
 let shortened names =

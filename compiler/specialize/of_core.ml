@@ -184,6 +184,7 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
         input;
         output;
         ends = Option.is_some !ended;
+        probes = [];
       }
 
 let program ?(options = Context.default) sink ~name ~entry:(entry : Ir.Global.t)

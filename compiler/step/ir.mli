@@ -259,5 +259,6 @@ type program = {
   input : Flow.Ir.shape;
   output : Flow.Ir.shape;
   ends : bool;  (** as {!Flow.Ir.program} *)
+  probes : (string * Flow.Ir.shape) list;  (** likewise *)
   first_instant : first_instant;
 }

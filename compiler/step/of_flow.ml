@@ -217,6 +217,7 @@ let program (program : F.program) : Ir.program =
     input = program.input;
     output = program.output;
     ends = program.ends;
+    probes = program.probes;
     real = program.real;
     first_instant = !first_instant;
   }

@@ -69,6 +69,8 @@ void frob_trace_header(struct frob_text *text, const struct frob_program *progra
         frob_trace_columns(program->input, "in", add_name, text);
     if ((parts & FROB_TRACE_OUT) != 0)
         frob_trace_columns(program->output, "out", add_name, text);
+    if ((parts & FROB_TRACE_OUT) != 0 && program->probes != NULL)
+        frob_trace_columns(program->probes, "probe", add_name, text);
     if ((parts & FROB_TRACE_MODES) != 0) {
         for (size_t i = 0; i < program->machine_count; i++) {
             frob_text_add(text, ",mode.");
@@ -130,6 +132,8 @@ static void add_columns(struct frob_text *text, const struct frob_program *progr
     row.base = out;
     if ((parts & FROB_TRACE_OUT) != 0)
         frob_trace_columns(program->output, "out", add_cell, &row);
+    if ((parts & FROB_TRACE_OUT) != 0 && program->probes != NULL)
+        frob_trace_columns(program->probes, "probe", add_cell, &row);
 }
 
 void frob_trace_row(struct frob_text *text, const struct frob_program *program,
@@ -168,6 +172,8 @@ size_t frob_trace_room(const struct frob_program *program, unsigned parts)
         frob_trace_columns(program->input, "in", add_room, &room);
     if ((parts & FROB_TRACE_OUT) != 0)
         frob_trace_columns(program->output, "out", add_room, &room);
+    if ((parts & FROB_TRACE_OUT) != 0 && program->probes != NULL)
+        frob_trace_columns(program->probes, "probe", add_room, &room);
     if ((parts & FROB_TRACE_MODES) != 0) {
         for (size_t i = 0; i < program->machine_count; i++) {
             const struct frob_machine *machine = &program->machines[i];

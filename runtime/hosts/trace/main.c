@@ -119,7 +119,7 @@ static const char *on_blanks(const char *text)
 
 static bool is_output(const char *name)
 {
-    return strncmp(name, "mode.", 5) == 0 ||
+    return strncmp(name, "mode.", 5) == 0 || strncmp(name, "probe.", 6) == 0 ||
            (strncmp(name, "out", 3) == 0 &&
             (name[3] == '\0' || name[3] == '.' || name[3] == '['));
 }

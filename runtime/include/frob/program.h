@@ -80,9 +80,11 @@ struct frob_program {
          * robot's output struct is at the beginning of the output. */
     const struct frob_machine *machines; /* each after the one it is within */
     size_t machine_count;
+    const struct frob_value *probes;
+        /* inner signals, a record within the output struct; NULL without any */
 };
 
-#define FROB_PROGRAM_ABI 5u
+#define FROB_PROGRAM_ABI 6u
 
 /* The symbol that hosts look up. */
 #define FROB_PROGRAM_SYMBOL "frob_program"

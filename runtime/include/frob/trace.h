@@ -4,6 +4,7 @@
  * The first column is `time`, in seconds with nine decimals. Then comes one
  * column for each scalar, sum or event, named by its path: `in`, `in.1`,
  * `in.odometry.position.x`, `in.sonar[0]`, `out.turn`. A `()` has no column.
+ * A program with probes has a column for each after its output's, `probe.NAME`.
  * Last, if asked for, comes one for each machine, `mode.NAME`, with the name of
  * the mode that runs after the instant; it is empty while the machine is not
  * there, being part of a mode of another that does not run. */

@@ -116,5 +116,6 @@ let program ?(sums = [||]) t =
     input = tuple (List.map (fun (s : Ir.signal) -> s.ty) root.inputs);
     output = tuple (List.map (fun (_, a) -> ty_of_atom a) root.outputs);
     ends = false;
+    probes = [];
     real = Double;
   }

@@ -43,6 +43,7 @@ type stage =
   | Check
   | Compile
   | Interpret
+  | Probe of string
 
 let codes_of stage files =
   let folder = folder () in
@@ -51,6 +52,8 @@ let codes_of stage files =
   let main = Filename.concat folder (fst (List.hd files)) in
   let request = { (Driver.Request.make ~library main) with lint = true } in
   (match stage with
+  | Probe name ->
+      ignore (Driver.Pipeline.compile sink sources { request with probes = [ name ] })
   | Compile -> ignore (Driver.Pipeline.compile sink sources request)
   | Interpret -> ignore (Driver.Pipeline.interpretable sink sources request)
   | Check -> Driver.Pipeline.check sink sources request);
@@ -65,6 +68,7 @@ let beside (info, text) =
 (* Codes of the last stages need an entry, so the program is compiled. *)
 let stage_of code =
   if String.equal code Driver.Interpreted.no_interpreter then Interpret
+  else if String.equal code Driver.Probes.unknown then Probe "speed"
   else if List.mem (String.sub code 0 3) [ "E04"; "E05" ] then Compile
   else Check
 

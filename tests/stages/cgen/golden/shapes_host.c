@@ -184,4 +184,5 @@ const struct frob_program frob_program = {
     NULL,
     NULL,
     0,
+    NULL,
 };

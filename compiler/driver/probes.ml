@@ -1,0 +1,56 @@
+open Basis
+
+let unknown = "E0506"
+
+let refuse sink diagnostic =
+  Diagnostic.emit sink diagnostic;
+  None
+
+let all sink ~at core flow =
+  match Probe.Catalogue.of_program (Probe.Equations.of_program core) flow with
+  | Some all -> Some all
+  | None ->
+      Diagnostic.error ~code:unknown ~at "more than %d signal functions run in this program"
+        Probe.Catalogue.most
+      |> Diagnostic.note "so many have no names by which their signals could be seen"
+      |> refuse sink
+
+let named sink ~at core flow names =
+  Option.bind (all sink ~at core flow) (fun all ->
+      match Probe.Selection.find all names with
+      | Ok probes -> Some probes
+      | Error (name, nearest) ->
+          let closest name = Diagnostic.hint (Printf.sprintf "did you mean `%s`?" name) in
+          Diagnostic.error ~code:unknown ~at "no inner signal of this program is called `%s`" name
+          |> Option.fold ~none:Fun.id ~some:closest nearest
+          |> Diagnostic.hint "`--probe list` shows all that can be seen"
+          |> refuse sink)
+
+let rec flow_type (program : Flow.Ir.program) (ty : Flow.Ir.ty) =
+  match ty with
+  | Bool -> "Bool"
+  | Int -> "Int"
+  | Float -> "Float"
+  | Sum k -> program.sums.(k).name
+  | Array (n, element) -> Printf.sprintf "Array %d (%s)" n (flow_type program element)
+  | Foreign f -> f.foreign_name
+
+let list typed flow probes =
+  let written = Probe.Written.of_program typed in
+  let shown = List.filter (fun (p : Probe.Catalogue.probe) -> not p.handed_down) probes in
+  let type_ (p : Probe.Catalogue.probe) =
+    match (Probe.Written.type_of written p, p.own) with
+    | Some ty, _ -> Typing.Show.ty ty
+    | None, Signal s -> flow_type flow s.ty
+    | None, Running_mode -> String.concat " | " (Probe.Catalogue.modes_of flow p)
+  in
+  let rows = List.map (fun (p : Probe.Catalogue.probe) -> (p, type_ p)) shown in
+  let width select = List.fold_left (fun most row -> max most (String.length (select row))) 0 rows in
+  let name ((p : Probe.Catalogue.probe), _) = p.name in
+  let longest_name = min 50 (width name) and longest_type = min 30 (width snd) in
+  let line ((p : Probe.Catalogue.probe), type_) =
+    Printf.sprintf "%-*s :: %-*s  %s:%d\n" longest_name p.name longest_type type_
+      (Filename.basename p.span.file)
+      (Span.line p.span.start)
+  in
+  String.concat "" (List.map line rows)

@@ -1,0 +1,268 @@
+module Ir = Flow.Ir
+
+let bug format = Basis.Diagnostic.bug ~stage:"Probe.Observed" format
+
+(* A way down from a node, and what is seen at its end. *)
+type wanted = { path : Catalogue.step list; own : own; label : string }
+and own = Signal of int  (** its id *) | Running_mode
+
+let own : Catalogue.own -> own = function
+  | Signal s -> Signal s.id
+  | Running_mode -> Running_mode
+
+(* What a node can hand up. *)
+type given = { wanted : wanted; atom : Ir.atom; ty : Ir.ty }
+
+type t = {
+  before : Ir.program;
+  nodes : Ir.node array;
+  mutable sums : Ir.sum list;  (** all, the last one first *)
+  mutable next_id : int;
+  wanted : wanted list array;  (** of each node *)
+  given : given list array;
+}
+
+let fresh t ~name ~span ty : Ir.signal =
+  let id = t.next_id in
+  t.next_id <- id + 1;
+  { id; name; ty; group = id; span }
+
+let sum t k = List.nth t.sums (List.length t.sums - 1 - k)
+
+let add_sum t (sum : Ir.sum) : Ir.ty =
+  let rec find k = function
+    | [] ->
+        t.sums <- sum :: t.sums;
+        Ir.Sum (List.length t.sums - 1)
+    | (other : Ir.sum) :: _ when other = sum -> Sum k
+    | _ :: rest -> find (k - 1) rest
+  in
+  find (List.length t.sums - 1) t.sums
+
+(* {1 Values that need not be there} *)
+
+let rec shape (ty : Ir.ty) : Ir.shape =
+  match ty with Array (n, element) -> Repeated (n, shape element) | ty -> Leaf ty
+
+let rec type_name t (ty : Ir.ty) =
+  match ty with
+  | Bool -> "Bool"
+  | Int -> "Int"
+  | Float -> "Float"
+  | Sum k ->
+      let ({ name; _ } : Ir.sum) = sum t k in
+      if String.contains name ' ' then "(" ^ name ^ ")" else name
+  | Array (n, element) -> Printf.sprintf "(Array %d %s)" n (type_name t element)
+  | Foreign f -> f.foreign_name
+
+let rec is_event t (ty : Ir.ty) =
+  match ty with
+  | Sum k -> (
+      match sum t k with
+      | { module_ = "Prelude"; constructors = [ { constructor = "NoEvent"; _ }; _ ]; _ } -> true
+      | _ -> false)
+  | Array (_, element) -> is_event t element
+  | Bool | Int | Float | Foreign _ -> false
+
+let event_of t ty =
+  if is_event t ty then ty
+  else
+    let constructor constructor fields : Ir.sum_constructor = { constructor; fields } in
+    let constructors = [ constructor "NoEvent" []; constructor "Event" [ ("", shape ty) ] ] in
+    add_sum t { name = "Event " ^ type_name t ty; module_ = "Prelude"; constructors }
+
+(* Equations are added to a list. *)
+let define t equations ~name ~span ty rhs =
+  let signal = fresh t ~name ~span ty in
+  equations := { Ir.defines = signal; rhs; span } :: !equations;
+  Ir.Signal signal
+
+let rec absent t equations ~span (ty : Ir.ty) =
+  match ty with
+  | Array (_, element) ->
+      define t equations ~name:"" ~span ty (Fill (absent t equations ~span element))
+  | ty -> define t equations ~name:"" ~span ty (Construct { constructor = 0; payload = [] })
+
+let present t equations ~span (g : given) =
+  if is_event t g.ty then g.atom
+  else
+    let ty = event_of t g.ty in
+    define t equations ~name:g.wanted.label ~span ty
+      (Construct { constructor = 1; payload = [ g.atom ] })
+
+(* {1 What each node is asked for} *)
+
+let inner_wanted (node : Ir.node) (w : wanted) =
+  match (w.path, node.machine) with
+  | [], _ -> None
+  | Instance k :: path, _ ->
+      Some ((List.nth node.instances k).node, { w with path })
+  | Mode k :: path, Some machine -> Some (List.nth machine.modes k, { w with path })
+  | Mode _ :: _, None -> bug "a mode of no machine"
+
+let ask t index w =
+  if not (List.mem w t.wanted.(index)) then t.wanted.(index) <- w :: t.wanted.(index)
+
+let ask_all t probes =
+  let root = Array.length t.nodes - 1 in
+  List.iter
+    (fun (p : Catalogue.probe) ->
+      ask t root { path = p.path; own = own p.own; label = p.signal })
+    probes;
+  for index = root downto 0 do
+    t.wanted.(index) <- List.rev t.wanted.(index);
+    List.iter
+      (fun w ->
+        Option.iter (fun (inner, w) -> ask t inner w) (inner_wanted t.nodes.(index) w))
+      t.wanted.(index)
+  done
+
+(* {1 Handing up} *)
+
+(* One of the node's own signals. *)
+let own_signal (node : Ir.node) id =
+  let is_it (s : Ir.signal) = s.id = id in
+  match List.find_opt is_it (node.statics @ node.inputs @ Catalogue.defined node) with
+  | Some s -> s
+  | None -> bug "a node has no such signal"
+
+(* An instance, with what it gives besides. *)
+let instance t (i : Ir.instance) =
+  let output (g : given) =
+    let ty = match i.loop with Some { count; _ } -> Ir.Array (count, g.ty) | None -> g.ty in
+    { g with atom = Signal (fresh t ~name:g.wanted.label ~span:i.span ty); ty }
+  in
+  let given = List.map output t.given.(i.node) in
+  let signal (g : given) =
+    match g.atom with Signal s -> s | Bool _ | Int _ | Float _ -> bug "an output without a signal"
+  in
+  ({ i with outputs = i.outputs @ List.map signal given }, given)
+
+let with_outputs (node : Ir.node) ~equations others =
+  {
+    node with
+    equations = node.equations @ List.rev equations;
+    outputs = node.outputs @ others;
+  }
+
+let find (given : given list) (w : wanted) =
+  match List.find_opt (fun (g : given) -> g.wanted = w) given with
+  | Some given -> given
+  | None -> bug "a node does not give what it was asked for"
+
+(* All modes of a machine give the same: each its own, and nothing of the others'. *)
+let machine t index (node : Ir.node) (machine : Ir.machine) equations =
+  let span = machine.span in
+  let number = lazy (
+    let constructor name : Ir.sum_constructor = { constructor = name; fields = [] } in
+    let names = Catalogue.mode_names t.before machine in
+    add_sum t
+      { name = "Mode " ^ node.origin; module_ = ""; constructors = List.map constructor names })
+  in
+  let asked = List.filter (fun w -> match w.path with Instance _ :: _ -> false | [] -> w.own = Running_mode | Mode _ :: _ -> true) t.wanted.(index) in
+  let always = List.compare_length_with machine.modes 1 = 0 && Option.is_none machine.active in
+  let in_mode (w : wanted) =
+    match w.path with
+    | Mode k :: path -> Some (k, find t.given.(List.nth machine.modes k) { w with path })
+    | [] | Instance _ :: _ -> None
+  in
+  let ty w =
+    match in_mode w with
+    | Some (_, g) -> if always then g.ty else event_of t g.ty
+    | None -> if Option.is_none machine.active then Lazy.force number else event_of t (Lazy.force number)
+  in
+  let tys = List.map ty asked in
+  List.iteri
+    (fun k mode ->
+      let own_equations = ref [] in
+      let span = t.nodes.(mode).span in
+      let output w ty =
+        let atom =
+          match in_mode w with
+          | Some (n, g) when n = k ->
+              if always then g.atom else present t own_equations ~span g
+          | Some _ -> absent t own_equations ~span ty
+          | None ->
+              let atom =
+                define t own_equations ~name:w.label ~span (Lazy.force number)
+                  (Construct { constructor = k; payload = [] })
+              in
+              if Option.is_none machine.active then atom
+              else present t own_equations ~span { wanted = w; atom; ty = Lazy.force number }
+        in
+        (w.label, atom)
+      in
+      let others = List.map2 output asked tys in
+      t.nodes.(mode) <- with_outputs t.nodes.(mode) ~equations:!own_equations others)
+    machine.modes;
+  let signals = List.map2 (fun w ty -> fresh t ~name:w.label ~span ty) asked tys in
+  let seen w (s : Ir.signal) =
+    let atom =
+      match machine.active with
+      | None -> Ir.Signal s
+      | Some condition ->
+          let else_ = absent t equations ~span s.ty in
+          define t equations ~name:w.label ~span s.ty
+            (If { condition; then_ = Signal s; else_ })
+    in
+    { wanted = w; atom; ty = s.ty }
+  in
+  ({ machine with outputs = machine.outputs @ signals }, List.map2 seen asked signals)
+
+let extend t ~is_mode index =
+  let node = t.nodes.(index) in
+  let equations = ref [] in
+  let extended = List.map (instance t) node.instances in
+  let machine =
+    Option.map (fun m -> machine t index node m equations) node.machine
+  in
+  let given (w : wanted) =
+    match (w.path, w.own) with
+    | [], Signal id ->
+        let s = own_signal node id in
+        { wanted = w; atom = Signal s; ty = s.ty }
+    | Instance k :: path, _ ->
+        let inner = find (snd (List.nth extended k)) { w with path } in
+        { inner with wanted = w }
+    | [], Running_mode | Mode _ :: _, _ -> (
+        match machine with
+        | Some (_, given) -> find given w
+        | None -> bug "a mode of no machine")
+  in
+  let given = List.map given t.wanted.(index) in
+  t.given.(index) <- given;
+  let node =
+    { node with instances = List.map fst extended; machine = Option.map fst machine }
+  in
+  let others = if is_mode then [] else List.map (fun (g : given) -> (g.wanted.label, g.atom)) given in
+  t.nodes.(index) <- with_outputs node ~equations:!equations others
+
+let program (before : Ir.program) probes =
+  let count = Array.length before.nodes in
+  let t =
+    {
+      before;
+      nodes = Array.copy before.nodes;
+      sums = List.rev (Array.to_list before.sums);
+      next_id = before.next_id;
+      wanted = Array.make count [];
+      given = Array.make count [];
+    }
+  in
+  ask_all t probes;
+  let is_mode = Array.make count false in
+  Array.iter
+    (fun (node : Ir.node) ->
+      Option.iter
+        (fun (m : Ir.machine) -> List.iter (fun mode -> is_mode.(mode) <- true) m.modes)
+        node.machine)
+    before.nodes;
+  Array.iteri (fun index _ -> extend t ~is_mode:is_mode.(index) index) before.nodes;
+  let shown (p : Catalogue.probe) (g : given) = (p.name, shape g.ty) in
+  {
+    before with
+    nodes = t.nodes;
+    sums = Array.of_list (List.rev t.sums);
+    next_id = t.next_id;
+    probes = List.map2 shown probes t.given.(count - 1);
+  }

@@ -1,0 +1,163 @@
+`--probe` shows inner signals of a program, each in a column after its output.
+
+  $ cat > lap.frob <<'EOF'
+  > data Gear = Low | High Velocity
+  > 
+  > way :: Float -> SF Velocity Distance
+  > way k = proc v -> x where
+  >     x = integral (k * v)
+  >     _gear = if v > 1[m/s] then High v else Low
+  > 
+  > main :: SF Velocity Distance
+  > main = proc v -> a + b where
+  >     a = way 1 v
+  >     b = way 2 v
+  >     over = edge (a > 2[m])
+  >     _laps = onEvent (proc _ -> n where n = delay 1 (n + 1)) over
+  > EOF
+  $ cat > in.csv <<EOF
+  > time,in
+  > 0,2
+  > 1,0.5
+  > 2,1
+  > 3,2
+  > EOF
+  $ frobc trace lap.frob --input in.csv > plain.csv
+  $ frobc trace lap.frob --input in.csv --probe all
+  time,out,probe.main.a,probe.main.b,probe.main.over,probe.main._laps,probe.way.1.k,probe.way.1.x,probe.way.1._gear,probe.way.2.k,probe.way.2.x,probe.way.2._gear,probe.edge.b,probe.edgeFrom.before,probe.edgeFrom.b,probe._laps.n
+  0.000000000,0,0,0,,,1,0,High 2,2,0,High 2,false,true,false,
+  1.000000000,6,2,4,,,1,2,Low,2,4,Low,false,true,false,
+  2.000000000,7.5,2.5,5,(),1,1,2.5,Low,2,5,Low,true,true,true,1
+  3.000000000,10.5,3.5,7,,,1,3.5,High 2,2,7,High 2,true,true,true,
+  $ frobc trace lap.frob --probe list
+  main.a          :: Float[m]     lap.frob:10
+  main.b          :: Float[m]     lap.frob:11
+  main.over       :: Event ()     lap.frob:12
+  main._laps      :: Event Float  lap.frob:13
+  way.1.k         :: Float        lap.frob:4
+  way.1.x         :: Float[m]     lap.frob:5
+  way.1._gear     :: Gear         lap.frob:6
+  way.2.k         :: Float        lap.frob:4
+  way.2.x         :: Float[m]     lap.frob:5
+  way.2._gear     :: Gear         lap.frob:6
+  edge.b          :: Bool         Prelude.frob:370
+  edgeFrom.before :: Bool         Prelude.frob:379
+  edgeFrom.b      :: Bool         Prelude.frob:379
+  _laps.n         :: Float        lap.frob:13
+
+A name is the end of the way to a signal, or to what runs; numbers may be left out.
+
+  $ columns() { frobc trace lap.frob --input in.csv --probe "$@" | head -1; }
+  $ columns a
+  time,out,probe.main.a
+  $ columns way.x
+  time,out,probe.way.1.x,probe.way.2.x
+  $ columns way.2.x,main.a --probe n
+  time,out,probe.main.a,probe.way.2.x,probe._laps.n
+  $ columns way.1
+  time,out,probe.way.1.k,probe.way.1.x,probe.way.1._gear
+  $ columns probe.way.1.x
+  time,out,probe.way.1.x
+
+What else is asked for is an error, as is a name that nothing has.
+
+  $ columns way.y
+  error[E0506]: no inner signal of this program is called `way.y`
+   --> lap.frob:9:1
+    |
+  9 | main = proc v -> a + b where
+    | ^^^^
+    |
+    = hint: did you mean `way.k`?
+    = hint: `--probe list` shows all that can be seen
+  
+  1 error
+  $ columns wai.1.x
+  error[E0506]: no inner signal of this program is called `wai.1.x`
+   --> lap.frob:9:1
+    |
+  9 | main = proc v -> a + b where
+    | ^^^^
+    |
+    = hint: did you mean `way.1.x`?
+    = hint: `--probe list` shows all that can be seen
+  
+  1 error
+  $ columns w
+  error[E0506]: no inner signal of this program is called `w`
+   --> lap.frob:9:1
+    |
+  9 | main = proc v -> a + b where
+    | ^^^^
+    |
+    = hint: `--probe list` shows all that can be seen
+  
+  1 error
+  $ frobc trace lap.frob
+  error: there is nothing to run on: `--input IN.csv` names a recording
+  [2]
+
+The program computes what it did, and a recording with probes can be replayed.
+
+  $ frobc trace lap.frob --input in.csv --probe all --output all.csv && cut -d, -f1-2 all.csv | cmp - plain.csv
+  $ cut -d, -f2- all.csv | paste -d, in.csv - > recorded.csv
+  $ frobc trace lap.frob --input recorded.csv | cmp - plain.csv
+
+Without `--probe` there is nothing of it in C.
+
+  $ frobc compile lap.frob && grep -ic probe lap.c lap.h
+  lap.c:0
+  lap.h:0
+  [1]
+
+In modes, what does not run has an empty cell; `mode` is the one that runs.
+
+  $ cat > modes.frob <<'EOF'
+  > drive :: Velocity -> SF Distance (Velocity, Event Distance)
+  > drive v = proc goal -> (v, tag (when (near > 0.5)) goal) where
+  >     near = integral (v / goal)
+  > 
+  > to, fro :: SF Distance Velocity
+  > to = switch (drive 1[m/s]) (\_ -> fro)
+  > fro = switch (drive (-1[m/s])) (\_ -> to)
+  > 
+  > main :: SF Distance (Velocity, Array 2 Velocity)
+  > main = proc goal -> (v, both) where
+  >     v = to goal
+  >     both = mapSF to [goal, 2 * goal]
+  > EOF
+  $ printf 'time,in\n0,1\n0.3,1\n0.6,1\n0.9,1\n1.2,1\n' > goal.csv
+  $ frobc trace modes.frob --probe list
+  main.v              :: Float[m/s]          modes.frob:11
+  main.both           :: Array 2 Float[m/s]  modes.frob:12
+  main.to.mode        :: to | fro            modes.frob:11
+  main.to.v           :: Float[m/s]          modes.frob:2
+  main.to.near        :: Float               modes.frob:3
+  main.to.when.b      :: Bool                Prelude.frob:392
+  main.to.fro.v       :: Float[m/s]          modes.frob:2
+  main.to.fro.near    :: Float               modes.frob:3
+  main.to.fro.when.b  :: Bool                Prelude.frob:392
+  mapSF.v             :: Float[m/s]          modes.frob:2
+  mapSF.to.mode       :: to | fro            modes.frob:11
+  mapSF.to.v          :: Float[m/s]          modes.frob:2
+  mapSF.to.goal       :: Float               modes.frob:11
+  mapSF.to.near       :: Float               modes.frob:3
+  mapSF.to.when.b     :: Bool                Prelude.frob:392
+  mapSF.to.fro.v      :: Float[m/s]          modes.frob:2
+  mapSF.to.fro.goal   :: Float               modes.frob:11
+  mapSF.to.fro.near   :: Float               modes.frob:3
+  mapSF.to.fro.when.b :: Bool                Prelude.frob:392
+  $ frobc trace modes.frob --input goal.csv --probe main.to
+  time,out.1,out.2[0],out.2[1],probe.main.to.mode,probe.main.to.v,probe.main.to.near
+  0.000000000,1,1,1,to,1,0
+  0.300000000,1,1,1,to,1,0.29999999999999999
+  0.600000000,-1,-1,1,fro,,
+  0.900000000,-1,-1,1,fro,,
+  1.200000000,-1,-1,-1,fro,,
+  $ frobc trace modes.frob --input goal.csv --probe mapSF.to
+  time,out.1,out.2[0],out.2[1],probe.mapSF.to.mode[0],probe.mapSF.to.mode[1],probe.mapSF.to.v[0],probe.mapSF.to.v[1],probe.mapSF.to.goal[0],probe.mapSF.to.goal[1],probe.mapSF.to.near[0],probe.mapSF.to.near[1]
+  0.000000000,1,1,1,to,to,1,1,1,2,0,0
+  0.300000000,1,1,1,to,to,1,1,1,2,0.29999999999999999,0.14999999999999999
+  0.600000000,-1,-1,1,fro,to,,1,,2,,0.29999999999999999
+  0.900000000,-1,-1,1,fro,to,,1,,2,,0.44999999999999996
+  1.200000000,-1,-1,-1,fro,fro,,,,,,
