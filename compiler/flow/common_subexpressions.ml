@@ -1,133 +1,74 @@
-open Basis
-
 (* Bit for bit the same with its arguments exchanged. Not so [Minimum] and
    [Maximum], which tell 0 from -0. *)
 let is_commutative : Ir.operator -> bool = function
   | Add | Multiply | Equal | And | Or | Elementary Hypot | Bitwise (Bit_and | Bit_or | Bit_xor) ->
       true
-  | Subtract | Negate | Absolute | Signum | Less | Less_equal | Minimum | Maximum | Divide | Pow
-  | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2)
-  | Div | Mod | Bitwise (Shift_left | Shift_right) | To_float | Round | Floor | Ceiling | Truncate | Not ->
-      false
+  | _ -> false
 
-let compare_atoms (a : Ir.atom) (b : Ir.atom) =
-  match (a, b) with
-  | Signal a, Signal b -> Int.compare a.id b.id
-  | Signal _, (Bool _ | Int _ | Float _) -> -1
-  | (Bool _ | Int _ | Float _), Signal _ -> 1
-  | (Bool _ | Int _ | Float _), (Bool _ | Int _ | Float _) -> 0
+(* An operand, Floats by their bits. *)
+type operand = Signal of int | Bool of bool | Int of int32 | Float of int64
 
-let normal (rhs : Ir.rhs) : Ir.rhs =
-  match rhs with
-  | Op (operator, arguments) when is_commutative operator ->
-      Op (operator, List.stable_sort compare_atoms arguments)
-  | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
-  | Replace _ | Delay _ | Time _ | Step_time | Ticks _
-  | Integral _ | Derivative _ ->
-      rhs
+let operand : Ir.atom -> operand = function
+  | Signal s -> Signal s.id
+  | Bool b -> Bool b
+  | Int n -> Int n
+  | Float x -> Float (Int64.bits_of_float x)
 
-(* The elements of a node in order, each with what it reads: signals or, an output,
-   its instance. *)
-type reads = Operands of Ir.atom list | Element of int
+(* What is computed: a right side or an instance without its operands, and these. *)
+type work = Equation of Ir.ty * Ir.rhs | Instance of int * Ir.loop option
 
-type elements = {
-  mutable labels : Label.t option list;  (** [None]: like nothing else *)
-  mutable reads : reads list;  (** both: last first *)
-  mutable count : int;
-  of_signal : int Int_table.t;
-}
+module Table = Hashtbl.Make (struct
+  type t = operand list * work
 
-let add elements label reads =
-  elements.labels <- label :: elements.labels;
-  elements.reads <- reads :: elements.reads;
-  elements.count <- elements.count + 1;
-  elements.count - 1
+  let equal = ( = )
+  let hash = Hashtbl.hash_param 40 80
+end)
 
-let elements_of (node : Ir.node) =
-  let elements = { labels = []; reads = []; count = 0; of_signal = Int_table.create 64 } in
-  let define (s : Ir.signal) element = Int_table.replace elements.of_signal s.id element in
-  let add_label label reads = add elements (Some label) reads in
-  (* Outputs of a machine and results of C are like nothing else too. *)
-  let parameter s = define s (add elements None (Operands [])) in
-  List.iter parameter node.statics;
-  List.iter parameter node.inputs;
-  List.iter
-    (fun (e : Ir.equation) ->
-      let label = Label.Equation (e.defines.ty, normal e.rhs) in
-      define e.defines (add_label label (Operands (Label.operands label))))
-    node.equations;
-  let instance (i : Ir.instance) =
-    let label = Label.Instance i in
-    let element = add_label label (Operands (Label.operands label)) in
-    List.iteri (fun k s -> define s (add_label (Output k) (Element element))) i.outputs;
-    element
+let without_operand _ : Ir.atom = Bool false
+
+let key_of_equation (e : Ir.equation) rhs =
+  let operands = Basis.Long_list.map operand (Operands.all rhs) in
+  let operands =
+    match rhs with
+    | Op (operator, _) when is_commutative operator -> List.sort compare operands
+    | _ -> operands
   in
-  let instances = Long_list.map instance node.instances in
-  Option.iter (fun (m : Ir.machine) -> List.iter parameter m.outputs) node.machine;
-  Option.iter (fun (f : Ir.foreign) -> List.iter parameter f.results) node.foreign;
-  (elements, instances)
+  (operands, Equation (e.defines.ty, Operands.map without_operand rhs))
 
-let arguments elements =
-  let element (s : Ir.signal) = Int_table.find elements.of_signal s.id in
-  let of_reads = function
-    | Element e -> [| e |]
-    | Operands atoms -> (
-        match Operands.signals atoms with
-        | [] -> [||]
-        | [ s ] -> [| element s |]
-        | [ s; s' ] -> [| element s; element s' |]
-        | signals -> Array.of_list (Long_list.map element signals))
-  in
-  Array.of_list (List.rev_map of_reads elements.reads)
-
-(* Numbers from 0, equal for equal labels, and how many there are. *)
-let number labels =
-  let numbers = Label.Table.create 64 and distinct = ref 0 in
-  let fresh () =
-    incr distinct;
-    !distinct - 1
-  in
-  let number label =
-    match Label.Table.find_opt numbers label with
-    | Some n -> n
+(* Each after what it reads at the same instant: so one round finds all but what is equal
+   because its delays are. *)
+let round (node : Ir.node) =
+  let first = Table.create 64 and substitution = Substitution.create () in
+  let twins = Hashtbl.create 4 in
+  let atom = Substitution.atom substitution in
+  let meet key defined =
+    match Table.find_opt first key with
     | None ->
-        let n = fresh () in
-        Label.Table.add numbers label n;
-        n
+        Table.replace first key defined;
+        true
+    | Some before ->
+        List.iter2
+          (fun (s : Ir.signal) t -> Substitution.replace substitution s (Ir.Signal t))
+          defined before;
+        false
   in
-  let numbered = Array.map (function Some label -> number label | None -> fresh ()) labels in
-  (numbered, !distinct)
-
-(* Of the node's elements: for each signal that equals an earlier one that one, and the
-   instances that stay. *)
-let classes (node : Ir.node) elements ~labels ~arguments instances =
-  let labels, distinct = number labels in
-  let class_of = Partition.congruence ~distinct ~labels ~arguments in
-  let substitution = Substitution.create () in
-  let first = Array.make elements.count None in
-  let visit (s : Ir.signal) =
-    let c = class_of.(Int_table.find elements.of_signal s.id) in
-    match first.(c) with
-    | None -> first.(c) <- Some s
-    | Some representative -> Substitution.replace substitution s (Ir.Signal representative)
+  let visit : Schedule.item -> unit = function
+    | Equation e ->
+        ignore (meet (key_of_equation e (Operands.map atom e.rhs)) [ e.defines ] : bool)
+    | Instance i ->
+        let operands = Basis.Long_list.map (fun a -> operand (atom a)) (i.statics @ i.inputs) in
+        if not (meet (operands, Instance (i.node, i.loop)) i.outputs) then
+          Hashtbl.replace twins i.name ()
+    | Trial _ | Machine _ -> ()
   in
-  List.iter (fun (e : Ir.equation) -> visit e.defines) node.equations;
-  List.iter (fun (i : Ir.instance) -> List.iter visit i.outputs) node.instances;
-  let kept =
-    List.fold_left2
-      (fun kept (i : Ir.instance) element -> if class_of.(element) = element then i :: kept else kept)
-      [] node.instances instances
-  in
-  (substitution, List.rev kept)
+  List.iter visit (Schedule.as_far_as_possible node);
+  if Substitution.is_empty substitution && Hashtbl.length twins = 0 then node
+  else
+    let stays (i : Ir.instance) = not (Hashtbl.mem twins i.name) in
+    Substitution.node substitution { node with instances = List.filter stays node.instances }
 
-let shared (node : Ir.node) =
-  let elements, instances = elements_of node in
-  let labels = Array.of_list (List.rev elements.labels) and arguments = arguments elements in
-  classes node elements ~labels ~arguments instances
-
-let node (node : Ir.node) =
-  let substitution, instances = shared node in
-  if Substitution.is_empty substitution && List.compare_lengths instances node.instances = 0 then node
-  else Substitution.node substitution { node with instances }
+let rec node before =
+  let after = round before in
+  if after == before then before else node after
 
 let program program = Each_node.program (fun ~fresh:_ -> node) program

@@ -85,12 +85,6 @@ let check expected program =
 
 let zero = Ir.Float 0.
 
-let counter b name =
-  let next = Build.declare b "" in
-  let n = Build.let_ b name (Ir.Delay { init = zero; next = Signal next }) in
-  Build.define b next (Op (Add, [ n; Float 1. ]));
-  n
-
 let float_identities () =
   check
     [ "signal function main (x : Float)"; "a : Float = x + 0.0"; "-> ( = a,  = x,  = x,  = x)" ]
@@ -180,31 +174,31 @@ let known_constructors () =
     [ "signal function main (c : Bool, x : Float)"; "y : Float = if c then x else 0.0"; "-> ( = y)" ]
     (Optimize.program (Build.program ~sums:[| Random_program.maybe |] p))
 
-let shared_counters () =
+(* Two delays, each of a sum of its own. *)
+let delays first second =
+  let main b =
+    let x = Build.input b "x" in
+    let delay name init =
+      let sum = Build.let_ b "" (Op (Add, [ x; Float 1. ])) in
+      ("", Build.let_ b name (Ir.Delay { init = Float init; next = sum }))
+    in
+    let n = delay "n" first in
+    [ n; delay "m" second ]
+  in
+  Common_subexpressions.program (build main)
+
+let shared_delays () =
   check
     [
-      "signal function main ()";
+      "signal function main (x : Float)";
+      "_1 : Float = x + 1.0";
       "n : Float = delay 0.0 _1";
-      "_1 : Float = n + 1.0";
       "-> ( = n,  = n)";
     ]
-    (Common_subexpressions.program
-       (build (fun b ->
-            let n = counter b "n" in
-            let m = counter b "m" in
-            [ ("", n); ("", m) ])))
+    (delays 0. 0.)
 
-let different_counters () =
-  let program =
-    Common_subexpressions.program
-      (build (fun b ->
-           let n = counter b "n" in
-           let next = Build.declare b "" in
-           let m = Build.let_ b "m" (Ir.Delay { init = Float (-0.); next = Signal next }) in
-           Build.define b next (Op (Add, [ m; Float 1. ]));
-           [ ("", n); ("", m) ]))
-  in
-  Alcotest.(check int) "0 and -0 are two" 4 (List.length (root program).equations)
+let different_delays () =
+  Alcotest.(check int) "0 and -0 are two" 3 (List.length (root (delays 0. (-0.))).equations)
 
 (* Too large to be inlined. *)
 let large_node ?(name = "large") p =
@@ -313,8 +307,8 @@ let example_tests =
     case "simplify: known constructors need no tag" known_constructors;
     case "boolean simplification: one that is said by cases" conditions_in_cases;
     case "boolean simplification: one for which another one does not matter" conditions_anyhow;
-    case "common subexpressions: equal feedback loops are one" shared_counters;
-    case "common subexpressions: 0 and -0 are different" different_counters;
+    case "common subexpressions: equal delays of equal signals are one" shared_delays;
+    case "common subexpressions: 0 and -0 are different" different_delays;
     case "common subexpressions and constants: instances, literals, unread outputs" shared_instances;
     case "inline: what feeds back through its delay is opened, no more" inlined_for_feedback;
     case "inline: names stay, and tell instances apart where they clash" inlined_names;
