@@ -109,34 +109,20 @@ let outputs_of_modes (nodes : Ir.node array) substitution (machine : Ir.machine)
   in
   each machine.outputs of_modes
 
-(* And here callees before callers. *)
 let outputs (program : Ir.program) =
   let nodes = Array.copy program.nodes in
-  let argument (callee : Ir.node) (i : Ir.instance) : Ir.atom -> Ir.atom option = function
-    | (Bool _ | Int _ | Float _) as literal -> Some literal
-    | Signal s ->
-        let among parameters atoms =
-          List.fold_left2
-            (fun found (p : Ir.signal) a -> if p.id = s.id then Some a else found)
-            None parameters atoms
-        in
-        Option.fold (among callee.statics i.statics) ~some:Option.some
-          ~none:(among callee.inputs i.inputs)
-  in
   Array.iteri
     (fun index (node : Ir.node) ->
       let substitution = Substitution.create () in
-      List.iter
-        (fun (i : Ir.instance) ->
-          let callee = nodes.(i.node) in
-          if i.loop = None then
-            List.iter2
-            (fun (s : Ir.signal) (_, a) ->
-              match argument callee i a with
-              | Some by -> Substitution.replace substitution s by
-              | None -> ())
-            i.outputs callee.outputs)
-        node.instances;
+      let output s (_, (a : Ir.atom)) =
+        match a with
+        | Signal _ -> ()
+        | Bool _ | Int _ | Float _ -> Substitution.replace substitution s a
+      in
+      let outputs (i : Ir.instance) =
+        if i.loop = None then List.iter2 output i.outputs nodes.(i.node).outputs
+      in
+      List.iter outputs node.instances;
       Option.iter (outputs_of_modes nodes substitution) node.machine;
       nodes.(index) <- Substitution.node substitution node)
     nodes;

@@ -43,9 +43,6 @@ let comparison (node : Ir.node) ~best result =
       | _ -> None)
   | _ -> None
 
-let find node ~best result =
-  Option.map (fun c -> (c.which, c.x)) (comparison node ~best result)
-
 (* Of equations that read the signal: do they give the same for NaN and for the infinity that
    any number is before? *)
 let takes_infinity which signal (e : Ir.equation) =
@@ -72,14 +69,8 @@ let may_be_infinity which caller (result : Ir.signal) =
   in
   reads > 0 && caller.uses result = reads
 
-let is_nan : Ir.atom -> bool = function
-  | Float x -> Float.is_nan x
-  | Signal _ | Bool _ | Int _ -> false
-
-(* Does the loop start from NaN, or from the element that it meets first? *)
+(* Does the loop start from the element that it meets first? *)
 let starts_anew caller (i : Ir.instance) (l : Ir.loop) (callee : Ir.node) start (x : Ir.signal) =
-  is_nan start
-  ||
   match definition caller.node start with
   | Some { rhs = Index (Signal array, 0); _ } ->
       List.exists2

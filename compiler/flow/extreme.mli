@@ -4,15 +4,9 @@
     and an element, and a number rather than NaN: that takes a test whether there
     was a number before. *)
 
-type which = Least | Largest
-
-val find : Ir.node -> best:Ir.signal -> Ir.atom -> (which * Ir.signal) option
-(** Is the atom the smaller or larger of [best] and of another signal of the node,
-    which, and of what signal? *)
-
 val program : Ir.program -> Ir.program
 (** Where what is done with the number that is found is the same for NaN and for an
     infinity, as in [minimumBy id xs < 1], the loop starts from that infinity, and
-    so needs no test. Takes loops that start from NaN, which loses against any
-    number, or from their first element. Looks at nodes that only one loop runs.
+    so needs no test. Takes loops that start from their first element. Looks at nodes
+    that only one loop runs.
     Physically the same program if there is nothing to do. *)

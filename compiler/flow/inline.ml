@@ -39,35 +39,7 @@ let size (node : Ir.node) =
     (size_of_instance * List.length node.instances)
     node.equations
 
-(* What is left of a node's equations when its outputs are all that counts. *)
-let live (node : Ir.node) =
-  let definitions = Int_table.create 64 and needed = Int_table.create 64 in
-  List.iter (fun (e : Ir.equation) -> Int_table.replace definitions e.defines.id e.rhs) node.equations;
-  let rec need (atom : Ir.atom) =
-    match atom with
-    | Signal s when not (Int_table.mem needed s.id) ->
-        Int_table.replace needed s.id ();
-        Option.iter
-          (fun rhs -> List.iter need (Operands.all rhs))
-          (Int_table.find_opt definitions s.id)
-    | Signal _ | Bool _ | Int _ | Float _ -> ()
-  in
-  List.iter (fun (_, atom) -> need atom) node.outputs;
-  List.iter
-    (fun (i : Ir.instance) ->
-      List.iter need i.statics;
-      List.iter need i.inputs)
-    node.instances;
-  let is_needed (e : Ir.equation) = Int_table.mem needed e.defines.id in
-  { node with equations = List.filter is_needed node.equations }
-
-(* Expanded equations often simplify; more than so many times they do not. *)
-let shrinks = 4
-
-let becomes_small real ~once ~expanded (node : Ir.node) =
-  let now = size node in
-  let small = if once then small_once else small in
-  now <= small || (expanded && now <= shrinks * small && size (live (Simplify.to_look_at real node)) <= small)
+let becomes_small ~once node = size node <= if once then small_once else small
 
 type context = {
   nodes : Ir.node array;  (** callees already done *)
@@ -323,6 +295,6 @@ let program (program : Ir.program) =
       context.nodes.(index) <- expanded;
       context.is_small.(index) <-
         Option.is_none expanded.machine && Option.is_none expanded.foreign
-        && becomes_small program.real ~once:(calls.(index) = 1) ~expanded:(expanded != node) expanded)
+        && becomes_small ~once:(calls.(index) = 1) expanded)
     program.nodes;
   if !changed then { program with nodes = context.nodes; next_id = context.fresh } else program

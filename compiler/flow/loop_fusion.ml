@@ -1,83 +1,31 @@
 open Basis
-module Groups = Set.Make (Int)
 
 (* Loops to be joined. *)
 type group = {
   count : int;
   varies : bool;  (* what is known at the start stays so: delays may start from it *)
-  mutable members : (Ir.instance * Ir.loop) list;  (* last first *)
-  mutable needs : Groups.t;  (* groups that something before it comes from *)
-  elements : (int, unit) Hashtbl.t;  (* signals whose elements are given to members *)
-  arrays : (int, unit) Hashtbl.t;  (* arrays that members define *)
+  members : (Ir.instance * Ir.loop) list;  (* last first *)
+  arrays : Ir.signal list;  (* that members define *)
+  after : unit Int_table.t;  (* signals that come out of it *)
 }
 
 type work = {
   program : Ir.program;
-  varying : (int, unit) Hashtbl.t;  (* signals that are not known at the start *)
-  mutable groups : group array;
-  origin : (int, Groups.t) Hashtbl.t;  (* of a signal: groups that it comes from *)
-  first_of : (int, Ir.signal) Hashtbl.t;  (* of a number: the array whose element 0 it is *)
+  varying : unit Int_table.t;  (* signals that are not known at the start *)
+  mutable groups : group list;  (* latest first: only that may grow *)
 }
 
-(* Elements 0 of arrays. *)
-let firsts (node : Ir.node) =
-  let firsts = Hashtbl.create 8 in
-  List.iter
-    (fun (e : Ir.equation) ->
-      match (e.rhs, e.defines.ty) with
-      | Index (Signal array, 0), (Bool | Int | Float) -> Hashtbl.replace firsts e.defines.id array
-      | _, _ -> ())
-    node.equations;
-  firsts
-
-let first_of firsts (atom : Ir.atom) =
-  match atom with Signal s -> Hashtbl.find_opt firsts s.id | Bool _ | Int _ | Float _ -> None
-
-let origin work (atom : Ir.atom) =
-  match atom with
-  | Signal s -> Option.value (Hashtbl.find_opt work.origin s.id) ~default:Groups.empty
-  | Bool _ | Int _ | Float _ -> Groups.empty
-
-let origins work = List.fold_left (fun all atom -> Groups.union all (origin work atom)) Groups.empty
-
-(* Also what the groups themselves come from. *)
-let closure work groups =
-  let rec visit g seen =
-    if Groups.mem g seen then seen
-    else Groups.fold visit work.groups.(g).needs (Groups.add g seen)
-  in
-  Groups.fold visit groups Groups.empty
+let note table = List.iter (fun (s : Ir.signal) -> Int_table.replace table s.id ())
+let any table = List.exists (fun (s : Ir.signal) -> Int_table.mem table s.id)
 
 let accumulators (l : Ir.loop) =
   List.length (List.filter (fun a -> a = Ir.Accumulator) l.arguments)
 
-let arrays (i : Ir.instance) (l : Ir.loop) =
-  List.filteri (fun k _ -> k >= accumulators l) i.outputs
-
-let operands (i : Ir.instance) (l : Ir.loop) =
-  List.rev_append
-    (List.rev_map (fun atom -> (Ir.Same, atom)) i.statics)
-    (List.combine l.arguments i.inputs)
-
-(* A fold that starts at the first element finds it in its first round. *)
-let is_direct work group (argument, (atom : Ir.atom)) =
+(* Each round has what another member has just made of its element. *)
+let is_direct group (argument, (atom : Ir.atom)) =
   match (argument, atom) with
-  | Ir.Element, Signal s -> Hashtbl.mem group.arrays s.id
-  | Accumulator, atom -> (
-      match first_of work.first_of atom with
-      | Some array -> Hashtbl.mem group.arrays array.id
-      | None -> false)
+  | Ir.Element, Signal s -> List.exists (fun (array : Ir.signal) -> array.id = s.id) group.arrays
   | _, _ -> false
-
-let shares group (argument, (atom : Ir.atom)) =
-  match (argument, atom) with
-  | Ir.Element, Signal s -> Hashtbl.mem group.arrays s.id || Hashtbl.mem group.elements s.id
-  | _, _ -> false
-
-let indirect work group operands =
-  List.filter_map
-    (fun operand -> if is_direct work group operand then None else Some (snd operand))
-    operands
 
 let varies work (item : Schedule.item) =
   let own =
@@ -86,92 +34,42 @@ let varies work (item : Schedule.item) =
     | Instance i -> work.program.nodes.(i.node).kind = Signal_function
     | Trial _ | Machine _ -> true
   in
-  own || List.exists (fun (s : Ir.signal) -> Hashtbl.mem work.varying s.id) (Schedule.needs item)
+  own || any work.varying (Schedule.needs item)
 
-let may_join work g ~varies (l : Ir.loop) operands =
-  let group = work.groups.(g) in
+let may_join group ~varies (i : Ir.instance) (l : Ir.loop) =
+  let direct, others = List.partition (is_direct group) (List.combine l.arguments i.inputs) in
   group.count = l.count
   && Bool.equal group.varies varies
-  && List.exists (shares group) operands
-  && not (Groups.mem g (closure work (origins work (indirect work group operands))))
-
-(* Joins are looked for among so many groups, the latest. *)
-let most_tried = 8
+  && direct <> []
+  && not (any group.after (Operands.signals (i.statics @ List.map snd others)))
 
 let add_loop work ~varies (i : Ir.instance) (l : Ir.loop) =
-  let operands = operands i l in
-  let count = Array.length work.groups in
-  let rec find g =
-    if g < 0 || g < count - most_tried then None
-    else if may_join work g ~varies l operands then Some g
-    else find (g - 1)
+  let own = List.filteri (fun k _ -> k >= accumulators l) i.outputs in
+  let group, others =
+    match work.groups with
+    | group :: others when may_join group ~varies i l ->
+        ({ group with members = (i, l) :: group.members; arrays = own @ group.arrays }, others)
+    | groups ->
+        let after = Int_table.create 16 in
+        ({ count = l.count; varies; members = [ (i, l) ]; arrays = own; after }, groups)
   in
-  let g =
-    match find (count - 1) with
-    | Some g -> g
-    | None ->
-        let group =
-          {
-            count = l.count;
-            varies;
-            members = [];
-            needs = Groups.empty;
-            elements = Hashtbl.create 8;
-            arrays = Hashtbl.create 8;
-          }
-        in
-        work.groups <- Array.append work.groups [| group |];
-        count
-  in
-  let group = work.groups.(g) in
-  group.needs <- Groups.union group.needs (origins work (indirect work group operands));
-  group.members <- (i, l) :: group.members;
-  List.iter
-    (fun (argument, (atom : Ir.atom)) ->
-      match (argument, atom) with
-      | Ir.Element, Signal s -> Hashtbl.replace group.elements s.id ()
-      | _, _ -> ())
-    operands;
-  List.iter (fun (s : Ir.signal) -> Hashtbl.replace group.arrays s.id ()) (arrays i l);
-  List.iter
-    (fun (s : Ir.signal) -> Hashtbl.replace work.origin s.id (Groups.singleton g))
-    i.outputs
+  note group.after i.outputs;
+  work.groups <- group :: others
 
 let add_item work (item : Schedule.item) =
   let varies = varies work item in
-  if varies then
-    List.iter (fun (s : Ir.signal) -> Hashtbl.replace work.varying s.id ()) (Schedule.defines item);
-  match item with
-  | Instance ({ loop = Some l; trials = []; _ } as i) -> add_loop work ~varies i l
-  | Equation _ | Instance _ | Trial _ | Machine _ ->
-      let from = origins work (List.map (fun s -> Ir.Signal s) (Schedule.needs item)) in
-      if not (Groups.is_empty from) then
-        List.iter
-          (fun (s : Ir.signal) -> Hashtbl.replace work.origin s.id from)
-          (Schedule.defines item)
+  if varies then note work.varying (Schedule.defines item);
+  match (item, work.groups) with
+  | Instance ({ loop = Some l; trials = []; _ } as i), _ -> add_loop work ~varies i l
+  | _, group :: _ when any group.after (Schedule.needs item) ->
+      note group.after (Schedule.defines item)
+  | _, _ -> ()
 
 let groups_of program (node : Ir.node) =
-  let work =
-    {
-      program;
-      varying = Hashtbl.create 64;
-      groups = [||];
-      origin = Hashtbl.create 64;
-      first_of = firsts node;
-    }
-  in
-  List.iter (fun (s : Ir.signal) -> Hashtbl.replace work.varying s.id ()) node.inputs;
+  let work = { program; varying = Int_table.create 64; groups = [] } in
+  note work.varying node.inputs;
   List.iter (add_item work) (Schedule.of_node node);
-  List.filter (fun group -> List.length group.members > 1) (Array.to_list work.groups)
-
-(* The least or largest number may as well start from NaN as from the first element. *)
-let is_extreme (node : Ir.node) =
-  match (node.inputs, node.outputs) with
-  | [ best; x ], [ (_, best') ] -> (
-      match Extreme.find node ~best best' with
-      | Some (_, element) -> element.id = x.id
-      | None -> false)
-  | _, _ -> false
+  List.filter (fun group -> List.compare_length_with group.members 1 > 0) (List.rev work.groups)
 
 (* {1 The node of a joined loop} *)
 
@@ -209,7 +107,6 @@ type given = { argument : Ir.argument; atom : Ir.atom; parameter : Ir.signal }
 let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
   let members = List.rev group.members in
   let statics = ref [] and given = ref [] and results = ref [] and bodies = ref [] in
-  let firsts = firsts caller and equations = ref [] in
   (* Inside: the element of an array that a member defines. *)
   let elements = Hashtbl.create 16 in
   let pass argument (atom : Ir.atom) (like : Ir.signal) : Ir.atom =
@@ -227,26 +124,6 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
         given := { argument; atom; parameter } :: !given;
         Signal parameter
   in
-  let define ty span rhs : Ir.atom =
-    let defines = signal context ty span in
-    equations := { Ir.defines; rhs; span } :: !equations;
-    Signal defines
-  in
-  let is_first_round =
-    lazy
-      (let parameter = signal context ~name:"i" Int caller.span in
-       given := { argument = Counter; atom = Int 0l; parameter } :: !given;
-       define Bool caller.span (Op (Equal, [ Signal parameter; Int 0l ])))
-  in
-  (* An accumulator that starts as an element of the first round. *)
-  let from_first ~extreme element (like : Ir.signal) =
-    if extreme && like.ty = Float then pass Accumulator (Float Fold.nan) like
-    else
-      let zero : Ir.atom = match like.ty with Bool -> Bool false | Int -> Int 0l | _ -> Float 0. in
-      let else_ = pass Accumulator zero like in
-      let condition = Lazy.force is_first_round in
-      define like.ty like.span (If { condition; then_ = Signal element; else_ })
-  in
   let add ((i : Ir.instance), (l : Ir.loop)) =
     let callee = program.nodes.(i.node) in
     let static atom (like : Ir.signal) =
@@ -258,13 +135,6 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
       match (argument, atom) with
       | Ir.Element, Signal s when Hashtbl.mem elements s.id ->
           Ir.Signal (Hashtbl.find elements s.id)
-      | Accumulator, _ -> (
-          match
-            Option.bind (first_of firsts atom) (fun (array : Ir.signal) ->
-                Hashtbl.find_opt elements array.id)
-          with
-          | Some element -> from_first ~extreme:(is_extreme callee) element like
-          | None -> pass argument atom like)
       | _, _ -> pass argument atom like
     in
     let own_statics = List.map2 static i.statics callee.statics in
@@ -316,7 +186,7 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
       statics = List.rev_map snd !statics;
       inputs = List.map (fun g -> g.parameter) given;
       outputs = List.mapi output results;
-      equations = List.rev !equations;
+      equations = [];
       instances = List.rev !bodies;
       machine = None;
       foreign = None;

@@ -25,17 +25,6 @@ let positive_zero (a : Ir.atom) = same a (Float 0.)
 let negative_zero (a : Ir.atom) = same a (Float (-0.))
 
 (* False at the first instant, then True. *)
-let not_first known a =
-  match definition known a with
-  | Some (Delay { init = Bool false; next = Bool true }) -> true
-  | Some _ | None -> false
-
-(* False at the first instant too. *)
-let ticks_later known a =
-  match definition known a with
-  | Some (Ticks (Float period)) -> period >= 1.
-  | Some _ | None -> false
-
 (* Is the second what the first is not? *)
 let is_not known a b =
   match (definition known b, (a : Ir.atom)) with
@@ -66,7 +55,6 @@ let operation known add ~unchanged (operator : Ir.operator) (arguments : Ir.atom
   | Equal, ([ a; Bool true ] | [ Bool true; a ]) -> Copy a
   | Equal, ([ a; Bool false ] | [ Bool false; a ]) -> Op (Not, [ a ])
   | And, ([ a; Bool true ] | [ Bool true; a ]) -> Copy a
-  | And, [ a; b ] when (not_first known a && ticks_later known b) -> Copy b
   | And, ([ _; Bool false ] | [ Bool false; _ ]) -> Copy (Bool false)
   | And, [ a; b ] -> (
       match (excluding_else known a b, excluding_else known b a) with
@@ -79,19 +67,7 @@ let operation known add ~unchanged (operator : Ir.operator) (arguments : Ir.atom
       match definition known a with
       | Some (Op (inner, [ b ])) when inner = operator -> Copy b
       | Some _ | None -> unchanged)
-  | Absolute, [ a ] -> (
-      match definition known a with
-      | Some (Op (Absolute, _)) -> Copy a
-      | Some (Op (Negate, [ b ])) -> Op (Absolute, [ b ])
-      | Some _ | None -> unchanged)
   | _ -> unchanged
-
-(* What a value is where a condition holds, or where it does not. *)
-let chosen known condition ~holds value =
-  match definition known value with
-  | Some (If inner) when same inner.condition condition ->
-      if holds then inner.then_ else inner.else_
-  | Some _ | None -> value
 
 let rec choice known condition then_ else_ : Ir.rhs =
   match ((condition : Ir.atom), definition known condition) with
@@ -99,8 +75,6 @@ let rec choice known condition then_ else_ : Ir.rhs =
   | Bool false, _ -> Copy else_
   | _, Some (Op (Not, [ positive ])) -> choice known positive else_ then_
   | (Int _ | Float _ | Signal _), _ -> (
-      let then_ = chosen known condition ~holds:true then_ in
-      let else_ = chosen known condition ~holds:false else_ in
       if same then_ else_ then Copy then_
       else
         match ((then_ : Ir.atom), (else_ : Ir.atom)) with
@@ -163,7 +137,7 @@ let size : Ir.atom -> int = function
   | Signal { ty = Array (n, _); _ } -> n
   | Signal _ | Bool _ | Int _ | Float _ -> 0
 
-let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
+let simplify real known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   match rhs with
   | Op (operator, arguments) -> (
       match Fold.operation real operator arguments with
@@ -183,12 +157,6 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
   | Delay { init; next } when same next init || same next (Signal defines) ->
       (* [init] is static: it is the same at every instant. *)
       Copy init
-  | Delay { init = Bool first; next } -> (
-      (* What it is a negation of is there anyway, and may be kept by another one too. *)
-      match definition (Lazy.force written) next with
-      | Some (Op (Not, [ next ])) ->
-          Op (Not, [ add defines Bool (Delay { init = Bool (not first); next }) ])
-      | Some _ | None -> rhs)
   | Ticks (Float period) when Float.is_nan period -> Copy (Bool false)
   | Ticks (Float period) when period < 1. -> Copy (Bool true)
   | Time { restart = Bool true; unit = _ } -> Copy (Float 0.)
@@ -225,14 +193,6 @@ let of_loop known (i : Ir.instance) =
 
 let node real ~fresh (node : Ir.node) =
   let known : known = Int_table.create 64 in
-  (* Few ask for it. *)
-  let written : known Lazy.t =
-    lazy
-      (let written = Int_table.create 64 in
-       let write (e : Ir.equation) = Int_table.replace written e.defines.id e.rhs in
-       List.iter write node.equations;
-       written)
-  in
   let substitution = Substitution.create () in
   let added = ref [] and changed = ref false in
   let add (like : Ir.signal) ty rhs : Ir.atom =
@@ -246,7 +206,7 @@ let node real ~fresh (node : Ir.node) =
     | Schedule.Instance _ | Trial _ | Machine _ -> ()
     | Equation e -> (
         let rhs = Operands.map (Substitution.atom substitution) e.rhs in
-        let rhs = Clock.recognize real (definition known) (simplify real known written add e.defines rhs) in
+        let rhs = Clock.recognize real (definition known) (simplify real known add e.defines rhs) in
         if rhs != e.rhs then changed := true;
         match rhs with
         | Copy a ->
@@ -272,13 +232,5 @@ let node real ~fresh (node : Ir.node) =
         node.equations
     in
     Substitution.node substitution { node with equations = List.rev_append !added equations; instances }
-
-let to_look_at real looked_at =
-  let next = ref 0 in
-  let fresh () =
-    decr next;
-    !next
-  in
-  node real ~fresh looked_at
 
 let program (program : Ir.program) = Each_node.program (node program.real) program

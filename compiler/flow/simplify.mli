@@ -11,7 +11,4 @@ val node : Basis.Real.t -> fresh:(unit -> int) -> Ir.node -> Ir.node
 (** [fresh] gives ids to the signals that it adds. The same node, physically, if nothing
     in it is simpler. *)
 
-val to_look_at : Basis.Real.t -> Ir.node -> Ir.node
-(** Only to be looked at: the signals that it adds have no ids of the program. *)
-
 val program : Ir.program -> Ir.program

@@ -16,22 +16,25 @@ knows that it is not the first. The dt that comes then is looked at by nobody.
   {
       const bool b = in->value;
       if (!self->started) {                                   /* Control.frob:26 */
-          self->started = true;
-          self->before = b;                                   /* Control.frob:94 */
+          self->debounce_before = b;                          /* Prelude.frob:379 */
+          self->started = true;                               /* Control.frob:26 */
       } else {
           int64_t dt_ns = frob_whole_ns(dt);
-          const bool differs = b != self->before;             /* Control.frob:95 */
+          const bool differs = b != self->debounce_before;    /* Control.frob:95 */
           self->time = differs && self->waiting ? frob_soon(self->time, dt_ns) : 0; /* Prelude.frob:343 */
           const bool settled = INT64_C(30000000) <= self->time; /* Control.frob:98 */
+          const bool t1 = settled && b && !self->debounce_before; /* Prelude.frob:379 */
+          if (settled) {
+              self->debounce_before = b;
+          }
+          const int32_t y = t1 ? frob_int_add(self->before, 1) : self->before; /* Prelude.frob:438 */
+          if (t1) {                                           /* Prelude.frob:404 */
+              self->hold_y_prev = y;
+          }
           self->waiting = differs && !settled;                /* Control.frob:96 */
-          if (settled && b && !self->before) {                /* Prelude.frob:437 */
-              self->accumBy_before = frob_int_add(self->accumBy_before, 1);
-          }
-          if (settled) {                                      /* Control.frob:94 */
-              self->before = b;
-          }
+          self->before = y;                                   /* Prelude.frob:437 */
       }
-      out->value = self->accumBy_before;                      /* Prelude.frob:438 */
+      out->value = self->hold_y_prev;                         /* Prelude.frob:404 */
   }
   $ cat > button.csv <<'EOF'
   > time,in
