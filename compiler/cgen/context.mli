@@ -30,20 +30,9 @@ val uninitialized : t -> M.variable list -> Ir.statement list
 val in_seconds : t -> Ir.expr -> Ir.expr
 (** Of nanoseconds, 64 bits. *)
 
-type time =
-  | Passed
-  | None_passed  (** the callee's first instant *)
-
 val step_call :
-  ?time:time -> t -> node:int -> own:Ir.expr list -> Ir.expr list -> Ir.expr list -> Ir.expr
+  t -> node:int -> own:Ir.expr list -> Ir.expr list -> Ir.expr list -> Ir.expr
 (** With the address of the state, if there is one, arguments and results. *)
-
-val start_call : t -> node:int -> own:Ir.expr list -> M.expr list -> Ir.expr list -> Ir.expr
-(** Likewise, of a node's start, which resets it too. *)
-
-val returns_result : M.node -> bool
-(** Its step and its start are functions with a value; others are given addresses for
-    their results. *)
 
 val own_state : t -> M.field option -> Ir.expr list
 (** The address. *)

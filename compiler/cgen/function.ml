@@ -81,19 +81,12 @@ let rec statement c rest (s : M.statement) : Ir.statement list =
       let placed s = if is_loop s then { s with Ir.comment } else s in
       List.rev_append (List.map placed statements) rest
   | Enter { entry; span } -> List.rev_append (Modes.enter c entry span) rest
-  | Start { node; state; arguments; results; span } ->
-      let call = start_call c ~node ~own:(own_state c (Some state)) arguments in
-      with_results c rest ~call results span
-  | Begin { run; entry; span } -> List.rev_append (Modes.begin_ c run entry span) rest
-  | Await { span } -> List.rev_append (Modes.await c span) rest
   | Run run -> List.rev_append (Modes.run c run) rest
   | Return { value; span } ->
       { desc = Return (expression c value); comment = comment c span } :: rest
 
 and step c rest ~node ~own arguments results span =
-  with_results c rest ~call:(step_call c ~node ~own (for_step c node arguments)) results span
-
-and with_results c rest ~call results span =
+  let call = step_call c ~node ~own (for_step c node arguments) in
   let is_read (variable : M.variable) = Int_table.mem c.read variable.id in
   match results with
   | [] -> { desc = Do (call []); comment = comment c span } :: rest
@@ -129,8 +122,7 @@ let name_variables names body =
         | Run { results; cases; _ } ->
             List.iter visit results;
             List.iter (fun (case : M.case) -> List.iter visit case.others) cases
-        | Start { results; _ } | Begin { run = { results; _ }; _ } -> List.iter visit results
-        | Assign _ | Reset _ | Enter _ | Await _ | Return _ -> ())
+        | Assign _ | Reset _ | Enter _ | Return _ -> ())
       body
   in
   declared (named true);
@@ -148,12 +140,10 @@ let handed_on body =
     let given = Int_table.create 4 in
     let keep (s : M.statement) : M.statement option =
       match s with
-      | Step { results = _ :: _ :: _ as results; _ }
-      | Start { results = _ :: _ :: _ as results; _ } ->
+      | Step { results = _ :: _ :: _ as results; _ } ->
           List.iter (fun (v : M.variable) -> Int_table.replace given v.id ()) results;
           Some s
-      | Run { results; active = None; drops = false; _ }
-      | Begin { run = { results; active = None; drops = false; _ }; _ } ->
+      | Run { results; active = None; drops = false; _ } ->
           (* What may need a zero first. *)
           let give (v : M.variable) =
             match v.ty with
@@ -233,24 +223,26 @@ let read_member (v : V.t) names read (variable : M.variable) steps =
 
 let input (v : V.t) : Ir.ty = Pointer_to_const (Struct v.input.struct_name)
 
-(* A node's step or start, which has some of its outputs. *)
-let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.code) : Ir.function_ =
+(* So few operations are worth a copy at every call. *)
+let inline_size = 12
+
+let own_step (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
-  let read = variables_read v node code.body in
+  let read = variables_read v node node.step.body in
   let by_value, by_pointer =
     List.partition_map
       (fun variable ->
         match Program_input.member v.by_pointer k variable with
         | Some steps -> Either.Right (variable, steps)
         | None -> Left variable)
-      code.parameters
+      node.step.parameters
   in
   let given = Expression.parameters names by_value in
   let taken =
     List.concat_map (fun (variable, steps) -> read_member v names read variable steps) by_pointer
   in
-  let input = if given_input then [ (input v, "in") ] else [] in
+  let input = if Program_input.is_given v.by_pointer k then [ (input v, "in") ] else [] in
   let single, results =
     match node.outputs with
     | [ (_, ty) ] -> (V.ty v ty, [])
@@ -261,10 +253,10 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
           let name = if is_out then name else "out_" ^ name in
           (Ir.Pointer (V.ty v ty), Name.fresh (Expression.scope names) name)
         in
-        (Void, List.map result outputs)
+        (Void, List.map result node.outputs)
   in
   let places = Array.of_list results in
-  let own_body, handed_on = if results = [] then (code.body, []) else handed_on code.body in
+  let own_body, handed_on = if results = [] then (node.step.body, []) else handed_on node.step.body in
   List.iter
     (fun (variable, k) ->
       Expression.read_as names variable (Unary (Dereference, Name (snd places.(k)))))
@@ -273,44 +265,23 @@ let own_code (v : V.t) k ~name ~linkage ~outputs ~time ~given_input (code : M.co
   let write k value = plain (Ir.Assign (Unary (Dereference, Name (snd places.(k))), value)) in
   let c = { v; names; index = k; node; write; read; place = "" } in
   let state = if V.has_state v k then [ self v k ] else [] in
-  let dt = if time && node.seconds then [ (V.real v, "dt") ] else [] in
-  let dt_ns = if time && node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
+  let dt = if node.seconds then [ (V.real v, "dt") ] else [] in
+  let dt_ns = if node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
   let body = statements c own_body in
   let unread = if state = [] then [] else unread names in
   {
-    linkage;
+    linkage = (if node.operations <= inline_size then Static_inline else Static);
     result = single;
-    name;
+    name = v.nodes.(k).step;
     parameters = List.concat [ state; dt; dt_ns; input; given; results ];
     body = unread @ taken @ body;
     comment = place_of node;
   }
 
-(* So few operations are worth a copy at every call. *)
-let inline_size = 12
-
-let own_step (v : V.t) k =
-  let node = v.program.nodes.(k) in
-  let linkage : Ir.linkage =
-    if node.operations <= inline_size then Static_inline else Static
-  in
-  own_code v k ~name:v.nodes.(k).step ~linkage ~outputs:node.outputs ~time:true
-    ~given_input:(Program_input.is_given v.by_pointer k) node.step
-
-let start (v : V.t) k =
-  let node = v.program.nodes.(k) in
-  let own = List.length node.outputs - node.for_transitions in
-  let outputs = List.filteri (fun i _ -> i < own) node.outputs in
-  match (node.start, v.nodes.(k).start) with
-  | Some start, Some name ->
-      own_code v k ~name ~linkage:Static_inline ~outputs ~time:false
-        ~given_input:(Program_input.is_start_given v.by_pointer k) start
-  | _, _ -> Diagnostic.bug ~stage:"Cgen.Function" "a start that is not there"
-
 let at_first c zero value =
-  match c.v.program.first_instant with
-  | Unseen | Apart | Marked_by_mode -> value
-  | Marked_by { field; own = _ } -> Ir.Conditional (Expression.field c.names field, value, zero)
+  match c.v.program.started with
+  | None -> value
+  | Some { field; own = _ } -> Ir.Conditional (Expression.field c.names field, value, zero)
 
 (* dt becomes whole nanoseconds, and 0 where the step cannot know it. *)
 let double_clock c (node : M.node) =
@@ -344,10 +315,9 @@ let clock c node =
     match c.v.program.real with Double -> double_clock c node | Single -> single_clock c node
   in
   let mark =
-    match c.v.program.first_instant with
-    | Unseen | Apart | Marked_by_mode | Marked_by { own = false; _ } -> []
-    | Marked_by { field; own = true } ->
-        [ plain (Ir.Assign (Expression.field c.names field, Boolean true)) ]
+    match c.v.program.started with
+    | None | Some { own = false; _ } -> []
+    | Some { field; own = true } -> [ plain (Ir.Assign (Expression.field c.names field, Boolean true)) ]
   in
   times @ mark
 
@@ -423,15 +393,7 @@ let root_step (v : V.t) k : Ir.function_ =
   let inputs = inputs c node in
   name_variables names node.step.body;
   let clock = clock c node in
-  let clock, body =
-    match (v.program.first_instant, node.step.body) with
-    | Apart, If i :: rest ->
-        let condition = expression c i.condition and comment = comment c i.span in
-        let then_ = statements c i.then_ in
-        let else_ = clock @ statements c i.else_ in
-        ([], { Ir.desc = If { condition; then_; else_ }; comment } :: statements c rest)
-    | (Unseen | Apart | Marked_by_mode | Marked_by _), body -> (clock, statements c body)
-  in
+  let body = statements c node.step.body in
   let clear steps =
     Access.for_each names steps (fun indices ->
         [ plain (Ir.Assign (Access.path (Name "out") steps indices, Integer 0l)) ])

@@ -8,16 +8,6 @@ let field_with c has =
 
 let running_mode c = field_with c (function M.Running_mode -> true | _ -> false)
 
-let waiting_mode c =
-  match c.v.nodes.(c.index).waiting with
-  | Some constant -> constant
-  | None -> Diagnostic.bug ~stage:"Cgen.Modes" "a machine that does not wait for its first step"
-
-let await c span =
-  match running_mode c with
-  | Some place -> [ { Ir.desc = Assign (place, Name (waiting_mode c)); comment = comment c span } ]
-  | None -> Diagnostic.bug ~stage:"Cgen.Modes" "one mode that waits"
-
 let enter c (entry : M.entry) span =
   let mode = List.nth c.node.modes entry.mode in
   let comment = comment c span in
@@ -31,17 +21,15 @@ let enter c (entry : M.entry) span =
   in
   let parameters = List.map2 parameter mode.parameters entry.parameters in
   let reset =
-    match (mode.state, entry.first) with
-    | None, _ | _, Started_by _ -> []
-    | Some state, Reset_by arguments ->
+    match mode.state with
+    | None -> []
+    | Some state ->
         let own = own_state c (Some state) in
-        [ Ir.Do (Call (c.v.nodes.(mode.node).reset, own @ for_reset c mode.node arguments)) ]
+        [ Ir.Do (Call (c.v.nodes.(mode.node).reset, own @ for_reset c mode.node entry.arguments)) ]
   in
   match number @ parameters @ reset with
   | [] -> []
   | first :: others -> { Ir.desc = first; comment } :: List.map plain others
-
-let goes_round (run : M.run) = run.steps > 1 && not (Step.Direct.is_direct run)
 
 (* What a mode enters at its first instant sees no time. *)
 let forget_time c =
@@ -68,8 +56,8 @@ let zero c (v : M.variable) name =
 
 (* With [drops] C compilers cannot see that the first mode gives values, nor where modes
    give none as they end, that another one follows. *)
-let results_of_run c ~may_end (run : M.run) =
-  let ends = may_end && List.exists (ends_early c) c.node.modes in
+let results_of_run c (run : M.run) =
+  let ends = List.exists (ends_early c) c.node.modes in
   if (not run.drops) && Option.is_none run.active && not ends then
     List.rev (uninitialized c run.results)
   else
@@ -81,31 +69,12 @@ let results_of_run c ~may_end (run : M.run) =
     List.map set run.results
 
 (* A mode's step, with the places of its results. *)
-let step ?time c (mode : M.mode) (case : M.case) results =
+let step c (mode : M.mode) (case : M.case) results =
   let state = own_state c mode.state in
-  let call = step_call ?time c ~node:mode.node ~own:state (for_step c mode.node case.arguments) in
+  let call = step_call c ~node:mode.node ~own:state (for_step c mode.node case.arguments) in
   match results with
   | [ place ] -> plain (Ir.Assign (place, call []))
   | places -> plain (Ir.Do (call (List.map Expression.address places)))
-
-(* The first instant of a mode, in which nothing ends it. *)
-let first_step c (run : M.run) (entry : M.entry) =
-  let case = List.nth run.cases entry.mode and mode = List.nth c.node.modes entry.mode in
-  let results = List.map (place c) run.results in
-  match entry.first with
-  | Started_by arguments ->
-      let call = start_call c ~node:mode.node ~own:(own_state c mode.state) arguments in
-      if returns_result c.v.program.nodes.(mode.node) then
-        [ plain (Ir.Assign (List.hd results, call [])) ]
-      else [ plain (Ir.Do (call (List.map Expression.address results))) ]
-  | Reset_by _ ->
-      let ignored = List.map (fun v -> (v, Name.fresh (Expression.scope c.names) "")) case.others in
-      declared c ignored
-      @ [ step ~time:None_passed c mode case (results @ List.map named ignored) ]
-
-let begin_ c run (entry : M.entry) span =
-  let may_end = match entry.first with Started_by _ -> false | Reset_by _ -> true in
-  results_of_run c ~may_end run @ enter c entry span @ first_step c run entry
 
 let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
   let mode = List.nth c.node.modes k in
@@ -151,22 +120,20 @@ let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
   let next (n : M.next) =
     let drop = if n.delayed then [ plain (Ir.Assign (Name dropped, Boolean true)) ] else [] in
     let condition = expression c n.condition in
-    (condition, enter c n.entry n.span @ drop @ again n.entry, "")
+    (condition, enter c n.entry n.span @ drop @ again, "")
   in
   declarations @ [ call ] @ keep @ first_of (List.map next case.transitions)
 
 let run c (run : M.run) =
   let scope = Expression.scope c.names in
   (* One round steps one mode; another follows if a mode was entered. *)
-  let direct = Step.Direct.is_direct run in
-  let loops = goes_round run in
+  let loops = run.steps > 1 in
   let flag name = Name.fresh scope name in
   let steps = if loops then flag "steps" else "" in
   let dropped = if run.drops then flag "dropped" else "" in
   let controlled = if run.late then flag "controlled" else "" in
   let set name value = plain (Ir.Assign (Name name, Boolean value)) in
   let again = if loops then forget_time c @ [ plain Ir.Continue ] else [] in
-  let entered = if direct then first_step c run else fun _ -> again in
   let control after (condition, (entry : M.entry)) =
     (expression c condition, enter c entry run.span @ after, "")
   in
@@ -181,23 +148,16 @@ let run c (run : M.run) =
       let condition = Ir.Unary (Not, Name controlled) in
       [ plain (Ir.If { condition; then_ = alternatives; else_ = [] }) ]
   in
-  let waiting =
-    match run.start with
-    | None -> []
-    | Some entry ->
-        c.place <- "";
-        [ (waiting_mode c, enter c entry run.span @ first_step c run entry) ]
-  in
   let cases =
     List.mapi
       (fun k case ->
-        (c.v.nodes.(c.index).modes.(k).constant, one_case c run ~again:entered ~dropped k case))
+        (c.v.nodes.(c.index).modes.(k).constant, one_case c run ~again ~dropped k case))
       run.cases
   in
   let chosen =
     match (running_mode c, cases) with
     | None, [ (_, body) ] -> body
-    | Some value, cases -> [ plain (Ir.Switch { value; cases = waiting @ cases }) ]
+    | Some value, cases -> [ plain (Ir.Switch { value; cases }) ]
     | None, _ -> Diagnostic.bug ~stage:"Cgen.Modes" "modes without a number"
   in
   let stepping =
@@ -234,7 +194,7 @@ let run c (run : M.run) =
       [ dropped; controlled ]
   in
   let instant = woken @ flags @ before @ stepping in
-  results_of_run c ~may_end:true run @ passing
+  results_of_run c run @ passing
   @
   match run.active with
   | None -> instant

@@ -49,7 +49,6 @@ let mode_numbers (v : V.t) k (node : M.node) =
   | [] | [ _ ] -> []
   | _ :: _ :: _ ->
       let names = List.map (fun (m : V.mode) -> m.constant) (Array.to_list v.nodes.(k).modes) in
-      let names = names @ Option.to_list v.nodes.(k).waiting in
       [ Ir.Constants { names; comment = "the modes of " ^ node.origin } ]
 
 (* Modes that exclude each other share memory in a union, and each is stepped
@@ -223,7 +222,7 @@ let program ?own ?(batch = false) (program : M.program) =
   let v = V.of_program ?own program in
   let batch = if batch then Some (Batch.of_program v) else None in
   let root = Array.length program.nodes - 1 in
-  let called = Step.Called.of_program program in
+  let called = Step.Called.resets program in
   (* A function, after the helpers that it is the first to call. *)
   let made make =
     let functions = make () in
@@ -233,12 +232,8 @@ let program ?own ?(batch = false) (program : M.program) =
     match v.nodes.(k).foreign with
     | Some interface -> made (fun () -> [ Foreign_call.step v k interface ])
     | None ->
-        let if_called is_called make =
-          if is_called called k then made (fun () -> [ make v k ]) else []
-        in
-        let reset = if_called Step.Called.reset Function.reset in
-        let start = if_called Step.Called.start Function.start in
-        named_once (reset @ start @ made (fun () -> Function.steps v k))
+        let reset = if called.(k) then made (fun () -> [ Function.reset v k ]) else [] in
+        named_once (reset @ made (fun () -> Function.steps v k))
   in
   let functions = List.concat (List.init (root + 1) of_node) in
   let interface = List.filter (fun (f : Ir.function_) -> f.linkage = External) functions in

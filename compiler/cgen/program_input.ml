@@ -12,7 +12,6 @@ type node = {
 type t = {
   leaves : Interface.step list array;
   nodes : node array;
-  starts : bool array;  (** is a node's start given the pointer? *)
 }
 
 let few = 3
@@ -20,11 +19,9 @@ let is_in_array = List.exists (function Interface.Element _ -> true | Member _ -
 
 let none (program : M.program) =
   let node _ = { passed = Hashtbl.create 1; refused = true; given = false } in
-  let starts = Array.map (fun _ -> false) program.nodes in
-  { leaves = [||]; nodes = Array.map node program.nodes; starts }
+  { leaves = [||]; nodes = Array.map node program.nodes }
 
 let is_given t k = t.nodes.(k).given
-let is_start_given t k = t.starts.(k)
 
 let member t k (v : M.variable) =
   if not (is_given t k) then None
@@ -69,39 +66,21 @@ let note_call t ~from ~node parameters arguments =
   in
   List.iter2 note parameters arguments
 
-type called = Step | Start
-
 (* The calls of a body of the node's that are statements, but for loops. *)
 let calls f (program : M.program) (node : M.node) body =
-  let step k arguments = f Step k program.nodes.(k).step.parameters arguments in
-  let start k arguments =
-    Option.iter (fun (code : M.code) -> f Start k code.parameters arguments) program.nodes.(k).start
-  in
-  let mode k : M.mode = List.nth node.modes k in
-  let entry (e : M.entry) =
-    match e.first with Started_by arguments -> start (mode e.mode).node arguments | Reset_by _ -> ()
-  in
+  let step k arguments = f k program.nodes.(k).step.parameters arguments in
+  let case (mode : M.mode) (case : M.case) = step mode.node case.arguments in
   Step.Walk.statements
     (function
       | M.Step { node; arguments; _ } -> step node arguments
-      | Start { node; arguments; _ } -> start node arguments
-      | Begin { entry = { first = Started_by _; _ } as e; _ } -> entry e
-      | Begin { run; entry = e; _ } ->
-          step (mode e.mode).node (List.nth run.cases e.mode).arguments
-      | Run run ->
-          Option.iter entry run.start;
-          List.iteri
-            (fun k (case : M.case) ->
-              step (mode k).node case.arguments;
-              List.iter (fun (n : M.next) -> entry n.entry) case.transitions)
-            run.cases
-      | Declare _ | Assign _ | If _ | Loop _ | Reset _ | Enter _ | Await _ | Return _ -> ())
+      | Run { cases; _ } -> List.iter2 case node.modes cases
+      | Declare _ | Assign _ | If _ | Loop _ | Reset _ | Enter _ | Return _ -> ())
     body
 
 let variables_by_pointer t (program : M.program) node body =
   let found = ref [] in
   calls
-    (fun _ callee parameters arguments ->
+    (fun callee parameters arguments ->
       List.iter2
         (fun v (argument : M.expr) ->
           match argument with
@@ -114,43 +93,22 @@ let variables_by_pointer t (program : M.program) node body =
 let note_calls t (program : M.program) k =
   let node = program.nodes.(k) in
   let refuse k = t.nodes.(k).refused <- true in
-  let note body =
-    calls (fun _ callee -> note_call t ~from:k ~node:callee) program node body
-  in
-  note node.step.body;
-  Option.iter (fun (code : M.code) -> note code.body) node.start;
+  calls (fun callee -> note_call t ~from:k ~node:callee) program node node.step.body;
   Step.Walk.statements
     (function
       | M.Step { node; on_trial = true; _ } | Loop { node; _ } -> refuse node
-      | Step _ | Run _ | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Start _ | Begin _
-      | Await _ | Return _ -> ())
+      | Step _ | Run _ | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Return _ -> ())
     node.step.body;
   Step.Walk.expressions
     (function M.Call { node; _ } -> refuse node | _ -> ())
     node.step.body
-
-(* A start may have no use for what its step reads. *)
-let decide_start t (program : M.program) k (node : M.node) =
-  let uses (code : M.code) =
-    let found = ref (List.exists (fun v -> Option.is_some (member t k v)) code.parameters) in
-    let note called callee _ _ =
-      let is_given =
-        match called with Step -> is_given t callee | Start -> t.starts.(callee)
-      in
-      if is_given then found := true
-    in
-    calls note program node code.body;
-    !found
-  in
-  t.starts.(k) <- is_given t k && Option.fold node.start ~none:false ~some:uses
 
 let of_program (program : M.program) (input : Interface.t) =
   let members = List.filter (fun steps -> not (is_in_array steps)) input.leaves in
   if List.compare_length_with members few < 0 then none program
   else
     let node _ = { passed = Hashtbl.create 8; refused = false; given = false } in
-    let starts = Array.map (fun _ -> false) program.nodes in
-    let t = { leaves = Array.of_list input.leaves; nodes = Array.map node program.nodes; starts } in
+    let t = { leaves = Array.of_list input.leaves; nodes = Array.map node program.nodes } in
     let root = Array.length program.nodes - 1 in
     let own (leaf, steps) (v : M.variable) =
       let passed = if is_in_array steps then Different else Leaf leaf in
@@ -164,5 +122,4 @@ let of_program (program : M.program) (input : Interface.t) =
       decide t k program.nodes.(k);
       note_calls t program k
     done;
-    Array.iteri (decide_start t program) program.nodes;
     t

@@ -13,11 +13,8 @@ val of_program : Step.Ir.program -> Interface.t -> t
 val is_given : t -> int -> bool
 (** Whether that node's step gets the pointer. *)
 
-val is_start_given : t -> int -> bool
-(** Whether its start does: if the step does, and the start has a use for it. *)
-
 val member : t -> int -> Step.Ir.variable -> Interface.step list option
-(** What leads to a parameter of that node's step or start from the pointer, if it is read there. *)
+(** What leads to a parameter of that node's step from the pointer, if it is read there. *)
 
 val variables_by_pointer :
   t ->

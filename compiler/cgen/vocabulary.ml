@@ -6,11 +6,9 @@ type mode = { constant : string; member : string }
 type node = {
   state : string;
   reset : string;
-  start : string option;
   step : string;
   members : string list Basis.Int_table.t;
   modes : mode array;
-  waiting : string option;
   foreign : Foreign_interface.t option;
 }
 
@@ -84,17 +82,12 @@ let name_modes (nodes : M.node array) table scope ~prefix (node : M.node) =
     in
     { constant; member }
   in
-  let modes = Array.of_list (List.map name node.modes) in
-  let waits =
-    List.exists (function M.Await _ -> true | _ -> false) node.reset.body
-  in
-  (modes, if waits then Some (constant "start") else None)
+  Array.of_list (List.map name node.modes)
 
 let members scope ~prefix nodes (node : M.node) =
   let table = Basis.Int_table.create 16 in
   name_members table [] node.state;
-  let modes, waiting = name_modes nodes table scope ~prefix node in
-  (table, modes, waiting)
+  (table, name_modes nodes table scope ~prefix node)
 
 (* With [root_in_seconds] as a step of its own, the root's is in nanoseconds. *)
 type root = {
@@ -118,23 +111,22 @@ let name_nodes scope ~name ~root ~foreign (nodes : M.node array) =
     (fun k (node : M.node) ->
       let own = name ^ "_" ^ node.name in
       let prefix = if k = last then name else own in
-      let members, modes, waiting = members scope ~prefix nodes node in
-      let names ~state ~reset ?start ~step () =
-        { state; reset; start; step; members; modes; waiting; foreign = foreign.(k) }
+      let members, modes = members scope ~prefix nodes node in
+      let names ~state ~reset ~step =
+        { state; reset; step; members; modes; foreign = foreign.(k) }
       in
-      if k = last then names ~state:root.root_state ~reset:root.root_reset ~step:root.root_step ()
+      if k = last then names ~state:root.root_state ~reset:root.root_reset ~step:root.root_step
       else
         match (node.state, node.foreign) with
-        | [], _ -> names ~state:"" ~reset:"" ~step:(Name.fresh scope own) ()
+        | [], _ -> names ~state:"" ~reset:"" ~step:(Name.fresh scope own)
         | _ :: _, Some { import = { symbol; _ }; _ } ->
             names ~state:(Foreign_interface.state symbol) ~reset:(Foreign_interface.reset symbol)
-              ~step:(Name.fresh scope (own ^ "_step")) ()
+              ~step:(Name.fresh scope (own ^ "_step"))
         | _ :: _, None ->
             let state = Name.fresh scope (own ^ "_state") in
             let reset = Name.fresh scope (own ^ "_reset") in
             let step = Name.fresh scope (own ^ "_step") in
-            let start = Option.map (fun _ -> Name.fresh scope (own ^ "_start")) node.start in
-            names ~state ~reset ?start ~step ())
+            names ~state ~reset ~step)
     nodes
 
 (* What C code of the user's is called. *)

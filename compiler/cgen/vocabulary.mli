@@ -9,11 +9,9 @@ type mode = {
 type node = {
   state : string;  (** struct *)
   reset : string;
-  start : string option;  (** of the function that resets and makes the first step *)
   step : string;
   members : string list Basis.Int_table.t;  (** that lead to fields from the state struct *)
   modes : mode array;  (** of its machine *)
-  waiting : string option;  (** the number in place of a mode's, up to the first step *)
   foreign : Foreign_interface.t option;  (** if it is C code of the user's *)
 }
 

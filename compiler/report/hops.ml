@@ -30,8 +30,7 @@ let of_node (program : M.program) (node : M.node) =
           in
           let hops = { name = node.origin; file = span.file; span; modes; transitions; steps } in
           found := hops :: !found
-      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Enter _ | Start _ | Begin _
-      | Await _ | Return _ -> ())
+      | Declare _ | Assign _ | If _ | Step _ | Loop _ | Reset _ | Enter _ | Return _ -> ())
     node.step.body;
   List.rev !found
 

@@ -2,13 +2,10 @@ module M = Step.Ir
 
 type t = { reset : Cost.t; step : Cost.t }
 
-(* Of a node's functions. *)
-type of_node = { reset : Cost.t; start : Cost.t; step : Cost.t }
-
 type context = {
   program : M.program;
   node : M.node;
-  done_ : of_node array;  (** of the nodes before *)
+  done_ : t array;  (** of the nodes before *)
   scalars : int array;  (** of their states *)
 }
 
@@ -102,10 +99,9 @@ let entry c (e : M.entry) =
   in
   let parameters = List.map (fun (_, field) -> stored c field) mode.parameters in
   let first =
-    match (mode.state, e.first) with
-    | None, _ -> Cost.none
-    | Some _, Reset_by arguments -> Cost.add (expressions c arguments) c.done_.(mode.node).reset
-    | Some _, Started_by arguments -> Cost.add (expressions c arguments) c.done_.(mode.node).start
+    match mode.state with
+    | None -> Cost.none
+    | Some _ -> Cost.add (expressions c e.arguments) c.done_.(mode.node).reset
   in
   Cost.sum ((number :: parameters) @ [ expressions c e.parameters; first ])
 
@@ -124,16 +120,7 @@ let largest = List.fold_left Cost.larger Cost.none
 let entries c followed entries =
   largest (List.map (fun (e : M.entry) -> Cost.add (entry c e) (followed e)) entries)
 
-(* The first step of a mode, where nothing is tested; a start is that too. *)
-let first_step c (cases : M.case list) (e : M.entry) =
-  match e.first with
-  | Started_by _ -> Cost.none
-  | Reset_by _ ->
-      let node = (List.nth c.node.modes e.mode).node in
-      Cost.add (expressions c (List.nth cases e.mode).arguments) c.done_.(node).step
-
 let run c (r : M.run) =
-  let direct = Step.Direct.is_direct r in
   let modes = Array.of_list c.node.modes and cases = Array.of_list r.cases in
   let test condition =
     if condition = M.Bool true then Cost.none
@@ -145,7 +132,7 @@ let run c (r : M.run) =
   let kept = if r.drops then Cost.one Choices else Cost.none in
   let again =
     (* May another mode be stepped; one more step. *)
-    if r.steps > 1 && not direct then Cost.add (Cost.one Choices) (Cost.one Additions)
+    if r.steps > 1 then Cost.add (Cost.one Choices) (Cost.one Additions)
     else Cost.none
   in
   let late = if r.late then Cost.several 2 Choices else Cost.none in
@@ -172,15 +159,8 @@ let run c (r : M.run) =
       Array.mapi (fun k _ -> from (fun (e : M.entry) -> after.(e.mode)) at_entry k) rounds
   in
   let after =
-    if direct then first_step c r.cases
-    else
-      let after = entered (r.steps - 1) in
-      fun (e : M.entry) -> after.(e.mode)
-  in
-  let start =
-    match r.start with
-    | None -> Cost.none
-    | Some entry -> Cost.add chosen (entries c (first_step c r.cases) [ entry ])
+    let after = entered (r.steps - 1) in
+    fun (e : M.entry) -> after.(e.mode)
   in
   let running =
     largest (List.init (Array.length rounds) (from after (fun (_ : M.next) -> true)))
@@ -191,7 +171,7 @@ let run c (r : M.run) =
     if r.late then Cost.add running controlled
     else
       let entered = entries c (fun e -> from after at_entry e.mode) (List.map snd r.controls) in
-      largest [ running; start; entered ]
+      Cost.larger running entered
   in
   let active =
     match r.active with
@@ -224,9 +204,6 @@ let rec statement c (s : M.statement) =
       let count = match state.content with States_of { count; _ } -> count | _ -> 1 in
       Cost.add (expressions c arguments) (Cost.times count c.done_.(node).reset)
   | Enter { entry = e; _ } -> entry c e
-  | Start { node; arguments; _ } -> Cost.add (expressions c arguments) c.done_.(node).start
-  | Begin { run; entry; _ } -> entries c (first_step c run.cases) [ entry ]
-  | Await _ -> Cost.one Stores
   | Run r -> run c r
 
 and statements c body = List.fold_left (fun cost s -> Cost.add cost (statement c s)) Cost.none body
@@ -252,9 +229,9 @@ let root_clock (program : M.program) (root : M.node) =
     else []
   in
   let first =
-    match (program.first_instant, times) with
-    | (Unseen | Apart | Marked_by_mode), _ -> []
-    | Marked_by { own; _ }, times ->
+    match program.started with
+    | None -> []
+    | Some { own; _ } ->
         (if own then [ Cost.one Stores ] else [])
         @ if times = [] then [] else Cost.[ one Loads; one Choices ]
   in
@@ -271,7 +248,7 @@ let crossing (program : M.program) (node : M.node) =
       Cost.sum (List.map numbers (time @ given @ List.map snd node.outputs))
 
 let of_program (program : M.program) =
-  let nothing = { reset = Cost.none; start = Cost.none; step = Cost.none } in
+  let nothing = { reset = Cost.none; step = Cost.none } in
   let count = Array.length program.nodes in
   let done_ = Array.make count nothing and scalars = Array.make count 0 in
   Array.iteri
@@ -283,15 +260,10 @@ let of_program (program : M.program) =
           let stateful = node.state <> [] in
           let call what = Cost.one (Calls (if stateful then symbol ^ what else symbol)) in
           let step = Cost.add (crossing program node) (call "_step") in
-          done_.(k) <- { nothing with reset = call "_reset"; step }
+          done_.(k) <- { reset = call "_reset"; step }
       | None ->
-          let start (code : M.code) = statements c code.body in
           done_.(k) <-
-            {
-              reset = statements c node.reset.body;
-              start = Option.fold node.start ~none:Cost.none ~some:start;
-              step = statements c node.step.body;
-            })
+            { reset = statements c node.reset.body; step = statements c node.step.body })
     program.nodes;
   let last = count - 1 in
   let root = done_.(last) in

@@ -4,14 +4,11 @@ module M = Step.Ir
 type t = { bytes : int; chain : int list }
 type bounds = { reset : t; step : t }
 
-(* Of a node's functions. *)
-type of_node = { reset : t; start : t; step : t }
-
 type context = {
   program : M.program;
   node : M.node;
   state : State.t;
-  done_ : of_node array;  (** of the nodes before *)
+  done_ : bounds array;  (** of the nodes before *)
 }
 
 let word = 8
@@ -77,7 +74,7 @@ let is_sum (ty : M.ty) =
   match ty with Sum _ -> true | Bool | Int | Float | Nanoseconds | Array _ | Foreign _ -> false
 
 (* A function of a node's. *)
-type callee = Step of int | Start of int | Reset of int
+type callee = Step of int | Reset of int
 
 (* An expression within one that makes calls, if [calling]. *)
 let rec within c frame ~calling (e : M.expr) =
@@ -183,7 +180,6 @@ and call c frame callee es =
   let bounds =
     match callee with
     | Step k -> c.done_.(k).step
-    | Start k -> c.done_.(k).start
     | Reset k -> c.done_.(k).reset
   in
   frame.callees <- bounds :: frame.callees;
@@ -194,22 +190,7 @@ let expression c frame e = within c frame ~calling:(calls e) e
 let entry c frame (e : M.entry) =
   let mode = List.nth c.node.modes e.mode in
   List.iter (expression c frame) e.parameters;
-  match (mode.state, e.first) with
-  | None, _ -> ()
-  | Some _, Reset_by arguments -> call c frame (Reset mode.node) arguments
-  | Some _, Started_by arguments -> call c frame (Start mode.node) arguments
-
-(* What enters a mode may step it as well. *)
-let entry_and_step c frame (r : M.run) (e : M.entry) =
-  entry c frame e;
-  match e.first with
-  | Started_by _ -> need frame (Amount.times word (List.length r.results))
-  | Reset_by _ when Step.Direct.is_direct r ->
-      let case = List.nth r.cases e.mode in
-      List.iter (variable c frame) case.others;
-      need frame (Amount.times word (List.length case.others + List.length r.results));
-      call c frame (Step (List.nth c.node.modes e.mode).node) case.arguments
-  | Reset_by _ -> ()
+  if Option.is_some mode.state then call c frame (Reset mode.node) e.arguments
 
 let run c frame (r : M.run) =
   let results =
@@ -225,7 +206,6 @@ let run c frame (r : M.run) =
       expression c frame condition;
       entry c frame e)
     r.controls;
-  Option.iter (entry_and_step c frame r) r.start;
   List.iteri
     (fun k (case : M.case) ->
       let mode = List.nth c.node.modes k in
@@ -237,7 +217,7 @@ let run c frame (r : M.run) =
       List.iter
         (fun (n : M.next) ->
           expression c frame n.condition;
-          entry_and_step c frame r n.entry)
+          entry c frame n.entry)
         case.transitions)
     r.cases
 
@@ -247,7 +227,6 @@ let statement c frame (s : M.statement) =
       variable c frame v;
       expression c frame value
   | Assign { value; _ } | Return { value; _ } -> expression c frame value
-  | Await _ -> ()
   | If { uninitialized; condition; _ } ->
       List.iter (variable c frame) uninitialized;
       expression c frame condition
@@ -272,13 +251,6 @@ let statement c frame (s : M.statement) =
       call c frame (Step l.node) (List.filter_map argument l.arguments)
   | Reset { node; arguments; _ } -> call c frame (Reset node) arguments
   | Enter { entry = e; _ } -> entry c frame e
-  | Start { node; arguments; results; _ } ->
-      List.iter (variable c frame) results;
-      need frame (Amount.times word (List.length results));
-      call c frame (Start node) arguments
-  | Begin { run; entry; _ } ->
-      List.iter (variable c frame) run.results;
-      entry_and_step c frame run entry
   | Run r -> run c frame r
 
 (* The fields of a record are read where they are used, but for arrays. *)
@@ -319,7 +291,7 @@ let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
 
 (* The root is given the state, dt, its input and its output by address, and its
    step calls the helpers of the clock. *)
-let root (program : M.program) (node : M.node) (bounds : of_node) : bounds =
+let root (program : M.program) (node : M.node) (bounds : bounds) : bounds =
   let more (t : t) bytes = { t with bytes = Amount.add t.bytes bytes } in
   let clock = if node.seconds || node.nanoseconds then helper + (2 * word) else 0 in
   (* In single precision a step in seconds calls it. *)
@@ -329,7 +301,7 @@ let root (program : M.program) (node : M.node) (bounds : of_node) : bounds =
 let of_program (program : M.program) state =
   let nothing = { bytes = 0; chain = [] } in
   let count = Array.length program.nodes in
-  let done_ = Array.make count { reset = nothing; start = nothing; step = nothing } in
+  let done_ = Array.make count { reset = nothing; step = nothing } in
   Array.iteri
     (fun k (node : M.node) ->
       let c = { program; node; state; done_ } in
@@ -339,13 +311,11 @@ let of_program (program : M.program) state =
         | Some foreign ->
             {
               reset = { bytes = fixed; chain = [ k ] };
-              start = nothing;
               step = { bytes = foreign_step c foreign; chain = [ k ] };
             }
         | None ->
             {
               reset = function_ c k ~results:0 node.reset;
-              start = Option.fold node.start ~none:nothing ~some:(function_ c k ~results);
               step = function_ c k ~results node.step;
             }))
     program.nodes;

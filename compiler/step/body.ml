@@ -75,7 +75,7 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
     in
     Option.map told fragment.ending
   in
-  let body = Adjacent.statements (Placement.statements fragment) in
+  let body = Placement.statements fragment in
   (List.rev_append (List.rev advances) body, told)
 
 (* What reset does for one item; it comes after all static values. *)
@@ -113,6 +113,3 @@ let reset (context : Calls.context) state (node : F.node) (statics : Statics.t) 
       feedback = Feedback.none;
       ending = None;
     }
-
-let first_mode (context : Calls.context) state (node : F.node) =
-  Option.bind node.machine (Modes.first (modes_context context (Draft.create ()) state))

@@ -18,6 +18,3 @@ val step :
 
 val reset : Calls.context -> State.t -> Flow.Ir.node -> Statics.t -> Ir.statement list
 (** The static values, then all that starts with them. *)
-
-val first_mode : Calls.context -> State.t -> Flow.Ir.node -> Ir.entry option
-(** {!Modes.first} of its machine, if it has one. *)

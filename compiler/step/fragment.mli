@@ -50,7 +50,8 @@ type t = {
   nanoseconds : unit Int_table.t;
       (** signals that are whole nanoseconds, for which Flow has no type *)
   items : item array;
-  results : (Ir.place * atom * Span.t) list;  (** written before any state; those that {!Late} finds go into a fragment of their own, which comes after *)
+  results : (Ir.place * atom * Span.t) list;
+      (** written before any state; those that {!Late} finds come after it *)
   states : (Ir.field * atom * Flow.Ir.signal option * Span.t) list;
       (** field, its next value, and the signal whose leaf the field is: that
           value means that the field keeps what it has *)

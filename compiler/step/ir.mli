@@ -121,19 +121,6 @@ type statement =
   | Reset of { node : int; state : field; arguments : expr list; span : Span.t }
       (** of all states that the field holds *)
   | Enter of { entry : entry; span : Span.t }
-  | Start of {
-      node : int;
-      state : field;
-      arguments : expr list;
-      results : variable list;  (** declared here *)
-      span : Span.t;
-    }  (** the node's [start] *)
-  | Begin of { run : run; entry : entry; span : Span.t }
-      (** the first instant of the machine that [run] is of, in a [start]: that mode is
-          entered and stepped, and nothing ends it *)
-  | Await of { span : Span.t }
-      (** of the root's reset: no mode runs until the first step, which enters
-          the [start] of its [Run] *)
   | Run of run
   | Return of { value : expr; span : Span.t }  (** last; one output only *)
 
@@ -158,19 +145,14 @@ and argument =
 and entry = {
   mode : int;  (** of the node's [modes] *)
   parameters : expr list;  (** for the mode's [parameters] *)
-  first : first;
+  arguments : expr list;  (** of its node's [reset] *)
 }
-
-and first =
-  | Reset_by of expr list  (** arguments of its node's [reset]; the step comes after it *)
-  | Started_by of expr list  (** of its [start], which steps it too *)
 
 (** One instant of the node's machine (see {!Flow.Ir.machine}). In what comes
     after an entry, dt is 0. *)
 and run = {
   active : expr option;  (** if it does not hold, nothing runs, and the results are any *)
   clock : clock option;  (** with [active], if a mode looks at dt *)
-  start : entry option;  (** of the first instant, if the reset left it to the step *)
   steps : int;  (** at most so many modes are stepped *)
   controls : (expr * entry) list;  (** the first that holds *)
   late : bool;  (** they come after the mode that runs, not before *)
@@ -220,9 +202,6 @@ type node = {
       (** its step and reset are the user's C; [reset] and [step] have no body,
           and its state, if any, is one [Component] *)
   reset : code;  (** empty if there is no state *)
-  start : code option;
-      (** reset and first step in one, if that is short: see {!Start}. It has the outputs
-          of [step] but for what transitions need to know *)
   step : code;
   outputs : (string * ty) list;
   for_transitions : int;  (** so many of the [outputs], the last ones *)
@@ -237,17 +216,11 @@ type node = {
   operations : int;  (** a rough count of the step's own, without callees *)
 }
 
-(** Whether the first instant's dt can be seen, and so must be made 0: it is if
-    a mode is entered there. *)
-type first_instant =
-  | Unseen
-  | Marked_by of { field : field; own : bool }
-      (** a Bool of the root, false up to the first step. If it is its [own] the step
-          sets it at once, if not it does so last, as any delay *)
-  | Apart
-      (** likewise, a field of the program's: the root's step begins with an [If] whose
-          first branch is the first instant and looks at no dt (see {!First_apart}) *)
-  | Marked_by_mode  (** no mode of the root's machine runs until the first step *)
+(** A Bool of the root, false up to the first step. *)
+type mark = {
+  field : field;
+  own : bool;  (** the step sets it at once; else it does so last, as any delay *)
+}
 
 type program = {
   name : string;  (** of the C files *)
@@ -260,5 +233,6 @@ type program = {
   output : Flow.Ir.shape;
   ends : bool;  (** as {!Flow.Ir.program} *)
   probes : (string * Flow.Ir.shape) list;  (** likewise *)
-  first_instant : first_instant;
+  started : mark option;
+      (** there if the dt of the first instant can be seen, and so must be made 0 *)
 }

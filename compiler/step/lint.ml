@@ -221,12 +221,10 @@ let enter c known (e : Ir.entry) =
     | None -> bug "`%s` has no mode %d" c.node.name e.mode
   in
   call c known (List.map fst mode.parameters) e.parameters;
-  match (mode.state, e.first, (callee c mode.node).start) with
-  | Some _, Reset_by arguments, _ -> call c known (callee c mode.node).reset.parameters arguments
-  | Some _, Started_by arguments, Some start -> call c known start.parameters arguments
-  | None, Reset_by [], _ -> ()
-  | None, (Reset_by _ | Started_by _), _ -> bug "a mode of `%s` has no state to reset" c.node.name
-  | Some _, Started_by _, None -> bug "a mode of `%s` has no start" c.node.name
+  match (mode.state, e.arguments) with
+  | Some _, arguments -> call c known (callee c mode.node).reset.parameters arguments
+  | None, [] -> ()
+  | None, _ :: _ -> bug "a mode of `%s` has no state to reset" c.node.name
 
 (* Entering a mode writes all that a machine keeps. *)
 let entered c known =
@@ -263,9 +261,6 @@ let run c known (run : Ir.run) =
       expect c "a clock" Nanoseconds (field_type c clock.since);
       expect c "a clock" Bool (field_type c clock.running))
     run.clock;
-  Option.iter (enter c known) run.start;
-  if Option.is_some run.start && not (Direct.is_direct run) then
-    bug "`%s` starts in a step that goes round" c.node.name;
   if run.steps < 1 then bug "`%s` may not run any mode" c.node.name;
   List.iter
     (fun (e, entry) ->
@@ -370,25 +365,6 @@ let rec statement c depth known (s : Ir.statement) =
   | Enter { entry; _ } ->
       enter c known entry;
       entered c known
-  | Start { node; state; arguments; results; _ } ->
-      let callee : Ir.node = callee c node in
-      (match (state.content, callee.start) with
-      | State_of k, Some start when k = node -> call c known start.parameters arguments
-      | _, _ -> bug "a start of `%s` has a wrong state" callee.name);
-      results_of c { known with fields = Known.add state.id () known.fields } results callee
-  | Begin { run; entry; _ } ->
-      enter c known entry;
-      if not (Direct.is_direct run) then bug "`%s` begins what may end at once" c.node.name;
-      let mode = List.nth c.node.modes entry.mode in
-      (match entry.first with
-      | Started_by _ -> ()
-      | Reset_by _ ->
-          call c known (callee c mode.node).step.parameters (List.nth run.cases entry.mode).arguments);
-      List.iter (declare c) run.results;
-      List.fold_left readable (entered c known) run.results
-  | Await _ ->
-      if c.program.first_instant <> Marked_by_mode then bug "`%s` awaits nothing" c.node.name;
-      entered c known
   | Run r -> run c known r
   | Return { value; _ } -> (
       match c.node.outputs with
@@ -428,16 +404,6 @@ let wrote_all c what known =
       if not (Known.mem f.id known.fields) then bug "`%s` does not %s its field `%s`" c.node.name what f.name)
     c.node.state
 
-(* Like a reset and a step. *)
-let start c start =
-  let known = code c start in
-  wrote_all c "start" known;
-  Array.iteri
-    (fun k _ ->
-      if k < Array.length c.outputs - c.node.for_transitions && not (Known.mem k known.results) then
-        bug "the start of `%s` does not write its result %d" c.node.name k)
-    c.outputs
-
 let program (program : Ir.program) =
   Array.iteri
     (fun index (node : Ir.node) ->
@@ -458,6 +424,5 @@ let program (program : Ir.program) =
         (fun k _ ->
           if k >= given && k < untold && not (Known.mem k after_step.results) then bug "`%s` does not write its result %d" node.name k)
         node.outputs;
-      Option.iter (start (context ())) node.start;
       wrote_all (context ()) "reset" (code (context ()) node.reset))
     program.nodes

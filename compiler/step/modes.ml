@@ -48,11 +48,10 @@ let entry context targets read (t : F.transition) : Ir.entry =
   {
     mode = t.target;
     parameters = List.map (fun ((v : Ir.variable), _) -> value v.id) mode.parameters;
-    first =
-      Reset_by
-        (match mode.state with
-        | None -> []
-        | Some _ -> given value (context.callee index).reset.parameters);
+    arguments =
+      (match mode.state with
+      | None -> []
+      | Some _ -> given value (context.callee index).reset.parameters);
   }
 
 (* In a mode's case its own signals are results of its step. *)
@@ -107,14 +106,6 @@ let reader operands exprs =
         | None -> broken "an operand is missing")
     | Bool _ | Int _ | Float _ -> read_result atom
 
-(* What a transition enters is stepped at once. *)
-let started context (run : Ir.run) : Ir.run =
-  let next (n : Ir.next) =
-    { n with entry = Entry.started ~callee:context.callee context.kept.modes run n.entry }
-  in
-  let case (c : Ir.case) = { c with transitions = List.map next c.transitions } in
-  { run with cases = List.map case run.cases }
-
 let step context (m : F.machine) =
   let m = Flow.Transitions.map_machine context.resolve Fun.id m in
   let operands = Flow.Transitions.read_in_step m in
@@ -131,7 +122,6 @@ let step context (m : F.machine) =
       {
         active = Option.map read m.active;
         clock = context.kept.clock;
-        start = None;
         steps = m.steps;
         controls =
           List.map
@@ -144,19 +134,12 @@ let step context (m : F.machine) =
         span = m.span;
       }
     in
-    [ Ir.Run (if Direct.is_direct run then started context run else run) ]
+    [ Ir.Run run ]
   in
   let weight =
     List.fold_left (fun sum mode -> sum + (context.callee mode).Ir.operations) 4 m.modes
   in
   Action { defines = m.outputs; operands; statements; always = true; advances = None; weight; span = m.span }
-
-let first context (m : F.machine) =
-  let is_literal (atom : F.atom) = match atom with Signal _ -> false | Bool _ | Int _ | Float _ -> true in
-  match Flow.Transitions.map context.resolve m.start with
-  | ({ occurs = Bool true; arguments; _ } as t) :: _ when List.for_all is_literal arguments ->
-      Some (entry context (targets context) read_result t)
-  | _ -> None
 
 let start context (m : F.machine) =
   let transitions = Flow.Transitions.map context.resolve m.start in

@@ -19,6 +19,3 @@ val step : context -> Flow.Ir.machine -> Fragment.item
 
 val start : context -> Flow.Ir.machine -> Fragment.item
 (** For the reset: the first mode begins. *)
-
-val first : context -> Flow.Ir.machine -> Ir.entry option
-(** How the first mode begins, if it is always the same and with the same values. *)

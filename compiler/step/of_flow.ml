@@ -7,7 +7,6 @@ type context = {
   sees_first_dt : bool array;  (** of the nodes already translated *)
   is_limited : int -> F.atom -> bool;  (** see {!Flow.Time_limit} *)
   may_end_early : bool array;
-  start_weights : int array;  (** operations of the nodes' starts *)
 }
 
 let variable = Modes.variable
@@ -37,8 +36,7 @@ let stepped body modes =
   Walk.statements
     (function
       | Step { node; _ } | Loop { node; _ } -> Int_table.replace nodes node ()
-      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Start _ | Begin _ | Await _ | Run _
-      | Return _ -> ())
+      | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Run _ | Return _ -> ())
     body;
   List.iter (fun mode -> Int_table.replace nodes mode ()) modes;
   nodes
@@ -74,7 +72,6 @@ let foreign_node context k (node : F.node) (foreign : F.foreign) : Ir.node =
     modes = [];
     foreign = Some foreign;
     reset = { parameters = []; body = [] };
-    start = None;
     step = { parameters = List.map variable node.inputs; body = [] };
     outputs = List.map (fun (name, atom) -> (name, Computation.atom_type atom)) node.outputs;
     for_transitions = 0;
@@ -103,10 +100,11 @@ let own_node context k ~is_root =
   let all = stepped step (List.map (fun (mode : Ir.mode) -> mode.node) modes) in
   let reads = Reads.of_body step in
   let reset = Body.reset calls state node statics in
-  let first : First_instant.t =
+  let started, reset =
     if is_root && context.sees_first_dt.(k) then
-      First_instant.tell calls state node statics ~callees_see ~step ~reset
-    else { step; reset; told = Unseen }
+      let mark, unmark = First_instant.mark state statics node.span in
+      (Some mark, reset @ unmark)
+    else (None, reset)
   in
   (* Floats without times between them are copied two at once. *)
   let is_time (field : Ir.field) =
@@ -118,33 +116,16 @@ let own_node context k ~is_root =
       (alignment calls a.content, is_time b)
   in
   let reset : Ir.code =
-    { parameters = parameters (Reads.of_body first.reset) node.statics; body = first.reset }
+    { parameters = parameters (Reads.of_body reset) node.statics; body = reset }
   in
   let step : Ir.code =
     {
       parameters =
         (if is_root then Long_list.map variable node.inputs
          else parameters reads (List.rev_append (List.rev node.statics) node.inputs));
-      body = first.step;
+      body = step;
     }
   in
-  let start =
-    match State.fields state with
-    | _ :: _ when not is_root ->
-        (* Nothing ends a mode at its first instant. *)
-        let step =
-          if Option.is_none ends_early then step
-          else
-            let body, _ =
-              Body.step calls state node ~limited ~is_root ~may_end_early:false statics
-            in
-            { step with body }
-        in
-        Start.of_node calls.program.real ~callee:calls.callee ~weight:(Array.get context.start_weights)
-          ~modes ~outputs:(List.length node.outputs) ~reset ~step
-    | _ -> None
-  in
-  Option.iter (fun (_, operations) -> context.start_weights.(k) <- operations) start;
   let for_transitions = Modes.results_for_transitions node in
   let translated : Ir.node =
     {
@@ -156,7 +137,6 @@ let own_node context k ~is_root =
       modes;
       foreign = None;
       reset;
-      start = Option.map fst start;
       step;
       outputs =
         (let own =
@@ -171,11 +151,11 @@ let own_node context k ~is_root =
       operations = reads.operations;
     }
   in
-  (translated, first.told)
+  (translated, started)
 
 let node context k ~is_root =
   match context.calls.program.nodes.(k) with
-  | { foreign = Some foreign; _ } as node -> (foreign_node context k node foreign, Ir.Unseen)
+  | { foreign = Some foreign; _ } as node -> (foreign_node context k node foreign, None)
   | { foreign = None; _ } -> own_node context k ~is_root
 
 let program (program : F.program) : Ir.program =
@@ -199,14 +179,13 @@ let program (program : F.program) : Ir.program =
       sees_first_dt = Array.make count false;
       is_limited = Flow.Time_limit.is_limited program;
       may_end_early = Early_end.possible program;
-      start_weights = Array.make count 0;
     }
   in
-  let first_instant = ref Ir.Unseen in
+  let started = ref None in
   for k = 0 to count - 1 do
     let node, first = node context k ~is_root:(k = count - 1) in
     translated.(k) <- Some node;
-    first_instant := first
+    started := first
   done;
   {
     name = program.name;
@@ -219,5 +198,5 @@ let program (program : F.program) : Ir.program =
     ends = program.ends;
     probes = program.probes;
     real = program.real;
-    first_instant = !first_instant;
+    started = !started;
   }

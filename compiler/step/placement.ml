@@ -187,63 +187,35 @@ let place_early t block early =
   |> List.iter (fun (_, (variable, (field : Ir.field))) ->
          put block (Declare { variable; value = Field field; span = field.span }))
 
-let early_in t early (w : Write_order.write) =
-  set_apart t early (Write_order.atoms w.write.update)
-
-(* The writes of state, from the last unit to the first. *)
-let place_units t ~into units =
+(* The writes of state, from the last to the first; those by one condition that follow each
+   other share its [If]. *)
+let place_writes t ~into writes =
   let early = no_early () in
-  let write ?leaf block (w : write) =
-    store ?leaf t ~branch:(new_branch ?leaf t) block w
+  let place next (w : Write_order.write) =
+    match w.write.update with
+    | Branch { condition = Signal c as condition; then_; else_ } when not w.early ->
+        let branch =
+          match next with
+          | Some (id, branch) when id = c.id -> branch
+          | Some _ | None -> new_branch t into condition w.write.span
+        in
+        let store block update = store t ~branch:(new_branch t) block { w.write with update } in
+        store branch.else_ else_;
+        store branch.then_ then_;
+        Some (c.id, branch)
+    | Keep | Set _ | Branch _ ->
+        if w.early then set_apart t early (Write_order.atoms w.write.update);
+        let leaf = if w.early then Some (save t early) else None in
+        store ?leaf t ~branch:(new_branch ?leaf t) into w.write;
+        None
   in
-  let place_block ?leaf block writes =
-    let block_early = no_early () in
-    List.iter
-      (fun (w : Write_order.write) ->
-        if w.early then (
-          early_in t block_early w;
-          write ~leaf:(save t block_early) block w.write)
-        else write ?leaf block w.write)
-      (List.rev writes);
-    place_early t block block_early
-  in
-  List.iter
-    (fun (u : Write_order.unit_) ->
-      let leaf = if u.early then Some (save t early) else None in
-      match u.writes with
-      | Always w ->
-          if u.early then early_in t early w;
-          write ?leaf into w.write
-      | By { condition; then_; else_; span } ->
-          if u.early then (
-            set_apart t early [ condition ];
-            List.iter (early_in t early) then_;
-            List.iter (early_in t early) else_);
-          let branch = new_branch ?leaf t into condition span in
-          place_block ?leaf branch.else_ else_;
-          place_block ?leaf branch.then_ then_)
-    (List.rev units);
+  ignore (List.fold_left place None (List.rev writes));
   place_early t into early
 
-let place_return t units (value, span) =
-  let written = Int_table.create 16 in
-  let note (w : Write_order.write) =
-    match w.write.place with
-    | Own field -> Int_table.replace written field.id ()
-    | Local _ | Result _ -> ()
-  in
-  List.iter
-    (fun (u : Write_order.unit_) ->
-      match u.writes with
-      | Always w -> note w
-      | By { then_; else_; _ } ->
-          List.iter note then_;
-          List.iter note else_)
-    units;
+let place_return t writes (value, span) =
   let early = no_early () in
-  let reads = Write_order.reads t.usage [ value ] in
   let leaf =
-    if Int_table.fold (fun field () any -> any || Int_table.mem written field) reads false then (
+    if Write_order.written writes value t.usage then (
       set_apart t early [ value ];
       save t early)
     else Fun.id
@@ -317,8 +289,8 @@ let statements_of (fragment : Fragment.t) =
       next_id = 0;
     }
   in
-  let units = Write_order.of_usage usage in
-  let early = Option.map (place_return t units) fragment.returned in
+  let writes = Write_order.of_usage usage in
+  let early = Option.map (place_return t writes) fragment.returned in
   let store_results into results =
     List.iter (store t ~branch:(shared_branch t ~uses:[]) into) (List.rev results)
   in
@@ -329,7 +301,7 @@ let statements_of (fragment : Fragment.t) =
   in
   (match fragment.ending with
   | None ->
-      place_units t ~into:root units;
+      place_writes t ~into:root writes;
       Option.iter (place_early t root) early;
       store_results root (Usage.results usage);
       items (fun _ -> root)
@@ -345,7 +317,7 @@ let statements_of (fragment : Fragment.t) =
       in
       let untold = Option.fold ending.first ~none:max_int ~some:(fun (f : first) -> f.untold) in
       let goes_on = (new_branch t outer ending.ends ending.span).else_ in
-      place_units t ~into:goes_on units;
+      place_writes t ~into:goes_on writes;
       store_results goes_on (results 0 ending.told);
       store_results outer (results untold max_int);
       store_results root (results ending.told untold);

@@ -122,21 +122,11 @@ let rec statement c indent ppf (s : Ir.statement) =
       put "reset %s %s%a  -- %d" c.program.nodes.(node).name (field state) (list c) arguments
         (Basis.Span.line span.start)
   | Enter { entry; _ } -> put "%a" (enter c) entry
-  | Start { node; state; arguments; results; span } ->
-      put "%s = start %s %s%a  -- %d" (variables c results) c.program.nodes.(node).name (field state)
-        (list c) arguments (Basis.Span.line span.start)
-  | Begin { run; entry; span } ->
-      put "%s = begin %a  -- %d" (variables c run.results) (enter c) entry (Basis.Span.line span.start);
-      (match entry.first with
-      | Started_by _ -> ()
-      | Reset_by _ -> put "  step%a" (list c) (List.nth run.cases entry.mode).arguments)
-  | Await _ -> put "await the first instant"
-  | Run { active; clock = _; start; steps; controls; late; drops; cases; results; span } ->
+  | Run { active; clock = _; steps; controls; late; drops; cases; results; span } ->
       Option.iter (put "if %a" (expr c)) active;
       put "%s = run, at most %d steps%s  -- %d" (variables c results) steps
         (if drops then ", may drop results" else "")
         (Basis.Span.line span.start);
-      Option.iter (put "  at the first instant %a" (enter c)) start;
       let control (condition, e) =
         put "  %s %a -> %a" (if late then "then" else "first") (expr c) condition (enter c) e
       in
@@ -153,10 +143,7 @@ let rec statement c indent ppf (s : Ir.statement) =
   | Return { value; _ } -> put "return %a" (expr c) value
 
 and enter c ppf (e : Ir.entry) =
-  let first, arguments =
-    match e.first with Reset_by arguments -> ("reset", arguments) | Started_by arguments -> ("start", arguments)
-  in
-  fprintf ppf "enter %d%a %s%a" e.mode (list c) e.parameters first (list c) arguments
+  fprintf ppf "enter %d%a reset%a" e.mode (list c) e.parameters (list c) e.arguments
 
 let rec ty (program : Ir.program) : Ir.ty -> string = function
   | Bool -> "Bool"
@@ -191,7 +178,6 @@ let node (program : Ir.program) ppf (n : Ir.node) =
       fprintf ppf "  %s : %s  -- %s@\n" (field f) content f.purpose)
     n.state;
   if n.state <> [] then code program "reset" ppf n.reset;
-  Option.iter (code program "start" ppf) n.start;
   code program "step" ppf n.step
 
 let program ppf (p : Ir.program) =

@@ -129,10 +129,6 @@ let same (own : Flow.signal option) atom =
   | Some own, Flow.Signal s -> own.id = s.id
   | Some _, (Bool _ | Int _ | Float _) | None, _ -> false
 
-(* Than a branch round the store. *)
-let is_cheap_to_store (s : Flow.signal) =
-  match s.ty with Bool | Int | Float -> true | Sum _ | Array _ | Foreign _ -> false
-
 let rec update t own depth (atom : atom) =
   if same own atom then Keep
   else
@@ -140,16 +136,12 @@ let rec update t own depth (atom : atom) =
     | Bool _ | Int _ | Float _ -> Set atom
     | Signal s -> (
         match computed_of t s with
-        | Some { choice = Some ((Signal _ as condition), then_, else_); _ } when depth > 0 ->
-            if uses t s = 1 then
-              let then_ = update t own (depth - 1) then_ in
-              let else_ = update t own (depth - 1) else_ in
-              if keeps then_ || keeps else_ || predicted t condition then
-                Branch { condition; then_; else_ }
-              else Set atom
-            else if is_cheap_to_store s && not (predicted t condition) then Set atom
-            else if same own else_ then Branch { condition; then_ = Set atom; else_ = Keep }
-            else if same own then_ then Branch { condition; then_ = Keep; else_ = Set atom }
+        | Some { choice = Some ((Signal _ as condition), then_, else_); _ }
+          when depth > 0 && uses t s = 1 ->
+            let then_ = update t own (depth - 1) then_ in
+            let else_ = update t own (depth - 1) else_ in
+            if keeps then_ || keeps else_ || predicted t condition then
+              Branch { condition; then_; else_ }
             else Set atom
         | Some _ | None -> Set atom)
 

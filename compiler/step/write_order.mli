@@ -1,32 +1,18 @@
-(** The order in which a step writes its state, such that everything that
-    reads a field reads the old value.
+(** The order in which a step writes its state: as the fields come, but everything that
+    reads a field reads the old value. A write whose value needs a field that is written
+    before it is [early].
 
-    Writes that hang on one condition form a unit, one [If]. A unit comes
-    before another if it reads what the other writes; what it reads counts
-    through all values that nothing else needs, because those may be computed
-    inside it. Where units read each other's fields in a circle (an exchange),
-    one of them gets its values before all writes. *)
+    What it needs counts through all values that nothing else needs, because those are
+    computed as late as possible. *)
 
-open Basis
-
-type unit_ = {
-  writes : writes;
-  early : bool;  (** its values are computed before all units *)
-}
-
-and writes =
-  | Always of write
-  | By of { condition : Fragment.atom; then_ : write list; else_ : write list; span : Span.t }
-
-and write = {
+type write = {
   write : Fragment.write;
-  early : bool;  (** its values are computed at the start of its block *)
+  early : bool;  (** its values are computed before all writes *)
 }
 
-val of_usage : Usage.t -> unit_ list
+val of_usage : Usage.t -> write list
 
-val reads : Usage.t -> Fragment.atom list -> unit Int_table.t
-(** The fields that are read for these values when they are computed as late
-    as possible. *)
+val written : write list -> Fragment.atom -> Usage.t -> bool
+(** Does the value need a field that these write? *)
 
 val atoms : Fragment.update -> Fragment.atom list

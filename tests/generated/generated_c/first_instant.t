@@ -1,5 +1,5 @@
-What is short at the first instant stands in a branch of its own; the other branch
-knows that it is not the first. The dt that comes then is looked at by nobody.
+The dt of the first instant is looked at by nobody. What tells it is a delay that the
+program has anyway, if there is one.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ cat > button.frob <<'EOF'
@@ -10,32 +10,11 @@ knows that it is not the first. The dt that comes then is looked at by nobody.
   > main = proc b -> hold 0 (count (edge (debounce 30[ms] b)))
   > EOF
   $ frobc compile button.frob --lint
-  $ sed -n '/^void button_step/,$p' button.c
-  void button_step(struct button_state *self, double dt, const struct button_input *in,
-          struct button_output *out)
-  {
-      const bool b = in->value;
-      if (!self->started) {                                   /* Control.frob:26 */
-          self->debounce_before = b;                          /* Prelude.frob:379 */
-          self->started = true;                               /* Control.frob:26 */
-      } else {
-          int64_t dt_ns = frob_whole_ns(dt);
-          const bool differs = b != self->debounce_before;    /* Control.frob:95 */
-          self->time = differs && self->waiting ? frob_soon(self->time, dt_ns) : 0; /* Prelude.frob:343 */
-          const bool settled = INT64_C(30000000) <= self->time; /* Control.frob:98 */
-          const bool t1 = settled && b && !self->debounce_before; /* Prelude.frob:379 */
-          if (settled) {
-              self->debounce_before = b;
-          }
-          const int32_t y = t1 ? frob_int_add(self->before, 1) : self->before; /* Prelude.frob:438 */
-          if (t1) {                                           /* Prelude.frob:404 */
-              self->hold_y_prev = y;
-          }
-          self->waiting = differs && !settled;                /* Control.frob:96 */
-          self->before = y;                                   /* Prelude.frob:437 */
-      }
-      out->value = self->hold_y_prev;                         /* Prelude.frob:404 */
-  }
+  $ grep 'started' button.c
+      self->started = false;                                  /* Control.frob:26 */
+      int64_t dt_ns = self->started ? frob_whole_ns(dt) : 0;
+      const bool start = !self->started;                      /* Control.frob:26 */
+      self->started = true;                                   /* Control.frob:26 */
   $ cat > button.csv <<'EOF'
   > time,in
   > 0,true
@@ -81,19 +60,3 @@ knows that it is not the first. The dt that comes then is looked at by nobody.
   >   clang -std=c99 $level $flags -c button.c -o b.o &&
   >   g++ -std=c++17 -x c++ $level $flags -c button.c -o c.o && clang++ -std=c++17 -x c++ $level $flags -c button.c -o d.o
   > done
-
-Where an output is computed in each instant from what is known then, there is no such
-branch: it would stand there twice.
-
-  $ cat > smooth.frob <<'EOF'
-  > import Control
-  > 
-  > main :: SF Float Float
-  > main = proc x -> 2 * lowPass 1[s] x
-  > EOF
-  $ frobc compile smooth.frob
-  $ grep 'started' smooth.c
-      self->started = false;                                  /* Control.frob:26 */
-      dt = self->started ? dt : 0.0;
-      const double y = self->started
-      self->started = true;                                   /* Control.frob:26 */

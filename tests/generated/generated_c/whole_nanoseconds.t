@@ -12,13 +12,14 @@ and one division give.
   void slope_step(struct slope_state *self, double dt, const struct slope_input *in,
           struct slope_output *out)
   {
+      dt = self->started ? dt : 0.0;
       dt = frob_whole_dt(dt);
+      self->started = true;
       const double x = in->value;
       self->x_integral += dt * self->x_integral_input;        /* line 2 */
-      if (self->started && dt > 0.0) {
+      if (dt > 0.0) {
           self->x_derivative = (x - self->x_derivative_input) / dt;
       }
-      self->started = true;
       self->x_derivative_input = x;
       out->f1 = self->x_integral;
       out->f2 = self->x_derivative;

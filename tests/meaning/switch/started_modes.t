@@ -1,6 +1,5 @@
-What enters a mode makes its first step. All that is known at a first instant is left
-out of that: no time has passed, delays have their initial values, and a machine inside
-is in its first mode.
+What enters a mode makes its first step: no time has passed, delays have their initial
+values, and a machine inside is in its first mode.
 
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
   $ cat > inside.frob <<'EOF'
@@ -13,41 +12,6 @@ is in its first mode.
   > flat = switch (proc _ -> (time () / 1[s], after 2[s] ())) (\_ -> ramp)
   > EOF
   $ frobc compile inside.frob --lint
-  $ sed -n '/^static.*_start(/,/^}/p' inside.c | sed 's, */\*.*,,'
-  static inline void inside_ramp_ramp_start(struct inside_ramp_ramp_state *self, double x,
-          double *out_2)
-  {
-      self->x_integral = 0.0;
-      *out_2 = 10.0;
-      self->x_integral_input = x;
-      self->delay = x > 3.0;
-  }
-  static inline void inside_ramp_flat_start(struct inside_ramp_flat_state *self, double *out_2)
-  {
-      self->time = 0;
-      *out_2 = 0.0;
-  }
-  static inline double inside_ramp_start(struct inside_ramp_state *self, double x)
-  {
-      double t1;
-      self->mode = INSIDE_RAMP_RAMP;
-      inside_ramp_ramp_start(&self->modes.ramp.state, x, &t1);
-      return t1;
-  }
-  static inline void inside_main_main_start(struct inside_main_main_state *self, double x,
-          double *out_2)
-  {
-      *out_2 = x;
-      self->delay = x > 1.0;
-  }
-  static inline void inside_main_work_start(struct inside_main_work_state *self, double x,
-          double *out_2)
-  {
-      const double t1 = inside_ramp_start(&self->ramp, x);
-      *out_2 = t1 + 7.0;
-      self->x_prev = x;
-      self->delay = x < 0.0;
-  }
 
 The first mode of the program has no use for time, so nothing tells its first step from
 others; the first dt is not looked at.

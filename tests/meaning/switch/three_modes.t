@@ -58,54 +58,62 @@ chosen.
           } turnAway;
       } modes;      /* what they keep at three_modes.frob:12 */
       uint8_t mode; /* the mode that runs at three_modes.frob:12 */
+      bool started; /* past the first instant at three_modes.frob:12 */
   };
   $ sed -n '/^void three_modes_step/,$p' three_modes.c
   void three_modes_step(struct three_modes_state *self, double dt,
           const struct three_modes_input *in, struct three_modes_output *out)
   {
-      int64_t dt_ns = frob_whole_ns(dt);
+      int64_t dt_ns = self->started ? frob_whole_ns(dt) : 0;
       dt = (double)dt_ns / 1e9;
+      self->started = true;
       double speed = 0.0;
       double turn = 0.0;
-      switch (self->mode) {
-      case THREE_MODES_START: {
-          self->mode = THREE_MODES_FOLLOW;                    /* line 12 */
-          three_modes_follow_follow_start(&self->modes.follow.state, in->bump, in->side, &speed,
-                  &turn);
-          break;
-      }
-      case THREE_MODES_FOLLOW: {
-          bool t1;
-          three_modes_follow_follow_step(&self->modes.follow.state, dt, in->bump, in->side,
-                  &speed, &turn, &t1);
-          if (t1) {
-              self->mode = THREE_MODES_BACK_UP;               /* line 5 */
-              three_modes_follow_backUp_start(&self->modes.backUp.state, &speed, &turn);
+      int32_t steps = 0;
+      do {
+          switch (self->mode) {
+          case THREE_MODES_FOLLOW: {
+              bool t1;
+              three_modes_follow_follow_step(&self->modes.follow.state, dt, in->bump, in->side,
+                      &speed, &turn, &t1);
+              if (t1) {
+                  self->mode = THREE_MODES_BACK_UP;           /* line 5 */
+                  three_modes_follow_backUp_reset(&self->modes.backUp.state);
+                  dt = 0.0;
+                  dt_ns = 0;
+                  continue;
+              }
+              break;
+          }
+          case THREE_MODES_BACK_UP: {
+              bool t2;
+              three_modes_follow_backUp_step(&self->modes.backUp.state, dt_ns, &speed, &turn,
+                      &t2);
+              if (t2) {
+                  self->mode = THREE_MODES_TURN_AWAY;         /* line 6 */
+                  three_modes_follow_turnAway_reset(&self->modes.turnAway.state);
+                  dt = 0.0;
+                  dt_ns = 0;
+                  continue;
+              }
+              break;
+          }
+          default: {                                          /* THREE_MODES_TURN_AWAY */
+              bool t3;
+              three_modes_follow_turnAway_step(&self->modes.turnAway.state, in->front, &speed,
+                      &turn, &t3);
+              if (t3) {
+                  self->mode = THREE_MODES_FOLLOW;            /* line 7 */
+                  three_modes_follow_follow_reset(&self->modes.follow.state);
+                  dt = 0.0;
+                  dt_ns = 0;
+                  continue;
+              }
+              break;
+          }
           }
           break;
-      }
-      case THREE_MODES_BACK_UP: {
-          bool t2;
-          three_modes_follow_backUp_step(&self->modes.backUp.state, dt_ns, &speed, &turn, &t2);
-          if (t2) {
-              self->mode = THREE_MODES_TURN_AWAY;             /* line 6 */
-              three_modes_follow_turnAway_start(&self->modes.turnAway.state, in->front, &speed,
-                      &turn);
-          }
-          break;
-      }
-      default: {                                              /* THREE_MODES_TURN_AWAY */
-          bool t3;
-          three_modes_follow_turnAway_step(&self->modes.turnAway.state, in->front, &speed, &turn,
-                  &t3);
-          if (t3) {
-              self->mode = THREE_MODES_FOLLOW;                /* line 7 */
-              three_modes_follow_follow_start(&self->modes.follow.state, in->bump, in->side,
-                      &speed, &turn);
-          }
-          break;
-      }
-      }
+      } while (++steps < 2);
       out->speed = speed;                                     /* line 12 */
       out->turn = turn;
   }

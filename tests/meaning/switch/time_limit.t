@@ -37,7 +37,7 @@ of `debounce`, which counts while the input differs; not where only the input sa
   > main = proc b -> debounce 30[ms] b
   > EOF
   $ advances settles
-          self->time = differs && self->waiting ? frob_soon(self->time, dt_ns) : 0;
+      self->time = differs && self->waiting ? frob_soon(self->time, dt_ns) : 0;
   $ cat > held.frob <<'EOF'
   > main :: SF Bool Bool
   > main = proc b -> nanoseconds (timeSince b) >= nanoseconds 2[s]

@@ -22,13 +22,15 @@ void exchange_step(struct exchange_state *self, double dt, const struct exchange
     out->f3 = self->older;                                  /* line 4 */
     out->f4 = self->c;                                      /* line 5 */
     out->f5 = self->d;                                      /* line 6 */
-    const double q = self->q;                               /* line 3 */
-    self->older = self->p;                                  /* line 4 */
+    const double p = self->p;                               /* line 2 */
+    const double d = self->d;                               /* line 6 */
+    self->p = self->q;                                      /* line 2 */
+    self->q = p;                                            /* line 3 */
+    self->older = p;                                        /* line 4 */
     if (go) {                                               /* line 6 */
-        const double c = self->c;                           /* line 5 */
-        self->c = self->d;
-        self->d = c;                                        /* line 6 */
+        self->d = self->c;
     }
-    self->q = self->p;                                      /* line 3 */
-    self->p = q;                                            /* line 2 */
+    if (go) {                                               /* line 5 */
+        self->c = d;
+    }
 }

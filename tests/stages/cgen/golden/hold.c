@@ -27,8 +27,8 @@ void hold_step(struct hold_state *self, double dt, const struct hold_input *in,
     (void)dt;
     const struct hold_maybe_float e = in->value;
     const bool occurs = e.tag == HOLD_MAYBE_FLOAT_JUST;     /* line 3 */
-    if (occurs) {                                           /* line 4 */
-        self->kept = e.f0;
+    if (occurs) {                                           /* line 5 */
+        self->kept = e.f0;                                  /* line 4 */
         self->count = frob_int_add(self->count, 1);         /* line 5 */
     }
     out->f1 = self->kept < 1.0 ? hold_maybe_float_nothing() : hold_maybe_float_just(self->kept); /* line 6 */

@@ -14,16 +14,17 @@ void wall_follow_reset(struct wall_follow_state *self)
 void wall_follow_step(struct wall_follow_state *self, double dt,
         const struct wall_follow_input *in, struct wall_follow_output *out)
 {
+    dt = self->started ? dt : 0.0;
     dt = frob_whole_dt(dt);
+    self->started = true;
     const double vCurr = in->f1;
     const double f = in->f2;
     const double s = in->f3;
     const double v = frob_at_least(frob_at_most(0.5 * (f - 0.2), 0.4), -0.4); /* line 12 */
-    if (self->started && dt > 0.0) {                        /* line 13 */
+    if (dt > 0.0) {                                         /* line 13 */
         self->s_derivative = (s - self->s_derivative_input) / dt;
     }
-    self->started = true;                                   /* line 1 */
-    self->s_derivative_input = s;                           /* line 13 */
+    self->s_derivative_input = s;
     const double t1 = self->sin_value * vCurr;              /* line 10 */
     const double omega = 1.2 * (frob_limit(t1, 1.5 * (s - 0.2)) - self->s_derivative); /* line 13 */
     out->f1 = v;                                            /* line 12 */
