@@ -1,4 +1,4 @@
-(* Writes an OCaml module with the pages whose paths are the arguments. *)
+(* Writes an OCaml module with the pages in the folders of the folder that is the argument. *)
 
 let read path =
   let channel = open_in_bin path in
@@ -6,10 +6,15 @@ let read path =
   close_in channel;
   text
 
+let pages folder =
+  let files = List.filter (fun f -> Filename.check_suffix f ".md") (Array.to_list (Sys.readdir folder)) in
+  List.map (fun f -> (Filename.remove_extension f, read (Filename.concat folder f))) files
+
 let () =
-  let paths = List.tl (Array.to_list Sys.argv) in
-  let page path = (Filename.remove_extension (Filename.basename path), read path) in
-  let pages = List.sort compare (List.map page paths) in
+  let folder = Sys.argv.(1) in
+  let folders = List.map (Filename.concat folder) (Array.to_list (Sys.readdir folder)) in
   print_string "let all =\n  [\n";
-  List.iter (fun (code, text) -> Printf.printf "    (%S, %S);\n" code text) pages;
+  List.iter
+    (fun (code, text) -> Printf.printf "    (%S, %S);\n" code text)
+    (List.sort compare (List.concat_map pages (List.filter Sys.is_directory folders)));
   print_string "  ]\n"

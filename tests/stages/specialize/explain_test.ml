@@ -5,12 +5,6 @@ open Basis
 
 let library = "../../../stdlib"
 
-let read path =
-  let channel = open_in_bin path in
-  Fun.protect
-    ~finally:(fun () -> close_in channel)
-    (fun () -> really_input_string channel (in_channel_length channel))
-
 (* The lines between a fence with this word and the next. *)
 let block word page =
   let rec skip = function
@@ -32,7 +26,7 @@ let codes text =
     (List.map (fun (d : Diagnostic.t) -> d.code) (Diagnostic.all sink))
 
 let check_page code () =
-  let page = read (Printf.sprintf "../../../compiler/explain/%s.md" code) in
+  let page = Option.get (Explain.find code) in
   Alcotest.(check (list string)) "the example" [ code ] (codes (block "frob-error" page));
   Alcotest.(check (list string)) "the cured example" [] (codes (block "frob" page))
 

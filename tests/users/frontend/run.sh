@@ -15,7 +15,7 @@ for program in $(find tests examples stdlib -name '*.frob' -size -5k); do
     n=$((n + 1))
     cp "$program" "$work/corpus/$n.frob"
 done
-for page in compiler/explain/*.md; do
+for page in compiler/explain/*/*.md; do
     awk -v to="$work/corpus/$(basename "$page" .md)" '
         /^```frob/ { file = to "." ++n ".frob"; next }
         /^```$/    { file = "" }
