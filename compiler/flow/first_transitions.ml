@@ -379,7 +379,8 @@ let with_machines (program : Ir.program) =
     program.nodes;
   found
 
-(* Callers come before callees here. Who is called by nobody passes nothing. *)
+(* Callers come before callees here. Who is called by nobody passes nothing, nor does a mode
+   that nothing enters. *)
 let pass_parameters a =
   let last = Array.length a.program.nodes - 1 in
   let with_machines = with_machines a.program in
@@ -387,11 +388,8 @@ let pass_parameters a =
   is_called.(last) <- true;
   for index = last downto 0 do
     let node = a.program.nodes.(index) in
-    if is_called.(index) then (
+    if is_called.(index) then
       List.iter (fun (i : Ir.instance) -> is_called.(i.node) <- true) node.instances;
-      Option.iter
-        (fun (m : Ir.machine) -> List.iter (fun mode -> is_called.(mode) <- true) m.modes)
-        node.machine);
     let passes (i : Ir.instance) = i.statics <> [] || with_machines.(i.node) in
     let hands_on = List.exists passes node.instances || Option.is_some node.machine in
     if is_called.(index) && hands_on then (
@@ -406,7 +404,8 @@ let pass_parameters a =
         List.iter
           (fun mode -> pass_inputs a mode (anything_of a a.program.nodes.(mode).inputs))
           m.modes;
-        parameters_of_modes a values m
+        parameters_of_modes a values m;
+        List.iter (fun mode -> if is_entered a mode then is_called.(mode) <- true) m.modes
       in
       Option.iter of_machine node.machine)
   done

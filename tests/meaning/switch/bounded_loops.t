@@ -192,3 +192,17 @@ is in a mode that nothing ever starts.
   > go n = switch (identity &&& now ()) (\_ -> if n == 2 then arr (\x -> x + n) else go (n + 1))
   > EOF
   $ frobc check never_started.frob
+
+The same where what it is asked about decides that the mode never starts.
+
+  $ cat > never_asked.frob <<'EOF'
+  > main :: SF Float (Int, Int)
+  > main = first 0 where
+  >     first n = switch (constant (n, 1) &&& (proc x -> when (x > 3)))
+  >                      (\_ -> if n >= 0 then constant (7, n) else second (n + 1))
+  >     second n = dSwitch (let go k = switch (constant ((n, k), Event ()) &&& (proc _ -> when True))
+  >                                           (\_ -> if k >= 1 then constant ((n, 5), NoEvent) else go (k + 1))
+  >                         in go 1)
+  >                        (\_ -> if n >= 1 then constant (n, 9) else first (n + 1))
+  > EOF
+  $ frobc check never_asked.frob
