@@ -403,8 +403,13 @@ let view general ~entry ~sources view file =
         (if view.browser then [] else [ "--print" ])
         @ Option.fold ~none:[] ~some:(fun port -> [ "--port"; string_of_int port ]) view.port
       in
+      let own, library = Pipeline.module_files ~library:resources.library file in
       let arguments =
-        options @ [ "--world"; world; "--source"; file; program; view.recording ]
+        options
+        @ [ "--world"; world ]
+        @ List.concat_map (fun file -> [ "--source"; file ]) own
+        @ List.concat_map (fun file -> [ "--library"; file ]) library
+        @ [ program; view.recording ]
       in
       match Process.become resources.viewer arguments with
       | Not_found _ | Failed _ -> missing_host resources.viewer)

@@ -15,6 +15,16 @@ let parse (r : Request.t) sink sources =
       Option.map ignore (stage r sink Parse ~lint ~print parsed)
   | None -> Some ()
 
+let module_files ~library file =
+  let modules =
+    Resolve.Modules.load (Diagnostic.sink ()) ~files ~remember:(fun ~file:_ _ -> ()) ~library file
+  in
+  let path (m : Resolve.Modules.t) =
+    if m.library then Filename.concat library (m.name ^ ".frob") else m.file
+  in
+  let from_library, own = List.partition (fun (m : Resolve.Modules.t) -> m.library) modules in
+  (List.rev_map path own, List.rev_map path from_library)
+
 type front = { resolved : Resolve.Ir.program; typed : Typing.Ir.program; core : Core.Ir.program }
 
 let front (r : Request.t) sink sources =

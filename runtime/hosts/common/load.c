@@ -43,3 +43,9 @@ const void *frob_load_part(const char *robot, const char *part)
         return NULL;
     return dlsym(object, name);
 }
+
+const struct frob_column *frob_load_columns(void)
+{
+    return object == NULL ? NULL
+                          : (const struct frob_column *)dlsym(object, FROB_COLUMNS_SYMBOL);
+}

@@ -1,6 +1,6 @@
 /* frob-view -- shows a recorded run of a program on a page.
  *
- *   frob-view [--print] [--port N] [--source FILE]... [--world FILE]
+ *   frob-view [--print] [--port N] [--source FILE]... [--library FILE]... [--world FILE]
  *             PROGRAM.so RUN.csv
  *
  * Prints the page's address, and opens a browser on it unless --print is given. Ends
@@ -31,6 +31,12 @@ struct start {
     const char *token;
 };
 
+static void add_source(struct view_files *files, const char *name, bool is_own)
+{
+    files->sources[files->source_count++] = name;
+    files->own_count += is_own ? 1 : 0;
+}
+
 static bool read_options(struct options *o, int argc, char **argv)
 {
     int i = 1;
@@ -41,15 +47,17 @@ static bool read_options(struct options *o, int argc, char **argv)
         else if (strcmp(argv[i], "--port") == 0 && i + 1 < argc)
             o->port = atoi(argv[++i]);
         else if (strcmp(argv[i], "--source") == 0 && i + 1 < argc)
-            o->files.sources[o->files.source_count++] = argv[++i];
+            add_source(&o->files, argv[++i], true);
+        else if (strcmp(argv[i], "--library") == 0 && i + 1 < argc)
+            add_source(&o->files, argv[++i], false);
         else if (strcmp(argv[i], "--world") == 0 && i + 1 < argc)
             o->files.world = argv[++i];
         else
             break;
     }
     if (o->files.sources == NULL || i + 2 != argc || o->port < 0 || o->port > 65535) {
-        fprintf(stderr, "usage: frob-view [--print] [--port N] [--source FILE]... [--world FILE] "
-                        "PROGRAM.so RUN.csv\n");
+        fprintf(stderr, "usage: frob-view [--print] [--port N] [--source FILE]... "
+                        "[--library FILE]... [--world FILE] PROGRAM.so RUN.csv\n");
         return false;
     }
     o->program = argv[i];
@@ -87,7 +95,7 @@ int main(int argc, char **argv)
         return WRONG_USE;
     if (!token_make(token)) {
         fprintf(stderr, "error: this computer has no random numbers (/dev/urandom)\n");
-    } else if (view_start(&view, program, &options.files)) {
+    } else if (view_start(&view, program, frob_load_columns(), &options.files)) {
         view_summary(&view, &summary);
         fputs(summary.length > 0 ? summary.data : "", stderr);
         status = server_run(&view, options.port, token, tell, &start) ? DONE : WRONG_USE;

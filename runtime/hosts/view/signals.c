@@ -31,12 +31,17 @@ static void add(struct signals *signals, const char *name, struct signal signal)
 
 static void add_input(void *context, const char *name, const struct frob_value *value)
 {
-    add((struct signals *)context, name, (struct signal){ NULL, INPUT, value, 0 });
+    add((struct signals *)context, name, (struct signal){ .side = INPUT, .value = value });
 }
 
 static void add_output(void *context, const char *name, const struct frob_value *value)
 {
-    add((struct signals *)context, name, (struct signal){ NULL, OUTPUT, value, 0 });
+    add((struct signals *)context, name, (struct signal){ .side = OUTPUT, .value = value });
+}
+
+static void add_probe(void *context, const char *name, const struct frob_value *value)
+{
+    add((struct signals *)context, name, (struct signal){ .side = PROBE, .value = value });
 }
 
 static void add_modes(struct signals *signals)
@@ -48,18 +53,40 @@ static void add_modes(struct signals *signals)
         if (name.data == NULL)
             signals->no_memory = true;
         else
-            add(signals, name.data, (struct signal){ NULL, MODE, NULL, i });
+            add(signals, name.data, (struct signal){ .side = MODE, .machine = i });
         buffer_free(&name);
     }
 }
 
-bool signals_start(struct signals *signals, const struct frob_program *program)
+/* The row of the table that says the most of a signal. */
+static void look_up(struct signal *signal, const struct frob_column *columns)
+{
+    size_t longest = 0;
+    signal->below = "";
+    for (const struct frob_column *column = columns; column->name != NULL; column++) {
+        const size_t length = strlen(column->name);
+        const char *below = signal->name + length;
+        if (length > longest && strncmp(signal->name, column->name, length) == 0 &&
+            (*below == '\0' || *below == '.' || *below == '[')) {
+            longest = length;
+            signal->column = column;
+            signal->below = below;
+        }
+    }
+}
+
+bool signals_start(struct signals *signals, const struct frob_program *program,
+                   const struct frob_column *columns)
 {
     memset(signals, 0, sizeof *signals);
     signals->program = program;
     frob_trace_columns(program->input, "in", add_input, signals);
     frob_trace_columns(program->output, "out", add_output, signals);
+    if (program->probes != NULL)
+        frob_trace_columns(program->probes, "probe", add_probe, signals);
     add_modes(signals);
+    for (size_t i = 0; columns != NULL && i < signals->count; i++)
+        look_up(&signals->all[i], columns);
     return !signals->no_memory;
 }
 

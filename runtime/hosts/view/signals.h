@@ -1,22 +1,25 @@
 /* signals.h -- what a program has to show at an instant: the parts of its input
- * and output, and the modes of its machines. */
+ * and output, its inner signals, and the modes of its machines. */
 #ifndef FROB_VIEW_SIGNALS_H
 #define FROB_VIEW_SIGNALS_H
 
 #include "buffer.h"
 
+#include <frob/columns.h>
 #include <frob/program.h>
 
 #include <stdbool.h>
 #include <stdint.h>
 
-enum side { INPUT, OUTPUT, MODE };
+enum side { INPUT, OUTPUT, PROBE, MODE };
 
 struct signal {
     char *name; /* as the column of a trace */
     enum side side;
-    const struct frob_value *value;  /* of an input or output */
-    size_t machine;                  /* of a mode */
+    const struct frob_value *value;   /* but of a mode */
+    size_t machine;                   /* of a mode */
+    const struct frob_column *column; /* what is known of it; NULL: nothing */
+    const char *below;                /* the end of its name that the column's has not */
 };
 
 struct signals {
@@ -31,8 +34,9 @@ struct moment {
     const void *input, *output, *state;
 };
 
-/* All signals of a program. False without memory. */
-bool signals_start(struct signals *signals, const struct frob_program *program);
+/* All signals of a program; `columns` may be NULL. False without memory. */
+bool signals_start(struct signals *signals, const struct frob_program *program,
+                   const struct frob_column *columns);
 void signals_end(struct signals *signals);
 
 /* The signal of this name; NULL if there is none. */

@@ -43,18 +43,19 @@ static bool read_source(struct source *source, const char *path)
 }
 
 bool view_start(struct view *view, const struct frob_program *program,
-                const struct view_files *files)
+                const struct frob_column *columns, const struct view_files *files)
 {
     memset(view, 0, sizeof *view);
     view->program = program;
     view->sources = (struct source *)calloc(files->source_count + 1, sizeof *view->sources);
-    if (view->sources == NULL || !signals_start(&view->signals, program)) {
+    if (view->sources == NULL || !signals_start(&view->signals, program, columns)) {
         fprintf(stderr, "error: not enough memory for the program's signals\n");
         return false;
     }
     for (size_t i = 0; i < files->source_count; i++) {
         if (!read_source(&view->sources[i], files->sources[i]))
             return false;
+        view->sources[i].is_library = i >= files->own_count;
         view->source_count++;
     }
     if (files->world != NULL && !read_source(&view->world, files->world))
@@ -149,9 +150,28 @@ static void add_names(const struct view *view, const struct signal *signal,
     buffer_text(answer, "]");
 }
 
+/* What the programmer knows of it. */
+static void add_column(const struct signal *signal, struct buffer *answer)
+{
+    static const struct frob_column unknown = { "", "", "", "", "", 0 };
+    const struct frob_column *column = signal->column != NULL ? signal->column : &unknown;
+    struct buffer own = { 0 };
+    buffer_format(&own, "%s%s", column->own, signal->column != NULL ? signal->below : "");
+    buffer_text(answer, ",\"unit\":");
+    buffer_string(answer, column->unit);
+    buffer_text(answer, ",\"instance\":");
+    buffer_string(answer, column->instance);
+    buffer_text(answer, ",\"own\":");
+    buffer_string(answer, own.length > 0 ? own.data : "");
+    buffer_text(answer, ",\"file\":");
+    buffer_string(answer, column->file);
+    buffer_format(answer, ",\"line\":%u", column->line);
+    buffer_free(&own);
+}
+
 static void add_signals(const struct view *view, struct buffer *answer)
 {
-    static const char *const sides[] = { "input", "output", "mode" };
+    static const char *const sides[] = { "input", "output", "probe", "mode" };
     buffer_text(answer, ",\"signals\":[");
     for (size_t i = 0; i < view->signals.count; i++) {
         const struct signal *signal = &view->signals.all[i];
@@ -160,6 +180,7 @@ static void add_signals(const struct view *view, struct buffer *answer)
         buffer_format(answer, ",\"side\":\"%s\",\"kind\":\"%s\"", sides[signal->side],
                       kind_of(signal));
         add_names(view, signal, answer);
+        add_column(signal, answer);
         buffer_text(answer, "}");
     }
     buffer_text(answer, "]");
@@ -173,7 +194,7 @@ static void add_source(const struct source *source, struct buffer *answer)
     }
     buffer_text(answer, "{\"name\":");
     buffer_string(answer, source->name);
-    buffer_text(answer, ",\"text\":");
+    buffer_format(answer, ",\"library\":%s,\"text\":", source->is_library ? "true" : "false");
     buffer_string(answer, source->text);
     buffer_text(answer, "}");
 }

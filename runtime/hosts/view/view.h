@@ -21,6 +21,7 @@
 
 struct source {
     const char *name; /* without its folder */
+    bool is_library;
     char *text;
 };
 
@@ -38,15 +39,16 @@ struct view {
 /* Files that are shown as they are. */
 struct view_files {
     const char *recording;
-    const char **sources;
+    const char **sources; /* the user's, then … */
     size_t source_count;
+    size_t own_count;     /* … from here on those of the library */
     const char *world; /* that the robot may have driven in; NULL: none */
 };
 
 /* Reads the files and runs the program on the recording. False with a line on standard
  * error. */
 bool view_start(struct view *view, const struct frob_program *program,
-                const struct view_files *files);
+                const struct frob_column *columns, const struct view_files *files);
 void view_end(struct view *view);
 
 /* Appends what is to be known at once: what does not fit, and whether outputs are the

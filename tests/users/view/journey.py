@@ -110,7 +110,7 @@ def visit(page, rows):
     check("a plot shows what was dragged over, and goes where it is clicked", True)
 
     source = page.driver.execute_script(
-        "return document.querySelector('#source').shadowRoot.querySelector('.cm-content').innerText")
+        "return document.querySelector('#source div').shadowRoot.querySelector('.cm-content').innerText")
     check("the source is there", "main" in source)
     messages = [entry["message"] for entry in page.driver.get_log("browser")]
     check("the browser has nothing to complain of", messages == [])

@@ -5,9 +5,9 @@ import type { Store } from "./store";
 import { colour, lineColour, onTheme } from "./theme";
 import { difference, formatCell, formatNumber, formatPoint } from "./values";
 
-/** Of a plot of truth or names, and of numbers. */
+/** Of a plot of truth or names, and of numbers: lower where there are many. */
 const lowHeight = 64;
-const highHeight = 124;
+const highHeight = (plots: number) => (plots > 4 ? 92 : 124);
 const axisWidth = 72;
 
 function isLow(signal: Signal): boolean {
@@ -21,6 +21,7 @@ class Strip {
   private readonly place = document.createElement("div");
   private plot: uPlot | null = null;
   private isEmpty = false;
+  private values: readonly (number | null)[] = [];
   private data: uPlot.AlignedData = [[], []];
 
   constructor(
@@ -56,6 +57,7 @@ class Strip {
 
   private show(series: Series): void {
     if (series.from !== this.store.range[0] || series.to !== this.store.range[1]) return;
+    this.values = series.values;
     this.data = [series.times, series.values];
     this.isEmpty = series.values.every((value) => value === null);
     if (this.plot && !this.isEmpty) this.plot.setData(this.data, true);
@@ -84,7 +86,7 @@ class Strip {
     const low = isLow(signal) || this.isEmpty;
     return {
       width: Math.max(100, this.place.clientWidth),
-      height: low ? lowHeight : highHeight,
+      height: low ? lowHeight : highHeight(this.store.plotted.length),
       legend: { show: false },
       padding: [6, 12, 0, 0],
       cursor: {
@@ -97,7 +99,7 @@ class Strip {
         x: { time: false, range: () => [this.store.range[0],
                                         Math.max(this.store.range[1], this.store.range[0] + 1e-9)] },
         y: low ? { range: [-0.15, top + 0.15] } : {
-          range: (_plot, least, greatest) => around(least, greatest) },
+          range: () => around(this.values) },
       },
       axes: [
         { ...axis, size: 20, gap: 2, space: 70, values: (_plot, splits) =>
@@ -207,8 +209,15 @@ class Strip {
   }
 }
 
-function around(least: number | null, greatest: number | null): [number, number] {
-  if (least === null || greatest === null) return [0, 1];
+/** What a plot shows from bottom to top. A few values far out, as a first derivative is, do not
+ *  count: all others would be a flat line. */
+function around(values: readonly (number | null)[]): [number, number] {
+  const sorted = values.filter((x): x is number => typeof x === "number").sort((a, b) => a - b);
+  const at = (share: number) => sorted[Math.round(share * (sorted.length - 1))] ?? 0;
+  if (sorted.length === 0) return [0, 1];
+  const most = at(0.997) - at(0.003);
+  const [least, greatest] = most > 0 && at(1) - at(0) > 10 * most ? [at(0.003), at(0.997)]
+    : [at(0), at(1)];
   const margin = greatest > least ? (greatest - least) * 0.08 : Math.abs(greatest) * 0.1 || 1;
   return [least - margin, greatest + margin];
 }
@@ -229,6 +238,7 @@ export function startPlots(store: Store, host: HTMLElement): void {
         strips.delete(number);
       }
     }
+    strips.forEach((strip) => strip.build());
     store.plotted.forEach((number, index) => {
       if (strips.has(number)) return;
       const strip = new Strip(store, number, index);

@@ -2,14 +2,23 @@
 
 export interface Signal {
   readonly name: string;
-  readonly side: "input" | "output" | "mode";
+  readonly side: "input" | "output" | "probe" | "mode";
   readonly kind: "bool" | "int" | "float" | "event" | "sum" | "data" | "mode";
   /** What the numbers 0, 1, … of its plot stand for; none if they are numbers. */
   readonly names: readonly string[];
+  /** As the language writes it, such as `m/s`; empty without one. */
+  readonly unit: string;
+  /** Of a probe: the instance of a signal function that it is in, its name there, and where
+   *  that is written. Else empty. */
+  readonly instance: string;
+  readonly own: string;
+  readonly file: string;
+  readonly line: number;
 }
 
 export interface Source {
   readonly name: string;
+  readonly library: boolean;
   readonly text: string;
 }
 

@@ -3,12 +3,12 @@ import type { Signal } from "./protocol";
 import type { Store } from "./store";
 import { formatCell, isNothing } from "./values";
 
-const titles = { input: "Input", output: "Output", mode: "Modes" } as const;
+const titles = { input: "Input", output: "Output", probe: "Inside", mode: "Modes" } as const;
 
 export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputElement): void {
   const rows: { row: HTMLButtonElement; value: HTMLElement; signal: Signal }[] = [];
   const groups: HTMLElement[] = [];
-  for (const side of ["output", "mode", "input"] as const) {
+  for (const side of ["output", "probe", "mode", "input"] as const) {
     const group = document.createElement("section");
     const title = document.createElement("h2");
     title.textContent = titles[side];
@@ -18,7 +18,7 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
       const row = document.createElement("button");
       const name = document.createElement("span");
       const value = document.createElement("output");
-      name.textContent = signal.name.replace(/^(in|out|mode)\./, "");
+      name.textContent = signal.name.replace(/^(in|out|probe|mode)\./, "");
       row.title = signal.name;
       row.append(name, value);
       row.onclick = () => store.toggle(number);

@@ -1,9 +1,11 @@
-// The program's source, read-only.
+// The program's source, read-only, with the values of the instant at the ends of its lines.
 import { HighlightStyle, syntaxHighlighting } from "@codemirror/language";
-import { EditorState } from "@codemirror/state";
-import { EditorView, lineNumbers } from "@codemirror/view";
+import { EditorState, StateEffect, StateField, type Extension } from "@codemirror/state";
+import { Decoration, EditorView, lineNumbers, WidgetType, type DecorationSet } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import { frob } from "./frob_language";
+import { Lines, shownSources, type Chip, type LineValues } from "./lines";
+import type { Source } from "./protocol";
 import type { Store } from "./store";
 
 const colours = HighlightStyle.define([
@@ -20,26 +22,156 @@ const look = EditorView.theme({
   ".cm-scroller": { fontFamily: "var(--mono)", lineHeight: "1.55" },
   ".cm-gutters": { backgroundColor: "transparent", color: "var(--faint)", border: "none" },
   "&.cm-focused": { outline: "none" },
+  ".idle": { opacity: "0.45" },
+  ".values": { marginLeft: "1.5ch", whiteSpace: "normal" },
+  ".values button": {
+    font: "12px var(--mono)",
+    color: "var(--text)",
+    background: "var(--chip)",
+    border: "1px solid transparent",
+    borderRadius: "5px",
+    padding: "0 5px",
+    margin: "0 4px 0 0",
+    cursor: "pointer",
+  },
+  ".values button:hover": { borderColor: "var(--accent)" },
+  ".values button[aria-pressed=true]": { borderColor: "var(--accent)", background: "var(--picked)" },
+  ".values .name": { color: "var(--dim)", marginRight: "0.7ch" },
+  ".values .instance": { background: "transparent", color: "var(--dim)",
+                         border: "1px solid var(--edge)" },
+  ".values .more": { color: "var(--dim)", fontSize: "12px" },
 });
 
-/** In a shadow tree, where the editor's styles are style sheets and no `<style>` elements,
- *  which the page's security policy would refuse. */
+interface Act {
+  plot(number: number): void;
+  next(line: number): void;
+}
+
+/** What stands at the end of a line. */
+class Values extends WidgetType {
+  private readonly text: string;
+
+  constructor(
+    private readonly line: number,
+    private readonly values: LineValues,
+    private readonly act: Act,
+  ) {
+    super();
+    this.text = JSON.stringify(values);
+  }
+
+  override eq(other: Values): boolean {
+    return this.line === other.line && this.text === other.text;
+  }
+
+  private chip({ number, name, value, isPlotted }: Chip): HTMLElement {
+    const button = document.createElement("button");
+    const label = document.createElement("span");
+    label.className = "name";
+    label.textContent = name;
+    button.append(label, value === "" ? "–" : value);
+    button.ariaPressed = String(isPlotted);
+    button.title = isPlotted ? `${name} is plotted` : `Plot ${name}`;
+    button.onclick = () => this.act.plot(number);
+    return button;
+  }
+
+  toDOM(): HTMLElement {
+    const place = document.createElement("span");
+    place.className = "values";
+    const { chips, more, instance, instances, instanceName } = this.values;
+    if (instances > 1) {
+      const button = document.createElement("button");
+      button.className = "instance";
+      button.textContent = `${instanceName} ${instance + 1}/${instances}`;
+      button.title = "Show the next one of these";
+      button.onclick = () => this.act.next(this.line);
+      place.append(button);
+    }
+    place.append(...chips.map((chip) => this.chip(chip)));
+    if (more > 0) {
+      const rest = document.createElement("span");
+      rest.className = "more";
+      rest.textContent = `+${more}`;
+      place.append(rest);
+    }
+    return place;
+  }
+
+  override ignoreEvent(): boolean {
+    return true;
+  }
+}
+
+const show = StateEffect.define<DecorationSet>();
+const shown = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update: (before, change) =>
+    change.effects.reduce((now, effect) => (effect.is(show) ? effect.value : now), before),
+  provide: (field) => EditorView.decorations.from(field),
+});
+
+const idle = Decoration.line({ class: "idle" });
+
 export function startSource(store: Store, host: HTMLElement): void {
-  const root = host.attachShadow({ mode: "open" });
-  const [source] = store.program.sources;
-  new EditorView({
-    root,
-    parent: root,
-    state: EditorState.create({
-      doc: source?.text ?? "",
-      extensions: [
-        lineNumbers(),
-        EditorState.readOnly.of(true),
-        EditorView.contentAttributes.of({ "aria-label": source?.name ?? "Source" }),
-        frob,
-        syntaxHighlighting(colours),
-        look,
-      ],
-    }),
-  });
+  const lines = new Lines(store);
+  const sources = shownSources(store.program, lines);
+  const tabs = document.createElement("nav");
+  const place = document.createElement("div");
+  // In a shadow tree the editor's styles are style sheets, and no `<style>` elements, which the
+  // page's security policy would refuse.
+  const root = place.attachShadow({ mode: "open" });
+  host.append(tabs, place);
+  tabs.hidden = sources.length < 2;
+
+  const extensions: Extension = [
+    lineNumbers(),
+    EditorView.lineWrapping,
+    EditorState.readOnly.of(true),
+    EditorView.contentAttributes.of({ "aria-label": "Source" }),
+    frob,
+    syntaxHighlighting(colours),
+    look,
+    shown,
+  ];
+  const stateOf = (source: Source | undefined) =>
+    EditorState.create({ doc: source?.text ?? "", extensions });
+  let current = sources[0];
+  const view = new EditorView({ root, parent: root, state: stateOf(current) });
+
+  const act: Act = {
+    plot: (number) => store.toggle(number),
+    next: (line) => {
+      if (current) lines.next(current.name, line);
+      update();
+    },
+  };
+  const update = () => {
+    if (!current) return;
+    const { name } = current;
+    const { doc } = view.state;
+    const marks = lines.linesOf(name).filter((line) => line <= doc.lines).flatMap((line) => {
+      const values = lines.values(name, line);
+      const { from, to } = doc.line(line);
+      if (!values) return [];
+      const widget = Decoration.widget({ widget: new Values(line, values, act), side: 1 });
+      return [...(values.runs ? [] : [idle.range(from)]), widget.range(to)];
+    });
+    view.dispatch({ effects: show.of(Decoration.set(marks)) });
+  };
+
+  for (const source of sources) {
+    const tab = document.createElement("button");
+    tab.textContent = source.name;
+    tab.onclick = () => {
+      current = source;
+      view.setState(stateOf(source));
+      for (const other of tabs.children) other.ariaPressed = String(other === tab);
+      update();
+    };
+    tab.ariaPressed = String(source === current);
+    tabs.append(tab);
+  }
+  store.on("instant", update);
+  store.on("plotted", update);
 }

@@ -16,15 +16,19 @@ export function formatCell(signal: Signal, cell: string): string {
   if (cell === "true") return "True";
   if (cell === "false") return "False";
   // A digit within a name is none of a number.
-  return cell.replace(numbers, (digits, _fraction, _exponent, at: number) =>
-    /[\w']/.test(cell[at - 1] ?? "") ? digits : formatNumber(Number(digits)));
+  return withUnit(signal, cell.replace(numbers, (digits, _fraction, _exponent, at: number) =>
+    /[\w']/.test(cell[at - 1] ?? "") ? digits : formatNumber(Number(digits))));
+}
+
+function withUnit(signal: Signal, text: string): string {
+  return signal.unit === "" ? text : `${text}[${signal.unit}]`;
 }
 
 /** A number of its plot, as the value that it stands for. */
 export function formatPoint(signal: Signal, x: number | null): string {
   if (x === null) return signal.kind === "event" ? "NoEvent" : "";
   if (signal.kind === "bool") return x === 0 ? "False" : "True";
-  return signal.names[x] ?? formatNumber(x);
+  return signal.names[x] ?? withUnit(signal, formatNumber(x));
 }
 
 export function isNothing(signal: Signal, cell: string): boolean {
@@ -39,5 +43,5 @@ export function formatTime(seconds: number): string {
 export function difference(signal: Signal, from: string, to: string): string | null {
   if ((signal.kind !== "float" && signal.kind !== "int") || from === "" || to === "") return null;
   const x = Number(to) - Number(from);
-  return Number.isNaN(x) ? null : `${x < 0 ? "−" : "+"}${formatNumber(Math.abs(x))}`;
+  return Number.isNaN(x) ? null : `${x < 0 ? "−" : "+"}${withUnit(signal, formatNumber(Math.abs(x)))}`;
 }
