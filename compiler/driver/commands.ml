@@ -263,8 +263,14 @@ let with_runtime general (resources : Resources.t) ~name:_ =
 let missing_host host =
   wrong_use (Printf.sprintf "the host %s is missing: install frobc again" host)
 
-let shared general ~entry ~sources file continue =
-  built general Shared_object ~entry ~sources ~linked:(with_runtime general) file continue
+let shared ?(generated = []) ?(options = []) general ~entry ~sources file continue =
+  let linked resources ~name =
+    let linked = with_runtime general resources ~name in
+    let machine = Option.value linked.machine ~default:(Toolchain.this_machine ()) in
+    let machine = { machine with options = machine.options @ options } in
+    { linked with machine = Some machine; generated }
+  in
+  built general Shared_object ~entry ~sources ~linked file continue
 
 (* The program as a shared object, and the host that is to run it. *)
 let hosted general ~entry ~sources file ~host ~arguments =
@@ -386,6 +392,24 @@ type view = { recording : string; browser : bool; port : int option; world : str
 
 let is_port number = number >= 1 && number <= 65535
 
+(* A program with all its probes is large, and takes seconds to optimize: for a run of minutes
+   it is not worth it. *)
+let effort recording =
+  let size = (Unix.stat recording).st_size in
+  [ (if size < 5_000_000 then "-O0" else "-O1") ]
+
+(* With all that can be seen inside, and a table of where that is written. Of a program that
+   is rejected, or has too much inside, nothing is known; the build that follows says why. *)
+let with_all_probes general (resources : Resources.t) ~entry file =
+  match Robots.known general.robot with
+  | Error _ -> (general, [])
+  | Ok robot -> (
+      let request = request general ?robot ~entry ~library:resources.library file in
+      match Pipeline.columns (Diagnostic.sink ()) (Source.create ()) request with
+      | None -> (general, [])
+      | Some columns ->
+          ({ general with probes = [ "all" ] }, [ ("frob_columns.c", Columns.text columns) ]))
+
 (* For the robot that a run would have been for. *)
 let view general ~entry ~sources view file =
   let* () =
@@ -398,7 +422,8 @@ let view general ~entry ~sources view file =
   let* () = all_exist (view.recording :: Option.to_list view.world) in
   let world = world_of view.world resources file in
   let* general = for_world general resources world in
-  shared general ~entry ~sources file (fun _ program ->
+  let general, generated = with_all_probes general resources ~entry file in
+  shared general ~generated ~options:(effort view.recording) ~entry ~sources file (fun _ program ->
       let options =
         (if view.browser then [] else [ "--print" ])
         @ Option.fold ~none:[] ~some:(fun port -> [ "--port"; string_of_int port ]) view.port

@@ -124,6 +124,11 @@ let probes sink sources r =
   let* all = Probes.all sink ~at:(name_of written) core flow in
   Some (Probes.list front.typed flow all)
 
+let columns sink sources r =
+  let* front, written, (core, _), flow = plain sink sources r in
+  let* all = Probes.all sink ~at:(name_of written) core flow in
+  Some (Columns.of_program front.typed written flow all)
+
 let interpretable sink sources r =
   let* written, (core, entry), flow = checked sink sources r in
   let refusal = Interpreted.refusal ~at:written.span flow in

@@ -27,6 +27,9 @@ val interpretable : (Core.Ir.program * Core.Ir.Global.t) option t
 val probes : string option t
 (** What of the program can be seen ({!Probes.list}). *)
 
+val columns : Columns.t list option t
+(** What is known of the columns of a trace with all probes. *)
+
 val for_both_engines : (Core.Ir.program * Core.Ir.Global.t * Cgen.Emit.t) option t
 (** What {!interpretable} and {!compile} give, with one run of the stages that
     they share. *)

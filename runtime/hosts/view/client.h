@@ -9,6 +9,7 @@ struct client {
     struct buffer incoming; /* of a message that has not yet come whole */
     char *pending[SERVER_PENDING];
     size_t count;
+    bool is_to_be_told; /* that the program has been run over the recording */
 };
 
 /* What to do with a page after what it sent. */

@@ -94,19 +94,31 @@ static bool ends_in(const char *whole, const char *name)
     return length > end && whole[length - end - 1] == '.' && strcmp(whole + length - end, name) == 0;
 }
 
-static const struct signal *find(struct reader *r, const char *name)
+/* The one signal with this end among those that are inside, or among the others; NULL, with
+ * a complaint if there are several. */
+static const struct signal *find_end(struct reader *r, const char *name, bool inside)
 {
     const struct signals *signals = r->series->replay->signals;
-    const struct signal *found = signals_find(signals, name);
-    for (size_t i = 0; found == NULL && i < signals->count; i++)
-        if (ends_in(signals->all[i].name, name))
-            found = &signals->all[i];
-    for (size_t i = 0; found != NULL && strcmp(found->name, name) != 0 && i < signals->count; i++)
-        if (&signals->all[i] != found && ends_in(signals->all[i].name, name)) {
+    const struct signal *found = NULL;
+    for (size_t i = 0; i < signals->count; i++) {
+        const struct signal *signal = &signals->all[i];
+        if ((signal->side == PROBE) != inside || !ends_in(signal->name, name))
+            continue;
+        if (found != NULL) {
             complain(r, "several signals are called", name);
             return NULL;
         }
+        found = signal;
+    }
     return found;
+}
+
+static const struct signal *find(struct reader *r, const char *name)
+{
+    const struct signal *found = signals_find(r->series->replay->signals, name);
+    if (found == NULL)
+        found = find_end(r, name, false);
+    return found == NULL && !r->wrong ? find_end(r, name, true) : found;
 }
 
 static void add_signal(struct reader *r, const char *name)
@@ -115,7 +127,7 @@ static void add_signal(struct reader *r, const char *name)
     struct operation *operation;
     if (signal == NULL) {
         complain(r, "there is no signal", name);
-    } else if (signal->side == MODE && !r->series->replay->runs) {
+    } else if ((signal->side == MODE || signal->side == PROBE) && !r->series->replay->runs) {
         complain(r, "the program cannot be run on this recording, so nothing is known of", name);
     } else if (++r->signals > SERIES_KEPT) {
         complain(r, "this has too many signals", "");
@@ -222,14 +234,14 @@ static bool read_name_of(struct reader *r, const struct signal *signal)
     const struct frob_machine *machine =
         signal->side == MODE ? &program->machines[signal->machine] : NULL;
     size_t count = machine != NULL ? machine->count
-                   : signal->value->kind == FROB_SUM && !signal->value->is_event
-                       ? signal->value->count
+                   : signal->shown->kind == FROB_SUM && !signal->shown->is_event
+                       ? signal->shown->count
                        : 0;
     char name[256];
     if (take_name(r, name, sizeof name)) {
         for (size_t i = 0; i < count; i++) {
             const char *of =
-                machine != NULL ? machine->modes[i] : signal->value->constructors[i].name;
+                machine != NULL ? machine->modes[i] : signal->shown->constructors[i].name;
             if (strcmp(of, name) == 0) {
                 add(r, NUMBER, (double)i);
                 return true;

@@ -3,9 +3,10 @@
  *   out.forward > 0.3[m/s] && mode.bug == circleTo
  *
  * It has `||`, `&&`, `not`, comparisons, `+ - * /`, `abs`, numbers with units, True and
- * False, names of signals (their ends suffice where only one signal has that end), and,
- * beside `==` or `/=`, names of modes and constructors. A comparison with what is not there,
- * such as an event that does not occur, does not hold. */
+ * False, names of signals (their ends suffice where only one signal has that end: one of
+ * the input or output, or else one inside), and, beside `==` or `/=`, names of modes and
+ * constructors. A comparison with what is not there, such as an event that does not occur,
+ * does not hold. */
 #ifndef FROB_VIEW_CONDITION_H
 #define FROB_VIEW_CONDITION_H
 

@@ -96,6 +96,8 @@ int main(int argc, char **argv)
     if (!token_make(token)) {
         fprintf(stderr, "error: this computer has no random numbers (/dev/urandom)\n");
     } else if (view_start(&view, program, frob_load_columns(), &options.files)) {
+        /* Of a run of minutes all is known before the page is there. */
+        view_advance(&view, 0.3);
         view_summary(&view, &summary);
         fputs(summary.length > 0 ? summary.data : "", stderr);
         status = server_run(&view, options.port, token, tell, &start) ? DONE : WRONG_USE;

@@ -131,7 +131,7 @@ static bool grow(struct recording *recording)
     if (bytes == NULL)
         return false;
     recording->inputs = bytes;
-    bytes = (unsigned char *)realloc(recording->outputs, capacity * program->output_size + 1);
+    bytes = (unsigned char *)realloc(recording->outputs, capacity * recording->output_size + 1);
     if (bytes == NULL)
         return false;
     recording->outputs = bytes;
@@ -145,7 +145,7 @@ static bool read_row(struct reader *r)
     struct recording *recording = r->recording;
     const size_t k = recording->count;
     unsigned char *input = recording->inputs + k * recording->program->input_size;
-    unsigned char *output = recording->outputs + k * recording->program->output_size;
+    unsigned char *output = recording->outputs + k * recording->output_size;
     if (r->csv.count != r->width) {
         note(r, "the header names %lu columns, but this row has %lu", (unsigned long)r->width,
              (unsigned long)r->csv.count);
@@ -160,7 +160,7 @@ static bool read_row(struct reader *r)
         return false;
     }
     memset(input, 0, recording->program->input_size);
-    memset(output, 0, recording->program->output_size);
+    memset(output, 0, recording->output_size);
     for (size_t i = 1; i < r->width; i++) {
         const struct signal *signal = r->columns[i];
         struct frob_cell_error error;
@@ -217,6 +217,7 @@ bool recording_read(struct recording *recording, const struct signals *signals,
     memset(recording, 0, sizeof *recording);
     recording->program = signals->program;
     recording->name = name;
+    recording->output_size = signals_output_size(signals);
     if (file == NULL)
         return give_up(recording, strerror(errno));
     reader.recording = recording;
@@ -257,5 +258,5 @@ const void *recording_input(const struct recording *recording, size_t k)
 
 const void *recording_output(const struct recording *recording, size_t k)
 {
-    return recording->outputs + k * recording->program->output_size;
+    return recording->outputs + k * recording->output_size;
 }

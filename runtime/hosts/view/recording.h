@@ -12,7 +12,9 @@ struct recording {
     size_t count;           /* of instants */
     int64_t *times;         /* in nanoseconds */
     unsigned char *inputs;  /* count times the program's input struct */
-    unsigned char *outputs; /* likewise; a signal that was not recorded is zero */
+    unsigned char *outputs; /* count times the part of the output struct that a recording
+                             * has; a signal that was not recorded is zero */
+    size_t output_size;     /* of that part: inner signals are after it */
     bool *recorded;         /* for each signal: is there a column of it? */
     bool has_all_inputs;    /* so that the program can be run on it */
     struct buffer notes;    /* what was wrong, a line each: what is shown is all the rest */

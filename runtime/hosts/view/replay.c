@@ -48,14 +48,36 @@ bool replay_start(struct replay *replay, const struct signals *signals,
     if (replay->state == NULL || replay->output == NULL || replay->kept == NULL)
         return false;
     program->reset(replay->state);
-    while (replay->next < recording->count) {
-        if (replay->next % REPLAY_EVERY == 0)
-            memcpy(kept_at(replay, replay->next), replay->state, program->state_size);
+    memcpy(replay->kept, replay->state, program->state_size);
+    return true;
+}
+
+bool replay_is_whole(const struct replay *replay)
+{
+    return !replay->runs || replay->reached == replay->recording->count;
+}
+
+/* Sets the program to the last state before an instant that is kept. */
+static void go_back(struct replay *replay, size_t k)
+{
+    memcpy(replay->state, kept_at(replay, k), replay->recording->program->state_size);
+    replay->next = k / REPLAY_EVERY * REPLAY_EVERY;
+}
+
+void replay_advance(struct replay *replay)
+{
+    const size_t count = replay->recording->count;
+    const size_t end = count - replay->reached < REPLAY_EVERY ? count : replay->reached + REPLAY_EVERY;
+    if (replay->next != replay->reached)
+        go_back(replay, replay->reached);
+    while (replay->next < end) {
         step(replay);
         if (!replay->diverged)
             compare(replay, replay->next - 1);
     }
-    return true;
+    replay->reached = end;
+    if (end < count)
+        memcpy(kept_at(replay, end), replay->state, replay->recording->program->state_size);
 }
 
 void replay_end(struct replay *replay)
@@ -71,10 +93,10 @@ struct moment replay_at(struct replay *replay, size_t k)
     struct moment moment = { recording_input(recording, k), recording_output(recording, k), NULL };
     if (!replay->runs)
         return moment;
-    if (k + 1 < replay->next || k / REPLAY_EVERY > replay->next / REPLAY_EVERY) {
-        memcpy(replay->state, kept_at(replay, k), recording->program->state_size);
-        replay->next = k / REPLAY_EVERY * REPLAY_EVERY;
-    }
+    while (replay->reached <= k)
+        replay_advance(replay);
+    if (k + 1 < replay->next || k / REPLAY_EVERY > replay->next / REPLAY_EVERY)
+        go_back(replay, k);
     while (replay->next <= k)
         step(replay);
     moment.output = replay->output;

@@ -12,23 +12,30 @@
 struct replay {
     const struct recording *recording;
     const struct signals *signals;
-    bool runs;                    /* the recording has all that the program needs */
-    unsigned char *kept;          /* the states before instants 0, REPLAY_EVERY, … */
+    bool runs;                     /* the recording has all that the program needs */
+    unsigned char *kept;           /* the states before instants 0, REPLAY_EVERY, … */
+    size_t reached;                /* before this instant all states are kept, and outputs
+                                    * compared with those recorded */
     unsigned char *state, *output; /* after instant `next - 1` */
     size_t next;
-    bool diverged;                /* an output is not the recorded one … */
-    size_t diverged_at;           /* … first at this instant */
+    bool diverged;                 /* an output is not the recorded one … */
+    size_t diverged_at;            /* … first at this instant */
     const struct signal *diverged_in;
 };
 
-/* Runs the program over the whole recording, and compares its outputs with those
- * recorded. False without memory. */
+/* Nothing is run yet. False without memory. */
 bool replay_start(struct replay *replay, const struct signals *signals,
                   const struct recording *recording);
 void replay_end(struct replay *replay);
 
+/* Has the whole recording been run over? */
+bool replay_is_whole(const struct replay *replay);
+
+/* Runs on for REPLAY_EVERY instants. */
+void replay_advance(struct replay *replay);
+
 /* Instant `k` of the recording; good until the next call. If the program cannot be
- * run, outputs are those recorded, and `state` is NULL. */
+ * run, outputs are those recorded, and `state` is NULL. Runs on as far as is needed. */
 struct moment replay_at(struct replay *replay, size_t k);
 
 #endif

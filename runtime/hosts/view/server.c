@@ -169,26 +169,30 @@ static int receive(struct lws *wsi, struct connection *connection, const char *p
 static int answer(struct lws *wsi, struct connection *connection)
 {
     static const char room[LWS_PRE];
-    struct buffer text = { 0 };
-    char *request = connection->client == NULL ? NULL : client_next(connection->client);
+    struct client *client = connection->client;
+    struct buffer text = { 0 }, body = { 0 };
+    char *request = client == NULL ? NULL : client_next(client);
     size_t length;
     int status = 0;
-    if (request == NULL)
+    if (request == NULL && (client == NULL || !client->is_to_be_told))
         return 0;
-    buffer_bytes(&text, room, sizeof room);
-    if (!text.failed) {
-        struct buffer body = { 0 };
+    if (request != NULL) {
         view_answer(server_of(wsi)->view, request, &body);
-        buffer_bytes(&text, body.data, body.length);
-        buffer_free(&body);
+    } else {
+        client->is_to_be_told = false;
+        view_progress(server_of(wsi)->view, &body);
     }
+    buffer_bytes(&text, room, sizeof room);
+    buffer_bytes(&text, body.data, body.length);
+    text.failed = text.failed || body.failed;
+    buffer_free(&body);
     length = text.length - sizeof room;
     if (text.failed ||
         lws_write(wsi, (unsigned char *)text.data + LWS_PRE, length, LWS_WRITE_TEXT) < (int)length)
         status = -1;
     buffer_free(&text);
     free(request);
-    if (connection->client->count > 0)
+    if (client->count > 0 || client->is_to_be_told)
         lws_callback_on_writable(wsi);
     return status;
 }
@@ -211,6 +215,12 @@ static int on_page(struct lws *wsi, enum lws_callback_reasons reason, void *user
         return receive(wsi, connection, (const char *)in, length);
     case LWS_CALLBACK_SERVER_WRITEABLE:
         return answer(wsi, connection);
+    case LWS_CALLBACK_USER: /* from tell_all */
+        if (connection != NULL && connection->client != NULL && connection->client->admitted) {
+            connection->client->is_to_be_told = true;
+            lws_callback_on_writable(wsi);
+        }
+        return 0;
     case LWS_CALLBACK_CLOSED:
         close_client(wsi, connection);
         return 0;
@@ -226,6 +236,26 @@ static const struct lws_protocols protocols[] = {
     { "frob-view", on_page, sizeof(struct connection), 4096, 0, NULL, 0 },
     { NULL, NULL, 0, 0, 0, NULL, 0 },
 };
+
+static void tell_all(struct lws_vhost *vhost)
+{
+    lws_callback_all_protocol_vhost_args(vhost, &protocols[1], LWS_CALLBACK_USER, NULL, 0);
+}
+
+/* Serves, and meanwhile runs the program over the recording. */
+static void serve(struct view *view, struct lws_vhost *vhost)
+{
+    bool goes_on = true;
+    while (!ending) {
+        if (lws_service(serving, goes_on ? -1 : 0) < 0)
+            return;
+        if (goes_on) {
+            goes_on = view_advance(view, 0.005);
+            if (!goes_on)
+                tell_all(vhost);
+        }
+    }
+}
 
 /* A page can run and ask for only what comes from here, and be in no other page. */
 static const struct lws_protocol_vhost_options
@@ -268,8 +298,8 @@ bool server_run(struct view *view, int port, const char *token, server_ready *re
         signal(SIGTERM, end);
         signal(SIGPIPE, SIG_IGN);
         serves = ready(context, port);
-        while (serves && !ending && lws_service(serving, 0) >= 0)
-            ;
+        if (serves)
+            serve(view, vhost);
     }
     if (serving != NULL)
         lws_context_destroy(serving);

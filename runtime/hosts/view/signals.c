@@ -26,6 +26,7 @@ static void add(struct signals *signals, const char *name, struct signal signal)
         return;
     }
     strcpy(signal.name, name);
+    signal.shown = signal.value;
     signals->all[signals->count++] = signal;
 }
 
@@ -73,6 +74,9 @@ static void look_up(struct signal *signal, const struct frob_column *columns)
             signal->below = below;
         }
     }
+    if (signal->side == PROBE && signal->value->is_event && signal->column != NULL &&
+        !signal->column->is_event)
+        signal->shown = signal->value->constructors[1].fields[0].value;
 }
 
 bool signals_start(struct signals *signals, const struct frob_program *program,
@@ -95,6 +99,29 @@ void signals_end(struct signals *signals)
     for (size_t i = 0; i < signals->count; i++)
         free(signals->all[i].name);
     free(signals->all);
+}
+
+/* Where the first and the last of the numbers, truth values and tags of a value are. */
+static void add_extent(const struct frob_value *value, size_t *first, size_t *last)
+{
+    if (value->kind != FROB_PRODUCT && value->kind != FROB_ARRAY) {
+        *first = value->offset < *first ? value->offset : *first;
+        *last = value->offset > *last ? value->offset : *last;
+    }
+    for (size_t i = 0; i < value->count; i++)
+        for (size_t k = 0; k < value->constructors[i].count; k++)
+            add_extent(value->constructors[i].fields[k].value, first, last);
+}
+
+size_t signals_output_size(const struct signals *signals)
+{
+    const struct frob_program *program = signals->program;
+    size_t first = program->output_size, last = 0, ignored = 0;
+    if (program->probes != NULL)
+        add_extent(program->probes, &first, &ignored);
+    ignored = 0;
+    add_extent(program->output, &ignored, &last);
+    return last < first ? first : program->output_size;
 }
 
 const struct signal *signals_find(const struct signals *signals, const char *name)

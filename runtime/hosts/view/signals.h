@@ -17,6 +17,8 @@ struct signal {
     char *name; /* as the column of a trace */
     enum side side;
     const struct frob_value *value;   /* but of a mode */
+    const struct frob_value *shown;   /* likewise; of a probe that is not always there, what it
+                                       * is where it is */
     size_t machine;                   /* of a mode */
     const struct frob_column *column; /* what is known of it; NULL: nothing */
     const char *below;                /* the end of its name that the column's has not */
@@ -38,6 +40,10 @@ struct moment {
 bool signals_start(struct signals *signals, const struct frob_program *program,
                    const struct frob_column *columns);
 void signals_end(struct signals *signals);
+
+/* How much of the output struct the program's output takes: its inner signals come after
+ * it. */
+size_t signals_output_size(const struct signals *signals);
 
 /* The signal of this name; NULL if there is none. */
 const struct signal *signals_find(const struct signals *signals, const char *name);

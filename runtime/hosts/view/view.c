@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 /* {1 Beginning} */
 
@@ -82,6 +83,24 @@ void view_end(struct view *view)
     free(view->world.text);
 }
 
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + (double)time.tv_nsec / 1e9;
+}
+
+bool view_advance(struct view *view, double seconds)
+{
+    const double end = now() + seconds;
+    while (!replay_is_whole(&view->replay)) {
+        replay_advance(&view->replay);
+        if (now() >= end)
+            break;
+    }
+    return !replay_is_whole(&view->replay);
+}
+
 void view_summary(const struct view *view, struct buffer *text)
 {
     if (view->recording.notes.length > 0)
@@ -111,7 +130,7 @@ static const char *kind_of(const struct signal *signal)
 {
     if (signal->side == MODE)
         return "mode";
-    switch (signal->value->kind) {
+    switch (signal->shown->kind) {
     case FROB_BOOL:
         return "bool";
     case FROB_INT:
@@ -121,7 +140,7 @@ static const char *kind_of(const struct signal *signal)
     case FROB_ROUNDED:
         return "float";
     case FROB_SUM:
-        return signal->value->is_event ? "event" : "sum";
+        return signal->shown->is_event ? "event" : "sum";
     case FROB_PRODUCT:
     case FROB_ARRAY:
         break;
@@ -141,10 +160,10 @@ static void add_names(const struct view *view, const struct signal *signal,
             buffer_text(answer, comma);
             buffer_string(answer, machine->modes[i]);
         }
-    } else if (signal->value->kind == FROB_SUM && !signal->value->is_event) {
-        for (size_t i = 0; i < signal->value->count; i++, comma = ",") {
+    } else if (signal->shown->kind == FROB_SUM && !signal->shown->is_event) {
+        for (size_t i = 0; i < signal->shown->count; i++, comma = ",") {
             buffer_text(answer, comma);
-            buffer_string(answer, signal->value->constructors[i].name);
+            buffer_string(answer, signal->shown->constructors[i].name);
         }
     }
     buffer_text(answer, "]");
@@ -153,7 +172,7 @@ static void add_names(const struct view *view, const struct signal *signal,
 /* What the programmer knows of it. */
 static void add_column(const struct signal *signal, struct buffer *answer)
 {
-    static const struct frob_column unknown = { "", "", "", "", "", 0 };
+    static const struct frob_column unknown = { "", "", 0, "", "", "", 0 };
     const struct frob_column *column = signal->column != NULL ? signal->column : &unknown;
     struct buffer own = { 0 };
     buffer_format(&own, "%s%s", column->own, signal->column != NULL ? signal->below : "");
@@ -199,10 +218,27 @@ static void add_source(const struct source *source, struct buffer *answer)
     buffer_text(answer, "}");
 }
 
+/* What of `program` changes as the program is run on. */
+static void add_progress(const struct view *view, struct buffer *message)
+{
+    struct buffer summary = { 0 };
+    view_summary(view, &summary);
+    buffer_format(message, ",\"replayed\":%lu,\"notes\":",
+                  (unsigned long)(view->replay.runs ? view->replay.reached : 0));
+    buffer_string(message, summary.length > 0 ? summary.data : "");
+    buffer_free(&summary);
+}
+
+void view_progress(const struct view *view, struct buffer *message)
+{
+    buffer_text(message, "{\"is\":\"progress\"");
+    add_progress(view, message);
+    buffer_text(message, "}");
+}
+
 static void answer_program(struct view *view, struct buffer *answer)
 {
     const size_t count = view->recording.count;
-    struct buffer summary = { 0 };
     buffer_text(answer, "{\"is\":\"program\",\"name\":");
     buffer_string(answer, view->program->name);
     buffer_text(answer, ",\"robot\":");
@@ -214,10 +250,7 @@ static void answer_program(struct view *view, struct buffer *answer)
     buffer_text(answer, ",\"end\":");
     buffer_number(answer, seconds_at(view, count - 1));
     buffer_format(answer, ",\"runs\":%s", view->replay.runs ? "true" : "false");
-    buffer_text(answer, ",\"notes\":");
-    view_summary(view, &summary);
-    buffer_string(answer, summary.length > 0 ? summary.data : "");
-    buffer_free(&summary);
+    add_progress(view, answer);
     add_signals(view, answer);
     buffer_text(answer, ",\"sources\":[");
     for (size_t i = 0; i < view->source_count; i++) {
@@ -227,6 +260,12 @@ static void answer_program(struct view *view, struct buffer *answer)
     buffer_text(answer, "],\"world\":");
     add_source(&view->world, answer);
     buffer_text(answer, "}");
+}
+
+/* Is anything known of it? If the program cannot be run, only what was recorded. */
+static bool is_known(const struct view *view, const struct signal *signal)
+{
+    return signal->side == INPUT || signal->side == OUTPUT || view->replay.runs;
 }
 
 static void answer_instant(struct view *view, size_t k, struct buffer *answer)
@@ -241,7 +280,7 @@ static void answer_instant(struct view *view, size_t k, struct buffer *answer)
     for (size_t i = 0; i < view->signals.count; i++) {
         const struct signal *signal = &view->signals.all[i];
         buffer_clear(&cell);
-        if (signal->side != MODE || moment.state != NULL)
+        if (is_known(view, signal))
             signal_write(&view->signals, signal, &moment, &cell);
         buffer_text(answer, i > 0 ? "," : "");
         buffer_string(answer, cell.length > 0 ? cell.data : "");
@@ -262,11 +301,6 @@ static size_t instant_at(const struct view *view, double seconds)
             high = middle;
     }
     return low;
-}
-
-static bool has_numbers(const struct view *view, const struct signal *signal)
-{
-    return signal->side == INPUT || signal->side == OUTPUT || view->replay.runs;
 }
 
 struct points {
@@ -293,7 +327,7 @@ static void answer_series(struct view *view, size_t number, double from, double 
     const struct signal *signal = &view->signals.all[number];
     struct buffer times = { 0 }, values = { 0 };
     struct points points = { view, NULL, answer, &times, &values };
-    if (has_numbers(view, signal)) {
+    if (is_known(view, signal)) {
         points.numbers = series_of(&view->series, signal);
         if (points.numbers == NULL) {
             refuse(answer, "not enough memory for this signal's numbers");
@@ -321,7 +355,7 @@ static void answer_path(struct view *view, size_t x, size_t y, size_t count,
     const size_t instants = view->recording.count;
     const size_t points = instants < count ? instants : count;
     const struct signal *all = view->signals.all;
-    const bool known = has_numbers(view, &all[x]) && has_numbers(view, &all[y]);
+    const bool known = is_known(view, &all[x]) && is_known(view, &all[y]);
     const double *xs = !known ? NULL : series_of(&view->series, &all[x]);
     const double *ys = !known ? NULL : series_of(&view->series, &all[y]);
     if (xs == NULL || ys == NULL) {

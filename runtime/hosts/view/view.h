@@ -45,15 +45,22 @@ struct view_files {
     const char *world; /* that the robot may have driven in; NULL: none */
 };
 
-/* Reads the files and runs the program on the recording. False with a line on standard
+/* Reads the files. False with a line on standard
  * error. */
 bool view_start(struct view *view, const struct frob_program *program,
                 const struct frob_column *columns, const struct view_files *files);
 void view_end(struct view *view);
 
-/* Appends what is to be known at once: what does not fit, and whether outputs are the
- * recorded ones. Lines. */
+/* Runs the program over more of the recording, for about so many seconds. False if it has
+ * been run over all of it. */
+bool view_advance(struct view *view, double seconds);
+
+/* Appends what does not fit, and whether outputs are the recorded ones as far as is known.
+ * Lines. */
 void view_summary(const struct view *view, struct buffer *text);
+
+/* Appends the message to pages, which have not asked, how far that is. */
+void view_progress(const struct view *view, struct buffer *message);
 
 /* Appends the answer to a request. */
 void view_answer(struct view *view, const char *request, struct buffer *answer);

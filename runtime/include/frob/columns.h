@@ -15,6 +15,7 @@ extern "C" {
 struct frob_column {
     const char *name;
     const char *unit;     /* "m/s"; "" without one */
+    int is_event;         /* of a probe: an event, and not what is not there at all instants */
     const char *instance; /* of a probe: of which signal function, as in its name; else "" … */
     const char *own;      /* … its own name there … */
     const char *file;     /* … and where that is written, without folders … */

@@ -112,6 +112,17 @@ def visit(page, rows):
     source = page.driver.execute_script(
         "return document.querySelector('#source div').shadowRoot.querySelector('.cm-content').innerText")
     check("the source is there", "main" in source)
+    line = page.driver.execute_script("""
+        const root = document.querySelector('#source div').shadowRoot;
+        const chip = [...root.querySelectorAll('.values button')]
+            .find(button => button.textContent.startsWith('goal.x'));
+        const text = chip.closest('.cm-line').textContent + chip.textContent;
+        chip.click();
+        return text""")
+    check("values stand on the lines of their signals",
+          line.startswith("bug goal = do") and line.endswith("13[m]"))
+    page.wait(lambda: any(".goal.x" in h.text for h in page.all("#plots h3")))
+    check("a value that is clicked is plotted", True)
     messages = [entry["message"] for entry in page.driver.get_log("browser")]
     check("the browser has nothing to complain of", messages == [])
     for message in messages:

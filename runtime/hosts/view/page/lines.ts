@@ -65,20 +65,29 @@ export class Lines {
     const instances = this.files.get(file)?.get(line);
     if (!instances) return;
     const key = Lines.key(instances);
-    this.chosen.set(key, ((this.chosen.get(key) ?? 0) + 1) % instances.size);
+    this.chosen.set(key, (this.shown(instances) + 1) % instances.size);
   }
 
+  /** What does not run has no values; an event has none at most instants anyway. */
   private runs(instance: string): boolean {
     const { instant, program } = this.store;
     const members = this.members.get(instance) ?? [];
-    return members.some((number) => program.signals[number]?.kind !== "event" ||
-      (instant?.cells[number] ?? "") !== "");
+    const isThere = (number: number) => (instant?.cells[number] ?? "") !== "";
+    return members.some(isThere) ||
+      members.every((number) => program.signals[number]?.kind === "event");
+  }
+
+  /** The instance that was chosen, or else the first that runs. */
+  private shown(instances: Instances): number {
+    const chosen = this.chosen.get(Lines.key(instances));
+    if (chosen !== undefined) return chosen;
+    return Math.max(0, [...instances.keys()].findIndex((name) => this.runs(name)));
   }
 
   values(file: string, line: number): LineValues | null {
     const instances = this.files.get(file)?.get(line);
     if (!instances) return null;
-    const instance = this.chosen.get(Lines.key(instances)) ?? 0;
+    const instance = this.shown(instances);
     const [instanceName, numbers] = [...instances][instance] ?? ["", []];
     const { program, instant, plotted } = this.store;
     const chips = numbers.slice(0, mostChips).flatMap((number) => {

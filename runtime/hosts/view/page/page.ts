@@ -4,7 +4,7 @@ import { startKeys } from "./keys";
 import { Player } from "./player";
 import { startMap } from "./map";
 import { startPlots } from "./plots";
-import type { Answer, Program } from "./protocol";
+import type { Answer, Program, Progress } from "./protocol";
 import { startSearch } from "./search";
 import { startSignals } from "./signals";
 import { startSource } from "./source";
@@ -30,12 +30,17 @@ function describe(program: Program): void {
   element("run").textContent = [program.recording, program.robot,
     `${program.instants} instants, ${formatNumber(program.end - program.start)} s`]
     .filter((part) => part !== "").join("  ·  ");
-  const notes = program.notes.trimEnd();
+  showProgress(program, program);
+}
+
+function showProgress(program: Program, progress: Program | Progress): void {
+  const notes = progress.notes.trimEnd();
   element("notes").textContent = notes;
   element("notes").hidden = notes === "";
   const diverged = /^diverged at \d+/m.exec(notes);
   if (diverged) showState(diverged[0], false);
   else if (!program.runs) showState("as recorded; the program does not fit", false);
+  else if (progress.replayed < program.instants) showState("replaying …", true);
   else showState("replayed: outputs as recorded", true);
 }
 
@@ -80,6 +85,7 @@ let store: Store | null = null;
 function answered(answer: Answer): void {
   switch (answer.is) {
     case "program": store = start(answer); break;
+    case "progress": if (store) showProgress(store.program, answer); break;
     case "instant": store?.arrived(answer); break;
     case "series": store?.received(answer); break;
     case "path": store?.pathReceived(answer); break;

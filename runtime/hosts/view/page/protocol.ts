@@ -32,11 +32,20 @@ export interface Program {
   readonly end: number;
   /** Whether the program can be run on the recording. */
   readonly runs: boolean;
+  /** How many instants it has been run over. */
+  readonly replayed: number;
   readonly notes: string;
   readonly signals: readonly Signal[];
   readonly sources: readonly Source[];
   /** That the robot may have driven in. */
   readonly world: Source | null;
+}
+
+/** Comes by itself, when the program has been run over the whole recording. */
+export interface Progress {
+  readonly is: "progress";
+  readonly replayed: number;
+  readonly notes: string;
 }
 
 export interface Instant {
@@ -82,4 +91,4 @@ export interface Refused {
   readonly why: string;
 }
 
-export type Answer = Program | Instant | Series | Path | Found | Refused;
+export type Answer = Program | Progress | Instant | Series | Path | Found | Refused;
