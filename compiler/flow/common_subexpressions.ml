@@ -5,20 +5,11 @@ let is_commutative : Ir.operator -> bool = function
       true
   | _ -> false
 
-(* An operand, Floats by their bits. *)
-type operand = Signal of int | Bool of bool | Int of int32 | Float of int64
-
-let operand : Ir.atom -> operand = function
-  | Signal s -> Signal s.id
-  | Bool b -> Bool b
-  | Int n -> Int n
-  | Float x -> Float (Int64.bits_of_float x)
-
 (* What is computed: a right side or an instance without its operands, and these. *)
 type work = Equation of Ir.ty * Ir.rhs | Instance of int * Ir.loop option
 
 module Table = Hashtbl.Make (struct
-  type t = operand list * work
+  type t = Operands.key list * work
 
   let equal = ( = )
   let hash = Hashtbl.hash_param 40 80
@@ -27,7 +18,7 @@ end)
 let without_operand _ : Ir.atom = Bool false
 
 let key_of_equation (e : Ir.equation) rhs =
-  let operands = Basis.Long_list.map operand (Operands.all rhs) in
+  let operands = Basis.Long_list.map Operands.key (Operands.all rhs) in
   let operands =
     match rhs with
     | Op (operator, _) when is_commutative operator -> List.sort compare operands
@@ -56,7 +47,7 @@ let round (node : Ir.node) =
     | Equation e ->
         ignore (meet (key_of_equation e (Operands.map atom e.rhs)) [ e.defines ] : bool)
     | Instance i ->
-        let operands = Basis.Long_list.map (fun a -> operand (atom a)) (i.statics @ i.inputs) in
+        let operands = Basis.Long_list.map (fun a -> Operands.key (atom a)) (i.statics @ i.inputs) in
         if not (meet (operands, Instance (i.node, i.loop)) i.outputs) then
           Hashtbl.replace twins i.name ()
     | Trial _ | Machine _ -> ()

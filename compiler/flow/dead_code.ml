@@ -197,7 +197,7 @@ let need_instance search waiting (instance : instance) =
 let consequences search waiting (s : Ir.signal) =
   match search.definitions.(s.id) with
   | Undefined -> Basis.Diagnostic.bug ~stage:"Flow.Dead_code" "`%s` (%d) is not defined" s.name s.id
-  | Equation -> Operands.fold (need search) waiting search.right_sides.(s.id)
+  | Equation -> List.fold_left (need search) waiting (Operands.all search.right_sides.(s.id))
   | Parameter { node; number } -> need_parameter search waiting node number
   | Foreign_result inputs ->
       List.fold_left (fun waiting s -> need search waiting (Ir.Signal s)) waiting inputs

@@ -1,102 +1,152 @@
-(* What is passed for a parameter, as far as it can be told apart. *)
-type passed =
-  | Own of int  (** a parameter of the node that passes it: the first of its twins *)
-  | Other of int  (** another signal *)
-  | Literal of Ir.atom
+open Basis
 
-let same a b =
-  match (a, b) with
-  | Own a, Own b | Other a, Other b -> Int.equal a b
-  | Literal a, Literal b -> Operands.same a b
-  | (Own _ | Other _ | Literal _), _ -> false
+(* What an accumulator becomes in a round. *)
+type next = Is of Operands.key | Choice of Operands.key * next * next
 
-(* The first index of those that are together with each. *)
-let firsts together array =
-  Array.mapi
-    (fun j _ ->
-      let rec first i = if i = j || together i j then i else first (i + 1) in
-      first 0)
-    array
+(* Choices within choices are looked into so deep. *)
+let depth = 4
 
-(* The atoms that one node passes for the static parameters of another. *)
-type call = { by : int; callee : int; arguments : Ir.atom array }
+(* What one node passes for the parameters of another, its statics and inputs. *)
+type call = { callee : int; arguments : (Ir.argument * Ir.atom) array }
+
+let each_as_given = List.map (fun a -> (Ir.Same, a))
 
 let calls (program : Ir.program) =
   let found = ref [] in
-  let call by callee arguments =
-    match arguments with
-    | [] | [ _ ] -> ()
-    | arguments -> found := { by; callee; arguments = Array.of_list arguments } :: !found
+  let call callee arguments = found := { callee; arguments = Array.of_list arguments } :: !found in
+  let instance (i : Ir.instance) =
+    let inputs =
+      match i.loop with
+      | None -> each_as_given i.inputs
+      | Some l -> List.combine l.arguments i.inputs
+    in
+    call i.node (each_as_given i.statics @ inputs)
   in
-  let machine by (m : Ir.machine) =
+  let machine (m : Ir.machine) =
     let modes = Array.of_list m.modes in
-    let transition by (t : Ir.transition) = call by modes.(t.target) t.arguments in
-    List.iter (transition by) m.start;
-    List.iter (transition by) m.controls;
-    Array.iter
-      (fun mode -> List.iter (transition mode) program.nodes.(mode).transitions)
-      modes
+    let transition inputs (t : Ir.transition) =
+      call modes.(t.target) (each_as_given (t.arguments @ inputs))
+    in
+    List.iter (transition m.inputs) (m.start @ m.controls);
+    let from_mode mode =
+      let node = program.nodes.(mode) in
+      List.iter (transition (List.map (fun s -> Ir.Signal s) node.inputs)) node.transitions
+    in
+    Array.iter from_mode modes
   in
-  Array.iteri
-    (fun by (node : Ir.node) ->
-      List.iter (fun (i : Ir.instance) -> call by i.node i.statics) node.instances;
-      Option.iter (machine by) node.machine)
-    program.nodes;
+  let node (node : Ir.node) =
+    List.iter instance node.instances;
+    Option.iter machine node.machine
+  in
+  Array.iter node program.nodes;
   !found
 
-let number (statics : Ir.signal array) id =
-  let rec find j =
-    if j = Array.length statics then None
-    else if statics.(j).id = id then Some j
-    else find (j + 1)
+(* The first index of the same key. *)
+let firsts keys =
+  let seen = Hashtbl.create 16 in
+  let first j key =
+    match Hashtbl.find_opt seen key with
+    | Some i -> i
+    | None ->
+        Hashtbl.replace seen key j;
+        j
   in
-  find 0
+  Array.mapi first keys
 
-(* Of each static parameter of each node the first of its twins. At first all of a
-   type are; each call tells some apart, until none does. *)
-let twins (statics : Ir.signal array array) calls =
-  let of_type (s : Ir.signal array) = firsts (fun i j -> s.(i).ty = s.(j).ty) s in
-  let twins = Array.map of_type statics in
-  let passed by (a : Ir.atom) =
-    match a with
+(* The nodes with parameters that nobody sees, or that not all get at once. *)
+let apart (program : Ir.program) =
+  let apart = Array.map (fun (node : Ir.node) -> Option.is_some node.foreign) program.nodes in
+  apart.(Array.length apart - 1) <- true;
+  let instance (i : Ir.instance) = if i.trials <> [] then apart.(i.node) <- true in
+  Array.iter (fun (node : Ir.node) -> List.iter instance node.instances) program.nodes;
+  apart
+
+(* Of each parameter of each node the first of its twins. At first all of a type are; each
+   call tells some apart, until none does. *)
+let twins (program : Ir.program) (parameters : Ir.signal array array) =
+  let apart = apart program and calls = calls program in
+  let of_type k (all : Ir.signal array) =
+    if apart.(k) then Array.mapi (fun j _ -> j) all
+    else
+      (* What a mode was given when it started may be another thing now. *)
+      let statics = List.length program.nodes.(k).statics in
+      firsts (Array.mapi (fun j (s : Ir.signal) -> (j < statics, s.ty)) all)
+  in
+  let twins = Array.mapi of_type parameters in
+  let place = Int_table.create 64 and choices = Int_table.create 64 in
+  let place_all k = Array.iteri (fun j (s : Ir.signal) -> Int_table.replace place s.id (k, j)) in
+  Array.iteri place_all parameters;
+  let note (e : Ir.equation) =
+    match e.rhs with
+    | If { condition; then_; else_ } ->
+        Int_table.replace choices e.defines.id (condition, then_, else_)
+    | _ -> ()
+  in
+  Array.iter (fun (node : Ir.node) -> List.iter note node.equations) program.nodes;
+  let key : Ir.atom -> Operands.key = function
     | Signal s -> (
-        match number statics.(by) s.id with Some j -> Own twins.(by).(j) | None -> Other s.id)
-    | Bool _ | Int _ | Float _ -> Literal a
+        match Int_table.find_opt place s.id with
+        | Some (k, j) -> Signal parameters.(k).(twins.(k).(j)).id
+        | None -> Signal s.id)
+    | atom -> Operands.key atom
+  in
+  let rec next depth (atom : Ir.atom) =
+    match atom with
+    | Signal s when depth > 0 -> (
+        match Int_table.find_opt choices s.id with
+        | Some (condition, then_, else_) ->
+            Choice (key condition, next (depth - 1) then_, next (depth - 1) else_)
+        | None -> Is (key atom))
+    | atom -> Is (key atom)
   in
   let changed = ref true in
-  let note { by; callee; arguments } =
-    let arguments = Array.map (passed by) arguments in
-    let before = twins.(callee) in
-    let now =
-      firsts (fun i j -> before.(i) = before.(j) && same arguments.(i) arguments.(j)) before
+  let tell_apart { callee; arguments } =
+    let node = program.nodes.(callee) and before = twins.(callee) in
+    let first = List.length node.statics in
+    let passed j (how, atom) =
+      let next =
+        match (how : Ir.argument) with
+        | Accumulator -> Some (next depth (snd (List.nth node.outputs (j - first))))
+        | Element | Same | Counter -> None
+      in
+      (before.(j), how, key atom, next)
     in
+    let now = firsts (Array.mapi passed arguments) in
     if now <> before then (
       twins.(callee) <- now;
       changed := true)
   in
   while !changed do
     changed := false;
-    List.iter note calls
+    List.iter tell_apart calls
   done;
   twins
 
 let program (program : Ir.program) =
-  let statics =
-    Array.map (fun (node : Ir.node) -> Array.of_list node.statics) program.nodes
+  let parameters =
+    Array.map
+      (fun (node : Ir.node) -> Array.of_list (node.statics @ node.inputs))
+      program.nodes
   in
-  let twins = twins statics (calls program) in
-  let some = ref false in
+  let twins = twins program parameters in
   let node k (node : Ir.node) =
     let substitution = Substitution.create () in
+    let replace (s : Ir.signal) first = Substitution.replace substitution s (Ir.Signal first) in
     Array.iteri
-      (fun j s ->
-        let first = twins.(k).(j) in
-        if first <> j then Substitution.replace substitution s (Ir.Signal statics.(k).(first)))
-      statics.(k);
-    if node.foreign = None && Array.exists (Substitution.is_replaced substitution) statics.(k) then (
-      some := true;
-      Substitution.node substitution node)
-    else node
+      (fun j s -> if twins.(k).(j) <> j then replace s parameters.(k).(twins.(k).(j)))
+      parameters.(k);
+    (* Twin accumulators end as one too. *)
+    let ends (i : Ir.instance) (l : Ir.loop) =
+      let first = List.length i.statics in
+      let accumulator j how =
+        let twin = twins.(i.node).(first + j) - first in
+        if how = Ir.Accumulator && twin <> j then
+          replace (List.nth i.outputs j) (List.nth i.outputs twin)
+      in
+      List.iteri accumulator l.arguments
+    in
+    List.iter (fun (i : Ir.instance) -> Option.iter (ends i) i.loop) node.instances;
+    Substitution.node substitution node
   in
   let nodes = Array.mapi node program.nodes in
-  if !some then { program with nodes } else program
+  if Array.for_all2 ( == ) nodes program.nodes then program else { program with nodes }

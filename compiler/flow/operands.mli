@@ -4,9 +4,6 @@ val all : Ir.rhs -> Ir.atom list
 (** All of them, in the order written in {!Ir}; of a [Delay], [init] comes
     first. *)
 
-val fold : ('a -> Ir.atom -> 'a) -> 'a -> Ir.rhs -> 'a
-(** Over {!all}, in that order, without making the list. *)
-
 val same_instant : Ir.rhs -> Ir.atom list
 (** Those whose value of the same instant is needed: not the arguments of
     [Delay] (whose [init] is static and read at the start only) and of
@@ -19,6 +16,11 @@ val map : (Ir.atom -> Ir.atom) -> Ir.rhs -> Ir.rhs
 val signals : Ir.atom list -> Ir.signal list
 (** Without the constants. *)
 
+type key = Signal of int | Bool of bool | Int of int32 | Float of int64
+
+val key : Ir.atom -> key
+(** Of tables: a signal by its id, a Float by its bits, since there are two zeros, and a NaN
+    is the same as itself. *)
+
 val same : Ir.atom -> Ir.atom -> bool
-(** The same signal or constant; Floats bit for bit, since there are two zeros, and a
-    NaN is the same as itself. *)
+(** The same {!key}. *)

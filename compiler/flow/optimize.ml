@@ -38,14 +38,9 @@ let tidy =
       reason = "after simplifying, which makes equal what looked different";
     };
     {
-      name = "equal-accumulators";
-      pass = Equal_accumulators.program;
-      reason = "what a loop computes stands there once";
-    };
-    {
       name = "equal-parameters";
       pass = Equal_parameters.program;
-      reason = "what is handed on stands there once";
+      reason = "what is handed on, or computed by a loop, stands there once";
     };
     {
       name = "unreachable-modes";

@@ -77,68 +77,32 @@ let graph ~needs items =
     (fun item -> List.filter_map (fun (s : Ir.signal) -> Int_table.find_opt definer s.id) (needs item))
     items
 
-type progress = Not_reached | Waits_for_others | Placed
-
-(* The items depth first, each after those that it needs; [None] if there is a cycle.
-   Most nodes have none, and then this is the order of the graph's components, without
-   the graph. *)
-let without_cycles ~needs items =
-  let definer = definers items in
-  let progress = Array.make (Array.length items) Not_reached in
-  let reach v =
-    progress.(v) <- Waits_for_others;
-    needs items.(v)
-  in
-  (* [waiting]: the items on the way to [v], each with the needs that are left of it. *)
-  let rec place v (needed : Ir.signal list) waiting placed =
-    match needed with
-    | [] -> (
-        progress.(v) <- Placed;
-        let placed = items.(v) :: placed in
-        match waiting with
-        | (v, needed) :: waiting -> place v needed waiting placed
-        | [] -> from (v + 1) placed)
-    | s :: others -> (
-        match Int_table.find_opt definer s.id with
-        | None -> place v others waiting placed
-        | Some w -> (
-            match progress.(w) with
-            | Placed -> place v others waiting placed
-            | Waits_for_others -> None
-            | Not_reached -> place w (reach w) ((v, others) :: waiting) placed))
-  and from v placed =
-    if v = Array.length items then Some (List.rev placed)
-    else
-      match progress.(v) with
-      | Placed | Waits_for_others -> from (v + 1) placed
-      | Not_reached -> place v (reach v) [] placed
-  in
-  from 0 []
-
 let in_order items components =
   let append order component = List.fold_left (fun order v -> items.(v) :: order) order component in
   List.rev (List.fold_left append [] components)
 
-let of_node (node : Ir.node) =
-  match without_cycles ~needs (Array.of_list (in_source_order node)) with
-  | Some items -> items
-  | None -> Diagnostic.bug ~stage:"Flow.Schedule" "`%s` has a cycle" node.name
+(* What is to be run of a node, its graph, and the graph's components, each after those that it needs. *)
+let components ~needs node =
+  let items = Array.of_list (in_source_order node) in
+  let graph = graph ~needs items in
+  (items, graph, Graph.components graph)
 
 let as_far_as_possible node =
-  let needs = needs_from_start in
-  let items = Array.of_list (in_source_order node) in
-  match without_cycles ~needs items with
-  | Some items -> items
-  | None -> in_order items (Graph.components (graph ~needs items))
+  let items, _, components = components ~needs:needs_from_start node in
+  in_order items components
+
+let of_node (node : Ir.node) =
+  let items, graph, components = components ~needs node in
+  if List.exists (Graph.is_cyclic graph) components then
+    Diagnostic.bug ~stage:"Flow.Schedule" "`%s` has a cycle" node.name;
+  in_order items components
 
 let loops (node : Ir.node) =
-  let items = Array.of_list (in_source_order node) in
-  match without_cycles ~needs items with
-  | Some _ -> []
-  | None ->
-      let graph = graph ~needs items in
-      let instance v = match items.(v) with Instance i -> Some i | Equation _ | Trial _ | Machine _ -> None in
-      List.filter_map
-        (fun component ->
-          if Graph.is_cyclic graph component then Some (List.filter_map instance component) else None)
-        (Graph.components graph)
+  let items, graph, components = components ~needs node in
+  let instance v =
+    match items.(v) with Instance i -> Some i | Equation _ | Trial _ | Machine _ -> None
+  in
+  List.filter_map
+    (fun component ->
+      if Graph.is_cyclic graph component then Some (List.filter_map instance component) else None)
+    components
