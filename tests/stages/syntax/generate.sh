@@ -6,7 +6,7 @@ for program in *.frob; do
  (action
   (with-stdout-to
    $name.out.now
-   (run ./parse_file.exe %{dep:$program}))))
+   (run ../parse_file.exe %{dep:$program}))))
 
 (rule
  (alias runtest)

@@ -24,4 +24,4 @@ let files_of directory suffix =
 let written () =
   List.concat_map
     (fun directory -> List.map (fun path -> (path, read path)) (files_of directory ".frob"))
-    [ "../../../stdlib"; "../../../examples/wall_follow"; "." ]
+    [ "../../../stdlib"; "../../../examples/wall_follow"; "programs"; "broken" ]
