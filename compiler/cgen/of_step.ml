@@ -222,7 +222,6 @@ let program ?own ?(batch = false) (program : M.program) =
   let v = V.of_program ?own program in
   let batch = if batch then Some (Batch.of_program v) else None in
   let root = Array.length program.nodes - 1 in
-  let called = Step.Called.resets program in
   (* A function, after the helpers that it is the first to call. *)
   let made make =
     let functions = make () in
@@ -232,7 +231,8 @@ let program ?own ?(batch = false) (program : M.program) =
     match v.nodes.(k).foreign with
     | Some interface -> made (fun () -> [ Foreign_call.step v k interface ])
     | None ->
-        let reset = if called.(k) then made (fun () -> [ Function.reset v k ]) else [] in
+        let is_called = k = root || program.nodes.(k).reset.body <> [] in
+        let reset = if is_called then made (fun () -> [ Function.reset v k ]) else [] in
         named_once (reset @ made (fun () -> Function.steps v k))
   in
   let functions = List.concat (List.init (root + 1) of_node) in

@@ -136,14 +136,18 @@ let interpretable sink sources r =
   if Option.is_none refusal then Some (core, entry) else None
 
 let optimized r sink flow =
-  let optimized = Flow.Optimize.program ?after:(Request.each_pass r) flow in
+  let show = Request.each_pass r Flow.Print.program in
+  let after (pass : Flow.Optimize.pass) = show ~name:pass.name ~reason:pass.reason in
+  let optimized = Flow.Optimize.program ~after flow in
   let* optimized = stage r sink Passes ~lint:ignore ~print:(fun _ _ -> ()) optimized in
   stage r sink Flow ~lint:lint_flow ~print:Flow.Print.program optimized
 
 let lowered r sink flow =
   let* flow = optimized r sink flow in
   let lint = Step.Lint.program and print = Step.Print.program in
-  stage r sink Step ~lint ~print (Step.Of_flow.program flow)
+  let show = Request.each_pass r print in
+  let after (pass : Step.Passes.pass) = show ~name:pass.name ~reason:pass.reason in
+  stage r sink Step ~lint ~print (Step.Passes.program ~after (Step.Of_flow.program flow))
 
 let c (r : Request.t) sink step =
   let files = Cgen.Emit.program ?own:(Request.own_robot r) ~batch:r.batch step in

@@ -37,11 +37,10 @@ let stage r sink name ~lint ~print result =
   if r.dump = Some name then Format.printf "%a@?" print result;
   if r.stop_after = Some name || Diagnostic.has_errors sink then None else Some result
 
-let each_pass r =
+let each_pass r print =
   let before = ref "" in
-  let show (pass : Flow.Optimize.pass) program =
-    let after = Format.asprintf "%a" Flow.Print.program program in
-    if after <> !before then Format.printf "%s: %s@.%s@." pass.name pass.reason after;
-    before := after
-  in
-  if r.dump = Some Passes then Some show else None
+  fun ~name ~reason program ->
+    if r.dump = Some Passes then (
+      let after = Format.asprintf "%a" print program in
+      if after <> !before then Format.printf "%s: %s@.%s@." name reason after;
+      before := after)

@@ -35,5 +35,11 @@ val stage :
     errors) and its result shown, if asked for; [None] with errors, or if it is the last one
     wanted. *)
 
-val each_pass : t -> (Flow.Optimize.pass -> Flow.Ir.program -> unit) option
-(** If asked for: shows the program after each of Flow's passes that changes it. *)
+val each_pass :
+  t ->
+  (Format.formatter -> 'program -> unit) ->
+  name:string ->
+  reason:string ->
+  'program ->
+  unit
+(** If asked for: shows the program after each of a language's passes that changes it. *)

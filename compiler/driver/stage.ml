@@ -7,7 +7,7 @@ let table =
     (Types, "types", "everything with its type and level");
     (Core, "core", "the small language that gives the program its meaning");
     (Specialize, "specialize", "first-order nodes of equations");
-    (Passes, "passes", "the same after each pass of the optimizer that changes it");
+    (Passes, "passes", "the same, and step, after each pass that changes it");
     (Flow, "flow", "the same after all of them");
     (Step, "step", "state, reset and step as statements");
     (C, "c", "the generated C");

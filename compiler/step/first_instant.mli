@@ -1,10 +1,9 @@
-(** The first instant, whose dt is to be 0 wherever it shows. *)
+(** The first instant, whose dt is to be 0 wherever it shows.
 
-val shows_in : State.t -> Statics.t -> bool
-(** Whether the dt of the first instant shows in what a node computes, but for
-    the nodes that it steps: an integral of what was before multiplies it by 0,
-    but a derivative and a time do not. *)
+    It shows in all that reads dt but an integral of what was before, which is 0 then, and
+    in what shows it of the nodes that are stepped at the first instant: of a machine those
+    are the modes that it starts with; what these lead to is entered, with a dt of 0. *)
 
-val mark : State.t -> Statics.t -> Basis.Span.t -> Ir.mark * Ir.statement list
-(** What tells the root's first step, and what the reset does for it: a delay that the
-    program has anyway, or else a field of its own. *)
+val program : Ir.program -> Ir.program
+(** The program with the {!Ir.mark} that tells the root's first step, if its dt shows: a
+    delay that the program has anyway, or else a field of its own. *)

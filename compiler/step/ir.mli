@@ -201,7 +201,7 @@ type node = {
   foreign : Flow.Ir.foreign option;
       (** its step and reset are the user's C; [reset] and [step] have no body,
           and its state, if any, is one [Component] *)
-  reset : code;  (** empty if there is no state *)
+  reset : code;  (** empty if there is no state, or nothing calls it *)
   step : code;
   outputs : (string * ty) list;
   for_transitions : int;  (** so many of the [outputs], the last ones *)

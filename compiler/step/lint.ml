@@ -214,6 +214,12 @@ let assign c known (place : Ir.place) ty =
       expect c "a result" (snd c.outputs.(k)) ty;
       { known with results = Known.add k () known.results }
 
+let reset c known k arguments =
+  let callee : Ir.node = callee c k in
+  if callee.reset.body = [] && Option.is_none callee.foreign then
+    bug "`%s` resets `%s`, which has no reset" c.node.name callee.name;
+  call c known callee.reset.parameters arguments
+
 let enter c known (e : Ir.entry) =
   let mode =
     match List.nth_opt c.node.modes e.mode with
@@ -222,7 +228,7 @@ let enter c known (e : Ir.entry) =
   in
   call c known (List.map fst mode.parameters) e.parameters;
   match (mode.state, e.arguments) with
-  | Some _, arguments -> call c known (callee c mode.node).reset.parameters arguments
+  | Some _, arguments -> reset c known mode.node arguments
   | None, [] -> ()
   | None, _ :: _ -> bug "a mode of `%s` has no state to reset" c.node.name
 
@@ -360,7 +366,7 @@ let rec statement c depth known (s : Ir.statement) =
       results_of c known results callee
   | Loop l -> loop c known l
   | Reset { node; state; arguments; _ } ->
-      call c known (callee c node).reset.parameters arguments;
+      reset c known node arguments;
       { known with fields = Known.add state.id () known.fields }
   | Enter { entry; _ } ->
       enter c known entry;
@@ -424,5 +430,6 @@ let program (program : Ir.program) =
         (fun k _ ->
           if k >= given && k < untold && not (Known.mem k after_step.results) then bug "`%s` does not write its result %d" node.name k)
         node.outputs;
-      wrote_all (context ()) "reset" (code (context ()) node.reset))
+      if node.reset.body <> [] || index = Array.length program.nodes - 1 then
+        wrote_all (context ()) "reset" (code (context ()) node.reset))
     program.nodes

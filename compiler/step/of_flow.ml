@@ -4,7 +4,6 @@ open Basis
 type context = {
   calls : Calls.context;
   statics : Statics.t array;
-  sees_first_dt : bool array;  (** of the nodes already translated *)
   is_limited : int -> F.atom -> bool;  (** see {!Flow.Time_limit} *)
   may_end_early : bool array;
 }
@@ -12,23 +11,6 @@ type context = {
 let variable = Modes.variable
 
 let parameters reads signals = Reads.parameters reads (Long_list.map variable signals)
-
-let rec alignment (calls : Calls.context) (content : Ir.content) =
-  match content with
-  | Value ty -> Layout.alignment calls.program.real calls.program.sums ty
-  | Running_mode -> 1
-  | Component _ -> Layout.largest_alignment
-  | Modes modes ->
-      let of_mode largest (mode : Ir.mode) =
-        List.fold_left
-          (fun largest (field : Ir.field) -> max largest (alignment calls field.content))
-          largest (State.fields_of_mode mode)
-      in
-      List.fold_left of_mode 1 modes
-  | State_of k | States_of { node = k; _ } -> (
-      match (calls.callee k).state with
-      | first :: _ -> alignment calls first.content
-      | [] -> 1)
 
 (* The nodes that this one steps, by its own code or as these modes. *)
 let stepped body modes =
@@ -38,22 +20,12 @@ let stepped body modes =
       | Step { node; _ } | Loop { node; _ } -> Int_table.replace nodes node ()
       | Declare _ | Assign _ | If _ | Reset _ | Enter _ | Run _ | Return _ -> ())
     body;
-  List.iter (fun mode -> Int_table.replace nodes mode ()) modes;
+  List.iter (fun (mode : Ir.mode) -> Int_table.replace nodes mode.node ()) modes;
   nodes
 
-(* The modes that the step's dt comes to at the node's first instant: those that its
-   machine starts with. What they lead to there is entered, with a dt of 0. *)
-let first_modes (machine : F.machine option) =
-  match machine with
-  | None -> []
-  | Some { active = Some _; modes; _ } -> modes
-  | Some { active = None; modes; start; _ } ->
-      List.map (fun (t : F.transition) -> List.nth modes t.target) start
-
 (* The calls of the user's C, from the leaves and back, are for {!Cgen}. *)
-let foreign_node context k (node : F.node) (foreign : F.foreign) : Ir.node =
+let foreign_node (node : F.node) (foreign : F.foreign) : Ir.node =
   let stateful = node.kind = Signal_function in
-  context.sees_first_dt.(k) <- stateful;
   let state : Ir.field =
     {
       id = 0;
@@ -81,40 +53,25 @@ let foreign_node context k (node : F.node) (foreign : F.foreign) : Ir.node =
     operations = 20;
   }
 
-let own_node context k ~is_root =
+let own_node context k ~is_root : Ir.node =
   let calls = context.calls in
   let node = calls.program.nodes.(k) in
   let statics = context.statics.(k) in
   let statics_of k = List.map variable calls.program.nodes.(k).statics in
   let state = State.of_node ~callee:calls.callee ~statics:statics_of statics in
   let limited = context.is_limited k in
-  let step, ends_early =
-    Body.step calls state node ~limited ~is_root ~may_end_early:context.may_end_early.(k) statics
+  let step, resolve = Body.step calls state node ~limited ~is_root statics in
+  let step =
+    if context.may_end_early.(k) then Early_end.find ~fresh:calls.fresh ~resolve node step
+    else step
   in
+  let ends_early = Early_end.told step in
+  let step = Placement.statements (Feedback.of_node node) step in
+  let reset = Placement.statements Feedback.none (Body.reset calls state node statics) in
   let modes = State.modes state in
-  let any property stepped = Int_table.fold (fun k () any -> any || property k) stepped false in
-  let callees_see =
-    any (fun k -> context.sees_first_dt.(k)) (stepped step (first_modes node.machine))
-  in
-  context.sees_first_dt.(k) <- First_instant.shows_in state statics || callees_see;
-  let all = stepped step (List.map (fun (mode : Ir.mode) -> mode.node) modes) in
+  let all = stepped step modes in
+  let any property = Int_table.fold (fun k () any -> any || property (calls.callee k)) all false in
   let reads = Reads.of_body step in
-  let reset = Body.reset calls state node statics in
-  let started, reset =
-    if is_root && context.sees_first_dt.(k) then
-      let mark, unmark = First_instant.mark state statics node.span in
-      (Some mark, reset @ unmark)
-    else (None, reset)
-  in
-  (* Floats without times between them are copied two at once. *)
-  let is_time (field : Ir.field) =
-    match field.content with Value Nanoseconds -> true | _ -> false
-  in
-  let by_alignment (a : Ir.field) (b : Ir.field) =
-    compare
-      (alignment calls b.content, is_time a)
-      (alignment calls a.content, is_time b)
-  in
   let reset : Ir.code =
     { parameters = parameters (Reads.of_body reset) node.statics; body = reset }
   in
@@ -127,35 +84,32 @@ let own_node context k ~is_root =
     }
   in
   let for_transitions = Modes.results_for_transitions node in
-  let translated : Ir.node =
-    {
-      name = node.name;
-      origin = node.origin;
-      file = node.file;
-      span = node.span;
-      state = List.stable_sort by_alignment (State.fields state);
-      modes;
-      foreign = None;
-      reset;
-      step;
-      outputs =
-        (let own =
-           List.rev_map (fun (name, atom) -> (name, Computation.atom_type atom)) node.outputs
-         in
-         List.rev_append own
-           (List.map (fun (s : F.signal) -> (s.name, Layout.ty s.ty)) for_transitions));
-      for_transitions = List.length for_transitions;
-      ends_early;
-      seconds = reads.seconds || any (fun k -> (calls.callee k).seconds) all;
-      nanoseconds = reads.nanoseconds || any (fun k -> (calls.callee k).nanoseconds) all;
-      operations = reads.operations;
-    }
-  in
-  (translated, started)
+  {
+    name = node.name;
+    origin = node.origin;
+    file = node.file;
+    span = node.span;
+    state = State.fields state;
+    modes;
+    foreign = None;
+    reset;
+    step;
+    outputs =
+      (let own =
+         List.rev_map (fun (name, atom) -> (name, Computation.atom_type atom)) node.outputs
+       in
+       List.rev_append own
+         (List.map (fun (s : F.signal) -> (s.name, Layout.ty s.ty)) for_transitions));
+    for_transitions = List.length for_transitions;
+    ends_early;
+    seconds = reads.seconds || any (fun callee -> callee.seconds);
+    nanoseconds = reads.nanoseconds || any (fun callee -> callee.nanoseconds);
+    operations = reads.operations;
+  }
 
 let node context k ~is_root =
   match context.calls.program.nodes.(k) with
-  | { foreign = Some foreign; _ } as node -> (foreign_node context k node foreign, None)
+  | { foreign = Some foreign; _ } as node -> foreign_node node foreign
   | { foreign = None; _ } -> own_node context k ~is_root
 
 let program (program : F.program) : Ir.program =
@@ -176,16 +130,12 @@ let program (program : F.program) : Ir.program =
     {
       calls = { program; callee; fresh };
       statics = Statics.program program;
-      sees_first_dt = Array.make count false;
       is_limited = Flow.Time_limit.is_limited program;
       may_end_early = Early_end.possible program;
     }
   in
-  let started = ref None in
   for k = 0 to count - 1 do
-    let node, first = node context k ~is_root:(k = count - 1) in
-    translated.(k) <- Some node;
-    started := first
+    translated.(k) <- Some (node context k ~is_root:(k = count - 1))
   done;
   {
     name = program.name;
@@ -198,5 +148,5 @@ let program (program : F.program) : Ir.program =
     ends = program.ends;
     probes = program.probes;
     real = program.real;
-    started = !started;
+    started = None;
   }

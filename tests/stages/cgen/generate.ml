@@ -6,7 +6,7 @@ let write path text =
   close_out out
 
 let generate (name, program) =
-  let step = Step.Of_flow.program program in
+  let step = Step.Passes.program (Step.Of_flow.program program) in
   Step.Lint.program step;
   let files = Cgen.Emit.program step in
   write (name ^ ".h") files.Cgen.Emit.header;

@@ -133,7 +133,7 @@ let () =
       let instants = List.map exact_dt (Random_program.instants rng program) in
       let outputs = Evaluate.by_demand program instants in
       let prepared = if k mod 2 = 0 then Optimize.program program else Dead_code.program (Inline.program program) in
-      let step = Step.Of_flow.program prepared in
+      let step = Step.Passes.program (Step.Of_flow.program prepared) in
       Step.Lint.program step;
       let files = Cgen.Emit.program step in
       write (name ^ ".h") files.Cgen.Emit.header;

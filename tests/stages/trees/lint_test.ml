@@ -32,7 +32,7 @@ let flow =
   Flow.Instantaneous_loops.program sink ~entry:(Span.start_of_file "main.frob")
     (the (Specialize.Of_core.program sink ~name:"main" ~entry:main core))
 
-let step = Step.Of_flow.program (Flow.Optimize.program flow)
+let step = Step.Passes.program (Step.Of_flow.program (Flow.Optimize.program flow))
 
 let is_half (name : Core.Ir.Global.t) = name.module_ = main.module_ && name.name = "half"
 

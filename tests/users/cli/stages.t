@@ -37,20 +37,11 @@ The compiler can be watched at work, stage by stage.
     _2 : Float = 2.0 * _1
     -> (out = _2)
   == machine
-  node main
-    self.x_derivative#0 : Float  -- derivative
-    self.x_derivative_input#1 : Float  -- its last input
-    self.started#2 : Bool  -- past the first instant
-    reset ()
-      self.x_derivative#0 := 0.0  -- 2
-      self.x_derivative_input#1 := 0.0  -- 2
-      self.started#2 := false  -- 2
-    step (x)
-      if self.started#2 && (0.0 < dt)  -- 2
-        self.x_derivative#0 := (x - self.x_derivative_input#1) / dt  -- 2
-      self.started#2 := true  -- 2
-      self.x_derivative_input#1 := x  -- 2
-      result.0 := 2.0 * self.x_derivative#0  -- 2
+  frobc: option '--dump': `machine` is not a stage; the stages are parse,
+         resolve, types, core, specialize, passes, flow, step, c
+  Usage: frobc compile [OPTION]… FILE
+  Try 'frobc compile --help' or 'frobc --help' for more information.
+  [2]
   $ ls gain*
   gain.frob
 
@@ -127,3 +118,9 @@ The optimizer's passes, each with the reason for its place, and the program wher
     _3 : Float = 3.0 * _2
     -> (out.1 = _1, out.2 = _3)
   
+
+So are those that come after it, in Step.
+
+  $ frobc compile gain.frob --dump=passes --stop-after=step | grep -A1 'instant:\|resets:\|order:'
+  first-instant: first, for its mark may be a field of the root's
+  node main

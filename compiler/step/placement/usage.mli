@@ -16,7 +16,7 @@ val expression_size : int
 val update_depth : int
 (** No write takes apart choices nested deeper. *)
 
-val of_fragment : Fragment.t -> t
+val of_fragment : Feedback.t -> Fragment.t -> t
 
 val writes : t -> Fragment.write list
 (** The writes of state, in source order, without those that keep all. *)

@@ -276,8 +276,8 @@ let rec emit block =
   in
   List.rev (List.fold_left emit_code [] block.code)
 
-let statements_of (fragment : Fragment.t) =
-  let usage = Usage.of_fragment fragment in
+let statements_of feedback (fragment : Fragment.t) =
+  let usage = Usage.of_fragment feedback fragment in
   let root = { id = 0; depth = 0; within = None; code = [] } in
   let t =
     {
@@ -324,7 +324,12 @@ let statements_of (fragment : Fragment.t) =
       items (fun k -> if is_needed_first.(k) then root else if needed.(k) then outer else goes_on));
   emit root
 
-let statements (fragment : Fragment.t) =
-  match if Option.is_some fragment.ending then None else Late.split fragment with
-  | None -> statements_of fragment
-  | Some (first, late) -> List.rev_append (List.rev (statements_of first)) (statements_of late)
+let append a b = List.rev_append (List.rev a) b
+
+let statements feedback (fragment : Fragment.t) =
+  let body =
+    match if Option.is_some fragment.ending then None else Late.split fragment with
+    | None -> statements_of feedback fragment
+    | Some (first, late) -> append (statements_of feedback first) (statements_of feedback late)
+  in
+  append fragment.advances body

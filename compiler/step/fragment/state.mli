@@ -46,5 +46,3 @@ val fields_of_mode : Ir.mode -> Ir.field list
 
 val fields : t -> Ir.field list
 (** All, in the order of the step's items, then what is kept. *)
-
-val new_field : t -> name:string -> Ir.content -> purpose:string -> Basis.Span.t -> Ir.field

@@ -56,7 +56,7 @@ type t = {
       (** field, its next value, and the signal whose leaf the field is: that
           value means that the field keeps what it has *)
   returned : (atom * Span.t) option;
-  feedback : Feedback.t;
+  advances : Ir.statement list;  (** of times and integrals: before all else *)
   ending : ending option;  (** see {!Early_end}; [returned] is [None] then *)
 }
 

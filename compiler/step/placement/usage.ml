@@ -165,11 +165,11 @@ let state_write t (field, atom, own, span) =
 
 (* Which conditions deserve an If. *)
 
-let find_predicted t =
+let find_predicted t feedback =
   Array.iter
     (function
       | Computed { choice = Some (Signal c, _, _); signal; _ }
-        when Feedback.mem t.fragment.feedback signal ->
+        when Feedback.mem feedback signal ->
           Int_table.replace t.predicted c.id ();
           Int_table.replace t.branching c.id ()
       | Computed _ | Action _ -> ())
@@ -285,7 +285,7 @@ let choice t c =
       (condition, branch then_, branch else_))
     (branches t c)
 
-let of_fragment (fragment : Fragment.t) =
+let of_fragment feedback (fragment : Fragment.t) =
   let item_of = Int_table.create 64 in
   Array.iteri
     (fun k item ->
@@ -309,7 +309,7 @@ let of_fragment (fragment : Fragment.t) =
       results = Basis.Long_list.map plain fragment.results;
     }
   in
-  find_predicted t;
+  find_predicted t feedback;
   count_all t;
   let writes = List.rev_map (state_write t) fragment.states in
   t.writes <-

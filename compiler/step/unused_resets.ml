@@ -1,4 +1,5 @@
-let resets (program : Ir.program) =
+(* The nodes whose reset anything calls, and the root. *)
+let called (program : Ir.program) =
   let count = Array.length program.nodes in
   let called = Array.make count false in
   called.(count - 1) <- true;
@@ -25,3 +26,10 @@ let resets (program : Ir.program) =
     if called.(k) then Walk.statements statement node.reset.body
   done;
   called
+
+let program (program : Ir.program) =
+  let called = called program in
+  let node k (node : Ir.node) =
+    if called.(k) then node else { node with reset = { parameters = []; body = [] } }
+  in
+  { program with nodes = Array.mapi node program.nodes }

@@ -17,7 +17,8 @@ let modes_context (context : Calls.context) draft state : Modes.context =
 let output_span (node : F.node) (atom : F.atom) =
   match atom with Signal s -> s.span | Bool _ | Int _ | Float _ -> node.span
 
-let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_end_early (statics : Statics.t) =
+let step (context : Calls.context) state (node : F.node) ~limited ~is_root
+    (statics : Statics.t) =
   let d = Draft.create () in
   let parameter (s : F.signal) = Draft.leaf d s (Variable (Modes.variable s)) in
   List.iter parameter node.statics;
@@ -33,7 +34,9 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
       match item with
       | Equation eq -> Memory.step ~fresh:context.fresh ~limited d state eq
       | Instance i -> Draft.add d (Calls.call context (Draft.resolve d) i (State.instance state i))
-      | Trial (i, trial) -> Draft.add d (Calls.try_out context (Draft.resolve d) i trial (State.instance state i))
+      | Trial (i, trial) ->
+          let field = State.instance state i in
+          Draft.add d (Calls.try_out context (Draft.resolve d) i trial field)
       | Machine m -> Draft.add d (Modes.step (modes_context context d state) m))
     statics.in_step;
   let equations = Statics.equations_in_step statics in
@@ -53,7 +56,7 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
     | [ atom ] when not is_root -> (Some (atom, output_span node atom), [])
     | atoms -> (None, List.mapi (fun k atom -> (Ir.Result k, atom, output_span node atom)) atoms)
   in
-  let make d : Fragment.t =
+  let fragment : Fragment.t =
     {
       leaves = Draft.leaves d;
       nanoseconds = Draft.nanoseconds d;
@@ -61,22 +64,11 @@ let step (context : Calls.context) state (node : F.node) ~limited ~is_root ~may_
       results;
       states;
       returned;
-      feedback = Feedback.of_node node;
+      advances;
       ending = None;
     }
   in
-  let fragment =
-    if may_end_early then Early_end.find d ~fresh:context.fresh node make else make d
-  in
-  let told =
-    let told (ending : Fragment.ending) =
-      let untold (first : Fragment.first) = first.untold in
-      (ending.told, Option.fold ending.first ~none:(List.length outputs) ~some:untold)
-    in
-    Option.map told fragment.ending
-  in
-  let body = Placement.statements fragment in
-  (List.rev_append (List.rev advances) body, told)
+  (fragment, Draft.resolve d)
 
 (* What reset does for one item; it comes after all static values. *)
 let reset_effects context draft state (item : Flow.Schedule.item) =
@@ -102,14 +94,13 @@ let reset (context : Calls.context) state (node : F.node) (statics : Statics.t) 
   let effects item = List.iter (Draft.add d) (reset_effects context d state item) in
   List.iter effects statics.in_step;
   List.iter effects statics.at_reset;
-  Placement.statements
-    {
-      leaves = Draft.leaves d;
-      nanoseconds = Draft.nanoseconds d;
-      items = Draft.items d;
-      results = [];
-      states = [];
-      returned = None;
-      feedback = Feedback.none;
-      ending = None;
-    }
+  {
+    Fragment.leaves = Draft.leaves d;
+    nanoseconds = Draft.nanoseconds d;
+    items = Draft.items d;
+    results = [];
+    states = [];
+    returned = None;
+    advances = [];
+    ending = None;
+  }

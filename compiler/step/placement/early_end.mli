@@ -26,6 +26,13 @@ val needed_first : Fragment.t -> told:int -> Fragment.first -> bool array
 (** The items that are needed where its first transition occurs. *)
 
 val find :
-  Draft.t -> fresh:(unit -> int) -> Flow.Ir.node -> (Draft.t -> Fragment.t) -> Fragment.t
-(** The fragment of that node, a mode for which it is possible, with its [ending].
-    The function makes the fragment without. *)
+  fresh:(unit -> int) ->
+  resolve:(Flow.Ir.atom -> Flow.Ir.atom) ->
+  Flow.Ir.node ->
+  Fragment.t ->
+  Fragment.t
+(** The step of that node, a mode for which it is possible, with its [ending]. [resolve]
+    looks through copies. *)
+
+val told : Fragment.t -> (int * int) option
+(** The node's [ends_early]. *)

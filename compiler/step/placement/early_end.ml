@@ -76,7 +76,7 @@ let is_much fragment ending first =
   !more >= much
 
 (* One that occurs only where another one of them does. *)
-let implies_other draft (node : F.node) atoms atom =
+let implies_other resolve (node : F.node) atoms atom =
   let is_other a = (not (Flow.Operands.same a atom)) && List.exists (Flow.Operands.same a) atoms in
   match (atom : F.atom) with
   | Signal s ->
@@ -85,27 +85,38 @@ let implies_other draft (node : F.node) atoms atom =
           e.defines.id = s.id
           &&
           match e.rhs with
-          | Op (And, both) -> List.exists (fun a -> is_other (Draft.resolve draft a)) both
+          | Op (And, both) -> List.exists (fun a -> is_other (resolve a)) both
           | _ -> false)
         node.equations
   | Bool _ | Int _ | Float _ -> false
 
-let find draft ~fresh (node : F.node) make =
+let either ~fresh (node : F.node) (a : atom) (b : atom) =
+  let id = fresh () in
+  let signal : F.signal = { id; name = ""; ty = Bool; group = id; span = node.span } in
+  let build arguments = Ir.Operation { operator = Or; ty = Bool; arguments } in
+  let operands = [ a; b ] in
+  let item = Computed { signal; operands; build; choice = None; weight = 1; span = node.span } in
+  (item, F.Signal signal)
+
+let find ~fresh ~resolve (node : F.node) (fragment : Fragment.t) =
   let told = List.length node.outputs in
-  let occurs = List.map (fun (t : F.transition) -> Draft.resolve draft t.occurs) node.transitions in
+  let occurs = List.map (fun (t : F.transition) -> resolve t.occurs) node.transitions in
   let can_occur = List.filter (function F.Bool false -> false | _ -> true) occurs in
-  let either (a : F.atom) (b : F.atom) : F.atom =
-    let id = fresh () in
-    let defines : F.signal = { id; name = ""; ty = Bool; group = id; span = node.span } in
-    Draft.add_computed draft { defines; rhs = Op (Or, [ a; b ]); span = node.span };
-    Signal defines
+  let more = ref [] in
+  let either a b =
+    let item, atom = either ~fresh node a b in
+    more := item :: !more;
+    atom
   in
   let is_signal = function F.Signal _ -> true | Bool _ | Int _ | Float _ -> false in
   let tries = List.exists (fun (i : F.instance) -> i.trials <> []) node.instances in
   match can_occur with
-  | first :: others when List.for_all is_signal can_occur && not tries ->
+  | first :: others
+    when List.for_all is_signal can_occur && (not tries)
+         && Option.is_none fragment.returned && Option.is_none (Late.split fragment) ->
+      let independent atom = not (implies_other resolve node can_occur atom) in
       let ends =
-        match List.filter (fun atom -> not (implies_other draft node can_occur atom)) can_occur with
+        match List.filter independent can_occur with
         | [] -> broken "transitions that each need another to occur"
         | first :: others -> List.fold_left either first others
       in
@@ -114,20 +125,25 @@ let find draft ~fresh (node : F.node) make =
         | [] -> None
         | second :: rest -> Some (List.fold_left either second rest)
       in
-      let fragment = make draft in
-      if Option.is_none fragment.returned && Option.is_none (Late.split fragment) then
-        let whole = { ends; told; first = None; span = node.span } in
-        let ending =
-          match (later, node.transitions) with
-          | Some later, transition :: _ when Draft.resolve draft transition.occurs = first ->
-              let untold =
-                told + List.length (Modes.results_for_transitions { node with transitions = [ transition ] })
-              in
-              let first = { occurs = first; untold } in
-              let apart = { whole with ends = later; first = Some first } in
-              if is_much fragment apart first then apart else whole
-          | _ -> whole
-        in
-        { fragment with ending = Some ending }
-      else fragment
-  | _ -> make draft
+      let items = Array.append fragment.items (Array.of_list (List.rev !more)) in
+      let fragment = { fragment with items } in
+      let whole = { ends; told; first = None; span = node.span } in
+      let ending =
+        match (later, node.transitions) with
+        | Some later, transition :: _ when resolve transition.occurs = first ->
+            let only_first = { node with transitions = [ transition ] } in
+            let untold = told + List.length (Modes.results_for_transitions only_first) in
+            let first = { occurs = first; untold } in
+            let apart = { whole with ends = later; first = Some first } in
+            if is_much fragment apart first then apart else whole
+        | _ -> whole
+      in
+      { fragment with ending = Some ending }
+  | _ -> fragment
+
+let told (fragment : Fragment.t) =
+  let untold (first : Fragment.first) = first.untold in
+  let told (e : ending) =
+    (e.told, Option.fold e.first ~none:(List.length fragment.results) ~some:untold)
+  in
+  Option.map told fragment.ending

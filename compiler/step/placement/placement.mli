@@ -9,4 +9,4 @@
 val nesting : int
 (** No block is nested deeper; a value that would be goes to the outermost. *)
 
-val statements : Fragment.t -> Ir.statement list
+val statements : Feedback.t -> Fragment.t -> Ir.statement list
