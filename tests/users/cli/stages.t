@@ -4,7 +4,7 @@ The compiler can be watched at work, stage by stage.
   > main :: SF Float[m] Float[m/s]
   > main = proc x -> 2 * derivative x
   > EOF
-  $ for stage in parse types core specialize flow machine; do
+  $ for stage in parse types core specialize flow step; do
   >   echo "== $stage"; frobc compile gain.frob --lint --dump=$stage --stop-after=$stage
   > done
   == parse
@@ -36,12 +36,20 @@ The compiler can be watched at work, stage by stage.
     _1 : Float = derivative x
     _2 : Float = 2.0 * _1
     -> (out = _2)
-  == machine
-  frobc: option '--dump': `machine` is not a stage; the stages are parse,
-         resolve, types, core, specialize, passes, flow, step, c
-  Usage: frobc compile [OPTION]… FILE
-  Try 'frobc compile --help' or 'frobc --help' for more information.
-  [2]
+  == step
+  node main
+    self.x_derivative#0 : Float  -- derivative
+    self.x_derivative_input#1 : Float  -- its last input
+    self.started#2 : Bool  -- past the first instant
+    reset ()
+      self.x_derivative#0 := 0.0  -- 2
+      self.x_derivative_input#1 := 0.0  -- 2
+      self.started#2 := false  -- 2
+    step (x)
+      if 0.0 < dt  -- 2
+        self.x_derivative#0 := (x - self.x_derivative_input#1) / dt  -- 2
+      self.x_derivative_input#1 := x  -- 2
+      result.0 := 2.0 * self.x_derivative#0  -- 2
   $ ls gain*
   gain.frob
 
