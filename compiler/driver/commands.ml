@@ -388,7 +388,13 @@ let run general ~entry ~sources run file =
       @ flag "--console" run.console
       @ flag "--strict" run.strict)
 
-type view = { recording : string; browser : bool; port : int option; world : string option }
+type view = {
+  recording : string;
+  browser : bool;
+  port : int option;
+  world : string option;
+  only_build : bool;
+}
 
 let is_port number = number >= 1 && number <= 65535
 
@@ -410,6 +416,15 @@ let with_all_probes general (resources : Resources.t) ~entry file =
       | Some columns ->
           ({ general with probes = [ "all" ] }, [ ("frob_columns.c", Columns.text columns) ]))
 
+(* The command by which a page has an edited program compiled; its last argument is the
+   program's file. *)
+let again general ~entry ~sources view file =
+  [ Sys.executable_name; "view"; "--only-build"; "--entry"; entry ]
+  @ List.concat_map (fun source -> [ "--with"; source ]) sources
+  @ Option.fold ~none:[] ~some:(fun robot -> [ "--robot"; robot ]) general.robot
+  @ (match general.real with Real.Double -> [] | Single -> [ "--real"; "float" ])
+  @ [ view.recording; file ]
+
 (* For the robot that a run would have been for. *)
 let view general ~entry ~sources view file =
   let* () =
@@ -428,6 +443,11 @@ let view general ~entry ~sources view file =
         (if view.browser then [] else [ "--print" ])
         @ Option.fold ~none:[] ~some:(fun port -> [ "--port"; string_of_int port ]) view.port
       in
+      if view.only_build then begin
+        print_endline program;
+        Exit_status.ok
+      end
+      else
       let own, library = Pipeline.module_files ~library:resources.library file in
       let arguments =
         options
@@ -435,6 +455,7 @@ let view general ~entry ~sources view file =
         @ List.concat_map (fun file -> [ "--source"; file ]) own
         @ List.concat_map (fun file -> [ "--library"; file ]) library
         @ [ program; view.recording ]
+        @ again general ~entry ~sources view file
       in
       match Process.become resources.viewer arguments with
       | Not_found _ | Failed _ -> missing_host resources.viewer)

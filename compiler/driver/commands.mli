@@ -55,6 +55,7 @@ type view = {
   browser : bool;  (** is opened, if there is a desktop *)
   port : int option;  (** any that is free if [None] *)
   world : string option;  (** where the robot drove; as for a {!run} if [None] *)
+  only_build : bool;  (** print the path of what is to be run, and show nothing *)
 }
 
 val view : general -> entry:string -> sources:string list -> view -> string -> int

@@ -342,8 +342,14 @@ let view =
     in
     Arg.(value & opt (some string) None & info [ "world" ] ~docv:"WORLD.toml" ~doc)
   in
-  let run general entry sources print port world recording file =
-    Commands.view general ~entry ~sources { recording; browser = not print; port; world } file
+  let only_build =
+    let doc = "Compile the program as it is to be run, print the path of that, and show nothing." in
+    Arg.(value & flag & info [ "only-build" ] ~doc)
+  in
+  let run general entry sources print port world only_build recording file =
+    Commands.view general ~entry ~sources
+      { recording; browser = not print; port; world; only_build }
+      file
   in
   let man =
     [
@@ -359,7 +365,7 @@ let view =
     ]
   in
   command "view" ~man ~doc:"look at a recorded run on a page, at any instant"
-    Term.(const run $ general $ entry $ sources $ print $ port $ world $ recording $ file)
+    Term.(const run $ general $ entry $ sources $ print $ port $ world $ only_build $ recording $ file)
 
 let build =
   let output =

@@ -1,9 +1,10 @@
 /* frob-view -- shows a recorded run of a program on a page.
  *
  *   frob-view [--print] [--port N] [--source FILE]... [--library FILE]... [--world FILE]
- *             PROGRAM.so RUN.csv
+ *             PROGRAM.so RUN.csv [COMMAND...]
  *
- * Prints the page's address, and opens a browser on it unless --print is given. Ends
+ * COMMAND, whose last argument is the program's file, compiles it as PROGRAM.so is compiled,
+ * and prints the path. Prints the page's address, and opens a browser on it unless --print is given. Ends
  * with SIGINT or SIGTERM. Exit status: 0, or 2 when a file cannot be read or is no
  * recording, or the port cannot be had. */
 #include "../common/load.h"
@@ -55,13 +56,15 @@ static bool read_options(struct options *o, int argc, char **argv)
         else
             break;
     }
-    if (o->files.sources == NULL || i + 2 != argc || o->port < 0 || o->port > 65535) {
+    if (o->files.sources == NULL || i + 2 > argc || o->port < 0 || o->port > 65535) {
         fprintf(stderr, "usage: frob-view [--print] [--port N] [--source FILE]... "
                         "[--library FILE]... [--world FILE] PROGRAM.so RUN.csv\n");
         return false;
     }
     o->program = argv[i];
     o->files.recording = argv[i + 1];
+    if (i + 2 < argc)
+        o->files.command = (what_if_command)&argv[i + 2];
     return true;
 }
 

@@ -5,13 +5,13 @@
 
 static unsigned char *kept_at(struct replay *replay, size_t k)
 {
-    return replay->kept + k / REPLAY_EVERY * replay->recording->program->state_size;
+    return replay->kept + k / REPLAY_EVERY * replay->signals->program->state_size;
 }
 
 static void step(struct replay *replay)
 {
     const struct recording *recording = replay->recording;
-    recording->program->step(replay->state, recording_dt(recording, replay->next),
+    replay->signals->program->step(replay->state, recording_dt(recording, replay->next),
                              recording_input(recording, replay->next), replay->output);
     replay->next++;
 }
@@ -34,7 +34,7 @@ static void compare(struct replay *replay, size_t k)
 bool replay_start(struct replay *replay, const struct signals *signals,
                   const struct recording *recording)
 {
-    const struct frob_program *program = recording->program;
+    const struct frob_program *program = signals->program;
     memset(replay, 0, sizeof *replay);
     replay->recording = recording;
     replay->signals = signals;
@@ -60,7 +60,7 @@ bool replay_is_whole(const struct replay *replay)
 /* Sets the program to the last state before an instant that is kept. */
 static void go_back(struct replay *replay, size_t k)
 {
-    memcpy(replay->state, kept_at(replay, k), replay->recording->program->state_size);
+    memcpy(replay->state, kept_at(replay, k), replay->signals->program->state_size);
     replay->next = k / REPLAY_EVERY * REPLAY_EVERY;
 }
 
@@ -77,7 +77,7 @@ void replay_advance(struct replay *replay)
     }
     replay->reached = end;
     if (end < count)
-        memcpy(kept_at(replay, end), replay->state, replay->recording->program->state_size);
+        memcpy(kept_at(replay, end), replay->state, replay->signals->program->state_size);
 }
 
 void replay_end(struct replay *replay)

@@ -23,7 +23,8 @@ struct replay {
     const struct signal *diverged_in;
 };
 
-/* Nothing is run yet. False without memory. */
+/* Nothing is run yet. The program of the signals need not be the one that the recording was
+ * read for, but must have the same input and output. False without memory. */
 bool replay_start(struct replay *replay, const struct signals *signals,
                   const struct recording *recording);
 void replay_end(struct replay *replay);

@@ -48,6 +48,7 @@ bool view_start(struct view *view, const struct frob_program *program,
 {
     memset(view, 0, sizeof *view);
     view->program = program;
+    view->files = files;
     view->sources = (struct source *)calloc(files->source_count + 1, sizeof *view->sources);
     if (view->sources == NULL || !signals_start(&view->signals, program, columns)) {
         fprintf(stderr, "error: not enough memory for the program's signals\n");
@@ -73,6 +74,7 @@ bool view_start(struct view *view, const struct frob_program *program,
 
 void view_end(struct view *view)
 {
+    what_if_end(&view->other);
     series_end(&view->series);
     replay_end(&view->replay);
     recording_free(&view->recording);
@@ -268,10 +270,35 @@ static bool is_known(const struct view *view, const struct signal *signal)
     return signal->side == INPUT || signal->side == OUTPUT || view->replay.runs;
 }
 
+static void add_cell(const struct signals *signals, const struct signal *signal,
+                     const struct moment *moment, struct buffer *answer)
+{
+    struct buffer cell = { 0 };
+    signal_write(signals, signal, moment, &cell);
+    buffer_string(answer, cell.length > 0 ? cell.data : "");
+    buffer_free(&cell);
+}
+
+/* Of the edited program, in the same order; null where it has no such signal. */
+static void add_other_cells(struct view *view, size_t k, struct buffer *answer)
+{
+    const struct signals *signals = &view->other.signals;
+    struct moment moment = replay_at(&view->other.replay, k);
+    buffer_text(answer, ",\"others\":[");
+    for (size_t i = 0; i < view->signals.count; i++) {
+        const struct signal *signal = signals_find(signals, view->signals.all[i].name);
+        buffer_text(answer, i > 0 ? "," : "");
+        if (signal == NULL)
+            buffer_text(answer, "null");
+        else
+            add_cell(signals, signal, &moment, answer);
+    }
+    buffer_text(answer, "]");
+}
+
 static void answer_instant(struct view *view, size_t k, struct buffer *answer)
 {
     struct moment moment = replay_at(&view->replay, k);
-    struct buffer cell = { 0 };
     buffer_format(answer, "{\"is\":\"instant\",\"k\":%lu,\"time\":", (unsigned long)k);
     buffer_number(answer, seconds_at(view, k));
     buffer_text(answer, ",\"dt\":");
@@ -279,14 +306,16 @@ static void answer_instant(struct view *view, size_t k, struct buffer *answer)
     buffer_text(answer, ",\"cells\":[");
     for (size_t i = 0; i < view->signals.count; i++) {
         const struct signal *signal = &view->signals.all[i];
-        buffer_clear(&cell);
-        if (is_known(view, signal))
-            signal_write(&view->signals, signal, &moment, &cell);
         buffer_text(answer, i > 0 ? "," : "");
-        buffer_string(answer, cell.length > 0 ? cell.data : "");
+        if (is_known(view, signal))
+            add_cell(&view->signals, signal, &moment, answer);
+        else
+            buffer_text(answer, "\"\"");
     }
-    buffer_text(answer, "]}");
-    buffer_free(&cell);
+    buffer_text(answer, "]");
+    if (view->other.is_there)
+        add_other_cells(view, k, answer);
+    buffer_text(answer, "}");
 }
 
 /* The last instant that is not after a time; the first if all are. */
@@ -306,7 +335,8 @@ static size_t instant_at(const struct view *view, double seconds)
 struct points {
     const struct view *view;
     const double *numbers;
-    struct buffer *answer, *times, *values;
+    const double *other; /* of the edited program; NULL: it has none */
+    struct buffer *times, *values, *others;
 };
 
 static void add_point(void *context, size_t k)
@@ -317,6 +347,17 @@ static void add_point(void *context, size_t k)
     buffer_number(p->times, seconds_at(p->view, k));
     buffer_text(p->values, comma);
     buffer_number(p->values, p->numbers[k]);
+    if (p->other != NULL) {
+        buffer_text(p->others, comma);
+        buffer_number(p->others, p->other[k]);
+    }
+}
+
+static const double *other_numbers(struct view *view, const struct signal *signal)
+{
+    const struct signal *other =
+        view->other.is_there ? signals_find(&view->other.signals, signal->name) : NULL;
+    return other == NULL ? NULL : series_of(&view->other.series, other);
 }
 
 static void answer_series(struct view *view, size_t number, double from, double to, size_t width,
@@ -325,14 +366,15 @@ static void answer_series(struct view *view, size_t number, double from, double 
     const size_t first = instant_at(view, from), last = instant_at(view, to);
     const size_t end = last + 1 < view->recording.count ? last + 2 : last + 1;
     const struct signal *signal = &view->signals.all[number];
-    struct buffer times = { 0 }, values = { 0 };
-    struct points points = { view, NULL, answer, &times, &values };
+    struct buffer times = { 0 }, values = { 0 }, others = { 0 };
+    struct points points = { view, NULL, NULL, &times, &values, &others };
     if (is_known(view, signal)) {
         points.numbers = series_of(&view->series, signal);
         if (points.numbers == NULL) {
             refuse(answer, "not enough memory for this signal's numbers");
             return;
         }
+        points.other = other_numbers(view, signal);
         series_visit(points.numbers, first, end, width, add_point, &points);
     }
     buffer_format(answer, "{\"is\":\"series\",\"signal\":%lu,\"from\":", (unsigned long)number);
@@ -343,8 +385,12 @@ static void answer_series(struct view *view, size_t number, double from, double 
     buffer_text(answer, times.length > 0 ? times.data : "");
     buffer_text(answer, "],\"values\":[");
     buffer_text(answer, values.length > 0 ? values.data : "");
-    buffer_text(answer, "]}");
-    answer->failed = answer->failed || times.failed || values.failed;
+    buffer_text(answer, "]");
+    if (points.other != NULL)
+        buffer_format(answer, ",\"others\":[%s]", others.length > 0 ? others.data : "");
+    buffer_text(answer, "}");
+    answer->failed = answer->failed || times.failed || values.failed || others.failed;
+    buffer_free(&others);
     buffer_free(&times);
     buffer_free(&values);
 }
@@ -434,6 +480,32 @@ static void answer_find(struct view *view, size_t from, const char *text, struct
     buffer_free(&spans);
 }
 
+static void answer_what_if(struct view *view, const char *text, struct buffer *answer)
+{
+    struct buffer why = { 0 };
+    const struct replay *replay = &view->other.replay;
+    if (*text == '\0') {
+        what_if_end(&view->other);
+        buffer_text(answer, "{\"is\":\"what-if\",\"there\":false}");
+    } else if (view->files->command == NULL || view->files->own_count == 0 || !view->replay.runs) {
+        refuse(answer, "this program cannot be run again on the recording");
+    } else if (!what_if_start(&view->other, &view->signals, &view->recording,
+                              view->files->command, view->files->sources[0], text, &why)) {
+        buffer_text(answer, "{\"is\":\"what-if\",\"there\":false,\"why\":");
+        buffer_string(answer, why.length > 0 ? why.data : "");
+        buffer_text(answer, "}");
+    } else {
+        buffer_text(answer, "{\"is\":\"what-if\",\"there\":true");
+        if (replay->diverged) {
+            buffer_format(answer, ",\"first\":%lu,\"signal\":",
+                          (unsigned long)replay->diverged_at);
+            buffer_string(answer, replay->diverged_in->name);
+        }
+        buffer_text(answer, "}");
+    }
+    buffer_free(&why);
+}
+
 /* {1 Requests} */
 
 /* Takes one word and the blank before it off a request, as a number below `limit`. */
@@ -495,6 +567,8 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
         answer_path(view, signal, other, width, answer);
     else if (take_word(&at, "find") && take_number(&at, count, &k) && *at == ' ')
         answer_find(view, k, at + 1, answer);
+    else if (take_word(&at, "what-if") && (*at == ' ' || *at == '\0'))
+        answer_what_if(view, *at == ' ' ? at + 1 : at, answer);
     else
         refuse(answer, "this is no request");
     if (answer->failed) {

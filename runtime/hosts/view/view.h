@@ -12,17 +12,30 @@
  *   find BEFORE CONDITION      instants at which CONDITION (see condition.h) begins to hold:
  *                              the first, the last before instant BEFORE, the first after it,
  *                              how many there are, and the times for which it holds
+ *   what-if TEXT               the program as TEXT has it, run on the same inputs: from which
+ *                              instant on its outputs are others; without TEXT, no more of it
  *
+ * While there is such a program, instants and series have the `others` of its values.
  * What is no request is answered by `{"is":"refused",…}`, and nothing else happens. */
 #ifndef FROB_VIEW_VIEW_H
 #define FROB_VIEW_VIEW_H
 
 #include "series.h"
+#include "what_if.h"
 
 struct source {
     const char *name; /* without its folder */
     bool is_library;
     char *text;
+};
+
+struct view_files {
+    const char *recording;
+    const char **sources; /* the user's, then … */
+    size_t source_count;
+    size_t own_count;     /* … from here on those of the library */
+    const char *world;    /* that the robot may have driven in; NULL: none */
+    what_if_command command; /* NULL: the program cannot be compiled again */
 };
 
 struct view {
@@ -34,18 +47,11 @@ struct view {
     struct source *sources;
     size_t source_count;
     struct source world; /* text NULL: none */
+    const struct view_files *files;
+    struct what_if other;
 };
 
-/* Files that are shown as they are. */
-struct view_files {
-    const char *recording;
-    const char **sources; /* the user's, then … */
-    size_t source_count;
-    size_t own_count;     /* … from here on those of the library */
-    const char *world; /* that the robot may have driven in; NULL: none */
-};
-
-/* Reads the files. False with a line on standard
+/* Reads the files, whose names are to stay. False with a line on standard
  * error. */
 bool view_start(struct view *view, const struct frob_program *program,
                 const struct frob_column *columns, const struct view_files *files);

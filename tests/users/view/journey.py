@@ -80,7 +80,7 @@ def visit(page, rows):
     page.press("m", Keys.HOME)
     page.at(0)
     page.wait(lambda: page.text("#apart").startswith(f"Δ {1 - last} instants"))
-    check("a mark shows what lies between", "Δ" in page.text("#plots article output + output"))
+    check("a mark shows what lies between", "Δ" in page.text("#plots article output:last-of-type"))
     page.press("m")
 
     page.press("f", "mode.bug == withSF", Keys.ENTER)
@@ -110,10 +110,10 @@ def visit(page, rows):
     check("a plot shows what was dragged over, and goes where it is clicked", True)
 
     source = page.driver.execute_script(
-        "return document.querySelector('#source div').shadowRoot.querySelector('.cm-content').innerText")
+        "return document.querySelector('#source > div').shadowRoot.querySelector('.cm-content').innerText")
     check("the source is there", "main" in source)
     line = page.driver.execute_script("""
-        const root = document.querySelector('#source div').shadowRoot;
+        const root = document.querySelector('#source > div').shadowRoot;
         const chip = [...root.querySelectorAll('.values button')]
             .find(button => button.textContent.startsWith('goal.x'));
         const text = chip.closest('.cm-line').textContent + chip.textContent;
@@ -123,6 +123,16 @@ def visit(page, rows):
           line.startswith("bug goal = do") and line.endswith("13[m]"))
     page.wait(lambda: any(".goal.x" in h.text for h in page.all("#plots h3")))
     check("a value that is clicked is plotted", True)
+    page.press("e")
+    page.wait(lambda: page.all(".what-if button") and page.all(".what-if button")[0].is_displayed())
+    page.press("wrong ")
+    ActionChains(page.driver).key_down(Keys.CONTROL).send_keys(Keys.ENTER).key_up(Keys.CONTROL) \
+        .perform()
+    page.wait(lambda: "error" in page.text(".what-if pre"))
+    check("an edited program that is wrong is told", True)
+    page.press(Keys.ESCAPE)
+    page.wait(lambda: not page.all(".what-if pre")[0].is_displayed())
+
     messages = [entry["message"] for entry in page.driver.get_log("browser")]
     check("the browser has nothing to complain of", messages == [])
     for message in messages:

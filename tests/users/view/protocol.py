@@ -5,9 +5,11 @@ What the viewer answers, to a WebSocket client that is not its page; and to who 
 import asyncio
 import json
 import math
+import os
 import random
 import socket
 import sys
+import tempfile
 
 import websockets
 
@@ -114,6 +116,49 @@ async def conditions(v, rows):
         for condition, why in wrong.items():
             found = await ask(client, f"find 0 {condition}")
             check(f"{condition[:20]}: {why or 'is found'}", found.get("why") == why)
+
+
+async def what_if(v, frobc, recording, program, robot, rows):
+    """An edited program, compared with a trace of it."""
+    with open(program) as file:
+        text = file.read()
+    edited = text.replace("13[m]", "12[m]")
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, os.path.basename(program))
+        with open(path, "w") as file:
+            file.write(edited)
+        others = viewer.trace(frobc, recording, path, robot)
+    before = os.listdir(tempfile.gettempdir())
+    async with connect(v) as client:
+        names = [signal["name"] for signal in (await greet(v, client))["signals"]]
+        outputs = [name for name in names if name.startswith("out.")]
+        first = next(k for k in range(len(rows))
+                     if any(rows[k][name] != others[k][name] for name in outputs))
+        answer = await ask(client, f"what-if {text}")
+        check("the same program has the same outputs", answer == {"is": "what-if", "there": True})
+        answer = await ask(client, f"what-if {edited}")
+        check("an edited program is other from where its trace is", answer["first"] == first)
+        differing = 0
+        for k in random.Random(2).sample(range(len(rows)), 100):
+            instant = await ask(client, f"instant {k}")
+            differing += instant["cells"] != [rows[k][name] for name in names]
+            differing += instant["others"] != [others[k].get(name) for name in names]
+        check("both have the values of their traces", differing == 0)
+        forward = names.index("out.forward")
+        series = await ask(client, f"series {forward} -1 1e6 100000")
+        check("both have the plots of their traces",
+              series["values"] == [number(row["out.forward"]) for row in rows]
+              and series["others"] == [number(row["out.forward"]) for row in others])
+        wrong = await ask(client, f"what-if {text.replace('13[m]', '13[s]')}")
+        check("what the compiler says comes back", not wrong["there"] and "error[" in wrong["why"]
+              and " bug.frob:10" in wrong["why"])
+        other = await ask(client, "what-if main :: SF Float Float\nmain = proc x -> x")
+        check("another input is refused", "cannot be run on this recording" in other["why"])
+        answer = await ask(client, "what-if")
+        check("an edited program can be dropped", answer == {"is": "what-if", "there": False}
+              and "others" not in await ask(client, "instant 1"))
+    check("nothing of it is left on disk", [name for name in os.listdir(tempfile.gettempdir())
+          if name.startswith("frob-view-") and name not in before] == [])
 
 
 async def refused(v, **changes):
@@ -228,6 +273,7 @@ async def main():
     rows = viewer.trace(frobc, recording, program, robot)
     await values(v, rows)
     await conditions(v, rows)
+    await what_if(v, frobc, recording, program, robot, rows)
     await strangers(v)
     await wrong_messages(v)
     await nonsense(v, 2000)

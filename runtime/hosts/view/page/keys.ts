@@ -22,6 +22,7 @@ export function startKeys(store: Store, player: Player, filter: HTMLInputElement
       case "t": toggleTheme(); break;
       case "/": filter.closest("section")?.scrollIntoView(); filter.focus(); break;
       case "f": find.focus(); find.select(); break;
+      case "e": document.getElementById("what-if")?.click(); break;
       case "?": help.showModal(); break;
       default: return false;
     }
@@ -31,7 +32,7 @@ export function startKeys(store: Store, player: Player, filter: HTMLInputElement
   document.addEventListener("keydown", (event) => {
     const target = event.target instanceof Element ? event.target : null;
     if (event.ctrlKey || event.altKey || event.metaKey || help.open) return;
-    if (target?.closest("input, select")) return;
+    if (target?.closest("input, select") || (store.isEditing && target?.closest("#source"))) return;
     // A button is pressed by the space bar.
     if (event.key === " " && target?.closest("button")) return;
     if (moves.has(event.key)) player.pause();

@@ -8,6 +8,8 @@ export interface Chip {
   readonly number: number;
   readonly name: string;
   readonly value: string;
+  /** In the edited program, if there is one and it is another there. */
+  readonly other: string | null;
   readonly isPlotted: boolean;
 }
 
@@ -92,10 +94,13 @@ export class Lines {
     const { program, instant, plotted } = this.store;
     const chips = numbers.slice(0, mostChips).flatMap((number) => {
       const signal = program.signals[number];
+      const cell = instant?.cells[number] ?? "";
+      const other = instant?.others?.[number] ?? cell;
       return signal ? [{
         number,
         name: signal.own,
-        value: formatCell(signal, instant?.cells[number] ?? ""),
+        value: formatCell(signal, cell),
+        other: other === cell ? null : formatCell(signal, other),
         isPlotted: plotted.includes(number),
       }] : [];
     });

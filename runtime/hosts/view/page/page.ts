@@ -90,6 +90,7 @@ function answered(answer: Answer): void {
     case "series": store?.received(answer); break;
     case "path": store?.pathReceived(answer); break;
     case "found": store?.found(answer); break;
+    case "what-if": store?.whatIfReceived(answer); break;
     case "refused": showState(answer.why, false); break;
   }
 }

@@ -17,11 +17,13 @@ function isLow(signal: Signal): boolean {
 class Strip {
   readonly element = document.createElement("article");
   private readonly value = document.createElement("output");
+  private readonly other = document.createElement("output");
   private readonly apart = document.createElement("output");
   private readonly place = document.createElement("div");
   private plot: uPlot | null = null;
   private isEmpty = false;
   private values: readonly (number | null)[] = [];
+  private others: readonly (number | null)[] = [];
   private data: uPlot.AlignedData = [[], []];
 
   constructor(
@@ -36,7 +38,8 @@ class Strip {
     close.ariaLabel = `Do not plot ${this.signal.name}`;
     close.onclick = () => store.toggle(number);
     const head = document.createElement("header");
-    head.append(name, this.value, this.apart, close);
+    this.other.className = "other";
+    head.append(name, this.value, this.other, this.apart, close);
     this.place.className = "plot";
     this.element.append(head, this.place);
   }
@@ -58,9 +61,12 @@ class Strip {
   private show(series: Series): void {
     if (series.from !== this.store.range[0] || series.to !== this.store.range[1]) return;
     this.values = series.values;
-    this.data = [series.times, series.values];
+    this.others = series.others ?? [];
+    this.data = series.others ? [series.times, series.values, series.others]
+      : [series.times, series.values];
     this.isEmpty = series.values.every((value) => value === null);
-    if (this.plot && !this.isEmpty) this.plot.setData(this.data, true);
+    if (this.plot && !this.isEmpty && this.plot.series.length === this.data.length)
+      this.plot.setData(this.data, true);
     else this.build();
   }
 
@@ -84,6 +90,13 @@ class Strip {
     };
     const top = Math.max(1, signal.names.length - 1);
     const low = isLow(signal) || this.isEmpty;
+    const drawn = (stroke: string): uPlot.Series => ({
+      stroke,
+      width: 1.5,
+      spanGaps: false,
+      ...(isEvent ? { paths: () => null, points: { show: true, size: 5, fill: stroke } }
+        : { paths: uPlot.paths.stepped?.({ align: 1 }) ?? (() => null), points: { show: false } }),
+    });
     return {
       width: Math.max(100, this.place.clientWidth),
       height: low ? lowHeight : highHeight(this.store.plotted.length),
@@ -99,7 +112,7 @@ class Strip {
         x: { time: false, range: () => [this.store.range[0],
                                         Math.max(this.store.range[1], this.store.range[0] + 1e-9)] },
         y: low ? { range: [-0.15, top + 0.15] } : {
-          range: () => around(this.values) },
+          range: () => around([...this.values, ...this.others]) },
       },
       axes: [
         { ...axis, size: 20, gap: 2, space: 70, values: (_plot, splits) =>
@@ -112,16 +125,9 @@ class Strip {
       ],
       series: [
         {},
-        {
-          stroke: lineColour(this.index),
-          width: 1.5,
-          spanGaps: false,
-          ...(low ? { fill: `${lineColour(this.index)}22`, fillTo: -0.15 } : {}),
-          ...(isEvent ? { paths: () => null, points: { show: true, size: 5,
-                                                      fill: lineColour(this.index) } }
-                      : { paths: uPlot.paths.stepped?.({ align: 1 }) ?? (() => null),
-                          points: { show: false } }),
-        },
+        { ...drawn(lineColour(this.index)),
+          ...(low ? { fill: `${lineColour(this.index)}22`, fillTo: -0.15 } : {}) },
+        ...(this.data.length > 2 ? [{ ...drawn(colour("text")), dash: [5, 4] }] : []),
       ],
       hooks: {
         draw: [(plot) => this.drawCursors(plot)],
@@ -178,6 +184,8 @@ class Strip {
     const { signal, store, plot } = this;
     const pointed = plot?.cursor.idx;
     const cell = store.instant?.cells[this.number] ?? "";
+    const other = store.instant?.others?.[this.number] ?? cell;
+    this.other.textContent = other === cell ? "" : `what if: ${formatCell(signal, other)}`;
     const marked = store.mark?.cells[this.number];
     this.element.classList.toggle("pointed", typeof pointed === "number");
     if (plot && typeof pointed === "number") {
@@ -252,6 +260,7 @@ export function startPlots(store: Store, host: HTMLElement): void {
   const all = (act: (strip: Strip) => void) => () => strips.forEach(act);
   store.on("plotted", arrange);
   store.on("range", all((strip) => strip.load()));
+  store.on("what-if", all((strip) => strip.load()));
   store.on("instant", all((strip) => strip.redraw()));
   store.on("mark", all((strip) => strip.redraw()));
   onTheme(all((strip) => strip.build()));

@@ -55,6 +55,8 @@ export interface Instant {
   readonly dt: number;
   /** Of each signal, as the cell of a trace. */
   readonly cells: readonly string[];
+  /** Of the edited program, if there is one; null: it has no such signal. */
+  readonly others?: readonly (string | null)[];
 }
 
 export interface Series {
@@ -64,6 +66,7 @@ export interface Series {
   readonly to: number;
   readonly times: number[];
   readonly values: (number | null)[];
+  readonly others?: (number | null)[];
 }
 
 export interface Path {
@@ -86,9 +89,21 @@ export interface Found {
   readonly spans?: readonly number[];
 }
 
+/** An edited program was run on the same inputs. */
+export interface WhatIf {
+  readonly is: "what-if";
+  /** There is one, and it can be compared. */
+  readonly there: boolean;
+  /** Why there is none, as the compiler says it; nothing if none was asked for. */
+  readonly why?: string;
+  /** Where its outputs are others for the first time; nothing if they never are. */
+  readonly first?: number;
+  readonly signal?: string;
+}
+
 export interface Refused {
   readonly is: "refused";
   readonly why: string;
 }
 
-export type Answer = Program | Progress | Instant | Series | Path | Found | Refused;
+export type Answer = Program | Progress | Instant | Series | Path | Found | WhatIf | Refused;

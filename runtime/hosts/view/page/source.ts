@@ -1,12 +1,16 @@
 // The program's source, read-only, with the values of the instant at the ends of its lines.
 import { HighlightStyle, syntaxHighlighting } from "@codemirror/language";
-import { EditorState, StateEffect, StateField, type Extension } from "@codemirror/state";
-import { Decoration, EditorView, lineNumbers, WidgetType, type DecorationSet } from "@codemirror/view";
+import { Compartment, EditorState, StateEffect, StateField, type Extension } from
+  "@codemirror/state";
+import { Decoration, EditorView, keymap, lineNumbers, WidgetType, type DecorationSet } from
+  "@codemirror/view";
 import { tags } from "@lezer/highlight";
+import { history, historyKeymap, standardKeymap } from "@codemirror/commands";
 import { frob } from "./frob_language";
 import { Lines, shownSources, type Chip, type LineValues } from "./lines";
 import type { Source } from "./protocol";
 import type { Store } from "./store";
+import { WhatIfBar } from "./what_if";
 
 const colours = HighlightStyle.define([
   { tag: tags.keyword, color: "var(--keyword)", fontWeight: "600" },
@@ -37,8 +41,14 @@ const look = EditorView.theme({
   ".values button:hover": { borderColor: "var(--accent)" },
   ".values button[aria-pressed=true]": { borderColor: "var(--accent)", background: "var(--picked)" },
   ".values .name": { color: "var(--dim)", marginRight: "0.7ch" },
-  ".values .instance": { background: "transparent", color: "var(--dim)",
-                         border: "1px solid var(--edge)" },
+  ".values .other": { color: "var(--mark)" },
+  ".values .instance": {
+    background: "transparent",
+    color: "var(--dim)",
+    border: "1px solid var(--edge)",
+  },
+  "&.editing": { backgroundColor: "var(--edited)" },
+  "&.editing .cm-cursor": { borderLeftColor: "var(--text)" },
   ".values .more": { color: "var(--dim)", fontSize: "12px" },
 });
 
@@ -64,12 +74,18 @@ class Values extends WidgetType {
     return this.line === other.line && this.text === other.text;
   }
 
-  private chip({ number, name, value, isPlotted }: Chip): HTMLElement {
+  private chip({ number, name, value, other, isPlotted }: Chip): HTMLElement {
     const button = document.createElement("button");
     const label = document.createElement("span");
     label.className = "name";
     label.textContent = name;
     button.append(label, value === "" ? "–" : value);
+    if (other !== null) {
+      const changed = document.createElement("span");
+      changed.className = "other";
+      changed.textContent = ` → ${other === "" ? "–" : other}`;
+      button.append(changed);
+    }
     button.ariaPressed = String(isPlotted);
     button.title = isPlotted ? `${name} is plotted` : `Plot ${name}`;
     button.onclick = () => this.act.plot(number);
@@ -107,10 +123,12 @@ const show = StateEffect.define<DecorationSet>();
 const shown = StateField.define<DecorationSet>({
   create: () => Decoration.none,
   update: (before, change) =>
-    change.effects.reduce((now, effect) => (effect.is(show) ? effect.value : now), before),
+    change.effects.reduce((now, effect) => (effect.is(show) ? effect.value : now),
+                          before.map(change.changes)),
   provide: (field) => EditorView.decorations.from(field),
 });
 
+const tinted = EditorView.editorAttributes.of({ class: "editing" });
 const idle = Decoration.line({ class: "idle" });
 
 export function startSource(store: Store, host: HTMLElement): void {
@@ -121,13 +139,12 @@ export function startSource(store: Store, host: HTMLElement): void {
   // In a shadow tree the editor's styles are style sheets, and no `<style>` elements, which the
   // page's security policy would refuse.
   const root = place.attachShadow({ mode: "open" });
-  host.append(tabs, place);
-  tabs.hidden = sources.length < 2;
 
+  const writing = new Compartment();
   const extensions: Extension = [
     lineNumbers(),
     EditorView.lineWrapping,
-    EditorState.readOnly.of(true),
+    writing.of(EditorState.readOnly.of(true)),
     EditorView.contentAttributes.of({ "aria-label": "Source" }),
     frob,
     syntaxHighlighting(colours),
@@ -146,6 +163,8 @@ export function startSource(store: Store, host: HTMLElement): void {
       update();
     },
   };
+  /** Not where lines have come or gone, and values would stand beside others. */
+  const hasItsLines = () => view.state.doc.lines === current?.text.split("\n").length;
   const update = () => {
     if (!current) return;
     const { name } = current;
@@ -157,21 +176,46 @@ export function startSource(store: Store, host: HTMLElement): void {
       const widget = Decoration.widget({ widget: new Values(line, values, act), side: 1 });
       return [...(values.runs ? [] : [idle.range(from)]), widget.range(to)];
     });
-    view.dispatch({ effects: show.of(Decoration.set(marks)) });
+    view.dispatch({ effects: show.of(hasItsLines() ? Decoration.set(marks) : Decoration.none) });
   };
+
+  const select = (source: Source | undefined) => {
+    current = source;
+    view.setState(stateOf(source));
+    for (const tab of tabs.children) tab.ariaPressed = String(tab.textContent === source?.name);
+    update();
+  };
+  const bar = new WhatIfBar(store, {
+    begin: () => {
+      select(sources[0]);
+      const keys = keymap.of([
+        { key: "Mod-Enter", run: () => { bar.run(); return true; } },
+        { key: "Escape", run: () => { bar.discard(); return true; } },
+        ...standardKeymap,
+        ...historyKeymap,
+      ]);
+      view.dispatch({ effects: writing.reconfigure([keys, history(), tinted]) });
+      view.focus();
+    },
+    text: () => view.state.doc.toString(),
+    end: () => {
+      select(sources[0]);
+    },
+  });
 
   for (const source of sources) {
     const tab = document.createElement("button");
     tab.textContent = source.name;
     tab.onclick = () => {
-      current = source;
-      view.setState(stateOf(source));
-      for (const other of tabs.children) other.ariaPressed = String(other === tab);
-      update();
+      if (store.isEditing) bar.discard();
+      select(source);
     };
-    tab.ariaPressed = String(source === current);
     tabs.append(tab);
   }
+  const head = document.createElement("header");
+  head.append(tabs, bar.button);
+  host.append(head, bar.element, place);
+  select(current);
   store.on("instant", update);
   store.on("plotted", update);
 }

@@ -1,9 +1,9 @@
 // What the page shows at the moment, and who wants to know when that changes.
 import type { Connection } from "./connection";
-import type { Found, Instant, Path, Program, Series } from "./protocol";
+import type { Found, Instant, Path, Program, Series, WhatIf } from "./protocol";
 
 type Listener = () => void;
-export type Change = "instant" | "mark" | "range" | "plotted" | "spans";
+export type Change = "instant" | "mark" | "range" | "plotted" | "spans" | "what-if";
 
 export class Store {
   instant: Instant | null = null;
@@ -18,6 +18,11 @@ export class Store {
 
   /** For which times the condition that is looked for holds: from and to, in turn. */
   spans: readonly number[] = [];
+
+  /** The edited program, run on the same inputs; null before anything was asked. */
+  whatIf: WhatIf | null = null;
+  /** Whether keys go to the editor of the program. */
+  isEditing = false;
 
   private finding: ((found: Found) => void)[] = [];
   private readonly paths = new Map<string, (path: Path) => void>();
@@ -140,5 +145,17 @@ export class Store {
   setSpans(spans: readonly number[]): void {
     this.spans = spans;
     this.changed("spans");
+  }
+
+  // What if the program were another. Without a text, it is not.
+
+  askWhatIf(text: string): void {
+    this.connection.ask(`what-if${text === "" ? "" : ` ${text}`}`);
+  }
+
+  whatIfReceived(whatIf: WhatIf): void {
+    this.whatIf = whatIf;
+    this.changed("what-if");
+    this.goTo(whatIf.first ?? this.instant?.k ?? 0);
   }
 }
