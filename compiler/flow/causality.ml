@@ -130,9 +130,11 @@ let hint_here first last =
   let name = last.read.name in
   let whose =
     if last.reader.id = last.read.id then Printf.sprintf "let `%s` read its own previous value" name
-    else Printf.sprintf "let `%s` read the previous value of `%s`" last.reader.name first.reader.name
+    else
+      Printf.sprintf "let `%s` read the previous value of `%s`" last.reader.name first.reader.name
   in
-  if is_expression name then Printf.sprintf "%s: `delay x0 %s`, where `x0` is the initial value" whose name
+  if is_expression name then
+    Printf.sprintf "%s: `delay x0 %s`, where `x0` is the initial value" whose name
   else whose ^ ", with `delay`"
 
 (* Of a loop too long to read, the beginning and the last hop. *)
@@ -170,7 +172,8 @@ let report_named entry hops =
   let d =
     if List.exists (fun hop -> List.exists by_a_switch hop.via) hops then
       Diagnostic.note
-        "an output of a switch needs every input that a signal function in it reads at that instant" d
+        "an output of a switch needs every input that a signal function in it reads at that instant"
+        d
     else d
   in
   if left_out = 0 then d
@@ -198,7 +201,11 @@ let report program entry passages uses index (node : Dependency.node) component 
   let next = match cycle with [] -> [] | v :: rest -> List.rev (v :: List.rev rest) in
   let edges = List.rev (List.rev_map2 (fun v w -> (v, w)) cycle next) in
   let hops = Long_list.map (hop program passages node) edges in
-  let d = match named_hops hops with Some hops -> report_named entry hops | None -> report_unnamed hops in
+  let d =
+    match named_hops hops with
+    | Some hops -> report_named entry hops
+    | None -> report_unnamed hops
+  in
   match Own_code.use uses ~entry index with
   | None -> d
   | Some (name, at) -> Diagnostic.label ~at (Printf.sprintf "`%s` runs here" name) d

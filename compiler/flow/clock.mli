@@ -4,8 +4,8 @@
     {[ if ns < big then (ns + big) - big else ns
        where ns = max 0 (seconds * 1e9) ]}
 
-    with [big] = 2^52, or 2^23 in single precision. Local time is kept in nanoseconds, so of local time they are mostly just
-    what is kept. *)
+    with [big] = 2^52, or 2^23 in single precision. Local time is kept in nanoseconds, so
+    of local time they are mostly just what is kept. *)
 
 open Basis
 

@@ -47,7 +47,8 @@ let round (node : Ir.node) =
     | Equation e ->
         ignore (meet (key_of_equation e (Operands.map atom e.rhs)) [ e.defines ] : bool)
     | Instance i ->
-        let operands = Basis.Long_list.map (fun a -> Operands.key (atom a)) (i.statics @ i.inputs) in
+        let key a = Operands.key (atom a) in
+        let operands = Basis.Long_list.map key (i.statics @ i.inputs) in
         if not (meet (operands, Instance (i.node, i.loop)) i.outputs) then
           Hashtbl.replace twins i.name ()
     | Trial _ | Machine _ -> ()

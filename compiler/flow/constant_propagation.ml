@@ -89,7 +89,8 @@ let parameters (program : Ir.program) =
         in
         match i.loop with
         | None -> List.iteri (fun j a -> input j Same a) i.inputs
-        | Some l -> List.iteri (fun j (how, a) -> input j how a) (List.combine l.arguments i.inputs))
+        | Some l ->
+            List.combine l.arguments i.inputs |> List.iteri (fun j (how, a) -> input j how a))
       node.instances;
     Option.iter (parameters_of_modes nodes passed) node.machine
   done;

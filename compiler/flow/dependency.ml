@@ -48,8 +48,8 @@ let needed_by_machine (passages : passage array) (machine : Ir.machine) =
 
 (* Every signal that the node defines with its definition, in source order. *)
 let definitions passages (node : Ir.node) =
-  let parameters = List.rev_map (fun s -> (s, Parameter)) node.statics in
-  let parameters = List.rev_append (List.rev_map (fun s -> (s, Parameter)) node.inputs) parameters in
+  let parameter all s = (s, Parameter) :: all in
+  let parameters = List.fold_left parameter [] (node.statics @ node.inputs) in
   let equations =
     List.fold_left
       (fun all (e : Ir.equation) -> (e.defines, Equation e) :: all)
@@ -94,12 +94,9 @@ let of_node passages (node : Ir.node) =
       defined_by.(v) <- definition :: defined_by.(v))
     (List.rev all);
   let edges definitions =
-    let all =
-      List.fold_left
-        (fun all definition -> List.rev_append (List.rev_map vertex (reads passages definition)) all)
-        [] definitions
-    in
-    List.rev all
+    let read all s = vertex s :: all in
+    let add all definition = List.fold_left read all (reads passages definition) in
+    List.rev (List.fold_left add [] definitions)
   in
   let graph = Array.map edges defined_by in
   let components = Graph.components graph in
@@ -136,7 +133,8 @@ let of_node passages (node : Ir.node) =
   { graph; definitions = defined_by; vertex; components; passage = { passed; decisive } }
 
 let program ?(each = fun _ _ _ -> ()) (program : Ir.program) =
-  let passages = Array.make (Array.length program.nodes) { passed = [||]; decisive = Inputs.empty } in
+  let none = { passed = [||]; decisive = Inputs.empty } in
+  let passages = Array.make (Array.length program.nodes) none in
   Array.iteri
     (fun index node ->
       let node = of_node passages node in

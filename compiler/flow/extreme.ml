@@ -114,7 +114,8 @@ let instance (nodes : Ir.node array) caller (i : Ir.instance) (l : Ir.loop) =
           Ir.Float (infinity_before c.which)
       | None -> input
   in
-  let inputs = List.mapi (fun k (how, a) -> accumulator k how a) (List.combine l.arguments i.inputs) in
+  let given = List.combine l.arguments i.inputs in
+  let inputs = List.mapi (fun k (how, a) -> accumulator k how a) given in
   if List.for_all2 ( == ) inputs i.inputs then i else { i with inputs }
 
 let program (program : Ir.program) =

@@ -398,7 +398,8 @@ let pass_parameters a =
       List.iter
         (fun (i : Ir.instance) ->
           ignore (pass a ~widening:false i.node (map (read a values) i.statics));
-          if with_machines.(i.node) then pass_inputs a i.node (with_trials a i (inputs_of a values i)))
+          if with_machines.(i.node) then
+            pass_inputs a i.node (with_trials a i (inputs_of a values i)))
         node.instances;
       let of_machine (m : Ir.machine) =
         List.iter

@@ -81,8 +81,8 @@ let on_floats real operator a b : Ir.atom option =
   | Maximum -> nan_or (if b > a then b else a)
   | Pow -> Some (constant (E.pow a b))
   | Elementary f -> Option.map constant (elementary_of_two real f a b)
-  | Negate | Absolute | Signum | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling | Truncate | Not | And
-  | Or ->
+  | Negate | Absolute | Signum | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling
+  | Truncate | Not | And | Or ->
       None
 
 let on_int real operator a : Ir.atom option =

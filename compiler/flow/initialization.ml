@@ -28,14 +28,12 @@ let check_node (program : Ir.program) (node : Ir.node) =
       match e.rhs with
       | Delay { init; next = _ } -> expect "an initial value" init
       | Ticks period -> expect "a period" period
-      | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
-  | Replace _ | Time _ | Step_time | Integral _
-      | Derivative _ ->
-          ())
+      | _ -> ())
     node.equations;
   List.iter
     (fun (i : Ir.instance) ->
-      if not (is_function i) then List.iter (expect ("what `" ^ i.name ^ "` starts with")) i.statics)
+      let what = "what `" ^ i.name ^ "` starts with" in
+      if not (is_function i) then List.iter (expect what) i.statics)
     node.instances;
   Option.iter
     (fun (m : Ir.machine) ->

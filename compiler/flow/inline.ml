@@ -30,9 +30,7 @@ let size (node : Ir.node) =
     match e.rhs with
     | Copy _ | Construct { payload = []; _ } -> 0
     | _ when node.statics <> [] && of_statics e -> 0
-    | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _ | At _
-    | Replace _ | Delay _ | Time _ | Step_time | Ticks _ | Integral _ | Derivative _ ->
-        1
+    | _ -> 1
   in
   List.fold_left
     (fun size e -> size + operation e)
@@ -175,9 +173,7 @@ let without_copies (node : Ir.node) =
     (fun (e : Ir.equation) ->
       match e.rhs with
       | Copy a -> Substitution.replace substitution e.defines a
-      | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-      | At _ | Replace _ | Delay _ | Time _ | Step_time | Ticks _ | Integral _ | Derivative _ ->
-          ())
+      | _ -> ())
     node.equations;
   Substitution.node substitution node
 
@@ -247,7 +243,9 @@ let rec open_loops context (node : Ir.node) =
       if String_table.length names = 0 then
         Diagnostic.bug ~stage:"Flow.Inline" "`%s` is not causal" node.name;
       let is_chosen (i : Ir.instance) = String_table.mem names i.name in
-      let try_machine i = if is_chosen i && is_machine context i then with_trials context i else i in
+      let try_machine i =
+        if is_chosen i && is_machine context i then with_trials context i else i
+      in
       { node with instances = Long_list.map try_machine node.instances }
       |> expand_chosen context (fun i -> is_chosen i && not (is_machine context i))
       |> open_loops context

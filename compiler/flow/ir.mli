@@ -161,7 +161,8 @@ type instance = {
           accumulators as they are at the end, then arrays of the others *)
   loop : loop option;
   trials : trial list;
-      (** for outputs that are known before all inputs, on which they do not depend; none of a loop *)
+      (** for outputs that are known before all inputs, on which they do not depend; none of
+          a loop *)
   span : Span.t;
 }
 

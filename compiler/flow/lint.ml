@@ -11,7 +11,8 @@ type scope = {
 
 let define owners scope (s : Ir.signal) =
   (match Hashtbl.find_opt owners s.id with
-  | Some owner -> bug "signal %d (`%s`) is defined in `%s` and in `%s`" s.id s.name owner scope.node.Ir.name
+  | Some owner ->
+      bug "signal %d (`%s`) is defined in `%s` and in `%s`" s.id s.name owner scope.node.Ir.name
   | None -> ());
   Hashtbl.add owners s.id scope.node.name;
   Hashtbl.add scope.defined s.id s
@@ -57,7 +58,8 @@ let leaves shape = List.rev (leaves_of_shape shape [])
 (* The payload's leaf types. *)
 let payload scope (ty : Ir.ty) index =
   match ty with
-  | Bool | Int | Float | Array _ | Foreign _ -> bug "a %s has no constructors in `%s`" (show scope ty) scope.node.name
+  | Bool | Int | Float | Array _ | Foreign _ ->
+      bug "a %s has no constructors in `%s`" (show scope ty) scope.node.name
   | Sum sum -> (
       match List.nth_opt scope.program.sums.(sum).constructors index with
       | Some c -> List.concat_map (fun (_, shape) -> leaves shape) c.fields
@@ -70,7 +72,7 @@ let operator scope (operator : Ir.operator) (arguments : Ir.ty list) : Ir.ty =
   | (Equal | Less | Less_equal), [ ((Int | Float) as a); b ] when a = b -> Bool
   | Equal, [ Bool; Bool ] -> Bool
   | (Divide | Pow | Elementary (Hypot | Atan2)), [ Float; Float ] -> Float
-  | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan), [ Float ] -> Float
+  | Elementary f, [ Float ] when f <> Hypot && f <> Atan2 -> Float
   | (Div | Mod | Bitwise _), [ Int; Int ] -> Int
   | To_float, [ Int ] -> Float
   | (Round | Floor | Ceiling | Truncate), [ Float ] -> Int
@@ -126,7 +128,8 @@ let equation scope (eq : Ir.equation) =
         | Array (n, element) when List.length atoms = n ->
             List.iter (fun a -> expect scope "an element" element (type_of scope a)) atoms;
             ty
-        | _ -> bug "%d elements of a %s in `%s`" (List.length atoms) (show scope ty) scope.node.name)
+        | _ ->
+            bug "%d elements of a %s in `%s`" (List.length atoms) (show scope ty) scope.node.name)
     | Fill a -> (
         match ty with
         | Array (n, _) -> Array (n, type_of scope a)

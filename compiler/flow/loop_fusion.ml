@@ -208,14 +208,15 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
 (* {1 Programs} *)
 
 let has_loops (node : Ir.node) =
-  List.compare_length_with (List.filter (fun (i : Ir.instance) -> Option.is_some i.loop) node.instances) 1
-  > 0
+  let is_loop (i : Ir.instance) = Option.is_some i.loop in
+  List.compare_length_with (List.filter is_loop node.instances) 1 > 0
 
 let renumber context (node : Ir.node) =
   let number k = context.numbers.(k) in
   {
     node with
-    instances = Long_list.map (fun (i : Ir.instance) -> { i with node = number i.node }) node.instances;
+    instances =
+      Long_list.map (fun (i : Ir.instance) -> { i with node = number i.node }) node.instances;
     machine =
       Option.map (fun (m : Ir.machine) -> { m with modes = List.map number m.modes }) node.machine;
   }

@@ -79,9 +79,7 @@ let operator : Ir.operator -> string = function
 let is_infix : Ir.operator -> bool = function
   | Add | Subtract | Multiply | Equal | Less | Less_equal | Divide | Pow | And | Or
   | Bitwise (Bit_and | Bit_or) -> true
-  | Negate | Absolute | Signum | Minimum | Maximum | Elementary _ | Div | Mod
-  | Bitwise (Bit_xor | Shift_left | Shift_right) | To_float | Round | Floor | Ceiling | Truncate | Not ->
-      false
+  | _ -> false
 
 let sum_name (sums : Ir.sum array) index =
   if index < Array.length sums then sums.(index).name else sprintf "<sum %d>" index

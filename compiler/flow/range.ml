@@ -123,10 +123,13 @@ let rec compared (operator : Ir.operator) a b holds =
   | Less_equal, Ints _, Ints _, false -> swapped Ir.Less a b
   | Equal, (Ints _ | Floats _), (Ints _ | Floats _), true -> (
       match meet a b with
-      | Some (Floats same) -> both (Floats { same with nan = false }) (Floats { same with nan = false })
+      | Some (Floats same) ->
+          let same = Floats { same with nan = false } in
+          both same same
       | Some same -> Some (same, same)
       | None -> None)
-  | Equal, Ints x, Ints y, false -> both (without x.least x.most y.least y.most) (without y.least y.most x.least x.most)
+  | Equal, Ints x, Ints y, false ->
+      both (without x.least x.most y.least y.most) (without y.least y.most x.least x.most)
   | (Less | Less_equal), Floats x, Floats y, true ->
       both
         (Floats { x with most = Float.min x.most y.most; nan = false })
@@ -138,7 +141,7 @@ let rec compared (operator : Ir.operator) a b holds =
       both (Floats { x with least = x' }) (Floats { y with most = y' })
   | _ -> Some (a, b)
 
-and swapped (operator : Ir.operator) a b = Option.map (fun (b, a) -> (a, b)) (compared operator b a true)
+and swapped operator a b = Option.map (fun (b, a) -> (a, b)) (compared operator b a true)
 
 (* Of a range what is not the only number of the other. *)
 and without least most other_least other_most =

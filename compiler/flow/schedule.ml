@@ -22,7 +22,8 @@ let in_source_order (node : Ir.node) =
   in
   let with_trials item items =
     match item with
-    | Instance i -> List.fold_right (fun trial items -> Trial (i, trial) :: items) i.trials (item :: items)
+    | Instance i ->
+        List.fold_right (fun trial items -> Trial (i, trial) :: items) i.trials (item :: items)
     | Equation _ | Trial _ | Machine _ -> item :: items
   in
   let items = merge [] node.instances node.equations in
@@ -64,24 +65,18 @@ let needs_from_start item =
   | Equation _ | Instance _ | Trial _ -> needs item
 
 (* What no item defines is a parameter. *)
-let definers items =
-  let definer = Int_table.create (2 * Array.length items) in
-  Array.iteri
-    (fun v item -> List.iter (fun (s : Ir.signal) -> Int_table.replace definer s.id v) (defines item))
-    items;
-  definer
-
 let graph ~needs items =
-  let definer = definers items in
-  Array.map
-    (fun item -> List.filter_map (fun (s : Ir.signal) -> Int_table.find_opt definer s.id) (needs item))
-    items
+  let definer = Int_table.create (2 * Array.length items) in
+  let define v (s : Ir.signal) = Int_table.replace definer s.id v in
+  Array.iteri (fun v item -> List.iter (define v) (defines item)) items;
+  let vertex (s : Ir.signal) = Int_table.find_opt definer s.id in
+  Array.map (fun item -> List.filter_map vertex (needs item)) items
 
 let in_order items components =
   let append order component = List.fold_left (fun order v -> items.(v) :: order) order component in
   List.rev (List.fold_left append [] components)
 
-(* What is to be run of a node, its graph, and the graph's components, each after those that it needs. *)
+(* What is to be run of a node, its graph, and the graph's components in order. *)
 let components ~needs node =
   let items = Array.of_list (in_source_order node) in
   let graph = graph ~needs items in

@@ -57,9 +57,12 @@ let operation known add ~unchanged (operator : Ir.operator) (arguments : Ir.atom
   | And, ([ a; Bool true ] | [ Bool true; a ]) -> Copy a
   | And, ([ _; Bool false ] | [ Bool false; _ ]) -> Copy (Bool false)
   | And, [ a; b ] -> (
+      let both (condition, x) other =
+        Ir.Op (And, [ condition; add (Bool : Ir.ty) (Ir.Op (And, [ x; other ])) ])
+      in
       match (excluding_else known a b, excluding_else known b a) with
-      | Some (condition, x), _ -> Op (And, [ condition; add (Bool : Ir.ty) (Ir.Op (And, [ x; b ])) ])
-      | None, Some (condition, x) -> Op (And, [ condition; add (Bool : Ir.ty) (Ir.Op (And, [ x; a ])) ])
+      | Some choice, _ -> both choice b
+      | None, Some choice -> both choice a
       | None, None -> unchanged)
   | Or, ([ a; Bool false ] | [ Bool false; a ]) -> Copy a
   | Or, ([ _; Bool true ] | [ Bool true; _ ]) -> Copy (Bool true)
@@ -168,9 +171,7 @@ let simplify real known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   | Replace { array; index = Int k; value = _ }
     when Int32.to_int k < 0 || Int32.to_int k >= size array ->
       Copy array
-  | Copy _ | Construct _ | Elements _ | Absent | Fill _ | At _ | Replace _ | Delay _ | Time _ | Step_time | Ticks _ | Integral _
-  | Derivative _ ->
-      rhs
+  | _ -> rhs
 
 (* Each element of an array of equal ones is what it is filled with. *)
 let of_loop known (i : Ir.instance) =
@@ -220,8 +221,8 @@ let node real ~fresh (node : Ir.node) =
     else of_loop known { i with inputs = List.map (Substitution.atom substitution) i.inputs }
   in
   let instances = Long_list.map_sharing instance node.instances in
-  let loops (i : Ir.instance) = i.loop in
-  if not (!changed || List.exists2 (fun a b -> loops a <> loops b) instances node.instances) then node
+  let same_loop (a : Ir.instance) (b : Ir.instance) = a.loop = b.loop in
+  if (not !changed) && List.for_all2 same_loop instances node.instances then node
   else
     let equations =
       List.filter_map
@@ -231,6 +232,7 @@ let node real ~fresh (node : Ir.node) =
             (Int_table.find_opt known e.defines.id))
         node.equations
     in
-    Substitution.node substitution { node with equations = List.rev_append !added equations; instances }
+    let equations = List.rev_append !added equations in
+    Substitution.node substitution { node with equations; instances }
 
 let program (program : Ir.program) = Each_node.program (node program.real) program

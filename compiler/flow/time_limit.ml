@@ -21,7 +21,7 @@ let passed (program : Ir.program) =
   let all = Basis.Int_table.create 64 in
   let note (s : Ir.signal) (a : Ir.atom) =
     let before = Option.value (Basis.Int_table.find_opt all s.id) ~default:(Some []) in
-    let now = match a with Signal _ -> None | Bool _ | Int _ | Float _ -> Option.map (List.cons a) before in
+    let now = match a with Signal _ -> None | literal -> Option.map (List.cons literal) before in
     Basis.Int_table.replace all s.id now
   in
   let call k atoms = List.iter2 note program.nodes.(k).statics atoms in
@@ -45,7 +45,7 @@ let same_restart (a : Ir.atom) (b : Ir.atom) =
 (* The conditions that the time which starts again by [restart] has come to a limit. *)
 let reached passed (node : Ir.node) restart =
   let is_soon (limit : Ir.atom) =
-    let is_below : Ir.atom -> bool = function Float x -> x <= most | Bool _ | Int _ | Signal _ -> false in
+    let is_below : Ir.atom -> bool = function Float x -> x <= most | _ -> false in
     match limit with
     | Signal s -> Option.fold (passed s) ~none:false ~some:(List.for_all is_below)
     | Bool _ | Int _ | Float _ -> is_below limit

@@ -76,7 +76,7 @@ let while_running (node : Ir.node) =
   let at_an_instant = at_an_instant node in
   fun known ->
     let t = at_an_instant known in
-    List.iter (fun (transition : Ir.transition) -> learn t transition.occurs false) node.transitions;
+    List.iter (fun (next : Ir.transition) -> learn t next.occurs false) node.transitions;
     t
 
 let value t atom = value t atom
