@@ -129,7 +129,7 @@ static void add_signal(struct reader *r, const char *name)
         complain(r, "there is no signal", name);
     } else if ((signal->side == MODE || signal->side == PROBE) && !r->series->replay->runs) {
         complain(r, "the program cannot be run on this recording, so nothing is known of", name);
-    } else if (++r->signals > SERIES_KEPT) {
+    } else if (++r->signals > SERIES_KEPT / 2) {
         complain(r, "this has too many signals", "");
     } else {
         operation = add(r, SIGNAL, 0);

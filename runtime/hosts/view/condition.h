@@ -22,7 +22,7 @@ struct condition {
 };
 
 /* Reads a condition. If it is none, false, and `why` says in a line what is wrong. At most
- * SERIES_KEPT signals can be in one. */
+ * SERIES_KEPT / 2 signals can be in one. */
 bool condition_read(struct condition *condition, struct series *series, const char *text,
                     struct buffer *why);
 void condition_free(struct condition *condition);

@@ -16,30 +16,14 @@ void series_end(struct series *series)
         free(series->kept[i].numbers);
 }
 
-static void compute(struct replay *replay, const struct signal *signal, double *numbers)
-{
-    const struct recording *recording = replay->recording;
-    for (size_t k = 0; k < recording->count; k++) {
-        struct moment moment = { recording_input(recording, k), NULL, NULL };
-        if (signal->side != INPUT)
-            moment = replay_at(replay, k);
-        numbers[k] = signal_number(replay->signals, signal, &moment);
-    }
-}
-
-const double *series_of(struct series *series, const struct signal *signal)
+/* A place for the numbers of one more signal: a free one, or else that of the signal that was
+ * asked for the longest ago. NULL without memory. */
+static struct kept_series *place_for(struct series *series, const struct signal *signal)
 {
     struct kept_series *place = &series->kept[0];
-    series->uses++;
-    for (size_t i = 0; i < SERIES_KEPT; i++) {
-        struct kept_series *kept = &series->kept[i];
-        if (kept->numbers != NULL && kept->signal == signal) {
-            kept->used = series->uses;
-            return kept->numbers;
-        }
-        if (kept->used < place->used)
-            place = kept;
-    }
+    for (size_t i = 1; i < SERIES_KEPT; i++)
+        if (series->kept[i].used < place->used)
+            place = &series->kept[i];
     if (place->numbers == NULL)
         place->numbers =
             (double *)malloc(series->replay->recording->count * sizeof *place->numbers);
@@ -47,8 +31,94 @@ const double *series_of(struct series *series, const struct signal *signal)
         return NULL;
     place->signal = signal;
     place->used = series->uses;
-    compute(series->replay, signal, place->numbers);
-    return place->numbers;
+    return place;
+}
+
+static struct kept_series *find(struct series *series, const struct signal *signal)
+{
+    for (size_t i = 0; i < SERIES_KEPT; i++)
+        if (series->kept[i].numbers != NULL && series->kept[i].signal == signal)
+            return &series->kept[i];
+    return NULL;
+}
+
+/* Is a signal in the recording, so that the program need not be run for it? Outputs are as
+ * long as none was found to be another. */
+static bool is_recorded(const struct replay *replay, const struct signal *signal)
+{
+    const size_t number = (size_t)(signal - replay->signals->all);
+    if (signal->side == INPUT || !replay->runs)
+        return true;
+    return signal->side == OUTPUT && replay->recording->program == replay->signals->program &&
+           replay->recording->recorded[number] && !replay->diverged;
+}
+
+static void read_out(struct replay *replay, const struct signal *signal, double *numbers)
+{
+    const struct recording *recording = replay->recording;
+    for (size_t k = 0; k < recording->count; k++) {
+        struct moment moment = { recording_input(recording, k), recording_output(recording, k),
+                                 NULL };
+        numbers[k] = signal_number(replay->signals, signal, &moment);
+    }
+}
+
+/* Of several signals in one run over the recording. */
+static void run_over(struct replay *replay, struct kept_series *const *wanted, size_t count)
+{
+    for (size_t k = 0; k < replay->recording->count; k++) {
+        struct moment moment = replay_at(replay, k);
+        for (size_t i = 0; i < count; i++)
+            wanted[i]->numbers[k] = signal_number(replay->signals, wanted[i]->signal, &moment);
+    }
+}
+
+/* A signal that the program must be run for, and all modes with it: a page asks for them
+ * together. */
+static struct kept_series *compute(struct series *series, const struct signal *signal)
+{
+    const struct signals *signals = series->replay->signals;
+    struct kept_series *wanted[SERIES_KEPT / 2];
+    size_t count = 0;
+    wanted[count] = place_for(series, signal);
+    if (wanted[count] == NULL)
+        return NULL;
+    count++;
+    for (size_t i = 0; i < signals->count && count < SERIES_KEPT / 2; i++) {
+        const struct signal *other = &signals->all[i];
+        if (other->side != MODE || find(series, other) != NULL)
+            continue;
+        wanted[count] = place_for(series, other);
+        if (wanted[count] == NULL)
+            break;
+        count++;
+    }
+    run_over(series->replay, wanted, count);
+    return wanted[0];
+}
+
+const double *series_of(struct series *series, const struct signal *signal)
+{
+    struct kept_series *kept = find(series, signal);
+    series->uses++;
+    if (kept == NULL && is_recorded(series->replay, signal)) {
+        kept = place_for(series, signal);
+        if (kept != NULL)
+            read_out(series->replay, signal, kept->numbers);
+    } else if (kept == NULL) {
+        kept = compute(series, signal);
+    }
+    if (kept == NULL)
+        return NULL;
+    kept->used = series->uses;
+    return kept->numbers;
+}
+
+void series_forget(struct series *series)
+{
+    struct replay *replay = series->replay;
+    series_end(series);
+    series_start(series, replay);
 }
 
 /* Of one column of the picture, with at least five instants. */

@@ -20,8 +20,11 @@ struct series {
 void series_start(struct series *series, struct replay *replay);
 void series_end(struct series *series);
 
+/* Forgets all numbers: outputs are not those recorded after all. */
+void series_forget(struct series *series);
+
 /* The numbers of a signal at all instants (see signal_number); NULL without memory. Good
- * until SERIES_KEPT others were asked for. */
+ * until SERIES_KEPT / 2 others were asked for. */
 const double *series_of(struct series *series, const struct signal *signal);
 
 /* Calls `visit` for the instants that make up the plot of `numbers` from instant `from`

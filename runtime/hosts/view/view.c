@@ -95,11 +95,14 @@ static double now(void)
 bool view_advance(struct view *view, double seconds)
 {
     const double end = now() + seconds;
+    const bool diverged = view->replay.diverged;
     while (!replay_is_whole(&view->replay)) {
         replay_advance(&view->replay);
         if (now() >= end)
             break;
     }
+    if (view->replay.diverged != diverged)
+        series_forget(&view->series);
     return !replay_is_whole(&view->replay);
 }
 

@@ -6,6 +6,8 @@ import { colour, onTheme } from "./theme";
 import { readWorld, type Point, type World } from "./world";
 
 const pathPoints = 4000;
+/** Around what is drawn, in metres. */
+const margin = 0.35;
 
 interface Pose {
   readonly x: number;
@@ -47,11 +49,14 @@ export function startMap(store: Store, host: HTMLElement): void {
   let scale = 1;
 
   const fit = () => {
-    const all: Point[] = [...path, [start.x, start.y], ...(world?.walls ?? []).flatMap((w) => w.points),
-                          ...(world?.solids ?? []).flat(), ...(world?.lines ?? []).flatMap((l) => l.points)];
+    const lines = [...(world?.walls ?? []), ...(world?.lines ?? [])];
+    const all: Point[] = [[start.x, start.y], ...path, ...(world?.solids ?? []).flat(),
+                          ...lines.flatMap((line) => line.points)];
     const xs = all.map((p) => p[0]), ys = all.map((p) => p[1]);
-    const least: Point = [xs.reduce((a, b) => Math.min(a, b)) - 0.35, ys.reduce((a, b) => Math.min(a, b)) - 0.35];
-    const most: Point = [xs.reduce((a, b) => Math.max(a, b)) + 0.35, ys.reduce((a, b) => Math.max(a, b)) + 0.35];
+    const lowest = (numbers: number[]) => numbers.reduce((a, b) => Math.min(a, b)) - margin;
+    const highest = (numbers: number[]) => numbers.reduce((a, b) => Math.max(a, b)) + margin;
+    const least: Point = [lowest(xs), lowest(ys)];
+    const most: Point = [highest(xs), highest(ys)];
     const { clientWidth: width, clientHeight: height } = host;
     scale = Math.min(width / (most[0] - least[0]), height / (most[1] - least[1]));
     const left = (width - scale * (most[0] - least[0])) / 2;
@@ -77,8 +82,10 @@ export function startMap(store: Store, host: HTMLElement): void {
   };
 
   const drawWorld = (all: World) => {
-    for (const tape of all.lines) line(tape.points, colour("dim"), Math.max(1.5, tape.width * scale));
-    for (const wall of all.walls) line(wall.points, colour("solid"), Math.max(2, wall.thickness * scale));
+    for (const { points, width } of all.lines)
+      line(points, colour("dim"), Math.max(1.5, width * scale));
+    for (const { points, thickness } of all.walls)
+      line(points, colour("solid"), Math.max(2, thickness * scale));
     for (const solid of all.solids) {
       trace(solid);
       context.fillStyle = colour("solid");
@@ -93,7 +100,8 @@ export function startMap(store: Store, host: HTMLElement): void {
       const range = Number(cells[sonars[k] ?? -1] || NaN);
       if (!(range > 0)) return;
       const from = within(pose, sonar);
-      const to: Point = [from.x + range * Math.cos(from.heading), from.y + range * Math.sin(from.heading)];
+      const to: Point = [from.x + range * Math.cos(from.heading),
+                         from.y + range * Math.sin(from.heading)];
       line([[from.x, from.y], to], colour("mark"), 1);
       disc(to, 3, colour("mark"));
     });

@@ -53,7 +53,8 @@ class Strip {
   /** Asks for what there is to draw in the range that is shown. */
   load(): void {
     const [from, to] = this.store.range;
-    this.plot?.setScale("x", { min: from, max: Math.max(to, from + 1e-9) });
+    const [min, max] = this.times();
+    this.plot?.setScale("x", { min, max });
     this.store.series(this.number, from, to, this.place.clientWidth - axisWidth, (series) =>
       this.show(series));
   }
@@ -77,6 +78,12 @@ class Strip {
     this.element.style.setProperty("--line", lineColour(this.index));
     this.plot = new uPlot(this.options(), this.data, this.place);
     this.readOut();
+  }
+
+  /** From when to when; never nothing. */
+  private times(): [number, number] {
+    const [from, to] = this.store.range;
+    return [from, Math.max(to, from + 1e-9)];
   }
 
   private options(): uPlot.Options {
@@ -109,8 +116,7 @@ class Strip {
         points: { size: 6 },
       },
       scales: {
-        x: { time: false, range: () => [this.store.range[0],
-                                        Math.max(this.store.range[1], this.store.range[0] + 1e-9)] },
+        x: { time: false, range: () => this.times() },
         y: low ? { range: [-0.15, top + 0.15] } : {
           range: () => around([...this.values, ...this.others]) },
       },
@@ -118,10 +124,11 @@ class Strip {
         { ...axis, size: 20, gap: 2, space: 70, values: (_plot, splits) =>
             splits.map((x) => `${formatNumber(x)} s`) },
         { ...axis, size: axisWidth, gap: 4, space: 24,
-          ...(this.isEmpty ? { splits: () => [] } : low ? { splits: () => Array.from({ length: top + 1 }, (_, i) => i),
+          ...(this.isEmpty ? { splits: () => [] }
+            : low ? { splits: () => Array.from({ length: top + 1 }, (_, i) => i),
                       values: (_plot: uPlot, splits: number[]) =>
                         splits.map((x) => shorten(formatPoint(signal, x))) }
-                  : { values: (_plot: uPlot, splits: number[]) => splits.map(formatNumber) }) },
+            : { values: (_plot: uPlot, splits: number[]) => splits.map(formatNumber) }) },
       ],
       series: [
         {},

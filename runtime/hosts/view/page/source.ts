@@ -39,7 +39,10 @@ const look = EditorView.theme({
     cursor: "pointer",
   },
   ".values button:hover": { borderColor: "var(--accent)" },
-  ".values button[aria-pressed=true]": { borderColor: "var(--accent)", background: "var(--picked)" },
+  ".values button[aria-pressed=true]": {
+    borderColor: "var(--accent)",
+    background: "var(--picked)",
+  },
   ".values .name": { color: "var(--dim)", marginRight: "0.7ch" },
   ".values .other": { color: "var(--mark)" },
   ".values .instance": {

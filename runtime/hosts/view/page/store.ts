@@ -5,6 +5,11 @@ import type { Found, Instant, Path, Program, Series, WhatIf } from "./protocol";
 type Listener = () => void;
 export type Change = "instant" | "mark" | "range" | "plotted" | "spans" | "what-if";
 
+function withoutOthers<T extends { readonly others?: unknown }>(answer: T): Omit<T, "others"> {
+  const { others: _, ...rest } = answer;
+  return rest;
+}
+
 export class Store {
   instant: Instant | null = null;
   /** The other instant that differences are shown to. */
@@ -74,7 +79,8 @@ export class Store {
   }
 
   arrived(instant: Instant): void {
-    this.instant = instant;
+    // Another page may have an edited program where this one has none.
+    this.instant = this.whatIf?.there ? instant : withoutOthers(instant);
     this.outstanding = false;
     if (this.wanted !== null) {
       const request = this.wanted;
@@ -119,7 +125,7 @@ export class Store {
     const key = `${series.signal} ${series.from} ${series.to}`;
     const then = this.waiting.get(key);
     this.waiting.delete(key);
-    then?.(series);
+    then?.(this.whatIf?.there ? series : withoutOthers(series));
   }
 
   path(x: number, y: number, count: number, then: (path: Path) => void): void {

@@ -43,5 +43,6 @@ export function formatTime(seconds: number): string {
 export function difference(signal: Signal, from: string, to: string): string | null {
   if ((signal.kind !== "float" && signal.kind !== "int") || from === "" || to === "") return null;
   const x = Number(to) - Number(from);
-  return Number.isNaN(x) ? null : `${x < 0 ? "−" : "+"}${withUnit(signal, formatNumber(Math.abs(x)))}`;
+  const sign = x < 0 ? "−" : "+";
+  return Number.isNaN(x) ? null : sign + withUnit(signal, formatNumber(Math.abs(x)));
 }

@@ -56,7 +56,7 @@ export class WhatIfBar {
   run(): void {
     const text = this.editor.text();
     if (new TextEncoder().encode(text).length > longest) {
-      this.said.textContent = `The program is too long for the page to send: ${longest} bytes at most.`;
+      this.said.textContent = `The program is too long to be sent: ${longest} bytes at most.`;
       return;
     }
     this.said.textContent = "compiling …";
@@ -78,7 +78,8 @@ export class WhatIfBar {
     this.said.classList.toggle("bad", whatIf.why !== undefined);
     if (whatIf.why !== undefined) this.said.textContent = whatIf.why.trim();
     else if (!whatIf.there) this.said.textContent = "";
-    else if (whatIf.first === undefined) this.said.textContent = "Its outputs are the same, at all instants.";
+    else if (whatIf.first === undefined)
+      this.said.textContent = "Its outputs are the same, at all instants.";
     else
       this.said.textContent =
         `Its outputs are others from instant ${whatIf.first} on, first ${whatIf.signal ?? ""}.`;

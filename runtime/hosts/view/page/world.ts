@@ -23,12 +23,17 @@ function parseValue(text: string): Value {
   return JSON.parse(text.trim().replace(/,(\s*\])/g, "$1")) as Value;
 }
 
+/** A line with a table's name; or a key and its value, up to the next of either. */
+const tableName = String.raw`\[\[?\s*(\w+)\s*\]\]?\s*$`;
+const nextEntry = String.raw`\s*(?:\w+\s*=|\[\[?\s*\w+\s*\])`;
+const entry = new RegExp(
+  String.raw`^\s*${tableName}|^\s*(\w+)\s*=\s*((?:(?!^${nextEntry}).*\n?)+)`, "gm");
+
 /** All tables by name, in order; what is no value is left out. */
 function tables(text: string): Map<string, Table[]> {
   const all = new Map<string, Table[]>();
   let table: Table = new Map();
-  const entries = /^\s*\[\[?\s*(\w+)\s*\]\]?\s*$|^\s*(\w+)\s*=\s*((?:(?!^\s*(?:\w+\s*=|\[\[?\s*\w+\s*\])).*\n?)+)/gm;
-  for (const [, name, key, value] of withoutComments(text).matchAll(entries)) {
+  for (const [, name, key, value] of withoutComments(text).matchAll(entry)) {
     if (name !== undefined) {
       table = new Map();
       all.set(name, [...(all.get(name) ?? []), table]);
