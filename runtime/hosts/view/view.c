@@ -241,6 +241,14 @@ void view_progress(const struct view *view, struct buffer *message)
     buffer_text(message, "}");
 }
 
+static bool has_outputs(const struct view *view)
+{
+    for (size_t i = 0; i < view->signals.count; i++)
+        if (view->signals.all[i].side == OUTPUT && view->recording.recorded[i])
+            return true;
+    return false;
+}
+
 static void answer_program(struct view *view, struct buffer *answer)
 {
     const size_t count = view->recording.count;
@@ -254,7 +262,8 @@ static void answer_program(struct view *view, struct buffer *answer)
     buffer_number(answer, seconds_at(view, 0));
     buffer_text(answer, ",\"end\":");
     buffer_number(answer, seconds_at(view, count - 1));
-    buffer_format(answer, ",\"runs\":%s", view->replay.runs ? "true" : "false");
+    buffer_format(answer, ",\"runs\":%s,\"compared\":%s", view->replay.runs ? "true" : "false",
+                  has_outputs(view) ? "true" : "false");
     add_progress(view, answer);
     add_signals(view, answer);
     buffer_text(answer, ",\"sources\":[");

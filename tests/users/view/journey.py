@@ -54,7 +54,7 @@ class Page:
     def cells(self):
         """What the list of signals shows of each, whole."""
         return dict(self.driver.execute_script(
-            "return [...document.querySelectorAll('#list button')]"
+            "return [...document.querySelectorAll('#list section > button')]"
             ".map(row => [row.title, row.querySelector('output').title])"))
 
 
@@ -112,6 +112,15 @@ def visit(page, rows):
     source = page.driver.execute_script(
         "return document.querySelector('#source > div').shadowRoot.querySelector('.cm-content').innerText")
     check("the source is there", "main" in source)
+    page.press(Keys.HOME, *[Keys.ARROW_RIGHT] * 30)
+    page.at(30)
+    check("each of many key strokes counts", True)
+    pill = next(b for b in page.all(".modes button") if b.text == "withSF")
+    pill.click()
+    page.at(found)
+    page.wait(lambda: "running" in pill.get_attribute("class"))
+    check("a mode that is clicked is gone to", True)
+
     line = page.driver.execute_script("""
         const root = document.querySelector('#source > div').shadowRoot;
         const chip = [...root.querySelectorAll('.values button')]

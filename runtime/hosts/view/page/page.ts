@@ -41,7 +41,7 @@ function showProgress(program: Program, progress: Program | Progress): void {
   if (diverged) showState(diverged[0], false);
   else if (!program.runs) showState("as recorded; the program does not fit", false);
   else if (progress.replayed < program.instants) showState("replaying …", true);
-  else showState("replayed: outputs as recorded", true);
+  else showState(program.compared ? "replayed: outputs as recorded" : "replayed", true);
 }
 
 /** What to see at first: what the program puts out. */

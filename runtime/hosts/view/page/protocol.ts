@@ -32,6 +32,8 @@ export interface Program {
   readonly end: number;
   /** Whether the program can be run on the recording. */
   readonly runs: boolean;
+  /** Whether outputs were recorded, so that those of the replay can be compared. */
+  readonly compared: boolean;
   /** How many instants it has been run over. */
   readonly replayed: number;
   readonly notes: string;

@@ -1,4 +1,5 @@
 // The list of all signals, with their values; a click plots one.
+import { modesOf } from "./modes";
 import type { Signal } from "./protocol";
 import type { Store } from "./store";
 import { formatCell, isNothing } from "./values";
@@ -8,7 +9,7 @@ const titles = { input: "Input", output: "Output", probe: "Inside", mode: "Modes
 export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputElement): void {
   const rows: { row: HTMLButtonElement; value: HTMLElement; signal: Signal }[] = [];
   const groups: HTMLElement[] = [];
-  for (const side of ["output", "probe", "mode", "input"] as const) {
+  for (const side of ["output", "mode", "probe", "input"] as const) {
     const group = document.createElement("section");
     const title = document.createElement("h2");
     title.textContent = titles[side];
@@ -24,6 +25,7 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
       row.onclick = () => store.toggle(number);
       rows[number] = { row, value, signal };
       group.append(row);
+      if (signal.side === "mode") group.append(modesOf(store, signal, number));
     });
     if (group.childElementCount > 1) groups.push(group);
   }
@@ -42,8 +44,12 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
     signal.name.toLowerCase().includes(filter.value.trim().toLowerCase()));
   filter.oninput = () => {
     const shown = new Set(matching().map(({ row }) => row));
-    rows.forEach(({ row }) => (row.hidden = !shown.has(row)));
-    groups.forEach((group) => (group.hidden = !group.querySelector("button:not([hidden])")));
+    rows.forEach(({ row, signal }) => {
+      row.hidden = !shown.has(row);
+      if (signal.side === "mode" && row.nextElementSibling instanceof HTMLElement)
+        row.nextElementSibling.hidden = row.hidden;
+    });
+    groups.forEach((group) => (group.hidden = !group.querySelector(":scope > button:not([hidden])")));
   };
   filter.onkeydown = (event) => {
     const [first] = matching();

@@ -33,6 +33,8 @@ export class Store {
   private readonly paths = new Map<string, (path: Path) => void>();
   private readonly listeners = new Map<Change, Listener[]>();
   private readonly waiting = new Map<string, (series: Series) => void>();
+  /** Where the cursor is going. */
+  private target: number | null = null;
   private outstanding = false;
   private wanted: string | null = null;
   private readonly arrivals: Listener[] = [];
@@ -57,15 +59,17 @@ export class Store {
 
   goTo(k: number, then?: Listener): void {
     const last = this.program.instants - 1;
-    this.ask(`instant ${Math.max(0, Math.min(last, Math.round(k)))}`, then);
+    this.target = Math.max(0, Math.min(last, Math.round(k)));
+    this.ask(`instant ${this.target}`, then);
   }
 
   goToTime(seconds: number, then?: Listener): void {
+    this.target = null;
     this.ask(`time ${seconds}`, then);
   }
 
   stepBy(instants: number): void {
-    this.goTo((this.instant?.k ?? 0) + instants);
+    this.goTo((this.target ?? this.instant?.k ?? 0) + instants);
   }
 
   private ask(request: string, then?: Listener): void {
@@ -87,6 +91,7 @@ export class Store {
       this.wanted = null;
       this.ask(request);
     } else {
+      this.target = null;
       for (const then of this.arrivals.splice(0)) then();
     }
     this.changed("instant");
