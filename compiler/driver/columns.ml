@@ -60,7 +60,8 @@ let sides typed (entry : Ir.definition) (program : Flow.Ir.program) =
 
 let rec is_written_event (ty : Ir.ty) =
   match ty with
-  | Data { tycon = { name = "Array"; _ }; arguments = [ _; element ]; _ } -> is_written_event element
+  | Data { tycon = { name = "Array"; _ }; arguments = [ _; element ]; _ } ->
+      is_written_event element
   | Data { tycon = { name = "Event"; _ }; _ } -> true
   | _ -> false
 

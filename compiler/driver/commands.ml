@@ -99,14 +99,16 @@ let header_of (resources : Resources.t) (robot : Robots.t) =
   let sink = Diagnostic.sink () and sources = Source.create () and library = resources.library in
   let file = Option.value robot.file ~default:(Filename.concat library (robot.module_ ^ ".frob")) in
   let request = { (Request.make ~library file) with robot = Some robot; entry = "atRest" } in
-  (Option.map (Cgen.Interface_header.text robot) (Pipeline.step sink sources request), sink, sources)
+  (Option.map (Cgen.Interface_header.text robot) (Pipeline.step sink sources request), sink,
+    sources)
 
 let robot_header resources (robot : Robots.t) =
   match header_of resources robot with
   | Some text, _, _ -> Ok (robot.header, text)
   | None, sink, sources ->
       Error
-        (Printf.sprintf "%s cannot be compiled:\n%s" (Option.value robot.file ~default:robot.module_)
+        (Printf.sprintf "%s cannot be compiled:\n%s"
+          (Option.value robot.file ~default:robot.module_)
            (Render_text.diagnostics ~colour:(colour ()) sources (Diagnostic.all sink)))
 
 let compiled ?batch general resources ~entry file continue =
@@ -202,7 +204,9 @@ let is_driver_missing general ~sources text =
   let driver = own_driver general in
   let has word =
     let n = String.length word in
-    let rec within i = i + n <= String.length text && (String.sub text i n = word || within (i + 1)) in
+    let rec within i =
+      i + n <= String.length text && (String.sub text i n = word || within (i + 1))
+    in
     within 0
   in
   driver <> "" && has driver && not (List.exists has sources)
@@ -227,7 +231,11 @@ let built general kind ~entry ~sources ~linked file continue =
   let* () = all_exist sources in
   compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
       let name = C_file.name file in
-      let* () = match (kind : Toolchain.kind) with Executable -> for_robot ~name files | Shared_object -> Ok () in
+      let* () =
+        match (kind : Toolchain.kind) with
+        | Executable -> for_robot ~name files
+        | Shared_object -> Ok ()
+      in
       let* host_table = host_table ~entry files in
       let* () = C_file.check ~beside_c:(sources <> []) file in
       let* () =
@@ -243,7 +251,8 @@ let built general kind ~entry ~sources ~linked file continue =
         Toolchain.build ?machine:linked.machine kind ~headers:resources.headers
           ~inputs:linked.inputs ~includes:linked.includes ~foreign ~name
           ([
-             (name ^ ".h", files.header); (name ^ ".c", files.source); (name ^ "_host.c", host_table);
+             (name ^ ".h", files.header); (name ^ ".c", files.source);
+               (name ^ "_host.c", host_table);
            ]
           @ Option.to_list files.robot_header @ linked.generated)
         |> Result.map_error (about_driver general ~sources)
@@ -350,7 +359,8 @@ let world_of given (resources : Resources.t) file =
 let robot_of_world (resources : Resources.t) world =
   match Process.output resources.simulator [ "--robot-of"; world ] with
   | Ok name -> Ok (match String.trim name with "" -> None | name -> Some name)
-  | Error (Not_found host) -> Error (Printf.sprintf "the host %s is missing: install frobc again" host)
+  | Error (Not_found host) ->
+      Error (Printf.sprintf "the host %s is missing: install frobc again" host)
   | Error (Failed { errors; _ }) ->
     let text = String.trim errors and prefix = "error: " in
     let n = if String.starts_with ~prefix text then String.length prefix else 0 in

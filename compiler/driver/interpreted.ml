@@ -51,7 +51,8 @@ let no_interpreter = "E0505"
 
 let refusal ~at (flow : Flow.Ir.program) =
   let refuse at what =
-    Basis.Diagnostic.error ~code:no_interpreter ~at "the interpreter cannot run this program: %s" what
+    Basis.Diagnostic.error ~code:no_interpreter ~at "the interpreter cannot run this program: %s"
+      what
     |> Basis.Diagnostic.hint "run it with `--engine c`"
     |> Option.some
   in

@@ -45,7 +45,9 @@ let list typed flow probes =
     | None, Running_mode -> String.concat " | " (Probe.Catalogue.modes_of flow p)
   in
   let rows = List.map (fun (p : Probe.Catalogue.probe) -> (p, type_ p)) shown in
-  let width select = List.fold_left (fun most row -> max most (String.length (select row))) 0 rows in
+  let width select =
+    List.fold_left (fun most row -> max most (String.length (select row))) 0 rows
+  in
   let name ((p : Probe.Catalogue.probe), _) = p.name in
   let longest_name = min 50 (width name) and longest_type = min 30 (width snd) in
   let line ((p : Probe.Catalogue.probe), type_) =

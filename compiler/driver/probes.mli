@@ -11,7 +11,8 @@ val list : Typing.Ir.program -> Flow.Ir.program -> Probe.Catalogue.probe list ->
 (** A line for each: its name, its type, and where it is written. *)
 
 val all :
-  Diagnostic.sink -> at:Span.t -> Core.Ir.program -> Flow.Ir.program -> Probe.Catalogue.probe list option
+  Diagnostic.sink -> at:Span.t -> Core.Ir.program -> Flow.Ir.program -> Probe.Catalogue.probe list
+    option
 (** Of the same program, before and after specialization; [None] after a diagnostic, which is at
     the entry. *)
 

@@ -65,7 +65,9 @@ let real =
 
 let general =
   let format =
-    let doc = "How diagnostics, and a report, are written: $(b,text), or $(b,json), one object a line." in
+    let doc =
+      "How diagnostics, and a report, are written: $(b,text), or $(b,json), one object a line."
+    in
     Arg.(
       value
       & opt (enum [ ("text", Commands.Text); ("json", Commands.Json) ]) Commands.Text
@@ -292,7 +294,8 @@ let run =
       const on_robot $ device $ duration $ rate $ record $ patience $ reconnect $ settings
       $ priority $ lock_memory $ exit_when_done $ console)
   in
-  let make general entry sources on_robot world duration rate seed realtime record picture strict exit_when_done console file =
+  let make general entry sources on_robot world duration rate seed realtime record picture strict
+    exit_when_done console file =
     match on_robot with
     | Error (option :: _) ->
         Commands.wrong_use
@@ -311,12 +314,14 @@ let run =
         let duration = Option.value duration ~default:60. in
         let seed = Option.value seed ~default:1 in
         Commands.run general ~entry ~sources
-          { Commands.world; duration; rate; seed; realtime; record; picture; strict; exit_when_done; console }
+          { Commands.world; duration; rate; seed; realtime; record; picture; strict; exit_when_done;
+            console }
           file
   in
   command "run" ~doc:"run a robot program in the simulator, or on a robot"
     Term.(
-      const make $ probed $ entry $ sources $ on_robot $ world $ duration $ rate $ seed $ realtime $ record
+      const make $ probed $ entry $ sources $ on_robot $ world $ duration $ rate $ seed $ realtime
+        $ record
       $ picture $ strict $ exit_when_done $ console $ file)
 
 let view =
@@ -378,7 +383,8 @@ let build =
       Printf.sprintf "$(b,%s) (%s)" name meaning
     in
     let doc =
-      "The machine to build for: " ^ String.concat "; " (List.map describe Driver.Target.names) ^ "."
+      "The machine to build for: " ^ String.concat "; " (List.map describe Driver.Target.names)
+        ^ "."
     in
     Arg.(value & opt string "host" & info [ "target" ] ~docv:"TARGET" ~doc)
   in
@@ -405,7 +411,7 @@ let export =
 let serve =
   let some kind names ~docv ~doc = Arg.(value & opt (some kind) None & info names ~docv ~doc) in
   let robot =
-    some Arg.string [ "robot" ] ~docv:"ROBOT" 
+    some Arg.string [ "robot" ] ~docv:"ROBOT"
       ~doc:
         "The robot; without it, a $(b,pioneer). Or the file of the module of one of your own."
   in
@@ -470,7 +476,8 @@ let header =
     Arg.(
       required
       & pos 0 (some string) None
-      & info [] ~docv:"ROBOT" ~doc:("The robot: " ^ robot_names ^ ", or the file of the module of one of your own."))
+      & info [] ~docv:"ROBOT" ~doc:("The robot: " ^ robot_names
+        ^ ", or the file of the module of one of your own."))
   in
   command "header" ~doc:"the C header with a robot's input and output types"
     Term.(const Commands.header $ robot)

@@ -110,7 +110,8 @@ let source passed (node : Ir.node) =
     node.equations;
   let instance (i : Ir.instance) =
     let output s input = Option.iter (fun k -> comes s (List.nth i.inputs k)) input in
-    if Option.is_none i.loop && passed.(i.node) <> [] then List.iter2 output i.outputs passed.(i.node)
+    if Option.is_none i.loop && passed.(i.node) <> [] then
+      List.iter2 output i.outputs passed.(i.node)
   in
   List.iter instance node.instances;
   let rec source id = match Hashtbl.find_opt from id with Some id -> source id | None -> id in
@@ -235,7 +236,8 @@ let of_program equations (program : Ir.program) =
     let root = Array.length program.nodes - 1 in
     let node = program.nodes.(root) in
     let given = List.map (fun _ -> true) node.inputs in
-    Some (named (found equations (passed_on program) program root ~path:[] ~whole:[ plain node.origin ] ~given []))
+    Some (named (found equations (passed_on program) program root ~path:[]
+      ~whole:[ plain node.origin ] ~given []))
 
 let modes_of (program : Ir.program) p =
   let rec follow (node : Ir.node) = function

@@ -6,7 +6,8 @@
 
     An instance is called as its definition; several in one signal function, or several
     modes of one name, are numbered in the order of the text. A mode that is called as what it
-    is a mode of has no name of its own in the way, and the only one has the name for both. A name is the shortest end of
+    is a mode of has no name of its own in the way, and the only one has the name for both. A name
+    is the shortest end of
     the way that leads from the root to the signal that no other has: [wallFollow.v], or
     [left.hold.y] where there is [right.hold.y] too. *)
 
@@ -34,7 +35,8 @@ type probe = {
 
 val of_program : Equations.t -> Flow.Ir.program -> probe list option
 (** In the order of the text, inner instances after what is around them. [None] if there are
-    more than {!most} instances. Arrays of more than {!longest} leaves and values of foreign types are left out. *)
+    more than {!most} instances. Arrays of more than {!longest} leaves and values of foreign types
+    are left out. *)
 
 val most : int
 val longest : int

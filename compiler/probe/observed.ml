@@ -159,7 +159,13 @@ let machine t index (node : Ir.node) (machine : Ir.machine) equations =
     add_sum t
       { name = "Mode " ^ node.origin; module_ = ""; constructors = List.map constructor names })
   in
-  let asked = List.filter (fun w -> match w.path with Instance _ :: _ -> false | [] -> w.own = Running_mode | Mode _ :: _ -> true) t.wanted.(index) in
+  let is_asked w =
+    match w.path with
+    | Instance _ :: _ -> false
+    | [] -> w.own = Running_mode
+    | Mode _ :: _ -> true
+  in
+  let asked = List.filter is_asked t.wanted.(index) in
   let always = List.compare_length_with machine.modes 1 = 0 && Option.is_none machine.active in
   let in_mode (w : wanted) =
     match w.path with
@@ -169,7 +175,8 @@ let machine t index (node : Ir.node) (machine : Ir.machine) equations =
   let ty w =
     match in_mode w with
     | Some (_, g) -> if always then g.ty else event_of t g.ty
-    | None -> if Option.is_none machine.active then Lazy.force number else event_of t (Lazy.force number)
+    | None ->
+        if Option.is_none machine.active then Lazy.force number else event_of t (Lazy.force number)
   in
   let tys = List.map ty asked in
   List.iteri
@@ -234,7 +241,9 @@ let extend t ~is_mode index =
   let node =
     { node with instances = List.map fst extended; machine = Option.map fst machine }
   in
-  let others = if is_mode then [] else List.map (fun (g : given) -> (g.wanted.label, g.atom)) given in
+  let others =
+    if is_mode then [] else List.map (fun (g : given) -> (g.wanted.label, g.atom)) given
+  in
   t.nodes.(index) <- with_outputs node ~equations:!equations others
 
 let program (before : Ir.program) probes =

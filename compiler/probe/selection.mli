@@ -5,6 +5,7 @@
     record, [follow.pose]. Numbers may be left out. [all] is all of them. What is only
     handed down is meant only where it is named itself. *)
 
-val find : Catalogue.probe list -> string list -> (Catalogue.probe list, string * string option) result
+val find :
+  Catalogue.probe list -> string list -> (Catalogue.probe list, string * string option) result
 (** In the order of the catalogue; or a name that nothing has, and the nearest one that
     something has. *)

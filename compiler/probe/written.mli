@@ -5,7 +5,8 @@ type t
 val of_program : Typing.Ir.program -> t
 
 val type_of : t -> Catalogue.probe -> Typing.Ir.ty option
-(** Of a part of a record or tuple, that part's; of a signal in a polymorphic signal function with its
+(** Of a part of a record or tuple, that part's; of a signal in a polymorphic signal function with
+    its
     variables. [None] where the compiler has made the signal. *)
 
 val part : t -> Typing.Ir.ty -> string list -> Typing.Ir.ty option

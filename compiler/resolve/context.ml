@@ -11,7 +11,8 @@ type t = {
 
 and absent = { imports : string; code : string; noun : string; name : Syntax.Ir.name }
 
-let create sink = { sink; next_local = 0; depth = 0; too_deep = false; suggestions = 100; absent = [] }
+let create sink =
+  { sink; next_local = 0; depth = 0; too_deep = false; suggestions = 100; absent = [] }
 let emit t diagnostic = Diagnostic.emit t.sink diagnostic
 
 let fresh t name span : Ir.Local.t =

@@ -1,6 +1,7 @@
 open Format
 
-let bare ppf text = if Interface.is_operator text then fprintf ppf "(%s)" text else pp_print_string ppf text
+let bare ppf text =
+  if Interface.is_operator text then fprintf ppf "(%s)" text else pp_print_string ppf text
 
 (* The prelude's names stand alone. *)
 let global ppf (g : Ir.Global.t) =
@@ -57,7 +58,8 @@ and applied ppf (t : Ir.ty) =
 and argument ppf (t : Ir.ty) =
   match t.desc with
   | Named { arguments = _ :: _; _ } -> fprintf ppf "(%a)" applied t
-  | Named { arguments = []; _ } | Type_variable _ | Representation _ | Tuple_type _ | Size _ | Function _ ->
+  | Named { arguments = []; _ } | Type_variable _ | Representation _ | Tuple_type _ | Size _
+  | Function _ ->
       applied ppf t
 
 let constraint_ ppf (c : Ir.constraint_) =
@@ -95,10 +97,12 @@ let type_declaration ppf (d : Ir.type_declaration) =
   | Builtin -> fprintf ppf "@[<2>builtin %a@]" head ()
   | Alias t -> fprintf ppf "@[<2>type %a =@ %a@]" head () ty t
   | Foreign { c_type; copyable } ->
-      fprintf ppf "@[<2>foreign type %a =@ %S%s@]" head () c_type (if copyable then " copyable" else "")
+      fprintf ppf "@[<2>foreign type %a =@ %S%s@]" head () c_type
+        (if copyable then " copyable" else "")
   | Data constructors ->
       let bar ppf () = fprintf ppf "@ | " in
-      fprintf ppf "@[<2>data %a =@ %a@]" head () (pp_print_list ~pp_sep:bar constructor) constructors
+      fprintf ppf "@[<2>data %a =@ %a@]" head () (pp_print_list ~pp_sep:bar constructor)
+        constructors
 
 let unit_declaration ppf (d : Ir.unit_declaration) =
   match d.definition with
@@ -156,7 +160,8 @@ let rec expr ppf (e : Ir.expr) =
   | Apply _ -> application ppf e
   | Negate e -> fprintf ppf "-%a" atom e
   | Power { base; exponent } -> fprintf ppf "%a ^ %d" atom base exponent
-  | Local _ | Global _ | Constructor _ | Number _ | String _ | Tuple _ | Array _ | Record _ | Update _
+  | Local _ | Global _ | Constructor _ | Number _ | String _ | Tuple _ | Array _ | Record _
+  | Update _
   | Field _ | Annotated _ ->
       atom ppf e
 
@@ -189,7 +194,8 @@ and assignments ppf fields =
   let assignment ppf ((name : Syntax.Ir.name), e) = fprintf ppf "%s = %a" name.text expr e in
   pp_print_list ~pp_sep:comma assignment ppf fields
 
-and branch ppf (b : Ir.branch) = right ~head:(fun ppf -> pattern ppf b.pattern) ~sign:"->" ppf b.right
+and branch ppf (b : Ir.branch) =
+  right ~head:(fun ppf -> pattern ppf b.pattern) ~sign:"->" ppf b.right
 
 (* The alternatives after what they are the meaning of, then the [where]. *)
 and right ~head ~sign ppf (r : Ir.right) =

@@ -71,7 +71,9 @@ let own (program : Ir.program) =
   let modules = List.map (fun (m : Ir.module_) -> m.name) (own_modules program) in
   let here (g : Ir.Global.t) = List.mem g.module_ modules in
   let bindings = List.concat_map (fun (g : Ir.binding_group) -> g.bindings) program.groups in
-  let is_here (b : Ir.binding) = match b.name with Top (g, _) -> here g | Inner _ | Destructure _ -> true in
+  let is_here (b : Ir.binding) =
+    match b.name with Top (g, _) -> here g | Inner _ | Destructure _ -> true
+  in
   let defaults (c : Ir.class_) = List.filter_map (fun (m : Ir.method_) -> m.default) c.methods in
   let methods (i : Ir.instance) = List.map snd i.definitions in
   List.filter is_here

@@ -70,7 +70,8 @@ let class_ context (head : Ir.ty) members : Ir.declaration_desc =
     | Type_variable x when String.equal x.text variable.text -> class_
     | Type_variable _ | Type _ | Representation _ | Function _ | Tuple_type _ | Size _ ->
         Reject.at ~code:"E0110" t.span
-          ~hint:(Printf.sprintf "as in `class Eq %s => %s %s`" variable.text name.text variable.text)
+          ~hint:(Printf.sprintf "as in `class Eq %s => %s %s`" variable.text name.text
+            variable.text)
           "a superclass speaks of the class's own variable `%s`" variable.text
   in
   Class { superclasses = List.map superclass context; name; variable; members }
@@ -153,7 +154,8 @@ let exponent location ~negative numerator ~over : Ir.rational =
     match whole digits with
     | Some n when n <= 1000 -> n
     | Some _ | None ->
-        Reject.at ~code:"E0119" (span location) "the exponent of a unit is a whole number up to 1000, or a quotient of two"
+        Reject.at ~code:"E0119" (span location)
+          "the exponent of a unit is a whole number up to 1000, or a quotient of two"
   in
   let numerator = small numerator and denominator = small over in
   if denominator = 0 then
@@ -326,7 +328,8 @@ let second_clause (first : Ir.declaration) (second : Ir.declaration) =
         (Diagnostic.error ~code:"E0115" ~at:b.span "`%s` is defined by several clauses" b.text
         |> Diagnostic.label ~at:a.span "the first"
         |> Diagnostic.hint
-             (Printf.sprintf "write one clause, with a branch for each: `%s x = case x of …`" b.text))
+             (Printf.sprintf "write one clause, with a branch for each: `%s x = case x of …`"
+               b.text))
   | _ -> None
 
 let declarations list =

@@ -136,7 +136,8 @@ declaration:
 
 declaration_desc:
 | d = local_desc { d }
-| TYPE name = upper parameters = parameters EQUAL body = ty { Type_alias { name; parameters; body } }
+| TYPE name = upper parameters = parameters EQUAL body = ty { Type_alias { name; parameters;
+  body } }
 | DATA name = upper parameters = parameters EQUAL constructors = constructors
     { Data { name; parameters; constructors = List.rev constructors } }
 | UNIT name = unit_name { Base_unit name }
@@ -167,10 +168,12 @@ locals:
 
 local_desc:
 | s = signature { Signature s }
-| left = chain body = body where = where { Binding { left = Term.to_left left; right = { body; where }; span = span $loc } }
+| left = chain body = body where = where { Binding { left = Term.to_left left; right = { body;
+  where }; span = span $loc } }
 
 signature:
-| names = comma_separated(variable) DOUBLE_COLON ty = qualified_type { { names = List.rev names; ty } }
+| names = comma_separated(variable) DOUBLE_COLON ty = qualified_type { { names = List.rev names;
+  ty } }
 
 body:
 | EQUAL e = chain { Plain (expr e) }
@@ -321,7 +324,8 @@ branch_guard:
 
 proc_body:
 | output = plain %prec innermost_proc { Output { output = expr output; equations = [] } }
-| output = plain WHERE ds = locals { Output { output = expr output; equations = where $loc($2) ds } }
+| output = plain WHERE ds = locals { Output { output = expr output;
+  equations = where $loc($2) ds } }
 | f = plain TAIL t = chain
     { Command { signal_function = expr f; argument = expr t; span = span $loc } }
 | DO statements = block(statement) { do_body $loc statements }

@@ -297,7 +297,9 @@ let of_block = "a block is made by indentation alone; a choice is written `if c 
 
 (* The character just read; what Python writes before it. *)
 let colon t =
-  let start = match String.rindex_from_opt t.text (max 0 (t.at - 1)) '\n' with Some i -> i + 1 | None -> 0 in
+  let start =
+    match String.rindex_from_opt t.text (max 0 (t.at - 1)) '\n' with Some i -> i + 1 | None -> 0
+  in
   let words = String.split_on_char ' ' (String.trim (String.sub t.text start (t.at - start))) in
   let ends_line = t.at >= String.length t.text || t.text.[t.at] = '\n' in
   match words with

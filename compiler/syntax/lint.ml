@@ -65,8 +65,10 @@ let expression span (desc : Ir.expr_desc) =
   | Number { digits; _ } ->
       if Exact.of_literal digits = None && String.length digits < 100 then
         broken span "`%s` is no number" digits
-  | Variable _ | Constructor _ | String _ | Array _ | Apply _ | Negate _ | Left_section _ | Right_section _
-  | Power _ | If _ | Case _ | Lambda_case _ | Tuple_section _ | Field _ | Annotated _ | Parenthesized _ ->
+  | Variable _ | Constructor _ | String _ | Array _ | Apply _ | Negate _ | Left_section _
+  | Right_section _
+  | Power _ | If _ | Case _ | Lambda_case _ | Tuple_section _ | Field _ | Annotated _
+  | Parenthesized _ ->
       ()
 
 let node (node : Node.t) =

@@ -62,7 +62,8 @@ let declaration (desc : Ir.declaration_desc) =
   | Data { name; parameters = p; constructors } ->
       Name name :: parameters p (all (fun c -> Constructor c) constructors [])
   | Class { superclasses; name; variable; members } ->
-      Name name :: Name variable :: all (fun q -> Qualified q) superclasses (declarations members [])
+      Name name :: Name variable :: all (fun q -> Qualified q) superclasses
+        (declarations members [])
   | Instance { context; class_; head; members } ->
       Qualified class_ :: Type head :: constraints context (declarations members [])
   | Base_unit name -> [ Name name ]

@@ -21,7 +21,8 @@ let table =
 let symbols = List.concat_map (fun (_, _, symbols) -> symbols) table
 
 let precedences =
-  List.concat_map (fun (level, side, symbols) -> List.map (fun s -> (s, (level, side))) symbols) table
+  List.concat_map (fun (level, side, symbols) -> List.map (fun s -> (s, (level, side))) symbols)
+    table
   |> List.to_seq |> String_table.of_seq
 
 (* Names in backticks bind like [!] but for these, as in Haskell. *)
@@ -74,7 +75,8 @@ let apply (left : term) (operator : Ir.qualified) (right : term) : term =
   in
   { desc = Expression desc; span }
 
-let negate span (operand : term) : term = { desc = Negated operand; span = Span.merge span operand.span }
+let negate span (operand : term) : term =
+  { desc = Negated operand; span = Span.merge span operand.span }
 
 (* `x > 0 and y > 0`: the word became an argument. *)
 let written_in_words (operand : term) =

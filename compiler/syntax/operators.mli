@@ -9,10 +9,12 @@ val group : Surface.step list -> Surface.term -> Surface.term
     {!Reject.Rejected} where the table leaves the order open. Linear, and
     keeps no stack of its own calls. *)
 
-val left_section : span:Basis.Span.t -> Surface.step list -> Surface.term -> Ir.qualified -> Surface.term
+val left_section :
+  span:Basis.Span.t -> Surface.step list -> Surface.term -> Ir.qualified -> Surface.term
 (** [(steps… operand operator)]. *)
 
-val right_section : span:Basis.Span.t -> Ir.qualified -> Surface.step list -> Surface.term -> Surface.term
+val right_section :
+  span:Basis.Span.t -> Ir.qualified -> Surface.step list -> Surface.term -> Surface.term
 (** [(operator steps… last)]. *)
 
 val groups_inside : outer:Ir.qualified -> side:[ `Left | `Right ] -> Ir.qualified -> bool

@@ -162,7 +162,8 @@ let rec collect reader (program : Ir.program) errors =
       | Item Nothing -> (program, errors)
       | Item (Header header) ->
           if program.header <> None || program.imports <> [] || program.declarations <> [] then
-            misplaced reader.sink "E0118" header.span "`module` stands at the very beginning of a file"
+            misplaced reader.sink "E0118" header.span
+              "`module` stands at the very beginning of a file"
               "move it to the first line, or leave it out";
           ({ program with header = Some header }, errors)
       | Item (Import import) ->

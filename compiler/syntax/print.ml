@@ -115,13 +115,15 @@ let rec pattern b (p : pattern) =
       qualified b c;
       List.iter (fun p -> text b " "; argument_pattern b p) ps
   | Literal { negative = true; number = n } -> text b "-"; number b n
-  | Any | Bound _ | As _ | Tuple_of _ | Array_of _ | Record_of _ | Literal { negative = false; _ } ->
+  | Any | Bound _ | As _ | Tuple_of _ | Array_of _ | Record_of _
+  | Literal { negative = false; _ } ->
       argument_pattern b p
 
 and argument_pattern b p =
   match p.desc with
   | As (x, p) -> text b x.text; text b "@"; primary_pattern b p
-  | Any | Bound _ | Tuple_of _ | Array_of _ | Record_of _ | Constructed _ | Literal _ -> primary_pattern b p
+  | Any | Bound _ | Tuple_of _ | Array_of _ | Record_of _ | Constructed _ | Literal _ ->
+      primary_pattern b p
 
 and primary_pattern b p =
   match p.desc with
@@ -156,7 +158,8 @@ let string_literal s =
 let is_argument (e : expr) =
   match e.desc with
   | Variable _ | Constructor _ | Number _ | String _ | Tuple _ | Tuple_section _ | Array _
-  | Left_section _ | Right_section _ | Record _ | Update _ | Field _ | Annotated _ | Parenthesized _ ->
+  | Left_section _ | Right_section _ | Record _ | Update _ | Field _ | Annotated _
+  | Parenthesized _ ->
       true
   | Apply _ | Binary _ | Negate _ | Power _ | If _ | Case _ | Let _ | Lambda _
   | Lambda_case _ | Proc _ | Sequence _ ->
@@ -189,7 +192,8 @@ let rec expr b column (e : expr) =
       between b "(" ")" (fun () -> infix b operator; text b " "; expr right)
   | Power { base; exponent } ->
       expr base;
-      text b (if exponent < 0 then Printf.sprintf " ^ (%d)" exponent else Printf.sprintf " ^ %d" exponent)
+      text b (if exponent < 0 then Printf.sprintf " ^ (%d)" exponent
+         else Printf.sprintf " ^ %d" exponent)
   | If { condition; then_; else_ } ->
       text b "if "; expr condition; text b " then "; expr then_; text b " else "; expr else_
   | Case { scrutinee; branches } ->

@@ -28,11 +28,13 @@ let describe found =
   | BACKTICK -> "a backtick"
   | NUMBER _ -> Printf.sprintf "the number `%s`" (shortened (written found))
   | LOWER _ | QUALIFIED_LOWER _ | UPPER _ | QUALIFIED_UPPER _ | FIELD _ | OPERATOR _ | MINUS
-  | SLASH | STAR | CARET | LPAREN | RPAREN | LBRACE | RBRACE | UNIT_BRACKET | LBRACKET | RBRACKET | COMMA
+  | SLASH | STAR | CARET | LPAREN | RPAREN | LBRACE | RBRACE | UNIT_BRACKET | LBRACKET | RBRACKET
+  | COMMA
   | UNDERSCORE | AT | BACKSLASH | EQUAL | BAR | ARROW | LEFT_ARROW | TAIL | DOUBLE_ARROW
   | DOUBLE_COLON | LET | IN | WHERE | DO | OF | CASE | IF | THEN | ELSE | PROC | REC
   | LAMBDA_CASE | MODULE
-  | IMPORT | QUALIFIED | AS | DATA | TYPE | UNIT | PRIMITIVE | FOREIGN | CLASS | INSTANCE | SEMICOLON | END | BAD
+  | IMPORT | QUALIFIED | AS | DATA | TYPE | UNIT | PRIMITIVE | FOREIGN | CLASS | INSTANCE
+  | SEMICOLON | END | BAD
   | RESERVED _ ->
       Printf.sprintf "`%s`" (shortened (written found))
 
@@ -74,7 +76,8 @@ let plain found =
     match hint found ~state_hints with
     | [] when String.equal expected called_for_its_effect -> [ no_effect ]
     | hints when lacks_else found && innermost_block found.context <> Do ->
-        List.map (fun _ -> "every `if` has both `then` and `else`, since it always has a value") hints
+        List.map (fun _ -> "every `if` has both `then` and `else`, since it always has a value")
+          hints
     | hints -> hints
   in
   List.fold_left (fun d hint -> Diagnostic.hint hint d) d hints
@@ -117,17 +120,21 @@ let bracket found =
           Some
             (Diagnostic.error ~code:"E0111" ~at:(span found.token)
                "`%s` cannot close `%s`" closer opener
-            |> Diagnostic.label ~at:(opener_span by) (Printf.sprintf "expected `%s` for this" right))
+            |> Diagnostic.label ~at:(opener_span by)
+              (Printf.sprintf "expected `%s` for this" right))
       | Some _ -> None
       | None ->
           if
-            List.exists (fun (o, _) -> match opening o with Some (_, c) -> c = closer | None -> false)
+            List.exists
+              (fun (o, _) -> match opening o with Some (_, c) -> c = closer | None -> false)
               found.context
           then None
           else
             Some
-              (Diagnostic.error ~code:"E0111" ~at:(span found.token) "this `%s` closes nothing" closer))
-  | END when not (expects_more found.before) -> Option.map (unclosed found) (bracket_of_item found.context)
+              (Diagnostic.error ~code:"E0111" ~at:(span found.token) "this `%s` closes nothing"
+                closer))
+  | END when not (expects_more found.before) ->
+      Option.map (unclosed found) (bracket_of_item found.context)
   | END | SEMICOLON | CLOSE | WHERE | IN | THEN | ELSE | OF ->
       Option.map (unclosed found) (open_bracket found.context)
   | _ -> None
@@ -159,7 +166,8 @@ let choice_of_commands found =
           Diagnostic.error ~code:"E0116" ~at:(span found.token)
             "`if` and `case` cannot choose between commands"
           |> Diagnostic.label ~at:(opener_span by) "the choice"
-          |> Diagnostic.hint "choose the value, as in `y <- sf -< if c then a else b`, or run both and choose between what they give")
+          |> Diagnostic.hint "choose the value, as in `y <- sf -< if c then a else b`, or run both \
+                              and choose between what they give")
         (choice found.context)
   | _ -> None
 
@@ -201,12 +209,14 @@ let missing found =
       Some
         (Diagnostic.error ~code:"E0110" ~at:(span found.token)
            "a unit stands on a number written out or on a type, not on a name"
-        |> Diagnostic.hint "a value has its unit already; to give one to a plain number, multiply: `x * 1[m]`")
+        |> Diagnostic.hint
+          "a value has its unit already; to give one to a plain number, multiply: `x * 1[m]`")
   | UNIT_BRACKET, Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ } ->
       Some
         (Diagnostic.error ~code:"E0110" ~at:(span found.token)
            "a `[` directly after a name starts no index and no array"
-        |> Diagnostic.hint "an element of an array is written `xs ! 0`; an argument needs a blank before it")
+        |> Diagnostic.hint
+          "an element of an array is written `xs ! 0`; an argument needs a blank before it")
   | LBRACKET, Some { token = DOUBLE_COLON | ARROW; _ } ->
       Some
         (Diagnostic.error ~code:"E0110" ~at:(span found.token)
@@ -217,7 +227,8 @@ let missing found =
         (Diagnostic.error ~code:"E0110" ~at:(span found.token)
            "a `[` cannot stand here"
         |> Diagnostic.hint
-             "a unit directly follows its type, as in `Float[m]`; the type of an array is `Array 4 Float`")
+             "a unit directly follows its type, as in `Float[m]`; the type of an array is `Array 4 \
+              Float`")
   | _ -> None
 
 let said_once = [ own_operator; no_procedures; by_equation; no_effect ]

@@ -85,7 +85,8 @@ let misplaced_line found =
                  "the %s of this block start at column %d; this line stands further right, so it \
                   goes on with the one above%s"
                  (items block) column
-                 (if found.token.token = EQUAL && opens_with (Layout.Block Top) found.context then ", unless a `where` ends that" else ""))
+                 (if found.token.token = EQUAL && opens_with (Layout.Block Top) found.context then
+                   ", unless a `where` ends that" else ""))
       | _ -> None)
   | Some _ | None -> None
 
@@ -97,7 +98,8 @@ let assigns found =
   match found.before with
   | Some { token = OPERATOR "!"; _ } -> Some "`/=` says that two values differ"
   | Some { token = OPERATOR "+" | MINUS | STAR | SLASH; _ } ->
-      Some "nothing is assigned: an equation says what holds at every instant, as in `n = delay 0 n + 1`"
+      Some "nothing is assigned: an equation says what holds at every instant, as in `n = delay 0 \
+            n + 1`"
   | Some _ | None -> None
 
 (* Directly after `{` or `,`, a field of a value; elsewhere one of a declaration. *)
@@ -107,7 +109,8 @@ let field_of_a_value found (field : Layout.token) =
 
 let is_adjacent found (before : Layout.token) = before.stop.pos_cnum = found.token.start.pos_cnum
 
-let own_operator = "programs define no operators; a function stands between in backticks: ``a `f` b``"
+let own_operator =
+  "programs define no operators; a function stands between in backticks: ``a `f` b``"
 
 (* An operator of other languages, of which the first characters are one of Frob's. *)
 let foreign_operator found (before : Layout.token) =
@@ -123,9 +126,12 @@ let foreign_operator found (before : Layout.token) =
     | "<>" -> Some "`/=` says that two values differ"
     | text when String.length text > 1 && text.[0] = '|' && is_symbol text.[1] -> Some own_operator
     | ">>" | ">>=" -> Some "tasks follow one another in a `do`, each on a line of its own"
-    | "++" when after found = ' ' -> Some "nothing is joined: a text is a label, and an array has a fixed size"
-    | "++" -> Some "nothing is counted up: an equation says what holds at every instant, as in `n = delay 0 n + 1`"
-    | "!!" -> Some "an element of an array is written `xs ! 0`, and `at i default xs` takes any index"
+    | "++" when after found = ' ' ->
+        Some "nothing is joined: a text is a label, and an array has a fixed size"
+    | "++" -> Some "nothing is counted up: an equation says what holds at every instant, as in `n \
+                    = delay 0 n + 1`"
+    | "!!" ->
+        Some "an element of an array is written `xs ! 0`, and `at i default xs` takes any index"
     | "/*" -> Some "a comment is written `{- … -}`, or `--` up to the end of the line"
     | "//" -> Some "a comment starts with `--`; whole numbers are divided by `div`"
     | ".." -> Some "there are no ranges; `generate (\\i -> …)` makes an array by the index"
@@ -139,7 +145,9 @@ let first_word found =
 
 let line_of found =
   let bol = found.token.start.pos_bol in
-  let stop = Option.value (String.index_from_opt found.text bol '\n') ~default:(String.length found.text) in
+  let stop =
+    Option.value (String.index_from_opt found.text bol '\n') ~default:(String.length found.text)
+  in
   String.sub found.text bol (max 0 (stop - bol))
 
 let begins word start = String.starts_with ~prefix:start word
@@ -162,7 +170,9 @@ let stands_after found word (t : Layout.token) =
 (* What follows an opening brace in its line: `name =`, as in a value, or `name ::`, as in
    a type. *)
 let opens_fields found sign =
-  let rec skip accepts i = if accepts (char_at found i) && i < String.length found.text then skip accepts (i + 1) else i in
+  let rec skip accepts i =
+    if accepts (char_at found i) && i < String.length found.text then skip accepts (i + 1) else i
+  in
   let is_letter = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false in
   let name = skip (fun c -> c = ' ') found.token.stop.pos_cnum in
   let stop = skip is_letter name in
@@ -179,7 +189,9 @@ let first_line_of_definition found =
     else start (i - 1)
   in
   let first = start found.token.start.pos_bol in
-  let last = Option.value (String.index_from_opt found.text first '\n') ~default:(String.length found.text) in
+  let last =
+    Option.value (String.index_from_opt found.text first '\n') ~default:(String.length found.text)
+  in
   String.sub found.text first (last - first)
 
 let lacks_where found =
@@ -200,7 +212,8 @@ let beginning_of_line = function
       Some
         "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, \
          `forEachT xs f` does a task for each"
-  | word :: _ when List.exists (begins word) [ "print"; "disp"; "fprintf"; "Serial"; "cout"; "puts" ] ->
+  | word :: _ when List.exists (begins word) [ "print"; "disp"; "fprintf"; "Serial"; "cout";
+    "puts" ] ->
       Some "nothing is printed: what is to be seen is an output, and `--record` writes all of them"
   | _ -> None
 
@@ -225,7 +238,8 @@ let module_name found =
 let capital found =
   let name = module_name found in
   Some
-    (Printf.sprintf "a module begins with a capital, and its file too: `%s`, in `%s.frob`" name name)
+    (Printf.sprintf "a module begins with a capital, and its file too: `%s`, in `%s.frob`" name
+      name)
 
 let of_token found =
   match (found.token.token, found.before) with
@@ -237,22 +251,27 @@ let of_token found =
   | IMPORT, Some _ when first_word found = "from" ->
       Some "names are imported from a module by `import Control (limit)`"
   | LOWER _, Some _ when first_word found = "import" && written found found.token = "hiding" ->
-      Some "nothing needs hiding: a module's own definitions hide imported ones, and two imports of one name clash only where it is used"
+      Some "nothing needs hiding: a module's own definitions hide imported ones, and two imports \
+            of one name clash only where it is used"
   | BAR, Some ({ token = LOWER _; _ } as before) when written found before = "with" ->
       Some "a choice by constructors is written `case x of`, and each branch `pattern -> value`"
   | IF, Some before when not (expects_more (Some before)) && not found.token.first ->
       Some "a choice is written `if c then a else b`"
-  | DOUBLE_ARROW, Some _ when innermost_block found.context = Of -> Some "a branch is written `pattern -> value`"
+  | DOUBLE_ARROW, Some _ when innermost_block found.context = Of ->
+      Some "a branch is written `pattern -> value`"
   | LEFT_ARROW, _ when not (is_blank (after found)) ->
       Some "`<-` is always one symbol; to compare with a negative number write `< -` with a blank"
   | LEFT_ARROW, _ when innermost_block found.context <> Do ->
       Some "`<-` belongs to the statements of a `do`; an equation is written with `=`"
-  | TAIL, _ -> Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
-  | (EQUAL | DOUBLE_COLON), Some ({ token = UNIT | PRIMITIVE | FOREIGN | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC; _ } as word) ->
+  | TAIL, _ ->
+      Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
+  | (EQUAL | DOUBLE_COLON), Some ({ token = UNIT | PRIMITIVE | FOREIGN | CLASS | INSTANCE | DATA
+    | TYPE | MODULE | IMPORT | REC; _ } as word) ->
       Some (reserved_word (written found word))
   | (EQUAL | BAR | DOUBLE_COLON), _ when lacks_where found ->
       Some "the methods follow `where`, each on a line of its own"
-  | EQUAL, Some { stop; _ } when stop.pos_cnum = found.token.start.pos_cnum && assigns found <> None ->
+  | EQUAL, Some { stop; _ } when stop.pos_cnum = found.token.start.pos_cnum
+    && assigns found <> None ->
       assigns found
   | EQUAL, Some ({ token = LOWER _; _ } as name)
     when stands_after found "then" name || stands_after found "else" name ->
@@ -265,9 +284,11 @@ let of_token found =
   | DOUBLE_COLON, Some field when opens_with Layout.Brace found.context ->
       if field_of_a_value found field then Some "a field gets its value with `=`"
       else Some "there is a `,` between two fields"
-  | DO, Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _; _ } ->
+  | DO, Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _
+    | FIELD _; _ } ->
       Some "a `do` among arguments needs parentheses, or a `$` before it"
-  | (BACKSLASH | LAMBDA_CASE), Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET | QUALIFIED_LOWER _ | FIELD _; _ } ->
+  | (BACKSLASH | LAMBDA_CASE), Some { token = LOWER _ | UPPER _ | NUMBER _ | RPAREN | RBRACKET
+    | QUALIFIED_LOWER _ | FIELD _; _ } ->
       Some "a lambda among arguments needs parentheses: `f (\\x -> …)`"
   | LBRACE, Some { token = OPEN; _ } -> Some by_indentation
   | (LOWER _ | UPPER _ | NUMBER _ | LPAREN), Some { token = LOWER _; _ }
@@ -293,7 +314,8 @@ let of_token found =
   | (UNIT | PRIMITIVE | FOREIGN | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC), Some _ ->
       Some (reserved_word (written found found.token))
   | (END | SEMICOLON), before
-    when expects_more before && (not found.token.last) && (found.token.token = END || found.token.made) ->
+    when expects_more before && (not found.token.last)
+      && (found.token.token = END || found.token.made) ->
       Some "a definition goes on only in lines that are indented more than its first"
   | _ -> misplaced_line found
 
@@ -322,8 +344,10 @@ let hint found ~state_hints =
 
 let other_place found diagnostic =
   match found.context with
-  | (((If | Then | Case) as opener), { by; _ }) :: _ when by.start.pos_lnum <> found.token.start.pos_lnum
+  | (((If | Then | Case) as opener), { by; _ }) :: _ when by.start.pos_lnum
+    <> found.token.start.pos_lnum
     ->
       let word = match opener with Case -> "case" | _ -> "if" in
-      Diagnostic.label ~at:(Build.span (by.start, by.stop)) (Printf.sprintf "this `%s`" word) diagnostic
+      Diagnostic.label ~at:(Build.span (by.start, by.stop)) (Printf.sprintf "this `%s`" word)
+        diagnostic
   | _ -> diagnostic

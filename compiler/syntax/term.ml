@@ -99,7 +99,8 @@ and no_expression span (desc : Ir.expr_desc) =
         ~hint:"give the definition a signature of its own"
         "a type cannot be part of a pattern"
   | Left_section _ | Right_section _ -> no_pattern span "an operator"
-  | Apply _ | Update _ | Variable _ | Constructor _ | Number _ | Tuple _ | Array _ | Negate _ | Record _
+  | Apply _ | Update _ | Variable _ | Constructor _ | Number _ | Tuple _ | Array _ | Negate _
+  | Record _
   | Parenthesized _ ->
       no_pattern span "this expression"
 

@@ -274,7 +274,9 @@ let rec expr s (e : expr) =
         leave s entered)
       branches
   | Let (bindings, body) ->
-    let enter recursive entered b = if b.recursive = recursive then binder s entered b else entered in
+    let enter recursive entered b =
+      if b.recursive = recursive then binder s entered b else entered
+    in
     let entered = List.fold_left (enter true) [] bindings in
     let define entered b =
       value s b;
@@ -342,7 +344,8 @@ and binder s entered (b : binding) =
       result :=
         match b.pattern.desc with
         | Bound x -> bind s x b.scheme entered
-        | Any | As _ | Tuple_of _ | Array_of _ | Constructed _ | Literal _ -> pattern s entered b.pattern);
+        | Any | As _ | Tuple_of _ | Array_of _ | Constructed _ | Literal _ ->
+            pattern s entered b.pattern);
   !result
 
 and value s (b : binding) =

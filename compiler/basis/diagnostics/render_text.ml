@@ -34,14 +34,17 @@ let lines_of source ~main ((at : Span.t), text) =
   else
     let last, stop =
       (* an end at the very start of a line is the end of the line before *)
-      if Span.column at.stop = 1 then (Span.line at.stop - 1, String.length (line (Span.line at.stop - 1)) + 1)
+      if Span.column at.stop = 1 then
+        (Span.line at.stop - 1, String.length (line (Span.line at.stop - 1)) + 1)
       else (Span.line at.stop, Span.column at.stop)
     in
     if last <= Span.line at.start then
-      [ mark (Span.line at.start) (Span.column at.start) (String.length (line (Span.line at.start)) + 1) text ]
+      [ mark (Span.line at.start) (Span.column at.start)
+        (String.length (line (Span.line at.start)) + 1) text ]
     else
       [
-        mark (Span.line at.start) (Span.column at.start) (String.length (line (Span.line at.start)) + 1) "";
+        mark (Span.line at.start) (Span.column at.start)
+          (String.length (line (Span.line at.start)) + 1) "";
         mark last (first_letter last) stop text;
       ]
 
@@ -271,7 +274,9 @@ let summary list =
   let count severity =
     List.length (List.filter (fun (d : Diagnostic.t) -> d.severity = severity) list)
   in
-  let say n what = if n = 0 then [] else [ Printf.sprintf "%d %s%s" n what (if n = 1 then "" else "s") ] in
+  let say n what =
+    if n = 0 then [] else [ Printf.sprintf "%d %s%s" n what (if n = 1 then "" else "s") ]
+  in
   match say (count Error) "error" @ say (count Warning) "warning" with
   | [] -> ""
   | parts -> String.concat ", " parts ^ "\n"

@@ -223,7 +223,8 @@ let any_decimal text =
   let whole, fraction =
     match String.index_opt mantissa '.' with
     | None -> (mantissa, "")
-    | Some i -> (String.sub mantissa 0 i, String.sub mantissa (i + 1) (String.length mantissa - i - 1))
+    | Some i ->
+        (String.sub mantissa 0 i, String.sub mantissa (i + 1) (String.length mantissa - i - 1))
   in
   match exponent with
   | Some exponent
@@ -274,7 +275,8 @@ let pi =
     negative = false;
     numerator =
       Natural.of_digits
-        "31415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679";
+        "31415926535897932384626433832795028841971693993751\
+         058209749445923078164062862089986280348253421170679";
     denominator = Natural.power (Natural.of_int 10) 100;
   }
 

@@ -6,5 +6,6 @@ val name : string -> string
 
 val check : ?beside_c:bool -> string -> (unit, string) result
 (** Whether the program of this file can have C files: not where [NAME.h] would stand
-    before a header that they include, or that C of the user's may include where there is any ([beside_c]),
+    before a header that they include, or that C of the user's may include where there is any
+    ([beside_c]),
     or be too long a name for a file. *)

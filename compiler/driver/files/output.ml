@@ -100,7 +100,8 @@ let check ~reads outputs =
         (Printf.sprintf "%s would overwrite %s, which is read: name another file" output.asked read)
     | None, Some other ->
       Error
-        (Printf.sprintf "%s and %s both write %s: name two files" other.asked output.asked output.path)
+        (Printf.sprintf "%s and %s both write %s: name two files" other.asked output.asked
+          output.path)
     | None, None ->
       let* () = may_be_replaced output in
       Ok (output :: before)
@@ -119,7 +120,9 @@ let beside n path =
   (path, Filename.concat (Filename.dirname path) next)
 
 let write_one permissions path text =
-  let channel = open_out_gen [ Open_wronly; Open_creat; Open_trunc; Open_binary ] permissions path in
+  let channel =
+    open_out_gen [ Open_wronly; Open_creat; Open_trunc; Open_binary ] permissions path
+  in
   match
     output_string channel text;
     close_out channel

@@ -2,7 +2,8 @@
 let of_another_kind file =
   match String.lowercase_ascii (Filename.extension file) with
   | ".toml" ->
-      Some ("a world", Printf.sprintf "it goes beside a program: `frobc run PROGRAM.frob --world %s`" file)
+      Some ("a world", Printf.sprintf
+        "it goes beside a program: `frobc run PROGRAM.frob --world %s`" file)
   | ".csv" ->
       Some
         ( "a table of inputs, or a recording",
@@ -43,7 +44,8 @@ let check file =
   | Error (Unreadable reason), _ ->
       let hint = if Sys.file_exists file && Sys.is_directory file then of_a_folder file else "" in
       Error (Printf.sprintf "cannot read %s: %s%s" file reason hint)
-  | Ok _, Some (kind, use) -> Error (Printf.sprintf "%s is no Frob program but %s; %s" file kind use)
+  | Ok _, Some (kind, use) ->
+      Error (Printf.sprintf "%s is no Frob program but %s; %s" file kind use)
   | Ok text, None when is_binary text && not (Filename.check_suffix file ".frob") ->
       Error (Printf.sprintf "%s is no Frob program: it is no text" file)
   | Ok _, None -> Ok ()

@@ -18,7 +18,8 @@ type serve = {
 let missing host = Printf.sprintf "the host %s is missing: install frobc again" host
 
 let become host arguments =
-  match Process.become host arguments with Not_found _ | Failed _ -> Commands.wrong_use (missing host)
+  match Process.become host arguments with
+  | Not_found _ | Failed _ -> Commands.wrong_use (missing host)
 
 (* The name of a robot, and the shared object of the user's C files if it is their own. *)
 let served (resources : Resources.t) ~robot ~sources =
@@ -30,7 +31,8 @@ let served (resources : Resources.t) ~robot ~sources =
       let* header = Commands.robot_header resources own in
       let* object_ =
         Toolchain.build
-          ~machine:{ (Toolchain.this_machine ()) with options = [ "-I"; resources.runtime_sources ] }
+          ~machine:{ (Toolchain.this_machine ()) with options = [ "-I";
+            resources.runtime_sources ] }
           Shared_object ~headers:resources.headers ~inputs:[]
           ~foreign:(Some { Toolchain.sources; folders = [] })
           ~name:own.name [ header ]
@@ -76,7 +78,8 @@ type run = {
 
 let executable (general : Commands.general) target ~entry ~sources file continue =
   let own = Robots.own_of general.robot in
-  Commands.built general Executable ~entry ~sources ~linked:(Target.linked ?own target ~real:general.real) file
+  Commands.built general Executable ~entry ~sources
+    ~linked:(Target.linked ?own target ~real:general.real) file
     (fun _ program -> continue program)
 
 let this_machine = Option.get (Target.of_name "host")

@@ -23,7 +23,8 @@ let known = function
       | Some robot -> Ok (Some robot)
       | None ->
           Error
-            (Printf.sprintf "there is no robot `%s`; the robots: %s; your own: the file of its module"
+            (Printf.sprintf
+              "there is no robot `%s`; the robots: %s; your own: the file of its module"
                name
                (String.concat ", " names)))
 
@@ -65,7 +66,8 @@ let check_own sink (typed : Typing.Ir.program) (robot : t) =
         Diagnostic.error ~code:"E0503" ~at:(Span.start_of_file file)
           "module `%s` is no robot: it has no %s" robot.module_ what
         |> Diagnostic.hint
-             (Printf.sprintf "a robot's module has records `%s` and `%s`, and instances of what it can do"
+             (Printf.sprintf
+               "a robot's module has records `%s` and `%s`, and instances of what it can do"
                 (Robot.input robot) (Robot.output robot))
         |> Diagnostic.emit sink)
       format

@@ -1,6 +1,7 @@
 open Basis
 
-type compiler = { cc : string option; cflags : string option; runner : string option; real : Real.t }
+type compiler = { cc : string option; cflags : string option; runner : string option;
+  real : Real.t }
 
 let ( / ) = Filename.concat
 let ( let* ) = Result.bind
@@ -56,7 +57,8 @@ let compiled t arguments =
   | Error (Not_found program) ->
       Error (Untried (Printf.sprintf "there is no C compiler `%s` here" program))
   | Error (Failed { status; errors }) ->
-      Error (Unfit (Printf.sprintf "`%s` fails with status %d:\n%s" (command t) status (beginning errors)))
+      Error (Unfit (Printf.sprintf "`%s` fails with status %d:\n%s" (command t) status
+        (beginning errors)))
 
 let warn t said =
   if not (String.equal said "") then begin
@@ -84,21 +86,26 @@ let include_flags t =
     (fun folder -> [ "-I"; folder ])
     [ t.resources.headers; t.folder; t.resources.selftest ]
 
-let write path text = Result.map_error (fun reason -> Untried reason) (Output.write [ (path, text) ])
+let write path text =
+  Result.map_error (fun reason -> Untried reason) (Output.write [ (path, text) ])
 
 (* {1 Before anything of ours is tried} *)
 
 (* A compiler for a board has no system that a program could print through. *)
 let not_linked t text =
   Printf.sprintf
-    "`%s` compiles a program of one line, and does not link it. If it is for a board, give it a library that prints \
-     through an emulator, and name that: for newlib --cflags \"%s --specs=rdimon.specs\" --runner qemu-arm\n\
+    "`%s` compiles a program of one line, and does not link it. If it is for a board, give it a \
+     library that prints \
+     through an emulator, and name that: for newlib --cflags \"%s --specs=rdimon.specs\" --runner \
+     qemu-arm\n\
      %s"
     (command t) (String.concat " " Toolchain.flags) text
 
 let works t =
   let source = t.folder / "hello.c" and program = t.folder / "hello" in
-  let* () = write source "#include <stdio.h>\nint main(void)\n{\n    puts(\"right\");\n    return 0;\n}\n" in
+  let* () =
+    write source "#include <stdio.h>\nint main(void)\n{\n    puts(\"right\");\n    return 0;\n}\n"
+  in
   let* said =
     Result.map_error
       (function
@@ -106,7 +113,8 @@ let works t =
         | Unfit text -> (
             match compiled t [ "-c"; "-o"; program ^ ".o"; source ] with
             | Ok _ -> Untried (not_linked t text)
-            | Error _ -> Untried ("the C compiler does not compile a program of one line: " ^ text)))
+            | Error _ ->
+                Untried ("the C compiler does not compile a program of one line: " ^ text)))
       (compiled t [ "-o"; program; source ])
   in
   warn t said;
@@ -126,7 +134,8 @@ let arithmetic t =
   in
   warn t said;
   Result.map_error
-    (fun said -> Unfit (Printf.sprintf "arithmetic compiled by `%s` %s" (command t) (beginning said)))
+    (fun said -> Unfit (Printf.sprintf "arithmetic compiled by `%s` %s" (command t)
+      (beginning said)))
     (ran t program)
 
 (* {1 What all programs are linked with} *)
@@ -195,7 +204,8 @@ let recording output =
     Printf.sprintf "static const char *const cells_%d[] = { %s };\n" k
       (String.concat ", " (List.map c_string row.cells))
   and row k ((row : Sample_input.row), line) =
-    Printf.sprintf "    { INT64_C(%d), cells_%d,\n      %s },\n" row.time_ns k (c_string (line ^ "\n"))
+    Printf.sprintf "    { INT64_C(%d), cells_%d,\n      %s },\n" row.time_ns k
+      (c_string (line ^ "\n"))
   in
   let inputs = Sample_input.rows () in
   Printf.sprintf
@@ -221,7 +231,8 @@ let tried t objects group =
   in
   warn t said;
   Result.map_error
-    (fun said -> Unfit (Printf.sprintf "%s.frob, compiled by `%s`:\n%s" group.name (command t) (beginning said)))
+    (fun said -> Unfit (Printf.sprintf "%s.frob, compiled by `%s`:\n%s" group.name (command t)
+      (beginning said)))
     (ran t (path ""))
 
 (* {1 The verdict} *)

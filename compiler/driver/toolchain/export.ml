@@ -12,7 +12,9 @@ let files folder =
 
 (* The files of a folder, not those of the folders in it, and where they go. *)
 let copies_of source target =
-  let one name = Result.map (fun text -> (target / name, text)) (Own_headers.read (source / name)) in
+  let one name =
+    Result.map (fun text -> (target / name, text)) (Own_headers.read (source / name))
+  in
   all (List.map one (files source))
 
 let manifest name =
@@ -72,13 +74,16 @@ let write_library (resources : Resources.t) ~folder ~name ~sources ~foreign_fold
     else
       Error
         (Printf.sprintf
-           "%s is there already, and is no export of %s: move it away, or name another folder" folder
+           "%s is there already, and is no export of %s: move it away, or name another folder"
+             folder
            name)
   in
   let copy from target = Result.map (fun text -> (target, text)) (Own_headers.read from) in
   let* own = all (List.map (fun file -> copy file (source / Filename.basename file)) sources) in
   let* headers = headers_of ~sources ~foreign_folders generated in
-  let* headers = all (List.map (fun (h : Own_headers.t) -> copy h.path (source / h.name)) headers) in
+  let* headers =
+    all (List.map (fun (h : Own_headers.t) -> copy h.path (source / h.name)) headers)
+  in
   let* runtime =
     all (List.map (fun (from, into) -> copies_of from (source / into)) (runtime_folders resources))
   in

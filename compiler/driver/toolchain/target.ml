@@ -89,7 +89,8 @@ let from_sources (resources : Resources.t) folders =
 let state_of name =
   ( name ^ "_memory.c",
     Printf.sprintf
-      "#include \"%s.h\"\n\nstatic struct %s_state state;\nvoid *const frob_program_state = &state;\n"
+      "#include \"%s.h\"\n\nstatic struct %s_state state;\nvoid *const frob_program_state = \
+       &state;\n"
       name name )
 
 (* What [hosts/robot/drivers.c] and [hosts/board/loop.c] look up. *)

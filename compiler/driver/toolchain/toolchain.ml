@@ -39,7 +39,8 @@ let copy_of ~folder number file =
 let copy ~folder number file =
   let name = String.concat "\\\\" (String.split_on_char '\\' file) in
   Result.map
-    (fun text -> write (copy_of ~folder number file) (Printf.sprintf "#line 1 \"%s\"\n%s" name text))
+    (fun text -> write (copy_of ~folder number file)
+      (Printf.sprintf "#line 1 \"%s\"\n%s" name text))
     (Own_headers.read file)
 
 let copies ~folder { sources; _ } =

@@ -7,7 +7,9 @@ let read path =
   text
 
 let pages folder =
-  let files = List.filter (fun f -> Filename.check_suffix f ".md") (Array.to_list (Sys.readdir folder)) in
+  let files =
+    List.filter (fun f -> Filename.check_suffix f ".md") (Array.to_list (Sys.readdir folder))
+  in
   List.map (fun f -> (Filename.remove_extension f, read (Filename.concat folder f))) files
 
 let () =

@@ -51,7 +51,8 @@ let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
       | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum | Maximum | And
       | Or | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch
       | Delayed_switch | Recurring_switch
-      | Delayed_recurring_switch | Initially | On_event | Map_sf | Parallel | Make_task | Until_right
+      | Delayed_recurring_switch | Initially | On_event | Map_sf | Parallel | Make_task
+      | Until_right
       | Return | Sequence | Run_task
       | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate
       | Ending

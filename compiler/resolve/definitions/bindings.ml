@@ -47,7 +47,8 @@ let signatures declarations =
   let add reversed (d : Syntax.Ir.declaration) =
     match d.desc with
     | Signature { names; ty } -> List.fold_left (fun all n -> (n, ty) :: all) reversed names
-    | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _
+    | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
+    | Primitive _
   | Foreign _ ->
         reversed
   in

@@ -54,7 +54,8 @@ val binding :
 val report_operator : Scope.t -> Syntax.Ir.name -> unit
 (** E0227: programs define none. *)
 
-val right : Env.t -> expr:Syntax.Ir.expr resolver -> command:Syntax.Ir.command resolver -> Syntax.Ir.right -> Ir.right
+val right : Env.t -> expr:Syntax.Ir.expr resolver -> command:Syntax.Ir.command resolver ->
+  Syntax.Ir.right -> Ir.right
 
 val guarded :
   Env.t ->

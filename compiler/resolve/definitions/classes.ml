@@ -68,7 +68,8 @@ let class_ env ~expr ~command (d : Syntax.Ir.declaration) : Ir.class_ option =
       let defaults = List.fold_left add String_map.empty (definitions scope own members) in
       let method_ scheme doc (name : Syntax.Ir.name) : Ir.method_ =
         if is_operator name.text && not scope.library then Bindings.report_operator scope name;
-        { name = global name.text; scheme; default = String_map.find_opt name.text defaults; doc; span = name.span }
+        { name = global name.text; scheme; default = String_map.find_opt name.text defaults; doc;
+          span = name.span }
       in
       let methods (m : Syntax.Ir.declaration) =
         match m.desc with

@@ -106,7 +106,8 @@ let field scope variables (name, ty) : Ir.field =
   | None -> { field_name = ""; ty = t; span = t.span }
   | Some name -> { field_name = name.text; ty = t; span = name.span }
 
-let constructor (scope : Scope.t) variables tycon index (c : Syntax.Ir.constructor) : Ir.constructor =
+let constructor (scope : Scope.t) variables tycon index
+  (c : Syntax.Ir.constructor) : Ir.constructor =
   let fields, record =
     match c.fields with
     | Positional types -> (Long_list.map (fun t -> (None, t)) types, false)
@@ -205,7 +206,8 @@ let unit_declaration (scope : Scope.t) (d : Syntax.Ir.declaration) : Ir.unit_dec
   | Base_unit name -> declare name Ir.Base
   | Scaled_unit { name; scale; unit_ } ->
       declare name (Ir.Scaled (scale, Types.concrete_unit scope unit_))
-  | Signature _ | Binding _ | Type_alias _ | Data _ | Class _ | Instance _ | Primitive _ | Foreign _ ->
+  | Signature _ | Binding _ | Type_alias _ | Data _ | Class _ | Instance _ | Primitive _
+  | Foreign _ ->
       None
 
 let units_used scope (d : Ir.unit_declaration) =

@@ -111,7 +111,8 @@ and report_apart env (head : Syntax.Ir.expr) unit_ span =
   in
   Diagnostic.error ~code:"E0205" ~at:span "this unit stands apart from its number"
   |> Diagnostic.hint
-       (Printf.sprintf "no blank stands between them: `%s[%s]`" digits (Unit_word.of_expression unit_))
+       (Printf.sprintf "no blank stands between them: `%s[%s]`" digits
+         (Unit_word.of_expression unit_))
   |> Context.emit (Env.context env)
 
 and declarations env bindings =

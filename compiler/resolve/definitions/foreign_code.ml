@@ -19,7 +19,8 @@ let refuse (scope : Scope.t) (text : Syntax.Ir.name) ~wanted ~hint =
 let meaning ~(kind : Syntax.Ir.foreign_kind) text =
   let starts prefix = String.starts_with ~prefix text in
   let is_reserved =
-    starts "__" || (starts "_" && String.length text > 1 && text.[1] = Char.uppercase_ascii text.[1])
+    starts "__"
+      || (starts "_" && String.length text > 1 && text.[1] = Char.uppercase_ascii text.[1])
   in
   if is_reserved then Some "one of those that C compilers keep for themselves"
   else if C_names.is_taken text then Some "a macro or a type of C's headers"
@@ -29,7 +30,8 @@ let meaning ~(kind : Syntax.Ir.foreign_kind) text =
 
 let check_symbol (scope : Scope.t) ~kind (text : Syntax.Ir.name) =
   if not (is_name text.text) then
-    refuse scope text ~wanted:"a name" ~hint:"write the name of the function alone, as in `\"cbrt\"`"
+    refuse scope text ~wanted:"a name"
+      ~hint:"write the name of the function alone, as in `\"cbrt\"`"
   else
     match meaning ~kind text.text with
     | None -> ()

@@ -146,7 +146,8 @@ and desc scope variables (t : Syntax.Ir.ty) : Ir.ty_desc =
 
 (* Signatures *)
 
-let constraint_ (scope : Scope.t) ((class_ : Syntax.Ir.qualified), argument) : Ir.constraint_ option =
+let constraint_ (scope : Scope.t) ((class_ : Syntax.Ir.qualified), argument) : Ir.constraint_
+  option =
   let argument = ty scope Quantified argument in
   let span = Span.merge class_.span argument.span in
   Option.map

@@ -207,7 +207,8 @@ let declared context ~module_ (program : Syntax.Ir.program) =
   let signed = signed_names program.declarations in
   let global name : Ir.Global.t = { module_; name } in
   let value ?hint ?class_ (name : Syntax.Ir.name) ~signed =
-    add context values ?hint names name { global = global name.text; signed; class_; span = name.span }
+    add context values ?hint names name { global = global name.text; signed; class_;
+      span = name.span }
   in
   let tycon ?(units_optional = false) (name : Syntax.Ir.name)
       (parameters : Syntax.Ir.type_parameters) record_fields =
@@ -240,7 +241,8 @@ let declared context ~module_ (program : Syntax.Ir.program) =
           ~hint:(Diagnostic.hint "a function has one clause; distinguish its arguments with `case`")
           ~signed:(String_table.mem signed name.text)
     | Binding { left = Pattern _; _ } -> ()
-    | Primitive { names = primitives; _ } -> List.iter (fun name -> value name ~signed:true) primitives
+    | Primitive { names = primitives; _ } ->
+        List.iter (fun name -> value name ~signed:true) primitives
     | Foreign (Foreign_value { name; _ }) -> value name ~signed:true
     | Foreign (Foreign_type { name; _ }) -> tycon name { units = []; types = [] } []
     | Foreign (Foreign_include _) -> ()
@@ -321,4 +323,5 @@ let in_order table =
 
 let all names =
   let add table rest = List.rev_append (in_order table) rest in
-  add names.values (add names.constructors (add names.tycons (add names.units (add names.classes []))))
+  add names.values (add names.constructors
+    (add names.tycons (add names.units (add names.classes []))))

@@ -62,7 +62,8 @@ let report_missing loader ~directory (target : Syntax.Ir.name) =
   let diagnostic =
     Diagnostic.error ~code:"E0201" ~at:target.span "there is no module `%s`" target.text
     |> Diagnostic.note
-         (Printf.sprintf "looked for `%s` beside this file and in the library" (file_of target.text))
+         (Printf.sprintf "looked for `%s` beside this file and in the library"
+           (file_of target.text))
   in
   let is_module name = name <> "" && 'A' <= name.[0] && name.[0] <= 'Z' in
   let modules, others = List.partition is_module known in
@@ -249,7 +250,8 @@ and import_module loader ~way ~directory ~importer_in_library (target : Syntax.I
               false))
 
 let load sink ~files ~remember ~library ?also main =
-  let loader = { sink; files; remember; library; also; texts = String_map.empty; clashes = String_set.empty; states = String_map.empty; loaded = [] } in
+  let loader = { sink; files; remember; library; also; texts = String_map.empty;
+    clashes = String_set.empty; states = String_map.empty; loaded = [] } in
   let base = module_in main in
   let other file = not (String.equal file main) in
   (match also with

@@ -29,5 +29,6 @@ val load :
 (** The modules that the program in a file consists of, imports before
     importers and the program last; what cannot be read or parsed is left out
     with a diagnostic (E0201 to E0203). The module in the file [also] is
-    one of them whether it is imported or not, and an import of its name means it. A file that is, byte for byte,
+    one of them whether it is imported or not, and an import of its name means it. A file that is,
+    byte for byte,
     a module of the library counts as that module. *)

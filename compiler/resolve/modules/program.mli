@@ -9,7 +9,8 @@ val load :
   string ->
   Ir.program option
 (** [load sink ~files ~remember ~library ~also main] reads the module in the file
-    [main], what it imports, the module in [also], if any, and the prelude, from [files] and the folder
+    [main], what it imports, the module in [also], if any, and the prelude, from [files] and the
+    folder
     [library]; each text read is also given to [remember] with the name that spans
     use, for rendering. [None] after any error; all errors of all modules are emitted
     (E01xx by the parser, E02xx here). *)

@@ -8,7 +8,8 @@ let rec expr search (e : Ir.expr) =
   match e.desc with Global g -> mention search g | _ -> Walk.expr (visitor search) e
 
 and binding search b = Walk.binding (visitor search) b
-and visitor search : Walk.visitor = { expr = expr search; pattern = ignore; binding = binding search }
+and visitor search : Walk.visitor =
+  { expr = expr search; pattern = ignore; binding = binding search }
 
 and mention search g =
   match Global_table.find_opt search.definitions g with
@@ -46,7 +47,10 @@ let program ~keep (program : Ir.program) =
     program.instances;
   let stays (b : Ir.binding) =
     is_own b
-    || match b.name with Top (g, _) -> Global_table.mem search.found g | Inner _ | Destructure _ -> true
+    ||
+    match b.name with
+    | Top (g, _) -> Global_table.mem search.found g
+    | Inner _ | Destructure _ -> true
   in
   (* Who stays in a group takes those with it that it mentions, which are all. *)
   let stays (g : Ir.binding_group) = List.exists stays g.bindings in

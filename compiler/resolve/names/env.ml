@@ -32,7 +32,8 @@ let report_twice t ~is_equation (first : Ir.Local.t) (second : Ir.Local.t) =
      else
        Diagnostic.hint
          (Printf.sprintf
-            "nothing is assigned: one equation says what `%s` is at every instant; what it was one instant ago is \
+            "nothing is assigned: one equation says what `%s` is at every instant; what it was one \
+             instant ago is \
              `delay x0 %s`"
             second.name second.name))
   |> Context.emit (context t)
@@ -75,7 +76,8 @@ let refer_to_value t (value : value) : Ir.expr_desc =
 let names t = lazy (String_map.fold (fun name _ names -> name :: names) t.locals [])
 
 let module_level t q =
-  Option.map (refer_to_value t) (Scope.find_value t.scope ~locals:(names t) ~signals:(Option.value t.signals ~default:(lazy [])) q)
+  Option.map (refer_to_value t) (Scope.find_value t.scope ~locals:(names t)
+    ~signals:(Option.value t.signals ~default:(lazy [])) q)
 
 let variable t (q : Syntax.Ir.qualified) =
   match q.qualifier with

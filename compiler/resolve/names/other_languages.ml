@@ -25,7 +25,8 @@ let number = function
   | "sgn" | "sign" -> Some "it is `signum`"
   | "copysign" | "copysignf" -> Some "it is `if y < 0 then -(abs x) else abs x`"
   | "fmod" | "fmodf" | "remainder" ->
-      Some "of Floats it is `x - y * floorFloat (x / y)`, which has the sign of y; of angles, `wrapAngle`"
+      Some "of Floats it is `x - y * floorFloat (x / y)`, which has the sign of y; of angles, \
+            `wrapAngle`"
   | "rem" | "quot" | "divMod" | "quotRem" -> Some whole_division
   | "testBit" -> Some "it is `x .&. shiftL 1 n /= 0`"
   | "shift" | "unsafeShiftL" | "unsafeShiftR" -> Some "bits are moved by `shiftL` and `shiftR`"
@@ -49,7 +50,8 @@ let number = function
 let data = function
   | "null" | "nil" | "none" | "nullptr" -> Some "what may be missing is a `Maybe`: it is `Nothing`"
   | "fromJust" -> Some "`fromMaybe x m` is what is in `m`, and `x` where there is nothing"
-  | "isJust" | "isNothing" -> Some "`maybe False (const True) m` tells whether there is something in `m`"
+  | "isJust" | "isNothing" ->
+      Some "`maybe False (const True) m` tells whether there is something in `m`"
   | "fmap" -> Some "it is `map` on arrays, `mapE` on events, `mapT` on the results of tasks"
   | "product" -> Some "`foldl (*) 1 xs` multiplies the elements of an array"
   | "average" | "avg" -> Some "it is `mean xs`"
@@ -72,7 +74,8 @@ let activity = function
   | "analogRead" | "digitalRead" -> Some "what is read is a part of the program's input"
   | "analogWrite" | "digitalWrite" -> Some "what is written is a part of the program's output"
   | "sleep" | "usleep" | "wait" | "delayMicroseconds" -> Some "a task that waits is `sleepT q out`"
-  | "while" -> Some "a task again and again is `whileT condition t`; until something happens, `abortWhen`"
+  | "while" ->
+      Some "a task again and again is `whileT condition t`; until something happens, `abortWhen`"
   | "for" | "foreach" | "forEach" ->
       Some "`map f xs` is each element's; tasks one after the other are `forEachT xs f`"
   | "millis" | "micros" -> Some "`time ()` is the time since the start, in seconds"
@@ -93,8 +96,10 @@ let signal_function = function
   | "joinE" | "pairE" -> Some "it is `pairEvents`"
   | "iEdge" -> Some "it is `edgeFrom`"
   | "attach" -> Some "it is `snapshot`, on signals of events"
-  | "par" | "parA" -> Some "`parB sfs` runs an array of signal functions on one input, `parZ sfs` each on its own"
-  | "reactimate" -> Some "`reactimateRobot` makes a program of a signal function; any other is traced as it is"
+  | "par" | "parA" ->
+      Some "`parB sfs` runs an array of signal functions on one input, `parZ sfs` each on its own"
+  | "reactimate" ->
+      Some "`reactimateRobot` makes a program of a signal function; any other is traced as it is"
   | _ -> None
 
 let value name = List.find_map (fun hint -> hint name) [ number; data; activity; signal_function ]
@@ -122,7 +127,8 @@ let module_ = function
 let class_ = function
   | "Num" | "Fractional" | "Floating" | "Real" | "Integral" | "RealFrac" ->
       Some
-        "numbers have no classes: `n[u]` is any number, of any unit, as in `twice :: n[u] -> n[u]`; \
+        "numbers have no classes: `n[u]` is any number, of any unit, as in `twice :: n[u] -> \
+         n[u]`; \
          `Float[u]` has fractions"
   | "Show" | "Read" -> Some "leave it out: a trace shows values of every type"
   | "Functor" | "Applicative" | "Monad" | "Foldable" | "Traversable" | "Semigroup" | "Monoid" ->

@@ -165,7 +165,8 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
               "a `where` after `do` belongs to the whole definition and sees no signals: write a \
                `let` in the `do`"
              else
-               "a `proc` ends at the bracket or comma that follows it; behind that, and in a `where` \
+               "a `proc` ends at the bracket or comma that follows it; behind that, and in a \
+                `where` \
                 behind that, its signals are not known")
     | _ :: _, _ -> diagnostic
     | [], Some other -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
@@ -182,7 +183,8 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
           diagnostic
         |> Diagnostic.hint
              (Printf.sprintf
-                "no type stands before a name: `%s = …`, and if wanted `%s :: Int` on a line of its own"
+                "no type stands before a name: `%s = …`, and if wanted `%s :: Int` on a line of \
+                 its own"
                 name.text name.text)
     | [], None when Lazy.force elsewhere_in_module <> None ->
         let signal = Option.get (Lazy.force elsewhere_in_module) in
@@ -223,7 +225,8 @@ let report_unknown_module t (qualifier : Syntax.Ir.name) =
 let find_qualified t space (qualifier : Syntax.Ir.name) (name : Syntax.Ir.name) =
   let meant (import : import) = List.mem qualifier.text import.qualifiers in
   let own =
-    if String.equal qualifier.text t.module_ then String_table.find_opt (space.table t.own) name.text
+    if String.equal qualifier.text t.module_ then
+      String_table.find_opt (space.table t.own) name.text
     else None
   in
   match own with
@@ -295,7 +298,9 @@ let records_by_field own (imports : import list) =
   let add fields names =
     String_table.fold (fun _ record fields -> add_record record fields) names.tycons fields
   in
-  let all = List.fold_left (fun fields (i : import) -> add fields i.names) String_map.empty imports in
+  let all =
+    List.fold_left (fun fields (i : import) -> add fields i.names) String_map.empty imports
+  in
   String_map.map (List.sort_uniq compare_records) (add all own)
 
 let create context ~module_ ~library ~own ~imports ~complete ~elsewhere ~syntax =

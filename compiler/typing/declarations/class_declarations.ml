@@ -56,7 +56,8 @@ let method_ (ctx : Context.t) class_ (variable : Type.rigid) (written : Resolve.
     }
   in
   let signature = written.scheme.span in
-  Resolve.Global_table.replace ctx.globals written.name { scheme; kind = Method class_; at = Some signature };
+  Resolve.Global_table.replace ctx.globals written.name { scheme; kind = Method class_;
+    at = Some signature };
   { name = written.name; scheme; inner; signature; default = written.default }
 
 let class_ (ctx : Context.t) (written : Resolve.Ir.class_) =

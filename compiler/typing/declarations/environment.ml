@@ -57,9 +57,11 @@ let add_type t name type_ = Global_table.replace t.types name type_
 let type_ t name = found "type" t.types name
 let built_in name : Ir.Global.t = { module_ = "Prelude"; name }
 let array = built_in "Array"
-let array_of size element : Type.t = Data { tycon = array; units = []; arguments = [ size; element ] }
+let array_of size element : Type.t =
+  Data { tycon = array; units = []; arguments = [ size; element ] }
 let task = built_in "Task"
-let task_of input output result : Type.t = Data { tycon = task; units = []; arguments = [ input; output; result ] }
+let task_of input output result : Type.t =
+  Data { tycon = task; units = []; arguments = [ input; output; result ] }
 
 let as_task t =
   match Type.expand t with

@@ -16,7 +16,8 @@ let rec substitute by (ty : Ir.ty) : Ir.ty =
   | Data d -> Data { d with arguments = List.map (substitute by) d.arguments }
 
 let is_array tycon = tycon = Environment.array
-let is_program tycon = List.mem tycon [ Environment.built_in "Program"; Environment.built_in "Task" ]
+let is_program tycon =
+  List.mem tycon [ Environment.built_in "Program"; Environment.built_in "Task" ]
 
 let compile_time = "functions, signal functions and labels exist only while compiling"
 

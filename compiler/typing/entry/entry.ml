@@ -82,11 +82,13 @@ let refusal program ~closed (d : Ir.definition) =
   | Signal_function _ | Program _ ->
       refuse
         (Printf.sprintf "its type `%s` leaves open what comes in or goes out" ty)
-        (Printf.sprintf "give it a signature without variables, such as `%s :: SF Float Float`" name)
+        (Printf.sprintf "give it a signature without variables, such as `%s :: SF Float Float`"
+          name)
   | Function { result = Signal_function _ | Program _; _ } ->
       refuse
         (Printf.sprintf "it still needs an argument, its type is `%s`" ty)
-        (if String.equal name "main" then "give it another name, `run` say, and write `main = run …`"
+        (if String.equal name "main" then
+          "give it another name, `run` say, and write `main = run …`"
         else Printf.sprintf "define another with the argument, as in `main = %s …`" name)
   | Task ->
       refuse

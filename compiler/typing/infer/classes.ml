@@ -111,7 +111,8 @@ let variable_of t : Ir.variable option =
   match Type.expand t with
   | Rigid r -> Some r.variable
   | Number (r, _) -> open_representation r
-  | Flexible _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _ | Alias _
+  | Flexible _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _
+  | Alias _
   | Erroneous ->
       None
 
@@ -190,7 +191,8 @@ let about_foreign ctx t diagnostic =
   | None -> diagnostic
   | Some tycon ->
       Diagnostic.hint
-        (Printf.sprintf "only C knows what is in a `%s`: import a function that compares two" tycon.name)
+        (Printf.sprintf "only C knows what is in a `%s`: import a function that compares two"
+          tycon.name)
         diagnostic
 
 let report_lacking ctx required lack =
@@ -199,7 +201,8 @@ let report_lacking ctx required lack =
       let culprit = Show.quoted words lack.culprit in
       let direct =
         lack.through = []
-        && (Type.expand argument == Type.expand lack.culprit || same_foreign ctx argument lack.culprit)
+        && (Type.expand argument == Type.expand lack.culprit || same_foreign ctx argument
+          lack.culprit)
       in
       let diagnostic =
         match lack.lacking with
@@ -224,7 +227,8 @@ let report_lacking ctx required lack =
       match lack.lacking with
       | Declared { name = "RobotOutput"; _ } when is_pair lack.culprit ->
           Diagnostic.hint
-            "tasks side by side put out both their outputs, of which `mapOutput` makes one; `timeOut` and `abortWhen` end a task and have its output only"
+            "tasks side by side put out both their outputs, of which `mapOutput` makes one; \
+             `timeOut` and `abortWhen` end a task and have its output only"
             diagnostic
       | Declared _ when Environment.is_task lack.culprit ->
           diagnostic

@@ -144,7 +144,8 @@ let require_context t ~at ~name ~said (scheme : Type.scheme) (instance : Type.in
         (fun place ->
           ( place,
             fun words ->
-              Printf.sprintf "`%s` asks for `%s` here" name (Show.constraint_ words class_ parameter) ))
+              Printf.sprintf "`%s` asks for `%s` here" name
+                (Show.constraint_ words class_ parameter) ))
         said
     in
     let from =
@@ -196,7 +197,9 @@ let check_context t (written : Resolve.Ir.scheme) (scheme : Type.scheme) =
   let check (c : Resolve.Ir.constraint_) (_, argument) =
     match Type.expand argument with
     | Rigid r ->
-        let own = List.exists (fun (o : Type.rigid) -> o.variable.id = r.variable.id) scheme.types in
+        let own =
+          List.exists (fun (o : Type.rigid) -> o.variable.id = r.variable.id) scheme.types
+        in
         if own && not (mentioned r.variable) then
           report t (fun _ ->
               Diagnostic.error ~code:"E0364" ~at:c.span
@@ -256,16 +259,19 @@ let check_sizes t =
     | Flexible variable when t.group.errors = 0 ->
         variable.found <- Some Type.Erroneous;
         report t (fun _ ->
-            Diagnostic.error ~code:"E0331" ~at:used "nothing decides the size of an array where `%s` is used" of_
+            Diagnostic.error ~code:"E0331" ~at:used
+              "nothing decides the size of an array where `%s` is used" of_
             |> (match written with
                | Some variable ->
                    Diagnostic.note
                      (Printf.sprintf
-                        "`%s` in the signature of `%s` stands for any size; a certain one is a number there, or a \
+                        "`%s` in the signature of `%s` stands for any size; a certain one is a \
+                         number there, or a \
                          name for it: `type Size = 4`"
                         variable of_)
                | None -> Fun.id)
-            |> Diagnostic.hint "annotate it, as in `(e :: Array 4 Float)`, or give the definition a signature")
+            |> Diagnostic.hint
+              "annotate it, as in `(e :: Array 4 Float)`, or give the definition a signature")
     | _ -> ()
   in
   (* The last one is the nearest to where the array is made. *)

@@ -105,7 +105,8 @@ val expect :
 (** {1 Names} *)
 
 val use :
-  t -> at:Span.t -> name:string -> ?said:Span.t -> Type.scheme -> Type.t * (unit -> Ir.instantiation)
+  t -> at:Span.t -> name:string -> ?said:Span.t -> Type.scheme ->
+  Type.t * (unit -> Ir.instantiation)
 (** A new instance; what its context demands is kept. [said]: the place of
     its signature. *)
 

@@ -100,7 +100,8 @@ let definition ctx (b : Resolve.Ir.binding) scheme value : Ir.definition option 
   with
   | scheme, value -> Some { name; scheme; needs = []; value; doc = b.doc; span = b.span }
   | exception Too_large at -> refuse at "this expression"
-  | exception Final.Too_large -> refuse b.span (Printf.sprintf "`%s` or of something in it" name.name)
+  | exception Final.Too_large ->
+      refuse b.span (Printf.sprintf "`%s` or of something in it" name.name)
 
 (* If the definition has the promised type; else the error says it. *)
 let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
@@ -166,7 +167,8 @@ let check_superclasses ctx (i : Class_declarations.instance) =
     let text _ =
       Printf.sprintf "`%s` is a superclass of `%s`" (Show.class_ class_) i.of_class.class_.name
     in
-    require ctx { class_; argument = i.head; at = i.place; by; because = Some (span, text); from = None }
+    require ctx { class_; argument = i.head; at = i.place; by; because = Some (span, text);
+      from = None }
   in
   List.iter require_superclass i.of_class.superclasses;
   ignore (Classes.solve ctx Generalize.none)

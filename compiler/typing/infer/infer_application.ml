@@ -16,7 +16,8 @@ let spine (e : Resolve.Ir.expr) =
     | _ -> (e, arguments)
   in
   let head, arguments = go e [] in
-  (head, List.mapi (fun i (value, style, span) -> { value; style; span; position = i + 1 }) arguments)
+  (head, List.mapi (fun i (value, style, span) -> { value; style; span;
+    position = i + 1 }) arguments)
 
 let rec parameters (t : Type.t) =
   match Type.expand t with
@@ -59,7 +60,8 @@ let rec without_first n = function
 let later given argument = without_first argument.position given
 
 (* Why the argument must have the parameter's type. *)
-let reason ctx ~(head : Resolve.Ir.expr) ~decided_by ~later ~before ~previous argument : Expected.reason =
+let reason ctx ~(head : Resolve.Ir.expr) ~decided_by ~later ~before ~previous
+  argument : Expected.reason =
   match (argument.style, previous) with
   | Operator operator, Some ((other : Resolve.Ir.expr), other_type) ->
       Operand { operator; other; other_type }
@@ -140,7 +142,8 @@ let looks_negative (head : Resolve.Ir.expr) arguments =
 
 let is_function t = match Type.expand t with Type.Function _ -> true | _ -> false
 
-let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~previous (function_ : typed) argument =
+let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~previous
+  (function_ : typed) argument =
   (* The result, and the type of the argument. *)
   let known decision parameter output =
     let before = errors ctx in
@@ -180,7 +183,8 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
   match (argument.style, Type.expand function_.ty) with
   | (Juxtaposed | Operator _), Function (parameter, output) -> known Applies parameter output
   | (Juxtaposed | Operator _ | Command), Signal_function (input, output) -> known Runs input output
-  | (Juxtaposed | Operator _), Flexible _ -> put_off expressions ctx ~head ~because argument function_
+  | (Juxtaposed | Operator _), Flexible _ ->
+      put_off expressions ctx ~head ~because argument function_
   | Command, Flexible _ ->
       let input = Context.fresh ctx and output = Context.fresh ctx in
       expect ctx ~at:head.span
@@ -191,7 +195,8 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
   | ( (Juxtaposed | Operator _),
       ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _) as left) ) ->
       report ctx (fun words ->
-          Mistake.not_a_function words ~head ~position:argument.position ~at:argument.value.span left);
+          Mistake.not_a_function words ~head ~position:argument.position ~at:argument.value.span
+            left);
       erroneous ()
   | ( Command,
       ((Rigid _ | Number _ | Bool | String | Tuple _ | Data _ | Size _ | Alias _
@@ -215,8 +220,12 @@ let infer expressions ctx e =
         (function_, previous)
     | _ ->
         let later = later given argument in
-        let because = reason ctx ~head ~decided_by ~later ~before:(before argument) ~previous argument in
-        let next, ty = step expressions ctx ~operand ~head ~negative ~because ~previous function_ argument in
+        let because =
+          reason ctx ~head ~decided_by ~later ~before:(before argument) ~previous argument
+        in
+        let next, ty =
+          step expressions ctx ~operand ~head ~negative ~because ~previous function_ argument
+        in
         let next =
           match (argument.style, previous) with
           | Operator operator, Some left when Degrees.compares operator ->

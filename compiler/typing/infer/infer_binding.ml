@@ -11,10 +11,13 @@ let too_many_parameters ctx ~name ~at (expected : Expected.t) ~left allowed =
       let what = match name with Some name -> "`" ^ name ^ "`" | None -> "this function" in
       let diagnostic =
         match allowed with
-        | 0 -> Diagnostic.error ~code:"E0302" ~at "%s has a parameter, but its type is no function" what
-        | 1 -> Diagnostic.error ~code:"E0302" ~at "%s has more than the one parameter that its type allows" what
+        | 0 -> Diagnostic.error ~code:"E0302" ~at "%s has a parameter, but its type is no function"
+          what
+        | 1 -> Diagnostic.error ~code:"E0302" ~at
+          "%s has more than the one parameter that its type allows" what
         | _ ->
-            Diagnostic.error ~code:"E0302" ~at "%s has more than the %d parameters that its type allows"
+            Diagnostic.error ~code:"E0302" ~at
+              "%s has more than the %d parameters that its type allows"
               what allowed
       in
       let diagnostic = Expected.explain words expected diagnostic in
@@ -108,7 +111,8 @@ let local_scheme ctx ~name ~at (written : Resolve.Ir.scheme) (scheme : Type.sche
   | _ when not (polymorphic scheme) -> scheme
   | _ ->
       report ctx (fun words ->
-          Diagnostic.error ~code:"E0314" ~at "only a local function can be polymorphic, and %s is %s"
+          Diagnostic.error ~code:"E0314" ~at
+            "only a local function can be polymorphic, and %s is %s"
             name
             (Show.quoted words scheme.body)
           |> Diagnostic.label ~at:written.span "its signature has variables of its own");

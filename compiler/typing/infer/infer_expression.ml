@@ -48,7 +48,8 @@ let local ctx (e : Resolve.Ir.expr) (local : Ir.Local.t) =
   | Some scheme ->
       reference ctx ~at:e.span ~name:local.name scheme (fun instantiation ->
           Local (local, instantiation))
-  | None -> Diagnostic.bug ~stage:"Typing.Infer" "the local %s is used before it is typed" local.name
+  | None ->
+      Diagnostic.bug ~stage:"Typing.Infer" "the local %s is used before it is typed" local.name
 
 let rec infer ctx (e : Resolve.Ir.expr) : typed =
   match e.desc with
@@ -138,7 +139,8 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   | Array (_ :: _ as elements), Data { tycon; arguments = [ _; element ]; _ }
     when tycon = Environment.array ->
       let written = Type.Size (List.length elements) in
-      if not (List.exists lacks_a_comma elements) then expect ctx ~subject:e ~at:e.span expected (Environment.array_of written element);
+      if not (List.exists lacks_a_comma elements) then
+        expect ctx ~subject:e ~at:e.span expected (Environment.array_of written element);
       let elements = array_elements ctx { expected with ty = element } elements in
       fun () -> node e.span expected.ty (Array (List.map (fun build -> build ()) elements))
   | Record { constructor; fields }, (Data { tycon; _ } as wanted)
@@ -202,7 +204,9 @@ and case ctx e scrutinee branches expected =
     node e.span expected.ty (Case (value, List.rev_map (fun build -> build ()) branches))
 
 and signals ctx (p : Resolve.Ir.pattern) =
-  let found x = Option.map (fun (s : Type.scheme) -> (x.Ir.Local.name, s.body)) (find_local ctx x) in
+  let found x =
+    Option.map (fun (s : Type.scheme) -> (x.Ir.Local.name, s.body)) (find_local ctx x)
+  in
   match p.desc with
   | Bound x -> Option.to_list (found x)
   | As (x, inner) -> Option.to_list (found x) @ signals ctx inner

@@ -49,7 +49,9 @@ let as_a_function ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagno
   match Resolve.Global_table.fold found ctx.globals None with
   | None -> None
   | Some kind ->
-      let argument words = Option.fold (Show.quote words record.span) ~none:"x" ~some:Source.grouped in
+      let argument words =
+        Option.fold (Show.quote words record.span) ~none:"x" ~some:Source.grouped
+      in
       Some
         (Diagnostic.hint
            (Printf.sprintf "`%s` is a %s: write `%s %s`" name.text kind name.text

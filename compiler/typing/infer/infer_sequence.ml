@@ -66,7 +66,8 @@ let rec from expressions ctx s (e : Resolve.Ir.expr) ~first (expected : Expected
   | Task { pattern; task = written } :: others ->
       let result = Context.fresh ctx in
       let before = errors ctx in
-      let value = expressions.check ctx written { ty = task s result; because = Statement (place ~first expected.because) } in
+      let value = expressions.check ctx written { ty = task s result;
+        because = Statement (place ~first expected.because) } in
       (* What is wrong already says nothing about the pattern. *)
       let result = if errors ctx > before then Type.Erroneous else result in
       let pattern =

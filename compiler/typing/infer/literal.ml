@@ -12,7 +12,8 @@ let is_only_negative (n : Resolve.Ir.number) =
 (* The number that has the bits written in another base. *)
 let as_bits digits =
   match Exact.of_literal digits with
-  | Some value when String.length digits > 2 && Exact.base_of_prefix (digits.[0], digits.[1]) <> None ->
+  | Some value when String.length digits > 2
+    && Exact.base_of_prefix (digits.[0], digits.[1]) <> None ->
       Exact.(to_int32 (add value (negate (power (of_int 2) 32))))
   | Some _ | None -> None
 

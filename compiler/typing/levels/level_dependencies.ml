@@ -110,12 +110,14 @@ let rec expr w frames (e : expr) =
     let declare (b : binding) =
       let node = part_node w frames (origin b) in
       name w node b.pattern;
-      List.iter (fun (x : Local.t) -> Int_table.replace w.unfinished x.id ()) (Parts.variables b.pattern);
+      List.iter (fun (x : Local.t) -> Int_table.replace w.unfinished x.id ())
+        (Parts.variables b.pattern);
       (node, b)
     in
     let define (node, (b : binding)) =
       part w frames node b.value;
-      List.iter (fun (x : Local.t) -> Int_table.remove w.unfinished x.id) (Parts.variables b.pattern)
+      List.iter (fun (x : Local.t) -> Int_table.remove w.unfinished x.id)
+        (Parts.variables b.pattern)
     in
     List.iter define (Long_list.map declare bindings);
     expr w frames body

@@ -60,10 +60,12 @@ let cure = function
     Diagnostic.hint
       (Printf.sprintf "carry it in the event of the `%s`, or use `initially`" name)
   | Binding_of_task _ ->
-    Diagnostic.hint "a task gets what it knows at its start by its parameters, and signals by its input"
+    Diagnostic.hint
+      "a task gets what it knows at its start by its parameters, and signals by its input"
   | Head _ ->
     Diagnostic.hint
-      "what changes while it runs comes in by its input; `initially` starts it with the value of its first instant"
+      "what changes while it runs comes in by its input; `initially` starts it with the value of \
+       its first instant"
   | Binding_of _ -> Fun.id
 
 let code = function Head _ -> "E0340" | Binding_of _ | Binding_of_task _ -> "E0344"
@@ -185,7 +187,9 @@ let outside w (array : expr) (index : expr) k =
   | Data { arguments = [ Size n; _ ]; _ } when k >= n || k < 0 ->
     error "index %d is outside of an array of %d" k n
     |> Diagnostic.label ~at:array.span (Printf.sprintf "this is `%s`" (Show.ty array.ty))
-    |> Diagnostic.hint (if n = 1 then "its only element has the number 0" else Printf.sprintf "the elements are numbered from 0 to %d" (n - 1))
+    |> Diagnostic.hint
+         (if n = 1 then "its only element has the number 0"
+          else Printf.sprintf "the elements are numbered from 0 to %d" (n - 1))
     |> Diagnostic.emit w.sink
   | _ when k < 0 ->
     error "index %d is outside of every array" k

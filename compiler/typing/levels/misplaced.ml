@@ -58,7 +58,9 @@ let anew sources condition h input =
   let resets { test; chosen_if } =
     match (quote sources h, quote sources input, quote sources test) with
     | Some h', Some input, Some test ->
-      let becomes = if chosen_if then Source.grouped test else Printf.sprintf "(not %s)" (Source.grouped test) in
+      let becomes =
+        if chosen_if then Source.grouped test else Printf.sprintf "(not %s)" (Source.grouped test)
+      in
       let input = if String.contains input '$' then Source.grouped input else input in
       Some
         (Printf.sprintf

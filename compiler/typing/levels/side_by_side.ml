@@ -35,12 +35,14 @@ let of_application (f : expr) (last : expr) =
       ( {
           desc =
             Apply
-              ( { desc = Primitive (g, { types = Signal_function (input, output) :: types; _ }); _ },
+              ( { desc = Primitive (g, { types = Signal_function
+                (input, output) :: types; _ }); _ },
                 {
                   desc =
                     Lambda
                       ( [ { desc = Bound x; _ }; { desc = Bound s; _ } ],
-                        { desc = Run ({ desc = Local (y, _); _ }, { desc = Local (t, _); _ }); _ } );
+                        { desc = Run ({ desc = Local (y, _); _ },
+                          { desc = Local (t, _); _ }); _ } );
                   _;
                 } );
           _;

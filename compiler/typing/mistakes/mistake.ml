@@ -7,7 +7,8 @@ let of_two_modules words diagnostic =
   | name :: _ ->
       hint
         (Printf.sprintf
-           "two types are called `%s`: use one in both places, or make a value of one from the other's"
+           "two types are called `%s`: use one in both places, or make a value of one from the \
+            other's"
            name)
         diagnostic
 
@@ -89,7 +90,8 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
   let callee = match Plain_name.of_expr head with Some name -> "`" ^ name ^ "`" | None -> "this" in
   let diagnostic =
     if position = 1 then
-      error ~code:"E0302" ~at:head.span "%s is %s, not a function" callee (Show.described words left)
+      error ~code:"E0302" ~at:head.span "%s is %s, not a function" callee
+        (Show.described words left)
       |> label ~at "it is given an argument here"
     else
       error ~code:"E0302" ~at "%s takes %d argument%s, but is given more" callee (position - 1)
@@ -97,13 +99,15 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
       |> here "one too many"
       |> label ~at:head.span
            (Printf.sprintf "with %s the result is %s"
-              (if position = 2 then "one argument" else Printf.sprintf "%d arguments" (position - 1))
+              (if position = 2 then "one argument"
+               else Printf.sprintf "%d arguments" (position - 1))
               (Show.described words left))
   in
   match (Type.expand left, head.desc) with
   | _, Number { digits; _ } when position = 1 ->
       hint
-        (Printf.sprintf "the elements of an array are separated by commas, factors by `*`: `[%s, …]`"
+        (Printf.sprintf
+          "the elements of an array are separated by commas, factors by `*`: `[%s, …]`"
            digits)
         diagnostic
   | Data { tycon; _ }, _ when tycon = Environment.array ->

@@ -1,7 +1,8 @@
 (** What is said about types that do not fit, in the words of the program.
 
     One module for each kind of clash: {!Number_mistake}, {!Signature_mistake},
-    {!Shape_mistake} with {!Task_mistake} and {!Output_mistake}. Here they are told apart, and the rest
+    {!Shape_mistake} with {!Task_mistake} and {!Output_mistake}. Here they are told apart, and the
+    rest
     is said: [E0301] a negative argument without parentheses · [E0302] not a
     function, or too many arguments · [E0304] no signal function before [-<] ·
     [E0305] an infinite type · [E0306] a signature whose variable depends on

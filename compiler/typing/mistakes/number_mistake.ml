@@ -22,7 +22,8 @@ let with_unit words ~ty digits unit_ =
   let text = Show.measure words unit_ in
   let is_long = Option.fold (float_of_string_opt digits) ~none:false ~some:(( <= ) many_seconds) in
   if is_angular_velocity ty then
-    Printf.sprintf "write `%s[deg/s]` for degrees in a second, `%s[rad/s]` for radians" digits digits
+    Printf.sprintf "write `%s[deg/s]` for degrees in a second, `%s[rad/s]` for radians" digits
+      digits
   else if String.equal text "s" && is_long then
     Printf.sprintf "write `%s[ms]` if these are milliseconds, `%s[s]` for seconds" digits digits
   else Printf.sprintf "write `%s[%s]` if that is its unit" digits text
@@ -191,4 +192,5 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
   | _, Int, Float -> plain () |> hint (to_int subject)
   | _ ->
       plain ()
-      |> note (Printf.sprintf "`%s` and `%s` are different representations" (text wanted) (text given))
+      |> note (Printf.sprintf "`%s` and `%s` are different representations" (text wanted)
+        (text given))

@@ -44,7 +44,8 @@ let one ctx ({ required; _ } as m) =
           |> (if Span.compare place required.at = 0 then Fun.id else Diagnostic.label ~at:place by)
           |> asked
           |> Diagnostic.hint
-               (Printf.sprintf "begin %s with `%s =>`, or add it to what stands there: `(…, %s) =>`" by
+               (Printf.sprintf "begin %s with `%s =>`, or add it to what stands there: `(…, %s) =>`"
+                 by
                   needed needed))
 
 let several ctx (first : t) rest =
@@ -67,7 +68,8 @@ let several ctx (first : t) rest =
         (Diagnostic.error ~code:"E0309" ~at:place "%s does not promise %s" by in_words)
         all
       |> Diagnostic.hint
-           (Printf.sprintf "begin it with `(%s) =>`, or add them to what stands there: `(…, %s) =>`" joined
+           (Printf.sprintf "begin it with `(%s) =>`, or add them to what stands there: `(…, %s) =>`"
+             joined
               joined))
 
 let rec report ctx = function

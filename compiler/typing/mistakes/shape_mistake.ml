@@ -27,7 +27,9 @@ let signal_for words input =
 let signal_in_place_of_an_argument words name arguments =
   match List.rev_map (fun (e : Resolve.Ir.expr) -> (e, Show.quote words e.span)) arguments with
   | ({ desc = Local _; _ }, Some signal) :: before when before <> [] ->
-      let before = List.rev_map (fun (_, text) -> Option.fold text ~none:"…" ~some:Source.grouped) before in
+      let before =
+        List.rev_map (fun (_, text) -> Option.fold text ~none:"…" ~some:Source.grouped) before
+      in
       Some
         (Printf.sprintf
            "`%s` takes %s before its signal: `%s`, where the signal is `%s`" name
@@ -76,7 +78,8 @@ let unrun words ~subject ~at ~input ~found =
 (* The operand before, if what is expected is nothing but its type. *)
 let operand_before (expected : Expected.t) =
   match expected.because with
-  | Operand { other; other_type; _ } when Type.repr other_type == Type.repr expected.ty -> Some other
+  | Operand { other; other_type; _ } when Type.repr other_type == Type.repr expected.ty ->
+      Some other
   | _ -> None
 
 let of_a_sequence (expected : Expected.t) =
@@ -113,7 +116,9 @@ let vector words ?(elements = []) wanted =
 
 (* Of a place, written as a pair. *)
 let vector_fields words ~subject wanted types =
-  let elements = match subject with Some ({ desc = Tuple es; _ } : Resolve.Ir.expr) -> es | _ -> [] in
+  let elements =
+    match subject with Some ({ desc = Tuple es; _ } : Resolve.Ir.expr) -> es | _ -> []
+  in
   match (wanted, List.length types) with
   | Type.Data { tycon = { name = "Vec2"; _ }; _ }, 2
   | Type.Data { tycon = { name = "Vec3"; _ }; _ }, 3 ->
@@ -145,7 +150,8 @@ let lacking_arguments words ~subject missing d =
 (* The result of a function that is given an argument too many. *)
 let one_too_many words ~subject ~wanted d =
   match (wanted, subject) with
-  | Type.Function _, Some ({ desc = Apply { style = Juxtaposed; head; _ }; _ } as e : Resolve.Ir.expr)
+  | Type.Function _,
+    Some ({ desc = Apply { style = Juxtaposed; head; _ }; _ } as e : Resolve.Ir.expr)
     -> (
       match (Plain_name.of_head e, Show.quote words head.span) with
       | Some name, Some text ->
@@ -157,7 +163,8 @@ let one_too_many words ~subject ~wanted d =
 
 let is_a_parameter (expected : Expected.t) =
   match expected.because with
-  | Parameter { callee = Some name; _ } -> not (List.mem name [ "+"; "-"; "*"; "/"; "^+^"; "^-^"; "*^" ])
+  | Parameter { callee = Some name; _ } ->
+      not (List.mem name [ "+"; "-"; "*"; "/"; "^+^"; "^-^"; "*^" ])
   | _ -> false
 
 let vector_operator (expected : Expected.t) =
@@ -237,10 +244,12 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
   | Signal_function _, given, _ when Environment.is_task given ->
       Task_mistake.task_and_signal_function words ~subject ~at ~expected ~found
   | wanted, (Number _ | Bool | String | Tuple _ | Data _ | Rigid _ as given), _
-    when Environment.is_task wanted && (not (Environment.is_task given)) && of_a_sequence expected ->
+    when Environment.is_task wanted && (not (Environment.is_task given))
+      && of_a_sequence expected ->
       Task_mistake.no_task words ~subject ~at ~found
   | (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Signal_function (input, _), _ ->
-      unrun words ~subject ~at ~input ~found |> note (Printf.sprintf "expected %s" (text expected.ty))
+      unrun words ~subject ~at ~input ~found
+        |> note (Printf.sprintf "expected %s" (text expected.ty))
   | Signal_function (input, _), (Number _ | Bool | String | Tuple _ | Data _ | Rigid _), Some other
     ->
       unrun words ~subject:(Some other) ~at:other.span ~input ~found:expected.ty
@@ -252,11 +261,13 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
   | Signal_function (_, wanted), Signal_function (_, given), _
     when ends_a_mode expected && lacks_the_signal_of_its_event wanted given ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
-      |> hint "the event is a signal function here, and not run: it lacks its signal, as in `after 5[s] ()`"
+      |> hint "the event is a signal function here, and not run: it lacks its signal, as in `after \
+               5[s] ()`"
   | Signal_function (_, wanted), Signal_function (_, given), _
     when ends_a_mode expected && gives_a_truth_for_its_event wanted given ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
-      |> hint "what ends it is an event: `edge b` occurs when `b` becomes True, `when b` wherever it is"
+      |> hint
+        "what ends it is an event: `edge b` occurs when `b` becomes True, `when b` wherever it is"
   | Signal_function (_, wanted), Function (_, given), _
     when Environment.is_event wanted && Type.expand given = Bool ->
       error ~code:"E0304" ~at "expected a signal function, found a function: %s" (text found)
@@ -328,7 +339,8 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> hint
            (Printf.sprintf "`%s` lacks %s" (Option.get (Option.bind subject Plain_name.of_head))
               (count too_many))
-  | Number _, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ }, _ when Option.is_some (vector_operator expected) ->
+  | Number _, Data { tycon = { name = "Vec2" | "Vec3"; _ }; _ }, _
+    when Option.is_some (vector_operator expected) ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint
            (Printf.sprintf "vectors have operators of their own: %s"
@@ -338,7 +350,8 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> hint
            (let operator = Option.get (arithmetic expected) in
             Printf.sprintf
-              "`map (\\x -> x %s y) xs` computes with each element, `zipWith (%s) xs ys` with those of two arrays"
+              "`map (\\x -> x %s y) xs` computes with each element, `zipWith (%s) xs ys` with \
+               those of two arrays"
               operator operator)
   | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
@@ -366,7 +379,8 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
   | (Function _ as wanted), (Number _ | Bool | Data _ | Tuple _), _ ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> one_too_many words ~subject ~wanted
-  | (Number _ | Bool | String | Data _), Tuple (_ :: _ as elements), _ when separated_by_commas expected ->
+  | (Number _ | Bool | String | Data _), Tuple (_ :: _ as elements), _
+    when separated_by_commas expected ->
       let name = match expected.because with Parameter { callee = Some f; _ } -> f | _ -> "f" in
       let written =
         match subject with
@@ -401,11 +415,14 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
           error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
           |> hint
                (Printf.sprintf
-                  "`fromMaybe x0 %s` is what is in it, and `x0` where there is nothing" (written "m"))
+                  "`fromMaybe x0 %s` is what is in it, and `x0` where there is nothing"
+                    (written "m"))
       | None, _ when is_number expected.ty && Environment.is_event found ->
           error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
-          |> hint "an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`"
-      | None, _ when Type.expand expected.ty = Bool && Environment.is_event found && of_events expected <> None ->
+          |> hint "an event has a value only where it occurs: `hold x0 e` is the latest one, at \
+                   first `x0`"
+      | None, _ when Type.expand expected.ty = Bool && Environment.is_event found
+        && of_events expected <> None ->
           error ~code:"E0301" ~at "expected `Bool`, found %s" (text found)
           |> hint (Option.get (of_events expected))
       | None, _ when Environment.is_event expected.ty && Type.expand found = Bool ->
@@ -427,5 +444,7 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
           error ~code:"E0301" ~at "this pattern matches %s, but the value is %s" (text found)
             (text expected.ty)
       | None, _ ->
-          let hints = Option.fold (Task_mistake.exchanged ~expected ~found) ~none:Fun.id ~some:hint in
+          let hints =
+            Option.fold (Task_mistake.exchanged ~expected ~found) ~none:Fun.id ~some:hint
+          in
           error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found) |> hints)

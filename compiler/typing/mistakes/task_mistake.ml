@@ -10,7 +10,8 @@ let to_task subject output =
   | _ ->
       hint
         (Printf.sprintf
-           "`mkTask (%s &&& event)` ends when the event occurs; `mkTask (%s &&& never)` never does" name
+           "`mkTask (%s &&& event)` ends when the event occurs; `mkTask (%s &&& never)` never does"
+             name
            name)
 
 let task_and_signal_function words ~subject ~at ~(expected : Expected.t) ~found =
@@ -24,7 +25,9 @@ let task_and_signal_function words ~subject ~at ~(expected : Expected.t) ~found 
          | _ -> Fun.id)
       |> to_task subject output
   | _ ->
-      let name = match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "t" in
+      let name =
+        match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "t"
+      in
       error ~code:"E0371" ~at "a task stands where a signal function is needed"
       |> here (Printf.sprintf "this is %s" (Show.described words found))
       |> hint
@@ -44,7 +47,9 @@ let unlike_tasks words ~at (input, output, result) (input', output', result') =
     | Flexible _ -> false
     | _ -> not (String.equal (Show.described words a) (Show.described words b))
   in
-  let says format a b = Some (Printf.sprintf format (Show.described words a) (Show.described words b)) in
+  let says format a b =
+    Some (Printf.sprintf format (Show.described words a) (Show.described words b))
+  in
   let text =
     match (differ input input', differ output output', differ result result') with
     | false, false, true ->
@@ -58,7 +63,8 @@ let unlike_tasks words ~at (input, output, result) (input', output', result') =
   Option.map (fun text -> error ~code:"E0301" ~at "%s" text) text
 
 let no_task words ~subject ~at ~found =
-  error ~code:"E0370" ~at "the statements of a `do` are tasks, but this is %s" (Show.described words found)
+  error ~code:"E0370" ~at "the statements of a `do` are tasks, but this is %s"
+    (Show.described words found)
   |> hint
        (match Option.bind subject Plain_name.of_expr with
        | Some name -> Printf.sprintf "`return %s` is the task that ends at once with it" name
@@ -70,7 +76,8 @@ let exchanged ~(expected : Expected.t) ~found =
   match expected.because with
   | Parameter { callee = Some f; later; _ }
     when (Environment.is_task expected.ty && is_number found && List.exists is_number later)
-         || (is_number expected.ty && Environment.is_task found && List.exists Environment.is_task later)
+         || (is_number expected.ty && Environment.is_task found
+            && List.exists Environment.is_task later)
     ->
       Some (Printf.sprintf "perhaps the arguments of `%s` belong in the other order" f)
   | _ -> None

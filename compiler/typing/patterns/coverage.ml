@@ -91,7 +91,10 @@ let rec head (p : pattern) =
     Some (Constructor { index = c.index; name; arity; fields }, ps)
   | Literal n -> Some (Number n, [])
 
-let arity = function Constructor { arity; _ } -> arity | Components n | Elements n -> n | Number _ -> 0
+let arity = function
+  | Constructor { arity; _ } -> arity
+  | Components n | Elements n -> n
+  | Number _ -> 0
 
 let key = function
   | Constructor { index; _ } -> string_of_int index

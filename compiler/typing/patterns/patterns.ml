@@ -26,7 +26,8 @@ let taken_for_a_constructor w (branches : branch list) =
   List.find_map
     (fun (b : branch) ->
       match b.pattern.desc with
-      | Bound local when constructor local.name -> Some (String.capitalize_ascii local.name, b.pattern.span)
+      | Bound local when constructor local.name ->
+          Some (String.capitalize_ascii local.name, b.pattern.span)
       | _ -> None)
     branches
 
@@ -103,7 +104,8 @@ let rec expr w (e : expr) =
   match e.desc with
   | Local _ | Global _ | Primitive _ | Method _ | Constructor _ | Number _ | String _ -> ()
   | Tuple es | Array es -> List.iter (expr w) es
-  | Apply ({ desc = Apply ({ desc = Primitive (g, _); _ }, task); _ }, { desc = Lambda ([ p ], rest); _ })
+  | Apply ({ desc = Apply ({ desc = Primitive (g, _); _ }, task); _ },
+    { desc = Lambda ([ p ], rest); _ })
     when g = Environment.sequence ->
     expr w task;
     always_matches w "a `<-`" p;

@@ -103,8 +103,10 @@ let rec unify a b =
     | Data x, Data y when x.tycon = y.tycon ->
         List.iter2 units x.units y.units;
         List.iter2 unify x.arguments y.arguments
-    | ( (Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _),
-        (Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _ | Size _) ) ->
+    | ( (Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _
+      | Size _),
+        (Rigid _ | Number _ | Bool | String | Tuple _ | Function _ | Signal_function _ | Data _
+          | Size _) ) ->
         clash (Different (a, b))
 
 let types a b =

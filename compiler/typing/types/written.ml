@@ -107,9 +107,11 @@ let report_kind t span (wanted : Type.kind) found =
     | Of_sizes, Rigid _ ->
         Diagnostic.error ~code:"E0330" ~at:span
           "%s is a type elsewhere, so it cannot be the size of an array here" shown
-    | Of_types, _ -> Diagnostic.error ~code:"E0330" ~at:span "expected a type, found the size %s" shown
+    | Of_types, _ ->
+        Diagnostic.error ~code:"E0330" ~at:span "expected a type, found the size %s" shown
     | Of_sizes, _ ->
-        Diagnostic.error ~code:"E0330" ~at:span "expected the size of an array, found the type %s" shown
+        Diagnostic.error ~code:"E0330" ~at:span "expected the size of an array, found the type %s"
+          shown
         |> Diagnostic.hint "the size comes first, as in `Array 4 Float`"
   in
   Diagnostic.emit t.sink diagnostic

@@ -11,7 +11,8 @@ let operation (e : Resolve.Ir.expr) =
   match e.desc with
   | Apply
       {
-        head = { desc = Apply { head = { desc = Global g; _ }; argument = left; style = Operator _ }; _ };
+        head = { desc = Apply { head = { desc = Global g; _ }; argument = left;
+          style = Operator _ }; _ };
         argument = right;
         style = Operator _;
       }

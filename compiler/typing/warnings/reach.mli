@@ -9,5 +9,6 @@ val warn :
   robot:Ir.Global.t option ->
   Ir.program ->
   unit
-(** In the definitions of the program's own modules. [robot]: the type of the input of the robot that the
+(** In the definitions of the program's own modules. [robot]: the type of the input of the robot
+    that the
     program is for, where its own types leave that open; none if nobody knows. *)
