@@ -30,6 +30,7 @@ val trace :
   modes:bool ->
   input:string option ->
   output:string option ->
+  picture:string option ->
   string ->
   int
 

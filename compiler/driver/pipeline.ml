@@ -97,7 +97,9 @@ let observed (r : Request.t) sink ~at core flow =
   | [] -> Some flow
   | names ->
       let* probes = Probes.named sink ~at core flow names in
-      let observed = Probe.Observed.program flow probes in
+      let shown, hidden = Probes.causal ~at flow probes in
+      let* () = Probes.refuse_hidden sink ~at ~names hidden in
+      let observed = Probe.Observed.program flow shown in
       if r.lint then lint_flow observed;
       Some observed
 

@@ -26,6 +26,38 @@ let named sink ~at core flow names =
           |> Diagnostic.hint "`--probe list` shows all that can be seen"
           |> refuse sink)
 
+let causal ~at flow probes =
+  let is_causal probes =
+    let sink = Diagnostic.sink () in
+    Flow.Causality.check sink ~entry:at (Probe.Observed.program flow probes);
+    not (Diagnostic.has_errors sink)
+  in
+  (* Few are wrong, if any: they are found by halves. *)
+  let rec add shown probes =
+    match probes with
+    | [] -> shown
+    | _ when is_causal (shown @ probes) -> shown @ probes
+    | [ _ ] -> shown
+    | _ ->
+        let half = List.length probes / 2 in
+        let first = List.filteri (fun k _ -> k < half) probes in
+        let rest = List.filteri (fun k _ -> k >= half) probes in
+        add (add shown first) rest
+  in
+  let shown = add [] probes in
+  if List.compare_lengths shown probes = 0 then (probes, [])
+  else List.partition (fun p -> List.memq p shown) probes
+
+let refuse_hidden sink ~at ~names (hidden : Probe.Catalogue.probe list) =
+  match hidden with
+  | { name; _ } :: _ when not (List.mem "all" names) ->
+      Diagnostic.error ~code:unknown ~at "`%s` cannot be shown" name
+      |> Diagnostic.note
+           "it is inside a switch that is fed with its own output; all outputs of a switch need \
+            what is shown of it"
+      |> refuse sink
+  | _ -> Some ()
+
 let rec flow_type (program : Flow.Ir.program) (ty : Flow.Ir.ty) =
   match ty with
   | Bool -> "Bool"

@@ -24,3 +24,16 @@ val named :
   string list ->
   Probe.Catalogue.probe list option
 (** Of these, those that {!Probe.Selection} takes the names for. *)
+
+val causal :
+  at:Span.t ->
+  Flow.Ir.program ->
+  Probe.Catalogue.probe list ->
+  Probe.Catalogue.probe list * Probe.Catalogue.probe list
+(** As many as can be shown together, and the others. All outputs of a switch need what any of
+    its signal functions reads, so one that is shown an input that was not read before may
+    come to need its own output of the same instant. *)
+
+val refuse_hidden :
+  Diagnostic.sink -> at:Span.t -> names:string list -> Probe.Catalogue.probe list -> unit option
+(** [None] after a diagnostic, if one that was asked for by its name cannot be shown. *)

@@ -171,8 +171,14 @@ let trace =
     in
     Arg.(value & flag & info [ "modes" ] ~doc)
   in
-  let run general entry sources modes input output engine file =
-    Commands.trace general engine ~entry ~sources ~modes ~input ~output file
+  let picture =
+    let doc =
+      "Draw the columns of the output, inner signals too, over the time, instead of printing them."
+    in
+    Arg.(value & opt (some string) None & info [ "picture" ] ~docv:"P.svg" ~doc)
+  in
+  let run general entry sources modes input output picture engine file =
+    Commands.trace general engine ~entry ~sources ~modes ~input ~output ~picture file
   in
   let man =
     [
@@ -190,7 +196,7 @@ let trace =
     ]
   in
   command "trace" ~man ~doc:"run a signal function on recorded input"
-    Term.(const run $ probed $ entry $ sources $ modes $ input $ output $ engine $ file)
+    Term.(const run $ probed $ entry $ sources $ modes $ input $ output $ picture $ engine $ file)
 
 let run =
   let some_string names ~docv ~doc = Arg.(value & opt (some string) None & info names ~docv ~doc) in

@@ -139,7 +139,7 @@ let program_and_robot argument =
 
 let () =
   let s = settings () in
-  let tools real = { Engines.library = s.library; runtime = s.runtime; folder = s.out; real } in
+  let tools real = { Engines.library = s.library; runtime = s.runtime; folder = s.out; real; probed = false } in
   let named file = Filename.remove_extension (Filename.basename file) in
   List.iteri
     (fun i argument ->

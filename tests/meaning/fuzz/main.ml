@@ -91,6 +91,9 @@ let real s batch : Basis.Real.t =
   | "float" -> Single
   | _ -> if (batch + (batch / Bias.count)) mod 3 = 1 then Single else Double
 
+(* One in five, each kind of program. *)
+let probed batch = (batch + (batch / Bias.count)) mod 5 = 2
+
 type result = { programs : int; failed : int; sanitized : int; seen : Coverage.t }
 
 let nothing () = { programs = 0; failed = 0; sanitized = 0; seen = Coverage.create () }
@@ -122,7 +125,7 @@ let work s worker ~folder =
       let count = min Batch.size (last - first) in
       let engines = engines s batch in
       let tools =
-        { Engines.library = s.library; runtime = s.runtime; folder; real = real s batch }
+        { Engines.library = s.library; runtime = s.runtime; folder; real = real s batch; probed = probed batch }
       in
       let seen = Coverage.create () in
       let failures =

@@ -11,6 +11,7 @@ let tools =
     runtime = root / "runtime";
     folder = Filename.current_dir_name;
     real = Basis.Real.Double;
+    probed = false;
   }
 
 let strings = Alcotest.(list string)

@@ -8,12 +8,13 @@ open Fuzz
 let root = "../../.."
 let ( / ) = Filename.concat
 
-let tools real =
+let tools ~probed real =
   {
     Engines.library = root / "stdlib";
     runtime = root / "runtime";
     folder = Filename.current_dir_name;
     real;
+    probed;
   }
 
 let read path =
@@ -31,8 +32,8 @@ let recorded subject file =
     | Ok recording -> [ recording ]
     | Error text -> Alcotest.fail (path ^ ": " ^ text)
 
-let agree ?(real = Basis.Real.Double) engine (file, robot) () =
-  let tools = tools real in
+let agree ?(real = Basis.Real.Double) ?(probed = false) engine (file, robot) () =
+  let tools = tools ~probed real in
   let random = Random.State.make [| 2001 |] in
   let outcome =
     match Engines.load ?robot tools ~entry:"main" file with
@@ -45,9 +46,9 @@ let agree ?(real = Basis.Real.Double) engine (file, robot) () =
   | Agree -> ()
   | Rejected _ | Failed _ | Differ _ -> Alcotest.fail (Engines.describe outcome)
 
-let case ?real engine ((file, _) as program) =
+let case ?real ?probed engine ((file, _) as program) =
   let words = String.concat " " (String.split_on_char '_' (Filename.basename file)) in
-  Alcotest.test_case (Filename.remove_extension words) `Quick (agree ?real engine program)
+  Alcotest.test_case (Filename.remove_extension words) `Quick (agree ?real ?probed engine program)
 
 let programs =
   Sys.readdir Filename.current_dir_name
@@ -81,4 +82,7 @@ let () =
       ("examples", List.map (case Tcc) examples);
       ("under the sanitizers", List.map (case (Sanitized Gcc)) (programs @ examples));
       ("in single precision", List.map (case ~real:Single Tcc) (programs @ examples));
+      ("with all probes", List.map (case ~probed:true Tcc) (programs @ examples));
+      ("with all probes, in single precision",
+       List.map (case ~real:Single ~probed:true Tcc) examples);
     ]

@@ -161,3 +161,67 @@ In modes, what does not run has an empty cell; `mode` is the one that runs.
   0.600000000,-1,-1,1,fro,to,,1,,2,,0.29999999999999999
   0.900000000,-1,-1,1,fro,to,,1,,2,,0.44999999999999996
   1.200000000,-1,-1,-1,fro,fro,,,,,,
+
+What would make a switch need its own output is left out, and is an error where it is asked for.
+
+  $ cat > fed.frob <<'EOF'
+  > main :: SF () Float
+  > main = proc _ -> v where
+  >     v = switch (proc x -> (integral (x / 1[s]), never ())) (\_ -> constant 0) v
+  > 
+  > constant :: Float -> SF Float Float
+  > constant c = proc _ -> c
+  > EOF
+  $ printf 'time\n0\n1\n' > nothing.csv
+  $ frobc trace fed.frob --input nothing.csv --probe all
+  time,out,probe.main.v,probe.main.main.mode,probe.constant.c
+  0.000000000,0,0,main,
+  1.000000000,0,0,main,
+  $ frobc trace fed.frob --input nothing.csv --probe x
+  error[E0506]: `main.main.x` cannot be shown
+   --> fed.frob:2:1
+    |
+  2 | main = proc _ -> v where
+    | ^^^^
+    |
+    = note: it is inside a switch that is fed with its own output; all outputs of a switch need what is shown of it
+  
+  1 error
+  [2]
+
+The interpreter has no probes.
+
+  $ frobc trace lap.frob --input in.csv --probe all --engine interp
+  error: probes are put into the compiled program: `--probe` needs `--engine c`
+  [2]
+
+`--picture` draws the columns, those of one unit in one panel.
+
+  $ frobc trace lap.frob --input in.csv --probe x,over,_gear --picture lap.svg
+  $ grep -o '>[^<>]*</text>' lap.svg
+  >out</text>
+  >probe.way.1.x</text>
+  >probe.way.2.x</text>
+  >0</text>
+  >5</text>
+  >10</text>
+  >m</text>
+  >probe.main.over</text>
+  >()</text>
+  >probe.way.1._gear</text>
+  >High 2</text>
+  >Low</text>
+  >probe.way.2._gear</text>
+  >High 2</text>
+  >Low</text>
+  >0</text>
+  >0.5</text>
+  >1</text>
+  >1.5</text>
+  >2</text>
+  >2.5</text>
+  >3</text>
+  >time in s</text>
+  $ frobc trace lap.frob --input in.csv --picture lap.png
+  error: a trace is drawn as SVG: lap.png does not end in .svg
+  [2]
