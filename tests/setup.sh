@@ -21,7 +21,7 @@ if ! command -v apt-get >/dev/null 2>&1; then
     echo "Missing here:$absent." >&2
     echo "This is not a Debian system (no apt-get), so install them yourself, with the OCaml" >&2
     echo "libraries menhirLib, cmdliner, alcotest and qcheck, and the C++ libraries Box2D 2.4," >&2
-    echo "toml++ and cairo; then run make again." >&2
+    echo "toml++ and cairo, and the C library libwebsockets; then run make again." >&2
     exit 1
 fi
 

@@ -12,8 +12,11 @@ type t = {
 }
 
 val of_program :
-  Typing.Ir.program -> Typing.Ir.definition -> Flow.Ir.program -> Probe.Catalogue.probe list -> t
-    list
+  Typing.Ir.program ->
+  Typing.Ir.definition ->
+  Flow.Ir.program ->
+  Probe.Catalogue.probe list ->
+  t list
 (** Those of its inputs and outputs that have a unit, and its probes. The definition is the
     entry, as it was written. *)
 

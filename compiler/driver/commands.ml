@@ -490,27 +490,26 @@ let view general ~entry ~sources view file =
   let world = world_of view.world resources file in
   let* general = for_world general resources world in
   let general, generated = with_all_probes general resources ~entry file in
-  shared general ~generated ~options:(effort view.recording) ~entry ~sources file (fun _ program ->
-      let options =
-        (if view.browser then [] else [ "--print" ])
-        @ Option.fold ~none:[] ~some:(fun port -> [ "--port"; string_of_int port ]) view.port
-      in
+  let options = effort view.recording in
+  shared general ~generated ~options ~entry ~sources file (fun _ program ->
       if view.only_build then begin
         print_endline program;
         Exit_status.ok
       end
       else
-      let own, library = Pipeline.module_files ~library:resources.library file in
-      let arguments =
-        options
-        @ [ "--world"; world ]
-        @ List.concat_map (fun file -> [ "--source"; file ]) own
-        @ List.concat_map (fun file -> [ "--library"; file ]) library
-        @ [ program; view.recording ]
-        @ again general ~entry ~sources view file
-      in
-      match Process.become resources.viewer arguments with
-      | Not_found _ | Failed _ -> missing_host resources.viewer)
+        let own, library = Pipeline.module_files ~library:resources.library file in
+        let each option files = List.concat_map (fun file -> [ option; file ]) files in
+        let arguments =
+          (if view.browser then [] else [ "--print" ])
+          @ each "--port" (List.map string_of_int (Option.to_list view.port))
+          @ each "--world" [ world ]
+          @ each "--source" own
+          @ each "--library" library
+          @ [ program; view.recording ]
+          @ again general ~entry ~sources view file
+        in
+        match Process.become resources.viewer arguments with
+        | Not_found _ | Failed _ -> missing_host resources.viewer)
 
 (* {1 Explaining} *)
 

@@ -91,7 +91,8 @@ static bool take_name(struct reader *r, char *name, size_t size)
 static bool ends_in(const char *whole, const char *name)
 {
     size_t length = strlen(whole), end = strlen(name);
-    return length > end && whole[length - end - 1] == '.' && strcmp(whole + length - end, name) == 0;
+    return length > end && whole[length - end - 1] == '.' &&
+           strcmp(whole + length - end, name) == 0;
 }
 
 /* The one signal with this end among those that are inside, or among the others; NULL, with

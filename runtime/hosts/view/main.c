@@ -4,9 +4,9 @@
  *             PROGRAM.so RUN.csv [COMMAND...]
  *
  * COMMAND, whose last argument is the program's file, compiles it as PROGRAM.so is compiled,
- * and prints the path. Prints the page's address, and opens a browser on it unless --print is given. Ends
- * with SIGINT or SIGTERM. Exit status: 0, or 2 when a file cannot be read or is no
- * recording, or the port cannot be had. */
+ * and prints the path. Prints the page's address, and opens a browser on it unless --print
+ * is given. Ends with SIGINT or SIGTERM. Exit status: 0, or 2 when a file cannot be read or
+ * is no recording, or the port cannot be had. */
 #include "../common/load.h"
 #include "../common/streams.h"
 #include "browser.h"

@@ -67,7 +67,8 @@ static void go_back(struct replay *replay, size_t k)
 void replay_advance(struct replay *replay)
 {
     const size_t count = replay->recording->count;
-    const size_t end = count - replay->reached < REPLAY_EVERY ? count : replay->reached + REPLAY_EVERY;
+    const size_t left = count - replay->reached;
+    const size_t end = left < REPLAY_EVERY ? count : replay->reached + REPLAY_EVERY;
     if (replay->next != replay->reached)
         go_back(replay, replay->reached);
     while (replay->next < end) {

@@ -110,7 +110,8 @@ def visit(page, rows):
     check("a plot shows what was dragged over, and goes where it is clicked", True)
 
     source = page.driver.execute_script(
-        "return document.querySelector('#source > div').shadowRoot.querySelector('.cm-content').innerText")
+        "return document.querySelector('#source > div').shadowRoot"
+        ".querySelector('.cm-content').innerText")
     check("the source is there", "main" in source)
     page.press(Keys.HOME, *[Keys.ARROW_RIGHT] * 30)
     page.at(30)

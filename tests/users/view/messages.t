@@ -85,7 +85,7 @@ A recording of another program, or of another version of it, is shown as far as 
 
 A port that is taken, and one that is none:
 
-  $ frobc view --print run.csv way.frob > first & first=$!
+  $ : > first; frobc view --print run.csv way.frob > first & first=$!
   $ for i in $(seq 100); do grep -q '^view: ' first && break; sleep 0.1; done
   $ port=$(sed 's|.*127.0.0.1:\([0-9]*\)/.*|\1|' first)
   $ frobc view --print --port $port run.csv way.frob 2>&1 | sed "s/$port/PORT/"

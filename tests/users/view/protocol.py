@@ -41,6 +41,14 @@ async def values(v, rows):
     async with connect(v) as client:
         program = await greet(v, client)
         names = [signal["name"] for signal in program["signals"]]
+        known = {signal["name"]: signal for signal in program["signals"]}
+        check("signals have their units", [known[name]["unit"] for name in (
+            "in.odometry.position.x", "in.sonar[3]", "in.leftWheel", "out.forward", "in.motorsOn",
+            "probe.closestPlace.p.x")] == ["m", "m", "m/s", "m/s", "", "m"])
+        inner = known["probe.closestPlace.p.x"]
+        check("inner signals have their places", inner["instance"] == "closestPlace"
+              and inner["own"] == "p.x" and inner["file"] == "bug.frob" and inner["kind"] == "float"
+              and "p <- " in program["sources"][0]["text"].splitlines()[inner["line"] - 1])
         check("all columns are signals", set(rows[0]) == {"time", *names})
         check("as many instants as rows", program["instants"] == len(rows))
         differing = 0
@@ -215,7 +223,8 @@ async def strangers(v):
     for path in ("/page.ts", "/etc/passwd", "//etc/passwd", "/%2e%2e/etc/passwd"):
         check(f"there is no {path}", " 200" not in http(v, (get % (path, host)).encode()))
     check("only GET is answered",
-          " 405" in http(v, f"POST / HTTP/1.1\r\nHost: {host}\r\nContent-Length: 0\r\n\r\n".encode()))
+          " 405" in http(v, b"POST / HTTP/1.1\r\nHost: %s\r\nContent-Length: 0\r\n\r\n"
+                         % host.encode()))
 
 
 async def wrong_messages(v):

@@ -25,7 +25,8 @@ class Viewer:
 def trace(frobc, recording, program, robot):
     """What `frobc trace` says of each instant: a dictionary by column."""
     rows = subprocess.run(
-        [frobc, "trace", "--modes", "--probe", "all", "--robot", robot, "--input", recording, program],
+        [frobc, "trace", "--modes", "--probe", "all", "--robot", robot, "--input", recording,
+         program],
         check=True, stdout=subprocess.PIPE, text=True,
     ).stdout.splitlines()
     with open(recording, newline="") as file:

@@ -49,7 +49,8 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
       if (signal.side === "mode" && row.nextElementSibling instanceof HTMLElement)
         row.nextElementSibling.hidden = row.hidden;
     });
-    groups.forEach((group) => (group.hidden = !group.querySelector(":scope > button:not([hidden])")));
+    for (const group of groups)
+      group.hidden = !group.querySelector(":scope > button:not([hidden])");
   };
   filter.onkeydown = (event) => {
     const [first] = matching();
