@@ -36,7 +36,8 @@ let rec of_value real sums (ty : Ir.ty) =
       let slots = Layout.sum sums k in
       let runs =
         [
-          (1, scalar 1); (slots.floats, scalar (Basis.Real.bytes real)); (slots.ints, scalar 4); (slots.bools, scalar 1);
+          (1, scalar 1); (slots.floats, scalar (Basis.Real.bytes real)); (slots.ints, scalar 4);
+          (slots.bools, scalar 1);
           (slots.tags, scalar 1);
         ]
         @ List.map

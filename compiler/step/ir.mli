@@ -196,7 +196,7 @@ type node = {
   origin : string;  (** the definition as the programmer knows it *)
   file : string;
   span : Span.t;
-  state : field list;  (** in the order of the struct: largest alignment first, and of one the times last *)
+  state : field list;  (** after all passes in the order of the struct: {!Field_order} *)
   modes : mode list;  (** of its machine, if there is one *)
   foreign : Flow.Ir.foreign option;
       (** its step and reset are the user's C; [reset] and [step] have no body,

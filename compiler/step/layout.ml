@@ -81,7 +81,8 @@ let rec flow_alignment real sums (ty : Flow.Ir.ty) =
       let of_arrays =
         List.fold_left (fun most (ty, _) -> max most (flow_alignment real sums ty)) 1 slots.arrays
       in
-      max of_arrays (if slots.floats > 0 then Basis.Real.bytes real else if slots.ints > 0 then 4 else 1)
+      let ints = if slots.ints > 0 then 4 else 1 in
+      max of_arrays (if slots.floats > 0 then Basis.Real.bytes real else ints)
   | Array (_, element) -> flow_alignment real sums element
   | Foreign _ -> largest_alignment
 

@@ -12,7 +12,8 @@ type slots = {
   ints : int;
   bools : int;
   tags : int;
-  arrays : (Flow.Ir.ty * int) list;  (** how many of each type of array, and each foreign type; sorted *)
+  arrays : (Flow.Ir.ty * int) list;
+      (** how many of each type of array, and each foreign type; sorted *)
 }
 
 val none : slots

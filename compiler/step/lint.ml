@@ -45,7 +45,8 @@ let constructor c sum k =
 let field_type c (f : Ir.field) =
   match Option.map (fun (own : Ir.field) -> own.content) (Hashtbl.find_opt c.state f.id) with
   | Some (Value ty) -> ty
-  | Some (State_of _ | States_of _ | Running_mode | Modes _ | Component _) -> bug "field `%s` of `%s` is read as a value" f.name c.node.name
+  | Some (State_of _ | States_of _ | Running_mode | Modes _ | Component _) ->
+      bug "field `%s` of `%s` is read as a value" f.name c.node.name
   | None -> bug "field `%s` is not in the state of `%s`" f.name c.node.name
 
 (* The types of an operation's arguments, beside [ty] itself, and of its
@@ -74,7 +75,8 @@ let operation c (operator : Flow.Ir.operator) (ty : Ir.ty) : int * Ir.ty =
   | Divide | Pow | Elementary (Hypot | Atan2) ->
       only [ Float ];
       (2, Float)
-  | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan) ->
+  | Elementary
+      (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan) ->
       only [ Float ];
       (1, Float)
   | Div | Mod | Bitwise _ ->
@@ -106,7 +108,8 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
       | Some ty ->
           expect c ("variable `" ^ v.name ^ "`") v.ty ty;
           ty
-      | None -> bug "variable `%s` (%d) of `%s` is read before it has a value" v.name v.id c.node.name)
+      | None ->
+          bug "variable `%s` (%d) of `%s` is read before it has a value" v.name v.id c.node.name)
   | Field f -> field_type c f
   | Dt ->
       if not c.node.seconds then bug "`%s` reads dt and does not say so" c.node.name;
@@ -284,7 +287,8 @@ let both a b = Known.merge (fun _ x y -> match (x, y) with Some x, Some _ -> Som
 let loop c known (l : Ir.loop) =
   let callee : Ir.node = callee c l.node in
   (match (l.state, callee.state) with
-  | Some { content = States_of { node; count }; _ }, _ :: _ when node = l.node && count = l.count -> ()
+  | Some { content = States_of { node; count }; _ }, _ :: _
+    when node = l.node && count = l.count -> ()
   | None, [] -> ()
   | _, _ -> bug "a loop over `%s` has a wrong state" callee.name);
   let accumulators = List.length l.initial in
@@ -387,7 +391,8 @@ let code c (code : Ir.code) =
   in
   List.iter (declare c) code.parameters;
   let known = block c 0 (List.fold_left readable start code.parameters) code.body in
-  if not (Known.is_empty known.pending) then bug "a variable of `%s` never gets its value" c.node.name;
+  if not (Known.is_empty known.pending) then
+    bug "a variable of `%s` never gets its value" c.node.name;
   known
 
 (* Values of which C keeps the memory live for the instant. *)
@@ -407,7 +412,8 @@ let without_body (node : Ir.node) =
 let wrote_all c what known =
   List.iter
     (fun (f : Ir.field) ->
-      if not (Known.mem f.id known.fields) then bug "`%s` does not %s its field `%s`" c.node.name what f.name)
+      if not (Known.mem f.id known.fields) then
+        bug "`%s` does not %s its field `%s`" c.node.name what f.name)
     c.node.state
 
 let program (program : Ir.program) =
@@ -428,7 +434,8 @@ let program (program : Ir.program) =
       let given, untold = Option.value node.ends_early ~default:(0, max_int) in
       List.iteri
         (fun k _ ->
-          if k >= given && k < untold && not (Known.mem k after_step.results) then bug "`%s` does not write its result %d" node.name k)
+          if k >= given && k < untold && not (Known.mem k after_step.results) then
+            bug "`%s` does not write its result %d" node.name k)
         node.outputs;
       if node.reset.body <> [] || index = Array.length program.nodes - 1 then
         wrote_all (context ()) "reset" (code (context ()) node.reset))

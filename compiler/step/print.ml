@@ -68,8 +68,10 @@ let rec expr c ppf (e : Ir.expr) =
 
 and operand c ppf (e : Ir.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Field _ | Dt | Dt_nanoseconds | Call _
-  | Construct _ | Elements _ | Fill _ | Index _ | At _ | Replace _ | Payload _ | Seconds _ | In_nanoseconds _
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Field _ | Dt
+  | Dt_nanoseconds | Call _
+  | Construct _ | Elements _ | Fill _ | Index _ | At _ | Replace _ | Payload _ | Seconds _
+  | In_nanoseconds _
   | Later _ | Soon _ | Reached _ | Rest _ ->
       expr c ppf e
   | Operation { operator = o; _ } when not (is_symbol (operator o)) -> expr c ppf e

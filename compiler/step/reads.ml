@@ -23,9 +23,7 @@ let of_body body =
       | Variable v -> Int_table.replace reads.variables v.id ()
       | Dt -> reads.seconds <- true
       | Dt_nanoseconds -> reads.nanoseconds <- true
-      | Elements _ | Fill _ | Index _ | At _ | Replace _ | Field _ | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Operation _ | Select _ | Construct _
-      | Is_constructor _ | Payload _ | Call _ | Seconds _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ ->
-          ())
+      | _ -> ())
     body;
   reads
 

@@ -1,7 +1,8 @@
 open Ir
 
 let children = function
-  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Field _ | Dt | Dt_nanoseconds -> []
+  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Field _ | Dt
+  | Dt_nanoseconds -> []
   | Operation { arguments; _ } | Call { arguments; _ } -> arguments
   | Select { condition; then_; else_ } -> [ condition; then_; else_ ]
   | Construct { payload; _ } -> payload
@@ -10,8 +11,10 @@ let children = function
   | Index { array; _ } -> [ array ]
   | At { array; index; default; _ } -> [ array; index; default ]
   | Replace { array; index; value; _ } -> [ array; index; value ]
-  | Is_constructor { value; _ } | Payload { value; _ } | Seconds value | In_nanoseconds value -> [ value ]
-  | Later (a, b) | Soon (a, b) | Reached { time = a; period = b } | Rest { time = a; period = b } -> [ a; b ]
+  | Is_constructor { value; _ } | Payload { value; _ } | Seconds value | In_nanoseconds value ->
+      [ value ]
+  | Later (a, b) | Soon (a, b) | Reached { time = a; period = b } | Rest { time = a; period = b } ->
+      [ a; b ]
 
 let rec expression visit e =
   visit e;

@@ -183,4 +183,4 @@ let reset context resolve (i : F.instance) state =
   let statements arguments =
     [ Ir.Reset { node = i.node; state; arguments; span = i.span } ]
   in
-  Action { defines = []; operands; statements; always = true; advances = None; weight = 0; span = i.span }
+  Draft.work ~operands i.span statements

@@ -36,7 +36,8 @@ let one = function [ e ] -> e | _ -> broken "an operation with a wrong number of
    [x == x], which asks whether x is a number. *)
 let without_self_comparison (rhs : F.rhs) : F.rhs =
   match rhs with
-  | Op ((Less | Less_equal | Equal) as operator, [ (Signal a as x); Signal b ]) when a.id = b.id -> (
+  | Op ((Less | Less_equal | Equal) as operator, [ (Signal a as x); Signal b ])
+    when a.id = b.id -> (
       match (operator, a.ty) with
       | Less, _ -> Copy (Bool false)
       | _, Float -> Op (Equal, [ x; x ])
@@ -78,7 +79,8 @@ let computed (eq : F.equation) rhs : computed =
         | Sum k -> k
         | Bool | Int | Float | Array _ | Foreign _ -> broken "a constructor outside a sum"
       in
-      make payload (1 + List.length payload) (fun payload -> Construct { sum; constructor; payload })
+      let construct payload : Ir.expr = Construct { sum; constructor; payload } in
+      make payload (1 + List.length payload) construct
   | Is_constructor (value, constructor) ->
       let sum = sum_of value in
       make [ value ] 1 (fun e -> Is_constructor { sum; value = one e; constructor })

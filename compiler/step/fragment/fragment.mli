@@ -69,4 +69,7 @@ and ending = {
 }
 
 (** The first transition, if much is computed only for those after it. *)
-and first = { occurs : atom; untold : int  (** where it occurs, results from here on do not count *) }
+and first = {
+  occurs : atom;
+  untold : int;  (** where it occurs, results from here on do not count *)
+}

@@ -45,7 +45,8 @@ let advance ~limited state (eq : F.equation) =
       (* It was less than the period, and dt is at most 10^18. *)
       let in_range = match period with Float x -> x <= 8e18 | Signal _ | Bool _ | Int _ -> false in
       let value =
-        if in_range then Ir.Soon (Field time, Dt_nanoseconds) else Later (Field time, Dt_nanoseconds)
+        if in_range then Ir.Soon (Field time, Dt_nanoseconds)
+        else Later (Field time, Dt_nanoseconds)
       in
       Some (Assign { place = Own time; value; span = eq.span })
   | Some (Elapsed _ | Delayed _ | Differentiated _ | Kept _) | None -> None
@@ -85,7 +86,9 @@ let tick fresh draft (s : F.signal) time period span =
   Draft.leaf draft before (Field time);
   computed s [ Signal before; period ] (on_period (fun time period -> Ir.Reached { time; period }));
   computed rest [ Signal before; period ] (on_period (fun time period -> Ir.Rest { time; period }));
-  computed next ~choice:(Signal s, Signal rest, Signal before) [ Signal s; Signal rest; Signal before ]
+  computed next
+    ~choice:(Signal s, Signal rest, Signal before)
+    [ Signal s; Signal rest; Signal before ]
     (function
     | [ condition; then_; else_ ] -> Select { condition; then_; else_ }
     | _ -> broken "a choice with a wrong number of operands");
@@ -111,7 +114,14 @@ let step ~fresh ~limited draft state (eq : F.equation) =
       in
       Draft.add draft
         (Computed
-           { signal = s; operands = [ Signal now ]; build; choice = None; weight = 5; span = eq.span })
+           {
+             signal = s;
+             operands = [ Signal now ];
+             build;
+             choice = None;
+             weight = 5;
+             span = eq.span;
+           })
   | Some (Ticked { time; period }) -> tick fresh draft s time (Draft.resolve draft period) eq.span
   | Some (Integrated { value; _ }) -> Draft.leaf draft s (Field value)
   | Some (Differentiated { value; input }) ->
@@ -127,7 +137,8 @@ let next draft state (eq : F.equation) =
   match (State.memory state eq.defines, eq.rhs) with
   | Some (Delayed field), Delay { next; _ } ->
       Some (field, Draft.resolve draft next, Some eq.defines, eq.span)
-  | Some (Integrated { input = Field input; _ }), Integral atom -> Some (input, Draft.resolve draft atom, None, eq.span)
+  | Some (Integrated { input = Field input; _ }), Integral atom ->
+      Some (input, Draft.resolve draft atom, None, eq.span)
   | _, _ -> None
 
 let assign field value span = Ir.Assign { place = Own field; value; span }

@@ -11,7 +11,12 @@ val advance : limited:(Flow.Ir.atom -> bool) -> State.t -> Flow.Ir.equation -> I
     the node's time with it needs no check (see {!Flow.Time_limit}). *)
 
 val step :
-  fresh:(unit -> int) -> limited:(Flow.Ir.atom -> bool) -> Draft.t -> State.t -> Flow.Ir.equation -> unit
+  fresh:(unit -> int) ->
+  limited:(Flow.Ir.atom -> bool) ->
+  Draft.t ->
+  State.t ->
+  Flow.Ir.equation ->
+  unit
 (** The equation's value, and what changes where it stands; one without memory
     is computed. [fresh] gives ids for signals; [limited] as in {!advance}. *)
 

@@ -139,7 +139,8 @@ let step context (m : F.machine) =
   let weight =
     List.fold_left (fun sum mode -> sum + (context.callee mode).Ir.operations) 4 m.modes
   in
-  Action { defines = m.outputs; operands; statements; always = true; advances = None; weight; span = m.span }
+  let defines = m.outputs and span = m.span in
+  Action { defines; operands; statements; always = true; advances = None; weight; span }
 
 let start context (m : F.machine) =
   let transitions = Flow.Transitions.map context.resolve m.start in
@@ -175,4 +176,4 @@ let start context (m : F.machine) =
     in
     choose transitions @ clock
   in
-  Action { defines = []; operands; statements; always = true; advances = None; weight = 0; span = m.span }
+  Draft.work ~operands m.span statements

@@ -106,7 +106,8 @@ let equation t { defines = s; rhs; span } =
       let value = field ~name ~purpose:"derivative" in
       let input = field ~name:(name ^ "_input") ~purpose:"its last input" in
       remember t s (Differentiated { value; input })
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _
+  | Index _
   | At _ | Replace _ | Step_time -> ()
 
 let kept_name rhs =
@@ -116,7 +117,8 @@ let kept_name rhs =
   match rhs with
   | Op (Elementary e, operand :: _) -> after (Core.Primitive.name (Elementary e)) operand
   | Op (Pow, operand :: _) -> after "pow" operand
-  | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
+  | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _
+  | Index _
   | At _ | Replace _ | Delay _ | Time _ | Step_time | Ticks _ | Integral _
   | Derivative _ ->
       "start_value"
@@ -152,7 +154,10 @@ let machine_of t ~callee ~statics (m : Flow.Ir.machine) =
     | [] | [ _ ] -> None
     | _ :: _ :: _ -> Some (field "mode" Ir.Running_mode "the mode that runs")
   in
-  let room = if List.exists keeps modes then Some (field "modes" (Ir.Modes modes) "what they keep") else None in
+  let room =
+    if List.exists keeps modes then Some (field "modes" (Ir.Modes modes) "what they keep")
+    else None
+  in
   let looks_at_time mode =
     let node : Ir.node = callee mode in
     node.seconds || node.nanoseconds

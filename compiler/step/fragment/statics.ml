@@ -16,7 +16,8 @@ let is_expensive = function
         | Minimum | Maximum | Divide | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling
         | Truncate | Not | And | Or ),
         _ )
-  | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
+  | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _
+  | Index _
   | At _ | Replace _ | Delay _ | Time _ | Step_time | Ticks _ | Integral _
   | Derivative _ ->
       false
@@ -59,7 +60,9 @@ let classify work item =
         && List.for_all (is_static work) i.statics
         && List.for_all (is_static work) i.inputs
         && List.for_all (lasts work) i.outputs
-      then List.iter (fun (s : Flow.Ir.signal) -> Int_table.replace work.static s.id Costly) i.outputs
+      then
+        let costly (s : Flow.Ir.signal) = Int_table.replace work.static s.id Costly in
+        List.iter costly i.outputs
   | Trial _ | Machine _ ->
       List.iter
         (fun (s : Flow.Ir.signal) -> Int_table.replace work.definer s.id item)
@@ -111,7 +114,9 @@ let read_in_step (program : Flow.Ir.program) (callee : int -> t) = function
   | Instance i ->
       let node = program.nodes.(i.node) in
       let read = (callee i.node).read_by_step in
-      let is_read (s : Flow.Ir.signal) = List.exists (fun (r : Flow.Ir.signal) -> r.id = s.id) read in
+      let is_read (s : Flow.Ir.signal) =
+        List.exists (fun (r : Flow.Ir.signal) -> r.id = s.id) read
+      in
       let add all parameter atom = if is_read parameter then atom :: all else all in
       List.fold_left2 add i.inputs node.statics i.statics
   | Trial (_, trial) -> List.filter_map Fun.id trial.given

@@ -190,7 +190,8 @@ let split (fragment : Fragment.t) =
     find_users t;
     settle t;
     let first atom = not (reads_kept t atom) in
-    List.iteri (fun k (_, atom, _) -> if first atom then t.late_results.(k) <- false) fragment.results;
+    let settle_result k (_, atom, _) = if first atom then t.late_results.(k) <- false in
+    List.iteri settle_result fragment.results;
     Option.iter (fun (atom, _) -> if first atom then t.late_return <- false) fragment.returned;
     (* What these are made of. *)
     settle t;

@@ -238,7 +238,8 @@ let place_computed t (c : computed) uses =
       let branch = shared_branch t ~uses block condition c.span in
       branch.uninitialized <- variable :: branch.uninitialized;
       let assign block update =
-        store t ~branch:(shared_branch t ~uses) block { place = Local variable; update; span = c.span }
+        store t ~branch:(shared_branch t ~uses) block
+          { place = Local variable; update; span = c.span }
       in
       assign branch.else_ else_;
       assign branch.then_ then_
@@ -306,7 +307,9 @@ let statements_of feedback (fragment : Fragment.t) =
       store_results root (Usage.results usage);
       items (fun _ -> root)
   | Some ending ->
-      let results from until = List.filteri (fun k _ -> k >= from && k < until) (Usage.results usage) in
+      let results from until =
+        List.filteri (fun k _ -> k >= from && k < until) (Usage.results usage)
+      in
       let needed = Early_end.needed fragment ending in
       let outer, is_needed_first =
         match ending.first with

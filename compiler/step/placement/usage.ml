@@ -313,7 +313,8 @@ let of_fragment feedback (fragment : Fragment.t) =
   count_all t;
   let writes = List.rev_map (state_write t) fragment.states in
   t.writes <-
-    List.rev (List.filter (fun w -> match w.update with Keep -> false | Set _ | Branch _ -> true) writes);
+    List.rev
+      (List.filter (fun w -> match w.update with Keep -> false | Set _ | Branch _ -> true) writes);
   count_all t;
   find_branching t;
   bound_sizes t;
