@@ -70,7 +70,11 @@ let lacks_else found =
 let plain found =
   let expected, state_hints = message_of_state found.state in
   let d =
-    Diagnostic.error ~code:"E0110" ~at:(span found.token) "%s, found %s" expected (describe found)
+    match foreign found with
+    | Some (text, at) -> Diagnostic.error ~code:"E0110" ~at "Frob has no `%s`" text
+    | None ->
+        Diagnostic.error ~code:"E0110" ~at:(span found.token) "%s, found %s" expected
+          (describe found)
   in
   let hints =
     match hint found ~state_hints with
@@ -104,7 +108,7 @@ let rec bracket_of_item : Layout.context -> ((string * string) * Layout.origin) 
 
 let unclosed found ((opener, closer), by) =
   Diagnostic.error ~code:"E0111" ~at:(opener_span by) "this `%s` is never closed" opener
-  |> Diagnostic.label ~at:(span found.token) (Printf.sprintf "expected `%s` by here" closer)
+  |> Diagnostic.label ~at:(span found.token) (Printf.sprintf "a `%s` belongs before this" closer)
   |>
   let at = found.token.start.pos_cnum in
   if at < String.length found.text && found.text.[at] = ';' && String.equal opener "{" then

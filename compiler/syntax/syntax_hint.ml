@@ -137,20 +137,18 @@ let foreign_operator found (before : Layout.token) =
     | ".." -> Some "there are no ranges; `generate (\\i -> …)` makes an array by the index"
     | _ -> None
 
+(* Where the word that starts at this offset starts and ends. *)
+let word_from found first =
+  let rec stop i = match char_at found i with 'a' .. 'z' | 'A' .. 'Z' -> stop (i + 1) | _ -> i in
+  (first, stop first)
+
+let rec first_word_from found i =
+  if char_at found i = ' ' then first_word_from found (i + 1) else word_from found i
+
+let part found (first, last) = String.sub found.text first (last - first)
+
 (* The word at the left edge of the line: what other languages begin it with. *)
-let first_word found =
-  let bol = found.token.start.pos_bol in
-  let rec stop i = match char_at found i with 'a' .. 'z' -> stop (i + 1) | _ -> i in
-  String.sub found.text bol (stop bol - bol)
-
-let line_of found =
-  let bol = found.token.start.pos_bol in
-  let stop =
-    Option.value (String.index_from_opt found.text bol '\n') ~default:(String.length found.text)
-  in
-  String.sub found.text bol (max 0 (stop - bol))
-
-let begins word start = String.starts_with ~prefix:start word
+let first_word found = part found (word_from found found.token.start.pos_bol)
 
 (* The word that ends before this offset, with only blanks between. *)
 let word_before found offset =
@@ -181,14 +179,17 @@ let opens_fields found sign =
   && at + String.length sign <= String.length found.text
   && String.equal (String.sub found.text at (String.length sign)) sign
 
-(* The first line of the definition at the left edge that the found token is in. *)
-let first_line_of_definition found =
+(* Where the definition at the left edge starts that the found token is in. *)
+let start_of_definition found =
   let rec start i =
     if i = 0 then 0
     else if found.text.[i - 1] = '\n' && not (is_blank (char_at found i)) then i
     else start (i - 1)
   in
-  let first = start found.token.start.pos_bol in
+  start found.token.start.pos_bol
+
+let first_line_of_definition found =
+  let first = start_of_definition found in
   let last =
     Option.value (String.index_from_opt found.text first '\n') ~default:(String.length found.text)
   in
@@ -206,24 +207,31 @@ let no_procedures =
   "there are no procedures: a robot's program is equations that hold at every instant, \
    `main = reactimateRobot (proc i -> roMake (setVelTR v omega))`"
 
-let beginning_of_line = function
-  | ("end" | "endif" | "endfunction") :: _ -> Some by_equation
-  | ("for" | "foreach") :: _ ->
+let of_beginning = function
+  | "end" | "endif" | "endfunction" -> Some by_equation
+  | "for" | "foreach" ->
       Some
         "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, \
          `forEachT xs f` does a task for each"
-  | word :: _ when List.exists (begins word) [ "print"; "disp"; "fprintf"; "Serial"; "cout";
-    "puts" ] ->
+  | "print" | "println" | "printf" | "disp" | "fprintf" | "Serial" | "cout" | "puts" ->
       Some "nothing is printed: what is to be seen is an output, and `--record` writes all of them"
   | _ -> None
 
-(* The first word of the definition or of the line, with which other languages begin. *)
+(* The line of the definition or this one, if it begins as in other languages, and what is
+   said of that. *)
 let beginning found =
-  let words line = String.split_on_char ' ' (String.trim line) in
-  match (words (first_line_of_definition found), words (line_of found)) with
-  | "void" :: _, _ -> Some no_procedures
-  | "function" :: _, _ -> Some by_equation
-  | _, words -> beginning_of_line words
+  let start = found.token.start in
+  let bol = start_of_definition found in
+  let above = String.split_on_char '\n' (String.sub found.text bol (start.pos_cnum - bol)) in
+  let definition =
+    { start with pos_bol = bol; pos_lnum = start.pos_lnum + 1 - List.length above }
+  in
+  match part found (word_from found bol) with
+  | "void" -> Some (definition, no_procedures)
+  | "function" -> Some (definition, by_equation)
+  | _ ->
+      let word = part found (first_word_from found start.pos_bol) in
+      Option.map (fun hint -> (start, hint)) (of_beginning word)
 
 (* [MyRobot] of `my-robot`, which begins with the token. *)
 let module_name found =
@@ -243,7 +251,7 @@ let capital found =
 
 let of_token found =
   match (found.token.token, found.before) with
-  | _ when beginning found <> None -> beginning found
+  | _ when beginning found <> None -> Option.map snd (beginning found)
   | _, Some before when foreign_operator found before <> None -> foreign_operator found before
   | LOWER _, Some { token = MODULE | IMPORT | QUALIFIED; _ } -> capital found
   | QUALIFIED_UPPER _, Some { token = IMPORT | QUALIFIED; _ } ->
@@ -270,8 +278,7 @@ let of_token found =
       Some (reserved_word (written found word))
   | (EQUAL | BAR | DOUBLE_COLON), _ when lacks_where found ->
       Some "the methods follow `where`, each on a line of its own"
-  | EQUAL, Some { stop; _ } when stop.pos_cnum = found.token.start.pos_cnum
-    && assigns found <> None ->
+  | EQUAL, Some before when is_adjacent found before && assigns found <> None ->
       assigns found
   | EQUAL, Some ({ token = LOWER _; _ } as name)
     when stands_after found "then" name || stands_after found "else" name ->
@@ -341,6 +348,45 @@ let hint found ~state_hints =
   | None, (_ :: _ as hints), _ -> hints
   | None, [], Some hint -> [ hint ]
   | None, [], None -> []
+
+(* The operator that the found token is a part of, where other languages have it. *)
+let foreign_operator_around found =
+  let is_foreign =
+    match (found.token.token, found.before) with
+    | BAR, _ | SLASH, None -> is_symbol (after found)
+    | EQUAL, Some before -> is_adjacent found before && assigns found <> None
+    | _, Some before -> foreign_operator found before <> None
+    | _, None -> false
+  in
+  let rec first i = if is_symbol (char_at found (i - 1)) then first (i - 1) else i in
+  let rec last i = if is_symbol (char_at found i) then last (i + 1) else i in
+  if is_foreign then Some (first found.token.start.pos_cnum, last found.token.stop.pos_cnum)
+  else None
+
+(* The `elif` before this `then`. *)
+let else_if found =
+  let stop = found.token.start.pos_cnum in
+  let rec words i =
+    if i < found.token.start.pos_bol then None
+    else
+      let (_, last) as word = word_from found i in
+      if List.mem (part found word) [ "elif"; "elsif"; "elseif" ] && last < stop then Some word
+      else words (i - 1)
+  in
+  match found.token.token with
+  | THEN when opens_with Layout.Then found.context -> words stop
+  | _ -> None
+
+let foreign found =
+  let at (line : Lexing.position) ((first, last) as it) =
+    let there offset = { line with pos_cnum = offset } in
+    (part found it, Build.span (there first, there last))
+  in
+  let here = found.token.start in
+  match (beginning found, foreign_operator_around found) with
+  | Some (line, _), _ -> Some (at line (first_word_from found line.pos_bol))
+  | None, Some it -> Some (at here it)
+  | None, None -> Option.map (at here) (else_if found)
 
 let other_place found diagnostic =
   match found.context with

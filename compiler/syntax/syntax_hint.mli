@@ -25,5 +25,8 @@ val hint : found -> state_hints:string list -> string list
 (** What the token suggests; else what was said for the automaton's state; else
     what usually goes wrong at such a token. *)
 
+val foreign : found -> (string * Basis.Span.t) option
+(** The word or operator of other languages at which the text breaks off, and where it is. *)
+
 val other_place : found -> Basis.Diagnostic.t -> Basis.Diagnostic.t
 (** Labels what the token should have gone with, if that is on another line. *)

@@ -3,7 +3,7 @@ let made_into_float = "`toFloat n` makes a Float of an Int"
 let whole_division = "`div` and `mod` of Ints round to minus infinity"
 let wrapped = "it is `wrapAngle a`: `import Geometry`"
 let clamped = "it is `clamp low high x`: `import Control`"
-let no_module = "the functions on numbers need no module: `sqrt x`"
+let no_module = "the functions on numbers need no module: `abs x`, `sqrt x`"
 let filled = "`generate (const 0)` makes an array of as many elements as its type says"
 let fixed_size = "an array keeps its size: `replace i x xs` has another element at i"
 

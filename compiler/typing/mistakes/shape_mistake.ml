@@ -102,8 +102,7 @@ let vector words ?(elements = []) wanted =
     let value i field =
       let element = List.nth_opt elements i in
       let text = Option.bind element (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
-      Printf.sprintf "%s = %s" field
-        (Option.value text ~default:(Variable_name.nth Variable_name.Type i))
+      Printf.sprintf "%s = %s" field (Option.value text ~default:"…")
     in
     Some
       (Printf.sprintf "`%s { %s }`, with `import Geometry`" name
