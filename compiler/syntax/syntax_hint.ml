@@ -63,7 +63,14 @@ let line_column found =
 
 let misplaced_line found =
   match innermost found.context with
-  | Some (((Let | Where | Do | Of | Rec) as block), { column; _ })
+  | Some (Let, { column; _ })
+    when found.token.first && found.token.column > 1 && found.token.column < column ->
+      Some
+        (Printf.sprintf
+           "`in` comes before the expression, as in `let x = 1 in x + x`; one more definition \
+            starts at column %d"
+           column)
+  | Some (((Where | Do | Of | Rec) as block), { column; _ })
     when found.token.first && found.token.column > 1 && found.token.column < column ->
       Some
         (Printf.sprintf "the %s of this block start at column %d, but this line at column %d"

@@ -92,19 +92,36 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
   in
   let cycle = map (fun (h : Chains.hop) -> h.from) hops in
   let hops = map hop hops in
-  (* Where a task of the program's runs inside a combinator, it is that which may end. *)
-  let is_task origin (node : Ir.node) =
+  let task origin (node : Ir.node) =
     String.equal node.origin origin
     && Option.is_some node.machine
     && Own_code.is_own ~entry node.span
   in
+  let tasks = Array.to_list program.nodes in
+  (* Where a definition of the program's runs inside a combinator, it is that which may end. *)
   let mode (v, _, (t : Ir.transition), source) =
+    let here = program.nodes.(modes.(v)) in
+    let is_elsewhere origin (node : Ir.node) =
+      let is_within =
+        String.equal here.span.file node.span.file
+        && Span.compare (Span.merge here.span node.span) here.span = 0
+      in
+      task origin node && not is_within
+    in
     match (t.by, source) with
-    | Statement _, Some (origin, _) when Array.exists (is_task origin) program.nodes -> (v, origin)
-    | (Statement _ | Continuation _), _ -> (v, program.nodes.(modes.(v)).origin)
+    | Statement _, Some (origin, _) when List.exists (is_elsewhere origin) tasks -> (v, origin)
+    | (Statement _ | Continuation _), _ -> (v, here.origin)
   in
   let names = map mode hops in
   let name v = List.assoc v names in
+  (* What is written inside the mode has ended with it. *)
+  let within_mode (v, w, (t : Ir.transition), source) =
+    let of_task (origin, at) = ((if List.exists (task origin) tasks then name v else origin), at) in
+    match t.by with
+    | Statement _ -> (v, w, t, Option.map of_task source)
+    | Continuation _ -> (v, w, t, source)
+  in
+  let hops = map within_mode hops in
   let at =
     place ~entry uses index program (map (fun k -> modes.(k)) cycle) hops modes.(List.hd cycle)
   in

@@ -119,6 +119,10 @@ let report sink sources position obstacle (e : expr) ~head ~input =
       (run "outside of a `proc`" "E0341"
       |> Diagnostic.here "the statements of a task run no signal functions"
       |> Diagnostic.hint
+           (let asked = Option.value (quote sources head) ~default:"…" in
+            Printf.sprintf "to read it once: `x <- ask %s` before, and `x` here"
+              (Source.grouped asked))
+      |> Diagnostic.hint
            "a task in which it runs at every instant is `mkTask (proc i -> (output, event))`")
   | In_branch condition -> of_choice "in a branch" condition
   | In_guard -> of_choice "in a guard" None

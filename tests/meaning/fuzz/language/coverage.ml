@@ -54,9 +54,6 @@ let noted =
     "function chosen at run time"; "method of a class"; "division by zero"; "NaN"; "unit";
   ]
 
-(* Not for random programs: this one is the other's own loop. *)
-let left_out = [ "forEachFromT" ]
-
 (* The names whose types stand in the text. *)
 let prelude_names text =
   let names line =
@@ -72,7 +69,6 @@ let prelude_names text =
     | _ -> []
   in
   List.concat_map names (String.split_on_char '\n' text)
-  |> List.filter (fun name -> not (List.mem name left_out))
 
 let count_words coverage text = words text (note coverage)
 
