@@ -212,6 +212,7 @@ hold an instance.
   19 |     sleepT 1[s] (sf y)
      |                  ^^^^ the statements of a task run no signal functions
      |
+     = hint: to read it once: `x <- ask sf` before, and `x` here
      = hint: a task in which it runs at every instant is `mkTask (proc i -> (output, event))`
   
   5 errors

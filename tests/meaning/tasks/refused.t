@@ -218,7 +218,7 @@ and `untilT` is the cure that neither waits for a change nor stands still.
   > past limit = mkTask (proc x -> (limit, when (x > limit)))
   > EOF
   $ frobc check corners.frob 2>&1 | without_lines
-  error[E0402]: `past → forEachFromT → past` may go round for ever within one instant
+  error[E0402]: `past → forEachT → past` may go round for ever within one instant
      --> corners.frob:5:14
       |
     5 | past limit = mkTask (proc x -> (limit, when (x > limit)))
@@ -228,8 +228,8 @@ and `untilT` is the cure that neither waits for a change nor stands still.
       |
      ::: stdlib/Prelude.frob
       |
-      |     forEachFromT (k + 1) xs task
-      |     ---------------------------- `past` may start `past` at its own first instant
+      |         forEachT (i + 1)
+      |         ---------------- `past` may start `past` at its own first instant
       |
       = note: at an instant at which `when` occurs as soon as `past` starts, nothing waits for the next one
       = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
@@ -257,6 +257,34 @@ A task in a combinator of the library's is called by its own name.
   ...
     5 | blink = mkTask (proc x -> (1, when (x > 1)))
       |         ------------------------------------ `blink` may end at its first instant
+      |
+     ::: stdlib/Prelude.frob
+      |
+      |     forever t
+      |     --------- `blink` may start `blink` at its own first instant
+      |
+      = note: at an instant at which `blink` is left as soon as it starts, nothing waits for the next one
+      = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
+  
+  1 error
+
+One that is written in the combinator's argument is called as the definition around both.
+
+  $ cat > within.frob <<'EOF'
+  > main :: SF Float (Either Float ())
+  > main = runTask (forever blink)
+  > 
+  > blink :: Task Float Float (Maybe ())
+  > blink = timeOut (whenT False (sleepT 1[s] 1)) 1[s]
+  > EOF
+  $ frobc check within.frob 2>&1 | without_lines
+  error[E0402]: `blink → forever → blink` may go round for ever within one instant
+     --> within.frob:5:9
+      |
+    5 | blink = timeOut (whenT False (sleepT 1[s] 1)) 1[s]
+      |         ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+      |                  |
+      |                  `blink` may end at its first instant
       |
      ::: stdlib/Prelude.frob
       |
@@ -330,7 +358,7 @@ program asks for it, with what takes time there.
   > main = reactimateTask (forever (forEachT [Vec2 1[m] 2[m], zeroVec] driveTo))
   > FROB
   $ frobc check places.frob --robot pioneer 2>&1 | sed 's/frob:[0-9]*:\([0-9]*\)$/frob:N:\1/; s/^ *[0-9]* |/  N |/'
-  error[E0402]: `driveTo → forEachFromT → driveTo` may go round for ever within one instant
+  error[E0402]: `driveTo → forEachT → driveTo` may go round for ever within one instant
      --> places.frob:N:1
     N |
     N | main = reactimateTask (forever (forEachT [Vec2 1[m] 2[m], zeroVec] driveTo))
@@ -341,10 +369,10 @@ program asks for it, with what takes time there.
     N |     arrived = atPlace goal i
     N |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
     N |
-     ::: stdlib/Prelude.frob:N:5
+     ::: stdlib/Prelude.frob:N:9
     N |
-    N |     forEachFromT (k + 1) xs task
-    N |     ---------------------------- `driveTo` may start `driveTo` at its own first instant
+    N |         forEachT (i + 1)
+    N |         ---------------- `driveTo` may start `driveTo` at its own first instant
     N |
       = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one
       = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile

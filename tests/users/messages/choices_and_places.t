@@ -172,7 +172,7 @@ Records have constructors, and commas:
    --> semicolon.frob:1:12
     |
   1 | data P = P { pos :: Distance; vel :: Velocity }
-    |            ^                - expected `}` by here
+    |            ^                - a `}` belongs before this
     |
     = hint: a `;` ends a definition; there is a `,` between two fields
   
@@ -404,7 +404,7 @@ What a switch takes, what a program is made of, what is computed with arrays, an
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: a vector has its fields by name: `Vec2 { x = 1, y = b }`, with `import Geometry`
+    = hint: a vector has its fields by name: `Vec2 { x = 1, y = … }`, with `import Geometry`
   
   1 error
   [1]

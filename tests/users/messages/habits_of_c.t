@@ -5,11 +5,11 @@ What C and Python write differently is named in Frob's own words.
   > f x = x != 0
   > FROB
   $ frobc check differs.frob
-  error[E0110]: expected an operand after the operator, found `=`
-   --> differs.frob:2:10
+  error[E0110]: Frob has no `!=`
+   --> differs.frob:2:9
     |
   2 | f x = x != 0
-    |          ^
+    |         ^^
     |
     = hint: `/=` says that two values differ
   
@@ -53,11 +53,11 @@ What C and Python write differently is named in Frob's own words.
   > speed = 1
   > FROB
   $ frobc check comment.frob
-  error[E0110]: expected a definition, a signature or a declaration, found `/`
+  error[E0110]: Frob has no `//`
    --> comment.frob:1:1
     |
   1 | // the speed
-    | ^
+    | ^^
     |
     = hint: a comment starts with `--`
   
@@ -69,11 +69,11 @@ What C and Python write differently is named in Frob's own words.
   > f x = if x > 0 then 1 elif x < 0 then 2 else 3
   > FROB
   $ frobc check chain.frob
-  error[E0110]: expected `else` after the first branch, found `then`
-   --> chain.frob:2:34
+  error[E0110]: Frob has no `elif`
+   --> chain.frob:2:23
     |
   2 | f x = if x > 0 then 1 elif x < 0 then 2 else 3
-    |                                  ^^^^
+    |                       ^^^^
     |
     = hint: a chain of choices is written `if a then x else if b then y else z`
   
@@ -104,11 +104,11 @@ What C and Python write differently is named in Frob's own words.
   >     n += x
   > FROB
   $ frobc check assign.frob
-  error[E0110]: expected an operand after the operator, found `=`
-   --> assign.frob:3:8
+  error[E0110]: Frob has no `+=`
+   --> assign.frob:3:7
     |
   3 |     n += x
-    |        ^
+    |       ^^
     |
     = hint: nothing is assigned: an equation says what holds at every instant, as in `n = delay 0 n + 1`
   
@@ -203,11 +203,11 @@ Comments and counting as in C.
   > main = identity /* nothing */
   > FROB
   $ frobc check starred.frob
-  error[E0110]: expected an operand after the operator, found `*`
-   --> starred.frob:2:18
+  error[E0110]: Frob has no `/*`
+   --> starred.frob:2:17
     |
   2 | main = identity /* nothing */
-    |                  ^
+    |                 ^^
     |
     = hint: a comment is written `{- … -}`, or `--` up to the end of the line
   
@@ -220,11 +220,11 @@ Comments and counting as in C.
   >     n = x++
   > FROB
   $ frobc check counted.frob
-  error[E0110]: expected an operand after the operator, found `+`
-   --> counted.frob:3:11
+  error[E0110]: Frob has no `++`
+   --> counted.frob:3:10
     |
   3 |     n = x++
-    |           ^
+    |          ^^
     |
     = hint: nothing is counted up: an equation says what holds at every instant, as in `n = delay 0 n + 1`
   

@@ -174,11 +174,11 @@ Operators that only Haskell has, and its other ways to write a list, a branch an
   > go = sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0)) >>= \_ -> go
   > FROB
   $ frobc check bind.frob
-  error[E0110]: expected an operand after the operator, found `>=`
-   --> bind.frob:2:50
+  error[E0110]: Frob has no `>>=`
+   --> bind.frob:2:49
     |
   2 | go = sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0)) >>= \_ -> go
-    |                                                  ^^
+    |                                                 ^^^
     |
     = hint: tasks follow one another in a `do`, each on a line of its own
   
@@ -190,11 +190,11 @@ Operators that only Haskell has, and its other ways to write a list, a branch an
   > main = proc x -> "x = " ++ show x
   > FROB
   $ frobc check join.frob
-  error[E0110]: expected an operand after the operator, found `+`
-   --> join.frob:2:26
+  error[E0110]: Frob has no `++`
+   --> join.frob:2:25
     |
   2 | main = proc x -> "x = " ++ show x
-    |                          ^
+    |                         ^^
     |
     = hint: nothing is joined: a text is a label, and an array has a fixed size
   
@@ -206,11 +206,11 @@ Operators that only Haskell has, and its other ways to write a list, a branch an
   > f xs = xs !! 0
   > FROB
   $ frobc check index.frob
-  error[E0110]: expected an operand after the operator, found `!`
-   --> index.frob:2:12
+  error[E0110]: Frob has no `!!`
+   --> index.frob:2:11
     |
   2 | f xs = xs !! 0
-    |            ^
+    |           ^^
     |
     = hint: an element of an array is written `xs ! 0`, and `at i default xs` takes any index
   
@@ -222,11 +222,11 @@ Operators that only Haskell has, and its other ways to write a list, a branch an
   > xs = [1..4]
   > FROB
   $ frobc check range.frob
-  error[E0110]: expected an operand after the operator, found `.`
-   --> range.frob:2:9
+  error[E0110]: Frob has no `..`
+   --> range.frob:2:8
     |
   2 | xs = [1..4]
-    |         ^
+    |        ^^
     |
     = hint: there are no ranges; `generate (\i -> …)` makes an array by the index
   

@@ -26,11 +26,11 @@ C and Arduino:
   > }
   > FROB
   $ frobc check arduino_loop.frob
-  error[E0110]: expected `=`, `,` or `}` after the name of a field, found `(`
-   --> arduino_loop.frob:2:13
+  error[E0110]: Frob has no `void`
+   --> arduino_loop.frob:1:1
     |
-  2 |     setVelTR(0.2, 0);
-    |             ^
+  1 | void loop() {
+    | ^^^^
     |
     = hint: there are no procedures: a robot's program is equations that hold at every instant, `main = reactimateRobot (proc i -> roMake (setVelTR v omega))`
   
@@ -100,11 +100,11 @@ Python:
   >     print("speed", v))
   > FROB
   $ frobc check print_call.frob
-  error[E0110]: expected `=` after the left side of a definition, found the end of the block
-   --> print_call.frob:5:22
+  error[E0110]: Frob has no `print`
+   --> print_call.frob:5:5
     |
   5 |     print("speed", v))
-    |                      ^
+    |     ^^^^^
     |
     = hint: nothing is printed: what is to be seen is an output, and `--record` writes all of them
   
@@ -159,11 +159,11 @@ MATLAB:
   > main = arr twice
   > FROB
   $ frobc check matlab_function.frob
-  error[E0110]: expected an operator, an argument, or the end of this definition, found `=`
-   --> matlab_function.frob:2:7
+  error[E0110]: Frob has no `function`
+   --> matlab_function.frob:1:1
     |
-  2 |     y = 2 * x;
-    |       ^
+  1 | function y = twice(x)
+    | ^^^^^^^^
     |
     = hint: a function is defined by an equation, `f x = …`, and a block ends where the indentation does
   
@@ -174,11 +174,11 @@ MATLAB:
   > main = proc xs -> xs .^ 2
   > FROB
   $ frobc check element_powers.frob
-  error[E0110]: expected an operand after the operator, found `^`
-   --> element_powers.frob:2:23
+  error[E0110]: Frob has no `.^`
+   --> element_powers.frob:2:22
     |
   2 | main = proc xs -> xs .^ 2
-    |                       ^
+    |                      ^^
     |
     = hint: operators are of numbers: `map (\x -> x ^ 2) xs` computes with each of an array, `zipWith (*) xs ys` with those of two
   
@@ -210,11 +210,11 @@ Haskell:
   > main = proc (a, b) -> a |+| b
   > FROB
   $ frobc check operator_definition.frob
-  error[E0110]: expected an expression or an operator after `(`, found `|`
+  error[E0110]: Frob has no `|+|`
    --> operator_definition.frob:1:2
     |
   1 | (|+|) :: Float -> Float -> Float
-    |  ^
+    |  ^^^
     |
     = hint: programs define no operators; a function stands between in backticks: ``a `f` b``
   
@@ -225,11 +225,11 @@ Haskell:
   > main = proc e -> (* 2) <$> e
   > FROB
   $ frobc check fmap_operator.frob
-  error[E0110]: expected an operand after the operator, found `$`
-   --> fmap_operator.frob:2:25
+  error[E0110]: Frob has no `<$>`
+   --> fmap_operator.frob:2:24
     |
   2 | main = proc e -> (* 2) <$> e
-    |                         ^
+    |                        ^^^
     |
     = hint: `mapE f e` applies a function to an event's value, `map f xs` to each of an array
   

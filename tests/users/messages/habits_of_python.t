@@ -87,11 +87,11 @@ What Python writes, in Frob's words.
   > half n = n // 2
   > FROB
   $ frobc check division.frob
-  error[E0110]: expected an operand after the operator, found `/`
-   --> division.frob:2:13
+  error[E0110]: Frob has no `//`
+   --> division.frob:2:12
     |
   2 | half n = n // 2
-    |             ^
+    |            ^^
     |
     = hint: a comment starts with `--`; whole numbers are divided by `div`
   

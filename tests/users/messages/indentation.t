@@ -122,7 +122,7 @@ A bracket around a block that nothing closes: the bracket is shown, and the defi
     |                       ^
   3 |     sleepT 1[s] (roMake (setVelTR 0.3[m/s] 0))
   4 |     sleepT 1[s] (roMake (setVelTR 0 0))
-    |                                        - expected `)` by here
+    |                                        - a `)` belongs before this
   
   error[E0110]: expected an operand after the operator, found the end of the file
    --> unclosed.frob:7:12

@@ -60,9 +60,9 @@ Names that other languages have are answered with what they are here. Of each na
   wrapToPi: it is `wrapAngle a`: `import Geometry`
   normalize_angle: it is `wrapAngle a`: `import Geometry`
   shortest_angular_distance: it is `angleDiff a b`: `import Geometry`
-  math.sqrt: the functions on numbers need no module: `sqrt x`
-  Math.sqrt: the functions on numbers need no module: `sqrt x`
-  np.abs: the functions on numbers need no module: `sqrt x`
+  math.sqrt: the functions on numbers need no module: `abs x`, `sqrt x`
+  Math.sqrt: the functions on numbers need no module: `abs x`, `sqrt x`
+  np.abs: the functions on numbers need no module: `abs x`, `sqrt x`
   random: noise that is the same in each run is `whiteNoise 1 ()`, of a seed: `import Sources`
   $ hint minimum maximum average len enumerate zeros append null TRUE
   minimum: the least element of an array is `minimumBy id xs`

@@ -57,6 +57,7 @@ A sense lacks its input, is read like a field, or in a task:
   8 |     if frontSonar i < 0.5[m]
     |        ^^^^^^^^^^^^ the statements of a task run no signal functions
     |
+    = hint: to read it once: `x <- ask frontSonar` before, and `x` here
     = hint: a task in which it runs at every instant is `mkTask (proc i -> (output, event))`
   
   1 error
@@ -155,7 +156,7 @@ What comes out is not an output, or takes time:
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: a vector has its fields by name: `Vec2 { x = 1[m], y = b }`, with `import Geometry`
+    = hint: a vector has its fields by name: `Vec2 { x = 1[m], y = … }`, with `import Geometry`
   
   error[E0301]: expected `Point2`, found a number
    --> place_as_two_numbers.frob:5:13
@@ -165,7 +166,7 @@ What comes out is not an output, or takes time:
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: a vector has its fields by name: `Vec2 { x = 0, y = b }`, with `import Geometry`
+    = hint: a vector has its fields by name: `Vec2 { x = 0, y = … }`, with `import Geometry`
   
   2 errors
   [1]

@@ -50,6 +50,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   8 |     if frontSonar i < 0.5[m]
     |        ^^^^^^^^^^^^ the statements of a task run no signal functions
     |
+    = hint: to read it once: `x <- ask frontSonar` before, and `x` here
     = hint: a task in which it runs at every instant is `mkTask (proc i -> (output, event))`
   
   1 error
@@ -346,7 +347,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: a vector has its fields by name: `Vec2 { x = 1[m], y = b }`, with `import Geometry`
+    = hint: a vector has its fields by name: `Vec2 { x = 1[m], y = … }`, with `import Geometry`
   
   error[E0301]: expected `Point2`, found a number
    --> 030_place_as_two_numbers.frob:5:13
@@ -356,7 +357,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
     |     |
     |     argument 1 of `driveTo` is `Point2`
     |
-    = hint: a vector has its fields by name: `Vec2 { x = 0, y = b }`, with `import Geometry`
+    = hint: a vector has its fields by name: `Vec2 { x = 0, y = … }`, with `import Geometry`
   
   2 errors
   # 031_task_if_without_else.frob
@@ -562,7 +563,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
    --> 048_bracket_forgotten.frob:3:42
     |
   3 | main = reactimateRobot (proc i -> roMake (setVelTR v 0 where
-    |                                          ^             ----- expected `)` by here
+    |                                          ^             ----- a `)` belongs before this
   
   1 error
   # 049_where_not_indented.frob
@@ -684,11 +685,11 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   
   1 error
   # 059_list_range.frob
-  error[E0110]: expected an operand after the operator, found `.`
-   --> 059_list_range.frob:2:34
+  error[E0110]: Frob has no `..`
+   --> 059_list_range.frob:2:33
     |
   2 | main = proc x -> foldl (+) x [1 .. 10]
-    |                                  ^
+    |                                 ^^
     |
     = hint: there are no ranges; `generate (\i -> …)` makes an array by the index
   
@@ -707,21 +708,21 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   
   1 error
   # 061_bind_operator.frob
-  error[E0110]: expected an operand after the operator, or `)`, found `>=`
-   --> 061_bind_operator.frob:3:36
+  error[E0110]: Frob has no `>>=`
+   --> 061_bind_operator.frob:3:35
     |
   3 | main = reactimateTask (robotPlace >>= \p -> driveTo p)
-    |                                    ^^
+    |                                   ^^^
     |
     = hint: tasks follow one another in a `do`, each on a line of its own
   
   1 error
   # 062_fmap_operator.frob
-  error[E0110]: expected an operand after the operator, found `$`
-   --> 062_fmap_operator.frob:2:25
+  error[E0110]: Frob has no `<$>`
+   --> 062_fmap_operator.frob:2:24
     |
   2 | main = proc e -> (* 2) <$> e
-    |                         ^
+    |                        ^^^
     |
     = hint: `mapE f e` applies a function to an event's value, `map f xs` to each of an array
   
@@ -747,11 +748,11 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   
   1 error
   # 065_texts_joined.frob
-  error[E0110]: expected an operand after the operator, found `+`
-   --> 065_texts_joined.frob:2:28
+  error[E0110]: Frob has no `++`
+   --> 065_texts_joined.frob:2:27
     |
   2 | main = proc n -> "count " ++ show n
-    |                            ^
+    |                           ^^
     |
     = hint: nothing is joined: a text is a label, and an array has a fixed size
   
@@ -802,11 +803,11 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   
   1 error
   # 070_operator_definition.frob
-  error[E0110]: expected an expression or an operator after `(`, found `|`
+  error[E0110]: Frob has no `|+|`
    --> 070_operator_definition.frob:1:2
     |
   1 | (|+|) :: Float -> Float -> Float
-    |  ^
+    |  ^^^
     |
     = hint: programs define no operators; a function stands between in backticks: ``a `f` b``
   
@@ -875,7 +876,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   4 |         k * x
     |         ^
     |
-    = hint: the definitions of this block start at column 13, but this line at column 9
+    = hint: `in` comes before the expression, as in `let x = 1 in x + x`; one more definition starts at column 13
   
   1 error
   # 077_def_function.frob
@@ -889,21 +890,21 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   
   1 error
   # 078_plus_equals.frob
-  error[E0110]: expected an operand after the operator, found `=`
-   --> 078_plus_equals.frob:4:18
+  error[E0110]: Frob has no `+=`
+   --> 078_plus_equals.frob:4:17
     |
   4 |     if b then n += 1
-    |                  ^
+    |                 ^^
     |
     = hint: nothing is assigned: an equation says what holds at every instant, as in `n = delay 0 n + 1`
   
   1 error
   # 079_print_call.frob
-  error[E0110]: expected `=` after the left side of a definition, found the end of the block
-   --> 079_print_call.frob:5:22
+  error[E0110]: Frob has no `print`
+   --> 079_print_call.frob:5:5
     |
   5 |     print("speed", v))
-    |                      ^
+    |     ^^^^^
     |
     = hint: nothing is printed: what is to be seen is an output, and `--record` writes all of them
   
@@ -929,11 +930,11 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   
   1 error
   # 082_elif.frob
-  error[E0110]: expected `else` after the first branch, found `then`
-   --> 082_elif.frob:2:46
+  error[E0110]: Frob has no `elif`
+   --> 082_elif.frob:2:34
     |
   2 | main = proc x -> if x > 1 then 1 elif x < -1 then -1 else x
-    |                                              ^^^^
+    |                                  ^^^^
     |
     = hint: a chain of choices is written `if a then x else if b then y else z`
   
@@ -981,11 +982,11 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   
   1 error
   # 087_arduino_loop.frob
-  error[E0110]: expected `=`, `,` or `}` after the name of a field, found `(`
-   --> 087_arduino_loop.frob:2:13
+  error[E0110]: Frob has no `void`
+   --> 087_arduino_loop.frob:1:1
     |
-  2 |     setVelTR(0.2, 0);
-    |             ^
+  1 | void loop() {
+    | ^^^^
     |
     = hint: there are no procedures: a robot's program is equations that hold at every instant, `main = reactimateRobot (proc i -> roMake (setVelTR v omega))`
   
@@ -1035,11 +1036,11 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   
   1 error
   # 091_slash_comment.frob
-  error[E0110]: expected a definition, a signature or a declaration, found `/`
+  error[E0110]: Frob has no `//`
    --> 091_slash_comment.frob:1:1
     |
   1 | // follows a wall
-    | ^
+    | ^^
     |
     = hint: a comment starts with `--`
   
@@ -1085,21 +1086,21 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   
   1 error
   # 096_matlab_function.frob
-  error[E0110]: expected an operator, an argument, or the end of this definition, found `=`
-   --> 096_matlab_function.frob:2:7
+  error[E0110]: Frob has no `function`
+   --> 096_matlab_function.frob:1:1
     |
-  2 |     y = 2 * x;
-    |       ^
+  1 | function y = twice(x)
+    | ^^^^^^^^
     |
     = hint: a function is defined by an equation, `f x = …`, and a block ends where the indentation does
   
   1 error
   # 097_element_powers.frob
-  error[E0110]: expected an operand after the operator, found `^`
-   --> 097_element_powers.frob:2:23
+  error[E0110]: Frob has no `.^`
+   --> 097_element_powers.frob:2:22
     |
   2 | main = proc xs -> xs .^ 2
-    |                       ^
+    |                      ^^
     |
     = hint: operators are of numbers: `map (\x -> x ^ 2) xs` computes with each of an array, `zipWith (*) xs ys` with those of two
   
