@@ -7,8 +7,6 @@ val make : Ir.ty -> Span.t -> Ir.expr_desc -> Ir.expr
 val variable : Ir.binder -> Span.t -> Ir.expr
 (** A use of a monomorphic variable. *)
 
-val boolean : bool -> Span.t -> Ir.expr
-
 val apply : Ir.expr -> Ir.expr -> Ir.ty -> Span.t -> Ir.expr
 (** The type and the place are those of the result. *)
 

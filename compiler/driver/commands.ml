@@ -497,7 +497,7 @@ let view general ~entry ~sources view file =
         Exit_status.ok
       end
       else
-        let own, library = Pipeline.module_files ~library:resources.library file in
+        let own, library = Program_file.modules ~library:resources.library file in
         let each option files = List.concat_map (fun file -> [ option; file ]) files in
         let arguments =
           (if view.browser then [] else [ "--print" ])

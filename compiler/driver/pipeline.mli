@@ -33,7 +33,3 @@ val columns : Columns.t list option t
 val for_both_engines : (Core.Ir.program * Core.Ir.Global.t * Cgen.Emit.t) option t
 (** What {!interpretable} and {!compile} give, with one run of the stages that
     they share. *)
-
-val module_files : library:string -> string -> string list * string list
-(** The files of the modules of a program: its own, that of the program first, and those
-    of the library. *)

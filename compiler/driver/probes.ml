@@ -6,30 +6,36 @@ let refuse sink diagnostic =
   Diagnostic.emit sink diagnostic;
   None
 
-let all sink ~at core flow =
+(* Where the entry is defined: a definition begins with its name. *)
+let name_of (entry : Typing.Ir.definition) =
+  let { Span.file; start; _ } = entry.span in
+  Span.make ~file ~start ~stop:(Span.forward (String.length entry.name.name) start)
+
+let all sink entry core flow =
   match Probe.Catalogue.of_program (Probe.Equations.of_program core) flow with
   | Some all -> Some all
   | None ->
-      Diagnostic.error ~code:unknown ~at "more than %d signal functions run in this program"
-        Probe.Catalogue.most
+      Diagnostic.error ~code:unknown ~at:(name_of entry)
+        "more than %d signal functions run in this program" Probe.Catalogue.most
       |> Diagnostic.note "so many have no names by which their signals could be seen"
       |> refuse sink
 
-let named sink ~at core flow names =
-  Option.bind (all sink ~at core flow) (fun all ->
+let named sink entry core flow names =
+  Option.bind (all sink entry core flow) (fun all ->
       match Probe.Selection.find all names with
       | Ok probes -> Some probes
       | Error (name, nearest) ->
           let closest name = Diagnostic.hint (Printf.sprintf "did you mean `%s`?" name) in
-          Diagnostic.error ~code:unknown ~at "no inner signal of this program is called `%s`" name
+          Diagnostic.error ~code:unknown ~at:(name_of entry)
+            "no inner signal of this program is called `%s`" name
           |> Option.fold ~none:Fun.id ~some:closest nearest
           |> Diagnostic.hint "`--probe list` shows all that can be seen"
           |> refuse sink)
 
-let causal ~at flow probes =
+let causal entry flow probes =
   let is_causal probes =
     let sink = Diagnostic.sink () in
-    Flow.Causality.check sink ~entry:at (Probe.Observed.program flow probes);
+    Flow.Causality.check sink ~entry:(name_of entry) (Probe.Observed.program flow probes);
     not (Diagnostic.has_errors sink)
   in
   (* Few are wrong, if any: they are found by halves. *)
@@ -48,10 +54,10 @@ let causal ~at flow probes =
   if List.compare_lengths shown probes = 0 then (probes, [])
   else List.partition (fun p -> List.memq p shown) probes
 
-let refuse_hidden sink ~at ~names (hidden : Probe.Catalogue.probe list) =
+let refuse_hidden sink entry ~names (hidden : Probe.Catalogue.probe list) =
   match hidden with
   | { name; _ } :: _ when not (List.mem "all" names) ->
-      Diagnostic.error ~code:unknown ~at "`%s` cannot be shown" name
+      Diagnostic.error ~code:unknown ~at:(name_of entry) "`%s` cannot be shown" name
       |> Diagnostic.note
            "it is inside a switch that is fed with its own output; all outputs of a switch need \
             what is shown of it"

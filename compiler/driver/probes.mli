@@ -11,14 +11,17 @@ val list : Typing.Ir.program -> Flow.Ir.program -> Probe.Catalogue.probe list ->
 (** A line for each: its name, its type, and where it is written. *)
 
 val all :
-  Diagnostic.sink -> at:Span.t -> Core.Ir.program -> Flow.Ir.program -> Probe.Catalogue.probe list
-    option
+  Diagnostic.sink ->
+  Typing.Ir.definition ->
+  Core.Ir.program ->
+  Flow.Ir.program ->
+  Probe.Catalogue.probe list option
 (** Of the same program, before and after specialization; [None] after a diagnostic, which is at
-    the entry. *)
+    the name of the entry. *)
 
 val named :
   Diagnostic.sink ->
-  at:Span.t ->
+  Typing.Ir.definition ->
   Core.Ir.program ->
   Flow.Ir.program ->
   string list ->
@@ -26,7 +29,7 @@ val named :
 (** Of these, those that {!Probe.Selection} takes the names for. *)
 
 val causal :
-  at:Span.t ->
+  Typing.Ir.definition ->
   Flow.Ir.program ->
   Probe.Catalogue.probe list ->
   Probe.Catalogue.probe list * Probe.Catalogue.probe list
@@ -35,5 +38,9 @@ val causal :
     come to need its own output of the same instant. *)
 
 val refuse_hidden :
-  Diagnostic.sink -> at:Span.t -> names:string list -> Probe.Catalogue.probe list -> unit option
+  Diagnostic.sink ->
+  Typing.Ir.definition ->
+  names:string list ->
+  Probe.Catalogue.probe list ->
+  unit option
 (** [None] after a diagnostic, if one that was asked for by its name cannot be shown. *)

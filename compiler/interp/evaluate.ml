@@ -19,7 +19,6 @@ type env = {
 }
 
 let bug format = Diagnostic.bug ~stage:"Interp" format
-let nesting program = program.nesting
 
 let program (core : Core.Ir.program) =
   let definitions = Hashtbl.create 256 in

@@ -9,7 +9,5 @@
 type program
 
 val program : Core.Ir.program -> program
-val nesting : program -> Thunk.nesting
-
 val definition : program -> Core.Ir.Global.t -> Value.thunk
 (** The value of a definition without parameters. *)

@@ -406,10 +406,7 @@ let program ppf (p : program) =
     p.declarations;
   Format.pp_print_string ppf (Buffer.contents b)
 
-let in_line print x =
+let ty x =
   let b = Buffer.create 16 in
-  print b x;
+  type_to b x;
   Buffer.contents b
-
-let ty = in_line type_to
-let unit_ = in_line unit_to

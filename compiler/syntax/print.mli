@@ -9,4 +9,3 @@ val program : Format.formatter -> Ir.program -> unit
 (** Parts of a program in one line, for messages. *)
 
 val ty : Ir.ty -> string
-val unit_ : Ir.unit_ -> string

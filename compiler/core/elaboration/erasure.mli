@@ -4,7 +4,6 @@
     both stand in one list, types come before representations. *)
 
 val ty : Typing.Ir.ty -> Ir.ty
-val representation : Typing.Ir.representation -> Ir.ty
 val variable : Typing.Ir.variable -> Ir.variable
 
 val instantiation : Typing.Ir.instantiation -> Ir.ty list

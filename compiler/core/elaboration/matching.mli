@@ -14,10 +14,6 @@ val variables : Typing.Ir.pattern -> root:Ir.expr -> (Ir.binder * Ir.expr) list
 val part : Typing.Ir.pattern -> root:Ir.expr -> Ir.Local.t -> Ir.expr
 (** What one of the pattern's variables stands for. *)
 
-val test : Context.t -> Typing.Ir.pattern -> root:Ir.expr -> Ir.expr option
-(** A [Bool]; [None] for a pattern that always matches. Tests from left to
-    right and outside in: a payload is looked at only after its constructor. *)
-
 type branch = {
   pattern : Typing.Ir.pattern;
   falls : bool;  (** its guards may all fail *)

@@ -1,3 +1,14 @@
+let files = { Resolve.Files.on_disk with parsed = Prepared.Library.tree }
+
+let modules ~library file =
+  let sink = Basis.Diagnostic.sink () and remember ~file:_ _ = () in
+  let modules = Resolve.Modules.load sink ~files ~remember ~library file in
+  let path (m : Resolve.Modules.t) =
+    if m.library then Filename.concat library (m.name ^ ".frob") else m.file
+  in
+  let from_library, own = List.partition (fun (m : Resolve.Modules.t) -> m.library) modules in
+  (List.rev_map path own, List.rev_map path from_library)
+
 (* What takes files of another kind, by the ending of their names. *)
 let of_another_kind file =
   match String.lowercase_ascii (Filename.extension file) with

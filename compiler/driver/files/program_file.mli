@@ -1,4 +1,11 @@
-(** The file of a program, as it is named on the command line. *)
+(** The files of a program, of which one is named on the command line. *)
+
+val files : Resolve.Files.t
+(** Those on the disk; the trees of the library's are in the compiler. *)
+
+val modules : library:string -> string -> string list * string list
+(** The files of the modules of a program: its own, that of the program first, and those
+    of the library. *)
 
 val check : string -> (unit, string) result
 (** [Ok] if it is there, can be read, and is not, by its name's ending or by its bytes, something

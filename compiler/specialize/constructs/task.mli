@@ -33,9 +33,6 @@ val place : Value.t -> Span.t
 val next : Value.t -> string * Span.t
 (** Who says what runs next, and where. *)
 
-val type_of : Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty -> Core.Ir.ty
-(** Of input, output and result. *)
-
 val reduced :
   Evaluator.position -> Evaluator.t -> ?input:Value.argument -> Value.t -> Value.t
 (** The same task, or choice of tasks, with a head: what ends at once is done with, in this

@@ -124,12 +124,6 @@ let rec component (value : Value.t) index : Value.t =
   | Primitive _ | Program _ ->
       bug "component %d of what is no product" index
 
-let construct table ty constructor arguments : Value.t =
-  match (Types.layout table ty).kind with
-  | Product _ -> Product arguments
-  | Sum _ -> Constructed { constructor; arguments }
-  | Scalar | Array _ | Opaque -> bug "%s has no constructors" (Types.to_string ty)
-
 let rec is_constructor table node target ~span ty (value : Value.t) index : Ir.atom =
   match value with
   | Product _ -> Bool true

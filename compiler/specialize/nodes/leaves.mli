@@ -18,10 +18,6 @@ val value : Types.table -> Core.Ir.ty -> Flow.Ir.atom list -> Value.t
 val component : Value.t -> int -> Value.t
 (** Of a tuple or of data with one constructor. *)
 
-val construct :
-  Types.table -> Core.Ir.ty -> int -> Value.t list -> Value.t
-(** A constructor's value, by the data type. *)
-
 val is_constructor :
   Types.table ->
   Node.t ->

@@ -1,0 +1,94 @@
+open Basis
+
+let ( let* ) = Option.bind
+let stage = Request.stage
+let files = Program_file.files
+
+(* Imports ask for modules; the main one is read here too, to be looked at as parsed. *)
+let parse (r : Request.t) sink sources =
+  let asked = r.dump = Some Parse || r.stop_after = Some Parse in
+  match if asked then Result.to_option (files.read r.file) else None with
+  | Some text ->
+      Source.add sources ~file:r.file text;
+      let* parsed = Syntax.Parse.program sink ~file:r.file text in
+      let lint = Syntax.Lint.program and print = Syntax.Print.program in
+      Option.map ignore (stage r sink Parse ~lint ~print parsed)
+  | None -> Some ()
+
+type front = { resolved : Resolve.Ir.program; typed : Typing.Ir.program; core : Core.Ir.program }
+
+let front (r : Request.t) sink sources =
+  let own = Request.own_robot r in
+  let* () = parse r sink sources in
+  let* resolved =
+    Resolve.Program.load sink ~files ~library:r.library r.file
+      ~remember:(fun ~file text -> Source.add sources ~file text)
+      ?also:(Option.bind own (fun robot -> robot.file))
+  in
+  let lint = Resolve.Lint.program and print = Resolve.Print.program in
+  let* resolved = stage r sink Resolve ~lint ~print resolved in
+  (* Nobody looks at a definition of the library that the program cannot come to. *)
+  let keep = Typing.Side_by_side.needs @ Specialize.Context.known_by_name in
+  let resolved = Resolve.Reachable.program ~keep resolved in
+  let* typed = Typing.Of_resolved.program ~sources sink ~real:r.real resolved in
+  Resolve.Unused.warn sink resolved;
+  Typing.Senseless.warn sink resolved typed;
+  Typing.Reach.warn sink resolved typed ~robot:(Option.map Robots.input r.robot);
+  Option.iter (Robots.check_own sink typed) own;
+  let* typed = stage r sink Types ~lint:Typing.Lint.program ~print:Typing.Print.program typed in
+  let core = Core.Of_typed.program typed in
+  let* core = stage r sink Core ~lint:Core.Lint.program ~print:Core.Print.program core in
+  Some { resolved; typed; core }
+
+let for_a_robot r { resolved; typed; core } entry : Robots.program =
+  { typed; core; entry; signed = Typing.Entry.is_signed resolved entry; own = Request.own_robot r }
+
+let lint program =
+  Flow.Lint.program program;
+  Flow.Initialization.check program
+
+(* [written]: the entry as the programmer knows it, before a robot closes it. *)
+let specialized (r : Request.t) sink { typed; _ } ~(written : Typing.Ir.definition) (core, entry) =
+  match Typing.Entry.refusal typed ~closed:(entry <> written.name) written with
+  | Some refusal ->
+      Core.Recursion.check sink core;
+      Diagnostic.emit sink refusal;
+      None
+  | None ->
+      let options = { Specialize.Context.default with limit = r.specialization_limit } in
+      let name = C_file.name r.file in
+      let* flow = Specialize.Of_core.program ~options sink ~name ~entry core in
+      (* Before anything is moved: messages speak of equations as they were written. *)
+      let entry = written.span in
+      Flow.Causality.check sink ~entry flow;
+      let* flow = if Diagnostic.has_errors sink then None else Some flow in
+      let flow = Flow.Instantaneous_loops.program sink ~entry flow in
+      stage r sink Specialize ~lint ~print:Flow.Print.program flow
+
+(* A program for several robots is checked open, and what needs one with any that fits. *)
+let check_entry (r : Request.t) sink front (written : Typing.Ir.definition) =
+  let program = for_a_robot r front written.name in
+  let sampled = Option.is_none r.robot && Robots.is_open program in
+  match if sampled then Robots.sampled program else Robots.closed sink r.robot program with
+  | Some closed -> ignore (specialized r sink front ~written closed)
+  | None -> Core.Recursion.check sink front.core
+
+let check sink sources r =
+  match front r sink sources with
+  | Some front when Typing.Entry.all front.typed = [] -> Core.Recursion.check sink front.core
+  | Some front -> List.iter (check_entry r sink front) (Typing.Entry.all front.typed)
+  | None -> ()
+
+type t = {
+  typed : Typing.Ir.program;
+  written : Typing.Ir.definition;
+  closed : Core.Ir.program * Core.Ir.Global.t;
+  flow : Flow.Ir.program;
+}
+
+let program sink sources (r : Request.t) =
+  let* front = front r sink sources in
+  let* written = Typing.Entry.find sink front.typed ~file:r.file r.entry in
+  let* closed = Robots.closed sink r.robot (for_a_robot r front written.name) in
+  let* flow = specialized r sink front ~written closed in
+  Some { typed = front.typed; written; closed; flow }

@@ -1,0 +1,20 @@
+(** From a file to Flow as it was written: all that can reject a program, whatever is to run it.
+    {!Pipeline} goes on from there. *)
+
+open Basis
+
+type t = {
+  typed : Typing.Ir.program;
+  written : Typing.Ir.definition;  (** the entry, as the programmer knows it *)
+  closed : Core.Ir.program * Core.Ir.Global.t;  (** the program for its robot, and its entry *)
+  flow : Flow.Ir.program;
+}
+
+val program : Diagnostic.sink -> Source.t -> Request.t -> t option
+
+val check : Diagnostic.sink -> Source.t -> Request.t -> unit
+(** The same for the module's [main] or, where there is none, for each signal function that could
+    be an entry. *)
+
+val lint : Flow.Ir.program -> unit
+(** What is true of Flow between any two stages. *)
