@@ -82,7 +82,7 @@ let () =
       ("examples", List.map (case Tcc) examples);
       ("under the sanitizers", List.map (case (Sanitized Gcc)) (programs @ examples));
       ("in single precision", List.map (case ~real:Single Tcc) (programs @ examples));
-      ("with all probes", List.map (case ~probed:true Tcc) (programs @ examples));
-      ("with all probes, in single precision",
+      ("with probes", List.map (case ~probed:true Tcc) (programs @ examples));
+      ("with probes, in single precision",
        List.map (case ~real:Single ~probed:true Tcc) examples);
     ]

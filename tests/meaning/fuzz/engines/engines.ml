@@ -55,13 +55,28 @@ let guarded act =
       (* With OCAMLRUNPARAM=b, where it was. *)
       Error (Failed (Option.get (internal_error exn) ^ "\n" ^ Printexc.get_backtrace ()))
 
-let load ?robot tools ~entry file =
-  guarded @@ fun () ->
+(* As many as a call may have results: tcc has room for few. *)
+let most_probes = 40
+
+(* Some of all, from everywhere in the program. *)
+let some_probes request =
+  match Driver.Pipeline.columns (Diagnostic.sink ()) (Source.create ()) request with
+  | None -> []
+  | Some columns ->
+      let is_probe (c : Driver.Columns.t) = String.starts_with ~prefix:"probe." c.name in
+      let all = List.filter is_probe columns in
+      let every = 1 + Int.div (List.length all) most_probes in
+      List.filteri (fun k _ -> k mod every = 0) all
+      |> List.map (fun (c : Driver.Columns.t) -> c.name)
+
+let rec load_with probes ?robot tools ~entry file =
   let sink = Diagnostic.sink () and sources = Source.create () in
   let request = Driver.Request.make ~library:tools.library file in
-  let request = { request with robot; entry; real = tools.real; lint = true } in
-  let request = if tools.probed then { request with probes = [ "all" ] } else request in
+  let request = { request with robot; entry; real = tools.real; lint = true; probes } in
   match Driver.Pipeline.for_both_engines sink sources request with
+  | None when List.exists (fun (d : Diagnostic.t) -> d.code = Driver.Probes.unknown) (Diagnostic.all sink) ->
+      (* One of them is what a switch fed with its own output cannot show. *)
+      load_with [] ?robot tools ~entry file
   | None -> Error (Rejected (Render_text.diagnostics ~colour:false sources (Diagnostic.all sink)))
   | Some (core, entry, c) ->
       let name = Driver.C_file.name file in
@@ -75,6 +90,16 @@ let load ?robot tools ~entry file =
           files =
             [ (name ^ ".h", c.header); (name ^ ".c", c.source); (name ^ "_host.c", Option.get c.host_table) ];
         }
+
+let load ?robot tools ~entry file =
+  guarded @@ fun () ->
+  let probes =
+    if not tools.probed then []
+    else
+      let request = Driver.Request.make ~library:tools.library file in
+      some_probes { request with robot; entry; real = tools.real }
+  in
+  load_with probes ?robot tools ~entry file
 
 let files subject = subject.files
 

@@ -5,7 +5,7 @@ type tools = {
   runtime : string;  (** the runtime's sources: [include], [core], [hosts] *)
   folder : string;  (** for files on the way *)
   real : Basis.Real.t;  (** what the program computes with *)
-  probed : bool;  (** C shows all inner signals too, which must change nothing *)
+  probed : bool;  (** C shows inner signals too, which must change nothing *)
 }
 
 (** What runs the C. *)
