@@ -376,7 +376,8 @@ let view =
     ]
   in
   command "view" ~man ~doc:"look at a recorded run on a page, at any instant"
-    Term.(const run $ general $ entry $ sources $ print $ port $ world $ only_build $ recording $ file)
+    Term.(
+      const run $ general $ entry $ sources $ print $ port $ world $ only_build $ recording $ file)
 
 let build =
   let output =

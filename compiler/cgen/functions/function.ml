@@ -256,7 +256,9 @@ let own_step (v : V.t) k : Ir.function_ =
         (Void, List.map result node.outputs)
   in
   let places = Array.of_list results in
-  let own_body, handed_on = if results = [] then (node.step.body, []) else handed_on node.step.body in
+  let own_body, handed_on =
+    if results = [] then (node.step.body, []) else handed_on node.step.body
+  in
   List.iter
     (fun (variable, k) ->
       Expression.read_as names variable (Unary (Dereference, Name (snd places.(k)))))
@@ -317,7 +319,8 @@ let clock c node =
   let mark =
     match c.v.program.started with
     | None | Some { own = false; _ } -> []
-    | Some { field; own = true } -> [ plain (Ir.Assign (Expression.field c.names field, Boolean true)) ]
+    | Some { field; own = true } ->
+        [ plain (Ir.Assign (Expression.field c.names field, Boolean true)) ]
   in
   times @ mark
 

@@ -87,7 +87,8 @@ let stretches times cells =
     | Some point, here :: others -> (point :: here) :: others
     | Some point, [] -> [ [ point ] ]
   in
-  let points = Array.mapi (fun k cell -> Option.map (fun x -> (times.(k), x)) (finite cell)) cells in
+  let point k cell = Option.map (fun x -> (times.(k), x)) (finite cell) in
+  let points = Array.mapi point cells in
   Array.fold_left add [ [] ] points
   |> List.filter (fun stretch -> stretch <> [])
   |> List.rev_map List.rev
@@ -118,7 +119,8 @@ let text out ?(anchor = "start") ?(colour = "#222222") x y words =
 
 let curve out ~colour ~dash points =
   match points with
-  | [ (x, y) ] -> Printf.bprintf out "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.5\" fill=\"%s\"/>\n" x y colour
+  | [ (x, y) ] ->
+      Printf.bprintf out "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.5\" fill=\"%s\"/>\n" x y colour
   | points ->
       let pair (x, y) = Printf.sprintf "%.1f,%.1f" x y in
       Printf.bprintf out
@@ -158,7 +160,8 @@ let panel out ~top ~across times columns =
   | { unit_; _ } :: _ ->
       let y = top +. (panel_height /. 2.) in
       Printf.bprintf out
-        "<text x=\"16\" y=\"%.1f\" text-anchor=\"middle\" transform=\"rotate(-90 16 %.1f)\">%s</text>\n"
+        "<text x=\"16\" y=\"%.1f\" text-anchor=\"middle\" \
+         transform=\"rotate(-90 16 %.1f)\">%s</text>\n"
         y y (escaped unit_));
   List.iteri
     (fun k column ->
@@ -198,7 +201,8 @@ let fill known cell =
             Hashtbl.replace known cell number;
             number
       in
-      (pick [| "#56b4e9"; "#e69f00"; "#7fd4b5"; "#e3b5cf"; "#f0e442"; "#c8c8c8" |] number, "#222222")
+      let colours = [| "#56b4e9"; "#e69f00"; "#7fd4b5"; "#e3b5cf"; "#f0e442"; "#c8c8c8" |] in
+      (pick colours number, "#222222")
 
 let band out ~top ~across times column =
   text out left (top +. 12.) column.name;

@@ -221,7 +221,8 @@ let node real ~fresh (node : Ir.node) =
     | Schedule.Instance _ | Trial _ | Machine _ -> ()
     | Equation e -> (
         let rhs = Operands.map (Substitution.atom substitution) e.rhs in
-        let rhs = Clock.recognize real (definition known) (simplify real known written add e.defines rhs) in
+        let rhs = simplify real known written add e.defines rhs in
+        let rhs = Clock.recognize real (definition known) rhs in
         if rhs != e.rhs then changed := true;
         match rhs with
         | Copy a ->

@@ -17,7 +17,8 @@ let host_sources runtime =
   List.map
     (fun file -> runtime / file)
     [
-      "hosts/trace/main.c"; "hosts/trace/csv.c"; "hosts/common/load.c"; "core/text.c";
+      "hosts/trace/main.c"; "hosts/common/csv.c"; "hosts/common/load.c";
+      "hosts/common/seconds.c"; "core/text.c";
       "core/cell_read.c"; "core/cell_write.c"; "core/trace.c";
     ]
 
