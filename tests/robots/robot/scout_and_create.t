@@ -17,7 +17,7 @@ wall, round the corner, without touching it.
   $ head -1 scout/summary create/summary | grep robot:
   robot: Nomadic Scout
   robot: iRobot Create 2
-  $ for robot in scout create; do within connections 1 1 < $robot/summary; awk -F, 'END { print ($4 < -1.2 && $4 > -2.2) }' $robot/log.csv; done
+  $ for robot in scout create; do within connections 1 1 < $robot/summary; awk -F, '$4 < -1.2 { round = 1 } END { print round }' $robot/log.csv; done
   1
   1
 
