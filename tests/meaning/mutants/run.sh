@@ -43,7 +43,7 @@ for number in "$@"; do
         broken=$((broken + 1))
         tail -n 12 "$work/build" >&2
     elif "$tree/_build/default/tests/meaning/fuzz/main.exe" --count "$count" --seed "$seed" --stop-at-first \
-        --jobs "$(nproc)" >"$work/programs" 2>&1; then
+        --runtime "$tree/runtime" --jobs "$(nproc)" >"$work/programs" 2>&1; then
         verdict=SURVIVED
         survivors=$((survivors + 1))
     else
