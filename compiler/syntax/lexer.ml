@@ -239,6 +239,7 @@ let number t =
       | 8, _ -> "the digits after `0o` are `0` to `7`"
       | 2, _ -> "the digits after `0b` are `0` and `1`"
       | _ when rest.[0] = '_' -> "`_` stands between two digits"
+      | _, ("f" | "F" | "d" | "L" | "u") -> Printf.sprintf "numbers have no suffix: `%s`" text
       | _ -> Printf.sprintf "a unit stands in brackets: `%s[%s]`" text rest
     in
     let problem =
@@ -310,6 +311,7 @@ let colon t =
       "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, \
        `forever t` and `forEachT xs f` repeat tasks"
   | _ when ends_line -> of_block
+  | _ when List.mem "if" words -> "`then` follows the condition: `if c then a else b`"
   | _ -> "a type follows `::`"
 
 let unexpected t =

@@ -111,8 +111,14 @@ let unclosed found ((opener, closer), by) =
   |> Diagnostic.label ~at:(span found.token) (Printf.sprintf "a `%s` belongs before this" closer)
   |>
   let at = found.token.start.pos_cnum in
-  if at < String.length found.text && found.text.[at] = ';' && String.equal opener "{" then
-    Diagnostic.hint "a `;` ends a definition; there is a `,` between two fields"
+  if at < String.length found.text && found.text.[at] = ';' then
+    match opener with
+    | "{" -> Diagnostic.hint "a `;` ends a definition; there is a `,` between two fields"
+    | "[" ->
+        Diagnostic.hint
+          "a `;` ends a definition; there is a `,` between two elements, and rows are arrays: `[[1, \
+           2], [3, 4]]`"
+    | _ -> Fun.id
   else Fun.id
 
 let bracket found =

@@ -311,6 +311,7 @@ let of_token found =
   | (LOWER _ | NUMBER _ | UNDERSCORE | LPAREN), Some ({ token = UPPER _; _ } as constructor)
     when stands_after found "proc" constructor ->
       Some "a pattern such as `Just x` needs parentheses here"
+  | ELSE, Some { token = BAR; _ } -> Some "what holds for the rest is written `| otherwise`"
   | ELSE, _ when opens_with Layout.If found.context ->
       Some "`then` stands between the condition and the first choice: `if c then a else b`"
   | THEN, _ when opens_with Layout.Then found.context ->

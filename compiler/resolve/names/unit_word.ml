@@ -22,6 +22,10 @@ let symbol word =
   | "newton" -> Some "N"
   | "watt" -> Some "W"
   | "kelvin" -> Some "K"
+  | "mps" -> Some "m/s"
+  | "kmh" | "kph" | "kmph" -> Some "km/hour"
+  | "dps" -> Some "deg/s"
+  | "rps" -> Some "rad/s"
   | _ -> None
 
 let rec is_expression is_unit (e : Syntax.Ir.expr) =

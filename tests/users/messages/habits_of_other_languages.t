@@ -271,3 +271,94 @@ Haskell:
   
   1 error
   [1]
+
+Units and numbers as other places write them, tables with semicolons, `else` as a guard,
+a colon after a condition.
+
+  $ cat > writings.frob <<'EOF'
+  > main :: SF Float Float
+  > main = proc x -> if x > 1: 2 else 3
+  > EOF
+  $ frobc check writings.frob
+  error[E0103]: unexpected character `:`
+   --> writings.frob:2:26
+    |
+  2 | main = proc x -> if x > 1: 2 else 3
+    |                          ^
+    |
+    = hint: `then` follows the condition: `if c then a else b`
+  
+  1 error
+  [1]
+  $ cat > writings.frob <<'EOF'
+  > v = 2[kmh]
+  > w = 20[dps]
+  > EOF
+  $ frobc check writings.frob
+  error[E0208]: unknown unit `kmh`
+   --> writings.frob:1:7
+    |
+  1 | v = 2[kmh]
+    |       ^^^
+    |
+    = hint: did you mean `km/hour`?
+  
+  error[E0208]: unknown unit `dps`
+   --> writings.frob:2:8
+    |
+  2 | w = 20[dps]
+    |        ^^^
+    |
+    = hint: did you mean `deg/s`?
+  
+  2 errors
+  [1]
+  $ printf 'half = 0.5f\n' > writings.frob
+  $ frobc check writings.frob
+  error[E0105]: the number `0.5` is directly followed by `f`
+   --> writings.frob:1:8
+    |
+  1 | half = 0.5f
+    |        ^^^^
+    |
+    = hint: numbers have no suffix: `0.5`
+  
+  1 error
+  [1]
+  $ printf 'table = [1, 2; 3, 4]\n' > writings.frob
+  $ frobc check writings.frob
+  error[E0111]: this `[` is never closed
+   --> writings.frob:1:9
+    |
+  1 | table = [1, 2; 3, 4]
+    |         ^    - a `]` belongs before this
+    |
+    = hint: a `;` ends a definition; there is a `,` between two elements, and rows are arrays: `[[1, 2], [3, 4]]`
+  
+  error[E0110]: expected `=` after the left side of a definition, found `,`
+   --> writings.frob:1:17
+    |
+  1 | table = [1, 2; 3, 4]
+    |                 ^
+    |
+    = hint: nothing is called for its effect: an equation gives a value a name, as in `v = 0.3[m/s]`
+  
+  2 errors
+  [1]
+  $ cat > writings.frob <<'EOF'
+  > sign :: Float -> Float
+  > sign x
+  >     | x < 0 = -1
+  >     | else = 1
+  > EOF
+  $ frobc check writings.frob
+  error[E0110]: expected the condition of a guard after `|`, found `else`
+   --> writings.frob:4:7
+    |
+  4 |     | else = 1
+    |       ^^^^
+    |
+    = hint: what holds for the rest is written `| otherwise`
+  
+  1 error
+  [1]
