@@ -1,5 +1,6 @@
 #include "client.h"
 
+#include "control.h"
 #include "token.h"
 
 #include <stdlib.h>
@@ -32,6 +33,7 @@ static enum verdict take(struct client *client, const char *token, const char *m
 {
     static const char greeting[] = "hello ";
     const size_t length = strlen(message) + 1;
+    char *copy;
     if (!client->admitted) {
         client->admitted = strncmp(message, greeting, sizeof greeting - 1) == 0 &&
                            token_is(token, message + sizeof greeting - 1);
@@ -40,14 +42,22 @@ static enum verdict take(struct client *client, const char *token, const char *m
         message = "program";
         return take(client, token, message);
     }
+    copy = (char *)malloc(length);
+    if (copy == NULL)
+        return TOO_MANY;
+    memcpy(copy, message, length);
+    if (control_is(message)) {
+        free(client->command);
+        client->command = copy;
+        return COMMANDS;
+    }
     if (is_for_instant(message))
         drop_older(client);
-    if (client->count == SERVER_PENDING)
+    if (client->count == SERVER_PENDING) {
+        free(copy);
         return TOO_MANY;
-    client->pending[client->count] = (char *)malloc(length);
-    if (client->pending[client->count] == NULL)
-        return TOO_MANY;
-    memcpy(client->pending[client->count++], message, length);
+    }
+    client->pending[client->count++] = copy;
     return GOES_ON;
 }
 
@@ -80,4 +90,6 @@ void client_end(struct client *client)
     while (client->count > 0)
         free(client_next(client));
     buffer_free(&client->incoming);
+    buffer_free(&client->answer);
+    free(client->command);
 }

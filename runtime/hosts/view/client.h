@@ -1,19 +1,28 @@
-/* client.h -- one page that is connected: its requests, as they wait. */
+/* client.h -- one page that is connected: its requests, as they wait, and what it is to be
+ * told. Of that only the newest is kept, so a page that does not listen takes no memory. */
 #ifndef FROB_VIEW_CLIENT_H
 #define FROB_VIEW_CLIENT_H
 
 #include "server.h"
 
+struct lws;
+
 struct client {
-    bool admitted;          /* it has said the token */
+    struct lws *line;
+    unsigned long number; /* of its connection; none has it again */
+    bool admitted;        /* it has said the token */
     struct buffer incoming; /* of a message that has not yet come whole */
     char *pending[SERVER_PENDING];
     size_t count;
-    bool is_to_be_told; /* that the program has been run over the recording */
+    bool is_waiting;      /* for the answer to a request */
+    struct buffer answer; /* that has come */
+    char *command;        /* what it wants to do to a run, to be done at once */
+    bool is_to_be_told_news, is_to_be_told_run;
+    const char *refusal;  /* why a command was not done */
 };
 
 /* What to do with a page after what it sent. */
-enum verdict { GOES_ON, TOO_LONG, WRONG_TOKEN, TOO_MANY };
+enum verdict { GOES_ON, COMMANDS, TOO_LONG, WRONG_TOKEN, TOO_MANY };
 
 /* Takes a piece of a message, the last or not. */
 enum verdict client_receive(struct client *client, const char *token, const char *piece,

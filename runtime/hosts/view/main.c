@@ -1,11 +1,14 @@
-/* frob-view -- shows a recorded run of a program on a page.
+/* frob-view -- shows a run of a program on a page, recorded or going on.
  *
  *   frob-view [--print] [--port N] [--source FILE]... [--library FILE]... [--world FILE]
- *             PROGRAM.so RUN.csv [COMMAND...]
+ *             [--ring N] PROGRAM.so RUN.csv [COMMAND...]
  *
+ * With --ring, the number of an open file, it shows the run of the process that has started
+ * this one (../common/ring.h); RUN.csv is what that records in, or `-`.
  * COMMAND, whose last argument is the program's file, compiles it as PROGRAM.so is compiled,
  * and prints the path. Prints the page's address, and opens a browser on it unless --print
- * is given. Ends with SIGINT or SIGTERM. Exit status: 0, or 2 when a file cannot be read or
+ * is given. Ends with SIGINT or SIGTERM; a run that goes on is shown until it is over and no
+ * page is open. Exit status: 0, or 2 when a file cannot be read or
  * is no recording, or the port cannot be had. */
 #include "../common/load.h"
 #include "../common/streams.h"
@@ -13,15 +16,18 @@
 #include "server.h"
 #include "token.h"
 
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { DONE = 0, WRONG_USE = 2 };
 
 struct options {
     bool print;
     int port;
+    int ring; /* -1: none */
     struct view_files files;
     const char *program;
 };
@@ -41,12 +47,15 @@ static void add_source(struct view_files *files, const char *name, bool is_own)
 static bool read_options(struct options *o, int argc, char **argv)
 {
     int i = 1;
+    o->ring = -1;
     o->files.sources = (const char **)calloc((size_t)argc, sizeof *o->files.sources);
     for (; o->files.sources != NULL && i < argc && strncmp(argv[i], "--", 2) == 0; i++) {
         if (strcmp(argv[i], "--print") == 0)
             o->print = true;
         else if (strcmp(argv[i], "--port") == 0 && i + 1 < argc)
             o->port = atoi(argv[++i]);
+        else if (strcmp(argv[i], "--ring") == 0 && i + 1 < argc)
+            o->ring = atoi(argv[++i]);
         else if (strcmp(argv[i], "--source") == 0 && i + 1 < argc)
             add_source(&o->files, argv[++i], true);
         else if (strcmp(argv[i], "--library") == 0 && i + 1 < argc)
@@ -62,10 +71,18 @@ static bool read_options(struct options *o, int argc, char **argv)
         return false;
     }
     o->program = argv[i];
-    o->files.recording = argv[i + 1];
+    o->files.recording = o->ring >= 0 && strcmp(argv[i + 1], "-") == 0 ? NULL : argv[i + 1];
     if (i + 2 < argc)
         o->files.command = (what_if_command)&argv[i + 2];
     return true;
+}
+
+/* Who waits for the end of the run's output is not to wait for the last page. */
+static void leave_streams(void)
+{
+    int null = open("/dev/null", O_RDWR);
+    for (int number = STDIN_FILENO; null >= 0 && number <= STDERR_FILENO; number++)
+        dup2(null, number);
 }
 
 static bool tell(void *context, int port)
@@ -73,11 +90,13 @@ static bool tell(void *context, int port)
     const struct start *start = (const struct start *)context;
     char address[128];
     snprintf(address, sizeof address, "http://127.0.0.1:%d/#%s", port, start->token);
-    printf("view: %s (ends with Ctrl-C)\n", address);
+    printf("view: %s%s\n", address, start->options->ring >= 0 ? "" : " (ends with Ctrl-C)");
     if (!streams_flush())
         return false;
     if (!start->options->print)
         browser_open(address);
+    if (start->options->ring >= 0)
+        leave_streams();
     return true;
 }
 
@@ -85,6 +104,7 @@ int main(int argc, char **argv)
 {
     struct options options = { 0 };
     struct view view = { 0 };
+    struct ring ring = { 0 };
     struct buffer summary = { 0 };
     char token[TOKEN_LENGTH + 1];
     struct start start = { &options, token };
@@ -96,9 +116,12 @@ int main(int argc, char **argv)
     program = frob_load(options.program);
     if (program == NULL)
         return WRONG_USE;
-    if (!token_make(token)) {
+    if (options.ring >= 0 && !ring_attach(&ring, options.ring)) {
+        fprintf(stderr, "error: --ring %d: there is no run that goes on\n", options.ring);
+    } else if (!token_make(token)) {
         fprintf(stderr, "error: this computer has no random numbers (/dev/urandom)\n");
-    } else if (view_start(&view, program, frob_load_columns(), &options.files)) {
+    } else if (view_start(&view, program, frob_load_columns(), &options.files,
+                          options.ring >= 0 ? &ring : NULL)) {
         /* Of a run of minutes all is known before the page is there. */
         view_advance(&view, 0.3);
         view_summary(&view, &summary);
@@ -108,6 +131,7 @@ int main(int argc, char **argv)
     }
     buffer_free(&summary);
     view_end(&view);
+    ring_close(&ring);
     free(options.files.sources);
     return status;
 }

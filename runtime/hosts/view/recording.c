@@ -135,6 +135,10 @@ static bool grow(struct recording *recording)
     if (bytes == NULL)
         return false;
     recording->outputs = bytes;
+    bytes = (unsigned char *)realloc(recording->truths, capacity * recording->truth_size + 1);
+    if (bytes == NULL)
+        return false;
+    recording->truths = bytes;
     recording->capacity = capacity;
     return true;
 }
@@ -217,6 +221,7 @@ bool recording_read(struct recording *recording, const struct signals *signals,
     memset(recording, 0, sizeof *recording);
     recording->program = signals->program;
     recording->name = name;
+    recording->gap = NO_GAP;
     recording->output_size = signals_output_size(signals);
     if (file == NULL)
         return give_up(recording, strerror(errno));
@@ -237,8 +242,86 @@ bool recording_read(struct recording *recording, const struct signals *signals,
     return ok;
 }
 
+bool recording_begin(struct recording *recording, const struct signals *signals,
+                     const char *name, size_t truth_size)
+{
+    memset(recording, 0, sizeof *recording);
+    recording->program = signals->program;
+    recording->name = name;
+    recording->gap = NO_GAP;
+    recording->output_size = signals_output_size(signals);
+    recording->truth_size = truth_size;
+    recording->has_all_inputs = true;
+    recording->recorded = (bool *)calloc(signals->count + 1, sizeof *recording->recorded);
+    if (recording->recorded == NULL)
+        return give_up(recording, "not enough memory");
+    for (size_t i = 0; i < signals->count; i++)
+        recording->recorded[i] =
+            signals->all[i].side == INPUT || signals->all[i].side == OUTPUT;
+    return true;
+}
+
+bool recording_add(struct recording *recording, int64_t time_ns, const void *input,
+                   const void *output, size_t output_size, const void *truth)
+{
+    const size_t k = recording->count, input_size = recording->program->input_size;
+    unsigned char *place;
+    if (!grow(recording))
+        return false;
+    recording->times[k] = time_ns;
+    memcpy(recording->inputs + k * input_size, input, input_size);
+    place = recording->outputs + k * recording->output_size;
+    memset(place, 0, recording->output_size);
+    memcpy(place, output,
+           output_size < recording->output_size ? output_size : recording->output_size);
+    place = recording->truths + k * recording->truth_size;
+    if (truth != NULL)
+        memcpy(place, truth, recording->truth_size);
+    else if (k > 0)
+        memcpy(place, place - recording->truth_size, recording->truth_size);
+    else
+        memset(place, 0, recording->truth_size);
+    recording->count++;
+    return true;
+}
+
+bool recording_catch_up(struct recording *recording, const struct signals *signals,
+                        const char *name, size_t end)
+{
+    struct recording others = { 0 };
+    struct reader reader = { 0 };
+    FILE *file = fopen(name, "rb");
+    size_t k = 0;
+    bool ok = file != NULL;
+    if (!ok)
+        return false;
+    others.program = recording->program;
+    others.name = name;
+    others.output_size = recording->output_size;
+    reader.recording = &others;
+    reader.signals = signals;
+    csv_start(&reader.csv, file);
+    ok = read_header(&reader) && others.has_all_inputs;
+    for (; ok && k < end; k++) {
+        ok = csv_next(&reader.csv) == CSV_ROW && !feof(file);
+        if (!ok || k < recording->count)
+            continue;
+        /* Each row is the first of its own. */
+        others.count = 0;
+        ok = grow(&others) && read_row(&reader) &&
+             recording_add(recording, others.times[0], others.inputs, others.outputs,
+                           others.output_size, NULL);
+    }
+    free(reader.columns);
+    csv_end(&reader.csv);
+    fclose(file);
+    recording_free(&others);
+    return ok;
+}
+
 void recording_free(struct recording *recording)
 {
+    free(recording->truths);
     free(recording->times);
     free(recording->inputs);
     free(recording->outputs);
@@ -254,6 +337,11 @@ double recording_dt(const struct recording *recording, size_t k)
 const void *recording_input(const struct recording *recording, size_t k)
 {
     return recording->inputs + k * recording->program->input_size;
+}
+
+const void *recording_truth(const struct recording *recording, size_t k)
+{
+    return recording->truths + k * recording->truth_size;
 }
 
 const void *recording_output(const struct recording *recording, size_t k)

@@ -19,13 +19,35 @@ struct recording {
     bool has_all_inputs;    /* so that the program can be run on it */
     struct buffer notes;    /* what was wrong, a line each: what is shown is all the rest */
     size_t capacity;
+    size_t gap;             /* of a run that goes on: before this instant some were missed, so
+                             * the program cannot be run further; or NO_GAP */
+    unsigned char *truths;  /* count times what a simulator knows, or NULL … */
+    size_t truth_size;      /* … of so many bytes */
 };
+
+#define NO_GAP SIZE_MAX
 
 /* Reads a file. What does not fit the program is left out, with a line in `notes`:
  * columns that it does not have, and all from the first row that cannot be read. False,
  * with one line on standard error, if nothing is left. */
 bool recording_read(struct recording *recording, const struct signals *signals,
                     const char *name);
+
+/* A recording of a run that goes on, which grows. `name` is that of the run. False without
+ * memory, with a line on standard error. */
+bool recording_begin(struct recording *recording, const struct signals *signals,
+                     const char *name, size_t truth_size);
+
+/* Adds an instant. `output` begins as the program's output struct does, in `output_size`
+ * bytes. False without memory. */
+bool recording_add(struct recording *recording, int64_t time_ns, const void *input,
+                   const void *output, size_t output_size, const void *truth);
+
+/* Adds the rows of a file from instant `count` to before instant `end`: what was missed.
+ * False if they are not all there; then some of them may have been added. */
+bool recording_catch_up(struct recording *recording, const struct signals *signals,
+                        const char *name, size_t end);
+
 void recording_free(struct recording *recording);
 
 /* Seconds from instant `k - 1` to `k`, as the program is told: 0 at the first. */
@@ -33,5 +55,6 @@ double recording_dt(const struct recording *recording, size_t k);
 
 const void *recording_input(const struct recording *recording, size_t k);
 const void *recording_output(const struct recording *recording, size_t k);
+const void *recording_truth(const struct recording *recording, size_t k);
 
 #endif

@@ -31,6 +31,25 @@ static void compare(struct replay *replay, size_t k)
     }
 }
 
+/* Keeps the state before instant `k`. False without memory. */
+static bool keep(struct replay *replay, size_t k)
+{
+    const size_t size = replay->signals->program->state_size, number = k / REPLAY_EVERY;
+    if (number >= replay->room) {
+        size_t wanted = replay->recording->count / REPLAY_EVERY + 1;
+        unsigned char *kept;
+        if (wanted < 2 * replay->room)
+            wanted = 2 * replay->room;
+        kept = (unsigned char *)realloc(replay->kept, wanted * size + 1);
+        if (kept == NULL)
+            return false;
+        replay->kept = kept;
+        replay->room = wanted;
+    }
+    memcpy(kept_at(replay, k), replay->state, size);
+    return true;
+}
+
 bool replay_start(struct replay *replay, const struct signals *signals,
                   const struct recording *recording)
 {
@@ -43,18 +62,22 @@ bool replay_start(struct replay *replay, const struct signals *signals,
         return true;
     replay->state = (unsigned char *)calloc(1, program->state_size + 1);
     replay->output = (unsigned char *)calloc(1, program->output_size + 1);
-    replay->kept = (unsigned char *)malloc(
-        (recording->count / REPLAY_EVERY + 1) * program->state_size + 1);
-    if (replay->state == NULL || replay->output == NULL || replay->kept == NULL)
+    if (replay->state == NULL || replay->output == NULL)
         return false;
     program->reset(replay->state);
-    memcpy(replay->kept, replay->state, program->state_size);
-    return true;
+    return keep(replay, 0);
+}
+
+/* As far as can be run. */
+static size_t last_of(const struct replay *replay)
+{
+    const struct recording *recording = replay->recording;
+    return recording->gap < recording->count ? recording->gap : recording->count;
 }
 
 bool replay_is_whole(const struct replay *replay)
 {
-    return !replay->runs || replay->reached == replay->recording->count;
+    return !replay->runs || replay->reached >= last_of(replay);
 }
 
 /* Sets the program to the last state before an instant that is kept. */
@@ -66,19 +89,19 @@ static void go_back(struct replay *replay, size_t k)
 
 void replay_advance(struct replay *replay)
 {
-    const size_t count = replay->recording->count;
-    const size_t left = count - replay->reached;
-    const size_t end = left < REPLAY_EVERY ? count : replay->reached + REPLAY_EVERY;
+    const size_t last = last_of(replay);
+    const size_t full = (replay->reached / REPLAY_EVERY + 1) * REPLAY_EVERY;
+    const size_t end = full < last ? full : last;
     if (replay->next != replay->reached)
         go_back(replay, replay->reached);
     while (replay->next < end) {
         step(replay);
-        if (!replay->diverged)
+        if (!replay->diverged && replay->next > replay->reached)
             compare(replay, replay->next - 1);
     }
     replay->reached = end;
-    if (end < count)
-        memcpy(kept_at(replay, end), replay->state, replay->signals->program->state_size);
+    if (end == full && !keep(replay, end))
+        replay->runs = false;
 }
 
 void replay_end(struct replay *replay)
@@ -92,10 +115,10 @@ struct moment replay_at(struct replay *replay, size_t k)
 {
     const struct recording *recording = replay->recording;
     struct moment moment = { recording_input(recording, k), recording_output(recording, k), NULL };
-    if (!replay->runs)
-        return moment;
-    while (replay->reached <= k)
+    while (replay->runs && replay->reached <= k && k < last_of(replay))
         replay_advance(replay);
+    if (!replay->runs || k >= last_of(replay))
+        return moment;
     if (k + 1 < replay->next || k / REPLAY_EVERY > replay->next / REPLAY_EVERY)
         go_back(replay, k);
     while (replay->next <= k)

@@ -13,7 +13,8 @@ struct replay {
     const struct recording *recording;
     const struct signals *signals;
     bool runs;                     /* the recording has all that the program needs */
-    unsigned char *kept;           /* the states before instants 0, REPLAY_EVERY, … */
+    unsigned char *kept;           /* the states before instants 0, REPLAY_EVERY, …, … */
+    size_t room;                   /* … of so many of which there is room */
     size_t reached;                /* before this instant all states are kept, and outputs
                                     * compared with those recorded */
     unsigned char *state, *output; /* after instant `next - 1` */
@@ -29,14 +30,15 @@ bool replay_start(struct replay *replay, const struct signals *signals,
                   const struct recording *recording);
 void replay_end(struct replay *replay);
 
-/* Has the whole recording been run over? */
+/* Has the whole recording been run over, up to where it has a gap? */
 bool replay_is_whole(const struct replay *replay);
 
-/* Runs on for REPLAY_EVERY instants. */
+/* Runs on for at most REPLAY_EVERY instants. The recording may have grown. */
 void replay_advance(struct replay *replay);
 
 /* Instant `k` of the recording; good until the next call. If the program cannot be
- * run, outputs are those recorded, and `state` is NULL. Runs on as far as is needed. */
+ * run, or not so far, outputs are those recorded, and `state` is NULL. Runs on as far as is
+ * needed. */
 struct moment replay_at(struct replay *replay, size_t k);
 
 #endif

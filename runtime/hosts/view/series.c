@@ -16,6 +16,23 @@ void series_end(struct series *series)
         free(series->kept[i].numbers);
 }
 
+/* For all instants. */
+static bool has_room(const struct series *series, struct kept_series *place)
+{
+    const size_t count = series->replay->recording->count;
+    double *numbers;
+    if (count <= place->room && place->numbers != NULL)
+        return true;
+    numbers = (double *)realloc(place->numbers, (count + count / 2 + 64) * sizeof *numbers);
+    if (numbers == NULL) {
+        place->signal = NULL;
+        return false;
+    }
+    place->numbers = numbers;
+    place->room = count + count / 2 + 64;
+    return true;
+}
+
 /* A place for the numbers of one more signal: a free one, or else that of the signal that was
  * asked for the longest ago. NULL without memory. */
 static struct kept_series *place_for(struct series *series, const struct signal *signal)
@@ -24,20 +41,16 @@ static struct kept_series *place_for(struct series *series, const struct signal 
     for (size_t i = 1; i < SERIES_KEPT; i++)
         if (series->kept[i].used < place->used)
             place = &series->kept[i];
-    if (place->numbers == NULL)
-        place->numbers =
-            (double *)malloc(series->replay->recording->count * sizeof *place->numbers);
-    if (place->numbers == NULL)
-        return NULL;
     place->signal = signal;
     place->used = series->uses;
-    return place;
+    place->count = 0;
+    return has_room(series, place) ? place : NULL;
 }
 
 static struct kept_series *find(struct series *series, const struct signal *signal)
 {
     for (size_t i = 0; i < SERIES_KEPT; i++)
-        if (series->kept[i].numbers != NULL && series->kept[i].signal == signal)
+        if (series->kept[i].signal == signal)
             return &series->kept[i];
     return NULL;
 }
@@ -53,38 +66,36 @@ static bool is_recorded(const struct replay *replay, const struct signal *signal
            replay->recording->recorded[number] && !replay->diverged;
 }
 
-static void read_out(struct replay *replay, const struct signal *signal, double *numbers)
+static void read_out(struct replay *replay, struct kept_series *kept)
 {
     const struct recording *recording = replay->recording;
-    for (size_t k = 0; k < recording->count; k++) {
+    for (; kept->count < recording->count; kept->count++) {
+        const size_t k = kept->count;
         struct moment moment = { recording_input(recording, k), recording_output(recording, k),
                                  NULL };
-        numbers[k] = signal_number(replay->signals, signal, &moment);
+        kept->numbers[k] = signal_number(replay->signals, kept->signal, &moment);
     }
 }
 
-/* Of several signals in one run over the recording. */
+/* Of several signals in one run over the recording; those that are further wait. */
 static void run_over(struct replay *replay, struct kept_series *const *wanted, size_t count)
 {
-    for (size_t k = 0; k < replay->recording->count; k++) {
+    for (size_t k = wanted[0]->count; k < replay->recording->count; k++) {
         struct moment moment = replay_at(replay, k);
         for (size_t i = 0; i < count; i++)
-            wanted[i]->numbers[k] = signal_number(replay->signals, wanted[i]->signal, &moment);
+            if (wanted[i]->count == k)
+                wanted[i]->numbers[wanted[i]->count++] =
+                    signal_number(replay->signals, wanted[i]->signal, &moment);
     }
 }
 
-/* A signal that the program must be run for, and all modes with it: a page asks for them
- * together. */
-static struct kept_series *compute(struct series *series, const struct signal *signal)
+enum { TOGETHER = SERIES_KEPT / 2 };
+
+/* All modes with a signal that is new, as a page asks for them together. */
+static size_t add_modes(struct series *series, struct kept_series **wanted, size_t count)
 {
     const struct signals *signals = series->replay->signals;
-    struct kept_series *wanted[SERIES_KEPT / 2];
-    size_t count = 0;
-    wanted[count] = place_for(series, signal);
-    if (wanted[count] == NULL)
-        return NULL;
-    count++;
-    for (size_t i = 0; i < signals->count && count < SERIES_KEPT / 2; i++) {
+    for (size_t i = 0; i < signals->count && count < TOGETHER; i++) {
         const struct signal *other = &signals->all[i];
         if (other->side != MODE || find(series, other) != NULL)
             continue;
@@ -93,24 +104,49 @@ static struct kept_series *compute(struct series *series, const struct signal *s
             break;
         count++;
     }
+    return count;
+}
+
+/* With one all that are as far, as a page of a run that goes on asks for them all again. */
+static size_t add_others(struct series *series, struct kept_series **wanted, size_t count)
+{
+    for (size_t i = 0; i < SERIES_KEPT && count < TOGETHER; i++) {
+        struct kept_series *other = &series->kept[i];
+        if (other != wanted[0] && other->signal != NULL && other->count > 0 &&
+            other->count >= wanted[0]->count && !is_recorded(series->replay, other->signal) &&
+            has_room(series, other))
+            wanted[count++] = other;
+    }
+    return count;
+}
+
+/* Numbers that the program must be run for. */
+static void compute(struct series *series, struct kept_series *kept)
+{
+    struct kept_series *wanted[TOGETHER] = { kept };
+    size_t count = 1;
+    if (kept->count == 0)
+        count = add_modes(series, wanted, count);
+    else
+        count = add_others(series, wanted, count);
     run_over(series->replay, wanted, count);
-    return wanted[0];
 }
 
 const double *series_of(struct series *series, const struct signal *signal)
 {
     struct kept_series *kept = find(series, signal);
     series->uses++;
-    if (kept == NULL && is_recorded(series->replay, signal)) {
+    if (kept == NULL)
         kept = place_for(series, signal);
-        if (kept != NULL)
-            read_out(series->replay, signal, kept->numbers);
-    } else if (kept == NULL) {
-        kept = compute(series, signal);
-    }
+    else if (!has_room(series, kept))
+        kept = NULL;
     if (kept == NULL)
         return NULL;
     kept->used = series->uses;
+    if (is_recorded(series->replay, signal))
+        read_out(series->replay, kept);
+    else
+        compute(series, kept);
     return kept->numbers;
 }
 

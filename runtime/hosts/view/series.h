@@ -11,7 +11,9 @@ struct series {
     struct replay *replay;
     struct kept_series {
         const struct signal *signal;
-        double *numbers; /* of each instant */
+        double *numbers; /* of each instant … */
+        size_t count;    /* … up to this, … */
+        size_t room;     /* … with room for so many */
         unsigned long used;
     } kept[SERIES_KEPT];
     unsigned long uses;
@@ -24,7 +26,7 @@ void series_end(struct series *series);
 void series_forget(struct series *series);
 
 /* The numbers of a signal at all instants (see signal_number); NULL without memory. Good
- * until SERIES_KEPT / 2 others were asked for. */
+ * until SERIES_KEPT / 2 others were asked for, or the recording has grown. */
 const double *series_of(struct series *series, const struct signal *signal);
 
 /* Calls `visit` for the instants that make up the plot of `numbers` from instant `from`

@@ -1,19 +1,30 @@
 #include "server.h"
 
 #include "client.h"
+#include "control.h"
 #include "page_files.h"
+#include "worker.h"
 
 #include <libwebsockets.h>
 
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 struct server {
     struct view *view;
     const char *token;
-    char host[32], origin[48]; /* as a request must name them */
-    unsigned clients;
+    char host_name[32], origin[48]; /* as a request must name them */
+    struct client *clients[SERVER_CLIENTS]; /* the oldest first */
+    size_t client_count;
+    unsigned long connections;
+    struct worker worker;
+    struct control control;
+    unsigned long operator; /* the number of the page that asked to operate */
+    pid_t host;             /* of the run that is shown */
+    lws_sorted_usec_list_t again;
+    long idle;              /* beats without a page after the run's end */
 };
 
 /* What libwebsockets keeps for each connection. */
@@ -58,7 +69,7 @@ static int begin_file(struct lws *wsi, struct connection *connection, const char
     unsigned char headers[LWS_PRE + 1024], *start = headers + LWS_PRE, *at = start;
     unsigned char *last = headers + sizeof headers - 1;
     const struct page_file *file = page_file(path);
-    if (!header_is(wsi, WSI_TOKEN_HOST, server_of(wsi)->host))
+    if (!header_is(wsi, WSI_TOKEN_HOST, server_of(wsi)->host_name))
         return refuse(wsi, HTTP_STATUS_FORBIDDEN);
     if (lws_hdr_total_length(wsi, WSI_TOKEN_GET_URI) <= 0)
         return refuse(wsi, HTTP_STATUS_METHOD_NOT_ALLOWED);
@@ -123,78 +134,187 @@ static int close_with(struct lws *wsi, enum lws_close_status status, const char 
 static int open_client(struct lws *wsi, struct connection *connection)
 {
     struct server *server = server_of(wsi);
-    if (server->clients == SERVER_CLIENTS)
+    struct client *client;
+    if (server->client_count == SERVER_CLIENTS)
         return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, "too many pages are open");
-    connection->client = (struct client *)calloc(1, sizeof *connection->client);
-    if (connection->client == NULL)
+    client = (struct client *)calloc(1, sizeof *client);
+    if (client == NULL)
         return -1;
-    server->clients++;
+    client->line = wsi;
+    client->number = ++server->connections;
+    connection->client = client;
+    server->clients[server->client_count++] = client;
     lws_set_timer_usecs(wsi, SERVER_PATIENCE * LWS_USEC_PER_SEC);
     return 0;
 }
 
+/* Each is told how the run goes on. */
+static void tell_run(struct server *server)
+{
+    for (size_t i = 0; i < server->client_count; i++) {
+        struct client *client = server->clients[i];
+        if (client->admitted && server->control.ring != NULL) {
+            client->is_to_be_told_run = true;
+            lws_callback_on_writable(client->line);
+        }
+    }
+}
+
+/* The page that operates: the one that asked to, or else the oldest. */
+static const struct client *operator_of(const struct server *server)
+{
+    for (size_t i = 0; i < server->client_count; i++)
+        if (server->clients[i]->number == server->operator)
+            return server->clients[i];
+    for (size_t i = 0; i < server->client_count; i++)
+        if (server->clients[i]->admitted)
+            return server->clients[i];
+    return NULL;
+}
+
 static void close_client(struct lws *wsi, struct connection *connection)
 {
+    struct server *server = server_of(wsi);
+    size_t i = 0;
     if (connection->client == NULL)
         return;
+    while (server->clients[i] != connection->client)
+        i++;
+    server->client_count--;
+    memmove(server->clients + i, server->clients + i + 1,
+            (server->client_count - i) * sizeof(struct client *));
     client_end(connection->client);
     free(connection->client);
     connection->client = NULL;
-    server_of(wsi)->clients--;
+    tell_run(server);
+}
+
+/* Hands requests over, one of each page at a time, so that no page keeps others waiting. */
+static void ask(struct server *server)
+{
+    for (size_t i = 0; i < server->client_count; i++) {
+        struct client *client = server->clients[i];
+        if (!client->is_waiting && client->count > 0 && worker_is_free(&server->worker)) {
+            client->is_waiting = true;
+            worker_ask(&server->worker, client->number, client_next(client));
+        }
+    }
+}
+
+/* At once, whatever else a page has asked for. */
+static void command(struct server *server, struct client *client)
+{
+    client->refusal =
+        control_do(&server->control, client->command, client == operator_of(server));
+    if (client->refusal == NULL && strcmp(client->command, "take") == 0)
+        server->operator = client->number;
+    free(client->command);
+    client->command = NULL;
+    tell_run(server);
 }
 
 static int receive(struct lws *wsi, struct connection *connection, const char *piece,
                    size_t length)
 {
+    struct server *server = server_of(wsi);
+    struct client *client = connection->client;
     bool is_last = lws_is_final_fragment(wsi) && lws_remaining_packet_payload(wsi) == 0;
-    if (connection->client == NULL)
+    if (client == NULL)
         return -1;
     if (lws_frame_is_binary(wsi))
         return close_with(wsi, LWS_CLOSE_STATUS_UNACCEPTABLE_OPCODE, "requests are text");
-    switch (client_receive(connection->client, server_of(wsi)->token, piece, length, is_last)) {
+    const bool was_admitted = client->admitted;
+    switch (client_receive(client, server->token, piece, length, is_last)) {
     case TOO_LONG:
         return close_with(wsi, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE, "this request is too long");
     case WRONG_TOKEN:
         return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, "this is not the token");
     case TOO_MANY:
         return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, "too many requests");
+    case COMMANDS:
+        command(server, client);
+        break;
     case GOES_ON:
         break;
     }
+    if (client->admitted && !was_admitted)
+        tell_run(server);
+    ask(server);
     lws_callback_on_writable(wsi);
     return 0;
 }
 
-/* One request at a time, so that no page keeps the others waiting. */
-static int answer(struct lws *wsi, struct connection *connection)
+/* What a page is to be told next; false if there is nothing. What is urgent comes first. */
+static bool next_message(struct server *server, struct client *client, struct buffer *text)
+{
+    if (client->is_to_be_told_run) {
+        client->is_to_be_told_run = false;
+        control_state(&server->control, client == operator_of(server), text);
+    } else if (client->refusal != NULL) {
+        buffer_text(text, "{\"is\":\"refused\",\"why\":");
+        buffer_string(text, client->refusal);
+        buffer_text(text, "}");
+        client->refusal = NULL;
+    } else if (client->answer.length > 0) {
+        buffer_bytes(text, client->answer.data, client->answer.length);
+        buffer_clear(&client->answer);
+        client->is_waiting = false;
+    } else if (client->is_to_be_told_news) {
+        client->is_to_be_told_news = false;
+        worker_news(&server->worker, text);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+static int write_message(struct lws *wsi, struct connection *connection)
 {
     static const char room[LWS_PRE];
-    struct client *client = connection->client;
-    struct buffer text = { 0 }, body = { 0 };
-    char *request = client == NULL ? NULL : client_next(client);
+    struct server *server = server_of(wsi);
+    struct buffer text = { 0 };
     size_t length;
     int status = 0;
-    if (request == NULL && (client == NULL || !client->is_to_be_told))
-        return 0;
-    if (request != NULL) {
-        view_answer(server_of(wsi)->view, request, &body);
-    } else {
-        client->is_to_be_told = false;
-        view_progress(server_of(wsi)->view, &body);
-    }
     buffer_bytes(&text, room, sizeof room);
-    buffer_bytes(&text, body.data, body.length);
-    text.failed = text.failed || body.failed;
-    buffer_free(&body);
+    if (connection->client == NULL || text.failed ||
+        !next_message(server, connection->client, &text)) {
+        buffer_free(&text);
+        return 0;
+    }
     length = text.length - sizeof room;
     if (text.failed ||
         lws_write(wsi, (unsigned char *)text.data + LWS_PRE, length, LWS_WRITE_TEXT) < (int)length)
         status = -1;
     buffer_free(&text);
-    free(request);
-    if (client->count > 0 || client->is_to_be_told)
-        lws_callback_on_writable(wsi);
+    ask(server);
+    lws_callback_on_writable(wsi);
     return status;
+}
+
+/* The worker has something: answers to the pages that asked, news for all. */
+static void deliver(struct server *server)
+{
+    struct buffer text;
+    unsigned long number;
+    while (worker_answer(&server->worker, &number, &text)) {
+        for (size_t i = 0; i < server->client_count; i++) {
+            struct client *client = server->clients[i];
+            if (client->number == number) {
+                buffer_free(&client->answer);
+                client->answer = text;
+                memset(&text, 0, sizeof text);
+                lws_callback_on_writable(client->line);
+            }
+        }
+        buffer_free(&text);
+    }
+    if (worker_has_news(&server->worker)) {
+        for (size_t i = 0; i < server->client_count; i++) {
+            server->clients[i]->is_to_be_told_news |= server->clients[i]->admitted;
+            lws_callback_on_writable(server->clients[i]->line);
+        }
+    }
+    ask(server);
 }
 
 static int on_page(struct lws *wsi, enum lws_callback_reasons reason, void *user, void *in,
@@ -203,7 +323,7 @@ static int on_page(struct lws *wsi, enum lws_callback_reasons reason, void *user
     struct connection *connection = (struct connection *)user;
     switch (reason) {
     case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION:
-        return header_is(wsi, WSI_TOKEN_HOST, server_of(wsi)->host) &&
+        return header_is(wsi, WSI_TOKEN_HOST, server_of(wsi)->host_name) &&
                        header_is(wsi, WSI_TOKEN_ORIGIN, server_of(wsi)->origin)
                    ? 0
                    : -1;
@@ -214,12 +334,9 @@ static int on_page(struct lws *wsi, enum lws_callback_reasons reason, void *user
     case LWS_CALLBACK_RECEIVE:
         return receive(wsi, connection, (const char *)in, length);
     case LWS_CALLBACK_SERVER_WRITEABLE:
-        return answer(wsi, connection);
-    case LWS_CALLBACK_USER: /* from tell_all */
-        if (connection != NULL && connection->client != NULL && connection->client->admitted) {
-            connection->client->is_to_be_told = true;
-            lws_callback_on_writable(wsi);
-        }
+        return write_message(wsi, connection);
+    case LWS_CALLBACK_EVENT_WAIT_CANCELLED:
+        deliver(server_of(wsi));
         return 0;
     case LWS_CALLBACK_CLOSED:
         close_client(wsi, connection);
@@ -237,24 +354,39 @@ static const struct lws_protocols protocols[] = {
     { NULL, NULL, 0, 0, 0, NULL, 0 },
 };
 
-static void tell_all(struct lws_vhost *vhost)
+/* A few times a second, while there is a host to hear it. */
+static void beat(lws_sorted_usec_list_t *again)
 {
-    lws_callback_all_protocol_vhost_args(vhost, &protocols[1], LWS_CALLBACK_USER, NULL, 0);
+    struct server *server = lws_container_of(again, struct server, again);
+    struct ring *ring = server->control.ring;
+    ring_beat(ring);
+    if (ring_has_ended(ring) || getppid() != server->host)
+        server->idle += server->client_count == 0 ? 1 : 0;
+    if (server->client_count > 0)
+        server->idle = 0;
+    if (server->idle * SERVER_BEAT_US > SERVER_LINGERS * LWS_USEC_PER_SEC)
+        ending = 1;
+    else
+        lws_sul_schedule(serving, 0, again, beat, SERVER_BEAT_US);
 }
 
-/* Serves, and meanwhile runs the program over the recording. */
-static void serve(struct view *view, struct lws_vhost *vhost)
+static void wake(void)
 {
-    bool goes_on = true;
-    while (!ending) {
-        if (lws_service(serving, goes_on ? -1 : 0) < 0)
-            return;
-        if (goes_on) {
-            goes_on = view_advance(view, 0.005);
-            if (!goes_on)
-                tell_all(vhost);
-        }
+    lws_cancel_service(serving);
+}
+
+static bool serve(struct server *server)
+{
+    if (!worker_start(&server->worker, server->view, wake)) {
+        fprintf(stderr, "error: no thread can be made\n");
+        return false;
     }
+    if (server->control.ring != NULL)
+        beat(&server->again);
+    while (!ending && lws_service(serving, 0) >= 0)
+        continue;
+    worker_end(&server->worker);
+    return true;
 }
 
 /* A page can run and ask for only what comes from here, and be in no other page. */
@@ -269,7 +401,7 @@ static const struct lws_protocol_vhost_options
 bool server_run(struct view *view, int port, const char *token, server_ready *ready,
                 void *context)
 {
-    struct server server = { view, token, "", "", 0 };
+    struct server server = { .view = view, .token = token, .host = getppid() };
     struct lws_context_creation_info info;
     struct lws_vhost *vhost;
     bool serves = false;
@@ -292,14 +424,14 @@ bool server_run(struct view *view, int port, const char *token, server_ready *re
             fprintf(stderr, "error: no port of this computer (127.0.0.1) can be listened at\n");
     } else {
         port = lws_get_vhost_listen_port(vhost);
-        snprintf(server.host, sizeof server.host, "127.0.0.1:%d", port);
-        snprintf(server.origin, sizeof server.origin, "http://%s", server.host);
-        signal(SIGINT, end);
+        snprintf(server.host_name, sizeof server.host_name, "127.0.0.1:%d", port);
+        snprintf(server.origin, sizeof server.origin, "http://%s", server.host_name);
+        control_start(&server.control, view->live.ring);
+        /* An interrupt is for the run, if there is one, and this is to be seen after it. */
+        signal(SIGINT, view->live.ring != NULL ? SIG_IGN : end);
         signal(SIGTERM, end);
         signal(SIGPIPE, SIG_IGN);
-        serves = ready(context, port);
-        if (serves)
-            serve(view, vhost);
+        serves = ready(context, port) && serve(&server);
     }
     if (serving != NULL)
         lws_context_destroy(serving);

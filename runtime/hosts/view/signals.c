@@ -137,9 +137,16 @@ static const void *base(const struct signal *signal, const struct moment *moment
     return signal->side == INPUT ? moment->input : moment->output;
 }
 
+static bool is_unknown(const struct signal *signal, const struct moment *moment)
+{
+    return (signal->side == PROBE || signal->side == MODE) && moment->state == NULL;
+}
+
 void signal_write(const struct signals *signals, const struct signal *signal,
                   const struct moment *moment, struct buffer *text)
 {
+    if (is_unknown(signal, moment))
+        return;
     if (signal->side == MODE) {
         const struct frob_machine *machine = &signals->program->machines[signal->machine];
         int32_t mode = frob_trace_mode(signals->program, signal->machine, moment->state);
@@ -197,6 +204,8 @@ static double number_at(const struct frob_value *value, const char *bytes)
 double signal_number(const struct signals *signals, const struct signal *signal,
                      const struct moment *moment)
 {
+    if (is_unknown(signal, moment))
+        return NAN;
     if (signal->side == MODE) {
         int32_t mode = frob_trace_mode(signals->program, signal->machine, moment->state);
         return mode < 0 ? (double)NAN : (double)mode;

@@ -31,7 +31,7 @@ struct signals {
     bool no_memory;
 };
 
-/* What there is of an instant. */
+/* What there is of an instant. Without a state nothing is known of what is inside. */
 struct moment {
     const void *input, *output, *state;
 };

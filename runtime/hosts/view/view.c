@@ -2,6 +2,8 @@
 
 #include "condition.h"
 
+#include "../common/truth.h"
+
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -44,7 +46,8 @@ static bool read_source(struct source *source, const char *path)
 }
 
 bool view_start(struct view *view, const struct frob_program *program,
-                const struct frob_column *columns, const struct view_files *files)
+                const struct frob_column *columns, const struct view_files *files,
+                struct ring *ring)
 {
     memset(view, 0, sizeof *view);
     view->program = program;
@@ -62,7 +65,9 @@ bool view_start(struct view *view, const struct frob_program *program,
     }
     if (files->world != NULL && !read_source(&view->world, files->world))
         return false;
-    if (!recording_read(&view->recording, &view->signals, files->recording))
+    if (ring != NULL ? !live_start(&view->live, ring, files->recording, &view->signals,
+                                   &view->recording)
+                     : !recording_read(&view->recording, &view->signals, files->recording))
         return false;
     if (!replay_start(&view->replay, &view->signals, &view->recording)) {
         fprintf(stderr, "error: not enough memory for the program's states\n");
@@ -74,6 +79,7 @@ bool view_start(struct view *view, const struct frob_program *program,
 
 void view_end(struct view *view)
 {
+    live_end(&view->live);
     what_if_end(&view->other);
     series_end(&view->series);
     replay_end(&view->replay);
@@ -104,6 +110,39 @@ bool view_advance(struct view *view, double seconds)
     if (view->replay.diverged != diverged)
         series_forget(&view->series);
     return !replay_is_whole(&view->replay);
+}
+
+/* As often as a screen is drawn. */
+#define NEWS_S 0.016
+
+static bool is_live(const struct view *view)
+{
+    return view->live.ring != NULL;
+}
+
+enum view_work view_work(struct view *view, double seconds)
+{
+    const bool had_ended = view->live.has_ended, was_whole = replay_is_whole(&view->replay);
+    bool is_whole;
+    if (is_live(view) && !had_ended) {
+        view->has_news |= live_take(&view->live, 1000);
+        view->has_news |= view->live.has_ended;
+    }
+    is_whole = !view_advance(view, seconds);
+    if (!is_live(view))
+        view->has_news |= is_whole && !was_whole;
+    if (!is_whole)
+        return VIEW_GOES_ON;
+    return is_live(view) && (!view->live.has_ended || view->has_news) ? VIEW_LOOKS : VIEW_RESTS;
+}
+
+bool view_has_news(struct view *view)
+{
+    if (!view->has_news || (is_live(view) && now() < view->told + NEWS_S))
+        return false;
+    view->has_news = false;
+    view->told = now();
+    return true;
 }
 
 void view_summary(const struct view *view, struct buffer *text)
@@ -234,11 +273,16 @@ static void add_progress(const struct view *view, struct buffer *message)
     buffer_free(&summary);
 }
 
-void view_progress(const struct view *view, struct buffer *message)
+/* Of a run that goes on, what grows. */
+static void add_extent(const struct view *view, struct buffer *message)
 {
-    buffer_text(message, "{\"is\":\"progress\"");
-    add_progress(view, message);
-    buffer_text(message, "}");
+    const size_t count = view->recording.count;
+    buffer_format(message, ",\"instants\":%lu,\"start\":", (unsigned long)count);
+    buffer_number(message, count == 0 ? 0.0 : seconds_at(view, 0));
+    buffer_text(message, ",\"end\":");
+    buffer_number(message, count == 0 ? 0.0 : seconds_at(view, count - 1));
+    buffer_format(message, ",\"live\":%s",
+                  is_live(view) && !view->live.has_ended ? "true" : "false");
 }
 
 static bool has_outputs(const struct view *view)
@@ -251,17 +295,13 @@ static bool has_outputs(const struct view *view)
 
 static void answer_program(struct view *view, struct buffer *answer)
 {
-    const size_t count = view->recording.count;
     buffer_text(answer, "{\"is\":\"program\",\"name\":");
     buffer_string(answer, view->program->name);
     buffer_text(answer, ",\"robot\":");
     buffer_string(answer, view->program->robot);
     buffer_text(answer, ",\"recording\":");
-    buffer_string(answer, without_folder(view->recording.name));
-    buffer_format(answer, ",\"instants\":%lu,\"start\":", (unsigned long)count);
-    buffer_number(answer, seconds_at(view, 0));
-    buffer_text(answer, ",\"end\":");
-    buffer_number(answer, seconds_at(view, count - 1));
+    buffer_string(answer, is_live(view) ? "" : without_folder(view->recording.name));
+    add_extent(view, answer);
     buffer_format(answer, ",\"runs\":%s,\"compared\":%s", view->replay.runs ? "true" : "false",
                   has_outputs(view) ? "true" : "false");
     add_progress(view, answer);
@@ -308,6 +348,26 @@ static void add_other_cells(struct view *view, size_t k, struct buffer *answer)
     buffer_text(answer, "]");
 }
 
+/* Where the simulator's robots really are: x, y, heading, and whether they touch anything. */
+static void add_truth(const struct view *view, size_t k, struct buffer *answer)
+{
+    const size_t robots = view->recording.truth_size / sizeof(struct truth);
+    buffer_text(answer, ",\"truth\":[");
+    for (size_t i = 0; i < robots; i++) {
+        struct truth truth;
+        memcpy(&truth, (const unsigned char *)recording_truth(&view->recording, k) + i * sizeof truth,
+               sizeof truth);
+        buffer_text(answer, i > 0 ? ",[" : "[");
+        buffer_number(answer, truth.x_m);
+        buffer_text(answer, ",");
+        buffer_number(answer, truth.y_m);
+        buffer_text(answer, ",");
+        buffer_number(answer, truth.heading_rad);
+        buffer_text(answer, truth.touches != 0.0 ? ",1]" : ",0]");
+    }
+    buffer_text(answer, "]");
+}
+
 static void answer_instant(struct view *view, size_t k, struct buffer *answer)
 {
     struct moment moment = replay_at(&view->replay, k);
@@ -327,7 +387,26 @@ static void answer_instant(struct view *view, size_t k, struct buffer *answer)
     buffer_text(answer, "]");
     if (view->other.is_there)
         add_other_cells(view, k, answer);
+    if (view->recording.truth_size > 0)
+        add_truth(view, k, answer);
     buffer_text(answer, "}");
+}
+
+void view_news(struct view *view, struct buffer *message)
+{
+    if (!is_live(view)) {
+        buffer_text(message, "{\"is\":\"progress\"");
+        add_progress(view, message);
+    } else {
+        buffer_text(message, "{\"is\":\"live\"");
+        add_extent(view, message);
+        add_progress(view, message);
+        if (view->recording.count > 0) {
+            buffer_text(message, ",\"newest\":");
+            answer_instant(view, view->recording.count - 1, message);
+        }
+    }
+    buffer_text(message, "}");
 }
 
 /* The last instant that is not after a time; the first if all are. */
@@ -430,6 +509,28 @@ static void answer_path(struct view *view, size_t x, size_t y, size_t count,
         buffer_number(answer, xs[k]);
         buffer_text(answer, ",");
         buffer_number(answer, ys[k]);
+        buffer_text(answer, "]");
+    }
+    buffer_text(answer, "]}");
+}
+
+static void answer_way(struct view *view, size_t robot, size_t count, struct buffer *answer)
+{
+    const struct recording *recording = &view->recording;
+    const size_t instants = recording->count, points = instants < count ? instants : count;
+    buffer_format(answer, "{\"is\":\"way\",\"robot\":%lu,\"points\":[", (unsigned long)robot);
+    for (size_t i = 0; i < points; i++) {
+        const size_t k = points == 1 ? 0 : i * (instants - 1) / (points - 1);
+        struct truth truth;
+        memcpy(&truth,
+               (const unsigned char *)recording_truth(recording, k) + robot * sizeof truth,
+               sizeof truth);
+        buffer_text(answer, i > 0 ? ",[" : "[");
+        buffer_number(answer, seconds_at(view, k));
+        buffer_text(answer, ",");
+        buffer_number(answer, truth.x_m);
+        buffer_text(answer, ",");
+        buffer_number(answer, truth.y_m);
         buffer_text(answer, "]");
     }
     buffer_text(answer, "]}");
@@ -565,6 +666,8 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
     double seconds, from, to;
     if (take_word(&at, "program") && *at == '\0')
         answer_program(view, answer);
+    else if (count == 0)
+        refuse(answer, "there is no instant yet");
     else if (take_word(&at, "instant") && take_number(&at, count, &k) && *at == '\0')
         answer_instant(view, k, answer);
     else if (take_word(&at, "time") && take_seconds(&at, &seconds) && *at == '\0')
@@ -577,6 +680,10 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
              take_number(&at, view->signals.count, &other) && take_number(&at, 100001, &width) &&
              *at == '\0')
         answer_path(view, signal, other, width, answer);
+    else if (take_word(&at, "way") &&
+             take_number(&at, view->recording.truth_size / sizeof(struct truth), &signal) &&
+             take_number(&at, 100001, &width) && *at == '\0')
+        answer_way(view, signal, width, answer);
     else if (take_word(&at, "find") && take_number(&at, count, &k) && *at == ' ')
         answer_find(view, k, at + 1, answer);
     else if (take_word(&at, "what-if") && (*at == ' ' || *at == '\0'))

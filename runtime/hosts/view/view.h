@@ -1,4 +1,4 @@
-/* view.h -- what a page asks of a recorded run, and the answers.
+/* view.h -- what a page asks of a run, recorded or going on, and the answers.
  *
  * A request is a line of words, an answer JSON:
  *
@@ -15,11 +15,15 @@
  *   what-if TEXT               the program as TEXT has it, run on the same inputs: from which
  *                              instant on its outputs are others; without TEXT, no more of it
  *
+ *   way ROBOT COUNT            where robot number ROBOT of a simulator really was, at up to
+ *                              COUNT instants, evenly over the run
+ *
  * While there is such a program, instants and series have the `others` of its values.
  * What is no request is answered by `{"is":"refused",…}`, and nothing else happens. */
 #ifndef FROB_VIEW_VIEW_H
 #define FROB_VIEW_VIEW_H
 
+#include "live.h"
 #include "series.h"
 #include "what_if.h"
 
@@ -30,7 +34,7 @@ struct source {
 };
 
 struct view_files {
-    const char *recording;
+    const char *recording; /* of a run that goes on: what it is recorded in, or NULL */
     const char **sources; /* the user's, then … */
     size_t source_count;
     size_t own_count;     /* … from here on those of the library */
@@ -49,13 +53,34 @@ struct view {
     struct source world; /* text NULL: none */
     const struct view_files *files;
     struct what_if other;
+    struct live live;
+    bool has_news;
+    double told; /* when there last was news; seconds */
 };
 
-/* Reads the files, whose names are to stay. False with a line on standard
- * error. */
+/* Reads the files, whose names are to stay; with a ring, for a run that goes on. False with
+ * a line on standard error. */
 bool view_start(struct view *view, const struct frob_program *program,
-                const struct frob_column *columns, const struct view_files *files);
+                const struct frob_column *columns, const struct view_files *files,
+                struct ring *ring);
 void view_end(struct view *view);
+
+/* What is to be done when nobody asks for anything. */
+enum view_work {
+    VIEW_GOES_ON, /* more of the same, now */
+    VIEW_LOOKS,   /* look again soon: the run goes on */
+    VIEW_RESTS    /* nothing */
+};
+
+/* Does some of it, for about so many seconds. */
+enum view_work view_work(struct view *view, double seconds);
+
+/* Whether there is something that pages are to be told without having asked; true once. */
+bool view_has_news(struct view *view);
+
+/* Appends that: of a recording, how far the program has been run over it; of a run that
+ * goes on, its newest instant. */
+void view_news(struct view *view, struct buffer *message);
 
 /* Runs the program over more of the recording, for about so many seconds. False if it has
  * been run over all of it. */
@@ -64,9 +89,6 @@ bool view_advance(struct view *view, double seconds);
 /* Appends what does not fit, and whether outputs are the recorded ones as far as is known.
  * Lines. */
 void view_summary(const struct view *view, struct buffer *text);
-
-/* Appends the message to pages, which have not asked, how far that is. */
-void view_progress(const struct view *view, struct buffer *message);
 
 /* Appends the answer to a request. */
 void view_answer(struct view *view, const char *request, struct buffer *answer);

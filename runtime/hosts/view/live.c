@@ -1,0 +1,97 @@
+#include "live.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+bool live_start(struct live *live, struct ring *ring, const char *file,
+                const struct signals *signals, struct recording *recording)
+{
+    const struct frob_program *program = signals->program;
+    memset(live, 0, sizeof *live);
+    live->ring = ring;
+    live->file = file;
+    live->signals = signals;
+    live->recording = recording;
+    live->host = (long)getppid();
+    if (ring->sizes.input != program->input_size || ring->sizes.output > program->output_size) {
+        fprintf(stderr, "error: the program that runs is not the one that is to be shown\n");
+        return false;
+    }
+    live->input = (unsigned char *)malloc(ring->sizes.input + 1);
+    live->output = (unsigned char *)malloc(ring->sizes.output + 1);
+    live->truth = (unsigned char *)malloc(ring->sizes.truth + 1);
+    if (live->input == NULL || live->output == NULL || live->truth == NULL) {
+        fprintf(stderr, "error: not enough memory for the program's input\n");
+        return false;
+    }
+    return recording_begin(recording, signals, file != NULL ? file : "live", ring->sizes.truth);
+}
+
+void live_end(struct live *live)
+{
+    free(live->input);
+    free(live->output);
+    free(live->truth);
+}
+
+static void add(struct live *live, int64_t time_ns)
+{
+    const struct ring_sizes *sizes = &live->ring->sizes;
+    if (recording_add(live->recording, time_ns, live->input, live->output, sizes->output,
+                      sizes->truth > 0 ? live->truth : NULL))
+        return;
+    live->full = true;
+    buffer_text(&live->recording->notes,
+                "there is no memory for more of this run: what comes now is not kept\n");
+}
+
+/* The instants before the oldest that is still there. */
+static void make_up(struct live *live)
+{
+    struct recording *recording = live->recording;
+    const uint64_t missed = live->left;
+    /* Those that are overwritten while the file is read are missed again, and made up then. */
+    const uint64_t newest = ring_count(live->ring) - 1;
+    if (recording->gap == NO_GAP && live->file != NULL &&
+        recording_catch_up(recording, live->signals, live->file, (size_t)newest)) {
+        live->left = newest;
+        return;
+    }
+    live->left = newest;
+    if (recording->gap != NO_GAP)
+        return;
+    recording->gap = recording->count;
+    buffer_format(&recording->notes,
+                  "instants %llu to %llu were missed, as this viewer was stopped or too slow; from "
+                  "instant %lu on, as they are counted here, inputs and outputs are shown, and "
+                  "nothing of the inside%s\n",
+                  (unsigned long long)missed, (unsigned long long)newest - 1,
+                  (unsigned long)recording->gap,
+                  live->file == NULL ? " (a run with --record has no such gaps)" : "");
+}
+
+bool live_take(struct live *live, size_t most)
+{
+    const size_t before = live->recording->count;
+    const bool ended = ring_has_ended(live->ring) || (long)getppid() != live->host;
+    for (size_t i = 0; i < most && !live->full; i++) {
+        int64_t time_ns;
+        switch (ring_read(live->ring, live->left, &time_ns, live->input, live->output,
+                          live->truth)) {
+        case RING_READ:
+            live->left++;
+            add(live, time_ns);
+            break;
+        case RING_OVERWRITTEN:
+            make_up(live);
+            break;
+        case RING_NOT_YET:
+            live->has_ended = ended;
+            return live->recording->count > before;
+        }
+    }
+    live->has_ended = live->full && ended;
+    return live->recording->count > before;
+}
