@@ -80,19 +80,17 @@ let starts_anew caller (i : Ir.instance) (l : Ir.loop) (callee : Ir.node) start 
         (List.combine l.arguments i.inputs)
   | Some _ | None -> false
 
-(* The comparison of an accumulator that may start from infinity, and that infinity. *)
+(* The comparison of an accumulator that may start from NaN. *)
 let improvable caller (i : Ir.instance) (l : Ir.loop) callee k =
   let best = List.nth callee.node.Ir.inputs k in
   match comparison callee.node ~best (snd (List.nth callee.node.outputs k)) with
   | Some c
     when starts_anew caller i l callee.node (List.nth i.inputs k) c.x
-         && may_be_infinity c.which caller (List.nth i.outputs k)
+         && best.ty = Float
          && callee.uses best = 2
          && List.for_all (fun s -> callee.uses s = 1) c.alone ->
       Some (c, best)
   | Some _ | None -> None
-
-let infinity_before = function Least -> infinity | Largest -> neg_infinity
 
 let compare_only (callee : Ir.node) c (best : Ir.signal) =
   let operands : Ir.atom list =
@@ -103,23 +101,22 @@ let compare_only (callee : Ir.node) c (best : Ir.signal) =
   in
   { callee with equations = Long_list.map equation callee.equations }
 
-let instance (nodes : Ir.node array) caller (i : Ir.instance) (l : Ir.loop) =
+let instance (nodes : Ir.node array) runs caller (i : Ir.instance) (l : Ir.loop) =
   let callee = reader nodes.(i.node) in
-  let accumulator k argument input =
-    if argument <> Ir.Accumulator then input
-    else
-      match improvable caller i l callee k with
-      | Some (c, best) ->
-          nodes.(i.node) <- compare_only nodes.(i.node) c best;
-          Ir.Float (infinity_before c.which)
-      | None -> input
+  let start k argument (input : Ir.atom) : Ir.atom =
+    match if argument = Ir.Accumulator then improvable caller i l callee k else None with
+    | None -> input
+    | Some (c, best) when may_be_infinity c.which caller (List.nth i.outputs k) ->
+        if runs.(i.node) = 1 then nodes.(i.node) <- compare_only nodes.(i.node) c best;
+        Float (match c.which with Least -> infinity | Largest -> neg_infinity)
+    | Some _ -> Float Fold.nan
   in
   let given = List.combine l.arguments i.inputs in
-  let inputs = List.mapi (fun k (how, a) -> accumulator k how a) given in
+  let inputs = List.mapi (fun k (how, a) -> start k how a) given in
   if List.for_all2 ( == ) inputs i.inputs then i else { i with inputs }
 
 let program (program : Ir.program) =
-  let uses = lazy (Uses.of_nodes program) in
+  let runs = Uses.of_nodes program in
   let nodes = Array.copy program.nodes in
   let has_loop (i : Ir.instance) = Option.is_some i.loop in
   Array.iteri
@@ -129,9 +126,7 @@ let program (program : Ir.program) =
         let instances =
           List.map
             (fun (i : Ir.instance) ->
-              match i.loop with
-              | Some l when (Lazy.force uses).(i.node) = 1 -> instance nodes caller i l
-              | Some _ | None -> i)
+              Option.fold i.loop ~none:i ~some:(instance nodes runs caller i))
             node.instances
         in
         if not (List.for_all2 ( == ) instances node.instances) then

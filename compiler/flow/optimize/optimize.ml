@@ -68,7 +68,7 @@ let extreme =
   {
     name = "extreme";
     pass = Extreme.program;
-    reason = "loops are what they will be";
+    reason = "after inlining, which shows how they compare; then they join others";
   }
 
 let absorb =
@@ -84,7 +84,7 @@ type step =
 
 (* Twice, as inlining brings loops of several nodes together. *)
 let steps =
-  [ Tidy; Pass loop_fusion; Pass inline; Tidy; Pass loop_fusion; Pass inline; Tidy; Pass extreme;
+  [ Tidy; Pass loop_fusion; Pass inline; Tidy; Pass extreme; Pass loop_fusion; Pass inline; Tidy;
     Pass absorb; Pass simplify; Pass dead_code ]
 
 let modes (program : Ir.program) =

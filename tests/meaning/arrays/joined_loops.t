@@ -144,8 +144,9 @@ A fold that starts at an element of the array that another loop makes waits for 
   nan,nan,1
   nan,nan,0
 
-Of NaN and of infinity the same is known where the least is only compared with what
-is less: then the loop may start from infinity, and needs no test for NaN.
+The loop for a least or largest number starts from NaN, and so is joined with what makes
+its elements. Of NaN and of infinity the same is known where the least is only compared
+with what is less: then it may start from infinity, and needs no test for NaN.
 
   $ cat > limits.frob <<'EOF'
   > main :: SF (Array 3 Float, Float) (Bool, Bool, Bool, Bool)
@@ -154,7 +155,10 @@ is less: then the loop may start from infinity, and needs no test for NaN.
   > EOF
   $ frobc compile limits.frob --lint
   $ grep "INFINITY;\|NAN;" limits.c | sed "s, */\*.*,,"
-      double t3 = -(double)INFINITY;
+      double t1 = (double)INFINITY;
+      double t2 = -(double)INFINITY;
+      double t3 = (double)NAN;
+      double t4 = (double)NAN;
   $ both limits 'in.1[0],in.1[1],in.1[2],in.2' 1,2,3,1 nan,2,1,1.5 nan,nan,nan,inf nan,nan,nan,nan 2,-inf,inf,0 inf,inf,inf,inf inf,nan,nan,nan -inf,-inf,-inf,-inf
   out.1,out.2,out.3,out.4
   false,true,true,false
