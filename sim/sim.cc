@@ -104,6 +104,12 @@ void frob_sim_command_robot(frob_sim *sim, std::size_t robot, std::int64_t time_
     sim->simulation.command(time_ns, output, robot);
 }
 
+frob_sim_place frob_sim_place_robot(const frob_sim *sim, std::size_t robot) {
+    const Pose pose = sim->simulation.body(robot).pose();
+    const bool touches = !sim->simulation.robot(robot).contacts().points().empty();
+    return {pose.position.x, pose.position.y, pose.heading, touches ? 1 : 0};
+}
+
 frob_sim_summary frob_sim_summarize(const frob_sim *sim) { return frob_sim_summarize_robot(sim, 0); }
 
 frob_sim_summary frob_sim_summarize_robot(const frob_sim *sim, std::size_t robot) {

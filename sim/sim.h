@@ -70,6 +70,14 @@ void frob_sim_command(struct frob_sim *sim, int64_t time_ns,
 void frob_sim_command_robot(struct frob_sim *sim, size_t robot, int64_t time_ns,
                             const void *output);
 
+/* Where a robot really is, in the world, and whether something touches it. */
+struct frob_sim_place {
+    double x_m, y_m, heading_rad;
+    int touches;
+};
+
+struct frob_sim_place frob_sim_place_robot(const struct frob_sim *sim, size_t robot);
+
 struct frob_sim_summary {
     double time_s;            /* simulated */
     double distance_m;        /* along the path */

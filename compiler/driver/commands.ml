@@ -376,9 +376,11 @@ let trace general engine ~entry ~sources ~modes ~input ~output ~picture file =
           let status = run ~input ~output:(Some trace) in
           if status = Exit_status.ok then draw general ~entry ~trace ~picture file else status)
 
+type look = { browser : bool; control : bool }
+
 type run = {
   world : string option;
-  duration : float;
+  duration : float option;
   rate : float;
   seed : int;
   realtime : bool;
@@ -387,6 +389,7 @@ type run = {
   strict : bool;
   exit_when_done : bool;
   console : bool;
+  look : look option;
 }
 
 let world_of given (resources : Resources.t) file =
@@ -413,48 +416,18 @@ let for_world general resources world =
   | Some _ -> Ok general
   | None -> Result.map (fun robot -> { general with robot }) (robot_of_world resources world)
 
-let run general ~entry ~sources run file =
-  let* resources = Resources.find () in
-  let* () = Program_file.check file in
-  let world = world_of run.world resources file in
-  let* general = for_world general resources world in
-  if asks_for_list general then list_probes general ~entry file
-  else
-  let outputs =
-    List.map (as_output Table "--record") (Option.to_list run.record)
-    @ List.map (as_output Picture "--picture") (Option.to_list run.picture)
-  in
-  let* () = Output.check ~reads:(file :: world :: sources) outputs in
-  let option name value = match value with Some value -> [ name; value ] | None -> [] in
-  let flag name value = if value then [ name ] else [] in
-  hosted general ~entry ~sources file
-    ~host:(fun resources -> resources.Resources.simulator)
-    ~arguments:(fun _ program ->
-      [ program; "--world"; world ]
-      @ [ "--for"; Printf.sprintf "%.9f" run.duration; "--rate"; Printf.sprintf "%.9g" run.rate ]
-      @ [ "--seed"; string_of_int run.seed ]
-      @ flag "--realtime" run.realtime
-      @ option "--record" run.record
-      @ option "--picture" run.picture
-      @ flag "--exit-when-done" run.exit_when_done
-      @ flag "--console" run.console
-      @ flag "--strict" run.strict)
+(* {1 Showing} *)
 
-type view = {
-  recording : string;
-  browser : bool;
-  port : int option;
-  world : string option;
-  only_build : bool;
-}
-
-let is_port number = number >= 1 && number <= 65535
+(* In the place of a recording's name. *)
+let live = "-"
 
 (* A program with all its probes is large, and takes seconds to optimize: for a run of minutes
    it is not worth it. *)
-let effort recording =
-  let size = (Unix.stat recording).st_size in
-  [ (if size < 5_000_000 then "-O0" else "-O1") ]
+let effort = function
+  | None -> [ "-O0" ]
+  | Some recording ->
+      let size = (Unix.stat recording).st_size in
+      [ (if size < 5_000_000 then "-O0" else "-O1") ]
 
 (* With all that can be seen inside, and a table of where that is written. Of a program that
    is rejected, or has too much inside, nothing is known; the build that follows says why. *)
@@ -470,12 +443,78 @@ let with_all_probes general (resources : Resources.t) ~entry file =
 
 (* The command by which a page has an edited program compiled; its last argument is the
    program's file. *)
-let again general ~entry ~sources view file =
+let again general ~entry ~sources ~recording file =
   [ Sys.executable_name; "view"; "--only-build"; "--entry"; entry ]
   @ List.concat_map (fun source -> [ "--with"; source ]) sources
   @ Option.fold ~none:[] ~some:(fun robot -> [ "--robot"; robot ]) general.robot
   @ (match general.real with Real.Double -> [] | Single -> [ "--real"; "float" ])
-  @ [ view.recording; file ]
+  @ [ Option.value recording ~default:live; file ]
+
+(* What the viewer is started with: [recording] is [None] of a run that is recorded nowhere. *)
+let viewer general (resources : Resources.t) ~entry ~sources ~options ~world ~recording ~program
+    file =
+  let own, library = Program_file.modules ~library:resources.library file in
+  let each option files = List.concat_map (fun file -> [ option; file ]) files in
+  (resources.viewer :: options)
+  @ each "--world" [ world ]
+  @ each "--source" own
+  @ each "--library" library
+  @ [ program; Option.value recording ~default:live ]
+  @ again general ~entry ~sources ~recording file
+
+let print_only browser = if browser then [] else [ "--print" ]
+
+let shown general ~entry ~sources look ~record ~world file continue =
+  match look with
+  | None -> continue []
+  | Some { browser; control = _ } ->
+      let* resources = Resources.find () in
+      let* () = Program_file.check file in
+      let general, generated = with_all_probes general resources ~entry file in
+      shared general ~generated ~options:(effort None) ~entry ~sources file (fun _ program ->
+          viewer general resources ~entry ~sources ~options:(print_only browser) ~world
+            ~recording:record ~program file
+          |> continue)
+
+let run general ~entry ~sources run file =
+  let* resources = Resources.find () in
+  let* () = Program_file.check file in
+  let world = world_of run.world resources file in
+  let* general = for_world general resources world in
+  if asks_for_list general then list_probes general ~entry file
+  else
+  let outputs =
+    List.map (as_output Table "--record") (Option.to_list run.record)
+    @ List.map (as_output Picture "--picture") (Option.to_list run.picture)
+  in
+  let* () = Output.check ~reads:(file :: world :: sources) outputs in
+  let option name value = match value with Some value -> [ name; value ] | None -> [] in
+  let flag name value = if value then [ name ] else [] in
+  shown general ~entry ~sources run.look ~record:run.record ~world file (fun viewer ->
+  hosted general ~entry ~sources file
+    ~host:(fun resources -> resources.Resources.simulator)
+    ~arguments:(fun _ program ->
+      [ program; "--world"; world ]
+      @ option "--for" (Option.map (Printf.sprintf "%.9f") run.duration)
+      @ [ "--rate"; Printf.sprintf "%.9g" run.rate ]
+      @ [ "--seed"; string_of_int run.seed ]
+      @ flag "--realtime" run.realtime
+      @ option "--record" run.record
+      @ option "--picture" run.picture
+      @ flag "--exit-when-done" run.exit_when_done
+      @ flag "--console" run.console
+      @ flag "--strict" run.strict
+      @ if viewer = [] then [] else "--viewer" :: viewer))
+
+type view = {
+  recording : string option;
+  browser : bool;
+  port : int option;
+  world : string option;
+  only_build : bool;
+}
+
+let is_port number = number >= 1 && number <= 65535
 
 (* For the robot that a run would have been for. *)
 let view general ~entry ~sources view file =
@@ -486,7 +525,7 @@ let view general ~entry ~sources view file =
   in
   let* resources = Resources.find () in
   let* () = Program_file.check file in
-  let* () = all_exist (view.recording :: Option.to_list view.world) in
+  let* () = all_exist (Option.to_list view.recording @ Option.to_list view.world) in
   let world = world_of view.world resources file in
   let* general = for_world general resources world in
   let general, generated = with_all_probes general resources ~entry file in
@@ -497,18 +536,15 @@ let view general ~entry ~sources view file =
         Exit_status.ok
       end
       else
-        let own, library = Program_file.modules ~library:resources.library file in
-        let each option files = List.concat_map (fun file -> [ option; file ]) files in
-        let arguments =
-          (if view.browser then [] else [ "--print" ])
-          @ each "--port" (List.map string_of_int (Option.to_list view.port))
-          @ each "--world" [ world ]
-          @ each "--source" own
-          @ each "--library" library
-          @ [ program; view.recording ]
-          @ again general ~entry ~sources view file
+        let options =
+          print_only view.browser
+          @ Option.fold ~none:[] ~some:(fun n -> [ "--port"; string_of_int n ]) view.port
         in
-        match Process.become resources.viewer arguments with
+        let command =
+          viewer general resources ~entry ~sources ~options ~world ~recording:view.recording
+            ~program file
+        in
+        match Process.become resources.viewer (List.tl command) with
         | Not_found _ | Failed _ -> missing_host resources.viewer)
 
 (* {1 Explaining} *)

@@ -34,9 +34,16 @@ val trace :
   string ->
   int
 
+(** How a run is shown while it goes on. *)
+type look = {
+  browser : bool;  (** is opened, if there is a desktop *)
+  control : bool;  (** pages may do more to a real robot than stop it *)
+}
+
 type run = {
   world : string option;
-  duration : float;  (** s *)
+  duration : float option;
+      (** s; a minute if [None], and without end if the run is shown *)
   rate : float;  (** Hz *)
   seed : int;
   realtime : bool;
@@ -45,14 +52,28 @@ type run = {
   strict : bool;
   exit_when_done : bool;  (** end when the program has ended *)
   console : bool;  (** keys typed on standard input are the program's *)
+  look : look option;
 }
 
 (** [sources]: the user's C files for a program that calls them. *)
 
 val run : general -> entry:string -> sources:string list -> run -> string -> int
 
+val shown :
+  general ->
+  entry:string ->
+  sources:string list ->
+  look option ->
+  record:string option ->
+  world:string ->
+  string ->
+  (string list -> int) ->
+  int
+(** Goes on with the command that shows the run of a program while it goes on, of which the ring
+    is still to be named; nothing if that is not wanted. *)
+
 type view = {
-  recording : string;
+  recording : string option;  (** [None]: of a run that is not over, only to be built for *)
   browser : bool;  (** is opened, if there is a desktop *)
   port : int option;  (** any that is free if [None] *)
   world : string option;  (** where the robot drove; as for a {!run} if [None] *)

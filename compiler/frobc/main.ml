@@ -246,6 +246,26 @@ let run =
     let doc = "Give the keys that are typed to the program, one at each instant." in
     Arg.(value & flag & info [ "console" ] ~doc)
   in
+  let look =
+    let parts = [ ("print", `Print); ("control", `Control) ] in
+    let doc =
+      "Show the run while it goes on, on a page with all signals, in real time; without $(b,--for) \
+       until it is stopped. Prints the page's address and opens a browser, if there is a desktop. \
+       $(b,--view=print): opens none. $(b,--view=control): pages may send events to a real robot, \
+       too, and not only stop it. $(b,--view=print,control): both."
+    in
+    let make = function
+      | None -> None
+      | Some parts ->
+          Some { Commands.browser = not (List.mem `Print parts); control = List.mem `Control parts }
+    in
+    Term.(
+      const make
+      $ Arg.(
+          value
+          & opt ~vopt:(Some []) (some (list (enum parts))) None
+          & info [ "view" ] ~docv:"HOW" ~doc))
+  in
   let device =
     some_string [ "device" ] ~docv:"DEV"
       ~doc:
@@ -301,7 +321,7 @@ let run =
       $ priority $ lock_memory $ exit_when_done $ console)
   in
   let make general entry sources on_robot world duration rate seed realtime record picture strict
-    exit_when_done console file =
+    exit_when_done console look file =
     match on_robot with
     | Error (option :: _) ->
         Commands.wrong_use
@@ -317,18 +337,17 @@ let run =
         in
         Driver.Real_robot.run general ~entry ~sources ~simulated run file
     | Error [] ->
-        let duration = Option.value duration ~default:60. in
         let seed = Option.value seed ~default:1 in
         Commands.run general ~entry ~sources
           { Commands.world; duration; rate; seed; realtime; record; picture; strict; exit_when_done;
-            console }
+            console; look }
           file
   in
   command "run" ~doc:"run a robot program in the simulator, or on a robot"
     Term.(
       const make $ probed $ entry $ sources $ on_robot $ world $ duration $ rate $ seed $ realtime
         $ record
-      $ picture $ strict $ exit_when_done $ console $ file)
+      $ picture $ strict $ exit_when_done $ console $ look $ file)
 
 let view =
   let recording =
@@ -358,6 +377,7 @@ let view =
     Arg.(value & flag & info [ "only-build" ] ~doc)
   in
   let run general entry sources print port world only_build recording file =
+    let recording = if only_build && recording = "-" then None else Some recording in
     Commands.view general ~entry ~sources
       { recording; browser = not print; port; world; only_build }
       file

@@ -7,8 +7,10 @@
 #include "../common/console.h"
 #include "../common/load.h"
 #include "../common/streams.h"
+#include "../common/truth.h"
 #include "controllers.h"
 #include "options.h"
+#include "pace.h"
 #include "summary.h"
 
 #include <frob/console.h>
@@ -40,19 +42,13 @@ static int64_t clock_ns(void)
     return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
 }
 
-static void sleep_until(int64_t time_ns)
-{
-    struct timespec until;
-    until.tv_sec = (time_t)(time_ns / 1000000000);
-    until.tv_nsec = (long)(time_ns % 1000000000);
-    while (!interrupted && clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, NULL) == EINTR)
-        continue;
-}
-
 static void show_progress(int64_t now_ns, double duration_s)
 {
     double now_s = (double)now_ns * 1e-9;
-    fprintf(stderr, "\rsimulating: %.0f of %g s (%.0f %%)", now_s, duration_s,
+    if (!isfinite(duration_s))
+        fprintf(stderr, "\rsimulating: %.0f s", now_s);
+    else
+        fprintf(stderr, "\rsimulating: %.0f of %g s (%.0f %%)", now_s, duration_s,
             duration_s > 0.0 ? 100.0 * now_s / duration_s : 100.0);
     fflush(stderr);
 }
@@ -71,8 +67,6 @@ static const struct frob_program *load(const char *path)
     return program;
 }
 
-/* Opens the world with the program's robot in it; NULL with a line for each
- * mistake on standard error. */
 /* A message has a line for each fault of a world. */
 static void tell_faults(char *message)
 {
@@ -80,6 +74,8 @@ static void tell_faults(char *message)
         fprintf(stderr, "error: %s\n", line);
 }
 
+/* Opens the world with the program's robot in it; NULL with a line for each
+ * mistake on standard error. */
 static struct frob_sim *open_world(const struct options *options,
                                    const struct frob_program *program)
 {
@@ -106,25 +102,46 @@ static struct frob_sim *open_world(const struct options *options,
     return sim;
 }
 
+/* For who looks on: the first robot's instant, and where all of them really are. */
+static void publish(struct publisher *publisher, const struct controllers *controllers,
+                    int64_t now_ns, struct truth *truths)
+{
+    const struct controller *first = &controllers->each[0];
+    if (publisher->ring.shared == NULL)
+        return;
+    for (size_t i = 0; i < controllers->count; i++) {
+        const struct frob_sim_place place = frob_sim_place_robot(controllers->sim, i);
+        const struct truth truth = { place.x_m, place.y_m, place.heading_rad,
+                                     place.touches ? 1.0 : 0.0 };
+        truths[i] = truth;
+    }
+    ring_publish(&publisher->ring, now_ns, first->input, first->output, truths);
+}
+
 /* Runs the controllers at their instants. Instant k is at the absolute time
  * k / rate, in whole nanoseconds, and dt is the difference of two of them: so
  * nothing adds up. Returns false when a record cannot be written. */
 static bool run(const struct options *options, struct controllers *controllers,
-                struct console *console)
+                struct console *console, struct publisher *publisher, struct truth *truths)
 {
+    struct pace pace;
     bool progress = options->progress || isatty(STDERR_FILENO);
-    int64_t end_ns = (int64_t)llround(options->duration_s * 1e9);
-    int64_t before_ns = 0, started_ns = clock_ns(), shown_ns = 0;
+    int64_t end_ns =
+        isfinite(options->duration_s) ? (int64_t)llround(options->duration_s * 1e9) : INT64_MAX;
+    int64_t before_ns = 0, shown_ns = 0;
     bool ok = true;
+    pace_start(&pace, publisher, &interrupted, !options->realtime);
     for (int64_t k = 0; ok && !interrupted; k++) {
         int64_t now_ns = (int64_t)llround((double)k * 1e9 / options->rate_hz);
-        if (now_ns > end_ns)
+        int32_t key;
+        if (now_ns > end_ns || !pace_wait(&pace, now_ns))
             break;
-        if (options->realtime)
-            sleep_until(started_ns + now_ns);
+        key = console_key(console);
+        if (key < 0)
+            key = publisher_key(publisher);
         frob_sim_advance(controllers->sim, now_ns);
-        ok = controllers_step(controllers, now_ns, (double)(now_ns - before_ns) / 1e9,
-                              console_key(console));
+        ok = controllers_step(controllers, now_ns, (double)(now_ns - before_ns) / 1e9, key);
+        publish(publisher, controllers, now_ns, truths);
         if (controllers->running == 0 && options->exit_when_done)
             break;
         before_ns = now_ns;
@@ -163,18 +180,27 @@ static int simulate(const struct options *options, const struct frob_program *pr
     char message[1024];
     struct controllers controllers;
     struct console console;
-    bool ok;
+    struct publisher publisher;
+    struct truth *truths = (struct truth *)calloc(frob_sim_robots(sim), sizeof *truths);
+    bool ok = truths != NULL;
     int64_t started_ns;
     double wall_s;
     int collisions = 0;
-    if (options->picture != NULL && !is_writable(options->picture))
+    if (options->picture != NULL && !is_writable(options->picture)) {
+        free(truths);
         return WRONG_USE;
-    ok = controllers_open(&controllers, program, sim, options->record);
+    }
+    /* Before files are open that are none of the viewer's. */
+    publisher_start(&publisher, program, frob_sim_robots(sim) * sizeof *truths,
+                    RING_PACES | RING_SENDS, ok ? options->viewer : NULL);
+    ok = controllers_open(&controllers, program, sim, options->record) && ok;
     started_ns = clock_ns();
     memset(&console, 0, sizeof console);
     if (options->console)
         console_open(&console);
-    ok = ok && run(options, &controllers, &console);
+    ok = ok && run(options, &controllers, &console, &publisher, truths);
+    publisher_end(&publisher);
+    free(truths);
     console_close(&console);
     wall_s = (double)(clock_ns() - started_ns) * 1e-9;
     if (ok && options->picture != NULL &&

@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +21,9 @@ const char usage[] =
     "  --exit-when-done   end when the program has ended, not after the time that is set\n"
     "  --strict           exit with status 4 if the robot ran into something\n"
     "  --progress         show progress even where it is not a terminal\n"
+    "  --viewer COMMAND...\n"
+    "                     start what shows the run, and go on in real time, until it is\n"
+    "                     ended if there is no --for; takes the rest of the line\n"
     "\n"
     "       frob-sim --robot-of WORLD.toml\n"
     "\n"
@@ -103,10 +107,14 @@ static bool is_picture(const char *name)
 bool read_options(int argc, char **argv, struct options *o)
 {
     memset(o, 0, sizeof *o);
-    o->duration_s = 60.0;
+    o->duration_s = NAN;
     o->rate_hz = 50.0;
     o->seed = 1;
     for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--viewer") == 0 && i + 1 < argc) {
+            o->viewer = argv + i + 1;
+            break;
+        }
         bool *alone = flag(o, argv[i]);
         if (alone != NULL) {
             *alone = true;
@@ -126,6 +134,8 @@ bool read_options(int argc, char **argv, struct options *o)
             i++;
         }
     }
+    if (isnan(o->duration_s))
+        o->duration_s = o->viewer != NULL ? (double)INFINITY : 60.0;
     if (o->program == NULL || o->world == NULL) {
         fprintf(stderr, "error: %s is missing; `frob-sim --help` says how to use it\n",
                 o->program == NULL ? "the program" : "--world");

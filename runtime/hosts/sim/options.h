@@ -8,7 +8,7 @@
 struct options {
     const char *program;       /* PROGRAM.so */
     const char *world;
-    double duration_s;
+    double duration_s;         /* may be without end */
     double rate_hz;            /* of the controller */
     uint64_t seed;
     double wall_distance_m;    /* 0: as the world file says */
@@ -17,6 +17,7 @@ struct options {
     bool exit_when_done;       /* end the run when the program has ended */
     const char *record;        /* CSV; NULL: none */
     const char *picture;       /* NULL: none */
+    char *const *viewer;       /* a command, which ends with NULL; NULL: none */
 };
 
 /* Reads the command line. False if it is wrong, with a line on standard
