@@ -6,14 +6,17 @@ import { toggleTheme } from "./theme";
 export function startKeys(store: Store, player: Player, filter: HTMLInputElement,
                           find: HTMLInputElement, help: HTMLDialogElement): void {
   const act = (event: KeyboardEvent): boolean => {
-    const { instant, program } = store;
+    const { instant } = store;
     switch (event.key) {
       case "ArrowLeft": store.stepBy(event.shiftKey ? -10 : -1); break;
       case "ArrowRight": store.stepBy(event.shiftKey ? 10 : 1); break;
       case "PageUp": store.goToTime((instant?.time ?? 0) - 1); break;
       case "PageDown": store.goToTime((instant?.time ?? 0) + 1); break;
       case "Home": store.goTo(0); break;
-      case "End": store.goTo(program.instants - 1); break;
+      case "End": case "l": player.toEnd(); break;
+      case "X": store.command("stop"); break;
+      case "p": if (store.run?.paces) store.command(store.run.paused ? "go" : "pause"); break;
+      case "n": if (store.run?.paused) store.command("step"); break;
       case " ": player.toggle(); break;
       case "+": case "=": player.faster(1); break;
       case "-": player.faster(-1); break;

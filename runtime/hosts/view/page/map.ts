@@ -1,11 +1,13 @@
 // Where the robot is by its odometry, the way it has come, what its sonars hear, and the world.
-import type { Path } from "./protocol";
+import type { Instant, Path, Way } from "./protocol";
 import { robotNamed } from "./robots";
 import type { Store } from "./store";
 import { colour, onTheme } from "./theme";
 import { readWorld, type Point, type World } from "./world";
 
 const pathPoints = 4000;
+/** How far apart points of a way are that is drawn as it is driven, in metres. */
+const apart = 0.01;
 /** Around what is drawn, in metres. */
 const margin = 0.35;
 
@@ -43,14 +45,17 @@ export function startMap(store: Store, host: HTMLElement): void {
   const sonars = robot.sonars.map((_, k) => number(`in.sonar[${k}]`));
   const world: World | null = worldFile && readWorld(worldFile.text);
   const start: Pose = world?.start ?? { x: 0, y: 0, heading: 0 };
+  // By odometry; of a simulator's run that goes on, of each robot where it really is.
   let path: Point[] = [];
   let times: number[] = [];
+  const ways = new Map<number, Point[]>();
   let toPixel = (p: Point): Point => p;
   let scale = 1;
 
   const fit = () => {
     const lines = [...(world?.walls ?? []), ...(world?.lines ?? [])];
-    const all: Point[] = [[start.x, start.y], ...path, ...(world?.solids ?? []).flat(),
+    const all: Point[] = [[start.x, start.y], ...(ways.size > 0 ? [...ways.values()].flat() : path),
+                          ...(world?.solids ?? []).flat(),
                           ...lines.flatMap((line) => line.points)];
     const xs = all.map((p) => p[0]), ys = all.map((p) => p[1]);
     const lowest = (numbers: number[]) => numbers.reduce((a, b) => Math.min(a, b)) - margin;
@@ -94,8 +99,20 @@ export function startMap(store: Store, host: HTMLElement): void {
     for (const { center, radius } of all.circles) disc(center, radius * scale, colour("solid"));
   };
 
-  const drawRobot = (pose: Pose, cells: readonly string[]) => {
+  const drawBody = (pose: Pose, fill: string) => {
     const at: Point = [pose.x, pose.y];
+    const radius = Math.max(5, robot.radius * scale);
+    disc(at, radius, fill);
+    const [px, py] = toPixel(at);
+    context.beginPath();
+    context.moveTo(px, py);
+    context.lineTo(px + radius * Math.cos(pose.heading), py - radius * Math.sin(pose.heading));
+    context.strokeStyle = colour("panel");
+    context.lineWidth = 2;
+    context.stroke();
+  };
+
+  const drawEchoes = (pose: Pose, cells: readonly string[]) => {
     robot.sonars.forEach((sonar, k) => {
       const range = Number(cells[sonars[k] ?? -1] || NaN);
       if (!(range > 0)) return;
@@ -105,15 +122,26 @@ export function startMap(store: Store, host: HTMLElement): void {
       line([[from.x, from.y], to], colour("mark"), 1);
       disc(to, 3, colour("mark"));
     });
-    const radius = Math.max(5, robot.radius * scale);
-    disc(at, radius, colour("accent"));
-    const [px, py] = toPixel(at);
+  };
+
+  /** Where odometry has it, beside where it is. */
+  const drawBelief = (pose: Pose) => {
     context.beginPath();
-    context.moveTo(px, py);
-    context.lineTo(px + radius * Math.cos(pose.heading), py - radius * Math.sin(pose.heading));
-    context.strokeStyle = colour("panel");
-    context.lineWidth = 2;
+    context.arc(...toPixel([pose.x, pose.y]), Math.max(5, robot.radius * scale), 0, 2 * Math.PI);
+    context.setLineDash([4, 3]);
+    context.strokeStyle = colour("dim");
+    context.lineWidth = 1;
     context.stroke();
+    context.setLineDash([]);
+  };
+
+  const drawTruth = (truth: NonNullable<Instant["truth"]>, cells: readonly string[]) => {
+    for (const way of ways.values()) line(way, colour("edge"), 1.5);
+    truth.forEach(([px, py, heading, touches], i) => {
+      const pose = { x: px, y: py, heading };
+      if (i === 0) drawEchoes(pose, cells);
+      drawBody(pose, colour(touches ? "bad" : i === 0 ? "accent" : "dim"));
+    });
   };
 
   const draw = () => {
@@ -126,14 +154,39 @@ export function startMap(store: Store, host: HTMLElement): void {
     context.lineCap = "round";
     fit();
     if (world) drawWorld(world);
-    line(path, colour("edge"), 1.5);
     const { instant } = store;
     if (!instant) return;
+    const pose = poseAt(instant);
+    if (instant.truth) {
+      drawTruth(instant.truth, instant.cells);
+      drawBelief(pose);
+      return;
+    }
+    line(path, colour("edge"), 1.5);
     const passed = path.filter((_, i) => (times[i] ?? 0) <= instant.time);
-    const cell = (i: number) => Number(instant.cells[i] ?? 0);
-    const pose = within(start, { x: cell(x), y: cell(y), heading: cell(heading) });
     line([...passed, [pose.x, pose.y]], colour("accent"), 2);
-    drawRobot(pose, instant.cells);
+    drawEchoes(pose, instant.cells);
+    drawBody(pose, colour("accent"));
+  };
+  const poseAt = (instant: Instant): Pose => {
+    const cell = (i: number) => Number(instant.cells[i] ?? 0);
+    return within(start, { x: cell(x), y: cell(y), heading: cell(heading) });
+  };
+
+  /** Adds where it is now, if that is somewhere else. */
+  const extend = (points: Point[], pose: { readonly x: number; readonly y: number }): boolean => {
+    const last = points.at(-1);
+    if (last && Math.hypot(pose.x - last[0], pose.y - last[1]) < apart) return false;
+    points.push([pose.x, pose.y]);
+    return true;
+  };
+  const grow = (instant: Instant) => {
+    instant.truth?.forEach(([px, py], i) => {
+      const way = ways.get(i) ?? [];
+      ways.set(i, way);
+      extend(way, { x: px, y: py });
+    });
+    if (extend(path, poseAt(instant))) times.push(instant.time);
   };
 
   store.path(x, y, pathPoints, (answer: Path) => {
@@ -143,6 +196,14 @@ export function startMap(store: Store, host: HTMLElement): void {
       return [pose.x, pose.y];
     });
     draw();
+  });
+  store.on("extent", () => {
+    const { newest } = store;
+    if (!newest) return;
+    // Of what was before this page, once.
+    if (ways.size === 0) newest.truth?.forEach((_, i) => store.way(i, pathPoints, (way: Way) =>
+      ways.set(i, way.points.map(([, px, py]) => [px, py]))));
+    grow(newest);
   });
   canvas.addEventListener("click", (event) => {
     const distance = ([px, py]: Point) => Math.hypot(px - event.offsetX, py - event.offsetY);

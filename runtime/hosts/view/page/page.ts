@@ -1,10 +1,11 @@
 // The page: what there is, and the panels that show it.
 import { Connection } from "./connection";
 import { startKeys } from "./keys";
+import { startLive } from "./live";
 import { Player } from "./player";
 import { startMap } from "./map";
 import { startPlots } from "./plots";
-import type { Answer, Program, Progress } from "./protocol";
+import type { Answer, Live, Program, Progress, Run } from "./protocol";
 import { startSearch } from "./search";
 import { startSignals } from "./signals";
 import { startSource } from "./source";
@@ -27,20 +28,25 @@ function showState(text: string, isGood: boolean): void {
 function describe(program: Program): void {
   document.title = `${program.name} – Frob`;
   element("program").textContent = program.name;
-  element("run").textContent = [program.recording, program.robot,
-    `${program.instants} instants, ${formatNumber(program.end - program.start)} s`]
-    .filter((part) => part !== "").join("  ·  ");
+  describeRun(program);
   showProgress(program, program);
 }
 
-function showProgress(program: Program, progress: Program | Progress): void {
+function describeRun(program: Program): void {
+  element("run").textContent = [program.recording, program.robot,
+    `${program.instants} instants, ${formatNumber(program.end - program.start)} s`]
+    .filter((part) => part !== "").join("  ·  ");
+}
+
+function showProgress(program: Program, progress: Program | Progress | Live): void {
   const notes = progress.notes.trimEnd();
   element("notes").textContent = notes;
   element("notes").hidden = notes === "";
   const diverged = /^diverged at \d+/m.exec(notes);
   if (diverged) showState(diverged[0], false);
   else if (!program.runs) showState("as recorded; the program does not fit", false);
-  else if (progress.replayed < program.instants) showState("replaying …", true);
+  else if (progress.replayed < program.instants && !program.live) showState("replaying …", true);
+  else if (program.live) showState("replayed as it goes: outputs as computed", true);
   else showState(program.compared ? "replayed: outputs as recorded" : "replayed", true);
 }
 
@@ -75,17 +81,35 @@ function start(program: Program): Store {
               element<HTMLButtonElement>("before"), element<HTMLButtonElement>("after"));
   startTimeline(store, element("timeline"));
   startKeys(store, new Player(store), filter, element<HTMLInputElement>("find"), help);
+  startLive(store);
   element("help").onclick = () => help.showModal();
-  store.goTo(0);
+  if (program.live) store.follow();
+  else store.goTo(0);
   return store;
 }
 
 let store: Store | null = null;
+/** May be told before there is a store. */
+let run: Run | null = null;
 
 function answered(answer: Answer): void {
   switch (answer.is) {
-    case "program": store = start(answer); break;
+    case "program":
+      store = start(answer);
+      if (run) store.runsOn(run);
+      break;
     case "progress": if (store) showProgress(store.program, answer); break;
+    case "live":
+      if (!store) break;
+      store.grew(answer);
+      describeRun(store.program);
+      showProgress(store.program, answer);
+      break;
+    case "run":
+      run = answer;
+      store?.runsOn(run);
+      break;
+    case "way": store?.wayReceived(answer); break;
     case "instant": store?.arrived(answer); break;
     case "series": store?.received(answer); break;
     case "path": store?.pathReceived(answer); break;

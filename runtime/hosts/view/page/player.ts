@@ -21,7 +21,7 @@ export class Player {
     press("back", () => store.stepBy(-1));
     press("play", () => this.toggle());
     press("forward", () => store.stepBy(1));
-    press("end", () => store.goTo(store.program.instants - 1));
+    press("end", () => this.toEnd());
     for (const speed of speeds) this.speed.append(new Option(`${speed}×`, String(speed)));
     this.speed.onchange = () => this.setSpeed(Number(this.speed.value));
     this.setSpeed(1);
@@ -49,8 +49,18 @@ export class Player {
     this.seconds += (Math.max(0, at - this.before) / 1000) * store.speed;
     this.before = at;
     store.goToTime(Math.min(this.seconds, store.program.end));
-    if (this.seconds >= store.program.end) this.toggle();
+    if (this.seconds >= store.program.end) {
+      this.toggle();
+      store.follow();
+    }
     else requestAnimationFrame((next) => this.advance(next));
+  }
+
+  /** Of a run that goes on, the newest instant, whatever comes. */
+  toEnd(): void {
+    const { store } = this;
+    if (store.program.live) store.follow();
+    else store.goTo(store.program.instants - 1);
   }
 
   pause(): void {

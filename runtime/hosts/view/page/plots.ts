@@ -9,6 +9,8 @@ import { difference, formatCell, formatNumber, formatPoint } from "./values";
 const lowHeight = 64;
 const highHeight = (plots: number) => (plots > 4 ? 92 : 124);
 const axisWidth = 72;
+/** As many as there are, of what has just come. */
+const mostPoints = 100_000;
 
 function isLow(signal: Signal): boolean {
   return signal.kind === "bool" || signal.kind === "mode" || signal.kind === "sum";
@@ -22,9 +24,10 @@ class Strip {
   private readonly place = document.createElement("div");
   private plot: uPlot | null = null;
   private isEmpty = false;
-  private values: readonly (number | null)[] = [];
-  private others: readonly (number | null)[] = [];
+  private values: (number | null)[] = [];
+  private others: (number | null)[] = [];
   private data: uPlot.AlignedData = [[], []];
+  private isGrowing = false;
 
   constructor(
     private readonly store: Store,
@@ -60,7 +63,8 @@ class Strip {
   }
 
   private show(series: Series): void {
-    if (series.from !== this.store.range[0] || series.to !== this.store.range[1]) return;
+    const isLate = series.from !== this.store.range[0] || series.to !== this.store.range[1];
+    if (isLate && !this.store.following) return;
     this.values = series.values;
     this.others = series.others ?? [];
     this.data = series.others ? [series.times, series.values, series.others]
@@ -69,6 +73,45 @@ class Strip {
     if (this.plot && !this.isEmpty && this.plot.series.length === this.data.length)
       this.plot.setData(this.data, true);
     else this.build();
+  }
+
+  /** Asks for what has come since, of a run that is followed. */
+  grow(): void {
+    if (this.isGrowing) return;
+    const from = this.data[0].at(-1) ?? this.store.range[0];
+    this.isGrowing = true;
+    this.store.series(this.number, from, this.store.program.end, mostPoints, (series) => {
+      this.isGrowing = false;
+      if (this.store.following) this.append(series);
+    });
+  }
+
+  private append(series: Series): void {
+    const [from] = this.store.range;
+    const last = this.data[0].at(-1) ?? -Infinity;
+    const isNew = (_: unknown, i: number) => (series.times[i] ?? 0) > last;
+    const times = [...this.data[0], ...series.times.filter(isNew)];
+    // One before what is shown, from which a step goes into it.
+    const first = Math.max(0, times.findIndex((time) => time > from) - 1);
+    const joined = (before: readonly (number | null)[], more: readonly (number | null)[]) =>
+      [...before, ...more.filter(isNew)].slice(first);
+    const hasOthers = series.others !== undefined;
+    const isOther = hasOthers !== this.others.length > 0;
+    this.values = joined(this.values, series.values);
+    this.others = hasOthers ? joined(isOther ? this.values.map(() => null) : this.others,
+                                     series.others) : [];
+    this.data = hasOthers ? [times.slice(first), this.values, this.others]
+      : [times.slice(first), this.values];
+    const wasEmpty = this.isEmpty;
+    this.isEmpty = this.values.every((value) => value === null);
+    const [min, max] = this.times();
+    if (this.plot && wasEmpty === this.isEmpty && !isOther) {
+      this.plot.batch(() => {
+        this.plot?.setData(this.data, false);
+        this.plot?.setScale("x", { min, max });
+      });
+      this.readOut();
+    } else this.build();
   }
 
   /** Draws it anew, in another size or other colours. */
@@ -269,6 +312,7 @@ export function startPlots(store: Store, host: HTMLElement): void {
   store.on("range", all((strip) => strip.load()));
   store.on("what-if", all((strip) => strip.load()));
   store.on("instant", all((strip) => strip.redraw()));
+  store.on("extent", () => store.following && strips.forEach((strip) => strip.grow()));
   store.on("mark", all((strip) => strip.redraw()));
   onTheme(all((strip) => strip.build()));
   new ResizeObserver(all((strip) => strip.resize())).observe(host);

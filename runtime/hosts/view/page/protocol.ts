@@ -27,9 +27,12 @@ export interface Program {
   readonly name: string;
   readonly robot: string;
   readonly recording: string;
-  readonly instants: number;
-  readonly start: number;
-  readonly end: number;
+  // These grow while the run goes on.
+  instants: number;
+  start: number;
+  end: number;
+  /** Whether it does. */
+  live: boolean;
   /** Whether the program can be run on the recording. */
   readonly runs: boolean;
   /** Whether outputs were recorded, so that those of the replay can be compared. */
@@ -41,6 +44,31 @@ export interface Program {
   readonly sources: readonly Source[];
   /** That the robot may have driven in. */
   readonly world: Source | null;
+}
+
+/** Comes by itself, while a run goes on, and at its end: what has grown, and the newest instant. */
+export interface Live {
+  readonly is: "live";
+  readonly instants: number;
+  readonly start: number;
+  readonly end: number;
+  readonly live: boolean;
+  readonly replayed: number;
+  readonly notes: string;
+  readonly newest?: Instant;
+}
+
+/** Comes by itself: how the run goes on, and what this page may do to it besides stopping it. */
+export interface Run {
+  readonly is: "run";
+  /** Of several pages one does. */
+  readonly operates: boolean;
+  /** Whether pages may pause it and set its speed; and send events. */
+  readonly paces: boolean;
+  readonly sends: boolean;
+  readonly stopping: boolean;
+  readonly paused: boolean;
+  readonly speed: number;
 }
 
 /** Comes by itself, when the program has been run over the whole recording. */
@@ -59,6 +87,9 @@ export interface Instant {
   readonly cells: readonly string[];
   /** Of the edited program, if there is one; null: it has no such signal. */
   readonly others?: readonly (string | null)[];
+  /** Of each robot of a simulator, where it really is: x, y, heading, and 1 where it touches
+   *  something. */
+  readonly truth?: readonly (readonly [number, number, number, number])[];
 }
 
 export interface Series {
@@ -77,6 +108,13 @@ export interface Path {
   readonly y: number;
   /** Times and the two signals. */
   readonly points: readonly (readonly [number, number | null, number | null])[];
+}
+
+/** Where a robot of a simulator really was: time, x and y. */
+export interface Way {
+  readonly is: "way";
+  readonly robot: number;
+  readonly points: readonly (readonly [number, number, number])[];
 }
 
 export interface Found {
@@ -108,4 +146,5 @@ export interface Refused {
   readonly why: string;
 }
 
-export type Answer = Program | Progress | Instant | Series | Path | Found | WhatIf | Refused;
+export type Answer =
+  Program | Progress | Live | Run | Instant | Series | Path | Way | Found | WhatIf | Refused;

@@ -1,9 +1,13 @@
 // What the page shows at the moment, and who wants to know when that changes.
 import type { Connection } from "./connection";
-import type { Found, Instant, Path, Program, Series, WhatIf } from "./protocol";
+import type { Found, Instant, Live, Path, Program, Run, Series, Way, WhatIf } from "./protocol";
 
 type Listener = () => void;
-export type Change = "instant" | "mark" | "range" | "plotted" | "spans" | "what-if";
+export type Change =
+  "instant" | "mark" | "range" | "plotted" | "spans" | "what-if" | "extent" | "following" | "run";
+
+/** How many seconds plots show at first of a run that goes on. */
+const recently = 20;
 
 function withoutOthers<T extends { readonly others?: unknown }>(answer: T): Omit<T, "others"> {
   const { others: _, ...rest } = answer;
@@ -29,8 +33,18 @@ export class Store {
   /** Whether keys go to the editor of the program. */
   isEditing = false;
 
+  /** Whether what is shown is the newest instant of a run that goes on, whatever comes. */
+  following = false;
+  /** The newest instant of a run that goes on. */
+  newest: Instant | null = null;
+  /** How the run goes on; null if it does not. */
+  run: Run | null = null;
+  /** How many seconds plots show meanwhile. */
+  private recent = recently;
+
   private finding: ((found: Found) => void)[] = [];
   private readonly paths = new Map<string, (path: Path) => void>();
+  private readonly ways = new Map<number, (way: Way) => void>();
   private readonly listeners = new Map<Change, Listener[]>();
   private readonly waiting = new Map<string, (series: Series) => void>();
   /** Where the cursor is going. */
@@ -54,16 +68,74 @@ export class Store {
     for (const listener of this.listeners.get(change) ?? []) listener();
   }
 
+  // A run that goes on.
+
+  grew(live: Live): void {
+    const { program } = this;
+    const isNews = program.live !== live.live;
+    program.instants = live.instants;
+    program.start = live.start;
+    program.end = live.end;
+    program.live = live.live;
+    if (!live.live) this.run = null;
+    this.newest = live.newest ?? null;
+    if (this.following) {
+      this.range = this.recentRange();
+      if (live.newest) this.instant = live.newest;
+      this.following = live.live;
+      this.changed("instant");
+    }
+    this.changed("extent");
+    if (isNews) {
+      this.changed("run");
+      this.changed("following");
+    }
+  }
+
+  private recentRange(): [number, number] {
+    const { start, end } = this.program;
+    return [Math.max(start, end - this.recent), end];
+  }
+
+  /** Shows the newest instant from now on. */
+  follow(): void {
+    if (!this.program.live || this.following) return;
+    this.following = true;
+    this.range = this.recentRange();
+    this.changed("range");
+    this.changed("following");
+  }
+
+  private leave(): void {
+    if (!this.following) return;
+    this.following = false;
+    this.changed("following");
+  }
+
+  runsOn(run: Run): void {
+    this.run = run;
+    this.changed("run");
+  }
+
+  /** What control.h has, and the run itself is asked for. */
+  command(request: string): void {
+    this.connection.ask(request);
+  }
+
   // The cursor. One request at a time is on its way; of those that come meanwhile only
   // the last counts.
 
   goTo(k: number, then?: Listener): void {
+    this.leave();
+    if (this.program.instants === 0) return;
     const last = this.program.instants - 1;
     this.target = Math.max(0, Math.min(last, Math.round(k)));
     this.ask(`instant ${this.target}`, then);
   }
 
   goToTime(seconds: number, then?: Listener): void {
+    this.leave();
+    if (this.program.instants === 0) return;
     this.target = null;
     this.ask(`time ${seconds}`, then);
   }
@@ -84,7 +156,7 @@ export class Store {
 
   arrived(instant: Instant): void {
     // Another page may have an edited program where this one has none.
-    this.instant = this.whatIf?.there ? instant : withoutOthers(instant);
+    if (!this.following) this.instant = this.whatIf?.there ? instant : withoutOthers(instant);
     this.outstanding = false;
     if (this.wanted !== null) {
       const request = this.wanted;
@@ -105,12 +177,20 @@ export class Store {
   // Plots.
 
   setRange(from: number, to: number): void {
+    this.leave();
     this.range = [Math.max(this.program.start, from), Math.min(this.program.end, to)];
     this.changed("range");
   }
 
+  /** The whole run; of one that is followed that, or what was lately. */
   showAll(): void {
-    this.setRange(this.program.start, this.program.end);
+    if (!this.following) {
+      this.setRange(this.program.start, this.program.end);
+      return;
+    }
+    this.recent = this.recent === recently ? Infinity : recently;
+    this.range = this.recentRange();
+    this.changed("range");
   }
 
   toggle(signal: number): void {
@@ -131,6 +211,15 @@ export class Store {
     const then = this.waiting.get(key);
     this.waiting.delete(key);
     then?.(this.whatIf?.there ? series : withoutOthers(series));
+  }
+
+  way(robot: number, count: number, then: (way: Way) => void): void {
+    this.ways.set(robot, then);
+    this.connection.ask(`way ${robot} ${count}`);
+  }
+
+  wayReceived(way: Way): void {
+    this.ways.get(way.robot)?.(way);
   }
 
   path(x: number, y: number, count: number, then: (path: Path) => void): void {
@@ -167,6 +256,7 @@ export class Store {
   whatIfReceived(whatIf: WhatIf): void {
     this.whatIf = whatIf;
     this.changed("what-if");
+    if (this.following && whatIf.first === undefined) return;
     this.goTo(whatIf.first ?? this.instant?.k ?? 0);
   }
 }

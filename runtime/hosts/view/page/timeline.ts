@@ -8,22 +8,26 @@ import { formatNumber, formatTime } from "./values";
 const bandHeight = 16;
 const axisHeight = 20;
 const mostBands = 6;
+/** How often the bands of a run that goes on are asked for, in milliseconds. */
+const bandsEvery = 500;
 
 export function startTimeline(store: Store, host: HTMLElement): void {
   const canvas = host.querySelector("canvas");
   const context = canvas?.getContext("2d");
   if (!canvas || !context) return;
-  const { start, end, instants, signals } = store.program;
-  const span = Math.max(end - start, 1e-9);
+  const { program } = store;
+  const { signals } = program;
+  const span = () => Math.max(program.end - program.start, 1e-9);
   const modes = signals.flatMap((signal, number) => (signal.side === "mode" ? [number] : []))
     .slice(0, mostBands);
   const bands = new Map<number, Series>();
   let width = 0;
 
-  const place = (seconds: number) => ((seconds - start) / span) * width;
+  const place = (seconds: number) => ((seconds - program.start) / span()) * width;
 
   const drawBand = (number: number, series: Series, y: number) => {
     const names = signals[number]?.names ?? [];
+    const { start, end } = program;
     const title = signals[number]?.name.replace(/^mode\./, "") ?? "";
     for (let i = 0; i < series.times.length; ) {
       const mode = series.values[i] ?? null;
@@ -45,7 +49,8 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   };
 
   const drawAxis = (y: number) => {
-    const least = span / Math.max(1, width / 80);
+    const { start, end } = program;
+    const least = span() / Math.max(1, width / 80);
     const power = 10 ** Math.floor(Math.log10(least));
     const step = [1, 2, 5, 10].map((x) => x * power).find((x) => x >= least) ?? 10 * power;
     context.fillStyle = colour("dim");
@@ -91,6 +96,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     context.font = "11px system-ui, sans-serif";
     context.textBaseline = "middle";
     const bottom = height - axisHeight;
+    const { start, end } = program;
     const [from, to] = store.range;
     if (from > start || to < end) {
       context.fillStyle = colour("range");
@@ -112,16 +118,16 @@ export function startTimeline(store: Store, host: HTMLElement): void {
 
   const tell = () => {
     if (!store.instant) return;
+    host.ariaValueMax = String(program.instants - 1);
     host.ariaValueNow = String(store.instant.k);
     host.ariaValueText = `instant ${store.instant.k}, ${formatTime(store.instant.time)}`;
     draw();
   };
   host.ariaValueMin = "0";
-  host.ariaValueMax = String(instants - 1);
 
   canvas.style.height = `${Math.max(1, modes.length) * bandHeight + 12 + axisHeight}px`;
   const scrub = (event: PointerEvent) =>
-    store.goToTime(start + (event.offsetX / Math.max(1, width)) * span);
+    store.goToTime(program.start + (event.offsetX / Math.max(1, width)) * span());
   canvas.onpointerdown = (event) => {
     canvas.setPointerCapture(event.pointerId);
     scrub(event);
@@ -129,14 +135,23 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   canvas.onpointermove = (event) => {
     if (canvas.hasPointerCapture(event.pointerId)) scrub(event);
   };
-  new ResizeObserver(() => {
-    width = host.clientWidth;
-    modes.forEach((number) => store.series(number, start, end, width, (series) => {
+  let asked = 0;
+  const askForBands = () => {
+    asked = performance.now();
+    modes.forEach((number) => store.series(number, program.start, program.end, width, (series) => {
       bands.set(number, series);
       draw();
     }));
+  };
+  new ResizeObserver(() => {
+    width = host.clientWidth;
+    askForBands();
     draw();
   }).observe(host);
+  store.on("extent", () => {
+    if (performance.now() > asked + bandsEvery || !program.live) askForBands();
+    draw();
+  });
   store.on("instant", tell);
   store.on("mark", draw);
   store.on("range", draw);
