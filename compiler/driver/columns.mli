@@ -20,5 +20,8 @@ val of_program :
 (** Those of its inputs and outputs that have a unit, and its probes. The definition is the
     entry, as it was written. *)
 
+val quoted : string -> string
+(** A C string. *)
+
 val text : t list -> string
 (** A C file. *)

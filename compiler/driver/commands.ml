@@ -429,17 +429,21 @@ let effort = function
       let size = (Unix.stat recording).st_size in
       [ (if size < 5_000_000 then "-O0" else "-O1") ]
 
-(* With all that can be seen inside, and a table of where that is written. Of a program that
-   is rejected, or has too much inside, nothing is known; the build that follows says why. *)
+(* With all that can be seen inside, and tables of where that is written and what it comes
+   from. Of a program that is rejected, or has too much inside, nothing is known; the build
+   that follows says why. *)
 let with_all_probes general (resources : Resources.t) ~entry file =
   match Robots.known general.robot with
   | Error _ -> (general, [])
   | Ok robot -> (
       let request = request general ?robot ~entry ~library:resources.library file in
-      match Pipeline.columns (Diagnostic.sink ()) (Source.create ()) request with
+      match Pipeline.origins (Diagnostic.sink ()) (Source.create ()) request with
       | None -> (general, [])
-      | Some columns ->
-          ({ general with probes = [ "all" ] }, [ ("frob_columns.c", Columns.text columns) ]))
+      | Some (columns, origins) ->
+          ( { general with probes = [ "all" ] },
+            [
+              ("frob_columns.c", Columns.text columns); ("frob_origins.c", Origins.text origins);
+            ] ))
 
 (* The command by which a page has an edited program compiled; its last argument is the
    program's file. *)

@@ -28,6 +28,14 @@ let probes sink =
 let columns sink =
   all_probes (fun (p : Front_end.t) -> Columns.of_program p.typed p.written p.flow) sink
 
+let origins sink =
+  let both (p : Front_end.t) probes =
+    let equations = Probe.Equations.of_program (fst p.closed) in
+    ( Columns.of_program p.typed p.written p.flow probes,
+      Probe.Origin.of_program equations p.flow probes )
+  in
+  all_probes both sink
+
 let interpretable sink sources r =
   let* { written; closed; flow; _ } = checked sink sources r in
   let refusal = Interpreted.refusal ~at:written.span flow in

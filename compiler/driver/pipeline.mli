@@ -30,6 +30,9 @@ val probes : string option t
 val columns : Columns.t list option t
 (** What is known of the columns of a trace with all probes. *)
 
+val origins : (Columns.t list * Probe.Origin.t list) option t
+(** That, and where their values come from. *)
+
 val for_both_engines : (Core.Ir.program * Core.Ir.Global.t * Cgen.Emit.t) option t
 (** What {!interpretable} and {!compile} give, with one run of the stages that
     they share. *)

@@ -1,12 +1,12 @@
 open Basis
 
-type t = (Span.t, unit) Hashtbl.t
+type t = (Span.t, Span.t) Hashtbl.t
 
 let rec add found (e : Core.Ir.expr) =
   (match e.desc with
   | Proc proc ->
       List.iter
-        (fun (eq : Core.Ir.equation) -> Hashtbl.replace found eq.binder.local.span ())
+        (fun (eq : Core.Ir.equation) -> Hashtbl.replace found eq.binder.local.span eq.span)
         proc.equations
   | _ -> ());
   List.iter (add found) (Core.Term.parts e)
@@ -17,3 +17,4 @@ let of_program (program : Core.Ir.program) =
   found
 
 let mem = Hashtbl.mem
+let whole = Hashtbl.find_opt

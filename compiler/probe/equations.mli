@@ -11,3 +11,6 @@ val of_program : Core.Ir.program -> t
 
 val mem : t -> Span.t -> bool
 (** Is it the place where an equation names its signal? *)
+
+val whole : t -> Span.t -> Span.t option
+(** The whole equation that names its signal at this place. *)

@@ -49,3 +49,9 @@ const struct frob_column *frob_load_columns(void)
     return object == NULL ? NULL
                           : (const struct frob_column *)dlsym(object, FROB_COLUMNS_SYMBOL);
 }
+
+const struct frob_origin *frob_load_origins(void)
+{
+    return object == NULL ? NULL
+                          : (const struct frob_origin *)dlsym(object, FROB_ORIGINS_SYMBOL);
+}

@@ -3,6 +3,7 @@
 #define FROB_HOST_LOAD_H
 
 #include <frob/columns.h>
+#include <frob/origins.h>
 #include <frob/program.h>
 
 /* Loads a program. NULL on failure, and if arithmetic in it or here is not what
@@ -16,5 +17,8 @@ const void *frob_load_part(const char *robot, const char *part);
 
 /* What is known of the columns of the program that was loaded; NULL if nothing. */
 const struct frob_column *frob_load_columns(void);
+
+/* Where the values of its columns come from; likewise. */
+const struct frob_origin *frob_load_origins(void);
 
 #endif

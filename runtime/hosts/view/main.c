@@ -120,8 +120,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "error: --ring %d: there is no run that goes on\n", options.ring);
     } else if (!token_make(token)) {
         fprintf(stderr, "error: this computer has no random numbers (/dev/urandom)\n");
-    } else if (view_start(&view, program, frob_load_columns(), &options.files,
-                          options.ring >= 0 ? &ring : NULL)) {
+    } else if (view_start(&view, program, frob_load_columns(), frob_load_origins(),
+                          &options.files, options.ring >= 0 ? &ring : NULL)) {
         /* Of a run of minutes all is known before the page is there. */
         view_advance(&view, 0.3);
         view_summary(&view, &summary);

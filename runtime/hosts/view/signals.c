@@ -154,6 +154,8 @@ void signal_write(const struct signals *signals, const struct signal *signal,
             buffer_text(text, machine->modes[mode]);
         return;
     }
+    if (signal->side == PROBE && moment->state == NULL)
+        return;
     const size_t room = frob_cell_room(signal->value) + 1;
     char *cell = (char *)malloc(room);
     struct frob_text written;
@@ -210,6 +212,8 @@ double signal_number(const struct signals *signals, const struct signal *signal,
         int32_t mode = frob_trace_mode(signals->program, signal->machine, moment->state);
         return mode < 0 ? (double)NAN : (double)mode;
     }
+    if (signal->side == PROBE && moment->state == NULL)
+        return NAN;
     return number_at(signal->value, (const char *)base(signal, moment));
 }
 

@@ -46,11 +46,12 @@ static bool read_source(struct source *source, const char *path)
 }
 
 bool view_start(struct view *view, const struct frob_program *program,
-                const struct frob_column *columns, const struct view_files *files,
-                struct ring *ring)
+                const struct frob_column *columns, const struct frob_origin *origins,
+                const struct view_files *files, struct ring *ring)
 {
     memset(view, 0, sizeof *view);
     view->program = program;
+    view->origins = origins;
     view->files = files;
     view->sources = (struct source *)calloc(files->source_count + 1, sizeof *view->sources);
     if (view->sources == NULL || !signals_start(&view->signals, program, columns)) {
@@ -232,6 +233,25 @@ static void add_column(const struct signal *signal, struct buffer *answer)
     buffer_free(&own);
 }
 
+/* Of the running mode of a machine: from and to, by number, and what it waits for. */
+static void add_transitions(const struct view *view, const struct signal *signal,
+                            struct buffer *answer)
+{
+    const struct frob_origin *origin = why_origin(view->origins, signal);
+    const struct frob_transition *t = origin == NULL ? NULL : origin->transitions;
+    const char *comma = "";
+    if (t == NULL)
+        return;
+    buffer_text(answer, ",\"transitions\":[");
+    for (; t->label != NULL; t++, comma = ",") {
+        buffer_format(answer, "%s{\"from\":%d,\"to\":%d,\"delayed\":%s,\"label\":", comma, t->from,
+                      t->target, t->delayed ? "true" : "false");
+        buffer_string(answer, t->label);
+        buffer_text(answer, "}");
+    }
+    buffer_text(answer, "]");
+}
+
 static void add_signals(const struct view *view, struct buffer *answer)
 {
     static const char *const sides[] = { "input", "output", "probe", "mode" };
@@ -244,6 +264,7 @@ static void add_signals(const struct view *view, struct buffer *answer)
                       kind_of(signal));
         add_names(view, signal, answer);
         add_column(signal, answer);
+        add_transitions(view, signal, answer);
         buffer_text(answer, "}");
     }
     buffer_text(answer, "]");
@@ -536,6 +557,14 @@ static void answer_way(struct view *view, size_t robot, size_t count, struct buf
     buffer_text(answer, "]}");
 }
 
+static void answer_why(struct view *view, size_t k, size_t number, struct buffer *answer)
+{
+    buffer_format(answer, "{\"is\":\"why\",\"k\":%lu,\"signal\":%lu", (unsigned long)k,
+                  (unsigned long)number);
+    why_answer(&view->replay, view->origins, &view->signals.all[number], k, answer);
+    buffer_text(answer, "}");
+}
+
 /* The most spans that are told; a time line has no more pixels. */
 #define SPANS 2000
 
@@ -684,6 +713,10 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
              take_number(&at, view->recording.truth_size / sizeof(struct truth), &signal) &&
              take_number(&at, 100001, &width) && *at == '\0')
         answer_way(view, signal, width, answer);
+    else if (take_word(&at, "why") && take_number(&at, count, &k) &&
+             take_number(&at, view->signals.count, &signal) && *at == '\0' &&
+             is_known(view, &view->signals.all[signal]))
+        answer_why(view, k, signal, answer);
     else if (take_word(&at, "find") && take_number(&at, count, &k) && *at == ' ')
         answer_find(view, k, at + 1, answer);
     else if (take_word(&at, "what-if") && (*at == ' ' || *at == '\0'))

@@ -9,6 +9,7 @@
  *                              points for a plot of signal number SIGNAL from time FROM
  *                              to TO, on WIDTH columns
  *   path SIGNAL SIGNAL COUNT   two signals at up to COUNT instants, evenly over the run
+ *   why K SIGNAL               where the value of a signal at instant K came from (see why.h)
  *   find BEFORE CONDITION      instants at which CONDITION (see condition.h) begins to hold:
  *                              the first, the last before instant BEFORE, the first after it,
  *                              how many there are, and the times for which it holds
@@ -26,6 +27,7 @@
 #include "live.h"
 #include "series.h"
 #include "what_if.h"
+#include "why.h"
 
 struct source {
     const char *name; /* without its folder */
@@ -44,6 +46,7 @@ struct view_files {
 
 struct view {
     const struct frob_program *program;
+    const struct frob_origin *origins; /* NULL: they are not known */
     struct signals signals;
     struct recording recording;
     struct replay replay;
@@ -61,8 +64,8 @@ struct view {
 /* Reads the files, whose names are to stay; with a ring, for a run that goes on. False with
  * a line on standard error. */
 bool view_start(struct view *view, const struct frob_program *program,
-                const struct frob_column *columns, const struct view_files *files,
-                struct ring *ring);
+                const struct frob_column *columns, const struct frob_origin *origins,
+                const struct view_files *files, struct ring *ring);
 void view_end(struct view *view);
 
 /* What is to be done when nobody asks for anything. */

@@ -58,6 +58,13 @@ class Page:
             ".map(row => [row.title, row.querySelector('output').title])"))
 
 
+def origin(page, name):
+    def found():
+        return next((b for b in page.all(".why li button")
+                     if b.find_element(By.CSS_SELECTOR, ".name").text == name), None)
+    return page.wait(found)
+
+
 def visit(page, rows):
     last = len(rows) - 1
     page.at(0)
@@ -133,6 +140,31 @@ def visit(page, rows):
           line.startswith("bug goal = do") and line.endswith("13[m]"))
     page.wait(lambda: any(".goal.x" in h.text for h in page.all("#plots h3")))
     check("a value that is clicked is plotted", True)
+    page.press("w")
+    page.wait(lambda: page.text(".why .name") == "out.forward")
+    asked = found + 20
+    page.press(Keys.HOME)
+    page.at(0)
+    pill.click()
+    page.at(found)
+    page.press(*[Keys.ARROW_RIGHT] * 20)
+    page.at(asked)
+    origin(page, "bug.mode").click()
+    page.wait(lambda: page.text(".why .name") == "bug.mode")
+    page.wait(lambda: page.text(".why .switch p").startswith("driveTo → robotPlace"))
+    origin(page, "driveTo.blocked").click()
+    page.at(found - 1)
+    page.wait(lambda: page.text(".why .name") == "driveTo.blocked")
+    check("each value leads to those it came from, and to their instants",
+          "blocked" in page.text(".why pre"))
+    page.press(Keys.BACKSPACE)
+    page.at(asked)
+    page.wait(lambda: page.text(".why .name") == "bug.mode")
+    page.all(".why .since")[0].click()
+    page.at(found)
+    check("there is a way back, and one to where a value became so", True)
+    page.press("w")
+    page.wait(lambda: not page.all(".why")[0].is_displayed())
     page.press("e")
     page.wait(lambda: page.all(".what-if button") and page.all(".what-if button")[0].is_displayed())
     page.press("wrong ")

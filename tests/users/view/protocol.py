@@ -76,6 +76,67 @@ async def values(v, rows):
         check("a time is the last instant not after it", after["k"] == 50)
 
 
+async def origins(v, rows):
+    async with connect(v) as client:
+        program = await greet(v, client)
+        signals = program["signals"]
+        names = [signal["name"] for signal in signals]
+        lines = {s["name"]: s["text"].splitlines() for s in program["sources"]}
+
+        async def why(k, name):
+            return await ask(client, f"why {k} {names.index(name)}")
+
+        def named(sources):
+            return [(names[s["signal"]], s["k"]) for s in sources]
+
+        chance = random.Random(3)
+        differing = 0
+        for _ in range(400):
+            k, name = chance.randrange(len(rows)), chance.choice(names)
+            answer = await why(k, name)
+            since = answer["since"]["k"]
+            differing += len({rows[i][name] for i in range(since, k + 1)}) != 1
+            differing += since > 0 and rows[since - 1][name] == rows[k][name]
+            switches = answer.get("switches", [])
+            for s in answer["sources"] + [s for change in switches for s in change["sources"]]:
+                differing += s["cell"] != rows[s["k"]][names[s["signal"]]]
+                differing += s["k"] > k
+            for place in [answer, *switches]:
+                differing += place["file"] != "" and not (
+                    1 <= place["line"] <= place["last"] <= len(lines[place["file"]]))
+        check("what values come from is as traced", differing == 0)
+
+        answer = await why(50, "probe.driveTo.v")
+        check("an equation and what it mentions",
+              lines[answer["file"]][answer["line"] - 1].strip().startswith("v ")
+              and named(answer["sources"]) == [
+                  (f"probe.driveTo.{own}", 50) for own in ("looks", "near", "off")])
+        switch = next(k for k, row in enumerate(rows) if row["probe.bug.mode"] == "withSF")
+        answer = await why(switch + 20, "probe.bug.mode")
+        check("a mode by what it came there, and when",
+              answer["since"]["k"] == switch
+              and [(s["from"], s["to"], s["k"]) for s in answer["switches"]] == [
+                  ("driveTo", "robotPlace", switch), ("robotPlace", "withSF", switch)]
+              and named(answer["switches"][0]["sources"]) == [
+                  ("probe.driveTo.arrived", switch - 1), ("probe.driveTo.blocked", switch - 1)])
+        answer = await why(switch + 20, "probe.withSF.hit.x")
+        check("a parameter of a mode from when that began",
+              named(answer["sources"]) == [("in.odometry.position.x", switch)]
+              and answer["sources"][0]["cell"] == rows[switch + 20]["probe.withSF.hit.x"])
+        omega = next(n for n in names if n.endswith(".wallFollow.omega")
+                     and rows[switch + 20][n] != "")
+        answer = await why(switch + 20, omega)
+        s = omega.replace("omega", "s")
+        check("what a derivative was taken of, now and an instant ago",
+              {(s, switch + 20), (s, switch + 19)} <= set(named(answer["sources"])))
+        answer = await why(50, "out.forward")
+        check("an output in the mode that runs, and no other",
+              named(answer["sources"]) == [("probe.watching.mode", 50), ("probe.bug.mode", 50),
+                                           ("probe.driveTo.v", 50)])
+        answer = await why(7, "in.sonar[3]")
+        check("input comes from nowhere", answer["sources"] == [] and answer["file"] == "")
+
+
 def rises(holds):
     return [k for k, now in enumerate(holds) if now and not (k and holds[k - 1])]
 
@@ -241,7 +302,7 @@ async def wrong_messages(v):
 async def nonsense(v, count):
     """Random requests, and random bytes in frames."""
     chance = random.Random(7)
-    words = ["instant", "time", "find", "path", "(", "not", "out.turn", "<", "/=", "[", "mode.bug",
+    words = ["instant", "time", "why", "find", "path", "(", "not", "out.turn", "<", "/=", "[", "mode.bug",
               "series", "program", "hello", "-1", "0", "7", "99999999999999999999",
              "1e308", "nan", "inf", "", "é", "\0", "\"", "\\", "0x10", "1.5"]
     async with connect(v) as client:
@@ -281,6 +342,7 @@ async def main():
     v = viewer.Viewer(frobc, recording, program)
     rows = viewer.trace(frobc, recording, program, robot)
     await values(v, rows)
+    await origins(v, rows)
     await conditions(v, rows)
     await what_if(v, frobc, recording, program, robot, rows)
     await strangers(v)

@@ -2,9 +2,10 @@
 import type { Player } from "./player";
 import type { Store } from "./store";
 import { toggleTheme } from "./theme";
+import type { WhyPanel } from "./why";
 
 export function startKeys(store: Store, player: Player, filter: HTMLInputElement,
-                          find: HTMLInputElement, help: HTMLDialogElement): void {
+                          find: HTMLInputElement, why: WhyPanel, help: HTMLDialogElement): void {
   const act = (event: KeyboardEvent): boolean => {
     const { instant } = store;
     switch (event.key) {
@@ -25,6 +26,8 @@ export function startKeys(store: Store, player: Player, filter: HTMLInputElement
       case "t": toggleTheme(); break;
       case "/": filter.closest("section")?.scrollIntoView(); filter.focus(); break;
       case "f": find.focus(); find.select(); break;
+      case "w": why.toggle(); break;
+      case "Backspace": why.back(); break;
       case "e": document.getElementById("what-if")?.click(); break;
       case "?": help.showModal(); break;
       default: return false;

@@ -73,14 +73,14 @@ function start(program: Program): Store {
   const help = element<HTMLDialogElement>("keys");
   describe(program);
   store.plotted = firstPlots(program);
-  startSource(store, element("source"));
+  const why = startSource(store, element("source"));
   startPlots(store, element("plots"));
   startSignals(store, element("list"), filter);
   startMap(store, element("map"));
   startSearch(store, element<HTMLInputElement>("find"), element("found"),
               element<HTMLButtonElement>("before"), element<HTMLButtonElement>("after"));
   startTimeline(store, element("timeline"));
-  startKeys(store, new Player(store), filter, element<HTMLInputElement>("find"), help);
+  startKeys(store, new Player(store), filter, element<HTMLInputElement>("find"), why, help);
   startLive(store);
   element("help").onclick = () => help.showModal();
   if (program.live) store.follow();
@@ -113,6 +113,7 @@ function answered(answer: Answer): void {
     case "instant": store?.arrived(answer); break;
     case "series": store?.received(answer); break;
     case "path": store?.pathReceived(answer); break;
+    case "why": store?.whyReceived(answer); break;
     case "found": store?.found(answer); break;
     case "what-if": store?.whatIfReceived(answer); break;
     case "refused": showState(answer.why, false); break;

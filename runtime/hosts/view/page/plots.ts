@@ -42,6 +42,8 @@ class Strip {
     close.onclick = () => store.toggle(number);
     const head = document.createElement("header");
     this.other.className = "other";
+    name.title = "Why is it so?";
+    name.onclick = () => store.wonder(number);
     head.append(name, this.value, this.other, this.apart, close);
     this.place.className = "plot";
     this.element.append(head, this.place);

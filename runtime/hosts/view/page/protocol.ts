@@ -14,6 +14,18 @@ export interface Signal {
   readonly own: string;
   readonly file: string;
   readonly line: number;
+  /** Of the running mode of a machine: how it comes from one to the other. */
+  readonly transitions?: readonly Transition[];
+}
+
+/** Between modes, by their numbers in `names`; `from` is -1 from any, -2 as the machine
+ *  begins. */
+export interface Transition {
+  readonly from: number;
+  readonly to: number;
+  /** What it waits for, as far as that is known; or empty. */
+  readonly label: string;
+  readonly delayed: boolean;
 }
 
 export interface Source {
@@ -117,6 +129,41 @@ export interface Way {
   readonly points: readonly (readonly [number, number, number])[];
 }
 
+/** What a value was computed of, and when. */
+export interface Origin {
+  readonly signal: number;
+  readonly k: number;
+  readonly time: number;
+  readonly cell: string;
+}
+
+/** Of an equation; an empty file if there is none. */
+export interface Place {
+  readonly file: string;
+  readonly line: number;
+  readonly last: number;
+}
+
+export interface Switch extends Place {
+  readonly from: string;
+  readonly to: string;
+  readonly label: string;
+  readonly k: number;
+  readonly time: number;
+  readonly sources: readonly Origin[];
+}
+
+export interface Why extends Place {
+  readonly is: "why";
+  readonly k: number;
+  readonly signal: number;
+  /** The first instant from which on it is so; `longer`: or before that. */
+  readonly since: { readonly k: number; readonly time: number; readonly longer: boolean };
+  readonly sources: readonly Origin[];
+  /** Of the running mode of a machine. */
+  readonly switches?: readonly Switch[];
+}
+
 export interface Found {
   readonly is: "found";
   /** What is wrong with the condition; then there is nothing else. */
@@ -146,5 +193,5 @@ export interface Refused {
   readonly why: string;
 }
 
-export type Answer =
-  Program | Progress | Live | Run | Instant | Series | Path | Way | Found | WhatIf | Refused;
+export type Answer = Program | Progress | Live | Run | Instant | Series | Path | Way | Why |
+  Found | WhatIf | Refused;

@@ -22,7 +22,7 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
       name.textContent = signal.name.replace(/^(in|out|probe|mode)\./, "");
       row.title = signal.name;
       row.append(name, value);
-      row.onclick = () => store.toggle(number);
+      row.onclick = () => store.pick(number);
       rows[number] = { row, value, signal };
       group.append(row);
       if (signal.side === "mode") group.append(modesOf(store, signal, number));

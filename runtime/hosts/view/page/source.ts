@@ -11,6 +11,7 @@ import { Lines, shownSources, type Chip, type LineValues } from "./lines";
 import type { Source } from "./protocol";
 import type { Store } from "./store";
 import { WhatIfBar } from "./what_if";
+import { WhyPanel } from "./why";
 
 const colours = HighlightStyle.define([
   { tag: tags.keyword, color: "var(--keyword)", fontWeight: "600" },
@@ -27,6 +28,7 @@ const look = EditorView.theme({
   ".cm-gutters": { backgroundColor: "transparent", color: "var(--faint)", border: "none" },
   "&.cm-focused": { outline: "none" },
   ".idle": { opacity: "0.45" },
+  ".asked": { backgroundColor: "var(--picked)", opacity: "1" },
   ".values": { marginLeft: "1.5ch", whiteSpace: "normal" },
   ".values button": {
     font: "12px var(--mono)",
@@ -56,7 +58,7 @@ const look = EditorView.theme({
 });
 
 interface Act {
-  plot(number: number): void;
+  pick(number: number): void;
   next(line: number): void;
 }
 
@@ -91,7 +93,7 @@ class Values extends WidgetType {
     }
     button.ariaPressed = String(isPlotted);
     button.title = isPlotted ? `${name} is plotted` : `Plot ${name}`;
-    button.onclick = () => this.act.plot(number);
+    button.onclick = () => this.act.pick(number);
     return button;
   }
 
@@ -133,15 +135,16 @@ const shown = StateField.define<DecorationSet>({
 
 const tinted = EditorView.editorAttributes.of({ class: "editing" });
 const idle = Decoration.line({ class: "idle" });
+const asked = Decoration.line({ class: "asked" });
 
-export function startSource(store: Store, host: HTMLElement): void {
+export function startSource(store: Store, host: HTMLElement): WhyPanel {
   const lines = new Lines(store);
   const sources = shownSources(store.program, lines);
   const tabs = document.createElement("nav");
-  const place = document.createElement("div");
+  const editor = document.createElement("div");
   // In a shadow tree the editor's styles are style sheets, and no `<style>` elements, which the
   // page's security policy would refuse.
-  const root = place.attachShadow({ mode: "open" });
+  const root = editor.attachShadow({ mode: "open" });
 
   const writing = new Compartment();
   const extensions: Extension = [
@@ -160,7 +163,7 @@ export function startSource(store: Store, host: HTMLElement): void {
   const view = new EditorView({ root, parent: root, state: stateOf(current) });
 
   const act: Act = {
-    plot: (number) => store.toggle(number),
+    pick: (number) => store.pick(number),
     next: (line) => {
       if (current) lines.next(current.name, line);
       update();
@@ -171,6 +174,7 @@ export function startSource(store: Store, host: HTMLElement): void {
   const update = () => {
     if (!current) return;
     const { name } = current;
+    const { place } = store;
     const { doc } = view.state;
     const marks = lines.linesOf(name).filter((line) => line <= doc.lines).flatMap((line) => {
       const values = lines.values(name, line);
@@ -179,7 +183,10 @@ export function startSource(store: Store, host: HTMLElement): void {
       const widget = Decoration.widget({ widget: new Values(line, values, act), side: 1 });
       return [...(values.runs ? [] : [idle.range(from)]), widget.range(to)];
     });
-    view.dispatch({ effects: show.of(hasItsLines() ? Decoration.set(marks) : Decoration.none) });
+    for (let line = place?.line ?? 1; place?.file === name && line <= place.last; line++)
+      if (line <= doc.lines) marks.push(asked.range(doc.line(line).from));
+    view.dispatch({
+      effects: show.of(hasItsLines() ? Decoration.set(marks, true) : Decoration.none) });
   };
 
   const select = (source: Source | undefined) => {
@@ -216,9 +223,20 @@ export function startSource(store: Store, host: HTMLElement): void {
     tabs.append(tab);
   }
   const head = document.createElement("header");
-  head.append(tabs, bar.button);
-  host.append(head, bar.element, place);
+  const why = new WhyPanel(store);
+  head.append(tabs, why.button, bar.button);
+  host.append(head, bar.element, editor, why.element);
   select(current);
   store.on("instant", update);
   store.on("plotted", update);
+  store.on("place", () => {
+    const { place } = store;
+    if (!store.isEditing && place && place.file !== current?.name)
+      select(sources.find((source) => source.name === place.file) ?? current);
+    update();
+    if (place && place.file === current?.name && place.line <= view.state.doc.lines)
+      view.dispatch({ effects: EditorView.scrollIntoView(view.state.doc.line(place.line).from,
+                                                         { y: "nearest", yMargin: 40 }) });
+  });
+  return why;
 }

@@ -1,10 +1,12 @@
 // What the page shows at the moment, and who wants to know when that changes.
 import type { Connection } from "./connection";
-import type { Found, Instant, Live, Path, Program, Run, Series, Way, WhatIf } from "./protocol";
+import type { Found, Instant, Live, Path, Place, Program, Run, Series, Way, WhatIf, Why } from
+  "./protocol";
 
 type Listener = () => void;
 export type Change =
-  "instant" | "mark" | "range" | "plotted" | "spans" | "what-if" | "extent" | "following" | "run";
+  "instant" | "mark" | "range" | "plotted" | "spans" | "what-if" | "extent" | "following" | "run" |
+  "why" | "place";
 
 /** How many seconds plots show at first of a run that goes on. */
 const recently = 20;
@@ -32,6 +34,15 @@ export class Store {
   whatIf: WhatIf | null = null;
   /** Whether keys go to the editor of the program. */
   isEditing = false;
+
+  /** Why the value that was asked for last is so; null: nobody asks. */
+  why: Why | null = null;
+  /** What asks why a signal that is clicked is so; null: it is plotted. */
+  asker: ((signal: number) => void) | null = null;
+  /** The part of a source that is looked at. */
+  place: Place | null = null;
+
+  beginAsking: () => void = () => undefined;
 
   /** Whether what is shown is the newest instant of a run that goes on, whatever comes. */
   following = false;
@@ -198,6 +209,34 @@ export class Store {
     if (at >= 0) this.plotted.splice(at, 1);
     else this.plotted.push(signal);
     this.changed("plotted");
+  }
+
+  /** What a click on a signal does. */
+  pick(signal: number): void {
+    if (this.asker) this.asker(signal);
+    else this.toggle(signal);
+  }
+
+  // Where a value came from.
+
+  wonder(signal: number): void {
+    if (!this.asker) this.beginAsking();
+    this.asker?.(signal);
+  }
+
+  askWhy(signal: number, k: number): void {
+    this.connection.ask(`why ${k} ${signal}`);
+  }
+
+  whyReceived(why: Why): void {
+    if (!this.asker) return;
+    this.why = why;
+    this.changed("why");
+  }
+
+  show(place: Place | null): void {
+    this.place = place;
+    this.changed("place");
   }
 
   series(signal: number, from: number, to: number, width: number,

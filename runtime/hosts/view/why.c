@@ -1,0 +1,371 @@
+#include "why.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* How far back it is looked since when a value is the same. */
+#define FARTHEST 16384
+
+/* How many signals a name of an array stands for, at most. */
+#define MOST 64
+
+/* {1 Instants} */
+
+/* Those that were looked at, for an answer comes back to a few again and again. */
+#define KEPT 8
+
+struct why {
+    struct replay *replay;
+    const struct frob_origin *origins;
+    struct look {
+        size_t k;
+        struct moment moment;
+        unsigned char *bytes; /* of its output and state */
+    } looks[KEPT];
+    size_t count, oldest;
+    struct buffer *answer;
+};
+
+/* Good until KEPT others were looked at. */
+static struct moment look_at(struct why *why, size_t k)
+{
+    const struct frob_program *program = why->replay->signals->program;
+    struct look *look;
+    struct moment moment;
+    for (size_t i = 0; i < why->count; i++)
+        if (why->looks[i].k == k)
+            return why->looks[i].moment;
+    moment = replay_at(why->replay, k);
+    look = &why->looks[why->count < KEPT ? why->count : why->oldest++ % KEPT];
+    if (why->count < KEPT)
+        look->bytes = (unsigned char *)malloc(program->output_size + program->state_size + 1);
+    if (look->bytes == NULL) {
+        why->answer->failed = true;
+        return moment;
+    }
+    why->count += why->count < KEPT ? 1 : 0;
+    look->k = k;
+    look->moment = moment;
+    if (moment.state != NULL) {
+        memcpy(look->bytes, moment.output, program->output_size);
+        memcpy(look->bytes + program->output_size, moment.state, program->state_size);
+        look->moment.output = look->bytes;
+        look->moment.state = look->bytes + program->output_size;
+    }
+    return look->moment;
+}
+
+static bool is_there(struct why *why, const struct signal *signal, size_t k)
+{
+    const struct moment moment = look_at(why, k);
+    const void *base = signal->side == INPUT ? moment.input : moment.output;
+    return signal->side == MODE || signal->shown == signal->value ||
+           ((const unsigned char *)base)[signal->value->offset] != 0;
+}
+
+/* Does what a signal is in run at an instant? Of an event its neighbours tell. */
+static bool runs(struct why *why, const struct signal *signal, size_t k)
+{
+    const struct signals *signals = why->replay->signals;
+    const bool is_event = signal->shown == signal->value && signal->column != NULL &&
+                          signal->side == PROBE && signal->value->is_event;
+    if (!is_event)
+        return is_there(why, signal, k);
+    for (size_t i = 0; i < signals->count; i++) {
+        const struct signal *other = &signals->all[i];
+        if (other->side == PROBE && other->column != NULL && other->shown != other->value &&
+            strcmp(other->column->instance, signal->column->instance) == 0)
+            return is_there(why, other, k);
+    }
+    return true;
+}
+
+/* The mode of a machine's column; -1 where it does not run. */
+static int mode_at(struct why *why, const struct signal *machine, size_t k)
+{
+    const struct moment moment = look_at(why, k);
+    const unsigned char *output = (const unsigned char *)moment.output;
+    return is_there(why, machine, k) ? output[machine->shown->offset] : -1;
+}
+
+static bool same(const struct buffer *a, const struct buffer *b)
+{
+    return strcmp(a->data == NULL ? "" : a->data, b->data == NULL ? "" : b->data) == 0;
+}
+
+/* In a block of instants the last at which a signal is not as one instant before; `first` and
+ * `last` become its cells there. The block's first if it is the same in all of it. */
+static size_t last_change(struct why *why, const struct signal *signal, size_t from, size_t to,
+                          struct buffer *first, struct buffer *last)
+{
+    size_t changed = from;
+    buffer_clear(first);
+    for (size_t i = from; i <= to; i++) {
+        struct moment moment = replay_at(why->replay, i);
+        struct buffer now = { 0 };
+        signal_write(why->replay->signals, signal, &moment, &now);
+        if (i == from)
+            buffer_text(first, now.length > 0 ? now.data : "");
+        else if (!same(last, &now))
+            changed = i;
+        buffer_free(last);
+        *last = now;
+    }
+    return changed;
+}
+
+/* The first instant from which on a signal is as at `k`; or, if that is too far, a later one. */
+static size_t since(struct why *why, const struct signal *signal, size_t k, bool *is_longer)
+{
+    const size_t end = k > FARTHEST ? k - FARTHEST : 0;
+    struct buffer first = { 0 }, last = { 0 }, after = { 0 };
+    size_t from = k / REPLAY_EVERY * REPLAY_EVERY, result;
+    *is_longer = false;
+    result = last_change(why, signal, from, k, &after, &last);
+    while (result == from && from > 0 && !*is_longer) {
+        const size_t before = from - REPLAY_EVERY;
+        const size_t changed = last_change(why, signal, before, from - 1, &first, &last);
+        struct buffer swap = after;
+        if (!same(&last, &after))
+            break;
+        result = changed;
+        from = before;
+        *is_longer = changed == before && before > 0 && before <= end;
+        after = first;
+        first = swap;
+    }
+    buffer_free(&first);
+    buffer_free(&last);
+    buffer_free(&after);
+    return result;
+}
+
+/* {1 Sources} */
+
+/* The signals that a source stands for. */
+static bool is_of(const struct signal *signal, const char *column)
+{
+    const size_t length = strlen(column);
+    const char end = strncmp(signal->name, column, length) == 0 ? signal->name[length] : ' ';
+    return end == '\0' || end == '.' || end == '[';
+}
+
+static void add_place(struct buffer *answer, const char *file, unsigned line, unsigned last)
+{
+    buffer_text(answer, ",\"file\":");
+    buffer_string(answer, file);
+    buffer_format(answer, ",\"line\":%u,\"last\":%u", line, last);
+}
+
+static void add_instant(struct why *why, size_t k)
+{
+    buffer_format(why->answer, "\"k\":%lu,\"time\":", (unsigned long)k);
+    buffer_number(why->answer, (double)why->replay->recording->times[k] / 1e9);
+}
+
+static void add_source(struct why *why, const struct signal *signal, size_t k, const char **comma)
+{
+    const struct signals *signals = why->replay->signals;
+    const struct moment moment = look_at(why, k);
+    struct buffer cell = { 0 };
+    signal_write(signals, signal, &moment, &cell);
+    buffer_format(why->answer, "%s{\"signal\":%lu,", *comma,
+                  (unsigned long)(signal - signals->all));
+    add_instant(why, k);
+    buffer_text(why->answer, ",\"cell\":");
+    buffer_string(why->answer, cell.length > 0 ? cell.data : "");
+    buffer_text(why->answer, "}");
+    buffer_free(&cell);
+    *comma = ",";
+}
+
+/* {2 Switches} */
+
+const struct frob_origin *why_origin(const struct frob_origin *origins,
+                                     const struct signal *signal)
+{
+    const struct frob_origin *found = NULL;
+    size_t longest = 0;
+    for (const struct frob_origin *o = origins; o != NULL && o->column != NULL; o++) {
+        if (is_of(signal, o->column) && strlen(o->column) > longest) {
+            longest = strlen(o->column);
+            found = o;
+        }
+    }
+    return found;
+}
+
+/* The most modes that are gone through in one instant, as far as is told. */
+#define LONGEST 16
+
+/* How a machine came from one mode to another in an instant: one transition, or several by
+ * modes that end as they begin. The fewest that do; their number, 0 if it is not known. */
+static size_t way(const struct frob_transition *transitions, int from, int to,
+                  const struct frob_transition *result[LONGEST])
+{
+    enum { MODES = 256 };
+    const struct frob_transition *by[MODES] = { NULL };
+    int queue[MODES];
+    size_t count = 0, length = 0, head = 0;
+    if (from < 0 || from >= MODES || to >= MODES)
+        return 0;
+    for (bool is_first = true; by[to] == NULL && (is_first || head < count); is_first = false) {
+        const int at = is_first ? from : queue[head++];
+        for (const struct frob_transition *t = transitions; t->label != NULL; t++) {
+            const bool leaves = t->from == at || (is_first && t->from == FROB_ANY);
+            if (!leaves || (!is_first && !t->at_once) || t->target >= MODES ||
+                by[t->target] != NULL)
+                continue;
+            by[t->target] = t;
+            queue[count++] = t->target;
+        }
+    }
+    /* From the end; a way may come back to where it began. */
+    for (int at = to; by[at] != NULL && length < LONGEST; at = by[at]->from) {
+        result[length++] = by[at];
+        if (by[at]->from == from || by[at]->from == FROB_ANY)
+            break;
+    }
+    for (size_t i = 0; i < length / 2; i++) {
+        const struct frob_transition *t = result[i];
+        result[i] = result[length - 1 - i];
+        result[length - 1 - i] = t;
+    }
+    return length;
+}
+
+/* When the mode began that a machine is in, and how it came there; `count` is 0 if the machine
+ * itself began, or that is not known. */
+struct entry {
+    size_t k;
+    bool is_known;
+    int before;
+    const struct frob_transition *way[LONGEST];
+    size_t count;
+};
+
+static struct entry entry_of(struct why *why, const struct signal *machine, size_t k)
+{
+    const struct frob_origin *origin = why_origin(why->origins, machine);
+    struct entry entry = { 0 };
+    bool is_longer;
+    entry.k = since(why, machine, k, &is_longer);
+    entry.is_known = !is_longer;
+    entry.before = entry.k == 0 || is_longer ? -1 : mode_at(why, machine, entry.k - 1);
+    if (origin != NULL && origin->transitions != NULL && entry.is_known && entry.before >= 0)
+        entry.count = way(origin->transitions, entry.before, mode_at(why, machine, entry.k),
+                          entry.way);
+    return entry;
+}
+
+/* Does a source count that was computed as a mode began? It is of one that was left then. */
+static bool is_of_entry(const struct entry *entry, const struct frob_source *source)
+{
+    if (source->mode == FROB_ANY || source->mode == entry->before)
+        return true;
+    if (entry->before < 0)
+        return source->mode == FROB_BEFORE;
+    for (size_t i = 1; i < entry->count; i++)
+        if (entry->way[i]->from == source->mode)
+            return true;
+    return false;
+}
+
+/* What is asked for: a value at an instant, or an event by which a mode was left, at whose
+ * instant what was in that mode is no more seen. */
+enum asked { VALUE, EVENT };
+
+/* At which instant a source counts; false if it does not. */
+static bool instant_of(struct why *why, const struct signal *of, const struct frob_source *source,
+                       enum asked asked, size_t k, size_t *at)
+{
+    const struct signal *machine = signals_find(why->replay->signals, source->machine);
+    *at = k;
+    if (source->back == FROB_ENTRY && machine != NULL) {
+        const struct entry entry = entry_of(why, machine, k);
+        *at = entry.k;
+        return entry.is_known && is_of_entry(&entry, source);
+    }
+    if (source->back == FROB_ENTRY)
+        return true;
+    if (source->back == FROB_FIRST)
+        return k == 0 || (asked == VALUE && of->shown != of->value && !is_there(why, of, k - 1));
+    if (k < (size_t)source->back)
+        return false;
+    *at = k - (size_t)source->back;
+    if (machine == NULL)
+        return true;
+    if (asked == EVENT && *at > 0 && mode_at(why, machine, *at) < 0)
+        return mode_at(why, machine, *at - 1) == source->mode;
+    return mode_at(why, machine, *at) == source->mode;
+}
+
+static void add_sources(struct why *why, const struct signal *of,
+                        const struct frob_source *sources, enum asked asked, size_t k)
+{
+    const struct signals *signals = why->replay->signals;
+    const char *comma = "";
+    buffer_text(why->answer, ",\"sources\":[");
+    for (; sources != NULL && sources->column != NULL; sources++) {
+        size_t at, count = 0;
+        if (!instant_of(why, of, sources, asked, k, &at))
+            continue;
+        for (size_t i = 0; i < signals->count && count < MOST; i++) {
+            const struct signal *signal = &signals->all[i];
+            if (!is_of(signal, sources->column))
+                continue;
+            count++;
+            /* What was in a mode that has been left was there one instant earlier. */
+            if (runs(why, signal, at))
+                add_source(why, signal, at, &comma);
+            else if ((asked == EVENT || sources->back == FROB_ENTRY) && at > 0 &&
+                     runs(why, signal, at - 1))
+                add_source(why, signal, at - 1, &comma);
+        }
+    }
+    buffer_text(why->answer, "]");
+}
+
+static void add_switches(struct why *why, const struct signal *signal, size_t k)
+{
+    const struct entry entry = entry_of(why, signal, k);
+    buffer_text(why->answer, ",\"switches\":[");
+    for (size_t i = 0; i < entry.count; i++) {
+        const struct frob_transition *t = entry.way[i];
+        const size_t at = t->delayed ? entry.k - 1 : entry.k;
+        const int from = t->from == FROB_ANY ? entry.before : t->from;
+        buffer_text(why->answer, i > 0 ? ",{\"from\":" : "{\"from\":");
+        buffer_string(why->answer, signal->shown->constructors[from].name);
+        buffer_text(why->answer, ",\"to\":");
+        buffer_string(why->answer, signal->shown->constructors[t->target].name);
+        buffer_text(why->answer, ",\"label\":");
+        buffer_string(why->answer, t->label);
+        buffer_text(why->answer, ",");
+        add_instant(why, at);
+        add_place(why->answer, t->file, t->line, t->last);
+        add_sources(why, signal, t->sources, t->delayed ? VALUE : EVENT, at);
+        buffer_text(why->answer, "}");
+    }
+    buffer_text(why->answer, "]");
+}
+
+void why_answer(struct replay *replay, const struct frob_origin *origins,
+                const struct signal *signal, size_t k, struct buffer *answer)
+{
+    struct why why = { .replay = replay, .origins = origins, .answer = answer };
+    const struct frob_origin *origin = replay->runs ? why_origin(origins, signal) : NULL;
+    bool is_longer;
+    const size_t first = since(&why, signal, k, &is_longer);
+    buffer_text(answer, ",\"since\":{");
+    add_instant(&why, first);
+    buffer_format(answer, ",\"longer\":%s}", is_longer ? "true" : "false");
+    if (origin == NULL)
+        add_place(answer, "", 0, 0);
+    else
+        add_place(answer, origin->file, origin->line, origin->last);
+    add_sources(&why, signal, origin == NULL ? NULL : origin->sources, VALUE, k);
+    if (origin != NULL && origin->transitions != NULL)
+        add_switches(&why, signal, k);
+    for (size_t i = 0; i < why.count; i++)
+        free(why.looks[i].bytes);
+}
