@@ -127,10 +127,35 @@ let type_of t (p : Catalogue.probe) =
           |> Option.map snd
           |> Fun.flip Option.bind (fun ty -> part t ty path))
 
+(* The library's units for products that nobody writes out. No Hz: an angular velocity is 1/s. *)
+let derived =
+  [
+    ("N", [ ("kg", 1); ("m", 1); ("s", -2) ]);
+    ("J", [ ("kg", 1); ("m", 2); ("s", -2) ]);
+    ("W", [ ("kg", 1); ("m", 2); ("s", -3) ]);
+    ("V", [ ("A", -1); ("kg", 1); ("m", 2); ("s", -3) ]);
+    ("Ohm", [ ("A", -2); ("kg", 1); ("m", 2); ("s", -3) ]);
+    ("Pa", [ ("kg", 1); ("m", -1); ("s", -2) ]);
+  ]
+
+let short (u : Ir.unit_) =
+  let is_factor (name, power) =
+    let is_it ((g : Ir.Global.t), p) =
+      String.equal g.name name && Typing.Rational.equal p (Typing.Rational.of_int power)
+    in
+    List.exists is_it u.base
+  in
+  let is_it (_, factors) =
+    List.compare_lengths factors u.base = 0 && List.for_all is_factor factors
+  in
+  match List.find_opt is_it derived with
+  | Some (name, _) -> name
+  | None -> Typing.Show.unit_ u
+
 let rec unit_ (ty : Ir.ty) =
   match ty with
   | Number (_, { base = []; variables = [] }) -> None
-  | Number (_, ({ variables = []; _ } as unit_)) -> Some (Typing.Show.unit_ unit_)
+  | Number (_, ({ variables = []; _ } as unit_)) -> Some (short unit_)
   | Data { tycon = { name = "Event" | "Array"; _ }; arguments; _ } -> (
       match List.rev arguments with last :: _ -> unit_ last | [] -> None)
   | _ -> None

@@ -97,7 +97,7 @@ static size_t add_modes(struct series *series, struct kept_series **wanted, size
     const struct signals *signals = series->replay->signals;
     for (size_t i = 0; i < signals->count && count < TOGETHER; i++) {
         const struct signal *other = &signals->all[i];
-        if (other->side != MODE || find(series, other) != NULL)
+        if (!signal_is_mode(other) || find(series, other) != NULL)
             continue;
         wanted[count] = place_for(series, other);
         if (wanted[count] == NULL)

@@ -132,6 +132,13 @@ const struct signal *signals_find(const struct signals *signals, const char *nam
     return NULL;
 }
 
+bool signal_is_mode(const struct signal *signal)
+{
+    return signal->side == MODE ||
+           (signal->side == PROBE && signal->column != NULL &&
+            strncmp(signal->column->own, "mode", 4) == 0 && signal->shown->kind == FROB_SUM);
+}
+
 static const void *base(const struct signal *signal, const struct moment *moment)
 {
     return signal->side == INPUT ? moment->input : moment->output;
@@ -154,8 +161,6 @@ void signal_write(const struct signals *signals, const struct signal *signal,
             buffer_text(text, machine->modes[mode]);
         return;
     }
-    if (signal->side == PROBE && moment->state == NULL)
-        return;
     const size_t room = frob_cell_room(signal->value) + 1;
     char *cell = (char *)malloc(room);
     struct frob_text written;
@@ -212,8 +217,6 @@ double signal_number(const struct signals *signals, const struct signal *signal,
         int32_t mode = frob_trace_mode(signals->program, signal->machine, moment->state);
         return mode < 0 ? (double)NAN : (double)mode;
     }
-    if (signal->side == PROBE && moment->state == NULL)
-        return NAN;
     return number_at(signal->value, (const char *)base(signal, moment));
 }
 

@@ -48,6 +48,9 @@ size_t signals_output_size(const struct signals *signals);
 /* The signal of this name; NULL if there is none. */
 const struct signal *signals_find(const struct signals *signals, const char *name);
 
+/* Does it say which mode of a machine runs? */
+bool signal_is_mode(const struct signal *signal);
+
 /* Its value as the cell of a trace. */
 void signal_write(const struct signals *signals, const struct signal *signal,
                   const struct moment *moment, struct buffer *text);

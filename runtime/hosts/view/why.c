@@ -59,6 +59,8 @@ static bool is_there(struct why *why, const struct signal *signal, size_t k)
 {
     const struct moment moment = look_at(why, k);
     const void *base = signal->side == INPUT ? moment.input : moment.output;
+    if (signal->side == PROBE && moment.state == NULL)
+        return false;
     return signal->side == MODE || signal->shown == signal->value ||
            ((const unsigned char *)base)[signal->value->offset] != 0;
 }

@@ -128,6 +128,12 @@ def visit(page, rows):
     page.at(found)
     page.wait(lambda: "running" in pill.get_attribute("class"))
     check("a mode that is clicked is gone to", True)
+    diagram = page.all(".modes")[1]
+    check("the modes of a machine are drawn with what leads from one to the other",
+          [b.text for b in diagram.find_elements(By.CSS_SELECTOR, "button")]
+          == ["driveTo", "robotPlace", "withSF", "circleTo", "ended"]
+          and len(diagram.find_elements(By.CSS_SELECTOR, "path.edge")) == 2 * 7
+          and "closestPlace" in diagram.text)
 
     line = page.driver.execute_script("""
         const root = document.querySelector('#source > div').shadowRoot;

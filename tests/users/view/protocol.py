@@ -76,6 +76,35 @@ async def values(v, rows):
         check("a time is the last instant not after it", after["k"] == 50)
 
 
+async def diagrams(v):
+    async with connect(v) as client:
+        program = await greet(v, client)
+        modes = next(s for s in program["signals"] if s["name"] == "probe.bug.mode")
+        name = lambda k: modes["names"][k] if k >= 0 else {-2: "start", -1: "any"}[k]
+        drawn = {(name(t["from"]), name(t["to"])) for t in modes["transitions"]}
+        check("the modes of a machine, and what leads from one to the other", drawn == {
+            ("start", "driveTo"), ("driveTo", "robotPlace"), ("driveTo", "ended"),
+            ("robotPlace", "withSF"), ("withSF", "circleTo"), ("circleTo", "driveTo"),
+            ("circleTo", "ended")})
+
+
+async def units(frobc):
+    """As the program writes them."""
+    with tempfile.TemporaryDirectory() as folder:
+        program, recording = os.path.join(folder, "push.frob"), os.path.join(folder, "run.csv")
+        with open(program, "w") as file:
+            file.write("main :: SF Acceleration (Float[N], Float[N/m^2], AngularVelocity)\n"
+                       "main = proc a -> (2[kg] * a, 2[kg] * a / 1[m^2], 1[rad/s])\n")
+        with open(recording, "w") as file:
+            file.write("time,in\n0,1\n")
+        v = viewer.Viewer(frobc, recording, program)
+        async with connect(v) as client:
+            signals = (await greet(v, client))["signals"]
+        v.end()
+    check("derived units have their names", [s["unit"] for s in signals if s["side"] == "output"]
+          == ["N", "Pa", "1/s"])
+
+
 async def origins(v, rows):
     async with connect(v) as client:
         program = await greet(v, client)
@@ -343,6 +372,8 @@ async def main():
     rows = viewer.trace(frobc, recording, program, robot)
     await values(v, rows)
     await origins(v, rows)
+    await diagrams(v)
+    await units(frobc)
     await conditions(v, rows)
     await what_if(v, frobc, recording, program, robot, rows)
     await strangers(v)

@@ -227,8 +227,28 @@ class Strip {
       plot.ctx.stroke();
       plot.ctx.restore();
     };
+    this.drawBeyond(plot);
     if (this.store.mark) draw(this.store.mark.time, colour("mark"), [4, 3]);
     if (this.store.instant) draw(this.store.instant.time, colour("cursor"), []);
+  }
+
+  /** A mark at the edge, where a value is beyond what is shown. */
+  private drawBeyond(plot: uPlot): void {
+    const { min, max } = plot.scales["y"] ?? {};
+    const { ctx, bbox: { top, height } } = plot;
+    if (min === undefined || max === undefined) return;
+    const size = 5 * devicePixelRatio;
+    ctx.fillStyle = colour("mark");
+    this.values.forEach((value, i) => {
+      if (value === null || (value >= min && value <= max)) return;
+      const x = plot.valToPos(this.data[0][i] ?? 0, "x", true);
+      const [base, tip] = value > max ? [top + size, top] : [top + height - size, top + height];
+      ctx.beginPath();
+      ctx.moveTo(x - size * 0.7, base);
+      ctx.lineTo(x + size * 0.7, base);
+      ctx.lineTo(x, tip);
+      ctx.fill();
+    });
   }
 
   /** The value below the pointer, or else at the instant that is shown. */
@@ -273,11 +293,16 @@ class Strip {
  *  count: all others would be a flat line. */
 function around(values: readonly (number | null)[]): [number, number] {
   const sorted = values.filter((x): x is number => typeof x === "number").sort((a, b) => a - b);
-  const at = (share: number) => sorted[Math.round(share * (sorted.length - 1))] ?? 0;
   if (sorted.length === 0) return [0, 1];
-  const most = at(0.997) - at(0.003);
-  const [least, greatest] = most > 0 && at(1) - at(0) > 10 * most ? [at(0.003), at(0.997)]
-    : [at(0), at(1)];
+  const last = sorted.length - 1;
+  const at = (place: number) => sorted[place] ?? 0;
+  const out = last < 20 ? 0 : Math.max(1, Math.round(0.003 * last));
+  const most = at(last - out) - at(out);
+  const isFar = most > 0 && at(last) - at(0) > 10 * most;
+  const isNear = (x: number) => !isFar ||
+    (x >= at(out) - 1.5 * most && x <= at(last - out) + 1.5 * most);
+  const near = sorted.filter(isNear);
+  const least = near[0] ?? 0, greatest = near[near.length - 1] ?? 0;
   const margin = greatest > least ? (greatest - least) * 0.08 : Math.abs(greatest) * 0.1 || 1;
   return [least - margin, greatest + margin];
 }

@@ -1,5 +1,5 @@
 // The list of all signals, with their values; a click plots one.
-import { modesOf } from "./modes";
+import { machineName, modesOf, modeSignals } from "./modes";
 import type { Signal } from "./protocol";
 import type { Store } from "./store";
 import { formatCell, isNothing } from "./values";
@@ -9,23 +9,27 @@ const titles = { input: "Input", output: "Output", probe: "Inside", mode: "Modes
 export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputElement): void {
   const rows: { row: HTMLButtonElement; value: HTMLElement; signal: Signal }[] = [];
   const groups: HTMLElement[] = [];
+  const modes = new Set(modeSignals(store.program));
+  const sideOf = (signal: Signal, number: number) => modes.has(number) ? "mode"
+    : signal.side === "mode" ? null : signal.side;
   for (const side of ["output", "mode", "probe", "input"] as const) {
     const group = document.createElement("section");
     const title = document.createElement("h2");
     title.textContent = titles[side];
     group.append(title);
     store.program.signals.forEach((signal, number) => {
-      if (signal.side !== side) return;
+      if (sideOf(signal, number) !== side) return;
       const row = document.createElement("button");
       const name = document.createElement("span");
       const value = document.createElement("output");
-      name.textContent = signal.name.replace(/^(in|out|probe|mode)\./, "");
+      name.textContent = side === "mode" ? machineName(signal)
+        : signal.name.replace(/^(in|out|probe)\./, "");
       row.title = signal.name;
       row.append(name, value);
       row.onclick = () => store.pick(number);
       rows[number] = { row, value, signal };
       group.append(row);
-      if (signal.side === "mode") group.append(modesOf(store, signal, number));
+      if (side === "mode") group.append(modesOf(store, signal, number));
     });
     if (group.childElementCount > 1) groups.push(group);
   }
@@ -44,9 +48,9 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
     signal.name.toLowerCase().includes(filter.value.trim().toLowerCase()));
   filter.oninput = () => {
     const shown = new Set(matching().map(({ row }) => row));
-    rows.forEach(({ row, signal }) => {
+    rows.forEach(({ row }, number) => {
       row.hidden = !shown.has(row);
-      if (signal.side === "mode" && row.nextElementSibling instanceof HTMLElement)
+      if (modes.has(number) && row.nextElementSibling instanceof HTMLElement)
         row.nextElementSibling.hidden = row.hidden;
     });
     for (const group of groups)

@@ -1,5 +1,6 @@
 // The whole run from left to right: modes as bands, the cursor, the mark, and what the
 // plots show.
+import { machineName, modeSignals } from "./modes";
 import type { Series } from "./protocol";
 import type { Store } from "./store";
 import { colour, isDark, lineColour, onTheme } from "./theme";
@@ -7,7 +8,8 @@ import { formatNumber, formatTime } from "./values";
 
 const bandHeight = 16;
 const axisHeight = 20;
-const mostBands = 6;
+/** So many that the rest of the page keeps its room. */
+const mostBands = () => (innerHeight < 800 ? 4 : 6);
 /** How often the bands of a run that goes on are asked for, in milliseconds. */
 const bandsEvery = 500;
 
@@ -18,8 +20,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   const { program } = store;
   const { signals } = program;
   const span = () => Math.max(program.end - program.start, 1e-9);
-  const modes = signals.flatMap((signal, number) => (signal.side === "mode" ? [number] : []))
-    .slice(0, mostBands);
+  const modes = modeSignals(store.program).slice(0, mostBands());
   const bands = new Map<number, Series>();
   let width = 0;
 
@@ -28,7 +29,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   const drawBand = (number: number, series: Series, y: number) => {
     const names = signals[number]?.names ?? [];
     const { start, end } = program;
-    const title = signals[number]?.name.replace(/^mode\./, "") ?? "";
+    const title = machineName(signals[number]);
     for (let i = 0; i < series.times.length; ) {
       const mode = series.values[i] ?? null;
       let next = i + 1;
