@@ -39,8 +39,24 @@ type program = {
   instances : instance list;
       (** at most one for each class and type constructor *)
   foreign : foreign;
+  console : control list;  (** filled by {!Console.declare} *)
   definitions : definition list;  (** dependency order *)
 }
+
+(** What stands on the operator's console, under a label that nothing else there has. *)
+and control = {
+  label : string;
+  kind : control_kind;
+  unit_ : string;  (** of a knob: [m/s]; [""] without one, or if it is open *)
+  span : Span.t;  (** where the program asks for it *)
+}
+
+and control_kind =
+  | Button  (** pressed: an event of [()] *)
+  | Hold  (** a button that is held down: a Bool *)
+  | Knob of { least : float; most : float; first : float }
+  | Toggle of { first : bool }
+  | Map  (** a click there: an event of a place, in metres *)
 
 (** What is C code of the user's. *)
 and foreign = {

@@ -79,5 +79,6 @@ let program (p : T.program) : Ir.program =
     data;
     instances;
     foreign;
+    console = [];
     definitions = (if instances = [] then definitions else Order.definitions definitions);
   }

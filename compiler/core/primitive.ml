@@ -58,6 +58,7 @@ type t =
   | Run_task
   | Reactimate
   | Ending
+  | Console of console
   | Foreign of foreign
 
 and elementary =
@@ -74,6 +75,8 @@ and elementary =
   | Acos
   | Atan
   | Atan2
+
+and console = Button | Hold | Knob | Toggle | Map
 
 and bitwise = Bit_and | Bit_or | Bit_xor | Shift_left | Shift_right
 
@@ -165,6 +168,11 @@ let table =
     ("parZ", Parallel, 1);
     ("reactimateRobot", Reactimate, 1);
     ("ending", Ending, 1);
+    ("consoleButton", Console Button, 2);
+    ("consoleHold", Console Hold, 2);
+    ("consoleKnob", Console Knob, 5);
+    ("consoleToggle", Console Toggle, 3);
+    ("consoleMap", Console Map, 1);
   ]
 
 (* To look up; nothing is added later. *)

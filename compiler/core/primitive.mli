@@ -74,6 +74,8 @@ type t =
   (* programs *)
   | Reactimate  (** [SF i o -> Program i o] *)
   | Ending  (** tells the host of the program when it has ended, and with what *)
+  (* what stands on an operator's console, by its label; see {!Console} *)
+  | Console of console
   (* declared by programs *)
   | Foreign of foreign  (** in C *)
 
@@ -94,6 +96,10 @@ and elementary =
   | Acos
   | Atan
   | Atan2
+
+(** What it takes: a label, but for [Map], of which there is one; the limits and the first
+    position of a knob, the first of a toggle; and the console. *)
+and console = Button | Hold | Knob | Toggle | Map
 
 (** A shift by a negative number goes the other way; one by 32 or more is what as many
     by one are. To the right the sign stays. *)

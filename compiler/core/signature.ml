@@ -8,6 +8,7 @@ let comparison a = function_ [ a; a ] Bool
 let prelude name arguments = Data (({ module_ = "Prelude"; name } : Global.t), arguments)
 let event a = prelude "Event" [ a ]
 let either a b = prelude "Either" [ a; b ]
+let console = Data (({ module_ = "Capability"; name = "Console" } : Global.t), [])
 let task a b c = prelude "Task" [ a; b; c ]
 
 let of_primitive (p : Primitive.t) types =
@@ -70,6 +71,11 @@ let of_primitive (p : Primitive.t) types =
     Some (Function (all, Signal_function (Array (n, a), Array (n, b))))
   | Reactimate, [ i; o ] ->
     Some (Function (Signal_function (i, o), prelude "Program" [ i; o ]))
+  | Console Button, [] -> Some (function_ [ String; console ] (event (Tuple [])))
+  | Console Hold, [] -> Some (function_ [ String; console ] Bool)
+  | Console Knob, [] -> Some (function_ [ String; Float; Float; Float; console ] Float)
+  | Console Toggle, [] -> Some (function_ [ String; Bool; console ] Bool)
+  | Console Map, [] -> Some (function_ [ console ] (event (Tuple [ Float; Float ])))
   | Ending, [ i; o; c ] ->
     Some (Function (Signal_function (i, Tuple [ o; event c ]), Signal_function (i, o)))
   | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power
@@ -78,6 +84,7 @@ let of_primitive (p : Primitive.t) types =
       | Maximum | And | Or | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative
       | Switch | Delayed_switch
       | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Reactimate | Ending
+      | Console _
       | Make_task | Until_right | Return | Sequence | Run_task
       | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf | Parallel
       | Foreign _ ),

@@ -47,7 +47,8 @@ let lint program =
   Flow.Lint.program program;
   Flow.Initialization.check program
 
-(* [written]: the entry as the programmer knows it, before a robot closes it. *)
+(* [written]: the entry as the programmer knows it, before a robot closes it. With the Core whose
+   console has what the program asks for. *)
 let specialized (r : Request.t) sink { typed; _ } ~(written : Typing.Ir.definition) (core, entry) =
   match Typing.Entry.refusal typed ~closed:(entry <> written.name) written with
   | Some refusal ->
@@ -57,13 +58,16 @@ let specialized (r : Request.t) sink { typed; _ } ~(written : Typing.Ir.definiti
   | None ->
       let options = { Specialize.Context.default with limit = r.specialization_limit } in
       let name = C_file.name r.file in
+      let* core = Operator.declared options sink typed ~name ~entry core in
       let* flow = Specialize.Of_core.program ~options sink ~name ~entry core in
+      let closed = (core, entry) in
       (* Before anything is moved: messages speak of equations as they were written. *)
       let entry = written.span in
       Flow.Causality.check sink ~entry flow;
       let* flow = if Diagnostic.has_errors sink then None else Some flow in
       let flow = Flow.Instantaneous_loops.program sink ~entry flow in
-      stage r sink Specialize ~lint ~print:Flow.Print.program flow
+      let* flow = stage r sink Specialize ~lint ~print:Flow.Print.program flow in
+      Some (closed, flow)
 
 (* A program for several robots is checked open, and what needs one with any that fits. *)
 let check_entry (r : Request.t) sink front (written : Typing.Ir.definition) =
@@ -90,5 +94,5 @@ let program sink sources (r : Request.t) =
   let* front = front r sink sources in
   let* written = Typing.Entry.find sink front.typed ~file:r.file r.entry in
   let* closed = Robots.closed sink r.robot (for_a_robot r front written.name) in
-  let* flow = specialized r sink front ~written closed in
+  let* closed, flow = specialized r sink front ~written closed in
   Some { typed = front.typed; written; closed; flow }

@@ -288,6 +288,8 @@ type program = {
   imports : import list;  (** each of the user's C once, by symbol *)
   headers : header list;  (** of the user's C *)
   input : shape;  (** of the root's inputs *)
+  console : Core.Ir.control list;
+      (** what stands on the operator's console: the parts of a record somewhere in [input] *)
   output : shape;
   ends : bool;
       (** the last part of the output is an event, at and after the end of the

@@ -4,6 +4,7 @@ module Variables = Map.Make (Stdlib.Int)
 
 type program = {
   real : Real.t;  (** the precision of [Float] *)
+  console : control list;
   instances : Instance.table;
   definitions : (Global.t, definition) Hashtbl.t;
   values : (Global.t * ty list, Value.thunk) Hashtbl.t;
@@ -25,6 +26,7 @@ let program (core : Core.Ir.program) =
   List.iter (fun (d : definition) -> Hashtbl.replace definitions d.name d) core.definitions;
   {
     real = core.real;
+    console = core.console;
     instances = Instance.table core.instances;
     definitions;
     values = Hashtbl.create 256;
@@ -106,6 +108,7 @@ let rec expr env (e : expr) : Value.t =
       match expr env value with
       | Tuple parts -> Thunk.force parts.(index)
       | _ -> bug "a component of what is no tuple")
+  | Construct { data; _ } when Core.Console.is_console data -> Operator.at_rest env.program.console
   | Construct { constructor; arguments; data = _ } ->
       Data { constructor; arguments = parts_on_demand env arguments }
   | Is_constructor (value, constructor) -> (
@@ -187,9 +190,10 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
         let own = List.filteri (fun i _ -> i < arity) arguments in
         apply (primitive env p types own) (List.filteri (fun i _ -> i >= arity) arguments)
       else
-        match Arrays.apply apply p ~size:(size env types) arguments with
-        | Some value -> value
-        | None -> Primitive.apply env.program.real p arguments
+        match (Arrays.apply apply p ~size:(size env types) arguments, p) with
+        | Some value, _ -> value
+        | None, Console kind -> Operator.apply env.program.console kind arguments
+        | None, _ -> Primitive.apply env.program.real p arguments
 
 (* Of the array that a primitive makes: its last type argument. *)
 and size env types =

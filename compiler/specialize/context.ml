@@ -21,10 +21,16 @@ and callee =
   | Node of int
   | Nothing of Flow.Ir.signal list
 
+type console =
+  | Sought of { mutable found : Core.Ir.control list }
+  | Declared of Core.Ir.control list
+
 type t = {
   sink : Diagnostic.sink;
   real : Real.t;
   foreign : Core.Ir.foreign;
+  console : console;
+  constants : Core.Constant_numbers.t;
   options : options;
   types : Types.table;
   free : Free.table;
@@ -40,11 +46,12 @@ type t = {
   counts : int String_table.t;
   mutable nodes : Flow.Ir.node list;
   mutable kept : Span.t list;
+  mutable reported : (string * Span.t) list;
   mutable node_count : int;
   mutable entered : int;
 }
 
-let create sink options (program : Core.Ir.program) =
+let create sink options ?(seeks = false) (program : Core.Ir.program) =
   let next = ref 0 in
   let fresh () =
     incr next;
@@ -52,6 +59,7 @@ let create sink options (program : Core.Ir.program) =
   in
   let types = Types.table program in
   let free = Free.table () in
+  let constants = Core.Constant_numbers.of_program program in
   let definitions = Global_table.create 256 in
   (* Below the ids of all locals: those without a name are negative too. *)
   List.iteri
@@ -63,10 +71,12 @@ let create sink options (program : Core.Ir.program) =
     sink;
     real = program.real;
     foreign = program.foreign;
+    console = (if seeks then Sought { found = [] } else Declared program.console);
+    constants;
     options;
     types;
     free;
-    keys = Skeleton.table types ~fresh;
+    keys = Skeleton.table types ~constants ~fresh;
     fresh;
     instances = Core.Instance.table program.instances;
     definitions;
@@ -78,6 +88,7 @@ let create sink options (program : Core.Ir.program) =
     counts = String_table.create 64;
     nodes = [];
     kept = [];
+    reported = [];
     node_count = 0;
     entered = 0;
   }
@@ -147,7 +158,8 @@ let report_outside t trail ~span ~index ~size =
   |> with_trail trail
   |> Diagnostic.emit t.sink
 
-let report_stored t trail ~span ty =
+(* The innermost call in the folder of the outermost: the program's own. *)
+let own_call trail ~span =
   let rec outermost = function [] -> span | [ (_, at) ] -> at | _ :: calls -> outermost calls in
   let folder (at : Span.t) = Filename.dirname at.file in
   let is_own at = String.equal (folder at) (folder (outermost trail.calls)) in
@@ -155,8 +167,20 @@ let report_stored t trail ~span ty =
     | (name, at) :: calls -> if is_own at then Some (name, at, calls) else own calls
     | [] -> None
   in
-  (match own trail.calls with
-  | Some (name, at, calls) when not (is_own span) ->
+  if is_own span then None else own trail.calls
+
+let own_place trail ~span =
+  match own_call trail ~span with Some (_, at, _) -> at | None -> span
+
+let report_once t ~code ~at diagnostic =
+  if not (List.mem (code, at) t.reported) then begin
+    t.reported <- (code, at) :: t.reported;
+    Diagnostic.emit t.sink diagnostic
+  end
+
+let report_stored t trail ~span ty =
+  (match own_call trail ~span with
+  | Some (name, at, calls) ->
       Diagnostic.error ~code:"E0412" ~at "`%s` cannot keep a value of type `%s`" name ty
       |> Diagnostic.label ~at:span "it would be stored here, in a `delay`"
       |> with_trail { trail with calls }

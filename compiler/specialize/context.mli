@@ -39,10 +39,17 @@ and callee =
   | Nothing of Flow.Ir.signal list
       (** a node without equations; its statics and inputs *)
 
+(** What the program asks of its operator: it is found out, or was found out before. *)
+type console =
+  | Sought of { mutable found : Core.Ir.control list  (** the last one first *) }
+  | Declared of Core.Ir.control list
+
 type t = {
   sink : Diagnostic.sink;
   real : Real.t;
   foreign : Core.Ir.foreign;
+  console : console;
+  constants : Core.Constant_numbers.t;
   options : options;
   types : Types.table;
   free : Free.table;
@@ -58,11 +65,14 @@ type t = {
   counts : int String_table.t;  (** specializations of a definition *)
   mutable nodes : Flow.Ir.node list;  (** the last one first *)
   mutable kept : Span.t list;  (** where {!check_lasting} found something *)
+  mutable reported : (string * Span.t) list;  (** by {!report_once} *)
   mutable node_count : int;
   mutable entered : int;
 }
 
-val create : Diagnostic.sink -> options -> Core.Ir.program -> t
+val create : Diagnostic.sink -> options -> ?seeks:bool -> Core.Ir.program -> t
+(** [seeks]: what stands on the console is to be found out. *)
+
 
 val known_by_name : Core.Ir.Global.t list
 (** Definitions of the library that are looked for, whether or not the program mentions
@@ -93,6 +103,12 @@ val count : t -> trail -> name:string -> span:Span.t -> unit
 
 val report_outside : t -> trail -> span:Span.t -> index:int -> size:int -> unit
 (** Of an array whose size depends on the call. *)
+
+val own_place : trail -> span:Span.t -> Span.t
+(** The call in the program's own folder that leads to a place in the library; else the place. *)
+
+val report_once : t -> code:string -> at:Span.t -> Diagnostic.t -> unit
+(** Of a place that may be evaluated many times. *)
 
 val report_stored : t -> trail -> span:Span.t -> string -> unit
 (** A [delay] of a value of this type, which has a function in it. The place is

@@ -89,6 +89,7 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
   | Array elements -> Elements (List.map (expr c s Unnamed) elements)
   | Index (array, k) -> element c s target ~span:e.span array k
   | Component (e, index) -> Leaves.component (expr c s Unnamed e) index
+  | Construct { data; _ } when Core.Console.is_console data -> Operator.at_rest c
   | Construct { constructor; arguments; data = _ } -> (
       let ty = Types.close s.types e.ty in
       match (Types.layout c.types ty).kind with
@@ -240,6 +241,7 @@ and apply (c : Context.t) s target ~span ~result (f : Value.t) (arguments : Valu
           on_arrays c s target ~span ~result primitive types (List.rev all)
       | Foreign f, _ ->
           Foreign_code.apply (position c s span) target f ~result (List.rev all)
+      | Console kind, _ -> Operator.apply (position c s span) kind ~result (List.rev all)
       | _, _ -> Operation.apply (position c s span) target primitive ~result (List.rev all))
   | Choice { condition; then_; else_ }, _ ->
       let then_ = apply c s Unnamed ~span ~result then_ arguments in
@@ -276,6 +278,8 @@ and apply_lambda (c : Context.t) s target ~span ~result closure locals binder (b
           expr c (inside (Context.enter c s.trail ~name:closure.name ~span)) Unnamed body
         else if is_trivial body then
           expr c (inside (trail_of_trivial c s ~span closure body)) whole body
+        else if Operator.is_looked_for c body then
+          expr c (inside (Context.enter c s.trail ~name:closure.name ~span)) whole body
         else if first.ty = Tuple [] && others = [] then
           join s closure (fun () -> expr c (inside s.trail) Unnamed body)
         else call_function c s whole ~span ~result:ty applied binder body
@@ -506,7 +510,8 @@ and proc_body (c : Context.t) s (proc : Ir.proc) : Value.t =
     let ty = Types.close s.types eq.binder.ty in
     let { Ir.local; _ } = eq.binder in
     let layout = Types.layout c.types ty in
-    if layout.first_order then
+    let is_constant = Core.Constant_numbers.has c.constants local in
+    if layout.first_order && not is_constant then
       let signals = Node.promise s.node ~name:local.name ~span:local.span layout.leaves in
       let value = Leaves.value c.types ty (List.map (fun s -> Flow.Ir.Signal s) signals) in
       (bind eq.binder ty value locals, (eq, ty, signals) :: promises)

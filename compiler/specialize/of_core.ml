@@ -182,16 +182,13 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
               { header = h.header; folder = Filename.dirname h.of_file })
             c.foreign.headers;
         input;
+        console = (match c.console with Declared controls -> controls | Sought _ -> []);
         output;
         ends = Option.is_some !ended;
         probes = [];
       }
 
-let program ?(options = Context.default) sink ~name ~entry:(entry : Ir.Global.t)
-    (program : Ir.program) =
-  let c = Context.create sink options program in
-  Core.Recursion.check sink program;
-  Foreign_code.check_names sink ~name program.foreign;
+let closed (c : Context.t) ~name ~entry:(entry : Ir.Global.t) =
   match Resolve.Global_table.find_opt c.definitions entry with
   | None ->
       Diagnostic.bug ~stage:"Specialize.Of_core" "there is no `%s.%s`" entry.module_ entry.name
@@ -201,3 +198,22 @@ let program ?(options = Context.default) sink ~name ~entry:(entry : Ir.Global.t)
       | None ->
           Diagnostic.bug ~stage:"Specialize.Of_core" "`%s` is no closed signal function"
             entry.name)
+
+let controls options sink ~name ~entry (program : Ir.program) =
+  let own = Diagnostic.sink () in
+  if Core.Console.asks program then Core.Recursion.check own program;
+  (* Those that recursion has are told where the program is specialized for good. *)
+  if (not (Core.Console.asks program)) || Diagnostic.has_errors own then Some []
+  else
+    let c = Context.create own options ~seeks:true program in
+    ignore (closed c ~name ~entry);
+    if Diagnostic.has_errors own then begin
+      List.iter (Diagnostic.emit sink) (Diagnostic.all own);
+      None
+    end
+    else match c.console with Sought { found } -> Some (List.rev found) | Declared _ -> None
+
+let program ?(options = Context.default) sink ~name ~entry (program : Ir.program) =
+  Core.Recursion.check sink program;
+  Foreign_code.check_names sink ~name program.foreign;
+  closed (Context.create sink options program) ~name ~entry

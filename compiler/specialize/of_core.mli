@@ -11,6 +11,17 @@
 
 open Basis
 
+val controls :
+  Context.options ->
+  Diagnostic.sink ->
+  name:string ->
+  entry:Core.Ir.Global.t ->
+  Core.Ir.program ->
+  Core.Ir.control list option
+(** What the entry asks of its operator, for {!Core.Console.declare}: found out by running all
+    that is static, if the program asks for anything. What it asks for in several places is there
+    as often, and without units. [None] if errors were reported. *)
+
 val program :
   ?options:Context.options ->
   Diagnostic.sink ->

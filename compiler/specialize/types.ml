@@ -223,12 +223,22 @@ and shape table (ty : Ir.ty) : Flow.Ir.shape =
               product_module = tycon.module_;
               constructor = only.name.name;
               record = only.record;
-              parts = List.map (fun (name, ty) -> (name, shape table ty)) only.fields;
+              parts =
+                List.filter_map
+                  (fun (name, ty) ->
+                    if is_bare_console table ty then None else Some (name, shape table ty))
+                  only.fields;
             }
       | [] | _ :: _ :: _ -> single_leaf table ty)
   | Array (Size n, element) -> Repeated (n, shape table element)
   | Variable _ | Bool | Int | Float | String | Function _ | Signal_function _ | Array _ | Size _ ->
       single_leaf table ty
+
+(* Nothing is on it, so nobody outside has to know of it. *)
+and is_bare_console table (ty : Ir.ty) =
+  match ty with
+  | Data (tycon, []) when Core.Console.is_console tycon -> (layout table ty).leaves = []
+  | _ -> false
 
 and single_leaf table ty : Flow.Ir.shape =
   match (layout table ty).leaves with

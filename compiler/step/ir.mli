@@ -230,6 +230,7 @@ type program = {
   imports : Flow.Ir.import list;
   headers : Flow.Ir.header list;  (** of the user's C *)
   input : Flow.Ir.shape;
+  console : Core.Ir.control list;  (** as {!Flow.Ir.program} *)
   output : Flow.Ir.shape;
   ends : bool;  (** as {!Flow.Ir.program} *)
   probes : (string * Flow.Ir.shape) list;  (** likewise *)

@@ -144,6 +144,7 @@ let program (program : F.program) : Ir.program =
     headers = program.headers;
     nodes = Array.init count callee;
     input = program.input;
+    console = program.console;
     output = program.output;
     ends = program.ends;
     probes = program.probes;

@@ -18,7 +18,7 @@ static bool has_columns_inside(const struct frob_value *value)
     product = &value->constructors[0];
     /* Arrays, tuples and records are columns by their parts; other data with one
      * constructor is a cell. */
-    return product->name == NULL || (product->is_record && product->count > 0);
+    return product->name == NULL || product->is_record;
 }
 
 static void visit_columns(const struct frob_value *value, struct frob_text *path,

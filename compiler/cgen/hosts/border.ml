@@ -16,13 +16,24 @@ let robot_struct (shape : F.shape) =
 
 let same own = { own; host = own; robot = None }
 
-let input ?own_robot (program : Step.Ir.program) own =
-  match robot_of ?own:own_robot program program.input with
-  | None -> same own
-  | robot -> { own; host = { own with struct_name = robot_struct program.input }; robot }
-
+let host_input = "host_input"
 let host_output = "host_output"
 let own_part = Interface.Member "own"
+
+(* The console is the program's own, in both structs. *)
+let input ?own_robot (program : Step.Ir.program) (own : Interface.t) =
+  match (robot_of ?own:own_robot program program.input, Robot.apart program.input) with
+  | None, _ -> same own
+  | robot, (_, None) ->
+      { own; host = { own with struct_name = robot_struct program.input }; robot }
+  | robot, (_, Some { part = _, console; at }) ->
+      let count = List.length (Step.Layout.shape_leaves console) in
+      let leaf k path =
+        if k >= at && k < at + count then own_part :: path
+        else Interface.Member "robot" :: path
+      in
+      let leaves = List.mapi leaf own.leaves in
+      { own; host = { own with struct_name = host_input; leaves }; robot }
 
 (* What is beside the command is the program's own, in both structs. *)
 let output ?own_robot (program : Step.Ir.program) (own : Interface.t) =
@@ -50,14 +61,20 @@ let includes sides =
   let header side = Option.map (fun r -> sprintf "#include %s\n" (Robot.included r)) side.robot in
   String.concat "" (List.sort_uniq compare (List.filter_map header sides))
 
-let has_own side = side.robot <> None && String.equal side.host.struct_name host_output
+let has_own side =
+  side.robot <> None && List.mem side.host.struct_name [ host_input; host_output ]
 
 let definitions (program : Step.Ir.program) side =
+  let definition ~first shape =
+    sprintf "struct %s {\n    struct %s %s;\n    struct %s own;\n};\n\n" side.host.struct_name
+      (robot_struct shape) first side.own.struct_name
+  in
   if not (has_own side) then ""
+  else if String.equal side.host.struct_name host_input then
+    definition ~first:"robot" program.input
   else
-    let command = if program.ends then fst (Interface.apart program.output) else program.output in
-    sprintf "struct %s {\n    struct %s command;\n    struct %s own;\n};\n\n" host_output
-      (robot_struct command) side.own.struct_name
+    definition ~first:"command"
+      (if program.ends then fst (Interface.apart program.output) else program.output)
 
 (* {1 Converting} *)
 
@@ -130,8 +147,9 @@ let convert out program sums shape side ~own ~host ~inward =
     | [], _, _ -> ()
     | _, _, _ -> bug "the two sides have different leaves"
   in
+  if inward && has_own side then bprintf out "    own_in = host_in->own;\n";
   go (Step.Layout.shape_leaves shape) side.own.leaves side.host.leaves;
-  if has_own side then bprintf out "    host_out->own = own_out;\n"
+  if has_own side && not inward then bprintf out "    host_out->own = own_out;\n"
 
 (* {1 The step} *)
 

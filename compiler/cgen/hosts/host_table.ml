@@ -8,6 +8,7 @@ type context = {
   struct_name : string;  (** that offsets count from *)
   prefix : string;  (** of the tables' names *)
   mutable count : int;
+  mutable console : string list;  (** the values on the operator's console *)
 }
 
 (* Where a leaf lies, as paths of members, and the kind of what Floats it has. *)
@@ -16,7 +17,9 @@ type location =
   | Sum of { tag : string; base : string; first : Step.Layout.slots; number : string }
   | Array of (int -> location)  (** of each element *)
 
-let c_string text = "\"" ^ String.escaped text ^ "\""
+(* Names are of the language, labels are made of any characters but controls, quotes and
+   backslashes. *)
+let c_string text = "\"" ^ text ^ "\""
 let name_or_null text = if String.equal text "" then "NULL" else c_string text
 
 let next c =
@@ -70,8 +73,13 @@ let rec shape c locations (whole : F.shape) =
   match whole with
   | Leaf ty -> leaf c ty (take locations)
   | Product product ->
+      let note value =
+        if Core.Console.has_name ~module_:product.product_module product.product_name then
+          c.console <- c.console @ [ value ]
+      in
       let row =
-        constructor c locations ~name:product.constructor ~record:product.record product.parts
+        constructor c locations ~note ~name:product.constructor ~record:product.record
+          product.parts
       in
       let constructors = constructor_table c [ row ] in
       value c ~kind:"FROB_PRODUCT" ~offset:"0" ~is_event:false ~count:1 constructors
@@ -88,9 +96,10 @@ let rec shape c locations (whole : F.shape) =
       let constructors = constructor_table c [ row ] in
       value c ~kind:"FROB_ARRAY" ~offset:"0" ~is_event:false ~count:1 constructors
 
-and constructor c locations ~name ~record parts =
+and constructor ?(note = ignore) c locations ~name ~record parts =
   let field (name, part) =
     let value = shape c locations part in
+    note value;
     sprintf "%s, &%s" (name_or_null name) value
   in
   (* From the first to the last: the locations are in that order. *)
@@ -154,12 +163,35 @@ let locations (program : Step.Ir.program) (side : Border.side) whole =
 
 let table_of out (program : Step.Ir.program) ~prefix (side : Border.side) locations whole =
   let c =
-    { out; sums = program.sums; struct_name = side.host.struct_name; prefix; count = 0 }
+    { out; sums = program.sums; struct_name = side.host.struct_name; prefix; count = 0;
+      console = [] }
   in
-  shape c (ref locations) whole
+  let value = shape c (ref locations) whole in
+  (value, c.console)
 
 let input out (program : Step.Ir.program) (side : Border.side) =
   table_of out program ~prefix:"in" side (locations program side program.input) program.input
+
+(* What stands on the console, with the values of its parts of the input. *)
+let controls out (program : Step.Ir.program) values =
+  let bounds (kind : Core.Ir.control_kind) =
+    match kind with
+    | Button -> ("FROB_BUTTON", 0., 0., 0.)
+    | Hold -> ("FROB_HOLD", 0., 1., 0.)
+    | Knob { least; most; first } -> ("FROB_KNOB", least, most, first)
+    | Toggle { first } -> ("FROB_TOGGLE", 0., 1., if first then 1. else 0.)
+    | Map -> ("FROB_MAP", 0., 0., 0.)
+  in
+  let row (c : Core.Ir.control) value =
+    let kind, least, most, first = bounds c.kind in
+    sprintf "%s, %s, %s, %.17g, %.17g, %.17g, &%s" kind (c_string c.label) (c_string c.unit_) least
+      most first value
+  in
+  (* More than one console has the same things on it; hosts know the first. *)
+  let values = List.filteri (fun k _ -> k < List.length program.console) values in
+  let rows = if values = [] then [] else List.map2 row program.console values in
+  let c = { out; sums = [||]; struct_name = ""; prefix = ""; count = 0; console = [] } in
+  (table c "control" "controls" rows, List.length rows)
 
 (* The output; its last leaf once more, by itself, where it is what the program ends with;
    and the probes. *)
@@ -171,18 +203,18 @@ let outputs out (program : Step.Ir.program) (side : Border.side) =
   in
   let count = List.length (Step.Layout.shape_leaves program.output) in
   let own = List.filteri (fun k _ -> k < count) all in
-  let output = table_of out program ~prefix:"out" side own program.output in
+  let output, _ = table_of out program ~prefix:"out" side own program.output in
   let result =
     if not program.ends then "NULL"
     else
       match (snd (Interface.apart program.output), List.rev own) with
-      | Some ended, last :: _ -> "&" ^ table_of out program ~prefix:"result" side [ last ] ended
+      | Some ended, last :: _ -> "&" ^ fst (table_of out program ~prefix:"result" side [ last ] ended)
       | _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a program that ends without a result"
   in
   let others = List.filteri (fun k _ -> k >= count) all in
   let probes =
     if program.probes = [] then "NULL"
-    else "&" ^ table_of out program ~prefix:"probe" side others probes
+    else "&" ^ fst (table_of out program ~prefix:"probe" side others probes)
   in
   (output, result, probes)
 
@@ -203,7 +235,7 @@ let machines out ~state (list : Machine_table.t list) =
       (List.length m.modes) (names number m) within mode
   in
   let rows = List.mapi row list in
-  let c = { out; sums = [||]; struct_name = state; prefix = ""; count = 0 } in
+  let c = { out; sums = [||]; struct_name = state; prefix = ""; count = 0; console = [] } in
   (table c "machine" "machines" rows, List.length rows)
 
 let robot ?own (program : Step.Ir.program) =
@@ -224,8 +256,11 @@ let text ?own (program : Step.Ir.program) (files : Of_step.t) =
     program.name
     (Border.includes [ input_side; output_side ])
     rounds_dt;
-  bprintf out "%s" (Border.definitions program output_side);
-  let input = input out program input_side in
+  List.iter
+    (fun side -> bprintf out "%s" (Border.definitions program side))
+    [ input_side; output_side ];
+  let input, values = input out program input_side in
+  let controls, control_count = controls out program values in
   let output, result, probes = outputs out program output_side in
   let machines, machine_count = machines out ~state:(name ^ "_state") files.machines in
   let robot_name = function Some (robot : Robot.t) -> robot.name | None -> "" in
@@ -254,6 +289,8 @@ const struct frob_program frob_program = {
     %s,
     %d,
     %s,
+    %s,
+    %d,
 };
 |}
     name name
@@ -261,5 +298,5 @@ const struct frob_program frob_program = {
     (c_string program.name) (c_string robot) name input_side.host.struct_name
     output_side.host.struct_name input output
     (match program.real with Double -> "frob_arithmetic_faults" | Single -> "arithmetic")
-    result machines machine_count probes;
+    result machines machine_count probes controls control_count;
   Buffer.contents out

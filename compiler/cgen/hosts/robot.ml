@@ -24,3 +24,28 @@ let of_shape ?own (shape : Flow.Ir.shape) =
       in
       List.find_opt is_of (Option.to_list own @ all)
   | Product _ | Leaf _ | Repeated _ -> None
+
+type console = { part : string * Flow.Ir.shape; at : int }
+
+let is_console ((_, shape) : string * Flow.Ir.shape) =
+  match shape with
+  | Product { product_name; product_module; _ } ->
+      Core.Console.has_name ~module_:product_module product_name
+  | Leaf _ | Repeated _ -> false
+
+let apart (shape : Flow.Ir.shape) =
+  let rec split before parts =
+    match parts with
+    | part :: after when is_console part -> Some (List.rev before, part, after)
+    | part :: after -> split (part :: before) after
+    | [] -> None
+  in
+  match shape with
+  | Leaf _ | Repeated _ -> (shape, None)
+  | Product product -> (
+      match split [] product.parts with
+      | None -> (shape, None)
+      | Some (before, part, after) ->
+          let leaves (_, shape) = List.length (Step.Layout.shape_leaves shape) in
+          let at = List.fold_left (fun sum part -> sum + leaves part) 0 before in
+          (Product { product with parts = before @ after }, Some { part; at }))

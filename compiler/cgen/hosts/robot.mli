@@ -38,3 +38,13 @@ val output : t -> string
 
 val of_shape : ?own:t -> Flow.Ir.shape -> t option
 (** The robot that a program's whole input or output belongs to. *)
+
+(** The operator's console in a robot's input is the program's, not the robot's: hosts have it
+    behind the robot's struct. *)
+type console = {
+  part : string * Flow.Ir.shape;
+  at : int;  (** so many leaves of the robot's are before it *)
+}
+
+val apart : Flow.Ir.shape -> Flow.Ir.shape * console option
+(** A robot's input as the robot has it. *)

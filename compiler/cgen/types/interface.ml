@@ -125,7 +125,7 @@ let apart (shape : F.shape) =
       | _ -> (shape, None))
   | Leaf _ | Repeated _ -> (shape, None)
 
-let with_others types ~name command (others : (string * F.shape) list) =
+let with_others types ~name ~first:first_name command (others : (string * F.shape) list) =
   let product : F.product =
     {
       product_name = "";
@@ -135,16 +135,23 @@ let with_others types ~name command (others : (string * F.shape) list) =
       parts = others;
     }
   in
-  let first : Ir.member = { name = "command"; ty = Struct command.struct_name; comment = "" } in
+  let first : Ir.member = { name = first_name; ty = Struct command.struct_name; comment = "" } in
   let others = members types product in
   define types name (first :: others);
   let beside = with_paths types ~name others (Product product) in
-  let inside path = Member "command" :: path in
+  let inside path = Member first_name :: path in
   {
     beside with
     leaves = List.map inside command.leaves @ beside.leaves;
     unused = List.map inside command.unused @ beside.unused;
   }
+
+let with_leaves ~at count t =
+  let others = List.length t.leaves - count in
+  let moved = List.filteri (fun k _ -> k >= others) t.leaves in
+  let before = List.filteri (fun k _ -> k < at) t.leaves in
+  let after = List.filteri (fun k _ -> k >= at && k < others) t.leaves in
+  { t with leaves = before @ moved @ after }
 
 let of_shape types ~name (shape : F.shape) =
   let members =

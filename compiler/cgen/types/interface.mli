@@ -45,9 +45,12 @@ val apart : Flow.Ir.shape -> Flow.Ir.shape * Flow.Ir.shape option
 val record_of : (string * Flow.Ir.shape) list -> Flow.Ir.shape
 (** Of what a probed program shows. *)
 
-val with_others : types -> name:string -> t -> (string * Flow.Ir.shape) list -> t
-(** A struct of several members: [command], whose struct is defined elsewhere, and others by
+val with_others : types -> name:string -> first:string -> t -> (string * Flow.Ir.shape) list -> t
+(** A struct of several members: the [first], whose struct is defined elsewhere, and others by
     name, such as what the program has ended with. *)
+
+val with_leaves : at:int -> int -> t -> t
+(** So many leaves, the last ones, have their place after so many others. *)
 
 val definitions : types -> Ir.declaration list
 (** All structs, used before users. *)

@@ -162,7 +162,12 @@ let of_program ?own (program : M.program) =
   let command, result =
     if program.ends then Interface.apart program.output else (program.output, None)
   in
-  let input_robot = robot_of program.input in
+  let sensed, console =
+    match Robot.of_shape ?own program.input with
+    | Some _ -> Robot.apart program.input
+    | None -> (program.input, None)
+  in
+  let input_robot = robot_of sensed in
   let output_robot = robot_of command in
   List.iter
     (fun (f : F.import) ->
@@ -187,11 +192,16 @@ let of_program ?own (program : M.program) =
     match (program.real, robots, result) with
     | Double, Some robots, None -> robots
     | Double, Some robots, Some result ->
-        Interface.with_others own ~name:struct_name robots [ ("result", result) ]
+        Interface.with_others own ~name:struct_name ~first:"command" robots [ ("result", result) ]
     | Double, None, _ | Single, _, _ -> Interface.of_shape own ~name:struct_name whole
   in
   let input =
-    interface input_robot input_name ~whole:program.input ~robots:program.input None
+    let plain = interface input_robot input_name ~whole:program.input ~robots:sensed None in
+    match (program.real, input_robot, console) with
+    | Double, Some _, Some { part; at } ->
+        Interface.with_others own ~name:input_name ~first:"robot" plain [ part ]
+        |> Interface.with_leaves ~at (List.length (Step.Layout.shape_leaves (snd part)))
+    | _, _, _ -> plain
   in
   let output name = interface output_robot name ~whole:program.output ~robots:command result in
   let output =
@@ -199,7 +209,8 @@ let of_program ?own (program : M.program) =
     | [] -> output output_name
     | probes ->
         let plain = output (Name.fresh scope (name ^ "_command")) in
-        Interface.with_others own ~name:output_name plain [ ("probes", Interface.record_of probes) ]
+        let probes = [ ("probes", Interface.record_of probes) ] in
+        Interface.with_others own ~name:output_name ~first:"command" plain probes
   in
   let robot_records = Interface.definitions shared in
   let imports =

@@ -56,6 +56,7 @@ let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
       | Return | Sequence | Run_task
       | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate
       | Ending
+      | Console _
       | Foreign _ ),
       _ ) ->
       bug p

@@ -57,19 +57,24 @@ let write shape value =
         put "]"
     | Data { constructors; _ }, Data { constructor; arguments } ->
         constructed place (List.nth constructors constructor) (Array.to_list arguments)
-    | (Bool | Int | Float _ | Tuple _ | Array _ | Data _), _ ->
+    | Console controls, Data { arguments; _ } ->
+        let fields = List.map (fun (label, shape, _) -> (label, shape)) controls in
+        record { Shape.name = "Console"; fields } (List.combine fields (Array.to_list arguments))
+    | (Bool | Int | Float _ | Tuple _ | Array _ | Data _ | Console _), _ ->
         bug "a value that is not of its type"
+  and record (c : Shape.constructor) fields =
+    put (c.name ^ " {");
+    separated
+      (fun () -> put ", ")
+      (fun ((name, shape), value) ->
+        put (name ^ " = ");
+        value_ Alone shape (Thunk.demand value))
+      fields;
+    put "}"
   and constructed place (c : Shape.constructor) arguments =
-    let fields = List.combine c.fields arguments in
-    if Shape.is_record c then (
-      put (c.name ^ " {");
-      separated
-        (fun () -> put ", ")
-        (fun ((name, shape), value) ->
-          put (name ^ " = ");
-          value_ Alone shape (Thunk.demand value))
-        fields;
-      put "}")
+    let is_seen ((_, shape), _) = shape <> Shape.Console [] in
+    let fields = List.filter is_seen (List.combine c.fields arguments) in
+    if Shape.is_record c then record c fields
     else
       parenthesized
         (place = Argument && fields <> [])
@@ -209,7 +214,7 @@ let one_of constructors =
 let rec read_value r (shape : Shape.t) : Value.t =
   match shape with
   | Tuple shapes -> read_tuple r shapes
-  | Bool | Int | Float _ | Array _ | Data _ ->
+  | Bool | Int | Float _ | Array _ | Data _ | Console _ ->
       let rec opened count = if accept r '(' then opened (count + 1) else count in
       let rec close count =
         if count > 0 then begin
@@ -231,6 +236,10 @@ and read_bare r (shape : Shape.t) : Value.t =
   | Int -> read_int r
   | Float real -> read_float real r
   | Tuple shapes -> read_tuple r shapes
+  | Console controls ->
+      if not (accept_word r "Console") then fail "`Console`";
+      let fields = List.map (fun (label, shape, _) -> (label, shape)) controls in
+      Data { constructor = 0; arguments = read_record r fields }
   | Array (n, element) -> read_array r n element
   | Data { constructors; is_event = _ } ->
       let rec choose index = function
@@ -283,7 +292,12 @@ and read_record r fields =
         let is_other (other, _) = not (String.equal name other) in
         read ((name, value) :: found) (List.filter is_other missing)
   in
-  let found = read [] fields in
+  let is_bare (_, shape) = shape = Shape.Console [] in
+  let bare, seen = List.partition is_bare fields in
+  let nothing (name, _) =
+    (name, Thunk.known (Value.Data { constructor = 0; arguments = [||] }))
+  in
+  let found = List.map nothing bare @ read [] seen in
   expect r '}' "`}`";
   Array.of_list (List.map (fun (name, _) -> List.assoc name found) fields)
 
@@ -294,7 +308,7 @@ let read_cell r (shape : Shape.t) : Value.t =
       if r.at = String.length r.text then Data { constructor = 0; arguments = [||] }
       else
         Data { constructor = 1; arguments = [| Thunk.known (read_value r occurrence) |] }
-  | Bool | Int | Float _ | Tuple _ | Array _ | Data _ -> read_value r shape
+  | Bool | Int | Float _ | Tuple _ | Array _ | Data _ | Console _ -> read_value r shape
 
 let read shape text =
   let r = { text; at = 0 } in
@@ -305,7 +319,7 @@ let read shape text =
       fail
         (match (shape : Shape.t) with
         | Int | Float _ -> "nothing after the number"
-        | Bool | Tuple _ | Array _ | Data _ -> "the end of the cell");
+        | Bool | Tuple _ | Array _ | Data _ | Console _ -> "the end of the cell");
     value
   with
   | value -> Ok value

@@ -5,6 +5,7 @@ type t =
   | Tuple of t list
   | Array of int * t
   | Data of { is_event : bool; constructors : constructor list }
+  | Console of (string * t * Value.t) list
 
 and constructor = { name : string; fields : (string * t) list }
 
@@ -28,6 +29,8 @@ let of_type (program : Core.Ir.program) ty =
     | Data (tycon, arguments) -> (
         match Hashtbl.find_opt data tycon with
         | None -> bug "`%s` is no data type" tycon.name
+        | Some { constructors = [ { fields; _ } ]; _ } when Core.Console.is_console tycon ->
+            Console (List.map2 control fields program.console)
         | Some d ->
             let close = Core.Erasure.substitute (List.combine d.parameters arguments) in
             let constructors = List.map (constructor close) d.constructors in
@@ -35,6 +38,7 @@ let of_type (program : Core.Ir.program) ty =
     | Array (Size n, element) -> Array (n, shape element)
     | String | Function _ | Signal_function _ | Array _ | Size _ ->
         bug "functions and labels are not seen from outside"
+  and control (label, ty) (c : Core.Ir.control) = (label, shape ty, Operator.control_at_rest c)
   and constructor close (c : Core.Ir.constructor) =
     { name = c.name.name; fields = List.map (fun (name, ty) -> (name, shape (close ty))) c.fields }
   in
@@ -46,15 +50,21 @@ let parts = function
   | Array (n, element) -> Some (List.init n (fun i -> (Printf.sprintf "[%d]" i, element)))
   | Data { constructors = [ record ]; _ } when is_record record ->
       Some (List.map (fun (name, part) -> ("." ^ name, part)) record.fields)
+  | Console controls -> Some (List.map (fun (label, part, _) -> ("." ^ label, part)) controls)
   | Bool | Int | Float _ | Data _ -> None
 
-type column = { name : string; shape : t }
+type column = { name : string; shape : t; at_rest : Value.t option }
 
 let columns root shape =
   let rec add found path shape =
-    match parts shape with
-    | None -> { name = path; shape } :: found
-    | Some parts ->
+    match (shape, parts shape) with
+    | Console controls, _ ->
+        let column (label, shape, at_rest) =
+          { name = path ^ "." ^ label; shape; at_rest = Some at_rest }
+        in
+        List.rev_append (List.map column controls) found
+    | _, None -> { name = path; shape; at_rest = None } :: found
+    | _, Some parts ->
         List.fold_left (fun found (name, part) -> add found (path ^ name) part) found parts
   in
   List.rev (add [] root shape)
@@ -88,7 +98,7 @@ let assemble shape cells =
         in
         let values = Array.of_list (List.rev values) in
         match shape with
-        | Data _ -> (Data { constructor = 0; arguments = values }, rest)
+        | Data _ | Console _ -> (Data { constructor = 0; arguments = values }, rest)
         | Array _ -> (Array values, rest)
         | Bool | Int | Float _ | Tuple _ -> (Tuple values, rest))
   in

@@ -7,6 +7,8 @@ type t =
   | Tuple of t list
   | Array of int * t
   | Data of { is_event : bool; constructors : constructor list }
+  | Console of (string * t * Value.t) list
+      (** what is on it, by its label, with what that is while nobody touches it *)
 
 and constructor = {
   name : string;
@@ -22,7 +24,11 @@ val of_type : Core.Ir.program -> Core.Ir.ty -> t
 (** {1 Columns} A tuple, record or array has the columns of its parts, everything
     else is a column of its own. *)
 
-type column = { name : string;  (** its path, as [in.position.x] *) shape : t }
+type column = {
+  name : string;  (** its path, as [in.position.x] *)
+  shape : t;
+  at_rest : Value.t option;  (** what stands for a column of the console that is not there *)
+}
 
 val columns : string -> t -> column list
 (** From the path's first word. *)

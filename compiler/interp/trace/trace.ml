@@ -1,5 +1,8 @@
 (* What the header says: the input's columns, each with its place in the rows. *)
-type header = { width : int; columns : (Shape.column * int) list }
+type header = { width : int; columns : (Shape.column * place) list }
+
+(* A column of the console may be left out. *)
+and place = Cell of int | At_rest of Value.t
 
 exception Rejected of string list
 
@@ -75,7 +78,8 @@ let header name columns (row : Csv.row) =
   let width = List.length row.cells in
   let place (column : Shape.column) =
     match Hashtbl.find_opt places column.name with
-    | Some place -> Either.Left (column, place)
+    | Some place -> Either.Left (column, Cell place)
+    | None when column.at_rest <> None -> Either.Left (column, At_rest (Option.get column.at_rest))
     | None -> Either.Right (Printf.sprintf "`%s`" column.name)
   in
   let found, missing = List.partition_map place columns in
@@ -160,7 +164,7 @@ let read_row name header (row : Csv.row) =
         let text = cells.(0).text in
         reject [ complaint name row 0 "`%s` is not a time in seconds%s" text (on_blanks text) ]
   in
-  let read ((column : Shape.column), place) =
+  let read_cell (column : Shape.column) place =
     match Cell.read column.shape cells.(place).text with
     | Ok value -> value
     | Error expected ->
@@ -174,6 +178,9 @@ let read_row name header (row : Csv.row) =
             complaint name row place "column `%s`: expected %s, found %s" column.name expected
               found;
           ]
+  in
+  let read (column, place) =
+    match place with Cell place -> read_cell column place | At_rest value -> value
   in
   (time, List.map read header.columns)
 

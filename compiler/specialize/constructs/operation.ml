@@ -96,5 +96,6 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
   | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Map_sf | Parallel
   | Make_task
   | Until_right | Return | Sequence | Run_task | At | Length | Replace | Generate | Map | Imap
-  | Zip_with | Foldl | Scanl | Reactimate | Ending | Foreign _ ->
+  | Zip_with | Foldl | Scanl | Reactimate | Ending
+  | Console _ | Foreign _ ->
       bug ()

@@ -12,6 +12,7 @@ type table = {
       (* by closure identity: the key of what it has captured if without holes *)
   closed_with_numbers : int option Table.t;  (* likewise, numbers being no holes *)
   numbers : Numbers.table;
+  constants : Core.Constant_numbers.t;
   visiting : unit Table.t;  (* closures whose captures are being looked at *)
 }
 
@@ -19,7 +20,7 @@ type table = {
    own does. *)
 let few = 32
 
-let table types ~fresh =
+let table types ~constants ~fresh =
   {
     types;
     fresh;
@@ -27,6 +28,7 @@ let table types ~fresh =
     closed = Table.create 256;
     closed_with_numbers = Table.create 16;
     numbers = Numbers.table types ~limit:few;
+    constants;
     visiting = Table.create 16;
   }
 
@@ -54,6 +56,7 @@ type walk = {
   mutable seen : int Variables.t;  (* closures with holes, in the order met *)
   mutable seen_count : int;
   mutable inside : int;  (* of how many functions that are captured or passed *)
+  mutable constant : bool;  (* of a variable whose numbers have to be known *)
 }
 
 let walk table node numbers : walk =
@@ -66,6 +69,7 @@ let walk table node numbers : walk =
     seen = Variables.empty;
     seen_count = 0;
     inside = 0;
+    constant = false;
   }
 
 let add_number w number = w.key <- Keys.add w.table.keys w.key number
@@ -162,7 +166,7 @@ and inside w visit =
 and add_hole w local path atom ty = w.holes <- { atom; local; path; ty } :: w.holes
 
 and add_leaves (w : walk) local path ty layout value =
-  let in_key = w.numbers = In_key && w.inside > 0 in
+  let in_key = w.constant || (w.numbers = In_key && w.inside > 0) in
   add_number w (if in_key then tag_numbers else tag_leaves);
   add_number w layout.id;
   let add_leaf ((leaf : Types.leaf), constant) atom =
@@ -196,12 +200,15 @@ and add_closure w closure =
 
 and add_captured w (closure : Value.closure) =
   Variables.iter (fun _ ty -> add_number w (type_id w ty)) closure.types;
+  let before = w.constant in
   Variables.iter
     (fun _ (entry : Value.entry) ->
+      w.constant <- Core.Constant_numbers.has w.table.constants entry.local;
       (* A closure has no name of its own, what it captures has. *)
       try add_at w entry.local "" entry.local_ty (Closure.forced entry)
       with Closure.Needs_itself { id = 0; _ } -> raise (Closure.Needs_itself entry.local))
-    closure.captured
+    closure.captured;
+  w.constant <- before
 
 (* Deeper nests of functions in functions than [deepest_nest] are refused, as a
    stack that overflows is, which the system may notice too late. *)
@@ -229,7 +236,7 @@ and closed_key (w : walk) closure =
 (* No, as far as one can see without going through everything. *)
 and may_be_closed (w : walk) (entry : Value.entry) =
   match ((Types.layout w.table.types entry.local_ty).leaves, w.numbers) with
-  | _ :: _, Holes -> false
+  | _ :: _, Holes -> Core.Constant_numbers.has w.table.constants entry.local
   | _ :: _, In_key -> true
   | [], _ -> (
       match Closure.forced entry with
@@ -269,14 +276,16 @@ let next_atom c =
       atom
   | [] -> bug "more holes than atoms"
 
-(* [inside] as in {!walk}. *)
-let rec value_at c ~inside ty (original : Value.t) : Value.t =
+(* [inside] and [constant] as in {!walk}. *)
+let rec value_at c ~inside ~constant ty (original : Value.t) : Value.t =
   let layout = Types.layout c.sources.types ty in
-  let value = value_at c ~inside in
+  let value = value_at c ~inside ~constant in
   if layout.first_order then
     let filled (known : Flow.Ir.atom option) =
       match known with
-      | Some ((Bool _ | Int _ | Float _) as number) when inside && c.in_key -> number
+      | Some ((Bool _ | Int _ | Float _) as number)
+        when constant || (inside && c.in_key) ->
+          number
       | Some _ | None -> next_atom c
     in
     Leaves.value c.sources.types ty (List.map filled (Leaves.known c.sources.types ty original))
@@ -294,7 +303,7 @@ let rec value_at c ~inside ty (original : Value.t) : Value.t =
     | Signal_function closure, _ -> Signal_function (copy_closure c closure)
     | Primitive { primitive; types; arguments; owner; at }, _ ->
         let argument (a : Value.argument) =
-          { a with value = value_at c ~inside:true a.ty a.value }
+          { a with value = value_at c ~inside:true ~constant a.ty a.value }
         in
         Primitive { primitive; types; arguments = List.map argument arguments; owner; at }
     | Choice { then_; else_; condition = _ }, _ ->
@@ -320,8 +329,10 @@ and copy_closure c (closure : Value.closure) : Value.closure =
 and captured_at c ~inside (closure : Value.closure) =
   Variables.map
     (fun (entry : Value.entry) : Value.entry ->
-      { entry with contents = Known (value_at c ~inside entry.local_ty (Closure.forced entry)) })
+      let constant = Core.Constant_numbers.has c.sources.constants entry.local in
+      let value = value_at c ~inside ~constant entry.local_ty (Closure.forced entry) in
+      { entry with contents = Known value })
     closure.captured
 
-let value c ty original = value_at c ~inside:false ty original
+let value c ty original = value_at c ~inside:false ~constant:false ty original
 let captured c closure = captured_at c ~inside:false closure

@@ -12,7 +12,9 @@
 type table
 (** All keys so far, as numbers. *)
 
-val table : Types.table -> fresh:(unit -> int) -> table
+val table : Types.table -> constants:Core.Constant_numbers.t -> fresh:(unit -> int) -> table
+(** [constants]: what is captured in one of these variables is no hole but part of the key, as
+    far as it is known. *)
 
 type hole = {
   atom : Flow.Ir.atom;

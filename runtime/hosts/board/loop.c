@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include <frob/arithmetic.h>
+#include <frob/console.h>
 #include <frob/create.h>
 #include <frob/pioneer.h>
 #include <frob/program.h>
@@ -27,7 +28,7 @@ extern void *const frob_program_state;
 #define PATIENCE_NS (200 * MS)
 #define STOP_PERIOD_NS (100 * MS)
 
-enum { SETTINGS_MOST = 32, RESULT_MOST = 256 };
+enum { SETTINGS_MOST = 32, RESULT_MOST = 256, CONSOLE_MOST = 256 };
 
 /* Bytes for a robot of the user's own that needs more than those of the library:
  * its driver's device_size and input_size. */
@@ -45,11 +46,17 @@ static union {
     unsigned char own[FROB_DEVICE_MOST];
 } device;
 
-static union {
+union robot_input {
     struct frob_pioneer_input pioneer;
     struct frob_scout_input scout;
     struct frob_create_input create;
     unsigned char own[FROB_INPUT_MOST];
+};
+
+/* The robot's struct, and behind it the operator's console. */
+static union {
+    union robot_input robot;
+    unsigned char bytes[sizeof(union robot_input) + CONSOLE_MOST];
 } input;
 
 /* The robot's struct, and behind it what a task has ended with. */
@@ -87,14 +94,14 @@ static const struct frob_driver *find_driver(void)
 
 static bool is_of(const struct frob_driver *d)
 {
-    return d != NULL && frob_program.input_size == d->input_size &&
+    return d != NULL && frob_program.input_size >= d->input_size &&
            frob_program.output_size >= d->output_size &&
            frob_program.output_size <= sizeof output && d->setting_count <= SETTINGS_MOST;
 }
 
 static bool fits(const struct frob_driver *d)
 {
-    return d->device_size <= sizeof device && d->input_size <= sizeof input;
+    return d->device_size <= sizeof device && frob_program.input_size <= sizeof input;
 }
 
 uint32_t loop_line_rate(void)
@@ -127,6 +134,7 @@ const char *loop_start(const struct frob_serial *serial, const struct frob_clock
     time_ = *clock;
     driver = found;
     frob_program.reset(frob_program_state);
+    frob_console_start(&frob_program, &input);
     connect();
     return NULL;
 }
@@ -157,6 +165,7 @@ static void instant(int64_t now)
     memset(&output, 0, sizeof output);
     frob_program.step(frob_program_state, before_ns == 0 ? 0.0 : (double)(now - before_ns) / 1e9,
                       &input, &output);
+    frob_console_clear(&frob_program, &input);
     before_ns = now;
     counts.steps++;
     if (frob_now_ns(&time_) - now <= PATIENCE_NS)

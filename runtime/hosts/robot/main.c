@@ -33,7 +33,7 @@ int main(int argc, char **argv)
                 driver_names);
         return WRONG_USE;
     }
-    if (frob_program.input_size != driver->input_size ||
+    if (frob_program.input_size < driver->input_size ||
         frob_program.output_size < driver->output_size ||
         driver->output_size > FROB_OUTPUT_MOST || driver->setting_count > SETTINGS_MOST) {
         fprintf(stderr, "error: %s was compiled with another <frob/%s.h>\n", frob_program.name,

@@ -270,6 +270,7 @@ static void next_instant(struct supervisor *s)
     before = s->instant_ns;
     s->instant_ns = now - s->first_ns;
     frob_robot_sense(&s->robot, s->input);
+    frob_console_clear(s->program, s->input);
     frob_console_key(s->program, s->input, console_key(&s->console));
     s->stepping = true;
     s->late = false;
@@ -407,6 +408,7 @@ static bool set_up(struct supervisor *s)
         fprintf(stderr, "error: not enough memory\n");
         return false;
     }
+    frob_console_start(s->program, s->input);
     status = line_open(&s->line, message, sizeof message);
     if (status != FROB_OK) {
         fprintf(stderr, "error: %s\n", message);

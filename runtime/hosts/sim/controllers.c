@@ -40,6 +40,7 @@ static bool open_one(struct controllers *c, size_t robot, const char *record)
     }
     if (!record_open(&one->record, program, one->record_name))
         return false;
+    frob_console_start(program, one->input);
     program->reset(one->state);
     return true;
 }
@@ -76,6 +77,7 @@ bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s, int ke
         program->step(one->state, dt_s, one->input, one->output);
         frob_sim_command_robot(c->sim, k, now_ns, one->output);
         ok = record_row(&one->record, now_ns, one->input, one->output) && ok;
+        frob_console_clear(program, one->input);
         if (!one->ended && frob_has_ended(program, one->output)) {
             one->ended = true;
             one->ended_ns = now_ns;

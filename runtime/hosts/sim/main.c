@@ -92,7 +92,7 @@ static struct frob_sim *open_world(const struct options *options,
         tell_faults(message);
         return NULL;
     }
-    if (program->input_size != frob_sim_input_size(sim) ||
+    if (program->input_size < frob_sim_input_size(sim) ||
         program->output_size < frob_sim_output_size(sim)) {
         fprintf(stderr, "error: %s was compiled with another <frob/%s.h>\n", program->name,
                 program->robot);

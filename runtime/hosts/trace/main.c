@@ -12,6 +12,7 @@
 #include "../common/seconds.h"
 
 #include <frob/cell.h>
+#include <frob/console.h>
 #include <frob/trace.h>
 
 #include <errno.h>
@@ -27,6 +28,7 @@ struct column {
     const struct frob_value *value;
     size_t cell; /* its place in the file's rows */
     bool found;
+    bool on_console; /* as nobody touched it, where the file has no such column */
 };
 
 struct trace {
@@ -78,6 +80,7 @@ static void add_column(void *context, const char *name, const struct frob_value 
     strcpy(t->columns[t->count].name, name);
     t->columns[t->count].value = value;
     t->columns[t->count].found = false;
+    t->columns[t->count].on_console = frob_console_is_on(t->program, value);
     t->count++;
 }
 
@@ -132,6 +135,11 @@ static struct column *find_column(struct trace *t, const char *name)
     return NULL;
 }
 
+static bool is_missing(const struct column *column)
+{
+    return !column->found && !column->on_console;
+}
+
 /* What the header lacks, and what it should be: of a robot's input the names are
  * many, so not all of them twice. */
 static void complain_missing(const struct trace *t)
@@ -140,11 +148,11 @@ static void complain_missing(const struct trace *t)
     const char *comma = "";
     size_t missing = 0, named = 0;
     for (size_t i = 0; i < t->count; i++)
-        missing += t->columns[i].found ? 0 : 1;
+        missing += is_missing(&t->columns[i]) ? 1 : 0;
     const size_t most = missing <= MOST ? missing : MOST - 1;
     fprintf(stderr, "error: %s:%lu:1: missing: ", t->input_name, t->csv.line);
     for (size_t i = 0; i < t->count && named < most; i++) {
-        if (!t->columns[i].found) {
+        if (is_missing(&t->columns[i])) {
             fprintf(stderr, "%s`%s`", comma, t->columns[i].name);
             comma = ", ";
             named++;
@@ -189,7 +197,7 @@ static bool read_header(struct trace *t)
         }
     }
     for (size_t i = 0; i < t->count; i++) {
-        if (!t->columns[i].found) {
+        if (is_missing(&t->columns[i])) {
             complain_missing(t);
             return false;
         }
@@ -246,8 +254,8 @@ static bool read_row(const struct trace *t, void *input, int64_t *time)
     }
     for (size_t i = 0; i < t->count; i++) {
         const struct column *column = &t->columns[i];
-        const char *cell = csv_cell(&t->csv, column->cell);
-        if (!frob_cell_read(cell, column->value, input, &error)) {
+        const char *cell = column->found ? csv_cell(&t->csv, column->cell) : NULL;
+        if (cell != NULL && !frob_cell_read(cell, column->value, input, &error)) {
             complain_of_cell(t, column, cell, &error);
             return false;
         }
@@ -284,6 +292,7 @@ static int run(struct trace *t, const char *output_name)
         enum csv_status status = CSV_END;
         frob_trace_header(&text, program, t->parts);
         ok = flush(t, &text, output_name);
+        frob_console_start(program, input);
         program->reset(state);
         while (ok && (status = csv_next(&t->csv)) == CSV_ROW) {
             ok = read_row(t, input, &now);

@@ -4,6 +4,7 @@
 #include "../common/seconds.h"
 
 #include <frob/cell.h>
+#include <frob/console.h>
 
 #include <errno.h>
 #include <stdarg.h>
@@ -70,7 +71,8 @@ static void look_for_inputs(struct reader *r)
     struct recording *recording = r->recording;
     struct names missing = { 0 };
     for (size_t i = 0; i < r->signals->count; i++)
-        if (r->signals->all[i].side == INPUT && !recording->recorded[i])
+        if (r->signals->all[i].side == INPUT && !recording->recorded[i] &&
+            !frob_console_is_on(recording->program, r->signals->all[i].value))
             add_name(&missing, r->signals->all[i].name);
     recording->has_all_inputs = missing.count == 0;
     if (missing.count > 0)
@@ -164,6 +166,7 @@ static bool read_row(struct reader *r)
         return false;
     }
     memset(input, 0, recording->program->input_size);
+    frob_console_start(recording->program, input);
     memset(output, 0, recording->output_size);
     for (size_t i = 1; i < r->width; i++) {
         const struct signal *signal = r->columns[i];

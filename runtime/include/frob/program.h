@@ -63,6 +63,24 @@ struct frob_machine {
     int32_t mode;             /* … the mode of this number, and is there only while it runs */
 };
 
+enum frob_control_kind {
+    FROB_BUTTON, /* an event of () */
+    FROB_HOLD,   /* a bool: a button is held down */
+    FROB_KNOB,   /* a number, from least to most */
+    FROB_TOGGLE, /* a bool */
+    FROB_MAP     /* an event of a place: two numbers, in metres, in the frame of odometry */
+};
+
+/* Something on the operator's console; see frob/console.h. */
+struct frob_control {
+    enum frob_control_kind kind;
+    const char *label;    /* unique in the program, in UTF-8 */
+    const char *unit;     /* of a knob: "m/s"; "" without one */
+    double least, most;   /* of a knob; 0 and 1 of what is a bool */
+    double first;         /* where a knob is, and whether a toggle is on, before it is touched */
+    const struct frob_value *value; /* its part of the input */
+};
+
 struct frob_program {
     unsigned abi;          /* FROB_PROGRAM_ABI */
     const char *name;      /* of the program */
@@ -82,9 +100,13 @@ struct frob_program {
     size_t machine_count;
     const struct frob_value *probes;
         /* inner signals, a record within the output struct; NULL without any */
+    const struct frob_control *console;
+        /* what the operator is asked for, part of the input, where a robot's input struct
+         * comes first */
+    size_t control_count;
 };
 
-#define FROB_PROGRAM_ABI 6u
+#define FROB_PROGRAM_ABI 7u
 
 /* The symbol that hosts look up. */
 #define FROB_PROGRAM_SYMBOL "frob_program"

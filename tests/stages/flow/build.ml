@@ -112,6 +112,7 @@ let program ?(sums = [||]) t =
     nodes;
     next_id = Signals.next_id nodes;
     imports = [];
+    console = [];
     headers = [];
     input = tuple (List.map (fun (s : Ir.signal) -> s.ty) root.inputs);
     output = tuple (List.map (fun (_, a) -> ty_of_atom a) root.outputs);

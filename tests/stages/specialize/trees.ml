@@ -110,5 +110,6 @@ let program definitions =
       ];
     instances = [];
     foreign = { headers = []; types = []; values = [] };
+    console = [];
     definitions;
   }

@@ -30,6 +30,9 @@ let rec value random kind (shape : Interp.Shape.t) : Interp.Value.t =
   | Float real -> Float (Basis.Real.round real (float random kind))
   | Tuple parts -> Tuple (Array.map known (Array.of_list parts))
   | Array (n, element) -> Array (Array.init n (fun _ -> known element))
+  | Console controls ->
+      let arguments = List.map (fun (_, shape, _) -> known shape) controls in
+      Data { constructor = 0; arguments = Array.of_list arguments }
   | Data { constructors; _ } ->
       let constructor = Random.State.int random (List.length constructors) in
       let fields = (List.nth constructors constructor).fields in

@@ -19,7 +19,7 @@ let host_sources runtime =
     [
       "hosts/trace/main.c"; "hosts/common/csv.c"; "hosts/common/load.c";
       "hosts/common/seconds.c"; "core/text.c";
-      "core/cell_read.c"; "core/cell_write.c"; "core/trace.c";
+      "core/cell_read.c"; "core/cell_write.c"; "core/trace.c"; "core/console.c";
     ]
 
 let elementary runtime =

@@ -1,0 +1,51 @@
+open Basis
+open Ir
+
+let rec asks_itself (e : expr) =
+  match e.desc with
+  | Primitive (Console _, _) -> true
+  | _ -> List.exists asks_itself (Term.parts e)
+
+let asks program = List.exists (fun (d : definition) -> asks_itself d.body) program.definitions
+
+let has_name ~module_ name = String.equal name "Console" && String.equal module_ "Capability"
+let is_console (tycon : Global.t) = has_name ~module_:tycon.module_ tycon.name
+
+let type_of = function
+  | Button -> Signature.event (Tuple [])
+  | Hold | Toggle _ -> Bool
+  | Knob _ -> Float
+  | Map -> Signature.event (Tuple [ Float; Float ])
+
+let declare controls program =
+  let fields = List.map (fun c -> (c.label, type_of c.kind)) controls in
+  let constructor (c : constructor) = { c with record = true; fields } in
+  let data (d : data) =
+    if is_console d.tycon then { d with constructors = List.map constructor d.constructors } else d
+  in
+  { program with data = List.map data program.data; console = controls }
+
+let field controls label =
+  let rec find k = function
+    | [] -> Diagnostic.bug ~stage:"Core.Console" "there is no `%s` on the console" label
+    | c :: others -> if String.equal c.label label then k else find (k + 1) others
+  in
+  find 0 controls
+
+type rest = No_event | Off of bool | At of float
+
+let at_rest = function
+  | Button | Map -> No_event
+  | Hold -> Off false
+  | Toggle { first } -> Off first
+  | Knob { first; _ } -> At first
+
+let map_label = "map"
+
+let describe = function
+  | Button -> "a button"
+  | Hold -> "a button to hold down"
+  | Toggle { first } -> Printf.sprintf "a toggle, at first %s" (if first then "on" else "off")
+  | Map -> "clicks on the map"
+  | Knob { least; most; first } ->
+      Printf.sprintf "a knob from %g to %g, at first %g" least most first

@@ -1,0 +1,31 @@
+let bug format = Basis.Diagnostic.bug ~stage:"Interp.Operator" format
+
+let rec last = function
+  | [ console ] -> Thunk.force console
+  | _ :: others -> last others
+  | [] -> bug "a console that is not there"
+
+let label (kind : Core.Primitive.console) (arguments : Value.thunk list) =
+  match (kind, arguments) with
+  | Map, _ -> Core.Console.map_label
+  | (Button | Hold | Knob | Toggle), first :: _ -> (
+      match (Thunk.force first : Value.t) with
+      | Text text -> text
+      | _ -> bug "a label that is no text")
+  | (Button | Hold | Knob | Toggle), [] -> bug "a console without a label"
+
+let apply controls kind arguments =
+  match (last arguments : Value.t) with
+  | Data { arguments = fields; _ } ->
+      Thunk.force fields.(Core.Console.field controls (label kind arguments))
+  | _ -> bug "a console that is no record"
+
+let control_at_rest (c : Core.Ir.control) : Value.t =
+  match Core.Console.at_rest c.kind with
+  | No_event -> Data { constructor = 0; arguments = [||] }
+  | Off b -> Bool b
+  | At x -> Float x
+
+let at_rest controls : Value.t =
+  let fields = List.map (fun c -> Thunk.known (control_at_rest c)) controls in
+  Data { constructor = 0; arguments = Array.of_list fields }

@@ -1,0 +1,151 @@
+open Basis
+module Ir = Core.Ir
+
+type position = Evaluator.position
+
+let atom_at_rest (rest : Core.Console.rest) : Value.t =
+  match rest with
+  | No_event -> Constructed { constructor = 0; arguments = [] }
+  | Off b -> Atom (Bool b)
+  | At x -> Atom (Float x)
+
+let at_rest (c : Context.t) : Value.t =
+  match c.console with
+  | Sought _ -> Product []
+  | Declared controls ->
+      let rest (control : Ir.control) = atom_at_rest (Core.Console.at_rest control.kind) in
+      Product (List.map rest controls)
+
+let is_looked_for (c : Context.t) body =
+  match c.console with Sought _ -> Core.Console.asks_itself body | Declared _ -> false
+
+(* {1 What is asked for} *)
+
+let place (p : position) = Context.own_place p.trail ~span:p.span
+
+let refuse (p : position) ~code ~at text more =
+  Context.report_once p.context ~code ~at (more (Diagnostic.error ~code ~at "%s" text));
+  None
+
+let longest_label = 40
+
+(* It is the name of a column, a text in C, and stands beside a button. *)
+let fault_of_label text =
+  let is_odd c = c < ' ' || c = '\127' || c = ',' || c = '"' || c = '\\' in
+  if String.equal text "" then Some "a label may not be empty"
+  else if String.exists is_odd text then
+    Some "a label may not have a comma, a quote, a backslash or a line break in it"
+  else if text.[0] = ' ' || text.[String.length text - 1] = ' ' then
+    Some "a label may not begin or end with a blank"
+  else if String.length text > longest_label then
+    Some (Printf.sprintf "a label may have at most %d characters" longest_label)
+  else None
+
+let label p (value : Value.t) =
+  let at = place p in
+  let refuse text = refuse p ~code:"E0440" ~at text in
+  match value with
+  | Unspecified -> None
+  | Text text -> (
+      match fault_of_label text with
+      | None -> Some text
+      | Some fault -> refuse fault Fun.id)
+  | _ ->
+      refuse "this label is not known while compiling"
+        (Diagnostic.hint "give each button and knob its own label, and choose between their values")
+
+let numbers p values =
+  let known (value : Value.t) = match value with Atom (Float x) -> Some x | _ -> None in
+  let at = place p in
+  let refuse = refuse p ~code:"E0441" ~at in
+  match List.map known values with
+  | _ when List.mem Value.Unspecified values -> None
+  | [ Some least; Some most; Some first ] ->
+      let number = Printf.sprintf "%g" in
+      if List.exists (fun x -> not (Float.is_finite x)) [ least; most; first ] then
+        refuse "the limits of a knob and its first value must be finite numbers" Fun.id
+      else if least >= most then
+        refuse
+          (Printf.sprintf "this knob goes from %s to %s: the first limit must be less"
+             (number least) (number most))
+          Fun.id
+      else if first < least || first > most then
+        refuse
+          (Printf.sprintf "this knob begins at %s, which is outside of its limits, %s and %s"
+             (number first) (number least) (number most))
+          Fun.id
+      else Some (Ir.Knob { least; most; first })
+  | _ ->
+      refuse "the limits of this knob and its first value are not all known while compiling"
+        (fun d ->
+          Diagnostic.note
+            "known are numbers, names and parameters that stand for known numbers, and what \
+             operators make of these"
+            d
+          |> Diagnostic.hint "let the knob go over a fixed range, and scale its value")
+
+let control p (kind : Core.Primitive.console) (arguments : Value.argument list) =
+  let ( let* ) = Option.bind in
+  match (kind, List.map (fun (a : Value.argument) -> a.value) arguments) with
+  | Button, text :: _ ->
+      let* label = label p text in
+      Some (label, Ir.Button)
+  | Hold, text :: _ ->
+      let* label = label p text in
+      Some (label, Ir.Hold)
+  | Knob, [ text; least; most; first; _ ] ->
+      let* label = label p text in
+      let* kind = numbers p [ least; most; first ] in
+      Some (label, kind)
+  | Toggle, [ text; first; _ ] -> (
+      let* label = label p text in
+      match first with
+      | Atom (Bool first) -> Some (label, Ir.Toggle { first })
+      | Unspecified -> None
+      | _ ->
+          refuse p ~code:"E0441" ~at:(place p)
+            "whether this toggle is on at first is not known while compiling" Fun.id)
+  | Map, _ -> Some (Core.Console.map_label, Ir.Map)
+  | (Button | Hold | Knob | Toggle), _ ->
+      Diagnostic.bug ~stage:"Specialize.Operator" "a console without a label"
+
+let note (p : position) (found : Ir.control list) (label, kind) =
+  let span = place p in
+  let has_label (c : Ir.control) = String.equal c.label label in
+  match List.find_opt has_label found with
+  | None -> { Ir.label; kind; unit_ = ""; span } :: found
+  | Some { kind = known; _ } when known = kind ->
+      let is_here (c : Ir.control) = has_label c && c.span = span in
+      if List.exists is_here found then found
+      else { Ir.label; kind; unit_ = ""; span } :: found
+  | Some other ->
+      let what = Core.Console.describe in
+      ignore
+        (refuse p ~code:"E0442" ~at:span
+           (Printf.sprintf "the console has another `%s` already" label)
+           (fun d ->
+             Diagnostic.here (what kind) d
+             |> Diagnostic.label ~at:other.span (what other.kind)
+             |> Diagnostic.hint "give one of them another label"));
+      found
+
+(* {1 Its value} *)
+
+(* Whatever it may be. *)
+let unknown (p : position) result =
+  let leaf (leaf : Types.leaf) = Node.define p.node Unnamed ~span:p.span leaf.leaf Absent in
+  Leaves.value p.types result (List.map leaf (Types.layout p.types result).leaves)
+
+let apply (p : position) kind ~result (arguments : Value.argument list) =
+  match (p.context.console, arguments) with
+  | Sought sought, _ ->
+      Option.iter
+        (fun found -> sought.found <- note p sought.found found)
+        (control p kind arguments);
+      unknown p result
+  | Declared controls, _ -> (
+      match control p kind arguments with
+      | None -> Unspecified
+      | Some (label, _) ->
+          let console = (List.nth arguments (List.length arguments - 1)).value in
+          Leaves.component console (Core.Console.field controls label))
