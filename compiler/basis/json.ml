@@ -2,6 +2,7 @@ type t =
   | Null
   | Bool of bool
   | Int of int
+  | Float of float
   | String of string
   | List of t list
   | Object of (string * t) list
@@ -24,6 +25,10 @@ let rec add buffer = function
   | Null -> Buffer.add_string buffer "null"
   | Bool b -> Buffer.add_string buffer (string_of_bool b)
   | Int n -> Buffer.add_string buffer (string_of_int n)
+  | Float x ->
+      let short = Printf.sprintf "%.15g" x in
+      let exact = if float_of_string short = x then short else Printf.sprintf "%.17g" x in
+      Buffer.add_string buffer exact
   | String s -> add_string buffer s
   | List list ->
       Buffer.add_char buffer '[';

@@ -4,6 +4,7 @@ type t =
   | Null
   | Bool of bool
   | Int of int
+  | Float of float  (** finite *)
   | String of string  (** what is no UTF-8 is replaced, as {!Display} does *)
   | List of t list
   | Object of (string * t) list

@@ -77,6 +77,25 @@ let machine (m : Hops.machine) =
       ("steps", Json.Int m.steps);
     ]
 
+let control (c : Core.Ir.control) =
+  let number name x = (name, Json.Float x) in
+  let rest =
+    match c.kind with
+    | Button -> [ ("kind", string "button") ]
+    | Hold -> [ ("kind", string "hold") ]
+    | Map -> [ ("kind", string "map") ]
+    | Toggle { first } -> [ ("kind", string "toggle"); ("first", Json.Bool first) ]
+    | Knob { least; most; first } ->
+        [
+          ("kind", string "knob");
+          number "least" least;
+          number "most" most;
+          number "first" first;
+          ("unit", string c.unit_);
+        ]
+  in
+  Json.Object ((("label", string c.label) :: rest) @ [ ("line", line c.span) ])
+
 let to_string (t : Bounds.t) =
   let structs = State.in_use t.state in
   let index = Hashtbl.create 16 in
@@ -97,4 +116,5 @@ let to_string (t : Bounds.t) =
          ("step_stack_bytes", Int t.stack.step.bytes);
          ("library", list string (Bounds.library t));
          ("machines", list machine t.machines);
+         ("console", list control t.program.console);
        ])

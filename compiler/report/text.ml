@@ -144,6 +144,19 @@ let transition_row (t : Hops.transition) =
     place = Bounds.place ~file:span.file span;
   }
 
+let control_row (c : Core.Ir.control) =
+  let amount, note =
+    match c.kind with
+    | Button -> ("button", "")
+    | Hold -> ("button held", "")
+    | Map -> ("map", "")
+    | Toggle { first } -> ("toggle", if first then "at first on" else "at first off")
+    | Knob { least; most; first } ->
+        let unit_ = if c.unit_ = "" then "" else " " ^ c.unit_ in
+        ("knob", Printf.sprintf "%g to %g%s, at first %g" least most unit_ first)
+  in
+  { depth = 1; label = c.label; amount; note; place = Bounds.place ~file:c.span.file c.span }
+
 let to_string (t : Bounds.t) =
   let machines =
     match t.machines with
@@ -158,6 +171,11 @@ let to_string (t : Bounds.t) =
           "\nevents that switch, at the first instant of the mode they leave\n";
           table (List.map transition_row transitions);
         ]
+  in
+  let console =
+    match t.program.console with
+    | [] -> []
+    | controls -> [ "\nthe operator's console\n"; table (List.map control_row controls) ]
   in
   let foreign =
     match State.foreign t.program with
@@ -178,4 +196,4 @@ let to_string (t : Bounds.t) =
        Printf.sprintf "\nstack, in bytes, at most%s\n" library;
        table (stack_rows t);
      ]
-    @ machines @ events)
+    @ machines @ events @ console)

@@ -169,8 +169,14 @@ let own_call trail ~span =
   in
   if is_own span then None else own trail.calls
 
-let own_place trail ~span =
-  match own_call trail ~span with Some (_, at, _) -> at | None -> span
+let own_place t trail ~span =
+  let library =
+    match Global_table.find_opt t.definitions identity with
+    | Some { core; _ } -> Filename.dirname core.span.file
+    | None -> ""
+  in
+  let is_own (_, (at : Span.t)) = not (String.equal (Filename.dirname at.file) library) in
+  Option.fold (List.find_opt is_own (("", span) :: trail.calls)) ~none:span ~some:snd
 
 let report_once t ~code ~at diagnostic =
   if not (List.mem (code, at) t.reported) then begin

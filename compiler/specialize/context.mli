@@ -104,8 +104,8 @@ val count : t -> trail -> name:string -> span:Span.t -> unit
 val report_outside : t -> trail -> span:Span.t -> index:int -> size:int -> unit
 (** Of an array whose size depends on the call. *)
 
-val own_place : trail -> span:Span.t -> Span.t
-(** The call in the program's own folder that leads to a place in the library; else the place. *)
+val own_place : t -> trail -> span:Span.t -> Span.t
+(** The innermost call outside of the library that leads to a place; the place if there is none. *)
 
 val report_once : t -> code:string -> at:Span.t -> Diagnostic.t -> unit
 (** Of a place that may be evaluated many times. *)

@@ -21,7 +21,7 @@ let is_looked_for (c : Context.t) body =
 
 (* {1 What is asked for} *)
 
-let place (p : position) = Context.own_place p.trail ~span:p.span
+let place (p : position) = Context.own_place p.context p.trail ~span:p.span
 
 let refuse (p : position) ~code ~at text more =
   Context.report_once p.context ~code ~at (more (Diagnostic.error ~code ~at "%s" text));

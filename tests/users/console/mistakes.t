@@ -1,0 +1,210 @@
+Two things under one label: both places are shown.
+
+  $ cat > kinds.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR (if buttonHeld "go" i then speed i else 0) (turn i)))
+  > 
+  > speed i = knob "go" 0 0.4[m/s] 0.2[m/s] i
+  > turn i = knob "turn" 0 1[rad/s] 0 i + knob "turn" 0 2[rad/s] 0 i
+  > FROB
+  $ frobc check kinds.frob
+  error[E0442]: the console has another `go` already
+   --> kinds.frob:5:11
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR (if buttonHeld "go" i then speed i else 0) (turn i)))
+    |                                                        ----------------- a button to hold down
+  4 |
+  5 | speed i = knob "go" 0 0.4[m/s] 0.2[m/s] i
+    |           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ a knob from 0 to 0.4, at first 0.2
+    |
+    = hint: give one of them another label
+  
+  error[E0442]: the console has another `turn` already
+   --> kinds.frob:6:39
+    |
+  6 | turn i = knob "turn" 0 1[rad/s] 0 i + knob "turn" 0 2[rad/s] 0 i
+    |          --------------------------   ^^^^^^^^^^^^^^^^^^^^^^^^^^ a knob from 0 to 2, at first 0
+    |          |
+    |          a knob from 0 to 1, at first 0
+    |
+    = hint: give one of them another label
+  
+  2 errors
+  [1]
+
+The same limits in other units are others; the same in all is one knob.
+
+  $ cat > units.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR (speed i) (turn i)))
+  > 
+  > speed i = knob "gain" 0 1[m/s] 0 i
+  > turn i = knob "gain" 0 1[rad/s] 0 i
+  > FROB
+  $ frobc check units.frob
+  error[E0442]: the console has another `gain` already
+   --> units.frob:6:10
+    |
+  5 | speed i = knob "gain" 0 1[m/s] 0 i
+    |           ------------------------ a knob from 0 to 1, at first 0, in m/s
+  6 | turn i = knob "gain" 0 1[rad/s] 0 i
+    |          ^^^^^^^^^^^^^^^^^^^^^^^^^^ a knob from 0 to 1, at first 0, in 1/s
+    |
+    = hint: give one of them another label
+  
+  1 error
+  [1]
+  $ sed -i 's/^turn i.*/turn i = knob "gain" 0 1[m\/s] 0 i \/ 1[m]/' units.frob
+  $ frobc check units.frob
+
+Labels are known while compiling, and are good as names of columns.
+
+  $ cat > labels.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR (a i) (b i)))
+  > 
+  > a i = if buttonHeld (if bumped i then "x" else "y") i || buttonHeld "" i then 1[m/s] else 0
+  > b i = if buttonHeld "a, b" i || buttonHeld "it is \"so\"" i || buttonHeld " c" i || buttonHeld "a label that is longer than it is wise to be" i then 1[rad/s] else 0
+  > FROB
+  $ frobc check labels.frob
+  error[E0440]: this label is not known while compiling
+   --> labels.frob:5:10
+    |
+  5 | a i = if buttonHeld (if bumped i then "x" else "y") i || buttonHeld "" i then 1[m/s] else 0
+    |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: give each button and knob its own label, and choose between their values
+  
+  error[E0440]: a label may not be empty
+   --> labels.frob:5:58
+    |
+  5 | a i = if buttonHeld (if bumped i then "x" else "y") i || buttonHeld "" i then 1[m/s] else 0
+    |                                                          ^^^^^^^^^^^^^^^
+  
+  error[E0440]: a label may not have a comma, a quote, a backslash or a line break in it
+   --> labels.frob:6:10
+    |
+  6 | b i = if buttonHeld "a, b" i || buttonHeld "it is \"so\"" i || buttonHeld " c" i || buttonHeld "a label that is longer t…
+    |          ^^^^^^^^^^^^^^^^^^^
+  
+  error[E0440]: a label may not have a comma, a quote, a backslash or a line break in it
+   --> labels.frob:6:33
+    |
+  6 | b i = if buttonHeld "a, b" i || buttonHeld "it is \"so\"" i || buttonHeld " c" i || buttonHeld "a label that is longer t…
+    |                                 ^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  
+  error[E0440]: a label may not begin or end with a blank
+   --> labels.frob:6:64
+    |
+  6 | … b" i || buttonHeld "it is \"so\"" i || buttonHeld " c" i || buttonHeld "a label that is longer than it is wise to be" i…
+    |                                          ^^^^^^^^^^^^^^^^^
+  
+  error[E0440]: a label may have at most 40 characters
+   --> labels.frob:6:85
+    |
+  6 | …it is \"so\"" i || buttonHeld " c" i || buttonHeld "a label that is longer than it is wise to be" i then 1[rad/s] else 0
+    |                                          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  
+  6 errors
+  [1]
+
+The numbers of a knob.
+
+  $ cat > numbers.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR (a i) (b i)))
+  > 
+  > a i = knob "a" 1[m/s] 0 0.5[m/s] i + knob "b" 0 1[m/s] 2[m/s] i + knob "c" 0 (1[m/s] / 0) 0 i
+  > b i = knob "d" 0 (1[rad/s] * 0 / 0) 0 i + knob "e" 0 (turnRate i) 0 i + (if toggle "f" (bumped i) i then 1[rad/s] else 0)
+  > FROB
+  $ sed -i 's/ + knob "e" 0 (turnRate i) 0 i/ + knob "e" 0 (batteryVoltage i * 1[1\/(V s)]) 0 i/' numbers.frob
+  $ frobc check numbers.frob
+  error[E0441]: this knob goes from 1 to 0: the first limit must be less
+   --> numbers.frob:5:7
+    |
+  5 | a i = knob "a" 1[m/s] 0 0.5[m/s] i + knob "b" 0 1[m/s] 2[m/s] i + knob "c" 0 (1[m/s] / 0) 0 i
+    |       ^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  
+  error[E0441]: this knob begins at 2, which is outside of its limits, 0 and 1
+   --> numbers.frob:5:38
+    |
+  5 | a i = knob "a" 1[m/s] 0 0.5[m/s] i + knob "b" 0 1[m/s] 2[m/s] i + knob "c" 0 (1[m/s] / 0) 0 i
+    |                                      ^^^^^^^^^^^^^^^^^^^^^^^^^^
+  
+  error[E0441]: the limits of a knob and its first value must be finite numbers
+   --> numbers.frob:5:67
+    |
+  5 | a i = knob "a" 1[m/s] 0 0.5[m/s] i + knob "b" 0 1[m/s] 2[m/s] i + knob "c" 0 (1[m/s] / 0) 0 i
+    |                                                                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  
+  error[E0441]: the limits of a knob and its first value must be finite numbers
+   --> numbers.frob:6:7
+    |
+  6 | b i = knob "d" 0 (1[rad/s] * 0 / 0) 0 i + knob "e" 0 (batteryVoltage i * 1[1/(V s)]) 0 i + (if toggle "f" (bumped i) i t…
+    |       ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  
+  error[E0441]: the limits of this knob and its first value are not all known while compiling
+   --> numbers.frob:6:43
+    |
+  6 | …i = knob "d" 0 (1[rad/s] * 0 / 0) 0 i + knob "e" 0 (batteryVoltage i * 1[1/(V s)]) 0 i + (if toggle "f" (bumped i) i the…
+    |                                          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = note: known are numbers, names and parameters that stand for known numbers, and what operators make of these
+    = hint: let the knob go over a fixed range, and scale its value
+  
+  error[E0441]: whether this toggle is on at first is not known while compiling
+   --> numbers.frob:6:96
+    |
+  6 | …atteryVoltage i * 1[1/(V s)]) 0 i + (if toggle "f" (bumped i) i then 1[rad/s] else 0)
+    |                                          ^^^^^^^^^^^^^^^^^^^^^^^
+  
+  6 errors
+  [1]
+
+Units that do not fit.
+
+  $ cat > other.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR (knob "a" 0 1[rad] 0 i) 0))
+  > FROB
+  $ frobc check other.frob
+  error[E0320]: expected the unit `m/s`, found none
+   --> other.frob:3:53
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR (knob "a" 0 1[rad] 0 i) 0))
+    |                                           --------  ^^^^^^^^^^^^^^^^^^^^^ this is `Float`
+    |                                           |
+    |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
+  
+  1 error
+  [1]
+
+A parameter is known where its argument is, through any number of definitions; what
+a signal function remembers is not.
+
+  $ cat > parameters.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateTask (legs 0)
+  > 
+  > -- Numbers that only count are no limits: the task goes round for ever.
+  > legs :: (HasConsole i, DiffDrive o) => Int -> Task i o ()
+  > legs n = do
+  >     leg 0.3[m/s]
+  >     leg (0.1[m/s] * 2)
+  >     legs (n + 1)
+  > 
+  > leg :: (HasConsole i, DiffDrive o) => Velocity -> Task i o ()
+  > leg top = mkTask (proc i -> (roMake (setVelTR (v i) 0), notYet (buttonPressed "next" i))) where
+  >     v i = knob (if top > 0.25[m/s] then "fast" else "slow") 0 top (top / 2) i
+  > FROB
+  $ frobc report parameters.frob --robot scout | sed -n '/console/,$p'
+  the operator's console
+    next  button                               parameters.frob:13
+    fast    knob  0 to 0.3 m/s, at first 0.15  parameters.frob:14
+    slow    knob  0 to 0.2 m/s, at first 0.1   parameters.frob:14
