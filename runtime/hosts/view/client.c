@@ -42,6 +42,10 @@ static enum verdict take(struct client *client, const char *token, const char *m
         message = "program";
         return take(client, token, message);
     }
+    if (strcmp(message, "more") == 0) {
+        client->is_behind = false;
+        return GOES_ON;
+    }
     copy = (char *)malloc(length);
     if (copy == NULL)
         return TOO_MANY;

@@ -18,6 +18,7 @@ struct client {
     struct buffer answer; /* that has come */
     char *command;        /* what it wants to do to a run, to be done at once */
     bool is_to_be_told_news, is_to_be_told_run;
+    bool is_behind;       /* it has not drawn the last news yet */
     const char *refusal;  /* why a command was not done */
 };
 

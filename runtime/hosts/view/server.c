@@ -259,8 +259,9 @@ static bool next_message(struct server *server, struct client *client, struct bu
         buffer_bytes(text, client->answer.data, client->answer.length);
         buffer_clear(&client->answer);
         client->is_waiting = false;
-    } else if (client->is_to_be_told_news) {
+    } else if (client->is_to_be_told_news && !client->is_behind) {
         client->is_to_be_told_news = false;
+        client->is_behind = true;
         worker_news(&server->worker, text);
     } else {
         return false;

@@ -19,6 +19,8 @@
  *   way ROBOT COUNT            where robot number ROBOT of a simulator really was, at up to
  *                              COUNT instants, evenly over the run
  *
+ *   more                       the last news was drawn: there may be other
+ *
  * While there is such a program, instants and series have the `others` of its values.
  * What is no request is answered by `{"is":"refused",…}`, and nothing else happens. */
 #ifndef FROB_VIEW_VIEW_H

@@ -40,7 +40,8 @@ export function startLive(store: Store): void {
   const type = element<HTMLInputElement>("type");
   const operate = element("operate");
   const stop = element<HTMLButtonElement>("stop");
-  const takesKeys = store.program.signals.some((signal) => signal.name === "in.key");
+  const takesKeys = store.program.sources.some((source) =>
+    !source.library && source.text.includes("keyPressed"));
   const isLive = store.program.live;
 
   for (const each of speeds) speed.append(new Option(`${each}×`, String(each)));

@@ -46,7 +46,7 @@ function showProgress(program: Program, progress: Program | Progress | Live): vo
   if (diverged) showState(diverged[0], false);
   else if (!program.runs) showState("as recorded; the program does not fit", false);
   else if (progress.replayed < program.instants && !program.live) showState("replaying …", true);
-  else if (program.live) showState("replayed as it goes: outputs as computed", true);
+  else if (program.live) showState("live: outputs as computed", true);
   else showState(program.compared ? "replayed: outputs as recorded" : "replayed", true);
 }
 
@@ -100,6 +100,8 @@ function answered(answer: Answer): void {
       break;
     case "progress": if (store) showProgress(store.program, answer); break;
     case "live":
+      // The next one when this has been drawn.
+      requestAnimationFrame(() => connection.ask("more"));
       if (!store) break;
       store.grew(answer);
       describeRun(store.program);

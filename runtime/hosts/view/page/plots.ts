@@ -252,7 +252,7 @@ class Strip {
   }
 
   /** The value below the pointer, or else at the instant that is shown. */
-  private readOut(): void {
+  readOut(): void {
     const { signal, store, plot } = this;
     const pointed = plot?.cursor.idx;
     const cell = store.instant?.cells[this.number] ?? "";
@@ -338,7 +338,7 @@ export function startPlots(store: Store, host: HTMLElement): void {
   store.on("plotted", arrange);
   store.on("range", all((strip) => strip.load()));
   store.on("what-if", all((strip) => strip.load()));
-  store.on("instant", all((strip) => strip.redraw()));
+  store.on("instant", all((strip) => (store.following ? strip.readOut() : strip.redraw())));
   store.on("extent", () => store.following && strips.forEach((strip) => strip.grow()));
   store.on("mark", all((strip) => strip.redraw()));
   onTheme(all((strip) => strip.build()));

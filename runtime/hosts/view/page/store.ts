@@ -90,13 +90,13 @@ export class Store {
     program.live = live.live;
     if (!live.live) this.run = null;
     this.newest = live.newest ?? null;
+    if (this.following) this.range = this.recentRange();
+    this.changed("extent");
     if (this.following) {
-      this.range = this.recentRange();
       if (live.newest) this.instant = live.newest;
       this.following = live.live;
       this.changed("instant");
     }
-    this.changed("extent");
     if (isNews) {
       this.changed("run");
       this.changed("following");

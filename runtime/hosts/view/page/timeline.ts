@@ -151,7 +151,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   }).observe(host);
   store.on("extent", () => {
     if (performance.now() > asked + bandsEvery || !program.live) askForBands();
-    draw();
+    if (!store.following) draw();
   });
   store.on("instant", tell);
   store.on("mark", draw);
