@@ -31,6 +31,7 @@ bool live_start(struct live *live, struct ring *ring, const char *file,
 
 void live_end(struct live *live)
 {
+    catching_end(live->catching);
     free(live->input);
     free(live->output);
     free(live->truth);
@@ -47,17 +48,20 @@ static void add(struct live *live, int64_t time_ns)
                 "there is no memory for more of this run: what comes now is not kept\n");
 }
 
-/* The instants before the oldest that is still there. */
-static void make_up(struct live *live)
+/* The instants before the oldest that is still there, or some of them. */
+static void make_up(struct live *live, size_t most)
 {
     struct recording *recording = live->recording;
-    const uint64_t missed = live->left;
-    /* Those that are overwritten while the file is read are missed again, and made up then. */
-    const uint64_t newest = ring_count(live->ring) - 1;
-    if (recording->gap == NO_GAP && live->file != NULL &&
-        recording_catch_up(recording, live->signals, live->file, (size_t)newest)) {
-        live->left = newest;
-        return;
+    const uint64_t missed = live->left, newest = ring_count(live->ring) - 1;
+    if (recording->gap == NO_GAP && live->file != NULL) {
+        const uint64_t end = missed + most < newest ? missed + most : newest;
+        if (live->catching == NULL)
+            live->catching = catching_start(live->signals, live->file);
+        if (live->catching != NULL &&
+            catching_take(live->catching, recording, (size_t)end)) {
+            live->left = end;
+            return;
+        }
     }
     live->left = newest;
     if (recording->gap != NO_GAP)
@@ -85,8 +89,8 @@ bool live_take(struct live *live, size_t most)
             add(live, time_ns);
             break;
         case RING_OVERWRITTEN:
-            make_up(live);
-            break;
+            make_up(live, most);
+            return live->recording->count > before;
         case RING_NOT_YET:
             live->has_ended = ended;
             return live->recording->count > before;

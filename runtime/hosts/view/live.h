@@ -9,6 +9,7 @@
 struct live {
     struct ring *ring; /* NULL: this is a recording of a run that is over */
     const char *file;  /* that the host records in; NULL: none */
+    struct catching *catching; /* up with it; NULL: there was no need yet */
     const struct signals *signals;
     struct recording *recording;
     unsigned char *input, *output, *truth; /* of an instant */

@@ -288,38 +288,61 @@ bool recording_add(struct recording *recording, int64_t time_ns, const void *inp
     return true;
 }
 
-bool recording_catch_up(struct recording *recording, const struct signals *signals,
-                        const char *name, size_t end)
+struct catching {
+    struct recording row; /* one row at a time */
+    struct reader reader;
+    size_t k;             /* of the next row */
+};
+
+struct catching *catching_start(const struct signals *signals, const char *name)
 {
-    struct recording others = { 0 };
-    struct reader reader = { 0 };
+    struct catching *catching = (struct catching *)calloc(1, sizeof *catching);
     FILE *file = fopen(name, "rb");
-    size_t k = 0;
-    bool ok = file != NULL;
-    if (!ok)
-        return false;
-    others.program = recording->program;
-    others.name = name;
-    others.output_size = recording->output_size;
-    reader.recording = &others;
-    reader.signals = signals;
-    csv_start(&reader.csv, file);
-    ok = read_header(&reader) && others.has_all_inputs;
-    for (; ok && k < end; k++) {
-        ok = csv_next(&reader.csv) == CSV_ROW && !feof(file);
-        if (!ok || k < recording->count)
-            continue;
-        /* Each row is the first of its own. */
-        others.count = 0;
-        ok = grow(&others) && read_row(&reader) &&
-             recording_add(recording, others.times[0], others.inputs, others.outputs,
-                           others.output_size, NULL);
+    if (catching == NULL || file == NULL) {
+        free(catching);
+        if (file != NULL)
+            fclose(file);
+        return NULL;
     }
-    free(reader.columns);
-    csv_end(&reader.csv);
-    fclose(file);
-    recording_free(&others);
-    return ok;
+    catching->row.program = signals->program;
+    catching->row.name = name;
+    catching->row.output_size = signals_output_size(signals);
+    catching->reader.recording = &catching->row;
+    catching->reader.signals = signals;
+    csv_start(&catching->reader.csv, file);
+    if (read_header(&catching->reader) && catching->row.has_all_inputs)
+        return catching;
+    catching_end(catching);
+    return NULL;
+}
+
+bool catching_take(struct catching *catching, struct recording *recording, size_t end)
+{
+    const struct recording *row = &catching->row;
+    clearerr(catching->reader.csv.file);
+    for (; catching->k < end; catching->k++) {
+        if (csv_next(&catching->reader.csv) != CSV_ROW || feof(catching->reader.csv.file))
+            return false;
+        if (catching->k < recording->count)
+            continue;
+        catching->row.count = 0;
+        if (!grow(&catching->row) || !read_row(&catching->reader) ||
+            !recording_add(recording, row->times[0], row->inputs, row->outputs, row->output_size,
+                           NULL))
+            return false;
+    }
+    return true;
+}
+
+void catching_end(struct catching *catching)
+{
+    if (catching == NULL)
+        return;
+    free(catching->reader.columns);
+    fclose(catching->reader.csv.file);
+    csv_end(&catching->reader.csv);
+    recording_free(&catching->row);
+    free(catching);
 }
 
 void recording_free(struct recording *recording)

@@ -43,10 +43,17 @@ bool recording_begin(struct recording *recording, const struct signals *signals,
 bool recording_add(struct recording *recording, int64_t time_ns, const void *input,
                    const void *output, size_t output_size, const void *truth);
 
-/* Adds the rows of a file from instant `count` to before instant `end`: what was missed.
- * False if they are not all there; then some of them may have been added. */
-bool recording_catch_up(struct recording *recording, const struct signals *signals,
-                        const char *name, size_t end);
+/* A file that a run is being recorded in, from which what was missed can be added. */
+struct catching;
+
+/* Opens it, at its first row. NULL if it is not such a file. */
+struct catching *catching_start(const struct signals *signals, const char *name);
+
+/* Adds the rows from instant `count` to before instant `end`, which have been written. False
+ * if they are not all there; some of them may have been added. */
+bool catching_take(struct catching *catching, struct recording *recording, size_t end);
+
+void catching_end(struct catching *catching);
 
 void recording_free(struct recording *recording);
 

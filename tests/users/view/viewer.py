@@ -1,25 +1,73 @@
-"""Starts `frobc view` for a test, and ends it again."""
+"""Starts `frobc view`, or `frobc run --view`, for a test, and ends it again."""
 
 import atexit
 import csv
+import os
 import re
+import signal
 import subprocess
 
 
-class Viewer:
-    def __init__(self, frobc, recording, program):
-        self.process = subprocess.Popen(
-            [frobc, "view", "--print", recording, program], stdout=subprocess.PIPE, text=True
-        )
-        atexit.register(self.end)
+class Process:
+    """What prints the address of a page in its first line."""
+
+    def __init__(self, command):
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True,
+                                        start_new_session=True)
+        atexit.register(self.kill)
         line = self.process.stdout.readline()
-        match = re.match(r"view: (http://(127\.0\.0\.1:(\d+))/#([0-9a-f]{32})) ", line)
+        match = re.match(r"view: (http://(127\.0\.0\.1:(\d+))/#([0-9a-f]{32}))", line)
         self.address, self.host, port, self.token = match.groups()
         self.port = int(port)
+
+    def kill(self):
+        """With all that it has started."""
+        try:
+            os.killpg(self.process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+
+
+class Viewer(Process):
+    """Of a recording."""
+
+    def __init__(self, frobc, recording, program):
+        super().__init__([frobc, "view", "--print", recording, program])
 
     def end(self):
         self.process.terminate()
         return self.process.wait(timeout=10)
+
+
+class Run(Process):
+    """Of a run that goes on."""
+
+    def __init__(self, frobc, arguments):
+        super().__init__([frobc, "run", "--view=print", *arguments])
+        self.frobc = frobc
+        self.host_process = self.host_of(self.process.pid)
+        self.viewer = next(pid for pid in children(self.host_process)
+                           if name_of(pid) == "frob-view")
+
+    @staticmethod
+    def host_of(pid):
+        """frobc starts the simulator, and becomes the program of a robot."""
+        return next((child for child in children(pid) if name_of(child) == "frob-sim"), pid)
+
+
+def children(pid):
+    with open(f"/proc/{pid}/task/{pid}/children") as file:
+        return [int(child) for child in file.read().split()]
+
+
+def name_of(pid):
+    with open(f"/proc/{pid}/comm") as file:
+        return file.read().strip()
+
+
+def arguments_of(pid):
+    with open(f"/proc/{pid}/cmdline") as file:
+        return file.read().split("\0")[1:-1]
 
 
 def trace(frobc, recording, program, robot):
