@@ -130,8 +130,7 @@ enum view_work view_work(struct view *view, double seconds)
         view->has_news |= view->live.has_ended;
     }
     is_whole = !view_advance(view, seconds);
-    if (!is_live(view))
-        view->has_news |= is_whole && !was_whole;
+    view->has_news |= is_whole && !was_whole;
     if (!is_whole)
         return VIEW_GOES_ON;
     return is_live(view) && (!view->live.has_ended || view->has_news) ? VIEW_LOOKS : VIEW_RESTS;
