@@ -63,7 +63,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test page seeds fuzz fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench install clean
+.PHONY: all setup run test page seeds fuzz fuzz-format fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench install clean
 
 all: setup
 	dune build @install
@@ -88,6 +88,12 @@ page:
 fuzz: all
 	@dune build tests/meaning/fuzz/main.exe
 	@_build/default/tests/meaning/fuzz/main.exe --count $(N) --seed $(SEED) --jobs $$(nproc) --sanitize-every 50
+
+# The formatter's laws on random programs with comments sprinkled in.
+fuzz-format: N = 10000
+fuzz-format: setup
+	@dune build ./tests/users/format/of_random_programs.exe
+	@_build/default/tests/users/format/of_random_programs.exe $(N) $(SEED)
 
 # Deliberate faults in the compiler: the random programs must find each. With direct calls
 # between modules each fault would ask for all that depends on its module to be built again.

@@ -20,8 +20,8 @@ let colour () =
   && (match Sys.getenv_opt "NO_COLOR" with None | Some "" -> true | Some _ -> false)
   && Sys.getenv_opt "TERM" <> Some "dumb"
 
-let print_diagnostics general sources sink =
-  match (Diagnostic.all sink, general.format) with
+let print_diagnostics format sources sink =
+  match (Diagnostic.all sink, format) with
   | [], _ -> ()
   | diagnostics, Text ->
       prerr_string (Render_text.diagnostics ~colour:(colour ()) sources diagnostics)
@@ -72,7 +72,7 @@ let check_one general ?robot ~library file =
   let* () = Program_file.check file in
   let sink = Diagnostic.sink () and sources = Source.create () in
   Pipeline.check sink sources (request general ?robot ~library file);
-  print_diagnostics general sources sink;
+  print_diagnostics general.format sources sink;
   status sink
 
 let check general files =
@@ -90,7 +90,7 @@ let accepted pipeline general ?batch (resources : Resources.t) ~entry file conti
   let sink = Diagnostic.sink () and sources = Source.create () in
   let request = request general ?robot ?batch ~entry ~library:resources.library file in
   let result = pipeline sink sources request in
-  print_diagnostics general sources sink;
+  print_diagnostics general.format sources sink;
   match result with Some result -> continue request result | None -> status sink
 
 (* Of the robot's types: those of any signal function from one to the other, such as

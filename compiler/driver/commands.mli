@@ -136,6 +136,11 @@ val built :
     and goes on with the path of the result; tells what is wrong with it
     otherwise. [name] is that of the C files. *)
 
+val print_diagnostics : format -> Basis.Source.t -> Basis.Diagnostic.sink -> unit
+
+val report_bug : string -> string -> int
+(** [report_bug stage message] says that it is a fault of the compiler's own. *)
+
 val report_exception : exn -> int
 (** Says what ended the command: what the system refused, which is {!Exit_status.wrong_use},
     or a fault of the compiler's own, {!Exit_status.bug}. *)

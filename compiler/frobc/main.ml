@@ -123,6 +123,31 @@ let check =
   command "check" ~doc:"say what is wrong with programs or modules; nothing is written"
     Term.(const Commands.check $ general $ files)
 
+let format =
+  let check =
+    let doc =
+      "Write nothing; print the files that would change, each with its first line that would, \
+       and exit with 1 if there are any."
+    in
+    Arg.(value & flag & info [ "check" ] ~doc)
+  in
+  let files =
+    let doc = "A $(b,.frob) file; $(b,-) is standard input, which goes to standard output." in
+    Arg.(non_empty & pos_all string [] & info [] ~docv:"FILE" ~doc)
+  in
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Blanks, indentation and empty lines come to be as in the library and the examples. Lines \
+         stay where they are broken, and are broken where they have more than 100 characters; \
+         what is aligned by blanks stays so. Nothing else changes: each result is checked to be \
+         the same program with the same comments. A file that is no program stays as it is.";
+    ]
+  in
+  command "format" ~man ~doc:"write programs as the library is written, in place"
+    Term.(const (fun check files -> Driver.Format_files.run ~check files) $ check $ files)
+
 let compile =
   let folder =
     let doc = "The folder for the C files." in
@@ -577,7 +602,10 @@ let main =
     ]
   in
   Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
-    [ check; compile; trace; run; view; serve; build; export; report; selftest; header; explain ]
+    [
+      check; format; compile; trace; run; view; serve; build; export; report; selftest; header;
+      explain;
+    ]
 
 (* A compilation is short, and what outlives the minor heap mostly lives to the
    end: marking finds little to free. Without it large programs take a tenth less

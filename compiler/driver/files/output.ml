@@ -1,4 +1,4 @@
-type content = C | Table | Picture | Program | Link | Log
+type content = C | Table | Picture | Program | Link | Log | Source
 type t = { path : string; content : content; asked : string }
 
 let ( let* ) = Result.bind
@@ -56,7 +56,7 @@ let is_ours content text =
     starts "\137PNG\r\n\026\n" || starts "<svg xmlns=\"http://www.w3.org/2000/svg\" width="
   | Program -> contains text "frob_program"
   | Log -> text.[0] >= '0' && text.[0] <= '9'
-  | Link -> false
+  | Link | Source -> false
 
 let kind = function
   | C -> "C that frobc has generated"
@@ -65,11 +65,18 @@ let kind = function
   | Program -> "a program that frobc has built"
   | Link -> "a link"
   | Log -> "a log of a served robot"
+  | Source -> "a program"
 
 let is_link path =
   match Unix.lstat path with
   | s -> s.st_kind = Unix.S_LNK
   | exception Unix.Unix_error _ -> false
+
+let may_be_written path =
+  match Unix.access path [ W_OK ] with
+  | () -> Ok ()
+  | exception Unix.Unix_error (reason, _, _) ->
+    Error (Printf.sprintf "cannot write %s: %s" path (Unix.error_message reason))
 
 let may_be_replaced { path; content; asked } =
   let refuse reason =
@@ -82,6 +89,8 @@ let may_be_replaced { path; content; asked } =
     match content with
     | Link when is_link path || not (Sys.file_exists path) -> Ok ()
     | Link -> refuse "no link"
+    | Source when not (is_regular path) -> refuse "no file"
+    | Source -> may_be_written path
     | _ when not (is_regular path) -> Ok ()
     | _ -> (
       match read_file path with
@@ -136,12 +145,12 @@ let as_error path reason =
   if contains reason path then "cannot write " ^ reason
   else Printf.sprintf "cannot write %s: %s" path reason
 
-let put ~permissions files =
+let put ?(finish = ignore) ~permissions files =
   let named = List.mapi (fun n (path, text) -> (beside n path, text)) files in
   let attempt ((path, next), text) =
     let at = if is_regular path || not (Sys.file_exists path) then next else path in
     match write_one permissions at text with
-    | Ok () -> Ok ()
+    | Ok () -> Ok (finish at)
     | Error reason -> Error (as_error path reason)
     | exception Sys_error reason ->
       (* The name of the one beside is nothing that a user knows. *)
@@ -157,6 +166,21 @@ let put ~permissions files =
   Interruption.protect ~finally:clean (fun () ->
       let* () = each attempt named in
       each rename named)
+
+(* Whose it is stays too, where that can be said. *)
+let rewrite path text =
+  let attempt () =
+    let before = Unix.stat path in
+    let finish next =
+      (try Unix.chown next before.st_uid before.st_gid with Unix.Unix_error _ -> ());
+      Unix.chmod next before.st_perm
+    in
+    put ~finish ~permissions:0o600 [ (path, text) ]
+  in
+  match attempt () with
+  | result -> result
+  | exception Unix.Unix_error (reason, _, _) ->
+    Error (Printf.sprintf "cannot write %s: %s" path (Unix.error_message reason))
 
 let write files = put ~permissions:0o666 files
 

@@ -1,5 +1,6 @@
 (** What may be written, decided in one place: never what is read, never the same
-    file twice, never a file that frobc did not make. Devices and pipes may be
+    file twice, never a file that frobc did not make, but a program that it is to format.
+    Devices and pipes may be
     written; so may an empty file. *)
 
 type content =
@@ -9,6 +10,7 @@ type content =
   | Program  (** an executable with a table for hosts *)
   | Link  (** a symbolic link *)
   | Log  (** of a served robot; it goes on where it ended *)
+  | Source  (** of a program, which was read and is asked to be written anew *)
 
 type t = {
   path : string;
@@ -23,6 +25,9 @@ val check : reads:string list -> t list -> (unit, string) result
 val write : (string * string) list -> (unit, string) result
 (** Paths and texts, all or none: they are written beside, and renamed when all are
     whole. *)
+
+val rewrite : string -> string -> (unit, string) result
+(** [rewrite path text], likewise, with the permissions that the file has. *)
 
 val copy : string -> string -> (unit, string) result
 (** [copy from path], likewise, executable. *)

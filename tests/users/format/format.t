@@ -1,0 +1,233 @@
+`frobc format` writes programs as the library is written, in place and without a word.
+
+  $ cat > speed.frob <<'EOF'
+  > 
+  > import   Control
+  > 
+  > 
+  > 
+  > lap::Distance
+  > lap=10[ m ]
+  > -- | Where it is,and whether a lap is done.
+  > main::SF Velocity (Distance,Bool)
+  > main=proc v->(x,x>=lap && -x< -lap/2) where
+  >   x=integral(v)   -- as the crow flies
+  >   unused  = \y->-y
+  > EOF
+  $ frobc format speed.frob
+  $ cat speed.frob
+  import Control
+  
+  lap :: Distance
+  lap = 10[m]
+  -- | Where it is,and whether a lap is done.
+  main :: SF Velocity (Distance, Bool)
+  main = proc v -> (x, x >= lap && -x < -lap / 2) where
+      x = integral (v)   -- as the crow flies
+      unused = \y -> -y
+
+Lines stay as they are broken; each block stands four columns further right, `then`, `else`
+and a `where` of its own line two; a list whose lines begin with commas has them under its
+bracket. What was aligned by blanks stays so, and what has been renamed or added in between
+comes along.
+
+  $ frobc format - <<'EOF'
+  > next n = do
+  >  found  <- search
+  >  place <- ask (arr (\i -> i))
+  >  if found
+  >     then do
+  >         drive
+  >     else return False
+  > table = [ 1
+  >         , 2   -- two
+  >         , 333 -- three
+  >   ]
+  > f x = g (case x of
+  >   Just y   | y > 0 -> y
+  >            | otherwise -> -y
+  >   Nothing  -> z
+  >   _ -> 2)
+  >    where z = 1
+  >          name = 0
+  > control = proc e -> v where
+  >     error  = e
+  >     velocity      = limit 1 error
+  >     -- of both
+  >     v      = velocity
+  > EOF
+  next n = do
+      found <- search
+      place <- ask (arr (\i -> i))
+      if found
+        then do
+          drive
+        else return False
+  table = [ 1
+          , 2   -- two
+          , 333 -- three
+          ]
+  f x = g (case x of
+      Just y | y > 0 -> y
+             | otherwise -> -y
+      Nothing -> z
+      _ -> 2)
+    where z = 1
+          name = 0
+  control = proc e -> v where
+      error    = e
+      velocity = limit 1 error
+      -- of both
+      v        = velocity
+
+Lines of more than 100 characters are broken where least binds.
+
+  $ frobc format - <<'EOF'
+  > placesHeard :: Ranging -> (Pose -> Pose) -> Array n Pose -> SF (Facing, Array n (Event Distance)) (Array n (Maybe Point2))
+  > turnBy angle = mkTask (proc i -> (roMake (setVelTR 0 omega), notYet (when (abs left < turnEnd))) where
+  >     omega = limit turnSpeed (turnGain * left))
+  > nearest = nearestBy ranging.reach (aside side square robot) (placesHeard ranging taken seats (robot, echoes))
+  > total = theFirstOfManySummands * itsOwnFactor + theSecondOfManySummands * itsOwnFactor + theThird * its
+  > start = Estimate { offset = 0.5[m], heading = 0, varOffset = 0.1[m^2], covariance = 0, varHeading = 0.05 }
+  > along = [-0.98, -0.83, -0.56, -0.20, 0.20, 0.56, 0.83, 0.98, 0.98, 0.83, 0.56, 0.20, -0.20, -0.56, -0.83, -0.98]
+  > EOF
+  placesHeard :: Ranging -> (Pose -> Pose) -> Array n Pose
+      -> SF (Facing, Array n (Event Distance)) (Array n (Maybe Point2))
+  turnBy angle = mkTask (proc i ->
+      (roMake (setVelTR 0 omega), notYet (when (abs left < turnEnd))) where
+      omega = limit turnSpeed (turnGain * left))
+  nearest = nearestBy ranging.reach (aside side square robot)
+      (placesHeard ranging taken seats (robot, echoes))
+  total = theFirstOfManySummands * itsOwnFactor + theSecondOfManySummands * itsOwnFactor
+      + theThird * its
+  start = Estimate
+      { offset = 0.5[m], heading = 0, varOffset = 0.1[m^2], covariance = 0, varHeading = 0.05 }
+  along =
+      [ -0.98, -0.83, -0.56, -0.20, 0.20, 0.56, 0.83, 0.98, 0.98, 0.83, 0.56, 0.20, -0.20, -0.56
+      , -0.83, -0.98
+      ]
+
+Literals, texts and comments stay as written. A comment of its own line stands as what comes
+below it, or in its block; one behind a line goes along with it.
+
+  $ frobc format - <<'EOF'
+  > {- {- nested -}
+  >       as it is -}
+  > x = 0x1F+1_000 -- behind
+  >                -- and below
+  > y = f {- inner -} 2.50e3 "a -- b \" {-" where
+  >   -- of a
+  >   a = 1
+  >   -- the end of the block
+  > -- of z
+  > z = 35[deg]-- close
+  >    -- the end
+  > EOF
+  {- {- nested -}
+        as it is -}
+  x = 0x1F + 1_000 -- behind
+                   -- and below
+  y = f {- inner -} 2.50e3 "a -- b \" {-" where
+      -- of a
+      a = 1
+      -- the end of the block
+  -- of z
+  z = 35[deg] -- close
+  -- the end
+
+`--check` writes nothing; it prints which files would change, with the first line that
+would, and exits with 1.
+
+  $ printf 'x = 1\ny=2\n' > small.frob
+  $ frobc format --check speed.frob small.frob
+  small.frob:2
+    - y=2
+    + y = 2
+  [1]
+  $ cat small.frob
+  x = 1
+  y=2
+  $ frobc format --check - < speed.frob
+
+A tab is as wide as editors show it, if that makes no difference; carriage returns and a
+byte order mark go.
+
+  $ printf '\357\273\277main = proc x -> y where\r\n\ty\t= x\r\n\tz = y -- a\tb\r\n' | frobc format -
+  main = proc x -> y where
+      y = x
+      z = y -- a  b
+  $ printf 'main = proc x -> y where\n    y = x\n\tz = y\n' | frobc format - 2>&1 | head -1
+  error[E0102]: a tab: indentation counts, so only spaces are allowed
+  $ printf 'x = "a\tb"\n' | frobc format - 2>&1 | head -1
+  error[E0102]: a tab: indentation counts, so only spaces are allowed
+
+A file that is no program stays as it is; the message is that of `frobc check`.
+
+  $ printf 'x  = (1\n' > broken.frob && cp broken.frob before
+  $ frobc check broken.frob 2> said; frobc format small.frob broken.frob 2> message
+  [1]
+  $ diff said message && cmp broken.frob before && cat small.frob
+  x = 1
+  y = 2
+  $ printf 'x = "M\374nchen"\n' > latin_1.frob
+  $ frobc format latin_1.frob
+  error[E0101]: this file is not valid UTF-8: byte 252 cannot stand here
+   --> latin_1.frob:1:7
+    |
+  1 | x = "M�nchen"
+    |       ^
+    |
+    = hint: is this a text file? save it as UTF-8
+  
+  1 error
+  [1]
+
+What cannot be read or written is said.
+
+  $ mkfifo pipe; mkdir folder; echo '[robot]' > world.toml
+  $ timeout 20 frobc format pipe folder world.toml none.frob
+  error: cannot read pipe: it is a pipe or a device, and no file
+  error: cannot read folder: it is a directory
+  error: world.toml is no Frob program but a world; it goes beside a program: `frobc run PROGRAM.frob --world world.toml`
+  error: there is no file none.frob
+  [2]
+  $ frobc format - < folder
+  error: cannot read standard input: Is a directory
+  [2]
+  $ printf 'x=1\n' | frobc format - > /dev/full
+  error: cannot write standard output: No space left on device
+  [2]
+  $ printf 'x=%0900d\n' 1 > large.frob && cp large.frob before
+  $ (ulimit -f 0; frobc format large.frob 2>&1) | cat; cmp large.frob before; ls -A | grep '^\.frobc'
+  error: cannot write large.frob: File too large
+  [1]
+
+A file keeps its permissions; a link stays one; what is formatted already is not touched.
+
+  $ printf 'x=1\n' > real.frob; chmod 761 real.frob; ln -s real.frob link.frob
+  $ frobc format link.frob
+  $ stat -c '%a %F' real.frob link.frob; cat real.frob
+  761 regular file
+  777 symbolic link
+  x = 1
+  $ touch -d 2001-01-01 real.frob; frobc format real.frob; stat -c %y real.frob | cut -c1-10
+  2001-01-01
+
+Files are long, and lines too.
+
+  $ for i in $(seq 100000); do echo "x$i=f $i"; done > many.frob
+  $ timeout 60 frobc format many.frob && head -2 many.frob && wc -l < many.frob
+  x1 = f 1
+  x2 = f 2
+  100000
+  $ { printf 'x=[0'; for i in $(seq 100000); do printf ',%d' $i; done; echo ']'; } > wide.frob
+  $ timeout 60 frobc format wide.frob && head -2 wide.frob && awk 'length > 100' wide.frob | wc -l
+  x =
+      [ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25
+  0
+  $ { printf 'x='; for i in $(seq 2000); do printf '(f '; done; printf 1; for i in $(seq 2000); do printf ')'; done; echo; } > deep.frob
+  $ timeout 60 frobc format deep.frob
+  $ for i in $(seq 3000); do printf 'x%d = y%d   -- %d\n' $i $i $i; done > comments.frob
+  $ timeout 60 frobc format comments.frob
+  $ : > empty.frob; frobc format empty.frob; wc -c < empty.frob
+  0
