@@ -460,7 +460,7 @@ let viewer general (resources : Resources.t) ~entry ~sources ~options ~world ~re
   let own, library = Program_file.modules ~library:resources.library file in
   let each option files = List.concat_map (fun file -> [ option; file ]) files in
   (resources.viewer :: options)
-  @ each "--world" [ world ]
+  @ each "--world" (Option.to_list world)
   @ each "--source" own
   @ each "--library" library
   @ [ program; Option.value recording ~default:live ]
@@ -494,7 +494,7 @@ let run general ~entry ~sources run file =
   let* () = Output.check ~reads:(file :: world :: sources) outputs in
   let option name value = match value with Some value -> [ name; value ] | None -> [] in
   let flag name value = if value then [ name ] else [] in
-  shown general ~entry ~sources run.look ~record:run.record ~world file (fun viewer ->
+  shown general ~entry ~sources run.look ~record:run.record ~world:(Some world) file (fun viewer ->
   hosted general ~entry ~sources file
     ~host:(fun resources -> resources.Resources.simulator)
     ~arguments:(fun _ program ->
@@ -545,8 +545,8 @@ let view general ~entry ~sources view file =
           @ Option.fold ~none:[] ~some:(fun n -> [ "--port"; string_of_int n ]) view.port
         in
         let command =
-          viewer general resources ~entry ~sources ~options ~world ~recording:view.recording
-            ~program file
+          viewer general resources ~entry ~sources ~options ~world:(Some world)
+            ~recording:view.recording ~program file
         in
         match Process.become resources.viewer (List.tl command) with
         | Not_found _ | Failed _ -> missing_host resources.viewer)

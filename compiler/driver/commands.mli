@@ -65,12 +65,13 @@ val shown :
   sources:string list ->
   look option ->
   record:string option ->
-  world:string ->
+  world:string option ->
   string ->
   (string list -> int) ->
   int
 (** Goes on with the command that shows the run of a program while it goes on, of which the ring
-    is still to be named; nothing if that is not wanted. *)
+    is still to be named; nothing if that is not wanted. [world]: where it drives, if that is
+    known. *)
 
 type view = {
   recording : string option;  (** [None]: of a run that is not over, only to be built for *)

@@ -322,13 +322,13 @@ let run =
     Arg.(value & flag & info [ "lock-memory" ] ~doc)
   in
   let on_robot device duration rate record patience reconnect settings priority lock_memory
-      exit_when_done console =
+      exit_when_done console look =
     match device with
     | Some device ->
         Ok
           {
             Driver.Real_robot.device; duration; rate; record; patience; reconnect; settings;
-            priority; lock_memory; exit_when_done; console;
+            priority; lock_memory; exit_when_done; console; look;
           }
     | None ->
         let given name option = if option then Some name else None in
@@ -343,7 +343,7 @@ let run =
   let on_robot =
     Term.(
       const on_robot $ device $ duration $ rate $ record $ patience $ reconnect $ settings
-      $ priority $ lock_memory $ exit_when_done $ console)
+      $ priority $ lock_memory $ exit_when_done $ console $ look)
   in
   let make general entry sources on_robot world duration rate seed realtime record picture strict
     exit_when_done console look file =

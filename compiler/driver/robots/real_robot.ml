@@ -74,6 +74,7 @@ type run = {
   lock_memory : bool;
   exit_when_done : bool;
   console : bool;
+  look : Commands.look option;
 }
 
 let executable (general : Commands.general) target ~entry ~sources file continue =
@@ -92,6 +93,9 @@ let run general ~entry ~sources ~simulated run file =
   in
   let outputs = List.map (Commands.as_output Table "--record") (Option.to_list run.record) in
   let* () = Output.check ~reads:(file :: sources) outputs in
+  let control = match run.look with Some { control; _ } -> control | None -> false in
+  Commands.shown general ~entry ~sources run.look ~record:run.record ~world:None file
+  @@ fun viewer ->
   executable general this_machine ~entry ~sources file (fun program ->
       become program
         ([ "--device"; run.device; "--rate"; Printf.sprintf "%.9g" run.rate ]
@@ -103,7 +107,9 @@ let run general ~entry ~sources ~simulated run file =
         @ option "--priority" (Option.map string_of_int run.priority)
         @ flag "--lock-memory" run.lock_memory
         @ flag "--exit-when-done" run.exit_when_done
-        @ flag "--console" run.console))
+        @ flag "--console" run.console
+        @ flag "--control" control
+        @ if viewer = [] then [] else "--viewer" :: viewer))
 
 let build general ~entry ~sources ~target ~output file =
   match Target.of_name target with

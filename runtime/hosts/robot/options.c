@@ -21,6 +21,9 @@ static const char usage[] =
     "  --console          the program reads the keys that are typed, one each instant\n"
     "  --exit-when-done   end when the program's task has ended\n"
     "  --progress         tell about connections even where it is not a terminal\n"
+    "  --control          who looks on may send events to the program\n"
+    "  --viewer COMMAND...\n"
+    "                     start what shows the run; takes the rest of the line\n"
     "\n"
     "Exit status: 0 when the time is over; 2 for wrong use or a device that cannot be\n"
     "opened; 4 when the run was ended by a signal or a fault, with the robot stopped.\n";
@@ -136,6 +139,11 @@ enum options_result read_options(int argc, char **argv, const char *name,
             o->exit_when_done = true;
         } else if (strcmp(argv[i], "--progress") == 0) {
             o->progress = true;
+        } else if (strcmp(argv[i], "--control") == 0) {
+            o->control = true;
+        } else if (strcmp(argv[i], "--viewer") == 0 && i + 1 < argc) {
+            o->viewer = argv + i + 1;
+            break;
         } else if (i + 1 == argc) {
             fprintf(stderr, "error: `%s` is unknown, or needs a value\n", argv[i]);
             return OPTIONS_WRONG;

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "../common/console.h"
+#include "../common/publisher.h"
 #include "../common/record.h"
 #include "../common/streams.h"
 #include "controller.h"
@@ -48,6 +49,7 @@ struct supervisor {
     struct controller controller;
     struct record record;
     struct console console;
+    struct publisher publisher;
     sigset_t waiting_mask; /* signals come only while waiting */
     bool tells;
 
@@ -211,6 +213,7 @@ static void answered(struct supervisor *s)
         frob_robot_command(&s->robot, s->output);
     if (!record_row(&s->record, s->instant_ns, s->input, s->output))
         end(s, FAULT, "the record could not be written");
+    ring_publish(&s->publisher.ring, s->instant_ns, s->input, s->output, NULL);
     if (!s->ended && frob_has_ended(s->program, s->output)) {
         s->ended = true;
         s->ended_ns = s->instant_ns;
@@ -254,6 +257,7 @@ static void look_after_controller(struct supervisor *s)
 static void next_instant(struct supervisor *s)
 {
     int64_t now = now_ns(), missed, before;
+    int32_t key;
     if (!is_ready(s) || s->over) {
         s->due_ns = 0;
         return;
@@ -271,7 +275,10 @@ static void next_instant(struct supervisor *s)
     s->instant_ns = now - s->first_ns;
     frob_robot_sense(&s->robot, s->input);
     frob_console_clear(s->program, s->input);
-    frob_console_key(s->program, s->input, console_key(&s->console));
+    key = console_key(&s->console);
+    if (key < 0)
+        key = publisher_key(&s->publisher);
+    frob_console_key(s->program, s->input, key);
     s->stepping = true;
     s->late = false;
     if (!controller_ask(&s->controller, (double)(s->instant_ns - before) / 1e9, s->input))
@@ -317,6 +324,8 @@ static void run(struct supervisor *s)
         if (ended_by != 0)
             end(s, FAULT, "the run was ended by %s",
                 ended_by == SIGINT ? "an interrupt" : strsignal(ended_by));
+        if (ring_is_stopped(&s->publisher.ring))
+            end(s, FAULT, "the run was ended by the Stop of its page");
         if (!s->over)
             wait_for_something(s);
     }
@@ -434,6 +443,8 @@ int supervise(const struct frob_program *program, const struct frob_driver *driv
     s.tells = options->progress || isatty(STDERR_FILENO) != 0;
     s.record.file = -1;
     line_init(&s.line, options->device, driver->rate);
+    /* With signals as they were, and without the robot's line. */
+    publisher_start(&s.publisher, program, 0, options->control ? RING_SENDS : 0, options->viewer);
     catch_signals(&s);
     /* Before the line is open: the controller must not hold it. */
     if (!controller_start(&s.controller, program, options))
@@ -447,6 +458,7 @@ int supervise(const struct frob_program *program, const struct frob_driver *driv
         run(&s);
         console_close(&s.console);
         say_farewell(&s);
+        publisher_end(&s.publisher);
         if (!print_summary(&s) && s.status == DONE)
             s.status = WRONG_USE;
         else if (s.status != DONE)

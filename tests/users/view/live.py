@@ -8,6 +8,7 @@ import asyncio
 import json
 import os
 import random
+import re
 import signal
 import subprocess
 import sys
@@ -254,14 +255,59 @@ async def misfortunes(frobc, program):
           and read("plain.csv") == read("never.csv"))
 
 
+class Robot:
+    """A simulated one behind a line of its own."""
+
+    def __init__(self, frobc):
+        self.process = subprocess.Popen([frobc, "serve", "--tcp", "0"], stdout=subprocess.PIPE,
+                                        text=True)
+        self.device = self.process.stdout.readline().removeprefix("device:").strip()
+
+    def __enter__(self):
+        return ["--robot", "pioneer", "--device", self.device]
+
+    def __exit__(self, *_):
+        self.process.terminate()
+        self.process.wait(10)
+
+
+async def robot(frobc):
+    with Robot(frobc) as device:
+        run = viewer.Run(frobc, [*device, "--record", path("robot.csv"), stick])
+        async with Page(run) as page:
+            await page.until(lambda p: p.live and p.live["instants"] > 50)
+            check("a robot's run is seen while it goes on", page.live["live"])
+            check("a real robot is only looked at",
+                  not page.state["sends"] and not page.state["paces"]
+                  and "only looked at" in (await page.send("key 119"))[0]
+                  and await page.send("pause") != [] and await page.send("speed 2") != [])
+            await page.send("stop")
+            await page.to_end()
+            check("but stopped it can be, as with Ctrl-C", run.process.wait(10) == 4)
+            check("and is as traced", await as_traced(page, run, "robot.csv", stick, "pioneer"))
+    with Robot(frobc) as device:
+        run = viewer.Run(frobc, [*device, "--for", "4s", stick], how="print,control")
+        async with Page(run) as page:
+            forward = [s["name"] for s in page.program["signals"]].index("out.forward")
+            await page.until(lambda p: p.live and p.live["instants"] > 5)
+            check("unless more is allowed", await page.send(f"key {ord('w')}") == [])
+            await page.until(lambda p: float(p.live["newest"]["cells"][forward]) > 0)
+            check("and then it reacts to a key", True)
+        os.kill(run.viewer, signal.SIGKILL)
+        check("without its viewer it goes on", run.process.wait(10) == 0)
+        steps = re.search(r"^steps: (\d+)$", run.process.stdout.read(), re.M)
+        check("to its end", int(steps[1]) > 100)
+
+
 async def main():
-    frobc, _, program, robot = sys.argv[1:]
-    await values(frobc, program, robot)
+    frobc, _, program, name = sys.argv[1:]
+    await values(frobc, program, name)
     await commands(frobc, program)
     await events(frobc)
-    await gaps(frobc, program, robot, recorded=False)
-    await gaps(frobc, program, robot, recorded=True)
+    await gaps(frobc, program, name, recorded=False)
+    await gaps(frobc, program, name, recorded=True)
     await misfortunes(frobc, program)
+    await robot(frobc)
 
 
 asyncio.run(main())

@@ -42,8 +42,8 @@ class Viewer(Process):
 class Run(Process):
     """Of a run that goes on."""
 
-    def __init__(self, frobc, arguments):
-        super().__init__([frobc, "run", "--view=print", *arguments])
+    def __init__(self, frobc, arguments, how="print"):
+        super().__init__([frobc, "run", f"--view={how}", *arguments])
         self.frobc = frobc
         self.host_process = self.host_of(self.process.pid)
         self.viewer = next(pid for pid in children(self.host_process)
