@@ -202,5 +202,6 @@ def main():
         driver.quit()
 
 
-main()
-sys.exit(viewer.failures > 0)
+if __name__ == "__main__":
+    main()
+    sys.exit(viewer.failures > 0)

@@ -48,7 +48,10 @@ export function startLive(store: Store): void {
   follow.onclick = () => store.follow();
   hold.onclick = () => store.command(store.run?.paused ? "go" : "pause");
   single.onclick = () => store.command("step");
-  speed.onchange = () => store.command(`speed ${speed.value}`);
+  speed.onchange = () => {
+    store.command(`speed ${speed.value}`);
+    speed.blur(); // keys are the page's again
+  };
   operate.onclick = () => store.command("take");
   stop.onclick = () => store.command("stop");
   startKeyboard(store, type);

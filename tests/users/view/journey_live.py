@@ -1,0 +1,100 @@
+"""usage: journey_live.py FROBC RUN.csv FILE ROBOT
+
+A visit to the page of a run that goes on: see the robot move, pause the run, scrub, come back,
+press a key, and stop it."""
+
+import sys
+import tempfile
+
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import Select
+
+import viewer
+from journey import Page, start
+from viewer import check
+
+stick = "../../../examples/safe_stick/safe_stick.frob"
+
+
+def cell(page, name):
+    return page.cells()[name]
+
+
+def visit(page):
+    page.wait(lambda: page.text("#follow") == "Live")
+    check("it is live", page.text("#state") == "live: outputs as computed")
+    first = page.instant()
+    page.wait(lambda: page.instant() > first + 10)
+    check("its newest instant is shown", True)
+
+    page.all("#type")[0].send_keys("w")
+    page.wait(lambda: float(cell(page, "out.forward")) > 0.2)
+    check("the program reacts to a key", True)
+    before = float(cell(page, "in.odometry.position.x"))
+    page.wait(lambda: float(cell(page, "in.odometry.position.x")) > before + 0.1)
+    check("the robot is seen to move", True)
+    page.press(Keys.ESCAPE)
+
+    page.all("#hold")[0].click()
+    page.wait(lambda: page.text("#hold") == "Go on")
+    at = page.wait(lambda: stands(page))
+    page.all("#single")[0].click()
+    page.wait(lambda: page.instant() == at + 1)
+    check("a run that is paused takes one instant", True)
+
+    page.press(Keys.HOME)
+    page.at(0)
+    page.press("p")
+    page.wait(lambda: page.text("#hold") == "Pause")
+    page.wait(lambda: extent(page) > at + 20)
+    check("what was before is shown while it goes on",
+          page.text("#follow") == "Back to live" and page.instant() == 0)
+    page.press("l")
+    page.wait(lambda: page.text("#follow") == "Live" and page.instant() > at + 20)
+    check("and back to the newest instant", True)
+
+    Select(page.all("#run-speed")[0]).select_by_value("5")
+    page.press(Keys.HOME)
+    page.wait(lambda: page.text("#follow") == "Back to live")
+    page.all("#follow")[0].click()
+    page.wait(lambda: page.text("#follow") == "Live")
+
+    page.all("#stop")[0].click()
+    page.wait(lambda: page.text("#follow") == "The run is over")
+    check("it is stopped", not page.all("#stop")[0].is_displayed())
+    page.wait(lambda: page.text("#state") == "replayed: outputs as recorded")
+    page.press(Keys.HOME)
+    page.at(0)
+    check("and can be looked at afterwards", True)
+    messages = [entry["message"] for entry in page.driver.get_log("browser")]
+    check("the browser has nothing to complain of", messages == [])
+    for message in messages:
+        print(message)
+
+
+def stands(page):
+    """The instant that is shown, if no other has come for a while."""
+    at = page.instant()
+    page.driver.execute_async_script("setTimeout(arguments[0], 300)")
+    return at if page.instant() == at else None
+
+
+def extent(page):
+    """How many instants there are."""
+    return int(page.text("#run").split(" instants")[0].split()[-1])
+
+
+def main():
+    frobc = sys.argv[1]
+    with tempfile.TemporaryDirectory() as folder:
+        run = viewer.Run(frobc, ["--robot", "pioneer", "--record", f"{folder}/run.csv", stick])
+        driver = start(1280, 720)
+        try:
+            visit(Page(driver, run.address))
+            check("the run has ended well", run.process.wait(10) == 0)
+        finally:
+            driver.quit()
+
+
+main()
+sys.exit(viewer.failures > 0)
