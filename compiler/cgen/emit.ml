@@ -17,7 +17,7 @@ let program ?own ?batch (program : Step.Ir.program) =
     host_table =
       (if
          List.exists
-           (Flow.Lasting.mentions_foreign program.sums)
+           (Flow.Shape.mentions_foreign program.sums)
            [ program.input; program.output ]
        then None
       else Some (Host_table.text ?own program files));

@@ -104,26 +104,18 @@ let foreign_headers (v : V.t) =
 
 (* Structs of which only addresses are passed need not be known. *)
 let foreign_structs (v : V.t) =
-  let found = Hashtbl.create 8 in
-  let rec note (ty : Flow.Ir.ty) =
-    match ty with
-    | Foreign { c_type; copyable = false; _ } when String.contains c_type ' ' ->
-        Hashtbl.replace found (c_type ^ ";\n") ()
-    | Foreign _ | Bool | Int | Float -> ()
-    | Array (_, element) -> note element
-    | Sum k ->
-        List.iter
-          (fun c -> List.iter note (Step.Layout.leaves c))
-          v.program.sums.(k).constructors
+  let imported (f : Flow.Ir.import) = f.result :: f.arguments in
+  let shapes =
+    v.program.input :: v.program.output :: List.concat_map imported v.program.imports
   in
-  let shape shape = List.iter note (Step.Layout.shape_leaves shape) in
-  shape v.program.input;
-  shape v.program.output;
-  List.iter
-    (fun (f : Flow.Ir.import) -> List.iter shape (f.result :: f.arguments))
-    v.program.imports;
-  let all = List.sort compare (Hashtbl.fold (fun text () all -> text :: all) found []) in
-  match all with [] -> [] | all -> [ Ir.Text (String.concat "" all) ]
+  let types = List.concat_map Flow.Shape.leaves shapes in
+  let declared (f : Flow.Ir.foreign_type) =
+    if f.copyable || not (String.contains f.c_type ' ') then None else Some (f.c_type ^ ";\n")
+  in
+  let foreign = List.concat_map (Flow.Shape.foreign v.program.sums) types in
+  match List.sort_uniq compare (List.filter_map declared foreign) with
+  | [] -> []
+  | all -> [ Ir.Text (String.concat "" all) ]
 
 (* A program is a component too: its header stands for what a program that imports it
    would define. *)

@@ -59,6 +59,6 @@ let refusal ~at (flow : Flow.Ir.program) =
   let calls (node : Flow.Ir.node) = Option.is_some node.foreign in
   match List.find_opt calls (Array.to_list flow.nodes) with
   | Some node -> refuse node.span (Printf.sprintf "`%s` is in C" node.origin)
-  | None when List.exists (Flow.Lasting.mentions_foreign flow.sums) [ flow.input; flow.output ] ->
+  | None when List.exists (Flow.Shape.mentions_foreign flow.sums) [ flow.input; flow.output ] ->
       refuse at "it takes or gives a value of a foreign type"
   | None -> None

@@ -43,8 +43,7 @@ let interpretable sink sources r =
   if Option.is_none refusal then Some closed else None
 
 let optimized r sink flow =
-  let show = Request.each_pass r Flow.Print.program in
-  let after (pass : Flow.Optimize.pass) = show ~name:pass.name ~reason:pass.reason in
+  let after = Request.each_pass r Flow.Print.program in
   let optimized = Flow.Optimize.program ~after flow in
   let* optimized = stage r sink Passes ~lint:ignore ~print:(fun _ _ -> ()) optimized in
   stage r sink Flow ~lint:Front_end.lint ~print:Flow.Print.program optimized
@@ -52,8 +51,7 @@ let optimized r sink flow =
 let lowered r sink flow =
   let* flow = optimized r sink flow in
   let lint = Step.Lint.program and print = Step.Print.program in
-  let show = Request.each_pass r print in
-  let after (pass : Step.Passes.pass) = show ~name:pass.name ~reason:pass.reason in
+  let after = Request.each_pass r print in
   stage r sink Step ~lint ~print (Step.Passes.program ~after (Step.Of_flow.program flow))
 
 let c (r : Request.t) sink step =

@@ -64,22 +64,13 @@ let refuse_hidden sink entry ~names (hidden : Probe.Catalogue.probe list) =
       |> refuse sink
   | _ -> Some ()
 
-let rec flow_type (program : Flow.Ir.program) (ty : Flow.Ir.ty) =
-  match ty with
-  | Bool -> "Bool"
-  | Int -> "Int"
-  | Float -> "Float"
-  | Sum k -> program.sums.(k).name
-  | Array (n, element) -> Printf.sprintf "Array %d (%s)" n (flow_type program element)
-  | Foreign f -> f.foreign_name
-
-let list typed flow probes =
+let list typed (flow : Flow.Ir.program) probes =
   let written = Probe.Written.of_program typed in
   let shown = List.filter (fun (p : Probe.Catalogue.probe) -> not p.handed_down) probes in
   let type_ (p : Probe.Catalogue.probe) =
     match (Probe.Written.type_of written p, p.own) with
     | Some ty, _ -> Typing.Show.ty ty
-    | None, Signal s -> flow_type flow s.ty
+    | None, Signal s -> Flow.Print.ty flow.sums s.ty
     | None, Running_mode -> String.concat " | " (Probe.Catalogue.modes_of flow p)
   in
   let rows = List.map (fun (p : Probe.Catalogue.probe) -> (p, type_ p)) shown in

@@ -39,8 +39,8 @@ let stage r sink name ~lint ~print result =
 
 let each_pass r print =
   let before = ref "" in
-  fun ~name ~reason program ->
+  fun (pass : _ Pass.t) program ->
     if r.dump = Some Passes then (
       let after = Format.asprintf "%a" print program in
-      if after <> !before then Format.printf "%s: %s@.%s@." name reason after;
+      if after <> !before then Format.printf "%s: %s@.%s@." pass.name pass.reason after;
       before := after)

@@ -36,10 +36,5 @@ val stage :
     wanted. *)
 
 val each_pass :
-  t ->
-  (Format.formatter -> 'program -> unit) ->
-  name:string ->
-  reason:string ->
-  'program ->
-  unit
+  t -> (Format.formatter -> 'program -> unit) -> 'program Pass.t -> 'program -> unit
 (** If asked for: shows the program after each of a language's passes that changes it. *)

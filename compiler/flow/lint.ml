@@ -17,15 +17,7 @@ let define owners scope (s : Ir.signal) =
   Hashtbl.add owners s.id scope.node.name;
   Hashtbl.add scope.defined s.id s
 
-let rec show scope ty =
-  match (ty : Ir.ty) with
-  | Bool -> "Bool"
-  | Int -> "Int"
-  | Float -> "Float"
-  | Sum index when index < Array.length scope.program.sums -> scope.program.sums.(index).name
-  | Sum index -> bug "there is no sum %d" index
-  | Array (n, element) -> Printf.sprintf "Array %d (%s)" n (show scope element)
-  | Foreign f -> f.foreign_name
+let show scope = Print.ty scope.program.sums
 
 let type_of scope (a : Ir.atom) : Ir.ty =
   match a with
@@ -44,17 +36,6 @@ let expect scope what (expected : Ir.ty) (found : Ir.ty) =
     bug "%s in `%s` is a %s where a %s is needed" what scope.node.name (show scope found)
       (show scope expected)
 
-let rec leaves_of_shape (shape : Ir.shape) leaves =
-  match shape with
-  | Leaf ty -> ty :: leaves
-  | Product product ->
-      List.fold_left (fun leaves (_, part) -> leaves_of_shape part leaves) leaves product.parts
-  | Repeated (n, element) ->
-      let array leaf : Ir.ty = Array (n, leaf) in
-      List.rev_append (List.map array (List.rev (leaves_of_shape element []))) leaves
-
-let leaves shape = List.rev (leaves_of_shape shape [])
-
 (* The payload's leaf types. *)
 let payload scope (ty : Ir.ty) index =
   match ty with
@@ -62,23 +43,13 @@ let payload scope (ty : Ir.ty) index =
       bug "a %s has no constructors in `%s`" (show scope ty) scope.node.name
   | Sum sum -> (
       match List.nth_opt scope.program.sums.(sum).constructors index with
-      | Some c -> List.concat_map (fun (_, shape) -> leaves shape) c.fields
+      | Some c -> Shape.payload c
       | None -> bug "%s has no constructor %d" (show scope ty) index)
 
-let operator scope (operator : Ir.operator) (arguments : Ir.ty list) : Ir.ty =
-  match (operator, arguments) with
-  | (Add | Subtract | Multiply | Minimum | Maximum), [ ((Int | Float) as a); b ] when a = b -> a
-  | (Negate | Absolute | Signum), [ ((Int | Float) as a) ] -> a
-  | (Equal | Less | Less_equal), [ ((Int | Float) as a); b ] when a = b -> Bool
-  | Equal, [ Bool; Bool ] -> Bool
-  | (Divide | Pow | Elementary (Hypot | Atan2)), [ Float; Float ] -> Float
-  | Elementary f, [ Float ] when f <> Hypot && f <> Atan2 -> Float
-  | (Div | Mod | Bitwise _), [ Int; Int ] -> Int
-  | To_float, [ Int ] -> Float
-  | (Round | Floor | Ceiling | Truncate), [ Float ] -> Int
-  | Not, [ Bool ] -> Bool
-  | (And | Or), [ Bool; Bool ] -> Bool
-  | _, _ ->
+let operator scope operator arguments =
+  match Operator_type.result operator arguments with
+  | Some ty -> ty
+  | None ->
       bug "`%s` is applied to (%s) in `%s`" (Print.operator operator)
         (String.concat ", " (List.map (show scope) arguments))
         scope.node.name
@@ -94,7 +65,7 @@ let stateful scope what =
 
 (* What a state may hold. *)
 let lasting scope ty =
-  match Lasting.of_the_instant scope.program.sums ty with
+  match Shape.of_the_instant scope.program.sums ty with
   | Some f -> bug "a `%s` outlives the instant in `%s`" f.foreign_name scope.node.name
   | None -> ()
 
@@ -179,8 +150,7 @@ let equation scope (eq : Ir.equation) =
 
 let signal_types = List.map (fun (s : Ir.signal) -> s.ty)
 
-let output_type (_, (atom : Ir.atom)) : Ir.ty =
-  match atom with Signal s -> s.ty | Bool _ -> Bool | Int _ -> Int | Float _ -> Float
+let output_type (_, atom) = Operands.ty atom
 
 (* The types that a loop takes and gives, from those of its node. *)
 let loop scope (i : Ir.instance) (l : Ir.loop) inputs outputs =
@@ -288,21 +258,15 @@ let foreign scope (f : Ir.foreign) =
   then bug "`%s` is foreign and has a body" node.name;
   if f.import.kind <> node.kind || not (List.mem f.import scope.program.imports) then
     bug "`%s` is not as it is imported" node.name;
-  check_all scope "an argument" (List.concat_map leaves f.import.arguments)
+  check_all scope "an argument" (List.concat_map Shape.leaves f.import.arguments)
     (List.map (fun s -> Ir.Signal s) node.inputs);
-  check_all scope "a result" (leaves f.import.result) (List.map (fun s -> Ir.Signal s) f.results)
+  check_all scope "a result" (Shape.leaves f.import.result) (List.map (fun s -> Ir.Signal s) f.results)
 
 let node program owners names modes_of index (node : Ir.node) =
   if Hashtbl.mem names node.name then bug "there are two nodes `%s`" node.name;
   Hashtbl.add names node.name ();
   let scope = { program; index; node; defined = Hashtbl.create 16 } in
-  let define = define owners scope in
-  List.iter define node.statics;
-  List.iter define node.inputs;
-  List.iter (fun (eq : Ir.equation) -> define eq.defines) node.equations;
-  List.iter (fun (i : Ir.instance) -> List.iter define i.outputs) node.instances;
-  Option.iter (fun (m : Ir.machine) -> List.iter define m.outputs) node.machine;
-  Option.iter (fun (f : Ir.foreign) -> List.iter define f.results) node.foreign;
+  Signals.iter (define owners scope) node;
   if node.kind = Function && node.statics <> [] then
     bug "the function `%s` has statics" node.name;
   List.iter (equation scope) node.equations;
@@ -329,10 +293,10 @@ let program (p : Ir.program) =
     let scope = node p owners names modes_of index n in
     if index = Array.length p.nodes - 1 then (
       if n.statics <> [] then bug "the root `%s` has statics" n.name;
-      check_all scope "a root input" (leaves p.input)
+      check_all scope "a root input" (Shape.leaves p.input)
         (List.map (fun s -> Ir.Signal s) n.inputs);
       let outputs = p.output :: List.map snd p.probes in
-      check_all scope "a root output" (List.concat_map leaves outputs) (List.map snd n.outputs));
+      check_all scope "a root output" (List.concat_map Shape.leaves outputs) (List.map snd n.outputs));
     (index, scope)
   in
   if Array.length p.nodes = 0 then bug "there is no node";

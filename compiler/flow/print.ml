@@ -17,12 +17,7 @@ let declare names (s : Ir.signal) =
 
 let names_of (node : Ir.node) =
   let names = { shown = Hashtbl.create 16; count = Hashtbl.create 16 } in
-  List.iter (declare names) node.statics;
-  List.iter (declare names) node.inputs;
-  List.iter (fun (eq : Ir.equation) -> declare names eq.defines) node.equations;
-  List.iter (fun (i : Ir.instance) -> List.iter (declare names) i.outputs) node.instances;
-  Option.iter (fun (m : Ir.machine) -> List.iter (declare names) m.outputs) node.machine;
-  Option.iter (fun (f : Ir.foreign) -> List.iter (declare names) f.results) node.foreign;
+  Signals.iter (declare names) node;
   names
 
 let signal names ppf (s : Ir.signal) =

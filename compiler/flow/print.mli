@@ -5,5 +5,6 @@
     that the text does not depend on the rest of the program. *)
 
 val program : Format.formatter -> Ir.program -> unit
+val ty : Ir.sum array -> Ir.ty -> string
 val operator : Ir.operator -> string
 (** As the source language has it: [+], [min]. *)

@@ -91,7 +91,7 @@ let rec scalar (ty : Ir.ty) = match ty with Array (_, element) -> scalar element
 let can_be_seen (program : Ir.program) (s : Ir.signal) =
   s.name <> ""
   && size s.ty <= longest
-  && not (Flow.Lasting.mentions_foreign program.sums (Leaf (scalar s.ty)))
+  && not (Flow.Shape.mentions_foreign program.sums (Leaf (scalar s.ty)))
 
 let defined (node : Ir.node) =
   List.map (fun (e : Ir.equation) -> e.defines) node.equations

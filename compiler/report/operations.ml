@@ -66,7 +66,7 @@ let rec expression c (e : M.expr) =
   | Is_constructor { value = Field _; _ } -> Cost.add (Cost.one Choices) (Cost.one Loads)
   | Is_constructor { value; _ } -> Cost.add (Cost.one Choices) (expression c value)
   | Payload { sum; value = Field _; constructor; leaf } ->
-      let leaves = Step.Layout.leaves (List.nth c.program.sums.(sum).constructors constructor) in
+      let leaves = Flow.Shape.payload (List.nth c.program.sums.(sum).constructors constructor) in
       Cost.several (scalars c (Step.Layout.ty (List.nth leaves leaf))) Loads
   | Payload { value; _ } -> expression c value
   | Elements { elements; _ } -> expressions c elements

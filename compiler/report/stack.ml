@@ -282,7 +282,7 @@ let function_ c k ~results (code : M.code) =
    needs itself we do not know. *)
 let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
   let leaves =
-    List.concat_map Step.Layout.shape_leaves (import.result :: import.arguments)
+    List.concat_map Flow.Shape.leaves (import.result :: import.arguments)
     |> List.map Step.Layout.ty
   in
   let rooms = List.fold_left (fun sum ty -> Amount.add sum (room_as Double c ty)) 0 leaves in

@@ -253,4 +253,4 @@ let of_the_instant table ty =
   else
     Option.map
       (fun (f : Flow.Ir.foreign_type) -> f.foreign_name)
-      (Flow.Lasting.of_the_instant (sums table) ty)
+      (Flow.Shape.of_the_instant (sums table) ty)

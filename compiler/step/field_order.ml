@@ -2,9 +2,9 @@ let program (program : Ir.program) =
   let largest = Array.make (Array.length program.nodes) 1 in
   let rec alignment (field : Ir.field) =
     match field.content with
-    | Value ty -> Layout.alignment program.real program.sums ty
+    | Value ty -> (Block.of_value program.real program.sums ty).alignment
     | Running_mode -> 1
-    | Component _ -> Layout.largest_alignment
+    | Component _ -> Block.foreign.alignment
     | Modes modes -> of_fields (List.concat_map State.fields_of_mode modes)
     | State_of k | States_of { node = k; _ } -> largest.(k)
   and of_fields fields = List.fold_left (fun most f -> max most (alignment f)) 1 fields in

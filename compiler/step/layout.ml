@@ -38,22 +38,6 @@ let rec ty : Flow.Ir.ty -> Ir.ty = function
   | Array (n, element) -> Array (n, ty element)
   | Foreign f -> Foreign f
 
-let shape_leaves shape =
-  (* From the last leaf to the first, so that nothing needs reversing. *)
-  let rec prepend (shape : Flow.Ir.shape) rest =
-    match shape with
-    | Leaf ty -> ty :: rest
-    | Product { parts; _ } ->
-        List.fold_left (fun rest (_, part) -> prepend part rest) rest (List.rev parts)
-    | Repeated (n, element) ->
-        let array leaf : Flow.Ir.ty = Array (n, leaf) in
-        List.rev_append (List.rev_map array (prepend element [])) rest
-  in
-  prepend shape []
-
-let leaves (c : Flow.Ir.sum_constructor) =
-  List.concat_map (fun (_, shape) -> shape_leaves shape) c.fields
-
 let rec leaf sums (ty : Flow.Ir.ty) =
   match ty with
   | Float -> { none with floats = 1 }
@@ -65,33 +49,8 @@ let rec leaf sums (ty : Flow.Ir.ty) =
 and sum sums k =
   List.fold_left
     (fun most constructor ->
-      let needs = List.fold_left (fun n ty -> add n (leaf sums ty)) none (leaves constructor) in
+      let needs = List.fold_left (fun n ty -> add n (leaf sums ty)) none (Flow.Shape.payload constructor) in
       combine max most needs)
     none sums.(k).Flow.Ir.constructors
 
 let largest_alignment = 8
-
-let rec flow_alignment real sums (ty : Flow.Ir.ty) =
-  match ty with
-  | Bool -> 1
-  | Int -> 4
-  | Float -> Basis.Real.bytes real
-  | Sum k ->
-      let slots = sum sums k in
-      let of_arrays =
-        List.fold_left (fun most (ty, _) -> max most (flow_alignment real sums ty)) 1 slots.arrays
-      in
-      let ints = if slots.ints > 0 then 4 else 1 in
-      max of_arrays (if slots.floats > 0 then Basis.Real.bytes real else ints)
-  | Array (_, element) -> flow_alignment real sums element
-  | Foreign _ -> largest_alignment
-
-let rec alignment real sums (ty : Ir.ty) =
-  match ty with
-  | Bool -> 1
-  | Int -> 4
-  | Float -> Basis.Real.bytes real
-  | Nanoseconds -> 8
-  | Sum k -> flow_alignment real sums (Sum k)
-  | Array (_, element) -> alignment real sums element
-  | Foreign _ -> largest_alignment

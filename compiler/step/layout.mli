@@ -27,16 +27,8 @@ val ty : Flow.Ir.ty -> Ir.ty
 val leaf : Flow.Ir.sum array -> Flow.Ir.ty -> slots
 (** What one leaf takes inside a payload. *)
 
-val leaves : Flow.Ir.sum_constructor -> Flow.Ir.ty list
-(** All leaves of a constructor's fields, in order. *)
-
-val shape_leaves : Flow.Ir.shape -> Flow.Ir.ty list
-
 val sum : Flow.Ir.sum array -> int -> slots
 (** Without the sum's own tag. *)
 
 val largest_alignment : int
 (** Taken for that of the user's structs. *)
-
-val alignment : Basis.Real.t -> Flow.Ir.sum array -> Ir.ty -> int
-(** In bytes, on the machines we know. *)

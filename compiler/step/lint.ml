@@ -22,16 +22,7 @@ type known = {
   fields : unit Known.t;
 }
 
-let rec show c (ty : Ir.ty) =
-  match ty with
-  | Bool -> "Bool"
-  | Int -> "Int"
-  | Float -> "Float"
-  | Nanoseconds -> "Nanoseconds"
-  | Sum k when k < Array.length c.program.sums -> c.program.sums.(k).name
-  | Sum k -> bug "there is no sum %d" k
-  | Array (n, element) -> Printf.sprintf "Array %d (%s)" n (show c element)
-  | Foreign f -> f.foreign_name
+let show c = Print.ty c.program
 
 let expect c what (wanted : Ir.ty) found =
   if wanted <> found then
@@ -49,51 +40,22 @@ let field_type c (f : Ir.field) =
       bug "field `%s` of `%s` is read as a value" f.name c.node.name
   | None -> bug "field `%s` is not in the state of `%s`" f.name c.node.name
 
-(* The types of an operation's arguments, beside [ty] itself, and of its
-   result. *)
-let operation c (operator : Flow.Ir.operator) (ty : Ir.ty) : int * Ir.ty =
-  let only types =
-    if not (List.mem ty types) then
-      bug "an operation in `%s` is on %s" c.node.name (show c ty)
+(* All arguments of an operation have one type. *)
+let operation c (operator : Flow.Ir.operator) (ty : Ir.ty) arguments : Ir.ty =
+  let of_type ty = Flow.Operator_type.result operator (List.map (fun _ -> ty) arguments) in
+  let result =
+    match (ty, operator, arguments) with
+    | Bool, _, _ -> of_type Bool
+    | Int, _, _ -> of_type Int
+    | Float, _, _ -> of_type Float
+    | Nanoseconds, Less_equal, [ _; _ ] -> Some Bool
+    | (Nanoseconds | Sum _ | Array _ | Foreign _), _, _ -> None
   in
-  match operator with
-  | Add | Subtract | Multiply | Minimum | Maximum ->
-      only [ Int; Float ];
-      (2, ty)
-  | Negate | Absolute | Signum ->
-      only [ Int; Float ];
-      (1, ty)
-  | Equal ->
-      only [ Bool; Int; Float ];
-      (2, Bool)
-  | Less ->
-      only [ Int; Float ];
-      (2, Bool)
-  | Less_equal ->
-      only [ Int; Float; Nanoseconds ];
-      (2, Bool)
-  | Divide | Pow | Elementary (Hypot | Atan2) ->
-      only [ Float ];
-      (2, Float)
-  | Elementary
-      (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan) ->
-      only [ Float ];
-      (1, Float)
-  | Div | Mod | Bitwise _ ->
-      only [ Int ];
-      (2, Int)
-  | To_float ->
-      only [ Int ];
-      (1, Float)
-  | Round | Floor | Ceiling | Truncate ->
-      only [ Float ];
-      (1, Int)
-  | Not ->
-      only [ Bool ];
-      (1, Bool)
-  | And | Or ->
-      only [ Bool ];
-      (2, Bool)
+  match result with
+  | Some result -> Layout.ty result
+  | None ->
+      bug "`%s` in `%s` is on %d of %s" (Flow.Print.operator operator) c.node.name
+        (List.length arguments) (show c ty)
 
 let rec expr c known (e : Ir.expr) : Ir.ty =
   let check what wanted e = expect c what wanted (expr c known e) in
@@ -118,17 +80,15 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
       if not c.node.nanoseconds then bug "`%s` reads nanoseconds and does not say so" c.node.name;
       Nanoseconds
   | Operation { operator; ty; arguments } ->
-      let arity, result = operation c operator ty in
-      if List.length arguments <> arity then bug "an operation with a wrong number of arguments";
       List.iter (check "an operand" ty) arguments;
-      result
+      operation c operator ty arguments
   | Select { condition; then_; else_ } ->
       check "a condition" Bool condition;
       let ty = expr c known then_ in
       check "a branch" ty else_;
       ty
   | Construct { sum; constructor = k; payload } ->
-      let leaves = List.map Layout.ty (Layout.leaves (constructor c sum k)) in
+      let leaves = List.map Layout.ty (Flow.Shape.payload (constructor c sum k)) in
       if List.compare_lengths leaves payload <> 0 then bug "a payload of a wrong size";
       List.iter2 (check "a payload") leaves payload;
       Sum sum
@@ -138,7 +98,7 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
       Bool
   | Payload { sum; value; constructor = k; leaf } -> (
       check "a value taken apart" (Sum sum) value;
-      match List.nth_opt (Layout.leaves (constructor c sum k)) leaf with
+      match List.nth_opt (Flow.Shape.payload (constructor c sum k)) leaf with
       | Some ty -> Layout.ty ty
       | None -> bug "a payload has no leaf %d" leaf)
   | Elements { element; elements } ->

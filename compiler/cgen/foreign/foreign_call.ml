@@ -9,7 +9,7 @@ let address name = Ir.Unary (Address, Name name)
 (* Splits the leaves of several shapes, given in a row. *)
 let by_shape shapes leaves =
   let take (parts, leaves) shape =
-    let count = List.length (Step.Layout.shape_leaves shape) in
+    let count = List.length (Flow.Shape.leaves shape) in
     let own = List.filteri (fun k _ -> k < count) leaves in
     (own :: parts, List.filteri (fun k _ -> k >= count) leaves)
   in

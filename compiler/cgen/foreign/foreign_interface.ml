@@ -19,7 +19,7 @@ let step symbol = symbol ^ "_step"
 
 let passing types ~fresh name (shape : F.shape) =
   match shape with
-  | _ when Step.Layout.shape_leaves shape = [] -> Nothing
+  | _ when Flow.Shape.leaves shape = [] -> Nothing
   | Leaf ((Bool | Int | Float | Foreign { copyable = false; _ }) as ty) ->
       Value (Interface.leaf_type types ty)
   | Leaf ((Sum _ | Foreign { copyable = true; _ }) as ty) -> Address (Interface.leaf_type types ty)

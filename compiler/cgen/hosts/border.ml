@@ -27,7 +27,7 @@ let input ?own_robot (program : Step.Ir.program) (own : Interface.t) =
   | robot, (_, None) ->
       { own; host = { own with struct_name = robot_struct program.input }; robot }
   | robot, (_, Some { part = _, console; at }) ->
-      let count = List.length (Step.Layout.shape_leaves console) in
+      let count = List.length (Flow.Shape.leaves console) in
       let leaf k path =
         if k >= at && k < at + count then own_part :: path
         else Interface.Member "robot" :: path
@@ -45,7 +45,7 @@ let output ?own_robot (program : Step.Ir.program) (own : Interface.t) =
   | robot when result = None && program.probes = [] ->
       { own; host = { own with struct_name = robot_struct command }; robot }
   | robot ->
-      let count = List.length (Step.Layout.shape_leaves command) in
+      let count = List.length (Flow.Shape.leaves command) in
       let commands path =
         match path with
         | Interface.Member "command" :: rest when program.probes <> [] -> rest
@@ -148,7 +148,7 @@ let convert out program sums shape side ~own ~host ~inward =
     | _, _, _ -> bug "the two sides have different leaves"
   in
   if inward && has_own side then bprintf out "    own_in = host_in->own;\n";
-  go (Step.Layout.shape_leaves shape) side.own.leaves side.host.leaves;
+  go (Flow.Shape.leaves shape) side.own.leaves side.host.leaves;
   if has_own side && not inward then bprintf out "    host_out->own = own_out;\n"
 
 (* {1 The step} *)

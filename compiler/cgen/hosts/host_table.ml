@@ -85,7 +85,7 @@ let rec shape c locations (whole : F.shape) =
       value c ~kind:"FROB_PRODUCT" ~offset:"0" ~is_event:false ~count:1 constructors
   | Repeated (n, element) ->
       (* As a product of its elements. *)
-      let arrays = List.map (fun _ -> take locations) (Step.Layout.shape_leaves element) in
+      let arrays = List.map (fun _ -> take locations) (Flow.Shape.leaves element) in
       let row i =
         let locations = ref (List.map (element_of i) arrays) in
         sprintf "NULL, &%s" (shape c locations element)
@@ -127,7 +127,7 @@ and sum c k ~tag ~base ~first ~number =
   in
   let row (ctor : F.sum_constructor) =
     let slots = Sum_type.payload c.sums ~first ctor in
-    let locations = ref (List.map2 locate slots (Step.Layout.leaves ctor)) in
+    let locations = ref (List.map2 locate slots (Flow.Shape.payload ctor)) in
     let record = List.exists (fun (name, _) -> not (String.equal name "")) ctor.fields in
     constructor c locations ~name:ctor.constructor ~record ctor.fields
   in
@@ -159,7 +159,7 @@ let locations (program : Step.Ir.program) (side : Border.side) whole =
         Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "an array of a leaf that is none"
   in
   let leaf steps = locate (number program side steps) "" steps in
-  List.rev (List.rev_map2 leaf side.host.leaves (Step.Layout.shape_leaves whole))
+  List.rev (List.rev_map2 leaf side.host.leaves (Flow.Shape.leaves whole))
 
 let table_of out (program : Step.Ir.program) ~prefix (side : Border.side) locations whole =
   let c =
@@ -201,7 +201,7 @@ let outputs out (program : Step.Ir.program) (side : Border.side) =
     let pair = Interface.record_of [ ("", program.output); ("", probes) ] in
     locations program side pair
   in
-  let count = List.length (Step.Layout.shape_leaves program.output) in
+  let count = List.length (Flow.Shape.leaves program.output) in
   let own = List.filteri (fun k _ -> k < count) all in
   let output, _ = table_of out program ~prefix:"out" side own program.output in
   let result =

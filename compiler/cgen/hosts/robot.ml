@@ -46,6 +46,6 @@ let apart (shape : Flow.Ir.shape) =
       match split [] product.parts with
       | None -> (shape, None)
       | Some (before, part, after) ->
-          let leaves (_, shape) = List.length (Step.Layout.shape_leaves shape) in
+          let leaves (_, shape) = List.length (Flow.Shape.leaves shape) in
           let at = List.fold_left (fun sum part -> sum + leaves part) 0 before in
           (Product { product with parts = before @ after }, Some { part; at }))

@@ -49,7 +49,7 @@ let payload sums ?(first = Step.Layout.none) (constructor : F.sum_constructor) =
     in
     (Step.Layout.add used (Step.Layout.leaf sums ty), slot :: slots)
   in
-  let _, slots = List.fold_left place (first, []) (Step.Layout.leaves constructor) in
+  let _, slots = List.fold_left place (first, []) (Flow.Shape.payload constructor) in
   List.rev slots
 
 type kind = Number | Whole | Truth | Inner_tag | Large of F.ty

@@ -26,16 +26,6 @@ let is_array (ty : M.ty) =
 let foreign_type (ty : F.foreign_type) : Ir.ty =
   if ty.copyable then Named ty.c_type else Pointer_to_const (Named ty.c_type)
 
-let rec holds_numbers sums (ty : M.ty) =
-  match ty with
-  | Float -> true
-  | Bool | Int | Nanoseconds | Foreign _ -> false
-  | Array (_, element) -> holds_numbers sums element
-  | Sum k ->
-      let slots = Step.Layout.sum sums k in
-      slots.floats > 0
-      || List.exists (fun (ty, _) -> holds_numbers sums (Step.Layout.ty ty)) slots.arrays
-
 (* {1 Who knows them} *)
 
 let known program =
@@ -59,14 +49,14 @@ let mark known owner shape =
     | Array (_, element) -> ty element
     | Bool | Int | Float | Foreign _ -> ()
   in
-  List.iter ty (Step.Layout.shape_leaves shape)
+  List.iter ty (Flow.Shape.leaves shape)
 
 let marked t (ty : M.ty) =
   match ty with
   | Sum k -> t.known.sum_owners.(k)
   | ty -> Option.value (Hashtbl.find_opt t.known.array_owners ty) ~default:Program
 
-let differ t ty = t.real = Single && holds_numbers t.known.program ty
+let differ t ty = t.real = Single && Step.Block.numbers t.known.program ty > 0
 
 (* Is this table the one that has the type? *)
 let is_here t ty =

@@ -200,7 +200,7 @@ let of_program ?own (program : M.program) =
     match (program.real, input_robot, console) with
     | Double, Some _, Some { part; at } ->
         Interface.with_others own ~name:input_name ~first:"robot" plain [ part ]
-        |> Interface.with_leaves ~at (List.length (Step.Layout.shape_leaves (snd part)))
+        |> Interface.with_leaves ~at (List.length (Flow.Shape.leaves (snd part)))
     | _, _, _ -> plain
   in
   let output name = interface output_robot name ~whole:program.output ~robots:command result in

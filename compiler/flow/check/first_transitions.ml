@@ -30,12 +30,6 @@ let schedule a index =
       a.schedules.(index) <- Some items;
       items
 
-let type_of_atom : Ir.atom -> Ir.ty = function
-  | Signal s -> s.ty
-  | Bool _ -> Bool
-  | Int _ -> Int
-  | Float _ -> Float
-
 let map = Long_list.map
 
 (* What is not there may be anything. *)
@@ -47,13 +41,14 @@ type same = (int, int) Hashtbl.t
 let same_as (same : same) (s : Ir.signal) = Option.value (Hashtbl.find_opt same s.id) ~default:s.id
 
 let read a (values : values) (atom : Ir.atom) =
-  match (atom, Range.of_constant atom) with
-  | _, Some constant -> constant
-  | Signal s, None -> (
-      match Hashtbl.find_opt values s.id with
-      | Some range -> range
-      | None -> Range.anything a.program s.ty)
-  | (Bool _ | Int _ | Float _), None -> Range.anything a.program (type_of_atom atom)
+  let known =
+    match atom with
+    | Signal s -> Hashtbl.find_opt values s.id
+    | Bool _ | Int _ | Float _ -> Range.of_constant atom
+  in
+  match known with
+  | Some range -> range
+  | None -> Range.anything a.program (Operands.ty atom)
 
 let bind (values : values) signals ranges =
   List.iter2 (fun (s : Ir.signal) range -> Hashtbl.replace values s.id range) signals ranges
@@ -179,7 +174,7 @@ let inputs_of a values (i : Ir.instance) =
       let input (argument : Ir.argument) atom =
         match argument with
         | Element | Same -> read a values atom
-        | Accumulator | Counter -> Range.anything a.program (type_of_atom atom)
+        | Accumulator | Counter -> Range.anything a.program (Operands.ty atom)
       in
       List.map2 input l.arguments i.inputs
 
@@ -208,7 +203,7 @@ let rec outputs a instant index ~statics ~inputs =
   | None ->
       let found =
         if a.budget <= 0 then
-          map (fun (_, atom) -> Range.anything a.program (type_of_atom atom)) node.outputs
+          map (fun (_, atom) -> Range.anything a.program (Operands.ty atom)) node.outputs
         else
           let { values; _ } = evaluate a instant index ~statics ~inputs in
           map (fun (_, atom) -> read a values atom) node.outputs

@@ -69,6 +69,12 @@ let signals = function
   | atoms ->
       List.filter_map (function Signal s -> Some s | Bool _ | Int _ | Float _ -> None) atoms
 
+let ty : Ir.atom -> Ir.ty = function
+  | Signal s -> s.ty
+  | Bool _ -> Bool
+  | Int _ -> Int
+  | Float _ -> Float
+
 type key = Signal of int | Bool of bool | Int of int32 | Float of int64
 
 let key : Ir.atom -> key = function

@@ -16,6 +16,8 @@ val map : (Ir.atom -> Ir.atom) -> Ir.rhs -> Ir.rhs
 val signals : Ir.atom list -> Ir.signal list
 (** Without the constants. *)
 
+val ty : Ir.atom -> Ir.ty
+
 type key = Signal of int | Bool of bool | Int of int32 | Float of int64
 
 val key : Ir.atom -> key

@@ -72,11 +72,7 @@ let simpler at_an_instant definitions (e : Ir.equation) : Ir.rhs option =
   | None -> List.find_map two (List.rev (pairs parts))
 
 let node (node : Ir.node) =
-  let definitions = Int_table.create 64 in
-  let define (e : Ir.equation) =
-    if e.defines.ty = Bool then Int_table.replace definitions e.defines.id e.rhs
-  in
-  List.iter define node.equations;
+  let definitions = Truth.definitions node in
   let at_an_instant = Truth.at_an_instant node in
   let equation (e : Ir.equation) =
     if e.defines.ty <> Bool || not (is_deep definitions e.rhs) then e
@@ -85,12 +81,7 @@ let node (node : Ir.node) =
       | Some rhs when rhs <> e.rhs -> { e with rhs }
       | Some _ | None -> e
   in
-  let equations = Basis.Long_list.map equation node.equations in
-  if List.for_all2 ( == ) equations node.equations then node else { node with equations }
+  let equations = Long_list.map_sharing equation node.equations in
+  if equations == node.equations then node else { node with equations }
 
-let program (program : Ir.program) =
-  let pass ~fresh before =
-    let after = node before in
-    if after == before then before else Simplify.node program.real ~fresh after
-  in
-  Each_node.program pass program
+let program = Simplify.after node

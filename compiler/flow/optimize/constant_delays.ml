@@ -14,12 +14,7 @@ let node (node : Ir.node) =
           if stays e.defines b next then { e with rhs = Copy (Bool b) } else e
       | _ -> e
     in
-    let equations = List.map constant node.equations in
-    if List.for_all2 ( == ) equations node.equations then node else { node with equations }
+    let equations = Basis.Long_list.map_sharing constant node.equations in
+    if equations == node.equations then node else { node with equations }
 
-let program (program : Ir.program) =
-  let pass ~fresh before =
-    let after = node before in
-    if after == before then before else Simplify.node program.real ~fresh after
-  in
-  Each_node.program pass program
+let program = Simplify.after node

@@ -250,13 +250,6 @@ let rec open_loops context (node : Ir.node) =
       |> expand_chosen context (fun i -> is_chosen i && not (is_machine context i))
       |> open_loops context
 
-(* In how many places each node is called. *)
-let calls (program : Ir.program) =
-  let calls = Array.make (Array.length program.nodes) 0 in
-  let call (i : Ir.instance) = calls.(i.node) <- calls.(i.node) + 1 in
-  Array.iter (fun (node : Ir.node) -> List.iter call node.instances) program.nodes;
-  calls
-
 let context_of (program : Ir.program) =
   {
     nodes = Array.copy program.nodes;
@@ -279,7 +272,7 @@ let to_look_at ~most (program : Ir.program) =
   { program with nodes = context.nodes; next_id = context.fresh }
 
 let program (program : Ir.program) =
-  let calls = calls program in
+  let calls = Uses.of_nodes program in
   let context = context_of program in
   let changed = ref false in
   Array.iteri

@@ -98,9 +98,6 @@ let rec unused names ?(n = 1) base =
     name
   end
 
-let atom_type (atom : Ir.atom) : Ir.ty =
-  match atom with Signal s -> s.ty | Bool _ -> Bool | Int _ -> Int | Float _ -> Float
-
 (* What the joined loop is given: a parameter of its node for each. *)
 type given = { argument : Ir.argument; atom : Ir.atom; parameter : Ir.signal }
 
@@ -148,7 +145,7 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
     let own_inputs = inputs l.arguments i.inputs callee.inputs in
     let accumulated = accumulators l in
     let output k (s : Ir.signal) (_, atom) =
-      let inside = signal context ~name:s.name (atom_type atom) s.span in
+      let inside = signal context ~name:s.name (Operands.ty atom) s.span in
       if k >= accumulated then Hashtbl.replace elements s.id inside;
       results := (k < accumulated, s, inside) :: !results;
       inside

@@ -1,85 +1,44 @@
-type pass = { name : string; pass : Ir.program -> Ir.program; reason : string }
+open Basis
 
-let constant_propagation =
-  {
-    name = "constant-propagation";
-    pass = Constant_propagation.program;
-    reason = "literals first, as they decide choices";
-  }
-
-let simplify =
-  { name = "simplify"; pass = Simplify.program; reason = "what is known of operands is known" }
-
-let dead_code =
-  {
-    name = "dead-code";
-    pass = Dead_code.program;
-    reason = "last, for what all of them leave behind";
-  }
+let simplify = Pass.make "simplify" Simplify.program "what is known of operands is known"
+let dead_code = Pass.make "dead-code" Dead_code.program "last, for what all of them leave behind"
 
 (* What makes each node as simple as it gets. *)
 let tidy =
   [
-    constant_propagation;
+    Pass.make "constant-propagation" Constant_propagation.program
+      "literals first, as they decide choices";
     simplify;
-    {
-      name = "boolean-simplification";
-      pass = Boolean_simplification.program;
-      reason = "it looks at choices and operators as they are simplified";
-    };
-    {
-      name = "constant-delays";
-      pass = Constant_delays.program;
-      reason = "it takes simple conditions to see them";
-    };
-    {
-      name = "common-subexpressions";
-      pass = Common_subexpressions.program;
-      reason = "after simplifying, which makes equal what looked different";
-    };
-    {
-      name = "equal-parameters";
-      pass = Equal_parameters.program;
-      reason = "what is handed on, or computed by a loop, stands there once";
-    };
-    {
-      name = "unreachable-modes";
-      pass = Unreachable_modes.program;
-      reason = "conditions that are constant are seen to be";
-    };
+    Pass.make "boolean-simplification" Boolean_simplification.program
+      "it looks at choices and operators as they are simplified";
+    Pass.make "constant-delays" Constant_delays.program "it takes simple conditions to see them";
+    Pass.make "common-subexpressions" Common_subexpressions.program
+      "after simplifying, which makes equal what looked different";
+    Pass.make "equal-parameters" Equal_parameters.program
+      "what is handed on, or computed by a loop, stands there once";
+    Pass.make "unreachable-modes" Unreachable_modes.program
+      "conditions that are constant are seen to be";
     dead_code;
   ]
 
 let loop_fusion =
-  {
-    name = "loop-fusion";
-    pass = Loop_fusion.program;
-    reason = "before inlining, which takes the joined loops' bodies together";
-  }
+  Pass.make "loop-fusion" Loop_fusion.program
+    "before inlining, which takes the joined loops' bodies together"
 
 let inline =
-  {
-    name = "inline";
-    pass = Inline.program;
-    reason = "sizes are those of the work that remains; what was done twice is inlined once";
-  }
+  Pass.make "inline" Inline.program
+    "sizes are those of the work that remains; what was done twice is inlined once"
 
 let extreme =
-  {
-    name = "extreme";
-    pass = Extreme.program;
-    reason = "after inlining, which shows how they compare; then they join others";
-  }
+  Pass.make "extreme" Extreme.program
+    "after inlining, which shows how they compare; then they join others"
 
 let absorb =
-  {
-    name = "absorb";
-    pass = Absorb.program;
-    reason = "late, for a machine that so becomes a part of its user is inlined no more";
-  }
+  Pass.make "absorb" Absorb.program
+    "late, for a machine that so becomes a part of its user is inlined no more"
 
 type step =
-  | Pass of pass
+  | Pass of Ir.program Pass.t
   | Tidy  (** if anything has changed since *)
 
 (* Twice, as inlining brings loops of several nodes together. *)
@@ -94,11 +53,7 @@ let modes (program : Ir.program) =
     0 program.nodes
 
 let program ?(after = fun _ _ -> ()) program =
-  let run program p =
-    let made = p.pass program in
-    after p made;
-    made
-  in
+  let run = Pass.run after in
   (* Of a machine with fewer modes more can be said: what is left may put out the same
      literal, or get it. *)
   let rec tidied program =

@@ -24,7 +24,6 @@ let is_no_float : Ir.atom -> bool = function
 let positive_zero (a : Ir.atom) = same a (Float 0.)
 let negative_zero (a : Ir.atom) = same a (Float (-0.))
 
-(* False at the first instant, then True. *)
 (* Is the second what the first is not? *)
 let is_not known a b =
   match (definition known b, (a : Ir.atom)) with
@@ -251,3 +250,10 @@ let node real ~fresh (node : Ir.node) =
     Substitution.node substitution { node with equations; instances }
 
 let program (program : Ir.program) = Each_node.program (node program.real) program
+
+let after change (program : Ir.program) =
+  let pass ~fresh before =
+    let changed = change before in
+    if changed == before then before else node program.real ~fresh changed
+  in
+  Each_node.program pass program

@@ -7,8 +7,8 @@
     choice between answers. Expects no particular order, but sees most in an
     acyclic node; linear. *)
 
-val node : Basis.Real.t -> fresh:(unit -> int) -> Ir.node -> Ir.node
-(** [fresh] gives ids to the signals that it adds. The same node, physically, if nothing
-    in it is simpler. *)
-
 val program : Ir.program -> Ir.program
+(** The same program, physically, if nothing in it is simpler. *)
+
+val after : (Ir.node -> Ir.node) -> Ir.program -> Ir.program
+(** Where this makes another node of one, that is simplified. *)

@@ -36,12 +36,6 @@ let passed (program : Ir.program) =
     program.nodes;
   fun (s : Ir.signal) -> Option.join (Basis.Int_table.find_opt all s.id)
 
-let same_restart (a : Ir.atom) (b : Ir.atom) =
-  match (a, b) with
-  | Bool a, Bool b -> Bool.equal a b
-  | Signal a, Signal b -> a.id = b.id
-  | (Bool _ | Int _ | Float _ | Signal _), _ -> false
-
 (* The conditions that the time which starts again by [restart] has come to a limit. *)
 let reached passed (node : Ir.node) restart =
   let is_soon (limit : Ir.atom) =
@@ -57,7 +51,7 @@ let reached passed (node : Ir.node) restart =
           (fun (e : Ir.equation) ->
             e.defines.id = s.id
             && match e.rhs with
-               | Time { unit = Nanoseconds; restart = other } -> same_restart other restart
+               | Time { unit = Nanoseconds; restart = other } -> Operands.same other restart
                | _ -> false)
           node.equations
     | Bool _ | Int _ | Float _ -> false

@@ -2,6 +2,9 @@
 
 type t
 
+val definitions : Ir.node -> Ir.rhs Basis.Int_table.t
+(** Of its Bools. *)
+
 val at_an_instant : Ir.node -> (Ir.signal * bool) list -> t
 (** What follows for others from these values. Apply it to the node once, to the
     values as often as wanted. *)

@@ -34,24 +34,14 @@ let rec zero (c : Context.t) node ~span (ty : Ir.ty) : Ir.atom =
   | Sum k -> (
       match (Types.sums c.types).(k).constructors with
       | [] -> bug "a sum without constructors"
-      | { fields; _ } :: _ ->
-          let payload = List.concat_map (fun (_, shape) -> zeros c node ~span shape) fields in
+      | first :: _ ->
+          let payload = List.map (zero c node ~span) (Flow.Shape.payload first) in
           Node.define node Unnamed ~span ty (Construct { constructor = 0; payload }))
   | Array (_, element) -> Node.define node Unnamed ~span ty (Fill (zero c node ~span element))
   | Foreign _ -> Node.define node Unnamed ~span ty Absent
 
-and zeros c node ~span : Ir.shape -> Ir.atom list = function
-  | Leaf ty -> [ zero c node ~span ty ]
-  | Product product -> List.concat_map (fun (_, shape) -> zeros c node ~span shape) product.parts
-  | Repeated (n, shape) ->
-      let fill zero =
-        let ty : Ir.ty = Array (n, Skeleton.type_of_atom zero) in
-        Node.define node Unnamed ~span ty (Fill zero)
-      in
-      List.map fill (zeros c node ~span shape)
-
 let named (hole : Skeleton.hole) = (hole.path, hole.atom)
-let types holes = List.map (fun (h : Skeleton.hole) -> Skeleton.type_of_atom h.atom) holes
+let types holes = List.map (fun (h : Skeleton.hole) -> Flow.Operands.ty h.atom) holes
 
 let of_mode c variants (given : given) (l : leaves) =
   match variants with

@@ -95,9 +95,6 @@ and tag_elements = 12
 
 let type_id w ty = (Types.layout w.table.types ty).id
 
-let type_of_atom (atom : Flow.Ir.atom) : Flow.Ir.ty =
-  match atom with Signal s -> s.ty | Bool _ -> Bool | Int _ -> Int | Float _ -> Float
-
 let types holes = List.map (fun hole -> hole.ty) holes
 
 let numbers_of (table : table) closure =
@@ -145,7 +142,7 @@ let rec add_at w local path ty (value : Value.t) =
             List.iter (fun (a : Value.argument) -> add_at w local path a.ty a.value) arguments)
     | Choice { condition; then_; else_ }, _ ->
         add_number w tag_choice;
-        add_hole w local path condition (type_of_atom condition);
+        add_hole w local path condition (Flow.Operands.ty condition);
         add_at w local path ty then_;
         add_at w local path ty else_
     | Program signal_function, _ ->

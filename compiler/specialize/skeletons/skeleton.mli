@@ -24,7 +24,6 @@ type hole = {
 }
 
 val types : hole list -> Flow.Ir.ty list
-val type_of_atom : Flow.Ir.atom -> Flow.Ir.ty
 
 (** {1 Taking values apart} *)
 

@@ -105,6 +105,6 @@ let call (c : Context.t) trail caller target request body =
           else List.map (fun _ -> Node.Unnamed) specialization.outputs
         in
         Node.call caller targets ~callee:request.name ~node ~span:request.call ~statics ~inputs
-          (List.map Skeleton.type_of_atom specialization.outputs)
+          (List.map Flow.Operands.ty specialization.outputs)
   in
   Skeleton.value (Skeleton.copy c.keys Holes atoms) request.result specialization.result

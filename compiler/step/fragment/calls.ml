@@ -42,7 +42,7 @@ let rec zero context (ty : F.ty) : Ir.expr =
   | Sum sum -> (
       match context.program.sums.(sum).constructors with
       | first :: _ ->
-          let payload = List.map (zero context) (Layout.leaves first) in
+          let payload = List.map (zero context) (Flow.Shape.payload first) in
           Construct { sum; constructor = 0; payload }
       | [] -> broken "a sum without constructors")
   | Array (count, element) ->

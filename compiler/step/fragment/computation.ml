@@ -2,11 +2,7 @@ module F = Flow.Ir
 open Basis
 open Fragment
 
-let atom_type : F.atom -> Ir.ty = function
-  | Signal s -> Layout.ty s.ty
-  | Bool _ -> Bool
-  | Int _ -> Int
-  | Float _ -> Float
+let atom_type atom = Layout.ty (Flow.Operands.ty atom)
 
 let broken what = Diagnostic.bug ~stage:"Step.Computation" "%s" what
 
@@ -43,12 +39,6 @@ let without_self_comparison (rhs : F.rhs) : F.rhs =
       | _, Float -> Op (Equal, [ x; x ])
       | _, (Int | Bool | Sum _ | Array _ | Foreign _) -> Copy (Bool true))
   | rhs -> rhs
-
-let flow_type : F.atom -> F.ty = function
-  | Signal s -> s.ty
-  | Bool _ -> Bool
-  | Int _ -> Int
-  | Float _ -> Float
 
 let array_type : F.ty -> int * Ir.ty = function
   | Array (n, element) -> (n, Layout.ty element)
@@ -102,7 +92,7 @@ let computed (eq : F.equation) rhs : computed =
       make [ value ] count (fun e -> Fill { count; element; value = one e })
   | Index (array, index) -> make [ array ] 1 (fun e -> Index { array = one e; index })
   | At { array; index; default } ->
-      let count, element = array_type (flow_type array) in
+      let count, element = array_type (Flow.Operands.ty array) in
       make [ array; index; default ] 3 (function
         | [ array; index; default ] -> At { count; element; array; index; default }
         | _ -> broken "an element with a wrong number of operands")

@@ -42,7 +42,7 @@ let cost_of_operands work atoms =
 
 (* What C keeps the memory of for an instant is asked for at each instant. *)
 let lasts work (s : Flow.Ir.signal) =
-  Option.is_none (Flow.Lasting.of_the_instant work.program.sums s.ty)
+  Option.is_none (Flow.Shape.of_the_instant work.program.sums s.ty)
 
 (* Classifies an item, those it needs having been classified. *)
 let classify work item =

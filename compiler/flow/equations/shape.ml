@@ -1,0 +1,27 @@
+let leaves shape =
+  (* From the last leaf to the first, so that nothing needs reversing. *)
+  let rec prepend (shape : Ir.shape) rest =
+    match shape with
+    | Leaf ty -> ty :: rest
+    | Product { parts; _ } ->
+        List.fold_left (fun rest (_, part) -> prepend part rest) rest (List.rev parts)
+    | Repeated (n, element) ->
+        let array leaf : Ir.ty = Array (n, leaf) in
+        List.rev_append (List.rev_map array (prepend element [])) rest
+  in
+  prepend shape []
+
+let payload (c : Ir.sum_constructor) = List.concat_map (fun (_, shape) -> leaves shape) c.fields
+
+let rec foreign (sums : Ir.sum array) (ty : Ir.ty) =
+  match ty with
+  | Bool | Int | Float -> []
+  | Foreign f -> [ f ]
+  | Array (_, element) -> foreign sums element
+  | Sum k ->
+      List.concat_map (fun c -> List.concat_map (foreign sums) (payload c)) sums.(k).constructors
+
+let of_the_instant sums ty =
+  List.find_opt (fun (f : Ir.foreign_type) -> not f.copyable) (foreign sums ty)
+
+let mentions_foreign sums shape = List.exists (fun ty -> foreign sums ty <> []) (leaves shape)

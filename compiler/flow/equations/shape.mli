@@ -1,0 +1,16 @@
+(** What values are made of. *)
+
+val leaves : Ir.shape -> Ir.ty list
+
+val payload : Ir.sum_constructor -> Ir.ty list
+(** All leaves of a constructor's fields, in order. *)
+
+val foreign : Ir.sum array -> Ir.ty -> Ir.foreign_type list
+(** All foreign types in a type. *)
+
+val of_the_instant : Ir.sum array -> Ir.ty -> Ir.foreign_type option
+(** The foreign type that keeps values of a type from outliving the instant, if any: one
+    that is not copyable, of which C keeps the memory. *)
+
+val mentions_foreign : Ir.sum array -> Ir.shape -> bool
+(** Any foreign type, copyable or not. *)
