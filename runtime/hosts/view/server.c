@@ -428,8 +428,11 @@ bool server_run(struct view *view, int port, const char *token, server_ready *re
         snprintf(server.host_name, sizeof server.host_name, "127.0.0.1:%d", port);
         snprintf(server.origin, sizeof server.origin, "http://%s", server.host_name);
         control_start(&server.control, view->live.ring);
-        /* An interrupt is for the run, if there is one, and this is to be seen after it. */
+        /* An interrupt is for the run, if there is one, and this is to be seen after it; and what
+         * cannot suspend a robot is not to suspend its Stop. */
         signal(SIGINT, view->live.ring != NULL ? SIG_IGN : end);
+        if (view->live.ring != NULL)
+            signal(SIGTSTP, SIG_IGN);
         signal(SIGTERM, end);
         signal(SIGPIPE, SIG_IGN);
         serves = ready(context, port) && serve(&server);

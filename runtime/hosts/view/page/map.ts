@@ -212,7 +212,11 @@ export function startMap(store: Store, host: HTMLElement): void {
     store.goToTime(times[nearest.i] ?? store.program.start);
   });
   const note = document.createElement("p");
-  note.textContent = world && worldFile ? `by odometry, in ${worldFile.name}` : "by odometry";
+  const place = world && worldFile ? `, in ${worldFile.name}` : "";
+  note.textContent = `by odometry${place}`;
+  store.on("extent", () => {
+    if (store.newest?.truth) note.textContent = `as simulated; dashed: by odometry${place}`;
+  });
   host.append(note);
   store.on("instant", draw);
   onTheme(draw);
