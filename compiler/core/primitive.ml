@@ -59,6 +59,10 @@ type t =
   | Reactimate
   | Ending
   | Console of console
+  | Text_of
+  | Blank
+  | Drawn
+  | Together
   | Foreign of foreign
 
 and elementary =
@@ -173,6 +177,10 @@ let table =
     ("consoleKnob", Console Knob, 5);
     ("consoleToggle", Console Toggle, 3);
     ("consoleMap", Console Map, 1);
+    ("textOf", Text_of, 1);
+    ("blank", Blank, 0);
+    ("drawn", Drawn, 2);
+    ("together", Together, 2);
   ]
 
 (* To look up; nothing is added later. *)

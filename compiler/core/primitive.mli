@@ -76,6 +76,11 @@ type t =
   | Ending  (** tells the host of the program when it has ended, and with what *)
   (* what stands on an operator's console, by its label; see {!Console} *)
   | Console of console
+  (* drawings, as the library's module Display has them *)
+  | Text_of
+  | Blank
+  | Drawn
+  | Together
   (* declared by programs *)
   | Foreign of foreign  (** in C *)
 

@@ -10,6 +10,11 @@ let event a = prelude "Event" [ a ]
 let either a b = prelude "Either" [ a; b ]
 let console = Data (({ module_ = "Capability"; name = "Console" } : Global.t), [])
 let task a b c = prelude "Task" [ a; b; c ]
+let display name = Data (({ module_ = "Display"; name } : Global.t), [])
+let drawing = display "Drawing"
+let text = display "Text"
+let mark = display "Mark"
+let reading : Global.t = { module_ = "Display"; name = "reading" }
 
 let of_primitive (p : Primitive.t) types =
   match (p, types) with
@@ -78,6 +83,10 @@ let of_primitive (p : Primitive.t) types =
   | Console Map, [] -> Some (function_ [ console ] (event (Tuple [ Float; Float ])))
   | Ending, [ i; o; c ] ->
     Some (Function (Signal_function (i, Tuple [ o; event c ]), Signal_function (i, o)))
+  | Text_of, [] -> Some (Function (String, text))
+  | Blank, [] -> Some drawing
+  | Drawn, [] -> Some (function_ [ mark; drawing ] drawing)
+  | Together, [] -> Some (binary drawing)
   | ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Divide | Power
       | Power_literal _ | Elementary _ | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling
       | Truncate | Equal | Not_equal | Less | Less_equal | Greater | Greater_equal | Minimum
@@ -87,6 +96,7 @@ let of_primitive (p : Primitive.t) types =
       | Console _
       | Make_task | Until_right | Return | Sequence | Run_task
       | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Map_sf | Parallel
+      | Text_of | Blank | Drawn | Together
       | Foreign _ ),
       _ ) ->
     None

@@ -8,3 +8,12 @@ val event : Ir.ty -> Ir.ty
 
 val either : Ir.ty -> Ir.ty -> Ir.ty
 (** [Either a b] *)
+
+(** {1 Of the library's module Display} *)
+
+val mark : Ir.ty
+val text : Ir.ty
+val drawing : Ir.ty
+
+val reading : Ir.Global.t
+(** The function that [number] becomes, of the unit as a text first. *)

@@ -310,8 +310,8 @@ let compiled_trace general ~entry ~sources ~modes ~input ~output file =
 (* Speaks as the host of compiled programs does. *)
 let interpreted_trace general ~entry ~input ~output file =
   let* resources = Resources.find () in
-  accepted Pipeline.interpretable general resources ~entry file (fun _ (core, entry) ->
-      match Interpreted.trace core ~entry ~input ~output with
+  accepted Pipeline.interpretable general resources ~entry file (fun _ (core, entry, marks) ->
+      match Interpreted.trace core ~entry ~marks ~input ~output with
       | Ok () -> Exit_status.ok
       | Error errors ->
           List.iter (Printf.eprintf "error: %s\n") errors;
@@ -350,7 +350,7 @@ let trace general engine ~entry ~sources ~modes ~input ~output ~picture file =
         prerr_endline
           "error: modes are those of the compiled program: `--modes` needs `--engine c`";
         Exit_status.wrong_use
-    | Interpreter when general.probes <> [] ->
+    | Interpreter when List.exists (fun p -> p <> Drawing.probe) general.probes ->
         wrong_use "probes are put into the compiled program: `--probe` needs `--engine c`"
     | Interpreter -> interpreted_trace general ~entry ~input ~output file
   in

@@ -56,18 +56,23 @@ let specialized (r : Request.t) sink { typed; _ } ~(written : Typing.Ir.definiti
       Diagnostic.emit sink refusal;
       None
   | None ->
-      let options = { Specialize.Context.default with limit = r.specialization_limit } in
+      let limit = r.specialization_limit in
       let name = C_file.name r.file in
+      let options = { Specialize.Context.default with limit } in
       let* core = Operator.declared options sink typed ~name ~entry core in
-      let* flow = Specialize.Of_core.program ~options sink ~name ~entry core in
-      let closed = (core, entry) in
-      (* Before anything is moved: messages speak of equations as they were written. *)
-      let entry = written.span in
-      Flow.Causality.check sink ~entry flow;
-      let* flow = if Diagnostic.has_errors sink then None else Some flow in
-      let flow = Flow.Instantaneous_loops.program sink ~entry flow in
+      let specialized marks =
+        let options = { options with marks } in
+        let* flow = Specialize.Of_core.program ~options sink ~name ~entry core in
+        (* Before anything is moved: messages speak of equations as they were written. *)
+        let entry = written.span in
+        Flow.Causality.check sink ~entry flow;
+        let* flow = if Diagnostic.has_errors sink then None else Some flow in
+        Some (Flow.Instantaneous_loops.program sink ~entry flow)
+      in
+      let* flow = specialized None in
+      let* flow = Drawing.program r sink ~written ~specialized flow in
       let* flow = stage r sink Specialize ~lint ~print:Flow.Print.program flow in
-      Some (closed, flow)
+      Some ((core, entry), flow)
 
 (* A program for several robots is checked open, and what needs one with any that fits. *)
 let check_entry (r : Request.t) sink front (written : Typing.Ir.definition) =

@@ -3,6 +3,7 @@
 val trace :
   Core.Ir.program ->
   entry:Core.Ir.Global.t ->
+  marks:int ->
   input:string ->
   output:string option ->
   (unit, string list) result

@@ -6,24 +6,28 @@ let stage = Request.stage
 let check = Front_end.check
 
 (* With what is to be seen beside its output. *)
-let observed (r : Request.t) sink (p : Front_end.t) =
-  let* probes = Probes.named sink p.written (fst p.closed) p.flow r.probes in
+let observed (r : Request.t) sink (p : Front_end.t) names =
+  let* probes = Probes.named sink p.written (fst p.closed) p.flow names in
   let shown, hidden = Probes.causal p.written p.flow probes in
-  let* () = Probes.refuse_hidden sink p.written ~names:r.probes hidden in
+  let* () = Probes.refuse_hidden sink p.written ~names hidden in
   let flow = Probe.Observed.program p.flow shown in
   if r.lint then Front_end.lint flow;
   Some { p with flow }
 
 let checked sink sources (r : Request.t) =
   let* program = Front_end.program sink sources r in
-  if r.probes = [] then Some program else observed r sink program
+  match Drawing.others program.flow r.probes with
+  | [] -> Some program
+  | names -> observed r sink program names
 
 let all_probes show sink sources r =
   let* p = Front_end.program sink sources r in
   Option.map (show p) (Probes.all sink p.written (fst p.closed) p.flow)
 
 let probes sink =
-  all_probes (fun (p : Front_end.t) -> Probes.list p.typed p.flow) sink
+  all_probes
+    (fun (p : Front_end.t) all -> Drawing.row p.flow ^ Probes.list p.typed p.flow all)
+    sink
 
 let columns sink =
   all_probes (fun (p : Front_end.t) -> Columns.of_program p.typed p.written p.flow) sink
@@ -37,10 +41,11 @@ let origins sink =
   all_probes both sink
 
 let interpretable sink sources r =
-  let* { written; closed; flow; _ } = checked sink sources r in
+  let* { written; closed = core, entry; flow; _ } = checked sink sources r in
   let refusal = Interpreted.refusal ~at:written.span flow in
   Option.iter (Diagnostic.emit sink) refusal;
-  if Option.is_none refusal then Some closed else None
+  let marks = if Drawing.is_seen r then flow.marks else 0 in
+  if Option.is_none refusal then Some (core, entry, marks) else None
 
 let optimized r sink flow =
   let after = Request.each_pass r Flow.Print.program in

@@ -20,9 +20,9 @@ val step : Step.Ir.program option t
 val compile : Cgen.Emit.t option t
 (** The whole chain. *)
 
-val interpretable : (Core.Ir.program * Core.Ir.Global.t) option t
-(** The program and its entry, for the interpreter: everything that can reject
-    a program has looked at it. *)
+val interpretable : (Core.Ir.program * Core.Ir.Global.t * int) option t
+(** The program and its entry, for the interpreter, and how many marks it is to show: everything
+    that can reject a program has looked at it. *)
 
 val probes : string option t
 (** What of the program can be seen ({!Probes.list}). *)

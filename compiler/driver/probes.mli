@@ -4,6 +4,9 @@
 
 open Basis
 
+val name_of : Typing.Ir.definition -> Basis.Span.t
+(** Where an entry is defined: its name. *)
+
 val unknown : string
 (** The code. *)
 

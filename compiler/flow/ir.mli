@@ -297,4 +297,5 @@ type program = {
   probes : (string * shape) list;
       (** inner signals to be seen, by what they are called: the root gives their leaves
           after those of [output] *)
+  marks : int;  (** so many can be drawn in an instant, whether or not they are to be seen *)
 }

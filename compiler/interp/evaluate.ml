@@ -80,7 +80,7 @@ let local env (x : Local.t) =
 
 let is_true : Value.t -> bool = function
   | Bool b -> b
-  | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
   | Ending _ ->
       bug "a condition that is no Bool"
 
@@ -141,7 +141,7 @@ and apply (f : Value.t) arguments =
   match (f, arguments) with
   | _, [] -> f
   | Function f, first :: others -> apply (f first) others
-  | (Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Signal_function _ | Task _
+  | (Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Signal_function _ | Task _
     | Ending _), _ ->
       bug "what is applied is no function"
 
@@ -281,7 +281,7 @@ and started env signal_function =
   in
   match Thunk.demand value with
   | Signal_function start -> start ()
-  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Task _
+  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Task _
   | Ending _ ->
       bug "what is run is no signal function"
 

@@ -7,6 +7,7 @@ type t =
   | Text of string
   | Tuple of thunk array
   | Array of thunk array
+  | Drawing of thunk list  (** its marks, the last one first *)
   | Data of { constructor : int; arguments : thunk array }
   | Function of (thunk -> t)
   | Signal_function of (unit -> instance)

@@ -90,6 +90,8 @@ let rec scalar (ty : Ir.ty) = match ty with Array (_, element) -> scalar element
 
 let can_be_seen (program : Ir.program) (s : Ir.signal) =
   s.name <> ""
+  (* A part of a drawing is seen in the whole. *)
+  && (not (String.contains s.name '#'))
   && size s.ty <= longest
   && not (Flow.Shape.mentions_foreign program.sums (Leaf (scalar s.ty)))
 

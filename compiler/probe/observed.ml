@@ -273,5 +273,5 @@ let program (before : Ir.program) probes =
     nodes = t.nodes;
     sums = Array.of_list (List.rev t.sums);
     next_id = t.next_id;
-    probes = List.map2 shown probes t.given.(count - 1);
+    probes = before.probes @ List.map2 shown probes t.given.(count - 1);
   }

@@ -117,4 +117,5 @@ let to_string (t : Bounds.t) =
          ("library", list string (Bounds.library t));
          ("machines", list machine t.machines);
          ("console", list control t.program.console);
+         ("marks", Int t.program.marks);
        ])

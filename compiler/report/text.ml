@@ -177,6 +177,11 @@ let to_string (t : Bounds.t) =
     | [] -> []
     | controls -> [ "\nthe operator's console\n"; table (List.map control_row controls) ]
   in
+  let marks =
+    match t.program.marks with
+    | 0 -> []
+    | n -> [ Printf.sprintf "\nmarks drawn in an instant, at most: %d; none of them in the C\n" n ]
+  in
   let foreign =
     match State.foreign t.program with
     | [] -> ""
@@ -196,4 +201,4 @@ let to_string (t : Bounds.t) =
        Printf.sprintf "\nstack, in bytes, at most%s\n" library;
        table (stack_rows t);
      ]
-    @ machines @ events @ console)
+    @ machines @ events @ console @ marks)

@@ -1,9 +1,9 @@
 open Basis
 module Global_table = Resolve.Global_table
 
-type options = { limit : int; nesting : int; depth : int; work : int }
+type options = { limit : int; nesting : int; depth : int; work : int; marks : int option }
 
-let default = { limit = 10_000; nesting = 1_000; depth = 5_000; work = 3_000_000 }
+let default = { limit = 10_000; nesting = 1_000; depth = 5_000; work = 3_000_000; marks = None }
 
 type trail = { depth : int; calls : (string * Span.t) list (* the last one first *) }
 
@@ -49,6 +49,7 @@ type t = {
   mutable reported : (string * Span.t) list;
   mutable node_count : int;
   mutable entered : int;
+  mutable draws : bool;
 }
 
 let create sink options ?(seeks = false) (program : Core.Ir.program) =
@@ -57,7 +58,7 @@ let create sink options ?(seeks = false) (program : Core.Ir.program) =
     incr next;
     !next
   in
-  let types = Types.table program in
+  let types = Types.table ~marks:options.marks program in
   let free = Free.table () in
   let constants = Core.Constant_numbers.of_program program in
   let definitions = Global_table.create 256 in
@@ -91,10 +92,11 @@ let create sink options ?(seeks = false) (program : Core.Ir.program) =
     reported = [];
     node_count = 0;
     entered = 0;
+    draws = false;
   }
 
 let identity : Core.Ir.Global.t = { module_ = "Prelude"; name = "id" }
-let known_by_name = [ identity ]
+let known_by_name = [ identity; Core.Signature.reading ]
 
 let in_prelude (c : t) (at : Span.t) =
   match Global_table.find_opt c.definitions identity with

@@ -7,6 +7,7 @@ type options = {
   nesting : int;  (** how deeply nodes nest before one is {!Postponed} *)
   depth : int;  (** how deeply calls may nest that make no nodes *)
   work : int;  (** how many calls may be evaluated *)
+  marks : int option;  (** for how many a drawing has room; without, it comes to nothing *)
 }
 
 val default : options
@@ -68,6 +69,7 @@ type t = {
   mutable reported : (string * Span.t) list;  (** by {!report_once} *)
   mutable node_count : int;
   mutable entered : int;
+  mutable draws : bool;  (** a mark was drawn somewhere *)
 }
 
 val create : Diagnostic.sink -> options -> ?seeks:bool -> Core.Ir.program -> t

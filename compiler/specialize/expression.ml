@@ -69,6 +69,9 @@ let rec expr (c : Context.t) s target (e : Ir.expr) : Value.t =
       match Core.Instance.find c.instances ~class_ ~name (Types.close s.types ty) types with
       | Some (definition, types) -> global c s target e definition types
       | None -> bug "the method `%s` at an open type" name)
+  | Primitive (Blank, _) ->
+      let result = Types.close s.types e.ty in
+      Drawing.apply (position c s e.span) target Blank ~result []
   | Primitive (primitive, types) ->
       let types = List.map (Types.close s.types) types in
       Primitive { primitive; types; arguments = []; owner = s.owner; at = e.span }

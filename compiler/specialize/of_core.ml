@@ -84,7 +84,20 @@ let output_names (c : Context.t) ~output ~ended =
   | Some ended ->
       names output "out" @ names (Core.Signature.event ended) (Types.join "out" result_field)
 
-(* The root node; the type that the program ends with, if it does. *)
+(* What is drawn is no part of the output: its marks come after all that is, by name. *)
+let apart outputs =
+  let is_part suffix (name, _) = String.ends_with ~suffix name in
+  let is_drawn output =
+    List.exists (fun suffix -> is_part suffix output) Types.paths_of_drawing
+  in
+  let drawn, others = List.partition is_drawn outputs in
+  (others, List.filter (is_part Types.marks_path) drawn)
+
+let drawings = function
+  | [ only ] -> [ ("draw", only) ]
+  | several -> List.mapi (fun k marks -> (Printf.sprintf "draw.%d" (k + 1), marks)) several
+
+(* The root node; the type that the program ends with, if it does; its drawings. *)
 let root c ~unique (core : Ir.definition) ~input ~output =
   let node = Node.create ~fresh:c.Context.fresh in
   let s : Expression.scope =
@@ -133,20 +146,24 @@ let root c ~unique (core : Ir.definition) ~input ~output =
   let is_first_order = (Types.layout c.types whole_output).first_order in
   if is_first_order then begin
     let atoms = Leaves.atoms c.types node ~span whole_output result in
-    let outputs = List.combine (output_names c ~output ~ended) atoms in
+    let outputs, drawn = apart (List.combine (output_names c ~output ~ended) atoms) in
+    let outputs = outputs @ drawings (List.map snd drawn) in
     ignore
       (Specialization.finish c node ~name:node_name ~origin:name ~span ~kind:Signal_function
-         ~statics:[] ~inputs ~outputs ~transitions:[])
+         ~statics:[] ~inputs ~outputs ~transitions:[]);
+    (ended, List.map fst (drawings drawn))
   end
-  else refuse_interface c core "result" (Option.get ended);
-  ended
+  else begin
+    refuse_interface c core "result" (Option.get ended);
+    (ended, [])
+  end
 
 let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
     Flow.Ir.program option =
   let is_first_order ty = (Types.layout c.types ty).first_order in
   if not (is_first_order input) then refuse_interface c core "input" input;
   if not (is_first_order output) then refuse_interface c core "output" output;
-  let ended = ref None in
+  let ended = ref None and drawings = ref [] in
   (if not (Diagnostic.has_errors c.sink) then
      (* The root has the first choice of a name, however often it is begun. *)
      let chosen = ref None in
@@ -154,14 +171,19 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
        if Option.is_none !chosen then chosen := Some (Names.unique c.names name);
        Option.value !chosen ~default:name
      in
-     try Context.settle (fun () -> ended := root c ~unique core ~input ~output) with
+     let root () =
+       let found, drawn = root c ~unique core ~input ~output in
+       ended := found;
+       drawings := drawn
+     in
+     try Context.settle root with
      | Context.Stopped -> ()
      | Unlike_ends -> refuse_ends c core
      | Stack_overflow -> refuse_depth c core
      | Closure.Needs_itself local -> refuse_cycle c local);
   if Diagnostic.has_errors c.sink then None
   else
-    let input = Types.shape c.types input and output = Types.shape c.types output in
+    let input = Types.shape c.types input and output = Types.shape_of_output c.types output in
     let imports = Foreign_code.imports c.types c.foreign in
     let output =
       match !ended with
@@ -185,7 +207,8 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
         console = (match c.console with Declared controls -> controls | Sought _ -> []);
         output;
         ends = Option.is_some !ended;
-        probes = [];
+        probes = List.map (fun name -> (name, Types.shape_of_marks c.types)) !drawings;
+        marks = (if c.draws then Option.value (Types.marks c.types) ~default:1 else 0);
       }
 
 let closed (c : Context.t) ~name ~entry:(entry : Ir.Global.t) =

@@ -64,11 +64,13 @@ type table = {
   foreign : Flow.Ir.foreign_type Global_table.t;
   data : Ir.data Global_table.t;
   layouts : layout Types.t;
+  marks : int option;
+  texts : Texts.t;
   mutable sums : Flow.Ir.sum list;  (* the last one first *)
   mutable sum_count : int;
 }
 
-let table (program : Ir.program) =
+let table ~marks (program : Ir.program) =
   let by_name = Global_table.create 64 and foreign = Global_table.create 8 in
   List.iter (fun (d : Ir.data) -> Global_table.replace by_name d.tycon d) program.data;
   (* Of two with one name, each has its module's in front. *)
@@ -83,7 +85,15 @@ let table (program : Ir.program) =
       Global_table.replace foreign tycon
         { Flow.Ir.foreign_name = name; c_type; copyable })
     program.foreign.types;
-  { foreign; data = by_name; layouts = Types.create 64; sums = []; sum_count = 0 }
+  {
+    foreign;
+    data = by_name;
+    layouts = Types.create 64;
+    marks;
+    texts = Texts.create ();
+    sums = [];
+    sum_count = 0;
+  }
 
 let rec close substitution (ty : Ir.ty) : Ir.ty =
   if Variables.is_empty substitution then ty
@@ -127,6 +137,22 @@ let parts_of_fields fields =
 
 let scalar leaf = (Scalar, true, [ { path = ""; leaf } ])
 
+let is_drawing (ty : Ir.ty) = ty = Core.Signature.drawing
+let is_text (ty : Ir.ty) = ty = Core.Signature.text
+
+(* No program can name a field so. *)
+let count_path = "count#"
+let marks_path = "marks#"
+let paths_of_drawing = [ count_path; marks_path ]
+
+let slot = Core.Signature.(event mark)
+
+let parts_of_drawing most =
+  [ { part = count_path; ty = Ir.Int }; { part = marks_path; ty = Array (Size most, slot) } ]
+
+let text_sum (constructors : Flow.Ir.sum_constructor list) : Flow.Ir.sum =
+  { name = "Text"; module_ = "Display"; constructors }
+
 let rec layout table (ty : Ir.ty) =
   match Types.find_opt table.layouts ty with
   | Some known -> known
@@ -151,6 +177,12 @@ and analyse table (ty : Ir.ty) =
       (Array (n, element), first_order, List.map array leaves)
   | Size _ -> (Opaque, false, [])
   | Array _ -> Diagnostic.bug ~stage:"Specialize.Types" "an array of no size"
+  | Data _ when is_drawing ty ->
+      product table (Option.fold ~none:[] ~some:parts_of_drawing table.marks)
+  | Data _ when is_text ty -> (
+      match table.marks with
+      | None -> product table []
+      | Some _ -> scalar (add_sum table (text_sum [])))
   | Data (tycon, []) when Global_table.mem table.foreign tycon ->
       scalar (Foreign (Global_table.find table.foreign tycon))
   | Data (tycon, arguments) -> (
@@ -188,7 +220,7 @@ and intern_sum table ty (tycon : Ir.Global.t) constructors : Flow.Ir.ty =
   let sum_constructor (c : Ir.constructor) : Flow.Ir.sum_constructor =
     {
       constructor = c.name.name;
-      fields = List.map (fun (name, ty) -> (name, shape table ty)) c.fields;
+      fields = List.map (fun (name, ty) -> (name, shape table ty)) (seen table c.fields);
     }
   in
   let sum : Flow.Ir.sum =
@@ -198,6 +230,14 @@ and intern_sum table ty (tycon : Ir.Global.t) constructors : Flow.Ir.ty =
       constructors = List.map sum_constructor constructors;
     }
   in
+  add_sum table sum
+
+(* A drawing that has no leaves is not there at all. *)
+and seen table fields =
+  if Option.is_some table.marks then fields
+  else List.filter (fun (_, ty) -> not (is_drawing ty)) fields
+
+and add_sum table sum : Flow.Ir.ty =
   let index = table.sum_count in
   table.sums <- sum :: table.sums;
   table.sum_count <- index + 1;
@@ -214,6 +254,21 @@ and shape table (ty : Ir.ty) : Flow.Ir.shape =
           record = false;
           parts = List.map (fun ty -> ("", shape table ty)) parts;
         }
+  | Data _ when is_drawing ty || (is_text ty && Option.is_none table.marks) ->
+      let parts =
+        match (layout table ty).kind with
+        | Product parts -> List.map (fun { part; ty } -> (part, shape table ty)) parts
+        | Scalar | Sum _ | Array _ | Opaque -> []
+      in
+      Product
+        {
+          product_name = to_string ty;
+          product_module = "Display";
+          constructor = to_string ty;
+          record = parts <> [];
+          parts;
+        }
+  | Data _ when is_text ty -> single_leaf table ty
   | Data (tycon, arguments) -> (
       match constructors table tycon arguments with
       | [ only ] ->
@@ -227,7 +282,7 @@ and shape table (ty : Ir.ty) : Flow.Ir.shape =
                 List.filter_map
                   (fun (name, ty) ->
                     if is_bare_console table ty then None else Some (name, shape table ty))
-                  only.fields;
+                  (seen table only.fields);
             }
       | [] | _ :: _ :: _ -> single_leaf table ty)
   | Array (Size n, element) -> Repeated (n, shape table element)
@@ -246,7 +301,34 @@ and single_leaf table ty : Flow.Ir.shape =
   | [] | _ :: _ :: _ ->
       Diagnostic.bug ~stage:"Specialize.Types" "%s has no single leaf" (to_string ty)
 
-let sums table = Array.of_list (List.rev table.sums)
+let shape_of_output table ty =
+  let rec without_drawings (shape : Flow.Ir.shape) : Flow.Ir.shape =
+    match shape with
+    | Product product ->
+        let is_drawing (_, (part : Flow.Ir.shape)) =
+          match part with
+          | Product { product_module = "Display"; product_name = "Drawing"; _ } -> true
+          | Product _ | Leaf _ | Repeated _ -> false
+        in
+        let seen = List.filter (fun part -> not (is_drawing part)) product.parts in
+        Product
+          { product with
+            parts = List.map (fun (name, part) -> (name, without_drawings part)) seen }
+    | Repeated (n, element) -> Repeated (n, without_drawings element)
+    | Leaf _ -> shape
+  in
+  without_drawings (shape table ty)
+
+let shape_of_marks table = shape table (Array (Size (Option.value table.marks ~default:1), slot))
+
+let sums table =
+  let with_texts (sum : Flow.Ir.sum) =
+    if sum <> text_sum [] then sum
+    else
+      let says text : Flow.Ir.sum_constructor = { constructor = text; fields = [] } in
+      text_sum (List.map says (Texts.all table.texts))
+  in
+  Array.of_list (List.rev_map with_texts table.sums)
 
 let of_the_instant table ty =
   if Global_table.length table.foreign = 0 then None
@@ -254,3 +336,6 @@ let of_the_instant table ty =
     Option.map
       (fun (f : Flow.Ir.foreign_type) -> f.foreign_name)
       (Flow.Shape.of_the_instant (sums table) ty)
+
+let marks table = table.marks
+let text table says = Texts.number table.texts says

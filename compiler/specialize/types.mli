@@ -6,8 +6,9 @@
 
 type table
 
-val table : Core.Ir.program -> table
-(** With its data and foreign types. *)
+val table : marks:int option -> Core.Ir.program -> table
+(** With its data and foreign types. [marks]: for so many a drawing has room; without, drawings
+    and texts of labels have no leaves, and all that is drawn comes to nothing. *)
 
 val close : Value.substitution -> Core.Ir.ty -> Core.Ir.ty
 
@@ -37,10 +38,37 @@ val layout : table -> Core.Ir.ty -> layout
 val join : string -> string -> string
 (** A path below a name: [join "p" "x"] is [p.x]; either may be empty. *)
 
+(** {1 Drawings} Those of the library's module Display: how many marks there are, and an array of
+    events, each a mark. *)
+
+val is_drawing : Core.Ir.ty -> bool
+val is_text : Core.Ir.ty -> bool
+
+val slot : Core.Ir.ty
+(** [Event Mark] *)
+
+val marks : table -> int option
+(** As given. *)
+
+val marks_path : string
+(** How the path of a leaf ends that is the marks of a drawing. *)
+
+val paths_of_drawing : string list
+(** How those of all its leaves end. *)
+
+val text : table -> string -> int
+(** The constructor that stands for what a label says. *)
+
 (** {1 For the program as a whole} *)
 
 val shape : table -> Core.Ir.ty -> Flow.Ir.shape
 (** Of a closed first-order type. *)
+
+val shape_of_output : table -> Core.Ir.ty -> Flow.Ir.shape
+(** The same, without drawings that are parts of it. *)
+
+val shape_of_marks : table -> Flow.Ir.shape
+(** The marks of a drawing. *)
 
 val of_the_instant : table -> Flow.Ir.ty -> string option
 (** The foreign type, if there is one in it, whose values live for the instant. *)

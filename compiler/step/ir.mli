@@ -234,6 +234,7 @@ type program = {
   output : Flow.Ir.shape;
   ends : bool;  (** as {!Flow.Ir.program} *)
   probes : (string * Flow.Ir.shape) list;  (** likewise *)
+  marks : int;  (** likewise *)
   started : mark option;
       (** there if the dt of the first instant can be seen, and so must be made 0 *)
 }

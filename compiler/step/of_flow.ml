@@ -148,6 +148,7 @@ let program (program : F.program) : Ir.program =
     output = program.output;
     ends = program.ends;
     probes = program.probes;
+    marks = program.marks;
     real = program.real;
     started = None;
   }

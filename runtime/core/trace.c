@@ -85,7 +85,23 @@ struct row {
     const void *base;
 };
 
-/* No cell holds a quote or a line feed, so only a comma asks for quotes. */
+/* Writes each quote from there on twice. */
+static void double_quotes(struct frob_text *text, size_t start)
+{
+    size_t count = 0, from = text->length;
+    for (size_t i = start; i < text->length; i++)
+        count += text->data[i] == '"' ? 1 : 0;
+    for (size_t i = 0; i < count; i++)
+        frob_text_add_char(text, '"');
+    for (size_t to = text->length; from > start && to > from;) {
+        const char c = text->data[--from];
+        text->data[--to] = c;
+        if (c == '"' && to > from)
+            text->data[--to] = c;
+    }
+}
+
+/* No cell holds a line feed: what asks for quotes is a comma, or the quote of a label. */
 static void add_cell(void *context, const char *name, const struct frob_value *value)
 {
     struct row *row = (struct row *)context;
@@ -95,10 +111,11 @@ static void add_cell(void *context, const char *name, const struct frob_value *v
     frob_text_add_char(text, ',');
     start = text->length;
     frob_cell_write(text, value, row->base);
-    if (strchr(text->data + start, ',') != NULL) {
+    if (strpbrk(text->data + start, ",\"") != NULL) {
         frob_text_cut(text, start);
         frob_text_add_char(text, '"');
         frob_cell_write(text, value, row->base);
+        double_quotes(text, start + 1);
         frob_text_add_char(text, '"');
     }
 }
@@ -162,7 +179,7 @@ static void add_room(void *context, const char *name, const struct frob_value *v
     size_t *room = (size_t *)context;
     size_t cell = frob_cell_room(value);
     size_t heading = strlen(name);
-    *room += (cell > heading ? cell : heading) + 4;
+    *room += (2 * cell > heading ? 2 * cell : heading) + 4;
 }
 
 size_t frob_trace_room(const struct frob_program *program, unsigned parts)

@@ -17,9 +17,16 @@ type location =
   | Sum of { tag : string; base : string; first : Step.Layout.slots; number : string }
   | Array of (int -> location)  (** of each element *)
 
-(* Names are of the language, labels are made of any characters but controls, quotes and
-   backslashes. *)
-let c_string text = "\"" ^ text ^ "\""
+(* In C an octal escape has three digits at most. *)
+let c_string text =
+  let character c =
+    match c with
+    | '"' | '\\' -> sprintf "\\%c" c
+    | ' ' .. '~' -> String.make 1 c
+    | c -> sprintf "\\%03o" (Char.code c)
+  in
+  "\"" ^ String.concat "" (List.map character (List.of_seq (String.to_seq text))) ^ "\""
+
 let name_or_null text = if String.equal text "" then "NULL" else c_string text
 
 let next c =

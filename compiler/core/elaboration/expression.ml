@@ -39,11 +39,24 @@ let method_of ctx ~class_ ~name ty types : Ir.expr_desc =
   | Some (definition, types) -> Global (definition, types)
   | None -> Method { class_; name; ty; types }
 
+(* The library's [number], which a unit goes with as a text: Core has no units. *)
+let number (e : T.expr) =
+  let unit_ =
+    match e.ty with
+    | Function (_, Function (Number (_, { base = []; variables = [] }), _)) -> ""
+    | Function (_, Function (Number (_, unit_), _)) -> Typing.Show.unit_ unit_
+    | _ -> bug "`number` has another type"
+  in
+  let ty = Erasure.ty e.ty in
+  let f = Term.make (Ir.Function (String, ty)) e.span (Ir.Global (Signature.reading, [])) in
+  Term.apply f (Term.make String e.span (Ir.String unit_)) ty e.span
+
 let rec expr env (e : T.expr) : Ir.expr =
   let make desc = Term.make (Erasure.ty e.ty) e.span desc in
   match e.desc with
   | Local (x, i) -> Lifting.variable env.lifted env.scope e x (Erasure.instantiation i)
   | Global (g, i) -> make (Global (g, Erasure.instantiation i))
+  | Primitive ({ module_ = "Display"; name = "number" }, _) -> number e
   | Primitive (g, i) -> make (Primitive (Context.primitive env.ctx g, Erasure.instantiation i))
   | Method { class_; method_; instantiation } -> (
     match Erasure.instantiation instantiation with

@@ -171,7 +171,7 @@ let made t group =
     ( Pipeline.compile sink (Source.create ()) { request with entry = group.entry },
       Pipeline.interpretable sink (Source.create ()) { request with entry = group.meant } )
   with
-  | Some (files : Cgen.Emit.t), Some (core, entry) -> (
+  | Some (files : Cgen.Emit.t), Some (core, entry, _) -> (
       let csv = Sample_input.(csv (rows ())) in
       let output = Buffer.create 10_000 and at = ref 0 in
       let read () =

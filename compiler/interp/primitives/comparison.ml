@@ -1,6 +1,7 @@
 let refuse () = Basis.Diagnostic.bug ~stage:"Interp" "values without an order are compared"
 
-(* The parts of two values of one type from first to last. *)
+(* What is drawn makes no difference to what a program does; labels are in marks only.
+   The parts of two values of one type from first to last. *)
 let pairs a b = List.combine (Array.to_list a) (Array.to_list b)
 
 let rec equal (a : Value.t) (b : Value.t) =
@@ -8,11 +9,12 @@ let rec equal (a : Value.t) (b : Value.t) =
   | Bool a, Bool b -> Bool.equal a b
   | Int a, Int b -> Int32.equal a b
   | Float a, Float b -> a = b
+  | Text _, Text _ | Drawing _, Drawing _ -> true
   | (Tuple a, Tuple b | Array a, Array b) -> List.for_all equal_parts (pairs a b)
   | Data a, Data b ->
       a.constructor = b.constructor
       && List.for_all equal_parts (pairs a.arguments b.arguments)
-  | ( ( Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _
+  | ( ( Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _
       | Signal_function _ | Task _ | Ending _ ),
       _ ) ->
       refuse ()
@@ -25,12 +27,13 @@ let rec ordered ~numbers ~equals (a : Value.t) (b : Value.t) =
   | Bool a, Bool b -> if Bool.equal a b then equals else b
   | Int a, Int b -> if Int32.equal a b then equals else Int32.compare a b < 0
   | Float a, Float b -> numbers a b
+  | Text _, Text _ | Drawing _, Drawing _ -> equals
   | (Tuple a, Tuple b | Array a, Array b) -> ordered_parts ~numbers ~equals (pairs a b)
   | Data a, Data b ->
       if a.constructor = b.constructor then
         ordered_parts ~numbers ~equals (pairs a.arguments b.arguments)
       else a.constructor < b.constructor
-  | ( ( Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _
+  | ( ( Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _
       | Signal_function _ | Task _ | Ending _ ),
       _ ) ->
       refuse ()

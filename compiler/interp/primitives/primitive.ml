@@ -4,7 +4,7 @@ let bug (p : Core.Primitive.t) =
 
 let float : Value.t -> float = function
   | Float x -> x
-  | Bool _ | Int _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Bool _ | Int _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
   | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Float is something else"
 
@@ -57,17 +57,30 @@ let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
       | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate
       | Ending
       | Console _
+      | Text_of | Blank | Drawn | Together
       | Foreign _ ),
       _ ) ->
       bug p
 
 let bool p : Value.t -> bool = function
   | Bool b -> b
-  | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
   | Ending _ -> bug p
+
+let marks p : Value.t -> Value.thunk list = function
+  | Drawing marks -> marks
+  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _
+  | Signal_function _ | Task _ | Ending _ ->
+      bug p
 
 let apply real (p : Core.Primitive.t) arguments : Value.t =
   match (p, arguments) with
   | And, [ a; b ] -> Bool (bool p (Thunk.force a) && bool p (Thunk.force b))
   | Or, [ a; b ] -> Bool (bool p (Thunk.force a) || bool p (Thunk.force b))
+  | Text_of, [ text ] -> Thunk.force text
+  | Blank, [] -> Drawing []
+  | Drawn, [ mark; below ] -> Drawing (mark :: marks p (Thunk.force below))
+  | Together, [ below; above ] ->
+      let above = marks p (Thunk.force above) in
+      Drawing (above @ marks p (Thunk.force below))
   | _, _ -> values real p (List.map Thunk.force arguments)

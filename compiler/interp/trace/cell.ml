@@ -57,10 +57,11 @@ let write shape value =
         put "]"
     | Data { constructors; _ }, Data { constructor; arguments } ->
         constructed place (List.nth constructors constructor) (Array.to_list arguments)
+    | Text, Text text -> put (Basis.Text_literal.written text)
     | Console controls, Data { arguments; _ } ->
         let fields = List.map (fun (label, shape, _) -> (label, shape)) controls in
         record { Shape.name = "Console"; fields } (List.combine fields (Array.to_list arguments))
-    | (Bool | Int | Float _ | Tuple _ | Array _ | Data _ | Console _), _ ->
+    | (Bool | Int | Float _ | Text | Drawing | Tuple _ | Array _ | Data _ | Console _), _ ->
         bug "a value that is not of its type"
   and record (c : Shape.constructor) fields =
     put (c.name ^ " {");
@@ -72,7 +73,7 @@ let write shape value =
       fields;
     put "}"
   and constructed place (c : Shape.constructor) arguments =
-    let is_seen ((_, shape), _) = shape <> Shape.Console [] in
+    let is_seen ((_, shape), _) = shape <> Shape.Console [] && shape <> Shape.Drawing in
     let fields = List.filter is_seen (List.combine c.fields arguments) in
     if Shape.is_record c then record c fields
     else
@@ -214,7 +215,7 @@ let one_of constructors =
 let rec read_value r (shape : Shape.t) : Value.t =
   match shape with
   | Tuple shapes -> read_tuple r shapes
-  | Bool | Int | Float _ | Array _ | Data _ | Console _ ->
+  | Bool | Int | Float _ | Text | Drawing | Array _ | Data _ | Console _ ->
       let rec opened count = if accept r '(' then opened (count + 1) else count in
       let rec close count =
         if count > 0 then begin
@@ -241,6 +242,8 @@ and read_bare r (shape : Shape.t) : Value.t =
       let fields = List.map (fun (label, shape, _) -> (label, shape)) controls in
       Data { constructor = 0; arguments = read_record r fields }
   | Array (n, element) -> read_array r n element
+  | Text -> fail "no label, which is no input"
+  | Drawing -> Drawing []
   | Data { constructors; is_event = _ } ->
       let rec choose index = function
         | [] -> fail (one_of constructors)
@@ -308,7 +311,8 @@ let read_cell r (shape : Shape.t) : Value.t =
       if r.at = String.length r.text then Data { constructor = 0; arguments = [||] }
       else
         Data { constructor = 1; arguments = [| Thunk.known (read_value r occurrence) |] }
-  | Bool | Int | Float _ | Tuple _ | Array _ | Data _ | Console _ -> read_value r shape
+  | Bool | Int | Float _ | Text | Drawing | Tuple _ | Array _ | Data _ | Console _ ->
+      read_value r shape
 
 let read shape text =
   let r = { text; at = 0 } in
@@ -319,7 +323,7 @@ let read shape text =
       fail
         (match (shape : Shape.t) with
         | Int | Float _ -> "nothing after the number"
-        | Bool | Tuple _ | Array _ | Data _ | Console _ -> "the end of the cell");
+        | Bool | Text | Drawing | Tuple _ | Array _ | Data _ | Console _ -> "the end of the cell");
     value
   with
   | value -> Ok value

@@ -4,6 +4,8 @@ type t =
   | Float of Basis.Real.t
   | Tuple of t list
   | Array of int * t
+  | Text
+  | Drawing
   | Data of { is_event : bool; constructors : constructor list }
   | Console of (string * t * Value.t) list
 
@@ -26,6 +28,8 @@ let of_type (program : Core.Ir.program) ty =
     | Float -> Float program.real
     | Tuple parts -> Tuple (List.map shape parts)
     | Variable v -> bug "the type variable `%s`" v.name
+    | Data _ when ty = Core.Signature.text -> Text
+    | Data _ when ty = Core.Signature.drawing -> Drawing
     | Data (tycon, arguments) -> (
         match Hashtbl.find_opt data tycon with
         | None -> bug "`%s` is no data type" tycon.name
@@ -51,7 +55,8 @@ let parts = function
   | Data { constructors = [ record ]; _ } when is_record record ->
       Some (List.map (fun (name, part) -> ("." ^ name, part)) record.fields)
   | Console controls -> Some (List.map (fun (label, part, _) -> ("." ^ label, part)) controls)
-  | Bool | Int | Float _ | Data _ -> None
+  | Drawing -> Some []
+  | Bool | Int | Float _ | Text | Data _ -> None
 
 type column = { name : string; shape : t; at_rest : Value.t option }
 
@@ -73,6 +78,7 @@ let cells shape value =
   let rec add found shape (value : Value.t) =
     match (parts shape, value) with
     | None, _ -> value :: found
+    | Some _, Drawing _ -> found
     | Some parts, (Tuple values | Array values | Data { arguments = values; _ }) ->
         List.fold_left2
           (fun found (_, part) value -> add found part (Thunk.demand value))
@@ -100,6 +106,26 @@ let assemble shape cells =
         match shape with
         | Data _ | Console _ -> (Data { constructor = 0; arguments = values }, rest)
         | Array _ -> (Array values, rest)
-        | Bool | Int | Float _ | Tuple _ -> (Tuple values, rest))
+        | Drawing -> (Drawing [], rest)
+        | Bool | Int | Float _ | Text | Tuple _ -> (Tuple values, rest))
   in
   fst (take shape cells)
+
+let rec drawings shape (value : Value.t) : Value.thunk list list =
+  match (shape, value) with
+  | Drawing, Drawing marks -> [ List.rev marks ]
+  | _, (Tuple values | Array values | Data { arguments = values; _ }) -> (
+      match parts shape with
+      | Some parts ->
+          let inside (_, part) value = drawings part (Thunk.demand value) in
+          List.concat (List.map2 inside parts (Array.to_list values))
+      | None -> [])
+  | _, _ -> []
+
+let rec count_drawings = function
+  | Drawing -> 1
+  | shape ->
+      List.fold_left
+        (fun count (_, part) -> count + count_drawings part)
+        0
+        (Option.value (parts shape) ~default:[])

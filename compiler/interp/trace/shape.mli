@@ -6,6 +6,8 @@ type t =
   | Float of Basis.Real.t
   | Tuple of t list
   | Array of int * t
+  | Text  (** what a label says *)
+  | Drawing  (** of which nothing is seen but by {!drawings} *)
   | Data of { is_event : bool; constructors : constructor list }
   | Console of (string * t * Value.t) list
       (** what is on it, by its label, with what that is while nobody touches it *)
@@ -38,3 +40,9 @@ val cells : t -> Value.t -> Value.t list
 
 val assemble : t -> Value.t list -> Value.t
 (** The value with these cells. *)
+
+val drawings : t -> Value.t -> Value.thunk list list
+(** The marks of each drawing in it, the first one at the bottom; not those in a cell. *)
+
+val count_drawings : t -> int
+(** How many these are. *)

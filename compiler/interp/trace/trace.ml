@@ -184,7 +184,11 @@ let read_row name header (row : Csv.row) =
   in
   (time, List.map read header.columns)
 
-let quoted cell = if String.contains cell ',' then "\"" ^ cell ^ "\"" else cell
+let quoted cell =
+  if String.contains cell ',' || String.contains cell '"' then
+    "\"" ^ String.concat "\"\"" (String.split_on_char '"' cell) ^ "\""
+  else cell
+
 let line cells = String.concat "," cells ^ "\n"
 
 (* The columns of the output, and the cells of an instant's. The event of the
@@ -207,6 +211,27 @@ let outputs core execution output =
         | _ -> Basis.Diagnostic.bug ~stage:"Interp" "a program that ends without a result"
       in
       (columns, cells)
+
+(* With the marks that are drawn: one drawing is [draw], of several each has a number. *)
+let with_drawings core execution ~marks output (columns, cells) =
+  let mark = Shape.of_type core Core.Signature.(event mark) in
+  let kind = Shape.Array (marks, mark) in
+  let count = Shape.count_drawings output in
+  let name k = if count = 1 then "probe.draw" else Printf.sprintf "probe.draw.%d" (k + 1) in
+  let drawn = List.concat (List.init count (fun k -> Shape.columns (name k) kind)) in
+  let event mark : Value.t = Data { constructor = 1; arguments = [| mark |] } in
+  let no_event : Value.t = Data { constructor = 0; arguments = [||] } in
+  let slots all =
+    let all = List.map event all in
+    all @ List.init (marks - List.length all) (fun _ -> no_event)
+  in
+  let command (value : Value.t) =
+    match (Execution.ended execution, value) with
+    | Some _, Tuple [| value; _ |] -> Thunk.demand value
+    | _, value -> value
+  in
+  let drawings value = List.concat_map slots (Shape.drawings output (command value)) in
+  (columns @ drawn, fun value -> cells value @ drawings value)
 
 let instants execution ~name ~csv ~header ~write ~input (columns, cells) =
   let rec from before =
@@ -236,7 +261,7 @@ let instants execution ~name ~csv ~header ~write ~input (columns, cells) =
   in
   from None
 
-let run core ~entry ~name ~read ~write =
+let run ?(marks = 0) core ~entry ~name ~read ~write =
   let input, output = Execution.interface core entry in
   let input = Shape.of_type core input and output = Shape.of_type core output in
   let csv = Csv.reader read in
@@ -254,6 +279,7 @@ let run core ~entry ~name ~read ~write =
     in
     let execution = Execution.start core ~entry in
     let outputs = outputs core execution output in
+    let outputs = if marks = 0 then outputs else with_drawings core execution ~marks output outputs in
     write (line ("time" :: List.map (fun (c : Shape.column) -> c.name) (fst outputs)));
     instants execution ~name ~csv ~header ~write ~input outputs
   with

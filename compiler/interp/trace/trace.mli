@@ -5,12 +5,14 @@
     ({!Shape.columns}). The first row is the first instant. *)
 
 val run :
+  ?marks:int ->
   Core.Ir.program ->
   entry:Core.Ir.Global.t ->
   name:string ->
   read:(unit -> char option) ->
   write:(string -> unit) ->
   (unit, string list) result
-(** [name]: of the input, for messages. [read] gives its characters, and may
+(** [marks]: with columns of so many marks that the program draws, at most (none).
+    [name]: of the input, for messages. [read] gives its characters, and may
     raise [Sys_error]; [write] is called for each line of the output. The errors
     are texts for the user, each with file, line and column. *)

@@ -61,8 +61,12 @@ let refuse ty =
   Diagnostic.bug ~stage:"Specialize.Comparison" "values of type %s are compared"
     (Types.to_string ty)
 
+(* What is drawn makes no difference to what a program does. *)
+let is_only_shown ty = Types.is_drawing ty || Types.is_text ty
+
 let rec equal (p : position) target ty a b : Ir.atom =
   match ((Types.layout p.types ty).kind, ty) with
+  | _ when is_only_shown ty -> Bool true
   | Scalar, Bool -> (
       match numbers p ty a b with
       | [ a; b ] -> if_ p target a b (not_ p Node.Unnamed b)
@@ -139,6 +143,7 @@ let weak = { of_scalars = Less_equal; of_equals = true }
 
 let rec ordered (p : position) order target ty a b : Ir.atom =
   match ((Types.layout p.types ty).kind, ty) with
+  | _ when is_only_shown ty -> Bool order.of_equals
   | Scalar, Bool -> (
       match numbers p ty a b with
       | [ a; b ] ->

@@ -92,6 +92,7 @@ let apply (p : position) target (primitive : Core.Primitive.t) ~result
       | [ Bool a; Bool b ] -> Atom (Bool (if primitive = And then a && b else a || b))
       | [ _; _ ] -> operate operator
       | _ -> bug ())
+  | Text_of | Blank | Drawn | Together -> Drawing.apply p target primitive ~result arguments
   | Delay | Time | Time_since | Step_time | Ticks | Integral | Derivative | Switch | Delayed_switch
   | Recurring_switch | Delayed_recurring_switch | Initially | On_event | Map_sf | Parallel
   | Make_task

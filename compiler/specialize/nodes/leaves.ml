@@ -56,6 +56,8 @@ and zeros table node ~span ty : Ir.atom list =
   | Scalar, [ { leaf = Int; _ } ] -> [ Int 0l ]
   | Scalar, [ { leaf = Float; _ } ] -> [ Float 0. ]
   | Scalar, [ { leaf = Foreign _ as leaf; _ } ] -> [ Node.define node Unnamed ~span leaf Absent ]
+  | Scalar, [ { leaf = Sum _ as leaf; _ } ] ->
+      [ Node.define node Unnamed ~span leaf (Construct { constructor = 0; payload = [] }) ]
   | Product parts, _ -> zeros_of_parts table node ~span parts
   | Sum fields, _ ->
       [ construct_leaf node ~span layout 0 (zeros_of_parts table node ~span fields.(0)) ]

@@ -118,5 +118,6 @@ let program ?(sums = [||]) t =
     output = tuple (List.map (fun (_, a) -> ty_of_atom a) root.outputs);
     ends = false;
     probes = [];
+    marks = 0;
     real = Double;
   }

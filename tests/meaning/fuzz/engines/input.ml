@@ -27,6 +27,8 @@ let rec value random kind (shape : Interp.Shape.t) : Interp.Value.t =
   match shape with
   | Bool -> Bool (Random.State.bool random)
   | Int -> Int (int random kind)
+  | Text -> Text ""
+  | Drawing -> Drawing []
   | Float real -> Float (Basis.Real.round real (float random kind))
   | Tuple parts -> Tuple (Array.map known (Array.of_list parts))
   | Array (n, element) -> Array (Array.init n (fun _ -> known element))

@@ -1,0 +1,4 @@
+(** Texts as the language writes them. *)
+
+val written : string -> string
+(** In quotes, with a backslash before what needs one. *)
