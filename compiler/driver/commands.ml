@@ -445,18 +445,24 @@ let with_all_probes general (resources : Resources.t) ~entry file =
               ("frob_columns.c", Columns.text columns); ("frob_origins.c", Origins.text origins);
             ] ))
 
-(* The command by which a page has an edited program compiled; its last argument is the
-   program's file. *)
-let again general ~entry ~sources ~recording file =
-  [ Sys.executable_name; "view"; "--only-build"; "--entry"; entry ]
-  @ List.concat_map (fun source -> [ "--with"; source ]) sources
-  @ Option.fold ~none:[] ~some:(fun robot -> [ "--robot"; robot ]) general.robot
-  @ (match general.real with Real.Double -> [] | Single -> [ "--real"; "float" ])
-  @ [ Option.value recording ~default:live; file ]
+(* The commands by which a page has an edited program compiled, and run in the simulator; what
+   the viewer adds are further options and the program's file. *)
+let again general ~entry ~sources ~world ~seed ~recording =
+  let same =
+    [ "--entry"; entry ]
+    @ List.concat_map (fun source -> [ "--with"; source ]) sources
+    @ Option.fold ~none:[] ~some:(fun robot -> [ "--robot"; robot ]) general.robot
+    @ match general.real with Real.Double -> [] | Single -> [ "--real"; "float" ]
+  in
+  ((Sys.executable_name :: "view" :: "--only-build" :: same)
+  @ [ Option.value recording ~default:live ])
+  @ Option.fold ~none:[] world ~some:(fun world ->
+      ("--" :: Sys.executable_name :: "run" :: same)
+      @ [ "--world"; world; "--seed"; string_of_int seed ])
 
 (* What the viewer is started with: [recording] is [None] of a run that is recorded nowhere. *)
-let viewer general (resources : Resources.t) ~entry ~sources ~options ~world ~recording ~program
-    file =
+let viewer general (resources : Resources.t) ~entry ~sources ~options ~world ~seed ~recording
+    ~program file =
   let own, library = Program_file.modules ~library:resources.library file in
   let each option files = List.concat_map (fun file -> [ option; file ]) files in
   (resources.viewer :: options)
@@ -464,7 +470,7 @@ let viewer general (resources : Resources.t) ~entry ~sources ~options ~world ~re
   @ each "--source" own
   @ each "--library" library
   @ [ program; Option.value recording ~default:live ]
-  @ again general ~entry ~sources ~recording file
+  @ again general ~entry ~sources ~world ~seed ~recording
 
 let print_only browser = if browser then [] else [ "--print" ]
 
@@ -476,7 +482,7 @@ let shown general ~entry ~sources look ~record ~world file continue =
       let* () = Program_file.check file in
       let general, generated = with_all_probes general resources ~entry file in
       shared general ~generated ~options:(effort None) ~entry ~sources file (fun _ program ->
-          viewer general resources ~entry ~sources ~options:(print_only browser) ~world
+          viewer general resources ~entry ~sources ~options:(print_only browser) ~world ~seed:1
             ~recording:record ~program file
           |> continue)
 
@@ -515,6 +521,7 @@ type view = {
   browser : bool;
   port : int option;
   world : string option;
+  seed : int;
   only_build : bool;
 }
 
@@ -545,7 +552,7 @@ let view general ~entry ~sources view file =
           @ Option.fold ~none:[] ~some:(fun n -> [ "--port"; string_of_int n ]) view.port
         in
         let command =
-          viewer general resources ~entry ~sources ~options ~world:(Some world)
+          viewer general resources ~entry ~sources ~options ~world:(Some world) ~seed:view.seed
             ~recording:view.recording ~program file
         in
         match Process.become resources.viewer (List.tl command) with

@@ -78,6 +78,7 @@ type view = {
   browser : bool;  (** is opened, if there is a desktop *)
   port : int option;  (** any that is free if [None] *)
   world : string option;  (** where the robot drove; as for a {!run} if [None] *)
+  seed : int;  (** of the simulator, if it is to drive again *)
   only_build : bool;  (** print the path of what is to be run, and show nothing *)
 }
 

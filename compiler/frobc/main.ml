@@ -401,10 +401,14 @@ let view =
     let doc = "Compile the program as it is to be run, print the path of that, and show nothing." in
     Arg.(value & flag & info [ "only-build" ] ~doc)
   in
-  let run general entry sources print port world only_build recording file =
+  let seed =
+    let doc = "The seed with which a run was made in the simulator, if it is to drive again." in
+    Arg.(value & opt int 1 & info [ "seed" ] ~docv:"N" ~doc)
+  in
+  let run general entry sources print port world seed only_build recording file =
     let recording = if only_build && recording = "-" then None else Some recording in
     Commands.view general ~entry ~sources
-      { recording; browser = not print; port; world; only_build }
+      { recording; browser = not print; port; world; seed; only_build }
       file
   in
   let man =
@@ -422,7 +426,8 @@ let view =
   in
   command "view" ~man ~doc:"look at a recorded run on a page, at any instant"
     Term.(
-      const run $ general $ entry $ sources $ print $ port $ world $ only_build $ recording $ file)
+      const run $ general $ entry $ sources $ print $ port $ world $ seed $ only_build
+        $ recording $ file)
 
 let build =
   let output =

@@ -44,6 +44,20 @@ static void add_source(struct view_files *files, const char *name, bool is_own)
     files->own_count += is_own ? 1 : 0;
 }
 
+/* Of building and of driving again, each ended by NULL. */
+static void read_commands(struct options *o, char **at)
+{
+    if (*at == NULL)
+        return;
+    o->files.commands.build = (what_if_command)at;
+    while (*at != NULL && strcmp(*at, "--") != 0)
+        at++;
+    if (*at != NULL) {
+        *at = NULL;
+        o->files.commands.drive = (what_if_command)(at + 1);
+    }
+}
+
 static bool read_options(struct options *o, int argc, char **argv)
 {
     int i = 1;
@@ -72,8 +86,7 @@ static bool read_options(struct options *o, int argc, char **argv)
     }
     o->program = argv[i];
     o->files.recording = o->ring >= 0 && strcmp(argv[i + 1], "-") == 0 ? NULL : argv[i + 1];
-    if (i + 2 < argc)
-        o->files.command = (what_if_command)&argv[i + 2];
+    read_commands(o, argv + i + 2);
     return true;
 }
 

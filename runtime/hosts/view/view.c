@@ -355,12 +355,15 @@ static void add_cell(const struct signals *signals, const struct signal *signal,
 static void add_other_cells(struct view *view, size_t k, struct buffer *answer)
 {
     const struct signals *signals = &view->other.signals;
-    struct moment moment = replay_at(&view->other.replay, k);
+    const bool is_there = k < view->other.replay.recording->count;
+    struct moment moment = { NULL, NULL, NULL };
+    if (is_there)
+        moment = replay_at(&view->other.replay, k);
     buffer_text(answer, ",\"others\":[");
     for (size_t i = 0; i < view->signals.count; i++) {
         const struct signal *signal = signals_find(signals, view->signals.all[i].name);
         buffer_text(answer, i > 0 ? "," : "");
-        if (signal == NULL)
+        if (signal == NULL || !is_there)
             buffer_text(answer, "null");
         else
             add_cell(signals, signal, &moment, answer);
@@ -446,7 +449,8 @@ static size_t instant_at(const struct view *view, double seconds)
 struct points {
     const struct view *view;
     const double *numbers;
-    const double *other; /* of the edited program; NULL: it has none */
+    const double *other; /* of the edited program; NULL: it has none … */
+    size_t other_count;  /* … of further instants */
     struct buffer *times, *values, *others;
 };
 
@@ -460,7 +464,7 @@ static void add_point(void *context, size_t k)
     buffer_number(p->values, p->numbers[k]);
     if (p->other != NULL) {
         buffer_text(p->others, comma);
-        buffer_number(p->others, p->other[k]);
+        buffer_number(p->others, k < p->other_count ? p->other[k] : (double)NAN);
     }
 }
 
@@ -478,7 +482,7 @@ static void answer_series(struct view *view, size_t number, double from, double 
     const size_t end = last + 1 < view->recording.count ? last + 2 : last + 1;
     const struct signal *signal = &view->signals.all[number];
     struct buffer times = { 0 }, values = { 0 }, others = { 0 };
-    struct points points = { view, NULL, NULL, &times, &values, &others };
+    struct points points = { view, NULL, NULL, 0, &times, &values, &others };
     if (is_known(view, signal)) {
         points.numbers = series_of(&view->series, signal);
         if (points.numbers == NULL) {
@@ -486,6 +490,7 @@ static void answer_series(struct view *view, size_t number, double from, double 
             return;
         }
         points.other = other_numbers(view, signal);
+        points.other_count = points.other == NULL ? 0 : view->other.replay.recording->count;
         series_visit(points.numbers, first, end, width, add_point, &points);
     }
     buffer_format(answer, "{\"is\":\"series\",\"signal\":%lu,\"from\":", (unsigned long)number);
@@ -506,11 +511,28 @@ static void answer_series(struct view *view, size_t number, double from, double 
     buffer_free(&values);
 }
 
+/* Times and two signals at up to `count` instants. */
+static void add_path(const struct recording *recording, const double *xs, const double *ys,
+                     size_t count, struct buffer *answer)
+{
+    const size_t instants = recording->count, points = instants < count ? instants : count;
+    buffer_text(answer, "[");
+    for (size_t i = 0; i < points; i++) {
+        const size_t k = points == 1 ? 0 : i * (instants - 1) / (points - 1);
+        buffer_text(answer, i > 0 ? ",[" : "[");
+        buffer_number(answer, (double)recording->times[k] / 1e9);
+        buffer_text(answer, ",");
+        buffer_number(answer, xs[k]);
+        buffer_text(answer, ",");
+        buffer_number(answer, ys[k]);
+        buffer_text(answer, "]");
+    }
+    buffer_text(answer, "]");
+}
+
 static void answer_path(struct view *view, size_t x, size_t y, size_t count,
                         struct buffer *answer)
 {
-    const size_t instants = view->recording.count;
-    const size_t points = instants < count ? instants : count;
     const struct signal *all = view->signals.all;
     const bool known = is_known(view, &all[x]) && is_known(view, &all[y]);
     const double *xs = !known ? NULL : series_of(&view->series, &all[x]);
@@ -519,19 +541,16 @@ static void answer_path(struct view *view, size_t x, size_t y, size_t count,
         refuse(answer, "nothing is known of these signals");
         return;
     }
-    buffer_format(answer, "{\"is\":\"path\",\"x\":%lu,\"y\":%lu,\"points\":[", (unsigned long)x,
+    buffer_format(answer, "{\"is\":\"path\",\"x\":%lu,\"y\":%lu,\"points\":", (unsigned long)x,
                   (unsigned long)y);
-    for (size_t i = 0; i < points; i++) {
-        const size_t k = points == 1 ? 0 : i * (instants - 1) / (points - 1);
-        buffer_text(answer, i > 0 ? ",[" : "[");
-        buffer_number(answer, seconds_at(view, k));
-        buffer_text(answer, ",");
-        buffer_number(answer, xs[k]);
-        buffer_text(answer, ",");
-        buffer_number(answer, ys[k]);
-        buffer_text(answer, "]");
+    add_path(&view->recording, xs, ys, count, answer);
+    xs = view->other.drives ? other_numbers(view, &all[x]) : NULL;
+    ys = xs == NULL ? NULL : other_numbers(view, &all[y]);
+    if (ys != NULL) {
+        buffer_text(answer, ",\"others\":");
+        add_path(&view->other.driven, xs, ys, count, answer);
     }
-    buffer_text(answer, "]}");
+    buffer_text(answer, "}");
 }
 
 static void answer_way(struct view *view, size_t robot, size_t count, struct buffer *answer)
@@ -621,26 +640,36 @@ static void answer_find(struct view *view, size_t from, const char *text, struct
     buffer_free(&spans);
 }
 
-static void answer_what_if(struct view *view, const char *text, struct buffer *answer)
+static bool can_try(const struct view *view, bool drives)
+{
+    const struct view_files *files = view->files;
+    return files->commands.build != NULL && files->own_count > 0 && view->replay.runs &&
+           (!drives || (files->commands.drive != NULL && !is_live(view)));
+}
+
+static void answer_what_if(struct view *view, const char *text, bool drives,
+                           struct buffer *answer)
 {
     struct buffer why = { 0 };
-    const struct replay *replay = &view->other.replay;
     if (*text == '\0') {
         what_if_end(&view->other);
         buffer_text(answer, "{\"is\":\"what-if\",\"there\":false}");
-    } else if (view->files->command == NULL || view->files->own_count == 0 || !view->replay.runs) {
-        refuse(answer, "this program cannot be run again on the recording");
+    } else if (!can_try(view, drives)) {
+        refuse(answer, drives ? "this run cannot be driven again"
+                              : "this program cannot be run again on the recording");
     } else if (!what_if_start(&view->other, &view->signals, &view->recording,
-                              view->files->command, view->files->sources[0], text, &why)) {
+                              &view->files->commands, view->files->sources[0], text, drives,
+                              &why)) {
         buffer_text(answer, "{\"is\":\"what-if\",\"there\":false,\"why\":");
         buffer_string(answer, why.length > 0 ? why.data : "");
         buffer_text(answer, "}");
     } else {
-        buffer_text(answer, "{\"is\":\"what-if\",\"there\":true");
-        if (replay->diverged) {
+        buffer_format(answer, "{\"is\":\"what-if\",\"there\":true,\"drives\":%s",
+                      drives ? "true" : "false");
+        if (view->other.first_in != NULL) {
             buffer_format(answer, ",\"first\":%lu,\"signal\":",
-                          (unsigned long)replay->diverged_at);
-            buffer_string(answer, replay->diverged_in->name);
+                          (unsigned long)view->other.first);
+            buffer_string(answer, view->other.first_in->name);
         }
         buffer_text(answer, "}");
     }
@@ -719,7 +748,9 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
     else if (take_word(&at, "find") && take_number(&at, count, &k) && *at == ' ')
         answer_find(view, k, at + 1, answer);
     else if (take_word(&at, "what-if") && (*at == ' ' || *at == '\0'))
-        answer_what_if(view, *at == ' ' ? at + 1 : at, answer);
+        answer_what_if(view, *at == ' ' ? at + 1 : at, false, answer);
+    else if (take_word(&at, "drive") && *at == ' ')
+        answer_what_if(view, at + 1, true, answer);
     else
         refuse(answer, "this is no request");
     if (answer->failed) {

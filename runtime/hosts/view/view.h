@@ -13,6 +13,8 @@
  *   find BEFORE CONDITION      instants at which CONDITION (see condition.h) begins to hold:
  *                              the first, the last before instant BEFORE, the first after it,
  *                              how many there are, and the times for which it holds
+ *   drive TEXT                 the program as TEXT has it, run in the simulator as the recorded one
+ *                              was
  *   what-if TEXT               the program as TEXT has it, run on the same inputs: from which
  *                              instant on its outputs are others; without TEXT, no more of it
  *
@@ -43,7 +45,7 @@ struct view_files {
     size_t source_count;
     size_t own_count;     /* … from here on those of the library */
     const char *world;    /* that the robot may have driven in; NULL: none */
-    what_if_command command; /* NULL: the program cannot be compiled again */
+    struct what_if_commands commands;
 };
 
 struct view {

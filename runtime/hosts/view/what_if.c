@@ -95,22 +95,24 @@ static void read_all(int number, struct buffer *text)
             buffer_bytes(text, block, (size_t)length);
 }
 
-/* Runs the command on a file; what it prints is appended. Its exit status, or -1. */
-static int run(what_if_command command, const char *file, struct buffer *said)
+/* Runs the command with more arguments; what it prints is appended. Its exit status, or -1. */
+static int run(what_if_command command, const char *const *more, struct buffer *said)
 {
-    size_t count = 0;
+    size_t count = 0, added = 0;
     int ends[2], status = -1;
     const char **arguments;
     pid_t child;
     while (command[count] != NULL)
         count++;
-    arguments = (const char **)calloc(count + 1, sizeof *arguments);
+    while (more[added] != NULL)
+        added++;
+    arguments = (const char **)calloc(count + added + 1, sizeof *arguments);
     if (arguments == NULL || pipe(ends) != 0) {
         free(arguments);
         return -1;
     }
     memcpy(arguments, command, count * sizeof *arguments);
-    arguments[count - 1] = file;
+    memcpy(arguments + count, more, added * sizeof *arguments);
     child = fork();
     if (child == 0) {
         int null = open("/dev/null", O_RDONLY);
@@ -145,24 +147,50 @@ static void add_without(struct buffer *out, const char *text, const char *folder
     buffer_text(out, text);
 }
 
-static const struct frob_program *compile(what_if_command command, const char *name,
-                                          const char *text, struct buffer *why)
+/* {2 An edited program} */
+
+/* In a folder of its own, which is there until the end of the attempt. */
+struct attempt {
+    struct buffer folder;
+    char *file; /* the program */
+    struct buffer *why;
+};
+
+static void end_attempt(struct attempt *a)
+{
+    if (a->file != NULL)
+        clear(a->folder.data);
+    free(a->file);
+    buffer_free(&a->folder);
+}
+
+static bool begin_attempt(struct attempt *a, const char *name, const char *text,
+                          struct buffer *why)
 {
     const char *temporary = getenv("TMPDIR");
-    const struct frob_program *program = NULL;
-    struct buffer folder = { 0 }, said = { 0 };
-    char *file;
-    buffer_format(&folder, "%s/frob-view-XXXXXX", temporary != NULL ? temporary : "/tmp");
-    if (folder.failed || mkdtemp(folder.data) == NULL) {
+    memset(a, 0, sizeof *a);
+    a->why = why;
+    buffer_format(&a->folder, "%s/frob-view-XXXXXX", temporary != NULL ? temporary : "/tmp");
+    if (a->folder.failed || mkdtemp(a->folder.data) == NULL) {
         buffer_format(why, "no folder to compile in can be made: %s", strerror(errno));
-        buffer_free(&folder);
-        return NULL;
+        return false;
     }
-    file = path_in(folder.data, without_folder(name));
-    if (file == NULL || !fill(folder.data, name, text)) {
+    a->file = path_in(a->folder.data, without_folder(name));
+    if (a->file == NULL || !fill(a->folder.data, name, text)) {
         buffer_format(why, "cannot write the program: %s", strerror(errno));
-    } else if (run(command, file, &said) != 0 || said.failed || said.length == 0) {
-        add_without(why, said.length > 0 ? said.data : "the compiler cannot be run", folder.data);
+        return false;
+    }
+    return true;
+}
+
+static const struct frob_program *compile(const struct attempt *a, what_if_command command)
+{
+    const struct frob_program *program = NULL;
+    const char *const file[] = { a->file, NULL };
+    struct buffer said = { 0 };
+    if (run(command, file, &said) != 0 || said.failed || said.length == 0) {
+        add_without(a->why, said.length > 0 ? said.data : "the compiler cannot be run",
+                    a->folder.data);
     } else {
         /* The last line is the path; warnings stand before it. */
         char *line;
@@ -170,13 +198,115 @@ static const struct frob_program *compile(what_if_command command, const char *n
         line = strrchr(said.data, '\n');
         program = frob_load(line == NULL ? said.data : line + 1);
         if (program == NULL)
-            buffer_text(why, "the compiled program cannot be loaded");
+            buffer_text(a->why, "the compiled program cannot be loaded");
     }
-    clear(folder.data);
-    free(file);
     buffer_free(&said);
-    buffer_free(&folder);
     return program;
+}
+
+/* {2 Driving again} */
+
+/* So many times a second a simulated controller runs, and for how long; 0 if the instants of
+ * a recording are none of a simulator's. */
+static double rate_of(const struct recording *recording, double *seconds)
+{
+    const int64_t *times = recording->times;
+    const size_t last = recording->count - 1;
+    const int64_t apart = last == 0 ? 0 : times[1] - times[0];
+    for (size_t k = 1; k <= last; k++) {
+        /* To the nanosecond, as a third of a second is not a whole number of them. */
+        const int64_t error = times[k] - times[k - 1] - apart;
+        if (error < -1 || error > 1)
+            return 0;
+    }
+    *seconds = (double)(times[last] - times[0]) / 1e9;
+    return apart <= 0 || times[0] != 0 ? 0 : (double)last / *seconds;
+}
+
+/* Runs a program in the simulator as long as it was recorded, and reads what comes of it. */
+static bool drive(const struct attempt *a, what_if_command command, const char *file,
+                  const struct recording *recording, const struct signals *signals,
+                  struct recording *driven)
+{
+    struct buffer rate = { 0 }, duration = { 0 }, record = { 0 }, said = { 0 };
+    double seconds, hertz = rate_of(recording, &seconds);
+    bool ok = false;
+    if (hertz <= 0) {
+        buffer_text(a->why, "this is no recording of a simulated run: its instants are not "
+                            "evenly apart");
+        return false;
+    }
+    buffer_format(&rate, "%.12g", hertz);
+    buffer_format(&duration, "%.9fs", seconds);
+    buffer_format(&record, "%s/driven.csv", a->folder.data);
+    const char *const arguments[] = { "--rate", rate.data, "--for", duration.data,
+                                      "--record", record.data, file, NULL };
+    if (rate.failed || duration.failed || record.failed)
+        buffer_text(a->why, "not enough memory");
+    else if (run(command, arguments, &said) != 0)
+        add_without(a->why, said.length > 0 ? said.data : "the simulator cannot be run",
+                    a->folder.data);
+    else if (!recording_read(driven, signals, record.data))
+        buffer_text(a->why, "the simulator has recorded nothing");
+    else
+        ok = true;
+    /* It is not read again. */
+    driven->name = "the run in the simulator";
+    if (record.data != NULL)
+        unlink(record.data);
+    buffer_free(&rate);
+    buffer_free(&duration);
+    buffer_free(&record);
+    buffer_free(&said);
+    return ok;
+}
+
+/* The first instant at which signals of one side are others in two recordings of the same
+ * signals; where the shorter ends if they never are. */
+static size_t first_difference(const struct signals *signals, enum side side,
+                               const struct recording *a, const struct recording *b,
+                               const struct signal **in)
+{
+    size_t k = 0;
+    for (; k < a->count && k < b->count; k++) {
+        const void *x = side == INPUT ? recording_input(a, k) : recording_output(a, k);
+        const void *y = side == INPUT ? recording_input(b, k) : recording_output(b, k);
+        for (size_t i = 0; i < signals->count; i++) {
+            const struct signal *signal = &signals->all[i];
+            if (signal->side == side && a->recorded[i] && b->recorded[i] &&
+                !signal_values_equal(signal->value, x, y)) {
+                *in = signal;
+                return k;
+            }
+        }
+    }
+    *in = NULL;
+    return k;
+}
+
+/* Does the simulator repeat what was recorded? With another world or seed, or if somebody
+ * pressed keys, it does not, and what an edited program did there would say nothing. */
+static bool repeats(const struct attempt *a, what_if_command command, const char *file,
+                    const struct recording *recording, const struct signals *signals)
+{
+    struct recording driven = { 0 };
+    const struct signal *in;
+    bool ok = drive(a, command, file, recording, signals, &driven);
+    if (ok) {
+        const size_t k = first_difference(signals, INPUT, recording, &driven, &in);
+        ok = in == NULL && k == recording->count;
+        if (in != NULL)
+            buffer_format(a->why,
+                          "the simulator does not repeat this recording: `%s` is another at "
+                          "instant %lu. Give `frobc view` the `--world` and the `--seed` with "
+                          "which it was made",
+                          in->name, (unsigned long)k);
+        else if (!ok)
+            buffer_format(a->why, "the simulator does not repeat this recording: it ends at "
+                                  "instant %lu", (unsigned long)k);
+    }
+    recording_free(&driven);
+    return ok;
 }
 
 /* {1 Running} */
@@ -196,43 +326,83 @@ static bool fits(const struct signals *recorded, const struct signals *edited)
            (i == edited->count || edited->all[i].side > OUTPUT);
 }
 
-bool what_if_start(struct what_if *what_if, const struct signals *recorded,
-                   const struct recording *recording, what_if_command command,
-                   const char *file, const char *text, struct buffer *why)
+/* The edited program at its place, before it is run. */
+static bool prepare(struct what_if *what_if, const struct attempt *a,
+                    const struct signals *recorded, what_if_command command)
 {
-    const struct frob_program *program;
-    bool ok = false;
-    what_if_end(what_if);
-    program = compile(command, file, text, why);
+    const struct frob_program *program = compile(a, command);
     if (program == NULL)
         return false;
-    if (!signals_start(&what_if->signals, program, frob_load_columns())) {
-        buffer_text(why, "not enough memory for the program's signals");
-    } else if (!fits(recorded, &what_if->signals)) {
-        buffer_text(why, "its input or output is another, so it cannot be run on this recording");
-    } else if (!replay_start(&what_if->replay, &what_if->signals, recording)) {
+    if (!signals_start(&what_if->signals, program, frob_load_columns()))
+        buffer_text(a->why, "not enough memory for the program's signals");
+    else if (!fits(recorded, &what_if->signals))
+        buffer_text(a->why,
+                    "its input or output is another, so it cannot be run on this recording");
+    else
+        return true;
+    return false;
+}
+
+static bool run_over(struct what_if *what_if, const struct recording *recording,
+                     struct buffer *why)
+{
+    if (!replay_start(&what_if->replay, &what_if->signals, recording)) {
         buffer_text(why, "not enough memory for the program's states");
-    } else {
-        series_start(&what_if->series, &what_if->replay);
-        while (!replay_is_whole(&what_if->replay))
-            replay_advance(&what_if->replay);
-        ok = true;
+        return false;
     }
-    what_if->is_there = ok;
-    if (!ok) {
-        replay_end(&what_if->replay);
-        signals_end(&what_if->signals);
-        memset(what_if, 0, sizeof *what_if);
+    series_start(&what_if->series, &what_if->replay);
+    while (!replay_is_whole(&what_if->replay))
+        replay_advance(&what_if->replay);
+    return true;
+}
+
+static void find_difference(struct what_if *what_if, const struct recording *recording)
+{
+    if (what_if->drives) {
+        what_if->first = first_difference(&what_if->signals, OUTPUT, &what_if->driven, recording,
+                                          &what_if->first_in);
+    } else if (what_if->replay.diverged) {
+        what_if->first = what_if->replay.diverged_at;
+        what_if->first_in = what_if->replay.diverged_in;
     }
+}
+
+bool what_if_start(struct what_if *what_if, const struct signals *recorded,
+                   const struct recording *recording, const struct what_if_commands *commands,
+                   const char *file, const char *text, bool drives, struct buffer *why)
+{
+    struct attempt attempt;
+    bool ok;
+    what_if_end(what_if);
+    ok = begin_attempt(&attempt, file, text, why) &&
+         prepare(what_if, &attempt, recorded, commands->build);
+    if (ok && drives && !what_if->is_repeatable) {
+        ok = repeats(&attempt, commands->drive, file, recording, recorded);
+        what_if->is_repeatable = ok;
+    }
+    if (ok && drives)
+        ok = drive(&attempt, commands->drive, attempt.file, recording, &what_if->signals,
+                   &what_if->driven);
+    what_if->drives = ok && drives;
+    ok = ok && run_over(what_if, drives ? &what_if->driven : recording, why);
+    end_attempt(&attempt);
+    what_if->is_there = true;
+    if (ok)
+        find_difference(what_if, recording);
+    else
+        what_if_end(what_if);
     return ok;
 }
 
 void what_if_end(struct what_if *what_if)
 {
+    const bool is_repeatable = what_if->is_repeatable;
     if (what_if->is_there) {
         series_end(&what_if->series);
         replay_end(&what_if->replay);
         signals_end(&what_if->signals);
+        recording_free(&what_if->driven);
     }
     memset(what_if, 0, sizeof *what_if);
+    what_if->is_repeatable = is_repeatable;
 }

@@ -1,4 +1,5 @@
-/* what_if.h -- an edited program, run over the same inputs as the recorded one. */
+/* what_if.h -- an edited program, run over the same inputs as the recorded one, or in the
+ * simulator that the recorded one was run in. */
 #ifndef FROB_VIEW_WHAT_IF_H
 #define FROB_VIEW_WHAT_IF_H
 
@@ -6,21 +7,34 @@
 
 struct what_if {
     bool is_there; /* an edited program has been compiled, and the rest is of it */
+    bool drives;   /* it has driven in the simulator, and has inputs of its own */
     struct signals signals;
+    struct recording driven;
     struct replay replay;
     struct series series;
+    size_t first; /* the first instant at which its outputs are others, … */
+    const struct signal *first_in; /* … and where; NULL if they never are */
+    bool is_repeatable; /* the simulator has repeated the recording */
 };
 
-/* How the program is compiled: a command whose last argument is the program's file, and
- * which prints the path of the shared object. NULL at the end. */
+/* A command, with NULL at its end. */
 typedef const char *const *what_if_command;
 
+struct what_if_commands {
+    what_if_command build; /* and a program's file: compiles it, and prints the path of the
+                            * shared object; NULL: it cannot be */
+    what_if_command drive; /* and options and a file, of `frobc run`: runs it in the simulator;
+                            * NULL: it cannot be */
+};
+
 /* Compiles an edited text of the program's file, as if it were beside what that is beside,
- * and runs it over the whole recording. False if it cannot be, with the reason appended, as the
- * compiler says it. What was there before is gone in any case. */
+ * and runs it over the whole recording, or, if it `drives`, in the simulator for as long, with
+ * the same world and seed; then it is made sure first that the simulator repeats the
+ * recording. False if it cannot be, with the reason appended, as the compiler says it. What
+ * was there before is gone in any case. */
 bool what_if_start(struct what_if *what_if, const struct signals *recorded,
-                   const struct recording *recording, what_if_command command,
-                   const char *file, const char *text, struct buffer *why);
+                   const struct recording *recording, const struct what_if_commands *commands,
+                   const char *file, const char *text, bool drives, struct buffer *why);
 void what_if_end(struct what_if *what_if);
 
 #endif

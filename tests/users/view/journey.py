@@ -37,7 +37,7 @@ class Page:
         return self.driver.find_elements(By.CSS_SELECTOR, selector)
 
     def text(self, selector):
-        return self.all(selector)[0].text
+        return next((element.text for element in self.all(selector)), "")
 
     def wait(self, condition):
         return WebDriverWait(self.driver, 10).until(lambda _: condition())
@@ -180,6 +180,12 @@ def visit(page, rows):
     check("an edited program that is wrong is told", True)
     page.press(Keys.ESCAPE)
     page.wait(lambda: not page.all(".what-if pre")[0].is_displayed())
+    page.press("e")
+    next(b for b in page.all(".what-if button") if b.text == "Drive again").click()
+    page.wait(lambda: "driven in the simulator" in page.text(".what-if pre"))
+    check("the program drives again in the simulator",
+          page.text(".what-if pre").endswith("Its outputs are the same, at all instants."))
+    page.press(Keys.ESCAPE)
 
     messages = [entry["message"] for entry in page.driver.get_log("browser")]
     check("the browser has nothing to complain of", messages == [])

@@ -8,6 +8,7 @@ import math
 import os
 import random
 import socket
+import subprocess
 import sys
 import tempfile
 
@@ -233,7 +234,8 @@ async def what_if(v, frobc, recording, program, robot, rows):
         first = next(k for k in range(len(rows))
                      if any(rows[k][name] != others[k][name] for name in outputs))
         answer = await ask(client, f"what-if {text}")
-        check("the same program has the same outputs", answer == {"is": "what-if", "there": True})
+        check("the same program has the same outputs",
+              answer == {"is": "what-if", "there": True, "drives": False})
         answer = await ask(client, f"what-if {edited}")
         check("an edited program is other from where its trace is", answer["first"] == first)
         differing = 0
@@ -257,6 +259,52 @@ async def what_if(v, frobc, recording, program, robot, rows):
               and "others" not in await ask(client, "instant 1"))
     check("nothing of it is left on disk", [name for name in os.listdir(tempfile.gettempdir())
           if name.startswith("frob-view-") and name not in before] == [])
+
+
+async def drive_again(v, frobc, recording, program, robot, rows):
+    """An edited program, compared with a run of it in the simulator."""
+    with open(program) as file:
+        text = file.read()
+    edited = text.replace("13[m]", "0.5[m]")
+    world = os.path.join(os.path.dirname(program), "world.toml")
+    with tempfile.TemporaryDirectory() as folder:
+        path, driven = os.path.join(folder, "bug.frob"), os.path.join(folder, "driven.csv")
+        with open(path, "w") as file:
+            file.write(edited)
+        subprocess.run([frobc, "run", "--world", world, "--for", "10s", "--record", driven, path],
+                       check=True, stdout=subprocess.DEVNULL)
+        others = viewer.trace(frobc, driven, path, robot)
+    async with connect(v) as client:
+        names = [signal["name"] for signal in (await greet(v, client))["signals"]]
+        outputs = [name for name in names if name.startswith("out.")]
+        answer = await ask(client, f"drive {text}")
+        check("the same program drives the same way",
+              answer == {"is": "what-if", "there": True, "drives": True})
+        answer = await ask(client, f"drive {edited}")
+        check("an edited program drives in the same world", answer["drives"] and
+              answer["first"] == next(k for k in range(len(rows)) if any(
+                  rows[k][name] != others[k][name] for name in outputs)))
+        differing = 0
+        for k in random.Random(2).sample(range(len(rows)), 50):
+            instant = await ask(client, f"instant {k}")
+            differing += instant["others"] != [others[k].get(name) for name in names]
+        check("all of it is as in a run of its own", differing == 0)
+        x, y = (names.index(f"in.odometry.position.{c}") for c in "xy")
+        path = await ask(client, f"path {x} {y} 11")
+        check("both ways are on the map", path["others"] == [
+            [float(row["time"]), float(row["in.odometry.position.x"]),
+             float(row["in.odometry.position.y"])] for row in others[::len(others) // 10]])
+        wrong = await ask(client, f"drive {text.replace('13[m]', '13[s]')}")
+        check("what the compiler says comes back from there too",
+              not wrong["there"] and "error[" in wrong["why"])
+        await ask(client, "what-if")
+    other = viewer.Viewer(frobc, recording, program, "--seed", "2")
+    async with connect(other) as client:
+        await greet(other, client)
+        answer = await ask(client, f"drive {text}")
+        check("a recording that the simulator does not repeat is no measure", not answer["there"]
+              and "the simulator does not repeat this recording" in answer["why"])
+    other.end()
 
 
 async def refused(v, **changes):
@@ -331,7 +379,8 @@ async def wrong_messages(v):
 async def nonsense(v, count):
     """Random requests, and random bytes in frames."""
     chance = random.Random(7)
-    words = ["instant", "time", "why", "find", "path", "(", "not", "out.turn", "<", "/=", "[", "mode.bug",
+    words = ["instant", "time", "why", "find", "path", "(", "not", "out.turn", "<", "/=", "[",
+             "mode.bug",
               "series", "program", "hello", "-1", "0", "7", "99999999999999999999",
              "1e308", "nan", "inf", "", "é", "\0", "\"", "\\", "0x10", "1.5"]
     async with connect(v) as client:
@@ -376,6 +425,7 @@ async def main():
     await units(frobc)
     await conditions(v, rows)
     await what_if(v, frobc, recording, program, robot, rows)
+    await drive_again(v, frobc, recording, program, robot, rows)
     await strangers(v)
     await wrong_messages(v)
     await nonsense(v, 2000)

@@ -31,8 +31,8 @@ class Process:
 class Viewer(Process):
     """Of a recording."""
 
-    def __init__(self, frobc, recording, program):
-        super().__init__([frobc, "view", "--print", recording, program])
+    def __init__(self, frobc, recording, program, *options):
+        super().__init__([frobc, "view", "--print", *options, recording, program])
 
     def end(self):
         self.process.terminate()

@@ -49,6 +49,8 @@ export function startMap(store: Store, host: HTMLElement): void {
   let path: Point[] = [];
   let times: number[] = [];
   const ways = new Map<number, Point[]>();
+  /** Of the edited program, where it has driven itself. */
+  let otherPath: Point[] = [];
   let toPixel = (p: Point): Point => p;
   let scale = 1;
 
@@ -156,7 +158,8 @@ export function startMap(store: Store, host: HTMLElement): void {
     if (world) drawWorld(world);
     const { instant } = store;
     if (!instant) return;
-    const pose = poseAt(instant);
+    drawOther(instant);
+    const pose = poseAt(instant.cells);
     if (instant.truth) {
       drawTruth(instant.truth, instant.cells);
       drawBelief(pose);
@@ -168,8 +171,15 @@ export function startMap(store: Store, host: HTMLElement): void {
     drawEchoes(pose, instant.cells);
     drawBody(pose, colour("accent"));
   };
-  const poseAt = (instant: Instant): Pose => {
-    const cell = (i: number) => Number(instant.cells[i] ?? 0);
+  /** Where the edited program came, if it has driven itself. */
+  const drawOther = (instant: Instant) => {
+    if (otherPath.length === 0) return;
+    line(otherPath, colour("mark"), 1.5);
+    if (instant.others && instant.others[x] !== null)
+      drawBody(poseAt(instant.others), colour("mark"));
+  };
+  const poseAt = (cells: readonly (string | null)[]): Pose => {
+    const cell = (i: number) => Number(cells[i] ?? 0);
     return within(start, { x: cell(x), y: cell(y), heading: cell(heading) });
   };
 
@@ -186,17 +196,21 @@ export function startMap(store: Store, host: HTMLElement): void {
       ways.set(i, way);
       extend(way, { x: px, y: py });
     });
-    if (extend(path, poseAt(instant))) times.push(instant.time);
+    if (extend(path, poseAt(instant.cells))) times.push(instant.time);
   };
 
-  store.path(x, y, pathPoints, (answer: Path) => {
+  const inWorld = (points: Path["points"]): Point[] => points.map(([, px, py]) => {
+    const pose = within(start, { x: px ?? 0, y: py ?? 0, heading: 0 });
+    return [pose.x, pose.y];
+  });
+  const load = () => store.path(x, y, pathPoints, (answer: Path) => {
     times = answer.points.map(([time]) => time);
-    path = answer.points.map(([, px, py]) => {
-      const pose = within(start, { x: px ?? 0, y: py ?? 0, heading: 0 });
-      return [pose.x, pose.y];
-    });
+    path = inWorld(answer.points);
+    otherPath = inWorld(answer.others ?? []);
     draw();
   });
+  load();
+  store.on("what-if", load);
   store.on("extent", () => {
     const { newest } = store;
     if (!newest) return;

@@ -170,18 +170,20 @@ class Diagram {
     for (const { from, to, lane: at } of this.down) {
       const x = outer + (at + 1) * lane, a = this.middle(from) + 3, b = this.middle(to) - 3;
       const end = right(to) + 1;
-      draw(`M${right(from)},${a}H${x - 4}Q${x},${a} ${x},${a + 4}V${b - 4}Q${x},${b} ${x - 4},${b}` +
-           `H${end}`, tip(end, b, 1, 0));
+      const start = `M${right(from)},${a}H${x - 4}Q${x},${a} ${x},${a + 4}`;
+      draw(`${start}V${b - 4}Q${x},${b} ${x - 4},${b}H${end}`, tip(end, b, 1, 0));
     }
     for (const { from, to, lane: at } of this.up) {
       const x = left - 6 - (at + 1) * lane, a = this.middle(from) - 3, b = this.middle(to) + 4;
       const end = left - 1;
-      const [top, turn] = from === to ? [a + 7, 3] : [b, 4];
-      draw(from === to
-        ? `M${left},${a}H${x + 3}Q${x},${a} ${x},${a + 3}V${top - turn}Q${x},${top} ${x + 3},${top}` +
-          `H${end}`
-        : `M${left},${a}H${x + 4}Q${x},${a} ${x},${a - 4}V${b + 4}Q${x},${b} ${x + 4},${b}H${end}`,
-           tip(end, top, -1, 0));
+      if (from === to) {
+        const c = a + 7;
+        const start = `M${left},${a}H${x + 3}Q${x},${a} ${x},${a + 3}`;
+        draw(`${start}V${c - 3}Q${x},${c} ${x + 3},${c}H${end}`, tip(end, c, -1, 0));
+      } else {
+        const start = `M${left},${a}H${x + 4}Q${x},${a} ${x},${a - 4}`;
+        draw(`${start}V${b + 4}Q${x},${b} ${x + 4},${b}H${end}`, tip(end, b, -1, 0));
+      }
     }
     this.drawing.replaceChildren(...all);
   }

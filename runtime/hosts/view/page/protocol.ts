@@ -120,6 +120,8 @@ export interface Path {
   readonly y: number;
   /** Times and the two signals. */
   readonly points: readonly (readonly [number, number | null, number | null])[];
+  /** Of the edited program, where it has driven itself. */
+  readonly others?: readonly (readonly [number, number | null, number | null])[];
 }
 
 /** Where a robot of a simulator really was: time, x and y. */
@@ -176,11 +178,13 @@ export interface Found {
   readonly spans?: readonly number[];
 }
 
-/** An edited program was run on the same inputs. */
+/** An edited program was run on the same inputs, or in the simulator. */
 export interface WhatIf {
   readonly is: "what-if";
   /** There is one, and it can be compared. */
   readonly there: boolean;
+  /** In the simulator, from the start. */
+  readonly drives?: boolean;
   /** Why there is none, as the compiler says it; nothing if none was asked for. */
   readonly why?: string;
   /** Where its outputs are others for the first time; nothing if they never are. */

@@ -267,7 +267,7 @@ export class Store {
   }
 
   pathReceived(path: Path): void {
-    this.paths.get(`${path.x} ${path.y}`)?.(path);
+    this.paths.get(`${path.x} ${path.y}`)?.(this.whatIf?.there ? path : withoutOthers(path));
   }
 
   // Looking for a condition. Answers come in the order of the questions.
@@ -290,6 +290,11 @@ export class Store {
 
   askWhatIf(text: string): void {
     this.connection.ask(`what-if${text === "" ? "" : ` ${text}`}`);
+  }
+
+  /** In the simulator, from the start. */
+  askDrive(text: string): void {
+    this.connection.ask(`drive ${text}`);
   }
 
   whatIfReceived(whatIf: WhatIf): void {

@@ -34,9 +34,11 @@ export class WhatIfBar {
     };
     const buttons = document.createElement("div");
     buttons.append(
-      press("Run", "Run it on the same inputs (Ctrl Enter)", () => this.run()),
+      press("Run", "Run it on the same inputs (Ctrl Enter)", () => this.run("askWhatIf")),
+      press("Drive again", "Run it in the simulator, from the start (Ctrl Shift Enter)",
+            () => this.run("askDrive")),
       press("Discard", "Back to the program as it was (Escape)", () => this.discard()),
-      "Edit the program, then run it. Inputs are as recorded: the world does not answer.",
+      "Run: on the inputs as recorded, the world does not answer. Drive again: in the simulator.",
     );
     this.element.className = "what-if";
     this.element.append(buttons, this.said);
@@ -53,7 +55,7 @@ export class WhatIfBar {
     this.editor.begin();
   }
 
-  run(): void {
+  run(how: "askWhatIf" | "askDrive"): void {
     const text = this.editor.text();
     if (new TextEncoder().encode(text).length > longest) {
       this.said.textContent = `The program is too long to be sent: ${longest} bytes at most.`;
@@ -61,7 +63,7 @@ export class WhatIfBar {
     }
     this.said.textContent = "compiling …";
     this.said.classList.remove("bad");
-    this.store.askWhatIf(text);
+    this.store[how](text);
   }
 
   discard(): void {
@@ -75,13 +77,15 @@ export class WhatIfBar {
   private show(): void {
     const { whatIf } = this.store;
     if (!whatIf) return;
-    this.said.classList.toggle("bad", whatIf.why !== undefined);
-    if (whatIf.why !== undefined) this.said.textContent = whatIf.why.trim();
-    else if (!whatIf.there) this.said.textContent = "";
-    else if (whatIf.first === undefined)
-      this.said.textContent = "Its outputs are the same, at all instants.";
+    const { there, drives, why, first, signal } = whatIf;
+    this.said.classList.toggle("bad", why !== undefined);
+    const where = drives ? "It has driven in the simulator. " : "";
+    if (why !== undefined) this.said.textContent = why.trim();
+    else if (!there) this.said.textContent = "";
+    else if (first === undefined)
+      this.said.textContent = `${where}Its outputs are the same, at all instants.`;
     else
       this.said.textContent =
-        `Its outputs are others from instant ${whatIf.first} on, first ${whatIf.signal ?? ""}.`;
+        `${where}Its outputs are others from instant ${first} on, first ${signal ?? ""}.`;
   }
 }
