@@ -24,20 +24,29 @@ let type_of (typed : Ir.program) (product : Flow.Ir.product) ~around =
   | None -> around
 
 (* Names as in a trace. *)
-let rec with_units typed written name around (shape : Flow.Ir.shape) =
+let rec with_units typed written ~console name around (shape : Flow.Ir.shape) =
+  let row name unit_ =
+    { name; unit_; is_event = false; instance = ""; own = ""; file = ""; line = 0 }
+  in
+  let with_units = with_units typed written ~console in
   match shape with
+  | Product { product_module; product_name; _ }
+    when Core.Console.has_name ~module_:product_module product_name ->
+      List.filter_map
+        (fun (c : Core.Ir.control) ->
+          if c.unit_ = "" then None else Some (row (name ^ "." ^ c.label) c.unit_))
+        console
   | Product ({ constructor; record; parts; _ } as product) when constructor = "" || record ->
       let around = type_of typed product ~around in
       let part k (field, shape) =
         let word = if field = "" then string_of_int (k + 1) else field in
         let ty = Option.bind around (fun ty -> Probe.Written.part written ty [ word ]) in
-        with_units typed written (name ^ "." ^ word) ty shape
+        with_units (name ^ "." ^ word) ty shape
       in
       List.concat (List.mapi part parts)
   | Product _ | Leaf _ | Repeated _ -> (
       match Option.bind around Probe.Written.unit_ with
-      | Some unit_ ->
-          [ { name; unit_; is_event = false; instance = ""; own = ""; file = ""; line = 0 } ]
+      | Some unit_ -> [ row name unit_ ]
       | None -> [])
 
 (* Of a program that ends, what it ends with is apart. *)
@@ -53,8 +62,9 @@ let sides typed (entry : Ir.definition) (program : Flow.Ir.program) =
     | Signal_function (input, output) -> (Some input, Some output)
     | _ -> (None, None)
   in
-  with_units typed written "in" input program.input
-  @ with_units typed written "out" output (command program)
+  let with_units = with_units typed written ~console:program.console in
+  with_units "in" input program.input
+  @ with_units "out" output (command program)
 
 (* {1 Probes} *)
 

@@ -68,15 +68,6 @@ void publisher_start(struct publisher *p, const struct frob_program *program, si
     }
 }
 
-int32_t publisher_key(struct publisher *p)
-{
-    struct ring_event event;
-    while (ring_take(&p->ring, &event))
-        if (event.kind == RING_KEY && event.id <= INT32_MAX)
-            return (int32_t)event.id;
-    return -1;
-}
-
 bool publisher_is_heard(struct publisher *p, int64_t now_ns)
 {
     const uint32_t beats = ring_pace(&p->ring).beats;

@@ -21,9 +21,6 @@ struct publisher {
 void publisher_start(struct publisher *p, const struct frob_program *program, size_t truth_size,
                      unsigned permissions, char *const *viewer);
 
-/* The key that was pressed on a page; -1 if there is none. Does not wait. */
-int32_t publisher_key(struct publisher *p);
-
 /* Whether the viewer was heard of within the last seconds, so that what it has set still
  * counts. */
 bool publisher_is_heard(struct publisher *p, int64_t now_ns);

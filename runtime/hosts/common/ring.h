@@ -25,7 +25,10 @@ struct ring_sizes {
 
 /* What happened on a console. */
 enum ring_event_kind {
-    RING_KEY = 1 /* `id` is its character code */
+    RING_KEY = 1,   /* `id` is its character code */
+    RING_TOUCH = 2, /* of number `id` on the program's console: see frob_console_touch */
+    RING_HOLD = 3   /* likewise, of a button that is held; `y` is when, in seconds of
+                     * CLOCK_MONOTONIC */
 };
 
 struct ring_event {

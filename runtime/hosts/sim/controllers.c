@@ -65,19 +65,20 @@ bool controllers_open(struct controllers *c, const struct frob_program *program,
     return true;
 }
 
-bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s, int key)
+bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
+                      const struct touches *touches)
 {
     const struct frob_program *program = c->program;
     bool ok = true;
     for (size_t k = 0; k < c->count; k++) {
         struct controller *one = &c->each[k];
         frob_sim_read_robot(c->sim, k, one->input);
-        frob_console_key(program, one->input, key);
+        frob_console_clear(program, one->input);
+        touches_apply(touches, one->input);
         memset(one->output, 0, program->output_size);
         program->step(one->state, dt_s, one->input, one->output);
         frob_sim_command_robot(c->sim, k, now_ns, one->output);
         ok = record_row(&one->record, now_ns, one->input, one->output) && ok;
-        frob_console_clear(program, one->input);
         if (!one->ended && frob_has_ended(program, one->output)) {
             one->ended = true;
             one->ended_ns = now_ns;

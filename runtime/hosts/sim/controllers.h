@@ -6,6 +6,7 @@
 #define FROB_SIM_CONTROLLERS_H
 
 #include "../common/record.h"
+#include "../common/touches.h"
 
 #include <frob/program.h>
 #include <sim.h>
@@ -41,9 +42,9 @@ bool controllers_open(struct controllers *c, const struct frob_program *program,
                       struct frob_sim *sim, const char *record);
 
 /* An instant of all of them, `dt_s` after the one before: each reads its sensors,
- * steps and commands. `key` is what was typed, for all. False when a record
- * cannot be written. */
-bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s, int key);
+ * steps and commands. The touches are for all. False when a record cannot be written. */
+bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
+                      const struct touches *touches);
 
 /* False when a record cannot be closed. */
 bool controllers_close(struct controllers *c);

@@ -7,6 +7,7 @@
 #include "../common/console.h"
 #include "../common/load.h"
 #include "../common/streams.h"
+#include "../common/touches.h"
 #include "../common/truth.h"
 #include "controllers.h"
 #include "options.h"
@@ -122,7 +123,8 @@ static void publish(struct publisher *publisher, const struct controllers *contr
  * k / rate, in whole nanoseconds, and dt is the difference of two of them: so
  * nothing adds up. Returns false when a record cannot be written. */
 static bool run(const struct options *options, struct controllers *controllers,
-                struct console *console, struct publisher *publisher, struct truth *truths)
+                struct console *console, struct touches *touches, struct publisher *publisher,
+                struct truth *truths)
 {
     struct pace pace;
     bool progress = options->progress || isatty(STDERR_FILENO);
@@ -133,14 +135,11 @@ static bool run(const struct options *options, struct controllers *controllers,
     pace_start(&pace, publisher, &interrupted, !options->realtime);
     for (int64_t k = 0; ok && !interrupted; k++) {
         int64_t now_ns = (int64_t)llround((double)k * 1e9 / options->rate_hz);
-        int32_t key;
         if (now_ns > end_ns || !pace_wait(&pace, now_ns))
             break;
-        key = console_key(console);
-        if (key < 0)
-            key = publisher_key(publisher);
+        touches_take(touches, console, &publisher->ring);
         frob_sim_advance(controllers->sim, now_ns);
-        ok = controllers_step(controllers, now_ns, (double)(now_ns - before_ns) / 1e9, key);
+        ok = controllers_step(controllers, now_ns, (double)(now_ns - before_ns) / 1e9, touches);
         publish(publisher, controllers, now_ns, truths);
         if (controllers->running == 0 && options->exit_when_done)
             break;
@@ -180,13 +179,15 @@ static int simulate(const struct options *options, const struct frob_program *pr
     char message[1024];
     struct controllers controllers;
     struct console console;
+    struct touches touches;
     struct publisher publisher;
     struct truth *truths = (struct truth *)calloc(frob_sim_robots(sim), sizeof *truths);
-    bool ok = truths != NULL;
+    bool ok = touches_start(&touches, program) && truths != NULL;
     int64_t started_ns;
     double wall_s;
     int collisions = 0;
     if (options->picture != NULL && !is_writable(options->picture)) {
+        touches_end(&touches);
         free(truths);
         return WRONG_USE;
     }
@@ -198,8 +199,9 @@ static int simulate(const struct options *options, const struct frob_program *pr
     memset(&console, 0, sizeof console);
     if (options->console)
         console_open(&console);
-    ok = ok && run(options, &controllers, &console, &publisher, truths);
+    ok = ok && run(options, &controllers, &console, &touches, &publisher, truths);
     publisher_end(&publisher);
+    touches_end(&touches);
     free(truths);
     console_close(&console);
     wall_s = (double)(clock_ns() - started_ns) * 1e-9;

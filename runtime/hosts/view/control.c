@@ -5,7 +5,8 @@
 #include <string.h>
 #include <time.h>
 
-static const char *const words[] = { "stop", "take", "pause", "go", "step", "speed", "key" };
+static const char *const words[] = { "stop", "take", "pause", "go", "step", "speed", "key",
+                                     "touch", "hold" };
 
 static bool begins_with(const char *request, const char *word)
 {
@@ -76,6 +77,27 @@ static const char *key(struct control *control, const char *request)
     return send(control, &event);
 }
 
+/* touch NUMBER X Y, hold NUMBER X. */
+static const char *touch(struct control *control, const char *request)
+{
+    const bool holds = begins_with(request, "hold");
+    struct ring_event event = { holds ? RING_HOLD : RING_TOUCH, 0, 0.0, 0.0 };
+    double numbers[3] = { NAN, NAN, 0.0 };
+    const char *at = strchr(request, ' ');
+    for (size_t i = 0; i < (holds ? 2 : 3) && at != NULL && *at == ' '; i++) {
+        char *end;
+        numbers[i] = strtod(at + 1, &end);
+        at = end == at + 1 ? NULL : end;
+    }
+    if (at == NULL || *at != '\0' || !isfinite(numbers[1]) || !isfinite(numbers[2]) ||
+        !(numbers[0] >= 0.0 && numbers[0] <= 1e6 && numbers[0] == floor(numbers[0])))
+        return "this is nothing on a console";
+    event.id = (uint32_t)numbers[0];
+    event.x = numbers[1];
+    event.y = holds ? now_s() : numbers[2];
+    return send(control, &event);
+}
+
 static const char *pace(struct control *control, const char *request)
 {
     if (!ring_permits(control->ring, RING_PACES))
@@ -110,6 +132,8 @@ const char *control_do(struct control *control, const char *request, bool operat
         return NULL;
     if (!operates)
         return "another page operates this run";
+    if (begins_with(request, "touch") || begins_with(request, "hold"))
+        return touch(control, request);
     return begins_with(request, "key") ? key(control, request) : pace(control, request);
 }
 

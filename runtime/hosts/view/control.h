@@ -6,6 +6,11 @@
  *              holds a simulated run, lets it go on, or lets it take one instant
  *   speed X    how fast a simulated run goes, 0.1 to 100
  *   key CODE   a key was pressed: an event of the program's input at the next instant
+ *   touch N X Y
+ *              something happens to number N on the program's console, as
+ *              frob_console_touch has it
+ *   hold N X   button N is held, if X is 1, and let go of 0.3 s after the last time that is
+ *              said; or at once, if X is 0
  *
  * Of several pages one operates, at first the oldest; all but `stop` and `take` is for it alone.
  * No request waits for anything: each is a word or two in the memory that the host shares. */

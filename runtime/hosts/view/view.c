@@ -313,6 +313,32 @@ static bool has_outputs(const struct view *view)
     return false;
 }
 
+/* What the operator is asked for, in the order of its numbers, each with its signal. */
+static void add_console(const struct view *view, struct buffer *answer)
+{
+    static const char *const kinds[] = { "button", "hold", "knob", "toggle", "map" };
+    buffer_text(answer, ",\"console\":[");
+    for (size_t i = 0; i < view->program->control_count; i++) {
+        const struct frob_control *control = &view->program->console[i];
+        size_t signal = 0;
+        while (signal < view->signals.count && view->signals.all[signal].value != control->value)
+            signal++;
+        buffer_format(answer, "%s{\"kind\":\"%s\",\"label\":", i > 0 ? "," : "",
+                      kinds[control->kind]);
+        buffer_string(answer, control->label);
+        buffer_text(answer, ",\"unit\":");
+        buffer_string(answer, control->unit);
+        buffer_text(answer, ",\"least\":");
+        buffer_number(answer, control->least);
+        buffer_text(answer, ",\"most\":");
+        buffer_number(answer, control->most);
+        buffer_text(answer, ",\"first\":");
+        buffer_number(answer, control->first);
+        buffer_format(answer, ",\"signal\":%lu}", (unsigned long)signal);
+    }
+    buffer_text(answer, "]");
+}
+
 static void answer_program(struct view *view, struct buffer *answer)
 {
     buffer_text(answer, "{\"is\":\"program\",\"name\":");
@@ -326,6 +352,7 @@ static void answer_program(struct view *view, struct buffer *answer)
                   has_outputs(view) ? "true" : "false");
     add_progress(view, answer);
     add_signals(view, answer);
+    add_console(view, answer);
     buffer_text(answer, ",\"sources\":[");
     for (size_t i = 0; i < view->source_count; i++) {
         buffer_text(answer, i > 0 ? "," : "");

@@ -52,7 +52,11 @@ export function startMap(store: Store, host: HTMLElement): void {
   /** Of the edited program, where it has driven itself. */
   let otherPath: Point[] = [];
   let toPixel = (p: Point): Point => p;
+  let fromPixel = (p: Point): Point => p;
+  const clicks = store.program.console.findIndex((control) => control.kind === "map");
   let scale = 1;
+  /** The last click that was the program's. */
+  let clicked: Point | null = null;
 
   const fit = () => {
     const lines = [...(world?.walls ?? []), ...(world?.lines ?? [])];
@@ -69,6 +73,7 @@ export function startMap(store: Store, host: HTMLElement): void {
     const left = (width - scale * (most[0] - least[0])) / 2;
     const top = (height - scale * (most[1] - least[1])) / 2;
     toPixel = ([px, py]) => [left + (px - least[0]) * scale, top + (most[1] - py) * scale];
+    fromPixel = ([px, py]) => [least[0] + (px - left) / scale, most[1] - (py - top) / scale];
   };
 
   const trace = (points: readonly Point[]) => {
@@ -86,6 +91,19 @@ export function startMap(store: Store, host: HTMLElement): void {
     context.arc(...toPixel(center), radius, 0, 2 * Math.PI);
     context.fillStyle = fill;
     context.fill();
+  };
+
+  const drawCross = (at: Point) => {
+    const [px, py] = toPixel(at);
+    const arm = 6;
+    context.beginPath();
+    for (const side of [-1, 1]) {
+      context.moveTo(px - arm, py - side * arm);
+      context.lineTo(px + arm, py + side * arm);
+    }
+    context.strokeStyle = colour("mark");
+    context.lineWidth = 2;
+    context.stroke();
   };
 
   const drawWorld = (all: World) => {
@@ -156,6 +174,7 @@ export function startMap(store: Store, host: HTMLElement): void {
     context.lineCap = "round";
     fit();
     if (world) drawWorld(world);
+    if (clicked) drawCross(clicked);
     const { instant } = store;
     if (!instant) return;
     drawOther(instant);
@@ -219,7 +238,19 @@ export function startMap(store: Store, host: HTMLElement): void {
       ways.set(i, way.points.map(([, px, py]) => [px, py]))));
     grow(newest);
   });
+  /** Where the program has its origin: where odometry began. */
+  const byOdometry = ([px, py]: Point): Point => {
+    const cos = Math.cos(start.heading), sin = Math.sin(start.heading);
+    const dx = px - start.x, dy = py - start.y;
+    return [cos * dx + sin * dy, cos * dy - sin * dx];
+  };
   canvas.addEventListener("click", (event) => {
+    if (clicks >= 0 && store.operates && store.following) {
+      clicked = fromPixel([event.offsetX, event.offsetY]);
+      store.command(`touch ${clicks} ${byOdometry(clicked).join(" ")}`);
+      draw();
+      return;
+    }
     const distance = ([px, py]: Point) => Math.hypot(px - event.offsetX, py - event.offsetY);
     const nearest = path.map((p, i) => ({ i, d: distance(toPixel(p)) }))
       .reduce((a, b) => (b.d < a.d ? b : a), { i: 0, d: Infinity });

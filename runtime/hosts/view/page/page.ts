@@ -1,5 +1,6 @@
 // The page: what there is, and the panels that show it.
 import { Connection } from "./connection";
+import { startConsole } from "./console";
 import { startKeys } from "./keys";
 import { startLive } from "./live";
 import { Player } from "./player";
@@ -82,6 +83,7 @@ function start(program: Program): Store {
   startTimeline(store, element("timeline"));
   startKeys(store, new Player(store), filter, element<HTMLInputElement>("find"), why, help);
   startLive(store);
+  startConsole(store, element("console"));
   element("help").onclick = () => help.showModal();
   if (program.live) store.follow();
   else store.goTo(0);

@@ -28,6 +28,20 @@ export interface Transition {
   readonly delayed: boolean;
 }
 
+/** What the program asks its operator for; requests know it by its place in the list. */
+export interface Control {
+  readonly kind: "button" | "hold" | "knob" | "toggle" | "map";
+  readonly label: string;
+  /** Of a knob. */
+  readonly unit: string;
+  readonly least: number;
+  readonly most: number;
+  /** Where it is before anybody touches it; of a toggle 0 or 1. */
+  readonly first: number;
+  /** What it is in the program's input. */
+  readonly signal: number;
+}
+
 export interface Source {
   readonly name: string;
   readonly library: boolean;
@@ -53,6 +67,7 @@ export interface Program {
   readonly replayed: number;
   readonly notes: string;
   readonly signals: readonly Signal[];
+  readonly console: readonly Control[];
   readonly sources: readonly Source[];
   /** That the robot may have driven in. */
   readonly world: Source | null;

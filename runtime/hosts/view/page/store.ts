@@ -128,6 +128,11 @@ export class Store {
     this.changed("run");
   }
 
+  /** Whether this page is the operator's. */
+  get operates(): boolean {
+    return this.program.live && this.run !== null && this.run.operates && this.run.sends;
+  }
+
   /** What control.h has, and the run itself is asked for. */
   command(request: string): void {
     this.connection.ask(request);
