@@ -14,6 +14,7 @@
 #include "../common/publisher.h"
 #include "../common/record.h"
 #include "../common/streams.h"
+#include "../common/touches.h"
 #include "controller.h"
 #include "core/robot.h"
 #include "guard.h"
@@ -49,6 +50,7 @@ struct supervisor {
     struct controller controller;
     struct record record;
     struct console console;
+    struct touches touches;
     struct publisher publisher;
     sigset_t waiting_mask; /* signals come only while waiting */
     bool tells;
@@ -257,7 +259,6 @@ static void look_after_controller(struct supervisor *s)
 static void next_instant(struct supervisor *s)
 {
     int64_t now = now_ns(), missed, before;
-    int32_t key;
     if (!is_ready(s) || s->over) {
         s->due_ns = 0;
         return;
@@ -275,10 +276,8 @@ static void next_instant(struct supervisor *s)
     s->instant_ns = now - s->first_ns;
     frob_robot_sense(&s->robot, s->input);
     frob_console_clear(s->program, s->input);
-    key = console_key(&s->console);
-    if (key < 0)
-        key = publisher_key(&s->publisher);
-    frob_console_key(s->program, s->input, key);
+    touches_take(&s->touches, &s->console, &s->publisher.ring);
+    touches_apply(&s->touches, s->input);
     s->stepping = true;
     s->late = false;
     if (!controller_ask(&s->controller, (double)(s->instant_ns - before) / 1e9, s->input))
@@ -417,6 +416,8 @@ static bool set_up(struct supervisor *s)
         fprintf(stderr, "error: not enough memory\n");
         return false;
     }
+    if (!touches_start(&s->touches, s->program))
+        return false;
     frob_console_start(s->program, s->input);
     status = line_open(&s->line, message, sizeof message);
     if (status != FROB_OK) {
@@ -469,6 +470,7 @@ int supervise(const struct frob_program *program, const struct frob_driver *driv
     controller_end(&s.controller, 0);
     if (!record_close(&s.record) && s.status == DONE)
         s.status = WRONG_USE;
+    touches_end(&s.touches);
     free(s.device);
     free(s.input);
     free(s.output);

@@ -310,5 +310,6 @@ async def main():
     await robot(frobc)
 
 
-asyncio.run(main())
-sys.exit(viewer.failures > 0)
+if __name__ == "__main__":
+    asyncio.run(main())
+    sys.exit(viewer.failures > 0)

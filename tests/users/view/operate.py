@@ -1,0 +1,160 @@
+"""usage: operate.py FROBC RUN.csv FILE ROBOT
+
+What an operator does on the page of a run: it reaches the program, is recorded, and replays; a
+button that is held is let go of when its page falls silent, whatever it does."""
+
+import asyncio
+import csv
+import os
+import subprocess
+import sys
+import time
+
+import viewer
+from live import Page, path
+from viewer import check
+
+teleop = "../../../examples/teleop/teleop.frob"
+go_there = "../../../examples/teleop/go_there.frob"
+
+
+class Panel:
+    """The program's console, by labels."""
+
+    def __init__(self, page):
+        self.page = page
+        self.controls = page.program["console"]
+        self.labels = [control["label"] for control in self.controls]
+        self.names = [signal["name"] for signal in page.program["signals"]]
+
+    async def touch(self, label, x, y=0):
+        await self.page.socket.send(f"touch {self.labels.index(label)} {x} {y}")
+
+    async def hold(self, label, x):
+        await self.page.socket.send(f"hold {self.labels.index(label)} {x}")
+
+    def value(self, name):
+        return self.page.live["newest"]["cells"][self.names.index(name)]
+
+    def input(self, label):
+        return self.value(f"in.console.{label}")
+
+    async def until(self, label, cell):
+        await self.page.until(lambda p: self.input(label) == cell)
+
+
+def rows(name):
+    with open(path(name), newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def replays(run, recording, program, robot):
+    """Both engines say what the run has put out."""
+    for engine in "c", "interp":
+        traced = subprocess.run(
+            [run.frobc, "trace", program, "--robot", robot, "--input", path(recording),
+             "--engine", engine], check=True, stdout=subprocess.PIPE, text=True).stdout
+        for row, other in zip(rows(recording), csv.DictReader(traced.splitlines()), strict=True):
+            if any(row[name] != other[name] for name in other):
+                return False
+    return True
+
+
+async def driving(frobc):
+    run = viewer.Run(frobc, ["--robot", "pioneer", "--record", path("teleop.csv"), teleop])
+    async with Page(run) as page:
+        panel = Panel(page)
+        check("the page is told what is on the console", panel.controls[2] == {
+            "kind": "knob", "label": "speed", "unit": "m/s", "least": 0, "most": 0.5,
+            "first": 0.25, "signal": panel.names.index("in.console.speed")})
+        await page.until(lambda p: p.live and p.live["instants"] > 5)
+        check("at first all is as the program says", panel.input("speed") == "0.25"
+              and panel.input("careful") == "true" and panel.input("drive") == "false")
+        await panel.touch("speed", 0.125)
+        await panel.until("speed", "0.125")
+        await panel.touch("turn", -9)
+        await panel.until("turn", "-1")
+        check("a knob stays within its limits", True)
+        await panel.touch("turn", 0)
+        await panel.touch("careful", 0)
+        await panel.until("careful", "false")
+        for _ in range(6):
+            await panel.hold("drive", 1)
+            await asyncio.sleep(0.1)
+        await panel.until("drive", "true")
+        await page.until(lambda p: panel.value("out.forward") == "0.125")
+        check("a button that is held drives", True)
+        await panel.hold("drive", 0)
+        await panel.until("drive", "false")
+        check("until it is let go of", panel.value("out.forward") == "0")
+        await panel.hold("drive", 1)
+        await panel.until("drive", "true")
+        since = time.monotonic()
+        await panel.until("drive", "false")
+        check("or until its page falls silent", 0.1 < time.monotonic() - since < 2)
+        for nonsense in ("touch", "touch 0", "touch x 1 2", "touch 2 nan 0", "touch 2 1 inf",
+                         "touch -1 1 0", "touch 1.5 1 0", "touch 2 1 0 0", "hold", "hold 0",
+                         "hold 0 1 1", "hold 1e99 1"):
+            if await page.send(nonsense) == []:
+                check(f"{nonsense} is refused", False)
+        for strange in ("touch 99 1 0", "hold 2 1", "touch 0 1 0", "hold 999999 1"):
+            await page.send(strange)
+        await asyncio.sleep(0.2)
+        await page.until(lambda p: p.live["newest"])
+        check("what is not on the console changes nothing", panel.input("speed") == "0.125"
+              and panel.input("drive") == "false")
+        await panel.hold("drive", 1)
+        await panel.until("drive", "true")
+    # The page has gone away while it held the button.
+    async with Page(run) as page:
+        panel = Panel(page)
+        await page.until(lambda p: p.live is not None and p.live.get("newest"))
+        await panel.until("drive", "false")
+        check("or until it goes away", True)
+        await panel.hold("drive", 1)
+        await panel.until("drive", "true")
+        os.kill(run.viewer, 19)  # SIGSTOP
+        await asyncio.sleep(1)
+        os.kill(run.viewer, 18)  # SIGCONT
+        await panel.until("drive", "false")
+        check("or until the viewer does", True)
+        await page.send("stop")
+        await page.to_end()
+    check("a run that was operated ends well", run.process.wait(10) == 0)
+    held = [row["in.console.drive"] for row in rows("teleop.csv")]
+    longest = max(len(part) for part in "".join("x" if cell == "true" else " " for cell in held)
+                  .split())
+    check("no page held it for long after it was heard", longest < 80)
+    check("and replays", replays(run, "teleop.csv", teleop, "pioneer"))
+
+
+async def clicking(frobc):
+    run = viewer.Run(frobc, ["--robot", "pioneer", "--record", path("there.csv"), go_there])
+    async with Page(run) as page:
+        panel = Panel(page)
+        await page.until(lambda p: p.live and p.live["instants"] > 5)
+        await page.send("speed 10")
+        await panel.touch("map", 0.5, 0.25)
+        await panel.touch("map", 0.625, 0.125)
+        await page.until(lambda p: float(panel.value("in.odometry.position.x")) > 0.4)
+        check("the robot goes to a click on the map", True)
+        await page.send("stop")
+        await page.to_end()
+    run.process.wait(10)
+    clicks = [(k, row["in.console.map"]) for k, row in enumerate(rows("there.csv"))
+              if row["in.console.map"] != ""]
+    check("clicks are recorded, each at an instant of its own",
+          [cell for _, cell in clicks] == ["(0.5, 0.25)", "(0.625, 0.125)"]
+          and clicks[0][0] < clicks[1][0])
+    check("and replay", replays(run, "there.csv", go_there, "pioneer"))
+
+
+async def main():
+    frobc = sys.argv[1]
+    await driving(frobc)
+    await clicking(frobc)
+
+
+if __name__ == "__main__":
+    asyncio.run(main())
+    sys.exit(viewer.failures > 0)
