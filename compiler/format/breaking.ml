@@ -137,7 +137,7 @@ let parts (words : Word.t array) ~first ~until ~last =
 (* {1 Where to break} *)
 
 (* What it costs to break before a word; none if the line cannot be broken there. *)
-let cost (words : Word.t array) ~last (part : part) k =
+let cost (words : Word.t array) ~first ~last (part : part) k =
   let w = words.(k) and before = words.(k - 1) in
   let kind =
     if (w.in_unit && before.in_unit) || w.in_quotes || before.prefix || w.comments <> [] then None
@@ -156,8 +156,10 @@ let cost (words : Word.t array) ~last (part : part) k =
       | (EQUAL | LEFT_ARROW), (LBRACKET | LPAREN) when spans words ~last k -> Some 12
       | (EQUAL | LEFT_ARROW), DO -> None
       | (EQUAL | LEFT_ARROW), _ -> Some 30
-      | COMMA, _ -> Some (if part.depth = 0 then 40 else 14)
-      | _, DOUBLE_COLON -> Some (if part.depth = 0 then 35 else 14)
+      | COMMA, _ -> Some (if part.depth = 0 && words.(first).item then 40 else 14)
+      | _, DOUBLE_COLON ->
+          let of_names = k >= 2 && words.(k - 2).token.token = COMMA in
+          Some (if part.depth > 0 then 14 else if of_names then 12 else 35)
       | _, LBRACE -> Some (if part.operators then 45 else 24)
       | a, b when ends_operand a && starts_operand b ->
           if hugs words ~last k then None
@@ -188,7 +190,7 @@ let best words ~first ~until ~last ~outer ~inner ~stop (columns : int array) =
     in
     if gain < least_gain && (gain < 0 || not is_list) && (gain <= 0 || at + rest > most) then best
     else
-      match cost words ~last part k with
+      match cost words ~first ~last part k with
       | None -> best
       | Some cost ->
           let cost =

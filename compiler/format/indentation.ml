@@ -19,7 +19,7 @@ type kind =
   | Block of { mutable column : int option; mutable written : int; in_ : int option }
       (** [in_]: the column of the [let] that opened it, if that was first on its line *)
   | Bracket of bracket
-  | If of { then_ : int; blocks : int }
+  | If of { then_ : int; blocks : int; mutable else_ : int }
       (** the columns of [then] and [else], and of the line to which blocks in them count *)
   | Else
 
@@ -108,10 +108,10 @@ let of_line state (words : Word.t array) i closed =
   if w.item then of_item state
   else
     match (w.token.token, frame.kind, closed) with
-    | (THEN | ELSE), If { then_; _ }, _ -> then_
+    | THEN, If { then_; _ }, _ -> then_
+    | ELSE, If { else_; _ }, _ -> else_
     | IN, _, Some { kind = Block { in_ = Some column; _ }; _ } -> column
-    | OF, _, _ -> frame.base + half_step
-    | WHERE, _, _ -> frame.base + half_step
+    | (IN | OF | WHERE), _, _ -> frame.base + half_step
     | (RPAREN | RBRACKET | RBRACE), _, Some { kind = Bracket b; base; _ } ->
         if b.first || b.commas_first then b.column
         else if b.content = None then base
@@ -138,9 +138,10 @@ let starts_line (words : Word.t array) state i column =
   state.line <- column;
   state.base <- column;
   match (w.token.token, frame.kind) with
-  | (THEN | ELSE), If { blocks; _ } ->
-      state.base <- blocks;
-      frame.base <- column
+  | (THEN | ELSE), If choice ->
+      state.base <- column - (choice.then_ - choice.blocks);
+      frame.base <- column;
+      choice.else_ <- column
   | _ -> ()
 
 (* The last word of each line that starts with a word. *)
@@ -198,13 +199,13 @@ let lines ~break (words : Word.t array) =
         push state ~base:state.base
           (Bracket { column; first; content = None; commas_first = w.commas_first })
     | IF ->
-        let then_, blocks =
-          if i = 0 || w.starts then (column + half_step, column)
-          else if i > 0 && words.(i - 1).token.token = ELSE && words.(i - 1).starts then
-            (state.line + half_step, state.line)
-          else (frame.base + step, frame.base + step)
+        let then_, blocks, else_ =
+          if i = 0 || w.starts then (column + half_step, column, column + half_step)
+          else if words.(i - 1).token.token = ELSE && words.(i - 1).starts then
+            (state.line + half_step, state.line, state.line)
+          else (frame.base + step, frame.base + step, frame.base + step)
         in
-        push state ~base:frame.base (If { then_; blocks })
+        push state ~base:frame.base (If { then_; blocks; else_ })
     | ELSE ->
         let base = frame.base in
         (match frame.kind with If _ -> pop state | Block _ | Bracket _ | Else -> ());
