@@ -40,10 +40,10 @@ start; so it may if the time-out can be at once.
   10 |         Nothing -> return ()
      |         -------------------- `timeOut` may start `timeOut` at its own first instant
     ::: stdlib/Driving.frob:41:16
-  41 | driveTo goal = mkTask (proc i -> (roMake (setVelTR v omega), mergeE (tag arrived True) (tag blocked False)) where
-     |                --------------------------------------------------------------------------------------------------
+  41 | driveTo goal = mkTask (proc i ->
+     |                -----------------
   ...
-  51 |     blocked = when (looks && ahead < min blockedAt (norm way)))
+  52 |     blocked = when (looks && ahead < min blockedAt (norm way)))
      |     ----------------------------------------------------------- `driveTo` may occur at the first instant of `timeOut`
      = note: at an instant at which `driveTo` occurs as soon as `timeOut` starts, nothing waits for the next one
      = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile
@@ -59,9 +59,9 @@ start; so it may if the time-out can be at once.
   ...
    10 |         Nothing -> return ()
       |         -------------------- `timeOut` may start `timeOut` at its own first instant
-     ::: stdlib/Prelude.frob:657:11
-  657 |     where late = elapsed q ())
-      |           ------------------- `elapsed` may occur at the first instant of `timeOut`
+     ::: stdlib/Prelude.frob:658:9
+  658 |   where late = elapsed q ())
+      |         ------------------- `elapsed` may occur at the first instant of `timeOut`
       = note: at an instant at which `elapsed` occurs as soon as `timeOut` starts, nothing waits for the next one
       = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
   1 error
