@@ -7,6 +7,7 @@ type t = {
   source : Ir.file;
   input : Interface.t;
   output : Interface.t;
+  params : Param_struct.t option;
   sums : Sum_type.t array;
   machines : Machine_table.t list;
 }
@@ -160,6 +161,9 @@ let absent (v : V.t) =
     (fun (name, c_type) -> Ir.Text (Printf.sprintf "static %s %s;\n" c_type name))
     (List.sort compare variables)
 
+let params (v : V.t) text =
+  List.map (fun params -> Ir.Text (text params v.program)) (Option.to_list v.params)
+
 let includes headers = String.concat "" (List.map (Printf.sprintf "#include %s\n") headers)
 
 let header (v : V.t) (functions : Ir.function_ list) ~(batch : Batch.t option) : Ir.file =
@@ -194,6 +198,7 @@ let header (v : V.t) (functions : Ir.function_ list) ~(batch : Batch.t option) :
       own_records v;
       (if V.has_modes v then [ Text overlaid ] else []);
       foreign_prototypes v;
+      params v Param_struct.definition;
       states v;
       List.map (fun (f : Ir.function_) -> Ir.Prototype { f with comment = "" }) functions;
       List.map (fun (b : Batch.t) -> Ir.Text b.prototype) (Option.to_list batch);
@@ -243,6 +248,7 @@ let program ?own ?(batch = false) (program : M.program) =
                ]);
         ];
         absent v;
+        params v Param_struct.values;
         List.map (fun f -> Ir.Function f) functions;
         List.map (fun (b : Batch.t) -> Ir.Text b.definition) (Option.to_list batch);
       ]
@@ -253,6 +259,7 @@ let program ?own ?(batch = false) (program : M.program) =
     source;
     input = v.input;
     output = v.output;
+    params = v.params;
     sums = v.sums;
     machines = Machine_table.of_program v;
   }

@@ -8,6 +8,7 @@ type t = {
   source : Ir.file;
   input : Interface.t;
   output : Interface.t;
+  params : Param_struct.t option;
   sums : Sum_type.t array;
   machines : Machine_table.t list;
 }

@@ -41,6 +41,18 @@ type program = {
   foreign : foreign;
   console : control list;  (** filled by {!Console.declare} *)
   definitions : definition list;  (** dependency order *)
+  params : param list;
+}
+
+(** A parameter of the program: what mentions it mentions a [Global]. *)
+and param = {
+  param : Global.t;  (** a definition: of the value that it has by default *)
+  given : Global.t option;  (** that of the value that it is given from outside *)
+  label : string;  (** what it is called outside of the program: [k], or [M.k] *)
+  ty : ty;  (** [Bool], [Int] or [Float] *)
+  unit_ : string;  (** as it is written in brackets: [1/m]; [1]; [""] of a [Bool] *)
+  doc : string option;
+  span : Span.t;  (** of its name *)
 }
 
 (** What stands on the operator's console, under a label that nothing else there has. *)

@@ -272,4 +272,13 @@ let program (p : program) =
       with_parameters s d.span d.parameters (fun () ->
           expr s d.body;
           agree d.span ~expected:d.ty ~found:d.body.ty))
-    p.definitions
+    p.definitions;
+  List.iter
+    (fun (param : param) ->
+      let check g =
+        match Hashtbl.find_opt s.globals g with
+        | Some ([], ty) -> agree param.span ~expected:param.ty ~found:ty
+        | Some (_ :: _, _) | None -> fail param.span "the parameter `%s` has no value" param.label
+      in
+      List.iter check (param.param :: Option.to_list param.given))
+    p.params

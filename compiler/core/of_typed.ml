@@ -54,6 +54,32 @@ let foreign (f : T.foreign) : Ir.foreign =
     values = List.map value f.values;
   }
 
+(* Of several of one name only that of the main module is called by it alone. *)
+let params (p : T.program) =
+  let label (param : T.param) =
+    let namesake (q : T.param) = String.equal q.param.name param.param.name in
+    match List.filter namesake p.params with
+    | _ :: _ :: _ when not (String.equal param.param.module_ p.main_module) ->
+        param.param.module_ ^ "." ^ param.param.name
+    | _ -> param.param.name
+  in
+  let unit_ : T.ty -> string = function
+    | Number (_, unit_) -> Typing.Show.unit_ unit_
+    | _ -> ""
+  in
+  List.map
+    (fun (param : T.param) : Ir.param ->
+      {
+        param = param.param;
+        given = param.given;
+        label = label param;
+        ty = Erasure.ty param.ty;
+        unit_ = unit_ param.ty;
+        doc = param.doc;
+        span = param.span;
+      })
+    p.params
+
 let define ctx lifted (d : T.definition) =
   let parameters = Erasure.parameters d.scheme in
   let body = Expression.closed ctx lifted ~name:d.name parameters d.value in
@@ -81,4 +107,5 @@ let program (p : T.program) : Ir.program =
     foreign;
     console = [];
     definitions = (if instances = [] then definitions else Order.definitions definitions);
+    params = params p;
   }

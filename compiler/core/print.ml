@@ -401,6 +401,9 @@ let program out (p : program) =
   List.iter (fun t -> if own t.foreign_type then foreign_type c t) p.foreign.types;
   let own_value ((f : Primitive.foreign), _) = String.equal f.module_ p.main_module in
   List.iter (fun v -> if own_value v then foreign_value c v) p.foreign.values;
+  List.iter
+    (fun (param : param) -> if own param.param then (put c ("param " ^ param.label); cut c))
+    p.params;
   List.iter (fun (d : definition) -> if own d.name then definition c d) p.definitions;
   List.iter (fun i -> if belongs_to own i then instance c i) p.instances;
   close c;

@@ -11,6 +11,7 @@ type general = {
   real : Real.t;
   robot : string option;
   probes : string list;
+  params : string list;
 }
 
 (* {1 Speaking} *)
@@ -50,10 +51,12 @@ let report_exception = function
 (* {1 Compiling} *)
 
 let request general ?robot ?(entry = "main") ?(batch = false) ~library file : Request.t =
-  let { dump; stop_after; lint; specialization_limit; real; probes; format = _; robot = _ } =
+  let { dump; stop_after; lint; specialization_limit; real; probes; format = _; robot = _;
+    params = _ } =
     general
   in
-  { file; entry; library; robot; real; probes; batch; specialization_limit; lint; dump; stop_after }
+  { file; entry; library; robot; real; probes; params = []; batch; specialization_limit; lint; dump;
+    stop_after }
 
 let ( let* ) result continue =
   match result with Ok value -> continue value | Error text -> wrong_use text
@@ -67,6 +70,33 @@ let status sink =
   if List.exists wrong_call (Diagnostic.all sink) then Exit_status.wrong_use
   else if Diagnostic.has_errors sink then Exit_status.rejected
   else Exit_status.ok
+
+let rec settings = function
+  | [] -> Ok []
+  | text :: others -> (
+      match Resolve.Parameters.split text with
+      | Some setting -> Result.map (fun others -> setting :: others) (settings others)
+      | None ->
+          Error (Printf.sprintf "--param takes NAME=VALUE, as in `kTurn=4[1/m]`, not `%s`" text))
+
+(* What is wrong with them is told; a wrong value is a wrong call. *)
+let with_params general (resources : Resources.t) ~entry file continue =
+  if general.params = [] then continue []
+  else
+    let* given = settings general.params in
+    let* () = Program_file.check file in
+    let sink = Diagnostic.sink () and sources = Source.create () in
+    (* The robot does not matter: parameters are the same for all. *)
+    let plain = { (request general ~entry ~library:resources.library file) with dump = None;
+      stop_after = None } in
+    match Pipeline.params sink sources { plain with params = given } with
+    | Some set -> continue set
+    | None ->
+        print_diagnostics general.format sources sink;
+        Exit_status.wrong_use
+
+let param_options set =
+  List.concat_map (fun (p : Params.set) -> [ "--param"; p.setting ]) set
 
 let check_one general ?robot ~library file =
   let* () = Program_file.check file in
@@ -301,17 +331,20 @@ type engine = C | Interpreter
 
 let as_output content asked path = { Output.path; content; asked }
 
-let compiled_trace general ~entry ~sources ~modes ~input ~output file =
+let compiled_trace general ~params ~entry ~sources ~modes ~input ~output file =
   hosted general ~entry ~sources file
     ~host:(fun resources -> resources.Resources.trace_host)
     ~arguments:(fun _ program ->
-      (if modes then [ "--modes" ] else []) @ (program :: input :: Option.to_list output))
+      (if modes then [ "--modes" ] else [])
+      @ param_options params
+      @ (program :: input :: Option.to_list output))
 
 (* Speaks as the host of compiled programs does. *)
-let interpreted_trace general ~entry ~input ~output file =
+let interpreted_trace general ~params ~entry ~input ~output file =
   let* resources = Resources.find () in
   accepted Pipeline.interpretable general resources ~entry file (fun _ (core, entry, marks) ->
-      match Interpreted.trace core ~entry ~marks ~input ~output with
+      let params = List.map (fun (p : Params.set) -> (p.param, p.value)) params in
+      match Interpreted.trace core ~entry ~marks ~params ~input ~output with
       | Ok () -> Exit_status.ok
       | Error errors ->
           List.iter (Printf.eprintf "error: %s\n") errors;
@@ -344,15 +377,17 @@ let draw general ~entry ~trace ~picture file =
 
 let trace general engine ~entry ~sources ~modes ~input ~output ~picture file =
   let run ~input ~output =
+    let* resources = Resources.find () in
+    with_params general resources ~entry file @@ fun params ->
     match engine with
-    | C -> compiled_trace general ~entry ~sources ~modes ~input ~output file
+    | C -> compiled_trace general ~params ~entry ~sources ~modes ~input ~output file
     | Interpreter when modes ->
         prerr_endline
           "error: modes are those of the compiled program: `--modes` needs `--engine c`";
         Exit_status.wrong_use
     | Interpreter when List.exists (fun p -> p <> Drawing.probe) general.probes ->
         wrong_use "probes are put into the compiled program: `--probe` needs `--engine c`"
-    | Interpreter -> interpreted_trace general ~entry ~input ~output file
+    | Interpreter -> interpreted_trace general ~params ~entry ~input ~output file
   in
   match input with
   | _ when asks_for_list general -> list_probes general ~entry file
@@ -474,7 +509,7 @@ let viewer general (resources : Resources.t) ~entry ~sources ~options ~world ~se
 
 let print_only browser = if browser then [] else [ "--print" ]
 
-let shown general ~entry ~sources look ~record ~world file continue =
+let shown ?(params = []) general ~entry ~sources look ~record ~world file continue =
   match look with
   | None -> continue []
   | Some { browser; control = _ } ->
@@ -482,8 +517,8 @@ let shown general ~entry ~sources look ~record ~world file continue =
       let* () = Program_file.check file in
       let general, generated = with_all_probes general resources ~entry file in
       shared general ~generated ~options:(effort None) ~entry ~sources file (fun _ program ->
-          viewer general resources ~entry ~sources ~options:(print_only browser) ~world ~seed:1
-            ~recording:record ~program file
+          viewer general resources ~entry ~sources ~world ~seed:1
+            ~options:(param_options params @ print_only browser) ~recording:record ~program file
           |> continue)
 
 let run general ~entry ~sources run file =
@@ -500,7 +535,9 @@ let run general ~entry ~sources run file =
   let* () = Output.check ~reads:(file :: world :: sources) outputs in
   let option name value = match value with Some value -> [ name; value ] | None -> [] in
   let flag name value = if value then [ name ] else [] in
-  shown general ~entry ~sources run.look ~record:run.record ~world:(Some world) file (fun viewer ->
+  with_params general resources ~entry file @@ fun params ->
+  shown general ~params ~entry ~sources run.look ~record:run.record ~world:(Some world) file
+  @@ fun viewer ->
   hosted general ~entry ~sources file
     ~host:(fun resources -> resources.Resources.simulator)
     ~arguments:(fun _ program ->
@@ -511,10 +548,11 @@ let run general ~entry ~sources run file =
       @ flag "--realtime" run.realtime
       @ option "--record" run.record
       @ option "--picture" run.picture
+      @ param_options params
       @ flag "--exit-when-done" run.exit_when_done
       @ flag "--console" run.console
       @ flag "--strict" run.strict
-      @ if viewer = [] then [] else "--viewer" :: viewer))
+      @ if viewer = [] then [] else "--viewer" :: viewer)
 
 type view = {
   recording : string option;
@@ -539,6 +577,7 @@ let view general ~entry ~sources view file =
   let* () = all_exist (Option.to_list view.recording @ Option.to_list view.world) in
   let world = world_of view.world resources file in
   let* general = for_world general resources world in
+  with_params general resources ~entry file @@ fun params ->
   let general, generated = with_all_probes general resources ~entry file in
   let options = effort view.recording in
   shared general ~generated ~options ~entry ~sources file (fun _ program ->
@@ -548,7 +587,7 @@ let view general ~entry ~sources view file =
       end
       else
         let options =
-          print_only view.browser
+          param_options params @ print_only view.browser
           @ Option.fold ~none:[] ~some:(fun n -> [ "--port"; string_of_int n ]) view.port
         in
         let command =

@@ -12,7 +12,15 @@ type general = {
   real : Basis.Real.t;  (** the precision of [Float] *)
   robot : string option;  (** the robot to compile for, where the program leaves it open *)
   probes : string list;  (** inner signals to be seen, as {!Probe.Selection} takes them *)
+  params : string list;  (** values of the program's parameters, [NAME=VALUE] each *)
 }
+
+val with_params :
+  general -> Resources.t -> entry:string -> string -> (Params.set list -> int) -> int
+(** Goes on with what the program's parameters are set to; a wrong setting is told. *)
+
+val param_options : Params.set list -> string list
+(** For a host. *)
 
 val check : general -> string list -> int
 val compile :
@@ -60,6 +68,7 @@ type run = {
 val run : general -> entry:string -> sources:string list -> run -> string -> int
 
 val shown :
+  ?params:Params.set list ->
   general ->
   entry:string ->
   sources:string list ->

@@ -24,6 +24,7 @@ let front (r : Request.t) sink sources =
     Resolve.Program.load sink ~files ~library:r.library r.file
       ~remember:(fun ~file text -> Source.add sources ~file text)
       ?also:(Option.bind own (fun robot -> robot.file))
+      ~given:r.params
   in
   let lint = Resolve.Lint.program and print = Resolve.Print.program in
   let* resolved = stage r sink Resolve ~lint ~print resolved in
@@ -43,6 +44,16 @@ let front (r : Request.t) sink sources =
 let for_a_robot r { resolved; typed; core } entry : Robots.program =
   { typed; core; entry; signed = Typing.Entry.is_signed resolved entry; own = Request.own_robot r }
 
+(* The values of parameters, which only functions that come to an end can give. *)
+let param_values sink (core : Core.Ir.program) values =
+  if core.params = [] then values sink core
+  else
+    let own = Diagnostic.sink () in
+    Core.Recursion.check own core;
+    let found = if Diagnostic.has_errors own then None else values sink core in
+    List.iter (Diagnostic.emit sink) (Diagnostic.all own);
+    found
+
 let lint program =
   Flow.Lint.program program;
   Flow.Initialization.check program
@@ -58,11 +69,12 @@ let specialized (r : Request.t) sink { typed; _ } ~(written : Typing.Ir.definiti
   | None ->
       let limit = r.specialization_limit in
       let name = C_file.name r.file in
+      let* default = param_values sink core Params.defaults in
       let options = { Specialize.Context.default with limit } in
       let* core = Operator.declared options sink typed ~name ~entry core in
       let specialized marks =
         let options = { options with marks } in
-        let* flow = Specialize.Of_core.program ~options sink ~name ~entry core in
+        let* flow = Specialize.Of_core.program ~options ~default sink ~name ~entry core in
         (* Before anything is moved: messages speak of equations as they were written. *)
         let entry = written.span in
         Flow.Causality.check sink ~entry flow;
@@ -84,7 +96,9 @@ let check_entry (r : Request.t) sink front (written : Typing.Ir.definition) =
 
 let check sink sources r =
   match front r sink sources with
-  | Some front when Typing.Entry.all front.typed = [] -> Core.Recursion.check sink front.core
+  | Some front when Typing.Entry.all front.typed = [] ->
+      Core.Recursion.check sink front.core;
+      if not (Diagnostic.has_errors sink) then ignore (Params.defaults sink front.core)
   | Some front -> List.iter (check_entry r sink front) (Typing.Entry.all front.typed)
   | None -> ()
 
@@ -94,6 +108,10 @@ type t = {
   closed : Core.Ir.program * Core.Ir.Global.t;
   flow : Flow.Ir.program;
 }
+
+let params sink sources r =
+  let* front = front r sink sources in
+  param_values sink front.core Params.given
 
 let program sink sources (r : Request.t) =
   let* front = front r sink sources in

@@ -16,5 +16,8 @@ val check : Diagnostic.sink -> Source.t -> Request.t -> unit
 (** The same for the module's [main] or, where there is none, for each signal function that could
     be an entry. *)
 
+val params : Diagnostic.sink -> Source.t -> Request.t -> Params.set list option
+(** What the request sets parameters to. *)
+
 val lint : Flow.Ir.program -> unit
 (** What is true of Flow between any two stages. *)

@@ -39,11 +39,12 @@ let with_output path run =
   | result -> result
   | exception Unwritable errors -> Error errors
 
-let trace core ~entry ~marks ~input ~output =
+let trace ~params core ~entry ~marks ~input ~output =
+  let warn = Printf.eprintf "warning: %s\n" in
   with_input input (fun ~name channel ->
       let read () = match input_char channel with c -> Some c | exception End_of_file -> None in
       with_output output (fun write ->
-          try Interp.Trace.run ~marks core ~entry ~name ~read ~write
+          try Interp.Trace.run ~marks ~params ~warn core ~entry ~name ~read ~write
           with Stack_overflow ->
             Error [ "this program nests too deeply for the interpreter; use `--engine c`" ]))
 

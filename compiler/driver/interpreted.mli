@@ -1,13 +1,15 @@
 (** Programs run by the interpreter on files. *)
 
 val trace :
+  params:Interp.Recorded_params.settings ->
   Core.Ir.program ->
   entry:Core.Ir.Global.t ->
   marks:int ->
   input:string ->
   output:string option ->
   (unit, string list) result
-(** [input]: a path, [-] for standard input; [output]: a path, otherwise
+(** [params]: those that are set. [input]: a path, [-] for standard input; [output]: a path,
+    otherwise
     standard output. See {!Interp.Trace.run}; files that cannot be opened or
     written are errors too. *)
 

@@ -4,6 +4,7 @@ let ( let* ) = Option.bind
 let stage = Request.stage
 
 let check = Front_end.check
+let params = Front_end.params
 
 (* With what is to be seen beside its output. *)
 let observed (r : Request.t) sink (p : Front_end.t) names =

@@ -11,6 +11,9 @@ val check : unit t
 (** All that can reject a program, of its `main` or, in a module without one, of each signal
     function that could be an entry. *)
 
+val params : Params.set list option t
+(** What the request sets parameters to. *)
+
 val flow : Flow.Ir.program option t
 (** One entry of the file's module, before there is a state struct and a step. *)
 

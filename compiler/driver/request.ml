@@ -7,6 +7,7 @@ type t = {
   robot : Cgen.Robot.t option;
   real : Real.t;
   probes : string list;
+  params : Resolve.Parameters.setting list;
   batch : bool;
   specialization_limit : int;
   lint : bool;
@@ -22,6 +23,7 @@ let make ~library file =
     robot = None;
     real = Double;
     probes = [];
+    params = [];
     batch = false;
     specialization_limit = 10_000;
     lint = false;

@@ -10,6 +10,7 @@ type t = {
       (** for a program that leaves its robot open; see {!Robots.closed} *)
   real : Real.t;  (** the precision of [Float] *)
   probes : string list;  (** inner signals to be seen, as {!Probe.Selection} takes them *)
+  params : Resolve.Parameters.setting list;  (** values for {!Pipeline.params} to tell *)
   batch : bool;  (** as for {!Cgen.Emit.program} *)
   specialization_limit : int;
   lint : bool;  (** check each stage's promises *)

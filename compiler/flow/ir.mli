@@ -136,6 +136,7 @@ and rhs =
       (** [default] outside the array *)
   | Replace of { array : atom; index : atom; value : atom }
       (** the same array with one other element; unchanged if outside *)
+  | Param of int  (** of [program.params]: always the same in a run *)
   | Absent  (** a foreign value that is not there, which nothing looks at *)
   | Time of { unit : time_unit; restart : atom }
       (** local time, and 0 where [restart] holds and from then on the time since,
@@ -275,6 +276,17 @@ type node = {
   file : string;
 }
 
+(** What is fixed when a run starts. *)
+type param = {
+  param_name : string;  (** the programmer's *)
+  label : string;  (** what it is called outside of the program: its name, or [M.name] *)
+  param_ty : ty;  (** [Bool], [Int] or [Float] *)
+  unit_ : string;  (** as it is written in brackets; [""] of a [Bool] *)
+  default : atom;  (** which nothing but a run may rest on *)
+  doc : string option;
+  declared : Span.t;
+}
+
 type header = { header : string; folder : string  (** its path is from there *) }
 
 type program = {
@@ -298,4 +310,5 @@ type program = {
       (** inner signals to be seen, by what they are called: the root gives their leaves
           after those of [output] *)
   marks : int;  (** so many can be drawn in an instant, whether or not they are to be seen *)
+  params : param list;
 }

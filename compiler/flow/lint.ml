@@ -117,6 +117,10 @@ let equation scope (eq : Ir.equation) =
         expect scope "an index" Int (type_of scope index);
         expect scope "an element" (snd (array scope a)) (type_of scope value);
         type_of scope a
+    | Param k -> (
+        match List.nth_opt scope.program.params k with
+        | Some { param_ty = (Bool | Int | Float) as ty; _ } -> ty
+        | Some _ | None -> bug "there is no parameter %d in `%s`" k scope.node.name)
     | Absent -> (
         match ty with
         | Foreign _ -> ty

@@ -123,6 +123,7 @@ let rhs sums names ppf ~(defines : Ir.signal) : Ir.rhs -> unit = function
   | Replace { array; index; value } ->
       fprintf ppf "replace %a %a %a" (atom names) index (atom names) value (atom names) array
   | Delay { init; next } -> fprintf ppf "delay %a %a" (atom names) init (atom names) next
+  | Param k -> fprintf ppf "param %d" k
   | Absent -> pp_print_string ppf "absent"
   | Time { unit; restart } -> (
       let unit = match unit with Seconds -> "time" | Nanoseconds -> "nanoseconds" in

@@ -99,7 +99,8 @@ let general =
     Arg.(value & opt (some string) None & info [ "robot" ] ~docv:"ROBOT" ~doc)
   in
   let make format dump stop_after lint specialization_limit robot real =
-    { Commands.format; dump; stop_after; lint; specialization_limit; robot; real; probes = [] }
+    { Commands.format; dump; stop_after; lint; specialization_limit; robot; real; probes = [];
+      params = [] }
   in
   Term.(const make $ format $ dump $ stop_after $ lint $ limit $ robot $ real)
 
@@ -112,6 +113,17 @@ let probed =
   let names = Arg.(value & opt_all (list string) [] & info [ "probe" ] ~docv:"NAME,…" ~doc) in
   let make general names = { general with Commands.probes = List.concat names } in
   Term.(const make $ general $ names)
+
+(* Of commands that run a program. *)
+let with_params general =
+  let doc =
+    "Run with this value of a parameter that the program declares by $(b,param), as in \
+     $(b,kTurn=5[1/m]): an expression as the program could have it, of the parameter's unit. May \
+     be given several times."
+  in
+  let settings = Arg.(value & opt_all string [] & info [ "param" ] ~docv:"NAME=VALUE" ~doc) in
+  let make general params = { general with Commands.params } in
+  Term.(const make $ general $ settings)
 
 let time_span =
   let parse text = Result.map_error (fun message -> `Msg message) (Driver.Time_span.parse text) in
@@ -221,7 +233,9 @@ let trace =
     ]
   in
   command "trace" ~man ~doc:"run a signal function on recorded input"
-    Term.(const run $ probed $ entry $ sources $ modes $ input $ output $ picture $ engine $ file)
+    Term.(
+      const run $ with_params probed $ entry $ sources $ modes $ input $ output $ picture $ engine
+      $ file)
 
 let run =
   let some_string names ~docv ~doc = Arg.(value & opt (some string) None & info names ~docv ~doc) in
@@ -370,7 +384,8 @@ let run =
   in
   command "run" ~doc:"run a robot program in the simulator, or on a robot"
     Term.(
-      const make $ probed $ entry $ sources $ on_robot $ world $ duration $ rate $ seed $ realtime
+      const make $ with_params probed $ entry $ sources $ on_robot $ world $ duration $ rate $ seed
+        $ realtime
         $ record
       $ picture $ strict $ exit_when_done $ console $ look $ file)
 
@@ -426,8 +441,8 @@ let view =
   in
   command "view" ~man ~doc:"look at a recorded run on a page, at any instant"
     Term.(
-      const run $ general $ entry $ sources $ print $ port $ world $ seed $ only_build
-        $ recording $ file)
+      const run $ with_params general $ entry $ sources $ print $ port $ world $ seed
+        $ only_build $ recording $ file)
 
 let build =
   let output =

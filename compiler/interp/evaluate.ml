@@ -21,15 +21,17 @@ type env = {
 
 let bug format = Diagnostic.bug ~stage:"Interp" format
 
-let program (core : Core.Ir.program) =
+let program ?(params = []) (core : Core.Ir.program) =
   let definitions = Hashtbl.create 256 in
   List.iter (fun (d : definition) -> Hashtbl.replace definitions d.name d) core.definitions;
+  let values = Hashtbl.create 256 in
+  List.iter (fun (name, value) -> Hashtbl.replace values (name, []) value) params;
   {
     real = core.real;
     console = core.console;
     instances = Instance.table core.instances;
     definitions;
-    values = Hashtbl.create 256;
+    values;
     floats = Hashtbl.create 64;
     nesting = Thunk.nesting ();
   }

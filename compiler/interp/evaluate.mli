@@ -8,6 +8,8 @@
 
 type program
 
-val program : Core.Ir.program -> program
+val program : ?params:(Core.Ir.Global.t * Value.thunk) list -> Core.Ir.program -> program
+(** [params]: what these definitions are instead of what they say. *)
+
 val definition : program -> Core.Ir.Global.t -> Value.thunk
 (** The value of a definition without parameters. *)

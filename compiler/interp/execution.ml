@@ -15,8 +15,9 @@ let interface (core : program) (entry : Global.t) =
       (input, output)
   | Some _ | None -> bug "`%s` cannot be run" entry.name
 
-let start core ~entry =
-  let definition = Evaluate.definition (Evaluate.program core) entry in
+let start ?(params = []) core ~entry =
+  let params = List.map (fun (name, value) -> (name, Thunk.known value)) params in
+  let definition = Evaluate.definition (Evaluate.program ~params core) entry in
   let started ended (value : Value.t) =
     match value with
     | Signal_function start -> { instance = start (); ended; is_first = true }

@@ -5,8 +5,10 @@ type t
 val interface : Core.Ir.program -> Core.Ir.Global.t -> Core.Ir.ty * Core.Ir.ty
 (** The types of the input and the output of an entry. *)
 
-val start : Core.Ir.program -> entry:Core.Ir.Global.t -> t
-(** The entry is a signal function or a program, of a closed type; what the
+val start :
+  ?params:(Core.Ir.Global.t * Value.t) list -> Core.Ir.program -> entry:Core.Ir.Global.t -> t
+(** [params]: the values of parameters that do not have those they have by default. The entry
+    is a signal function or a program, of a closed type; what the
     compiler would reject has no meaning here. *)
 
 val ended : t -> Core.Ir.ty option

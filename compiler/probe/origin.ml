@@ -196,7 +196,7 @@ and right_side walk frame ~at ~part (rhs : Ir.rhs) =
   | Replace { array; index; value }, _ ->
       all [ index; value ];
       go array
-  | (Absent | Step_time), _ -> ()
+  | (Param _ | Absent | Step_time), _ -> ()
   | Integral a, _ -> atom walk frame ~at:(earlier at) ~part:[] a
   | Derivative a, _ ->
       all [ a ];

@@ -56,7 +56,7 @@ let rec expression c (e : M.expr) =
   | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Dt | Dt_nanoseconds ->
       Cost.none
   | Field { content = Value ty; _ } -> Cost.several (scalars c ty) Loads
-  | Field _ -> Cost.one Loads
+  | Field _ | Param _ -> Cost.one Loads
   | Operation { operator; ty; arguments } ->
       Cost.add (operation operator ty) (expressions c arguments)
   | Select { condition; then_; else_ } ->

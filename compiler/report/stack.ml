@@ -58,7 +58,7 @@ let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
 let rec calls (e : M.expr) =
   match e with
   | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Variable _
-  | Field _ -> false
+  | Field _ | Param _ -> false
   | Construct _ | Call _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ | Fill _ | At _
   | Replace _ -> true
   | Elements { elements; _ } -> List.exists calls elements
@@ -82,7 +82,7 @@ let rec within c frame ~calling (e : M.expr) =
   let intermediate () = if calling then need frame word in
   match e with
   | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Variable _
-  | Field _ -> ()
+  | Field _ | Param _ -> ()
   | Operation { operator = And | Or; arguments; _ } ->
       need frame word;
       all arguments
@@ -157,7 +157,7 @@ and choice c (e : M.expr) =
       let add sum (_, ty) = Amount.add sum (room c ty) in
       List.fold_left add 0 c.program.nodes.(node).outputs
   | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Field _
-  | Operation _
+  | Param _ | Operation _
   | Is_constructor _ | Seconds _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ ->
       word
   | Elements { element; elements } -> room c (Array (List.length elements, element))

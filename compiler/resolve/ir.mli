@@ -29,7 +29,17 @@ type program = {
   classes : class_ list;  (** all modules; superclasses before their subclasses *)
   instances : instance list;
   groups : binding_group list;  (** top level, all modules, dependency order *)
+  params : param list;  (** all modules; used like any definition of [groups], which they are *)
 }
+
+and param = {
+  param : Global.t;  (** its definition is the value that it has by default *)
+  given : Global.t option;
+      (** the definition of the value that it is given from outside; its name is one that no
+          source can mention *)
+  span : Span.t;  (** of the name *)
+}
+(** [param x :: t = e]: fixed when a run starts. *)
 
 and module_ = {
   name : string;

@@ -290,6 +290,7 @@ let program ppf (p : Ir.program) =
         match b.name with Top (g, _) -> shown g | Inner _ | Destructure _ -> false)
       g.bindings
   in
+  let parameter ppf (p : Ir.param) = fprintf ppf "param %a" global p.param in
   fprintf ppf "@[<v>";
   List.iter (line module_) p.modules;
   List.iter (line unit_declaration)
@@ -298,6 +299,9 @@ let program ppf (p : Ir.program) =
     (List.filter (fun (d : Ir.type_declaration) -> shown d.tycon) p.types);
   List.iter (line class_) (List.filter (fun (c : Ir.class_) -> shown c.class_) p.classes);
   List.iter (line group) (List.filter of_shown_group p.groups);
+  List.iter
+    (fun (param : Ir.param) -> if shown param.param then line parameter param)
+    p.params;
   List.iter (line instance)
     (List.filter (fun (i : Ir.instance) -> shown_instance shown i) p.instances);
   fprintf ppf "@]"

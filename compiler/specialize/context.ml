@@ -38,6 +38,7 @@ type t = {
   fresh : unit -> int;
   instances : Core.Instance.table;
   definitions : definition Global_table.t;
+  params : Core.Ir.param list;
   names : Names.t;
   globals : Value.t Variables.Table.t;
   begun : unit Variables.Table.t;
@@ -81,6 +82,7 @@ let create sink options ?(seeks = false) (program : Core.Ir.program) =
     fresh;
     instances = Core.Instance.table program.instances;
     definitions;
+    params = program.params;
     names = Names.create ();
     globals = Variables.Table.create 64;
     begun = Variables.Table.create 16;

@@ -58,6 +58,7 @@ type t = {
   fresh : unit -> int;
   instances : Core.Instance.table;
   definitions : definition Resolve.Global_table.t;
+  params : Core.Ir.param list;
   names : Names.t;  (** of nodes *)
   globals : Value.t Variables.Table.t;  (** values of definitions without signals *)
   begun : unit Variables.Table.t;  (** definitions once postponed *)

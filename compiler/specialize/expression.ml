@@ -166,6 +166,27 @@ and argument (c : Context.t) s (e : Ir.expr) : Value.argument =
 (* A definition of first-order type is a function without arguments; any other
    is evaluated where it is used, once if it needs no equations. *)
 and global (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types =
+  let rec number k : Ir.param list -> int option = function
+    | [] -> None
+    | p :: _ when p.param = name -> Some k
+    | _ :: others -> number (k + 1) others
+  in
+  match number 0 c.params with
+  | None -> definition c s target e name types
+  | Some k -> param c s e name k
+
+(* Read once in a node. *)
+and param (c : Context.t) s (e : Ir.expr) (name : Ir.Global.t) k =
+  let { Context.code; _ } = Resolve.Global_table.find c.definitions name in
+  match (Node.global s.node code, (Types.layout c.types e.ty).leaves) with
+  | Some value, _ -> value
+  | None, [ { leaf; _ } ] ->
+      let atom = Node.define s.node (Named name.name) ~span:e.span leaf (Param k) in
+      Node.add_global s.node code (Atom atom);
+      Atom atom
+  | None, ([] | _ :: _ :: _) -> bug "the parameter `%s` is no number" name.name
+
+and definition (c : Context.t) s target (e : Ir.expr) (name : Ir.Global.t) types =
   let { Context.core; code } =
     match Resolve.Global_table.find_opt c.definitions name with
     | Some definition -> definition

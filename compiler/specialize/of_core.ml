@@ -158,7 +158,23 @@ let root c ~unique (core : Ir.definition) ~input ~output =
     (ended, [])
   end
 
-let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
+let param ~default (p : Ir.param) : Flow.Ir.param =
+  {
+    param_name = p.param.name;
+    label = p.label;
+    param_ty =
+      (match p.ty with
+      | Bool -> Bool
+      | Int -> Int
+      | Float -> Float
+      | _ -> Diagnostic.bug ~stage:"Specialize.Of_core" "`%s` is no number" p.label);
+    unit_ = p.unit_;
+    default = default p;
+    doc = p.doc;
+    declared = p.span;
+  }
+
+let closed_program (c : Context.t) ~name ~default (core : Ir.definition) ~input ~output :
     Flow.Ir.program option =
   let is_first_order ty = (Types.layout c.types ty).first_order in
   if not (is_first_order input) then refuse_interface c core "input" input;
@@ -209,15 +225,19 @@ let closed_program (c : Context.t) ~name (core : Ir.definition) ~input ~output :
         ends = Option.is_some !ended;
         probes = List.map (fun name -> (name, Types.shape_of_marks c.types)) !drawings;
         marks = (if c.draws then Option.value (Types.marks c.types) ~default:1 else 0);
+        params = List.map (param ~default) c.params;
       }
 
-let closed (c : Context.t) ~name ~entry:(entry : Ir.Global.t) =
+let no_default (p : Ir.param) =
+  Diagnostic.bug ~stage:"Specialize.Of_core" "the parameter `%s` has no value" p.label
+
+let closed (c : Context.t) ~name ~default ~entry:(entry : Ir.Global.t) =
   match Resolve.Global_table.find_opt c.definitions entry with
   | None ->
       Diagnostic.bug ~stage:"Specialize.Of_core" "there is no `%s.%s`" entry.module_ entry.name
   | Some { core; _ } -> (
       match ends core with
-      | Some (input, output) -> closed_program c ~name core ~input ~output
+      | Some (input, output) -> closed_program c ~name ~default core ~input ~output
       | None ->
           Diagnostic.bug ~stage:"Specialize.Of_core" "`%s` is no closed signal function"
             entry.name)
@@ -229,14 +249,16 @@ let controls options sink ~name ~entry (program : Ir.program) =
   if (not (Core.Console.asks program)) || Diagnostic.has_errors own then Some []
   else
     let c = Context.create own options ~seeks:true program in
-    ignore (closed c ~name ~entry);
+    let default _ = Flow.Ir.Bool false in
+    ignore (closed c ~name ~default ~entry);
     if Diagnostic.has_errors own then begin
       List.iter (Diagnostic.emit sink) (Diagnostic.all own);
       None
     end
     else match c.console with Sought { found } -> Some (List.rev found) | Declared _ -> None
 
-let program ?(options = Context.default) sink ~name ~entry (program : Ir.program) =
+let program ?(options = Context.default) ?(default = no_default) sink ~name ~entry
+    (program : Ir.program) =
   Core.Recursion.check sink program;
   Foreign_code.check_names sink ~name program.foreign;
-  closed (Context.create sink options program) ~name ~entry
+  closed (Context.create sink options program) ~name ~default ~entry

@@ -24,10 +24,12 @@ val controls :
 
 val program :
   ?options:Context.options ->
+  ?default:(Core.Ir.param -> Flow.Ir.atom) ->
   Diagnostic.sink ->
   name:string ->
   entry:Core.Ir.Global.t ->
   Core.Ir.program ->
   Flow.Ir.program option
-(** [name]: of the C files. The entry is a signal function or program, and closed; [None] if
+(** [name]: of the C files; [default]: the value of a parameter where none is given. The entry is
+    a signal function or program, and closed; [None] if
     errors were reported. *)

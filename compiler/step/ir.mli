@@ -65,6 +65,7 @@ type expr =
   | Absent of Flow.Ir.foreign_type  (** no value, which nothing looks at *)
   | Variable of variable
   | Field of field  (** of the node's own state *)
+  | Param of int  (** of [program.params] *)
   | Dt  (** seconds since the previous instant; 0 at a node's first *)
   | Dt_nanoseconds
   | Operation of { operator : Flow.Ir.operator; ty : ty; arguments : expr list }
@@ -235,6 +236,7 @@ type program = {
   ends : bool;  (** as {!Flow.Ir.program} *)
   probes : (string * Flow.Ir.shape) list;  (** likewise *)
   marks : int;  (** likewise *)
+  params : Flow.Ir.param list;
   started : mark option;
       (** there if the dt of the first instant can be seen, and so must be made 0 *)
 }

@@ -73,6 +73,10 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
       | None ->
           bug "variable `%s` (%d) of `%s` is read before it has a value" v.name v.id c.node.name)
   | Field f -> field_type c f
+  | Param k -> (
+      match List.nth_opt c.program.params k with
+      | Some p -> Layout.ty p.param_ty
+      | None -> bug "`%s` reads a parameter that is not there" c.node.name)
   | Dt ->
       if not c.node.seconds then bug "`%s` reads dt and does not say so" c.node.name;
       Float

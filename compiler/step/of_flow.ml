@@ -149,6 +149,7 @@ let program (program : F.program) : Ir.program =
     ends = program.ends;
     probes = program.probes;
     marks = program.marks;
+    params = program.params;
     real = program.real;
     started = None;
   }

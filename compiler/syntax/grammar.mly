@@ -33,7 +33,7 @@ let expr = Term.to_expr
 %token ARROW LEFT_ARROW TAIL DOUBLE_ARROW DOUBLE_COLON
 %token LAMBDA_CASE "`\\case`"
 %token LET IN WHERE DO OF CASE IF THEN ELSE PROC REC
-%token MODULE IMPORT QUALIFIED AS DATA TYPE UNIT PRIMITIVE FOREIGN CLASS INSTANCE
+%token MODULE IMPORT QUALIFIED AS DATA TYPE UNIT PRIMITIVE FOREIGN PARAM CLASS INSTANCE
 %token OPEN CLOSE SEMICOLON END
 /* Never part of a program: */
 %token BAD
@@ -145,6 +145,8 @@ declaration_desc:
 | CLASS head = class_head members = members { class_ (fst head) (snd head) members }
 | INSTANCE head = class_head members = members { instance (fst head) (snd head) members }
 | PRIMITIVE s = signature { Primitive s }
+| PARAM name = variable DOUBLE_COLON ty = qualified_type EQUAL value = chain
+    { Parameter { name; ty; value = expr value } }
 | FOREIGN name = variable DOUBLE_COLON ty = qualified_type EQUAL symbol = c_text
     { Foreign (Foreign_value { kind = Foreign_function; name; ty; symbol }) }
 | FOREIGN word = lower name = variable DOUBLE_COLON ty = qualified_type EQUAL symbol = c_text

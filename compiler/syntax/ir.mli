@@ -50,6 +50,8 @@ and declaration_desc =
   | Primitive of signature
       (** [primitive sin :: Float -> Float], only in the standard library *)
   | Foreign of foreign
+  | Parameter of { name : name; ty : qualified_type; value : expr }
+      (** [param kTurn :: Float[1/m] = 4[1/m]], with the value that it has by default *)
 
 (** Texts in C keep their place. *)
 and foreign =

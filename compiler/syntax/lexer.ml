@@ -161,6 +161,7 @@ let reserved = function
   | "class" -> Some CLASS
   | "instance" -> Some INSTANCE
   | "foreign" -> Some FOREIGN
+  | "param" -> Some PARAM
   | ("deriving" | "newtype") as word -> Some (RESERVED word)
   | _ -> None
 

@@ -313,6 +313,11 @@ and declaration b column (d : declaration) =
       text b "unit "; text b x.text; text b " = "; scaled b scale unit_
   | Primitive s -> text b "primitive "; signature b s
   | Foreign f -> text b "foreign "; foreign b f
+  | Parameter { name; ty; value } ->
+      text b "param ";
+      signature b { names = [ name ]; ty };
+      text b " = ";
+      expr b column value
 
 and foreign b = function
   | Foreign_value { kind; name; ty; symbol } ->

@@ -280,8 +280,8 @@ let of_token found =
       Some "`<-` belongs to the statements of a `do`; an equation is written with `=`"
   | TAIL, _ ->
       Some "`-<` belongs to `proc`; in an equation a signal function is just applied: `x = sf e`"
-  | (EQUAL | DOUBLE_COLON), Some ({ token = UNIT | PRIMITIVE | FOREIGN | CLASS | INSTANCE | DATA
-    | TYPE | MODULE | IMPORT | REC; _ } as word) ->
+  | (EQUAL | DOUBLE_COLON), Some ({ token = UNIT | PRIMITIVE | FOREIGN | PARAM | CLASS | INSTANCE
+    | DATA | TYPE | MODULE | IMPORT | REC; _ } as word) ->
       Some (reserved_word (written found word))
   | (EQUAL | BAR | DOUBLE_COLON), _ when lacks_where found ->
       Some "the methods follow `where`, each on a line of its own"
@@ -326,7 +326,8 @@ let of_token found =
   | SLASH, None -> Some "a comment starts with `--`"
   | BAR, _ when is_symbol (after found) && after found <> '>' -> Some own_operator
   | BAR, _ when after found = '>' -> Some "a function stands before its argument: `f x`"
-  | (UNIT | PRIMITIVE | FOREIGN | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT | REC), Some _ ->
+  | (UNIT | PRIMITIVE | FOREIGN | PARAM | CLASS | INSTANCE | DATA | TYPE | MODULE | IMPORT
+    | REC), Some _ ->
       Some (reserved_word (written found found.token))
   | (END | SEMICOLON), before
     when expects_more before && (not found.token.last)

@@ -66,7 +66,17 @@ type program = {
   instances : instance list;  (** at most one for each class and type constructor *)
   definitions : definition list;
       (** top level, dependency order; after them those of methods *)
+  params : param list;
 }
+
+and param = {
+  param : Global.t;  (** a definition: of the value that it has by default *)
+  given : Global.t option;  (** that of the value that it is given from outside *)
+  ty : ty;  (** a [Number] without variables, or [Bool] *)
+  doc : string option;
+  span : Span.t;  (** of the name *)
+}
+(** Static, and fixed when a run starts: no value of it is known to the compiler. *)
 
 (** What is C code of the user's. *)
 and foreign = {

@@ -56,7 +56,7 @@ double run_program(const frob_program &program, const Scene &scene, double durat
     const std::size_t room = program.state_size / sizeof(std::max_align_t) + 1;
     std::vector<std::max_align_t> states(room * robots);
     const std::clock_t start = std::clock();
-    for (std::size_t k = 0; k < robots; ++k) program.reset(&states[room * k]);
+    for (std::size_t k = 0; k < robots; ++k) program.reset(&states[room * k], program.default_params);
     std::int64_t before_ns = 0;
     for (std::int64_t instant = 0;; ++instant) {
         const std::int64_t now_ns = std::llround(static_cast<double>(instant) * 1e9 / rate_hz);
@@ -69,7 +69,7 @@ double run_program(const frob_program &program, const Scene &scene, double durat
             frob_pioneer_input input;
             simulation.read(&input, k);
             frob_pioneer_output output{};
-            program.step(&states[room * k], static_cast<double>(now_ns - before_ns) / 1e9, &input,
+            program.step(&states[room * k], program.default_params, static_cast<double>(now_ns - before_ns) / 1e9, &input,
                          &output);
             simulation.command(now_ns, &output, k);
         }

@@ -10,9 +10,15 @@ let of_program (v : V.t) =
   in
   let head = Printf.sprintf "void %s(" name in
   let indent = String.make (String.length head) ' ' in
+  let params, passed =
+    match v.params with
+    | None -> ([], "")
+    | Some params ->
+        ([ Printf.sprintf "const struct %s *params" (Param_struct.struct_name params) ], "params, ")
+  in
   let parameters =
-    [
-      Printf.sprintf "struct %s *self" root.state;
+    (Printf.sprintf "struct %s *self" root.state :: params)
+    @ [
       "int32_t count";
       Printf.sprintf "const %s *%s" dt_type dt;
       Printf.sprintf "const struct %s *in" v.input.struct_name;
@@ -32,8 +38,8 @@ let of_program (v : V.t) =
         "%s\n\
          {\n\
         \    for (int32_t i = 0; i < count; i++) {\n\
-        \        %s(self, %s[i], &in[i], &out[i]);\n\
+        \        %s(self, %s%s[i], &in[i], &out[i]);\n\
         \    }\n\
          }\n"
-        signature root.step dt;
+        signature root.step passed dt;
   }

@@ -49,8 +49,9 @@ let in_seconds c ns = Ir.Binary (Over, Cast (V.real c.v, ns), V.float c.v 1e9)
 let step_call c ~node ~own arguments results =
   let callee = c.v.program.nodes.(node) in
   let given is_read name = if is_read then [ Ir.Name name ] else [] in
+  let params = given (Step.Param_use.in_step c.v.param_use node) "params" in
   let dt = given callee.seconds "dt" and dt_ns = given callee.nanoseconds "dt_ns" in
-  Ir.Call (c.v.nodes.(node).step, List.concat [ own; dt; dt_ns; arguments; results ])
+  Ir.Call (c.v.nodes.(node).step, List.concat [ own; params; dt; dt_ns; arguments; results ])
 
 (* But for the parameters that it reads by the pointer to the input. *)
 let for_step c node arguments =
@@ -67,4 +68,6 @@ let own_state c state =
   let address field = Ir.Unary (Address, Expression.field c.names field) in
   Option.to_list (Option.map address state)
 
-let for_reset c node = Expression.arguments c.names c.v.program.nodes.(node).reset.parameters
+let for_reset c node given =
+  let params = if Step.Param_use.in_reset c.v.param_use node then [ Ir.Name "params" ] else [] in
+  params @ Expression.arguments c.names c.v.program.nodes.(node).reset.parameters given

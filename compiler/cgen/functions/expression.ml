@@ -15,6 +15,7 @@ type names = {
 let given = [ "self"; "in"; "out"; "dt"; "dt_ns" ]
 
 let names (v : V.t) ~node =
+  let given = if Option.is_some v.params then "params" :: given else given in
   {
     v;
     node;
@@ -176,6 +177,11 @@ let address : Ir.expr -> Ir.expr = function
   | Unary (Dereference, pointer) -> pointer
   | e -> Unary (Address, e)
 
+let param n k : Ir.expr =
+  match n.v.params with
+  | Some params -> Arrow (Name "params", Param_struct.member params k)
+  | None -> Diagnostic.bug ~stage:"Cgen.Expression" "a parameter of a program without any"
+
 let is_whole_period period = period >= 1. && period < 0x1p63
 
 let rec of_step n (e : M.expr) : Ir.expr =
@@ -192,6 +198,7 @@ let rec of_step n (e : M.expr) : Ir.expr =
       | Some e -> e
       | None -> Name (variable n v))
   | Field f -> field n f
+  | Param k -> param n k
   | Dt -> Name "dt"
   | Dt_nanoseconds -> Name "dt_ns"
   | Operation { operator = Elementary f; arguments; _ } ->
@@ -241,7 +248,9 @@ let rec of_step n (e : M.expr) : Ir.expr =
         ( V.array_function n.v Replace (Array (count, element)),
           [ address (of_step n array); of_step n index; of_step n value ] )
   | Call { node; arguments = given } ->
-      Call (n.v.nodes.(node).step, arguments n n.v.program.nodes.(node).step.parameters given)
+      let arguments = arguments n n.v.program.nodes.(node).step.parameters given in
+      let params = if Step.Param_use.in_step n.v.param_use node then [ Ir.Name "params" ] else [] in
+      Call (n.v.nodes.(node).step, params @ arguments)
   | In_nanoseconds e -> V.call n.v "frob_time_in_ns" [ of_step n e ]
   | Seconds e -> Binary (Over, Cast (V.real n.v, of_step n e), V.float n.v 1e9)
   | Soon (a, b) -> Call ("frob_soon", [ of_step n a; of_step n b ])

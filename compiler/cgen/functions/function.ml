@@ -178,6 +178,13 @@ let variables_read (v : V.t) (node : M.node) body =
   read
 
 let self v k = (Ir.Pointer (Struct v.V.nodes.(k).state), "self")
+(* The pointer to the program's parameters, where there are any and they are read. *)
+let params (v : V.t) is_read =
+  match v.params with
+  | Some params when is_read ->
+      [ (Ir.Pointer_to_const (Struct (Param_struct.struct_name params)), "params") ]
+  | Some _ | None -> []
+
 let ignored name = plain (Ir.Do (Cast (Void, Name name)))
 
 (* The pointer to a state that a body, already made, does not use. *)
@@ -194,12 +201,14 @@ let no_result _ _ = Diagnostic.bug ~stage:"Cgen.Function" "a result where there 
 let reset (v : V.t) k : Ir.function_ =
   let node = v.program.nodes.(k) in
   let names = Expression.names v ~node:k in
-  let parameters = self v k :: Expression.parameters names node.reset.parameters in
+  let is_read = Step.Param_use.in_reset v.param_use k in
+  let params = params v (is_read || V.is_root v k) in
+  let parameters = (self v k :: params) @ Expression.parameters names node.reset.parameters in
   name_variables names node.reset.body;
   let read = variables_read v node node.reset.body in
   let c = { v; names; index = k; node; write = no_result; read; place = "" } in
   let body = statements c node.reset.body in
-  let unread = unread names in
+  let unread = unread names @ if params <> [] && not is_read then [ ignored "params" ] else [] in
   {
     linkage = (if V.is_root v k then External else Static);
     result = Void;
@@ -267,6 +276,7 @@ let own_step (v : V.t) k : Ir.function_ =
   let write k value = plain (Ir.Assign (Unary (Dereference, Name (snd places.(k))), value)) in
   let c = { v; names; index = k; node; write; read; place = "" } in
   let state = if V.has_state v k then [ self v k ] else [] in
+  let params = params v (Step.Param_use.in_step v.param_use k) in
   let dt = if node.seconds then [ (V.real v, "dt") ] else [] in
   let dt_ns = if node.nanoseconds then [ (Ir.Int64, "dt_ns") ] else [] in
   let body = statements c own_body in
@@ -275,7 +285,7 @@ let own_step (v : V.t) k : Ir.function_ =
     linkage = (if node.operations <= inline_size then Static_inline else Static);
     result = single;
     name = v.nodes.(k).step;
-    parameters = List.concat [ state; dt; dt_ns; input; given; results ];
+    parameters = List.concat [ state; params; dt; dt_ns; input; given; results ];
     body = unread @ taken @ body;
     comment = place_of node;
   }
@@ -409,22 +419,25 @@ let root_step (v : V.t) k : Ir.function_ =
   let dt : Ir.ty * string =
     match v.program.real with Double -> (V.real v, "dt") | Single -> (Int64, "dt_ns")
   in
+  let params = params v true in
+  let reads_params = params = [] || Step.Param_use.in_step v.param_use k in
   let ignore_unless read name = if read then [] else [ ignored name ] in
   {
     linkage = External;
     result = Void;
     name = v.nodes.(k).step;
     parameters =
-      [
-        self v k;
-        dt;
-        (input v, "in");
-        (Pointer (Struct v.output.struct_name), "out");
-      ];
+      List.concat
+        [
+          [ self v k ];
+          params;
+          [ dt; (input v, "in"); (Pointer (Struct v.output.struct_name), "out") ];
+        ];
     body =
       List.concat
         [
           unread names;
+          ignore_unless reads_params "params";
           ignore_unless (node.seconds || node.nanoseconds) (snd dt);
           ignore_unless reads_input "in";
           clock;

@@ -153,21 +153,33 @@ let convert out program sums shape side ~own ~host ~inward =
 
 (* {1 The step} *)
 
-let double_step ~name ~(input : side) ~(output : side) =
+(* What a host gives that a program without parameters does not take, and what one with them
+   is passed. *)
+let passed = function
+  | None -> ("    (void)params;\n", "")
+  | Some params ->
+      ("", sprintf "(const struct %s *)params, " (Param_struct.struct_name params))
+
+let double_step ~params ~name ~(input : side) ~(output : side) =
+  let unread, passed = passed params in
   sprintf
     {|
-static void step(void *state, double dt, const void *in, void *out)
+static void step(void *state, const void *params, double dt, const void *in, void *out)
 {
-    %s_step((struct %s_state *)state, dt, (const struct %s *)in, (struct %s *)out);
+%s    %s_step((struct %s_state *)state, %sdt, (const struct %s *)in, (struct %s *)out);
 }
 |}
-    name name input.host.struct_name output.host.struct_name
+    unread name name passed input.host.struct_name output.host.struct_name
 
-let single_step (program : Step.Ir.program) sums ~name ~input ~output =
+let single_step ~params (program : Step.Ir.program) sums ~name ~input ~output =
   let out = Buffer.create 1024 in
+  let unread, passed = passed params in
   let own_type side = "struct " ^ side.own.struct_name in
   let host_type side = "struct " ^ side.host.struct_name in
-  bprintf out "\nstatic void step(void *state, double dt, const void *in, void *out)\n{\n";
+  bprintf out
+    "\nstatic void step(void *state, const void *params, double dt, const void *in, void *out)\n\
+     {\n%s"
+    unread;
   let given side ~constant name =
     match side.robot with
     | None -> sprintf "(%s%s *)%s" constant (own_type side) name
@@ -184,7 +196,8 @@ let single_step (program : Step.Ir.program) sums ~name ~input ~output =
   declare output ~constant:"" "out";
   if input.robot <> None then
     convert out program sums program.input input ~own:"own_in." ~host:"host_in->" ~inward:true;
-  bprintf out "    %s_step_ns((struct %s_state *)state, frob_whole_ns(dt), %s, %s);\n" name name
+  bprintf out "    %s_step_ns((struct %s_state *)state, %sfrob_whole_ns(dt), %s, %s);\n" name name
+    passed
     (given input ~constant:"const " "in") (given output ~constant:"" "out");
   if output.robot <> None then
     convert out program sums program.output output ~own:"own_out." ~host:"host_out->" ~inward:false;
@@ -198,7 +211,7 @@ static unsigned arithmetic(void)
 |};
   Buffer.contents out
 
-let step (program : Step.Ir.program) sums ~name ~input ~output =
+let step ~params (program : Step.Ir.program) sums ~name ~input ~output =
   match program.real with
-  | Double -> double_step ~name ~input ~output
-  | Single -> single_step program sums ~name ~input ~output
+  | Double -> double_step ~params ~name ~input ~output
+  | Single -> single_step ~params program sums ~name ~input ~output

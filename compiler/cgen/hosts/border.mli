@@ -30,6 +30,7 @@ val definitions : Step.Ir.program -> side -> string
 (** Of the host's output where it is a robot's and something beside it. *)
 
 val step :
+  params:Param_struct.t option ->
   Step.Ir.program -> Sum_type.t array -> name:string -> input:side -> output:side -> string
 (** The table's step, and what it needs: C functions, as text. In single precision
     also [arithmetic], for the table. *)

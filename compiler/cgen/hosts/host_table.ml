@@ -250,6 +250,31 @@ let robot ?own (program : Step.Ir.program) =
   | Some robot, _ | None, Some robot -> Some robot
   | None, None -> None
 
+(* Each parameter with where it is in their struct. *)
+let params out (program : Step.Ir.program) params =
+  match params with
+  | None -> "NULL, 0, NULL, 0"
+  | Some t ->
+      let name = Param_struct.struct_name t in
+      let c = { out; sums = [||]; struct_name = name; prefix = "param"; count = 0;
+        console = [] } in
+      let row k (p : F.param) =
+        let kind =
+          match (p.param_ty, program.real) with
+          | Bool, _ -> "FROB_BOOL"
+          | Int, _ -> "FROB_INT"
+          | _, Double -> "FROB_FLOAT"
+          | _, Single -> "FROB_SINGLE"
+        in
+        let offset = offset c (Param_struct.member t k) in
+        let value = value c ~kind ~offset ~is_event:false ~count:0 "NULL" in
+        sprintf "%s, %s, &%s" (c_string p.label) (c_string p.unit_) value
+      in
+      let rows = List.mapi row program.params in
+      let rows = table c "param" "param_rows" rows in
+      sprintf "&%s, sizeof(struct %s), %s, %d" (Param_struct.defaults t) name rows
+        (List.length program.params)
+
 let text ?own (program : Step.Ir.program) (files : Of_step.t) =
   let out = Buffer.create 4096 in
   let name = files.name in
@@ -270,13 +295,14 @@ let text ?own (program : Step.Ir.program) (files : Of_step.t) =
   let controls, control_count = controls out program values in
   let output, result, probes = outputs out program output_side in
   let machines, machine_count = machines out ~state:(name ^ "_state") files.machines in
+  let params = params out program files.params in
   let robot_name = function Some (robot : Robot.t) -> robot.name | None -> "" in
   let robot = robot_name (robot ?own program) in
   bprintf out
     {|
-static void reset(void *state)
+static void reset(void *state, const void *params)
 {
-    %s_reset((struct %s_state *)state);
+%s    %s_reset((struct %s_state *)state%s);
 }
 %s
 extern const struct frob_program frob_program;
@@ -298,12 +324,18 @@ const struct frob_program frob_program = {
     %s,
     %s,
     %d,
+    %s,
 };
 |}
+    (if Option.is_none files.params then "    (void)params;\n" else "")
     name name
-    (Border.step program files.sums ~name ~input:input_side ~output:output_side)
+    (match files.params with
+    | None -> ""
+    | Some t -> sprintf ", (const struct %s *)params" (Param_struct.struct_name t))
+    (Border.step ~params:files.params program files.sums ~name ~input:input_side
+       ~output:output_side)
     (c_string program.name) (c_string robot) name input_side.host.struct_name
     output_side.host.struct_name input output
     (match program.real with Double -> "frob_arithmetic_faults" | Single -> "arithmetic")
-    result machines machine_count probes controls control_count;
+    result machines machine_count probes controls control_count params;
   Buffer.contents out

@@ -28,6 +28,8 @@ type t = {
   in_seconds : string;
   input : Interface.t;
   output : Interface.t;
+  params : Param_struct.t option;
+  param_use : Step.Param_use.t;
   by_pointer : Program_input.t;
   records : Ir.declaration list;
   robot_records : Ir.declaration list;
@@ -147,6 +149,7 @@ let of_program ?own (program : M.program) =
   (* What a host calls and sees has the first choice: the root's names are the
      program's own, its types come before the functions inside. *)
   let root = name_root scope ~name ~real:program.real in
+  let params = Param_struct.of_program scope ~name program in
   let known = Value_types.known program.sums in
   (* Robots' structs are of doubles. In single precision the program's own are not the
      robot's, and its table for hosts converts; but code of the user's may know types
@@ -239,6 +242,8 @@ let of_program ?own (program : M.program) =
     in_seconds = root.root_in_seconds;
     input;
     output;
+    params;
+    param_use = Step.Param_use.of_program program;
     by_pointer = Program_input.of_program program input;
     records = Interface.definitions own;
     robot_records;

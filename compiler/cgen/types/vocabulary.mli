@@ -32,6 +32,8 @@ type t = {
   in_seconds : string;  (** the root's step whose dt is in seconds *)
   input : Interface.t;
   output : Interface.t;
+  params : Param_struct.t option;  (** which functions get as a pointer, [params] *)
+  param_use : Step.Param_use.t;
   by_pointer : Program_input.t;  (** steps that read the input there *)
   records : Ir.declaration list;  (** the program's own interface structs *)
   robot_records : Ir.declaration list;  (** those of a robot's header *)

@@ -93,8 +93,10 @@ let run general ~entry ~sources ~simulated run file =
   in
   let outputs = List.map (Commands.as_output Table "--record") (Option.to_list run.record) in
   let* () = Output.check ~reads:(file :: sources) outputs in
+  let* resources = Resources.find () in
+  Commands.with_params general resources ~entry file @@ fun params ->
   let control = match run.look with Some { control; _ } -> control | None -> false in
-  Commands.shown general ~entry ~sources run.look ~record:run.record ~world:None file
+  Commands.shown general ~params ~entry ~sources run.look ~record:run.record ~world:None file
   @@ fun viewer ->
   executable general this_machine ~entry ~sources file (fun program ->
       become program
@@ -103,6 +105,7 @@ let run general ~entry ~sources ~simulated run file =
         @ option "--record" run.record
         @ option "--patience" (Option.map seconds run.patience)
         @ option "--reconnect" (Option.map seconds run.reconnect)
+        @ Commands.param_options params
         @ List.concat_map (fun setting -> [ "--set"; setting ]) run.settings
         @ option "--priority" (Option.map string_of_int run.priority)
         @ flag "--lock-memory" run.lock_memory

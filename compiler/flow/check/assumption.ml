@@ -82,7 +82,7 @@ and follow t (rhs : Ir.rhs) b =
         ~else_:(can_be t else_ b, fun () -> assume t else_ b)
   | Is_constructor (value, k) -> restrict t value (fun (other, _) -> (other = k) = b)
   | Op _ | Construct _ | Payload _ | Delay _ | Elements _ | Fill _ | Index _ | At _ | Replace _
-  | Absent | Time _ | Step_time | Ticks _ | Integral _ | Derivative _ ->
+  | Param _ | Absent | Time _ | Step_time | Ticks _ | Integral _ | Derivative _ ->
       ()
 
 and comparison t (operator : Ir.operator) x y b =

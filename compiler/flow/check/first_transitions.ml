@@ -107,7 +107,7 @@ let equation a instant same values (e : Ir.equation) =
       match Range.payload (read value) constructor leaf with
       | Some known -> known
       | None -> anything ())
-  | Absent, _ -> anything ()
+  | (Param _ | Absent), _ -> anything ()
   | Elements atoms, _ -> (
       match map read atoms with
       | [] -> anything ()

@@ -18,12 +18,13 @@ let all = function
   | At { array; index; default } -> [ array; index; default ]
   | Replace { array; index; value } -> [ array; index; value ]
   | Delay { init; next } -> [ init; next ]
-  | Absent | Step_time -> []
+  | Param _ | Absent | Step_time -> []
 
 let same_instant = function
   | Delay _ | Integral _ -> []
   | ( Copy _ | Is_constructor _ | Payload _ | Derivative _ | Op _ | If _ | Construct _ | Elements _
-    | Fill _ | Index _ | At _ | Replace _ | Time _ | Step_time | Ticks _ | Absent ) as rhs ->
+    | Fill _ | Index _ | At _ | Replace _ | Time _ | Step_time | Ticks _ | Param _
+    | Absent ) as rhs ->
       all rhs
 
 (* Most lists are short; a constructor's payload may be long. *)

@@ -1,3 +1,5 @@
+exception Foreign_code of string
+
 let bug (p : Core.Primitive.t) =
   Basis.Diagnostic.bug ~stage:"Interp" "`%s` is applied to values of other types"
     (Core.Primitive.name p)
@@ -57,10 +59,10 @@ let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
       | At | Length | Replace | Generate | Map | Imap | Zip_with | Foldl | Scanl | Reactimate
       | Ending
       | Console _
-      | Text_of | Blank | Drawn | Together
-      | Foreign _ ),
+      | Text_of | Blank | Drawn | Together ),
       _ ) ->
       bug p
+  | Foreign f, _ -> raise_notrace (Foreign_code f.foreign_name)
 
 let bool p : Value.t -> bool = function
   | Bool b -> b

@@ -261,13 +261,26 @@ let instants execution ~name ~csv ~header ~write ~input (columns, cells) =
   in
   from None
 
-let run ?(marks = 0) core ~entry ~name ~read ~write =
+(* The first row that is one, and what the lines before it set parameters to. *)
+let rec after_params core ~params ~name ~warn csv found =
+  match next_row name csv with
+  | Some { cells = { text; _ } :: _; _ } when Recorded_params.is_line text -> (
+      let settings, word = Recorded_params.read core ~set:params text in
+      Option.iter (fun word -> warn (name ^ ": " ^ word)) word;
+      match settings with
+      | Ok settings -> after_params core ~params ~name ~warn csv (settings @ found)
+      | Error wrong ->
+          reject [ Printf.sprintf "%s: %s; `--param` sets it whatever was recorded" name wrong ])
+  | row -> (row, found)
+
+let run ?(marks = 0) ?(params = []) ?(warn = ignore) core ~entry ~name ~read ~write =
   let input, output = Execution.interface core entry in
   let input = Shape.of_type core input and output = Shape.of_type core output in
   let csv = Csv.reader read in
   match
+    let row, recorded = after_params core ~params ~name ~warn csv [] in
     let header =
-      match next_row name csv with
+      match row with
       | Some row -> header name (Shape.columns "in" input) row
       | None ->
           let end_ : Csv.row = { line = Csv.line csv; cells = [] } in
@@ -277,7 +290,7 @@ let run ?(marks = 0) core ~entry ~name ~read ~write =
                 "the file is empty: its first line must name the columns, `time` first";
             ]
     in
-    let execution = Execution.start core ~entry in
+    let execution = Execution.start ~params:(params @ recorded) core ~entry in
     let outputs = outputs core execution output in
     let outputs = if marks = 0 then outputs else with_drawings core execution ~marks output outputs in
     write (line ("time" :: List.map (fun (c : Shape.column) -> c.name) (fst outputs)));

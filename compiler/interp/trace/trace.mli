@@ -6,6 +6,8 @@
 
 val run :
   ?marks:int ->
+  ?params:Recorded_params.settings ->
+  ?warn:(string -> unit) ->
   Core.Ir.program ->
   entry:Core.Ir.Global.t ->
   name:string ->
@@ -13,6 +15,8 @@ val run :
   write:(string -> unit) ->
   (unit, string list) result
 (** [marks]: with columns of so many marks that the program draws, at most (none).
+    [params]: those that do not have the value that was recorded, or else the one by default;
+    [warn] gets texts about others that were recorded.
     [name]: of the input, for messages. [read] gives its characters, and may
     raise [Sys_error]; [write] is called for each line of the output. The errors
     are texts for the user, each with file, line and column. *)

@@ -37,6 +37,9 @@ let items declarations =
     match d.desc with
     | Binding b ->
         Some { left = b.left; right = Definition b.right; doc = doc b.left d.doc; span = b.span }
+    | Parameter { name; value; ty = _ } ->
+        let right = Definition { body = Plain value; where = [] } in
+        Some { left = Name name; right; doc = d.doc; span = d.span }
     | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
     | Primitive _ | Foreign _ ->
         None
@@ -47,9 +50,10 @@ let signatures declarations =
   let add reversed (d : Syntax.Ir.declaration) =
     match d.desc with
     | Signature { names; ty } -> List.fold_left (fun all n -> (n, ty) :: all) reversed names
+    | Parameter { name; ty; value = _ } -> (name, ty) :: reversed
     | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
     | Primitive _
-  | Foreign _ ->
+    | Foreign _ ->
         reversed
   in
   List.rev (List.fold_left add [] declarations)

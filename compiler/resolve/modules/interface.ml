@@ -167,7 +167,7 @@ let signed_names declarations =
     match d.desc with
     | Signature { names; _ } -> List.iter sign names
     | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
-    | Primitive _ | Foreign _ ->
+    | Primitive _ | Foreign _ | Parameter _ ->
         ()
   in
   List.iter declaration declarations;
@@ -195,7 +195,7 @@ let method_names members =
     match d.desc with
     | Signature { names; _ } -> names
     | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
-    | Primitive _ | Foreign _ ->
+    | Primitive _ | Foreign _ | Parameter _ ->
         []
   in
   List.concat_map names members
@@ -243,7 +243,7 @@ let declared context ~module_ (program : Syntax.Ir.program) =
     | Binding { left = Pattern _; _ } -> ()
     | Primitive { names = primitives; _ } ->
         List.iter (fun name -> value name ~signed:true) primitives
-    | Foreign (Foreign_value { name; _ }) -> value name ~signed:true
+    | Foreign (Foreign_value { name; _ }) | Parameter { name; _ } -> value name ~signed:true
     | Foreign (Foreign_type { name; _ }) -> tycon name { units = []; types = [] } []
     | Foreign (Foreign_include _) -> ()
     | Type_alias { name; parameters; body } ->

@@ -59,7 +59,7 @@ let primitives (scope : Scope.t) (program : Syntax.Ir.program) =
         let foreign = Some { Ir.kind; symbol = symbol.text } in
         [ { Ir.name = global; scheme; foreign; doc = d.doc; span = name.span } ]
     | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _
-    | Instance _
+    | Instance _ | Parameter _
     | Foreign (Foreign_type _ | Foreign_include _) ->
         []
   in
@@ -128,7 +128,7 @@ let resolve context ~elsewhere exports (m : Modules.t) =
   in
   (exported, { info; types; units; primitives; groups; classes; instances })
 
-let assemble modules : Ir.program option =
+let assemble ~params modules : Ir.program option =
   match List.rev modules with
   | [] -> None
   | main :: _ ->
@@ -142,13 +142,15 @@ let assemble modules : Ir.program option =
           groups = List.concat_map (fun m -> m.groups) modules;
           classes = List.concat_map (fun m -> m.classes) modules;
           instances = List.concat_map (fun m -> m.instances) modules;
+          params;
         }
 
-let load sink ~files ~remember ~library ?also main =
+let load sink ~files ~remember ~library ?also ?(given = []) main =
   (* A sink of its own tells this run's errors from earlier ones. *)
   let mine = Diagnostic.sink () in
   let context = Context.create mine in
   let modules = Modules.load mine ~files ~remember ~library ?also main in
+  let modules = Parameters.give mine ~remember given modules in
   let elsewhere = library_names ~files ~library in
   let add (exports, reversed) (m : Modules.t) =
     let exported, resolved = resolve context ~elsewhere exports m in
@@ -156,4 +158,5 @@ let load sink ~files ~remember ~library ?also main =
   in
   let _, reversed = List.fold_left add (String_map.empty, []) modules in
   List.iter (Diagnostic.emit sink) (Diagnostic.all mine);
-  if Diagnostic.has_errors mine then None else assemble (List.rev reversed)
+  if Diagnostic.has_errors mine then None
+  else assemble ~params:(Parameters.of_modules modules) (List.rev reversed)

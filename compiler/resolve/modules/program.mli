@@ -6,11 +6,13 @@ val load :
   remember:(file:string -> string -> unit) ->
   library:string ->
   ?also:string ->
+  ?given:Parameters.setting list ->
   string ->
   Ir.program option
-(** [load sink ~files ~remember ~library ~also main] reads the module in the file
+(** [load sink ~files ~remember ~library ~also ~given main] reads the module in the file
     [main], what it imports, the module in [also], if any, and the prelude, from [files] and the
     folder
-    [library]; each text read is also given to [remember] with the name that spans
+    [library], and gives parameters values; each text read is also given to [remember] with the
+    name that spans
     use, for rendering. [None] after any error; all errors of all modules are emitted
     (E01xx by the parser, E02xx here). *)

@@ -45,6 +45,12 @@ let program ~keep (program : Ir.program) =
   List.iter
     (fun (i : Ir.instance) -> List.iter (fun (_, b) -> binding search b) i.definitions)
     program.instances;
+  let is_here (p : Ir.param) =
+    List.mem p.param.module_ own_modules || Global_table.mem search.found p.param
+  in
+  List.iter
+    (fun (p : Ir.param) -> if is_here p then Option.iter (mention search) p.given)
+    program.params;
   let stays (b : Ir.binding) =
     is_own b
     ||
@@ -54,4 +60,5 @@ let program ~keep (program : Ir.program) =
   in
   (* Who stays in a group takes those with it that it mentions, which are all. *)
   let stays (g : Ir.binding_group) = List.exists stays g.bindings in
-  { program with groups = List.filter stays program.groups }
+  let groups = List.filter stays program.groups in
+  { program with groups; params = List.filter is_here program.params }

@@ -15,7 +15,7 @@ let add_declaration names (d : declaration) =
   | Binding { left = Name name | Function_name { name; _ }; _ } -> name :: names
   | Binding { left = Pattern p; _ } -> add_pattern names p
   | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Primitive _ | Foreign _
-  | Class _
+  | Parameter _ | Class _
   | Instance _ ->
       names
 

@@ -102,4 +102,5 @@ let computed (eq : F.equation) rhs : computed =
         | [ array; index; value ] -> Replace { count; element; array; index; value }
         | _ -> broken "an element with a wrong number of operands")
   | Step_time -> make [] 0 (fun _ -> Ir.Dt)
+  | Param k -> make [] 0 (fun _ -> Ir.Param k)
   | Delay _ | Time _ | Ticks _ | Integral _ | Derivative _ -> broken "memory where none can be"

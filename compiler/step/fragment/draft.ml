@@ -33,6 +33,7 @@ let add_computed draft (eq : F.equation) =
   match without_self_comparison (Flow.Operands.map (resolve draft) eq.rhs) with
   | Copy atom when String.equal eq.defines.name "" ->
       Int_table.replace draft.copies eq.defines.id atom
+  | Param k -> leaf draft eq.defines (Param k)
   | rhs -> add draft (Computed (computed eq rhs))
 
 let work ?(operands = []) ?advances span statements =

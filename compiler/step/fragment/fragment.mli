@@ -46,7 +46,7 @@ type write = { place : Ir.place; update : update; span : Span.t }
 
 type t = {
   leaves : Ir.expr Int_table.t;
-      (** signals that are read in place: parameters, state *)
+      (** signals that are read in place: parameters, the program's too, state *)
   nanoseconds : unit Int_table.t;
       (** signals that are whole nanoseconds, for which Flow has no type *)
   items : item array;

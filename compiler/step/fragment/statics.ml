@@ -16,7 +16,8 @@ let is_expensive = function
         | Minimum | Maximum | Divide | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling
         | Truncate | Not | And | Or ),
         _ )
-  | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _
+  | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Param _ | Absent
+  | Fill _
   | Index _
   | At _ | Replace _ | Delay _ | Time _ | Step_time | Ticks _ | Integral _
   | Derivative _ ->

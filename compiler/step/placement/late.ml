@@ -79,7 +79,7 @@ let may_be_read_late t (atom : atom) =
       ||
       match (Int_table.find_opt t.fragment.leaves s.id, Int_table.find_opt t.definer s.id) with
       | Some (Field field), _ -> not (Int_table.mem t.written field.id)
-      | Some (Variable _), _ -> true
+      | Some (Variable _ | Param _), _ -> true
       | Some _, _ -> false
       | None, Some k -> t.late_items.(k)
       | None, None -> false)

@@ -48,8 +48,8 @@ let expectation ctx declared ~recursive (b : Resolve.Ir.binding) : Context.t * E
   match Global_table.find_opt declared name with
   | Some { scheme; inner; at } ->
       Classes.give ctx scheme;
-      ( { inner with group = ctx.group },
-        { ty = scheme.body; because = Signature { name = name.name; at } } )
+      let name = Resolve.Parameters.shown name.name in
+      ({ inner with group = ctx.group }, { ty = scheme.body; because = Signature { name; at } })
   | None ->
       let ty = Context.fresh ctx in
       let scheme = Type.monomorphic ty in
@@ -253,4 +253,5 @@ let program ?(sources = Source.create ()) sink ~real (program : Resolve.Ir.progr
     classes = List.map class_declaration classes;
     instances = List.map instance instances;
     definitions = Long_list.map (with_needs ctx program) definitions;
+    params = Params.program sink program definitions;
   }

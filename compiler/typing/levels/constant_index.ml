@@ -5,14 +5,21 @@ module Global_table = Resolve.Global_table
 type constants = {
   locals : expr Int_table.t;
   globals : expr Global_table.t;
+  params : unit Global_table.t;
 }
 
-let create () = { locals = Int_table.create 16; globals = Global_table.create 64 }
+let create params =
+  let table = Global_table.create 8 in
+  List.iter (fun (p : param) -> Global_table.replace table p.param ()) params;
+  { locals = Int_table.create 16; globals = Global_table.create 64; params = table }
+
 let local c (x : Local.t) e = Int_table.replace c.locals x.id e
-let global c name e = Global_table.replace c.globals name e
+let global c name e =
+  if not (Global_table.mem c.params name) then Global_table.replace c.globals name e
 
 type problem =
   | Variable of Local.t * Span.t
+  | Param of Global.t * Span.t
   | Computed of Span.t
 
 exception Problem of problem
@@ -50,10 +57,13 @@ let value c e =
       match Int_table.find_opt c.locals x.id with
       | Some value -> named x e (fun () -> int value)
       | None -> fail (Variable (x, e.span)))
+    | Global (g, _) when Global_table.mem c.params g -> fail (Param (g, e.span))
     | Global (g, _) -> (
       match Global_table.find_opt c.globals g with
       | Some value -> (
-        try int value with Problem _ -> fail (Computed e.span))
+        try int value with
+        | Problem (Param (p, _)) -> fail (Param (p, e.span))
+        | Problem (Variable _ | Computed _) -> fail (Computed e.span))
       | None -> fail (Computed e.span))
     | Primitive _ | Method _ | Constructor _ | String _ | Tuple _ | Array _ | Index _ | Apply _
     | Run _ | Power _ | If _ | Case _ | Let _ | Lambda _ | Guards _ | Proc _ | Record _ | Update _
@@ -61,6 +71,8 @@ let value c e =
       fail (Computed e.span)
   (* The place to show is where the index names it. *)
   and named x e evaluate =
-    try evaluate () with Problem _ -> fail (Variable (x, e.span))
+    try evaluate () with
+    | Problem (Param (p, _)) -> fail (Param (p, e.span))
+    | Problem (Variable _ | Computed _) -> fail (Variable (x, e.span))
   in
   match int 0 e with n -> Ok n | exception Problem problem -> Error problem

@@ -174,6 +174,9 @@ let not_constant w (e : expr) problem =
   | Variable (x, at) ->
     error at "the index of `!` must be constant, but `%s` is not" x.name
     |> Diagnostic.label ~at:x.span (Printf.sprintf "`%s` is bound here" x.name)
+  | Param (p, at) ->
+    error at "the index of `!` must be constant, and the parameter `%s` is not known before the run"
+      p.name
   | Computed at when Span.compare at e.span = 0 -> error at "the index of `!` must be constant"
   | Computed at ->
     error e.span "the index of `!` must be constant" |> Diagnostic.label ~at "this is computed")
@@ -362,7 +365,7 @@ let top_level =
   }
 
 let program ?(sources = Source.create ()) sink (p : program) =
-  let constants = Constant_index.create () and memory = Memory.create p in
+  let constants = Constant_index.create p.params and memory = Memory.create p in
   (* The variables of one definition are in no other. *)
   let definition (d : definition) =
     let graph = Level_dependencies.definition sink d in

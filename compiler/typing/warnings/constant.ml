@@ -86,10 +86,13 @@ let value = at 32
 let of_program (p : program) =
   let table () = Resolve.Global_table.create 64 in
   let t = { definitions = table (); found = table () } in
+  let params = table () in
+  List.iter (fun (p : param) -> Resolve.Global_table.replace params p.param ()) p.params;
   (* In the order of dependency: what a definition uses is known before it. *)
   let add (d : definition) =
-    Resolve.Global_table.replace t.definitions d.name d.value;
-    Option.iter (Resolve.Global_table.replace t.found d.name) (value t d.value)
+    if not (Resolve.Global_table.mem params d.name) then (
+      Resolve.Global_table.replace t.definitions d.name d.value;
+      Option.iter (Resolve.Global_table.replace t.found d.name) (value t d.value))
   in
   List.iter add p.definitions;
   t

@@ -133,7 +133,7 @@ const char *loop_start(const struct frob_serial *serial, const struct frob_clock
     line = *serial;
     time_ = *clock;
     driver = found;
-    frob_program.reset(frob_program_state);
+    frob_program.reset(frob_program_state, frob_program.default_params);
     frob_console_start(&frob_program, &input);
     connect();
     return NULL;
@@ -163,8 +163,8 @@ static void instant(int64_t now)
 {
     frob_robot_sense(&robot, &input);
     memset(&output, 0, sizeof output);
-    frob_program.step(frob_program_state, before_ns == 0 ? 0.0 : (double)(now - before_ns) / 1e9,
-                      &input, &output);
+    frob_program.step(frob_program_state, frob_program.default_params,
+                      before_ns == 0 ? 0.0 : (double)(now - before_ns) / 1e9, &input, &output);
     frob_console_clear(&frob_program, &input);
     before_ns = now;
     counts.steps++;

@@ -1,5 +1,7 @@
 #include "record.h"
 
+#include "params.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -30,14 +32,15 @@ static bool write_text(struct record *r)
     return true;
 }
 
-bool record_open(struct record *r, const struct frob_program *program, const char *name)
+bool record_open(struct record *r, const struct frob_program *program, const void *params,
+                 const char *name)
 {
     size_t room;
     memset(r, 0, sizeof *r);
     r->file = -1;
     if (name == NULL)
         return true;
-    room = frob_trace_room(program, FROB_TRACE_IN | FROB_TRACE_OUT);
+    room = params_room(program) + frob_trace_room(program, FROB_TRACE_IN | FROB_TRACE_OUT);
     r->program = program;
     r->name = name;
     r->file = open(name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -45,6 +48,7 @@ bool record_open(struct record *r, const struct frob_program *program, const cha
     if (r->file < 0 || r->buffer == NULL)
         return complain(r);
     r->text = frob_text_in(r->buffer, room);
+    params_head(&r->text, program, params);
     frob_trace_header(&r->text, program, FROB_TRACE_IN | FROB_TRACE_OUT);
     return write_text(r);
 }

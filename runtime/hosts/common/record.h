@@ -18,10 +18,12 @@ struct record {
     struct frob_text text;
 };
 
-/* Opens the file and writes the header; without a name nothing is recorded.
+/* Opens the file and writes the values of the parameters, if the program has any, and the
+ * header; without a name nothing is recorded.
  * The functions return false when it cannot be written, with a line on
  * standard error. */
-bool record_open(struct record *r, const struct frob_program *program, const char *name);
+bool record_open(struct record *r, const struct frob_program *program, const void *params,
+                 const char *name);
 bool record_row(struct record *r, int64_t time_ns, const void *in, const void *out);
 bool record_close(struct record *r);
 

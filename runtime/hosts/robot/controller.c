@@ -14,8 +14,9 @@
 #include "realtime.h"
 
 /* The process: a step for each message, until the supervisor is gone. */
-static void serve(const struct controller *c, int socket, const struct frob_program *program)
+static void serve(const struct controller *c, int socket, const struct params *params)
 {
+    const struct frob_program *program = params->program;
     void *state = calloc(1, program->state_size + 1);
     void *input = calloc(1, program->input_size + 1);
     void *output = calloc(1, program->output_size + 1);
@@ -23,7 +24,7 @@ static void serve(const struct controller *c, int socket, const struct frob_prog
         fprintf(stderr, "error: not enough memory for the program's state\n");
         _exit(2);
     }
-    program->reset(state);
+    program->reset(state, params->values);
     for (;;) {
         double dt;
         ssize_t got = recv(socket, c->message, sizeof dt + c->input_size, 0);
@@ -34,7 +35,7 @@ static void serve(const struct controller *c, int socket, const struct frob_prog
         memcpy(&dt, c->message, sizeof dt);
         memcpy(input, c->message + sizeof dt, c->input_size);
         memset(output, 0, program->output_size);
-        program->step(state, dt, input, output);
+        program->step(state, params->values, dt, input, output);
         while (send(socket, output, c->output_size, MSG_NOSIGNAL) < 0)
             if (errno != EINTR)
                 _exit(0);
@@ -54,9 +55,10 @@ static void leave_signals_to_supervisor(void)
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 }
 
-bool controller_start(struct controller *c, const struct frob_program *program,
+bool controller_start(struct controller *c, const struct params *params,
                       const struct options *options)
 {
+    const struct frob_program *program = params->program;
     int sockets[2];
     size_t room = sizeof(double) + (program->input_size > program->output_size
                                         ? program->input_size
@@ -82,7 +84,7 @@ bool controller_start(struct controller *c, const struct frob_program *program,
         close(sockets[0]);
         leave_signals_to_supervisor();
         realtime_apply(options, REALTIME_CONTROLLER);
-        serve(c, sockets[1], program);
+        serve(c, sockets[1], params);
     }
     close(sockets[1]);
     c->socket = sockets[0];

@@ -11,6 +11,7 @@
 
 #include <frob/program.h>
 
+#include "../common/params.h"
 #include "options.h"
 
 struct controller {
@@ -22,7 +23,7 @@ struct controller {
 
 /* Starts the process, in the state after reset. False with a line on standard
  * error. */
-bool controller_start(struct controller *c, const struct frob_program *program,
+bool controller_start(struct controller *c, const struct params *params,
                       const struct options *options);
 
 /* Asks for a step; false if the process is gone. */

@@ -4,12 +4,14 @@
  * Exit status: 0; 2 for wrong use, arithmetic that the program was not compiled
  * for (<frob/arithmetic.h>), or a device that cannot be opened; 4 when
  * the run was ended by a signal or a fault, after the robot was stopped. */
+#include "../common/params.h"
 #include "../common/streams.h"
 #include "drivers.h"
 #include "options.h"
 #include "supervisor.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 #include <frob/arithmetic.h>
 
@@ -23,6 +25,8 @@ extern const struct frob_program frob_program;
 int main(int argc, char **argv)
 {
     struct options options;
+    struct params params;
+    int status = WRONG_USE;
     const struct frob_driver *driver = find_driver(frob_program.robot);
     /* In the program, and in what clamps its commands. */
     const unsigned faults = frob_program.arithmetic() | frob_arithmetic_faults();
@@ -45,13 +49,18 @@ int main(int argc, char **argv)
                 frob_arithmetic_reason(faults));
         return WRONG_USE;
     }
-    switch (read_options(argc, argv, frob_program.name, driver, &options)) {
+    switch (read_options(argc, argv, &frob_program, driver, &options)) {
     case OPTIONS_RUN:
-        return supervise(&frob_program, driver, &options);
+        if (params_open(&params, &frob_program, options.params, options.param_count))
+            status = supervise(&params, driver, &options);
+        params_close(&params);
+        break;
     case OPTIONS_SHOWN:
-        return DONE;
+        status = DONE;
+        break;
     case OPTIONS_WRONG:
         break;
     }
-    return WRONG_USE;
+    free(options.params);
+    return status;
 }

@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include "../common/params.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,6 +17,7 @@ static const char usage[] =
     "                     before the robot is stopped (0.2)\n"
     "  --reconnect SECONDS\n"
     "                     how long to wait for a robot that was lost (30)\n"
+    "  --param NAME=VALUE the value of a parameter of the program, in its unit\n"
     "  --set NAME=VALUE   change a setting of the driver, see below\n"
     "  --priority N       run with real-time priority N, 1 to 99\n"
     "  --lock-memory      keep all memory from being swapped out\n"
@@ -28,8 +31,22 @@ static const char usage[] =
     "Exit status: 0 when the time is over; 2 for wrong use or a device that cannot be\n"
     "opened; 4 when the run was ended by a signal or a fault, with the robot stopped.\n";
 
-static void show_usage(const char *name, const struct frob_driver *driver)
+/* With the values by default. */
+static void show_params(const struct frob_program *program)
 {
+    char room[200];
+    if (program->param_count > 0)
+        printf("\nParameters:\n");
+    for (size_t i = 0; i < program->param_count; i++) {
+        struct frob_text text = frob_text_in(room, sizeof room);
+        params_write(&text, &program->params[i], program->default_params);
+        printf("  %s=%s\n", program->params[i].name, room);
+    }
+}
+
+static void show_usage(const struct frob_program *program, const struct frob_driver *driver)
+{
+    const char *name = program->name;
     printf("usage: %s --device DEV [OPTION]...\n\nRuns the program %s on a %s.\n\n%s\nSettings:\n",
            name, name, driver->robot, usage);
     for (size_t i = 0; i < driver->setting_count; i++) {
@@ -40,6 +57,7 @@ static void show_usage(const char *name, const struct frob_driver *driver)
         else
             printf(" (%g)\n", s->initial);
     }
+    show_params(program);
 }
 
 static bool number(const char *option, const char *text, double low, double high, double *result)
@@ -104,6 +122,8 @@ static bool valued(const struct frob_driver *driver, struct options *o, const ch
         return patience(value, &o->patience_s);
     else if (strcmp(name, "--reconnect") == 0)
         return number(name, value, 0.0, 1e6, &o->reconnect_s);
+    else if (strcmp(name, "--param") == 0)
+        o->params[o->param_count++] = value;
     else if (strcmp(name, "--set") == 0)
         return set(driver, value, o->settings);
     else if (strcmp(name, "--priority") == 0) {
@@ -117,18 +137,21 @@ static bool valued(const struct frob_driver *driver, struct options *o, const ch
     return true;
 }
 
-enum options_result read_options(int argc, char **argv, const char *name,
+enum options_result read_options(int argc, char **argv, const struct frob_program *program,
                                  const struct frob_driver *driver, struct options *o)
 {
     memset(o, 0, sizeof *o);
     o->rate_hz = 50.0;
     o->patience_s = 0.2;
     o->reconnect_s = 30.0;
+    o->params = (const char **)calloc((size_t)argc, sizeof *o->params);
+    if (o->params == NULL)
+        return OPTIONS_WRONG;
     for (size_t i = 0; i < driver->setting_count && i < SETTINGS_MOST; i++)
         o->settings[i] = driver->settings[i].initial;
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0) {
-            show_usage(name, driver);
+            show_usage(program, driver);
             return OPTIONS_SHOWN;
         }
         if (strcmp(argv[i], "--lock-memory") == 0) {

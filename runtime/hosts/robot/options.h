@@ -3,7 +3,10 @@
 #define FROB_HOST_ROBOT_OPTIONS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
+
+#include <frob/program.h>
 
 #include "drivers/driver.h"
 
@@ -23,15 +26,17 @@ struct options {
     char *const *viewer;  /* a command, which ends with NULL; NULL: none */
     bool control;         /* who looks on may send events */
     bool progress;        /* tell also where it is no terminal */
+    const char **params;  /* values of the program's parameters, NAME=VALUE each */
+    size_t param_count;
     double settings[SETTINGS_MOST]; /* of the driver, in its order */
 };
 
 enum options_result { OPTIONS_RUN, OPTIONS_SHOWN, OPTIONS_WRONG };
 
-/* Reads the command line of a program called `name` for the driver's robot.
+/* Reads the command line of a program for the driver's robot; `params` is memory to be freed.
  * OPTIONS_SHOWN: help was asked for and given. OPTIONS_WRONG: a line on
  * standard error says what. */
-enum options_result read_options(int argc, char **argv, const char *name,
+enum options_result read_options(int argc, char **argv, const struct frob_program *program,
                                  const struct frob_driver *driver, struct options *options);
 
 #endif

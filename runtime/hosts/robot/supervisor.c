@@ -40,6 +40,7 @@ static void on_signal(int number)
 struct supervisor {
     const struct options *options;
     const struct frob_program *program;
+    const void *params;
     const struct frob_driver *driver;
     int64_t patience_ns, period_ns;
 
@@ -424,20 +425,21 @@ static bool set_up(struct supervisor *s)
         fprintf(stderr, "error: %s\n", message);
         return false;
     }
-    if (!record_open(&s->record, s->program, s->options->record)) {
+    if (!record_open(&s->record, s->program, s->params, s->options->record)) {
         line_close(&s->line);
         return false;
     }
     return true;
 }
 
-int supervise(const struct frob_program *program, const struct frob_driver *driver,
+int supervise(const struct params *params, const struct frob_driver *driver,
               const struct options *options)
 {
     struct supervisor s;
     memset(&s, 0, sizeof s);
     s.options = options;
-    s.program = program;
+    s.program = params->program;
+    s.params = params->values;
     s.driver = driver;
     s.patience_ns = (int64_t)llround(options->patience_s * 1e9);
     s.period_ns = (int64_t)llround(1e9 / options->rate_hz);
@@ -445,10 +447,11 @@ int supervise(const struct frob_program *program, const struct frob_driver *driv
     s.record.file = -1;
     line_init(&s.line, options->device, driver->rate);
     /* With signals as they were, and without the robot's line. */
-    publisher_start(&s.publisher, program, 0, options->control ? RING_SENDS : 0, options->viewer);
+    publisher_start(&s.publisher, s.program, 0, options->control ? RING_SENDS : 0,
+                    options->viewer);
     catch_signals(&s);
     /* Before the line is open: the controller must not hold it. */
-    if (!controller_start(&s.controller, program, options))
+    if (!controller_start(&s.controller, params, options))
         return WRONG_USE;
     s.status = WRONG_USE;
     if (set_up(&s)) {

@@ -15,11 +15,12 @@
 
 #include <frob/program.h>
 
+#include "../common/params.h"
 #include "drivers/driver.h"
 #include "options.h"
 
-/* Runs the program on the robot; the exit status, after a summary. */
-int supervise(const struct frob_program *program, const struct frob_driver *driver,
+/* Runs the program of these parameters on the robot; the exit status, after a summary. */
+int supervise(const struct params *params, const struct frob_driver *driver,
               const struct options *options);
 
 #endif

@@ -38,18 +38,19 @@ static bool open_one(struct controllers *c, size_t robot, const char *record)
         fprintf(stderr, "error: not enough memory for the program's state\n");
         return false;
     }
-    if (!record_open(&one->record, program, one->record_name))
+    if (!record_open(&one->record, program, c->params, one->record_name))
         return false;
     frob_console_start(program, one->input);
-    program->reset(one->state);
+    program->reset(one->state, c->params);
     return true;
 }
 
-bool controllers_open(struct controllers *c, const struct frob_program *program,
+bool controllers_open(struct controllers *c, const struct params *params,
                       struct frob_sim *sim, const char *record)
 {
     memset(c, 0, sizeof *c);
-    c->program = program;
+    c->program = params->program;
+    c->params = params->values;
     c->sim = sim;
     c->each = (struct controller *)calloc(frob_sim_robots(sim), sizeof *c->each);
     if (c->each == NULL) {
@@ -76,7 +77,7 @@ bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
         frob_console_clear(program, one->input);
         touches_apply(touches, one->input);
         memset(one->output, 0, program->output_size);
-        program->step(one->state, dt_s, one->input, one->output);
+        program->step(one->state, c->params, dt_s, one->input, one->output);
         frob_sim_command_robot(c->sim, k, now_ns, one->output);
         ok = record_row(&one->record, now_ns, one->input, one->output) && ok;
         if (!one->ended && frob_has_ended(program, one->output)) {

@@ -5,6 +5,7 @@
 #ifndef FROB_SIM_CONTROLLERS_H
 #define FROB_SIM_CONTROLLERS_H
 
+#include "../common/params.h"
 #include "../common/record.h"
 #include "../common/touches.h"
 
@@ -28,17 +29,18 @@ struct controller {
 
 struct controllers {
     const struct frob_program *program;
+    const void *params; /* the same for all */
     struct frob_sim *sim;
     size_t count;
     size_t running; /* those that have not ended */
     struct controller *each;
 };
 
-/* Makes a controller for each robot. `record` is the file for the rows of the
+/* Makes a controller for each robot, of the program of these parameters, which must stay. `record` is the file for the rows of the
  * only robot; of several, robot k has NAME-k.csv for NAME.csv, from 1. NULL:
  * nothing is recorded. False when there is not enough memory or a file cannot
  * be written, with a line on standard error; close it then, too. */
-bool controllers_open(struct controllers *c, const struct frob_program *program,
+bool controllers_open(struct controllers *c, const struct params *params,
                       struct frob_sim *sim, const char *record);
 
 /* An instant of all of them, `dt_s` after the one before: each reads its sensors,

@@ -6,6 +6,7 @@
  * summary and the picture are of what has been run. */
 #include "../common/console.h"
 #include "../common/load.h"
+#include "../common/params.h"
 #include "../common/streams.h"
 #include "../common/touches.h"
 #include "../common/truth.h"
@@ -173,7 +174,7 @@ static bool is_writable(const char *path)
 }
 
 /* Runs the program in an opened simulation, and tells how it went. */
-static int simulate(const struct options *options, const struct frob_program *program,
+static int simulate(const struct options *options, const struct params *params,
                     struct frob_sim *sim)
 {
     char message[1024];
@@ -182,7 +183,7 @@ static int simulate(const struct options *options, const struct frob_program *pr
     struct touches touches;
     struct publisher publisher;
     struct truth *truths = (struct truth *)calloc(frob_sim_robots(sim), sizeof *truths);
-    bool ok = touches_start(&touches, program) && truths != NULL;
+    bool ok = touches_start(&touches, params->program) && truths != NULL;
     int64_t started_ns;
     double wall_s;
     int collisions = 0;
@@ -192,9 +193,9 @@ static int simulate(const struct options *options, const struct frob_program *pr
         return WRONG_USE;
     }
     /* Before files are open that are none of the viewer's. */
-    publisher_start(&publisher, program, frob_sim_robots(sim) * sizeof *truths,
+    publisher_start(&publisher, params->program, frob_sim_robots(sim) * sizeof *truths,
                     RING_PACES | RING_SENDS, ok ? options->viewer : NULL);
-    ok = controllers_open(&controllers, program, sim, options->record) && ok;
+    ok = controllers_open(&controllers, params, sim, options->record) && ok;
     started_ns = clock_ns();
     memset(&console, 0, sizeof console);
     if (options->console)
@@ -237,13 +238,31 @@ static int tell_robot(const char *world)
     return DONE;
 }
 
+static int start(const struct options *options)
+{
+    const struct frob_program *program = load(options->program);
+    struct params params;
+    struct frob_sim *sim;
+    struct sigaction action;
+    int status = WRONG_USE;
+    if (program == NULL)
+        return WRONG_USE;
+    if (params_open(&params, program, options->params, options->param_count) &&
+        (sim = open_world(options, program)) != NULL) {
+        memset(&action, 0, sizeof action);
+        action.sa_handler = interrupt;
+        sigaction(SIGINT, &action, NULL);
+        status = simulate(options, &params, sim);
+        frob_sim_close(sim);
+    }
+    params_close(&params);
+    return status;
+}
+
 int main(int argc, char **argv)
 {
     struct options options;
-    struct frob_sim *sim;
-    const struct frob_program *program;
-    struct sigaction action;
-    int status;
+    int status = WRONG_USE;
     streams_open();
     if (argc == 2 && strcmp(argv[1], "--help") == 0) {
         fputs(usage, stdout);
@@ -251,18 +270,8 @@ int main(int argc, char **argv)
     }
     if (argc == 3 && strcmp(argv[1], "--robot-of") == 0)
         return tell_robot(argv[2]);
-    if (!read_options(argc, argv, &options))
-        return WRONG_USE;
-    program = load(options.program);
-    if (program == NULL)
-        return WRONG_USE;
-    sim = open_world(&options, program);
-    if (sim == NULL)
-        return WRONG_USE;
-    memset(&action, 0, sizeof action);
-    action.sa_handler = interrupt;
-    sigaction(SIGINT, &action, NULL);
-    status = simulate(&options, program, sim);
-    frob_sim_close(sim);
+    if (read_options(argc, argv, &options))
+        status = start(&options);
+    free(options.params);
     return status;
 }

@@ -13,6 +13,7 @@ const char usage[] =
     "  --for SECONDS      how long to run (60)\n"
     "  --rate HZ          how often the controller runs (50)\n"
     "  --seed N           of all noise (1)\n"
+    "  --param NAME=VALUE the value of a parameter of the program, in its unit\n"
     "  --target METRES    the distance to the wall that is measured against\n"
     "  --realtime         as fast as the clock, not as fast as possible\n"
     "  --record FILE.csv  write what the program read and commanded\n"
@@ -78,6 +79,8 @@ static bool valued(struct options *o, const char *name, const char *value)
         o->record = value;
     else if (strcmp(name, "--picture") == 0)
         o->picture = value;
+    else if (strcmp(name, "--param") == 0)
+        o->params[o->param_count++] = value;
     else if (strcmp(name, "--for") == 0)
         return number(name, value, 0.0, 1e5, &o->duration_s);
     else if (strcmp(name, "--rate") == 0)
@@ -110,6 +113,9 @@ bool read_options(int argc, char **argv, struct options *o)
     o->duration_s = NAN;
     o->rate_hz = 50.0;
     o->seed = 1;
+    o->params = (const char **)calloc((size_t)argc, sizeof *o->params);
+    if (o->params == NULL)
+        return false;
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--viewer") == 0 && i + 1 < argc) {
             o->viewer = argv + i + 1;

@@ -3,6 +3,7 @@
 #define FROB_HOST_SIM_OPTIONS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 struct options {
@@ -18,10 +19,12 @@ struct options {
     const char *record;        /* CSV; NULL: none */
     const char *picture;       /* NULL: none */
     char *const *viewer;       /* a command, which ends with NULL; NULL: none */
+    const char **params;       /* values of the program's parameters, NAME=VALUE each */
+    size_t param_count;
 };
 
-/* Reads the command line. False if it is wrong, with a line on standard
- * error. */
+/* Reads the command line; `params` is memory to be freed. False if it is wrong, with a line on
+ * standard error. */
 bool read_options(int argc, char **argv, struct options *options);
 
 /* The usage text. */

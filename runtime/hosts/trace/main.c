@@ -1,14 +1,16 @@
 /* frob-trace -- runs a compiled program on recorded input: CSV in, CSV out.
  *
- *   frob-trace [--modes] PROGRAM.so IN.csv [OUT.csv]
+ *   frob-trace [--modes] [--param NAME=VALUE]... PROGRAM.so IN.csv [OUT.csv]
  *
  * `-` for IN.csv is standard input; without OUT.csv the output goes to
  * standard output. With --modes the output has a column for each machine, with
- * the mode that runs. Exit status: 0, or 2 when a file cannot be read or
+ * the mode that runs. With --param a parameter has that value, and otherwise the one that the
+ * recording was made with. Exit status: 0, or 2 when a file cannot be read or
  * written or is not a trace of this program. The trace's format is described
  * in <frob/trace.h>. */
 #include "../common/csv.h"
 #include "../common/load.h"
+#include "../common/params.h"
 #include "../common/seconds.h"
 
 #include <frob/cell.h>
@@ -33,6 +35,7 @@ struct column {
 
 struct trace {
     const struct frob_program *program;
+    struct params params;
     const char *input_name;
     struct csv csv;
     FILE *output;
@@ -170,6 +173,11 @@ static bool read_header(struct trace *t)
 {
     bool ok = true;
     enum csv_status status = csv_next(&t->csv);
+    while (status == CSV_ROW && csv_cell(&t->csv, 0)[0] == '#') {
+        if (!params_recorded(&t->params, t->input_name, csv_cell(&t->csv, 0)))
+            return false;
+        status = csv_next(&t->csv);
+    }
     if (!readable(t, status))
         return false;
     if (status == CSV_END) {
@@ -293,7 +301,7 @@ static int run(struct trace *t, const char *output_name)
         frob_trace_header(&text, program, t->parts);
         ok = flush(t, &text, output_name);
         frob_console_start(program, input);
-        program->reset(state);
+        program->reset(state, t->params.values);
         while (ok && (status = csv_next(&t->csv)) == CSV_ROW) {
             ok = read_row(t, input, &now);
             if (ok && !first && now < before) {
@@ -303,7 +311,8 @@ static int run(struct trace *t, const char *output_name)
             }
             if (!ok)
                 break;
-            program->step(state, first ? 0.0 : (double)(now - before) / 1e9, input, output);
+            program->step(state, t->params.values, first ? 0.0 : (double)(now - before) / 1e9,
+                          input, output);
             if ((t->parts & FROB_TRACE_MODES) != 0)
                 frob_trace_row_with_modes(&text, program, t->parts, now, NULL, output, state);
             else
@@ -321,54 +330,86 @@ static int run(struct trace *t, const char *output_name)
     return ok ? DONE : WRONG_USE;
 }
 
-int main(int argc, char **argv)
+struct arguments {
+    const char **params; /* settings */
+    size_t param_count;
+    bool modes;
+    const char *program, *input, *output; /* of the output NULL: standard output */
+};
+
+static bool read_arguments(int argc, char **argv, struct arguments *a)
 {
-    struct trace t = { 0 };
-    const char *output_name;
+    int i = 1;
+    a->params = (const char **)calloc((size_t)argc, sizeof *a->params);
+    for (; a->params != NULL && i < argc && strncmp(argv[i], "--", 2) == 0; i++) {
+        if (strcmp(argv[i], "--modes") == 0)
+            a->modes = true;
+        else if (strcmp(argv[i], "--param") == 0 && i + 1 < argc)
+            a->params[a->param_count++] = argv[++i];
+        else
+            break;
+    }
+    if (a->params == NULL || argc - i < 2 || argc - i > 3) {
+        fprintf(stderr, "usage: frob-trace [--modes] [--param NAME=VALUE]... PROGRAM.so IN.csv "
+                        "[OUT.csv]\n");
+        return false;
+    }
+    a->program = argv[i];
+    a->input = argv[i + 1];
+    a->output = argc - i == 3 ? argv[i + 2] : NULL;
+    return true;
+}
+
+static int trace(struct trace *t, const struct arguments *a)
+{
+    const char *output_name = a->output != NULL ? a->output : "standard output";
+    const bool standard = strcmp(a->input, "-") == 0;
     FILE *input;
     int status = WRONG_USE;
-    t.parts = FROB_TRACE_OUT;
-    if (argc > 1 && strcmp(argv[1], "--modes") == 0) {
-        t.parts |= FROB_TRACE_MODES;
-        argc--;
-        argv++;
-    }
-    output_name = argc > 3 ? argv[3] : "standard output";
-    if (argc < 3 || argc > 4) {
-        fprintf(stderr, "usage: frob-trace [--modes] PROGRAM.so IN.csv [OUT.csv]\n");
+    t->parts = FROB_TRACE_OUT | (a->modes ? FROB_TRACE_MODES : 0U);
+    t->program = frob_load(a->program);
+    if (t->program == NULL || !params_open(&t->params, t->program, a->params, a->param_count))
         return WRONG_USE;
-    }
-    t.program = frob_load(argv[1]);
-    if (t.program == NULL)
-        return WRONG_USE;
-    t.input_name = strcmp(argv[2], "-") == 0 ? "standard input" : argv[2];
-    input = strcmp(argv[2], "-") == 0 ? stdin : fopen(argv[2], "rb");
+    t->input_name = standard ? "standard input" : a->input;
+    input = standard ? stdin : fopen(a->input, "rb");
     if (input == NULL) {
-        fprintf(stderr, "error: cannot read %s: %s\n", argv[2], strerror(errno));
+        fprintf(stderr, "error: cannot read %s: %s\n", a->input, strerror(errno));
         return WRONG_USE;
     }
-    csv_start(&t.csv, input);
-    frob_trace_columns(t.program->input, "in", add_column, &t);
-    if (t.no_memory) {
+    csv_start(&t->csv, input);
+    frob_trace_columns(t->program->input, "in", add_column, t);
+    if (t->no_memory) {
         fprintf(stderr, "error: not enough memory for the columns\n");
-    } else if (read_header(&t)) {
-        t.output = argc > 3 ? fopen(argv[3], "wb") : stdout;
-        if (t.output == NULL) {
+    } else if (read_header(t)) {
+        t->output = a->output != NULL ? fopen(a->output, "wb") : stdout;
+        if (t->output == NULL) {
             fprintf(stderr, "error: cannot write %s: %s\n", output_name, strerror(errno));
         } else {
-            status = run(&t, output_name);
-            if (fflush(t.output) != 0 && status == DONE) {
+            status = run(t, output_name);
+            if (fflush(t->output) != 0 && status == DONE) {
                 fprintf(stderr, "error: cannot write %s: %s\n", output_name, strerror(errno));
                 status = WRONG_USE;
             }
         }
     }
-    if (t.output != NULL && t.output != stdout && fclose(t.output) != 0 && status == DONE)
+    if (t->output != NULL && t->output != stdout && fclose(t->output) != 0 && status == DONE)
         status = WRONG_USE;
+    csv_end(&t->csv);
+    fclose(input);
+    return status;
+}
+
+int main(int argc, char **argv)
+{
+    struct trace t = { 0 };
+    struct arguments arguments = { 0 };
+    int status = WRONG_USE;
+    if (read_arguments(argc, argv, &arguments))
+        status = trace(&t, &arguments);
     for (size_t i = 0; i < t.count; i++)
         free(t.columns[i].name);
     free(t.columns);
-    csv_end(&t.csv);
-    fclose(input);
+    params_close(&t.params);
+    free(arguments.params);
     return status;
 }

@@ -1,7 +1,7 @@
 /* frob-view -- shows a run of a program on a page, recorded or going on.
  *
  *   frob-view [--print] [--port N] [--source FILE]... [--library FILE]... [--world FILE]
- *             [--ring N] PROGRAM.so RUN.csv [COMMAND...]
+ *             [--param NAME=VALUE]... [--ring N] PROGRAM.so RUN.csv [COMMAND...]
  *
  * With --ring, the number of an open file, it shows the run of the process that has started
  * this one (../common/ring.h); RUN.csv is what that records in, or `-`.
@@ -63,7 +63,8 @@ static bool read_options(struct options *o, int argc, char **argv)
     int i = 1;
     o->ring = -1;
     o->files.sources = (const char **)calloc((size_t)argc, sizeof *o->files.sources);
-    for (; o->files.sources != NULL && i < argc && strncmp(argv[i], "--", 2) == 0; i++) {
+    o->files.params = (const char **)calloc((size_t)argc, sizeof *o->files.params);
+    for (; o->files.sources != NULL && o->files.params != NULL && i < argc && strncmp(argv[i], "--", 2) == 0; i++) {
         if (strcmp(argv[i], "--print") == 0)
             o->print = true;
         else if (strcmp(argv[i], "--port") == 0 && i + 1 < argc)
@@ -74,12 +75,14 @@ static bool read_options(struct options *o, int argc, char **argv)
             add_source(&o->files, argv[++i], true);
         else if (strcmp(argv[i], "--library") == 0 && i + 1 < argc)
             add_source(&o->files, argv[++i], false);
+        else if (strcmp(argv[i], "--param") == 0 && i + 1 < argc)
+            o->files.params[o->files.param_count++] = argv[++i];
         else if (strcmp(argv[i], "--world") == 0 && i + 1 < argc)
             o->files.world = argv[++i];
         else
             break;
     }
-    if (o->files.sources == NULL || i + 2 > argc || o->port < 0 || o->port > 65535) {
+    if (o->files.sources == NULL || o->files.params == NULL || i + 2 > argc || o->port < 0 || o->port > 65535) {
         fprintf(stderr, "usage: frob-view [--print] [--port N] [--source FILE]... "
                         "[--library FILE]... [--world FILE] PROGRAM.so RUN.csv\n");
         return false;
@@ -146,5 +149,6 @@ int main(int argc, char **argv)
     view_end(&view);
     ring_close(&ring);
     free(options.files.sources);
+    free(options.files.params);
     return status;
 }

@@ -1,6 +1,7 @@
 #include "recording.h"
 
 #include "../common/csv.h"
+#include "../common/params.h"
 #include "../common/seconds.h"
 
 #include <frob/cell.h>
@@ -87,6 +88,11 @@ static bool read_header(struct reader *r)
     struct recording *recording = r->recording;
     struct names foreign = { 0 };
     enum csv_status status = csv_next(&r->csv);
+    for (; status == CSV_ROW && csv_cell(&r->csv, 0)[0] == '#'; status = csv_next(&r->csv)) {
+        const char *setting = params_of_line(csv_cell(&r->csv, 0));
+        if (setting != NULL)
+            buffer_bytes(&recording->params, setting, strlen(setting) + 1);
+    }
     if (status == CSV_END)
         return give_up(recording, "the file is empty");
     if (status != CSV_ROW || strcmp(csv_cell(&r->csv, 0), "time") != 0)
@@ -345,6 +351,21 @@ void catching_end(struct catching *catching)
     free(catching);
 }
 
+bool recording_set(struct recording *recording, const char *const *params, size_t count)
+{
+    const size_t recorded = recording->params.length;
+    struct params values;
+    char why[PARAMS_WHY];
+    bool ok = params_open(&values, recording->program, params, count);
+    for (size_t at = 0; ok && at < recorded; at += strlen(recording->params.data + at) + 1)
+        if (params_read(&values, recording->params.data + at, why) != PARAMS_SET)
+            buffer_format(&recording->notes, "%s: %s\n", recording->name, why);
+    for (size_t i = 0; ok && i < count; i++)
+        buffer_bytes(&recording->params, params[i], strlen(params[i]) + 1);
+    params_close(&values);
+    return ok;
+}
+
 void recording_free(struct recording *recording)
 {
     free(recording->truths);
@@ -353,6 +374,7 @@ void recording_free(struct recording *recording)
     free(recording->outputs);
     free(recording->recorded);
     buffer_free(&recording->notes);
+    buffer_free(&recording->params);
 }
 
 double recording_dt(const struct recording *recording, size_t k)

@@ -16,6 +16,7 @@ struct recording {
                              * has; a signal that was not recorded is zero */
     size_t output_size;     /* of that part: inner signals are after it */
     bool *recorded;         /* for each signal: is there a column of it? */
+    struct buffer params;   /* how parameters were set, NAME=VALUE each, with a NUL */
     bool has_all_inputs;    /* so that the program can be run on it */
     struct buffer notes;    /* what was wrong, a line each: what is shown is all the rest */
     size_t capacity;
@@ -32,6 +33,11 @@ struct recording {
  * with one line on standard error, if nothing is left. */
 bool recording_read(struct recording *recording, const struct signals *signals,
                     const char *name);
+
+/* Sets parameters to other values than those recorded, if any, NAME=VALUE each; what is wrong
+ * with those recorded, or other than these, is noted. False, with one line on standard error,
+ * if these are wrong. */
+bool recording_set(struct recording *recording, const char *const *params, size_t count);
 
 /* A recording of a run that goes on, which grows. `name` is that of the run. False without
  * memory, with a line on standard error. */

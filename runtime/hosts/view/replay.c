@@ -11,7 +11,8 @@ static unsigned char *kept_at(struct replay *replay, size_t k)
 static void step(struct replay *replay)
 {
     const struct recording *recording = replay->recording;
-    replay->signals->program->step(replay->state, recording_dt(recording, replay->next),
+    replay->signals->program->step(replay->state, replay->params.values,
+                             recording_dt(recording, replay->next),
                              recording_input(recording, replay->next), replay->output);
     replay->next++;
 }
@@ -50,6 +51,15 @@ static bool keep(struct replay *replay, size_t k)
     return true;
 }
 
+/* Of what was recorded what there is in this program. */
+static void set_params(struct replay *replay)
+{
+    const struct buffer *recorded = &replay->recording->params;
+    char why[PARAMS_WHY];
+    for (size_t at = 0; at < recorded->length; at += strlen(recorded->data + at) + 1)
+        params_read(&replay->params, recorded->data + at, why);
+}
+
 bool replay_start(struct replay *replay, const struct signals *signals,
                   const struct recording *recording)
 {
@@ -60,11 +70,14 @@ bool replay_start(struct replay *replay, const struct signals *signals,
     replay->runs = recording->has_all_inputs;
     if (!replay->runs)
         return true;
+    if (!params_open(&replay->params, program, NULL, 0))
+        return false;
+    set_params(replay);
     replay->state = (unsigned char *)calloc(1, program->state_size + 1);
     replay->output = (unsigned char *)calloc(1, program->output_size + 1);
     if (replay->state == NULL || replay->output == NULL)
         return false;
-    program->reset(replay->state);
+    program->reset(replay->state, replay->params.values);
     return keep(replay, 0);
 }
 
@@ -106,6 +119,7 @@ void replay_advance(struct replay *replay)
 
 void replay_end(struct replay *replay)
 {
+    params_close(&replay->params);
     free(replay->state);
     free(replay->output);
     free(replay->kept);

@@ -3,6 +3,7 @@
 #ifndef FROB_VIEW_REPLAY_H
 #define FROB_VIEW_REPLAY_H
 
+#include "../common/params.h"
 #include "recording.h"
 
 /* Of how many instants one has its state kept, so that the program can be set to any
@@ -12,6 +13,7 @@
 struct replay {
     const struct recording *recording;
     const struct signals *signals;
+    struct params params;          /* as in the recording, where it has them */
     bool runs;                     /* the recording has all that the program needs */
     unsigned char *kept;           /* the states before instants 0, REPLAY_EVERY, …, … */
     size_t room;                   /* … of so many of which there is room */

@@ -70,6 +70,8 @@ bool view_start(struct view *view, const struct frob_program *program,
                                    &view->recording)
                      : !recording_read(&view->recording, &view->signals, files->recording))
         return false;
+    if (!recording_set(&view->recording, files->params, files->param_count))
+        return false;
     if (!replay_start(&view->replay, &view->signals, &view->recording)) {
         fprintf(stderr, "error: not enough memory for the program's states\n");
         return false;

@@ -45,6 +45,8 @@ struct view_files {
     size_t source_count;
     size_t own_count;     /* … from here on those of the library */
     const char *world;    /* that the robot may have driven in; NULL: none */
+    const char **params;  /* values of the program's parameters, NAME=VALUE each */
+    size_t param_count;
     struct what_if_commands commands;
 };
 

@@ -81,6 +81,14 @@ struct frob_control {
     const struct frob_value *value; /* its part of the input */
 };
 
+/* What is fixed when a run starts. */
+struct frob_param {
+    const char *name;               /* "kTurn"; of another module perhaps "M.kTurn" */
+    const char *unit;               /* as in brackets: "1/m", "1"; "" of a truth value */
+    const struct frob_value *value; /* a bool, an int32_t, a double or a float, in the
+                                     * struct of the parameters */
+};
+
 struct frob_program {
     unsigned abi;          /* FROB_PROGRAM_ABI */
     const char *name;      /* of the program */
@@ -88,8 +96,8 @@ struct frob_program {
     size_t state_size, input_size, output_size;
     const struct frob_value *input;
     const struct frob_value *output;
-    void (*reset)(void *state);
-    void (*step)(void *state, double dt, const void *input, void *output);
+    void (*reset)(void *state, const void *params);
+    void (*step)(void *state, const void *params, double dt, const void *input, void *output);
     unsigned (*arithmetic)(void); /* frob_arithmetic_faults, compiled as the program
                                    * is; and of floats, if it computes with them */
     const struct frob_value *result;
@@ -104,9 +112,14 @@ struct frob_program {
         /* what the operator is asked for, part of the input, where a robot's input struct
          * comes first */
     size_t control_count;
+    const void *default_params; /* the struct of the parameters; NULL without any. What is
+                                 * passed stays the same from a reset to the last step */
+    size_t params_size;         /* of that struct */
+    const struct frob_param *params;
+    size_t param_count;
 };
 
-#define FROB_PROGRAM_ABI 7u
+#define FROB_PROGRAM_ABI 8u
 
 /* The symbol that hosts look up. */
 #define FROB_PROGRAM_SYMBOL "frob_program"

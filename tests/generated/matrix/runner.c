@@ -90,7 +90,7 @@ static uint64_t trace_of(const struct recording *r, uint64_t *state_hash)
 
     frob_trace_header(&text, program, FROB_TRACE_OUT);
     hash = mix(hash, &text);
-    program->reset(state);
+    program->reset(state, program->default_params);
     for (int i = 0; i < r->count; i++) {
         const struct row *row = &r->rows[i];
         const double dt = seconds(row->dt);
@@ -104,7 +104,7 @@ static uint64_t trace_of(const struct recording *r, uint64_t *state_hash)
         if (r->step_single != NULL)
             r->step_single(state, (float)dt, input, output);
         else
-            program->step(state, dt, input, output);
+            program->step(state, program->default_params, dt, input, output);
         hash_state(state_hash, state);
         if (i == r->count / 2)
             state = moved(state, program->state_size);

@@ -34,15 +34,17 @@ static struct frob_driver own_driver = { .robot = "rover" };
 extern const struct frob_driver *const frob_own_driver;
 const struct frob_driver *const frob_own_driver = &own_driver;
 
-static void reset(void *s)
+static void reset(void *s, const void *params)
 {
+    (void)params;
     *(double *)s = 0.0;
 }
 
 /* Drives at 0.3 m/s; while it runs, the timer interrupts it. */
-static void step(void *s, double dt, const void *in, void *out)
+static void step(void *s, const void *params, double dt, const void *in, void *out)
 {
     struct frob_pioneer_output *o = (struct frob_pioneer_output *)out;
+    (void)params;
     (void)in;
     *(double *)s += dt;
     last_dt = dt;

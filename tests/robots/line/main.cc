@@ -116,7 +116,7 @@ class Run {
                 return f ? std::fclose(f) : 0;
             });
         log_ = log.get();
-        program_.reset(state_.data());
+        program_.reset(state_.data(), program_.default_params);
         frob_robot_start(&robot_, &driver_, device_.data(), settings_.data(), &serial, &clock,
                          patience_ns);
         while (!over()) {
@@ -171,7 +171,7 @@ class Run {
         if (first_ns_ < 0) first_ns_ = before_ns_ = time_.now_ns;
         frob_robot_sense(&robot_, input_.data());
         std::memset(output_.data(), 0, program_.output_size);
-        program_.step(state_.data(), static_cast<double>(time_.now_ns - before_ns_) / 1e9,
+        program_.step(state_.data(), program_.default_params, static_cast<double>(time_.now_ns - before_ns_) / 1e9,
                       input_.data(), output_.data());
         before_ns_ = time_.now_ns;
         stepping_ = true;

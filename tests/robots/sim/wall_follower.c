@@ -32,9 +32,10 @@ static double limit(double x, double y) { return fmax(-x, fmin(x, y)); }
             (last) = input->sonar[i].f0; \
     } while (0)
 
-static void reset(void *self)
+static void reset(void *self, const void *params)
 {
     struct state *s = (struct state *)self;
+    (void)params;
     memset(s, 0, sizeof *s);
     s->front[0] = s->front[1] = 5.0;
     s->side[0] = s->side[1] = s->side[2] = keep;
@@ -48,12 +49,13 @@ static double to_the_side(double range, double y, double angle)
     return y + range * sin(angle) - 0.136;
 }
 
-static void step(void *self, double dt, const void *in, void *out)
+static void step(void *self, const void *params, double dt, const void *in, void *out)
 {
     struct state *s = (struct state *)self;
     const struct frob_pioneer_input *input = (const struct frob_pioneer_input *)in;
     struct frob_pioneer_output *output = (struct frob_pioneer_output *)out;
     double front, side, v_now;
+    (void)params;
     HOLD(s->front[0], 3);
     HOLD(s->front[1], 4);
     HOLD(s->side[0], 0);

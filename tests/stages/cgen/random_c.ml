@@ -88,7 +88,7 @@ let instant name k outputs ({ dt; inputs } : Evaluate.instant) =
   String.concat ""
     [
       members "in" set_input inputs;
-      Printf.sprintf "    %s_step(&self, %s, &in, &out);\n" name (c_float dt);
+      Printf.sprintf "    %s_step(&self, &params, %s, &in, &out);\n" name (c_float dt);
       Printf.sprintf "    printf(\"%s instant %d:\");\n" name k;
       members "out" print_output outputs;
       "    printf(\"\\n\");\n";
@@ -100,13 +100,15 @@ let run_function name instants outputs =
     "static void run_%s(void)\n\
      {\n\
     \    struct %s_state self;\n\
-    \    struct %s_input in;\n\
+    \    /* Those of the evaluator, not the defaults. */\n\
+     \    const struct %s_params params = {true, 7, -3.25};\n\
+     \    struct %s_input in;\n\
     \    struct %s_output out;\n\
     \    memset(&self, 0xa5, sizeof self);\n\
     \    memset(&out, 0xa5, sizeof out);\n\
-    \    %s_reset(&self);\n\
+    \    %s_reset(&self, &params);\n\
      %s}\n\n"
-    name name name name name body
+    name name name name name name body
 
 let is_causal program =
   let sink = Basis.Diagnostic.sink () in

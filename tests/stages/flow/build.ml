@@ -87,7 +87,21 @@ let run ?statics b index inputs name =
   call ?statics ~line:(Span.line s.span.start) b index inputs [ s ];
   Ir.Signal s
 
-let program ?(sums = [||]) t =
+(* One of each type that a parameter may have. *)
+let params : Ir.param list =
+  let param param_name param_ty default : Ir.param =
+    { param_name; label = param_name; param_ty; unit_ = ""; default; doc = None;
+      declared = span "test.frob" 1 }
+  in
+  [ param "on" Bool (Bool false); param "count" Int (Int 0l); param "gain" Float (Float 1.) ]
+
+let param : Ir.ty -> Ir.rhs = function
+  | Bool -> Param 0
+  | Int -> Param 1
+  | Float -> Param 2
+  | Sum _ | Array _ | Foreign _ -> invalid_arg "Build.param"
+
+let program ?(sums = [||]) ?(params = []) t =
   let nodes = Array.of_list (List.rev t.nodes) in
   let root = nodes.(Array.length nodes - 1) in
   let tuple leaves =
@@ -119,5 +133,6 @@ let program ?(sums = [||]) t =
     ends = false;
     probes = [];
     marks = 0;
+    params;
     real = Double;
   }

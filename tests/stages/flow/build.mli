@@ -30,6 +30,9 @@ val define : node -> Ir.signal -> Ir.rhs -> unit
 val let_ : ?ty:Ir.ty -> ?line:int -> node -> string -> Ir.rhs -> Ir.atom
 (** Both at once. *)
 
+val param : Ir.ty -> Ir.rhs
+(** That of {!params} of this type: Bool, Int or Float. *)
+
 val op : ?ty:Ir.ty -> node -> Ir.operator -> Ir.atom list -> Ir.atom
 (** An operation without a name. *)
 
@@ -40,5 +43,8 @@ val call :
 val run : ?statics:Ir.atom list -> node -> int -> Ir.atom list -> string -> Ir.atom
 (** An instance with one output, of that name and of type Float. *)
 
-val program : ?sums:Ir.sum array -> t -> Ir.program
+val params : Ir.param list
+(** One of each type that a parameter may have. *)
+
+val program : ?sums:Ir.sum array -> ?params:Ir.param list -> t -> Ir.program
 (** The last node is the root. *)

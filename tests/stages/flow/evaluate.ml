@@ -144,6 +144,13 @@ let is_due period time = period < 1. || Float.trunc period <= time
 let value clock read memory (e : Ir.equation) =
   match e.rhs with
   | Copy a -> read a
+  | Param _ -> (
+      (* Not what it is by default. *)
+      match e.defines.ty with
+      | Bool -> Bool true
+      | Int -> Int 7l
+      | Float -> Float (-3.25)
+      | Sum _ | Array _ | Foreign _ -> failwith "a parameter that is no number")
   | Absent -> failwith "a foreign value"
   | Op (operator, arguments) -> operation operator (List.map read arguments)
   | If { condition; then_; else_ } -> if is_true (read condition) then read then_ else read else_
@@ -196,8 +203,8 @@ let advance clock read memory now (e : Ir.equation) =
       let period = number (read period) and time = since_tick clock memory e in
       let rest = if period < 1. then 0. else Float.rem time (Float.trunc period) in
       Some { past = now; total = (if is_due period time then rest else time) }
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Absent | Fill _ | Index _
-  | At _ | Replace _ | Step_time ->
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Param _ | Absent | Fill _
+  | Index _ | At _ | Replace _ | Step_time ->
       None
 
 let constant : Ir.atom -> value option = function

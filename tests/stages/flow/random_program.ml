@@ -118,6 +118,9 @@ let operation scope ~static =
       let condition = pick Bool in
       let then_ = pick ty in
       ignore (define scope ~static ty (If { condition; then_; else_ = pick ty }))
+  | 7 when chance scope.rng 30 ->
+      let ty = any scope.rng [ (Bool : Ir.ty); Int; Float ] in
+      ignore (define scope ~static ty (Build.param ty))
   | 7 ->
       let ty = any scope.rng types in
       ignore (define scope ~static ty (Copy (pick ty)))
@@ -223,7 +226,7 @@ let program rng =
     if n > 0 then add (callee :: callees) (n - 1)
   in
   add [] (Random.State.int rng 5);
-  Build.program ~sums:[| maybe |] program
+  Build.program ~sums:[| maybe |] ~params:Build.params program
 
 let instants rng (program : Ir.program) =
   let root = program.nodes.(Array.length program.nodes - 1) in

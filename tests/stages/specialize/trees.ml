@@ -112,4 +112,5 @@ let program definitions =
     foreign = { headers = []; types = []; values = [] };
     console = [];
     definitions;
+    params = [];
   }

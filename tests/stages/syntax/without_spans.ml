@@ -182,6 +182,8 @@ and declaration (d : declaration) : declaration =
     | Foreign (Foreign_type { name = x; c_type; copyable }) ->
         Foreign (Foreign_type { name = name x; c_type = name c_type; copyable })
     | Foreign (Foreign_include header) -> Foreign (Foreign_include (name header))
+    | Parameter { name = x; ty = t; value } ->
+        Parameter { name = name x; ty = qualified_type t; value = expr value }
   in
   { desc; span; doc = d.doc }
 

@@ -99,6 +99,7 @@ let program definitions =
     classes = [];
     instances = [];
     definitions = List.map definition definitions;
+    params = [];
   }
 
 let messages pass definitions =

@@ -44,6 +44,7 @@ type stage =
   | Compile
   | Interpret
   | Probe of string
+  | Set of string
 
 let codes_of stage files =
   let folder = folder () in
@@ -54,6 +55,9 @@ let codes_of stage files =
   (match stage with
   | Probe name ->
       ignore (Driver.Pipeline.compile sink sources { request with probes = [ name ] })
+  | Set name ->
+      let params = [ { Resolve.Parameters.name; text = "0.3[m/s]" } ] in
+      ignore (Driver.Pipeline.params sink sources { request with params })
   | Compile -> ignore (Driver.Pipeline.compile sink sources request)
   | Interpret -> ignore (Driver.Pipeline.interpretable sink sources request)
   | Check -> Driver.Pipeline.check sink sources request);
@@ -69,6 +73,7 @@ let beside (info, text) =
 let stage_of code =
   if String.equal code Driver.Interpreted.no_interpreter then Interpret
   else if String.equal code Driver.Probes.unknown then Probe "speed"
+  else if String.equal code Resolve.Parameters.no_such then Set "speed"
   else if List.mem (String.sub code 0 3) [ "E04"; "E05" ] then Compile
   else Check
 

@@ -103,21 +103,54 @@ let load ?robot tools ~entry file =
 
 let files subject = subject.files
 
+(* The lines of what was saved, or else any values. *)
+let params_of lines random subject : Recording.param list =
+  let core = subject.core in
+  let param (p : Core.Ir.param) : Recording.param =
+    let shape = Interp.Shape.of_type core p.ty in
+    let saved line =
+      match Interp.Recorded_params.read core ~set:[] line with
+      | Ok [ (name, value) ], _ when name = p.param -> Some value
+      | _, _ -> None
+    in
+    let rec any () =
+      let rows = Recording.rows (Input.make random Wild shape ~rows:1) in
+      match (List.hd rows).value with Float x when Float.is_nan x -> any () | value -> value
+    in
+    let value = match List.find_map saved lines with Some value -> value | None -> any () in
+    {
+      line = Interp.Recorded_params.line core p value;
+      cell = Interp.Cell.write shape value;
+      setting = (p.param, value);
+    }
+  in
+  List.map param core.params
+
+let set random subject recording =
+  if subject.core.params = [] then recording
+  else Recording.with_params (params_of [] random subject) recording
+
 let with_dt random ~rows tools subject =
   let precision : Real.t =
     match tools.real with
     | Double -> Double
     | Single -> if Random.State.bool random then Single else Double
   in
-  Input.with_dt random precision subject.input ~rows
+  set random subject (Input.with_dt random precision subject.input ~rows)
 
 let recordings random ~rows subject =
   let tame = Input.make random Tame subject.input ~rows in
   let wild = Input.make random Wild subject.input ~rows in
-  [ tame; wild ]
+  [ set random subject tame; set random subject wild ]
 
-let fits subject recording = Recording.has_shape subject.input recording
-let read_recording subject text = Recording.read subject.input text
+let fits subject recording =
+  let names = List.map (fun (p : Recording.param) -> fst p.setting) (Recording.params recording) in
+  Recording.has_shape subject.input recording
+  && names = List.map (fun (p : Core.Ir.param) -> p.param) subject.core.params
+
+let read_recording subject text =
+  let params = params_of (String.split_on_char '\n' text) (Random.State.make [| 1 |]) subject in
+  Result.map (Recording.with_params params) (Recording.read subject.input text)
 
 (* One that ends has columns of its own for that. *)
 let traced subject recording =
@@ -137,7 +170,8 @@ let traced subject recording =
   | Error complaints -> failwith (String.concat "\n" complaints)
 
 let interpreted subject recording =
-  let execution = Interp.Execution.start subject.core ~entry:subject.entry in
+  let params = List.map (fun (p : Recording.param) -> p.setting) (Recording.params recording) in
+  let execution = Interp.Execution.start ~params subject.core ~entry:subject.entry in
   if Option.is_some (Interp.Execution.ended execution) then traced subject recording
   else
     let precision = Recording.precision recording in

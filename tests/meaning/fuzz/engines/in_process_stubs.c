@@ -163,9 +163,22 @@ static void add_column(void *context, const char *name, const struct frob_value 
 /* What an instant of the program is: through the table for hosts, or the function
  * itself of a program in single precision, which is given a float. */
 struct stepper {
-    void (*step)(void *state, double dt, const void *input, void *output);
+    void (*step)(void *state, const void *params, double dt, const void *input, void *output);
+    /* Without parameters, and with. */
     void (*step_single)(void *state, float dt, const void *input, void *output);
+    void (*step_set)(void *state, const void *params, float dt, const void *input, void *output);
+    const void *params;
 };
+
+static void step(const struct stepper *s, void *state, double dt, const void *input, void *output)
+{
+    if (s->step_set != NULL)
+        s->step_set(state, s->params, (float)dt, input, output);
+    else if (s->step_single != NULL)
+        s->step_single(state, (float)dt, input, output);
+    else
+        s->step(state, s->params, dt, input, output);
+}
 
 /* All instants; the rows are written to `text`. The text of a cell that cannot
  * be read, or NULL. */
@@ -174,7 +187,7 @@ static const char *instants(const struct frob_program *program, const struct ste
                             void *state, void *input, void *output, struct frob_text *text)
 {
     struct frob_cell_error error;
-    program->reset(state);
+    program->reset(state, stepper->params);
     for (mlsize_t i = 0; i < Wosize_val(rows); i++) {
         const int64_t now = (int64_t)Long_val(Field(times, i));
         for (size_t k = 0; k < columns->count; k++) {
@@ -182,10 +195,7 @@ static const char *instants(const struct frob_program *program, const struct ste
             if (!frob_cell_read(cell, columns->values[k], input, &error))
                 return cell;
         }
-        if (stepper->step_single != NULL)
-            stepper->step_single(state, (float)Double_flat_field(dts, i), input, output);
-        else
-            stepper->step(state, Double_flat_field(dts, i), input, output);
+        step(stepper, state, Double_flat_field(dts, i), input, output);
         frob_trace_row(text, program, FROB_TRACE_OUT, now, NULL, output);
     }
     return NULL;
@@ -221,15 +231,30 @@ static const void *step_function(const struct in_process *p)
     return length < (int)sizeof name ? tcc_get_symbol(p->compiler, name) : NULL;
 }
 
-/* in_process_run : t -> bool -> float array -> int array -> string array array -> string --
- * a recording: whether NAME_step is to be given floats, the seconds that each step is given,
- * the absolute nanoseconds of each row, and its cells. Gives the trace of the output. */
-value in_process_run(value v, value singles, value dts, value times, value rows)
+/* The struct of the parameters with these values. */
+static void *params_of(const struct frob_program *program, value cells)
 {
-    CAMLparam5(v, singles, dts, times, rows);
+    struct frob_cell_error error;
+    void *params = litter(program->params_size);
+    if (Wosize_val(cells) != program->param_count)
+        abort();
+    for (size_t i = 0; i < program->param_count; i++)
+        if (!frob_cell_read(String_val(Field(cells, i)), program->params[i].value, params, &error))
+            abort();
+    return params;
+}
+
+/* in_process_run : t -> bool * string array -> float array -> int array -> string array array
+ * -> string -- a recording: whether NAME_step is to be given floats, and the values of the
+ * parameters, the seconds that each step is given, the absolute nanoseconds of each row, and
+ * its cells. Gives the trace of the output. */
+value in_process_run(value v, value how, value dts, value times, value rows)
+{
+    CAMLparam5(v, how, dts, times, rows);
     CAMLlocal1(result);
     const struct frob_program *program = of_value(v)->program;
-    struct stepper stepper = { program->step, NULL };
+    void *params = params_of(program, Field(how, 1));
+    struct stepper stepper = { program->step, NULL, NULL, params };
     const size_t room = frob_trace_room(program, FROB_TRACE_OUT) * (Wosize_val(rows) + 1);
     char *buffer = (char *)litter(room), *buffer_again = (char *)litter(room);
     void *state = litter(program->state_size), *input = litter(program->input_size),
@@ -242,11 +267,14 @@ value in_process_run(value v, value singles, value dts, value times, value rows)
     const char *volatile unread = NULL;
     int caught;
 
-    if (Bool_val(singles)) {
+    if (Bool_val(Field(how, 0))) {
         const void *step = step_function(of_value(v));
         if (step == NULL)
             abort();
-        memcpy(&stepper.step_single, &step, sizeof step);
+        if (program->param_count > 0)
+            memcpy(&stepper.step_set, &step, sizeof step);
+        else
+            memcpy(&stepper.step_single, &step, sizeof step);
     }
     frob_trace_columns(program->input, "in", add_column, &columns);
     frob_trace_header(&text, program, FROB_TRACE_OUT);
@@ -270,6 +298,7 @@ value in_process_run(value v, value singles, value dts, value times, value rows)
     if (caught == 0 && unread == NULL && restarts)
         result = caml_alloc_initialized_string(text.length, buffer);
     free(columns.values);
+    free(params);
     free(state);
     free(input);
     free(output);

@@ -1,5 +1,12 @@
 type row = { time_ns : int; dt : float option; value : Interp.Value.t; cells : string list }
-type t = { shape : Interp.Shape.t; precision : Basis.Real.t; rows : row list }
+type param = { line : string; cell : string; setting : Core.Ir.Global.t * Interp.Value.t }
+
+type t = {
+  shape : Interp.Shape.t;
+  precision : Basis.Real.t;
+  rows : row list;
+  params : param list;
+}
 
 let cells columns shape value =
   List.map2
@@ -9,7 +16,7 @@ let cells columns shape value =
 let make shape values =
   let columns = Interp.Shape.columns "in" shape in
   let row (time_ns, value) = { time_ns; dt = None; value; cells = cells columns shape value } in
-  { shape; precision = Double; rows = List.map row values }
+  { shape; precision = Double; rows = List.map row values; params = [] }
 
 (* Their output is written with the numbers of the rows for times. *)
 let with_dt precision shape values =
@@ -17,7 +24,7 @@ let with_dt precision shape values =
   let row k (dt, value) =
     { time_ns = k * 1_000_000_000; dt = Some dt; value; cells = cells columns shape value }
   in
-  { shape; precision; rows = List.mapi row values }
+  { shape; precision; rows = List.mapi row values; params = [] }
 
 let has_shape shape recording = shape = recording.shape
 
@@ -59,13 +66,18 @@ let read shape text =
     | Ok None -> List.rev found
     | Error _ -> failwith "this is no CSV file"
   in
-  match all [] with
+  let is_row (row : Interp.Csv.row) =
+    match row.cells with { text; _ } :: _ -> not (Interp.Recorded_params.is_line text) | [] -> true
+  in
+  match List.filter is_row (all []) with
   | [] -> Error "the file is empty"
   | { cells = { text; _ } :: _; _ } :: rows -> Ok (read_rows shape text rows)
   | { cells = []; _ } :: _ -> Error "the first line is empty"
   | exception Failure text -> Error text
 
 let rows recording = recording.rows
+let params recording = recording.params
+let with_params params recording = { recording with params }
 let precision recording = recording.precision
 let has_dt recording = List.exists (fun row -> Option.is_some row.dt) recording.rows
 
@@ -92,7 +104,7 @@ let stamp ns = Printf.sprintf "%d.%09d" (ns / 1_000_000_000) (ns mod 1_000_000_0
 let header first columns = line (first :: List.map (fun (c : Interp.Shape.column) -> c.name) columns)
 let row first cells = line (first :: List.map quoted cells)
 
-let csv ({ shape; precision; rows } as recording) =
+let csv ({ shape; precision; rows; params } as recording) =
   let first =
     match precision with
     | Single -> "dt_float"
@@ -101,7 +113,8 @@ let csv ({ shape; precision; rows } as recording) =
   let row { time_ns; dt; cells; _ } =
     row (Option.fold dt ~none:(stamp time_ns) ~some:(Printf.sprintf "%.17g")) cells
   in
-  String.concat "" (header first (Interp.Shape.columns "in" shape) :: List.map row rows)
+  let head = List.map (fun p -> p.line ^ "\n") params in
+  String.concat "" (head @ header first (Interp.Shape.columns "in" shape) :: List.map row rows)
 
 let trace shape values =
   let columns = Interp.Shape.columns "out" shape in

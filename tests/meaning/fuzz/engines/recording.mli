@@ -10,7 +10,19 @@ type row = {
   cells : string list;  (** the value's, in the order of the columns *)
 }
 
+(** A parameter of the program, and its value. *)
+type param = {
+  line : string;  (** before the header *)
+  cell : string;
+  setting : Core.Ir.Global.t * Interp.Value.t;
+}
+
 type t
+
+val params : t -> param list
+(** None, unless it is made {!with_params}; else all of the program's, in its order. *)
+
+val with_params : param list -> t -> t
 
 val make : Interp.Shape.t -> (int * Interp.Value.t) list -> t
 (** Of times in nanoseconds, not falling, and values of this shape. *)

@@ -32,7 +32,7 @@ let words text visit =
 
 let syntax =
   [
-    "if"; "case"; "let"; "proc"; "where"; "do"; "data"; "instance"; "otherwise"; "\\"; "->"; "<-";
+    "if"; "case"; "let"; "proc"; "where"; "do"; "data"; "instance"; "param"; "otherwise"; "\\"; "->"; "<-";
     "-<"; "|"; "@"; "::"; "+"; "-"; "*"; "/"; "**"; "^"; "=="; "/="; "<"; "<="; ">"; ">="; "&&"; "||";
     "."; "!"; ">>>"; "<<<"; "&&&"; "***"; "["; "{";
   ]

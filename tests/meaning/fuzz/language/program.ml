@@ -9,7 +9,7 @@ let input_type : Type.t =
       Measure { metres = 1; seconds = 0 };
     ]
 
-let scope ~seen ~seed ~random ~prefix ~declared number =
+let scope ?(params = []) ~seen ~seed ~random ~prefix ~declared number =
   {
     Scope.random;
     bias = Bias.of_program ~seed number;
@@ -18,13 +18,13 @@ let scope ~seen ~seed ~random ~prefix ~declared number =
     count = ref 0;
     seen;
     declared;
-    variables = [];
+    variables = params;
     functions = [];
     run = None;
     senses = None;
   }
 
-let large ~seen ~seed ~random ~prefix ~(bias : Bias.t) number =
+let large ~seen ~seed ~random ~prefix ~params ~(bias : Bias.t) number =
   let out = Buffer.create 4096 in
   let declared =
     List.fold_left
@@ -35,7 +35,7 @@ let large ~seen ~seed ~random ~prefix ~(bias : Bias.t) number =
       []
       (if chance random 2 then [ 'A'; 'B' ] else [ 'A' ])
   in
-  let values = scope ~seen ~seed ~random ~prefix ~declared number in
+  let values = scope ~seen ~seed ~random ~prefix ~params ~declared number in
   let any () = Scope.any_type values in
   let add (text, s) =
     Buffer.add_string out text;
@@ -96,16 +96,37 @@ let handing_on values prefix =
   let text, start = Handed_on.definitions values ~input:input_type ~pattern in
   (prefix, f "%s%s%s = proc i -> (%s i)\n\n" text (signature prefix Float) prefix start, [ Type.Float ])
 
+(* Of the program that is whole: two programs of a batch have none in common. *)
+let params ~seed ~prefix number : (string * Type.t) list * string =
+  let random = Random.State.make [| seed; number; 3 |] in
+  let one k : (string * Type.t) * string =
+    let ty, value =
+      match Random.State.int random 4 with
+      | 0 -> (Type.Int, one_of random [ "2"; "-3"; "max 1 0" ])
+      | 1 -> (Bool, one_of random [ "True"; "False"; "1.0 < sqrt 2.0" ])
+      | 2 -> (Measure { metres = 1; seconds = 0 }, one_of random [ "0.5[m]"; "-20[cm]" ])
+      | _ -> (Float, one_of random [ "1.5"; "-0.0"; "sin 30[deg]"; "1 / 3"; "1.0 / 0.0" ])
+    in
+    let name = f "%sparam%d" prefix k in
+    ((name, ty), f "param %s :: %s = %s\n" name (Type.text ty) value)
+  in
+  let all = if chance random 3 then List.init (1 + Random.State.int random 3) one else [] in
+  (List.map fst all, String.concat "" (List.map snd all))
+
 let one ~seen ~seed number =
   let bias = Bias.of_program ~seed number in
   let random = Random.State.make [| seed; number |] in
   let prefix = f "p%d" number in
-  let values = scope ~seen ~seed ~random ~prefix ~declared:[] number in
-  match bias.root with
-  | Any -> large ~seen ~seed ~random ~prefix ~bias number
-  | Small -> small values prefix
-  | Cascade -> cascades values prefix
-  | Handed_on -> handing_on values prefix
+  let params, declarations = params ~seed ~prefix number in
+  let values = scope ~seen ~seed ~random ~prefix ~params ~declared:[] number in
+  let name, text, signals =
+    match bias.root with
+    | Any -> large ~seen ~seed ~random ~prefix ~params ~bias number
+    | Small -> small values prefix
+    | Cascade -> cascades values prefix
+    | Handed_on -> handing_on values prefix
+  in
+  (name, declarations ^ text, signals)
 
 (* {1 How they run} *)
 

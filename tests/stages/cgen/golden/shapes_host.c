@@ -158,13 +158,15 @@ static const struct frob_value out_value_25 = {
     FROB_PRODUCT, 0, 0, 1, out_constructors_24
 };
 
-static void reset(void *state)
+static void reset(void *state, const void *params)
 {
+    (void)params;
     shapes_reset((struct shapes_state *)state);
 }
 
-static void step(void *state, double dt, const void *in, void *out)
+static void step(void *state, const void *params, double dt, const void *in, void *out)
 {
+    (void)params;
     shapes_step((struct shapes_state *)state, dt, (const struct shapes_input *)in, (struct shapes_output *)out);
 }
 
@@ -185,4 +187,7 @@ const struct frob_program frob_program = {
     NULL,
     0,
     NULL,
+    NULL,
+    0,
+    NULL, 0, NULL, 0,
 };
