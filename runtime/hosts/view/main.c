@@ -139,7 +139,7 @@ int main(int argc, char **argv)
     } else if (view_start(&view, program, frob_load_columns(), frob_load_origins(),
                           &options.files, options.ring >= 0 ? &ring : NULL)) {
         /* Of a run of minutes all is known before the page is there. */
-        view_advance(&view, 0.3);
+        view_advance(&view, 0.1);
         view_summary(&view, &summary);
         fputs(summary.length > 0 ? summary.data : "", stderr);
         status = server_run(&view, options.port, token, tell, &start) ? DONE : WRONG_USE;
