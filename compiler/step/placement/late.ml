@@ -4,9 +4,8 @@ open Fragment
 
 type user =
   | Item of int
-  | State of int
-  | Result of int
-  | Returned
+  | State
+  | Output of int  (** a result; the last one may be what is returned *)
 
 type t = {
   fragment : Fragment.t;
@@ -15,8 +14,7 @@ type t = {
   written : unit Int_table.t;  (* fields *)
   kept : (int, Ir.field) Hashtbl.t;  (* y, and the field that holds it in the end *)
   late_items : bool array;
-  late_results : bool array;
-  mutable late_return : bool;
+  late_outputs : bool array;
 }
 
 let operands = function Computed c -> c.operands | Action a -> a.operands
@@ -32,11 +30,14 @@ let use t user (atom : atom) =
   | Signal s -> Int_table.replace t.users s.id (user :: users t s)
   | Bool _ | Int _ | Float _ -> ()
 
+let outputs { results; returned; _ } =
+  let result (_, atom, _) = atom and returned = Option.map fst returned in
+  List.rev_append (List.rev_map result results) (Option.to_list returned)
+
 let find_users t =
-  let { items; results; states; returned; _ } = t.fragment in
-  List.iteri (fun k (_, atom, _) -> use t (Result k) atom) results;
-  List.iteri (fun k (_, atom, _, _) -> use t (State k) atom) states;
-  Option.iter (fun (atom, _) -> use t Returned atom) returned;
+  let { items; states; _ } = t.fragment in
+  List.iteri (fun k atom -> use t (Output k) atom) (outputs t.fragment);
+  List.iter (fun (_, atom, _, _) -> use t State atom) states;
   for k = Array.length items - 1 downto 0 do
     let always = match items.(k) with Action a -> a.always | Computed _ -> false in
     if always || List.exists (fun s -> users t s <> []) (defined items.(k)) then
@@ -67,9 +68,8 @@ let find_kept t =
 
 let is_late_user t = function
   | Item k -> t.late_items.(k)
-  | Result k -> t.late_results.(k)
-  | Returned -> t.late_return
-  | State _ -> false
+  | Output k -> t.late_outputs.(k)
+  | State -> false
 
 let may_be_read_late t (atom : atom) =
   match atom with
@@ -88,7 +88,10 @@ let may_be_read_late t (atom : atom) =
    taken away until nothing changes. *)
 let rec settle t =
   let changed = ref false in
-  let no () = changed := true in
+  let not_late late k =
+    late.(k) <- false;
+    changed := true
+  in
   Array.iteri
     (fun k late ->
       let item = t.fragment.items.(k) in
@@ -97,71 +100,44 @@ let rec settle t =
         && not
              (List.for_all (is_late_user t) (List.concat_map (users t) (defined item))
              && List.for_all (may_be_read_late t) (operands item))
-      then (
-        t.late_items.(k) <- false;
-        no ()))
+      then not_late t.late_items k)
     t.late_items;
   List.iteri
-    (fun k (_, atom, _) ->
-      if t.late_results.(k) && not (may_be_read_late t atom) then (
-        t.late_results.(k) <- false;
-        no ()))
-    t.fragment.results;
-  Option.iter
-    (fun (atom, _) ->
-      if t.late_return && not (may_be_read_late t atom) then (
-        t.late_return <- false;
-        no ()))
-    t.fragment.returned;
-  let own_state = function State _ -> true | Item _ | Result _ | Returned -> false in
+    (fun k atom ->
+      if t.late_outputs.(k) && not (may_be_read_late t atom) then not_late t.late_outputs k)
+    (outputs t.fragment);
   Hashtbl.iter
     (fun id _ ->
-      let own, others =
-        List.partition own_state (Option.value (Int_table.find_opt t.users id) ~default:[])
-      in
-      if List.compare_length_with own 1 <> 0 || not (List.for_all (is_late_user t) others) then (
+      let users = Option.value (Int_table.find_opt t.users id) ~default:[] in
+      let own, others = List.partition (fun user -> user = State) users in
+      if
+        List.compare_length_with own 1 <> 0
+        || others = []
+        || not (List.for_all (is_late_user t) others)
+      then (
         Hashtbl.remove t.kept id;
-        no ()))
+        changed := true))
     (Hashtbl.copy t.kept);
   if !changed then settle t
 
-(* What is made of no signal that is kept may as well come first. *)
-let rec reads_kept t (atom : atom) =
-  match atom with
-  | Bool _ | Int _ | Float _ -> false
-  | Signal s -> (
-      Hashtbl.mem t.kept s.id
-      ||
-      match Int_table.find_opt t.definer s.id with
-      | Some k when t.late_items.(k) ->
-          List.exists (reads_kept t) (operands t.fragment.items.(k))
-      | Some _ | None -> false)
+(* What is late, or what is not. *)
+let part t late : Fragment.t =
+  let { items; results; returned; _ } = t.fragment in
+  let is_part flags k _ = Bool.equal flags.(k) late in
+  let is_returned_here =
+    Option.is_some returned && is_part t.late_outputs (List.length results) ()
+  in
+  {
+    t.fragment with
+    items = Array.of_list (List.filteri (is_part t.late_items) (Array.to_list items));
+    results = List.filteri (is_part t.late_outputs) results;
+    returned = (if is_returned_here then returned else None);
+  }
 
-let divided t : Fragment.t * Fragment.t =
-  let { leaves; items; results; returned; _ } = t.fragment in
-  let part late list =
-    List.filteri (fun k _ -> Bool.equal t.late_results.(k) late) list
-  in
-  let items_of late =
-    Array.of_list
-      (List.filteri (fun k _ -> Bool.equal t.late_items.(k) late) (Array.to_list items))
-  in
-  let leaves_later = Int_table.copy leaves in
-  Hashtbl.iter (fun id field -> Int_table.replace leaves_later id (Ir.Field field)) t.kept;
-  ( {
-      t.fragment with
-      items = items_of false;
-      results = part false results;
-      returned = (if t.late_return then None else returned);
-    },
-    {
-      t.fragment with
-      leaves = leaves_later;
-      items = items_of true;
-      results = part true results;
-      states = [];
-      returned = (if t.late_return then returned else None);
-    } )
+let divided t =
+  let leaves = Int_table.copy t.fragment.leaves in
+  Hashtbl.iter (fun id field -> Int_table.replace leaves id (Ir.Field field)) t.kept;
+  (part t false, { (part t true) with leaves; states = [] })
 
 let split (fragment : Fragment.t) =
   let t =
@@ -173,8 +149,7 @@ let split (fragment : Fragment.t) =
       kept = Hashtbl.create 8;
       late_items =
         Array.map (function Computed _ -> true | Action _ -> false) fragment.items;
-      late_results = Array.make (List.length fragment.results) true;
-      late_return = true;
+      late_outputs = Array.make (List.length (outputs fragment)) true;
     }
   in
   Array.iteri
@@ -189,12 +164,4 @@ let split (fragment : Fragment.t) =
   else (
     find_users t;
     settle t;
-    let first atom = not (reads_kept t atom) in
-    let settle_result k (_, atom, _) = if first atom then t.late_results.(k) <- false in
-    List.iteri settle_result fragment.results;
-    Option.iter (fun (atom, _) -> if first atom then t.late_return <- false) fragment.returned;
-    (* What these are made of. *)
-    settle t;
-    if t.late_return && Option.is_some fragment.returned || Array.mem true t.late_results then
-      Some (divided t)
-    else None)
+    if Hashtbl.length t.kept = 0 then None else Some (divided t))
