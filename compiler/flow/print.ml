@@ -96,11 +96,6 @@ let constructor (sums : Ir.sum array) (ty : Ir.ty) index =
       | None -> sprintf "<constructor %d>" index)
   | Bool | Int | Float | Sum _ | Array _ | Foreign _ -> sprintf "<constructor %d>" index
 
-let constructor_of_atom sums (a : Ir.atom) index =
-  match a with
-  | Signal s -> constructor sums s.ty index
-  | Bool _ | Int _ | Float _ -> sprintf "<constructor %d>" index
-
 let rhs sums names ppf ~(defines : Ir.signal) : Ir.rhs -> unit = function
   | Copy a -> atom names ppf a
   | Op (op, [ a; b ]) when is_infix op ->
@@ -112,9 +107,9 @@ let rhs sums names ppf ~(defines : Ir.signal) : Ir.rhs -> unit = function
   | Construct { constructor = index; payload } ->
       fprintf ppf "%s(%a)" (constructor sums defines.ty index) (atoms names) payload
   | Is_constructor (a, index) ->
-      fprintf ppf "%a ? %s" (atom names) a (constructor_of_atom sums a index)
+      fprintf ppf "%a ? %s" (atom names) a (constructor sums (Operands.ty a) index)
   | Payload { value; constructor = index; leaf } ->
-      fprintf ppf "%a.%s.%d" (atom names) value (constructor_of_atom sums value index) leaf
+      fprintf ppf "%a.%s.%d" (atom names) value (constructor sums (Operands.ty value) index) leaf
   | Elements elements -> fprintf ppf "[%a]" (atoms names) elements
   | Fill a -> fprintf ppf "fill %a" (atom names) a
   | Index (a, k) -> fprintf ppf "%a ! %d" (atom names) a k

@@ -18,7 +18,7 @@ let of_alternatives blocks =
 
 let scalar bytes = { bytes; alignment = bytes }
 
-let foreign = { bytes = 0; alignment = Layout.largest_alignment }
+let foreign = { bytes = 0; alignment = 8 }
 
 (* Members one after another, all alike. *)
 let run count member = { member with bytes = Basis.Amount.times count member.bytes }
@@ -47,26 +47,22 @@ let rec of_value real sums (ty : Ir.ty) =
       let present = List.filter (fun (count, _) -> count > 0) runs in
       snd (of_members (List.map (fun (count, member) -> run count member) present))
 
-let rec scalars sums (ty : Ir.ty) =
+(* The sum over the slots of sums, without arrays, and over the other values. *)
+let rec count sums ~of_slots ~of_scalar (ty : Ir.ty) =
   match ty with
-  | Bool | Int | Float | Nanoseconds | Foreign _ -> 1
-  | Array (n, element) -> Basis.Amount.times n (scalars sums element)
+  | Bool | Int | Float | Nanoseconds | Foreign _ -> of_scalar ty
+  | Array (n, element) -> Basis.Amount.times n (count sums ~of_slots ~of_scalar element)
   | Sum k ->
       let slots = Layout.sum sums k in
-      let arrays =
-        List.fold_left
-          (fun sum (ty, count) ->
-            Basis.Amount.add sum (Basis.Amount.times count (scalars sums (Layout.ty ty))))
-          0 slots.arrays
+      let array (ty, n) =
+        Basis.Amount.times n (count sums ~of_slots ~of_scalar (Layout.ty ty))
       in
-      Basis.Amount.add arrays (1 + slots.floats + slots.ints + slots.bools + slots.tags)
+      List.fold_left Basis.Amount.add (of_slots slots) (List.map array slots.arrays)
 
-let rec numbers sums (ty : Ir.ty) =
-  match ty with
-  | Float -> 1
-  | Bool | Int | Nanoseconds | Foreign _ -> 0
-  | Array (n, element) -> Basis.Amount.times n (numbers sums element)
-  | Sum k ->
-      let slots = Layout.sum sums k in
-      let slot (ty, count) = Basis.Amount.times count (numbers sums (Layout.ty ty)) in
-      List.fold_left Basis.Amount.add slots.floats (List.map slot slots.arrays)
+let scalars sums =
+  let of_slots (s : Layout.slots) = 1 + s.floats + s.ints + s.bools + s.tags in
+  count sums ~of_slots ~of_scalar:(fun _ -> 1)
+
+let numbers sums =
+  let of_slots (s : Layout.slots) = s.floats in
+  count sums ~of_slots ~of_scalar:(fun ty -> if ty = Float then 1 else 0)

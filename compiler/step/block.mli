@@ -8,7 +8,7 @@ type t = { bytes : int; alignment : int }
 val of_value : Basis.Real.t -> Flow.Ir.sum array -> Ir.ty -> t
 
 val foreign : t
-(** A struct of the user's C. *)
+(** A struct of the user's C, of which the largest alignment is taken. *)
 
 val scalars : Flow.Ir.sum array -> Ir.ty -> int
 (** How many numbers, truth values and tags a value is made of. *)

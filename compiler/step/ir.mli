@@ -204,8 +204,7 @@ type node = {
           and its state, if any, is one [Component] *)
   reset : code;  (** empty if there is no state, or nothing calls it *)
   step : code;
-  outputs : (string * ty) list;
-  for_transitions : int;  (** so many of the [outputs], the last ones *)
+  outputs : (string * ty) list;  (** then what only transitions read *)
   ends_early : (int * int) option;
       (** a mode whose step, where one of its transitions occurs, gives only the outputs
           from the first of these numbers on, and where its first transition occurs only

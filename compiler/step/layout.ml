@@ -52,5 +52,3 @@ and sum sums k =
       let needs = List.fold_left (fun n ty -> add n (leaf sums ty)) none (Flow.Shape.payload constructor) in
       combine max most needs)
     none sums.(k).Flow.Ir.constructors
-
-let largest_alignment = 8

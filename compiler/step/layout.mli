@@ -29,6 +29,3 @@ val leaf : Flow.Ir.sum array -> Flow.Ir.ty -> slots
 
 val sum : Flow.Ir.sum array -> int -> slots
 (** Without the sum's own tag. *)
-
-val largest_alignment : int
-(** Taken for that of the user's structs. *)

@@ -208,19 +208,23 @@ let entered c known =
       | Value _ | State_of _ | States_of _ | Component _ -> known)
     known c.node.state
 
+(* What is given to these variables has their types. *)
+let results c variables types =
+  if List.compare_lengths variables types <> 0 then
+    bug "`%s` takes a wrong number of results" c.node.name;
+  List.iter2 (fun (v : Ir.variable) ty -> expect c "a result" v.ty ty) variables types
+
+let declare_all c known variables =
+  List.iter (declare c) variables;
+  List.fold_left readable known variables
+
 let run c known (run : Ir.run) =
   let condition known e = expect c "a condition" Bool (expr c known e) in
   let case (mode : Ir.mode) (case : Ir.case) =
     let callee = callee c mode.node in
     call c known callee.step.parameters case.arguments;
-    let values = List.rev_append (List.rev run.results) case.others in
-    if List.compare_lengths values callee.outputs <> 0 then
-      bug "`%s` takes a wrong number of results of a mode" c.node.name;
-    List.iter2
-      (fun (v : Ir.variable) (_, ty) -> expect c "a result" v.ty ty)
-      values callee.outputs;
-    List.iter (declare c) case.others;
-    let known = List.fold_left readable known case.others in
+    results c (List.rev_append (List.rev run.results) case.others) (List.map snd callee.outputs);
+    let known = declare_all c known case.others in
     List.iter
       (fun (n : Ir.next) ->
         condition known n.condition;
@@ -243,8 +247,7 @@ let run c known (run : Ir.run) =
   if List.compare_lengths c.node.modes run.cases <> 0 then
     bug "`%s` does not have a case for each mode" c.node.name;
   List.iter2 case c.node.modes run.cases;
-  List.iter (declare c) run.results;
-  List.fold_left readable known run.results
+  declare_all c known run.results
 
 let both a b = Known.merge (fun _ x y -> match (x, y) with Some x, Some _ -> Some x | _ -> None) a b
 
@@ -276,29 +279,12 @@ let loop c known (l : Ir.loop) =
   if List.compare_lengths callee.step.parameters l.arguments <> 0 then
     bug "`%s` loops with a wrong number of arguments" c.node.name;
   List.iter2 argument callee.step.parameters l.arguments;
-  if List.compare_lengths outputs l.results <> 0 then
-    bug "`%s` takes a wrong number of results" c.node.name;
+  let given k ty : Ir.ty = if k < accumulators then ty else Array (l.count, ty) in
+  results c l.results (List.mapi given outputs);
   List.iteri
     (fun k e -> expect c "an initial value" (List.nth outputs k) (expr c known e))
     l.initial;
-  let result k (v : Ir.variable) : Ir.ty =
-    let ty = List.nth outputs k in
-    expect c "a result" v.ty (if k < accumulators then ty else Array (l.count, ty));
-    declare c v;
-    ty
-  in
-  ignore (List.mapi result l.results);
-  List.fold_left readable known l.results
-
-let results_of c known results (callee : Ir.node) =
-  if List.compare_lengths results callee.outputs <> 0 then
-    bug "`%s` takes a wrong number of results" c.node.name;
-  List.fold_left2
-    (fun known (v : Ir.variable) (_, ty) ->
-      expect c "a result" v.ty ty;
-      declare c v;
-      readable known v)
-    known results callee.outputs
+  declare_all c known l.results
 
 let rec statement c depth known (s : Ir.statement) =
   match s with
@@ -324,14 +310,15 @@ let rec statement c depth known (s : Ir.statement) =
         results = both a.results b.results;
         fields = both a.fields b.fields;
       }
-  | Step { node; state; arguments; results; _ } ->
+  | Step { node; state; arguments; results = variables; _ } ->
       let callee : Ir.node = callee c node in
       (match (state, callee.state) with
       | Some { content = State_of k; _ }, _ :: _ when k = node -> ()
       | None, [] -> ()
       | _, _ -> bug "a step of `%s` has a wrong state" callee.name);
       call c known callee.step.parameters arguments;
-      results_of c known results callee
+      results c variables (List.map snd callee.outputs);
+      declare_all c known variables
   | Loop l -> loop c known l
   | Reset { node; state; arguments; _ } ->
       reset c known node arguments;

@@ -46,7 +46,6 @@ let foreign_node (node : F.node) (foreign : F.foreign) : Ir.node =
     reset = { parameters = []; body = [] };
     step = { parameters = List.map variable node.inputs; body = [] };
     outputs = List.map (fun (name, atom) -> (name, Computation.atom_type atom)) node.outputs;
-    for_transitions = 0;
     ends_early = None;
     seconds = stateful;
     nanoseconds = false;
@@ -100,7 +99,6 @@ let own_node context k ~is_root : Ir.node =
        in
        List.rev_append own
          (List.map (fun (s : F.signal) -> (s.name, Layout.ty s.ty)) for_transitions));
-    for_transitions = List.length for_transitions;
     ends_early;
     seconds = reads.seconds || any (fun callee -> callee.seconds);
     nanoseconds = reads.nanoseconds || any (fun callee -> callee.nanoseconds);

@@ -29,17 +29,7 @@ let is_taken scope name = is_reserved scope.kind name || is_taken_in scope name
 let tidy text =
   String.concat "_" (List.filter (fun part -> part <> "") (String.split_on_char '_' text))
 
-(* What {!identifier} would leave as it is, seen from the character after [before]. *)
-let rec is_identifier_from text k ~before =
-  if k = String.length text then before <> '_'
-  else
-    match text.[k] with
-    | ('a' .. 'z' | 'A' .. 'Z') as c -> is_identifier_from text (k + 1) ~before:c
-    | '0' .. '9' as c -> k > 0 && is_identifier_from text (k + 1) ~before:c
-    | '_' as c -> before <> '_' && is_identifier_from text (k + 1) ~before:c
-    | _ -> false
-
-let make_identifier text =
+let identifier text =
   let buffer = Buffer.create (String.length text) in
   String.iter
     (function
@@ -50,9 +40,6 @@ let make_identifier text =
   match tidy (Buffer.contents buffer) with
   | "" -> "x"
   | name -> ( match name.[0] with '0' .. '9' -> "x" ^ name | _ -> name)
-
-(* As most names are. *)
-let identifier text = if is_identifier_from text 0 ~before:'_' then text else make_identifier text
 
 let snake text =
   let buffer = Buffer.create (String.length text) in

@@ -165,9 +165,6 @@ let maker sums ~absent types sum constructor =
     (Name t.tags.(constructor)
     :: List.map2 value (members sums t) (zeros t.real sums ~absent t.slots))
 
-let projection_name t ~constructor ~leaf =
-  Printf.sprintf "%s_part%d" t.makers.(constructor) (leaf + 1)
-
 let projection sums types sum ~constructor ~leaf =
   let t = types.(sum) in
   match List.nth (payload sums (List.nth sums.(sum).F.constructors constructor)) leaf with
@@ -177,6 +174,6 @@ let projection sums types sum ~constructor ~leaf =
       let from member = Ir.Member (Name "outer", member) in
       function_
         ~result:(Struct inner.struct_name)
-        (projection_name t ~constructor ~leaf)
+        (Printf.sprintf "%s_part%d" t.makers.(constructor) (leaf + 1))
         [ (Struct t.struct_name, "outer") ]
         (from tag :: List.map (fun (member, _) -> from member) (members sums ~first inner))

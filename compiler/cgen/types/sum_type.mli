@@ -62,7 +62,5 @@ val maker :
   Ir.function_
 (** Of a sum and a constructor. *)
 
-val projection_name : t -> constructor:int -> leaf:int -> string
-
 val projection : Flow.Ir.sum array -> t array -> int -> constructor:int -> leaf:int -> Ir.function_
 (** The inner sum that is this leaf of the payload. *)

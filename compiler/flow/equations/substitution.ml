@@ -7,7 +7,6 @@ type t = {
 
 let create () = { atoms = Int_table.create 16; names = Int_table.create 8 }
 let is_empty t = Int_table.length t.atoms = 0
-let is_replaced t (s : Ir.signal) = Int_table.mem t.atoms s.id
 
 let rec last t = function
   | Ir.Signal s as atom -> (
@@ -55,7 +54,7 @@ let replace t (s : Ir.signal) by =
 
 let apply t (node : Ir.node) =
   let equation (e : Ir.equation) =
-    if is_replaced t e.defines then None
+    if Int_table.mem t.atoms e.defines.id then None
     else
       let defines = renamed t e.defines and rhs = Operands.map (atom t) e.rhs in
       Some (if defines == e.defines && rhs == e.rhs then e else { e with defines; rhs })

@@ -12,7 +12,6 @@ val replace : t -> Ir.signal -> Ir.atom -> unit
     gave the signal goes on to the atom, if that is a signal without one. *)
 
 val atom : t -> Ir.atom -> Ir.atom
-val is_replaced : t -> Ir.signal -> bool
 
 val is_empty : t -> bool
 (** Is no signal replaced? *)

@@ -70,16 +70,9 @@ let unique (names : names) ~prefix name =
   if not (String_table.mem names chosen) then String_table.replace names chosen 1;
   chosen
 
-let signal_names (node : Ir.node) : names =
+let names_of iter : names =
   let names = String_table.create 64 in
-  Signals.iter
-    (fun (s : Ir.signal) -> if s.name <> "" then String_table.replace names s.name 1)
-    node;
-  names
-
-let instance_names (node : Ir.node) : names =
-  let names = String_table.create 16 in
-  List.iter (fun (i : Ir.instance) -> String_table.replace names i.name 1) node.instances;
+  iter (fun name -> if name <> "" then String_table.replace names name 1);
   names
 
 (* The equations and instances that do what [instance] does. *)
@@ -179,7 +172,10 @@ let without_copies (node : Ir.node) =
 
 (* The instances that [chosen] holds for are expanded where they stand. *)
 let expand_chosen context chosen (node : Ir.node) =
-  let signals = signal_names node and instances = instance_names node in
+  let signals = names_of (fun f -> Signals.iter (fun (s : Ir.signal) -> f s.name) node) in
+  let instances =
+    names_of (fun f -> List.iter (fun (i : Ir.instance) -> f i.name) node.instances)
+  in
   let equations, kept =
     List.fold_left
       (fun (equations, kept) item ->

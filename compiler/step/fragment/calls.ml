@@ -91,16 +91,7 @@ let try_out context resolve (i : F.instance) (trial : F.trial) state =
     declared
     @ [ Ir.Step { node = i.node; state; arguments; results; on_trial = true; span = i.span } ]
   in
-  Action
-    {
-      defines = trial.gives;
-      operands;
-      statements;
-      always = true;
-      advances = None;
-      weight = 2 + node.operations;
-      span = i.span;
-    }
+  Draft.work ~defines:trial.gives ~operands ~weight:(2 + node.operations) i.span statements
 
 let loop context resolve (i : F.instance) (l : F.loop) state =
   let node = context.callee i.node in
@@ -140,16 +131,9 @@ let loop context resolve (i : F.instance) (l : F.loop) state =
         };
     ]
   in
-  Action
-    {
-      defines = i.outputs;
-      operands = List.map resolve (initial @ arguments context i node.step);
-      statements;
-      always = Option.is_some state;
-      advances = None;
-      weight = l.count * (2 + node.operations);
-      span = i.span;
-    }
+  let operands = List.map resolve (initial @ arguments context i node.step) in
+  let weight = l.count * (2 + node.operations) in
+  Draft.work ~defines:i.outputs ~operands ~always:(Option.is_some state) ~weight i.span statements
 
 let call context resolve (i : F.instance) state =
   let node = context.callee i.node in
@@ -166,16 +150,8 @@ let call context resolve (i : F.instance) state =
       let statements arguments =
         [ Ir.Step { node = i.node; state; arguments; results; on_trial = false; span = i.span } ]
       in
-      Action
-        {
-          defines;
-          operands;
-          statements;
-          always = Option.is_some state;
-          advances = None;
-          weight = 2 + node.operations;
-          span = i.span;
-        }
+      let weight = 2 + node.operations in
+      Draft.work ~defines ~operands ~always:(Option.is_some state) ~weight i.span statements
 
 let reset context resolve (i : F.instance) state =
   let node = context.callee i.node in

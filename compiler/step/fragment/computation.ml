@@ -6,10 +6,9 @@ let atom_type atom = Layout.ty (Flow.Operands.ty atom)
 
 let broken what = Diagnostic.bug ~stage:"Step.Computation" "%s" what
 
-let sum_of (atom : F.atom) =
-  match atom with
-  | Signal { ty = Sum k; _ } -> k
-  | Signal _ | Bool _ | Int _ | Float _ -> broken "a constructor test on what is not a sum"
+let sum_of : F.ty -> int = function
+  | Sum k -> k
+  | Bool | Int | Float | Array _ | Foreign _ -> broken "a constructor of what is no sum"
 
 let operation operator ty arguments : Ir.expr = Operation { operator; ty; arguments }
 
@@ -64,18 +63,14 @@ let computed (eq : F.equation) rhs : computed =
         | [ condition; then_; else_ ] -> Select { condition; then_; else_ }
         | _ -> broken "a choice with a wrong number of operands")
   | Construct { constructor; payload } ->
-      let sum =
-        match eq.defines.ty with
-        | Sum k -> k
-        | Bool | Int | Float | Array _ | Foreign _ -> broken "a constructor outside a sum"
-      in
+      let sum = sum_of eq.defines.ty in
       let construct payload : Ir.expr = Construct { sum; constructor; payload } in
       make payload (1 + List.length payload) construct
   | Is_constructor (value, constructor) ->
-      let sum = sum_of value in
+      let sum = sum_of (Flow.Operands.ty value) in
       make [ value ] 1 (fun e -> Is_constructor { sum; value = one e; constructor })
   | Payload { value; constructor; leaf } ->
-      let sum = sum_of value in
+      let sum = sum_of (Flow.Operands.ty value) in
       make [ value ] 1 (fun e -> Payload { sum; value = one e; constructor; leaf })
   | Absent ->
       let ty =

@@ -36,8 +36,8 @@ let add_computed draft (eq : F.equation) =
   | Param k -> leaf draft eq.defines (Param k)
   | rhs -> add draft (Computed (computed eq rhs))
 
-let work ?(operands = []) ?advances span statements =
-  Action { defines = []; operands; statements; always = true; advances; weight = 0; span }
+let work ?(defines = []) ?(operands = []) ?(always = true) ?advances ?(weight = 0) span statements =
+  Action { defines; operands; statements; always; advances; weight; span }
 
 let keep_at_end draft field next ~leaf span =
   draft.states <- (field, next, leaf, span) :: draft.states

@@ -25,12 +25,16 @@ val keep_at_end :
 (** A field gets this value at the end of the step; [leaf] as in {!Fragment.t}. *)
 
 val work :
+  ?defines:Flow.Ir.signal list ->
   ?operands:Flow.Ir.atom list ->
+  ?always:bool ->
   ?advances:Ir.field ->
+  ?weight:int ->
   Span.t ->
   (Ir.expr list -> Ir.statement list) ->
   Fragment.item
-(** Statements that write state and define no variable. *)
+(** Statements; if nothing else is said they write state, define no variable and cost
+    next to nothing. *)
 
 (** {1 The parts of the fragment} *)
 

@@ -29,13 +29,14 @@ let differentiate draft ~(value : Ir.field) ~(input : Ir.field) atom span =
   in
   Draft.add draft (Draft.work ~operands:[ atom; atom ] ~advances:value span statements)
 
+(* The time after this step. *)
+let later ~limited (time : Ir.field) =
+  if limited then Ir.Soon (Field time, Dt_nanoseconds) else Later (Field time, Dt_nanoseconds)
+
 let advance ~limited state (eq : F.equation) =
   match State.memory state eq.defines with
   | Some (Elapsed { time; advances; restart = Bool false; unit = _ }) ->
-      let value =
-        if limited (F.Bool false) then Ir.Soon (Field time, Dt_nanoseconds)
-        else Later (Field time, Dt_nanoseconds)
-      in
+      let value = later ~limited:(limited (F.Bool false)) time in
       if advances then Some (Ir.Assign { place = Own time; value; span = eq.span }) else None
   | Some (Integrated { value; input }) ->
       let step = operation F.Multiply Float [ Dt; input ] in
@@ -43,20 +44,14 @@ let advance ~limited state (eq : F.equation) =
       Some (Assign { place = Own value; value = sum; span = eq.span })
   | Some (Ticked { time; period }) ->
       (* It was less than the period, and dt is at most 10^18. *)
-      let in_range = match period with Float x -> x <= 8e18 | Signal _ | Bool _ | Int _ -> false in
-      let value =
-        if in_range then Ir.Soon (Field time, Dt_nanoseconds)
-        else Later (Field time, Dt_nanoseconds)
-      in
-      Some (Assign { place = Own time; value; span = eq.span })
+      let limited = match period with Float x -> x <= 8e18 | Signal _ | Bool _ | Int _ -> false in
+      Some (Assign { place = Own time; value = later ~limited time; span = eq.span })
   | Some (Elapsed _ | Delayed _ | Differentiated _ | Kept _) | None -> None
 
 (* Where it does not start again, it goes on. *)
 let start_again ~limited draft time restart span =
   let statements restart =
-    let else_ =
-      if limited then Ir.Soon (Field time, Dt_nanoseconds) else Later (Field time, Dt_nanoseconds)
-    in
+    let else_ = later ~limited time in
     let value =
       match one restart with
       | Operation { operator = Not; arguments = [ condition ]; _ } ->

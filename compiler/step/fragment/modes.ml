@@ -1,7 +1,6 @@
 open Basis
 
 module F = Flow.Ir
-open Fragment
 
 type context = {
   program : F.program;
@@ -139,8 +138,7 @@ let step context (m : F.machine) =
   let weight =
     List.fold_left (fun sum mode -> sum + (context.callee mode).Ir.operations) 4 m.modes
   in
-  let defines = m.outputs and span = m.span in
-  Action { defines; operands; statements; always = true; advances = None; weight; span }
+  Draft.work ~defines:m.outputs ~operands ~weight m.span statements
 
 let start context (m : F.machine) =
   let transitions = Flow.Transitions.map context.resolve m.start in

@@ -21,7 +21,6 @@ type t = {
 and machine = {
   running : Ir.field option;
   clock : Ir.clock option;
-  room : Ir.field option;
   modes : Ir.mode list;
 }
 
@@ -156,10 +155,8 @@ let machine_of t ~callee ~statics (m : Flow.Ir.machine) =
     | [] | [ _ ] -> None
     | _ :: _ :: _ -> Some (field "mode" Ir.Running_mode "the mode that runs")
   in
-  let room =
-    if List.exists keeps modes then Some (field "modes" (Ir.Modes modes) "what they keep")
-    else None
-  in
+  if List.exists keeps modes then
+    ignore (field "modes" (Ir.Modes modes) "what they keep" : Ir.field);
   let looks_at_time mode =
     let node : Ir.node = callee mode in
     node.seconds || node.nanoseconds
@@ -172,7 +169,7 @@ let machine_of t ~callee ~statics (m : Flow.Ir.machine) =
         Some { Ir.since; running; elapsed = Later (Field since, Dt_nanoseconds) }
     | Some _ | None -> None
   in
-  t.machine <- Some { running; clock; room; modes }
+  t.machine <- Some { running; clock; modes }
 
 let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : Statics.t) =
   let t =

@@ -32,7 +32,6 @@ val instance : t -> Flow.Ir.instance -> Ir.field option
 type machine = {
   running : Ir.field option;  (** the number of the mode; one alone needs none *)
   clock : Ir.clock option;
-  room : Ir.field option;  (** if any mode keeps anything *)
   modes : Ir.mode list;
 }
 

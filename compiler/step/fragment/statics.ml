@@ -47,15 +47,16 @@ let lasts work (s : Flow.Ir.signal) =
 
 (* Classifies an item, those it needs having been classified. *)
 let classify work item =
+  List.iter
+    (fun (s : Flow.Ir.signal) -> Int_table.replace work.definer s.id item)
+    (Flow.Schedule.defines item);
   match item with
   | Flow.Schedule.Equation e ->
-      Int_table.replace work.definer e.defines.id item;
       let operands = Flow.Operands.all e.rhs in
       if (not (Flow.Rhs.is_stateful e.rhs)) && List.for_all (is_static work) operands then
         Int_table.replace work.static e.defines.id
           (if is_expensive e.rhs then Costly else cost_of_operands work operands)
   | Instance i ->
-      List.iter (fun (s : Flow.Ir.signal) -> Int_table.replace work.definer s.id item) i.outputs;
       if
         work.program.nodes.(i.node).kind = Function
         && List.for_all (is_static work) i.statics
@@ -64,10 +65,7 @@ let classify work item =
       then
         let costly (s : Flow.Ir.signal) = Int_table.replace work.static s.id Costly in
         List.iter costly i.outputs
-  | Trial _ | Machine _ ->
-      List.iter
-        (fun (s : Flow.Ir.signal) -> Int_table.replace work.definer s.id item)
-        (Flow.Schedule.defines item)
+  | Trial _ | Machine _ -> ()
 
 let operands_of_item = function
   | Flow.Schedule.Equation e -> Flow.Operands.all e.rhs

@@ -204,7 +204,7 @@ let place_writes t ~into writes =
         store branch.then_ then_;
         Some (c.id, branch)
     | Keep | Set _ | Branch _ ->
-        if w.early then set_apart t early (Write_order.atoms w.write.update);
+        if w.early then set_apart t early (Usage.update_atoms w.write.update);
         let leaf = if w.early then Some (save t early) else None in
         store ?leaf t ~branch:(new_branch ?leaf t) into w.write;
         None

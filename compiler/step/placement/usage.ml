@@ -83,12 +83,11 @@ let count t atom =
   | Flow.Signal s -> Int_table.replace t.uses s.id (uses t s + 1)
   | Bool _ | Int _ | Float _ -> ()
 
-let rec update_atoms update rest =
-  match update with
-  | Keep -> rest
-  | Set atom -> atom :: rest
+let rec update_atoms = function
+  | Keep -> []
+  | Set atom -> [ atom ]
   | Branch { condition; then_; else_ } ->
-      condition :: update_atoms then_ (update_atoms else_ rest)
+      condition :: List.append (update_atoms then_) (update_atoms else_)
 
 let needed t k =
   item_uses t k > 0 || match t.fragment.items.(k) with Action a -> a.always | Computed _ -> false
@@ -110,7 +109,7 @@ let conditions_of_ending t =
 
 let count_all t =
   Int_table.reset t.uses;
-  let write w = List.iter (count t) (update_atoms w.update []) in
+  let write w = List.iter (count t) (update_atoms w.update) in
   List.iter write t.results;
   List.iter write t.writes;
   Option.iter (fun (atom, _) -> count t atom) t.fragment.returned;

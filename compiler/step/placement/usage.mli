@@ -23,6 +23,8 @@ val writes : t -> Fragment.write list
 
 val results : t -> Fragment.write list
 
+val update_atoms : Fragment.update -> Fragment.atom list
+
 val ty : t -> Flow.Ir.signal -> Ir.ty
 
 val leaf : t -> Flow.Ir.signal -> Ir.expr option

@@ -6,15 +6,6 @@ type write = {
   early : bool;
 }
 
-let atoms update =
-  let rec prepend update rest =
-    match update with
-    | Keep -> rest
-    | Set atom -> atom :: rest
-    | Branch { condition; then_; else_ } -> condition :: prepend then_ (prepend else_ rest)
-  in
-  prepend update []
-
 let reads usage atoms =
   let fields = Int_table.create 8 and seen = Int_table.create 8 in
   let rec visit = function
@@ -52,7 +43,7 @@ let note written (w : Fragment.write) =
 let of_usage usage =
   let written = Int_table.create 16 in
   let order (write : Fragment.write) =
-    let early = overlap (reads usage (atoms write.update)) written in
+    let early = overlap (reads usage (Usage.update_atoms write.update)) written in
     note written write;
     { write; early }
   in

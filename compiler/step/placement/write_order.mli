@@ -14,5 +14,3 @@ val of_usage : Usage.t -> write list
 
 val written : write list -> Fragment.atom -> Usage.t -> bool
 (** Does the value need a field that these write? *)
-
-val atoms : Fragment.update -> Fragment.atom list
