@@ -14,6 +14,7 @@ mkdir -p "$out"
     sh tests/generated/bench/simulator.sh "$out"
     sh tests/generated/bench/code_size.sh "$out"
     sh tests/generated/bench/stop/run.sh "$out"
+    sh tests/generated/bench/view/run.sh "$out"
 } >"$out/lines"
 
 {

@@ -3,11 +3,10 @@ import type { Instant, Path, Way } from "./protocol";
 import { robotNamed } from "./robots";
 import type { Store } from "./store";
 import { colour, onTheme } from "./theme";
+import { Track } from "./track";
 import { readWorld, type Point, type World } from "./world";
 
 const pathPoints = 4000;
-/** How far apart points of a way are that is drawn as it is driven, in metres. */
-const apart = 0.01;
 /** Around what is drawn, in metres. */
 const margin = 0.35;
 
@@ -46,9 +45,9 @@ export function startMap(store: Store, host: HTMLElement): void {
   const world: World | null = worldFile && readWorld(worldFile.text);
   const start: Pose = world?.start ?? { x: 0, y: 0, heading: 0 };
   // By odometry; of a simulator's run that goes on, of each robot where it really is.
-  let path: Point[] = [];
-  let times: number[] = [];
-  const ways = new Map<number, Point[]>();
+  const believed = new Track();
+  const ways = new Map<number, Track>();
+  const shownTracks = () => (ways.size > 0 ? [...ways.values()] : [believed]);
   /** Of the edited program, where it has driven itself. */
   let otherPath: Point[] = [];
   let toPixel = (p: Point): Point => p;
@@ -60,7 +59,7 @@ export function startMap(store: Store, host: HTMLElement): void {
 
   const fit = () => {
     const lines = [...(world?.walls ?? []), ...(world?.lines ?? [])];
-    const all: Point[] = [[start.x, start.y], ...(ways.size > 0 ? [...ways.values()].flat() : path),
+    const all: Point[] = [[start.x, start.y], ...shownTracks().flatMap((track) => track.points),
                           ...(world?.solids ?? []).flat(),
                           ...lines.flatMap((line) => line.points)];
     const xs = all.map((p) => p[0]), ys = all.map((p) => p[1]);
@@ -155,10 +154,12 @@ export function startMap(store: Store, host: HTMLElement): void {
     context.setLineDash([]);
   };
 
-  const drawTruth = (truth: NonNullable<Instant["truth"]>, cells: readonly string[]) => {
-    for (const way of ways.values()) line(way, colour("edge"), 1.5);
+  const drawTruth = (truth: NonNullable<Instant["truth"]>, { time, cells }: Instant) => {
+    for (const way of ways.values()) line(way.points, colour("edge"), 1.5);
     truth.forEach(([px, py, heading, touches], i) => {
       const pose = { x: px, y: py, heading };
+      const passed = ways.get(i)?.until(time) ?? [];
+      line([...passed, [px, py]], colour(i === 0 ? "accent" : "dim"), i === 0 ? 2 : 1);
       if (i === 0) drawEchoes(pose, cells);
       drawBody(pose, colour(touches ? "bad" : i === 0 ? "accent" : "dim"));
     });
@@ -180,13 +181,12 @@ export function startMap(store: Store, host: HTMLElement): void {
     drawOther(instant);
     const pose = poseAt(instant.cells);
     if (instant.truth) {
-      drawTruth(instant.truth, instant.cells);
+      drawTruth(instant.truth, instant);
       drawBelief(pose);
       return;
     }
-    line(path, colour("edge"), 1.5);
-    const passed = path.filter((_, i) => (times[i] ?? 0) <= instant.time);
-    line([...passed, [pose.x, pose.y]], colour("accent"), 2);
+    line(believed.points, colour("edge"), 1.5);
+    line([...believed.until(instant.time), [pose.x, pose.y]], colour("accent"), 2);
     drawEchoes(pose, instant.cells);
     drawBody(pose, colour("accent"));
   };
@@ -202,20 +202,14 @@ export function startMap(store: Store, host: HTMLElement): void {
     return within(start, { x: cell(x), y: cell(y), heading: cell(heading) });
   };
 
-  /** Adds where it is now, if that is somewhere else. */
-  const extend = (points: Point[], pose: { readonly x: number; readonly y: number }): boolean => {
-    const last = points.at(-1);
-    if (last && Math.hypot(pose.x - last[0], pose.y - last[1]) < apart) return false;
-    points.push([pose.x, pose.y]);
-    return true;
-  };
   const grow = (instant: Instant) => {
+    const pose = poseAt(instant.cells);
     instant.truth?.forEach(([px, py], i) => {
-      const way = ways.get(i) ?? [];
+      const way = ways.get(i) ?? new Track();
       ways.set(i, way);
-      extend(way, { x: px, y: py });
+      way.extend(px, py, instant.time);
     });
-    if (extend(path, poseAt(instant.cells))) times.push(instant.time);
+    believed.extend(pose.x, pose.y, instant.time);
   };
 
   const inWorld = (points: Path["points"]): Point[] => points.map(([, px, py]) => {
@@ -223,8 +217,7 @@ export function startMap(store: Store, host: HTMLElement): void {
     return [pose.x, pose.y];
   });
   const load = () => store.path(x, y, pathPoints, (answer: Path) => {
-    times = answer.points.map(([time]) => time);
-    path = inWorld(answer.points);
+    believed.set(inWorld(answer.points), answer.points.map(([time]) => time));
     otherPath = inWorld(answer.others ?? []);
     draw();
   });
@@ -235,7 +228,8 @@ export function startMap(store: Store, host: HTMLElement): void {
     if (!newest) return;
     // Of what was before this page, once.
     if (ways.size === 0) newest.truth?.forEach((_, i) => store.way(i, pathPoints, (way: Way) =>
-      ways.set(i, way.points.map(([, px, py]) => [px, py]))));
+      ways.get(i)?.set(way.points.map(([, px, py]) => [px, py]),
+                       way.points.map(([time]) => time))));
     grow(newest);
   });
   /** Where the program has its origin: where odometry began. */
@@ -252,7 +246,8 @@ export function startMap(store: Store, host: HTMLElement): void {
       return;
     }
     const distance = ([px, py]: Point) => Math.hypot(px - event.offsetX, py - event.offsetY);
-    const nearest = path.map((p, i) => ({ i, d: distance(toPixel(p)) }))
+    const { points, times } = ways.get(0) ?? believed;
+    const nearest = points.map((p, i) => ({ i, d: distance(toPixel(p)) }))
       .reduce((a, b) => (b.d < a.d ? b : a), { i: 0, d: Infinity });
     store.goToTime(times[nearest.i] ?? store.program.start);
   });
@@ -260,7 +255,7 @@ export function startMap(store: Store, host: HTMLElement): void {
   const place = world && worldFile ? `, in ${worldFile.name}` : "";
   note.textContent = `by odometry${place}`;
   store.on("extent", () => {
-    if (store.newest?.truth) note.textContent = `as simulated; dashed: by odometry${place}`;
+    if (store.newest?.truth) note.textContent = `as simulated (dashed: odometry)${place}`;
   });
   host.append(note);
   store.on("instant", draw);
