@@ -204,9 +204,11 @@ static void ask(struct server *server)
 /* At once, whatever else a page has asked for. */
 static void command(struct server *server, struct client *client)
 {
-    client->refusal =
+    const char *refusal =
         control_do(&server->control, client->command, client == operator_of(server));
-    if (client->refusal == NULL && strcmp(client->command, "take") == 0)
+    if (refusal != NULL)
+        client->refusal = refusal;
+    else if (strcmp(client->command, "take") == 0)
         server->operator = client->number;
     free(client->command);
     client->command = NULL;

@@ -451,12 +451,13 @@ void view_news(struct view *view, struct buffer *message)
         add_progress(view, message);
     } else {
         buffer_text(message, "{\"is\":\"live\"");
-        add_extent(view, message);
-        add_progress(view, message);
         if (view->recording.count > 0) {
             buffer_text(message, ",\"newest\":");
             answer_instant(view, view->recording.count - 1, message);
         }
+        /* After that, for which the program is run up to there. */
+        add_extent(view, message);
+        add_progress(view, message);
     }
     buffer_text(message, "}");
 }

@@ -156,11 +156,12 @@ async def commands(frobc, program):
             if await other.send(f"speed {speed}") == []:
                 check(f"speed {speed} is refused", False)
         check("speeds out of range are refused", page.state["speed"] == 1)
+        await other.send("pause")
         other.refused.clear()
-        for _ in range(300):
+        for _ in range(100):
             await other.socket.send("key 119")
         await other.send("take")
-        check("of a flood of events most are refused", len(other.refused) > 0)
+        check("of a flood of events not all are taken", len(other.refused) > 0)
         for nonsense in ("stop now", "key", "key -1", "key x", "key 1e99", "step 3", "pause x",
                          "speed", "take it", "go go"):
             if await other.send(nonsense) == []:
