@@ -39,11 +39,15 @@ let seal path = path ^ ".md5"
 let is_whole path =
   match
     let channel = open_in_bin (seal path) in
-    Fun.protect
-      ~finally:(fun () -> close_in_noerr channel)
-      (fun () -> really_input_string channel (in_channel_length channel))
+    let seal =
+      Fun.protect
+        ~finally:(fun () -> close_in_noerr channel)
+        (fun () -> really_input_string channel (in_channel_length channel))
+    in
+    (* For a moment there is a seal, made by another command, and no entry yet. *)
+    String.equal seal (Digest.file path)
   with
-  | seal -> String.equal seal (Digest.file path)
+  | is_whole -> is_whole
   | exception (Sys_error _ | End_of_file) -> false
 
 let write path text =
