@@ -196,6 +196,11 @@ int64_t loop_round(void)
     return until;
 }
 
+void *loop_input(void)
+{
+    return &input;
+}
+
 struct loop_counts loop_count(void)
 {
     counts.stale = robot.stale;

@@ -41,6 +41,11 @@ void loop_watch(int64_t now_ns);
 /* Tells the robot to stop, whatever the loop is doing: for faults. */
 void loop_stop(void);
 
+/* The program's input, for <frob/console.h>: what buttons and dials of the board do to the
+ * operator's console counts at the next step. To be touched between rounds, not in an
+ * interrupt. */
+void *loop_input(void);
+
 struct loop_counts {
     uint32_t steps, overruns, late, stale, connections;
 };

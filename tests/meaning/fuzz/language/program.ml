@@ -169,6 +169,74 @@ let running ~seed number name output =
   let run = name ^ "run" in
   (run, f "%s%s = %s\n\n" (signature run output) run text)
 
+(* {1 The operator} *)
+
+let is_operated number = number mod 5 = 3
+
+let import = "import Capability (Console, buttonPressed, buttonHeld, knob, toggle, mapClicked)\n"
+
+(* Defines what an operator makes of the input of the program of that number. *)
+let operated ~seed number =
+  let random = Random.State.make [| seed; number; 3 |] in
+  let name = f "operated%d" number in
+  let label word = f "\"%s %d\"" word (number + Random.State.int random 2) in
+  let pick choices = one_of random choices in
+  let decimal () = f "%d.%d" (Random.State.int random 9) (Random.State.int random 100) in
+  (* All knobs that may share a label are alike. *)
+  let dial () = f "dial%d (0.5 * %s) c" number (pick [ "2.5"; "3.0"; "(top + 1.0)" ]) in
+  let text =
+    String.concat ",\n     "
+      [
+        pick [ "x"; dial (); f "if buttonHeld %s c then x else %s" (label "held") (dial ()) ];
+        pick [ "n"; f "if toggle %s False c then n else -n" (label "count") ];
+        pick [ "b"; f "toggle %s True c && b" (label "gate"); f "b || buttonHeld %s c" (label "held") ];
+        pick [ "e"; f "mergeE (tag (buttonPressed %s c) y) e" (label "go") ];
+        "m";
+        pick [ "y"; dial () ];
+        pick [ "xs"; f "[x, %s, xs ! 1]" (dial ()) ];
+        pick
+          [
+            "d"; f "knob \"d %d\" (-%s[m]) 9.5[m] 0.0[m] c" number (decimal ());
+            "case mapClicked c of\n        Event p -> p.x\n        NoEvent -> d";
+          ];
+      ]
+  in
+  ( name,
+    f
+      "dial%d :: Float -> Console -> Float\n\
+       dial%d most c = knob (if most > 1.4 then \"much %d\" else \"little %d\") (-most) most 0.25 c\n\n\
+       %s :: Console -> %s -> %s\n\
+       %s c (x, n, b, e, m, y, xs, d) =\n\
+      \    (%s) where\n\
+      \    top = 1.5\n\n"
+      number number number number name (Type.text input_type) (Type.text input_type) name text )
+
+(* [main], of programs with their numbers and outputs; and whether there is an operator. *)
+let main ~seed programs =
+  let numbers = List.filter is_operated (List.map (fun (number, _, _) -> number) programs) in
+  let output =
+    match programs with
+    | [ (_, _, output) ] -> output
+    | _ -> Type.Tuple (List.map (fun (_, _, output) -> output) programs)
+  in
+  let run (number, name, _) =
+    if is_operated number then f "%s (%s c i)" name (fst (operated ~seed number))
+    else name ^ " i"
+  in
+  let text =
+    match (programs, numbers) with
+    | [ (_, run, _) ], [] -> f "%smain = %s\n" (signature "main" output) run
+    | _, [] ->
+        f "%smain = proc i -> (%s)\n" (signature "main" output)
+          (String.concat ", " (List.map run programs))
+    | _, _ :: _ ->
+        f "main :: SF (Console, %s) %s\nmain = proc (c, i) -> (%s)\n" (Type.text input_type)
+          (Type.text output)
+          (String.concat ", " (List.map run programs))
+  in
+  let operators = List.map (fun number -> snd (operated ~seed number)) numbers in
+  ((if numbers = [] then "" else import), String.concat "" operators ^ text)
+
 let make ?(seen = Coverage.create ()) ~seed ~first ~count () =
   let define i =
     let number = first + i in
@@ -176,19 +244,11 @@ let make ?(seen = Coverage.create ()) ~seed ~first ~count () =
     Coverage.count_words seen text;
     let output = Type.Tuple signals in
     let run, definition = running ~seed number name output in
-    (run, output, text ^ definition)
+    ((number, run, output), text ^ definition)
   in
   let programs = List.init count define in
-  let main =
-    match programs with
-    | [ (run, output, _) ] -> f "%smain = %s\n" (signature "main" output) run
-    | _ ->
-        let all (run, _, _) = run ^ " i" in
-        f "%smain = proc i -> (%s)\n"
-          (signature "main" (Tuple (List.map (fun (_, output, _) -> output) programs)))
-          (String.concat ", " (List.map all programs))
-  in
-  String.concat "" (Shared.text :: List.map (fun (_, _, text) -> text) programs) ^ main
+  let imports, main = main ~seed (List.map fst programs) in
+  imports ^ String.concat "" (Shared.text :: List.map snd programs) ^ main
 
 let signals ~seed number =
   let _, _, signals = one ~seen:(Coverage.create ()) ~seed number in
@@ -199,6 +259,6 @@ let alone ~seed number ~component =
   let pattern = List.mapi (fun i _ -> if i = component then "z" else "_") signals in
   let chosen = name ^ "one" and output = List.nth signals component in
   let run, definition = running ~seed number chosen output in
-  f "%s%s%s%s = proc i -> z where\n    (%s) = %s i\n\n%s%smain = %s\n" Shared.text text
-    (signature chosen output) chosen (String.concat ", " pattern) name definition
-    (signature "main" output) run
+  let imports, main = main ~seed [ (number, run, output) ] in
+  f "%s%s%s%s%s = proc i -> z where\n    (%s) = %s i\n\n%s%s" imports Shared.text text
+    (signature chosen output) chosen (String.concat ", " pattern) name definition main
