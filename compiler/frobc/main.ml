@@ -363,8 +363,12 @@ let run =
     exit_when_done console look file =
     match on_robot with
     | Error (option :: _) ->
+        let other =
+          if option = "--set" then "; a parameter of the program is set by --param" else ""
+        in
         Commands.wrong_use
-          (Printf.sprintf "%s is for a robot, and not for the simulator: it needs --device" option)
+          (Printf.sprintf "%s is for a robot, and not for the simulator: it needs --device%s" option
+             other)
     | Ok run ->
         let given name = Option.map (fun _ -> name) in
         let simulated =

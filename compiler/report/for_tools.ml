@@ -96,6 +96,23 @@ let control (c : Core.Ir.control) =
   in
   Json.Object ((("label", string c.label) :: rest) @ [ ("line", line c.span) ])
 
+let param (p : Flow.Ir.param) =
+  let default =
+    match p.default with
+    | Bool b -> Json.Bool b
+    | Int n -> Int (Int32.to_int n)
+    | Float x -> if Float.abs x < infinity then Float x else Null
+    | Signal _ -> Null
+  in
+  Json.Object
+    [
+      ("name", string p.label);
+      ("unit", string p.unit_);
+      ("default", default);
+      ("doc", string (Option.value p.doc ~default:""));
+      ("line", line p.declared);
+    ]
+
 let to_string (t : Bounds.t) =
   let structs = State.in_use t.state in
   let index = Hashtbl.create 16 in
@@ -117,5 +134,7 @@ let to_string (t : Bounds.t) =
          ("library", list string (Bounds.library t));
          ("machines", list machine t.machines);
          ("console", list control t.program.console);
+         ("params", list param t.program.params);
+         ("params_bytes", Int (State.params_bytes t.program));
          ("marks", Int t.program.marks);
        ])

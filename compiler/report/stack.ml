@@ -183,6 +183,7 @@ and call c frame callee es =
     | Reset k -> c.done_.(k).reset
   in
   frame.callees <- bounds :: frame.callees;
+  if c.program.params <> [] then need frame word;
   arguments c frame ~calling:(List.exists calls es) es
 
 let expression c frame e = within c frame ~calling:(calls e) e
@@ -265,6 +266,7 @@ let function_ c k ~results (code : M.code) =
   let frame = { bytes = fixed; helper = 0; callees = [] } in
   let given present = if present then need frame word in
   given (c.node.state <> []);
+  given (c.program.params <> []);
   given c.node.seconds;
   given c.node.nanoseconds;
   let in_place = in_place c.program k in

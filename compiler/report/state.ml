@@ -143,3 +143,13 @@ let foreign (program : M.program) =
   in
   let of_node found (node : M.node) = List.fold_left of_field found node.state in
   List.sort_uniq String.compare (Array.fold_left of_node [] program.nodes)
+
+(* The members stand in the order of the source. *)
+let params_bytes (program : Step.Ir.program) =
+  let size (p : Flow.Ir.param) =
+    match p.param_ty with Bool -> 1 | Int -> 4 | _ -> Basis.Real.bytes program.real
+  in
+  let up bytes alignment = (bytes + alignment - 1) / alignment * alignment in
+  let sizes = List.map size program.params in
+  let add bytes size = up bytes size + size in
+  up (List.fold_left add 0 sizes) (List.fold_left max 1 sizes)

@@ -52,3 +52,6 @@ val padding : bytes:int -> member list -> int
 
 val foreign : Step.Ir.program -> string list
 (** The structs of the user's C in the state. Their size is in no number here. *)
+
+val params_bytes : Step.Ir.program -> int
+(** The size of the struct of the parameters, of which there is one for each set of values. *)

@@ -157,7 +157,36 @@ let control_row (c : Core.Ir.control) =
   in
   { depth = 1; label = c.label; amount; note; place = Bounds.place ~file:c.span.file c.span }
 
+let param_row (p : Flow.Ir.param) =
+  let first =
+    match p.default with
+    | Bool b -> string_of_bool b
+    | Int n -> Int32.to_string n
+    | Float x -> Printf.sprintf "%.15g" x
+    | Signal _ -> ""
+  in
+  let unit_ = if List.mem p.unit_ [ ""; "1" ] then "" else "[" ^ p.unit_ ^ "]" in
+  let doc =
+    match p.doc with None -> "" | Some doc -> List.hd (String.split_on_char '\n' doc)
+  in
+  {
+    depth = 1;
+    label = p.label;
+    amount = first ^ unit_;
+    note = doc;
+    place = Bounds.place ~file:p.declared.file p.declared;
+  }
+
 let to_string (t : Bounds.t) =
+  let params =
+    match t.program.params with
+    | [] -> []
+    | params ->
+        [
+          Printf.sprintf "\nparameters, %d bytes\n" (State.params_bytes t.program);
+          table (List.map param_row params);
+        ]
+  in
   let machines =
     match t.machines with
     | [] -> []
@@ -201,4 +230,4 @@ let to_string (t : Bounds.t) =
        Printf.sprintf "\nstack, in bytes, at most%s\n" library;
        table (stack_rows t);
      ]
-    @ machines @ events @ console @ marks)
+    @ machines @ events @ console @ params @ marks)

@@ -35,8 +35,22 @@ let value core (p : param) text =
       | Ok value -> Ok [ (p.param, value) ]
       | Error _ -> wrong ())
 
-let written core (p : param) value =
-  let number = Cell.write (Shape.of_type core p.ty) value in
+(* As few digits as are read back as the same number. *)
+let float real x =
+  let first, last = match (real : Basis.Real.t) with Double -> (15, 17) | Single -> (6, 9) in
+  let rec go digits =
+    let text = Printf.sprintf "%.*g" digits x in
+    if digits = last || Basis.Real.round real (float_of_string text) = x then text
+    else go (digits + 1)
+  in
+  go first
+
+let written core (p : param) (value : Value.t) =
+  let number =
+    match value with
+    | Float x -> float core.real x
+    | value -> Cell.write (Shape.of_type core p.ty) value
+  in
   if List.mem p.unit_ [ ""; "1" ] then number else Printf.sprintf "%s[%s]" number p.unit_
 
 let unknown core name =

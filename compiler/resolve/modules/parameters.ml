@@ -66,7 +66,11 @@ let owner sink modules setting =
 (* What is shown is the whole setting; the name in it is what makes a definition of it. *)
 let expression sink setting =
   let width = String.length setting.name in
-  let text = "x" ^ String.make (max 0 (width - 1)) '_' ^ "=" ^ setting.text in
+  let value =
+    (* As hosts and recordings write them. *)
+    match String.trim setting.text with "true" -> "True" | "false" -> "False" | _ -> setting.text
+  in
+  let text = "x" ^ String.make (max 0 (width - 1)) '_' ^ "= " ^ value in
   match Syntax.Parse.program sink ~file:(file_of setting) text with
   | Some
       {
@@ -84,7 +88,7 @@ let expression sink setting =
   | None -> None
 
 let set sink ~remember modules setting =
-  remember ~file:(file_of setting) (setting.name ^ "=" ^ setting.text);
+  remember ~file:(file_of setting) (setting.name ^ "= " ^ setting.text);
   match owner sink modules setting with
   | None -> modules
   | Some owner -> (

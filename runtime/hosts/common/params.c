@@ -207,9 +207,36 @@ bool params_recorded(struct params *params, const char *name, const char *line)
     return false;
 }
 
+/* As few digits as are read back as the same number. */
+static void write_number(struct frob_text *text, const struct frob_param *param,
+                         const void *values)
+{
+    const bool is_double = param->value->kind == FROB_FLOAT;
+    const char *at = (const char *)values + param->value->offset;
+    char room[40];
+    double x;
+    float single;
+    if (!is_double && param->value->kind != FROB_SINGLE) {
+        frob_cell_write(text, param->value, values);
+        return;
+    }
+    memcpy(&single, at, sizeof single);
+    x = (double)single;
+    if (is_double)
+        memcpy(&x, at, sizeof x);
+    for (int digits = is_double ? 15 : 6; digits <= (is_double ? 17 : 9); digits++) {
+        double read;
+        snprintf(room, sizeof room, "%.*g", digits, x);
+        read = strtod(room, NULL);
+        if ((is_double ? read : (double)(float)read) == x)
+            break;
+    }
+    frob_text_add(text, room);
+}
+
 void params_write(struct frob_text *text, const struct frob_param *param, const void *values)
 {
-    frob_cell_write(text, param->value, values);
+    write_number(text, param, values);
     if (param->unit[0] != '\0' && strcmp(param->unit, "1") != 0) {
         frob_text_add(text, "[");
         frob_text_add(text, param->unit);

@@ -223,25 +223,59 @@ static double rate_of(const struct recording *recording, double *seconds)
     return apart <= 0 || times[0] != 0 ? 0 : (double)last / *seconds;
 }
 
+/* Options that set the program's parameters as they were recorded: two words each, in memory
+ * of `text`, which keeps them. False without memory. */
+static bool param_options(const struct frob_program *program, const struct recording *recording,
+                          struct buffer *text, const char **options)
+{
+    const struct buffer *recorded = &recording->params;
+    struct params params;
+    char why[PARAMS_WHY], room[200];
+    bool ok = params_open(&params, program, NULL, 0);
+    const char *next;
+    for (size_t at = 0; ok && at < recorded->length; at += strlen(recorded->data + at) + 1)
+        params_read(&params, recorded->data + at, why);
+    for (size_t i = 0; ok && i < program->param_count; i++) {
+        struct frob_text value = frob_text_in(room, sizeof room);
+        params_write(&value, &program->params[i], params.values);
+        buffer_format(text, "%s=%s", program->params[i].name, room);
+        buffer_bytes(text, "", 1);
+    }
+    ok = ok && !text->failed;
+    next = text->data;
+    for (size_t i = 0; ok && i < program->param_count; i++, next += strlen(next) + 1) {
+        options[2 * i] = "--param";
+        options[2 * i + 1] = next;
+    }
+    params_close(&params);
+    return ok;
+}
+
 /* Runs a program in the simulator as long as it was recorded, and reads what comes of it. */
 static bool drive(const struct attempt *a, what_if_command command, const char *file,
                   const struct recording *recording, const struct signals *signals,
                   struct recording *driven)
 {
-    struct buffer rate = { 0 }, duration = { 0 }, record = { 0 }, said = { 0 };
+    struct buffer rate = { 0 }, duration = { 0 }, record = { 0 }, said = { 0 }, params = { 0 };
+    const size_t count = 2 * signals->program->param_count;
+    const char **arguments = (const char **)calloc(count + 8, sizeof *arguments);
     double seconds, hertz = rate_of(recording, &seconds);
     bool ok = false;
     if (hertz <= 0) {
         buffer_text(a->why, "this is no recording of a simulated run: its instants are not "
                             "evenly apart");
+        free(arguments);
         return false;
     }
     buffer_format(&rate, "%.12g", hertz);
     buffer_format(&duration, "%.9fs", seconds);
     buffer_format(&record, "%s/driven.csv", a->folder.data);
-    const char *const arguments[] = { "--rate", rate.data, "--for", duration.data,
-                                      "--record", record.data, file, NULL };
-    if (rate.failed || duration.failed || record.failed)
+    const char *const others[] = { "--rate", rate.data, "--for", duration.data,
+                                   "--record", record.data, file, NULL };
+    if (arguments != NULL)
+        memcpy(arguments + count, others, sizeof others);
+    if (rate.failed || duration.failed || record.failed || arguments == NULL ||
+        !param_options(signals->program, recording, &params, arguments))
         buffer_text(a->why, "not enough memory");
     else if (run(command, arguments, &said) != 0)
         add_without(a->why, said.length > 0 ? said.data : "the simulator cannot be run",
@@ -254,6 +288,8 @@ static bool drive(const struct attempt *a, what_if_command command, const char *
     driven->name = "the run in the simulator";
     if (record.data != NULL)
         unlink(record.data);
+    free(arguments);
+    buffer_free(&params);
     buffer_free(&rate);
     buffer_free(&duration);
     buffer_free(&record);

@@ -61,25 +61,33 @@ program() { # PROGRAM.frob[:ROBOT]
         echo "FAIL $name: is not compiled"
         return
     }
+    # Any values of its parameters, if it has some; truth values are the caller's duty.
+    if grep -q "^struct ${name}_params {" "$made/$name.h"; then
+        params="static struct ${name}_params params;" by=", &params"
+    else
+        params="" by=""
+    fi
     cat >"$made/main.c" <<END
 #include "$name.h"
 #include <__fc_builtin.h>
 
 static struct ${name}_state state;
+$params
 static struct $(parameter in "$made/$name.h") in;
 static struct $(parameter out "$made/$name.h") out;
 
 int main(void)
 {
-    ${name}_reset(&state);
+    ${by:+Frama_C_make_unknown((char *)&params, sizeof params);}
+    ${name}_reset(&state$by);
     while (Frama_C_nondet(0, 1)) {
         double dt;
         Frama_C_make_unknown((char *)&in, sizeof in);
         Frama_C_make_unknown((char *)&dt, sizeof dt);
         if (Frama_C_nondet(0, 1))
-            ${name}_reset(&state);
+            ${name}_reset(&state$by);
         if (dt == dt)
-            ${name}_step(&state, dt, &in, &out);
+            ${name}_step(&state$by, dt, &in, &out);
     }
     return 0;
 }

@@ -146,7 +146,7 @@ cannot be written is no run.
   > main = reactimateRobot (proc _ -> roMake (setVelTR 0 0))
   > FROB
   $ frobc run rest.frob --set max-speed=1
-  error: --set is for a robot, and not for the simulator: it needs --device
+  error: --set is for a robot, and not for the simulator: it needs --device; a parameter of the program is set by --param
   [2]
   $ frobc run rest.frob --priority 10
   error: --priority is for a robot, and not for the simulator: it needs --device

@@ -1,0 +1,199 @@
+Parameters are numbers that are fixed when a run starts.
+
+  $ cat > steer.frob <<'END'
+  > -- | The turn for each metre,
+  > -- to the left.
+  > param kTurn :: Float[1/m] = 2 * half
+  > param most :: Int = 3
+  > param on :: Bool = True
+  > 
+  > half :: Float[1/m]
+  > half = 2[1/m]
+  > 
+  > main :: SF (Distance, Int) (Float, Bool)
+  > main = proc (x, n) -> (kTurn * x, on && n < most)
+  > END
+  $ printf 'time,in.1,in.2\n0,1,2\n1,2,4\n' > in.csv
+  $ frobc trace steer.frob --input in.csv
+  time,out.1,out.2
+  0.000000000,4,true
+  1.000000000,8,false
+
+An option sets them, and both engines agree.
+
+  $ for engine in c interp; do
+  >   frobc trace steer.frob --input in.csv --engine $engine --param 'kTurn=1/20[cm]' --param most=10
+  >   frobc trace steer.frob --input in.csv --engine $engine --real float --param on=false --param 'kTurn=-1[1/m]' | tail -1
+  > done
+  time,out.1,out.2
+  0.000000000,5,true
+  1.000000000,10,true
+  1.000000000,-2,false
+  time,out.1,out.2
+  0.000000000,5,true
+  1.000000000,10,true
+  1.000000000,-2,false
+
+The header has them as a struct; the C is that of any value.
+
+  $ frobc compile steer.frob && sed -n '/^\/\* Param/,/^extern/p' steer.h
+  /* Parameters: the same from a reset to the last step after it. */
+  struct steer_params {
+      /* The turn for each metre,
+       * to the left. [1/m] */
+      double kTurn;
+      int32_t most;
+      bool on;
+  };
+  
+  extern const struct steer_params steer_default_params;
+  $ grep 'params->' steer.c
+      out->f1 = params->kTurn * x;                            /* line 11 */
+      out->f2 = params->on && n < params->most;
+
+What a recording was made with holds for a replay, unless an option says otherwise.
+
+  $ (printf '# param kTurn=7[1/m]\n# param gone=1\n'; cat in.csv) > recorded.csv
+  $ for engine in c interp; do
+  >   frobc trace steer.frob --input recorded.csv --engine $engine | tail -1
+  >   frobc trace steer.frob --input recorded.csv --engine $engine --param 'kTurn=1[1/m]' | tail -1
+  > done
+  warning: recorded.csv: the program has no parameter `gone`; the program has `kTurn`, `most`, `on`
+  1.000000000,14,false
+  warning: recorded.csv: the parameter `kTurn` is 1[1/m], as the option says, and was 7[1/m]
+  warning: recorded.csv: the program has no parameter `gone`; the program has `kTurn`, `most`, `on`
+  1.000000000,2,false
+  warning: recorded.csv: the program has no parameter `gone`; the program has `kTurn`, `most`, `on`
+  1.000000000,14,false
+  warning: recorded.csv: the parameter `kTurn` is 1[1/m], as the option says, and was 7[1/m]
+  warning: recorded.csv: the program has no parameter `gone`; the program has `kTurn`, `most`, `on`
+  1.000000000,2,false
+  $ (echo '# param kTurn=7[m]'; cat in.csv) > other.csv
+  $ for engine in c interp; do frobc trace steer.frob --input other.csv --engine $engine; done
+  error: other.csv: the parameter `kTurn` is a number of 1/m, and `7[m]` is of another unit; `--param` sets it whatever was recorded
+  error: other.csv: the parameter `kTurn` is a number of 1/m, and `7[m]` is of another unit; `--param` sets it whatever was recorded
+  [2]
+
+What is wrong with an option.
+
+  $ frobc trace steer.frob --input in.csv --param kTurn=5
+  error[E0320]: expected the unit `1/m`, found none
+   --> --param kTurn:1:8
+    |
+  1 | kTurn= 5
+    |        ^ this is `Float`
+    |
+   ::: steer.frob:3:16
+    |
+  3 | param kTurn :: Float[1/m] = 2 * half
+    |                ---------- the signature of `kTurn` asks for `Float[1/m]`
+    |
+    = hint: write `5[1/m]` if that is its unit
+  
+  1 error
+  [2]
+  $ frobc trace steer.frob --input in.csv --param 'kTrun=5[1/m]'
+  error[E0507]: the program has no parameter `kTrun`
+   --> --param kTrun:1:1
+    |
+  1 | kTrun= 5[1/m]
+    | ^
+    |
+    = note: the program has `kTurn`, `most` and `on`
+    = hint: did you mean `kTurn`?
+  
+  1 error
+  [2]
+  $ frobc trace steer.frob --input in.csv --param kTurn
+  error: --param takes NAME=VALUE, as in `kTurn=4[1/m]`, not `kTurn`
+  [2]
+  $ frobc trace steer.frob --input in.csv --param 'kTurn=0/0*half'
+  error[E0391]: the value of the parameter `kTurn` is no number
+   --> --param kTurn:1:8
+    |
+  1 | kTurn= 0/0*half
+    |        ^^^^^^^^
+    |
+    = note: it is NaN, as `0 / 0` is
+  
+  1 error
+  [2]
+
+What is wrong with a declaration.
+
+  $ cat > wrong.frob <<'END'
+  > param pair :: (Int, Int) = (1, 2)
+  > param any :: Float[u] = 0
+  > END
+  $ frobc check wrong.frob
+  error[E0390]: the parameter `pair` cannot be of type `(Int, Int)`
+   --> wrong.frob:1:1
+    |
+  1 | param pair :: (Int, Int) = (1, 2)
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = note: a parameter is a number or a truth value: what a command line can write
+    = hint: declare a parameter for each number in it
+  
+  error[E0390]: the parameter `any` cannot be of every type `Float[u]`
+   --> wrong.frob:2:1
+    |
+  2 | param any :: Float[u] = 0
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = note: a parameter is a number or a truth value: what a command line can write
+    = hint: name its unit, as in `Float[1/m]`
+  
+  2 errors
+  [1]
+  $ cat > index.frob <<'END'
+  > param k :: Int = 1
+  > param l :: Int = k + 1
+  > 
+  > main :: SF (Array 3 Float) Float
+  > main = proc xs -> xs ! k
+  > END
+  $ frobc check index.frob
+  error[E0347]: the index of `!` must be constant, and the parameter `k` is not known before the run
+   --> index.frob:5:24
+    |
+  5 | main = proc xs -> xs ! k
+    |                        ^
+    |
+    = note: an index is a number, a name of one, or arithmetic with such
+    = hint: `at i default xs` takes any index
+  
+  1 error
+  [1]
+  $ echo 'param k = 1' > untyped.frob
+  $ frobc check untyped.frob
+  error[E0110]: expected `::` and a type after the name of the parameter, found `=`
+   --> untyped.frob:1:9
+    |
+  1 | param k = 1
+    |         ^
+    |
+    = hint: as in `param kTurn :: Float[1/m] = 4[1/m]`
+  
+  1 error
+  [1]
+
+A run records them, may write its recording anew, and is replayed as it was.
+
+  $ cat > stop.frob <<'END'
+  > import Robot
+  > 
+  > param near :: Distance = 0.5[m]
+  > 
+  > main :: Program RobotInput RobotOutput
+  > main = reactimateRobot (proc i -> roMake (setVelTR (if frontSonar i < near then 0 else 0.3[m/s]) 0))
+  > END
+  $ frobc run stop.frob --for 1s --record run.csv > summary
+  $ frobc run stop.frob --for 8s --record run.csv --param near=0.9[m] > summary
+  $ head -1 run.csv
+  # param near=0.9[m]
+  $ for engine in c interp; do frobc trace stop.frob --input run.csv --engine $engine > $engine.csv; done
+  $ cmp c.csv interp.csv
+  $ columns() { sed '/^#/d' "$1" | awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^out/) at[++n] = k } { line = ""; for (k = 1; k <= n; k++) line = line "," $at[k]; print line }'; }
+  $ columns run.csv > recorded; columns c.csv | diff recorded - && tail -1 recorded
+  ,0.29999999999999999,0
