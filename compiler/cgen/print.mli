@@ -3,11 +3,11 @@
 
 val file : Ir.file -> string
 
+val real_name : Basis.Real.t -> string
 (** The type in C. *)
 
 val real_suffix : Basis.Real.t -> string
 (** Of literals and of the mathematical functions. *)
 
-val real_name : Basis.Real.t -> string
 val float_literal : Basis.Real.t -> float -> string
 (** The shortest decimal that reads back as exactly this number. *)
