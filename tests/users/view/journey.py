@@ -6,6 +6,7 @@ import os
 import sys
 
 from selenium import webdriver
+from selenium.common.exceptions import StaleElementReferenceException as stale
 from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
@@ -40,7 +41,7 @@ class Page:
         return next((element.text for element in self.all(selector)), "")
 
     def wait(self, condition):
-        return WebDriverWait(self.driver, 10).until(lambda _: condition())
+        return WebDriverWait(self.driver, 10, ignored_exceptions=[stale]).until(lambda _: condition())
 
     def press(self, *keys):
         ActionChains(self.driver).send_keys(*keys).perform()
@@ -76,6 +77,12 @@ def visit(page, rows):
     page.wait(lambda: all(page.cells().get(name, cell) == cell
                           for name, cell in rows[last - 1].items()))
     check("the list shows what is traced", True)
+
+    away = float(rows[last - 1]["probe.draw[2]"].split('"')[2])
+    page.wait(lambda: page.text("#readings dd").endswith("[m]"))
+    check("what the program draws is beside the map, with its unit",
+          page.text("#readings dt") == "to the goal"
+          and abs(float(page.text("#readings dd")[:-3]) - away) < 1e-4 * away)
 
     before = len(page.all("#plots article"))
     page.press("/", "heading", Keys.ENTER)
@@ -128,7 +135,7 @@ def visit(page, rows):
     page.at(found)
     page.wait(lambda: "running" in pill.get_attribute("class"))
     check("a mode that is clicked is gone to", True)
-    diagram = page.all(".modes")[1]
+    diagram = page.all(".modes")[2]
     check("the modes of a machine are drawn with what leads from one to the other",
           [b.text for b in diagram.find_elements(By.CSS_SELECTOR, "button")]
           == ["driveTo", "robotPlace", "withSF", "circleTo", "ended"]

@@ -1,5 +1,6 @@
 // Where the robot is by its odometry, the way it has come, what its sonars hear, and the world.
 import type { Instant, Path, Way } from "./protocol";
+import { drawShape, markSignals, moved, points, readingsList, readMarks } from "./marks";
 import { robotNamed } from "./robots";
 import type { Store } from "./store";
 import { colour, onTheme } from "./theme";
@@ -50,6 +51,10 @@ export function startMap(store: Store, host: HTMLElement): void {
   const shownTracks = () => (ways.size > 0 ? [...ways.values()] : [believed]);
   /** Of the edited program, where it has driven itself. */
   let otherPath: Point[] = [];
+  const marks = markSignals(signals);
+  const showReadings = readingsList(host);
+  /** The farthest places, to every side, of what was drawn so far. */
+  let drawnWithin: Point[] = [];
   let toPixel = (p: Point): Point => p;
   let fromPixel = (p: Point): Point => p;
   const clicks = store.program.console.findIndex((control) => control.kind === "map");
@@ -59,7 +64,8 @@ export function startMap(store: Store, host: HTMLElement): void {
 
   const fit = () => {
     const lines = [...(world?.walls ?? []), ...(world?.lines ?? [])];
-    const all: Point[] = [[start.x, start.y], ...shownTracks().flatMap((track) => track.points),
+    const all: Point[] = [[start.x, start.y], ...drawnWithin,
+                          ...shownTracks().flatMap((track) => track.points),
                           ...(world?.solids ?? []).flat(),
                           ...lines.flatMap((line) => line.points)];
     const xs = all.map((p) => p[0]), ys = all.map((p) => p[1]);
@@ -165,6 +171,24 @@ export function startMap(store: Store, host: HTMLElement): void {
     });
   };
 
+  /** What the program draws, around where it is by odometry or, on the robot, where that is. */
+  const marksOf = (instant: Instant, robotIs: Pose) => {
+    const { marks: drawn, readings } = readMarks(marks.map((i) => instant.cells[i] ?? ""));
+    const placed = drawn.map(({ frame, colour, shape }) => {
+      const place = (p: Point): Point => {
+        const at = within(frame === "robot" ? robotIs : start, { x: p[0], y: p[1], heading: 0 });
+        return [at.x, at.y];
+      };
+      return { colour, shape: moved(shape, place) };
+    });
+    const all = [...drawnWithin, ...placed.flatMap(({ shape }) => points(shape))];
+    if (placed.length > 0) {
+      const xs = all.map((p) => p[0]), ys = all.map((p) => p[1]);
+      drawnWithin = [[Math.min(...xs), Math.min(...ys)], [Math.max(...xs), Math.max(...ys)]];
+    }
+    return { placed, readings };
+  };
+
   const draw = () => {
     const { clientWidth: width, clientHeight: height } = host;
     if (width === 0 || height === 0) return;
@@ -173,22 +197,32 @@ export function startMap(store: Store, host: HTMLElement): void {
     context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
     context.lineJoin = "round";
     context.lineCap = "round";
+    const { instant } = store;
+    const pose = instant && poseAt(instant.cells);
+    const [truly] = instant?.truth ?? [];
+    const robotIs = truly ? { x: truly[0], y: truly[1], heading: truly[2] } : pose;
+    const { placed, readings } = instant && robotIs
+      ? marksOf(instant, robotIs) : { placed: [], readings: [] };
     fit();
     if (world) drawWorld(world);
     if (clicked) drawCross(clicked);
-    const { instant } = store;
-    if (!instant) return;
+    if (!instant || !pose) return;
     drawOther(instant);
-    const pose = poseAt(instant.cells);
+    const drawMarks = () => {
+      for (const { colour: name, shape } of placed) drawShape(context, shape, name, toPixel, scale);
+      showReadings(readings);
+    };
     if (instant.truth) {
       drawTruth(instant.truth, instant);
       drawBelief(pose);
+      drawMarks();
       return;
     }
     line(believed.points, colour("edge"), 1.5);
     line([...believed.until(instant.time), [pose.x, pose.y]], colour("accent"), 2);
     drawEchoes(pose, instant.cells);
     drawBody(pose, colour("accent"));
+    drawMarks();
   };
   /** Where the edited program came, if it has driven itself. */
   const drawOther = (instant: Instant) => {
