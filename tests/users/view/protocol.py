@@ -161,7 +161,8 @@ async def origins(v, rows):
               {(s, switch + 20), (s, switch + 19)} <= set(named(answer["sources"])))
         answer = await why(50, "out.forward")
         check("an output in the mode that runs, and no other",
-              named(answer["sources"]) == [("probe.watching.mode", 50), ("probe.bug.mode", 50),
+              named(answer["sources"]) == [("probe.withMarks.mode", 50), ("probe.watching.mode", 50),
+                                           ("probe.bug.mode", 50),
                                            ("probe.driveTo.v", 50)])
         answer = await why(7, "in.sonar[3]")
         check("input comes from nowhere", answer["sources"] == [] and answer["file"] == "")
@@ -251,7 +252,7 @@ async def what_if(v, frobc, recording, program, robot, rows):
               and series["others"] == [number(row["out.forward"]) for row in others])
         wrong = await ask(client, f"what-if {text.replace('13[m]', '13[s]')}")
         check("what the compiler says comes back", not wrong["there"] and "error[" in wrong["why"]
-              and " bug.frob:10" in wrong["why"])
+              and " bug.frob:11" in wrong["why"])
         other = await ask(client, "what-if main :: SF Float Float\nmain = proc x -> x")
         check("another input is refused", "cannot be run on this recording" in other["why"])
         answer = await ask(client, "what-if")
