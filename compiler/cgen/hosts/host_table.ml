@@ -215,7 +215,8 @@ let outputs out (program : Step.Ir.program) (side : Border.side) =
     if not program.ends then "NULL"
     else
       match (snd (Interface.apart program.output), List.rev own) with
-      | Some ended, last :: _ -> "&" ^ fst (table_of out program ~prefix:"result" side [ last ] ended)
+      | Some ended, last :: _ ->
+          "&" ^ fst (table_of out program ~prefix:"result" side [ last ] ended)
       | _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a program that ends without a result"
   in
   let others = List.filteri (fun k _ -> k >= count) all in
