@@ -10,7 +10,8 @@ let declared module_ = Library_module.declared (Page.read (root / "stdlib" / (mo
 let prelude = declared "Prelude"
 
 (* With a heading each in appendix B. *)
-let modules = List.map (fun name -> (name, declared name)) [ "Control"; "Geometry"; "Driving"; "Sources"; "WallFollow" ]
+let library = [ "Control"; "Geometry"; "Driving"; "Sources"; "WallFollow"; "Display" ]
+let modules = List.map (fun name -> (name, declared name)) library
 let frobc = Sys.argv.(1)
 
 let write file text =

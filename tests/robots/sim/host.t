@@ -51,11 +51,11 @@ Running into a wall is told, and with --strict it is a fault.
   > #include <frob/arithmetic.h>
   > #include <frob/pioneer.h>
   > #include <frob/program.h>
-  > static void reset(void *self) { (void)self; }
-  > static void step(void *self, double dt, const void *in, void *out)
+  > static void reset(void *self, const void *params) { (void)self; (void)params; }
+  > static void step(void *self, const void *params, double dt, const void *in, void *out)
   > {
   >     struct frob_pioneer_output ahead = { 0.5, 0.0 };
-  >     (void)self; (void)dt; (void)in;
+  >     (void)self; (void)params; (void)dt; (void)in;
   >     *(struct frob_pioneer_output *)out = ahead;
   > }
   > const struct frob_program frob_program = {

@@ -423,9 +423,9 @@ Tasks side by side have two outputs, and a text is no output:
    2 | main = reactimateTask (race forward (sleepT 3[s] (roMake id)))
      |        ^^^^^^^^^^^^^^ `reactimateTask` needs it
      |
-    ::: stdlib/Robot.frob:42:19
+    ::: stdlib/Robot.frob:43:19
      |
-  42 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
+  43 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
      |                   ------------------------------------------ `reactimateTask` asks for `RobotOutput o` here
      |
      = hint: tasks side by side put out both their outputs, of which `mapOutput` makes one; `timeOut` and `abortWhen` end a task and have its output only

@@ -174,9 +174,9 @@ And where the output is one of a task's, or a signature's.
    2 | main = reactimateTask (do
      |        ^^^^^^^^^^^^^^ `reactimateTask` needs it
      |
-    ::: stdlib/Robot.frob:42:19
+    ::: stdlib/Robot.frob:43:19
      |
-  42 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
+  43 | reactimateTask :: RobotOutput o => Task i o c -> Program i o
      |                   ------------------------------------------ `reactimateTask` asks for `RobotOutput o` here
      |
      = hint: `roMake` makes a robot's output of such a function, as in `roMake (setVelTR v omega)`

@@ -206,9 +206,9 @@ A robot has no such thing, or its module is not imported:
     4 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . setLight On))
       |                                                                 ^^^^^^^^ `setLight` needs it
       |
-     ::: stdlib/Capability.frob:155:17
+     ::: stdlib/Capability.frob:216:17
       |
-  155 |     setLight :: Light -> o -> o
+  216 |     setLight :: Light -> o -> o
       |                 --------------- `setLight` asks for `HasLight o` here
       |
       = note: what has `HasLight`: `CreateOutput`

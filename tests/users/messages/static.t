@@ -54,9 +54,9 @@ A task that goes on as itself must take time.
    6 |         go
      |         ^^ `driveTo` may start `driveTo` at its own first instant
      |
-    ::: stdlib/Driving.frob:50:5
+    ::: stdlib/Driving.frob:51:5
      |
-  50 |     arrived = atPlace goal i
+  51 |     arrived = atPlace goal i
      |     ------------------------ `atPlace` may occur at the first instant of `driveTo`
      |
      = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one

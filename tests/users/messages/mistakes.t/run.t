@@ -631,9 +631,9 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
     4 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0 . setLight On))
       |                                                                 ^^^^^^^^ `setLight` needs it
       |
-     ::: stdlib/Capability.frob:155:17
+     ::: stdlib/Capability.frob:216:17
       |
-  155 |     setLight :: Light -> o -> o
+  216 |     setLight :: Light -> o -> o
       |                 --------------- `setLight` asks for `HasLight o` here
       |
       = note: what has `HasLight`: `CreateOutput`
