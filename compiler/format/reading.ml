@@ -140,6 +140,15 @@ let layout_of text =
   in
   go []
 
+(* Between two ends of items that follow each other is nothing. *)
+let without_empty_items (tokens : Layout.token array) =
+  let add found (t : Layout.token) =
+    match (t.token, found) with
+    | SEMICOLON, (SEMICOLON, _) :: _ | END, (END, _) :: _ -> found
+    | _ -> (t.token, t.made) :: found
+  in
+  Array.of_list (List.rev (Array.fold_left add [] tokens))
+
 let lexed text =
   let sink = Basis.Diagnostic.sink () in
   let lexer = Lexer.create sink ~file:"" text in
@@ -251,5 +260,5 @@ let text text =
       end)
     words;
   let last = comments place text !from (String.length text) in
-  let layout = Array.map (fun (token : Layout.token) -> (token.token, token.made)) laid_out in
+  let layout = without_empty_items laid_out in
   { words; last; layout }

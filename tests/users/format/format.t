@@ -80,6 +80,37 @@ comes along.
       -- of both
       v        = velocity
 
+A choice in a chain stands below the one before; so does `in` below the `let` of a line.
+
+  $ frobc format - <<'EOF'
+  > speed = if far then 3
+  >           else if near then 1
+  >        else 0
+  > turn = do
+  >   if far
+  >      then left
+  >      else if near
+  >         then do
+  >              right
+  >         else stop
+  > sum = let
+  >         a = 1
+  >     in a
+  > EOF
+  speed = if far then 3
+      else if near then 1
+      else 0
+  turn = do
+      if far
+        then left
+        else if near
+          then do
+            right
+          else stop
+  sum = let
+      a = 1
+    in a
+
 Lines of more than 100 characters are broken where least binds.
 
   $ frobc format - <<'EOF'

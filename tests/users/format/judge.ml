@@ -26,6 +26,8 @@ let comments text =
           let stop = nested 1 (i + 2) in
           go (trimmed (String.sub text i (stop - i)) :: found) stop
       | '"', _ -> go found (quoted (i + 1))
+      (* one token, whatever follows *)
+      | '<', '-' -> go found (i + 2)
       | _ -> go found (i + 1)
   and nested depth i =
     if depth = 0 then i
