@@ -56,7 +56,7 @@ export class WhyPanel {
 
   private begin(): void {
     const { store } = this;
-    document.body.dataset["panel"] = "source";
+    document.querySelector<HTMLButtonElement>("#panels [data-panel=source]")?.click();
     store.asker = (signal) => this.step(signal, store.instant?.k ?? 0);
     this.render();
     store.changed("why");
