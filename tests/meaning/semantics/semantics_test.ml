@@ -223,7 +223,8 @@ let () =
         :: List.map
              (fun (name, declared) ->
                Alcotest.test_case ("has every name of " ^ name) `Quick (every_name_of (name, declared)))
-             modules
+             (* whose table writes constructors beside their type, and not what its texts are made of *)
+             (List.remove_assoc "Display" modules)
         @ [
           Alcotest.test_case "has the library's types" `Quick types_of_the_library;
           Alcotest.test_case "has a passage for each event, switch and task" `Quick each_has_a_passage;
