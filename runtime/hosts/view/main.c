@@ -12,9 +12,9 @@
  * is no recording, or the port cannot be had. */
 #include "../common/load.h"
 #include "../common/streams.h"
-#include "browser.h"
-#include "server.h"
-#include "token.h"
+#include "server/browser.h"
+#include "server/server.h"
+#include "server/token.h"
 
 #include <fcntl.h>
 #include <stdio.h>

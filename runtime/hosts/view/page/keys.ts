@@ -1,8 +1,8 @@
 // Everything by the keyboard; the dialog of the page has the list.
-import type { Player } from "./player";
+import type { Player } from "./time/player";
 import type { Store } from "./store";
 import { toggleTheme } from "./theme";
-import type { WhyPanel } from "./why";
+import type { WhyPanel } from "./source/why";
 
 export function startKeys(store: Store, player: Player, filter: HTMLInputElement,
                           find: HTMLInputElement, why: WhyPanel, help: HTMLDialogElement): void {

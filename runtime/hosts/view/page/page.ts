@@ -1,18 +1,18 @@
 // The page: what there is, and the panels that show it.
 import { Connection } from "./connection";
-import { startConsole } from "./console";
+import { startConsole } from "./operate/console";
 import { startKeys } from "./keys";
-import { startLive } from "./live";
-import { Player } from "./player";
-import { startMap } from "./map";
-import { startPlots } from "./plots";
+import { startLive } from "./operate/live";
+import { Player } from "./time/player";
+import { startMap } from "./map/map";
+import { startPlots } from "./signals/plots";
 import type { Answer, Live, Program, Progress, Run } from "./protocol";
-import { startSearch } from "./search";
-import { startSignals } from "./signals";
-import { startSource } from "./source";
+import { startSearch } from "./time/search";
+import { startSignals } from "./signals/signals";
+import { startSource } from "./source/source";
 import { Store } from "./store";
 import { startTheme, toggleTheme } from "./theme";
-import { startTimeline } from "./timeline";
+import { startTimeline } from "./time/timeline";
 import { formatNumber } from "./values";
 
 function element<T extends HTMLElement>(id: string): T {

@@ -1,0 +1,78 @@
+// A run that goes on: back to its newest instant, how fast it goes, keys for the program, and the
+// stop.
+import type { Store } from "../store";
+
+const speeds = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
+
+/** What a terminal sends for keys that are no characters. */
+const codes: Readonly<Record<string, number>> = {
+  Enter: 10, Backspace: 127, Tab: 9, Delete: 127,
+};
+
+function element<T extends HTMLElement>(id: string): T {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`the page has no ${id}`);
+  return found as T;
+}
+
+/** Typed characters become events, also those of a phone's keyboard. */
+function startKeyboard(store: Store, field: HTMLInputElement): void {
+  const press = (code: number) => store.command(`key ${code}`);
+  field.oninput = () => {
+    for (const character of field.value) press(character.codePointAt(0) ?? 0);
+    field.value = "";
+  };
+  field.onkeydown = (event) => {
+    const code = codes[event.key];
+    if (event.key === "Escape") field.blur();
+    if (code === undefined || event.shiftKey) return;
+    event.preventDefault();
+    press(code);
+  };
+}
+
+export function startLive(store: Store): void {
+  const bar = element("live");
+  const follow = element("follow");
+  const hold = element("hold");
+  const single = element<HTMLButtonElement>("single");
+  const speed = element<HTMLSelectElement>("run-speed");
+  const type = element<HTMLInputElement>("type");
+  const operate = element("operate");
+  const stop = element<HTMLButtonElement>("stop");
+  const takesKeys = store.program.sources.some((source) =>
+    !source.library && source.text.includes("keyPressed"));
+  const isLive = store.program.live;
+
+  for (const each of speeds) speed.append(new Option(`${each}×`, String(each)));
+  follow.onclick = () => store.follow();
+  hold.onclick = () => store.command(store.run?.paused ? "go" : "pause");
+  single.onclick = () => store.command("step");
+  speed.onchange = () => {
+    store.command(`speed ${speed.value}`);
+    speed.blur(); // keys are the page's again
+  };
+  operate.onclick = () => store.command("take");
+  stop.onclick = () => store.command("stop");
+  startKeyboard(store, type);
+
+  const show = () => {
+    const { run, program, following } = store;
+    bar.hidden = !isLive;
+    bar.classList.toggle("over", !program.live);
+    follow.textContent = !program.live ? "The run is over" : following ? "Live" : "Back to live";
+    follow.ariaPressed = String(following);
+    element("pace").hidden = !run?.paces || !run.operates;
+    hold.textContent = run?.paused ? "Go on" : "Pause";
+    hold.ariaPressed = String(run?.paused === true);
+    single.disabled = !run?.paused;
+    speed.value = String(run?.speed ?? 1);
+    type.hidden = !takesKeys || !run?.sends || !run.operates;
+    operate.hidden = !run || run.operates;
+    stop.hidden = !program.live;
+    stop.textContent = run?.stopping ? "Stopping …" : "Stop";
+  };
+  store.on("run", show);
+  store.on("following", show);
+  show();
+}

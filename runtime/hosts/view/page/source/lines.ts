@@ -1,0 +1,121 @@
+// Which signals a line of the source has, and what there is to say of them at an instant.
+import type { Program, Signal } from "../protocol";
+import type { Store } from "../store";
+import { formatCell } from "../values";
+
+/** Of one signal, at the end of its line. */
+export interface Chip {
+  readonly number: number;
+  readonly name: string;
+  readonly value: string;
+  /** In the edited program, if there is one and it is another there. */
+  readonly other: string | null;
+  readonly isPlotted: boolean;
+}
+
+export interface LineValues {
+  readonly chips: readonly Chip[];
+  /** How many signals there are besides. */
+  readonly more: number;
+  /** Which of the instances of its signal function is shown, of how many. */
+  readonly instance: number;
+  readonly instances: number;
+  readonly instanceName: string;
+  /** Whether the signal function runs at this instant. */
+  readonly runs: boolean;
+}
+
+const mostChips = 6;
+
+/** The signals of a line, by the instance that they are in. */
+type Instances = Map<string, number[]>;
+
+export class Lines {
+  private readonly files = new Map<string, Map<number, Instances>>();
+  /** Which instance is shown where there are these. */
+  private readonly chosen = new Map<string, number>();
+  /** The signals of each instance. */
+  private readonly members = new Map<string, number[]>();
+
+  constructor(private readonly store: Store) {
+    store.program.signals.forEach((signal, number) => this.add(signal, number));
+  }
+
+  private add(signal: Signal, number: number): void {
+    if (signal.file === "") return;
+    const lines = this.files.get(signal.file) ?? new Map<number, Instances>();
+    const line = lines.get(signal.line) ?? new Map<string, number[]>();
+    this.files.set(signal.file, lines.set(signal.line, line));
+    line.set(signal.instance, [...(line.get(signal.instance) ?? []), number]);
+    this.members.set(signal.instance, [...(this.members.get(signal.instance) ?? []), number]);
+  }
+
+  has(file: string): boolean {
+    return this.files.has(file);
+  }
+
+  linesOf(file: string): number[] {
+    return [...(this.files.get(file)?.keys() ?? [])].sort((a, b) => a - b);
+  }
+
+  private static key(instances: Instances): string {
+    return [...instances.keys()].join(" ");
+  }
+
+  /** Shows the next instance of what this line is in. */
+  next(file: string, line: number): void {
+    const instances = this.files.get(file)?.get(line);
+    if (!instances) return;
+    const key = Lines.key(instances);
+    this.chosen.set(key, (this.shown(instances) + 1) % instances.size);
+  }
+
+  /** What does not run has no values; an event has none at most instants anyway. */
+  private runs(instance: string): boolean {
+    const { instant, program } = this.store;
+    const members = this.members.get(instance) ?? [];
+    const isThere = (number: number) => (instant?.cells[number] ?? "") !== "";
+    return members.some(isThere) ||
+      members.every((number) => program.signals[number]?.kind === "event");
+  }
+
+  /** The instance that was chosen, or else the first that runs. */
+  private shown(instances: Instances): number {
+    const chosen = this.chosen.get(Lines.key(instances));
+    if (chosen !== undefined) return chosen;
+    return Math.max(0, [...instances.keys()].findIndex((name) => this.runs(name)));
+  }
+
+  values(file: string, line: number): LineValues | null {
+    const instances = this.files.get(file)?.get(line);
+    if (!instances) return null;
+    const instance = this.shown(instances);
+    const [instanceName, numbers] = [...instances][instance] ?? ["", []];
+    const { program, instant, plotted } = this.store;
+    const chips = numbers.slice(0, mostChips).flatMap((number) => {
+      const signal = program.signals[number];
+      const cell = instant?.cells[number] ?? "";
+      const other = instant?.others?.[number] ?? cell;
+      return signal ? [{
+        number,
+        name: signal.own,
+        value: formatCell(signal, cell),
+        other: other === cell ? null : formatCell(signal, other),
+        isPlotted: plotted.includes(number),
+      }] : [];
+    });
+    return {
+      chips,
+      more: numbers.length - chips.length,
+      instance,
+      instances: instances.size,
+      instanceName,
+      runs: this.runs(instanceName),
+    };
+  }
+}
+
+/** The sources that are worth a tab: the user's, and those of the library that have signals. */
+export function shownSources(program: Program, lines: Lines): Program["sources"] {
+  return program.sources.filter((source) => !source.library || lines.has(source.name));
+}

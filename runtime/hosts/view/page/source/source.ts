@@ -1,0 +1,243 @@
+// The program's source, read-only, with the values of the instant at the ends of its lines.
+import { HighlightStyle, syntaxHighlighting } from "@codemirror/language";
+import { Compartment, EditorState, StateEffect, StateField, type Extension } from
+  "@codemirror/state";
+import { Decoration, EditorView, keymap, lineNumbers, WidgetType, type DecorationSet } from
+  "@codemirror/view";
+import { tags } from "@lezer/highlight";
+import { history, historyKeymap, standardKeymap } from "@codemirror/commands";
+import { frob } from "./frob_language";
+import { Lines, shownSources, type Chip, type LineValues } from "./lines";
+import type { Source } from "../protocol";
+import type { Store } from "../store";
+import { WhatIfBar } from "./what_if";
+import { WhyPanel } from "./why";
+
+const colours = HighlightStyle.define([
+  { tag: tags.keyword, color: "var(--keyword)", fontWeight: "600" },
+  { tag: tags.comment, color: "var(--dim)", fontStyle: "italic" },
+  { tag: tags.number, color: "var(--number)" },
+  { tag: tags.string, color: "var(--number)" },
+  { tag: tags.typeName, color: "var(--type)" },
+  { tag: tags.operator, color: "var(--operator)" },
+]);
+
+const look = EditorView.theme({
+  "&": { height: "100%", color: "var(--text)", backgroundColor: "transparent", fontSize: "13px" },
+  ".cm-scroller": { fontFamily: "var(--mono)", lineHeight: "1.55" },
+  ".cm-gutters": { backgroundColor: "transparent", color: "var(--faint)", border: "none" },
+  "&.cm-focused": { outline: "none" },
+  ".idle": { opacity: "0.45" },
+  ".asked": { backgroundColor: "var(--picked)", opacity: "1" },
+  ".values": { marginLeft: "1.5ch", whiteSpace: "normal" },
+  ".values button": {
+    font: "12px var(--mono)",
+    color: "var(--text)",
+    background: "var(--chip)",
+    border: "1px solid transparent",
+    borderRadius: "5px",
+    padding: "0 5px",
+    margin: "0 4px 0 0",
+    cursor: "pointer",
+  },
+  ".values button:hover": { borderColor: "var(--accent)" },
+  ".values button[aria-pressed=true]": {
+    borderColor: "var(--accent)",
+    background: "var(--picked)",
+  },
+  ".values .name": { color: "var(--dim)", marginRight: "0.7ch" },
+  ".values .other": { color: "var(--mark)" },
+  ".values .instance": {
+    background: "transparent",
+    color: "var(--dim)",
+    border: "1px solid var(--edge)",
+  },
+  "&.editing": { backgroundColor: "var(--edited)" },
+  "&.editing .cm-cursor": { borderLeftColor: "var(--text)" },
+  ".values .more": { color: "var(--dim)", fontSize: "12px" },
+});
+
+interface Act {
+  pick(number: number): void;
+  next(line: number): void;
+}
+
+/** What stands at the end of a line. */
+class Values extends WidgetType {
+  private readonly text: string;
+
+  constructor(
+    private readonly line: number,
+    private readonly values: LineValues,
+    private readonly act: Act,
+  ) {
+    super();
+    this.text = JSON.stringify(values);
+  }
+
+  override eq(other: Values): boolean {
+    return this.line === other.line && this.text === other.text;
+  }
+
+  private chip({ number, name, value, other, isPlotted }: Chip): HTMLElement {
+    const button = document.createElement("button");
+    const label = document.createElement("span");
+    label.className = "name";
+    label.textContent = name;
+    button.append(label, value === "" ? "–" : value);
+    if (other !== null) {
+      const changed = document.createElement("span");
+      changed.className = "other";
+      changed.textContent = ` → ${other === "" ? "–" : other}`;
+      button.append(changed);
+    }
+    button.ariaPressed = String(isPlotted);
+    button.title = isPlotted ? `${name} is plotted` : `Plot ${name}`;
+    button.onclick = () => this.act.pick(number);
+    return button;
+  }
+
+  toDOM(): HTMLElement {
+    const place = document.createElement("span");
+    place.className = "values";
+    const { chips, more, instance, instances, instanceName } = this.values;
+    if (instances > 1) {
+      const button = document.createElement("button");
+      button.className = "instance";
+      button.textContent = `${instanceName} ${instance + 1}/${instances}`;
+      button.title = "Show the next one of these";
+      button.onclick = () => this.act.next(this.line);
+      place.append(button);
+    }
+    place.append(...chips.map((chip) => this.chip(chip)));
+    if (more > 0) {
+      const rest = document.createElement("span");
+      rest.className = "more";
+      rest.textContent = `+${more}`;
+      place.append(rest);
+    }
+    return place;
+  }
+
+  override ignoreEvent(): boolean {
+    return true;
+  }
+}
+
+const show = StateEffect.define<DecorationSet>();
+const shown = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update: (before, change) =>
+    change.effects.reduce((now, effect) => (effect.is(show) ? effect.value : now),
+                          before.map(change.changes)),
+  provide: (field) => EditorView.decorations.from(field),
+});
+
+const tinted = EditorView.editorAttributes.of({ class: "editing" });
+const idle = Decoration.line({ class: "idle" });
+const asked = Decoration.line({ class: "asked" });
+
+export function startSource(store: Store, host: HTMLElement): WhyPanel {
+  const lines = new Lines(store);
+  const sources = shownSources(store.program, lines);
+  const tabs = document.createElement("nav");
+  const editor = document.createElement("div");
+  // In a shadow tree the editor's styles are style sheets, and no `<style>` elements, which the
+  // page's security policy would refuse.
+  const root = editor.attachShadow({ mode: "open" });
+
+  const writing = new Compartment();
+  const extensions: Extension = [
+    lineNumbers(),
+    EditorView.lineWrapping,
+    writing.of(EditorState.readOnly.of(true)),
+    EditorView.contentAttributes.of({ "aria-label": "Source" }),
+    frob,
+    syntaxHighlighting(colours),
+    look,
+    shown,
+  ];
+  const stateOf = (source: Source | undefined) =>
+    EditorState.create({ doc: source?.text ?? "", extensions });
+  let current = sources[0];
+  const view = new EditorView({ root, parent: root, state: stateOf(current) });
+
+  const act: Act = {
+    pick: (number) => store.pick(number),
+    next: (line) => {
+      if (current) lines.next(current.name, line);
+      update();
+    },
+  };
+  /** Not where lines have come or gone, and values would stand beside others. */
+  const hasItsLines = () => view.state.doc.lines === current?.text.split("\n").length;
+  const update = () => {
+    if (!current) return;
+    const { name } = current;
+    const { place } = store;
+    const { doc } = view.state;
+    const marks = lines.linesOf(name).filter((line) => line <= doc.lines).flatMap((line) => {
+      const values = lines.values(name, line);
+      const { from, to } = doc.line(line);
+      if (!values) return [];
+      const widget = Decoration.widget({ widget: new Values(line, values, act), side: 1 });
+      return [...(values.runs ? [] : [idle.range(from)]), widget.range(to)];
+    });
+    for (let line = place?.line ?? 1; place?.file === name && line <= place.last; line++)
+      if (line <= doc.lines) marks.push(asked.range(doc.line(line).from));
+    view.dispatch({
+      effects: show.of(hasItsLines() ? Decoration.set(marks, true) : Decoration.none) });
+  };
+
+  const select = (source: Source | undefined) => {
+    current = source;
+    view.setState(stateOf(source));
+    for (const tab of tabs.children) tab.ariaPressed = String(tab.textContent === source?.name);
+    update();
+  };
+  const bar = new WhatIfBar(store, {
+    begin: () => {
+      select(sources[0]);
+      const keys = keymap.of([
+        { key: "Mod-Enter", run: () => { bar.run("askWhatIf"); return true; } },
+        { key: "Mod-Shift-Enter", run: () => { bar.run("askDrive"); return true; } },
+        { key: "Escape", run: () => { bar.discard(); return true; } },
+        ...standardKeymap,
+        ...historyKeymap,
+      ]);
+      view.dispatch({ effects: writing.reconfigure([keys, history(), tinted]) });
+      view.focus();
+    },
+    text: () => view.state.doc.toString(),
+    end: () => {
+      select(sources[0]);
+    },
+  });
+
+  for (const source of sources) {
+    const tab = document.createElement("button");
+    tab.textContent = source.name;
+    tab.onclick = () => {
+      if (store.isEditing) bar.discard();
+      select(source);
+    };
+    tabs.append(tab);
+  }
+  const head = document.createElement("header");
+  const why = new WhyPanel(store);
+  head.append(tabs, why.button, bar.button);
+  host.append(head, bar.element, editor, why.element);
+  select(current);
+  store.on("instant", update);
+  store.on("plotted", update);
+  store.on("place", () => {
+    const { place } = store;
+    if (!store.isEditing && place && place.file !== current?.name)
+      select(sources.find((source) => source.name === place.file) ?? current);
+    update();
+    if (place && place.file === current?.name && place.line <= view.state.doc.lines)
+      view.dispatch({ effects: EditorView.scrollIntoView(view.state.doc.line(place.line).from,
+                                                         { y: "nearest", yMargin: 40 }) });
+  });
+  return why;
+}

@@ -1,0 +1,91 @@
+// What if the program were another: its text is edited, and run on the same inputs.
+import type { Store } from "../store";
+
+/** As much as a request may have. */
+const longest = 60_000;
+
+export interface Editor {
+  begin(): void;
+  text(): string;
+  end(): void;
+}
+
+export class WhatIfBar {
+  /** Begins it. */
+  readonly button = document.createElement("button");
+  /** What there is to do, and what came of it. */
+  readonly element = document.createElement("section");
+  private readonly said = document.createElement("pre");
+
+  constructor(
+    private readonly store: Store,
+    private readonly editor: Editor,
+  ) {
+    this.button.textContent = "What if …";
+    this.button.title = "Edit the program, and run it on the same inputs (e)";
+    this.button.id = "what-if";
+    this.button.onclick = () => (store.isEditing ? this.discard() : this.begin());
+    const press = (name: string, title: string, act: () => void) => {
+      const button = document.createElement("button");
+      button.textContent = name;
+      button.title = title;
+      button.onclick = act;
+      return button;
+    };
+    const buttons = document.createElement("div");
+    buttons.append(
+      press("Run", "Run it on the same inputs (Ctrl Enter)", () => this.run("askWhatIf")),
+      press("Drive again", "Run it in the simulator, from the start (Ctrl Shift Enter)",
+            () => this.run("askDrive")),
+      press("Discard", "Back to the program as it was (Escape)", () => this.discard()),
+      "Run: on the inputs as recorded, the world does not answer. Drive again: in the simulator.",
+    );
+    this.element.className = "what-if";
+    this.element.append(buttons, this.said);
+    this.element.hidden = true;
+    this.said.setAttribute("role", "status");
+    store.on("what-if", () => this.show());
+  }
+
+  begin(): void {
+    this.store.isEditing = true;
+    this.element.hidden = false;
+    this.said.textContent = "";
+    this.button.ariaPressed = "true";
+    this.editor.begin();
+  }
+
+  run(how: "askWhatIf" | "askDrive"): void {
+    const text = this.editor.text();
+    if (new TextEncoder().encode(text).length > longest) {
+      this.said.textContent = `The program is too long to be sent: ${longest} bytes at most.`;
+      return;
+    }
+    this.said.textContent = "compiling …";
+    this.said.classList.remove("bad");
+    this.store[how](text);
+  }
+
+  discard(): void {
+    this.store.isEditing = false;
+    this.element.hidden = true;
+    this.button.ariaPressed = "false";
+    this.editor.end();
+    this.store.askWhatIf("");
+  }
+
+  private show(): void {
+    const { whatIf } = this.store;
+    if (!whatIf) return;
+    const { there, drives, why, first, signal } = whatIf;
+    this.said.classList.toggle("bad", why !== undefined);
+    const where = drives ? "It has driven in the simulator. " : "";
+    if (why !== undefined) this.said.textContent = why.trim();
+    else if (!there) this.said.textContent = "";
+    else if (first === undefined)
+      this.said.textContent = `${where}Its outputs are the same, at all instants.`;
+    else
+      this.said.textContent =
+        `${where}Its outputs are others from instant ${first} on, first ${signal ?? ""}.`;
+  }
+}

@@ -1,0 +1,161 @@
+// The whole run from left to right: modes as bands, the cursor, the mark, and what the
+// plots show.
+import { machineName, modeSignals } from "../signals/modes";
+import type { Series } from "../protocol";
+import type { Store } from "../store";
+import { colour, isDark, lineColour, onTheme } from "../theme";
+import { formatNumber, formatTime } from "../values";
+
+const bandHeight = 16;
+const axisHeight = 20;
+/** So many that the rest of the page keeps its room. */
+const mostBands = () => (innerHeight < 800 ? 4 : 6);
+/** How often the bands of a run that goes on are asked for, in milliseconds. */
+const bandsEvery = 500;
+
+export function startTimeline(store: Store, host: HTMLElement): void {
+  const canvas = host.querySelector("canvas");
+  const context = canvas?.getContext("2d");
+  if (!canvas || !context) return;
+  const { program } = store;
+  const { signals } = program;
+  const span = () => Math.max(program.end - program.start, 1e-9);
+  const modes = modeSignals(store.program).slice(0, mostBands());
+  const bands = new Map<number, Series>();
+  let width = 0;
+
+  const place = (seconds: number) => ((seconds - program.start) / span()) * width;
+
+  const drawBand = (number: number, series: Series, y: number) => {
+    const names = signals[number]?.names ?? [];
+    const { start, end } = program;
+    const title = machineName(signals[number]);
+    for (let i = 0; i < series.times.length; ) {
+      const mode = series.values[i] ?? null;
+      let next = i + 1;
+      while (next < series.times.length && (series.values[next] ?? null) === mode) next++;
+      const from = place(series.times[i] ?? start);
+      const to = place(next < series.times.length ? (series.times[next] ?? end) : end);
+      if (mode !== null) {
+        context.fillStyle = `${lineColour(mode)}${isDark() ? "66" : "55"}`;
+        context.fillRect(from, y, Math.max(1, to - from - 0.5), bandHeight - 2);
+        const text = `${title}: ${names[mode] ?? ""}`;
+        const short = names[mode] ?? "";
+        const fitting = [text, short].find((t) => context.measureText(t).width < to - from - 8);
+        context.fillStyle = colour("text");
+        if (fitting) context.fillText(fitting, from + 4, y + bandHeight / 2 - 1);
+      }
+      i = next;
+    }
+  };
+
+  const drawAxis = (y: number) => {
+    const { start, end } = program;
+    const least = span() / Math.max(1, width / 80);
+    const power = 10 ** Math.floor(Math.log10(least));
+    const step = [1, 2, 5, 10].map((x) => x * power).find((x) => x >= least) ?? 10 * power;
+    context.fillStyle = colour("dim");
+    context.strokeStyle = colour("grid");
+    for (let t = Math.ceil(start / step) * step; t <= end + step * 1e-6; t += step) {
+      const x = place(t);
+      context.beginPath();
+      context.moveTo(x, 0);
+      context.lineTo(x, y + 4);
+      context.stroke();
+      const text = `${formatNumber(t)} s`;
+      const half = context.measureText(text).width / 2;
+      context.fillText(text, Math.min(Math.max(x - half, 2), width - 2 * half - 2), y + 12);
+    }
+  };
+
+  const drawLine = (seconds: number, stroke: string, dash: number[]) => {
+    const x = place(seconds);
+    context.strokeStyle = stroke;
+    context.lineWidth = 2;
+    context.setLineDash(dash);
+    context.beginPath();
+    context.moveTo(x, 0);
+    context.lineTo(x, canvas.clientHeight);
+    context.stroke();
+    context.setLineDash([]);
+    context.lineWidth = 1;
+    if (dash.length > 0) return;
+    context.fillStyle = stroke;
+    context.beginPath();
+    context.moveTo(x - 6, 0);
+    context.lineTo(x + 6, 0);
+    context.lineTo(x, 8);
+    context.fill();
+  };
+
+  const draw = () => {
+    const ratio = devicePixelRatio;
+    const height = canvas.clientHeight;
+    canvas.width = width * ratio;
+    canvas.height = height * ratio;
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.font = "11px system-ui, sans-serif";
+    context.textBaseline = "middle";
+    const bottom = height - axisHeight;
+    const { start, end } = program;
+    const [from, to] = store.range;
+    if (from > start || to < end) {
+      context.fillStyle = colour("range");
+      context.fillRect(place(from), 0, place(to) - place(from), bottom);
+    }
+    context.fillStyle = colour("found");
+    for (let i = 0; i < store.spans.length; i += 2) {
+      const x = place(store.spans[i] ?? start);
+      context.fillRect(x, 0, Math.max(2, place(store.spans[i + 1] ?? end) - x), bottom);
+    }
+    drawAxis(bottom);
+    modes.forEach((number, i) => {
+      const series = bands.get(number);
+      if (series) drawBand(number, series, 10 + i * bandHeight);
+    });
+    if (store.mark) drawLine(store.mark.time, colour("mark"), [4, 3]);
+    if (store.instant) drawLine(store.instant.time, colour("cursor"), []);
+  };
+
+  const tell = () => {
+    if (!store.instant) return;
+    host.ariaValueMax = String(program.instants - 1);
+    host.ariaValueNow = String(store.instant.k);
+    host.ariaValueText = `instant ${store.instant.k}, ${formatTime(store.instant.time)}`;
+    draw();
+  };
+  host.ariaValueMin = "0";
+
+  canvas.style.height = `${Math.max(1, modes.length) * bandHeight + 12 + axisHeight}px`;
+  const scrub = (event: PointerEvent) =>
+    store.goToTime(program.start + (event.offsetX / Math.max(1, width)) * span());
+  canvas.onpointerdown = (event) => {
+    canvas.setPointerCapture(event.pointerId);
+    scrub(event);
+  };
+  canvas.onpointermove = (event) => {
+    if (canvas.hasPointerCapture(event.pointerId)) scrub(event);
+  };
+  let asked = 0;
+  const askForBands = () => {
+    asked = performance.now();
+    modes.forEach((number) => store.series(number, program.start, program.end, width, (series) => {
+      bands.set(number, series);
+      draw();
+    }));
+  };
+  new ResizeObserver(() => {
+    width = host.clientWidth;
+    askForBands();
+    draw();
+  }).observe(host);
+  store.on("extent", () => {
+    if (performance.now() > asked + bandsEvery || !program.live) askForBands();
+    if (!store.following) draw();
+  });
+  store.on("instant", tell);
+  store.on("mark", draw);
+  store.on("range", draw);
+  store.on("spans", draw);
+  onTheme(draw);
+}

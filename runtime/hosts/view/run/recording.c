@@ -1,0 +1,447 @@
+#include "recording.h"
+
+#include "../../common/csv.h"
+#include "../../common/params.h"
+#include "../../common/seconds.h"
+
+#include <frob/cell.h>
+#include <frob/console.h>
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The signal that each cell of a row is of. */
+struct reader {
+    struct recording *recording;
+    const struct signals *signals;
+    struct csv csv;
+    const struct signal **columns; /* NULL: a column that is not read */
+    size_t width;
+    /* The row that was read before, as most of a row's cells are the same again. */
+    struct {
+        char *text;
+        size_t *starts; /* of its cells in the text */
+        size_t room, next; /* the instant after it; 0: there is none */
+    } before;
+};
+
+static void note(struct reader *r, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static void note(struct reader *r, const char *format, ...)
+{
+    char text[1000];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    buffer_format(&r->recording->notes, "%s:%lu: %s\n", r->recording->name, r->csv.line, text);
+}
+
+static bool give_up(const struct recording *recording, const char *reason)
+{
+    fprintf(stderr, "error: cannot view %s: %s\n", recording->name, reason);
+    return false;
+}
+
+static size_t signal_number_of(const struct reader *r, const struct signal *signal)
+{
+    return (size_t)(signal - r->signals->all);
+}
+
+/* Columns that are shown or told by other means: what a viewer computes again. */
+static bool is_computed(const char *name)
+{
+    return strncmp(name, "mode.", 5) == 0 || strncmp(name, "probe.", 6) == 0;
+}
+
+/* Columns that a message names; of many only some. */
+struct names {
+    struct buffer text;
+    unsigned count;
+};
+
+static void add_name(struct names *names, const char *name)
+{
+    enum { MOST = 4 };
+    if (names->count++ < MOST)
+        buffer_format(&names->text, "%s`%s`", names->count > 1 ? ", " : "", name);
+    else if (names->count == MOST + 1)
+        buffer_text(&names->text, " and more");
+}
+
+/* Says which columns of the program's input there are none of. */
+static void look_for_inputs(struct reader *r)
+{
+    struct recording *recording = r->recording;
+    struct names missing = { 0 };
+    for (size_t i = 0; i < r->signals->count; i++)
+        if (r->signals->all[i].side == INPUT && !recording->recorded[i] &&
+            !frob_console_is_on(recording->program, r->signals->all[i].value))
+            add_name(&missing, r->signals->all[i].name);
+    recording->has_all_inputs = missing.count == 0;
+    if (missing.count > 0)
+        note(r, "no column of the program's input %s; so the program cannot be run on it, and "
+                "what was recorded is all that is shown",
+             missing.text.data);
+    buffer_free(&missing.text);
+}
+
+static bool read_header(struct reader *r)
+{
+    struct recording *recording = r->recording;
+    struct names foreign = { 0 };
+    enum csv_status status = csv_next(&r->csv);
+    for (; status == CSV_ROW && csv_cell(&r->csv, 0)[0] == '#'; status = csv_next(&r->csv)) {
+        const char *setting = params_of_line(csv_cell(&r->csv, 0));
+        if (setting != NULL)
+            buffer_bytes(&recording->params, setting, strlen(setting) + 1);
+    }
+    if (status == CSV_END)
+        return give_up(recording, "the file is empty");
+    if (status != CSV_ROW || strcmp(csv_cell(&r->csv, 0), "time") != 0)
+        return give_up(recording, "it is no recording: its first line does not begin with `time`");
+    r->width = r->csv.count;
+    r->columns = (const struct signal **)calloc(r->width, sizeof *r->columns);
+    recording->recorded = (bool *)calloc(r->signals->count + 1, sizeof *recording->recorded);
+    if (r->columns == NULL || recording->recorded == NULL)
+        return give_up(recording, "not enough memory");
+    for (size_t i = 1; i < r->width; i++) {
+        const char *name = csv_cell(&r->csv, i);
+        const struct signal *signal = is_computed(name) ? NULL : signals_find(r->signals, name);
+        if (signal == NULL && !is_computed(name)) {
+            add_name(&foreign, name);
+        } else if (signal != NULL && recording->recorded[signal_number_of(r, signal)]) {
+            note(r, "column `%s` is there twice", name);
+        } else if (signal != NULL) {
+            r->columns[i] = signal;
+            recording->recorded[signal_number_of(r, signal)] = true;
+        }
+    }
+    if (foreign.count > 0)
+        note(r, "the program has no %s: the recording is of another program, or of another "
+                "version of it",
+             foreign.text.data);
+    buffer_free(&foreign.text);
+    look_for_inputs(r);
+    return true;
+}
+
+static bool grow(struct recording *recording)
+{
+    const struct frob_program *program = recording->program;
+    size_t capacity = recording->capacity == 0 ? 1024 : recording->capacity * 2;
+    int64_t *times;
+    unsigned char *bytes;
+    if (recording->count < recording->capacity)
+        return true;
+    times = (int64_t *)realloc(recording->times, capacity * sizeof *times);
+    if (times == NULL)
+        return false;
+    recording->times = times;
+    bytes = (unsigned char *)realloc(recording->inputs, capacity * program->input_size + 1);
+    if (bytes == NULL)
+        return false;
+    recording->inputs = bytes;
+    bytes = (unsigned char *)realloc(recording->outputs, capacity * recording->output_size + 1);
+    if (bytes == NULL)
+        return false;
+    recording->outputs = bytes;
+    bytes = (unsigned char *)realloc(recording->truths, capacity * recording->truth_size + 1);
+    if (bytes == NULL)
+        return false;
+    recording->truths = bytes;
+    recording->capacity = capacity;
+    return true;
+}
+
+/* Does a cell say what it said an instant ago? */
+static bool is_as_before(const struct reader *r, size_t i)
+{
+    return strcmp(csv_cell(&r->csv, i), r->before.text + r->before.starts[i]) == 0;
+}
+
+/* Without memory every cell of the next row is read anew. */
+static void remember(struct reader *r)
+{
+    const char *text = csv_cell(&r->csv, 0), *last = csv_cell(&r->csv, r->width - 1);
+    const size_t length = (size_t)(last - text) + strlen(last) + 1;
+    r->before.next = 0;
+    if (r->before.starts == NULL)
+        r->before.starts = (size_t *)malloc(r->width * sizeof *r->before.starts);
+    if (length > r->before.room) {
+        free(r->before.text);
+        r->before.room = 2 * length;
+        r->before.text = (char *)malloc(r->before.room);
+    }
+    if (r->before.text == NULL || r->before.starts == NULL) {
+        r->before.room = r->before.text == NULL ? 0 : r->before.room;
+        return;
+    }
+    memcpy(r->before.text, text, length);
+    for (size_t i = 0; i < r->width; i++)
+        r->before.starts[i] = (size_t)(csv_cell(&r->csv, i) - text);
+    r->before.next = r->recording->count;
+}
+
+/* The current row as the next instant. False if it is none, with the reason noted. */
+static bool read_row(struct reader *r)
+{
+    struct recording *recording = r->recording;
+    const size_t k = recording->count;
+    unsigned char *input = recording->inputs + k * recording->program->input_size;
+    unsigned char *output = recording->outputs + k * recording->output_size;
+    const bool is_next = k > 0 && r->before.next == k;
+    if (r->csv.count != r->width) {
+        note(r, "the header names %lu columns, but this row has %lu", (unsigned long)r->width,
+             (unsigned long)r->csv.count);
+        return false;
+    }
+    if (!seconds_read(csv_cell(&r->csv, 0), &recording->times[k])) {
+        note(r, "`%s` is not a time in seconds", csv_cell(&r->csv, 0));
+        return false;
+    }
+    if (k > 0 && recording->times[k] < recording->times[k - 1]) {
+        note(r, "time goes back: `%s` comes after a later time", csv_cell(&r->csv, 0));
+        return false;
+    }
+    if (is_next) {
+        memcpy(input, input - recording->program->input_size, recording->program->input_size);
+        memcpy(output, output - recording->output_size, recording->output_size);
+    } else {
+        memset(input, 0, recording->program->input_size);
+        frob_console_start(recording->program, input);
+        memset(output, 0, recording->output_size);
+    }
+    for (size_t i = 1; i < r->width; i++) {
+        const struct signal *signal = r->columns[i];
+        struct frob_cell_error error;
+        if (signal == NULL || (is_next && is_as_before(r, i)))
+            continue;
+        if (!frob_cell_read(csv_cell(&r->csv, i), signal->value,
+                            signal->side == INPUT ? input : output, &error)) {
+            note(r, "column `%s`: `%s` is no value of it", signal->name, csv_cell(&r->csv, i));
+            return false;
+        }
+    }
+    recording->count++;
+    remember(r);
+    return true;
+}
+
+static void read_rows(struct reader *r)
+{
+    const char *and_after = "; that row and what comes after it is left out";
+    for (;;) {
+        enum csv_status status;
+        if (!grow(r->recording)) {
+            note(r, "not enough memory%s", and_after);
+            return;
+        }
+        status = csv_next(&r->csv);
+        if (status == CSV_END)
+            return;
+        /* A host writes whole lines, so a row that the end of the file ends is torn. */
+        if ((status == CSV_ROW || status == CSV_UNCLOSED_QUOTE) && feof(r->csv.file)) {
+            note(r, "the last line is torn (no line feed at its end), and left out");
+            return;
+        }
+        if (status != CSV_ROW) {
+            note(r, "%s%s",
+                 status == CSV_UNREADABLE  ? strerror(errno)
+                 : status == CSV_NO_MEMORY ? "not enough memory"
+                                           : "this is not CSV",
+                 and_after);
+            return;
+        }
+        if (!read_row(r)) {
+            /* The reason is the last line that was noted. */
+            r->recording->notes.length--;
+            buffer_format(&r->recording->notes, "%s\n", and_after);
+            return;
+        }
+    }
+}
+
+static void end_reader(struct reader *r)
+{
+    fclose(r->csv.file);
+    csv_end(&r->csv);
+    free(r->columns);
+    free(r->before.text);
+    free(r->before.starts);
+}
+
+bool recording_read(struct recording *recording, const struct signals *signals,
+                    const char *name)
+{
+    struct reader reader = { 0 };
+    FILE *file = fopen(name, "rb");
+    bool ok;
+    memset(recording, 0, sizeof *recording);
+    recording->program = signals->program;
+    recording->name = name;
+    recording->gap = NO_GAP;
+    recording->output_size = signals_output_size(signals);
+    if (file == NULL)
+        return give_up(recording, strerror(errno));
+    reader.recording = recording;
+    reader.signals = signals;
+    csv_start(&reader.csv, file);
+    ok = read_header(&reader);
+    if (ok) {
+        read_rows(&reader);
+        if (recording->count == 0) {
+            fputs(recording->notes.length > 0 ? recording->notes.data : "", stderr);
+            ok = give_up(recording, "there is no instant in it");
+        }
+    }
+    end_reader(&reader);
+    return ok;
+}
+
+bool recording_begin(struct recording *recording, const struct signals *signals,
+                     const char *name, size_t truth_size)
+{
+    memset(recording, 0, sizeof *recording);
+    recording->program = signals->program;
+    recording->name = name;
+    recording->gap = NO_GAP;
+    recording->output_size = signals_output_size(signals);
+    recording->truth_size = truth_size;
+    recording->has_all_inputs = true;
+    recording->recorded = (bool *)calloc(signals->count + 1, sizeof *recording->recorded);
+    if (recording->recorded == NULL)
+        return give_up(recording, "not enough memory");
+    for (size_t i = 0; i < signals->count; i++)
+        recording->recorded[i] =
+            signals->all[i].side == INPUT || signals->all[i].side == OUTPUT;
+    return true;
+}
+
+bool recording_add(struct recording *recording, int64_t time_ns, const void *input,
+                   const void *output, size_t output_size, const void *truth)
+{
+    const size_t k = recording->count, input_size = recording->program->input_size;
+    unsigned char *place;
+    if (!grow(recording))
+        return false;
+    recording->times[k] = time_ns;
+    memcpy(recording->inputs + k * input_size, input, input_size);
+    place = recording->outputs + k * recording->output_size;
+    memset(place, 0, recording->output_size);
+    memcpy(place, output,
+           output_size < recording->output_size ? output_size : recording->output_size);
+    place = recording->truths + k * recording->truth_size;
+    if (truth != NULL)
+        memcpy(place, truth, recording->truth_size);
+    else if (k > 0)
+        memcpy(place, place - recording->truth_size, recording->truth_size);
+    else
+        memset(place, 0, recording->truth_size);
+    recording->count++;
+    return true;
+}
+
+struct catching {
+    struct recording row; /* one row at a time */
+    struct reader reader;
+    size_t k;             /* of the next row */
+};
+
+struct catching *catching_start(const struct signals *signals, const char *name)
+{
+    struct catching *catching = (struct catching *)calloc(1, sizeof *catching);
+    FILE *file = fopen(name, "rb");
+    if (catching == NULL || file == NULL) {
+        free(catching);
+        if (file != NULL)
+            fclose(file);
+        return NULL;
+    }
+    catching->row.program = signals->program;
+    catching->row.name = name;
+    catching->row.output_size = signals_output_size(signals);
+    catching->reader.recording = &catching->row;
+    catching->reader.signals = signals;
+    csv_start(&catching->reader.csv, file);
+    if (read_header(&catching->reader) && catching->row.has_all_inputs)
+        return catching;
+    catching_end(catching);
+    return NULL;
+}
+
+bool catching_take(struct catching *catching, struct recording *recording, size_t end)
+{
+    const struct recording *row = &catching->row;
+    clearerr(catching->reader.csv.file);
+    for (; catching->k < end; catching->k++) {
+        if (csv_next(&catching->reader.csv) != CSV_ROW || feof(catching->reader.csv.file))
+            return false;
+        if (catching->k < recording->count)
+            continue;
+        catching->row.count = 0;
+        if (!grow(&catching->row) || !read_row(&catching->reader) ||
+            !recording_add(recording, row->times[0], row->inputs, row->outputs, row->output_size,
+                           NULL))
+            return false;
+    }
+    return true;
+}
+
+void catching_end(struct catching *catching)
+{
+    if (catching == NULL)
+        return;
+    end_reader(&catching->reader);
+    recording_free(&catching->row);
+    free(catching);
+}
+
+bool recording_set(struct recording *recording, const char *const *params, size_t count)
+{
+    const size_t recorded = recording->params.length;
+    struct params values;
+    char why[PARAMS_WHY];
+    bool ok = params_open(&values, recording->program, params, count);
+    for (size_t at = 0; ok && at < recorded; at += strlen(recording->params.data + at) + 1)
+        if (params_read(&values, recording->params.data + at, why) != PARAMS_SET)
+            buffer_format(&recording->notes, "%s: %s\n", recording->name, why);
+    for (size_t i = 0; ok && i < count; i++)
+        buffer_bytes(&recording->params, params[i], strlen(params[i]) + 1);
+    params_close(&values);
+    return ok;
+}
+
+void recording_free(struct recording *recording)
+{
+    free(recording->truths);
+    free(recording->times);
+    free(recording->inputs);
+    free(recording->outputs);
+    free(recording->recorded);
+    buffer_free(&recording->notes);
+    buffer_free(&recording->params);
+}
+
+double recording_dt(const struct recording *recording, size_t k)
+{
+    return k == 0 ? 0.0 : (double)(recording->times[k] - recording->times[k - 1]) / 1e9;
+}
+
+const void *recording_input(const struct recording *recording, size_t k)
+{
+    return recording->inputs + k * recording->program->input_size;
+}
+
+const void *recording_truth(const struct recording *recording, size_t k)
+{
+    return recording->truths + k * recording->truth_size;
+}
+
+const void *recording_output(const struct recording *recording, size_t k)
+{
+    return recording->outputs + k * recording->output_size;
+}

@@ -1,0 +1,444 @@
+#include "what_if.h"
+
+#include "../../common/load.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* {1 A folder to compile in} */
+
+/* In two parts; to be freed. */
+static char *path_in(const char *folder, const char *file)
+{
+    struct buffer path = { 0 };
+    buffer_format(&path, "%s/%s", folder, file);
+    return path.data;
+}
+
+static const char *without_folder(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash == NULL ? path : slash + 1;
+}
+
+/* The folder that a file is in, without symbolic links; to be freed. */
+static char *folder_of(const char *file)
+{
+    struct buffer folder = { 0 };
+    char *whole;
+    buffer_bytes(&folder, file, (size_t)(without_folder(file) - file));
+    whole = realpath(folder.length == 0 ? "." : folder.data, NULL);
+    buffer_free(&folder);
+    return whole;
+}
+
+static bool write_file(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "wb");
+    bool ok = file != NULL && fputs(text, file) >= 0;
+    return file != NULL && fclose(file) == 0 && ok;
+}
+
+static bool link_to(const char *from, const char *folder, const char *name)
+{
+    char *path = path_in(folder, name), *target = path_in(from, name);
+    bool ok = path != NULL && target != NULL && symlink(target, path) == 0;
+    free(target);
+    free(path);
+    return ok;
+}
+
+/* The edited program, and links to all that is beside it. */
+static bool fill(const char *folder, const char *file, const char *text)
+{
+    char *from = folder_of(file), *path = path_in(folder, without_folder(file));
+    DIR *beside = from == NULL ? NULL : opendir(from);
+    bool ok = beside != NULL && path != NULL && write_file(path, text);
+    for (struct dirent *entry; ok && (entry = readdir(beside)) != NULL;)
+        if (entry->d_name[0] != '.' && strcmp(entry->d_name, without_folder(file)) != 0)
+            ok = link_to(from, folder, entry->d_name);
+    if (beside != NULL)
+        closedir(beside);
+    free(path);
+    free(from);
+    return ok;
+}
+
+static void clear(const char *folder)
+{
+    DIR *all = opendir(folder);
+    for (struct dirent *entry; all != NULL && (entry = readdir(all)) != NULL;) {
+        char *path = path_in(folder, entry->d_name);
+        if (path != NULL)
+            unlink(path);
+        free(path);
+    }
+    if (all != NULL)
+        closedir(all);
+    rmdir(folder);
+}
+
+/* {1 Compiling} */
+
+static void read_all(int number, struct buffer *text)
+{
+    char block[4096];
+    ssize_t length;
+    while ((length = read(number, block, sizeof block)) > 0 || (length < 0 && errno == EINTR))
+        if (length > 0)
+            buffer_bytes(text, block, (size_t)length);
+}
+
+/* Runs the command with more arguments; what it prints is appended. Its exit status, or -1. */
+static int run(what_if_command command, const char *const *more, struct buffer *said)
+{
+    size_t count = 0, added = 0;
+    int ends[2], status = -1;
+    const char **arguments;
+    pid_t child;
+    while (command[count] != NULL)
+        count++;
+    while (more[added] != NULL)
+        added++;
+    arguments = (const char **)calloc(count + added + 1, sizeof *arguments);
+    if (arguments == NULL || pipe(ends) != 0) {
+        free(arguments);
+        return -1;
+    }
+    memcpy(arguments, command, count * sizeof *arguments);
+    memcpy(arguments + count, more, added * sizeof *arguments);
+    child = fork();
+    if (child == 0) {
+        int null = open("/dev/null", O_RDONLY);
+        dup2(null, STDIN_FILENO);
+        dup2(ends[1], STDOUT_FILENO);
+        dup2(ends[1], STDERR_FILENO);
+        close(ends[0]);
+        close(ends[1]);
+        execv(arguments[0], (char *const *)arguments);
+        _exit(127);
+    }
+    close(ends[1]);
+    if (child > 0) {
+        read_all(ends[0], said);
+        while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+            ;
+    }
+    close(ends[0]);
+    free(arguments);
+    return child > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/* Appends a text, without a folder in it. */
+static void add_without(struct buffer *out, const char *text, const char *folder)
+{
+    const size_t length = strlen(folder);
+    const char *found;
+    while ((found = strstr(text, folder)) != NULL) {
+        buffer_bytes(out, text, (size_t)(found - text));
+        text = found + length + (found[length] == '/' ? 1 : 0);
+    }
+    buffer_text(out, text);
+}
+
+/* {2 An edited program} */
+
+/* In a folder of its own, which is there until the end of the attempt. */
+struct attempt {
+    struct buffer folder;
+    char *file; /* the program */
+    struct buffer *why;
+};
+
+static void end_attempt(struct attempt *a)
+{
+    if (a->file != NULL)
+        clear(a->folder.data);
+    free(a->file);
+    buffer_free(&a->folder);
+}
+
+static bool begin_attempt(struct attempt *a, const char *name, const char *text,
+                          struct buffer *why)
+{
+    const char *temporary = getenv("TMPDIR");
+    memset(a, 0, sizeof *a);
+    a->why = why;
+    buffer_format(&a->folder, "%s/frob-view-XXXXXX", temporary != NULL ? temporary : "/tmp");
+    if (a->folder.failed || mkdtemp(a->folder.data) == NULL) {
+        buffer_format(why, "no folder to compile in can be made: %s", strerror(errno));
+        return false;
+    }
+    a->file = path_in(a->folder.data, without_folder(name));
+    if (a->file == NULL || !fill(a->folder.data, name, text)) {
+        buffer_format(why, "cannot write the program: %s", strerror(errno));
+        return false;
+    }
+    return true;
+}
+
+static const struct frob_program *compile(const struct attempt *a, what_if_command command)
+{
+    const struct frob_program *program = NULL;
+    const char *const file[] = { a->file, NULL };
+    struct buffer said = { 0 };
+    if (run(command, file, &said) != 0 || said.failed || said.length == 0) {
+        add_without(a->why, said.length > 0 ? said.data : "the compiler cannot be run",
+                    a->folder.data);
+    } else {
+        /* The last line is the path; warnings stand before it. */
+        char *line;
+        said.data[strcspn(said.data, "\n") == said.length ? said.length : said.length - 1] = '\0';
+        line = strrchr(said.data, '\n');
+        program = frob_load(line == NULL ? said.data : line + 1);
+        if (program == NULL)
+            buffer_text(a->why, "the compiled program cannot be loaded");
+    }
+    buffer_free(&said);
+    return program;
+}
+
+/* {2 Driving again} */
+
+/* So many times a second a simulated controller runs, and for how long; 0 if the instants of
+ * a recording are none of a simulator's. */
+static double rate_of(const struct recording *recording, double *seconds)
+{
+    const int64_t *times = recording->times;
+    const size_t last = recording->count - 1;
+    const int64_t apart = last == 0 ? 0 : times[1] - times[0];
+    for (size_t k = 1; k <= last; k++) {
+        /* To the nanosecond, as a third of a second is not a whole number of them. */
+        const int64_t error = times[k] - times[k - 1] - apart;
+        if (error < -1 || error > 1)
+            return 0;
+    }
+    *seconds = (double)(times[last] - times[0]) / 1e9;
+    return apart <= 0 || times[0] != 0 ? 0 : (double)last / *seconds;
+}
+
+/* Options that set the program's parameters as they were recorded: two words each, in memory
+ * of `text`, which keeps them. False without memory. */
+static bool param_options(const struct frob_program *program, const struct recording *recording,
+                          struct buffer *text, const char **options)
+{
+    const struct buffer *recorded = &recording->params;
+    struct params params;
+    char why[PARAMS_WHY], room[200];
+    bool ok = params_open(&params, program, NULL, 0);
+    const char *next;
+    for (size_t at = 0; ok && at < recorded->length; at += strlen(recorded->data + at) + 1)
+        params_read(&params, recorded->data + at, why);
+    for (size_t i = 0; ok && i < program->param_count; i++) {
+        struct frob_text value = frob_text_in(room, sizeof room);
+        params_write(&value, &program->params[i], params.values);
+        buffer_format(text, "%s=%s", program->params[i].name, room);
+        buffer_bytes(text, "", 1);
+    }
+    ok = ok && !text->failed;
+    next = text->data;
+    for (size_t i = 0; ok && i < program->param_count; i++, next += strlen(next) + 1) {
+        options[2 * i] = "--param";
+        options[2 * i + 1] = next;
+    }
+    params_close(&params);
+    return ok;
+}
+
+/* Runs a program in the simulator as long as it was recorded, and reads what comes of it. */
+static bool drive(const struct attempt *a, what_if_command command, const char *file,
+                  const struct recording *recording, const struct signals *signals,
+                  struct recording *driven)
+{
+    struct buffer rate = { 0 }, duration = { 0 }, record = { 0 }, said = { 0 }, params = { 0 };
+    const size_t count = 2 * signals->program->param_count;
+    const char **arguments = (const char **)calloc(count + 8, sizeof *arguments);
+    double seconds, hertz = rate_of(recording, &seconds);
+    bool ok = false;
+    if (hertz <= 0) {
+        buffer_text(a->why, "this is no recording of a simulated run: its instants are not "
+                            "evenly apart");
+        free(arguments);
+        return false;
+    }
+    buffer_format(&rate, "%.12g", hertz);
+    buffer_format(&duration, "%.9fs", seconds);
+    buffer_format(&record, "%s/driven.csv", a->folder.data);
+    const char *const others[] = { "--rate", rate.data, "--for", duration.data,
+                                   "--record", record.data, file, NULL };
+    if (arguments != NULL)
+        memcpy(arguments + count, others, sizeof others);
+    if (rate.failed || duration.failed || record.failed || arguments == NULL ||
+        !param_options(signals->program, recording, &params, arguments))
+        buffer_text(a->why, "not enough memory");
+    else if (run(command, arguments, &said) != 0)
+        add_without(a->why, said.length > 0 ? said.data : "the simulator cannot be run",
+                    a->folder.data);
+    else if (!recording_read(driven, signals, record.data))
+        buffer_text(a->why, "the simulator has recorded nothing");
+    else
+        ok = true;
+    /* It is not read again. */
+    driven->name = "the run in the simulator";
+    if (record.data != NULL)
+        unlink(record.data);
+    free(arguments);
+    buffer_free(&params);
+    buffer_free(&rate);
+    buffer_free(&duration);
+    buffer_free(&record);
+    buffer_free(&said);
+    return ok;
+}
+
+/* The first instant at which signals of one side are others in two recordings of the same
+ * signals; where the shorter ends if they never are. */
+static size_t first_difference(const struct signals *signals, enum side side,
+                               const struct recording *a, const struct recording *b,
+                               const struct signal **in)
+{
+    size_t k = 0;
+    for (; k < a->count && k < b->count; k++) {
+        const void *x = side == INPUT ? recording_input(a, k) : recording_output(a, k);
+        const void *y = side == INPUT ? recording_input(b, k) : recording_output(b, k);
+        for (size_t i = 0; i < signals->count; i++) {
+            const struct signal *signal = &signals->all[i];
+            if (signal->side == side && a->recorded[i] && b->recorded[i] &&
+                !signal_values_equal(signal->value, x, y)) {
+                *in = signal;
+                return k;
+            }
+        }
+    }
+    *in = NULL;
+    return k;
+}
+
+/* Does the simulator repeat what was recorded? With another world or seed, or if somebody
+ * pressed keys, it does not, and what an edited program did there would say nothing. */
+static bool repeats(const struct attempt *a, what_if_command command, const char *file,
+                    const struct recording *recording, const struct signals *signals)
+{
+    struct recording driven = { 0 };
+    const struct signal *in;
+    bool ok = drive(a, command, file, recording, signals, &driven);
+    if (ok) {
+        const size_t k = first_difference(signals, INPUT, recording, &driven, &in);
+        ok = in == NULL && k == recording->count;
+        if (in != NULL)
+            buffer_format(a->why,
+                          "the simulator does not repeat this recording: `%s` is another at "
+                          "instant %lu. Give `frobc view` the `--world` and the `--seed` with "
+                          "which it was made",
+                          in->name, (unsigned long)k);
+        else if (!ok)
+            buffer_format(a->why, "the simulator does not repeat this recording: it ends at "
+                                  "instant %lu", (unsigned long)k);
+    }
+    recording_free(&driven);
+    return ok;
+}
+
+/* {1 Running} */
+
+/* Are inputs and outputs the same, so that what was recorded is what it takes and gives? */
+static bool fits(const struct signals *recorded, const struct signals *edited)
+{
+    size_t i = 0;
+    for (; i < recorded->count && i < edited->count && recorded->all[i].side <= OUTPUT; i++) {
+        const struct signal *a = &recorded->all[i], *b = &edited->all[i];
+        if (b->side != a->side || strcmp(a->name, b->name) != 0 ||
+            a->value->kind != b->value->kind || a->value->offset != b->value->offset ||
+            a->value->count != b->value->count)
+            return false;
+    }
+    return recorded->program->input_size == edited->program->input_size &&
+           (i == edited->count || edited->all[i].side > OUTPUT);
+}
+
+/* The edited program at its place, before it is run. */
+static bool prepare(struct what_if *what_if, const struct attempt *a,
+                    const struct signals *recorded, what_if_command command)
+{
+    const struct frob_program *program = compile(a, command);
+    if (program == NULL)
+        return false;
+    if (!signals_start(&what_if->signals, program, frob_load_columns()))
+        buffer_text(a->why, "not enough memory for the program's signals");
+    else if (!fits(recorded, &what_if->signals))
+        buffer_text(a->why,
+                    "its input or output is another, so it cannot be run on this recording");
+    else
+        return true;
+    return false;
+}
+
+static bool run_over(struct what_if *what_if, const struct recording *recording,
+                     struct buffer *why)
+{
+    if (!replay_start(&what_if->replay, &what_if->signals, recording)) {
+        buffer_text(why, "not enough memory for the program's states");
+        return false;
+    }
+    series_start(&what_if->series, &what_if->replay);
+    while (!replay_is_whole(&what_if->replay))
+        replay_advance(&what_if->replay);
+    return true;
+}
+
+static void find_difference(struct what_if *what_if, const struct recording *recording)
+{
+    if (what_if->drives) {
+        what_if->first = first_difference(&what_if->signals, OUTPUT, &what_if->driven, recording,
+                                          &what_if->first_in);
+    } else if (what_if->replay.diverged) {
+        what_if->first = what_if->replay.diverged_at;
+        what_if->first_in = what_if->replay.diverged_in;
+    }
+}
+
+bool what_if_start(struct what_if *what_if, const struct signals *recorded,
+                   const struct recording *recording, const struct what_if_commands *commands,
+                   const char *file, const char *text, bool drives, struct buffer *why)
+{
+    struct attempt attempt;
+    bool ok;
+    what_if_end(what_if);
+    ok = begin_attempt(&attempt, file, text, why) &&
+         prepare(what_if, &attempt, recorded, commands->build);
+    if (ok && drives && !what_if->is_repeatable) {
+        ok = repeats(&attempt, commands->drive, file, recording, recorded);
+        what_if->is_repeatable = ok;
+    }
+    if (ok && drives)
+        ok = drive(&attempt, commands->drive, attempt.file, recording, &what_if->signals,
+                   &what_if->driven);
+    what_if->drives = ok && drives;
+    ok = ok && run_over(what_if, drives ? &what_if->driven : recording, why);
+    end_attempt(&attempt);
+    what_if->is_there = true;
+    if (ok)
+        find_difference(what_if, recording);
+    else
+        what_if_end(what_if);
+    return ok;
+}
+
+void what_if_end(struct what_if *what_if)
+{
+    const bool is_repeatable = what_if->is_repeatable;
+    if (what_if->is_there) {
+        series_end(&what_if->series);
+        replay_end(&what_if->replay);
+        signals_end(&what_if->signals);
+        recording_free(&what_if->driven);
+    }
+    memset(what_if, 0, sizeof *what_if);
+    what_if->is_repeatable = is_repeatable;
+}
