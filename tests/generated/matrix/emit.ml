@@ -52,29 +52,41 @@ let c_string text =
   "\"" ^ String.concat "" (List.map character (List.of_seq (String.to_seq text))) ^ "\""
 
 (* The program's own step, by the type that all have. *)
-let step_single (program : Step.Ir.program) =
+let step_single (program : Step.Ir.program) ~has_params =
   let name = program.name in
+  let params, unused =
+    if has_params then (Printf.sprintf "(const struct %s_params *)params, " name, "")
+    else ("", "    (void)params;\n")
+  in
   Printf.sprintf
-    "static void step_single(void *state, float dt, const void *input, void *output)\n\
+    "static void step_single(void *state, const void *params, float dt, const void *input, void \
+     *output)\n\
      {\n\
-    \    %s_step((struct %s_state *)state, dt, (const struct %s_input *)input, (struct %s_output *)output);\n\
+     %s    %s_step((struct %s_state *)state, %sdt, (const struct %s_input *)input, (struct %s_output \
+     *)output);\n\
      }\n"
-    name name name name
+    unused name name params name name
 
 let is_of_singles recording = Recording.precision recording = Single
 
 let expected (program : Step.Ir.program) subject recordings =
+  let has_params = List.exists (fun r -> Recording.params r <> []) recordings in
   let recording k r =
     let row { Recording.time_ns; cells; _ } seconds =
       Printf.sprintf "    { INT64_C(%d), UINT64_C(0x%Lx), (const char *const[]){ %s } },\n" time_ns
         (Int64.bits_of_float seconds)
         (String.concat ", " (List.map c_string cells @ [ "0" ]))
     in
-    Printf.sprintf "static const struct row rows_%d[] = {\n%s};\n" k
+    let params = List.map (fun (p : Recording.param) -> c_string p.cell) (Recording.params r) in
+    Printf.sprintf
+      "static const char *const params_%d[] = { %s };\nstatic const struct row rows_%d[] = {\n%s};\n" k
+      (String.concat ", " (params @ [ "0" ]))
+      k
       (String.concat "" (List.map2 row (Recording.rows r) (Recording.seconds r)))
   and entry k r =
-    Printf.sprintf "    { rows_%d, %d, UINT64_C(0x%Lx), %s },\n" k
+    Printf.sprintf "    { rows_%d, %d, params_%d, UINT64_C(0x%Lx), %s },\n" k
       (List.length (Recording.rows r))
+      k
       (hash (Engines.interpreted subject r))
       (if is_of_singles r then "step_single" else "0")
   in
@@ -82,7 +94,7 @@ let expected (program : Step.Ir.program) subject recordings =
     "#include \"expected.h\"\n#include \"%s.h\"\n\n%s%s\nconst struct recording recordings[] = {\n%s};\n\
      const int recording_count = %d;\n"
     program.name
-    (if List.exists is_of_singles recordings then step_single program ^ "\n" else "")
+    (if List.exists is_of_singles recordings then step_single program ~has_params ^ "\n" else "")
     (String.concat "\n" (List.mapi recording recordings))
     (String.concat "" (List.mapi entry recordings))
     (List.length recordings)

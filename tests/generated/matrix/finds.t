@@ -26,7 +26,7 @@ no output tells.
   once: recording 2: the output differs
   [1]
   $ cp whole.c runner.c
-  $ sed -i 's/state, dt, input/state, (double)(int64_t)(dt * 1e9 + 0.5) \/ 1e9, input/' runner.c && matrix waited.frob
+  $ sed -i 's/params, dt, input/params, (double)(int64_t)(dt * 1e9 + 0.5) \/ 1e9, input/' runner.c && matrix waited.frob
   FAIL gcc-O0
   gcc-O0, waited:
   waited: recording 2: the output differs
@@ -39,6 +39,26 @@ no output tells.
   [1]
   $ sed -i 's/^int main(void)/int main(int argc, char **argv)/' runner.c && matrix 2>&1 | grep -c 'unused parameter'
   2
+  $ cp whole.c runner.c
+  $ cat > set.frob << 'END'
+  > param k :: Float = 2
+  > 
+  > main :: SF Float Float
+  > main = proc x -> k * x
+  > END
+  $ matrix set.frob
+  ok gcc-O0: 2 modules
+  $ sed -i 's/step(state, params,/step(state, program->default_params,/' runner.c && matrix set.frob
+  FAIL gcc-O0
+  gcc-O0, set:
+  set: recording 0: the output differs
+  set: recording 1: the output differs
+  set: recording 2: the output differs
+  gcc-O0, set_single:
+  set: recording 0: the output differs
+  set: recording 1: the output differs
+  set: recording 2: the output differs
+  [1]
   $ cp whole.c runner.c
   $ cat > kept.frob << 'END'
   > main :: SF Float Float

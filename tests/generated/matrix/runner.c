@@ -78,33 +78,45 @@ static void *moved(void *state, size_t size)
     return elsewhere;
 }
 
+static void read_cell(const char *cell, const struct frob_value *value, void *into)
+{
+    struct frob_cell_error error;
+    if (!frob_cell_read(cell, value, into, &error)) {
+        printf("unreadable cell: %s\n", cell);
+        exit(2);
+    }
+}
+
+static void *params_of(const struct recording *r)
+{
+    void *params = litter(frob_program.params_size);
+    for (size_t i = 0; i < frob_program.param_count; i++)
+        read_cell(r->params[i], frob_program.params[i].value, params);
+    return params;
+}
+
 static uint64_t trace_of(const struct recording *r, uint64_t *state_hash)
 {
     const struct frob_program *program = &frob_program;
     const size_t room = frob_trace_room(program, FROB_TRACE_OUT);
     char *buffer = (char *)litter(room);
     void *state = litter(program->state_size), *input = litter(program->input_size),
-         *output = litter(program->output_size);
+         *output = litter(program->output_size), *params = params_of(r);
     struct frob_text text = frob_text_in(buffer, room);
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
 
     frob_trace_header(&text, program, FROB_TRACE_OUT);
     hash = mix(hash, &text);
-    program->reset(state, program->default_params);
+    program->reset(state, params);
     for (int i = 0; i < r->count; i++) {
         const struct row *row = &r->rows[i];
         const double dt = seconds(row->dt);
-        for (int k = 0; k < column_count; k++) {
-            struct frob_cell_error error;
-            if (!frob_cell_read(row->cells[k], columns[k], input, &error)) {
-                printf("unreadable cell: %s\n", row->cells[k]);
-                exit(2);
-            }
-        }
+        for (int k = 0; k < column_count; k++)
+            read_cell(row->cells[k], columns[k], input);
         if (r->step_single != NULL)
-            r->step_single(state, (float)dt, input, output);
+            r->step_single(state, params, (float)dt, input, output);
         else
-            program->step(state, program->default_params, dt, input, output);
+            program->step(state, params, dt, input, output);
         hash_state(state_hash, state);
         if (i == r->count / 2)
             state = moved(state, program->state_size);
@@ -116,6 +128,7 @@ static uint64_t trace_of(const struct recording *r, uint64_t *state_hash)
     free(state);
     free(input);
     free(output);
+    free(params);
     return hash;
 }
 
