@@ -55,8 +55,8 @@ let request general ?robot ?(entry = "main") ?(batch = false) ~library file : Re
     params = _ } =
     general
   in
-  { file; entry; library; robot; real; probes; params = []; batch; specialization_limit; lint; dump;
-    stop_after }
+  { file; entry; library; files = Program_file.files; robot; real; probes; params = []; batch;
+    specialization_limit; lint; dump; stop_after }
 
 let ( let* ) result continue =
   match result with Ok value -> continue value | Error text -> wrong_use text

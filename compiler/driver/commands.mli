@@ -22,6 +22,19 @@ val with_params :
 val param_options : Params.set list -> string list
 (** For a host. *)
 
+val request :
+  general ->
+  ?robot:Robots.t ->
+  ?entry:string ->
+  ?batch:bool ->
+  library:string ->
+  string ->
+  Request.t
+(** What these options ask of the compiler for a file. *)
+
+val status : Basis.Diagnostic.sink -> int
+(** The exit status of a command that went as far as it could. *)
+
 val check : general -> string list -> int
 val compile :
   general -> string -> batch:bool -> standalone:bool -> string -> string -> int

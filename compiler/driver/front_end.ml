@@ -2,12 +2,11 @@ open Basis
 
 let ( let* ) = Option.bind
 let stage = Request.stage
-let files = Program_file.files
 
 (* Imports ask for modules; the main one is read here too, to be looked at as parsed. *)
 let parse (r : Request.t) sink sources =
   let asked = r.dump = Some Parse || r.stop_after = Some Parse in
-  match if asked then Result.to_option (files.read r.file) else None with
+  match if asked then Result.to_option (r.files.read r.file) else None with
   | Some text ->
       Source.add sources ~file:r.file text;
       let* parsed = Syntax.Parse.program sink ~file:r.file text in
@@ -21,7 +20,7 @@ let front (r : Request.t) sink sources =
   let own = Request.own_robot r in
   let* () = parse r sink sources in
   let* resolved =
-    Resolve.Program.load sink ~files ~library:r.library r.file
+    Resolve.Program.load sink ~files:r.files ~library:r.library r.file
       ~remember:(fun ~file text -> Source.add sources ~file text)
       ?also:(Option.bind own (fun robot -> robot.file))
       ~given:r.params

@@ -4,6 +4,7 @@ type t = {
   file : string;
   entry : string;
   library : string;
+  files : Resolve.Files.t;
   robot : Cgen.Robot.t option;
   real : Real.t;
   probes : string list;
@@ -20,6 +21,7 @@ let make ~library file =
     file;
     entry = "main";
     library;
+    files = Program_file.files;
     robot = None;
     real = Double;
     probes = [];

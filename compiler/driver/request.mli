@@ -6,6 +6,7 @@ type t = {
   file : string;  (** of the program's main module *)
   entry : string;  (** the definition of it to compile *)
   library : string;  (** the folder of the standard library *)
+  files : Resolve.Files.t;  (** where the texts of modules come from *)
   robot : Cgen.Robot.t option;
       (** for a program that leaves its robot open; see {!Robots.closed} *)
   real : Real.t;  (** the precision of [Float] *)

@@ -160,6 +160,34 @@ let format =
   command "format" ~man ~doc:"write programs as the library is written, in place"
     Term.(const (fun check files -> Driver.Format_files.run ~check files) $ check $ files)
 
+let fix =
+  let diff =
+    let doc = "Write nothing; print what would change, as $(b,diff -u) does." in
+    Arg.(value & flag & info [ "diff" ] ~doc)
+  in
+  let all =
+    let doc =
+      "Make all fixes, also those that may not be what you meant; of several for one place the \
+       first."
+    in
+    Arg.(value & flag & info [ "all" ] ~doc)
+  in
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Many messages of the compiler say what to write instead. Where nothing else can have been \
+         meant, $(tname) writes it, looks at the program again, and so on, and prints each \
+         fix that it made. What is left to do by hand is printed as $(b,frobc check) does.";
+      `P "An editor offers all fixes where they belong: see $(b,frobc lsp).";
+    ]
+  in
+  command "fix" ~man ~doc:"mend what messages say how to mend, in place"
+    Term.(
+      const (fun general diff all files ->
+          Driver.Fix_files.(run general ~diff (if all then All else Safe)) files)
+      $ general $ diff $ all $ files)
+
 let compile =
   let folder =
     let doc = "The folder for the C files." in
@@ -627,7 +655,7 @@ let main =
   in
   Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
     [
-      check; format; compile; trace; run; view; serve; build; export; report; selftest; header;
+      check; fix; format; compile; trace; run; view; serve; build; export; report; selftest; header;
       explain;
     ]
 

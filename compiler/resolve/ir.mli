@@ -51,7 +51,12 @@ and module_ = {
 }
 
 (** An import of which the module uses nothing, or a name in its list. *)
-and idle = { of_module : string; listed : string option; at : Span.t }
+and idle = {
+  of_module : string;
+  listed : string option;
+  at : Span.t;
+  whole : Span.t;  (** what to take out: the line, or the name with a comma *)
+}
 
 (** {1 Types and units} *)
 

@@ -61,10 +61,12 @@ let newline t =
   t.extra <- 0;
   t.fresh <- true
 
-let report t ~code ~start ?hint message =
+let report t ~code ~start ?hint ?write message =
   let at = Build.span (start, position t) in
-  let d = Diagnostic.error ~code ~at "%s" message in
-  Diagnostic.emit t.sink (match hint with None -> d | Some hint -> Diagnostic.hint hint d)
+  Diagnostic.error ~code ~at "%s" message
+  |> Option.fold hint ~none:Fun.id ~some:Diagnostic.hint
+  |> Option.fold write ~none:Fun.id ~some:(Diagnostic.write at)
+  |> Diagnostic.emit t.sink
 
 let is_digit c = c >= '0' && c <= '9'
 let is_lower c = (c >= 'a' && c <= 'z') || c = '_'
@@ -246,7 +248,14 @@ let number t =
     let problem =
       if rest = "" then "has no digits" else Printf.sprintf "is directly followed by `%s`" rest
     in
-    report t ~code:"E0105" ~start ~hint (Printf.sprintf "the number `%s` %s" text problem);
+    let write =
+      match (base, rest) with
+      | 10, ("f" | "F" | "d" | "L" | "u") -> Some text
+      | 10, _ when rest <> "" && not (String.contains rest '_') ->
+          Some (Printf.sprintf "%s[%s]" text rest)
+      | _ -> None
+    in
+    report t ~code:"E0105" ~start ~hint ?write (Printf.sprintf "the number `%s` %s" text problem);
     BAD
   end
   else if String.length text > most_digits then begin
@@ -329,6 +338,19 @@ let unexpected t =
     at + n <= String.length t.text && String.equal (String.sub t.text at n) word
   in
   for _ = 1 to length do step t done;
+  let instead =
+    match character with
+    | "\u{2212}" | "\u{2013}" -> Some "-"
+    | "\u{2192}" -> Some "->"
+    | "\u{2264}" -> Some "<="
+    | "\u{2265}" -> Some ">="
+    | "\u{2260}" -> Some "/="
+    | "&" when peek t 0 <> '&' -> Some "&&"
+    | "#" when not (starts "#define" || starts "#include") -> Some "--"
+    | "~" when peek t 0 <> '=' -> Some "not "
+    | "\u{2018}" | "\u{2019}" -> Some "'"
+    | _ -> None
+  in
   let hint =
     match character with
     | "'" when peek t 1 = '\'' -> Some "a text stands in `\"`"
@@ -355,7 +377,8 @@ let unexpected t =
   in
   (* one a line: the rest of the line is likely to be of the same kind *)
   if t.bad_line <> t.line && not (character = ":" && List.mem hint t.colons) then
-    report t ~code:"E0103" ~start ?hint (Printf.sprintf "unexpected character %s" shown);
+    report t ~code:"E0103" ~start ?hint ?write:instead
+      (Printf.sprintf "unexpected character %s" shown);
   if character = ":" && hint = Some of_block then t.colons <- hint :: t.colons;
   t.bad_line <- t.line;
   BAD

@@ -82,8 +82,8 @@ let negate span (operand : term) : term =
 let written_in_words (operand : term) =
   let word (t : term) =
     match t.desc with
-    | Variable { qualifier = None; name = { text = "and"; _ }; _ } -> Some "`and` is written `&&`"
-    | Variable { qualifier = None; name = { text = "or"; _ }; _ } -> Some "`or` is written `||`"
+    | Variable { qualifier = None; name = { text = "and"; _ }; _ } -> Some ("and", "&&", t.span)
+    | Variable { qualifier = None; name = { text = "or"; _ }; _ } -> Some ("or", "||", t.span)
     | _ -> None
   in
   match operand.desc with
@@ -95,18 +95,26 @@ let reject_two (first : Ir.qualified) operand (second : Ir.qualified) =
     (Diagnostic.error ~code:"E0113" ~at:second.span
        "`%s` and `%s` do not combine without parentheses" (shown first) (shown second)
     |> Diagnostic.label ~at:first.span "after this one"
-    |> Diagnostic.hint
-         (match written_in_words operand with
-         | Some hint -> hint
-         | None when fst (precedence second) = comparison_level ->
-             "compare two at a time: `a < b && b < c`"
-         | None -> "put parentheses around the part that comes first"))
+    |>
+    match written_in_words operand with
+    | Some (word, symbol, at) -> fun d ->
+        Diagnostic.hint (Printf.sprintf "`%s` is written `%s`" word symbol) d
+        |> Diagnostic.write at symbol
+    | None when fst (precedence second) = comparison_level ->
+        Diagnostic.hint "compare two at a time: `a < b && b < c`"
+    | None -> Diagnostic.hint "put parentheses around the part that comes first")
 
-let reject_minus (operator : Ir.qualified) at =
+let in_parentheses (first : Span.t) (last : Span.t) =
+  let place at = Span.make ~file:first.file ~start:at ~stop:at in
+  Diagnostic.fix ~safe:true "put parentheses around it"
+    [ (place first.start, "("); (place last.stop, ")") ]
+
+let reject_minus (operator : Ir.qualified) at (operand : term) =
   Reject.diagnostic
     (Diagnostic.error ~code:"E0113" ~at "a minus sign directly after `%s` needs parentheses"
        (shown operator)
-    |> Diagnostic.hint "write `(-x)`")
+    |> Diagnostic.hint "write `(-x)`"
+    |> in_parentheses at operand.span)
 
 (* Operator precedence parsing with an explicit stack. [reduce] applies what
    binds its left neighbour tighter than an operator of [level] would. *)
@@ -124,14 +132,15 @@ let rec reduce stack operand level side next =
       else (stack, operand)
   | [] -> (stack, operand)
 
-let push stack = function
+let push stack next = function
   | Minus at ->
       (match stack with
-      | Binary b :: _ when b.level >= minus_level -> reject_minus b.operator at
+      | Binary b :: _ when b.level >= minus_level -> reject_minus b.operator at next
       | Unary first :: _ ->
           Reject.diagnostic
             (Diagnostic.error ~code:"E0113" ~at "two minus signs in a row need parentheses"
-            |> Diagnostic.label ~at:first "the first")
+            |> Diagnostic.label ~at:first "the first"
+            |> in_parentheses at next.span)
       | Binary _ :: _ | [] -> ());
       Unary at :: stack
   | Operand { operand; operator } ->
@@ -145,10 +154,18 @@ let rec finish stack operand =
   | Binary b :: rest -> finish rest (apply b.left b.operator operand)
   | Unary at :: rest -> finish rest (negate at operand)
 
-let group steps last =
-  match steps with
+(* The operand that follows. *)
+let rec next last = function
+  | Operand { operand; _ } :: _ -> operand
+  | Minus _ :: rest -> next last rest
   | [] -> last
-  | _ -> finish (List.fold_left push [] (List.rev steps)) last
+
+let rec push_all last stack = function
+  | [] -> stack
+  | step :: rest -> push_all last (push stack (next last rest) step) rest
+
+let group steps last =
+  match steps with [] -> last | _ -> finish (push_all last [] (List.rev steps)) last
 
 (* What is left on the stack before the end are the outermost operators of the
    operand; the bottom one binds loosest. *)
@@ -175,12 +192,12 @@ let check_section (operator : Ir.qualified) wanted stack =
 let section ~span desc : term = { desc = Expression desc; span }
 
 let left_section ~span steps last operator =
-  let stack = List.fold_left push [] (List.rev steps) in
+  let stack = push_all last [] (List.rev steps) in
   check_section operator Left stack;
   section ~span (Left_section { left = Term.to_expr (finish stack last); operator })
 
 let right_section ~span operator steps last =
-  let stack = List.fold_left push [] (List.rev steps) in
+  let stack = push_all last [] (List.rev steps) in
   check_section operator Right stack;
   section ~span (Right_section { operator; right = Term.to_expr (finish stack last) })
 

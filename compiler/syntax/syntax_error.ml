@@ -198,6 +198,21 @@ let ends_a_signature found =
   in
   has_type && not (String.exists (function '=' | '{' | '(' | '\\' -> true | _ -> false) line)
 
+(* The word, and the classes behind it: one, or several in parentheses. *)
+let of_deriving found =
+  let text = found.text and stop = found.token.stop.pos_cnum in
+  let rec skip is i = if i < String.length text && is text.[i] then skip is (i + 1) else i in
+  let is_name = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' -> true | _ -> false in
+  let first = skip (Char.equal ' ') stop in
+  let last =
+    if first < String.length text && text.[first] = '(' then
+      let close = skip (fun c -> c <> ')' && c <> '\n') first in
+      if close < String.length text && text.[close] = ')' then close + 1 else stop
+    else skip is_name first
+  in
+  let at = span found.token in
+  { at with stop = Span.forward (last - stop) at.stop }
+
 let missing found =
   match (found.token.token, found.before) with
   | EQUAL, Some _ when ends_a_signature found ->
@@ -208,11 +223,13 @@ let missing found =
   | RESERVED "deriving", _ ->
       Some
         (absent found "`deriving` is not part"
-        |> Diagnostic.hint "leave it out: `==` and `<` work on all data without functions")
+        |> Diagnostic.hint "leave it out: `==` and `<` work on all data without functions"
+        |> Diagnostic.fix ~safe:true "leave it out" [ (of_deriving found, "") ])
   | RESERVED "newtype", _ ->
       Some
         (absent found "`newtype` is not part"
-        |> Diagnostic.hint "`data` makes a new type, and one with a single field costs nothing")
+        |> Diagnostic.hint "`data` makes a new type, and one with a single field costs nothing"
+        |> Diagnostic.write (span found.token) "data")
   | RESERVED word, _ -> Some (absent found "`%s` is not part" word)
   | UNIT_BRACKET, Some { token = LOWER _ | FIELD _ | QUALIFIED_LOWER _; _ }
     when holds_a_unit found ->

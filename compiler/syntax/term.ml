@@ -12,10 +12,14 @@ let rec to_expr (t : term) : Ir.expr =
   | Tuple ts -> make (Tuple (Long_list.map to_expr ts))
   | Array ts -> make (Array (Long_list.map to_expr ts))
   | Parenthesized t -> make (Parenthesized (to_expr t))
-  | Application { head = { desc = Number _; _ }; arguments = { desc = Array _; span } :: _ }
+  | Application { head = { desc = Number _; _ } as head; arguments = { desc = Array _; span } :: _ }
     ->
-      Reject.at ~code:"E0110" span ~hint:"as in `0.4[m/s]`"
-        "a unit directly follows its number, without a blank"
+      Reject.diagnostic
+        (Diagnostic.error ~code:"E0110" ~at:span
+           "a unit directly follows its number, without a blank"
+        |> Diagnostic.hint "as in `0.4[m/s]`"
+        |> Diagnostic.fix ~safe:true "take the blank out"
+             [ (Span.make ~file:span.file ~start:head.span.stop ~stop:span.start, "") ])
   | Application { head; arguments } ->
       let apply (f : Ir.expr) argument : Ir.expr =
         let argument = to_expr argument in

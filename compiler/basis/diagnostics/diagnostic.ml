@@ -1,5 +1,7 @@
 type severity = Error | Warning
 type label = { at : Span.t; text : string }
+type edit = { span : Span.t; text : string }
+type fix = { title : string; edits : edit list; safe : bool }
 
 type t = {
   severity : severity;
@@ -10,20 +12,27 @@ type t = {
   labels : label list;
   notes : string list;
   hints : string list;
+  fixes : fix list;
 }
 
 let make severity ~code ~at format =
   Format.kasprintf
     (fun message ->
-      { severity; code; at; message; here = ""; labels = []; notes = []; hints = [] })
+      { severity; code; at; message; here = ""; labels = []; notes = []; hints = []; fixes = [] })
     format
 
 let error ~code ~at format = make Error ~code ~at format
 let warning ~code ~at format = make Warning ~code ~at format
 let here text t = { t with here = text }
-let label ~at text t = { t with labels = t.labels @ [ { at; text } ] }
+let label ~at text t = { t with labels = t.labels @ [ ({ at; text } : label) ] }
 let note text t = { t with notes = t.notes @ [ text ] }
 let hint text t = { t with hints = t.hints @ [ text ] }
+
+let fix ?(safe = false) title edits t =
+  let edits = List.map (fun (span, text) -> { span; text }) edits in
+  { t with fixes = t.fixes @ [ { title; edits; safe } ] }
+
+let write span text t = fix (Printf.sprintf "write `%s`" text) [ (span, text) ] t
 
 type sink = t list ref
 

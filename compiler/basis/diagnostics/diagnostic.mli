@@ -10,6 +10,18 @@ type severity = Error | Warning
 type label = { at : Span.t; text : string }
 (** Another place that takes part. *)
 
+type edit = { span : Span.t; text : string }
+(** What is there becomes the text; an empty span is a place between two characters. *)
+
+type fix = {
+  title : string;  (** what it does, as an order: [write `speed`] *)
+  edits : edit list;  (** in one file, none over another *)
+  safe : bool;
+      (** nothing else can have been meant, and what a program computes stays: it may be made
+          unasked. Others an editor offers. *)
+}
+(** A cure that a tool can carry out. *)
+
 type t = {
   severity : severity;
   code : string;  (** such as [E0401]; warnings start with [W] *)
@@ -19,6 +31,7 @@ type t = {
   labels : label list;
   notes : string list;
   hints : string list;  (** cures, each likely to be right *)
+  fixes : fix list;  (** those of the hints that say what to write instead *)
 }
 
 val error : code:string -> at:Span.t -> ('a, Format.formatter, unit, t) format4 -> 'a
@@ -31,6 +44,12 @@ val here : string -> t -> t
 val label : at:Span.t -> string -> t -> t
 val note : string -> t -> t
 val hint : string -> t -> t
+
+val fix : ?safe:bool -> string -> (Span.t * string) list -> t -> t
+(** [fix title edits]: each place with its new text; not safe unless said so. *)
+
+val write : Span.t -> string -> t -> t
+(** The fix that writes this text there, instead of what is there. *)
 
 type sink
 (** Collects diagnostics. Its only state is what was emitted. *)

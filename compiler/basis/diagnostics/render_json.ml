@@ -5,6 +5,17 @@ let character source (p : Span.position) file =
   | Some line -> 1 + Display.characters_before line (Span.column p - 1)
   | None -> (Span.column p)
 
+let place source (at : Span.t) =
+  [
+    ("file_name", String at.file);
+    ("byte_start", Int (Source.offset source at.file at.start));
+    ("byte_end", Int (Source.offset source at.file at.stop));
+    ("line_start", Int (Span.line at.start));
+    ("line_end", Int (Span.line at.stop));
+    ("column_start", Int (character source at.start at.file));
+    ("column_end", Int (character source at.stop at.file));
+  ]
+
 (* The lines of a long place would say nothing that its ends do not, and a very
    long line is no text for people. *)
 let most_lines = 10
@@ -30,18 +41,19 @@ let span source ~primary ~label (at : Span.t) =
              ])
   in
   Object
-    [
-      ("file_name", String at.file);
-      ("byte_start", Int (Source.offset source at.file at.start));
-      ("byte_end", Int (Source.offset source at.file at.stop));
-      ("line_start", Int (Span.line at.start));
-      ("line_end", Int (Span.line at.stop));
-      ("column_start", Int column_start);
-      ("column_end", Int column_end);
-      ("is_primary", Bool primary);
-      ("text", List (List.filter_map line lines));
-      ("label", if label = "" then Null else String label);
-    ]
+    (place source at
+    @ [
+        ("is_primary", Bool primary);
+        ("text", List (List.filter_map line lines));
+        ("label", if label = "" then Null else String label);
+      ])
+
+let fix source (f : Diagnostic.fix) =
+  let edit (e : Diagnostic.edit) =
+    Object [ ("span", Object (place source e.span)); ("text", String e.text) ]
+  in
+  Object
+    [ ("title", String f.title); ("safe", Bool f.safe); ("edits", List (List.map edit f.edits)) ]
 
 let child level message =
   Object
@@ -73,6 +85,7 @@ let diagnostic source (d : Diagnostic.t) =
                   d.labels) );
          ( "children",
            List (List.map (child "note") d.notes @ List.map (child "help") d.hints) );
+         ("fixes", List (List.map (fix source) d.fixes));
          ("rendered", String (Render_text.diagnostic ~colour:false source d));
        ])
 

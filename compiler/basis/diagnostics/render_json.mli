@@ -4,7 +4,9 @@
     [spans] ([file_name], [byte_start], [byte_end], [line_start], [line_end],
     [column_start], [column_end] in characters from 1, [is_primary], [text],
     [label]), [children] (level [note], or [help] for a hint) and [rendered],
-    the text of {!Render_text}. *)
+    the text of {!Render_text}. Beside those of rustc, [fixes]: each with a [title], whether it is
+    [safe] to make unasked, and [edits]: a [span] ([file_name] to [column_end] as above) and the
+    [text] that it becomes. *)
 
 val diagnostic : Source.t -> Diagnostic.t -> string
 (** One object, without a line end. *)

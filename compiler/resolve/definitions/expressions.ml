@@ -104,15 +104,18 @@ and is_unit_of env (head : Syntax.Ir.expr) unit_ =
   | _ -> false
 
 and report_apart env (head : Syntax.Ir.expr) unit_ span =
-  let digits =
-    match head.desc with
-    | Number { digits; _ } | Apply (_, { desc = Number { digits; _ }; _ }) -> digits
-    | _ -> "3"
-  in
+  let number = match head.desc with Apply (_, argument) -> argument | _ -> head in
+  let digits = match number.desc with Number { digits; _ } -> digits | _ -> "3" in
   Diagnostic.error ~code:"E0205" ~at:span "this unit stands apart from its number"
   |> Diagnostic.hint
        (Printf.sprintf "no blank stands between them: `%s[%s]`" digits
          (Unit_word.of_expression unit_))
+  |> (match number.desc with
+     | Number { digits; _ } ->
+         Diagnostic.write
+           (Span.merge number.span span)
+           (Printf.sprintf "%s[%s]" digits (Unit_word.of_expression unit_))
+     | _ -> Fun.id)
   |> Context.emit (Env.context env)
 
 and declarations env bindings =

@@ -56,7 +56,9 @@ let concrete_unit (scope : Scope.t) u =
   let variable (name : Syntax.Ir.name) =
     Diagnostic.error ~code:"E0208" ~at:name.span "unknown unit `%s`" name.text
     |> (match Unit_word.symbol name.text with
-       | Some symbol -> Diagnostic.hint (Printf.sprintf "`%s` is the unit" symbol)
+       | Some symbol -> fun d ->
+           Diagnostic.hint (Printf.sprintf "`%s` is the unit" symbol) d
+           |> Diagnostic.write name.span symbol
        | None -> Diagnostic.note "a unit variable can stand only in a type")
     |> Context.emit scope.context
   in

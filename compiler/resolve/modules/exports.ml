@@ -61,12 +61,31 @@ let imported context (declaration : Syntax.Ir.import option) ~module_ names : Sc
       }
 
 let idle (scope : Scope.t) (declaration : Syntax.Ir.import option) ~module_ names =
-  let idle_import listed at : Ir.idle = { of_module = module_; listed; at } in
+  let idle_import listed at whole : Ir.idle = { of_module = module_; listed; at; whole } in
+  (* With the end of its last line. *)
+  let lines (import : Syntax.Ir.import) =
+    let next = Span.position ~line:(Span.line import.span.stop + 1) ~column:1 in
+    { import.span with stop = next }
+  in
   let is_used names = List.exists (String_table.mem scope.used) (all names) in
   match declaration with
   | None -> []
-  | Some { items = Some (_ :: _ as items); _ } ->
+  | Some ({ items = Some (_ :: _ as items); _ } as import) ->
       let is_idle item = not (is_used (select names (texts [ item ]))) in
       let idle = List.filter is_idle items in
-      List.map (fun (item : Syntax.Ir.name) -> idle_import (Some item.text) item.span) idle
-  | Some import -> if is_used names then [] else [ idle_import None import.span ]
+      let rec with_comma before = function
+        | (item : Syntax.Ir.name) :: rest when List.memq item idle ->
+            let whole : Span.t =
+              match (before, rest) with
+              | _ when List.compare_lengths idle items = 0 -> lines import
+              | Some (previous : Syntax.Ir.name), _ ->
+                  { item.span with start = previous.span.stop }
+              | None, next :: _ -> { item.span with stop = next.span.start }
+              | None, [] -> item.span
+            in
+            idle_import (Some item.text) item.span whole :: with_comma (Some item) rest
+        | item :: rest -> with_comma (Some item) rest
+        | [] -> []
+      in
+      with_comma None items
+  | Some import -> if is_used names then [] else [ idle_import None import.span (lines import) ]

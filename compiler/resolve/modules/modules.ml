@@ -74,7 +74,9 @@ let report_missing loader ~directory (target : Syntax.Ir.name) =
         (Printf.sprintf "a module's file begins with a capital too: call `%s` `%s`" (file_of file)
            (file_of target.text))
         diagnostic
-  | None, Some near -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
+  | None, Some near ->
+      Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
+      |> Diagnostic.write target.span near
   | None, None -> diagnostic)
   |> Diagnostic.emit loader.sink
 

@@ -13,6 +13,7 @@ type of_library = { module_ : string; names : Interface.names; gathers : bool }
 
 type t = {
   context : Context.t;
+  syntax : Syntax.Ir.program;
   module_ : string;
   library : bool;
   own : Interface.names;
@@ -49,14 +50,17 @@ let report_ambiguous t space (name : Syntax.Ir.name) (candidates : (import * _) 
     Diagnostic.label ~at text diagnostic
   in
   let qualified ((import : import), _) =
-    Printf.sprintf "`%s.%s`"
+    Printf.sprintf "%s.%s"
       (match import.qualifiers with q :: _ -> q | [] -> import.module_)
       name.text
   in
+  let qualified = List.map qualified candidates in
   List.fold_left place
     (Diagnostic.error ~code:"E0210" ~at:name.span "the %s `%s` is ambiguous" space.noun name.text)
     candidates
-  |> Diagnostic.hint ("write " ^ String.concat " or " (List.map qualified candidates))
+  |> Diagnostic.hint
+       ("write " ^ String.concat " or " (List.map (Printf.sprintf "`%s`") qualified))
+  |> List.fold_right (Diagnostic.write name.span) (List.rev qualified)
   |> Context.emit t.context
 
 let choose t space (name : Syntax.Ir.name) = function
@@ -150,8 +154,7 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
     match List.filter (fun m -> m.gathers) all with [] -> all | gathering -> gathering
   in
   let imports =
-    List.map (fun (m : of_library) -> Printf.sprintf "`import %s`" m.module_) with_it
-    |> String.concat " or "
+    List.map (fun (m : of_library) -> Printf.sprintf "import %s" m.module_) with_it
   in
   let diagnostic =
     match (with_it, other_writing t space name.text) with
@@ -169,7 +172,9 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
                 `where` \
                 behind that, its signals are not known")
     | _ :: _, _ -> diagnostic
-    | [], Some other -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
+    | [], Some other ->
+        Diagnostic.hint (Printf.sprintf "did you mean `%s`?" other) diagnostic
+        |> Diagnostic.write name.span other
     | [], None when Option.is_some (operator_word space name.text) ->
         Diagnostic.hint
           (Printf.sprintf "write `%s`" (Option.get (operator_word space name.text)))
@@ -214,6 +219,7 @@ let report_unknown_module t (qualifier : Syntax.Ir.name) =
    Diagnostic.hint
      (Printf.sprintf "it is in the library: `import qualified %s`" qualifier.text)
      diagnostic
+   |> Context.add_import t.syntax (Printf.sprintf "import qualified %s" qualifier.text)
   else
     match Other_languages.module_ qualifier.text with
     | Some hint -> Diagnostic.hint hint diagnostic
@@ -308,6 +314,6 @@ let create context ~module_ ~library ~own ~imports ~complete ~elsewhere ~syntax 
   let names = Long_list.map (fun (record : tycon) -> record.global) in
   let records_of = lazy (String_map.map names (Lazy.force records)) in
   let used = String_table.create 16 in
-  { context; module_; library; own; imports; complete; elsewhere; used; records; records_of;
+  { context; syntax; module_; library; own; imports; complete; elsewhere; used; records; records_of;
     signals = lazy (Proc_signals.of_module syntax);
     c_declarations = lazy (Proc_signals.c_declarations syntax) }

@@ -21,6 +21,7 @@ type of_library = {
 
 type t = {
   context : Context.t;
+  syntax : Syntax.Ir.program;
   module_ : string;
   library : bool;
   own : Interface.names;

@@ -60,11 +60,14 @@ let report_equation sink ~circle at name =
         else
           Printf.sprintf "use it in what comes out, or take it out; `_%s` says that this is meant"
             name)
+  |> (if name = "" || name.[0] < 'a' then Fun.id
+     else Diagnostic.fix (Printf.sprintf "call it `_%s`" name) [ (at, "_" ^ name) ])
   |> Diagnostic.emit sink
 
 let report_variable sink v =
   Diagnostic.warning ~code:"W0305" ~at:v.at "nothing reads `%s`" v.name
   |> Diagnostic.hint (Printf.sprintf "write `_` in its place, or `_%s`" v.name)
+  |> Diagnostic.fix ~safe:true (Printf.sprintf "write `_%s`" v.name) [ (v.at, "_" ^ v.name) ]
   |> Diagnostic.emit sink
 
 (* Of one pattern; many are told at once. *)
@@ -74,6 +77,8 @@ let report_variables sink = function
       Diagnostic.warning ~code:"W0305" ~at:a.at "nothing reads %s"
         (Enumeration.some told ~more:(List.length others))
       |> Diagnostic.hint (Printf.sprintf "write `_` in their places, or names such as `_%s`" a.name)
+      |> Diagnostic.fix ~safe:true (Printf.sprintf "write `_%s` and likewise the others" a.name)
+           (List.map (fun v -> (v.at, "_" ^ v.name)) (a :: b :: c :: others))
       |> Diagnostic.emit sink
   | few -> List.iter (report_variable sink) few
 
@@ -137,6 +142,7 @@ let report_import sink (idle : Ir.idle) =
   | None ->
       Diagnostic.warning ~code:"W0306" ~at:idle.at "nothing of `%s` is used here" idle.of_module)
   |> Diagnostic.hint "take it out"
+  |> Diagnostic.fix ~safe:true "take it out" [ (idle.whole, "") ]
   |> Diagnostic.emit sink
 
 (* A module may be imported for its instances; a user's own for those of what it imports. *)

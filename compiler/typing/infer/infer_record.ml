@@ -21,7 +21,9 @@ let field_types ctx (constructor : Environment.constructor) ~at ty =
 
 let suggest (name : Syntax.Ir.name) known diagnostic =
   match Suggest.closest name.text known with
-  | Some near -> Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
+  | Some near ->
+      Diagnostic.hint (Printf.sprintf "did you mean `%s`?" near) diagnostic
+      |> Diagnostic.write name.span near
   | None -> diagnostic
 
 (* The constructor with this field, of a type with several. *)
@@ -56,7 +58,11 @@ let as_a_function ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagno
         (Diagnostic.hint
            (Printf.sprintf "`%s` is a %s: write `%s %s`" name.text kind name.text
               (argument (words ctx)))
-           diagnostic)
+           diagnostic
+        |> Diagnostic.fix
+             (Printf.sprintf "write `%s %s`" name.text (argument (words ctx)))
+             [ ( Span.merge record.span name.span,
+                 Printf.sprintf "(%s %s)" name.text (argument (words ctx)) ) ])
 
 let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
   report ctx (fun words ->

@@ -78,13 +78,18 @@ let negative_argument words ~(minus : Span.t) ~operand (function_ : Resolve.Ir.e
   let rec first (e : Resolve.Ir.expr) =
     match e.desc with
     | Apply { head; style = Juxtaposed; _ } -> first head
-    | _ -> Show.quote words e.span
+    | _ -> e
   in
+  let operand = Option.map first operand in
+  let place = Option.map (fun (e : Resolve.Ir.expr) -> e.span) operand in
   let name = Option.value (Show.quote words function_.span) ~default:"f" in
-  let operand = Option.value (Option.bind operand first) ~default:"1" in
+  let operand = Option.value (Option.bind place (Show.quote words)) ~default:"1" in
   error ~code:"E0301" ~at:minus "this `-` subtracts from a function"
   |> label ~at:function_.span (Printf.sprintf "this is %s" (Show.described words ty))
   |> hint (Printf.sprintf "a negative argument needs parentheses: `%s (-%s)`" name operand)
+  |> Option.fold place ~none:Fun.id ~some:(fun (at : Span.t) ->
+         let place at = Span.make ~file:minus.file ~start:at ~stop:at in
+         fix "put parentheses around it" [ (place minus.start, "("); (place at.stop, ")") ])
 
 let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
   let callee = match Plain_name.of_expr head with Some name -> "`" ^ name ^ "`" | None -> "this" in

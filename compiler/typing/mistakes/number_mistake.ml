@@ -18,23 +18,31 @@ let is_angular_velocity (t : Type.t) =
 (* Below this a time without a unit may well be in seconds. *)
 let many_seconds = 20.
 
-let with_unit words ~ty digits unit_ =
+let with_unit words ~ty ~at digits unit_ =
   let text = Show.measure words unit_ in
+  let cure words units d =
+    let with_unit unit_ = write at (Printf.sprintf "%s[%s]" digits unit_) in
+    List.fold_right with_unit (List.rev units) (hint words d)
+  in
   let is_long = Option.fold (float_of_string_opt digits) ~none:false ~some:(( <= ) many_seconds) in
   if is_angular_velocity ty then
-    Printf.sprintf "write `%s[deg/s]` for degrees in a second, `%s[rad/s]` for radians" digits
-      digits
+    cure
+      (Printf.sprintf "write `%s[deg/s]` for degrees in a second, `%s[rad/s]` for radians" digits
+         digits)
+      [ "deg/s"; "rad/s" ]
   else if String.equal text "s" && is_long then
-    Printf.sprintf "write `%s[ms]` if these are milliseconds, `%s[s]` for seconds" digits digits
-  else Printf.sprintf "write `%s[%s]` if that is its unit" digits text
+    cure
+      (Printf.sprintf "write `%s[ms]` if these are milliseconds, `%s[s]` for seconds" digits digits)
+      [ "ms"; "s" ]
+  else cure (Printf.sprintf "write `%s[%s]` if that is its unit" digits text) [ text ]
 
 (* The number that an expression is, or that it stands for. *)
 let literal words (e : Resolve.Ir.expr) =
   match e.desc with
-  | Number { digits; unit_; _ } -> Some (digits, unit_, None)
+  | Number { digits; unit_; _ } -> Some (digits, unit_, e.span, None)
   | Local x -> (
       match Show.definition words x with
-      | Some { desc = Number { digits; unit_; _ }; span } -> Some (digits, unit_, Some (x, span))
+      | Some { desc = Number { digits; unit_; _ }; span } -> Some (digits, unit_, span, Some x)
       | _ -> None)
   | _ -> None
 
@@ -42,13 +50,17 @@ let literal words (e : Resolve.Ir.expr) =
 let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, given) diagnostic =
   let write (e : Resolve.Ir.expr option) ~ty unit_ =
     match Option.bind e (literal words) with
-    | Some (digits, None, place)
+    | Some (digits, None, at, name)
       when Units.flexible_powers unit_ = [] && Units.rigid_powers unit_ = [] ->
-        Some (with_unit words ~ty digits unit_, place)
-    | Some (digits, written, place) when is_per_second words unit_ ->
+        Some (with_unit words ~ty ~at digits unit_, at, name)
+    | Some (digits, written, at, name) when is_per_second words unit_ ->
         let per_second angle =
-          ( Printf.sprintf "write `%s[%s/s]` if that is how far it turns in a second" digits angle,
-            place )
+          let text = Printf.sprintf "%s[%s/s]" digits angle in
+          let cure d =
+            hint (Printf.sprintf "write `%s` if that is how far it turns in a second" text) d
+            |> Diagnostic.write at text
+          in
+          (cure, at, name)
         in
         Option.map per_second (angle written)
     | _ -> None
@@ -62,9 +74,9 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
   in
   match cure with
   | None -> diagnostic
-  | Some (text, None) -> hint text diagnostic
-  | Some (text, Some ((x : Resolve.Ir.Local.t), at)) ->
-      label ~at (Printf.sprintf "`%s` is this number" x.name) diagnostic |> hint text
+  | Some (cure, _, None) -> cure diagnostic
+  | Some (cure, at, Some (x : Resolve.Ir.Local.t)) ->
+      label ~at (Printf.sprintf "`%s` is this number" x.name) diagnostic |> cure
 
 (* What makes one quantity of another. *)
 let conversion words ~subject (wanted, given) diagnostic =
@@ -73,14 +85,17 @@ let conversion words ~subject (wanted, given) diagnostic =
     Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span)
     |> Option.fold ~none:"e" ~some:Source.grouped
   in
-  let written = match subject with Some { desc = Number n; _ } -> Some n.digits | _ -> None in
+  let written =
+    match subject with
+    | Some { desc = Number n; span } -> Some (n.digits, span)
+    | Some _ | None -> None
+  in
   if Units.is_open wanted || Units.is_open given then diagnostic
   else if Units.equal given Units.one || Units.equal wanted Units.one then diagnostic
   else if written <> None then
-    hint
-      (Printf.sprintf "write `%s[%s]` if that unit was meant" (Option.get written)
-         (Show.measure words wanted))
-      diagnostic
+    let digits, at = Option.get written in
+    let text = Printf.sprintf "%s[%s]" digits (Show.measure words wanted) in
+    hint (Printf.sprintf "write `%s` if that unit was meant" text) diagnostic |> write at text
   else if Units.equal (Units.multiply wanted wanted) given then
     hint (Printf.sprintf "`sqrt %s` has half the unit" e) diagnostic
   else if String.equal factor "1/s" || String.equal factor "Hz" then
@@ -155,8 +170,11 @@ let without_open_units (expected : Expected.t) =
 
 let to_float (e : Resolve.Ir.expr option) =
   match Option.bind e Plain_name.of_expr with
-  | Some name -> Printf.sprintf "write `toFloat %s`" name
-  | None -> "`toFloat` makes a `Float` of an `Int`"
+  | Some name -> fun d ->
+      let text = Printf.sprintf "toFloat %s" name in
+      hint (Printf.sprintf "write `%s`" text) d
+      |> fix (Printf.sprintf "write `%s`" text) [ ((Option.get e).span, "(" ^ text ^ ")") ]
+  | None -> hint "`toFloat` makes a `Float` of an `Int`"
 
 let to_int (e : Resolve.Ir.expr option) =
   let whole digits =
@@ -168,9 +186,10 @@ let to_int (e : Resolve.Ir.expr option) =
     | Some _ | None -> None
   in
   match e with
-  | Some { desc = Number { digits; unit_ = None; _ }; _ } when whole digits <> None ->
-      Printf.sprintf "a whole number has no point: `%s`" (Option.get (whole digits))
-  | _ -> "`round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`"
+  | Some { desc = Number { digits; unit_ = None; _ }; span } when whole digits <> None -> fun d ->
+      let text = Option.get (whole digits) in
+      hint (Printf.sprintf "a whole number has no point: `%s`" text) d |> write span text
+  | _ -> hint "`round`, `floor`, `ceiling` and `truncate` make an `Int` of a `Float`"
 
 let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   let text = Show.representation words in
@@ -185,11 +204,11 @@ let representations words ~subject ~at ~(expected : Expected.t) ~found (wanted, 
       error ~code:"E0312" ~at "the operands of `%s` are %s and %s" operator
         (Show.described words expected.ty) (Show.described words found)
       |> here (Printf.sprintf "this is %s" (Show.described words found))
-      |> hint (to_float number)
+      |> to_float number
   | Parameter { callee = Some "/"; _ }, Float, Int ->
-      plain () |> hint "`div` divides whole numbers" |> hint (to_float subject)
-  | _, Float, Int -> plain () |> hint (to_float subject)
-  | _, Int, Float -> plain () |> hint (to_int subject)
+      plain () |> hint "`div` divides whole numbers" |> to_float subject
+  | _, Float, Int -> plain () |> to_float subject
+  | _, Int, Float -> plain () |> to_int subject
   | _ ->
       plain ()
       |> note (Printf.sprintf "`%s` and `%s` are different representations" (text wanted)

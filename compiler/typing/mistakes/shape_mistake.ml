@@ -38,7 +38,13 @@ let signal_in_place_of_an_argument words name arguments =
            signal)
   | _ -> None
 
-let hint_to_run words subject input =
+(* Such an application in the place of the expression; in parentheses, as it may be an argument. *)
+let instead (e : Resolve.Ir.expr option) text d =
+  match e with
+  | Some e -> fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ] d
+  | None -> d
+
+let hint_to_run words subject input d =
   let signal = signal_for words input in
   let arguments = Option.fold subject ~none:[] ~some:arguments_of in
   let argument = function
@@ -60,6 +66,11 @@ let hint_to_run words subject input =
               signal)
     | Some name, [] -> Printf.sprintf "run it on `%s`: `%s %s`" signal name signal
     | None, _ -> Printf.sprintf "run it on `%s`" signal)
+    d
+  |>
+  match (Option.bind subject Plain_name.of_head, arguments) with
+  | Some name, [] -> instead subject (Printf.sprintf "%s %s" name signal)
+  | _ -> Fun.id
 
 (* As a foreign function without arguments. *)
 let of_nothing t =
@@ -276,24 +287,24 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
            | None -> "`proc x -> edge (f x)` occurs when `f x` becomes True")
   | Signal_function _, Function _, _ ->
       error ~code:"E0304" ~at "expected a signal function, found a function: %s" (text found)
-      |> hint
-           (match Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) with
+      |> (match Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) with
            | Some text ->
-               Printf.sprintf "`arr` makes a signal function of a function: `arr %s`"
-                 (Source.grouped text)
-           | None -> "`arr` makes a signal function of a function")
+               fun d ->
+                 let text = "arr " ^ Source.grouped text in
+                 hint
+                   (Printf.sprintf "`arr` makes a signal function of a function: `%s`" text) d
+                 |> instead subject text
+           | None -> hint "`arr` makes a signal function of a function")
   | Function _, Signal_function _, _ -> (
       let diagnostic =
         error ~code:"E0304" ~at "expected a function, found a signal function: %s" (text found)
       in
       match (expected.because, Type.expand expected.ty) with
       | _ when goes_on expected ->
-          hint
-            (Printf.sprintf "it is given a value, and may ignore it: `\\_ -> %s`"
-               (Option.value
-                  (Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span))
-                  ~default:"…"))
-            diagnostic
+          let sf = Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
+          let text = "\\_ -> " ^ Option.value sf ~default:"…" in
+          hint (Printf.sprintf "it is given a value, and may ignore it: `%s`" text) diagnostic
+          |> if sf = None then Fun.id else instead subject text
       | Parameter { callee = Some "arr"; _ }, _ -> hint "leave out `arr`" diagnostic
       | Parameter { callee = Some "map"; _ }, _ ->
           hint "`mapSF` runs a signal function on each element" diagnostic

@@ -76,6 +76,7 @@ let case w (scrutinee : expr) branches =
              fun d ->
                label ~at "a small letter: this is a name for any value" d
                |> hint (Printf.sprintf "the constructor is `%s`" name)
+               |> write at name
            | Some _ | None -> Fun.id)
         |> emit w.sink);
       warn (index + 1) useless branches

@@ -82,6 +82,7 @@ let unit_of_type t scope (written : Resolve.Ir.unit_) =
         "a type cannot mention a scaled unit: values are held in base units"
       |> hint (Printf.sprintf "write `%s` here; scaled units stand on literals"
            (Show.measure words measure))
+      |> write written.span (Show.measure words measure)
       |> emit t.sink)
   end;
   measure

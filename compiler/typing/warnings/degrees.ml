@@ -36,15 +36,20 @@ and both compute left right =
 
 (* Not by [Context.report]: what it counts are errors. *)
 let report (ctx : Context.t) (e : Resolve.Ir.expr) =
+  let in_degrees (number : Resolve.Ir.expr) digits text d =
+    Diagnostic.hint (Printf.sprintf text digits) d
+    |> Diagnostic.write number.span (digits ^ "[deg]")
+  in
   let cure =
     match e.desc with
-    | Number n -> Printf.sprintf "for degrees write `%s[deg]`" n.digits
-    | Negate { desc = Number n; _ } -> Printf.sprintf "for degrees write `(-%s[deg])`" n.digits
-    | _ -> "for degrees give one of the numbers its unit, as in `90[deg]`"
+    | Number n -> in_degrees e n.digits "for degrees write `%s[deg]`"
+    | Negate ({ desc = Number n; _ } as number) ->
+        in_degrees number n.digits "for degrees write `(-%s[deg])`"
+    | _ -> Diagnostic.hint "for degrees give one of the numbers its unit, as in `90[deg]`"
   in
   Diagnostic.(
     warning ~code:"W0303" ~at:e.span "this angle is more than a whole turn: it is in radians"
-    |> hint cure |> emit ctx.reader.sink)
+    |> cure |> emit ctx.reader.sink)
 
 let rec warn_of_angle ctx (e : Resolve.Ir.expr) =
   match (constant e, operation e) with

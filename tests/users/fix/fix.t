@@ -1,0 +1,140 @@
+`frobc fix` makes the fixes that messages come with, where nothing else can have been meant,
+and says what is left.
+
+  $ cat > drive.frob <<'END'
+  > import Geometry
+  > import Robot
+  > import Control (limit, lowPass)
+  > 
+  > vMax = 0.4 [m/s]
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR v omega) where
+  >     v     = limit vMax (0.5[1/s] * - frontSonar i)
+  >     omega = 0.3)
+  > END
+  $ cp drive.frob before.frob
+  $ frobc fix --diff drive.frob 2> left
+  --- drive.frob
+  +++ drive.frob
+  @@ -2,8 +2,8 @@
+   import Robot
+   import Control (limit, lowPass)
+   
+  -vMax = 0.4 [m/s]
+  +vMax = 0.4[m/s]
+   
+   main = reactimateRobot (proc i -> roMake (setVelTR v omega) where
+  -    v     = limit vMax (0.5[1/s] * - frontSonar i)
+  +    v     = limit vMax (0.5[1/s] * (- frontSonar i))
+       omega = 0.3)
+  [1]
+  $ cmp drive.frob before.frob
+  $ frobc fix drive.frob
+  drive.frob:5:12: take the blank out (E0110)
+  drive.frob:8:36: put parentheses around it (E0113)
+  1 more may not be what you meant: frobc fix --all makes it
+  error[E0320]: expected the unit `1/s`, found none
+   --> drive.frob:7:54
+    |
+  7 | main = reactimateRobot (proc i -> roMake (setVelTR v omega) where
+    |                                           --------   ^^^^^ this is `Float`
+    |                                           |
+    |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
+  8 |     v     = limit vMax (0.5[1/s] * (- frontSonar i))
+  9 |     omega = 0.3)
+    |             --- `omega` is this number
+    |
+    = hint: write `0.3[deg/s]` for degrees in a second, `0.3[rad/s]` for radians
+  
+  1 error
+  [1]
+  $ sed -i 's/0.3)/0.3[rad\/s])/' drive.frob
+  $ frobc fix drive.frob
+  drive.frob:1:1: take it out (W0306)
+  drive.frob:3:24: take it out (W0306)
+  $ cat drive.frob
+  import Robot
+  import Control (limit)
+  
+  vMax = 0.4[m/s]
+  
+  main = reactimateRobot (proc i -> roMake (setVelTR v omega) where
+      v     = limit vMax (0.5[1/s] * (- frontSonar i))
+      omega = 0.3[rad/s])
+
+With `--all` those too that may not be what was meant, of several for one place the first.
+
+  $ cat > turn.frob <<'END'
+  > import Robot
+  > main = reactimateRobot (proc _ -> roMake (setVelTR 0 30))
+  > END
+  $ frobc fix turn.frob
+  1 more may not be what you meant: frobc fix --all makes it
+  error[E0320]: expected the unit `1/s`, found none
+   --> turn.frob:2:54
+    |
+  2 | main = reactimateRobot (proc _ -> roMake (setVelTR 0 30))
+    |                                           --------   ^^ this is `Float`
+    |                                           |
+    |                                           argument 2 of `setVelTR` is `AngularVelocity` (1/s)
+    |
+    = hint: write `30[deg/s]` for degrees in a second, `30[rad/s]` for radians
+  
+  1 error
+  [1]
+  $ frobc fix --all turn.frob
+  turn.frob:2:54: write `30[deg/s]` (E0320)
+  $ cat turn.frob
+  import Robot
+  main = reactimateRobot (proc _ -> roMake (setVelTR 0 30[deg/s]))
+
+In JSON each fix stands beside its diagnostic.
+
+  $ cat > unused.frob <<'END'
+  > main :: SF Float Float
+  > main = proc x -> 1
+  > END
+  $ frobc check --format=json unused.frob 2>&1 | sed 's/.*"fixes"://; s/,"rendered".*//'
+  [{"title":"write `_x`","safe":true,"edits":[{"span":{"file_name":"unused.frob","byte_start":35,"byte_end":36,"line_start":2,"line_end":2,"column_start":13,"column_end":14},"text":"_x"}]}]
+
+What is no program, or not there, stays as it is; a program without fixes too, to the byte.
+
+  $ printf 'main = \377\n' > bytes.frob
+  $ cp bytes.frob before.frob
+  $ frobc fix bytes.frob
+  error[E0101]: this file is not valid UTF-8: byte 255 cannot stand here
+   --> bytes.frob:1:8
+    |
+  1 | main = �
+    |        ^
+    |
+    = hint: is this a text file? save it as UTF-8
+  
+  1 error
+  [1]
+  $ cmp bytes.frob before.frob
+  $ frobc fix missing.frob
+  error: there is no file missing.frob
+  [2]
+  $ printf '\357\273\277main :: SF Float Float\r\nmain = proc x -> y\r\n' > crlf.frob
+  $ frobc fix crlf.frob
+  error[E0205]: unknown name `y`
+   --> crlf.frob:2:18
+    |
+  2 | main = proc x -> y
+    |                  ^
+  
+  1 error
+  [1]
+  $ printf '\357\273\277main :: SF Float Float\r\nmain = proc x -> 1\r\n' > crlf.frob
+  $ frobc fix crlf.frob
+  crlf.frob:2:13: write `_x` (W0305)
+  $ od -c crlf.frob | head -4
+  0000000 357 273 277   m   a   i   n       :   :       S   F       F   l
+  0000020   o   a   t       F   l   o   a   t  \r  \n   m   a   i   n    
+  0000040   =       p   r   o   c       _   x       -   >       1  \r  \n
+  0000060
+  $ mkdir folder.frob
+  $ frobc fix folder.frob
+  error: cannot read folder.frob: it is a directory
+  [2]
