@@ -1,0 +1,153 @@
+#include "colour.h"
+
+#include "clones.h"
+
+#include <string.h>
+
+static const double turn = 6.283185307179586;
+
+/* As much of a hexagon's side as 127 steps: products of three with bytes fit in 16 bits. */
+enum { STEPS = 127 };
+
+/* x within low … high; low if it is NaN. */
+static double within(double low, double high, double x)
+{
+    return !(x > low) ? low : x > high ? high : x;
+}
+
+/* An angle as one from 0, inclusive, to a turn; 0 where it is NaN or too large to tell. */
+static double within_turn(double angle)
+{
+    double turns, rest;
+
+    if (!(angle > -1e6 && angle < 1e6))
+        return 0;
+    turns = angle / turn;
+    rest = turns - (double)(int32_t)turns;
+    return (rest < 0 ? rest + 1 : rest) * turn;
+}
+
+/* The pure colour of a hue, each part of STEPS. */
+static void pure_colour(double hue, int32_t colour[3])
+{
+    const double side = within(0, 6, within_turn(hue) / turn * 6);
+    const int32_t number = (int32_t)side;
+    const int32_t part = (int32_t)((side - number) * STEPS + 0.5);
+    const int32_t around[6] = {STEPS, STEPS - part, 0, 0, part, STEPS};
+
+    for (int32_t i = 0; i < 3; i++)
+        colour[i] = around[(number + 6 - 2 * i) % 6];
+}
+
+/* To multiply a colour with: above 0 within half a turn past this hue, 0 at it and opposite. */
+static void side_of(double hue, int16_t factors[3])
+{
+    int32_t d[3];
+
+    pure_colour(hue, d);
+    factors[0] = (int16_t)(d[2] - d[1]);
+    factors[1] = (int16_t)(d[0] - d[2]);
+    factors[2] = (int16_t)(d[1] - d[0]);
+}
+
+/* The least and the most n with low <= n / all <= high, of 0 … all; false if there is none. */
+static bool steps_of(double low, double high, int32_t all, int16_t *least, int16_t *most)
+{
+    if (!(low <= high && low <= 1 && high >= 0))
+        return false;
+    /* 0.4 of 255 is 102, although its nearest double is above. */
+    *most = (int16_t)(within(0, 1, high) * all + 1e-9);
+    *least = (int16_t)(all - (int16_t)((1 - within(0, 1, low)) * all + 1e-9));
+    return *least <= *most;
+}
+
+struct frob_colours frob_colours_of(const struct frob_colour_range *range)
+{
+    const double size = range->hueTo - range->hueFrom;
+    struct frob_colours colours;
+
+    memset(&colours, 0, sizeof colours);
+    if (!steps_of(range->saturationFrom, range->saturationTo, 128, &colours.pale,
+                  &colours.strong) ||
+        !steps_of(range->valueFrom, range->valueTo, 255, &colours.dark, &colours.bright) ||
+        !(size > -1e6 && size < 1e6)) {
+        colours.dark = 256;
+        return colours;
+    }
+    /* All factors 0 are every hue. */
+    if (size >= turn)
+        return colours;
+    side_of(range->hueFrom, colours.from);
+    side_of(range->hueTo, colours.to);
+    /* The same half-line twice would have the opposite hue within: one step more. */
+    if (memcmp(colours.from, colours.to, sizeof colours.from) == 0)
+        side_of(range->hueTo + turn / (6 * STEPS), colours.to);
+    for (int32_t i = 0; i < 3; i++)
+        colours.to[i] = (int16_t)-colours.to[i];
+    colours.wide = within_turn(size) > turn / 2 ? 1 : 0;
+    return colours;
+}
+
+FROB_CLONES
+static void match_colours(const uint8_t *restrict pixels, int32_t count,
+                          const struct frob_colours *colours, uint8_t *restrict mask)
+{
+    const int16_t fr = colours->from[0], fg = colours->from[1], fb = colours->from[2];
+    const int16_t tr = colours->to[0], tg = colours->to[1], tb = colours->to[2];
+    const int16_t pale = colours->pale, strong = colours->strong;
+    const int16_t dark = colours->dark, bright = colours->bright, wide = colours->wide;
+
+    for (int32_t i = 0; i < count; i++) {
+        const int16_t r = pixels[3 * i], g = pixels[3 * i + 1], b = pixels[3 * i + 2];
+        const int16_t most = r > g ? r : g, least = r < g ? r : g;
+        const int16_t value = most > b ? most : b, chroma = (int16_t)(value - (least < b ? least : b));
+        const int16_t parts = (int16_t)(chroma * 128);
+        const int past = (int16_t)(fr * r + fg * g + fb * b) >= 0;
+        const int before = (int16_t)(tr * r + tg * g + tb * b) >= 0;
+        mask[i] = (uint8_t)(((past & before) | (wide & (past | before))) &
+                            (parts >= (int16_t)(pale * value)) &
+                            (parts <= (int16_t)(strong * value)) & (value >= dark) &
+                            (value <= bright));
+    }
+}
+
+FROB_CLONES
+static void match_greys(const uint8_t *restrict pixels, int32_t count,
+                        const struct frob_colours *colours, uint8_t *restrict mask)
+{
+    const int16_t dark = colours->dark;
+    const int16_t bright = colours->pale > 0 && colours->bright > 0 ? 0 : colours->bright;
+
+    for (int32_t i = 0; i < count; i++)
+        mask[i] = (uint8_t)((pixels[i] >= dark) & (pixels[i] <= bright));
+}
+
+void frob_match_row(const struct frob_image *image, int32_t y, int32_t left, int32_t right,
+                    const struct frob_colours *colours, uint8_t *mask)
+{
+    const uint8_t *row = frob_image_row(image, y);
+    const int32_t count = right - left;
+
+    if (image->format == FROB_RGB8)
+        match_colours(row + 3 * (ptrdiff_t)left, count, colours, mask);
+    else if (image->format == FROB_GREY8)
+        match_greys(row + left, count, colours, mask);
+    else
+        memset(mask, 0, (size_t)count);
+}
+
+bool frob_next_run(const uint8_t *mask, int32_t count, int32_t *start, int32_t *end)
+{
+    static const uint8_t none[8] = {0};
+    int32_t i = *end;
+
+    while (i + 8 <= count && memcmp(mask + i, none, 8) == 0)
+        i += 8;
+    while (i < count && mask[i] == 0)
+        i++;
+    *start = i;
+    while (i < count && mask[i] != 0)
+        i++;
+    *end = i;
+    return *start < i;
+}

@@ -1,0 +1,157 @@
+/* components.c -- the largest sets of pixels of a colour that hang together.
+ *
+ * Row by row: a run of such pixels belongs to the component of each run above that it touches,
+ * which thereby become one. Only the row above is remembered. A component with no run in the
+ * row is done: it is among the eight largest so far, or forgotten. */
+#include "colour.h"
+#include "moments.h"
+
+#include <string.h>
+
+/* Components with a run in the row above or begun in this one: what is begun touches nothing
+ * above, so all these runs are apart by a column. */
+enum { MOST = FROB_IMAGE_SIDE / 2 + 1, KEPT = 8 };
+
+struct run {
+    int32_t start, end;
+    int32_t component;
+};
+
+struct row {
+    struct run runs[MOST];
+    int32_t count;
+};
+
+struct components {
+    struct frob_moments moments[MOST];
+    int32_t joined[MOST]; /* the component that it has become part of in this row, or itself */
+    int32_t last[MOST];   /* the row of its last run */
+    int32_t free[MOST];
+    int32_t free_count;
+    struct frob_moments largest[KEPT];
+    int32_t count;
+};
+
+static bool is_before(const struct frob_moments *a, const struct frob_moments *b)
+{
+    if (a->count != b->count)
+        return a->count > b->count;
+    return a->top != b->top ? a->top < b->top : a->left < b->left;
+}
+
+static void keep_if_large(struct components *all, const struct frob_moments *done)
+{
+    int32_t place = all->count;
+
+    while (place > 0 && is_before(done, &all->largest[place - 1]))
+        place--;
+    if (place == KEPT)
+        return;
+    if (all->count < KEPT)
+        all->count++;
+    for (int32_t i = all->count - 1; i > place; i--)
+        all->largest[i] = all->largest[i - 1];
+    all->largest[place] = *done;
+}
+
+static int32_t whole(struct components *all, int32_t part)
+{
+    while (all->joined[part] != part) {
+        all->joined[part] = all->joined[all->joined[part]];
+        part = all->joined[part];
+    }
+    return part;
+}
+
+static int32_t begin(struct components *all)
+{
+    const int32_t component = all->free[--all->free_count];
+
+    all->joined[component] = component;
+    all->moments[component] = frob_no_moments();
+    return component;
+}
+
+/* The component of a run that touches those of the row above from *first on; of these one
+ * that ends with this run, or behind it, may touch the next run too. */
+static int32_t component_of(struct components *all, const struct row *above, int32_t *first,
+                            int32_t start, int32_t end)
+{
+    int32_t found = -1;
+
+    while (*first < above->count && above->runs[*first].end < start)
+        ++*first;
+    for (int32_t i = *first; i < above->count && above->runs[i].start <= end; i++) {
+        const int32_t other = whole(all, above->runs[i].component);
+        if (found < 0) {
+            found = other;
+        } else if (other != found) {
+            frob_add_moments(&all->moments[found], &all->moments[other]);
+            all->joined[other] = found;
+        }
+        *first = i;
+    }
+    return found < 0 ? begin(all) : found;
+}
+
+/* Gives back the places of the components above that have become part of another, or are
+ * done. Each is looked at once, as the run that looks is the first of it. */
+static void end_row(struct components *all, const struct row *above, int32_t y)
+{
+    for (int32_t i = 0; i < above->count; i++) {
+        const int32_t component = above->runs[i].component;
+        const bool joined = all->joined[component] != component;
+        if (all->last[component] == -1 || (!joined && all->last[component] == y))
+            continue;
+        if (!joined)
+            keep_if_large(all, &all->moments[component]);
+        all->last[component] = -1;
+        all->free[all->free_count++] = component;
+    }
+}
+
+static void find(const struct frob_image *image, const struct frob_view *view,
+                 const struct frob_colours *colours, struct components *all)
+{
+    struct row rows[2];
+    uint8_t mask[FROB_IMAGE_SIDE];
+
+    rows[0].count = rows[1].count = 0;
+    for (int32_t y = view->top; y <= view->bottom; y++) {
+        const struct row *above = &rows[(y + 1) % 2];
+        struct row *row = &rows[y % 2];
+        int32_t first = 0, start = 0, end = 0;
+        row->count = 0;
+        if (y < view->bottom)
+            frob_match_row(image, y, view->left, view->right, colours, mask);
+        while (y < view->bottom && frob_next_run(mask, view->right - view->left, &start, &end)) {
+            const int32_t component = component_of(all, above, &first, start, end);
+            const struct run run = {start, end, component};
+            frob_add_run(&all->moments[component], y, view->left + start, view->left + end);
+            row->runs[row->count++] = run;
+        }
+        for (int32_t i = 0; i < row->count; i++) {
+            row->runs[i].component = whole(all, row->runs[i].component);
+            all->last[row->runs[i].component] = y;
+        }
+        end_row(all, above, y);
+    }
+}
+
+void frob_find_blobs(const struct frob_image *image, const struct frob_region *roi,
+                     const struct frob_colour_range *colours, struct frob_blobs *result)
+{
+    const struct frob_view view = frob_view_of(image, roi);
+    const struct frob_colours made = frob_colours_of(colours);
+    struct components all;
+
+    all.count = 0;
+    for (int32_t i = 0; i < MOST; i++)
+        all.free[i] = i;
+    all.free_count = MOST;
+    find(image, &view, &made, &all);
+    memset(result, 0, sizeof *result);
+    result->count = all.count;
+    for (int32_t i = 0; i < all.count; i++)
+        frob_blob_of(&all.largest[i], &result->largest[i]);
+}
