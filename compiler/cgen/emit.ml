@@ -16,11 +16,9 @@ let program ?own ?batch (program : Step.Ir.program) =
     source = Print.file files.source;
     host_table =
       (if
-         List.exists
-           (Flow.Shape.mentions_foreign program.sums)
-           [ program.input; program.output ]
-       then None
-      else Some (Host_table.text ?own program files));
+         List.for_all (Flow.Shape.for_hosts program.sums) [ program.input; program.output ]
+       then Some (Host_table.text ?own program files)
+      else None);
     robot = Option.map (fun (robot : Robot.t) -> robot.name) (Host_table.robot ?own program);
     robot_header = None;
     foreign =

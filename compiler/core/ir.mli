@@ -69,6 +69,7 @@ and control_kind =
   | Knob of { least : float; most : float; first : float }
   | Toggle of { first : bool }
   | Map  (** a click there: an event of a place, in metres *)
+  | Camera  (** an event of a frame *)
 
 (** What is C code of the user's. *)
 and foreign = {

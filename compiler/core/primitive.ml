@@ -80,7 +80,7 @@ and elementary =
   | Atan
   | Atan2
 
-and console = Button | Hold | Knob | Toggle | Map
+and console = Button | Hold | Knob | Toggle | Map | Camera
 
 and bitwise = Bit_and | Bit_or | Bit_xor | Shift_left | Shift_right
 
@@ -177,6 +177,7 @@ let table =
     ("consoleKnob", Console Knob, 5);
     ("consoleToggle", Console Toggle, 3);
     ("consoleMap", Console Map, 1);
+    ("consoleCamera", Console Camera, 2);
     ("textOf", Text_of, 1);
     ("blank", Blank, 0);
     ("drawn", Drawn, 2);

@@ -9,6 +9,7 @@ let prelude name arguments = Data (({ module_ = "Prelude"; name } : Global.t), a
 let event a = prelude "Event" [ a ]
 let either a b = prelude "Either" [ a; b ]
 let console = Data (({ module_ = "Capability"; name = "Console" } : Global.t), [])
+let frame = Data (({ module_ = "Vision"; name = "Frame" } : Global.t), [])
 let task a b c = prelude "Task" [ a; b; c ]
 let display name = Data (({ module_ = "Display"; name } : Global.t), [])
 let drawing = display "Drawing"
@@ -81,6 +82,7 @@ let of_primitive (p : Primitive.t) types =
   | Console Knob, [] -> Some (function_ [ String; Float; Float; Float; console ] Float)
   | Console Toggle, [] -> Some (function_ [ String; Bool; console ] Bool)
   | Console Map, [] -> Some (function_ [ console ] (event (Tuple [ Float; Float ])))
+  | Console Camera, [] -> Some (function_ [ String; console ] (event frame))
   | Ending, [ i; o; c ] ->
     Some (Function (Signal_function (i, Tuple [ o; event c ]), Signal_function (i, o)))
   | Text_of, [] -> Some (Function (String, text))

@@ -9,6 +9,9 @@ val event : Ir.ty -> Ir.ty
 val either : Ir.ty -> Ir.ty -> Ir.ty
 (** [Either a b] *)
 
+val frame : Ir.ty
+(** [Frame], of the library's module Vision *)
+
 (** {1 Of the library's module Display} *)
 
 val mark : Ir.ty

@@ -57,9 +57,14 @@ let refusal ~at (flow : Flow.Ir.program) =
     |> Basis.Diagnostic.hint "run it with `--engine c`"
     |> Option.some
   in
-  let calls (node : Flow.Ir.node) = Option.is_some node.foreign in
+  let calls (node : Flow.Ir.node) =
+    match node.foreign with
+    | Some { import; _ } -> not (Kernels.is_known import.symbol)
+    | None -> false
+  in
   match List.find_opt calls (Array.to_list flow.nodes) with
   | Some node -> refuse node.span (Printf.sprintf "`%s` is in C" node.origin)
-  | None when List.exists (Flow.Shape.mentions_foreign flow.sums) [ flow.input; flow.output ] ->
+  | None
+    when not (List.for_all (Flow.Shape.for_hosts flow.sums) [ flow.input; flow.output ]) ->
       refuse at "it takes or gives a value of a foreign type"
   | None -> None

@@ -3,6 +3,7 @@ open Core.Ir
 module Variables = Map.Make (Stdlib.Int)
 
 type program = {
+  core : Core.Ir.program;
   real : Real.t;  (** the precision of [Float] *)
   console : control list;
   instances : Instance.table;
@@ -27,6 +28,7 @@ let program ?(params = []) (core : Core.Ir.program) =
   let values = Hashtbl.create 256 in
   List.iter (fun (name, value) -> Hashtbl.replace values (name, []) value) params;
   {
+    core;
     real = core.real;
     console = core.console;
     instances = Instance.table core.instances;
@@ -82,7 +84,8 @@ let local env (x : Local.t) =
 
 let is_true : Value.t -> bool = function
   | Bool b -> b
-  | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
+  | Signal_function _ | Task _
   | Ending _ ->
       bug "a condition that is no Bool"
 
@@ -143,7 +146,8 @@ and apply (f : Value.t) arguments =
   match (f, arguments) with
   | _, [] -> f
   | Function f, first :: others -> apply (f first) others
-  | (Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Signal_function _ | Task _
+  | (Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
+  | Signal_function _ | Task _
     | Ending _), _ ->
       bug "what is applied is no function"
 
@@ -195,6 +199,8 @@ and primitive env (p : Core.Primitive.t) types arguments : Value.t =
         match (Arrays.apply apply p ~size:(size env types) arguments, p) with
         | Some value, _ -> value
         | None, Console kind -> Operator.apply env.program.console kind arguments
+        | None, Foreign f when Kernels.is_known f.symbol ->
+            Foreign.apply env.program.core f arguments
         | None, _ -> Primitive.apply env.program.real p arguments
 
 (* Of the array that a primitive makes: its last type argument. *)
@@ -283,7 +289,8 @@ and started env signal_function =
   in
   match Thunk.demand value with
   | Signal_function start -> start ()
-  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Task _
+  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
+  | Function _ | Task _
   | Ending _ ->
       bug "what is run is no signal function"
 

@@ -26,7 +26,8 @@ let start ?(params = []) core ~entry =
   match Thunk.demand definition with
   | Signal_function _ as signal_function -> started None signal_function
   | Ending { signal_function; result } -> started (Some result) (Thunk.demand signal_function)
-  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Task _ ->
+  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
+  | Function _ | Task _ ->
       bug "`%s` is no signal function" entry.name
 
 let ended t = t.ended

@@ -3,14 +3,16 @@ let bug what = Basis.Diagnostic.bug ~stage:"Interp.Switching" "%s" what
 let started nesting (value : Value.t) =
   match value with
   | Signal_function start -> Thunk.afresh nesting start
-  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Task _
+  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
+  | Function _ | Task _
   | Ending _ ->
       bug "what is switched to is no signal function"
 
 let component index (value : Value.t) =
   match value with
   | Tuple parts -> parts.(index)
-  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Array _ | Data _ | Function _
+  | Signal_function _ | Task _
   | Ending _ ->
       bug "what is no tuple"
 
@@ -23,14 +25,16 @@ let occurrence event =
   match Thunk.force event with
   | Value.Data { constructor = 0; _ } -> None
   | Data { arguments = [| value |]; _ } -> Some value
-  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _
+  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
+  | Function _ | Signal_function _
   | Task _ | Ending _ ->
       bug "what is no event"
 
 let apply f argument =
   match Thunk.force f with
   | Value.Function f -> f argument
-  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Signal_function _ | Task _
+  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
+  | Signal_function _ | Task _
   | Ending _ ->
       bug "a continuation that is no function"
 

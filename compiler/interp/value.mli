@@ -8,6 +8,7 @@ type t =
   | Tuple of thunk array
   | Array of thunk array
   | Drawing of thunk list  (** its marks, the last one first *)
+  | Image of Kernels.image  (** what a camera saw *)
   | Data of { constructor : int; arguments : thunk array }
   | Function of (thunk -> t)
   | Signal_function of (unit -> instance)

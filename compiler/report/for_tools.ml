@@ -84,6 +84,7 @@ let control (c : Core.Ir.control) =
     | Button -> [ ("kind", string "button") ]
     | Hold -> [ ("kind", string "hold") ]
     | Map -> [ ("kind", string "map") ]
+    | Camera -> [ ("kind", string "camera") ]
     | Toggle { first } -> [ ("kind", string "toggle"); ("first", Json.Bool first) ]
     | Knob { least; most; first } ->
         [

@@ -206,7 +206,16 @@ let check_lasting t trail ~span tys =
   match List.find_map (Types.of_the_instant t.types) tys with
   | None -> ()
   | Some _ when List.exists is_reported (("", span) :: trail.calls) -> ()
-  | Some name ->
+  | Some foreign when Flow.Shape.is_image foreign ->
+      t.kept <- span :: t.kept;
+      Diagnostic.error ~code:"E0430" ~at:span "an image would be kept here"
+      |> Diagnostic.note "a camera's memory is used again for its next frames"
+      |> Diagnostic.hint
+           "keep the numbers that you need, not the picture: look for them at the instant at \
+            which the frame comes, and `hold` what was found"
+      |> with_trail trail
+      |> Diagnostic.emit t.sink
+  | Some { foreign_name = name; _ } ->
       t.kept <- span :: t.kept;
       Diagnostic.error ~code:"E0430" ~at:span "a value of the foreign type `%s` would be kept here"
         name

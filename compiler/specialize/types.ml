@@ -333,9 +333,7 @@ let sums table =
 let of_the_instant table ty =
   if Global_table.length table.foreign = 0 then None
   else
-    Option.map
-      (fun (f : Flow.Ir.foreign_type) -> f.foreign_name)
-      (Flow.Shape.of_the_instant (sums table) ty)
+    Flow.Shape.of_the_instant (sums table) ty
 
 let marks table = table.marks
 let text table says = Texts.number table.texts says

@@ -70,7 +70,7 @@ val shape_of_output : table -> Core.Ir.ty -> Flow.Ir.shape
 val shape_of_marks : table -> Flow.Ir.shape
 (** The marks of a drawing. *)
 
-val of_the_instant : table -> Flow.Ir.ty -> string option
+val of_the_instant : table -> Flow.Ir.ty -> Flow.Ir.foreign_type option
 (** The foreign type, if there is one in it, whose values live for the instant. *)
 
 val sums : table -> Flow.Ir.sum array

@@ -13,6 +13,7 @@ struct reader {
     const char *expected; /* set by the first failure */
     const struct frob_value *choice; /* likewise */
     void *base;
+    const struct frob_frames *frames;
 };
 
 static bool fail(struct reader *r, const char *expected)
@@ -130,6 +131,34 @@ static bool read_single(struct reader *r, float *result)
     return ok;
 }
 
+/* A whole number in decimal or after 0x; no more than `most`. */
+static bool read_natural(struct reader *r, uint64_t most, uint64_t *result)
+{
+    char *end;
+    skip_blanks(r);
+    if (!(*r->at >= '0' && *r->at <= '9'))
+        return false;
+    errno = 0;
+    *result = strtoull(r->at, &end, r->at[1] == 'x' ? 16 : 10);
+    if (errno != 0 || *result > most || is_name_char(*end))
+        return false;
+    r->at = end;
+    return true;
+}
+
+static bool read_image(struct reader *r, const struct frob_image **result)
+{
+    struct frob_frame_name name;
+    uint64_t number = 0;
+    const char *expected = "an image that is in a file";
+    if (!accept_word(r, "Image") || !read_natural(r, UINT32_MAX, &number) ||
+        !read_natural(r, UINT64_MAX, &name.size) || !read_natural(r, UINT64_MAX, &name.hash))
+        return fail(r, "an image, as `Image NUMBER SIZE HASH`");
+    name.number = (uint32_t)number;
+    *result = r->frames == NULL ? NULL : r->frames->find(r->frames->context, &name, &expected);
+    return *result != NULL || fail(r, expected);
+}
+
 static bool read_value(struct reader *r, const struct frob_value *value);
 
 static bool read_array(struct reader *r, const struct frob_constructor *array)
@@ -216,6 +245,9 @@ static void clear(struct reader *r, const struct frob_value *value)
     case FROB_SINGLE:
         *(float *)(void *)at = 0.0f;
         break;
+    case FROB_IMAGE:
+        *(const struct frob_image **)(void *)at = NULL;
+        break;
     case FROB_SUM:
         *(uint8_t *)at = 0;
         /* fall through */
@@ -274,6 +306,9 @@ static bool read_value(struct reader *r, const struct frob_value *value)
     case FROB_ARRAY:
         ok = read_array(r, &value->constructors[0]);
         break;
+    case FROB_IMAGE:
+        ok = read_image(r, (const struct frob_image **)(void *)bytes(r, value->offset));
+        break;
     }
     for (; ok && parentheses > 0; parentheses--)
         ok = accept(r, ')') || fail(r, "`)`");
@@ -287,9 +322,9 @@ static bool is_number(const struct frob_value *value)
 }
 
 bool frob_cell_read(const char *cell, const struct frob_value *value, void *base,
-                    struct frob_cell_error *error)
+                    const struct frob_frames *frames, struct frob_cell_error *error)
 {
-    struct reader r = { cell, cell, NULL, NULL, base };
+    struct reader r = { cell, cell, NULL, NULL, base, frames };
     bool ok;
     skip_blanks(&r);
     if (value->kind == FROB_SUM && value->is_event) {

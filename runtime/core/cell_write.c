@@ -126,6 +126,22 @@ static void add_number(struct frob_text *text, double x, bool is_single, enum pl
     }
 }
 
+static void add_image(struct frob_text *text, const struct frob_image *image, enum place place)
+{
+    char name[80];
+    struct frob_frame_name frame;
+    if (image == NULL) {
+        frob_text_add(text, "?"); /* only foreign code can make one */
+        return;
+    }
+    frame = frob_frame_name(image);
+    snprintf(name, sizeof name,
+             place == ARGUMENT ? "(Image %" PRIu32 " %" PRIu64 " 0x%016" PRIx64 ")"
+                               : "Image %" PRIu32 " %" PRIu64 " 0x%016" PRIx64,
+             frame.number, frame.size, frame.hash);
+    frob_text_add(text, name);
+}
+
 static void add_value(struct frob_text *text, const struct frob_value *value,
                       const void *base, enum place place)
 {
@@ -167,6 +183,9 @@ static void add_value(struct frob_text *text, const struct frob_value *value,
         add_parts(text, &value->constructors[0], base);
         frob_text_add_char(text, ']');
         break;
+    case FROB_IMAGE:
+        add_image(text, *(const struct frob_image *const *)(const void *)at, place);
+        break;
     }
 }
 
@@ -184,7 +203,7 @@ void frob_cell_write(struct frob_text *text, const struct frob_value *value,
 /* Every constructor's text counted, as if all stood there. */
 size_t frob_cell_room(const struct frob_value *value)
 {
-    size_t room = 32; /* a number, parentheses and separators */
+    size_t room = value->kind == FROB_IMAGE ? 80 : 32; /* a number, parentheses, separators */
     if (value->kind == FROB_PRODUCT || value->kind == FROB_SUM || value->kind == FROB_ARRAY) {
         for (size_t i = 0; i < value->count; i++) {
             const struct frob_constructor *c = &value->constructors[i];

@@ -111,6 +111,8 @@ bool frob_console_touch(const struct frob_program *program, void *input, size_t 
         set_number(input, place[0].value, x);
         set_number(input, place[1].value, y);
         break;
+    case FROB_CAMERA:
+        return false;
     }
     return true;
 }

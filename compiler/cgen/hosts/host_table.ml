@@ -62,6 +62,7 @@ let take locations =
       location
 
 let foreign () = Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a host that knows a foreign type"
+let is_image = Flow.Shape.is_image
 
 (* Of a leaf that lies in one piece. *)
 let rec value_at number path (ty : F.ty) =
@@ -69,6 +70,7 @@ let rec value_at number path (ty : F.ty) =
   | Bool | Int | Float -> Scalar { path; number }
   | Sum _ -> Sum { tag = path ^ ".tag"; base = path ^ "."; first = Step.Layout.none; number }
   | Array (_, element) -> Array (fun i -> value_at number (sprintf "%s.at[%d]" path i) element)
+  | Foreign f when is_image f -> Scalar { path; number }
   | Foreign _ -> foreign ()
 
 let element_of i = function
@@ -121,6 +123,7 @@ and leaf c (ty : F.ty) location =
   | Int, Scalar { path; _ } -> scalar "FROB_INT" path
   | Float, Scalar { path; number } -> scalar number path
   | Sum k, Sum { tag; base; first; number } -> sum c k ~tag ~base ~first ~number
+  | Foreign f, Scalar { path; _ } when is_image f -> scalar "FROB_IMAGE" path
   | Foreign _, _ -> foreign ()
   | (Bool | Int | Float | Sum _ | Array _), (Scalar _ | Sum _ | Array _) ->
       Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a leaf and its place do not match"
@@ -188,6 +191,7 @@ let controls out (program : Step.Ir.program) values =
     | Knob { least; most; first } -> ("FROB_KNOB", least, most, first)
     | Toggle { first } -> ("FROB_TOGGLE", 0., 1., if first then 1. else 0.)
     | Map -> ("FROB_MAP", 0., 0., 0.)
+    | Camera -> ("FROB_CAMERA", 0., 0., 0.)
   in
   let row (c : Core.Ir.control) value =
     let kind, least, most, first = bounds c.kind in

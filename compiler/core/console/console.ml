@@ -16,6 +16,7 @@ let type_of = function
   | Hold | Toggle _ -> Bool
   | Knob _ -> Float
   | Map -> Signature.event (Tuple [ Float; Float ])
+  | Camera -> Signature.event Signature.frame
 
 let declare controls program =
   let fields = List.map (fun c -> (c.label, type_of c.kind)) controls in
@@ -23,7 +24,16 @@ let declare controls program =
   let data (d : data) =
     if is_console d.tycon then { d with constructors = List.map constructor d.constructors } else d
   in
-  { program with data = List.map data program.data; console = controls }
+  let own = List.map data program.data in
+  let data =
+    if not (List.exists (fun c -> c.kind = Camera) controls) then own
+    else
+      (* What a field is made of comes before the console. *)
+      let is_seen (d : data) = String.equal d.tycon.module_ "Vision" in
+      let seen, others = List.partition is_seen own in
+      seen @ others
+  in
+  { program with data; console = controls }
 
 let field controls label =
   let rec find k = function
@@ -35,7 +45,7 @@ let field controls label =
 type rest = No_event | Off of bool | At of float
 
 let at_rest = function
-  | Button | Map -> No_event
+  | Button | Map | Camera -> No_event
   | Hold -> Off false
   | Toggle { first } -> Off first
   | Knob { first; _ } -> At first
@@ -47,5 +57,6 @@ let describe = function
   | Hold -> "a button to hold down"
   | Toggle { first } -> Printf.sprintf "a toggle, at first %s" (if first then "on" else "off")
   | Map -> "clicks on the map"
+  | Camera -> "a camera"
   | Knob { least; most; first } ->
       Printf.sprintf "a knob from %g to %g, at first %g" least most first

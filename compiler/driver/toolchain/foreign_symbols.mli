@@ -4,6 +4,7 @@
 val check :
   calls:string list -> sources:string list -> header:string -> folders:string list ->
   (unit, string) result
-(** Whether each of these names is one of {!Basis.C_names.pure}, or is mentioned in one of
+(** Whether each of these names is one of {!Basis.C_names.pure}, a kernel of the runtime
+    ({!Kernels}), or is mentioned in one of
     the user's C files [sources], or of the headers that they or the text [header]
     include from [folders]. The error tells which is not. *)

@@ -24,4 +24,9 @@ let rec foreign (sums : Ir.sum array) (ty : Ir.ty) =
 let of_the_instant sums ty =
   List.find_opt (fun (f : Ir.foreign_type) -> not f.copyable) (foreign sums ty)
 
+let is_image (f : Ir.foreign_type) = String.equal f.c_type "struct frob_image" && not f.copyable
+
+let for_hosts sums shape =
+  List.for_all (fun ty -> List.for_all is_image (foreign sums ty)) (leaves shape)
+
 let mentions_foreign sums shape = List.exists (fun ty -> foreign sums ty <> []) (leaves shape)

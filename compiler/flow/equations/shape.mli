@@ -12,5 +12,11 @@ val of_the_instant : Ir.sum array -> Ir.ty -> Ir.foreign_type option
 (** The foreign type that keeps values of a type from outliving the instant, if any: one
     that is not copyable, of which C keeps the memory. *)
 
+val is_image : Ir.foreign_type -> bool
+(** What a camera saw: the one foreign type that hosts know ([frob/image.h]). *)
+
+val for_hosts : Ir.sum array -> Ir.shape -> bool
+(** Whether hosts know all foreign types in it. *)
+
 val mentions_foreign : Ir.sum array -> Ir.shape -> bool
 (** Any foreign type, copyable or not. *)

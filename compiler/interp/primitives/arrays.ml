@@ -2,13 +2,15 @@ let bug what = Basis.Diagnostic.bug ~stage:"Interp" "%s" what
 
 let elements : Value.t -> Value.thunk array = function
   | Array elements -> elements
-  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Data _ | Function _ | Signal_function _ | Task _
+  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Data _ | Function _
+  | Signal_function _ | Task _
   | Ending _ ->
       bug "an array is something else"
 
 let number : Value.t -> int = function
   | Int n -> Int32.to_int n
-  | Bool _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _
+  | Bool _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
+  | Signal_function _
   | Task _ | Ending _ ->
       bug "an index is something else"
 
@@ -19,7 +21,8 @@ let of_int k = Thunk.known (Value.Int (Int32.of_int k))
 let rec whole thunk =
   match (Thunk.force thunk : Value.t) with
   | Tuple parts | Array parts | Data { arguments = parts; _ } -> Array.iter whole parts
-  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Function _ | Signal_function _ | Task _ | Ending _ -> ()
+  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Function _ | Signal_function _
+  | Task _ | Ending _ -> ()
 
 let apply apply (p : Core.Primitive.t) ~size arguments : Value.t option =
   let given f = fun arguments -> apply (Thunk.force f) arguments in
@@ -62,7 +65,8 @@ let apply apply (p : Core.Primitive.t) ~size arguments : Value.t option =
 let start signal_function : Value.instance =
   match (Thunk.force signal_function : Value.t) with
   | Signal_function start -> start ()
-  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Task _
+  | Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
+  | Function _ | Task _
   | Ending _ ->
       bug "what is run is no signal function"
 

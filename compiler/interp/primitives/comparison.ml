@@ -14,7 +14,8 @@ let rec equal (a : Value.t) (b : Value.t) =
   | Data a, Data b ->
       a.constructor = b.constructor
       && List.for_all equal_parts (pairs a.arguments b.arguments)
-  | ( ( Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _
+  | ( ( Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
+  | Function _
       | Signal_function _ | Task _ | Ending _ ),
       _ ) ->
       refuse ()
@@ -33,7 +34,8 @@ let rec ordered ~numbers ~equals (a : Value.t) (b : Value.t) =
       if a.constructor = b.constructor then
         ordered_parts ~numbers ~equals (pairs a.arguments b.arguments)
       else a.constructor < b.constructor
-  | ( ( Bool _ | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _
+  | ( ( Bool _ | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _
+  | Function _
       | Signal_function _ | Task _ | Ending _ ),
       _ ) ->
       refuse ()

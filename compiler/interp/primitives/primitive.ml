@@ -6,7 +6,8 @@ let bug (p : Core.Primitive.t) =
 
 let float : Value.t -> float = function
   | Float x -> x
-  | Bool _ | Int _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Bool _ | Int _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
+  | Signal_function _ | Task _
   | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Float is something else"
 
@@ -66,12 +67,13 @@ let values real (p : Core.Primitive.t) (arguments : Value.t list) : Value.t =
 
 let bool p : Value.t -> bool = function
   | Bool b -> b
-  | Int _ | Float _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Int _ | Float _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
+  | Signal_function _ | Task _
   | Ending _ -> bug p
 
 let marks p : Value.t -> Value.thunk list = function
   | Drawing marks -> marks
-  | Bool _ | Int _ | Float _ | Text _ | Tuple _ | Array _ | Data _ | Function _
+  | Bool _ | Int _ | Float _ | Text _ | Image _ | Tuple _ | Array _ | Data _ | Function _
   | Signal_function _ | Task _ | Ending _ ->
       bug p
 

@@ -2,7 +2,8 @@ open Number.Float
 
 let float : Value.t -> float = function
   | Float x -> x
-  | Bool _ | Int _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Bool _ | Int _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
+  | Signal_function _ | Task _
   | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Float is something else"
 
@@ -45,7 +46,8 @@ let step_time real : Value.instance =
 
 let bool : Value.t -> bool = function
   | Bool b -> b
-  | Float _ | Int _ | Text _ | Drawing _ | Tuple _ | Array _ | Data _ | Function _ | Signal_function _ | Task _
+  | Float _ | Int _ | Text _ | Drawing _ | Image _ | Tuple _ | Array _ | Data _ | Function _
+  | Signal_function _ | Task _
   | Ending _ ->
       Basis.Diagnostic.bug ~stage:"Interp" "a Bool is something else"
 

@@ -58,10 +58,14 @@ let write shape value =
     | Data { constructors; _ }, Data { constructor; arguments } ->
         constructed place (List.nth constructors constructor) (Array.to_list arguments)
     | Text, Text text -> put (Basis.Text_literal.written text)
+    | Image, Image image ->
+        let number, size, hash = Kernels.name image in
+        parenthesized (place = Argument) (fun () ->
+            put (Printf.sprintf "Image %d %Lu 0x%016Lx" number size hash))
     | Console controls, Data { arguments; _ } ->
         let fields = List.map (fun (label, shape, _) -> (label, shape)) controls in
         record { Shape.name = "Console"; fields } (List.combine fields (Array.to_list arguments))
-    | (Bool | Int | Float _ | Text | Drawing | Tuple _ | Array _ | Data _ | Console _), _ ->
+    | (Bool | Int | Float _ | Text | Drawing | Image | Tuple _ | Array _ | Data _ | Console _), _ ->
         bug "a value that is not of its type"
   and record (c : Shape.constructor) fields =
     put (c.name ^ " {");
@@ -98,7 +102,7 @@ let write shape value =
 
 exception Expected of string
 
-type reader = { text : string; mutable at : int }
+type reader = { text : string; frames : Kernels.frames option; mutable at : int }
 
 let fail what = raise_notrace (Expected what)
 let peek r = if r.at < String.length r.text then r.text.[r.at] else '\000'
@@ -202,6 +206,31 @@ let read_float real r : Value.t =
     Float (Basis.Real.round real (float_of_string (without_plus text)))
   end
 
+(* In decimal or after 0x, in 64 bits without a sign. *)
+let read_natural r =
+  skip_blanks r;
+  let start = r.at in
+  skip_while r is_name_char;
+  let word = String.sub r.text start (r.at - start) in
+  let is_decimal = word <> "" && String.for_all is_digit word in
+  if is_decimal || (String.length word > 2 && String.sub word 0 2 = "0x") then
+    Int64.of_string_opt (if is_decimal then "0u" ^ word else word)
+  else None
+
+let read_image r : Value.t =
+  let is_image = accept_word r "Image" in
+  let number = if is_image then read_natural r else None in
+  let size = Option.bind number (fun _ -> read_natural r) in
+  let hash = Option.bind size (fun _ -> read_natural r) in
+  match (number, size, hash, r.frames) with
+  | Some number, Some size, Some hash, Some frames
+    when Int64.unsigned_compare number 0xffff_ffffL <= 0 -> (
+      match Kernels.frame frames ~number:(Int64.to_int number) ~size ~hash with
+      | Ok image -> Image image
+      | Error expected -> fail expected)
+  | Some _, Some _, Some _, None -> fail "an image that is in a file"
+  | _, _, _, _ -> fail "an image, as `Image NUMBER SIZE HASH`"
+
 let parenthesis = "`)`"
 
 (* `A`, `B` or `C` *)
@@ -215,7 +244,7 @@ let one_of constructors =
 let rec read_value r (shape : Shape.t) : Value.t =
   match shape with
   | Tuple shapes -> read_tuple r shapes
-  | Bool | Int | Float _ | Text | Drawing | Array _ | Data _ | Console _ ->
+  | Bool | Int | Float _ | Text | Drawing | Image | Array _ | Data _ | Console _ ->
       let rec opened count = if accept r '(' then opened (count + 1) else count in
       let rec close count =
         if count > 0 then begin
@@ -243,6 +272,7 @@ and read_bare r (shape : Shape.t) : Value.t =
       Data { constructor = 0; arguments = read_record r fields }
   | Array (n, element) -> read_array r n element
   | Text -> fail "no label, which is no input"
+  | Image -> read_image r
   | Drawing -> Drawing []
   | Data { constructors; is_event = _ } ->
       let rec choose index = function
@@ -311,11 +341,11 @@ let read_cell r (shape : Shape.t) : Value.t =
       if r.at = String.length r.text then Data { constructor = 0; arguments = [||] }
       else
         Data { constructor = 1; arguments = [| Thunk.known (read_value r occurrence) |] }
-  | Bool | Int | Float _ | Text | Drawing | Tuple _ | Array _ | Data _ | Console _ ->
+  | Bool | Int | Float _ | Text | Drawing | Image | Tuple _ | Array _ | Data _ | Console _ ->
       read_value r shape
 
-let read shape text =
-  let r = { text; at = 0 } in
+let read ?frames shape text =
+  let r = { text; frames; at = 0 } in
   match
     let value = read_cell r shape in
     skip_blanks r;
@@ -323,7 +353,8 @@ let read shape text =
       fail
         (match (shape : Shape.t) with
         | Int | Float _ -> "nothing after the number"
-        | Bool | Text | Drawing | Tuple _ | Array _ | Data _ | Console _ -> "the end of the cell");
+        | Bool | Text | Drawing | Image | Tuple _ | Array _ | Data _ | Console _ ->
+            "the end of the cell");
     value
   with
   | value -> Ok value

@@ -6,6 +6,7 @@ type t =
   | Array of int * t
   | Text
   | Drawing
+  | Image
   | Data of { is_event : bool; constructors : constructor list }
   | Console of (string * t * Value.t) list
 
@@ -21,6 +22,12 @@ let event : Core.Ir.Global.t = { module_ = "Prelude"; name = "Event" }
 let of_type (program : Core.Ir.program) ty =
   let data = Hashtbl.create 64 in
   List.iter (fun (d : Core.Ir.data) -> Hashtbl.replace data d.tycon d) program.data;
+  let images =
+    List.filter_map
+      (fun (t : Core.Ir.foreign_type) ->
+        if String.equal t.c_type "struct frob_image" then Some t.foreign_type else None)
+      program.foreign.types
+  in
   let rec shape (ty : Core.Ir.ty) =
     match ty with
     | Bool -> Bool
@@ -30,6 +37,7 @@ let of_type (program : Core.Ir.program) ty =
     | Variable v -> bug "the type variable `%s`" v.name
     | Data _ when ty = Core.Signature.text -> Text
     | Data _ when ty = Core.Signature.drawing -> Drawing
+    | Data (tycon, []) when List.mem tycon images -> Image
     | Data (tycon, arguments) -> (
         match Hashtbl.find_opt data tycon with
         | None -> bug "`%s` is no data type" tycon.name
@@ -56,7 +64,7 @@ let parts = function
       Some (List.map (fun (name, part) -> ("." ^ name, part)) record.fields)
   | Console controls -> Some (List.map (fun (label, part, _) -> ("." ^ label, part)) controls)
   | Drawing -> Some []
-  | Bool | Int | Float _ | Text | Data _ -> None
+  | Bool | Int | Float _ | Text | Image | Data _ -> None
 
 type column = { name : string; shape : t; at_rest : Value.t option }
 
@@ -83,7 +91,7 @@ let cells shape value =
         List.fold_left2
           (fun found (_, part) value -> add found part (Thunk.demand value))
           found parts (Array.to_list values)
-    | Some _, (Bool _ | Int _ | Float _ | Text _ | Function _ | Signal_function _ | Task _
+    | Some _, (Bool _ | Int _ | Float _ | Text _ | Image _ | Function _ | Signal_function _ | Task _
       | Ending _) ->
         bug "a value that is not of its type"
   in
@@ -107,7 +115,7 @@ let assemble shape cells =
         | Data _ | Console _ -> (Data { constructor = 0; arguments = values }, rest)
         | Array _ -> (Array values, rest)
         | Drawing -> (Drawing [], rest)
-        | Bool | Int | Float _ | Text | Tuple _ -> (Tuple values, rest))
+        | Bool | Int | Float _ | Text | Image | Tuple _ -> (Tuple values, rest))
   in
   fst (take shape cells)
 

@@ -8,6 +8,7 @@ type t =
   | Array of int * t
   | Text  (** what a label says *)
   | Drawing  (** of which nothing is seen but by {!drawings} *)
+  | Image  (** the name of a file *)
   | Data of { is_event : bool; constructors : constructor list }
   | Console of (string * t * Value.t) list
       (** what is on it, by its label, with what that is while nobody touches it *)

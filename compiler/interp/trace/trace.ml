@@ -145,7 +145,7 @@ let stamp ns =
 
 (* {1 Rows} *)
 
-let read_row name header (row : Csv.row) =
+let read_row name ~frames header (row : Csv.row) =
   if List.length row.cells <> header.width then
     reject
       [
@@ -165,7 +165,7 @@ let read_row name header (row : Csv.row) =
         reject [ complaint name row 0 "`%s` is not a time in seconds%s" text (on_blanks text) ]
   in
   let read_cell (column : Shape.column) place =
-    match Cell.read column.shape cells.(place).text with
+    match Cell.read ~frames column.shape cells.(place).text with
     | Ok value -> value
     | Error expected ->
         let text = cells.(place).text in
@@ -233,12 +233,12 @@ let with_drawings core execution ~marks output (columns, cells) =
   let drawings value = List.concat_map slots (Shape.drawings output (command value)) in
   (columns @ drawn, fun value -> cells value @ drawings value)
 
-let instants execution ~name ~csv ~header ~write ~input (columns, cells) =
+let instants execution ~name ~frames ~csv ~header ~write ~input (columns, cells) =
   let rec from before =
     match next_row name csv with
     | None -> ()
     | Some row ->
-        let now, read = read_row name header row in
+        let now, read = read_row name ~frames header row in
         let since = match before with Some before -> now - before | None -> 0 in
         if since < 0 then
           reject
@@ -294,7 +294,8 @@ let run ?(marks = 0) ?(params = []) ?(warn = ignore) core ~entry ~name ~read ~wr
     let outputs = outputs core execution output in
     let outputs = if marks = 0 then outputs else with_drawings core execution ~marks output outputs in
     write (line ("time" :: List.map (fun (c : Shape.column) -> c.name) (fst outputs)));
-    instants execution ~name ~csv ~header ~write ~input outputs
+    instants execution ~name ~frames:(Kernels.frames ~record:name) ~csv ~header ~write ~input
+      outputs
   with
   | () -> Ok ()
   | exception Rejected texts -> Error texts

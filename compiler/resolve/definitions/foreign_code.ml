@@ -16,7 +16,7 @@ let refuse (scope : Scope.t) (text : Syntax.Ir.name) ~wanted ~hint =
 
 (* What C or its headers may mean by this name, so that a declaration of it is an error
    there or another thing. *)
-let meaning ~(kind : Syntax.Ir.foreign_kind) text =
+let meaning (scope : Scope.t) ~(kind : Syntax.Ir.foreign_kind) text =
   let starts prefix = String.starts_with ~prefix text in
   let is_reserved =
     starts "__"
@@ -24,7 +24,7 @@ let meaning ~(kind : Syntax.Ir.foreign_kind) text =
   in
   if is_reserved then Some "one of those that C compilers keep for themselves"
   else if C_names.is_taken text then Some "a macro or a type of C's headers"
-  else if starts "frob_" then Some "one of those that generated C and its runtime have"
+  else if starts "frob_" && not scope.library then Some "one of those that generated C and its runtime have"
   else if kind = Foreign_function && text = "main" then Some "where C programs begin"
   else None
 
@@ -33,7 +33,7 @@ let check_symbol (scope : Scope.t) ~kind (text : Syntax.Ir.name) =
     refuse scope text ~wanted:"a name"
       ~hint:"write the name of the function alone, as in `\"cbrt\"`"
   else
-    match meaning ~kind text.text with
+    match meaning scope ~kind text.text with
     | None -> ()
     | Some meaning ->
       Diagnostic.error ~code:"E0232" ~at:text.span "`%s` cannot be a function of yours: it is %s"

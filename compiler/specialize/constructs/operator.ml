@@ -105,8 +105,11 @@ let control p (kind : Core.Primitive.console) (arguments : Value.argument list) 
       | _ ->
           refuse p ~code:"E0441" ~at:(place p)
             "whether this toggle is on at first is not known while compiling" Fun.id)
+  | Camera, text :: _ ->
+      let* label = label p text in
+      Some (label, Ir.Camera)
   | Map, _ -> Some (Core.Console.map_label, Ir.Map)
-  | (Button | Hold | Knob | Toggle), _ ->
+  | (Button | Hold | Knob | Toggle | Camera), _ ->
       Diagnostic.bug ~stage:"Specialize.Operator" "a console without a label"
 
 let note (p : position) (found : Ir.control list) (label, kind) =

@@ -104,7 +104,7 @@ static enum params_result read_value(struct params *params, size_t i, const char
         return PARAMS_WRONG;
     }
     memcpy(before, at, width(param));
-    ok = ok && frob_cell_read(number, param->value, params->values, &error);
+    ok = ok && frob_cell_read(number, param->value, params->values, NULL, &error);
     if (!ok || is_nan(param, params->values)) {
         memcpy(at, before, width(param));
         snprintf(why, PARAMS_WHY, "the parameter `%s` is %s, not `%s`", param->name, expected,

@@ -2,6 +2,8 @@
 
 #include "params.h"
 
+#include <frob/camera.h>
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -47,16 +49,37 @@ bool record_open(struct record *r, const struct frob_program *program, const voi
     r->buffer = (char *)malloc(room);
     if (r->file < 0 || r->buffer == NULL)
         return complain(r);
+    if (frames_has_images(program->input) && !frame_writer_open(&r->frames, name))
+        return false;
     r->text = frob_text_in(r->buffer, room);
     params_head(&r->text, program, params);
     frob_trace_header(&r->text, program, FROB_TRACE_IN | FROB_TRACE_OUT);
     return write_text(r);
 }
 
-bool record_row(struct record *r, int64_t time_ns, const void *in, const void *out)
+/* In the context the writer; its folder is gone when one could not be written. */
+static void put_frame(void *context, const struct frob_image **image)
+{
+    struct frame_writer *frames = (struct frame_writer *)context;
+    if (!frame_writer_put(frames, *image))
+        frame_writer_close(frames);
+}
+
+/* False if one cannot be written; no other is then. */
+static bool put_frames(struct record *r, void *in)
+{
+    if (r->frames.folder == NULL)
+        return true;
+    frob_camera_images(r->program->input, in, put_frame, &r->frames);
+    return r->frames.folder != NULL;
+}
+
+bool record_row(struct record *r, int64_t time_ns, void *in, const void *out)
 {
     if (r->file < 0)
         return true;
+    if (!put_frames(r, in))
+        return false;
     frob_trace_row(&r->text, r->program, FROB_TRACE_IN | FROB_TRACE_OUT, time_ns, in, out);
     return write_text(r);
 }
@@ -65,5 +88,6 @@ bool record_close(struct record *r)
 {
     bool ok = r->file < 0 || close(r->file) == 0;
     free(r->buffer);
+    frame_writer_close(&r->frames);
     return ok || complain(r);
 }

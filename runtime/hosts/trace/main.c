@@ -5,10 +5,11 @@
  * `-` for IN.csv is standard input; without OUT.csv the output goes to
  * standard output. With --modes the output has a column for each machine, with
  * the mode that runs. With --param a parameter has that value, and otherwise the one that the
- * recording was made with. Exit status: 0, or 2 when a file cannot be read or
+ * recording was made with. Frames of cameras are read from IN.frames, beside the recording. Exit status: 0, or 2 when a file cannot be read or
  * written or is not a trace of this program. The trace's format is described
  * in <frob/trace.h>. */
 #include "../common/csv.h"
+#include "../common/frames.h"
 #include "../common/load.h"
 #include "../common/params.h"
 #include "../common/seconds.h"
@@ -38,6 +39,7 @@ struct trace {
     struct params params;
     const char *input_name;
     struct csv csv;
+    struct frame_reader frames; /* beside the recording */
     FILE *output;
     struct column *columns;
     size_t count, capacity;
@@ -246,7 +248,7 @@ static void complain_of_cell(const struct trace *t, const struct column *column,
                  cell);
 }
 
-static bool read_row(const struct trace *t, void *input, int64_t *time)
+static bool read_row(struct trace *t, void *input, int64_t *time)
 {
     struct frob_cell_error error;
     if (t->csv.count != t->width) {
@@ -260,10 +262,11 @@ static bool read_row(const struct trace *t, void *input, int64_t *time)
                  on_blanks(csv_cell(&t->csv, 0)));
         return false;
     }
+    frame_reader_forget(&t->frames);
     for (size_t i = 0; i < t->count; i++) {
         const struct column *column = &t->columns[i];
         const char *cell = column->found ? csv_cell(&t->csv, column->cell) : NULL;
-        if (cell != NULL && !frob_cell_read(cell, column->value, input, &error)) {
+        if (cell != NULL && !frob_cell_read(cell, column->value, input, &t->frames.finder, &error)) {
             complain_of_cell(t, column, cell, &error);
             return false;
         }
@@ -378,7 +381,7 @@ static int trace(struct trace *t, const struct arguments *a)
     }
     csv_start(&t->csv, input);
     frob_trace_columns(t->program->input, "in", add_column, t);
-    if (t->no_memory) {
+    if (!frame_reader_open(&t->frames, a->input, true) || t->no_memory) {
         fprintf(stderr, "error: not enough memory for the columns\n");
     } else if (read_header(t)) {
         t->output = a->output != NULL ? fopen(a->output, "wb") : stdout;
@@ -394,6 +397,7 @@ static int trace(struct trace *t, const struct arguments *a)
     }
     if (t->output != NULL && t->output != stdout && fclose(t->output) != 0 && status == DONE)
         status = WRONG_USE;
+    frame_reader_close(&t->frames);
     csv_end(&t->csv);
     fclose(input);
     return status;

@@ -5,10 +5,12 @@
  * float (`nan`, `inf`, `-inf`), truth values are
  * `true` and `false`, everything else stands as Frob would write it: `Just
  * 2.5`, `At (-0.3)`, `Left (1, true)`, `Pose {heading = 1}`. An event that is
- * the whole cell is empty when it does not occur, else its value. */
+ * the whole cell is empty when it does not occur, else its value. An image is its name
+ * (frob/frame.h). */
 #ifndef FROB_CELL_H
 #define FROB_CELL_H
 
+#include <frob/frame.h>
 #include <frob/program.h>
 #include <frob/text.h>
 
@@ -32,10 +34,10 @@ struct frob_cell_error {
 };
 
 /* Reads a cell into `base`, whose other bytes are left alone. All slots of a
- * sum that its constructor does not use are set to zero. False, with the
- * error filled in, if the text is not such a value. */
+ * sum that its constructor does not use are set to zero. Images are found in `frames`; NULL
+ * where there are none. False, with the error filled in, if the text is not such a value. */
 bool frob_cell_read(const char *cell, const struct frob_value *value, void *base,
-                    struct frob_cell_error *error);
+                    const struct frob_frames *frames, struct frob_cell_error *error);
 
 #ifdef __cplusplus
 }

@@ -35,7 +35,8 @@ bool frob_console_is_on(const struct frob_program *program, const struct frob_va
  *   a knob     is turned to x, in base units, or to the limit next to it
  *   a toggle   is on from now on if x is not 0, else off
  *   the map    is clicked at x, y, in metres, where odometry has its origin
- * A number that is not on the console and a NaN change nothing; then the answer is false. */
+ * A number that is not on the console, a camera and a NaN change nothing; then the answer is
+ * false. */
 bool frob_console_touch(const struct frob_program *program, void *input, size_t control,
                         double x, double y);
 

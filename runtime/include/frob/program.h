@@ -25,7 +25,8 @@ enum frob_kind {
     FROB_ROUNDED, /* double, of which the program sees the nearest float */
     FROB_PRODUCT, /* tuple, record or () */
     FROB_SUM,     /* uint8_t tag, and slots for the payloads */
-    FROB_ARRAY    /* like a tuple; the fields of its one constructor are the elements */
+    FROB_ARRAY,   /* like a tuple; the fields of its one constructor are the elements */
+    FROB_IMAGE    /* const struct frob_image * (frob/image.h), good for the instant */
 };
 
 struct frob_value;
@@ -46,7 +47,7 @@ struct frob_constructor {
 /* One value inside the input or output struct. */
 struct frob_value {
     enum frob_kind kind;
-    size_t offset; /* of the bool, int32_t, double, float, or the sum's tag */
+    size_t offset; /* of the bool, int32_t, double, float, pointer, or the sum's tag */
     int is_event;  /* a sum that is `Event a`: constructor 0 is NoEvent */
     size_t count;  /* constructors: 1 for a product or array, its tag is not stored */
     const struct frob_constructor *constructors;
@@ -68,7 +69,8 @@ enum frob_control_kind {
     FROB_HOLD,   /* a bool: a button is held down */
     FROB_KNOB,   /* a number, from least to most */
     FROB_TOGGLE, /* a bool */
-    FROB_MAP     /* an event of a place: two numbers, in metres, in the frame of odometry */
+    FROB_MAP,    /* an event of a place: two numbers, in metres, in the frame of odometry */
+    FROB_CAMERA  /* an event of a frame (frob/camera.h): not the operator's, but the host's */
 };
 
 /* Something on the operator's console; see frob/console.h. */
@@ -119,7 +121,7 @@ struct frob_program {
     size_t param_count;
 };
 
-#define FROB_PROGRAM_ABI 8u
+#define FROB_PROGRAM_ABI 9u
 
 /* The symbol that hosts look up. */
 #define FROB_PROGRAM_SYMBOL "frob_program"

@@ -81,7 +81,7 @@ static void *moved(void *state, size_t size)
 static void read_cell(const char *cell, const struct frob_value *value, void *into)
 {
     struct frob_cell_error error;
-    if (!frob_cell_read(cell, value, into, &error)) {
+    if (!frob_cell_read(cell, value, into, NULL, &error)) {
         printf("unreadable cell: %s\n", cell);
         exit(2);
     }

@@ -63,7 +63,7 @@ static void round_trip(const struct frob_value *value, const char *cell, const c
     struct frob_cell_error error;
     struct frob_text text = frob_text_in(buffer, sizeof buffer);
     memset(&v, 0, sizeof v);
-    if (frob_cell_read(cell, value, &v, &error))
+    if (frob_cell_read(cell, value, &v, NULL, &error))
         frob_cell_write(&text, value, &v);
     else
         frob_text_add(&text, error.expected);
@@ -77,7 +77,7 @@ static void refused(const struct frob_value *value, const char *cell, size_t pos
 {
     struct values v;
     struct frob_cell_error error = { 0, "", NULL };
-    bool read = frob_cell_read(cell, value, &v, &error);
+    bool read = frob_cell_read(cell, value, &v, NULL, &error);
     if (read || error.position != position || strcmp(error.expected, expected) != 0)
         printf("  %s: %d, at %lu, expected %s\n", cell, read, (unsigned long)error.position,
                error.expected);
@@ -133,6 +133,6 @@ int main(void)
     refused(&side, "(At 2", 5, "`)`");
     memset(&v, 0x55, sizeof v);
     check("slots that a constructor does not use are zero",
-          frob_cell_read("LeftSide", &side, &v, &error) && v.f0 == 0 && v.i0 == 0 && !v.b0);
+          frob_cell_read("LeftSide", &side, &v, NULL, &error) && v.f0 == 0 && v.i0 == 0 && !v.b0);
     return failures != 0;
 }

@@ -17,6 +17,7 @@ static const char *kind_of(const struct signal *signal)
         return signal->shown->is_event ? "event" : "sum";
     case FROB_PRODUCT:
     case FROB_ARRAY:
+    case FROB_IMAGE:
         break;
     }
     return "data";

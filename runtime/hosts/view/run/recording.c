@@ -15,6 +15,7 @@
 /* The signal that each cell of a row is of. */
 struct reader {
     struct recording *recording;
+    struct frame_reader *frames; /* that images are found in */
     const struct signals *signals;
     struct csv csv;
     const struct signal **columns; /* NULL: a column that is not read */
@@ -221,7 +222,8 @@ static bool read_row(struct reader *r)
         if (signal == NULL || (is_next && is_as_before(r, i)))
             continue;
         if (!frob_cell_read(csv_cell(&r->csv, i), signal->value,
-                            signal->side == INPUT ? input : output, &error)) {
+                            signal->side == INPUT ? input : output, &r->frames->finder,
+                            &error)) {
             note(r, "column `%s`: `%s` is no value of it", signal->name, csv_cell(&r->csv, i));
             return false;
         }
@@ -287,7 +289,12 @@ bool recording_read(struct recording *recording, const struct signals *signals,
     recording->output_size = signals_output_size(signals);
     if (file == NULL)
         return give_up(recording, strerror(errno));
+    if (!frame_reader_open(&recording->frames, name, false)) {
+        fclose(file);
+        return give_up(recording, "not enough memory");
+    }
     reader.recording = recording;
+    reader.frames = &recording->frames;
     reader.signals = signals;
     csv_start(&reader.csv, file);
     ok = read_header(&reader);
@@ -313,7 +320,7 @@ bool recording_begin(struct recording *recording, const struct signals *signals,
     recording->truth_size = truth_size;
     recording->has_all_inputs = true;
     recording->recorded = (bool *)calloc(signals->count + 1, sizeof *recording->recorded);
-    if (recording->recorded == NULL)
+    if (recording->recorded == NULL || !frame_reader_open(&recording->frames, name, false))
         return give_up(recording, "not enough memory");
     for (size_t i = 0; i < signals->count; i++)
         recording->recorded[i] =
@@ -376,6 +383,7 @@ struct catching *catching_start(const struct signals *signals, const char *name)
 bool catching_take(struct catching *catching, struct recording *recording, size_t end)
 {
     const struct recording *row = &catching->row;
+    catching->reader.frames = &recording->frames;
     clearerr(catching->reader.csv.file);
     for (; catching->k < end; catching->k++) {
         if (csv_next(&catching->reader.csv) != CSV_ROW || feof(catching->reader.csv.file))
@@ -422,6 +430,7 @@ void recording_free(struct recording *recording)
     free(recording->inputs);
     free(recording->outputs);
     free(recording->recorded);
+    frame_reader_close(&recording->frames);
     buffer_free(&recording->notes);
     buffer_free(&recording->params);
 }

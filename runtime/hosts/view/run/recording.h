@@ -6,6 +6,8 @@
 #include "../buffer.h"
 #include "signals.h"
 
+#include "../../common/frames.h"
+
 struct recording {
     const struct frob_program *program;
     const char *name;
@@ -18,6 +20,7 @@ struct recording {
     bool *recorded;         /* for each signal: is there a column of it? */
     struct buffer params;   /* how parameters were set, NAME=VALUE each, with a NUL */
     bool has_all_inputs;    /* so that the program can be run on it */
+    struct frame_reader frames; /* beside it: what inputs point to stays while it does */
     struct buffer notes;    /* what was wrong, a line each: what is shown is all the rest */
     size_t capacity;
     size_t gap;             /* of a run that goes on: before this instant some were missed, so

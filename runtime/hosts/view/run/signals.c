@@ -204,6 +204,8 @@ static double number_at(const struct frob_value *value, const char *bytes)
     case FROB_ARRAY:
         product = &value->constructors[0];
         return product->count > 0 ? number_at(product->fields[0].value, bytes) : 1;
+    case FROB_IMAGE:
+        break;
     }
     return NAN;
 }
@@ -250,6 +252,8 @@ bool signal_values_equal(const struct frob_value *value, const void *a, const vo
     case FROB_PRODUCT:
     case FROB_ARRAY:
         return parts_equal(&value->constructors[0], a, b);
+    case FROB_IMAGE:
+        return memcmp(at, bt, sizeof(const struct frob_image *)) == 0;
     }
     return false;
 }

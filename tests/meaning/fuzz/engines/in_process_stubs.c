@@ -192,7 +192,7 @@ static const char *instants(const struct frob_program *program, const struct ste
         const int64_t now = (int64_t)Long_val(Field(times, i));
         for (size_t k = 0; k < columns->count; k++) {
             const char *cell = String_val(Field(Field(rows, i), k));
-            if (!frob_cell_read(cell, columns->values[k], input, &error))
+            if (!frob_cell_read(cell, columns->values[k], input, NULL, &error))
                 return cell;
         }
         step(stepper, state, Double_flat_field(dts, i), input, output);
@@ -239,7 +239,7 @@ static void *params_of(const struct frob_program *program, value cells)
     if (Wosize_val(cells) != program->param_count)
         abort();
     for (size_t i = 0; i < program->param_count; i++)
-        if (!frob_cell_read(String_val(Field(cells, i)), program->params[i].value, params, &error))
+        if (!frob_cell_read(String_val(Field(cells, i)), program->params[i].value, params, NULL, &error))
             abort();
     return params;
 }

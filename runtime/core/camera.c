@@ -1,0 +1,59 @@
+#include <frob/camera.h>
+
+#include <string.h>
+
+static unsigned char *place(void *base, const struct frob_value *value)
+{
+    return (unsigned char *)base + value->offset;
+}
+
+static void set_number(void *input, const struct frob_value *value, double x)
+{
+    const float single = (float)x;
+    const int32_t whole = value->kind == FROB_INT ? (int32_t)x : 0;
+    if (value->kind == FROB_SINGLE)
+        memcpy(place(input, value), &single, sizeof single);
+    else if (value->kind == FROB_INT)
+        memcpy(place(input, value), &whole, sizeof whole);
+    else
+        memcpy(place(input, value), &x, sizeof x);
+}
+
+void frob_camera_give(const struct frob_control *camera, void *input,
+                      const struct frob_image *image, int64_t now_ns)
+{
+    const struct frob_constructor *frame =
+        camera->value->constructors[1].fields[0].value->constructors;
+    const unsigned char occurs = image != NULL;
+    memcpy(place(input, camera->value), &occurs, sizeof occurs);
+    for (size_t i = 0; i < frame->count; i++) {
+        const struct frob_value *value = frame->fields[i].value;
+        const char *name = frame->fields[i].name;
+        if (value->kind == FROB_IMAGE)
+            memcpy(place(input, value), &image, sizeof image);
+        else if (image == NULL)
+            set_number(input, value, 0.0);
+        else if (strcmp(name, "age") == 0)
+            set_number(input, value, (double)(now_ns - image->captured_ns) / 1e9);
+        else if (strcmp(name, "number") == 0)
+            set_number(input, value, (double)(image->number & INT32_MAX));
+    }
+}
+
+void frob_camera_images(const struct frob_value *value, void *base, frob_image_visitor *visit,
+                        void *context)
+{
+    if (value->kind == FROB_IMAGE) {
+        const struct frob_image **image = (const struct frob_image **)(void *)place(base, value);
+        if (*image != NULL)
+            visit(context, image);
+    } else if (value->kind == FROB_SUM) {
+        const unsigned char tag = *place(base, value);
+        if (tag < value->count)
+            for (size_t i = 0; i < value->constructors[tag].count; i++)
+                frob_camera_images(value->constructors[tag].fields[i].value, base, visit, context);
+    } else if (value->kind == FROB_PRODUCT || value->kind == FROB_ARRAY) {
+        for (size_t i = 0; i < value->constructors[0].count; i++)
+            frob_camera_images(value->constructors[0].fields[i].value, base, visit, context);
+    }
+}

@@ -1,0 +1,31 @@
+/* frob/camera.h -- what cameras saw, as part of a program's input.
+ *
+ * The cameras that a program asks for are in its table (`console`, of the kind FROB_CAMERA),
+ * under their labels: "camera", or "left" and "right". At each instant a host gives each of them
+ * the newest frame that it has, once; or none. */
+#ifndef FROB_CAMERA_H
+#define FROB_CAMERA_H
+
+#include <frob/image.h>
+#include <frob/program.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The event of this instant: the frame, with its age at the time `now_ns`; NULL for none. The
+ * image and its pixels stay until the instant is over. */
+void frob_camera_give(const struct frob_control *camera, void *input,
+                      const struct frob_image *image, int64_t now_ns);
+
+/* Called for each image that is there in a value, and for the place of its address. */
+typedef void frob_image_visitor(void *context, const struct frob_image **image);
+
+/* Visits the images in the struct that the value describes. */
+void frob_camera_images(const struct frob_value *value, void *base, frob_image_visitor *visit,
+                        void *context);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
