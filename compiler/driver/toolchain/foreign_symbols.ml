@@ -29,7 +29,8 @@ let check ~calls ~sources ~header ~folders =
   let texts = List.filter_map (fun file -> Result.to_option (Own_headers.read file)) files in
   let has name = List.exists (fun text -> mentions text name) texts in
   let is_known name =
-    C_names.is_pure name || Kernels.is_known name || has name || (has (name ^ "_reset") && has (name ^ "_step"))
+    C_names.is_pure name || Kernels.is_known name || has name
+    || (has (name ^ "_reset") && has (name ^ "_step"))
   in
   match List.filter (fun name -> not (is_known name)) calls with
   | [] -> Ok ()

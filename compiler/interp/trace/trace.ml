@@ -292,7 +292,9 @@ let run ?(marks = 0) ?(params = []) ?(warn = ignore) core ~entry ~name ~read ~wr
     in
     let execution = Execution.start ~params:(params @ recorded) core ~entry in
     let outputs = outputs core execution output in
-    let outputs = if marks = 0 then outputs else with_drawings core execution ~marks output outputs in
+    let outputs =
+      if marks = 0 then outputs else with_drawings core execution ~marks output outputs
+    in
     write (line ("time" :: List.map (fun (c : Shape.column) -> c.name) (fst outputs)));
     instants execution ~name ~frames:(Kernels.frames ~record:name) ~csv ~header ~write ~input
       outputs

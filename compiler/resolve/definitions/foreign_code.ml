@@ -24,7 +24,8 @@ let meaning (scope : Scope.t) ~(kind : Syntax.Ir.foreign_kind) text =
   in
   if is_reserved then Some "one of those that C compilers keep for themselves"
   else if C_names.is_taken text then Some "a macro or a type of C's headers"
-  else if starts "frob_" && not scope.library then Some "one of those that generated C and its runtime have"
+  else if starts "frob_" && not scope.library then
+    Some "one of those that generated C and its runtime have"
   else if kind = Foreign_function && text = "main" then Some "where C programs begin"
   else None
 

@@ -46,7 +46,7 @@ find "$work/programs" -mindepth 1 -maxdepth 1 -type d | sort >"$work/folders"
 common() { # NAME, COMPILER
     mkdir "$work/$1"
     sources="$here/runner.c $runtime/core/text.c $runtime/core/cell_read.c
-        $runtime/core/cell_write.c $runtime/core/trace.c $runtime/core/console.c $runtime/elementary/*.c"
+        $runtime/core/cell_write.c $runtime/core/frame.c $runtime/core/trace.c $runtime/core/console.c $runtime/elementary/*.c"
     case "$1" in cortex-m4*) sources="$sources $here/cortex_m.c" ;; esac
     for source in $sources; do
         # shellcheck disable=SC2086
