@@ -278,7 +278,6 @@ type node = {
 
 (** What is fixed when a run starts. *)
 type param = {
-  param_name : string;  (** the programmer's *)
   label : string;  (** what it is called outside of the program: its name, or [M.name] *)
   param_ty : ty;  (** [Bool], [Int] or [Float] *)
   unit_ : string;  (** as it is written in brackets; [""] of a [Bool] *)

@@ -53,7 +53,7 @@ let in_nanoseconds =
 
 let rec expression c (e : M.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Dt | Dt_nanoseconds ->
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Dt | Dt_nanoseconds ->
       Cost.none
   | Field { content = Value ty; _ } -> Cost.several (scalars c ty) Loads
   | Field _ | Param _ -> Cost.one Loads

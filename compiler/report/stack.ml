@@ -57,7 +57,7 @@ let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
 (* Calls within an expression make it keep intermediate values in memory. *)
 let rec calls (e : M.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Variable _
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Variable _
   | Field _ | Param _ -> false
   | Construct _ | Call _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ | Fill _ | At _
   | Replace _ -> true
@@ -81,7 +81,7 @@ let rec within c frame ~calling (e : M.expr) =
   let all = List.iter (within c frame ~calling) in
   let intermediate () = if calling then need frame word in
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Variable _
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Variable _
   | Field _ | Param _ -> ()
   | Operation { operator = And | Or; arguments; _ } ->
       need frame word;
@@ -156,7 +156,7 @@ and choice c (e : M.expr) =
   | Call { node; _ } ->
       let add sum (_, ty) = Amount.add sum (room c ty) in
       List.fold_left add 0 c.program.nodes.(node).outputs
-  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Dt | Dt_nanoseconds | Field _
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Dt | Dt_nanoseconds | Field _
   | Param _ | Operation _
   | Is_constructor _ | Seconds _ | In_nanoseconds _ | Later _ | Soon _ | Reached _ | Rest _ ->
       word

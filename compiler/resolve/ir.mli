@@ -45,7 +45,6 @@ and module_ = {
   name : string;
   file : string;
   library : bool;  (** from the standard library *)
-  exports : string list;  (** values, in source order *)
   includes : string list;  (** the C headers it is written against *)
   idle_imports : idle list;
 }

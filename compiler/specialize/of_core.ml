@@ -160,7 +160,6 @@ let root c ~unique (core : Ir.definition) ~input ~output =
 
 let param ~default (p : Ir.param) : Flow.Ir.param =
   {
-    param_name = p.param.name;
     label = p.label;
     param_ty =
       (match p.ty with

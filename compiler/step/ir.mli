@@ -61,7 +61,6 @@ type expr =
   | Int of int32
   | Float of float
   | Zero_time  (** no nanoseconds *)
-  | Time of int64  (** so many [Nanoseconds] *)
   | Absent of Flow.Ir.foreign_type  (** no value, which nothing looks at *)
   | Variable of variable
   | Field of field  (** of the node's own state *)

@@ -63,7 +63,7 @@ let rec expr c known (e : Ir.expr) : Ir.ty =
   | Bool _ -> Bool
   | Int _ -> Int
   | Float _ -> Float
-  | Zero_time | Time _ -> Nanoseconds
+  | Zero_time -> Nanoseconds
   | Absent ty -> Foreign ty
   | Variable v -> (
       match Known.find_opt v.id known.readable with

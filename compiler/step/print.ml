@@ -36,7 +36,6 @@ let rec expr c ppf (e : Ir.expr) =
   | Int i -> fprintf ppf "%ld" i
   | Float x -> pp_print_string ppf (float x)
   | Zero_time -> pp_print_string ppf "0ns"
-  | Time ns -> fprintf ppf "%Ldns" ns
   | Param k -> fprintf ppf "param %d" k
   | Absent _ -> pp_print_string ppf "absent"
   | Variable v -> pp_print_string ppf (variable c.names v)
@@ -69,7 +68,7 @@ let rec expr c ppf (e : Ir.expr) =
 
 and operand c ppf (e : Ir.expr) =
   match e with
-  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Field _ | Param _ | Dt
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Field _ | Param _ | Dt
   | Dt_nanoseconds | Call _
   | Construct _ | Elements _ | Fill _ | Index _ | At _ | Replace _ | Payload _ | Seconds _
   | In_nanoseconds _

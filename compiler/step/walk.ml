@@ -1,7 +1,7 @@
 open Ir
 
 let children = function
-  | Bool _ | Int _ | Float _ | Zero_time | Time _ | Absent _ | Variable _ | Field _ | Param _ | Dt
+  | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Field _ | Param _ | Dt
   | Dt_nanoseconds -> []
   | Operation { arguments; _ } | Call { arguments; _ } -> arguments
   | Select { condition; then_; else_ } -> [ condition; then_; else_ ]

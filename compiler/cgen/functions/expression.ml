@@ -191,7 +191,6 @@ let rec of_step n (e : M.expr) : Ir.expr =
   | Int i -> Integer i
   | Float x -> V.float n.v x
   | Zero_time -> Integer 0l
-  | Time ns -> Long ns
   | Absent ty -> V.absent n.v ty
   | Variable v -> (
       match Int_table.find_opt n.variables v.id with

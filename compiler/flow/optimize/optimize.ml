@@ -29,10 +29,6 @@ let inline =
   Pass.make "inline" Inline.program
     "sizes are those of the work that remains; what was done twice is inlined once"
 
-let extreme =
-  Pass.make "extreme" Extreme.program
-    "after inlining, which shows how they compare; then they join others"
-
 let absorb =
   Pass.make "absorb" Absorb.program
     "late, for a machine that so becomes a part of its user is inlined no more"
@@ -43,7 +39,7 @@ type step =
 
 (* Twice, as inlining brings loops of several nodes together. *)
 let steps =
-  [ Tidy; Pass loop_fusion; Pass inline; Tidy; Pass extreme; Pass loop_fusion; Pass inline; Tidy;
+  [ Tidy; Pass loop_fusion; Pass inline; Tidy; Pass loop_fusion; Pass inline; Tidy;
     Pass absorb; Pass simplify; Pass dead_code ]
 
 let modes (program : Ir.program) =

@@ -75,15 +75,6 @@ let includes (scope : Scope.t) (program : Syntax.Ir.program) =
   in
   List.filter_map declaration program.declarations
 
-(* The values a module exports as its own, in source order. *)
-let exported_values (scope : Scope.t) exports =
-  let own name (value : value) list =
-    if String.equal value.global.module_ scope.module_ then (value.span, name) :: list else list
-  in
-  String_table.fold own exports.values []
-  |> List.sort (fun (a, _) (b, _) -> Span.compare a b)
-  |> Long_list.map snd
-
 let resolve context ~elsewhere exports (m : Modules.t) =
   let own = Interface.declared context ~module_:m.name m.syntax in
   let known (i : Modules.import) =
@@ -121,7 +112,6 @@ let resolve context ~elsewhere exports (m : Modules.t) =
       name = m.name;
       file = m.file;
       library = m.library;
-      exports = exported_values scope exported;
       includes = includes scope m.syntax;
       idle_imports = List.concat_map idle imports;
     }

@@ -19,7 +19,6 @@ type t = {
 }
 
 and machine = {
-  running : Ir.field option;
   clock : Ir.clock option;
   modes : Ir.mode list;
 }
@@ -150,11 +149,9 @@ let machine_of t ~callee ~statics (m : Flow.Ir.machine) =
   let modes = List.map (mode t ~callee ~statics) m.modes in
   let keeps (mode : Ir.mode) = mode.parameters <> [] || Option.is_some mode.state in
   let field name content purpose = new_field t ~name content ~purpose m.span in
-  let running =
-    match modes with
-    | [] | [ _ ] -> None
-    | _ :: _ :: _ -> Some (field "mode" Ir.Running_mode "the mode that runs")
-  in
+  (* One alone needs no number. *)
+  if List.compare_length_with modes 1 > 0 then
+    ignore (field "mode" Ir.Running_mode "the mode that runs" : Ir.field);
   if List.exists keeps modes then
     ignore (field "modes" (Ir.Modes modes) "what they keep" : Ir.field);
   let looks_at_time mode =
@@ -169,7 +166,7 @@ let machine_of t ~callee ~statics (m : Flow.Ir.machine) =
         Some { Ir.since; running; elapsed = Later (Field since, Dt_nanoseconds) }
     | Some _ | None -> None
   in
-  t.machine <- Some { running; clock; modes }
+  t.machine <- Some { clock; modes }
 
 let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : Statics.t) =
   let t =

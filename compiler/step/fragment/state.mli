@@ -30,7 +30,6 @@ val instance : t -> Flow.Ir.instance -> Ir.field option
 
 (** What a machine keeps. *)
 type machine = {
-  running : Ir.field option;  (** the number of the mode; one alone needs none *)
   clock : Ir.clock option;
   modes : Ir.mode list;
 }

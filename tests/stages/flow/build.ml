@@ -89,8 +89,8 @@ let run ?statics b index inputs name =
 
 (* One of each type that a parameter may have. *)
 let params : Ir.param list =
-  let param param_name param_ty default : Ir.param =
-    { param_name; label = param_name; param_ty; unit_ = ""; default; doc = None;
+  let param label param_ty default : Ir.param =
+    { label; param_ty; unit_ = ""; default; doc = None;
       declared = span "test.frob" 1 }
   in
   [ param "on" Bool (Bool false); param "count" Int (Int 0l); param "gain" Float (Float 1.) ]
