@@ -218,6 +218,20 @@ let rec digits ?(base = 10) t =
 (* Reading a number exactly takes time that grows with the square of its digits. *)
 let most_digits = 1_000
 
+(* The `/s^2` of `0.3m/s^2`, without blanks. *)
+let rec rest_of_unit ?(from = 0) t =
+  let part accepts =
+    let rec stop i = if accepts (peek t i) then stop (i + 1) else i in
+    let last = stop (from + 1) in
+    let there = t.at + from in
+    if last = from + 1 then ""
+    else String.sub t.text there (last - from) ^ rest_of_unit ~from:last t
+  in
+  match peek t from with
+  | '/' | '*' -> part (function 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false)
+  | '^' -> part is_digit
+  | _ -> ""
+
 let number t =
   let start = position t in
   let first = t.at in
@@ -243,7 +257,7 @@ let number t =
       | 2, _ -> "the digits after `0b` are `0` and `1`"
       | _ when rest.[0] = '_' -> "`_` stands between two digits"
       | _, ("f" | "F" | "d" | "L" | "u") -> Printf.sprintf "numbers have no suffix: `%s`" text
-      | _ -> Printf.sprintf "a unit stands in brackets: `%s[%s]`" text rest
+      | _ -> Printf.sprintf "a unit stands in brackets: `%s[%s%s]`" text rest (rest_of_unit t)
     in
     let problem =
       if rest = "" then "has no digits" else Printf.sprintf "is directly followed by `%s`" rest

@@ -59,8 +59,21 @@ let message_of_state state =
 (* What stands for a call, as `setVelTR(0.2, 0)`, is taken for a left side. *)
 let called_for_its_effect = "expected `=` after the left side of a definition"
 
+(* `speed == 0.3[m/s]`, alone on its lines. *)
+let compares_instead found =
+  match String.split_on_char ' ' (first_line_of_definition found) with
+  | name :: "==" :: _ :: _ ->
+      Some (Printf.sprintf "`==` compares; a definition is written with one `=`: `%s = …`" name)
+  | _ -> None
+
 let no_effect =
   "nothing is called for its effect: an equation gives a value a name, as in `v = 0.3[m/s]`"
+
+(* Of a `proc` or a lambda. *)
+let awaits_arrow expected =
+  List.exists
+    (fun prefix -> String.starts_with ~prefix expected)
+    [ "expected `->` after the input"; "expected `->` or one more parameter" ]
 
 let lacks_else found =
   match (found.token.token, found.context) with
@@ -78,7 +91,10 @@ let plain found =
   in
   let hints =
     match hint found ~state_hints with
-    | [] when String.equal expected called_for_its_effect -> [ no_effect ]
+    | [] when String.equal expected called_for_its_effect ->
+        [ Option.value (compares_instead found) ~default:no_effect ]
+    | _ :: _ when found.token.token = EQUAL && awaits_arrow expected && state_hints = [] ->
+        [ "`->` leads from the input to what comes out; an equation has `=`" ]
     | hints when lacks_else found && innermost_block found.context <> Do ->
         List.map (fun _ -> "every `if` has both `then` and `else`, since it always has a value")
           hints
@@ -106,9 +122,26 @@ let rec bracket_of_item : Layout.context -> ((string * string) * Layout.origin) 
   | (Block (Let | Where | Do | Of | Rec), _) :: rest -> bracket_of_item rest
   | context -> open_bracket context
 
+(* Brackets behind this one, in its line, where the text breaks off. *)
+let holds_others found (opener : Lexer.token) =
+  let first = opener.stop.pos_cnum in
+  let length = found.token.start.pos_cnum - first in
+  length > 0
+  &&
+  let text = String.sub found.text first length in
+  String.exists (function '(' | '[' | '{' -> true | _ -> false) text
+  && not (String.contains (String.trim text) '\n')
+
 let unclosed found ((opener, closer), by) =
   Diagnostic.error ~code:"E0111" ~at:(opener_span by) "this `%s` is never closed" opener
   |> Diagnostic.label ~at:(span found.token) (Printf.sprintf "a `%s` belongs before this" closer)
+  |> (if holds_others found by.Layout.by then
+        Diagnostic.hint
+          (Printf.sprintf
+             "each `%s` closes the last bracket that is still open: if this one was to be closed \
+              where it is, then a bracket in it is not"
+             closer)
+      else Fun.id)
   |>
   let at = found.token.start.pos_cnum in
   if at < String.length found.text && found.text.[at] = ';' then
@@ -176,8 +209,13 @@ let choice_of_commands found =
           Diagnostic.error ~code:"E0116" ~at:(span found.token)
             "`if` and `case` cannot choose between commands"
           |> Diagnostic.label ~at:(opener_span by) "the choice"
-          |> Diagnostic.hint "choose the value, as in `y <- sf -< if c then a else b`, or run both \
-                              and choose between what they give")
+          |> Diagnostic.hint
+               (Printf.sprintf
+                  "choose the value, as in `%s -< if c then a else b`, or run both and choose \
+                   between what they give"
+                  (match found.before with
+                  | Some { token = LOWER sf; _ } when found.token.token = TAIL -> sf
+                  | _ -> "y <- sf")))
         (choice found.context)
   | _ -> None
 

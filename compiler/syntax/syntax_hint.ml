@@ -256,6 +256,48 @@ let capital found =
     (Printf.sprintf "a module begins with a capital, and its file too: `%s`, in `%s.frob`" name
       name)
 
+(* {1 In the program's own words} *)
+
+let between found first last = String.trim (String.sub found.text first (max 0 (last - first)))
+
+(* Where the line that this offset is in ends. *)
+let rec end_of_line found i = if char_at found i = '\n' then i else end_of_line found (i + 1)
+
+(* [2 * x | x <- xs] *)
+let comprehension found =
+  match found.context with
+  | (Bracket, { by; _ }) :: _ -> (
+      let rest = between found found.token.stop.pos_cnum (end_of_line found found.token.start.pos_cnum) in
+      let element = between found by.stop.pos_cnum found.token.start.pos_cnum in
+      match String.split_on_char '<' rest with
+      | [ x; source ] when source <> "" && source.[0] = '-' -> (
+          let x = String.trim x in
+          match String.split_on_char ']' (String.sub source 1 (String.length source - 1)) with
+          | xs :: _ :: _ when x <> "" && not (String.contains xs ',') ->
+              Some
+                (Printf.sprintf "each element of an array is computed with by `map (\\%s -> %s) %s`"
+                   x element (Source.grouped (String.trim xs)))
+          | _ -> Some "each element of an array is computed with by `map (\\x -> …) xs`")
+      | _ -> None)
+  | _ -> None
+
+(* The `case` of which the line ends without `of`. *)
+let lacks_of found =
+  match found.context with
+  | (Case, { by; _ }) :: _ when by.start.pos_lnum <> found.token.start.pos_lnum ->
+      let line = between found by.stop.pos_cnum (end_of_line found by.stop.pos_cnum) in
+      let line =
+        match String.index_opt line ':' with
+        | Some colon when colon = String.length line - 1 -> String.trim (String.sub line 0 colon)
+        | _ -> line
+      in
+      if line = "" || String.length line > 40 then None
+      else Some (Printf.sprintf "the line of the `case` ends with `of`: `case %s of`" line)
+  | _ -> None
+
+let no_equation_before_guards =
+  "leave out the `=` before the guards: each of them has its own, as in `| x > 0 = 1`"
+
 let of_token found =
   match (found.token.token, found.before) with
   | _ when beginning found <> None -> Option.map snd (beginning found)
@@ -316,6 +358,13 @@ let of_token found =
       Some "`then` stands between the condition and the first choice: `if c then a else b`"
   | THEN, _ when opens_with Layout.Then found.context ->
       Some "a chain of choices is written `if a then x else if b then y else z`"
+  | BAR, _ when comprehension found <> None -> comprehension found
+  | BAR, Some { token = EQUAL; _ } -> Some no_equation_before_guards
+  | UPPER _, Some { token = LBRACE | COMMA; _ } when opens_with Layout.Brace found.context ->
+      Some
+        (Printf.sprintf "the name of a field starts with a small letter: `%s`"
+           (String.uncapitalize_ascii (written found found.token)))
+  | ARROW, _ when lacks_of found <> None -> lacks_of found
   | WHERE, None -> Some "indent `where` and what follows it: they belong to the definition above"
   | OPERATOR "!", Some { token = OPERATOR "!"; _ } -> None
   | OPERATOR "!", _ -> Some "the opposite of `b` is `not b`"

@@ -21,6 +21,9 @@ val innermost_block : Layout.context -> Layout.block
 val expects_more : Layout.token option -> bool
 (** Can no expression, type or definition end after this token? *)
 
+val first_line_of_definition : found -> string
+(** Of the definition at the left edge that the token is in. *)
+
 val hint : found -> state_hints:string list -> string list
 (** What the token suggests; else what was said for the automaton's state; else
     what usually goes wrong at such a token. *)

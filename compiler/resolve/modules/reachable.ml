@@ -5,11 +5,23 @@ type search = {
 }
 
 let rec expr search (e : Ir.expr) =
-  match e.desc with Global g -> mention search g | _ -> Walk.expr (visitor search) e
+  match e.desc with
+  | Global g -> mention search g
+  | Field { record; field; candidates = [] } ->
+      (* No field, perhaps a function: the message about it says so. *)
+      mention_all search field.text;
+      expr search record
+  | _ -> Walk.expr (visitor search) e
 
 and binding search b = Walk.binding (visitor search) b
 and visitor search : Walk.visitor =
   { expr = expr search; pattern = ignore; binding = binding search }
+
+and mention_all search name =
+  Global_table.fold
+    (fun (g : Ir.Global.t) _ found -> if String.equal g.name name then g :: found else found)
+    search.definitions []
+  |> List.iter (mention search)
 
 and mention search g =
   match Global_table.find_opt search.definitions g with

@@ -58,6 +58,10 @@ let data = function
   | "minimum" -> Some "the least element of an array is `minimumBy id xs`"
   | "maximum" -> Some "the greatest element of an array is `maximumBy id xs`"
   | "foldr" | "reduce" -> Some "arrays are folded from the first element on: `foldl f x xs`"
+  | "filter" | "partition" | "takeWhile" | "dropWhile" ->
+      Some
+        "an array keeps its size: `map (\\x -> if p x then x else 0) xs` has 0 for what is left \
+         out, which a `sum` does not see"
   | "zip" -> Some "`zipWith (\\x y -> (x, y)) xs ys` makes pairs"
   | "enumerate" -> Some "`imap (\\i x -> (i, x)) xs` has each element with its index"
   | "zeros" | "ones" | "replicate" -> Some filled
@@ -100,6 +104,30 @@ let signal_function = function
       Some "`parB sfs` runs an array of signal functions on one input, `parZ sfs` each on its own"
   | "reactimate" ->
       Some "`reactimateRobot` makes a program of a signal function; any other is traced as it is"
+  | _ -> None
+
+let robot = function
+  | "heading" | "theta" | "yaw" | "orientation" | "compass" ->
+      Some "the direction in which the robot looks is `(robotPose i).heading`"
+  | "pose" | "odom" | "odometry" | "position" | "getPose" | "get_pose" ->
+      Some
+        "where the robot is: `place i`, with the fields `x` and `y`, and `robotPose i`, with \
+         `position` and `heading`"
+  | "sonar" | "sonarFront" | "front_sonar" | "ultrasonic" | "laser" | "lidar" | "frontDistance"
+  | "getDistance" | "get_distance" | "ping" ->
+      Some
+        "the distance ahead is `frontSonar i`, to the left `sideSonar i`, to the right `rightSonar \
+         i`"
+  | "bump" | "bumper" | "isBumped" | "bumperPressed" ->
+      Some "`bumped i` tells whether the robot touches something"
+  | "setSpeed" | "setVelocity" | "set_velocity" | "setVel" | "setMotors" | "setMotorSpeed"
+  | "cmd_vel" | "cmdVel" | "publish" | "drive" | "motor" | "motors" ->
+      Some "a robot's output is `roMake (setVelTR v omega)`: its speed, and how fast it turns"
+  | "turnLeft" | "turn_left" | "turnRight" | "turn_right" | "turn" ->
+      Some "a task that turns on the spot is `turnBy 90[deg]`, to the left if it is positive"
+  | "moveForward" | "move_forward" | "driveForward" | "goForward" | "move" | "driveStraight" ->
+      Some "a task that drives straight ahead is `forward 1[m]`"
+  | "stop" | "halt" | "stopMotors" -> Some "a robot at rest has the output `restingOutput`"
   | _ -> None
 
 let value name = List.find_map (fun hint -> hint name) [ number; data; activity; signal_function ]

@@ -7,6 +7,9 @@
 val value : string -> string option
 (** A hint for who writes this name of a value, unless Frob has one just like it. *)
 
+val robot : string -> string option
+(** Likewise of what a robot senses and does, where the program has nothing of a like name. *)
+
 val is_statement : string -> bool
 (** Is that the word of a statement, so that what follows is of that language too? *)
 

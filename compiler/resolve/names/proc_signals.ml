@@ -53,6 +53,15 @@ let rights (program : program) =
 
 let of_module program = List.concat_map of_right (rights program)
 
+let in_capitals (program : program) =
+  let declared (d : declaration) =
+    match d.desc with
+    | Binding { left = Pattern { desc = Constructed ({ qualifier = None; name; _ }, _); _ }; _ } ->
+        Some name.text
+    | _ -> None
+  in
+  List.filter_map declared program.declarations
+
 let is_c_type = function
   | "int" | "float" | "double" | "bool" | "char" | "long" | "unsigned" | "auto" | "var" | "let"
   | "uint8_t" | "uint16_t" | "int16_t" | "int32_t" | "byte" | "boolean" | "const" ->

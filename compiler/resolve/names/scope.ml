@@ -25,6 +25,7 @@ type t = {
   records_of : Ir.Global.t list String_map.t Lazy.t;
   signals : Proc_signals.t list Lazy.t;
   c_declarations : (Syntax.Ir.name * Syntax.Ir.name) list Lazy.t;
+  in_capitals : string list Lazy.t;
 }
 
 let same_global (a : Ir.Global.t) (b : Ir.Global.t) =
@@ -201,11 +202,22 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
                 "a signal is known in its `proc` only: write the equation in the `where` of that \
                  one, or make a signal function, `proc %s -> …`"
                 name.text)
-    | [], None ->
-        Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
+    | [], None -> (
+        let suggested =
+          Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
+        in
+        match Other_languages.robot name.text with
+        | Some hint when String.equal space.noun "name" && suggested.hints = [] ->
+            Diagnostic.hint hint suggested
+        | Some _ | None -> suggested)
   in
   let hidden = List.exists is_it (Lazy.force signals) in
-  if with_it <> [] && not hidden then
+  (* its definition has been told already *)
+  let told =
+    String.equal space.noun "constructor" && List.mem name.text (Lazy.force t.in_capitals)
+  in
+  if told then ()
+  else if with_it <> [] && not hidden then
     Context.not_imported t.context { imports; code = space.unknown; noun = space.noun; name }
   else Context.emit t.context diagnostic
 
@@ -316,4 +328,5 @@ let create context ~module_ ~library ~own ~imports ~complete ~elsewhere ~syntax 
   let used = String_table.create 16 in
   { context; syntax; module_; library; own; imports; complete; elsewhere; used; records; records_of;
     signals = lazy (Proc_signals.of_module syntax);
-    c_declarations = lazy (Proc_signals.c_declarations syntax) }
+    c_declarations = lazy (Proc_signals.c_declarations syntax);
+    in_capitals = lazy (Proc_signals.in_capitals syntax) }

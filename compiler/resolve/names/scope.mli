@@ -39,6 +39,7 @@ type t = {
   signals : Proc_signals.t list Lazy.t;  (** of all procs of the module, for messages *)
   c_declarations : (Syntax.Ir.name * Syntax.Ir.name) list Lazy.t;
       (** see {!Proc_signals.c_declarations} *)
+  in_capitals : string list Lazy.t;  (** see {!Proc_signals.in_capitals} *)
 }
 
 val create :

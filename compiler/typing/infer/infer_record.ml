@@ -49,7 +49,9 @@ let as_a_function ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) diagno
       | _ -> earlier
   in
   match Resolve.Global_table.fold found ctx.globals None with
-  | None -> None
+  | None ->
+      Option.map (fun text -> Diagnostic.hint text diagnostic)
+        (Resolve.Other_languages.robot name.text)
   | Some kind ->
       let argument words =
         Option.fold (Show.quote words record.span) ~none:"x" ~some:Source.grouped

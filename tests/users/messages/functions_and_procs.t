@@ -63,7 +63,7 @@ A function or signal function that is not opened as one.
   3 |     True -> 1
     |          ^^
     |
-    = hint: as in `case m of`
+    = hint: the line of the `case` ends with `of`: `case x of`
   
   1 error
   [1]

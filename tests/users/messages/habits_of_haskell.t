@@ -349,6 +349,8 @@ Names from Haskell, Yampa and C are told by the name here.
     |
   7 |     e = stop
     |         ^^^^
+    |
+    = hint: a robot at rest has the output `restingOutput`
   
   9 errors
   [1]
