@@ -218,16 +218,26 @@ let rec digits ?(base = 10) t =
 (* Reading a number exactly takes time that grows with the square of its digits. *)
 let most_digits = 1_000
 
+(* What directly follows a number may well be one. *)
+let is_unit = function
+  | "m" | "kg" | "s" | "A" | "K" | "mol" | "cd" | "mm" | "cm" | "km" | "us" | "ms" | "min" | "hour"
+  | "g" | "Hz" | "N" | "J" | "W" | "V" | "Ohm" | "Pa" | "rad" | "deg" | "rpm" ->
+      true
+  | _ -> false
+
 (* The `/s^2` of `0.3m/s^2`, without blanks. *)
-let rec rest_of_unit ?(from = 0) t =
+let rec take_rest_of_unit t =
   let part accepts =
     let rec stop i = if accepts (peek t i) then stop (i + 1) else i in
-    let last = stop (from + 1) in
-    let there = t.at + from in
-    if last = from + 1 then ""
-    else String.sub t.text there (last - from) ^ rest_of_unit ~from:last t
+    let length = stop 1 in
+    if length = 1 then ""
+    else begin
+      let text = String.sub t.text t.at length in
+      t.at <- t.at + length;
+      text ^ take_rest_of_unit t
+    end
   in
-  match peek t from with
+  match peek t 0 with
   | '/' | '*' -> part (function 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false)
   | '^' -> part is_digit
   | _ -> ""
@@ -250,6 +260,8 @@ let number t =
   let text = String.sub t.text first (t.at - first) in
   if is_name (peek t 0) || (base <> 10 && t.at = first + 2) then begin
     let rest = take_name t in
+    let has_unit = base = 10 && is_unit rest in
+    let rest = if has_unit then rest ^ take_rest_of_unit t else rest in
     let hint =
       match (base, rest) with
       | 16, _ -> "the digits after `0x` are `0` to `9` and `a` to `f`"
@@ -257,7 +269,10 @@ let number t =
       | 2, _ -> "the digits after `0b` are `0` and `1`"
       | _ when rest.[0] = '_' -> "`_` stands between two digits"
       | _, ("f" | "F" | "d" | "L" | "u") -> Printf.sprintf "numbers have no suffix: `%s`" text
-      | _ -> Printf.sprintf "a unit stands in brackets: `%s[%s%s]`" text rest (rest_of_unit t)
+      | _ when has_unit -> Printf.sprintf "a unit stands in brackets: `%s[%s]`" text rest
+      | _ ->
+          Printf.sprintf "a product is `%s * %s`; a unit stands in brackets: `%s[%s]`" text rest
+            text rest
     in
     let problem =
       if rest = "" then "has no digits" else Printf.sprintf "is directly followed by `%s`" rest
@@ -334,6 +349,7 @@ let colon t =
   | ("for" | "while") :: _ ->
       "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, \
        `forever t` and `forEachT xs f` repeat tasks"
+  | _ when ends_line && List.mem "case" words -> "the line of a `case` ends with `of`: `case x of`"
   | _ when ends_line -> of_block
   | _ when List.mem "if" words -> "`then` follows the condition: `if c then a else b`"
   | _ -> "a type follows `::`"

@@ -1,0 +1,199 @@
+Forms of other languages are shown in Frob's, with the words of the program.
+
+A list comprehension:
+
+  $ cat > comprehension.frob <<'FROB'
+  > ds = [0.1[m], 0.2[m]]
+  > twice = [2 * d | d <- ds]
+  > FROB
+  $ frobc check comprehension.frob
+  error[E0110]: expected an operator, `,` and one more element, or `]`, found `|`
+   --> comprehension.frob:2:16
+    |
+  2 | twice = [2 * d | d <- ds]
+    |                ^
+    |
+    = hint: each element of an array is computed with by `map (\d -> 2 * d) ds`
+  
+  1 error
+  [1]
+  $ sed 's/\[2.*/map (\\d -> 2 * d) ds/' comprehension.frob > mapped.frob
+  $ frobc check mapped.frob
+
+An equation before the guards:
+
+  $ cat > guards.frob <<'FROB'
+  > speed d =
+  >     | d < 0.3[m] = 0
+  >     | otherwise = 0.3[m/s]
+  > FROB
+  $ frobc check guards.frob
+  error[E0110]: expected the value of the definition after `=`, found `|`
+   --> guards.frob:2:5
+    |
+  2 |     | d < 0.3[m] = 0
+    |     ^
+    |
+    = hint: leave out the `=` before the guards: each of them has its own, as in `| x > 0 = 1`
+  
+  1 error
+  [1]
+  $ sed 's/ =$//' guards.frob > equations.frob
+  $ frobc check equations.frob
+
+A `case` without `of`, as Python has it:
+
+  $ cat > case.frob <<'FROB'
+  > speed m = case m:
+  >     True -> 0
+  >     False -> 0.3[m/s]
+  > FROB
+  $ frobc check case.frob
+  error[E0103]: unexpected character `:`
+   --> case.frob:1:17
+    |
+  1 | speed m = case m:
+    |                 ^
+    |
+    = hint: the line of a `case` ends with `of`: `case x of`
+  
+  1 error
+  [1]
+  $ cat > blank.frob <<'FROB'
+  > speed m = case m
+  >     True -> 0
+  >     False -> 0.3[m/s]
+  > FROB
+  $ frobc check blank.frob
+  error[E0110]: expected `of` after the expression that is looked at, found `->`
+   --> blank.frob:2:10
+    |
+  1 | speed m = case m
+    |           ---- this `case`
+  2 |     True -> 0
+    |          ^^
+    |
+    = hint: the line of the `case` ends with `of`: `case m of`
+  
+  1 error
+  [1]
+
+`==` for a definition, and `=` after the input of a `proc`:
+
+  $ cat > equal.frob <<'FROB'
+  > speed == 0.3[m/s]
+  > FROB
+  $ frobc check equal.frob
+  error[E0110]: expected `=` after the left side of a definition, found the end of the file
+   --> equal.frob:1:18
+    |
+  1 | speed == 0.3[m/s]
+    |                  ^
+    |
+    = hint: `==` compares; a definition is written with one `=`: `speed = …`
+  
+  1 error
+  [1]
+  $ cat > input.frob <<'FROB'
+  > half = proc x = x / 2
+  > FROB
+  $ frobc check input.frob
+  error[E0110]: expected `->` after the input of this `proc`, found `=`
+   --> input.frob:1:15
+    |
+  1 | half = proc x = x / 2
+    |               ^
+    |
+    = hint: as in `proc x -> x + 1`; several inputs are a tuple, as in `proc (x, y) -> x + y`
+  
+  1 error
+  [1]
+
+Names with a capital, of a value (told once, however often it is used) and of a field:
+
+  $ cat > capital.frob <<'FROB'
+  > Speed = 0.3[m/s]
+  > twice = 2 * Speed
+  > FROB
+  $ frobc check capital.frob
+  error[E0226]: a pattern cannot be defined at top level
+   --> capital.frob:1:1
+    |
+  1 | Speed = 0.3[m/s]
+    | ^^^^^^^^^^^^^^^^
+    |
+    = hint: the name of a value starts with a small letter: `speed`
+  
+  1 error
+  [1]
+  $ cat > field.frob <<'FROB'
+  > import Geometry
+  > goal = Vec2 { X = 1[m], y = 0 }
+  > FROB
+  $ frobc check field.frob
+  error[E0110]: expected the name of a field, found `X`
+   --> field.frob:2:15
+    |
+  2 | goal = Vec2 { X = 1[m], y = 0 }
+    |               ^
+    |
+    = hint: the name of a field starts with a small letter: `x`
+  
+  1 error
+  [1]
+
+A unit without brackets is taken whole:
+
+  $ cat > unit.frob <<'FROB'
+  > slope = 0.3m/s^2 * 2
+  > FROB
+  $ frobc check unit.frob
+  error[E0105]: the number `0.3` is directly followed by `m/s^2`
+   --> unit.frob:1:9
+    |
+  1 | slope = 0.3m/s^2 * 2
+    |         ^^^^^^^^
+    |
+    = hint: a unit stands in brackets: `0.3[m/s^2]`
+  
+  1 error
+  [1]
+
+A bracket that is closed too late: it is the outer one that stays open.
+
+  $ cat > late.frob <<'FROB'
+  > half x = (0.5 * (x - 1)
+  > FROB
+  $ frobc check late.frob
+  error[E0111]: this `(` is never closed
+   --> late.frob:1:10
+    |
+  1 | half x = (0.5 * (x - 1)
+    |          ^             - a `)` belongs before this
+    |
+    = hint: each `)` closes the last bracket that is still open: if this one was to be closed where it is, then a bracket in it is not
+  
+  1 error
+  [1]
+
+A choice between commands, with the signal function that is in its branches:
+
+  $ cat > choice.frob <<'FROB'
+  > speed = proc d -> do
+  >     if d < 0.5[m]
+  >       then returnA -< 0
+  >       else returnA -< 0.3[m/s]
+  > FROB
+  $ frobc check choice.frob
+  error[E0116]: `if` and `case` cannot choose between commands
+   --> choice.frob:3:20
+    |
+  2 |     if d < 0.5[m]
+    |     -- the choice
+  3 |       then returnA -< 0
+    |                    ^^
+    |
+    = hint: choose the value, as in `returnA -< if c then a else b`, or run both and choose between what they give
+  
+  1 error
+  [1]
