@@ -4,6 +4,7 @@
 #   ```frob            a module, complete but for what a comment right above it
 #                      gives, hidden from readers:  <!-- frob ... -->
 #   ```frob later      of a version to come, so this one says that it is not for it
+#   ```frob title="…"  a file that the page's sessions use: tests/documents/pages tries it
 #
 # Imports come first in a module, so those of the comment and of the block go
 # in front.

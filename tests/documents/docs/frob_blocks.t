@@ -2,7 +2,7 @@ Every block of Frob code in the documentation is accepted as it stands. How a
 block says what it is: blocks.awk.
 
   $ top=../../..
-  $ for page in $top/README.md $top/docs/*.md $top/examples/*/README.md; do
+  $ for page in $top/README.md $top/docs/*.md $top/docs/*/*.md $top/examples/*/README.md; do
   >   awk -f blocks.awk $page > blocks
   >   while read kind file; do
   >     case $kind in
@@ -16,7 +16,8 @@ block says what it is: blocks.awk.
 There are some, and none with other words on its fence passes unseen:
 
   $ test $(grep -c module kinds) -ge 5
-  $ grep -n '^ *```frob' $top/README.md $top/docs/*.md $top/examples/*/README.md | grep -v -e '```frob$' -e '```frob later$'
+  $ grep -n '^ *```frob' $top/README.md $top/docs/*.md $top/docs/*/*.md $top/examples/*/README.md |
+  >   grep -v -e '```frob$' -e '```frob later$' -e '```frob title="[^"]*"$'
   [1]
 
 The session in the README gives what it shows:

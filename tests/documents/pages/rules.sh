@@ -1,0 +1,25 @@
+#!/bin/sh
+# rules.sh PAGE…: dune's rules for the pages, each of them done and compared.
+set -eu
+echo "; By rules.sh; see dune."
+for page in "$@"; do
+    case $page in *.md) ;; *) continue ;; esac
+    from_docs=${page#*/docs/}
+    name=$(echo "${from_docs%.md}" | tr / .)
+    cat <<END
+
+(rule
+ (action
+  (with-stdout-to
+   $name.done
+   (run awk -v pages=$name.d -f %{dep:page.awk} %{project_root}/docs/$from_docs)))
+ (deps
+  %{project_root}/docs/$from_docs
+  (package frobc)))
+
+(rule
+ (alias runtest)
+ (action
+  (diff %{project_root}/docs/$from_docs $name.done)))
+END
+done
