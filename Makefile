@@ -21,6 +21,11 @@ MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \
 BENCH_PACKAGES = valgrind gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 COMPARED_PACKAGES = ghc libghc-copilot-dev libghc-copilot-c99-dev
 
+# What only `make site` and `make pictures` need; mkdocs itself comes from PyPI, see
+# docs/site/requirements.txt.
+SITE_PACKAGES = python3-venv
+PICTURE_PACKAGES = imagemagick
+
 # What only `make prove` needs.
 PROVE_PACKAGES = frama-c-base cppcheck
 
@@ -63,7 +68,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test page seeds fuzz fuzz-format fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench install clean
+.PHONY: all setup run test page site pictures seeds fuzz fuzz-format fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench install clean
 
 all: setup
 	dune build @install
@@ -84,6 +89,21 @@ test: setup
 # The page of `frobc view` anew from its sources; with npm, which users need not have.
 page:
 	@sh runtime/hosts/view/page/build.sh _build/page runtime/hosts/view/page/bundle
+
+# The documentation as a site to read and search in, in _build/site.
+site: export NO_MKDOCS_2_WARNING = 1
+site: all
+	@sh tests/setup.sh $(SITE_PACKAGES)
+	@test -d _build/site-tools || python3 -m venv _build/site-tools
+	@_build/site-tools/bin/pip install --quiet --disable-pip-version-check -r docs/site/requirements.txt
+	@python3 -B docs/site/build.py . $(FROBC) _build/site-pages
+	@_build/site-tools/bin/mkdocs build --quiet --config-file docs/site/mkdocs.yml
+	@echo "the site: _build/site/index.html"
+
+# The pictures that the pages of docs/ show of their programs' runs, anew.
+pictures: all
+	@sh tests/setup.sh $(PICTURE_PACKAGES)
+	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh docs/site/pictures.sh docs/tutorial/*.md $(wildcard docs/how-to/*.md)
 
 fuzz: all
 	@dune build tests/meaning/fuzz/main.exe

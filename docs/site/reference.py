@@ -1,0 +1,114 @@
+"""The reference that is made of what it is about: reference.py REPOSITORY FROBC OUT.
+
+  library.md       each name of the library, of its comment and its signature in stdlib/
+  messages.md      each message, of its page in compiler/explain/
+  commands.md      each command and option, of frobc's own help
+"""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+def entries(text):
+    """The documented declarations of a module: (comment, declaration), in its order.
+
+    A declaration is documented by the comment `-- |` right above it, and goes on with the
+    lines that stand further right; of a definition that is its signature."""
+    lines = text.splitlines()
+    k = 0
+    while k < len(lines):
+        if not lines[k].startswith("-- |"):
+            k += 1
+            continue
+        comment = [lines[k][4:].strip()]
+        k += 1
+        while k < len(lines) and lines[k].startswith("--"):
+            comment.append(lines[k][2:].strip())
+            k += 1
+        first = lines[k] if k < len(lines) else ""
+        declaration = [first]
+        k += 1
+        while k < len(lines) and lines[k][:1] in (" ", "}", ")") or (
+                k < len(lines) and not lines[k] and first.startswith("class ")
+                and k + 1 < len(lines) and lines[k + 1].startswith(" ")):
+            declaration.append(lines[k])
+            k += 1
+        yield " ".join(comment), declaration
+
+
+def names_of(declaration):
+    """What a declaration declares: one name or, of a signature, several."""
+    keyword = re.match(r"(?:(primitive|type|data|class) )?", declaration[0]).group(1)
+    first = declaration[0].removeprefix(f"{keyword} ")
+    if keyword == "class":
+        first = re.sub(r"^.*=> ", "", first)
+    elif keyword in (None, "primitive"):
+        return [name.strip("()") for name in first.split(" :: ")[0].split(", ")]
+    return [re.match(r"\w+", first).group(0)]
+
+
+def entry(module, comment, declaration, depth):
+    """An entry of the reference; those of a class's methods come after it."""
+    names = names_of(declaration)
+    heading = ", ".join(f"`{name}`" for name in names)
+    code = [re.sub(r"^primitive ", "", declaration[0]), *declaration[1:]]
+    body = []
+    if code[0].startswith("class "):
+        body, code = code[1:], code[:1]
+    out = ["#" * depth + f" {heading} {{ #{module}-{names[0]} }}", "",
+           "```haskell", "\n".join(code).rstrip(), "```", "", comment, ""]
+    for inner in entries("\n".join(line[4:] for line in body)):
+        out += entry(module, *inner, depth + 1)
+    return out
+
+
+def library(repository):
+    """An entry a name, module by module."""
+    out = ["# The library, name by name", "",
+           "What the source of the library says of each name. The prelude is there without an "
+           "import; the other modules need one. By what they do, names are listed in the "
+           "appendices of the [language reference](../language.md).", ""]
+    paths = (repository / "stdlib").glob("*.frob")
+    for path in sorted(paths, key=lambda p: (p.stem != "Prelude", p.stem)):
+        out += [f"## {path.stem}", ""]
+        for comment, declaration in entries(path.read_text()):
+            out += entry(path.stem, comment, declaration, 3)
+    return "\n".join(out)
+
+
+def messages(repository):
+    """The pages of frobc explain, by code."""
+    out = ["# Messages", "", "What `frobc explain CODE` prints, of each code.", ""]
+    for path in sorted((repository / "compiler/explain").glob("*/[EW]*.md"), key=lambda p: p.stem):
+        text = re.sub(r"^```frob.*$", "```haskell", path.read_text(errors="replace"), flags=re.M)
+        code = path.stem
+        text = re.sub(r"^# (.*)$", rf"## {code}: \1 {{ #{code} }}", text, count=1, flags=re.M)
+        out += [text.strip(), ""]
+    return "\n".join(out)
+
+
+def help_of(frobc, *command):
+    return subprocess.run([frobc, *command, "--help=plain"], check=True, text=True,
+                          capture_output=True).stdout
+
+
+def commands(frobc):
+    """frobc's help, of the whole and of each command."""
+    whole = help_of(frobc)
+    names = re.findall(r"^       ([a-z]+) .*(?:FILE|CODE|ROBOT|OPTION|NAME)", whole, flags=re.M)
+    out = ["# The command line", "", "What `frobc --help` and `frobc COMMAND --help` print.", "",
+           "## frobc", "", "```text", whole.strip("\n"), "```", ""]
+    for name in names:
+        out += [f"## frobc {name}", "", "```text", help_of(frobc, name).strip("\n"), "```", ""]
+    return "\n".join(out)
+
+
+def pages(repository, frobc):
+    return {"library.md": library(repository), "messages.md": messages(repository),
+            "commands.md": commands(frobc)}
+
+
+if __name__ == "__main__":
+    for page, text in pages(Path(sys.argv[1]), sys.argv[2]).items():
+        (Path(sys.argv[3]) / page).write_text(text)
