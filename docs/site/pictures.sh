@@ -8,9 +8,13 @@ for page in "$@"; do
     name=$(basename "$page" .md)
     awk -v pages="$out" -f "$here/../../tests/documents/pages/page.awk" "$page" >"$out.page"
     cmp -s "$page" "$out.page" || echo "$page: other things were printed than it shows" >&2
-    grep -o '^!\[[^]]*\]([^)]*\.png)' "$page" | sed 's/.*(//; s/)$//' | while read -r picture; do
-        convert "$out/$name/$picture" -resize 800x -dither None -colors 64 -strip \
-            "PNG8:$(dirname "$page")/$picture"
+    grep -oE '^!\[[^]]*\]\([^)]*\.(png|svg)\)' "$page" | sed 's/.*(//; s/)$//' | while read -r picture; do
+        case $picture in
+            */*) continue ;; # of another page
+            *.png) convert "$out/$name/$picture" -resize 800x -dither None -colors 64 -strip \
+                "PNG8:$(dirname "$page")/$picture" ;;
+            *.svg) cp "$out/$name/$picture" "$(dirname "$page")/$picture" ;;
+        esac
         echo "$(dirname "$page")/$picture"
     done
 done

@@ -60,7 +60,10 @@ state == "" && /^```[a-z]+ title="[^"]+"$/ {
     state = "file"; print; next
 }
 state == "file" && /^```$/ { close(target); state = ""; print; next }
-state == "file" { print > target; print; next }
+state == "file" {
+    if (/^import /) said = said "\n" $0
+    print > target; print; next
+}
 
 state == "" && /^```console$/ { state = "session"; commands = 0; print; next }
 state == "session" && /^```$/ { perform(); state = ""; print; next }
@@ -92,11 +95,11 @@ state == "other" && /^```$/ { state = ""; print; next }
 
 END {
     if (state != "") fail("the page ends within a block")
-    # What is shown is used: a program that no command of the page mentions is not tried.
+    # What is shown is tried: a command of the page mentions it, or a program imports it.
     for (file in titles) {
         stem = file
         sub(/\.[a-z]+$/, "", stem)
-        if (index(said, stem) == 0) fail("no command of the page uses " file)
+        if (index(said, stem) == 0) fail("no command or program of the page uses " file)
     }
     exit failed
 }
