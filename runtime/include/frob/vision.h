@@ -3,8 +3,9 @@
  *
  * Each looks at the pixels once or a few times, in time bounded by the image's size, or by
  * that of what is asked for. Nothing allocates, nothing is kept; the stack is at most
- * 40 kB, of frob_find_blobs 250 kB. The same image gives the same bits on every machine: whole
- * numbers where they do, and IEEE doubles, in an order that is written down, elsewhere.
+ * 30 kB, of frob_match_patch 100 kB, frob_find_corner 140 kB, frob_find_blobs 250 kB. The same
+ * image gives the same bits on every machine: whole numbers where they do, and IEEE doubles,
+ * in an order that is written down, elsewhere.
  *
  * Any argument is safe, NaN too. An image that is not sound (frob_image_is_sound) has no
  * pixels, a region may reach out of it, and where there is nothing to find the result says
@@ -75,6 +76,142 @@ void frob_find_blob(const struct frob_image *image, const struct frob_region *ro
  * above the row that is looked at are done with, so memory is bounded by the width. */
 void frob_find_blobs(const struct frob_image *image, const struct frob_region *roi,
                      const struct frob_colour_range *colours, struct frob_blobs *result);
+
+/* {1 Brightness and depth of a region} */
+
+/* Of brightness, or of an image of depths of the metres that are known: finite, above 0. Half
+ * of the pixels are at most the median, a quarter at most lq, three at most uq, each of them the value
+ * of a pixel. All 0 if there is none. */
+#ifndef FROB_STATISTICS_DEFINED
+#define FROB_STATISTICS_DEFINED
+struct frob_statistics {
+    int32_t pixels;
+    double mean, stdev, min, lq, median, uq, max;
+};
+#endif
+
+void frob_get_statistics(const struct frob_image *image, const struct frob_region *roi,
+                         struct frob_statistics *result);
+
+/* How many pixels have each brightness; of depths, none. */
+void frob_get_histogram(const struct frob_image *image, const struct frob_region *roi,
+                        int32_t result[256]);
+
+/* {1 Edges, corners} */
+
+/* A place in an image, and a direction or other pair of numbers. */
+#ifndef FROB_VEC2_DEFINED
+#define FROB_VEC2_DEFINED
+struct frob_vec2 {
+    double x, y;
+};
+#endif
+
+/* Where to look for an edge: along a line through (x, y), half of `length` (at most 128) to
+ * either side, in this direction; what is seen is the mean over `width` (1 … 32) across it. */
+#ifndef FROB_SEGMENT_DEFINED
+#define FROB_SEGMENT_DEFINED
+struct frob_segment {
+    double x, y, angle, length, width;
+};
+#endif
+
+/* How far from the middle of the segment, and the change of brightness for each pixel there:
+ * both 0 if there is none. */
+#ifndef FROB_EDGE_DEFINED
+#define FROB_EDGE_DEFINED
+struct frob_edge {
+    double offset, gradient;
+};
+#endif
+
+/* The strongest edges along a segment: where it gets brighter, and where it gets darker (whose
+ * gradient is below 0). Parts of the segment that are outside the image have none. */
+#ifndef FROB_EDGES_DEFINED
+#define FROB_EDGES_DEFINED
+struct frob_edges {
+    struct frob_edge rising, falling;
+};
+#endif
+
+void frob_find_edges(const struct frob_image *image, const struct frob_segment *segment,
+                     struct frob_edges *result);
+
+/* Shi and Tomasi's score of a place: the smaller eigenvalue of the mean of g g^T, of the
+ * gradients g in the 5 by 5 pixels around it, in (brightness per pixel)^2. An edge has 0. */
+#ifndef FROB_CORNER_DEFINED
+#define FROB_CORNER_DEFINED
+struct frob_corner {
+    double x, y, score;
+};
+#endif
+
+/* The place with the best score in a region, between pixels; the score is 0 if there is none. */
+void frob_find_corner(const struct frob_image *image, const struct frob_region *roi,
+                      struct frob_corner *result);
+
+/* {1 Patches: templates of 32 by 32 samples} */
+
+enum { FROB_PATCH_SIDE = 32, FROB_PATCH_SIZE = FROB_PATCH_SIDE * FROB_PATCH_SIDE };
+
+/* Where a patch lies: the place of its middle, how it is turned, and the pixels from one sample to the
+ * next. Row by row, sample i of row j is at scale (i - 15.5, j - 15.5), turned, from there.
+ * Where samples are more than a pixel apart each is the mean of up to 4 by 4. */
+#ifndef FROB_PLACEMENT_DEFINED
+#define FROB_PLACEMENT_DEFINED
+struct frob_placement {
+    double x, y, angle, scale;
+};
+#endif
+
+/* The brightness of each sample; beyond the border as at it, and 0 if there are no pixels or
+ * the place is none. */
+void frob_get_patch(const struct frob_image *image, const struct frob_placement *place,
+                    double result[FROB_PATCH_SIZE]);
+
+/* Where a patch was found, and how well it fits there: the root of 1 - r^2, of the
+ * correlation r of both brightnesses, which does not ask how bright it is or how strong
+ * the contrast. 0 is the same, 1 nothing alike; and 1 if more than a quarter of it is outside. */
+#ifndef FROB_MATCH_DEFINED
+#define FROB_MATCH_DEFINED
+struct frob_match {
+    struct frob_placement place;
+    double residual;
+};
+#endif
+
+/* How to look for a patch: from where; at which level first (0 … 2: as it is, or as means of 2
+ * by 2 or 4 by 4 samples, which see as many times farther); with how many iterations
+ * at each level (at most 30); and what may change: 2 the place, 3 also the angle, 4 also
+ * the scale, to between half and twice what it was. */
+#ifndef FROB_SEARCH_DEFINED
+#define FROB_SEARCH_DEFINED
+struct frob_search {
+    struct frob_placement from;
+    int32_t level, iterations, freedom;
+};
+#endif
+
+/* The place near by that fits best, by least squares (SSD). */
+void frob_match_patch(const struct frob_image *image, const double patch[FROB_PATCH_SIZE],
+                      const struct frob_search *search, struct frob_match *result);
+
+/* The place in a region that fits best, of those a few samples apart, for a patch with the angle and scale of
+ * `like`: where to begin with frob_match_patch at level 2. Regions are looked at as 160 by
+ * 120 cells at most. */
+void frob_find_template(const struct frob_image *image, const struct frob_region *roi,
+                        const double patch[FROB_PATCH_SIZE], const struct frob_placement *like,
+                        struct frob_match *result);
+
+/* {1 Distortion} */
+
+/* Where a camera without distortion would see what this one sees at a place; and where
+ * this one sees what the other would see there. Beyond what the distortion can be turned
+ * back for, undistort gives the place itself. */
+void frob_undistort_point(const struct frob_image *image, const struct frob_vec2 *point,
+                          struct frob_vec2 *result);
+void frob_distort_point(const struct frob_image *image, const struct frob_vec2 *point,
+                        struct frob_vec2 *result);
 
 #ifdef __cplusplus
 }

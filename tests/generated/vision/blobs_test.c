@@ -265,7 +265,7 @@ static void discs(void)
         const struct disc d = {20 + 20 * random_share(), 20 + 20 * random_share(),
                                8 + 10 * random_share()};
         struct frob_blob blob;
-        draw(image, disc_shade, &d);
+        draw(image, 16, disc_shade, &d);
         frob_find_blob(image, &everywhere, &bright, &blob);
         worst = fmax(worst, hypot(blob.cx - d.x, blob.cy - d.y));
         check(fabs(sqrt(blob.major * blob.minor) - 2 * d.radius) < 0.3, "diameter", blob.major,

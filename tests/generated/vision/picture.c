@@ -120,18 +120,16 @@ struct frob_region random_region(const struct frob_image *image)
     return roi;
 }
 
-void draw(struct frob_image *image, double (*shade)(const void *scene, double x, double y),
-          const void *scene)
+void draw(struct frob_image *image, int32_t parts,
+          double (*shade)(const void *scene, double x, double y), const void *scene)
 {
-    enum { PARTS = 16 };
-
     for (int32_t y = 0; y < image->height; y++)
         for (int32_t x = 0; x < image->width; x++) {
             double sum = 0;
-            for (int32_t i = 0; i < PARTS; i++)
-                for (int32_t j = 0; j < PARTS; j++)
-                    sum += shade(scene, x - 0.5 + (i + 0.5) / PARTS, y - 0.5 + (j + 0.5) / PARTS);
+            for (int32_t i = 0; i < parts; i++)
+                for (int32_t j = 0; j < parts; j++)
+                    sum += shade(scene, x - 0.5 + (i + 0.5) / parts, y - 0.5 + (j + 0.5) / parts);
             ((uint8_t *)(uintptr_t)frob_image_row(image, y))[x] =
-                (uint8_t)(sum / (PARTS * PARTS) + 0.5);
+                (uint8_t)(sum / (parts * parts) + 0.5);
         }
 }

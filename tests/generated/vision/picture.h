@@ -25,9 +25,10 @@ double random_number(void);
 /* A region that may be anywhere, or half outside. */
 struct frob_region random_region(const struct frob_image *image);
 
-/* Makes each pixel what `shade` says of its square: brightness, the mean of 16 by 16 places. */
-void draw(struct frob_image *image, double (*shade)(const void *scene, double x, double y),
-          const void *scene);
+/* Makes each pixel what `shade` says of its square: brightness, the mean of parts by
+ * parts places. */
+void draw(struct frob_image *image, int32_t parts,
+          double (*shade)(const void *scene, double x, double y), const void *scene);
 
 /* Counts failures; the first ones are printed with their numbers. */
 void check(bool ok, const char *what, double found, double expected);

@@ -1,0 +1,139 @@
+/* corner.c -- the place in a region that is least like a flat surface or an edge.
+ *
+ * Sums of the products of gradients over 5 rows are kept for each column, and slide down. */
+#include "view.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { AROUND = 2, SPAN = 2 * AROUND + 1 };
+
+/* Sums of gx gx, gx gy and gy gy, of twice the gradients: at most 25 * 255^2. */
+struct sums {
+    int32_t xx[FROB_IMAGE_SIDE], xy[FROB_IMAGE_SIDE], yy[FROB_IMAGE_SIDE];
+};
+
+struct greys {
+    const uint8_t *rows[3];
+    uint8_t rooms[3][FROB_IMAGE_SIDE];
+};
+
+/* Adds what the row y has, or takes it away. Its neighbours are in the image. */
+static void add_row(const struct frob_image *image, int32_t y, int32_t sign, struct sums *sums)
+{
+    struct greys greys;
+
+    for (int32_t i = 0; i < 3; i++)
+        greys.rows[i] = frob_grey_row(image, y - 1 + i, 0, image->width, greys.rooms[i]);
+    for (int32_t x = 1; x < image->width - 1; x++) {
+        const int32_t gx = greys.rows[1][x + 1] - greys.rows[1][x - 1];
+        const int32_t gy = greys.rows[2][x] - greys.rows[0][x];
+        sums->xx[x] += sign * gx * gx;
+        sums->xy[x] += sign * gx * gy;
+        sums->yy[x] += sign * gy * gy;
+    }
+}
+
+/* The smaller eigenvalue; sums of 25 products of twice the gradients. */
+static double score_of(double xx, double xy, double yy)
+{
+    const double half = (xx - yy) / 2;
+    const double score = ((xx + yy) / 2 - sqrt(half * half + xy * xy)) / (4 * SPAN * SPAN);
+
+    return score > 0 ? score : 0;
+}
+
+/* The scores of a row, of the columns left … right - 1. */
+static void scores_of(const struct sums *sums, int32_t left, int32_t right, double *scores)
+{
+    int32_t xx = 0, xy = 0, yy = 0;
+
+    for (int32_t x = left - AROUND; x < left + AROUND; x++) {
+        xx += sums->xx[x];
+        xy += sums->xy[x];
+        yy += sums->yy[x];
+    }
+    for (int32_t x = left; x < right; x++) {
+        xx += sums->xx[x + AROUND];
+        xy += sums->xy[x + AROUND];
+        yy += sums->yy[x + AROUND];
+        scores[x] = score_of(xx, xy, yy);
+        xx -= sums->xx[x - AROUND];
+        xy -= sums->xy[x - AROUND];
+        yy -= sums->yy[x - AROUND];
+    }
+}
+
+/* Foerstner and Guelch: the place that all lines through pixels, along their edges, come
+ * nearest to, by least squares of their distances times the gradients. Of the pixels
+ * around (x, y), all of whose neighbours are in the image; false if it is not there. */
+static bool refine(const struct frob_image *image, int32_t x, int32_t y,
+                   struct frob_corner *corner)
+{
+    double xx = 0, xy = 0, yy = 0, toward_x = 0, toward_y = 0, toward, determinant;
+    struct greys greys;
+
+    for (int32_t j = -AROUND; j <= AROUND; j++) {
+        for (int32_t i = 0; i < 3; i++)
+            greys.rows[i] = frob_grey_row(image, y + j - 1 + i, 0, image->width, greys.rooms[i]);
+        for (int32_t i = -AROUND; i <= AROUND; i++) {
+            const double gx = greys.rows[1][x + i + 1] - greys.rows[1][x + i - 1];
+            const double gy = greys.rows[2][x + i] - greys.rows[0][x + i];
+            xx += gx * gx;
+            xy += gx * gy;
+            yy += gy * gy;
+            toward_x += gx * (gx * i + gy * j);
+            toward_y += gy * (gx * i + gy * j);
+        }
+    }
+    determinant = xx * yy - xy * xy;
+    if (!(determinant > 0))
+        return false;
+    toward = (toward_x * yy - toward_y * xy) / determinant;
+    toward_y = (toward_y * xx - toward_x * xy) / determinant;
+    if (!(fabs(toward) <= AROUND + 1 && fabs(toward_y) <= AROUND + 1))
+        return false;
+    corner->x = x + toward;
+    corner->y = y + toward_y;
+    return true;
+}
+
+void frob_find_corner(const struct frob_image *image, const struct frob_region *roi,
+                      struct frob_corner *result)
+{
+    struct frob_view view = frob_view_of(image, roi);
+    const int32_t margin = AROUND + 1;
+    double scores[FROB_IMAGE_SIDE];
+    struct sums sums;
+
+    memset(result, 0, sizeof *result);
+    if (!frob_image_is_sound(image) || image->format == FROB_DEPTH_M)
+        return;
+    view.left = view.left > margin ? view.left : margin;
+    view.top = view.top > margin ? view.top : margin;
+    view.right = view.right < image->width - margin ? view.right : image->width - margin;
+    view.bottom = view.bottom < image->height - margin ? view.bottom : image->height - margin;
+    if (view.left >= view.right || view.top >= view.bottom)
+        return;
+    memset(&sums, 0, sizeof sums);
+    for (int32_t y = view.top - AROUND; y < view.top + AROUND; y++)
+        add_row(image, y, 1, &sums);
+    for (int32_t y = view.top; y < view.bottom; y++) {
+        add_row(image, y + AROUND, 1, &sums);
+        scores_of(&sums, view.left, view.right, scores);
+        add_row(image, y - AROUND, -1, &sums);
+        for (int32_t x = view.left; x < view.right; x++)
+            if (scores[x] > result->score) {
+                result->x = x;
+                result->y = y;
+                result->score = scores[x];
+            }
+    }
+    /* With the corner in the middle there is more of it to see. */
+    for (int32_t i = 0; i < 3 && result->score > 0; i++) {
+        const int32_t x = (int32_t)(result->x + 0.5), y = (int32_t)(result->y + 0.5);
+        if (x < margin || y < margin || x >= image->width - margin ||
+            y >= image->height - margin || !refine(image, x, y, result))
+            return;
+    }
+}

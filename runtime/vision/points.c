@@ -1,0 +1,73 @@
+/* points.c -- distortion of a camera's lens, there and back. */
+#include "view.h"
+
+/* What of the camera's model (frob/image.h) a place, of the axis' units, becomes; and how it
+ * changes with the place. */
+struct bent {
+    double a, b, da_da, da_db, db_da, db_db;
+};
+
+static struct bent bend(const struct frob_camera *c, double a, double b)
+{
+    const double square = a * a + b * b;
+    const double radial = 1 + square * (c->k1 + square * (c->k2 + square * c->k3));
+    const double slope = 2 * (c->k1 + square * (2 * c->k2 + square * 3 * c->k3));
+    struct bent to;
+
+    to.a = a * radial + 2 * c->p1 * a * b + c->p2 * (square + 2 * a * a);
+    to.b = b * radial + c->p1 * (square + 2 * b * b) + 2 * c->p2 * a * b;
+    to.da_da = radial + slope * a * a + 2 * c->p1 * b + 6 * c->p2 * a;
+    to.da_db = slope * a * b + 2 * c->p1 * a + 2 * c->p2 * b;
+    to.db_da = to.da_db;
+    to.db_db = radial + slope * b * b + 6 * c->p1 * b + 2 * c->p2 * a;
+    return to;
+}
+
+static bool is_straight(const struct frob_camera *c)
+{
+    return !(c->focal_x > 0) || !(c->focal_y > 0) ||
+           (c->k1 == 0 && c->k2 == 0 && c->k3 == 0 && c->p1 == 0 && c->p2 == 0);
+}
+
+void frob_distort_point(const struct frob_image *image, const struct frob_vec2 *point,
+                        struct frob_vec2 *result)
+{
+    const struct frob_camera *c = &image->camera;
+    struct bent to;
+
+    *result = *point;
+    if (is_straight(c))
+        return;
+    to = bend(c, (point->x - c->centre_x) / c->focal_x, (point->y - c->centre_y) / c->focal_y);
+    result->x = c->centre_x + c->focal_x * to.a;
+    result->y = c->centre_y + c->focal_y * to.b;
+}
+
+/* Newton's method, from the place itself. Where the model folds over, behind the largest
+ * radius that it can give, there is nothing to find. */
+void frob_undistort_point(const struct frob_image *image, const struct frob_vec2 *point,
+                          struct frob_vec2 *result)
+{
+    const struct frob_camera *c = &image->camera;
+    const double a = (point->x - c->centre_x) / c->focal_x;
+    const double b = (point->y - c->centre_y) / c->focal_y;
+    double found_a = a, found_b = b, off_a = 1, off_b = 1;
+
+    *result = *point;
+    if (is_straight(c))
+        return;
+    for (int32_t i = 0; i < 20; i++) {
+        const struct bent to = bend(c, found_a, found_b);
+        const double determinant = to.da_da * to.db_db - to.da_db * to.db_da;
+        off_a = a - to.a;
+        off_b = b - to.b;
+        if (!(determinant > 0.01))
+            return;
+        found_a += (off_a * to.db_db - off_b * to.da_db) / determinant;
+        found_b += (off_b * to.da_da - off_a * to.db_da) / determinant;
+    }
+    if (!(off_a * off_a + off_b * off_b < 1e-18))
+        return;
+    result->x = c->centre_x + c->focal_x * found_a;
+    result->y = c->centre_y + c->focal_y * found_b;
+}

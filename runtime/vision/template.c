@@ -1,0 +1,173 @@
+/* template.c -- where in a region a patch may be: its correlation with every place, on an
+ * image that has been reduced so far that the patch is 7 or 8 cells wide. */
+#include "view.h"
+
+#include <frob/elementary.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { COLUMNS = 160, ROWS = 120, REACH = 6, SIDE = FROB_PATCH_SIDE };
+
+/* A region as the mean brightness of cells, whose sides are `size` pixels more or less. */
+struct cells {
+    double left, top, size;
+    int32_t columns, rows;
+    uint8_t means[ROWS][COLUMNS];
+};
+
+/* What a cell of the template has; its place is from the middle one. */
+struct part {
+    int32_t column, row;
+    int32_t value; /* in 1/16, less the mean */
+};
+
+static void reduce(const struct frob_image *image, const struct frob_view *view, double size,
+                   struct cells *cells)
+{
+    uint8_t room[FROB_IMAGE_SIDE];
+    int32_t sums[COLUMNS];
+
+    cells->left = view->left;
+    cells->top = view->top;
+    cells->size = size;
+    cells->columns = (int32_t)((view->right - view->left) / size);
+    cells->rows = (int32_t)((view->bottom - view->top) / size);
+    cells->columns = cells->columns < COLUMNS ? cells->columns : COLUMNS;
+    cells->rows = cells->rows < ROWS ? cells->rows : ROWS;
+    for (int32_t j = 0; j < cells->rows; j++) {
+        const int32_t top = (int32_t)(j * size), bottom = (int32_t)((j + 1) * size);
+        memset(sums, 0, sizeof sums);
+        for (int32_t y = top; y < bottom; y++) {
+            const uint8_t *row =
+                frob_grey_row(image, view->top + y, view->left, view->right, room);
+            for (int32_t i = 0; i < cells->columns; i++)
+                for (int32_t x = (int32_t)(i * size); x < (int32_t)((i + 1) * size); x++)
+                    sums[i] += row[x];
+        }
+        for (int32_t i = 0; i < cells->columns; i++) {
+            const int32_t width = (int32_t)((i + 1) * size) - (int32_t)(i * size);
+            const int32_t count = width * (bottom - top);
+            cells->means[j][i] = (uint8_t)((sums[i] + count / 2) / count);
+        }
+    }
+}
+
+/* The mean of the samples around a place of the patch, `size` of them wide; false if it reaches
+ * out. */
+static bool mean_of(const double *patch, double u, double v, double size, double *mean)
+{
+    const double left = u - size / 2, top = v - size / 2;
+    const int32_t parts = 4;
+    double sum = 0;
+
+    if (!(left >= -0.51 && top >= -0.51 && left + size <= SIDE - 0.49 &&
+          top + size <= SIDE - 0.49))
+        return false;
+    for (int32_t j = 0; j < parts; j++)
+        for (int32_t i = 0; i < parts; i++) {
+            const int32_t column = (int32_t)(left + (i + 0.5) * size / parts + 0.5);
+            const int32_t row = (int32_t)(top + (j + 0.5) * size / parts + 0.5);
+            sum += patch[(row < SIDE ? row : SIDE - 1) * SIDE + (column < SIDE ? column : SIDE - 1)];
+        }
+    *mean = sum / (parts * parts);
+    return true;
+}
+
+/* The cells of the turned patch that it covers whole, and the sum of their squares. */
+static int32_t parts_of(const double *patch, const struct frob_placement *like, double size,
+                        struct part *parts, double *power)
+{
+    const double cosine = frob_cos(like->angle) / like->scale * size;
+    const double sine = frob_sin(like->angle) / like->scale * size;
+    double values[(2 * REACH + 1) * (2 * REACH + 1)], sum = 0;
+    int32_t count = 0;
+
+    for (int32_t j = -REACH; j <= REACH; j++)
+        for (int32_t i = -REACH; i <= REACH; i++) {
+            const double u = (SIDE - 1) / 2.0 + i * cosine + j * sine;
+            const double v = (SIDE - 1) / 2.0 + j * cosine - i * sine;
+            if (!mean_of(patch, u, v, size / like->scale, &values[count]))
+                continue;
+            parts[count].column = i;
+            parts[count].row = j;
+            sum += values[count++];
+        }
+    *power = 0;
+    for (int32_t i = 0; i < count; i++) {
+        const double value = 16 * (values[i] - sum / count);
+        if (!(value > -8192 && value < 8192))
+            return 0;
+        parts[i].value = (int32_t)(value + (value < 0 ? -0.5 : 0.5));
+        *power += parts[i].value * (double)parts[i].value;
+    }
+    return count;
+}
+
+/* Of a row of cells, with each as the middle of the template: the sums of its brightness, of the squares,
+ * and of the products with the template. */
+struct row_sums {
+    int32_t sum[COLUMNS], squares[COLUMNS], products[COLUMNS];
+};
+
+static void add_part(const uint8_t *restrict means, int32_t value, int32_t count,
+                     int32_t *restrict sum, int32_t *restrict squares, int32_t *restrict products)
+{
+    for (int32_t i = 0; i < count; i++) {
+        const int32_t mean = means[i];
+        sum[i] += mean;
+        squares[i] += mean * mean;
+        products[i] += mean * value;
+    }
+}
+
+void frob_find_template(const struct frob_image *image, const struct frob_region *roi,
+                        const double patch[FROB_PATCH_SIZE], const struct frob_placement *like,
+                        struct frob_match *result)
+{
+    const struct frob_view view = frob_view_of(image, roi);
+    struct part parts[(2 * REACH + 1) * (2 * REACH + 1)];
+    struct row_sums sums;
+    struct cells cells;
+    int32_t count, reach = 0;
+    double size = 4 * like->scale, power, best = 0;
+
+    result->place = *like;
+    result->residual = 1;
+    if (!(like->scale > 1e-3 && like->scale < 1e4 && like->angle > -1e6 && like->angle < 1e6) ||
+        image->format == FROB_DEPTH_M || view.left == view.right)
+        return;
+    size = size > 1 ? size : 1;
+    size = (view.right - view.left) / size > COLUMNS ? (view.right - view.left) / (double)COLUMNS
+                                                     : size;
+    size = (view.bottom - view.top) / size > ROWS ? (view.bottom - view.top) / (double)ROWS : size;
+    count = parts_of(patch, like, size, parts, &power);
+    reduce(image, &view, size, &cells);
+    for (int32_t k = 0; k < count; k++) {
+        const int32_t across = abs(parts[k].column), down = abs(parts[k].row);
+        reach = across > reach ? across : reach;
+        reach = down > reach ? down : reach;
+    }
+    if (!(power > 0))
+        return;
+    for (int32_t j = reach; j < cells.rows - reach; j++) {
+        const int32_t across = cells.columns - 2 * reach;
+        memset(&sums, 0, sizeof sums);
+        for (int32_t k = 0; k < count && across > 0; k++)
+            add_part(&cells.means[j + parts[k].row][reach + parts[k].column], parts[k].value,
+                     across, sums.sum, sums.squares, sums.products);
+        for (int32_t i = 0; i < across; i++) {
+            const double other =
+                sums.squares[i] - sums.sum[i] * (double)sums.sum[i] / count;
+            const double both = sums.products[i];
+            /* The correlation's square; a contrast of one step of brightness is none. */
+            if (both > 0 && other > count && both * both > best * power * other) {
+                best = both * both / (power * other);
+                result->place.x = cells.left + (reach + i + 0.5) * size - 0.5;
+                result->place.y = cells.top + (j + 0.5) * size - 0.5;
+                result->residual = best < 1 ? sqrt(1 - best) : 0;
+            }
+        }
+    }
+}
