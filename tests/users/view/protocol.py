@@ -436,5 +436,6 @@ async def main():
     check("it ends when it is told to", v.end() == 0)
 
 
-asyncio.run(main())
-sys.exit(viewer.failures > 0)
+if __name__ == "__main__":
+    asyncio.run(main())
+    sys.exit(viewer.failures > 0)

@@ -33,6 +33,7 @@ class Viewer(Process):
 
     def __init__(self, frobc, recording, program, *options):
         super().__init__([frobc, "view", "--print", *options, recording, program])
+        self.frobc = frobc
 
     def end(self):
         self.process.terminate()
@@ -70,16 +71,18 @@ def arguments_of(pid):
         return file.read().split("\0")[1:-1]
 
 
-def trace(frobc, recording, program, robot):
+def trace(frobc, recording, program, robot, *params):
     """What `frobc trace` says of each instant: a dictionary by column."""
+    settings = [word for setting in params for word in ("--param", setting)]
     rows = subprocess.run(
         [frobc, "trace", "--modes", "--probe", "all", "--robot", robot, "--input", recording,
-         program],
+         *settings, program],
         check=True, stdout=subprocess.PIPE, text=True,
     ).stdout.splitlines()
     with open(recording, newline="") as file:
+        lines = (line for line in file if not line.startswith("#"))
         return [dict(recorded, **computed)
-                for recorded, computed in zip(csv.DictReader(file), csv.DictReader(rows))]
+                for recorded, computed in zip(csv.DictReader(lines), csv.DictReader(rows))]
 
 
 failures = 0

@@ -170,6 +170,34 @@ static void add_console(const struct view *view, struct buffer *answer)
     buffer_text(answer, "]");
 }
 
+static void add_setting(const struct frob_param *param, const void *values, const char *name,
+                        struct buffer *answer)
+{
+    char room[200];
+    struct frob_text text = frob_text_in(room, sizeof room);
+    params_write(&text, param, values);
+    buffer_format(answer, ",\"%s\":", name);
+    buffer_string(answer, room);
+}
+
+/* Each as it is in this run, and as it is by default. */
+static void add_params(const struct view *view, struct buffer *answer)
+{
+    const size_t count = view->replay.runs ? view->program->param_count : 0;
+    buffer_text(answer, ",\"params\":[");
+    for (size_t i = 0; i < count; i++) {
+        const struct frob_param *param = &view->program->params[i];
+        buffer_text(answer, i > 0 ? ",{\"name\":" : "{\"name\":");
+        buffer_string(answer, param->name);
+        buffer_text(answer, ",\"unit\":");
+        buffer_string(answer, param->unit);
+        add_setting(param, view->replay.params.values, "value", answer);
+        add_setting(param, view->program->default_params, "first", answer);
+        buffer_text(answer, "}");
+    }
+    buffer_text(answer, "]");
+}
+
 void answer_program(struct view *view, struct buffer *answer)
 {
     buffer_text(answer, "{\"is\":\"program\",\"name\":");
@@ -184,6 +212,7 @@ void answer_program(struct view *view, struct buffer *answer)
     answer_progress(view, answer);
     add_signals(view, answer);
     add_console(view, answer);
+    add_params(view, answer);
     buffer_text(answer, ",\"sources\":[");
     for (size_t i = 0; i < view->source_count; i++) {
         buffer_text(answer, i > 0 ? "," : "");

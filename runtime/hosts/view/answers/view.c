@@ -70,7 +70,8 @@ bool view_start(struct view *view, const struct frob_program *program,
         return false;
     if (!recording_set(&view->recording, files->params, files->param_count))
         return false;
-    if (!replay_start(&view->replay, &view->signals, &view->recording)) {
+    if (!replay_start(&view->replay, &view->signals, &view->recording,
+                      &view->recording.params)) {
         fprintf(stderr, "error: not enough memory for the program's states\n");
         return false;
     }
@@ -221,19 +222,19 @@ static bool can_try(const struct view *view, bool drives)
            (!drives || (files->commands.drive != NULL && !view_is_live(view)));
 }
 
-static void answer_what_if(struct view *view, const char *text, bool drives,
+static void answer_what_if(struct view *view, const struct what_if_edit *edit,
                            struct buffer *answer)
 {
+    const bool drives = edit->drives;
     struct buffer why = { 0 };
-    if (*text == '\0') {
+    if (*edit->text == '\0') {
         what_if_end(&view->other);
         buffer_text(answer, "{\"is\":\"what-if\",\"there\":false}");
     } else if (!can_try(view, drives)) {
         answer_refusal(answer, drives ? "this run cannot be driven again"
                               : "this program cannot be run again on the recording");
     } else if (!what_if_start(&view->other, &view->signals, &view->recording,
-                              &view->files->commands, view->files->sources[0], text, drives,
-                              &why)) {
+                              &view->files->commands, view->files->sources[0], edit, &why)) {
         buffer_text(answer, "{\"is\":\"what-if\",\"there\":false,\"why\":");
         buffer_string(answer, why.length > 0 ? why.data : "");
         buffer_text(answer, "}");
@@ -289,8 +290,31 @@ static bool take_seconds(const char **at, double *result)
     return true;
 }
 
+/* Of `what-if TEXT`, `with NAME=VALUE … drive TEXT` and the like, all. False if it is none. The
+ * settings are to be freed in any case. */
+static bool take_edit(const char *at, struct what_if_edit *edit)
+{
+    const bool has_settings = take_word(&at, "with");
+    while (has_settings && *at == ' ' && at[1 + strcspn(at + 1, " =")] == '=') {
+        const size_t length = strcspn(at + 1, " ");
+        buffer_bytes(&edit->settings, at + 1, length);
+        buffer_bytes(&edit->settings, "", 1);
+        at += 1 + length;
+    }
+    if (has_settings && (edit->settings.length == 0 || *at++ != ' '))
+        return false;
+    edit->drives = take_word(&at, "drive");
+    if (!edit->drives && !take_word(&at, "what-if"))
+        return false;
+    if (*at == ' ')
+        edit->text = at + 1;
+    /* Without a program there is nothing to drive, and nothing to set. */
+    return *at == ' ' || (*at == '\0' && !edit->drives && !has_settings);
+}
+
 void view_answer(struct view *view, const char *request, struct buffer *answer)
 {
+    struct what_if_edit edit = { "", { 0 }, false };
     const size_t count = view->recording.count;
     const char *at = request;
     size_t k, signal, other, width;
@@ -321,12 +345,11 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
         answer_why(view, k, signal, answer);
     else if (take_word(&at, "find") && take_number(&at, count, &k) && *at == ' ')
         answer_find(view, k, at + 1, answer);
-    else if (take_word(&at, "what-if") && (*at == ' ' || *at == '\0'))
-        answer_what_if(view, *at == ' ' ? at + 1 : at, false, answer);
-    else if (take_word(&at, "drive") && *at == ' ')
-        answer_what_if(view, at + 1, true, answer);
+    else if (take_edit(request, &edit))
+        answer_what_if(view, &edit, answer);
     else
         answer_refusal(answer, "this is no request");
+    buffer_free(&edit.settings);
     if (answer->failed) {
         buffer_clear(answer);
         answer_refusal(answer, "not enough memory for the answer");

@@ -17,6 +17,8 @@
  *                              was
  *   what-if TEXT               the program as TEXT has it, run on the same inputs: from which
  *                              instant on its outputs are others; without TEXT, no more of it
+ *   with NAME=VALUE … what-if TEXT, with NAME=VALUE … drive TEXT
+ *                              likewise, with other values of its parameters
  *
  *   way ROBOT COUNT            where robot number ROBOT of a simulator really was, at up to
  *                              COUNT instants, evenly over the run

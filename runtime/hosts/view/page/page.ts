@@ -34,8 +34,10 @@ function describe(program: Program): void {
 }
 
 function describeRun(program: Program): void {
+  const isSet = program.params.filter(({ value, first }) => value !== first);
   element("run").textContent = [program.recording, program.robot,
-    `${program.instants} instants, ${formatNumber(program.end - program.start)} s`]
+    `${program.instants} instants, ${formatNumber(program.end - program.start)} s`,
+    ...isSet.map(({ name, value }) => `${name}=${value}`)]
     .filter((part) => part !== "").join("  ·  ");
 }
 

@@ -42,6 +42,15 @@ export interface Control {
   readonly signal: number;
 }
 
+/** A number that is fixed when a run starts. */
+export interface Param {
+  readonly name: string;
+  readonly unit: string;
+  /** As a setting has it, `0.3[m/s]`: in this run, and by default. */
+  readonly value: string;
+  readonly first: string;
+}
+
 export interface Source {
   readonly name: string;
   readonly library: boolean;
@@ -68,6 +77,7 @@ export interface Program {
   readonly notes: string;
   readonly signals: readonly Signal[];
   readonly console: readonly Control[];
+  readonly params: readonly Param[];
   readonly sources: readonly Source[];
   /** That the robot may have driven in. */
   readonly world: Source | null;

@@ -293,13 +293,15 @@ export class Store {
 
   // What if the program were another. Without a text, it is not.
 
-  askWhatIf(text: string): void {
-    this.connection.ask(`what-if${text === "" ? "" : ` ${text}`}`);
+  dropWhatIf(): void {
+    this.connection.ask("what-if");
   }
 
-  /** In the simulator, from the start. */
-  askDrive(text: string): void {
-    this.connection.ask(`drive ${text}`);
+  /** With parameters set, each as NAME=VALUE; on the same inputs, or in the simulator from the
+   *  start. */
+  askWhatIf(how: "what-if" | "drive", text: string, settings: readonly string[]): void {
+    const set = settings.length > 0 ? `with ${settings.join(" ")} ` : "";
+    this.connection.ask(`${set}${how} ${text}`);
   }
 
   whatIfReceived(whatIf: WhatIf): void {

@@ -51,17 +51,16 @@ static bool keep(struct replay *replay, size_t k)
     return true;
 }
 
-/* Of what was recorded what there is in this program. */
-static void set_params(struct replay *replay)
+/* What there is of them in this program. */
+static void set_params(struct replay *replay, const struct buffer *settings)
 {
-    const struct buffer *recorded = &replay->recording->params;
     char why[PARAMS_WHY];
-    for (size_t at = 0; at < recorded->length; at += strlen(recorded->data + at) + 1)
-        params_read(&replay->params, recorded->data + at, why);
+    for (size_t at = 0; at < settings->length; at += strlen(settings->data + at) + 1)
+        params_read(&replay->params, settings->data + at, why);
 }
 
 bool replay_start(struct replay *replay, const struct signals *signals,
-                  const struct recording *recording)
+                  const struct recording *recording, const struct buffer *settings)
 {
     const struct frob_program *program = signals->program;
     memset(replay, 0, sizeof *replay);
@@ -72,7 +71,7 @@ bool replay_start(struct replay *replay, const struct signals *signals,
         return true;
     if (!params_open(&replay->params, program, NULL, 0))
         return false;
-    set_params(replay);
+    set_params(replay, settings);
     replay->state = (unsigned char *)calloc(1, program->state_size + 1);
     replay->output = (unsigned char *)calloc(1, program->output_size + 1);
     if (replay->state == NULL || replay->output == NULL)

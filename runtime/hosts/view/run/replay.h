@@ -13,7 +13,7 @@
 struct replay {
     const struct recording *recording;
     const struct signals *signals;
-    struct params params;          /* as in the recording, where it has them */
+    struct params params;          /* as they were set, or else by default */
     bool runs;                     /* the recording has all that the program needs */
     unsigned char *kept;           /* the states before instants 0, REPLAY_EVERY, …, … */
     size_t room;                   /* … of so many of which there is room */
@@ -27,9 +27,10 @@ struct replay {
 };
 
 /* Nothing is run yet. The program of the signals need not be the one that the recording was
- * read for, but must have the same input and output. False without memory. */
+ * read for, but must have the same input and output. Of its parameters those are set that
+ * `settings` has (see recording.h). False without memory. */
 bool replay_start(struct replay *replay, const struct signals *signals,
-                  const struct recording *recording);
+                  const struct recording *recording, const struct buffer *settings);
 void replay_end(struct replay *replay);
 
 /* Has the whole recording been run over, up to where it has a gap? */

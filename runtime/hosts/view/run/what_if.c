@@ -223,18 +223,17 @@ static double rate_of(const struct recording *recording, double *seconds)
     return apart <= 0 || times[0] != 0 ? 0 : (double)last / *seconds;
 }
 
-/* Options that set the program's parameters as they were recorded: two words each, in memory
- * of `text`, which keeps them. False without memory. */
-static bool param_options(const struct frob_program *program, const struct recording *recording,
+/* Options that set all of the program's parameters: two words each, in memory of `text`, which
+ * keeps them. False without memory. */
+static bool param_options(const struct frob_program *program, const struct buffer *settings,
                           struct buffer *text, const char **options)
 {
-    const struct buffer *recorded = &recording->params;
     struct params params;
     char why[PARAMS_WHY], room[200];
     bool ok = params_open(&params, program, NULL, 0);
     const char *next;
-    for (size_t at = 0; ok && at < recorded->length; at += strlen(recorded->data + at) + 1)
-        params_read(&params, recorded->data + at, why);
+    for (size_t at = 0; ok && at < settings->length; at += strlen(settings->data + at) + 1)
+        params_read(&params, settings->data + at, why);
     for (size_t i = 0; ok && i < program->param_count; i++) {
         struct frob_text value = frob_text_in(room, sizeof room);
         params_write(&value, &program->params[i], params.values);
@@ -254,7 +253,7 @@ static bool param_options(const struct frob_program *program, const struct recor
 /* Runs a program in the simulator as long as it was recorded, and reads what comes of it. */
 static bool drive(const struct attempt *a, what_if_command command, const char *file,
                   const struct recording *recording, const struct signals *signals,
-                  struct recording *driven)
+                  const struct buffer *settings, struct recording *driven)
 {
     struct buffer rate = { 0 }, duration = { 0 }, record = { 0 }, said = { 0 }, params = { 0 };
     const size_t count = 2 * signals->program->param_count;
@@ -275,7 +274,7 @@ static bool drive(const struct attempt *a, what_if_command command, const char *
     if (arguments != NULL)
         memcpy(arguments + count, others, sizeof others);
     if (rate.failed || duration.failed || record.failed || arguments == NULL ||
-        !param_options(signals->program, recording, &params, arguments))
+        !param_options(signals->program, settings, &params, arguments))
         buffer_text(a->why, "not enough memory");
     else if (run(command, arguments, &said) != 0)
         add_without(a->why, said.length > 0 ? said.data : "the simulator cannot be run",
@@ -327,7 +326,7 @@ static bool repeats(const struct attempt *a, what_if_command command, const char
 {
     struct recording driven = { 0 };
     const struct signal *in;
-    bool ok = drive(a, command, file, recording, signals, &driven);
+    bool ok = drive(a, command, file, recording, signals, &recording->params, &driven);
     if (ok) {
         const size_t k = first_difference(signals, INPUT, recording, &driven, &in);
         ok = in == NULL && k == recording->count;
@@ -379,10 +378,52 @@ static bool prepare(struct what_if *what_if, const struct attempt *a,
     return false;
 }
 
+/* Has the edited text another default for the parameter of a setting? Then that counts. */
+static bool is_edited(const struct frob_program *edited, const struct frob_program *recorded,
+                      const char *setting)
+{
+    const struct frob_program *const programs[] = { edited, recorded };
+    const size_t length = strcspn(setting, "=");
+    char rooms[2][200] = { "", "" };
+    for (size_t p = 0; p < 2; p++) {
+        struct frob_text value = frob_text_in(rooms[p], sizeof rooms[p]);
+        for (size_t i = 0; i < programs[p]->param_count; i++)
+            if (strncmp(programs[p]->params[i].name, setting, length) == 0 &&
+                programs[p]->params[i].name[length] == '\0')
+                params_write(&value, &programs[p]->params[i], programs[p]->default_params);
+    }
+    return strcmp(rooms[0], rooms[1]) != 0;
+}
+
+/* How the parameters of the edited program are set. False for what is no value of one. */
+static bool settle(struct what_if *what_if, const struct frob_program *recorded,
+                   const struct buffer *settings, const struct buffer *asked,
+                   struct buffer *why)
+{
+    const struct frob_program *program = what_if->signals.program;
+    struct params params;
+    char text[PARAMS_WHY];
+    bool ok = params_open(&params, program, NULL, 0);
+    for (size_t at = 0; at < settings->length; at += strlen(settings->data + at) + 1)
+        if (!is_edited(program, recorded, settings->data + at))
+            buffer_bytes(&what_if->settings, settings->data + at,
+                         strlen(settings->data + at) + 1);
+    for (size_t at = 0; ok && at < asked->length; at += strlen(asked->data + at) + 1) {
+        ok = params_read(&params, asked->data + at, text) == PARAMS_SET;
+        if (!ok)
+            buffer_text(why, text);
+        buffer_bytes(&what_if->settings, asked->data + at, strlen(asked->data + at) + 1);
+    }
+    params_close(&params);
+    if (what_if->settings.failed)
+        buffer_text(why, "not enough memory");
+    return ok && !what_if->settings.failed;
+}
+
 static bool run_over(struct what_if *what_if, const struct recording *recording,
                      struct buffer *why)
 {
-    if (!replay_start(&what_if->replay, &what_if->signals, recording)) {
+    if (!replay_start(&what_if->replay, &what_if->signals, recording, &what_if->settings)) {
         buffer_text(why, "not enough memory for the program's states");
         return false;
     }
@@ -405,20 +446,22 @@ static void find_difference(struct what_if *what_if, const struct recording *rec
 
 bool what_if_start(struct what_if *what_if, const struct signals *recorded,
                    const struct recording *recording, const struct what_if_commands *commands,
-                   const char *file, const char *text, bool drives, struct buffer *why)
+                   const char *file, const struct what_if_edit *edit, struct buffer *why)
 {
+    const bool drives = edit->drives;
     struct attempt attempt;
     bool ok;
     what_if_end(what_if);
-    ok = begin_attempt(&attempt, file, text, why) &&
-         prepare(what_if, &attempt, recorded, commands->build);
+    ok = begin_attempt(&attempt, file, edit->text, why) &&
+         prepare(what_if, &attempt, recorded, commands->build) &&
+         settle(what_if, recorded->program, &recording->params, &edit->settings, why);
     if (ok && drives && !what_if->is_repeatable) {
         ok = repeats(&attempt, commands->drive, file, recording, recorded);
         what_if->is_repeatable = ok;
     }
     if (ok && drives)
         ok = drive(&attempt, commands->drive, attempt.file, recording, &what_if->signals,
-                   &what_if->driven);
+                   &what_if->settings, &what_if->driven);
     what_if->drives = ok && drives;
     ok = ok && run_over(what_if, drives ? &what_if->driven : recording, why);
     end_attempt(&attempt);
@@ -438,6 +481,7 @@ void what_if_end(struct what_if *what_if)
         replay_end(&what_if->replay);
         signals_end(&what_if->signals);
         recording_free(&what_if->driven);
+        buffer_free(&what_if->settings);
     }
     memset(what_if, 0, sizeof *what_if);
     what_if->is_repeatable = is_repeatable;

@@ -8,6 +8,7 @@
 struct what_if {
     bool is_there; /* an edited program has been compiled, and the rest is of it */
     bool drives;   /* it has driven in the simulator, and has inputs of its own */
+    struct buffer settings; /* of its parameters, as in a recording */
     struct signals signals;
     struct recording driven;
     struct replay replay;
@@ -27,14 +28,21 @@ struct what_if_commands {
                             * NULL: it cannot be */
 };
 
-/* Compiles an edited text of the program's file, as if it were beside what that is beside,
- * and runs it over the whole recording, or, if it `drives`, in the simulator for as long, with
- * the same world and seed; then it is made sure first that the simulator repeats the
- * recording. False if it cannot be, with the reason appended, as the compiler says it. What
- * was there before is gone in any case. */
+/* What is another in the program. */
+struct what_if_edit {
+    const char *text;       /* of its file, as if it were beside what that is beside */
+    struct buffer settings; /* of parameters: NAME=VALUE each, with a NUL. Others are set as
+                             * recorded, but where the text has another default for them */
+    bool drives;            /* it is to run in the simulator */
+};
+
+/* Compiles an edited program, and runs it over the whole recording, or, if it `drives`, in the
+ * simulator for as long, with the same world and seed; then it is made sure first that the
+ * simulator repeats the recording. False if it cannot be, with the reason appended, as the
+ * compiler says it. What was there before is gone in any case. */
 bool what_if_start(struct what_if *what_if, const struct signals *recorded,
                    const struct recording *recording, const struct what_if_commands *commands,
-                   const char *file, const char *text, bool drives, struct buffer *why);
+                   const char *file, const struct what_if_edit *edit, struct buffer *why);
 void what_if_end(struct what_if *what_if);
 
 #endif

@@ -199,8 +199,8 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     begin: () => {
       select(sources[0]);
       const keys = keymap.of([
-        { key: "Mod-Enter", run: () => { bar.run("askWhatIf"); return true; } },
-        { key: "Mod-Shift-Enter", run: () => { bar.run("askDrive"); return true; } },
+        { key: "Mod-Enter", run: () => { bar.run("what-if"); return true; } },
+        { key: "Mod-Shift-Enter", run: () => { bar.run("drive"); return true; } },
         { key: "Escape", run: () => { bar.discard(); return true; } },
         ...standardKeymap,
         ...historyKeymap,

@@ -1,4 +1,6 @@
-// What if the program were another: its text is edited, and run on the same inputs.
+// What if the program were another: its text is edited or its parameters are set, and it is run on
+// the same inputs, or drives again.
+import { ParamFields } from "./params";
 import type { Store } from "../store";
 
 /** As much as a request may have. */
@@ -16,6 +18,7 @@ export class WhatIfBar {
   /** What there is to do, and what came of it. */
   readonly element = document.createElement("section");
   private readonly said = document.createElement("pre");
+  private readonly params: ParamFields;
 
   constructor(
     private readonly store: Store,
@@ -25,6 +28,7 @@ export class WhatIfBar {
     this.button.title = "Edit the program, and run it on the same inputs (e)";
     this.button.id = "what-if";
     this.button.onclick = () => (store.isEditing ? this.discard() : this.begin());
+    this.params = new ParamFields(store.program.params, () => this.run("what-if"));
     const press = (name: string, title: string, act: () => void) => {
       const button = document.createElement("button");
       button.textContent = name;
@@ -34,14 +38,16 @@ export class WhatIfBar {
     };
     const buttons = document.createElement("div");
     buttons.append(
-      press("Run", "Run it on the same inputs (Ctrl Enter)", () => this.run("askWhatIf")),
+      press("Run", "Run it on the same inputs (Ctrl Enter)", () => this.run("what-if")),
       press("Drive again", "Run it in the simulator, from the start (Ctrl Shift Enter)",
-            () => this.run("askDrive")),
+            () => this.run("drive")),
       press("Discard", "Back to the program as it was (Escape)", () => this.discard()),
-      "Run: on the inputs as recorded, the world does not answer. Drive again: in the simulator.",
     );
+    const hint = document.createElement("p");
+    hint.textContent = "Run: on the inputs as recorded; the world does not answer. " +
+      "Drive again: in the simulator, from the start.";
     this.element.className = "what-if";
-    this.element.append(buttons, this.said);
+    this.element.append(buttons, hint, this.params.element, this.said);
     this.element.hidden = true;
     this.said.setAttribute("role", "status");
     store.on("what-if", () => this.show());
@@ -51,19 +57,21 @@ export class WhatIfBar {
     this.store.isEditing = true;
     this.element.hidden = false;
     this.said.textContent = "";
+    this.params.reset();
     this.button.ariaPressed = "true";
     this.editor.begin();
   }
 
-  run(how: "askWhatIf" | "askDrive"): void {
+  run(how: "what-if" | "drive"): void {
     const text = this.editor.text();
+    const settings = this.params.changed();
     if (new TextEncoder().encode(text).length > longest) {
       this.said.textContent = `The program is too long to be sent: ${longest} bytes at most.`;
       return;
     }
     this.said.textContent = "compiling …";
     this.said.classList.remove("bad");
-    this.store[how](text);
+    this.store.askWhatIf(how, text, settings);
   }
 
   discard(): void {
@@ -71,7 +79,7 @@ export class WhatIfBar {
     this.element.hidden = true;
     this.button.ariaPressed = "false";
     this.editor.end();
-    this.store.askWhatIf("");
+    this.store.dropWhatIf();
   }
 
   private show(): void {
@@ -86,6 +94,6 @@ export class WhatIfBar {
       this.said.textContent = `${where}Its outputs are the same, at all instants.`;
     else
       this.said.textContent =
-        `${where}Its outputs are others from instant ${first} on, first ${signal ?? ""}.`;
+        `${where}Its outputs differ from instant ${first} on, first in ${signal ?? ""}.`;
   }
 }
