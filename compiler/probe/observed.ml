@@ -1,6 +1,7 @@
+open Basis
 module Ir = Flow.Ir
 
-let bug format = Basis.Diagnostic.bug ~stage:"Probe.Observed" format
+let bug format = Diagnostic.bug ~stage:"Probe.Observed" format
 
 (* A way down from a node, and what is seen at its end. *)
 type wanted = { path : Catalogue.step list; own : own; label : string }
@@ -10,8 +11,22 @@ let own : Catalogue.own -> own = function
   | Signal s -> Signal s.id
   | Running_mode -> Running_mode
 
+(* The same text for the same way and end. *)
+let key (w : wanted) =
+  let step : Catalogue.step -> string = function
+    | Instance k -> "i" ^ string_of_int k
+    | Mode k -> "m" ^ string_of_int k
+  in
+  let own = match w.own with Signal id -> string_of_int id | Running_mode -> "mode" in
+  String.concat " " (own :: List.map step w.path)
+
 (* What a node can hand up. *)
 type given = { wanted : wanted; atom : Ir.atom; ty : Ir.ty }
+
+let by_key (given : given list) =
+  let table = String_table.create 16 in
+  List.iter (fun (g : given) -> String_table.replace table (key g.wanted) g) given;
+  table
 
 type t = {
   before : Ir.program;
@@ -19,7 +34,9 @@ type t = {
   mutable sums : Ir.sum list;  (** all, the last one first *)
   mutable next_id : int;
   wanted : wanted list array;  (** of each node *)
+  asked : unit String_table.t array;  (** their keys *)
   given : given list array;
+  found : given String_table.t array;  (** likewise, by key *)
 }
 
 let fresh t ~name ~span ty : Ir.signal =
@@ -101,7 +118,10 @@ let inner_wanted (node : Ir.node) (w : wanted) =
   | Mode _ :: _, None -> bug "a mode of no machine"
 
 let ask t index w =
-  if not (List.mem w t.wanted.(index)) then t.wanted.(index) <- w :: t.wanted.(index)
+  let key = key w in
+  if not (String_table.mem t.asked.(index) key) then (
+    String_table.replace t.asked.(index) key ();
+    t.wanted.(index) <- w :: t.wanted.(index))
 
 let ask_all t probes =
   let root = Array.length t.nodes - 1 in
@@ -145,8 +165,8 @@ let with_outputs (node : Ir.node) ~equations others =
     outputs = node.outputs @ others;
   }
 
-let find (given : given list) (w : wanted) =
-  match List.find_opt (fun (g : given) -> g.wanted = w) given with
+let find (found : given String_table.t) (w : wanted) =
+  match String_table.find_opt found (key w) with
   | Some given -> given
   | None -> bug "a node does not give what it was asked for"
 
@@ -169,7 +189,7 @@ let machine t index (node : Ir.node) (machine : Ir.machine) equations =
   let always = List.compare_length_with machine.modes 1 = 0 && Option.is_none machine.active in
   let in_mode (w : wanted) =
     match w.path with
-    | Mode k :: path -> Some (k, find t.given.(List.nth machine.modes k) { w with path })
+    | Mode k :: path -> Some (k, find t.found.(List.nth machine.modes k) { w with path })
     | [] | Instance _ :: _ -> None
   in
   let ty w =
@@ -220,24 +240,27 @@ let extend t ~is_mode index =
   let node = t.nodes.(index) in
   let equations = ref [] in
   let extended = List.map (instance t) node.instances in
+  let inside = Array.of_list (List.map (fun (_, given) -> by_key given) extended) in
   let machine =
     Option.map (fun m -> machine t index node m equations) node.machine
   in
+  let of_machine = Option.map (fun (_, given) -> by_key given) machine in
   let given (w : wanted) =
     match (w.path, w.own) with
     | [], Signal id ->
         let s = own_signal node id in
         { wanted = w; atom = Signal s; ty = s.ty }
     | Instance k :: path, _ ->
-        let inner = find (snd (List.nth extended k)) { w with path } in
+        let inner = find inside.(k) { w with path } in
         { inner with wanted = w }
     | [], Running_mode | Mode _ :: _, _ -> (
-        match machine with
-        | Some (_, given) -> find given w
+        match of_machine with
+        | Some given -> find given w
         | None -> bug "a mode of no machine")
   in
   let given = List.map given t.wanted.(index) in
   t.given.(index) <- given;
+  t.found.(index) <- by_key given;
   let node =
     { node with instances = List.map fst extended; machine = Option.map fst machine }
   in
@@ -255,7 +278,9 @@ let program (before : Ir.program) probes =
       sums = List.rev (Array.to_list before.sums);
       next_id = before.next_id;
       wanted = Array.make count [];
+      asked = Array.init count (fun _ -> String_table.create 16);
       given = Array.make count [];
+      found = Array.init count (fun _ -> String_table.create 1);
     }
   in
   ask_all t probes;
