@@ -121,7 +121,6 @@ int main(int argc, char **argv)
     struct options options = { 0 };
     struct view view = { 0 };
     struct ring ring = { 0 };
-    struct buffer summary = { 0 };
     char token[TOKEN_LENGTH + 1];
     struct start start = { &options, token };
     const struct frob_program *program;
@@ -139,13 +138,11 @@ int main(int argc, char **argv)
     } else if (view_start(&view, program, frob_load_columns(), frob_load_origins(),
                           &options.files, options.ring >= 0 ? &ring : NULL)) {
         /* Of a run of minutes all is known before the page is there. */
-        view_advance(&view, 0.1);
-        view_summary(&view, &summary);
-        fputs(summary.length > 0 ? summary.data : "", stderr);
+        view_advance(&view, 0.02);
+        view_say(&view);
         status = server_run(&view, options.port, token, tell, &start) ? DONE : WRONG_USE;
         browser_forget();
     }
-    buffer_free(&summary);
     view_end(&view);
     ring_close(&ring);
     free(options.files.sources);

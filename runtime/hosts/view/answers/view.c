@@ -104,6 +104,9 @@ bool view_advance(struct view *view, double seconds)
 {
     const double end = now() + seconds;
     const bool diverged = view->replay.diverged;
+    while (recording_read_on(&view->recording))
+        if (now() >= end)
+            return true;
     while (!replay_is_whole(&view->replay)) {
         replay_advance(&view->replay);
         if (now() >= end)
@@ -117,6 +120,11 @@ bool view_advance(struct view *view, double seconds)
 /* As often as a screen is drawn. */
 #define NEWS_S 0.016
 
+bool view_is_reading(const struct view *view)
+{
+    return view->recording.reader != NULL;
+}
+
 bool view_is_live(const struct view *view)
 {
     return view->live.ring != NULL;
@@ -125,6 +133,7 @@ bool view_is_live(const struct view *view)
 enum view_work view_work(struct view *view, double seconds)
 {
     const bool had_ended = view->live.has_ended, was_whole = replay_is_whole(&view->replay);
+    const bool was_reading = view_is_reading(view);
     bool is_whole;
     if (view_is_live(view) && !had_ended) {
         view->has_news |= live_take(&view->live, 1000);
@@ -132,6 +141,9 @@ enum view_work view_work(struct view *view, double seconds)
     }
     is_whole = !view_advance(view, seconds);
     view->has_news |= is_whole && !was_whole;
+    if (!view_is_live(view) &&
+        ((was_reading && !view_is_reading(view)) || (is_whole && !was_whole)))
+        view_say(view);
     if (!is_whole)
         return VIEW_GOES_ON;
     return view_is_live(view) && (!view->live.has_ended || view->has_news) ? VIEW_LOOKS : VIEW_RESTS;
@@ -155,6 +167,16 @@ void view_summary(const struct view *view, struct buffer *text)
                       "diverged at %lu: `%s` is not as recorded, so the recording is of another "
                       "version of the program, or its C depends on more than its input\n",
                       (unsigned long)view->replay.diverged_at, view->replay.diverged_in->name);
+}
+
+void view_say(struct view *view)
+{
+    struct buffer summary = { 0 };
+    view_summary(view, &summary);
+    if (summary.length > view->said)
+        fputs(summary.data + view->said, stderr);
+    view->said = summary.length;
+    buffer_free(&summary);
 }
 
 /* {1 Answers} */

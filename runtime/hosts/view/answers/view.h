@@ -67,6 +67,7 @@ struct view {
     struct live live;
     bool has_news;
     double told; /* when there last was news; seconds */
+    size_t said; /* so much of the summary was said on standard error */
 };
 
 /* Reads the files, whose names are to stay; with a ring, for a run that goes on. False with
@@ -93,15 +94,21 @@ bool view_has_news(struct view *view);
  * goes on, its newest instant. */
 void view_news(struct view *view, struct buffer *message);
 
-/* Runs the program over more of the recording, for about so many seconds. False if it has
- * been run over all of it. */
+/* Reads more of the recording, and runs the program over it, for about so many seconds. False
+ * if that has been done with all of it. */
 bool view_advance(struct view *view, double seconds);
+
+/* Whether not all of a recording has been read: then nothing can be answered yet. */
+bool view_is_reading(const struct view *view);
 
 /* Appends what does not fit, and whether outputs are the recorded ones as far as is known.
  * Lines. */
 void view_summary(const struct view *view, struct buffer *text);
 
-/* Appends the answer to a request. */
+/* Says on standard error what of this has not been said there. */
+void view_say(struct view *view);
+
+/* Appends the answer to a request, unless the recording is still being read. */
 void view_answer(struct view *view, const char *request, struct buffer *answer);
 
 #endif

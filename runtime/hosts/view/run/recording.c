@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define ROWS 2000 /* that are read at a time */
+
 /* The signal that each cell of a row is of. */
 struct reader {
     struct recording *recording;
@@ -233,22 +235,23 @@ static bool read_row(struct reader *r)
     return true;
 }
 
-static void read_rows(struct reader *r)
+/* Some rows. False if there are no more. */
+static bool read_rows(struct reader *r)
 {
     const char *and_after = "; that row and what comes after it is left out";
-    for (;;) {
+    for (size_t i = 0; i < ROWS; i++) {
         enum csv_status status;
         if (!grow(r->recording)) {
             note(r, "not enough memory%s", and_after);
-            return;
+            return false;
         }
         status = csv_next(&r->csv);
         if (status == CSV_END)
-            return;
+            return false;
         /* A host writes whole lines, so a row that the end of the file ends is torn. */
         if ((status == CSV_ROW || status == CSV_UNCLOSED_QUOTE) && feof(r->csv.file)) {
             note(r, "the last line is torn (no line feed at its end), and left out");
-            return;
+            return false;
         }
         if (status != CSV_ROW) {
             note(r, "%s%s",
@@ -256,15 +259,16 @@ static void read_rows(struct reader *r)
                  : status == CSV_NO_MEMORY ? "not enough memory"
                                            : "this is not CSV",
                  and_after);
-            return;
+            return false;
         }
         if (!read_row(r)) {
             /* The reason is the last line that was noted. */
             r->recording->notes.length--;
             buffer_format(&r->recording->notes, "%s\n", and_after);
-            return;
+            return false;
         }
     }
+    return true;
 }
 
 static void end_reader(struct reader *r)
@@ -276,10 +280,25 @@ static void end_reader(struct reader *r)
     free(r->before.starts);
 }
 
+static void stop_reading(struct recording *recording)
+{
+    if (recording->reader != NULL)
+        end_reader(recording->reader);
+    free(recording->reader);
+    recording->reader = NULL;
+}
+
+bool recording_read_on(struct recording *recording)
+{
+    if (recording->reader != NULL && !read_rows(recording->reader))
+        stop_reading(recording);
+    return recording->reader != NULL;
+}
+
 bool recording_read(struct recording *recording, const struct signals *signals,
                     const char *name)
 {
-    struct reader reader = { 0 };
+    struct reader *reader = (struct reader *)calloc(1, sizeof *reader);
     FILE *file = fopen(name, "rb");
     bool ok;
     memset(recording, 0, sizeof *recording);
@@ -287,25 +306,25 @@ bool recording_read(struct recording *recording, const struct signals *signals,
     recording->name = name;
     recording->gap = NO_GAP;
     recording->output_size = signals_output_size(signals);
-    if (file == NULL)
-        return give_up(recording, strerror(errno));
-    if (!frame_reader_open(&recording->frames, name, false)) {
-        fclose(file);
-        return give_up(recording, "not enough memory");
+    if (file == NULL || reader == NULL || !frame_reader_open(&recording->frames, name, false)) {
+        const char *reason = file == NULL ? strerror(errno) : "not enough memory";
+        free(reader);
+        if (file != NULL)
+            fclose(file);
+        return give_up(recording, reason);
     }
-    reader.recording = recording;
-    reader.frames = &recording->frames;
-    reader.signals = signals;
-    csv_start(&reader.csv, file);
-    ok = read_header(&reader);
-    if (ok) {
-        read_rows(&reader);
-        if (recording->count == 0) {
-            fputs(recording->notes.length > 0 ? recording->notes.data : "", stderr);
-            ok = give_up(recording, "there is no instant in it");
-        }
+    reader->recording = recording;
+    reader->frames = &recording->frames;
+    reader->signals = signals;
+    csv_start(&reader->csv, file);
+    recording->reader = reader;
+    ok = read_header(reader);
+    if (ok && !recording_read_on(recording) && recording->count == 0) {
+        fputs(recording->notes.length > 0 ? recording->notes.data : "", stderr);
+        ok = give_up(recording, "there is no instant in it");
     }
-    end_reader(&reader);
+    if (!ok)
+        stop_reading(recording);
     return ok;
 }
 
@@ -425,6 +444,7 @@ bool recording_set(struct recording *recording, const char *const *params, size_
 
 void recording_free(struct recording *recording)
 {
+    stop_reading(recording);
     free(recording->truths);
     free(recording->times);
     free(recording->inputs);

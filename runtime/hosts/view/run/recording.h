@@ -27,15 +27,19 @@ struct recording {
                              * the program cannot be run further; or NO_GAP */
     unsigned char *truths;  /* count times what a simulator knows, or NULL … */
     size_t truth_size;      /* … of so many bytes */
+    struct reader *reader;  /* of a file of which there is more; NULL: it has been read */
 };
 
 #define NO_GAP SIZE_MAX
 
-/* Reads a file. What does not fit the program is left out, with a line in `notes`:
- * columns that it does not have, and all from the first row that cannot be read. False,
- * with one line on standard error, if nothing is left. */
+/* Begins to read a file, as far as its first rows, which is all of most. What does not fit the
+ * program is left out, with a line in `notes`: columns that it does not have, and all from the
+ * first row that cannot be read. False, with one line on standard error, if nothing is left. */
 bool recording_read(struct recording *recording, const struct signals *signals,
                     const char *name);
+
+/* Reads some more rows. False if that was all. */
+bool recording_read_on(struct recording *recording);
 
 /* Sets parameters to other values than those recorded, if any, NAME=VALUE each; what is wrong
  * with those recorded, or other than these, is noted. False, with one line on standard error,

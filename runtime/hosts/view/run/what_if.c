@@ -283,6 +283,8 @@ static bool drive(const struct attempt *a, what_if_command command, const char *
         buffer_text(a->why, "the simulator has recorded nothing");
     else
         ok = true;
+    while (ok && recording_read_on(driven))
+        continue;
     /* It is not read again. */
     driven->name = "the run in the simulator";
     if (record.data != NULL)

@@ -71,7 +71,7 @@ static void *work(void *context)
         pthread_mutex_lock(&worker->lock);
         if (todo == VIEW_LOOKS || todo == VIEW_RESTS)
             wait_for_something(worker, todo == VIEW_LOOKS);
-        has_job = take(worker, &job);
+        has_job = !view_is_reading(worker->view) && take(worker, &job);
         ends = worker->is_ending;
         pthread_mutex_unlock(&worker->lock);
         if (has_job)

@@ -1,60 +1,86 @@
-"""usage: latency.py FROBC COUNT
+"""usage: latency.py FROBC FOLDER COUNT
 
-From a key that is pressed on the page of a run until what the program makes of it is drawn
-there: to the host, into the next instant (of 20 ms), published, run again by the viewer, and on
-the screen of a browser without one. All of it on the page's clock."""
+From an instant until it is drawn on the page: published by the host, run again by the viewer, sent,
+and on the screen of a browser without one. Then from a key that is pressed on the page until what the
+program makes of it is drawn there: the same, and before it the way to the host, and into its
+next instant (of 20 ms)."""
 
-import os
 import sys
 
-here = os.path.dirname(os.path.abspath(__file__))
-root = os.path.join(here, "..", "..", "..", "..")
-sys.path.insert(0, os.path.join(root, "tests", "users", "view"))
+from figures import Clock, example, figure, quantile
 
-import viewer  # noqa: E402
-from journey import Page, start  # noqa: E402
+import viewer
+from journey import Page, start
 
-press = """
+# What is drawn after a change of a cell in the list of signals: `then` is called when it has been.
+watch = """
+const drawn = (name, then) => {
+  const row = [...document.querySelectorAll("#list section > button")]
+    .find((button) => button.title === name);
+  const output = row.querySelector("output");
+  const seen = new MutationObserver(() => requestAnimationFrame(() => {
+    const next = new MessageChannel();
+    next.port1.onmessage = () => then(seen);
+    next.port2.postMessage(null);
+  }));
+  // Of the cell itself, its title, which has all digits.
+  seen.observe(output, { childList: true, characterData: true, subtree: true, attributes: true });
+  return output;
+};
+"""
+
+instants = watch + """
+const [count, done] = arguments;
+const took = [];
+let last = "";
+const output = drawn("in.1", (seen) => {
+  if (output.title === last) return;
+  last = output.title;
+  took.push(performance.timeOrigin + performance.now() - Number(last));
+  if (took.length < count) return;
+  seen.disconnect();
+  done(took);
+});
+"""
+
+press = watch + """
 const [key, done] = arguments;
 const field = document.getElementById("type");
-const row = [...document.querySelectorAll("#list section > button")]
-  .find((button) => button.title === "out.turn");
-const output = row.querySelector("output");
 const before = performance.now();
-const seen = new MutationObserver(() => {
+drawn("out.turn", (seen) => {
   seen.disconnect();
-  requestAnimationFrame(() => {
-    const drawn = new MessageChannel();
-    drawn.port1.onmessage = () => done(performance.now() - before);
-    drawn.port2.postMessage(null);
-  });
+  done(performance.now() - before);
 });
-seen.observe(output, { childList: true, characterData: true, subtree: true });
 field.value = key;
 field.oninput();
 """
 
 
+def tell(program, measure, took):
+    for name, share, aim in (("median", 0.5, 50), ("99 %", 0.99, 100)):
+        figure(program, f"{measure}, {name}", quantile(took, share), aim, "ms")
+
+
 def main():
-    frobc, count = sys.argv[1], int(sys.argv[2])
-    program = os.path.join(root, "examples", "safe_stick", "safe_stick.frob")
-    run = viewer.Run(frobc, ["--robot", "pioneer", program])
+    frobc, folder, count = sys.argv[1], sys.argv[2], int(sys.argv[3])
+    clock = Clock(frobc, folder)
+    run = viewer.Process(clock.command(50 * 60, 20000, 0))
     driver = start(1280, 720)
+    driver.set_script_timeout(60)
     try:
         page = Page(driver, run.address)
-        page.wait(lambda: page.text("#follow") == "Live")
-        page.wait(lambda: page.instant() > 50)
-        driver.set_script_timeout(10)
-        took = sorted(driver.execute_async_script(press, "ax"[i % 2]) for i in range(count))
+        page.wait(lambda: page.text("#follow") == "Live" and page.instant() > 50)
+        tell("clock", "instant to pixel", driver.execute_async_script(instants, count))
+        run.kill()
+        run = viewer.Run(frobc, ["--robot", "pioneer", example("safe_stick")])
+        page = Page(driver, run.address)
+        page.wait(lambda: page.text("#follow") == "Live" and page.instant() > 50)
+        tell("safe_stick", "key to pixel",
+             [driver.execute_async_script(press, "ax"[i % 2]) for i in range(count)])
         page.all("#stop")[0].click()
         run.process.wait(10)
     finally:
         driver.quit()
-    for name, share in (("median", 0.5), ("99 %", 0.99)):
-        value = took[min(count - 1, int(share * count))]
-        print('{"program": "safe_stick", "measure": "key to pixel, %s", "compiler": "", '
-              '"value": %.1f, "reference": 100, "ratio": %.2f, "unit": "ms"}'
-              % (name, value, value / 100))
 
 
 main()

@@ -1,13 +1,23 @@
 #!/bin/sh
-# Runs that are looked at: the cost of publishing an instant, beside the aim; and, where there
-# is a browser, the time from a key on the page to what comes of it there. The argument is the
-# folder to work in.
+# Runs that are looked at: the cost of publishing an instant; and, where there is a browser, what it
+# costs the host to be looked at, how late the page is, how long a recording of an hour takes to
+# open and to go through, and a what-if. The argument is the folder to work in.
 set -eu
 here=tests/generated/bench/view
-gcc -std=c99 -D_XOPEN_SOURCE=700 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror \
-    -Iruntime/hosts/common "$here/publish.c" runtime/hosts/common/ring.c -o "$1/publish"
+common=runtime/hosts/common
+build() {
+    gcc -std=c99 -D_GNU_SOURCE -O2 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror \
+        -Iruntime/include -I$common "$@"
+}
+build $here/publish.c $common/ring.c -o "$1/publish"
 "$1/publish"
+build $here/clock_host.c $common/load.c $common/publisher.c $common/ring.c -ldl -o "$1/clock_host"
 python=/usr/bin/python3
-if test -x $python && test -x /usr/bin/chromedriver && $python -c 'import selenium' 2>/dev/null; then
-    $python "$here/latency.py" "$PWD/_build/install/default/bin/frobc" 200
+frobc=$PWD/_build/install/default/bin/frobc
+if test -x $python && test -x /usr/bin/chromedriver &&
+    $python -c 'import selenium, websockets' 2>/dev/null; then
+    $python $here/latency.py "$frobc" "$1" 300
+    $python $here/jitter.py "$frobc" "$1" 3
+    $python $here/hour.py "$frobc" "$1"
+    $python $here/what_if.py "$frobc" "$1" 20
 fi

@@ -1,0 +1,49 @@
+"""What the measurements of the viewer share: where things are, and how a figure is told."""
+
+import os
+import subprocess
+import sys
+
+here = os.path.dirname(os.path.abspath(__file__))
+root = os.path.normpath(os.path.join(here, "..", "..", "..", ".."))
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(root, "tests", "users", "view"))
+
+
+def example(name):
+    return os.path.join(root, "examples", name, name + ".frob")
+
+
+def figure(program, measure, value, aim, unit):
+    print('{"program": "%s", "measure": "%s", "compiler": "", "value": %.6g, "reference": %g, '
+          '"ratio": %.2f, "unit": "%s"}' % (program, measure, value, aim, value / aim, unit),
+          flush=True)
+
+
+def quantile(values, share):
+    return sorted(values)[min(len(values) - 1, int(share * len(values)))]
+
+
+def memory(pid, share="Private"):
+    """In MB: what is there for this process alone; or, of what it shares, its part too (Pss)."""
+    with open(f"/proc/{pid}/smaps_rollup") as file:
+        lines = [line.split() for line in file if line.startswith(share)]
+    return sum(int(words[1]) for words in lines) / 1024
+
+
+class Clock:
+    """The host of clock_host.c, which keeps time; with a viewer, or with none."""
+
+    def __init__(self, frobc, folder):
+        recording, program = os.path.join(folder, "clock.csv"), os.path.join(here, "clock.frob")
+        with open(recording, "w") as file:
+            file.write("time,in.1,in.2\n0,0,0\n")
+        self.host = os.path.join(folder, "clock_host")
+        self.shared = subprocess.run([frobc, "view", "--only-build", recording, program], check=True,
+                                     stdout=subprocess.PIPE, text=True).stdout.strip()
+        viewer = os.path.join(os.path.dirname(frobc), "..", "lib", "frobc", "frob-view")
+        self.viewer = [viewer, "--print", "--source", program, self.shared, "-"]
+
+    def command(self, count, period_us, priority, viewer=True):
+        return [self.host, self.shared, str(count), str(period_us), str(priority),
+                *(self.viewer if viewer else [])]

@@ -1,0 +1,128 @@
+"""usage: hour.py FROBC FOLDER
+
+An hour at 50 Hz, in 40 columns: how long it takes to open it, the first time and again; to go
+to any instant, with all signals, from the viewer and on the screen; and what memory that takes."""
+
+import asyncio
+import os
+import random
+import subprocess
+import sys
+import time
+
+from figures import example, figure, memory, quantile, root
+
+import viewer
+import websockets
+from journey import Page, start
+from protocol import connect
+
+PROBES = "ahead.front,ahead.left,ahead.right,ahead.omega,explore.mode,watching.n,sides.least,ahead.mode"
+
+scrub = """
+const [to, done] = arguments;
+const canvas = document.querySelector("#timeline canvas");
+const box = canvas.getBoundingClientRect();
+const now = document.getElementById("now");
+const before = performance.now();
+const seen = new MutationObserver(() => {
+  seen.disconnect();
+  requestAnimationFrame(() => {
+    const next = new MessageChannel();
+    next.port1.onmessage = () => done(performance.now() - before);
+    next.port2.postMessage(null);
+  });
+});
+seen.observe(now, { childList: true, characterData: true, subtree: true });
+for (const type of ["pointerdown", "pointerup"])
+  canvas.dispatchEvent(new PointerEvent(type, {
+    bubbles: true, pointerId: 1, button: 0, isPrimary: true,
+    clientX: box.left + to * box.width, clientY: box.top + box.height / 2 }));
+"""
+
+
+async def ask(client, request):
+    await client.send(request)
+    while '"progress"' in (text := await client.recv())[:20]:
+        pass
+    return text
+
+
+async def asked(v, instants):
+    """When the page can be told of the program, and of its last instant; and how long other
+    instants take."""
+    async with connect(v) as client:
+        await ask(client, f"hello {v.token}")
+        told = time.perf_counter()
+        await ask(client, f"instant {instants - 1}")
+        last = time.perf_counter()
+        took = []
+        for _ in range(1000):
+            k = random.randrange(instants)
+            before = time.perf_counter()
+            await ask(client, f"instant {k}")
+            took.append((time.perf_counter() - before) * 1e3)
+        return told, last, took
+
+
+def renderer(driver):
+    """The process of the page: the largest of its kind."""
+    browser = driver.service.process.pid
+    parents = {}
+    for pid in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open(f"/proc/{pid}/stat") as file:
+                parents[int(pid)] = int(file.read().rsplit(")", 1)[1].split()[1])
+        except OSError:
+            pass
+
+    def is_of(pid):
+        return pid == browser or (pid in parents and is_of(parents[pid]))
+
+    def is_page(pid):
+        with open(f"/proc/{pid}/cmdline") as file:
+            return "--type=renderer" in file.read()
+
+    return max((pid for pid in parents if is_of(pid) and is_page(pid)), key=memory)
+
+
+def main():
+    frobc, folder = sys.argv[1:]
+    recording = os.path.join(folder, "hour.csv")
+    program = example("explore")
+    subprocess.run([frobc, "run", program, "--for", "3600s", "--record", recording, "--probe", PROBES],
+                   check=True, stdout=subprocess.DEVNULL)
+    with open(recording) as file:
+        columns = file.readline().count(",") + 1
+        instants = sum(1 for _ in file)
+    hour = f"{instants} x {columns}"
+    os.environ["XDG_CACHE_HOME"] = os.path.join(folder, "cache")
+    subprocess.run(["rm", "-rf", os.environ["XDG_CACHE_HOME"]], check=True)
+    for when, aim in ("first", 1), ("again", 0.2):
+        began = time.perf_counter()
+        v = viewer.Viewer(frobc, recording, program)
+        address = time.perf_counter()
+        told, last, took = asyncio.run(asked(v, instants))
+        figure("explore", f"{hour} opened {when}: the page is there", address - began, aim, "s")
+        figure("explore", f"{hour} opened {when}: all is read", told - began, aim, "s")
+        figure("explore", f"{hour} opened {when}: the last instant", last - began, aim, "s")
+        if when == "first":
+            v.end()
+    for name, share in ("median", 0.5), ("99 %", 0.99):
+        figure("explore", f"any instant from the viewer, {name}", quantile(took, share), 5, "ms")
+    driver = start(1280, 720)
+    try:
+        page = Page(driver, v.address)
+        page.at(0)
+        driver.set_script_timeout(10)
+        took = [driver.execute_async_script(scrub, random.random()) for _ in range(200)]
+        for name, share in ("median", 0.5), ("99 %", 0.99):
+            figure("explore", f"any instant on the screen, {name}", quantile(took, share), 33, "ms")
+        figure("explore", "memory of the viewer", memory(v.process.pid), 150, "MB")
+        figure("explore", "memory of the tab", memory(renderer(driver)), 100, "MB")
+    finally:
+        driver.quit()
+    v.end()
+
+
+main()
