@@ -17,8 +17,14 @@ export function lineColour(index: number): string {
   return colours[index % colours.length] ?? "gray";
 }
 
+/** As asked for before: a computed style makes the browser lay out what has changed. */
+const known = new Map<string, string>();
+
 export function colour(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+  const found = known.get(name) ??
+    getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+  known.set(name, found);
+  return found;
 }
 
 export function onTheme(listener: () => void): void {
@@ -27,6 +33,7 @@ export function onTheme(listener: () => void): void {
 
 function set(theme: string): void {
   document.documentElement.dataset["theme"] = theme;
+  known.clear();
   for (const listener of listeners) listener();
 }
 

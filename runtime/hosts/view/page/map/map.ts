@@ -1,4 +1,5 @@
 // Where the robot is by its odometry, the way it has come, what its sonars hear, and the world.
+import { clear } from "../canvas";
 import type { Instant, Path, Way } from "../protocol";
 import { drawShape, markSignals, moved, points, readingsList, readMarks } from "./marks";
 import { robotNamed } from "./robots";
@@ -8,6 +9,8 @@ import { Track } from "./track";
 import { readWorld, type Point, type World } from "./world";
 
 const pathPoints = 4000;
+/** What is said below it, in pixels. */
+const noteHeight = 18;
 /** Around what is drawn, in metres. */
 const margin = 0.35;
 
@@ -73,7 +76,8 @@ export function startMap(store: Store, host: HTMLElement): void {
     const highest = (numbers: number[]) => numbers.reduce((a, b) => Math.max(a, b)) + margin;
     const least: Point = [lowest(xs), lowest(ys)];
     const most: Point = [highest(xs), highest(ys)];
-    const { clientWidth: width, clientHeight: height } = host;
+    const { clientWidth: width, clientHeight } = host;
+    const height = clientHeight - noteHeight;
     scale = Math.min(width / (most[0] - least[0]), height / (most[1] - least[1]));
     const left = (width - scale * (most[0] - least[0])) / 2;
     const top = (height - scale * (most[1] - least[1])) / 2;
@@ -192,9 +196,7 @@ export function startMap(store: Store, host: HTMLElement): void {
   const draw = () => {
     const { clientWidth: width, clientHeight: height } = host;
     if (width === 0 || height === 0) return;
-    canvas.width = width * devicePixelRatio;
-    canvas.height = height * devicePixelRatio;
-    context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
+    clear(context, width, height);
     context.lineJoin = "round";
     context.lineCap = "round";
     const { instant } = store;
@@ -289,7 +291,7 @@ export function startMap(store: Store, host: HTMLElement): void {
   const place = world && worldFile ? `, in ${worldFile.name}` : "";
   note.textContent = `by odometry${place}`;
   store.on("extent", () => {
-    if (store.newest?.truth) note.textContent = `as simulated (dashed: odometry)${place}`;
+    if (store.newest?.truth) note.textContent = `simulated; dashed by odometry${place}`;
   });
   host.append(note);
   store.on("instant", draw);

@@ -84,7 +84,7 @@ function knob(control: Control, touch: (x: number) => void): Shown {
   const slider = document.createElement("input");
   let timer: number | undefined;
   const draw = () => {
-    const unit = control.unit === "" ? "" : ` ${control.unit}`;
+    const unit = control.unit === "" ? "" : `[${control.unit}]`;
     value.textContent = formatNumber(Number(slider.value)) + unit;
   };
   host.className = "knob";

@@ -65,6 +65,8 @@ export function startLive(store: Store): void {
     element("pace").hidden = !run?.paces || !run.operates;
     hold.textContent = run?.paused ? "Go on" : "Pause";
     hold.ariaPressed = String(run?.paused === true);
+    // Of a run that is followed there is only its own speed.
+    element("speed").hidden = following;
     single.disabled = !run?.paused;
     speed.value = String(run?.speed ?? 1);
     type.hidden = !takesKeys || !run?.sends || !run.operates;

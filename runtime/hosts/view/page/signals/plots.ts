@@ -153,7 +153,7 @@ class Strip {
       width: Math.max(100, this.place.clientWidth),
       height: low ? lowHeight : highHeight(this.store.plotted.length),
       legend: { show: false },
-      padding: [6, 12, 0, 0],
+      padding: [6, 18, 0, 0],
       cursor: {
         sync: { key: "frob" },
         drag: { x: true, y: false, setScale: false },
@@ -173,7 +173,11 @@ class Strip {
             : low ? { splits: () => Array.from({ length: top + 1 }, (_, i) => i),
                       values: (_plot: uPlot, splits: number[]) =>
                         splits.map((x) => shorten(formatPoint(signal, x))) }
-            : { values: (_plot: uPlot, splits: number[]) => splits.map(formatNumber) }) },
+            // Not where the names of times begin.
+            : { values: (plot: uPlot, splits: number[]) => {
+                  const { min = 0, max = 1 } = plot.scales["y"] ?? {};
+                  return splits.map((x) => x < min + 0.07 * (max - min) ? "" : formatNumber(x));
+                } }) },
       ],
       series: [
         {},

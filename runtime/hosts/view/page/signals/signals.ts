@@ -7,7 +7,8 @@ import { formatCell, isNothing } from "../values";
 const titles = { input: "Input", output: "Output", probe: "Inside", mode: "Modes" } as const;
 
 export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputElement): void {
-  const rows: { row: HTMLButtonElement; value: HTMLElement; signal: Signal }[] = [];
+  const rows: { row: HTMLButtonElement; value: HTMLElement; signal: Signal; cell: string | null }[] =
+    [];
   const groups: HTMLElement[] = [];
   const modes = new Set(modeSignals(store.program));
   const sideOf = (signal: Signal, number: number) => modes.has(number) ? "mode"
@@ -27,7 +28,7 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
       row.title = signal.name;
       row.append(name, value);
       row.onclick = () => store.pick(number);
-      rows[number] = { row, value, signal };
+      rows[number] = { row, value, signal, cell: null };
       group.append(row);
       if (side === "mode") group.append(modesOf(store, signal, number));
     });
@@ -35,8 +36,11 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
   }
   list.append(...groups);
 
-  const showValues = () => rows.forEach(({ row, value, signal }, number) => {
+  const showValues = () => rows.forEach((shown, number) => {
+    const { row, value, signal } = shown;
     const cell = store.instant?.cells[number] ?? "";
+    if (cell === shown.cell) return;
+    shown.cell = cell;
     value.textContent = formatCell(signal, cell);
     value.title = cell;
     row.classList.toggle("nothing", isNothing(signal, cell));

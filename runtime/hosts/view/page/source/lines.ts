@@ -54,8 +54,11 @@ export class Lines {
     return this.files.has(file);
   }
 
-  linesOf(file: string): number[] {
-    return [...(this.files.get(file)?.keys() ?? [])].sort((a, b) => a - b);
+  /** Those of a file, in order, from one line to another. */
+  between(file: string, first: number, last: number): number[] {
+    const lines = this.files.get(file);
+    const all = Array.from({ length: last - first + 1 }, (_, i) => first + i);
+    return lines ? all.filter((line) => lines.has(line)) : [];
   }
 
   private static key(instances: Instances): string {

@@ -156,6 +156,9 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     syntaxHighlighting(colours),
     look,
     shown,
+    EditorView.updateListener.of(({ viewportChanged }) => {
+      if (viewportChanged) requestAnimationFrame(scrolled);
+    }),
   ];
   const stateOf = (source: Source | undefined) =>
     EditorState.create({ doc: source?.text ?? "", extensions });
@@ -169,6 +172,16 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
       update();
     },
   };
+  /** The first and the last line that may be seen. */
+  const inView = (): [number, number] => {
+    const { state: { doc }, viewport: { from, to } } = view;
+    return [doc.lineAt(from).number, doc.lineAt(to).number];
+  };
+  let covered: [number, number] = [1, 0];
+  const scrolled = () => {
+    const [first, last] = inView();
+    if (first < covered[0] || last > covered[1]) update();
+  };
   /** Not where lines have come or gone, and values would stand beside others. */
   const hasItsLines = () => view.state.doc.lines === current?.text.split("\n").length;
   const update = () => {
@@ -176,7 +189,8 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     const { name } = current;
     const { place } = store;
     const { doc } = view.state;
-    const marks = lines.linesOf(name).filter((line) => line <= doc.lines).flatMap((line) => {
+    covered = inView();
+    const marks = lines.between(name, ...covered).flatMap((line) => {
       const values = lines.values(name, line);
       const { from, to } = doc.line(line);
       if (!values) return [];

@@ -1,5 +1,6 @@
 // The whole run from left to right: modes as bands, the cursor, the mark, and what the
 // plots show.
+import { clear } from "../canvas";
 import { machineName, modeSignals } from "../signals/modes";
 import type { Series } from "../protocol";
 import type { Store } from "../store";
@@ -15,8 +16,10 @@ const bandsEvery = 500;
 
 export function startTimeline(store: Store, host: HTMLElement): void {
   const canvas = host.querySelector("canvas");
-  const context = canvas?.getContext("2d");
-  if (!canvas || !context) return;
+  const shown = canvas?.getContext("2d");
+  // What stays the same from instant to instant: everything but the cursor and the mark.
+  const context = document.createElement("canvas").getContext("2d");
+  if (!canvas || !shown || !context) return;
   const { program } = store;
   const { signals } = program;
   const span = () => Math.max(program.end - program.start, 1e-9);
@@ -69,31 +72,27 @@ export function startTimeline(store: Store, host: HTMLElement): void {
   };
 
   const drawLine = (seconds: number, stroke: string, dash: number[]) => {
-    const x = place(seconds);
-    context.strokeStyle = stroke;
-    context.lineWidth = 2;
-    context.setLineDash(dash);
-    context.beginPath();
-    context.moveTo(x, 0);
-    context.lineTo(x, canvas.clientHeight);
-    context.stroke();
-    context.setLineDash([]);
-    context.lineWidth = 1;
+    // All of it is to be seen at the ends, too.
+    const x = Math.min(Math.max(place(seconds), 6), width - 6);
+    shown.strokeStyle = stroke;
+    shown.lineWidth = 2;
+    shown.setLineDash(dash);
+    shown.beginPath();
+    shown.moveTo(x, 0);
+    shown.lineTo(x, canvas.clientHeight);
+    shown.stroke();
     if (dash.length > 0) return;
-    context.fillStyle = stroke;
-    context.beginPath();
-    context.moveTo(x - 6, 0);
-    context.lineTo(x + 6, 0);
-    context.lineTo(x, 8);
-    context.fill();
+    shown.fillStyle = stroke;
+    shown.beginPath();
+    shown.moveTo(x - 6, 0);
+    shown.lineTo(x + 6, 0);
+    shown.lineTo(x, 8);
+    shown.fill();
   };
 
-  const draw = () => {
-    const ratio = devicePixelRatio;
+  const drawStill = () => {
     const height = canvas.clientHeight;
-    canvas.width = width * ratio;
-    canvas.height = height * ratio;
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    clear(context, width, height);
     context.font = "11px system-ui, sans-serif";
     context.textBaseline = "middle";
     const bottom = height - axisHeight;
@@ -113,8 +112,20 @@ export function startTimeline(store: Store, host: HTMLElement): void {
       const series = bands.get(number);
       if (series) drawBand(number, series, 10 + i * bandHeight);
     });
+  };
+
+  const drawMoving = () => {
+    if (width === 0 || canvas.clientHeight === 0) return;
+    clear(shown, width, canvas.clientHeight);
+    shown.drawImage(context.canvas, 0, 0, width, canvas.clientHeight);
     if (store.mark) drawLine(store.mark.time, colour("mark"), [4, 3]);
     if (store.instant) drawLine(store.instant.time, colour("cursor"), []);
+  };
+
+  const draw = () => {
+    if (width === 0) return;
+    drawStill();
+    drawMoving();
   };
 
   const tell = () => {
@@ -122,7 +133,8 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     host.ariaValueMax = String(program.instants - 1);
     host.ariaValueNow = String(store.instant.k);
     host.ariaValueText = `instant ${store.instant.k}, ${formatTime(store.instant.time)}`;
-    draw();
+    if (store.following) drawStill();
+    drawMoving();
   };
   host.ariaValueMin = "0";
 
@@ -154,7 +166,7 @@ export function startTimeline(store: Store, host: HTMLElement): void {
     if (!store.following) draw();
   });
   store.on("instant", tell);
-  store.on("mark", draw);
+  store.on("mark", drawMoving);
   store.on("range", draw);
   store.on("spans", draw);
   onTheme(draw);
