@@ -30,7 +30,11 @@ let value sink core (p : Core.Ir.param) name : Interp.Value.t option =
   | Error (Param other) ->
       unknown p ~at
         (Printf.sprintf "it depends on the parameter `%s`, which a run may set" other.label)
-        ~hint:"what is to follow from a parameter is a definition"
+        ~hint:
+          (if name = p.param then
+           Printf.sprintf
+             "what follows from a parameter is a definition: `%s = …`, without `param`" p.label
+          else "what is to follow from a parameter is a definition")
       |> refuse
   | Error (Foreign f) ->
       unknown p ~at (Printf.sprintf "it depends on `%s`, which is in C" f) |> refuse

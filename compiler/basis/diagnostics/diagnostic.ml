@@ -38,6 +38,8 @@ type sink = t list ref
 
 let sink () = ref []
 let emit sink t = sink := t :: !sink
+let last sink = match !sink with [] -> None | t :: _ -> Some t
+let revise_last sink f = match !sink with [] -> () | t :: rest -> sink := f t :: rest
 let has_errors sink = List.exists (fun t -> t.severity = Error) !sink
 
 let all sink =

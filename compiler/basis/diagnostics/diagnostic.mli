@@ -57,6 +57,11 @@ type sink
 val sink : unit -> sink
 val emit : sink -> t -> unit
 
+val last : sink -> t option
+
+val revise_last : sink -> (t -> t) -> unit
+(** Says more of what was emitted last, where more has come to be known. *)
+
 val has_errors : sink -> bool
 
 val all : sink -> t list

@@ -279,4 +279,7 @@ and check_complete (scope : Scope.t) (constructor : Interface.constructor) span 
         (if List.length absent = 1 then "" else "s")
         names
       |> Diagnostic.label ~at:constructor.span "declared here"
+      |> Diagnostic.hint
+           (Printf.sprintf "a record has all its fields: add %s"
+              (Enumeration.all (List.map (Printf.sprintf "`%s = …`") absent)))
       |> Context.emit scope.context

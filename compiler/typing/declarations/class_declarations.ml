@@ -144,7 +144,11 @@ let report_missing (ctx : Context.t) (written : Resolve.Ir.instance) head (missi
         (Diagnostic.error ~code:"E0363" ~at:written.span "the instance `%s` does not give %s"
            (Show.constraint_ words (Ir.Declared written.class_) head)
            names)
-        missing)
+        missing
+      |> Diagnostic.hint
+           (Printf.sprintf "the lines below the `where` of the instance define it: %s"
+              (Enumeration.all
+                 (List.map (fun (m : method_) -> Printf.sprintf "`%s = …`" m.name.name) missing))))
 
 (* Its scheme with the variables in the order of the head. *)
 let of_class (ctx : Context.t) of_class (written : Resolve.Ir.instance) =

@@ -116,8 +116,24 @@ let words t =
           (Environment.record_of t.reader.environment tycon)
     | _ -> None
   in
+  let choices ty =
+    match Type.expand ty with
+    | Data { tycon; _ } -> (
+        match (Environment.type_ t.reader.environment tycon).definition with
+        | Data { constructors = (_ :: _ :: _) as all; _ }
+          when List.compare_length_with all 4 <= 0
+               && List.for_all (fun (c : Ir.constructor) -> c.fields = []) all ->
+            List.map (fun (c : Ir.constructor) -> c.constructor.name) all
+        | Data _ | Alias _ | Builtin | Foreign -> [])
+    | _ -> []
+  in
+  let declared g =
+    Option.map
+      (fun (entry : entry) -> entry.scheme.body)
+      (Resolve.Global_table.find_opt t.globals g)
+  in
   let place : Show.place =
-    { sources = t.sources; inputs = t.inputs; needs_class; definition; fields }
+    { sources = t.sources; inputs = t.inputs; needs_class; definition; fields; choices; declared }
   in
   Show.words ~place ~named_unit:(Environment.named_unit t.reader.environment) ()
 

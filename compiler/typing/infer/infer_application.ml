@@ -204,6 +204,32 @@ let step expressions ctx ~operand ~(head : Resolve.Ir.expr) ~negative ~because ~
       report ctx (fun words -> Mistake.not_a_signal_function words ~head found);
       erroneous ()
 
+(* Where one argument did not fit: perhaps two of them should change places. [failed] is its
+   position, [given] are the types of all. *)
+let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) arguments ~given
+    ~failed =
+  let sink = ctx.reader.Written.sink in
+  let argument = List.nth arguments (failed - 1) in
+  match (head.desc, Diagnostic.last sink) with
+  | Global name, Some d
+    when Span.compare d.at argument.value.span = 0
+         && List.for_all (fun a -> a.style = Juxtaposed) arguments -> (
+      match Resolve.Global_table.find_opt ctx.globals name with
+      | None -> ()
+      | Some { scheme; _ } -> (
+          let instance = Type.instantiate ctx.reader.supply ~depth:ctx.depth scheme in
+          let found = (expressions.infer ctx argument.value).ty in
+          let given = List.mapi (fun i ty -> if i + 1 = failed then found else ty) given in
+          match
+            Argument_order.exchanged ~parameters:(parameters instance.ty) ~given ~position:failed
+          with
+          | None -> ()
+          | Some other ->
+              let arguments = List.map (fun a -> a.value) arguments in
+              Argument_order.cure (words ctx) ~name:name.name ~at:e.span ~arguments (failed, other)
+              |> Diagnostic.revise_last sink))
+  | _ -> ()
+
 let infer expressions ctx e =
   let head, arguments = spine e in
   let negative = looks_negative head arguments in
@@ -246,4 +272,22 @@ let infer expressions ctx e =
         if List.compare_lengths parameters arguments <= 0 then parameters
         else List.filteri (fun i _ -> i < List.length arguments) parameters
       in
-      fst (List.fold_left2 (apply given) (start, None) arguments (deciding parameters arguments)))
+      let before = errors ctx in
+      let apply (state, types, failed) argument decided_by =
+        let next, previous = apply given state argument decided_by in
+        let ty = Option.fold previous ~none:Type.Erroneous ~some:snd in
+        let failed =
+          match failed with
+          | None when errors ctx > before -> Some argument.position
+          | failed -> failed
+        in
+        ((next, previous), ty :: types, failed)
+      in
+      let (result, _), types, failed =
+        List.fold_left2 apply ((start, None), [], None) arguments (deciding parameters arguments)
+      in
+      (match failed with
+      | Some failed when errors ctx = before + 1 ->
+          tell_order expressions ctx e ~head arguments ~given:(List.rev types) ~failed
+      | _ -> ());
+      result)

@@ -1,8 +1,17 @@
 open Basis
 open Context
 
-let beside (expected : Expected.t) at : Expected.t =
-  match expected.because with Unknown -> { expected with because = Branch at } | _ -> expected
+let undecided (expected : Expected.t) =
+  match (Type.expand expected.ty, Environment.as_task expected.ty) with
+  | Flexible _, _ -> true
+  | _, Some (_, _, result) -> (match Type.expand result with Flexible _ -> true | _ -> false)
+  | _ -> false
+
+let beside ~undecided (expected : Expected.t) at : Expected.t =
+  match expected.because with
+  | Unknown -> { expected with because = Branch at }
+  | _ when undecided -> { expected with because = Branch at }
+  | _ -> expected
 
 (* {1 Functions} *)
 
@@ -82,7 +91,7 @@ let guards expressions ctx (guards : Resolve.Ir.guarded list) (expected : Expect
           | None -> Diagnostic.bug ~stage:"Typing.Infer" "a guard without a condition is not last"
         in
         let result = expressions.check ctx value expected in
-        go ((test, result) :: conditional) (beside expected value.span) rest
+        go ((test, result) :: conditional) (beside ~undecided:false expected value.span) rest
   in
   let conditional, last = go [] expected guards in
   match (conditional, last, List.rev guards) with

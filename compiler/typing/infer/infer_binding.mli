@@ -27,5 +27,8 @@ val annotated :
   expressions -> t -> Resolve.Ir.expr -> Resolve.Ir.expr -> Resolve.Ir.scheme -> typed
 (** [(e :: T)]: as a local binding with that signature. *)
 
-val beside : Expected.t -> Span.t -> Expected.t
-(** What is expected of the branches after one at that place. *)
+val undecided : Expected.t -> bool
+(** Is any type right, or a task with any result? *)
+
+val beside : undecided:bool -> Expected.t -> Span.t -> Expected.t
+(** What is expected of the branches after one at that place; [undecided] before that one. *)

@@ -111,8 +111,9 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   match (e.desc, Type.expand expected.ty) with
   | If { condition; then_; else_ }, _ ->
       let condition = check ctx condition (Expected.make Condition Bool) in
+      let undecided = Infer_binding.undecided expected in
       let yes = check ctx then_ expected in
-      let no = check ctx else_ (Infer_binding.beside expected then_.span) in
+      let no = check ctx else_ (Infer_binding.beside ~undecided expected then_.span) in
       fun () ->
         let condition = condition () in
         let yes = yes () in
@@ -191,12 +192,13 @@ and case ctx e scrutinee branches expected =
       Infer_pattern.check ctx b.pattern { ty = !matched; because = Value scrutinee.span }
     in
     if errors ctx > before then matched := Type.Erroneous;
+    let undecided = Infer_binding.undecided expected in
     let right = Infer_binding.right expressions ctx b.right expected in
     let build () : Ir.branch =
       let pattern = pattern () in
       { pattern; value = right () }
     in
-    (build :: done_, Infer_binding.beside expected b.span)
+    (build :: done_, Infer_binding.beside ~undecided expected b.span)
   in
   let branches, _ = List.fold_left branch ([], expected) branches in
   fun () ->

@@ -40,10 +40,16 @@ let enter place kind =
 
 (* {1 What must be static} *)
 
+let rec runs_a_local (h : expr) =
+  match h.desc with Local _ -> true | Apply (f, _) -> runs_a_local f | _ -> false
+
 let complaint kind what =
   match kind with
   | Head { desc = Apply ({ desc = Primitive ({ name = "delay"; _ }, _); _ }, _); _ } ->
     Printf.sprintf "the initial value of `delay` must be static, but %s" what
+  | Head ({ desc = Apply _; _ } as h) when not (runs_a_local h) ->
+    Printf.sprintf "what %s is given before its signal must be static, but %s" (Misplaced.name h)
+      what
   | Head _ -> Printf.sprintf "what is run must be static, but %s" what
   | Binding_of x ->
     Printf.sprintf "`%s` is a signal function and must be static, but %s" x.name what
@@ -64,9 +70,14 @@ let cure = function
       "a task gets what it knows at its start by its parameters, and signals by its input"
   | Head _ ->
     Diagnostic.hint
-      "what changes while it runs comes in by its input; `initially` starts it with the value of \
-       its first instant"
-  | Binding_of _ -> Fun.id
+      "static is what is known when it starts; what changes while it runs comes in by its input; \
+       `initially` starts it with the value of its first instant"
+  | Binding_of x ->
+    Diagnostic.hint
+      (Printf.sprintf
+         "a signal function gets signals by its input: `%s` may take a pair, `proc (x, y) -> …`; \
+          a mode that goes on from a value of the one before gets it by the event of the switch"
+         x.name)
 
 let code = function Head _ -> "E0340" | Binding_of _ | Binding_of_task _ -> "E0344"
 

@@ -121,6 +121,8 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
            (Option.value (Plain_name.of_expr head) ~default:"xs")
            (Option.value (Show.quote words at) ~default:"0"))
         diagnostic
+  | _ when Environment.is_task left && Span.line at.start > Span.line head.span.stop ->
+      hint "several tasks, one below the other, stand in a `do`, which opens their block" diagnostic
   | _ when Environment.is_task left ->
       hint "a task is run by `runTask`: `runTask t` is a signal function" diagnostic
   | _ -> diagnostic

@@ -78,6 +78,24 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
   | Some (cure, at, Some (x : Resolve.Ir.Local.t)) ->
       label ~at (Printf.sprintf "`%s` is this number" x.name) diagnostic |> cure
 
+(* The numbers without a unit that decide the one of a function's result. *)
+let numbers_without_units words (e : Resolve.Ir.expr option) =
+  let rec arguments found (e : Resolve.Ir.expr) =
+    match e.desc with
+    | Apply { head; argument; style = Juxtaposed } -> arguments (argument :: found) head
+    | _ -> (e, found)
+  in
+  let plain e =
+    match literal words e with
+    | Some (digits, None, _, None) when float_of_string_opt digits <> Some 0. -> Some digits
+    | Some _ | None -> None
+  in
+  match Option.map (arguments []) e with
+  | Some ({ desc = Global { name = "knob" | "min" | "max" | "clamp" | "limit" | "abs"; _ }; _ }, es)
+    ->
+      List.filter_map plain es
+  | _ -> []
+
 (* What makes one quantity of another. *)
 let conversion words ~subject (wanted, given) diagnostic =
   let factor = Show.measure words (Units.divide wanted given) in
@@ -90,7 +108,17 @@ let conversion words ~subject (wanted, given) diagnostic =
     | Some { desc = Number n; span } -> Some (n.digits, span)
     | Some _ | None -> None
   in
+  let plain = written = None && numbers_without_units words subject <> [] in
   if Units.is_open wanted || Units.is_open given then diagnostic
+  else if Units.equal given Units.one && plain then
+    let digits = List.hd (numbers_without_units words subject) in
+    hint
+      (Printf.sprintf "give its numbers the unit, as in `%s[%s]`" digits (Show.measure words wanted))
+      diagnostic
+  else if Units.equal given Units.one && String.equal factor "1/s" && diagnostic.hints = [] then
+    hint
+      (Printf.sprintf "a gain makes `1/s` of a number without a unit, as in `2[1/s] * %s`" e)
+      diagnostic
   else if Units.equal given Units.one || Units.equal wanted Units.one then diagnostic
   else if written <> None then
     let digits, at = Option.get written in
@@ -124,6 +152,27 @@ let without_brackets words (wanted, given) diagnostic =
   else if Units.equal wanted Units.one && not (Units.is_open given) then write given
   else diagnostic
 
+(* As Yampa's [delay q]. *)
+let by_time ~(expected : Expected.t) diagnostic =
+  match expected.because with
+  | Parameter { callee = Some "delay"; position = 2; _ } ->
+      hint
+        "`delay x0` is by one instant, with the value `x0` at the first one, and not by a time"
+        diagnostic
+  | _ -> diagnostic
+
+(* The result may be right, and the signature not. *)
+let signature_of_this words ~(expected : Expected.t) (wanted, given) diagnostic =
+  match expected.because with
+  | (Signature _ | Output (Signature _))
+    when (not (Units.is_open wanted || Units.is_open given || Units.equal given Units.one))
+         && not (Units.equal (Units.multiply wanted wanted) given) ->
+      hint
+        (Printf.sprintf "if this is what comes out, the signature says `Float[%s]`"
+           (Show.measure words given))
+        diagnostic
+  | _ -> diagnostic
+
 let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   let text = Show.measure words and is_one u = Units.equal u Units.one in
   let error format = error ~code:"E0320" ~at format in
@@ -143,6 +192,7 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   in
   if is_number expected.ty && is_number found then
     conversion words ~subject (wanted, given) diagnostic
+    |> by_time ~expected |> signature_of_this words ~expected (wanted, given)
   else
     without_brackets words (wanted, given) diagnostic
     |> note

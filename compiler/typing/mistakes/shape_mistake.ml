@@ -23,10 +23,20 @@ let signal_for words input =
   | Flexible _ when not (Show.needs_class words input) -> "()"
   | _ -> Option.value (Show.signal words input) ~default:"x"
 
+(* Mentions a local name where it is applied to no number. *)
+let rec is_a_signal (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Local _ -> true
+  | Apply { head; argument; style = Juxtaposed } -> is_a_signal head || is_a_signal argument
+  | _ -> false
+
+let has_signal e =
+  match List.rev (arguments_of e) with last :: _ -> is_a_signal last | [] -> false
+
 (* [f 1 x], where [f 1 y x] was meant. *)
 let signal_in_place_of_an_argument words name arguments =
   match List.rev_map (fun (e : Resolve.Ir.expr) -> (e, Show.quote words e.span)) arguments with
-  | ({ desc = Local _; _ }, Some signal) :: before when before <> [] ->
+  | (last, Some signal) :: before when before <> [] && is_a_signal last ->
       let before =
         List.rev_map (fun (_, text) -> Option.fold text ~none:"…" ~some:Source.grouped) before
       in
@@ -34,7 +44,7 @@ let signal_in_place_of_an_argument words name arguments =
         (Printf.sprintf
            "`%s` takes %s before its signal: `%s`, where the signal is `%s`" name
            (count (List.length arguments))
-           (String.concat " " ((name :: before) @ [ "…"; signal ]))
+           (String.concat " " ((name :: before) @ [ "…"; Source.grouped signal ]))
            signal)
   | _ -> None
 
@@ -44,7 +54,20 @@ let instead (e : Resolve.Ir.expr option) text d =
   | Some e -> fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ] d
   | None -> d
 
+(* What is run, if a local name stands for it and it has arguments: as `far` of
+   `far = hysteresis 1 x`. *)
+let meant words (subject : Resolve.Ir.expr option) =
+  match subject with
+  | Some { desc = Local x; _ } -> (
+      match Show.definition words x with
+      | Some ({ desc = Apply { style = Juxtaposed; _ }; _ } as e)
+        when Plain_name.of_head e <> None && has_signal e ->
+          Some e
+      | _ -> subject)
+  | _ -> subject
+
 let hint_to_run words subject input d =
+  let subject = meant words subject in
   let signal = signal_for words input in
   let arguments = Option.fold subject ~none:[] ~some:arguments_of in
   let argument = function
@@ -77,6 +100,22 @@ let of_nothing t =
   match Type.expand t with
   | Function (argument, _) -> Type.expand argument = Tuple []
   | _ -> false
+
+(* The input of the proc around, if this function may well be of that. *)
+let signal_of words t =
+  match Type.expand t with
+  | Function (argument, _) -> (
+      match Type.expand argument with
+      | Flexible _ when not (Show.needs_class words argument) -> None
+      | _ -> Show.signal words argument)
+  | _ -> None
+
+(* The head of an application, with its type as it is declared. *)
+let rec declared words (e : Resolve.Ir.expr option) =
+  match e with
+  | Some { desc = Apply { head; style = Juxtaposed; _ }; _ } -> declared words (Some head)
+  | Some { desc = Global g; _ } -> Option.map (fun ty -> (g.name, ty)) (Show.declared words g)
+  | _ -> None
 
 let rec missing_arguments t =
   match Type.expand t with Function (_, result) -> 1 + missing_arguments result | _ -> 0
@@ -171,6 +210,21 @@ let one_too_many words ~subject ~wanted d =
       | _ -> d)
   | _ -> d
 
+let is_function t = match Type.expand t with Function _ -> true | _ -> false
+
+(* Functions of a tuple, one after the other. *)
+let composed words subject d =
+  let parts =
+    match (subject : Resolve.Ir.expr option) with
+    | Some { desc = Tuple es; _ } ->
+        List.map (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) es
+    | _ -> [ None ]
+  in
+  if List.mem None parts then hint "functions are composed by `.`: `f . g`" d
+  else
+    let text = String.concat " . " (List.map Option.get parts) in
+    hint (Printf.sprintf "functions are composed by `.`: `%s`" text) d |> instead subject text
+
 let is_a_parameter (expected : Expected.t) =
   match expected.because with
   | Parameter { callee = Some name; _ } ->
@@ -243,10 +297,9 @@ let hint_to_group name operator =
 
 let shapes words ~subject ~at ~(expected : Expected.t) ~found =
   let text t = Show.described words t in
-  let written otherwise =
-    Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span)
-    |> Option.fold ~none:otherwise ~some:Source.grouped
-  in
+  let quote = Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
+  let raw otherwise = Option.value quote ~default:otherwise in
+  let written otherwise = Option.fold quote ~none:otherwise ~some:Source.grouped in
   let is_event = hint (Printf.sprintf "`isEvent %s` tells whether it occurs now" (written "e")) in
   match (Type.expand expected.ty, Type.expand found, operand_before expected) with
   | wanted, Signal_function _, _ when Environment.is_task wanted ->
@@ -321,6 +374,14 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
                (text (Signal_function (input, output))))
             diagnostic
       | _ -> diagnostic)
+  | _, Function _, _
+    when of_a_sequence expected && Option.is_some (Output_mistake.hint_without_instance found) ->
+      error ~code:"E0370" ~at "the statements of a `do` are tasks, but this is %s" (text found)
+      |> hint
+           (let output = Printf.sprintf "(roMake %s)" (written "(…)") in
+            Printf.sprintf
+              "`sleepT 1[s] %s` is a task that does so for a second, `constT %s` one that never ends"
+              output output)
   | (Data _ | Rigid _), (Function _ | Data _), _
     when Option.is_some (Output_mistake.hint ~subject ~expected:expected.ty ~found) ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
@@ -333,8 +394,15 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       let usual () =
         match Option.bind subject Plain_name.of_expr with
         | Some name when missing = 1 && of_nothing found -> Printf.sprintf "write `%s ()`" name
+        | Some name when missing = 1 && signal_of words found <> None ->
+            Printf.sprintf "write `%s %s`" name (Option.get (signal_of words found))
         | Some name ->
             Printf.sprintf "`%s` takes %d argument%s" name missing (if missing = 1 then "" else "s")
+        | None when declared words subject <> None ->
+            let name, ty = Option.get (declared words subject) in
+            Printf.sprintf "%s missing, the last of `%s :: %s`"
+              (if missing = 1 then "an argument is" else count missing ^ " are")
+              name ty
         | None -> if missing = 1 then "an argument is missing" else "some arguments are missing"
       in
       Option.value (lacking_arguments words ~subject missing d) ~default:(hint (usual ()) d)
@@ -386,6 +454,9 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> hint
            ("a vector has its fields by name: "
            ^ Option.get (vector_fields words ~subject wanted types))
+  | Function _, Tuple (_ :: _ :: _ as given), _ when List.for_all is_function given ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> composed words subject
   | (Function _ as wanted), (Number _ | Bool | Data _ | Tuple _), _ ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> one_too_many words ~subject ~wanted
@@ -417,6 +488,31 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       in
       match (tasks, expected.because) with
       | Some diagnostic, _ -> diagnostic
+      | None, because when Event_mistake.hint words ~subject ~expected ~found <> None ->
+          (match because with
+          | Value _ ->
+              error ~code:"E0301" ~at "this pattern matches %s, but the value is %s" (text found)
+                (text expected.ty)
+          | _ -> error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found))
+          |> hint (Option.get (Event_mistake.hint words ~subject ~expected ~found))
+      | None, Condition when Environment.is_task found ->
+          error ~code:"E0301" ~at "a condition must be `Bool`, but this is %s" (text found)
+          |> hint
+               (Printf.sprintf
+                  "the task runs on a line before, which names its result: `ok <- %s`, and here \
+                   stands `ok`"
+                  (raw "t"))
+      | None, (Parameter _ | Operand _ | Field _ | Signature _ | Output _ | Branch _)
+        when Show.choices words expected.ty <> [] ->
+          error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+          |> hint
+               (Printf.sprintf "it is %s%s"
+                  (String.concat " or "
+                     (List.map (Printf.sprintf "`%s`") (Show.choices words expected.ty)))
+                  (match (Show.choices words expected.ty, Type.expand found) with
+                  | [ _; _ ], Bool ->
+                      Printf.sprintf ", as in `if %s then … else …`" (raw "b")
+                  | _ -> ""))
       | None, Condition ->
           error ~code:"E0301" ~at "a condition must be `Bool`, but this is %s" (text found)
           |> if Environment.is_event found then is_event else Fun.id
@@ -454,7 +550,4 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
           error ~code:"E0301" ~at "this pattern matches %s, but the value is %s" (text found)
             (text expected.ty)
       | None, _ ->
-          let hints =
-            Option.fold (Task_mistake.exchanged ~expected ~found) ~none:Fun.id ~some:hint
-          in
-          error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found) |> hints)
+          error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found))

@@ -50,9 +50,16 @@ let unlike_tasks words ~at (input, output, result) (input', output', result') =
   let says format a b =
     Some (Printf.sprintf format (Show.described words a) (Show.described words b))
   in
+  let nothing t = Type.expand t = Tuple [] in
+  let cure = ref Fun.id in
   let text =
     match (differ input input', differ output output', differ result result') with
     | false, false, true ->
+        (cure :=
+           if nothing result then hint "in a `do`, `return ()` below it drops its result"
+           else if nothing result' then
+             hint "in a `do`, `return x` below it ends the two with `x`"
+           else hint "`mapT f t` is the task `t`, and ends with `f` of its result");
         says "expected a task that ends with %s, but this one ends with %s" result result'
     | false, true, false ->
         says "expected a task whose output is %s, but that of this one is %s" output output'
@@ -60,7 +67,7 @@ let unlike_tasks words ~at (input, output, result) (input', output', result') =
         says "expected a task whose input is %s, but that of this one is %s" input input'
     | _ -> None
   in
-  Option.map (fun text -> error ~code:"E0301" ~at "%s" text) text
+  Option.map (fun text -> error ~code:"E0301" ~at "%s" text |> !cure) text
 
 let no_task words ~subject ~at ~found =
   error ~code:"E0370" ~at "the statements of a `do` are tasks, but this is %s"
@@ -69,15 +76,3 @@ let no_task words ~subject ~at ~found =
        (match Option.bind subject Plain_name.of_expr with
        | Some name -> Printf.sprintf "`return %s` is the task that ends at once with it" name
        | None -> "`let x = …` names a value; `return x` is the task that ends at once with it")
-
-let is_number t = match Type.expand t with Type.Number _ -> true | _ -> false
-
-let exchanged ~(expected : Expected.t) ~found =
-  match expected.because with
-  | Parameter { callee = Some f; later; _ }
-    when (Environment.is_task expected.ty && is_number found && List.exists is_number later)
-         || (is_number expected.ty && Environment.is_task found
-            && List.exists Environment.is_task later)
-    ->
-      Some (Printf.sprintf "perhaps the arguments of `%s` belong in the other order" f)
-  | _ -> None

@@ -30,7 +30,3 @@ val unlike_tasks :
   Diagnostic.t option
 (** What is expected, then what is found, both as {!Environment.as_task} gives it; [None]
     if they differ in more than one of the three. *)
-
-val exchanged : expected:Expected.t -> found:Type.t -> string option
-(** A hint, if a number stands where a function wants a task and a later argument is to be
-    a number, or the reverse: as in [timeOut 3[s] follow]. *)

@@ -116,6 +116,8 @@ type place = {
   needs_class : Type.t -> bool;
   definition : Resolve.Ir.Local.t -> Resolve.Ir.expr option;
   fields : Type.t -> (string * string list) option;
+  choices : Type.t -> string list;
+  declared : Resolve.Ir.Global.t -> Type.t option;
 }
 
 let nowhere =
@@ -125,6 +127,8 @@ let nowhere =
     needs_class = (fun _ -> false);
     definition = (fun _ -> None);
     fields = (fun _ -> None);
+    choices = (fun _ -> []);
+    declared = (fun _ -> None);
   }
 
 type words = {
@@ -148,6 +152,7 @@ let quote words (at : Span.t) =
 let needs_class words t = words.place.needs_class t
 let definition words x = words.place.definition x
 let fields words t = words.place.fields t
+let choices words t = words.place.choices t
 
 let signal words input =
   let same_kind t =
@@ -285,6 +290,9 @@ let rec reserve words depth t =
 let type_ words t =
   reserve words 0 t;
   write (tree_of words 0 t)
+
+let declared t g =
+  Option.map (type_ (words ~named_unit:t.named_unit ())) (t.place.declared g)
 
 let constraint_ words c t =
   reserve words 0 t;

@@ -29,6 +29,9 @@ type place = {
       (** the value of a local that has no parameters *)
   fields : Type.t -> (string * string list) option;
       (** a record's constructor, and its fields *)
+  choices : Type.t -> string list;
+      (** the constructors of a type, if it has a few, and none of them has parts *)
+  declared : Resolve.Ir.Global.t -> Type.t option;  (** the type of a definition *)
 }
 
 val words : ?place:place -> named_unit:(Units.t -> string option) -> unit -> words
@@ -41,6 +44,11 @@ val quote : words -> Span.t -> string option
 val needs_class : words -> Type.t -> bool
 val definition : words -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
 val fields : words -> Type.t -> (string * string list) option
+
+val choices : words -> Type.t -> string list
+
+val declared : words -> Resolve.Ir.Global.t -> string option
+(** The type as its signature has it. *)
 
 val signal : words -> Type.t -> string option
 (** An input of the proc around that may be of this type. *)

@@ -131,7 +131,7 @@ that instant.
   3 |     go n = switch (proc v -> (v + n + x, edge (v > 2))) (\_ -> go (n + 1))
     |                                       - `go` is a signal: it depends on `x` here
     |
-    = hint: what changes while it runs comes in by its input; `initially` starts it with the value of its first instant
+    = hint: static is what is known when it starts; what changes while it runs comes in by its input; `initially` starts it with the value of its first instant
   
   1 error
   [1]

@@ -89,7 +89,7 @@ A continuation is static.
   > main = proc x -> switch (proc y -> (y, edge (y > 1))) (\_ -> constant x) x
   > EOF
   $ frobc check signal.frob
-  error[E0340]: what is run must be static, but `x` is a signal
+  error[E0340]: what `switch` is given before its signal must be static, but `x` is a signal
    --> signal.frob:2:71
     |
   2 | main = proc x -> switch (proc y -> (y, edge (y > 1))) (\_ -> constant x) x

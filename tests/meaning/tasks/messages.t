@@ -66,7 +66,7 @@ What is no task, tasks that do not fit together, and tasks for signal functions.
   10 |     sleepT 1[s]
      |     ^^^^^^^^^^^
      |
-     = hint: an argument is missing
+     = hint: an argument is missing, the last of `sleepT :: Time -> b -> Task a b ()`
   
   error[E0370]: the statements of a `do` are tasks, but this is a number
     --> mistakes.frob:11:5
@@ -114,6 +114,8 @@ What is no task, tasks that do not fit together, and tasks for signal functions.
      |      --------------------------- the signature of `i` asks for `Task Float Float ()`
   22 | i b = if b then return 1[m] else sleepT 1[s] 2
      |                 ^^^^^^^^^^^
+     |
+     = hint: in a `do`, `return ()` below it drops its result
   
   error[E0301]: expected a task that ends with `()`, but this one ends with a number of `m`
     --> mistakes.frob:23:36
@@ -122,6 +124,8 @@ What is no task, tasks that do not fit together, and tasks for signal functions.
      |                 -------------      ^^^^^^^^^^^
      |                 |
      |                 this branch is `Task a n[1] ()`
+     |
+     = hint: in a `do`, `return ()` below it drops its result
   
   error[E0301]: expected a task whose output is a number, but that of this one is `Bool`
     --> mistakes.frob:26:4
@@ -257,7 +261,7 @@ Arguments in the wrong order: a time where the task belongs, or the reverse.
     |                                      |
     |                                      argument 1 of `timeOut` is `Task a b c`
     |
-    = hint: perhaps the arguments of `timeOut` belong in the other order
+    = hint: the arguments of `timeOut` belong in the other order: `timeOut follow 3[s]`
   
   error[E0301]: expected `Task a b c`, found a number of `s`
    --> order.frob:6:38
@@ -265,7 +269,7 @@ Arguments in the wrong order: a time where the task belongs, or the reverse.
   6 | b = mapT (maybe False (const True)) (3[s] `timeOut` follow)
     |                                      ^^^^ --------- argument 1 of `timeOut` is `Task a b c`
     |
-    = hint: perhaps the arguments of `timeOut` belong in the other order
+    = hint: the arguments of `timeOut` belong in the other order: `timeOut follow 3[s]`
   
   error[E0301]: expected `Task a b c`, found a number of `s`
    --> order.frob:7:46
@@ -291,7 +295,7 @@ Arguments in the wrong order: a time where the task belongs, or the reverse.
      |     |
      |     argument 1 of `retryT` is `Int`
      |
-     = hint: perhaps the arguments of `retryT` belong in the other order
+     = hint: the arguments of `retryT` belong in the other order: `retryT 3 (mapT Just follow)`
   
   5 errors
   [1]

@@ -79,7 +79,7 @@ What runs is chosen when it starts; a signal cannot be a parameter of it.
   > main = proc (x, tau) -> lowPass (tau * 1[s]) x
   > FROB
   $ frobc check parameter.frob
-  error[E0340]: what is run must be static, but `tau` is a signal
+  error[E0340]: what `lowPass` is given before its signal must be static, but `tau` is a signal
    --> parameter.frob:3:34
     |
   3 | main = proc (x, tau) -> lowPass (tau * 1[s]) x
@@ -87,7 +87,7 @@ What runs is chosen when it starts; a signal cannot be a parameter of it.
     |                 |
     |                 `tau` is a signal: it comes from the `proc`'s input here
     |
-    = hint: what changes while it runs comes in by its input; `initially` starts it with the value of its first instant
+    = hint: static is what is known when it starts; what changes while it runs comes in by its input; `initially` starts it with the value of its first instant
   
   1 error
   [1]
@@ -151,7 +151,7 @@ the input or the output of the program.
   > main = proc xs -> foldl (>>>) identity (map (\x -> arr (\y -> x * y)) xs) 2
   > FROB
   $ frobc check run.frob
-  error[E0340]: what is run must be static, but `xs` is a signal
+  error[E0340]: what `foldl` is given before its signal must be static, but `xs` is a signal
    --> run.frob:2:71
     |
   2 | main = proc xs -> foldl (>>>) identity (map (\x -> arr (\y -> x * y)) xs) 2
@@ -159,7 +159,7 @@ the input or the output of the program.
     |             |
     |             `xs` is a signal: it comes from the `proc`'s input here
     |
-    = hint: what changes while it runs comes in by its input; `initially` starts it with the value of its first instant
+    = hint: static is what is known when it starts; what changes while it runs comes in by its input; `initially` starts it with the value of its first instant
   
   1 error
   [1]

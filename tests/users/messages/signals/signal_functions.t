@@ -70,6 +70,8 @@ A value of another type is said once, not once a branch.
     |                       - the value is `Event Float`
   3 |     Just x -> x
     |     ^^^^^^
+    |
+    = hint: an event is matched by `Event x` where it occurs, by `NoEvent` elsewhere
   
   1 error
   [1]

@@ -1,0 +1,74 @@
+open Basis
+
+let representations_agree a b =
+  match (Type.representation a, Type.representation b) with
+  | Int, Float | Float, Int -> false
+  | (Int | Float | Flexible_representation _ | Rigid_representation _), _ -> true
+
+(* Could what is given be meant where this is wanted? A variable of the wanted type is one
+   thing wherever it stands; [bound] tells what. *)
+let rec agree bound wanted given =
+  let all ws gs = List.compare_lengths ws gs = 0 && List.for_all2 (agree bound) ws gs in
+  match (Type.expand wanted, Type.expand given) with
+  | Flexible variable, given -> (
+      match List.find_opt (fun (v, _) -> v == variable) !bound with
+      | Some (_, earlier) -> agree (ref []) earlier given
+      | None ->
+          bound := (variable, given) :: !bound;
+          true)
+  | _, (Flexible _ | Erroneous) | Erroneous, _ -> true
+  | Number (r, u), Number (r', u') ->
+      representations_agree r r' && (Units.is_open u || Units.is_open u' || Units.equal u u')
+  | Tuple ws, Tuple gs -> all ws gs
+  | Function (a, b), Function (a', b') | Signal_function (a, b), Signal_function (a', b') ->
+      all [ a; b ] [ a'; b' ]
+  | Data { tycon; arguments; _ }, Data { tycon = tycon'; arguments = arguments'; _ } ->
+      tycon = tycon' && all arguments arguments'
+  | Rigid a, Rigid b -> a.variable.id = b.variable.id
+  | Bool, Bool | String, String -> true
+  | Size n, Size n' -> n = n'
+  | (Number _ | Tuple _ | Function _ | Signal_function _ | Data _ | Rigid _ | Bool | String
+    | Size _ | Alias _), _ ->
+      false
+
+(* As [agree], but not because nothing is known of what is given. *)
+let surely bound wanted given =
+  match (Type.expand wanted, Type.expand given) with
+  | Flexible _, _ -> agree bound wanted given
+  | _, (Flexible _ | Erroneous) -> false
+  | _ -> agree bound wanted given
+
+let exchanged ~parameters ~given ~position =
+  let fit i =
+    if i = position || i > List.length parameters then false
+    else
+      let moved j = if j = i then position else if j = position then i else j in
+      let bound = ref [] in
+      List.mapi (fun j parameter -> (j + 1, parameter)) parameters
+      |> List.for_all (fun (j, parameter) ->
+             match List.nth_opt given (moved j - 1) with
+             | Some ty when moved j <> j -> surely bound parameter ty
+             | Some ty -> agree bound parameter ty
+             | None -> true)
+  in
+  if List.compare_lengths given parameters > 0 then None
+  else List.find_opt fit (List.mapi (fun i _ -> i + 1) given)
+
+let cure words ~name ~at ~(arguments : Resolve.Ir.expr list) (a, b) (d : Diagnostic.t) =
+  let moved i = if i = a then b else if i = b then a else i in
+  let texts =
+    List.mapi
+      (fun i _ ->
+        let (e : Resolve.Ir.expr) = List.nth arguments (moved (i + 1) - 1) in
+        Option.map Source.grouped (Show.quote words e.span))
+      arguments
+  in
+  let d = { d with hints = []; fixes = [] } in
+  if List.mem None texts then
+    Diagnostic.hint (Printf.sprintf "the arguments of `%s` belong in the other order" name) d
+  else
+    let text = String.concat " " (name :: List.map Option.get texts) in
+    Diagnostic.hint
+      (Printf.sprintf "the arguments of `%s` belong in the other order: `%s`" name text)
+      d
+    |> Diagnostic.write at text

@@ -1,0 +1,22 @@
+(** Arguments that were given in another order than the function's.
+
+    Told after all arguments are known: [hold e 0], where [e] is an event, would fit as
+    [hold 0 e]. *)
+
+open Basis
+
+val exchanged : parameters:Type.t list -> given:Type.t list -> position:int -> int option
+(** [given] are the types of the arguments, of which that at [position], from 1, does not fit
+    [parameters], the function's as its scheme has them. The position of another argument with
+    which it could change places. *)
+
+val cure :
+  Show.words ->
+  name:string ->
+  at:Span.t ->
+  arguments:Resolve.Ir.expr list ->
+  int * int ->
+  Diagnostic.t ->
+  Diagnostic.t
+(** The diagnostic of an application, with this in place of its own hints: these two
+    arguments change places. *)

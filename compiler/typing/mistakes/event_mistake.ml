@@ -1,0 +1,101 @@
+open Basis
+
+let is_of name t =
+  match Type.expand t with
+  | Type.Data { tycon; _ } -> tycon = Environment.built_in name
+  | _ -> false
+
+let is_maybe = is_of "Maybe"
+
+let content t =
+  match Type.expand t with Type.Data { arguments = [ content ]; _ } -> Some content | _ -> None
+
+let is_function t = match Type.expand t with Type.Function _ -> true | _ -> false
+let is_plain t =
+  match Type.expand t with
+  | Number _ | Bool | String | Tuple _ -> true
+  | Data _ -> not (Environment.is_event t || Environment.is_task t)
+  | _ -> false
+
+let written words (e : Resolve.Ir.expr option) otherwise =
+  Option.bind e (fun e -> Show.quote words e.span)
+  |> Option.fold ~none:otherwise ~some:Source.grouped
+
+(* Both operands of `||`, from the arguments of [mergeE a b] of truths. *)
+let of_truths words subject =
+  let b = written words subject "b" in
+  Printf.sprintf
+    "`a || b` holds where one of two truths does; an event is `edge %s`, where it becomes True, or \
+     `when %s`, wherever it is"
+    b b
+
+let matched_as ~value = function
+  | "Event" -> Printf.sprintf "%s is matched by `Event x` where it occurs, by `NoEvent` elsewhere" value
+  | _ -> Printf.sprintf "%s is matched by `Just x` or `Nothing`" value
+
+(* A record as it is built, or what else such a value is called. *)
+let value words t =
+  match Show.fields words t with
+  | Some (constructor, fields) when List.compare_length_with fields 4 <= 0 ->
+      Printf.sprintf "(%s { %s })" constructor
+        (String.concat ", " (List.map (Printf.sprintf "%s = …") fields))
+  | _ -> "x"
+
+let hint words ~subject ~(expected : Expected.t) ~found =
+  let wanted = expected.ty in
+  match expected.because with
+  | Parameter { callee = Some ("mergeE" | "mergeR" | "pairEvents"); _ }
+    when Environment.is_event wanted && Type.expand found = Bool ->
+      Some (of_truths words subject)
+  | Value _ when is_maybe found && Environment.is_event wanted ->
+      Some (matched_as ~value:"an event" "Event")
+  | Value _ when Environment.is_event found && is_maybe wanted ->
+      Some (matched_as ~value:"a `Maybe`" "Maybe")
+  | Operand { operator = "==" | "/=" as operator; other; _ }
+    when (Environment.is_event wanted || is_maybe wanted)
+         && not (Environment.is_event found || is_maybe found) -> (
+      let constructor = if is_maybe wanted then "Just" else "Event" in
+      match (Show.quote words other.span, Option.bind subject (fun e -> Show.quote words e.span)) with
+      | Some other, Some text ->
+          Some
+            (Printf.sprintf "what is in it is compared so: `%s %s %s %s`" other operator constructor
+               (Source.grouped text))
+      | _ -> Some (Printf.sprintf "what is in it is compared as `%s x`" constructor))
+  | Parameter { callee = Some ("accum" | "accumHold" | "dAccumHold"); _ }
+    when Environment.is_event wanted
+         && Option.fold (content wanted) ~none:false ~some:is_function ->
+      Some
+        (if Environment.is_event found then
+         Printf.sprintf
+           "each event brings a function of what was before: `tag %s (\\n -> n + 1)`; `count` \
+            counts events"
+           (written words subject "e")
+        else
+          "after the initial value comes an event with a function of what was before: `tag e (\\n \
+           -> n + 1)`")
+  | Parameter { callee = Some ("hold" | "dHold" as hold); _ }
+    when Environment.is_event wanted && is_plain found && Type.expand found <> Bool ->
+      Some
+        (Printf.sprintf
+           "`%s` keeps the value of an event, and this has a value at every instant: `tag e %s` \
+            is an event with the value that it has where `e` occurs"
+           hold (written words subject "x"))
+  | (Parameter _ | Field _ | Signature _ | Output _ | Branch _ | Element _)
+    when Environment.is_event wanted && is_plain found && Type.expand found <> Bool -> (
+      match content wanted with
+      | Some x ->
+          Some
+            (Printf.sprintf
+               "`tag e %s` is such an event, with this value where the event `e` occurs; there is \
+                none at all in `NoEvent`"
+               (value words x))
+      | None -> None)
+  | Parameter _ | Operand _ | Condition | Branch _
+    when Type.expand found = Tuple [] && not (Environment.is_event wanted) -> (
+      match subject with
+      | Some { desc = Local _; _ } ->
+          Some
+            "the events of `edge`, `when` and `after` have the value `()`: `tag e x` is one with \
+             the value of `x`"
+      | _ -> None)
+  | _ -> None

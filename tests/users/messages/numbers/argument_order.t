@@ -1,0 +1,119 @@
+Arguments in another order than the function's: told where they fit the other way round.
+
+A robot's speeds:
+
+  $ cat > speeds.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc _ -> roMake (setVelTR 30[deg/s] 0.3[m/s]))
+  > FROB
+  $ frobc check speeds.frob
+  error[E0320]: expected the unit `m/s`, found `1/s`
+   --> speeds.frob:3:52
+    |
+  3 | main = reactimateRobot (proc _ -> roMake (setVelTR 30[deg/s] 0.3[m/s]))
+    |                                           -------- ^^^^^^^^^ this is `Float[1/s]`
+    |                                           |
+    |                                           argument 1 of `setVelTR` is `Velocity` (m/s)
+    |
+    = hint: the arguments of `setVelTR` belong in the other order: `setVelTR 0.3[m/s] 30[deg/s]`
+  
+  1 error
+  [1]
+  $ sed 's,30.deg/s. 0.3.m/s.,0.3[m/s] 30[deg/s],' speeds.frob > cured.frob
+  $ frobc check cured.frob
+
+The event first:
+
+  $ cat > hold.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = hold (tag (edge (bumped i)) 0) 0.3[m/s])
+  > FROB
+  $ frobc check hold.frob
+  error[E0301]: expected `Event (Event n[u])`, found `Float[m/s]`
+   --> hold.frob:4:40
+    |
+  4 |     v = hold (tag (edge (bumped i)) 0) 0.3[m/s])
+    |         ----  -----------------------  ^^^^^^^^
+    |         |     |
+    |         |     because this is `Event n[u]`
+    |         argument 2 of `hold` is `Event (Event n[u])`
+    |
+    = hint: the arguments of `hold` belong in the other order: `hold 0.3[m/s] (tag (edge (bumped i)) 0)`
+  
+  1 error
+  [1]
+  $ sed 's,hold (.*) 0.3.m/s.),hold 0.3[m/s] (tag (edge (bumped i)) 0)),' hold.frob > cured.frob
+  $ frobc check cured.frob
+
+A place and its label:
+
+  $ cat > label.frob <<'FROB'
+  > import Display
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0 . draw (InWorld Red (label "here" (place i)))))
+  > FROB
+  $ frobc check label.frob
+  error[E0301]: expected `Point2`, found `String`
+   --> label.frob:4:90
+    |
+  4 | main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0 . draw (InWorld Red (label "here" (place i)))))
+    |                                                                                    ----- ^^^^^^
+    |                                                                                    |
+    |                                                                                    argument 1 of `label` is `Point2`
+    |
+    = hint: the arguments of `label` belong in the other order: `label (place i) "here"`
+  
+  1 error
+  [1]
+  $ sed 's,"here" (place i),(place i) "here",' label.frob > cured.frob
+  $ frobc check cured.frob
+
+A number without its unit is in its place:
+
+  $ cat > no_unit.frob <<'FROB'
+  > import Control
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = 0.5[1/s] * (lowPass 200 (frontSonar i) - 0.3[m]))
+  > FROB
+  $ frobc check no_unit.frob
+  error[E0320]: expected the unit `s`, found none
+   --> no_unit.frob:4:29
+    |
+  4 |     v = 0.5[1/s] * (lowPass 200 (frontSonar i) - 0.3[m]))
+    |                     ------- ^^^ this is `Float`
+    |                     |
+    |                     argument 1 of `lowPass` is `Time` (s)
+    |
+    = hint: write `200[ms]` if these are milliseconds, `200[s]` for seconds
+  
+  1 error
+  [1]
+  $ sed 's,200,200[ms],' no_unit.frob > cured.frob
+  $ frobc check cured.frob
+
+Two that are of one type whatever it is are not exchanged:
+
+  $ cat > alike.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = min 0.3[m/s] (tag (edge (bumped i)) 0))
+  > FROB
+  $ frobc check alike.frob
+  error[E0301]: expected `Float[m/s]`, found `Event n[u]`
+   --> alike.frob:3:23
+    |
+  3 |     v = min 0.3[m/s] (tag (edge (bumped i)) 0))
+    |         --- --------  ^^^^^^^^^^^^^^^^^^^^^^^
+    |         |   |
+    |         |   because this is `Float[m/s]`
+    |         argument 2 of `min` is `Float[m/s]`
+    |
+    = hint: an event has a value only where it occurs: `hold x0 e` is the latest one, at first `x0`
+  
+  1 error
+  [1]

@@ -1,0 +1,75 @@
+What is known when a signal function starts, and what is not.
+
+A distance that changes, for one that is kept:
+
+  $ cat > distance.frob <<'FROB'
+  > import Robot
+  > import WallFollow
+  > 
+  > main = reactimateRobot (proc i -> wallFollow1 (frontSonar i) i)
+  > FROB
+  $ frobc check distance.frob
+  error[E0340]: what `wallFollow1` is given before its signal must be static, but `frontSonar` is run here
+   --> distance.frob:4:48
+    |
+  4 | main = reactimateRobot (proc i -> wallFollow1 (frontSonar i) i)
+    |                                                ^^^^^^^^^^^^
+    |
+    = hint: static is what is known when it starts; what changes while it runs comes in by its input; `initially` starts it with the value of its first instant
+  
+  1 error
+  [1]
+  $ sed 's/(frontSonar i) i/0.3[m] i/' distance.frob > cured.frob
+  $ frobc check cured.frob
+
+A mode that mentions a signal of the `proc` around it:
+
+  $ cat > mode.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR (mode i) 0) where
+  >     d = frontSonar i
+  >     mode = switch (proc j -> (0.3[m/s], edge (bumped j))) (\_ -> proc _ -> 0.1[1/s] * d))
+  > FROB
+  $ frobc check mode.frob
+  error[E0344]: `mode` is a signal function and must be static, but `d` is a signal
+   --> mode.frob:5:87
+    |
+  4 |     d = frontSonar i
+    |         ------------ `d` is a signal: a signal function is run here
+  5 |     mode = switch (proc j -> (0.3[m/s], edge (bumped j))) (\_ -> proc _ -> 0.1[1/s] * d))
+    |                                                                                       ^
+    |
+    = hint: a signal function gets signals by its input: `mode` may take a pair, `proc (x, y) -> …`; a mode that goes on from a value of the one before gets it by the event of the switch
+  
+  1 error
+  [1]
+  $ sed 's/mode i/mode (i, d)/;s/proc j/proc (j, _)/;s/proc _ -> 0.1/proc (_, e) -> 0.1/;s/[*] d))/* e))/' mode.frob > cured.frob
+  $ frobc check cured.frob
+
+A threshold that is missing:
+
+  $ cat > hysteresis.frob <<'FROB'
+  > import Control
+  > import Robot
+  > 
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     far = hysteresis 0.5[m] (frontSonar i)
+  >     v = if far then 0.3[m/s] else 0)
+  > FROB
+  $ frobc check hysteresis.frob
+  error[E0303]: a signal function stands where the value of its signal is needed
+   --> hysteresis.frob:6:12
+    |
+  5 |     far = hysteresis 0.5[m] (frontSonar i)
+    |     --- `far` is bound here
+  6 |     v = if far then 0.3[m/s] else 0)
+    |            ^^^ this is `SF Float[m] Bool`
+    |
+    = note: expected `Bool`
+    = hint: `hysteresis` takes two arguments before its signal: `hysteresis 0.5[m] … (frontSonar i)`, where the signal is `frontSonar i`
+  
+  1 error
+  [1]
+  $ sed 's/0.5.m./& 1[m]/' hysteresis.frob > cured.frob
+  $ frobc check cured.frob
