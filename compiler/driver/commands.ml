@@ -2,6 +2,8 @@ open Basis
 
 type format = Text | Json
 
+type asserts = Off | Count | Stop
+
 type general = {
   format : format;
   dump : Stage.t option;
@@ -11,6 +13,7 @@ type general = {
   real : Real.t;
   robot : string option;
   probes : string list;
+  asserts : asserts;
   params : string list;
 }
 
@@ -51,12 +54,13 @@ let report_exception = function
 (* {1 Compiling} *)
 
 let request general ?robot ?(entry = "main") ?(batch = false) ~library file : Request.t =
-  let { dump; stop_after; lint; specialization_limit; real; probes; format = _; robot = _;
-    params = _ } =
+  let { dump; stop_after; lint; specialization_limit; real; probes; asserts; format = _;
+    robot = _; params = _ } =
     general
   in
-  { file; entry; library; files = Program_file.files; robot; real; probes; params = []; batch;
-    specialization_limit; lint; dump; stop_after }
+  let asserts = asserts <> Off in
+  { file; entry; library; files = Program_file.files; robot; real; probes; asserts; params = [];
+    batch; specialization_limit; lint; dump; stop_after }
 
 let ( let* ) result continue =
   match result with Ok value -> continue value | Error text -> wrong_use text
@@ -94,6 +98,8 @@ let with_params general (resources : Resources.t) ~entry file continue =
     | None ->
         print_diagnostics general.format sources sink;
         Exit_status.wrong_use
+
+let assert_options general = if general.asserts = Stop then [ "--stop-when-violated" ] else []
 
 let param_options set =
   List.concat_map (fun (p : Params.set) -> [ "--param"; p.setting ]) set
@@ -191,12 +197,16 @@ let report general ~entry ~states file =
         Format.printf "%a@?" Report.Diagram.print program;
         Exit_status.ok)
   else
-  accepted Pipeline.step general resources ~entry file (fun _ program ->
+  accepted Pipeline.watched general resources ~entry file (fun _ (program, watched) ->
       if general.dump = None then begin
         let bounds = Report.Bounds.of_program program in
+        let judged program =
+          Report.Judged.of_programs ~plain:bounds ~watched:(Report.Bounds.of_program program)
+        in
+        let judged = Option.map judged watched in
         match general.format with
-        | Text -> print_string (Report.Text.to_string bounds)
-        | Json -> print_endline (Report.For_tools.to_string bounds)
+        | Text -> print_string (Report.Text.to_string ?judged bounds)
+        | Json -> print_endline (Report.For_tools.to_string ?judged bounds)
       end;
       Exit_status.ok)
 
@@ -321,7 +331,7 @@ let hosted general ~entry ~sources file ~host ~arguments =
 
 (* Instead of running a program. *)
 let list_probes general ~entry file =
-  let general = { general with probes = [] } in
+  let general = { general with probes = []; asserts = Off } in
   let* resources = Resources.find () in
   accepted Pipeline.probes general resources ~entry file (fun _ list ->
       print_string list;
@@ -336,6 +346,7 @@ let compiled_trace general ~params ~entry ~sources ~modes ~input ~output file =
     ~host:(fun resources -> resources.Resources.trace_host)
     ~arguments:(fun _ program ->
       (if modes then [ "--modes" ] else [])
+      @ assert_options general
       @ param_options params
       @ (program :: input :: Option.to_list output))
 
@@ -385,6 +396,8 @@ let trace general engine ~entry ~sources ~modes ~input ~output ~picture file =
         prerr_endline
           "error: modes are those of the compiled program: `--modes` needs `--engine c`";
         Exit_status.wrong_use
+    | Interpreter when general.asserts = Stop ->
+        wrong_use "assertions are judged in the compiled program: `--asserts=stop` needs `--engine c`"
     | Interpreter when List.exists (fun p -> p <> Drawing.probe) general.probes ->
         wrong_use "probes are put into the compiled program: `--probe` needs `--engine c`"
     | Interpreter -> interpreted_trace general ~params ~entry ~input ~output file
@@ -521,7 +534,13 @@ let shown ?(params = []) general ~entry ~sources look ~record ~world file contin
             ~options:(param_options params @ print_only browser) ~recording:record ~program file
           |> continue)
 
+(* A recording has the verdicts on assertions that somebody watches. *)
+let with_claims general =
+  if general.asserts = Off || asks_for_list general then general
+  else { general with probes = general.probes @ [ Probes.claims ] }
+
 let run general ~entry ~sources run file =
+  let general = with_claims general in
   let* resources = Resources.find () in
   let* () = Program_file.check file in
   let world = world_of run.world resources file in
@@ -552,6 +571,7 @@ let run general ~entry ~sources run file =
       @ flag "--exit-when-done" run.exit_when_done
       @ flag "--console" run.console
       @ flag "--strict" run.strict
+      @ assert_options general
       @ if viewer = [] then [] else "--viewer" :: viewer)
 
 type view = {

@@ -3,6 +3,12 @@
 
 type format = Text | Json
 
+(** What is done with the assertions of a program. *)
+type asserts =
+  | Off  (** nothing of them is compiled *)
+  | Count  (** they are judged, and what became of them is told *)
+  | Stop  (** and the first that is violated ends the run *)
+
 type general = {
   format : format;  (** of diagnostics, and of a report *)
   dump : Stage.t option;
@@ -12,6 +18,7 @@ type general = {
   real : Basis.Real.t;  (** the precision of [Float] *)
   robot : string option;  (** the robot to compile for, where the program leaves it open *)
   probes : string list;  (** inner signals to be seen, as {!Probe.Selection} takes them *)
+  asserts : asserts;
   params : string list;  (** values of the program's parameters, [NAME=VALUE] each *)
 }
 
@@ -20,6 +27,12 @@ val with_params :
 (** Goes on with what the program's parameters are set to; a wrong setting is told. *)
 
 val param_options : Params.set list -> string list
+(** For a host. *)
+
+val with_claims : general -> general
+(** With the verdicts on assertions among what is recorded. *)
+
+val assert_options : general -> string list
 (** For a host. *)
 
 val request :

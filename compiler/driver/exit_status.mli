@@ -13,4 +13,4 @@ val bug : int
 (** A bug in frobc. *)
 
 val fault : int
-(** The run ended in a fault: robot lost, watchdog, collision limit. *)
+(** The run ended in a fault: robot lost, watchdog, collision limit, an assertion. *)

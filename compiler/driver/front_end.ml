@@ -90,7 +90,11 @@ let check_entry (r : Request.t) sink front (written : Typing.Ir.definition) =
   let program = for_a_robot r front written.name in
   let sampled = Option.is_none r.robot && Robots.is_open program in
   match if sampled then Robots.sampled program else Robots.closed sink r.robot program with
-  | Some closed -> ignore (specialized r sink front ~written closed)
+  | Some closed ->
+      let claims ((core, _), flow) =
+        if Probe.Observed.has_claims flow then Probes.warn_of_claims sink written core flow
+      in
+      Option.iter claims (specialized r sink front ~written closed)
   | None -> Core.Recursion.check sink front.core
 
 let check sink sources r =

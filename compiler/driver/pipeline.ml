@@ -6,20 +6,26 @@ let stage = Request.stage
 let check = Front_end.check
 let params = Front_end.params
 
-(* With what is to be seen beside its output. *)
-let observed (r : Request.t) sink (p : Front_end.t) names =
-  let* probes = Probes.named sink p.written (fst p.closed) p.flow names in
-  let shown, hidden = Probes.causal p.written p.flow probes in
+(* With what is to be seen beside its output, and with what hosts are to know of its assertions. *)
+let observed (r : Request.t) sink (p : Front_end.t) ~asserts names =
+  let* probes = Probes.named sink p.written (fst p.closed) p.flow names ~asserts in
+  let causal, hidden = Probes.causal p.written p.flow (List.map fst probes) in
   let* () = Probes.refuse_hidden sink p.written ~names hidden in
-  let flow = Probe.Observed.program p.flow shown in
+  let is_shown probe = List.assq probe probes in
+  let flow = Probe.Observed.program p.flow causal in
+  let claims = if asserts then Probe.Observed.claims ~shown:is_shown causal else [] in
+  let flow = { flow with claims } in
   if r.lint then Front_end.lint flow;
   Some { p with flow }
 
 let checked sink sources (r : Request.t) =
   let* program = Front_end.program sink sources r in
-  match Drawing.others program.flow r.probes with
-  | [] -> Some program
-  | names -> observed r sink program names
+  let has_claims = Probe.Observed.has_claims program.flow in
+  let asserts = r.asserts && has_claims in
+  let is_there name = has_claims || name <> Probes.claims in
+  match List.filter is_there (Drawing.others program.flow r.probes) with
+  | [] when not asserts -> Some program
+  | names -> observed r sink program ~asserts names
 
 let all_probes show sink sources r =
   let* p = Front_end.program sink sources r in
@@ -69,6 +75,15 @@ let after_checks next sink sources r =
 
 let flow sink = after_checks optimized sink
 let step sink = after_checks lowered sink
+
+let watched sink sources (r : Request.t) =
+  let* plain = Front_end.program sink sources r in
+  let* step = lowered r sink plain.flow in
+  if not (Probe.Observed.has_claims plain.flow) then Some (step, None)
+  else
+    let* claimed = observed r sink plain ~asserts:true [] in
+    let* watched = lowered r sink claimed.flow in
+    Some (step, Some watched)
 let compile sink sources r = Option.bind (step sink sources r) (c r sink)
 
 let for_both_engines sink sources r =

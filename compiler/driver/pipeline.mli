@@ -20,6 +20,9 @@ val flow : Flow.Ir.program option t
 val step : Step.Ir.program option t
 (** Everything before C. *)
 
+val watched : (Step.Ir.program * Step.Ir.program option) option t
+(** Likewise; and once more with its assertions judged, if it asserts anything. *)
+
 val compile : Cgen.Emit.t option t
 (** The whole chain. *)
 

@@ -1,6 +1,7 @@
 open Basis
 
 let unknown = "E0506"
+let claims = Probe.Selection.claims
 
 let refuse sink diagnostic =
   Diagnostic.emit sink diagnostic;
@@ -20,10 +21,16 @@ let all sink entry core flow =
       |> Diagnostic.note "so many have no names by which their signals could be seen"
       |> refuse sink
 
-let named sink entry core flow names =
+let named sink entry core flow ~asserts names =
   Option.bind (all sink entry core flow) (fun all ->
       match Probe.Selection.find all names with
-      | Ok probes -> Some probes
+      | Ok shown ->
+          let with_whether_shown p =
+            let is_shown = List.memq p shown in
+            if is_shown || (asserts && Probe.Selection.is_claim p) then Some (p, is_shown)
+            else None
+          in
+          Some (List.filter_map with_whether_shown all)
       | Error (name, nearest) ->
           let closest name = Diagnostic.hint (Printf.sprintf "did you mean `%s`?" name) in
           Diagnostic.error ~code:unknown ~at:(name_of entry)
@@ -54,7 +61,21 @@ let causal entry flow probes =
   if List.compare_lengths shown probes = 0 then (probes, [])
   else List.partition (fun p -> List.memq p shown) probes
 
+let warn_unwatched sink (p : Probe.Catalogue.probe) =
+  Diagnostic.warning ~code:"W0311" ~at:p.span "nobody watches this assertion"
+  |> Diagnostic.note
+       "it is inside a switch that is fed with its own output; all outputs of a switch need what \
+        is shown of it"
+  |> Diagnostic.hint "state it where that output is used"
+  |> Diagnostic.emit sink
+
+let warn_of_claims sink entry core flow =
+  let claims = Option.value (named sink entry core flow ~asserts:true []) ~default:[] in
+  List.iter (warn_unwatched sink) (snd (causal entry flow (List.map fst claims)))
+
 let refuse_hidden sink entry ~names (hidden : Probe.Catalogue.probe list) =
+  let claims, hidden = List.partition Probe.Selection.is_claim hidden in
+  List.iter (warn_unwatched sink) claims;
   match hidden with
   | { name; _ } :: _ when not (List.mem "all" names) ->
       Diagnostic.error ~code:unknown ~at:(name_of entry) "`%s` cannot be shown" name

@@ -10,6 +10,9 @@ val name_of : Typing.Ir.definition -> Basis.Span.t
 val unknown : string
 (** The code. *)
 
+val claims : string
+(** What all verdicts on assertions are called, as one probe. *)
+
 val list : Typing.Ir.program -> Flow.Ir.program -> Probe.Catalogue.probe list -> string
 (** A line for each: its name, its type, and where it is written. *)
 
@@ -27,9 +30,11 @@ val named :
   Typing.Ir.definition ->
   Core.Ir.program ->
   Flow.Ir.program ->
+  asserts:bool ->
   string list ->
-  Probe.Catalogue.probe list option
-(** Of these, those that {!Probe.Selection} takes the names for. *)
+  (Probe.Catalogue.probe * bool) list option
+(** Of these, those that {!Probe.Selection} takes the names for; and with [asserts] the verdicts
+    on assertions too, with whether they are meant by a name. *)
 
 val causal :
   Typing.Ir.definition ->
@@ -40,10 +45,15 @@ val causal :
     its signal functions reads, so one that is shown an input that was not read before may
     come to need its own output of the same instant. *)
 
+val warn_of_claims :
+  Diagnostic.sink -> Typing.Ir.definition -> Core.Ir.program -> Flow.Ir.program -> unit
+(** Emits W0311 for each assertion that cannot be watched. *)
+
 val refuse_hidden :
   Diagnostic.sink ->
   Typing.Ir.definition ->
   names:string list ->
   Probe.Catalogue.probe list ->
   unit option
-(** [None] after a diagnostic, if one that was asked for by its name cannot be shown. *)
+(** [None] after a diagnostic, if one that was asked for by its name cannot be shown. Emits
+    W0311 for an assertion. *)

@@ -8,6 +8,7 @@ type t = {
   robot : Cgen.Robot.t option;
   real : Real.t;
   probes : string list;
+  asserts : bool;
   params : Resolve.Parameters.setting list;
   batch : bool;
   specialization_limit : int;
@@ -25,6 +26,7 @@ let make ~library file =
     robot = None;
     real = Double;
     probes = [];
+    asserts = false;
     params = [];
     batch = false;
     specialization_limit = 10_000;

@@ -11,6 +11,7 @@ type t = {
       (** for a program that leaves its robot open; see {!Robots.closed} *)
   real : Real.t;  (** the precision of [Float] *)
   probes : string list;  (** inner signals to be seen, as {!Probe.Selection} takes them *)
+  asserts : bool;  (** the verdicts on its assertions are part of its output, for hosts *)
   params : Resolve.Parameters.setting list;  (** values for {!Pipeline.params} to tell *)
   batch : bool;  (** as for {!Cgen.Emit.program} *)
   specialization_limit : int;

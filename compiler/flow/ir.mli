@@ -286,6 +286,15 @@ type param = {
   declared : Span.t;
 }
 
+(** An assertion of the program that is watched. *)
+type claim = {
+  column : string;  (** among the [probes] *)
+  is_assumption : bool;
+  label : string;
+  shown : bool;  (** as a column of traces, like other probes *)
+  claimed_at : Span.t;
+}
+
 type header = { header : string; folder : string  (** its path is from there *) }
 
 type program = {
@@ -308,6 +317,7 @@ type program = {
   probes : (string * shape) list;
       (** inner signals to be seen, by what they are called: the root gives their leaves
           after those of [output] *)
+  claims : claim list;  (** those of [probes] that are verdicts on assertions *)
   marks : int;  (** so many can be drawn in an instant, whether or not they are to be seen *)
   params : param list;
 }

@@ -14,7 +14,7 @@ let exits =
       ~doc:"wrong use, missing file, unreadable input, or missing tool.";
     Cmd.Exit.info Driver.Exit_status.bug ~doc:"a bug in frobc.";
     Cmd.Exit.info Driver.Exit_status.fault
-      ~doc:"the run ended in a fault: robot lost, watchdog, collision limit.";
+      ~doc:"the run ended in a fault: robot lost, watchdog, collision limit, assertion violated.";
   ]
 
 let command name ~doc ?man term = Cmd.v (Cmd.info name ~doc ?man ~exits) term
@@ -100,7 +100,7 @@ let general =
   in
   let make format dump stop_after lint specialization_limit robot real =
     { Commands.format; dump; stop_after; lint; specialization_limit; robot; real; probes = [];
-      params = [] }
+      asserts = Off; params = [] }
   in
   Term.(const make $ format $ dump $ stop_after $ lint $ limit $ robot $ real)
 
@@ -113,6 +113,25 @@ let probed =
   let names = Arg.(value & opt_all (list string) [] & info [ "probe" ] ~docv:"NAME,…" ~doc) in
   let make general names = { general with Commands.probes = List.concat names } in
   Term.(const make $ general $ names)
+
+(* Of a command; [default]: without the option. *)
+let with_asserts ~default ~doc general =
+  let all = [ ("off", Commands.Off); ("count", Commands.Count); ("stop", Commands.Stop) ] in
+  let asserts = Arg.(value & opt (enum all) default & info [ "asserts" ] ~docv:"HOW" ~doc) in
+  Term.(const (fun general asserts -> { general with Commands.asserts }) $ general $ asserts)
+
+let judging general =
+  with_asserts general ~default:Commands.Count
+    ~doc:
+      "What is done with the program's assertions: $(b,count) them and tell what became of each, \
+       $(b,stop) at the first that is violated, with the robot at rest and exit status 4, or \
+       $(b,off)."
+
+let not_judging general =
+  with_asserts general ~default:Commands.Off
+    ~doc:
+      "With $(b,count), or $(b,stop), the program's assertions are compiled too, and its table for \
+       hosts has their verdicts; with $(b,off), as without it, nothing of them is."
 
 (* Of commands that run a program. *)
 let with_params general =
@@ -210,7 +229,7 @@ let compile =
     Commands.compile general entry ~batch ~standalone folder file
   in
   command "compile" ~doc:"translate a program to C: NAME.c and NAME.h"
-    Term.(const run $ general $ entry $ batch $ standalone $ folder $ file)
+    Term.(const run $ not_judging general $ entry $ batch $ standalone $ folder $ file)
 
 let trace =
   let input =
@@ -262,7 +281,7 @@ let trace =
   in
   command "trace" ~man ~doc:"run a signal function on recorded input"
     Term.(
-      const run $ with_params probed $ entry $ sources $ modes $ input $ output $ picture $ engine
+      const run $ judging (with_params probed) $ entry $ sources $ modes $ input $ output $ picture $ engine
       $ file)
 
 let run =
@@ -416,7 +435,7 @@ let run =
   in
   command "run" ~doc:"run a robot program in the simulator, or on a robot"
     Term.(
-      const make $ with_params probed $ entry $ sources $ on_robot $ world $ duration $ rate $ seed
+      const make $ judging (with_params probed) $ entry $ sources $ on_robot $ world $ duration $ rate $ seed
         $ realtime
         $ record
       $ picture $ strict $ exit_when_done $ console $ look $ file)
@@ -496,7 +515,7 @@ let build =
     Term.(
       const (fun general entry sources target output file ->
           Driver.Real_robot.build general ~entry ~sources ~target ~output file)
-      $ general $ entry $ sources $ target $ output $ file)
+      $ not_judging general $ entry $ sources $ target $ output $ file)
 
 let export =
   let folder =

@@ -10,3 +10,9 @@
 
 val program : Flow.Ir.program -> Catalogue.probe list -> Flow.Ir.program
 (** The probes, of this program's catalogue. *)
+
+val claims : shown:(Catalogue.probe -> bool) -> Catalogue.probe list -> Flow.Ir.claim list
+(** Of the probes, those that are verdicts on assertions. *)
+
+val has_claims : Flow.Ir.program -> bool
+(** Is anything asserted in it? *)

@@ -26,6 +26,9 @@ let candidates probes =
   in
   List.sort_uniq String.compare (List.concat_map names probes)
 
+let claims = "assert"
+let is_claim (p : Catalogue.probe) = Resolve.Claims.is_name p.signal
+
 let prefix = "probe."
 
 let find probes names =
@@ -40,6 +43,7 @@ let find probes names =
         Ok (List.filter is_wanted probes)
     | "all" :: rest ->
         all ((fun (p : Catalogue.probe) -> not p.handed_down) :: wanted) rest
+    | name :: rest when name = claims -> all (is_claim :: wanted) rest
     | name :: rest ->
         let meant =
           let exact (p : Catalogue.probe) = String.equal p.name (plain name) in

@@ -2,8 +2,14 @@
 
     A name stands for the signals whose way from the root ends in it, [v], [wallFollow.v];
     for all signals of the instances whose way does, [wallFollow]; and for the parts of a
-    record, [follow.pose]. Numbers may be left out. [all] is all of them. What is only
-    handed down is meant only where it is named itself. *)
+    record, [follow.pose]. Numbers may be left out. [all] is all of them, [assert] the verdicts
+    on assertions. What is only handed down is meant only where it is named itself. *)
+
+val claims : string
+(** [assert] *)
+
+val is_claim : Catalogue.probe -> bool
+(** The verdict on an assertion. *)
 
 val find :
   Catalogue.probe list -> string list -> (Catalogue.probe list, string * string option) result

@@ -114,7 +114,7 @@ let param (p : Flow.Ir.param) =
       ("line", line p.declared);
     ]
 
-let to_string (t : Bounds.t) =
+let to_string ?judged (t : Bounds.t) =
   let structs = State.in_use t.state in
   let index = Hashtbl.create 16 in
   List.iteri (fun i k -> Hashtbl.replace index k i) structs;
@@ -138,4 +138,8 @@ let to_string (t : Bounds.t) =
          ("params", list param t.program.params);
          ("params_bytes", Int (State.params_bytes t.program));
          ("marks", Int t.program.marks);
+         ("assertions", match judged with None -> Int 0 | Some (j : Judged.t) -> Int j.count);
+         ( "assertion_operations",
+           match judged with None -> Int 0 | Some (j : Judged.t) -> Int j.operations );
+         ("assertion_bytes", match judged with None -> Int 0 | Some (j : Judged.t) -> Int j.bytes);
        ])

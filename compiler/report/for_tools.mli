@@ -11,7 +11,9 @@
     library; [machines] ([name], [file], [line], [modes], [steps] and
     [transitions], each with [from], [to], [line], [at_first_instant], which says
     whether it may occur at the first instant of the mode that it leaves, and
-    [event], the signal function that says when, where it may not). *)
+    [event], the signal function that says when, where it may not); [assertions], how many, and
+    [assertion_operations] and [assertion_bytes], which a step and the state have more where
+    they are judged. *)
 
-val to_string : Bounds.t -> string
+val to_string : ?judged:Judged.t -> Bounds.t -> string
 (** Without a line end. *)

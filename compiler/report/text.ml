@@ -178,7 +178,17 @@ let param_row (p : Flow.Ir.param) =
     place = Bounds.place ~file:p.declared.file p.declared;
   }
 
-let to_string (t : Bounds.t) =
+let assertions = function
+  | None -> []
+  | Some (j : Judged.t) ->
+      [
+        Printf.sprintf
+          "\nassertions: %d; where they are judged, operations of a step: %d more (%.2f), bytes of \
+           state: %d more; otherwise none of them in the C\n"
+          j.count j.operations j.share j.bytes;
+      ]
+
+let to_string ?judged (t : Bounds.t) =
   let params =
     match t.program.params with
     | [] -> []
@@ -231,4 +241,4 @@ let to_string (t : Bounds.t) =
        Printf.sprintf "\nstack, in bytes, at most%s\n" library;
        table (stack_rows t);
      ]
-    @ machines @ events @ console @ params @ marks)
+    @ machines @ events @ console @ params @ marks @ assertions judged)

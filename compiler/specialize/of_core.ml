@@ -223,6 +223,7 @@ let closed_program (c : Context.t) ~name ~default (core : Ir.definition) ~input 
         output;
         ends = Option.is_some !ended;
         probes = List.map (fun name -> (name, Types.shape_of_marks c.types)) !drawings;
+        claims = [];
         marks = (if c.draws then Option.value (Types.marks c.types) ~default:1 else 0);
         params = List.map (param ~default) c.params;
       }

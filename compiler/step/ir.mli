@@ -233,6 +233,7 @@ type program = {
   output : Flow.Ir.shape;
   ends : bool;  (** as {!Flow.Ir.program} *)
   probes : (string * Flow.Ir.shape) list;  (** likewise *)
+  claims : Flow.Ir.claim list;  (** likewise *)
   marks : int;  (** likewise *)
   params : Flow.Ir.param list;
   started : mark option;

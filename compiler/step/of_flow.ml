@@ -146,6 +146,7 @@ let program (program : F.program) : Ir.program =
     output = program.output;
     ends = program.ends;
     probes = program.probes;
+    claims = program.claims;
     marks = program.marks;
     params = program.params;
     real = program.real;

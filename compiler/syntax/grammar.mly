@@ -25,6 +25,7 @@ let expr = Term.to_expr
 %token <string> STRING
 %token <string> OPERATOR
 %token <string> DOC
+%token <Ir.claim> CLAIM "`assert` or `assume` at the start of a definition, with a text behind it"
 %token MINUS SLASH STAR CARET
 %token LPAREN RPAREN LBRACE RBRACE
 %token UNIT_BRACKET "a `[` directly after a name or number"
@@ -147,15 +148,15 @@ declaration_desc:
 | PRIMITIVE s = signature { Primitive s }
 | PARAM name = variable DOUBLE_COLON ty = qualified_type EQUAL value = chain
     { Parameter { name; ty; value = expr value } }
-| FOREIGN name = variable DOUBLE_COLON ty = qualified_type EQUAL symbol = c_text
+| FOREIGN name = variable DOUBLE_COLON ty = qualified_type EQUAL symbol = text
     { Foreign (Foreign_value { kind = Foreign_function; name; ty; symbol }) }
-| FOREIGN word = lower name = variable DOUBLE_COLON ty = qualified_type EQUAL symbol = c_text
+| FOREIGN word = lower name = variable DOUBLE_COLON ty = qualified_type EQUAL symbol = text
     { foreign_signal_function ~word name ty symbol }
-| FOREIGN TYPE name = upper EQUAL c_type = c_text word = option(lower)
+| FOREIGN TYPE name = upper EQUAL c_type = text word = option(lower)
     { foreign_type name c_type ~word }
-| FOREIGN word = lower header = c_text { foreign_include ~word header }
+| FOREIGN word = lower header = text { foreign_include ~word header }
 
-c_text:
+text:
 | x = STRING { name $loc x }
 
 class_head:
@@ -170,6 +171,8 @@ locals:
 
 local_desc:
 | s = signature { Signature s }
+| kind = CLAIM label = text condition = chain { Claim { kind; label; condition =
+  expr condition } }
 | left = chain body = body where = where { Binding { left = Term.to_left left; right = { body;
   where }; span = span $loc } }
 

@@ -52,6 +52,10 @@ and declaration_desc =
   | Foreign of foreign
   | Parameter of { name : name; ty : qualified_type; value : expr }
       (** [param kTurn :: Float[1/m] = 4[1/m]], with the value that it has by default *)
+  | Claim of { kind : claim; label : name; condition : expr }
+      (** [assert "keeps off" (d > 0.1[m])], among definitions *)
+
+and claim = Assert | Assume
 
 (** Texts in C keep their place. *)
 and foreign =
@@ -102,7 +106,7 @@ and left =
   | Pattern of pattern  (** [(x, y) = …]: tuples, records, [_] *)
 
 and right = { body : body; where : declaration list }
-(** [where] holds only [Signature] and [Binding]. *)
+(** [where] holds only [Signature], [Binding] and [Claim]. *)
 
 and body =
   | Plain of expr

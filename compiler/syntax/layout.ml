@@ -211,6 +211,18 @@ let opens t (token : Lexer.token) ~if_ =
   | REC -> t.opening <- Some (Rec, token)
   | _ -> ()
 
+(* Where a definition begins, no name is followed by a text: there `assert` is a word. *)
+let contextual t (token : Lexer.token) : Grammar.token =
+  let starts_definition =
+    match t.stack with
+    | { opener = Block (Top | Let | Where); _ } :: _ -> t.item_start
+    | _ -> false
+  in
+  match token.token with
+  | LOWER "assert" when starts_definition && Lexer.text_follows t.lexer -> CLAIM Assert
+  | LOWER "assume" when starts_definition && Lexer.text_follows t.lexer -> CLAIM Assume
+  | other -> other
+
 (* The token to pass on, after those that were made. *)
 let ordinary t (token : Lexer.token) =
   let if_ = ref token in
@@ -227,6 +239,7 @@ let ordinary t (token : Lexer.token) =
           if token.first && at_top t.stack && token.column <= block_column t then separate t
       | SEMICOLON -> separate t
       | _ -> if token.first then line_starts t token.column));
+  let token = { token with token = contextual t token } in
   match token.token with
   | SEMICOLON -> None
   | _ ->

@@ -468,6 +468,12 @@ let bracket t =
   t.at <- t.at + 1;
   if tight then UNIT_BRACKET else LBRACKET
 
+let text_follows t =
+  let rec from i =
+    match t.text.[i] with ' ' | '\t' | '\r' | '\n' -> from (i + 1) | c -> c = '"'
+  in
+  try from t.at with Invalid_argument _ -> false
+
 let next t =
   skip_blanks t;
   let start = position t in

@@ -23,5 +23,8 @@ val create : Diagnostic.sink -> file:string -> string -> t
 val copy : t -> t
 (** To read on from the same place twice. *)
 
+val text_follows : t -> bool
+(** Is the next token a text? *)
+
 val next : t -> token
 (** The next token; at the end of the text, [END] again and again. *)

@@ -14,7 +14,7 @@ let contains (outer : Span.t) (inner : Span.t) =
 
 let local (d : Ir.declaration) =
   match d.desc with
-  | Signature _ | Binding _ -> ()
+  | Signature _ | Binding _ | Claim _ -> ()
   | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _
   | Foreign _ | Parameter _ ->
       broken d.span "a declaration that belongs to the top level"

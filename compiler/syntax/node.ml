@@ -73,6 +73,7 @@ let declaration (desc : Ir.declaration_desc) =
   | Foreign (Foreign_type { name; c_type; copyable = _ }) -> [ Name name; Name c_type ]
   | Foreign (Foreign_include header) -> [ Name header ]
   | Parameter { name; ty; value } -> Name name :: qualified_type ty [ Expression value ]
+  | Claim { kind = _; label; condition } -> [ Name label; Expression condition ]
 
 let of_right (r : Ir.right) =
   let rest = declarations r.where [] in

@@ -318,6 +318,11 @@ and declaration b column (d : declaration) =
       signature b { names = [ name ]; ty };
       text b " = ";
       expr b column value
+  | Claim { kind; label; condition } ->
+      text b (match kind with Assert -> "assert " | Assume -> "assume ");
+      text b (string_literal label.text);
+      text b " ";
+      expr b column condition
 
 and foreign b = function
   | Foreign_value { kind; name; ty; symbol } ->

@@ -205,7 +205,7 @@ let controls out (program : Step.Ir.program) values =
   (table c "control" "controls" rows, List.length rows)
 
 (* The output; its last leaf once more, by itself, where it is what the program ends with;
-   and the probes. *)
+   the probes that are shown; and the verdicts on assertions. *)
 let outputs out (program : Step.Ir.program) (side : Border.side) =
   let probes = Interface.record_of program.probes in
   let all =
@@ -224,11 +224,39 @@ let outputs out (program : Step.Ir.program) (side : Border.side) =
       | _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a program that ends without a result"
   in
   let others = List.filteri (fun k _ -> k >= count) all in
-  let probes =
-    if program.probes = [] then "NULL"
-    else "&" ^ fst (table_of out program ~prefix:"probe" side others probes)
+  let claim_of name = List.find_opt (fun (c : F.claim) -> c.column = name) program.claims in
+  let with_places (places, rest) (name, shape) =
+    let n = List.length (Flow.Shape.leaves shape) in
+    let own = List.filteri (fun k _ -> k < n) rest in
+    (((name, shape), own) :: places, List.filteri (fun k _ -> k >= n) rest)
   in
-  (output, result, probes)
+  let placed = List.rev (fst (List.fold_left with_places ([], others) program.probes)) in
+  let is_shown ((name, _), _) =
+    match claim_of name with Some claim -> claim.shown | None -> true
+  in
+  let probes =
+    match List.filter is_shown placed with
+    | [] -> "NULL"
+    | shown ->
+        let record = Interface.record_of (List.map fst shown) in
+        "&" ^ fst (table_of out program ~prefix:"probe" side (List.concat_map snd shown) record)
+  in
+  let claim k ((name, shape), own) =
+    let row (claim : F.claim) =
+      let prefix = sprintf "claim_%d" k in
+      let place =
+        let { Basis.Span.file; start; _ } = claim.claimed_at in
+        sprintf "%s:%d" (Filename.basename file) (Basis.Span.line start)
+      in
+      sprintf "%s, %s, %s, %d, &%s" (c_string claim.label) (c_string name) (c_string place)
+        (if claim.is_assumption then 1 else 0)
+        (fst (table_of out program ~prefix side own shape))
+    in
+    Option.map row (claim_of name)
+  in
+  let claims = List.filter_map Fun.id (List.mapi claim placed) in
+  let c = { out; sums = [||]; struct_name = ""; prefix = ""; count = 0; console = [] } in
+  (output, result, probes, sprintf "%s, %d" (table c "claim" "claims" claims) (List.length claims))
 
 (* The table of machines, and how many rows it has. *)
 let machines out ~state (list : Machine_table.t list) =
@@ -298,7 +326,7 @@ let text ?own (program : Step.Ir.program) (files : Of_step.t) =
     [ input_side; output_side ];
   let input, values = input out program input_side in
   let controls, control_count = controls out program values in
-  let output, result, probes = outputs out program output_side in
+  let output, result, probes, claims = outputs out program output_side in
   let machines, machine_count = machines out ~state:(name ^ "_state") files.machines in
   let params = params out program files.params in
   let robot_name = function Some (robot : Robot.t) -> robot.name | None -> "" in
@@ -330,6 +358,7 @@ const struct frob_program frob_program = {
     %s,
     %d,
     %s,
+    %s,
 };
 |}
     (if Option.is_none files.params then "    (void)params;\n" else "")
@@ -342,5 +371,5 @@ const struct frob_program frob_program = {
     (c_string program.name) (c_string robot) name input_side.host.struct_name
     output_side.host.struct_name input output
     (match program.real with Double -> "frob_arithmetic_faults" | Single -> "arithmetic")
-    result machines machine_count probes controls control_count params;
+    result machines machine_count probes controls control_count params claims;
   Buffer.contents out

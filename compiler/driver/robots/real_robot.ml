@@ -86,6 +86,7 @@ let executable (general : Commands.general) target ~entry ~sources file continue
 let this_machine = Option.get (Target.of_name "host")
 
 let run general ~entry ~sources ~simulated run file =
+  let general = Commands.with_claims general in
   let* () =
     match simulated with
     | [] -> Ok ()
@@ -106,6 +107,7 @@ let run general ~entry ~sources ~simulated run file =
         @ option "--patience" (Option.map seconds run.patience)
         @ option "--reconnect" (Option.map seconds run.reconnect)
         @ Commands.param_options params
+        @ Commands.assert_options general
         @ List.concat_map (fun setting -> [ "--set"; setting ]) run.settings
         @ option "--priority" (Option.map string_of_int run.priority)
         @ flag "--lock-memory" run.lock_memory

@@ -6,6 +6,7 @@ type 'a resolver = Env.t -> 'a -> Ir.expr
 type right =
   | Definition of Syntax.Ir.right
   | Run of Syntax.Ir.command
+  | Judged of Syntax.Ir.expr
 
 type item = {
   left : Syntax.Ir.left;
@@ -41,10 +42,20 @@ let items declarations =
         let right = Definition { body = Plain value; where = [] } in
         Some { left = Name name; right; doc = d.doc; span = d.span }
     | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
-    | Primitive _ | Foreign _ ->
+    | Primitive _ | Foreign _ | Claim _ ->
         None
   in
   List.filter_map item declarations
+
+let equations declarations =
+  let claim (d : Syntax.Ir.declaration) =
+    match d.desc with
+    | Claim { kind; label; condition } ->
+        let name = { label with text = Claims.name kind label.text } in
+        Some { left = Name name; right = Judged condition; doc = d.doc; span = d.span }
+    | _ -> None
+  in
+  items declarations @ List.filter_map claim declarations
 
 let signatures declarations =
   let add reversed (d : Syntax.Ir.declaration) =
@@ -53,7 +64,7 @@ let signatures declarations =
     | Parameter { name; ty; value = _ } -> (name, ty) :: reversed
     | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
     | Primitive _
-    | Foreign _ ->
+    | Foreign _ | Claim _ ->
         reversed
   in
   List.rev (List.fold_left add [] declarations)
@@ -153,6 +164,12 @@ and binding env ~expr ~command ~name ~signature item : Ir.binding =
     | Definition r -> right env ~expr ~command r
     | Run c ->
         let value : Ir.guarded = { condition = None; value = command env c } in
+        { guards = [ value ]; where = { groups = []; signatures = [] } }
+    | Judged condition ->
+        let argument = expr env condition in
+        let head : Ir.expr = { desc = Global Claims.verdict; span = argument.span } in
+        let desc : Ir.expr_desc = Apply { head; argument; style = Juxtaposed } in
+        let value : Ir.guarded = { condition = None; value = { desc; span = argument.span } } in
         { guards = [ value ]; where = { groups = []; signatures = [] } }
   in
   { name; signature; parameters; body; doc = item.doc; span = item.span }

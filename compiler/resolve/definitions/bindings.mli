@@ -9,6 +9,7 @@ type 'a resolver = Env.t -> 'a -> Ir.expr
 type right =
   | Definition of Syntax.Ir.right
   | Run of Syntax.Ir.command  (** the statement [p <- sf -< e] *)
+  | Judged of Syntax.Ir.expr  (** what an assertion says *)
 
 type item = {
   left : Syntax.Ir.left;
@@ -19,6 +20,10 @@ type item = {
 
 val items : Syntax.Ir.declaration list -> item list
 (** The bindings among declarations; [doc] may be that of the signature. *)
+
+val equations : Syntax.Ir.declaration list -> item list
+(** Those of a proc: the assertions among them too, each an equation of a name that no source
+    can mention; see {!Claims}. *)
 
 val signatures : Syntax.Ir.declaration list -> (Syntax.Ir.name * Syntax.Ir.qualified_type) list
 (** The signatures among them, one entry for each name. *)

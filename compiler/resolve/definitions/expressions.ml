@@ -198,7 +198,8 @@ and branch env (b : Syntax.Ir.branch) : Ir.branch =
 and proc_body env (body : Syntax.Ir.proc_body) : Ir.proc_body =
   match body with
   | Output { output; equations } ->
-      let env, equations = declarations env equations in
+      let items = Bindings.equations equations and signatures = Bindings.signatures equations in
+      let env, equations = Bindings.declarations env ~expr ~command ~items ~signatures in
       { equations; output = expr env output }
   | Command c -> { equations = { groups = []; signatures = [] }; output = command env c }
   | Do { statements; result } ->
@@ -215,7 +216,7 @@ and statement_items (s : Syntax.Ir.statement) : Bindings.item list =
   | Bind_expr { pattern; expr; span } ->
       let right : Syntax.Ir.right = { body = Plain expr; where = [] } in
       [ { left = Pattern pattern; right = Definition right; doc = None; span } ]
-  | Let_equations declarations -> Bindings.items declarations
+  | Let_equations declarations -> Bindings.equations declarations
 
 and statement_signatures = function
   | Let_equations declarations -> Bindings.signatures declarations

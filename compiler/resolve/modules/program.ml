@@ -59,7 +59,7 @@ let primitives (scope : Scope.t) (program : Syntax.Ir.program) =
         let foreign = Some { Ir.kind; symbol = symbol.text } in
         [ { Ir.name = global; scheme; foreign; doc = d.doc; span = name.span } ]
     | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _
-    | Instance _ | Parameter _
+    | Instance _ | Parameter _ | Claim _
     | Foreign (Foreign_type _ | Foreign_include _) ->
         []
   in
@@ -94,6 +94,7 @@ let resolve context ~elsewhere exports (m : Modules.t) =
   let types = Declarations.types scope m.syntax in
   let primitives = primitives scope m.syntax in
   Foreign_code.check_includes scope m.syntax;
+  if not m.library then Claims.check scope m.syntax;
   let groups =
     Bindings.top_level scope ~expr:Expressions.expr ~command:Expressions.command
       m.syntax.declarations

@@ -25,7 +25,14 @@ let of_module scope = top scope (Groups.create 0) (String_table.create 1)
 let scope t = t.scope
 let context t = t.scope.context
 
+let report_label_twice t (first : Ir.Local.t) (second : Ir.Local.t) =
+  Diagnostic.error ~code:"E0212" ~at:second.span "two assertions here have the same label"
+  |> Diagnostic.label ~at:first.span "the first"
+  |> Context.emit (context t)
+
 let report_twice t ~is_equation (first : Ir.Local.t) (second : Ir.Local.t) =
+  if Claims.is_name second.name then report_label_twice t first second
+  else
   Diagnostic.error ~code:"E0212" ~at:second.span "`%s` is bound twice in one group" second.name
   |> Diagnostic.label ~at:first.span "first bound here"
   |> (if not is_equation then Fun.id

@@ -195,7 +195,20 @@ let about_foreign ctx t diagnostic =
           tycon.name)
         diagnostic
 
+(* Of the condition of an assertion, whose author has not heard of classes. *)
+let report_no_condition ctx ~at culprit =
+  report ctx (fun words ->
+      Diagnostic.error ~code:"E0360" ~at "%s is nothing that holds or does not"
+        (Show.quoted words culprit)
+      |> Diagnostic.hint
+           (if Environment.is_event culprit then "`isEvent e` tells whether it occurs now"
+            else "what is asserted is a condition, as in `x > 0`, or a `Verdict`"))
+
 let report_lacking ctx required lack =
+  match (lack.lacking, lack.through) with
+  | Declared class_, [] when class_ = Environment.built_in "Claim" && required.by = "`verdict`" ->
+      report_no_condition ctx ~at:required.at lack.culprit
+  | _ ->
   let { argument; at; by; _ } : required = required in
   report ctx (fun words ->
       let culprit = Show.quoted words lack.culprit in

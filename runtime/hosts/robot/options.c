@@ -23,6 +23,9 @@ static const char usage[] =
     "  --lock-memory      keep all memory from being swapped out\n"
     "  --console          the program reads the keys that are typed, one each instant\n"
     "  --exit-when-done   end when the program's task has ended\n"
+    "  --stop-when-violated\n"
+    "                     stop the robot and end when an assertion is violated, if the program\n"
+    "                     was built with its assertions\n"
     "  --progress         tell about connections even where it is not a terminal\n"
     "  --control          who looks on may send events to the program\n"
     "  --viewer COMMAND...\n"
@@ -160,6 +163,8 @@ enum options_result read_options(int argc, char **argv, const struct frob_progra
             o->console = true;
         } else if (strcmp(argv[i], "--exit-when-done") == 0) {
             o->exit_when_done = true;
+        } else if (strcmp(argv[i], "--stop-when-violated") == 0) {
+            o->stop_when_violated = true;
         } else if (strcmp(argv[i], "--progress") == 0) {
             o->progress = true;
         } else if (strcmp(argv[i], "--control") == 0) {

@@ -23,6 +23,7 @@ struct options {
     bool lock_memory;
     bool console;         /* keys typed on standard input are the program's */
     bool exit_when_done;  /* when the program's task has ended */
+    bool stop_when_violated; /* when an assertion of it is violated */
     char *const *viewer;  /* a command, which ends with NULL; NULL: none */
     bool control;         /* who looks on may send events */
     bool progress;        /* tell also where it is no terminal */

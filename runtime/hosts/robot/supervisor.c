@@ -10,6 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../common/claims.h"
 #include "../common/console.h"
 #include "../common/publisher.h"
 #include "../common/record.h"
@@ -50,6 +51,7 @@ struct supervisor {
     struct guard guard;
     struct controller controller;
     struct record record;
+    struct claims claims;
     struct console console;
     struct touches touches;
     struct publisher publisher;
@@ -217,6 +219,10 @@ static void answered(struct supervisor *s)
     if (!record_row(&s->record, s->instant_ns, s->input, s->output))
         end(s, FAULT, "the record could not be written");
     ring_publish(&s->publisher.ring, s->instant_ns, s->input, s->output, NULL);
+    claims_see(&s->claims, s->instant_ns, s->output);
+    if (s->options->stop_when_violated && s->claims.violated != NULL)
+        end(s, FAULT, "\"%s\" (%s) was violated at %.3f s", s->claims.violated->label,
+            s->claims.violated->place, (double)s->claims.violated_ns * 1e-9);
     if (!s->ended && frob_has_ended(s->program, s->output)) {
         s->ended = true;
         s->ended_ns = s->instant_ns;
@@ -380,6 +386,7 @@ static bool print_summary(const struct supervisor *s)
         printf("log: %s\n", s->options->record);
     if (s->ended)
         print_result(s);
+    claims_print(&s->claims, stdout, "");
     return streams_flush();
 }
 
@@ -417,6 +424,8 @@ static bool set_up(struct supervisor *s)
         fprintf(stderr, "error: not enough memory\n");
         return false;
     }
+    if (!claims_open(&s->claims, s->program))
+        return false;
     if (!touches_start(&s->touches, s->program))
         return false;
     frob_console_start(s->program, s->input);
@@ -474,6 +483,7 @@ int supervise(const struct params *params, const struct frob_driver *driver,
     if (!record_close(&s.record) && s.status == DONE)
         s.status = WRONG_USE;
     touches_end(&s.touches);
+    claims_close(&s.claims);
     free(s.device);
     free(s.input);
     free(s.output);

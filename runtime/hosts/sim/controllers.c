@@ -38,6 +38,8 @@ static bool open_one(struct controllers *c, size_t robot, const char *record)
         fprintf(stderr, "error: not enough memory for the program's state\n");
         return false;
     }
+    if (!claims_open(&one->claims, program))
+        return false;
     if (!record_open(&one->record, program, c->params, one->record_name))
         return false;
     frob_console_start(program, one->input);
@@ -80,6 +82,7 @@ bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
         program->step(one->state, c->params, dt_s, one->input, one->output);
         frob_sim_command_robot(c->sim, k, now_ns, one->output);
         ok = record_row(&one->record, now_ns, one->input, one->output) && ok;
+        claims_see(&one->claims, now_ns, one->output);
         if (!one->ended && frob_has_ended(program, one->output)) {
             one->ended = true;
             one->ended_ns = now_ns;
@@ -90,12 +93,21 @@ bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
     return ok;
 }
 
+const struct claims *controllers_violated(const struct controllers *c)
+{
+    for (size_t k = 0; k < c->count; k++)
+        if (c->each[k].claims.violated != NULL)
+            return &c->each[k].claims;
+    return NULL;
+}
+
 bool controllers_close(struct controllers *c)
 {
     bool ok = true;
     for (size_t k = 0; k < c->count; k++) {
         struct controller *one = &c->each[k];
         ok = record_close(&one->record) && ok;
+        claims_close(&one->claims);
         free(one->state);
         free(one->input);
         free(one->output);

@@ -5,6 +5,7 @@
 #ifndef FROB_SIM_CONTROLLERS_H
 #define FROB_SIM_CONTROLLERS_H
 
+#include "../common/claims.h"
 #include "../common/params.h"
 #include "../common/record.h"
 #include "../common/touches.h"
@@ -21,6 +22,7 @@ struct controller {
     void *input;
     void *output;
     struct record record;
+    struct claims claims;
     char *record_name; /* NULL: nothing is recorded */
     bool ended;        /* the program's task has, … */
     int64_t ended_ns;  /* … at this time, … */
@@ -47,6 +49,9 @@ bool controllers_open(struct controllers *c, const struct params *params,
  * steps and commands. The touches are for all. False when a record cannot be written. */
 bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
                       const struct touches *touches);
+
+/* Of the first robot whose program has violated an assertion; NULL if none has. */
+const struct claims *controllers_violated(const struct controllers *c);
 
 /* False when a record cannot be closed. */
 bool controllers_close(struct controllers *c);

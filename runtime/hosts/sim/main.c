@@ -2,7 +2,7 @@
  *
  * Prints a summary, one `name: value unit` a line. Exit status: 0; 2 for wrong
  * use, an unreadable file, or a program for another robot; 4 with --strict if
- * the robot ran into something. An interrupt ends the run early, and the
+ * the robot ran into something, and with --stop-when-violated if an assertion was. An interrupt ends the run early, and the
  * summary and the picture are of what has been run. */
 #include "../common/console.h"
 #include "../common/load.h"
@@ -144,6 +144,8 @@ static bool run(const struct options *options, struct controllers *controllers,
         publish(publisher, controllers, now_ns, truths);
         if (controllers->running == 0 && options->exit_when_done)
             break;
+        if (options->stop_when_violated && controllers_violated(controllers) != NULL)
+            break;
         before_ns = now_ns;
         if (progress && (k & 15) == 0 && clock_ns() - shown_ns > 100000000) {
             show_progress(now_ns, options->duration_s);
@@ -187,6 +189,7 @@ static int simulate(const struct options *options, const struct params *params,
     int64_t started_ns;
     double wall_s;
     int collisions = 0;
+    bool violated = false;
     if (options->picture != NULL && !is_writable(options->picture)) {
         touches_end(&touches);
         free(truths);
@@ -214,6 +217,10 @@ static int simulate(const struct options *options, const struct params *params,
     if (ok)
         collisions = summary_print(options, &controllers, wall_s);
     ok = streams_flush() && ok;
+    if (ok && options->stop_when_violated)
+        violated = controllers_violated(&controllers) != NULL;
+    if (violated)
+        claims_complain(controllers_violated(&controllers));
     if (!controllers_close(&controllers) || !ok)
         return WRONG_USE;
     if (options->strict && collisions > 0) {
@@ -221,7 +228,7 @@ static int simulate(const struct options *options, const struct params *params,
                                                : "error: a robot ran into something\n");
         return FAULT;
     }
-    return DONE;
+    return violated ? FAULT : DONE;
 }
 
 /* Tells the robot of a world: an empty text if it leaves it open. */

@@ -20,6 +20,8 @@ const char usage[] =
     "  --picture FILE     draw the run, as .svg or .png\n"
     "  --console          the program reads the keys that are typed, one each instant\n"
     "  --exit-when-done   end when the program has ended, not after the time that is set\n"
+    "  --stop-when-violated\n"
+    "                     end with status 4 when an assertion of the program is violated\n"
     "  --strict           exit with status 4 if the robot ran into something\n"
     "  --progress         show progress even where it is not a terminal\n"
     "  --viewer COMMAND...\n"
@@ -68,6 +70,8 @@ static bool *flag(struct options *o, const char *name)
         return &o->console;
     if (strcmp(name, "--exit-when-done") == 0)
         return &o->exit_when_done;
+    if (strcmp(name, "--stop-when-violated") == 0)
+        return &o->stop_when_violated;
     return NULL;
 }
 

@@ -16,6 +16,7 @@ struct options {
     bool realtime, strict, progress;
     bool console;              /* keys typed on standard input are the program's */
     bool exit_when_done;       /* end the run when the program has ended */
+    bool stop_when_violated;   /* and when an assertion of it is violated */
     const char *record;        /* CSV; NULL: none */
     const char *picture;       /* NULL: none */
     char *const *viewer;       /* a command, which ends with NULL; NULL: none */

@@ -76,6 +76,7 @@ static int print_single(const struct options *options, const struct controllers 
     if (options->record != NULL)
         printf("log: %s\n", options->record);
     print_result("", c->program, &c->each[0]);
+    claims_print(&c->each[0].claims, stdout, "");
     return s.collisions;
 }
 
@@ -91,6 +92,7 @@ static int print_several(const struct options *options, const struct controllers
         if (c->each[k].record_name != NULL)
             printf("%slog: %s\n", who, c->each[k].record_name);
         print_result(who, c->program, &c->each[k]);
+        claims_print(&c->each[k].claims, stdout, who);
         time_s = s.time_s;
         distance_m += s.distance_m;
         collisions += s.collisions;

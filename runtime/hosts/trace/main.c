@@ -1,13 +1,16 @@
 /* frob-trace -- runs a compiled program on recorded input: CSV in, CSV out.
  *
- *   frob-trace [--modes] [--param NAME=VALUE]... PROGRAM.so IN.csv [OUT.csv]
+ *   frob-trace [--modes] [--stop-when-violated] [--param NAME=VALUE]... PROGRAM.so IN.csv [OUT.csv]
  *
  * `-` for IN.csv is standard input; without OUT.csv the output goes to
  * standard output. With --modes the output has a column for each machine, with
  * the mode that runs. With --param a parameter has that value, and otherwise the one that the
- * recording was made with. Frames of cameras are read from IN.frames, beside the recording. Exit status: 0, or 2 when a file cannot be read or
- * written or is not a trace of this program. The trace's format is described
+ * recording was made with. Frames of cameras are read from IN.frames, beside the recording. What
+ * became of the program's assertions is told on standard error. Exit status: 0; 2 when a file
+ * cannot be read or written or is not a trace of this program; 4 with --stop-when-violated at the
+ * first instant at which an assertion is violated. The trace's format is described
  * in <frob/trace.h>. */
+#include "../common/claims.h"
 #include "../common/csv.h"
 #include "../common/frames.h"
 #include "../common/load.h"
@@ -23,7 +26,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DONE = 0, WRONG_USE = 2 };
+enum { DONE = 0, WRONG_USE = 2, FAULT = 4 };
 
 /* One column of the program's input. */
 struct column {
@@ -45,6 +48,8 @@ struct trace {
     size_t count, capacity;
     size_t width; /* cells in the header */
     unsigned parts; /* of the output's rows */
+    struct claims claims;
+    bool stops; /* at an assertion that is violated */
     bool no_memory;
 };
 
@@ -321,6 +326,9 @@ static int run(struct trace *t, const char *output_name)
             else
                 frob_trace_row(&text, program, t->parts, now, NULL, output);
             ok = flush(t, &text, output_name);
+            claims_see(&t->claims, now, output);
+            if (t->stops && t->claims.violated != NULL)
+                break;
             before = now;
             first = false;
         }
@@ -330,13 +338,15 @@ static int run(struct trace *t, const char *output_name)
     free(input);
     free(state);
     free(buffer);
-    return ok ? DONE : WRONG_USE;
+    if (!ok)
+        return WRONG_USE;
+    return t->stops && t->claims.violated != NULL ? FAULT : DONE;
 }
 
 struct arguments {
     const char **params; /* settings */
     size_t param_count;
-    bool modes;
+    bool modes, stops;
     const char *program, *input, *output; /* of the output NULL: standard output */
 };
 
@@ -347,14 +357,16 @@ static bool read_arguments(int argc, char **argv, struct arguments *a)
     for (; a->params != NULL && i < argc && strncmp(argv[i], "--", 2) == 0; i++) {
         if (strcmp(argv[i], "--modes") == 0)
             a->modes = true;
+        else if (strcmp(argv[i], "--stop-when-violated") == 0)
+            a->stops = true;
         else if (strcmp(argv[i], "--param") == 0 && i + 1 < argc)
             a->params[a->param_count++] = argv[++i];
         else
             break;
     }
     if (a->params == NULL || argc - i < 2 || argc - i > 3) {
-        fprintf(stderr, "usage: frob-trace [--modes] [--param NAME=VALUE]... PROGRAM.so IN.csv "
-                        "[OUT.csv]\n");
+        fprintf(stderr, "usage: frob-trace [--modes] [--stop-when-violated] [--param NAME=VALUE]... "
+                        "PROGRAM.so IN.csv [OUT.csv]\n");
         return false;
     }
     a->program = argv[i];
@@ -371,7 +383,9 @@ static int trace(struct trace *t, const struct arguments *a)
     int status = WRONG_USE;
     t->parts = FROB_TRACE_OUT | (a->modes ? FROB_TRACE_MODES : 0U);
     t->program = frob_load(a->program);
-    if (t->program == NULL || !params_open(&t->params, t->program, a->params, a->param_count))
+    t->stops = a->stops;
+    if (t->program == NULL || !params_open(&t->params, t->program, a->params, a->param_count) ||
+        !claims_open(&t->claims, t->program))
         return WRONG_USE;
     t->input_name = standard ? "standard input" : a->input;
     input = standard ? stdin : fopen(a->input, "rb");
@@ -393,9 +407,13 @@ static int trace(struct trace *t, const struct arguments *a)
                 fprintf(stderr, "error: cannot write %s: %s\n", output_name, strerror(errno));
                 status = WRONG_USE;
             }
+            if (status != WRONG_USE)
+                claims_print(&t->claims, stderr, "");
+            if (status == FAULT)
+                claims_complain(&t->claims);
         }
     }
-    if (t->output != NULL && t->output != stdout && fclose(t->output) != 0 && status == DONE)
+    if (t->output != NULL && t->output != stdout && fclose(t->output) != 0)
         status = WRONG_USE;
     frame_reader_close(&t->frames);
     csv_end(&t->csv);
@@ -414,6 +432,7 @@ int main(int argc, char **argv)
         free(t.columns[i].name);
     free(t.columns);
     params_close(&t.params);
+    claims_close(&t.claims);
     free(arguments.params);
     return status;
 }

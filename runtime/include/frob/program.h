@@ -91,6 +91,17 @@ struct frob_param {
                                      * struct of the parameters */
 };
 
+/* An assertion in the program; see `assert` in the language reference. */
+struct frob_claim {
+    const char *label;  /* "keeps off the wall" */
+    const char *column; /* of a trace, if it is shown there: "wallFollow.assert keeps off the wall" */
+    const char *place;  /* "wall_follow.frob:12" */
+    int is_assumption;
+    const struct frob_value *value;
+        /* the verdict, within the output struct: NotAsked, Holds, Open or Fails; an event of
+         * one where its signal function does not run at each instant; an array of such */
+};
+
 struct frob_program {
     unsigned abi;          /* FROB_PROGRAM_ABI */
     const char *name;      /* of the program */
@@ -119,6 +130,8 @@ struct frob_program {
     size_t params_size;         /* of that struct */
     const struct frob_param *params;
     size_t param_count;
+    const struct frob_claim *claims; /* if it was compiled for them to be judged; else none */
+    size_t claim_count;
 };
 
 #define FROB_PROGRAM_ABI 9u

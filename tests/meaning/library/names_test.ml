@@ -100,7 +100,7 @@ let declared module_ (program : Resolve.Ir.program) =
 let names suits declared = List.filter_map (fun d -> if suits d then Some d.name else None) declared
 
 (* What the robots' modules say is tested with the robots, in the simulator. *)
-let general = [ "Prelude"; "Control"; "Geometry"; "Sources" ]
+let general = [ "Prelude"; "Control"; "Geometry"; "Sources"; "Past" ]
 
 let check module_ =
   let declared = declared module_ (load module_) in

@@ -184,6 +184,8 @@ and declaration (d : declaration) : declaration =
     | Foreign (Foreign_include header) -> Foreign (Foreign_include (name header))
     | Parameter { name = x; ty = t; value } ->
         Parameter { name = name x; ty = qualified_type t; value = expr value }
+    | Claim { kind; label; condition } ->
+        Claim { kind; label = name label; condition = expr condition }
   in
   { desc; span; doc = d.doc }
 

@@ -1,0 +1,39 @@
+open Basis
+
+let verdict : Ir.Global.t = { module_ = "Prelude"; name = "verdict" }
+let word : Syntax.Ir.claim -> string = function Assert -> "assert" | Assume -> "assume"
+let name kind label = word kind ^ " " ^ label
+let width = String.length (name Assert "")
+let is_kind kind text = String.starts_with ~prefix:(name kind "") text
+let is_assumption = is_kind Assume
+let is_name text = is_kind Assert text || is_assumption text
+
+let label text =
+  if is_name text then Some (String.sub text width (String.length text - width)) else None
+
+let report_place (scope : Scope.t) kind span =
+  Diagnostic.error ~code:"E0234" ~at:span
+    "an `%s` stands among the equations of a `proc`, and nowhere else" (word kind)
+  |> Diagnostic.hint
+       (Printf.sprintf "as in `proc x -> y where`, with `%s \"label\" (y > 0)` below" (word kind))
+  |> Context.emit scope.context
+
+let check_label (scope : Scope.t) (label : Syntax.Ir.name) =
+  let is_control c = Char.code c < 32 || c = '\127' in
+  if String.trim label.text = "" || String.exists is_control label.text then
+    Diagnostic.error ~code:"E0235" ~at:label.span "this label is not a line of text"
+    |> Diagnostic.hint "it says in a few words what is to hold; the summary of a run shows it"
+    |> Context.emit scope.context
+
+let check scope (program : Syntax.Ir.program) =
+  let rec visit ~in_proc (node : Syntax.Node.t) =
+    (match node with
+    | Declaration { desc = Claim { kind; label; _ }; span; _ } ->
+        if in_proc then check_label scope label else report_place scope kind span
+    | _ -> ());
+    let in_proc =
+      match node with Expression { desc = Proc _; _ } -> true | _ -> false
+    in
+    List.iter (visit ~in_proc) (Syntax.Node.children node)
+  in
+  List.iter (fun d -> visit ~in_proc:false (Declaration d)) program.declarations

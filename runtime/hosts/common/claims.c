@@ -1,0 +1,124 @@
+#include "claims.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static enum verdict worse(enum verdict a, enum verdict b)
+{
+    return a > b ? a : b;
+}
+
+enum verdict verdict_of(const struct frob_value *value, const void *output)
+{
+    enum verdict worst = VERDICT_NONE;
+    if (value->kind == FROB_ARRAY) {
+        const struct frob_constructor *elements = &value->constructors[0];
+        for (size_t i = 0; i < elements->count; i++)
+            worst = worse(worst, verdict_of(elements->fields[i].value, output));
+        return worst;
+    }
+    const uint8_t tag = ((const uint8_t *)output)[value->offset];
+    if (!value->is_event)
+        return (enum verdict)tag;
+    return tag == 0 ? VERDICT_NONE : verdict_of(value->constructors[1].fields[0].value, output);
+}
+
+bool claims_open(struct claims *claims, const struct frob_program *program)
+{
+    memset(claims, 0, sizeof *claims);
+    claims->program = program;
+    claims->each =
+        (struct claim_state *)calloc(program->claim_count + 1, sizeof *claims->each);
+    if (claims->each == NULL) {
+        fprintf(stderr, "error: not enough memory for the program's assertions\n");
+        return false;
+    }
+    for (size_t i = 0; i < program->claim_count; i++)
+        claims->each[i].last = VERDICT_NONE;
+    return true;
+}
+
+static void see(struct claims *claims, size_t i, int64_t time_ns, const void *output)
+{
+    struct claim_state *state = &claims->each[i];
+    const struct frob_claim *claim = &claims->program->claims[i];
+    const enum verdict verdict = verdict_of(claim->value, output);
+    if (verdict == VERDICT_NONE || (claims->is_void && !claim->is_assumption))
+        return;
+    state->last = verdict;
+    state->asked += verdict != VERDICT_NOT_ASKED ? 1 : 0;
+    if (verdict != VERDICT_FAILS)
+        return;
+    if (state->failed++ == 0)
+        state->first_ns = time_ns;
+    if (claim->is_assumption && !claims->is_void) {
+        claims->is_void = true;
+        claims->void_ns = time_ns;
+    } else if (!claim->is_assumption && claims->violated == NULL) {
+        claims->violated = claim;
+        claims->violated_ns = time_ns;
+    }
+}
+
+/* Assumptions first: one that fails now voids what assertions say now. */
+void claims_see(struct claims *claims, int64_t time_ns, const void *output)
+{
+    const size_t count = claims->program->claim_count;
+    for (size_t i = 0; i < count; i++)
+        if (claims->program->claims[i].is_assumption)
+            see(claims, i, time_ns, output);
+    for (size_t i = 0; i < count; i++)
+        if (!claims->program->claims[i].is_assumption)
+            see(claims, i, time_ns, output);
+}
+
+/* Of several with one label, each with the name of its column. */
+static bool is_alone(const struct frob_program *program, const struct frob_claim *claim)
+{
+    for (size_t i = 0; i < program->claim_count; i++)
+        if (&program->claims[i] != claim && strcmp(program->claims[i].label, claim->label) == 0)
+            return false;
+    return true;
+}
+
+static void print_fate(const struct claims *claims, const struct frob_claim *claim,
+                       const struct claim_state *state, FILE *file)
+{
+    const char *failed = claim->is_assumption ? "failed" : "violated";
+    if (state->failed > 0)
+        fprintf(file, "%s, first at %.3f s; in all at %llu %s\n", failed,
+                (double)state->first_ns * 1e-9, (unsigned long long)state->failed,
+                state->failed == 1 ? "instant" : "instants");
+    else if (claims->is_void && !claim->is_assumption)
+        fprintf(file, "%s until an assumption failed at %.3f s\n",
+                state->asked > 0 ? "held" : "did not matter", (double)claims->void_ns * 1e-9);
+    else if (state->last == VERDICT_OPEN)
+        fputs("undecided at the end\n", file);
+    else
+        fputs(state->asked > 0 ? "held\n" : "never came to matter\n", file);
+}
+
+void claims_print(const struct claims *claims, FILE *file, const char *who)
+{
+    const struct frob_program *program = claims->program;
+    for (size_t i = 0; i < program->claim_count; i++) {
+        const struct frob_claim *claim = &program->claims[i];
+        fprintf(file, "%s%s \"%s\"", who, claim->is_assumption ? "assume" : "assert",
+                claim->label);
+        if (!is_alone(program, claim))
+            fprintf(file, " (%s)", claim->column);
+        fputs(": ", file);
+        print_fate(claims, claim, &claims->each[i], file);
+    }
+}
+
+void claims_complain(const struct claims *claims)
+{
+    fprintf(stderr, "error: \"%s\" (%s) was violated at %.3f s\n", claims->violated->label,
+            claims->violated->place, (double)claims->violated_ns * 1e-9);
+}
+
+void claims_close(struct claims *claims)
+{
+    free(claims->each);
+}
