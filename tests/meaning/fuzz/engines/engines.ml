@@ -58,21 +58,28 @@ let guarded act =
 (* As many as a call may have results: tcc has room for few. *)
 let most_probes = 40
 
-(* Some of all, from everywhere in the program. *)
+let is_claim (c : Driver.Columns.t) =
+  let word = Str.regexp "\\.\\(assert\\|assume\\) " in
+  match Str.search_forward word c.name 0 with _ -> true | exception Not_found -> false
+
+(* Some of all, from everywhere in the program; and whether few things are asserted. *)
 let some_probes request =
   match Driver.Pipeline.columns (Diagnostic.sink ()) (Source.create ()) request with
-  | None -> []
+  | None -> ([], false)
   | Some columns ->
+      let few = List.compare_length_with (List.filter is_claim columns) (Int.div most_probes 2) <= 0 in
       let is_probe (c : Driver.Columns.t) = String.starts_with ~prefix:"probe." c.name in
       let all = List.filter is_probe columns in
       let every = 1 + Int.div (List.length all) most_probes in
-      List.filteri (fun k _ -> k mod every = 0) all
-      |> List.map (fun (c : Driver.Columns.t) -> c.name)
+      let some = List.filteri (fun k _ -> k mod every = 0) all in
+      (List.map (fun (c : Driver.Columns.t) -> c.name) some, few)
 
-let rec load_with probes ?robot tools ~entry file =
+(* With [watched], what is asserted is judged besides. *)
+let rec load_with ?(watched = false) probes ?robot tools ~entry file =
   let sink = Diagnostic.sink () and sources = Source.create () in
   let request = Driver.Request.make ~library:tools.library file in
-  let request = { request with robot; entry; real = tools.real; lint = true; probes } in
+  let request = { request with robot; entry; real = tools.real; lint = true; probes;
+    asserts = watched } in
   match Driver.Pipeline.for_both_engines sink sources request with
   | None when List.exists (fun (d : Diagnostic.t) -> d.code = Driver.Probes.unknown) (Diagnostic.all sink) ->
       (* One of them is what a switch fed with its own output cannot show. *)
@@ -93,13 +100,13 @@ let rec load_with probes ?robot tools ~entry file =
 
 let load ?robot tools ~entry file =
   guarded @@ fun () ->
-  let probes =
-    if not tools.probed then []
+  let probes, watched =
+    if not tools.probed then ([], false)
     else
       let request = Driver.Request.make ~library:tools.library file in
       some_probes { request with robot; entry; real = tools.real }
   in
-  load_with probes ?robot tools ~entry file
+  load_with ~watched probes ?robot tools ~entry file
 
 let files subject = subject.files
 

@@ -173,6 +173,7 @@ let running ~seed number name output =
 
 let is_operated number = number mod 5 = 3
 
+let past = "import Past\n"
 let import = "import Capability (Console, buttonPressed, buttonHeld, knob, toggle, mapClicked)\n"
 
 (* Defines what an operator makes of the input of the program of that number. *)
@@ -248,7 +249,7 @@ let make ?(seen = Coverage.create ()) ~seed ~first ~count () =
   in
   let programs = List.init count define in
   let imports, main = main ~seed (List.map fst programs) in
-  imports ^ String.concat "" (Shared.text :: List.map snd programs) ^ main
+  past ^ imports ^ String.concat "" (Shared.text :: List.map snd programs) ^ main
 
 let signals ~seed number =
   let _, _, signals = one ~seen:(Coverage.create ()) ~seed number in
@@ -260,5 +261,5 @@ let alone ~seed number ~component =
   let chosen = name ^ "one" and output = List.nth signals component in
   let run, definition = running ~seed number chosen output in
   let imports, main = main ~seed [ (number, run, output) ] in
-  f "%s%s%s%s%s = proc i -> z where\n    (%s) = %s i\n\n%s%s" imports Shared.text text
+  f "%s%s%s%s%s%s = proc i -> z where\n    (%s) = %s i\n\n%s%s" past imports Shared.text text
     (signature chosen output) chosen (String.concat ", " pattern) name definition main

@@ -356,6 +356,28 @@ let local_function s ~signals name argument result =
   let inside = { (Scope.bind bound signals) with Scope.run = None } in
   f "%s %s = %s" name text (Expression.expression inside 2 result)
 
+(* What is asserted changes nothing, whatever it is made of. *)
+let claim s (signals : Scope.t) =
+  Scope.note s.values "assertion";
+  let random = s.values.random in
+  let condition () = Expression.expression signals 2 Bool in
+  let p = condition () in
+  let said =
+    match Random.State.int random 9 with
+    | 0 -> f "(respondsWithin 0.3[s] (%s, %s))" p (condition ())
+    | 1 -> f "(afterwards (%s, %s))" p (condition ())
+    | 2 -> f "(max (verdict %s) (by 0.5[s] %s))" p (condition ())
+    | 3 -> f "(implies %s %s)" p (condition ())
+    | 4 -> f "(heldFor 0.2[s] %s)" p
+    | 5 -> f "(within 0.2[s] (always %s))" p
+    | 6 -> f "(since (%s, %s))" p (condition ())
+    | 7 -> f "(holds (verdict (ever %s)))" p
+    | _ -> p
+  in
+  f "%s \"%s\" %s"
+    (if chance random 5 then "assume" else "assert")
+    (Scope.fresh s.values "said") said
+
 type output = Computed of Type.t | All_signals
 
 let any_signals s =
@@ -407,6 +429,7 @@ let body s ~indent ~input ~signals output =
   let known = Scope.bind (chain_signals @ bound) s.values in
   let known = { known with functions = (name, [ argument ], result) :: known.functions } in
   let known, found = equations ([ h_text; local_text; constant_text ] @ chain_texts) known others in
+  let found = if chance random 3 then claim s (instances known) :: found else found in
   let result =
     match output with
     | Computed t -> Expression.expression (instances known) 3 t

@@ -1,0 +1,88 @@
+What is asserted is judged at each instant, and told at the end. The outputs stay as they are.
+
+  $ cat > speed.frob << FROB
+  > import Past
+  > main :: SF Velocity Velocity
+  > main = proc v -> w where
+  >     w = min 1[m/s] v
+  >     assert "no faster than 1 m/s" (w <= 1[m/s])
+  >     assert "input is small" (v < 3[m/s])
+  >     assert "slows down" (respondsWithin 2[s] (v > 2[m/s], v < 1[m/s]))
+  >     assert "stops at 100" (implies (v > 100[m/s]) (w == 0))
+  >     assume "never six" (v /= 6[m/s])
+  > FROB
+  $ printf 'time,in\n0,0\n1,2.5\n2,2\n3,4\n4,1\n5,5\n5.5,6\n' > in.csv
+  $ frobc trace speed.frob --input in.csv > out.csv
+  assert "no faster than 1 m/s": held until an assumption failed at 5.500 s
+  assert "input is small": violated, first at 3.000 s; in all at 2 instants
+  assert "slows down": violated, first at 4.000 s; in all at 2 instants
+  assert "stops at 100": did not matter until an assumption failed at 5.500 s
+  assume "never six": failed, first at 5.500 s; in all at 1 instant
+  $ cat out.csv
+  time,out
+  0.000000000,0
+  1.000000000,1
+  2.000000000,1
+  3.000000000,1
+  4.000000000,1
+  5.000000000,1
+  5.500000000,1
+  $ frobc trace speed.frob --input in.csv --asserts=off | cmp - out.csv
+  $ frobc trace speed.frob --input in.csv --engine interp | cmp - out.csv
+  $ sed '/assert/d; /assume/d; /Past/d' speed.frob > plain.frob
+  $ frobc trace plain.frob --input in.csv | cmp - out.csv
+
+As columns, with or without the summary.
+
+  $ frobc trace speed.frob --input in.csv --asserts=off --probe assert
+  time,out,probe.main.assert no faster than 1 m/s,probe.main.assert input is small,probe.main.assert slows down,probe.main.assert stops at 100,probe.main.assume never six
+  0.000000000,0,Holds,Holds,NotAsked,NotAsked,Holds
+  1.000000000,1,Holds,Holds,Open,NotAsked,Holds
+  2.000000000,1,Holds,Holds,Open,NotAsked,Holds
+  3.000000000,1,Holds,Fails,Open,NotAsked,Holds
+  4.000000000,1,Holds,Holds,Fails,NotAsked,Holds
+  5.000000000,1,Holds,Fails,Fails,NotAsked,Holds
+  5.500000000,1,Holds,Fails,Fails,NotAsked,Fails
+
+The first that is violated may end the run.
+
+  $ frobc trace speed.frob --input in.csv --asserts=stop
+  time,out
+  0.000000000,0
+  1.000000000,1
+  2.000000000,1
+  3.000000000,1
+  assert "no faster than 1 m/s": held
+  assert "input is small": violated, first at 3.000 s; in all at 1 instant
+  assert "slows down": undecided at the end
+  assert "stops at 100": never came to matter
+  assume "never six": held
+  error: "input is small" (speed.frob:6) was violated at 3.000 s
+  [4]
+  $ frobc trace speed.frob --input in.csv --asserts=stop --engine interp
+  error: assertions are judged in the compiled program: `--asserts=stop` needs `--engine c`
+  [2]
+
+Nothing of assertions is in the C of a program, but the names of types, unless
+they are asked for; what it would cost to watch them is in the report.
+
+  $ frobc compile speed.frob -o with && frobc compile plain.frob -o without
+  $ for file in with/speed.c with/speed.h; do grep -c 'assert\|Past\|Verdict' $file; done
+  0
+  1
+  $ wc -l < with/speed.c
+  19
+  $ wc -l < without/plain.c
+  19
+  $ frobc compile speed.frob -o watched --asserts=count
+  $ grep 'assert' watched/speed.h
+      struct speed_verdict main_assert_no_faster_than_1_m_s;
+      struct speed_verdict main_assert_input_is_small;
+      struct speed_verdict main_assert_slows_down;
+      struct speed_verdict main_assert_stops_at_100;
+  $ frobc report speed.frob | tail -1
+  assertions: 5; where they are judged, operations of a step: 50 more (50.00), bytes of state: 15 more; otherwise none of them in the C
+  $ frobc report speed.frob --format json | grep -o '"assert[^,}]*'
+  "assertions":5
+  "assertion_operations":50
+  "assertion_bytes":15
