@@ -29,6 +29,9 @@ PICTURE_PACKAGES = imagemagick
 # What only `make prove` needs.
 PROVE_PACKAGES = frama-c-base cppcheck
 
+# What only `make rtamt` needs; it takes RTAMT from PyPI besides.
+RTAMT_PACKAGES = python3 python3-venv
+
 # What only `make fuzz-frontend` needs.
 AFL_PACKAGES = afl++
 
@@ -68,7 +71,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test page site pictures seeds fuzz fuzz-format fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench install clean
+.PHONY: all setup run test page site pictures seeds fuzz fuzz-format fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench install clean rtamt
 
 all: setup
 	dune build @install
@@ -140,6 +143,13 @@ seeds: all
 	@sh tests/robots/line/seeds.sh $(CURDIR)/$(FROBC) _build/default/tests/robots/line/frob-line examples $(SEEDS)
 	@sh tests/robots/robot/bug.sh $(CURDIR)/$(FROBC) $(CURDIR)/examples
 	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh tests/robots/run/all_seeds.sh $(SEEDS)
+
+# The module Past beside RTAMT, from PyPI, in an environment of its own.
+rtamt: N = 1000
+rtamt: all
+	@sh tests/setup.sh $(RTAMT_PACKAGES)
+	@test -x _build/rtamt/bin/python || { python3 -m venv _build/rtamt && _build/rtamt/bin/pip install --quiet rtamt==0.4.10; }
+	@_build/rtamt/bin/python tests/meaning/rtamt/agree.py $(CURDIR)/$(FROBC) $(N) $(SEED)
 
 matrix: all
 	@sh tests/setup.sh $(MATRIX_PACKAGES)
