@@ -35,24 +35,6 @@ before.
   > FROB
   $ printf '%s\n' 1,0 1,0 0,0 | rows in.1,in.2 > in.csv
   $ trace edges < in.csv 2> warning
-  warning[W0307]: this is never a number: it is NaN
-   --> edges.frob:5:18
-    |
-  5 |     nan = 0[s] * log (-1)
-    |                  ^^^^^^^^
-    |
-    = note: every comparison with NaN is False, and what is computed with it is NaN too
-  
-  1 warning
-  warning[W0307]: this is never a number: it is NaN
-   --> edges.frob:5:18
-    |
-  5 |     nan = 0[s] * log (-1)
-    |                  ^^^^^^^^
-    |
-    = note: every comparison with NaN is False, and what is computed with it is NaN too
-  
-  1 warning
   time,out.1,out.2,out.3,out.4,out.5
   0.000000000,true,true,true,false,false
   1.000000000,true,true,true,false,false
@@ -63,7 +45,7 @@ Claims say whether they were asked, too.
   $ cat > claims.frob << FROB
   > import Past
   > main :: SF (Int, Int) (Verdict, Verdict, Verdict, Verdict, Bool)
-  > main = proc (a, b) -> (p \`implies\` q, afterwards (p, q), answers, by 2[s] q, holds answers) where
+  > main = proc (a, b) -> (p \`implies\` q, afterwards (p, q), answers, by 2[s] q, holds (max answers (verdict (a < 2)))) where
   >     p = a == 1
   >     q = b == 1
   >     answers = respondsWithin 2[s] (p, q)

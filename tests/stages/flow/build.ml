@@ -132,6 +132,7 @@ let program ?(sums = [||]) ?(params = []) t =
     output = tuple (List.map (fun (_, a) -> ty_of_atom a) root.outputs);
     ends = false;
     probes = [];
+    claims = [];
     marks = 0;
     params;
     real = Double;

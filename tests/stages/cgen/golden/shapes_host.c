@@ -190,4 +190,5 @@ const struct frob_program frob_program = {
     NULL,
     0,
     NULL, 0, NULL, 0,
+    NULL, 0,
 };
