@@ -26,6 +26,9 @@ COMPARED_PACKAGES = ghc libghc-copilot-dev libghc-copilot-c99-dev
 SITE_PACKAGES = python3-venv
 PICTURE_PACKAGES = imagemagick
 
+# What only `make stereo` needs.
+STEREO_PACKAGES = python3-opencv python3-numpy python3-pip
+
 # What only `make prove` needs.
 PROVE_PACKAGES = frama-c-base cppcheck
 
@@ -71,7 +74,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test page site pictures seeds fuzz fuzz-format fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench install clean rtamt
+.PHONY: all setup run test page site pictures seeds fuzz fuzz-format fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install clean rtamt
 
 all: setup
 	dune build @install
@@ -182,6 +185,12 @@ bench: all
 	@sh tests/setup.sh $(BENCH_PACKAGES)
 	-@sh tests/setup.sh $(COMPARED_PACKAGES)
 	@sh tests/generated/bench/run.sh
+
+# Stereo beside OpenCV's, on a pair of pictures whose disparities are known, from the
+# package scikit-image, which is fetched from PyPI, and not installed.
+stereo: setup
+	@sh tests/setup.sh $(STEREO_PACKAGES)
+	@sh tests/generated/bench/vision/stereo.sh _build/stereo
 
 install: setup
 	dune build -p frobc @install

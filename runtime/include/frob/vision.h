@@ -213,6 +213,50 @@ void frob_undistort_point(const struct frob_image *image, const struct frob_vec2
 void frob_distort_point(const struct frob_image *image, const struct frob_vec2 *point,
                         struct frob_vec2 *result);
 
+/* {1 Stereo}
+ *
+ * Of a pair of images of the same size from cameras side by side, without distortion and
+ * rectified: what is in a row of the left one is in the same row of the right one, farther to the left by its
+ * disparity, which is the larger the nearer it is. */
+
+/* The part of the left image; how many disparities are tried, from 0 (16 … 256, a multiple of 16);
+ * and the side of the squares that are compared (5 … 21, odd). Others are rounded to the
+ * nearest. */
+#ifndef FROB_STEREO_DEFINED
+#define FROB_STEREO_DEFINED
+struct frob_stereo {
+    struct frob_region roi;
+    int32_t disparities, window;
+};
+#endif
+
+/* Bytes of memory that frob_match_stereo needs for a region of this width. */
+size_t frob_stereo_room(int32_t width, const struct frob_stereo *how);
+
+/* The disparity of each pixel of the region, in 1/16 pixels; -1 where it is not known: too
+ * little texture, two disparities as good as each other, or another one as seen from the
+ * right, where that is in the region too. `stride` of these are from one row of the result to
+ * the next. False, and nothing written, if the images are no pair, or the room is too small. */
+bool frob_match_stereo(const struct frob_image *left, const struct frob_image *right,
+                       const struct frob_stereo *how, uint16_t *room, size_t room_size,
+                       int16_t *result, int32_t stride);
+
+/* What is seen in a region, in metres along the axis: in each of 16 columns the nearest
+ * (that at least 5 % and eight of its pixels have), infinite at disparity 0; and of all of it the
+ * nearest, likewise, and the median. NaN where too little is known: fewer pixels than
+ * that, or no distance between the cameras. `known` is the share of pixels whose disparity is. */
+#ifndef FROB_DEPTHS_DEFINED
+#define FROB_DEPTHS_DEFINED
+struct frob_depths {
+    double known, nearest, median;
+    double columns[16];
+};
+#endif
+
+/* Regions are cut to 640 columns in their middle, disparities to 64; the stack is 350 kB. */
+void frob_stereo_depths(const struct frob_image *left, const struct frob_image *right,
+                        const struct frob_stereo *how, struct frob_depths *result);
+
 #ifdef __cplusplus
 }
 #endif

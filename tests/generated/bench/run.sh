@@ -15,6 +15,7 @@ mkdir -p "$out"
     sh tests/generated/bench/code_size.sh "$out"
     sh tests/generated/bench/stop/run.sh "$out"
     sh tests/generated/bench/view/run.sh "$out"
+    sh tests/generated/bench/vision/run.sh "$out"
 } >"$out/lines"
 
 {

@@ -38,11 +38,32 @@ static void add_match(const struct frob_match *m)
     add(m->residual);
 }
 
-enum { KERNELS = 9, IMAGES = 200 };
+enum { KERNELS = 10, IMAGES = 200 };
 
 static const char *const names[KERNELS] = {"find_blob",    "find_blobs",  "get_statistics",
                                            "find_edges",   "find_corner", "get_patch",
-                                           "match_patch",  "find_template", "undistort_point"};
+                                           "match_patch",  "find_template", "undistort_point",
+                                           "stereo_depths"};
+
+/* As a camera sees it that is 0.1 m to the right, before a wall that is 5 pixels away. */
+static const struct frob_image *shifted(const struct frob_image *image)
+{
+    static struct frob_image seen;
+    static uint8_t pixels[128 * 128 * 3];
+
+    seen = *image;
+    seen.pixels = pixels;
+    seen.camera.y_m -= 0.1;
+    for (int32_t y = 0; y < image->height && image->format != FROB_DEPTH_M; y++)
+        for (int32_t x = 0; x < image->width * frob_image_pixel_size(image->format); x++) {
+            const int32_t from = x + 5 * frob_image_pixel_size(image->format);
+            pixels[y * image->stride + x] =
+                from < image->stride && from < image->width * frob_image_pixel_size(image->format)
+                    ? frob_image_row(image, y)[from]
+                    : 0;
+        }
+    return &seen;
+}
 
 static void run(int kernel, const struct frob_image *image)
 {
@@ -60,6 +81,8 @@ static void run(int kernel, const struct frob_image *image)
     double patch[FROB_PATCH_SIZE];
     struct frob_match match;
     struct frob_vec2 moved;
+    struct frob_stereo how = {{0, 0, 0, 0}, 32, 9};
+    struct frob_depths depths;
 
     switch (kernel) {
     case 0:
@@ -88,6 +111,15 @@ static void run(int kernel, const struct frob_image *image)
         add(corner.x);
         add(corner.y);
         add(corner.score);
+        break;
+    case 9:
+        how.roi = roi;
+        frob_stereo_depths(image, image, &how, &depths);
+        add(depths.known);
+        frob_stereo_depths(image, shifted(image), &how, &depths);
+        add(depths.known);
+        for (int i = 0; i < 16; i++)
+            add(depths.columns[i] > 0 ? depths.columns[i] : -1);
         break;
     case 8:
         frob_undistort_point(image, &point, &moved);
