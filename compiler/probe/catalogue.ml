@@ -221,16 +221,9 @@ let named probes =
     | Some name -> name
     | None -> String.concat "." whole
   in
-  let taken = Hashtbl.create 256 in
-  let rec unique name n =
-    let candidate = if n = 1 then name else Printf.sprintf "%s_%d" name n in
-    if Hashtbl.mem taken candidate then unique name (n + 1)
-    else begin
-      Hashtbl.replace taken candidate ();
-      candidate
-    end
-  in
-  List.map (fun p -> { p with name = unique (shortest p.whole ^ "." ^ p.signal) 1 }) probes
+  let taken = Names.create () in
+  let unique p = Names.unique taken (shortest p.whole ^ "." ^ p.signal) in
+  List.map (fun p -> { p with name = unique p }) probes
 
 let of_program equations (program : Ir.program) =
   if are_too_many program then None

@@ -14,19 +14,10 @@ let longest_array = 64
 
 type search = {
   v : V.t;
-  names : (string, unit) Hashtbl.t;
+  names : Basis.Names.t;
   mutable found : t list;
   mutable count : int;
 }
-
-let unique s name =
-  let rec try_ n =
-    let candidate = if n = 1 then name else Printf.sprintf "%s_%d" name n in
-    if Hashtbl.mem s.names candidate then try_ (n + 1) else candidate
-  in
-  let name = try_ 1 in
-  Hashtbl.replace s.names name ();
-  name
 
 let join path name = if String.equal path "" then name else path ^ "." ^ name
 
@@ -43,7 +34,7 @@ let rec node s k ~path ~element ~within =
     | Some field ->
         s.found <-
           {
-            name = unique s (node_.origin ^ element);
+            name = Basis.Names.unique s.names (node_.origin ^ element);
             path = path_of field;
             wide = Array.length s.v.nodes.(k).modes > 256;
             modes = List.map (fun (m : V.mode) -> m.member) (Array.to_list s.v.nodes.(k).modes);
@@ -75,6 +66,6 @@ let rec node s k ~path ~element ~within =
   List.iter (field ~within) node_.state
 
 let of_program (v : V.t) =
-  let s = { v; names = Hashtbl.create 16; found = []; count = 0 } in
+  let s = { v; names = Basis.Names.create (); found = []; count = 0 } in
   node s (Array.length v.program.nodes - 1) ~path:"" ~element:"" ~within:None;
   List.rev s.found

@@ -21,10 +21,10 @@ let take_over (nodes : Ir.node array) (node : Ir.node) (i : Ir.instance) =
     (fun (s : Ir.signal) (_, atom) -> Substitution.replace substitution s atom)
     i.outputs callee.outputs;
   let others = List.filter (fun (other : Ir.instance) -> other.name <> i.name) node.instances in
-  let taken = Hashtbl.create 16 in
-  List.iter (fun (other : Ir.instance) -> Hashtbl.replace taken other.name ()) others;
-  let rec free name = if Hashtbl.mem taken name then free (name ^ "_of_" ^ i.name) else name in
-  let inner = List.map (fun (f : Ir.instance) -> { f with name = free f.name }) callee.instances in
+  let names = Basis.Names.create () in
+  let named (f : Ir.instance) = { f with name = Basis.Names.unique names f.name } in
+  let others = List.map named others in
+  let inner = List.map named callee.instances in
   nodes.(i.node) <-
     { callee with outputs = []; equations = []; instances = []; machine = None };
   Substitution.node substitution

@@ -47,32 +47,13 @@ type context = {
   mutable fresh : int;
 }
 
-(* The names taken in a node, each with the last number given to a namesake. *)
-type names = int String_table.t
+let unique names ~prefix name =
+  Names.unique names (if Names.mem names name then prefix ^ "." ^ name else name)
 
-let unique (names : names) ~prefix name =
-  let rec numbered base n =
-    let candidate = Printf.sprintf "%s_%d" base n in
-    if String_table.mem names candidate then numbered base (n + 1)
-    else begin
-      String_table.replace names base n;
-      candidate
-    end
-  in
-  let choose name =
-    match String_table.find_opt names name with
-    | None -> name
-    | Some n -> numbered name (n + 1)
-  in
-  let chosen =
-    if not (String_table.mem names name) then name else choose (prefix ^ "." ^ name)
-  in
-  if not (String_table.mem names chosen) then String_table.replace names chosen 1;
-  chosen
-
-let names_of iter : names =
-  let names = String_table.create 64 in
-  iter (fun name -> if name <> "" then String_table.replace names name 1);
+let names_of iter =
+  let names = Names.create () in
+  let take name = ignore (Names.unique names name : string) in
+  iter (fun name -> if name <> "" && not (Names.mem names name) then take name);
   names
 
 (* The equations and instances that do what [instance] does. *)

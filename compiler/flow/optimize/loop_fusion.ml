@@ -77,7 +77,7 @@ type context = {
   mutable nodes : Ir.node list;  (* done, last first *)
   mutable done_ : int;
   numbers : int array;  (* of the nodes of the program, where they are now *)
-  names : (string, unit) Hashtbl.t;
+  names : Names.t;
   mutable fresh : int;
 }
 
@@ -89,14 +89,6 @@ let signal context ?(name = "") ty span : Ir.signal =
   let id = context.fresh in
   context.fresh <- id + 1;
   { id; name; ty; group = id; span }
-
-let rec unused names ?(n = 1) base =
-  let name = if n = 1 then base else Printf.sprintf "%s_%d" base n in
-  if Hashtbl.mem names name then unused names ~n:(n + 1) base
-  else begin
-    Hashtbl.replace names name ();
-    name
-  end
 
 (* What the joined loop is given: a parameter of its node for each. *)
 type given = { argument : Ir.argument; atom : Ir.atom; parameter : Ir.signal }
@@ -177,7 +169,7 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
   let output k (_, _, inside) = (Printf.sprintf "out.%d" (k + 1), Ir.Signal inside) in
   put context
     {
-      name = unused context.names (caller.name ^ ".loop");
+      name = Names.unique context.names (caller.name ^ ".loop");
       origin = caller.origin;
       kind = (if List.exists is_stateful members then Signal_function else Function);
       statics = List.rev_map snd !statics;
@@ -244,11 +236,12 @@ let program (program : Ir.program) =
         nodes = [];
         done_ = 0;
         numbers = Array.make (Array.length program.nodes) 0;
-        names = Hashtbl.create 64;
+        names = Names.create ();
         fresh = program.next_id;
       }
     in
-    Array.iter (fun (node : Ir.node) -> Hashtbl.replace context.names node.name ()) program.nodes;
+    let take (node : Ir.node) = ignore (Names.unique context.names node.name : string) in
+    Array.iter take program.nodes;
     Array.iteri (fun k node -> add context program k node groups.(k)) program.nodes;
     { program with nodes = Array.of_list (List.rev context.nodes); next_id = context.fresh }
   end

@@ -18,6 +18,7 @@ let tidy =
       "what is handed on, or computed by a loop, stands there once";
     Pass.make "unreachable-modes" Unreachable_modes.program
       "conditions that are constant are seen to be";
+    Pass.make "sole-mode" Sole_mode.program "where others cannot be reached it may be the only one";
     dead_code;
   ]
 
@@ -42,19 +43,27 @@ let steps =
   [ Tidy; Pass loop_fusion; Pass inline; Tidy; Pass loop_fusion; Pass inline; Tidy;
     Pass absorb; Pass simplify; Pass dead_code ]
 
-let modes (program : Ir.program) =
+(* Few programs need more than three; a chain of functions could have one for each. *)
+let most_rounds = 8
+
+(* Modes, and outputs that are no literals. *)
+let unknown (program : Ir.program) =
+  let is_signal (_, (a : Ir.atom)) = match a with Signal _ -> true | _ -> false in
+  let modes (m : Ir.machine) = List.length m.modes in
   Array.fold_left
     (fun n (node : Ir.node) ->
-      Option.fold node.machine ~none:n ~some:(fun (m : Ir.machine) -> n + List.length m.modes))
+      n + Option.fold node.machine ~none:0 ~some:modes
+      + List.length (List.filter is_signal node.outputs))
     0 program.nodes
 
 let program ?(after = fun _ _ -> ()) program =
   let run = Pass.run after in
-  (* Of a machine with fewer modes more can be said: what is left may put out the same
-     literal, or get it. *)
-  let rec tidied program =
+  (* Where an output has become a literal more can be said of who reads it; and of a machine
+     with fewer modes, for what is left may put out the same literal, or get it. *)
+  let rec tidied ?(round = 1) program =
     let once = List.fold_left run program tidy in
-    if modes once < modes program then tidied once else once
+    if unknown once < unknown program && round < most_rounds then tidied ~round:(round + 1) once
+    else once
   in
   let step (program, is_tidy) = function
     | Pass p ->

@@ -1,3 +1,4 @@
+open Basis
 module Ir = Flow.Ir
 
 type t = {

@@ -4,4 +4,5 @@
 type t
 
 val create : unit -> t
+val mem : t -> string -> bool
 val unique : t -> string -> string

@@ -1,9 +1,9 @@
-open Basis
-
 (* For each name given out, the number to try next when it is wanted again. *)
 type t = int String_table.t
 
 let create () = String_table.create 64
+
+let mem = String_table.mem
 
 let unique t name =
   let rec numbered k =
