@@ -7,18 +7,30 @@ type t =
   | List of t list
   | Object of (string * t) list
 
-(* Display replaces what is no UTF-8; line ends are kept. *)
 let add_string buffer s =
-  let clean = String.concat "\n" (List.map Display.sanitize (String.split_on_char '\n' s)) in
+  let n = String.length s in
+  let rec go i =
+    if i < n then
+      match s.[i] with
+      | '"' -> add "\\\"" i 1
+      | '\\' -> add "\\\\" i 1
+      | '\n' -> add "\\n" i 1
+      | '\r' -> add "\\r" i 1
+      | '\t' -> add "\\t" i 1
+      | c when c < ' ' || c = '\127' -> add (Printf.sprintf "\\u%04x" (Char.code c)) i 1
+      | c when c < '\127' ->
+          Buffer.add_char buffer c;
+          go (i + 1)
+      | _ -> (
+          match Utf8.decode s i with
+          | 0, _ -> add "\u{fffd}" i 1
+          | length, _ -> add (String.sub s i length) i length)
+  and add text i length =
+    Buffer.add_string buffer text;
+    go (i + length)
+  in
   Buffer.add_char buffer '"';
-  String.iter
-    (function
-      | '"' -> Buffer.add_string buffer "\\\""
-      | '\\' -> Buffer.add_string buffer "\\\\"
-      | '\n' -> Buffer.add_string buffer "\\n"
-      | c when c < ' ' -> Buffer.add_string buffer (Printf.sprintf "\\u%04x" (Char.code c))
-      | c -> Buffer.add_char buffer c)
-    clean;
+  go 0;
   Buffer.add_char buffer '"'
 
 let rec add buffer = function

@@ -5,7 +5,7 @@ type t =
   | Bool of bool
   | Int of int
   | Float of float  (** finite *)
-  | String of string  (** what is no UTF-8 is replaced, as {!Display} does *)
+  | String of string  (** bytes that are no UTF-8 become [U+FFFD] *)
   | List of t list
   | Object of (string * t) list
 

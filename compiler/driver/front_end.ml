@@ -16,7 +16,9 @@ let parse (r : Request.t) sink sources =
 
 type front = { resolved : Resolve.Ir.program; typed : Typing.Ir.program; core : Core.Ir.program }
 
-let front (r : Request.t) sink sources =
+type tree = Resolved of Resolve.Ir.program | Typed of Typing.Ir.program
+
+let front ?(seen = ignore) (r : Request.t) sink sources =
   let own = Request.own_robot r in
   let* () = parse r sink sources in
   let* resolved =
@@ -27,10 +29,12 @@ let front (r : Request.t) sink sources =
   in
   let lint = Resolve.Lint.program and print = Resolve.Print.program in
   let* resolved = stage r sink Resolve ~lint ~print resolved in
+  seen (Resolved resolved);
   (* Nobody looks at a definition of the library that the program cannot come to. *)
   let keep = Typing.Side_by_side.needs @ Specialize.Context.known_by_name in
   let resolved = Resolve.Reachable.program ~keep resolved in
   let* typed = Typing.Of_resolved.program ~sources sink ~real:r.real resolved in
+  seen (Typed typed);
   Resolve.Unused.warn sink resolved;
   Typing.Senseless.warn sink resolved typed;
   Typing.Reach.warn sink resolved typed ~robot:(Option.map Robots.input r.robot);
@@ -97,8 +101,8 @@ let check_entry (r : Request.t) sink front (written : Typing.Ir.definition) =
       Option.iter claims (specialized r sink front ~written closed)
   | None -> Core.Recursion.check sink front.core
 
-let check sink sources r =
-  match front r sink sources with
+let check ?seen sink sources r =
+  match front ?seen r sink sources with
   | Some front when Typing.Entry.all front.typed = [] ->
       Core.Recursion.check sink front.core;
       if not (Diagnostic.has_errors sink) then ignore (Params.defaults sink front.core)

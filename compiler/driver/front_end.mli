@@ -12,9 +12,14 @@ type t = {
 
 val program : Diagnostic.sink -> Source.t -> Request.t -> t option
 
-val check : Diagnostic.sink -> Source.t -> Request.t -> unit
+(** What is known on the way, whatever comes to be wrong later. *)
+type tree =
+  | Resolved of Resolve.Ir.program  (** all of the library's modules in it *)
+  | Typed of Typing.Ir.program
+
+val check : ?seen:(tree -> unit) -> Diagnostic.sink -> Source.t -> Request.t -> unit
 (** The same for the module's [main] or, where there is none, for each signal function that could
-    be an entry. *)
+    be an entry. Each tree is [seen] as soon as it is there. *)
 
 val params : Diagnostic.sink -> Source.t -> Request.t -> Params.set list option
 (** What the request sets parameters to. *)

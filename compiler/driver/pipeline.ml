@@ -3,7 +3,7 @@ open Basis
 let ( let* ) = Option.bind
 let stage = Request.stage
 
-let check = Front_end.check
+let check sink sources r = Front_end.check sink sources r
 let params = Front_end.params
 
 (* With what is to be seen beside its output, and with what hosts are to know of its assertions. *)

@@ -662,6 +662,23 @@ let explain =
   command "explain" ~doc:"what a diagnostic means, with an example and its cure"
     Term.(const Commands.explain $ code)
 
+let lsp =
+  let stdio =
+    let doc = "Standard input and output, as without it: some editors say so." in
+    Arg.(value & flag & info [ "stdio" ] ~doc)
+  in
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "An editor starts this and asks it about programs: messages while you type, types, \
+         definitions, completion, renaming, and so on, by the Language Server Protocol. How to set \
+         up an editor is told in docs/editors.md.";
+    ]
+  in
+  command "lsp" ~man ~doc:"the compiler in an editor"
+    Term.(const (fun (_ : bool) -> Language_server.Server.run ()) $ stdio)
+
 let main =
   let doc = "compiler for Frob, a language for programming mobile robots" in
   let man =
@@ -675,7 +692,7 @@ let main =
   Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
     [
       check; fix; format; compile; trace; run; view; serve; build; export; report; selftest; header;
-      explain;
+      explain; lsp;
     ]
 
 (* A compilation is short, and what outlives the minor heap mostly lives to the

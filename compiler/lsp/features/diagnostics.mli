@@ -1,0 +1,9 @@
+(** [textDocument/publishDiagnostics]: what the compiler says, as it says it. *)
+
+open Basis
+
+val parameters : Workspace.t -> Document.t -> Json.t
+(** Of the notification, for the text that was looked at last. *)
+
+val none : string -> Json.t
+(** For a text that is closed, by its URI. *)

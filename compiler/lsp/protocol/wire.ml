@@ -1,0 +1,92 @@
+type t = {
+  stream : Unix.file_descr;
+  buffered : Buffer.t;  (** not looked at before [from] *)
+  mutable from : int;
+  chunk : Bytes.t;
+  mutable ended : bool;
+}
+
+type event = Message of string | Nothing | End
+
+let create stream =
+  { stream; buffered = Buffer.create 65536; from = 0; chunk = Bytes.create 65536; ended = false }
+
+(* Nobody has a longer message; it is the length that is wrong. *)
+let longest = 256 * 1024 * 1024
+
+(* What was read already is dropped now and then. *)
+let compact t =
+  if t.from > 1_000_000 || t.from = Buffer.length t.buffered then begin
+    let rest = Buffer.sub t.buffered t.from (Buffer.length t.buffered - t.from) in
+    Buffer.reset t.buffered;
+    Buffer.add_string t.buffered rest;
+    t.from <- 0
+  end
+
+let end_of_header t =
+  let n = Buffer.length t.buffered in
+  let rec find i =
+    if i + 4 > n then None
+    else if String.equal (Buffer.sub t.buffered i 4) "\r\n\r\n" then Some i
+    else find (i + 1)
+  in
+  find t.from
+
+(* The last one, should something else stand before it. *)
+let length_in header =
+  let name = "content-length:" in
+  let n = String.length name in
+  let of_line line =
+    let line = String.trim line in
+    if String.length line > n && String.lowercase_ascii (String.sub line 0 n) = name then
+      int_of_string_opt (String.trim (String.sub line n (String.length line - n)))
+    else None
+  in
+  List.find_map of_line (List.rev (String.split_on_char '\n' header))
+
+let rec buffered t =
+  match end_of_header t with
+  | None -> None
+  | Some stop -> (
+      let header = Buffer.sub t.buffered t.from (stop - t.from) in
+      let body = stop + 4 in
+      match length_in header with
+      | Some length when length >= 0 && length <= longest ->
+          if body + length > Buffer.length t.buffered then None
+          else begin
+            let text = Buffer.sub t.buffered body length in
+            t.from <- body + length;
+            compact t;
+            Some text
+          end
+      | Some _ | None ->
+          t.from <- body;
+          buffered t)
+
+let rec read t =
+  match Unix.read t.stream t.chunk 0 (Bytes.length t.chunk) with
+  | 0 -> t.ended <- true
+  | n -> Buffer.add_subbytes t.buffered t.chunk 0 n
+  | exception Unix.Unix_error (EINTR, _, _) -> read t
+  | exception Unix.Unix_error _ -> t.ended <- true
+
+let rec is_ready t timeout =
+  match Unix.select [ t.stream ] [] [] timeout with
+  | ready, _, _ -> ready <> []
+  | exception Unix.Unix_error (EINTR, _, _) -> is_ready t timeout
+
+let rec next t ~timeout =
+  match buffered t with
+  | Some text -> Message text
+  | None when t.ended -> End
+  | None ->
+      if is_ready t timeout then begin
+        read t;
+        next t ~timeout
+      end
+      else Nothing
+
+let write channel json =
+  let text = Basis.Json.to_string json in
+  Printf.fprintf channel "Content-Length: %d\r\n\r\n%s" (String.length text) text;
+  flush channel

@@ -1,0 +1,19 @@
+(** A text that is open in the editor. *)
+
+type t = {
+  uri : string;
+  path : string;
+  mutable version : Basis.Json.t;
+  mutable text : Text.t;
+  mutable latest : Analysis.t option;  (** of the text as it is, or was when last looked at *)
+  mutable named : View.t option;  (** the last version in which names were right *)
+  mutable typed : View.t option;  (** the last one in which types were *)
+  mutable changed : bool;  (** since it was looked at *)
+}
+
+val opened : uri:string -> version:Basis.Json.t -> string -> t
+val change : t -> Text.t -> unit
+val looked_at : t -> Analysis.t -> unit
+
+val names : t -> View.seen option
+val types : t -> View.seen option

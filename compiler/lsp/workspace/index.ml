@@ -1,0 +1,362 @@
+open Basis
+module Global = Resolve.Ir.Global
+
+type what =
+  | Local
+  | Value of Global.t
+  | Constructor of Global.t
+  | Type of Global.t
+  | Class of Global.t
+  | Unit of Global.t
+  | Field of { record : string }
+  | Module
+
+type symbol = { name : string; what : what; at : Span.t }
+type occurrence = { place : Span.t; symbol : symbol; declares : bool }
+type t = occurrence array
+
+let same a b = Span.compare a.at b.at = 0 && String.equal a.name b.name
+
+(* {1 What modules declare} *)
+
+type declared = (Mentions.space * string * string option, Span.t) Hashtbl.t
+
+let declared_by (mentions : Mentions.mention list) : declared =
+  let table = Hashtbl.create 64 in
+  let add : Mentions.mention -> unit = function
+    | Declares (space, name, record) -> Hashtbl.replace table (space, name.text, record) name.span
+    | Binds _ | Signs _ | Uses _ | Selects _ | Imports _ | Exports _ -> ()
+  in
+  List.iter add mentions;
+  table
+
+(* The same modules are asked for again with each change of a program. *)
+let remembered : (string, string * declared) Hashtbl.t = Hashtbl.create 32
+
+let declared_in sources file =
+  match Source.text sources file with
+  | None -> Hashtbl.create 1
+  | Some text -> (
+      match Hashtbl.find_opt remembered file with
+      | Some (of_text, declared) when String.equal of_text text -> declared
+      | Some _ | None ->
+          let tree =
+            match Prepared.Library.tree ~file text with
+            | Some tree -> Some tree
+            | None -> Syntax.Parse.program (Diagnostic.sink ()) ~file text
+          in
+          let declared =
+            Option.fold tree ~none:(Hashtbl.create 1) ~some:(fun tree ->
+                declared_by (Mentions.of_program tree))
+          in
+          Hashtbl.replace remembered file (text, declared);
+          declared)
+
+(* {1 What the resolver says of places} *)
+
+type place = Span.position * Span.position
+
+type meant = {
+  values : (place, [ `Local of Resolve.Ir.Local.t | `Global of Global.t ]) Hashtbl.t;
+  constructors : (place, Global.t) Hashtbl.t;
+  types : (place, Global.t) Hashtbl.t;
+  classes : (place, Global.t) Hashtbl.t;
+  candidates : (place, Global.t list) Hashtbl.t;  (** the types that a field may be of *)
+}
+
+let place (s : Span.t) : place = (s.start, s.stop)
+
+let rec ty meant (t : Resolve.Ir.ty) =
+  match t.desc with
+  | Type_variable _ | Representation _ | Size _ -> ()
+  | Named { tycon; arguments; _ } ->
+      Hashtbl.replace meant.types (place t.span) tycon;
+      List.iter (ty meant) arguments
+  | Function (a, b) ->
+      ty meant a;
+      ty meant b
+  | Tuple_type ts -> List.iter (ty meant) ts
+
+let scheme meant (s : Resolve.Ir.scheme) =
+  List.iter
+    (fun (c : Resolve.Ir.constraint_) ->
+      Hashtbl.replace meant.classes (c.span.start, c.span.start) c.class_;
+      ty meant c.argument)
+    s.context;
+  ty meant s.ty
+
+let declarations meant (ds : Resolve.Ir.declarations) =
+  List.iter (fun (_, s) -> scheme meant s) ds.signatures
+
+let rec pattern meant (p : Resolve.Ir.pattern) =
+  match p.desc with
+  | Any | Bound _ | Literal _ -> ()
+  | As (_, p) -> pattern meant p
+  | Tuple_of ps | Array_of ps -> List.iter (pattern meant) ps
+  | Constructed (c, ps) ->
+      Hashtbl.replace meant.constructors (place p.span) c;
+      List.iter (pattern meant) ps
+
+let rec expr meant (e : Resolve.Ir.expr) =
+  (match e.desc with
+  | Local l -> Hashtbl.replace meant.values (place e.span) (`Local l)
+  | Global g -> Hashtbl.replace meant.values (place e.span) (`Global g)
+  | Constructor c | Record { constructor = c; _ } ->
+      Hashtbl.replace meant.constructors (place e.span) c
+  | Field { candidates; _ } | Update { candidates; _ } ->
+      Hashtbl.replace meant.candidates (place e.span) candidates
+  | Annotated { scheme = s; _ } -> scheme meant s
+  | Case { branches; _ } ->
+      List.iter (fun (b : Resolve.Ir.branch) -> declarations meant b.right.where) branches
+  | Let { declarations = ds; _ } | Proc { body = { equations = ds; _ }; _ } ->
+      declarations meant ds
+  | Sequence { statements; _ } ->
+      List.iter
+        (function Resolve.Ir.Values ds -> declarations meant ds | Task _ -> ())
+        statements
+  | _ -> ());
+  Resolve.Walk.expr (visitor meant) e
+
+and binding meant (b : Resolve.Ir.binding) =
+  Option.iter (scheme meant) b.signature;
+  (match b.name with Destructure p -> pattern meant p | Top _ | Inner _ -> ());
+  declarations meant b.body.where;
+  Resolve.Walk.binding (visitor meant) b
+
+and visitor meant : Resolve.Walk.visitor =
+  { expr = expr meant; pattern = pattern meant; binding = binding meant }
+
+let meant_by (program : Resolve.Ir.program) ~main =
+  let table () = Hashtbl.create 256 in
+  let meant =
+    { values = table (); constructors = table (); types = table (); classes = table ();
+      candidates = table () }
+  in
+  let is_here (g : Global.t) = String.equal g.module_ main in
+  List.iter (binding meant)
+    (List.filter
+       (fun (b : Resolve.Ir.binding) -> match b.name with Top (g, _) -> is_here g | _ -> true)
+       (Resolve.Walk.own program));
+  List.iter
+    (fun (t : Resolve.Ir.type_declaration) ->
+      if is_here t.tycon then
+        match t.definition with
+        | Alias t -> ty meant t
+        | Data constructors ->
+            List.iter
+              (fun (c : Resolve.Ir.constructor) ->
+                List.iter (fun (f : Resolve.Ir.field) -> ty meant f.ty) c.fields)
+              constructors
+        | Builtin | Foreign _ -> ())
+    program.types;
+  List.iter
+    (fun (p : Resolve.Ir.primitive) -> if is_here p.name then scheme meant p.scheme)
+    program.primitives;
+  List.iter
+    (fun (c : Resolve.Ir.class_) ->
+      if is_here c.class_ then begin
+        List.iter (fun (m : Resolve.Ir.method_) -> scheme meant m.scheme) c.methods;
+        List.iter
+          (fun (class_, (at : Span.t)) ->
+            Hashtbl.replace meant.classes (at.start, at.start) class_)
+          c.superclasses
+      end)
+    program.classes;
+  List.iter
+    (fun (i : Resolve.Ir.instance) ->
+      Hashtbl.replace meant.classes (i.span.start, i.span.start) i.class_;
+      List.iter
+        (fun (c : Resolve.Ir.constraint_) ->
+          Hashtbl.replace meant.classes (c.span.start, c.span.start) c.class_;
+          ty meant c.argument)
+        i.context;
+      ty meant i.head)
+    program.instances;
+  meant
+
+(* The constructors of records whose fields are looked at, which types decide. *)
+let records (typed : Typing.Ir.program) ~main =
+  let table : (place, string) Hashtbl.t = Hashtbl.create 64 in
+  let rec visit (e : Typing.Ir.expr) =
+    (match e.desc with
+    | Field (_, c, _) | Update (_, c, _) ->
+        Hashtbl.replace table (place e.span) c.constructor.name
+    | _ -> ());
+    Typing.Walk.parts visit e
+  in
+  List.iter
+    (fun (d : Typing.Ir.definition) -> if String.equal d.name.module_ main then visit d.value)
+    typed.definitions;
+  table
+
+(* {1 All of it} *)
+
+let of_analysis (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
+  match a.resolved with
+  | None -> [||]
+  | Some program ->
+      let main = program.main_module in
+      let mentions = Mentions.of_program tree in
+      let meant = meant_by program ~main in
+      let records = Option.fold typed ~none:(Hashtbl.create 1) ~some:(records ~main) in
+      let own = declared_by mentions in
+      let tables = Hashtbl.create 16 in
+      let declared module_ =
+        if String.equal module_ main then own
+        else
+          match Hashtbl.find_opt tables module_ with
+          | Some table -> table
+          | None ->
+              let is_it (m : Resolve.Ir.module_) = String.equal m.name module_ in
+              let table =
+                Option.fold (List.find_opt is_it program.modules) ~none:(Hashtbl.create 1)
+                  ~some:(fun (m : Resolve.Ir.module_) -> declared_in a.sources m.file)
+              in
+              Hashtbl.replace tables module_ table;
+              table
+      in
+      let nowhere = Span.start_of_file "" in
+      let symbol space what (g : Global.t) =
+        let at = Hashtbl.find_opt (declared g.module_) (space, g.name, None) in
+        { name = g.name; what; at = Option.value at ~default:nowhere }
+      in
+      let field record name =
+        let with_field (m : Resolve.Ir.module_) =
+          Hashtbl.find_opt (declared m.name) (Mentions.Field, name, Some record)
+        in
+        let modules = List.rev program.modules in
+        Option.map
+          (fun at -> { name; what = Field { record }; at })
+          (List.find_map with_field modules)
+      in
+      let unit_ name =
+        let named (u : Resolve.Ir.unit_declaration) = String.equal u.unit_name.name name in
+        let all = List.filter named program.units in
+        let here (u : Resolve.Ir.unit_declaration) = String.equal u.unit_name.module_ main in
+        match (List.find_opt here all, all) with
+        | Some u, _ | None, u :: _ -> Some (symbol Unit (Unit u.unit_name) u.unit_name)
+        | None, [] -> None
+      in
+      (* In whatever name space the list of an import or a header means it. *)
+      let exported module_ name =
+        let spaces : Mentions.space list = [ Value; Type; Class; Unit; Constructor ] in
+        let of_module module_ =
+          List.find_map
+            (fun (space : Mentions.space) ->
+              Option.map
+                (fun at ->
+                  let g : Global.t = { module_; name } in
+                  let what =
+                    match space with
+                    | Value -> Value g
+                    | Type -> Type g
+                    | Class -> Class g
+                    | Unit -> Unit g
+                    | Constructor | Field -> Constructor g
+                  in
+                  { name; what; at })
+                (Hashtbl.find_opt (declared module_) (space, name, None)))
+            spaces
+        in
+        match of_module module_ with
+        | Some symbol -> Some symbol
+        | None ->
+            List.find_map (fun (m : Resolve.Ir.module_) -> of_module m.name) program.modules
+      in
+      let constructor within =
+        Hashtbl.find_opt meant.constructors (place within)
+      in
+      let used space (name : Syntax.Ir.qualified) (within : Span.t) =
+        match (space : Mentions.space) with
+        | Value -> (
+            match Hashtbl.find_opt meant.values (place within) with
+            | Some (`Local l) -> Some { name = l.name; what = Local; at = l.span }
+            | Some (`Global g) -> Some (symbol Value (Value g) g)
+            | None when Hashtbl.mem own (Value, name.name.text, None) ->
+                let g : Global.t = { module_ = main; name = name.name.text } in
+                Some (symbol Value (Value g) g)
+            | None -> None)
+        | Constructor ->
+            Option.map (fun g -> symbol Constructor (Constructor g) g) (constructor within)
+        | Type ->
+            Option.map (fun g -> symbol Type (Type g) g)
+              (Hashtbl.find_opt meant.types (place within))
+        | Class ->
+            Option.map (fun g -> symbol Class (Class g) g)
+              (Hashtbl.find_opt meant.classes (within.start, within.start))
+        | Unit -> unit_ name.name.text
+        | Field -> None
+      in
+      let record_of (name : Syntax.Ir.name) within =
+        match (constructor within, Hashtbl.find_opt records (place within)) with
+        | Some g, _ -> Some g.name
+        | None, Some record -> Some record
+        | None, None -> (
+            match Hashtbl.find_opt meant.candidates (place within) with
+            | Some [ only ] ->
+                let is_it (t : Resolve.Ir.type_declaration) = t.tycon = only in
+                let has (c : Resolve.Ir.constructor) =
+                  List.exists (fun (f : Resolve.Ir.field) -> f.field_name = name.text) c.fields
+                in
+                Option.bind (List.find_opt is_it program.types) (fun t ->
+                    match t.definition with
+                    | Data cs ->
+                        Option.map
+                          (fun (c : Resolve.Ir.constructor) -> c.constructor.name)
+                          (List.find_opt has cs)
+                    | Alias _ | Builtin | Foreign _ -> None)
+            | Some _ | None -> None)
+      in
+      let global name : Global.t = { module_ = main; name } in
+      let occurrences : Mentions.mention -> occurrence list =
+        let here ?(declares = false) (name : Syntax.Ir.name) symbol =
+          Option.to_list (Option.map (fun symbol -> { place = name.span; symbol; declares }) symbol)
+        in
+        function
+        | Declares (space, name, record) ->
+            let g = global name.text in
+            let what =
+              match (space, record) with
+              | Value, _ -> Value g
+              | Constructor, _ -> Constructor g
+              | Type, _ -> Type g
+              | Class, _ -> Class g
+              | Unit, _ -> Unit g
+              | Field, record -> Field { record = Option.value record ~default:"" }
+            in
+            here ~declares:true name (Some { name = name.text; what; at = name.span })
+        | Binds name ->
+            here ~declares:true name (Some { name = name.text; what = Local; at = name.span })
+        | Signs { name; binder = Some b } ->
+            let is_own = Hashtbl.find_opt own (Value, b.text, None) = Some b.span in
+            let what = if is_own then Value (global b.text) else Local in
+            here name (Some { name = name.text; what; at = b.span })
+        | Signs { binder = None; _ } -> []
+        | Uses { space; name; within } -> here name.name (used space name within)
+        | Selects { field = name; within } ->
+            here name (Option.bind (record_of name within) (fun record -> field record name.text))
+        | Imports { module_; items } ->
+            let is_it (m : Resolve.Ir.module_) = String.equal m.name module_.text in
+            let target =
+              Option.map
+                (fun (m : Resolve.Ir.module_) ->
+                  { name = m.name; what = Module; at = Span.start_of_file m.file })
+                (List.find_opt is_it program.modules)
+            in
+            here module_ target
+            @ List.concat_map
+                (fun (item : Syntax.Ir.name) -> here item (exported module_.text item.text))
+                items
+        | Exports name -> here name (exported main name.text)
+      in
+      let all = Array.of_list (List.concat_map occurrences mentions) in
+      Array.sort (fun a b -> Span.compare a.place b.place) all;
+      all
+
+let all = Array.to_list
+
+let at (t : t) (p : Span.position) =
+  let holds o = o.place.start <= p && p < o.place.stop in
+  let ends o = o.place.stop = p && o.place.start < p in
+  let find test = List.find_opt test (Array.to_list t) in
+  match find holds with Some o -> Some o | None -> find ends

@@ -1,0 +1,61 @@
+open Basis
+
+type t = {
+  analysis : Analysis.t;
+  program : Resolve.Ir.program;
+  tree : Syntax.Ir.program;
+  facts : Facts.t option Lazy.t;
+  index : Index.t Lazy.t;
+}
+
+let of_analysis (a : Analysis.t) =
+  let text = Text.contents a.text in
+  let tree =
+    match Prepared.Library.tree ~file:a.shown text with
+    | Some tree -> Some tree
+    | None -> Syntax.Parse.program (Diagnostic.sink ()) ~file:a.shown text
+  in
+  match (a.resolved, tree) with
+  | Some program, Some tree ->
+      let facts = lazy (Option.map (Facts.of_program ~main:program.main_module) a.typed) in
+      let index = lazy (Index.of_analysis a ~typed:a.typed tree) in
+      Some { analysis = a; program; tree; facts; index }
+  | _ -> None
+
+let analysis t = t.analysis
+let tree t = t.tree
+let index t = Lazy.force t.index
+let facts t = Lazy.force t.facts
+let program t = t.program
+
+type seen = { view : t; now : Text.t; shift : Shift.t; back : Shift.t }
+
+let seen view now =
+  let old = Text.contents view.analysis.text and new_ = Text.contents now in
+  { view; now; shift = Shift.between old new_; back = Shift.between new_ old }
+
+(* Spans count lines by [\n] and columns in bytes, whatever an editor does. *)
+let position s offset =
+  Option.map
+    (fun offset ->
+      let text = Text.contents s.view.analysis.text in
+      let rec count i line start =
+        if i >= offset then (line, start)
+        else count (i + 1) (if text.[i] = '\n' then line + 1 else line)
+            (if text.[i] = '\n' then i + 1 else start)
+      in
+      let line, start = count 0 1 0 in
+      Span.position ~line ~column:(offset - start + 1))
+    (Shift.offset s.back offset)
+
+let offset (a : Analysis.t) position =
+  let sources = a.sources in
+  match Source.text sources a.shown with
+  | Some _ -> Source.offset sources a.shown position
+  | None -> 0
+
+let range s (span : Span.t) =
+  let a = s.view.analysis in
+  if String.equal span.file a.shown then
+    Shift.range s.shift (offset a span.start, offset a span.stop)
+  else None

@@ -1,0 +1,27 @@
+(** A version of a text that the compiler understood, seen from the text as it is now. *)
+
+open Basis
+
+type t
+
+val of_analysis : Analysis.t -> t option
+(** [None] if names are wrong. *)
+
+val analysis : t -> Analysis.t
+val tree : t -> Syntax.Ir.program
+val index : t -> Index.t
+val facts : t -> Facts.t option
+(** [None] if types are wrong. *)
+
+val program : t -> Resolve.Ir.program
+
+(** {1 Places}
+
+    Those of the present text are offsets, those of the version positions. *)
+
+type seen = { view : t; now : Text.t; shift : Shift.t; back : Shift.t }
+
+val seen : t -> Text.t -> seen
+val position : seen -> int -> Span.position option
+val range : seen -> Span.t -> (int * int) option
+(** Of a place in the version, where that is now. *)
