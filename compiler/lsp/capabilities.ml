@@ -7,6 +7,13 @@ let all ~encoding : Json.t =
       ( "textDocumentSync",
         Object [ ("openClose", Bool true); ("change", Int 2); ("save", Bool true) ] );
       ("documentFormattingProvider", Bool true);
+      ("hoverProvider", Bool true);
+      ("definitionProvider", Bool true);
+      ("documentSymbolProvider", Bool true);
+      ("workspaceSymbolProvider", Bool true);
+      ("referencesProvider", Bool true);
+      ("documentHighlightProvider", Bool true);
+      ("renameProvider", Object [ ("prepareProvider", Bool true) ]);
       ( "workspace",
         Object
           [

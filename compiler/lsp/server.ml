@@ -143,7 +143,13 @@ let initialize t params =
 let on_document t params f =
   match Workspace.document t.ws (uri params) with
   | None -> Ok Json.Null
-  | Some doc -> f doc
+  | Some doc ->
+      (* A request may come right behind the change that it is about. *)
+      if doc.changed then begin
+        Workspace.look t.ws doc;
+        publish t doc
+      end;
+      f doc
 
 let failed = Result.map_error (fun message -> (request_failed, message))
 
@@ -155,6 +161,21 @@ let request t method_ params : (Json.t, int * string) result =
       Ok Null
   | "textDocument/formatting" ->
       on_document t params (fun doc -> failed (Document_format.edits t.ws doc))
+  | "textDocument/hover" -> on_document t params (fun doc -> Ok (Hover.answer t.ws doc params))
+  | "textDocument/definition" ->
+      on_document t params (fun doc -> Ok (Definition.answer t.ws doc params))
+  | "textDocument/documentSymbol" ->
+      on_document t params (fun doc -> Ok (Symbols.of_document t.ws doc))
+  | "workspace/symbol" ->
+      Ok (Symbols.of_workspace t.ws (Option.value (string (member "query" params)) ~default:""))
+  | "textDocument/references" ->
+      on_document t params (fun doc -> Ok (References.answer t.ws doc params))
+  | "textDocument/documentHighlight" ->
+      on_document t params (fun doc -> Ok (References.highlights t.ws doc params))
+  | "textDocument/prepareRename" ->
+      on_document t params (fun doc -> Ok (Rename.prepare t.ws doc params))
+  | "textDocument/rename" ->
+      on_document t params (fun doc -> failed (Rename.answer t.ws doc params))
   | _ -> Error (method_not_found, Printf.sprintf "there is no method %s" method_)
 
 let notification t method_ params =

@@ -1,0 +1,120 @@
+open Basis
+
+let can_be_renamed ws (symbol : Index.symbol) =
+  match symbol.what with
+  | Module -> Error "a module has the name of its file: rename that"
+  | _ when symbol.at.file = "" -> Error (Printf.sprintf "`%s` is built in" symbol.name)
+  | _ when Analysis.path_of ~library:ws.Workspace.library symbol.at.file <> symbol.at.file ->
+      Error (Printf.sprintf "`%s` is of the library" symbol.name)
+  | _ -> Ok ()
+
+let prepare ws (doc : Document.t) params : Json.t =
+  match Definition.symbol_at ws doc params with
+  | Some (seen, { symbol; place; _ }) when can_be_renamed ws symbol = Ok () ->
+      Option.fold (View.range seen place) ~none:Json.Null ~some:(fun range : Json.t ->
+          Object
+            [ ("range", Workspace.range ws doc.text range); ("placeholder", String symbol.name) ])
+  | Some _ | None -> Null
+
+(* {1 Names} *)
+
+let tokens_of text =
+  let lexer = Syntax.Lexer.create (Diagnostic.sink ()) ~file:"" text in
+  let first = (Syntax.Lexer.next lexer).token in
+  (first, (Syntax.Lexer.next lexer).token)
+
+let check_name (symbol : Index.symbol) name =
+  let capital =
+    match symbol.what with
+    | Constructor _ | Type _ | Class _ -> Some true
+    | Local | Value _ | Field _ -> Some false
+    | Unit _ | Module -> None
+  in
+  match (tokens_of name, capital) with
+  | (UPPER t, END), (Some true | None) when String.equal t name -> Ok ()
+  | (LOWER t, END), (Some false | None) when String.equal t name -> Ok ()
+  | ((UPPER _ | LOWER _), END), Some capital ->
+      Error
+        (Printf.sprintf "the name of this begins with a %s letter, unlike `%s`"
+           (if capital then "capital" else "small") name)
+  | _ -> Error (Printf.sprintf "`%s` cannot be a name" name)
+
+(* {1 Edits} *)
+
+(* Of one file, from the end to the beginning, so that offsets stay. *)
+let renamed (a : Analysis.t) places name =
+  let offset = Source.offset a.sources a.shown in
+  let replace text (span : Span.t) =
+    Text.replace text (offset span.start) (offset span.stop) name
+  in
+  List.fold_left replace a.text (List.sort (fun x y -> Span.compare y x) places)
+
+let by_file found =
+  let add files ((a : Analysis.t), (o : Index.occurrence)) =
+    let places = match List.assoc_opt a.path files with Some (_, ps) -> ps | None -> [] in
+    let places = if List.mem o.place places then places else o.place :: places in
+    (a.path, (a, places)) :: List.remove_assoc a.path files
+  in
+  List.rev (List.fold_left add [] found)
+
+let errors (a : Analysis.t) =
+  List.filter_map
+    (fun (d : Diagnostic.t) -> if d.severity = Error then Some d.code else None)
+    a.diagnostics
+
+(* Which places mean one thing, by what of them is declared where, as numbers. *)
+let meaning (a : Analysis.t) =
+  match View.of_analysis a with
+  | None -> []
+  | Some view ->
+      let all = Index.all (View.index view) in
+      let numbers = Hashtbl.create 64 in
+      List.iteri
+        (fun n (o : Index.occurrence) -> if o.declares then Hashtbl.replace numbers o.symbol.at n)
+        all;
+      let number (symbol : Index.symbol) =
+        if String.equal symbol.at.file a.shown then Hashtbl.find_opt numbers symbol.at else None
+      in
+      List.map (fun (o : Index.occurrence) -> (o.declares, number o.symbol)) all
+
+(* What each program says after the change, with the others as they will be. *)
+let check ws files name =
+  let texts =
+    List.map (fun (path, (a, places)) -> (path, Text.contents (renamed a places name))) files
+  in
+  let read path =
+    match List.assoc_opt path texts with Some text -> Ok text | None -> Workspace.read ws path
+  in
+  let one (path, ((a : Analysis.t), _)) =
+    let after =
+      Analysis.check ~library:ws.library ~read ~path (List.assoc path texts)
+    in
+    if errors after <> errors a || meaning after <> meaning a then
+      Error
+        (Printf.sprintf "`%s` means something else already where %s needs it" name
+           (Filename.basename path))
+    else Ok ()
+  in
+  List.fold_left (fun result file -> Result.bind result (fun () -> one file)) (Ok ()) files
+
+let answer ws (doc : Document.t) params =
+  let ( let* ) = Result.bind in
+  let name = Option.value Json_reader.(string (member "newName" params)) ~default:"" in
+  (* Places have to be those of the text as it is. *)
+  Workspace.look ws doc;
+  match (References.of_symbol ws doc params, doc.latest) with
+  | None, _ -> Error "there is no name here"
+  | Some _, Some { resolved = None; _ } ->
+      Error "names are wrong in this program: mend that first"
+  | Some (symbol, found), _ ->
+      let* () = can_be_renamed ws symbol in
+      let* () = check_name symbol name in
+      let files = by_file found in
+      let* () = check ws files name in
+      let edits (path, ((a : Analysis.t), places)) =
+        let edit (place : Span.t) : Json.t =
+          Object [ ("range", Workspace.span_range ws a.sources place); ("newText", String name) ]
+        in
+        (Workspace.uri_of ws path, Json.List (List.map edit places))
+      in
+      Ok (Json.Object [ ("changes", Object (List.map edits files)) ])
