@@ -14,6 +14,21 @@ let all ~encoding : Json.t =
       ("referencesProvider", Bool true);
       ("documentHighlightProvider", Bool true);
       ("renameProvider", Object [ ("prepareProvider", Bool true) ]);
+      ( "codeActionProvider",
+        Object
+          [ ("codeActionKinds", List [ String "quickfix"; String "refactor.rewrite" ]) ] );
+      ( "completionProvider",
+        Object
+          [ ("triggerCharacters", List [ String "."; String "[" ]); ("resolveProvider", Bool true) ]
+      );
+      ( "signatureHelpProvider",
+        Object [ ("triggerCharacters", List [ String " "; String "(" ]) ] );
+      ("codeLensProvider", Object [ ("resolveProvider", Bool false) ]);
+      ("inlayHintProvider", Bool true);
+      ( "semanticTokensProvider",
+        Object [ ("legend", Semantic_tokens.legend); ("full", Bool true) ] );
+      ("foldingRangeProvider", Bool true);
+      ("selectionRangeProvider", Bool true);
       ( "workspace",
         Object
           [

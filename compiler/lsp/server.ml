@@ -176,6 +176,21 @@ let request t method_ params : (Json.t, int * string) result =
       on_document t params (fun doc -> Ok (Rename.prepare t.ws doc params))
   | "textDocument/rename" ->
       on_document t params (fun doc -> failed (Rename.answer t.ws doc params))
+  | "textDocument/codeAction" ->
+      on_document t params (fun doc -> Ok (Code_actions.answer t.ws doc params))
+  | "textDocument/completion" ->
+      on_document t params (fun doc -> Ok (Completion.answer t.ws doc params))
+  | "completionItem/resolve" -> Ok (Completion.resolve t.ws params)
+  | "textDocument/signatureHelp" ->
+      on_document t params (fun doc -> Ok (Signature_help.answer t.ws doc params))
+  | "textDocument/codeLens" -> on_document t params (fun doc -> Ok (Code_lenses.answer t.ws doc))
+  | "textDocument/inlayHint" ->
+      on_document t params (fun doc -> Ok (Inlay_hints.answer t.ws doc params))
+  | "textDocument/semanticTokens/full" ->
+      on_document t params (fun doc -> Ok (Semantic_tokens.answer t.ws doc))
+  | "textDocument/foldingRange" -> on_document t params (fun doc -> Ok (Folding.ranges doc))
+  | "textDocument/selectionRange" ->
+      on_document t params (fun doc -> Ok (Folding.selections t.ws doc params))
   | _ -> Error (method_not_found, Printf.sprintf "there is no method %s" method_)
 
 let notification t method_ params =

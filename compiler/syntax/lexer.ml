@@ -139,33 +139,45 @@ let rec skip_blanks t =
 
 (* {1 Names and numbers} *)
 
-let reserved = function
-  | "let" -> Some LET
-  | "in" -> Some IN
-  | "where" -> Some WHERE
-  | "do" -> Some DO
-  | "of" -> Some OF
-  | "case" -> Some CASE
-  | "if" -> Some IF
-  | "then" -> Some THEN
-  | "else" -> Some ELSE
-  | "proc" -> Some PROC
-  | "rec" -> Some REC
-  | "module" -> Some MODULE
-  | "import" -> Some IMPORT
-  | "qualified" -> Some QUALIFIED
-  | "as" -> Some AS
-  | "data" -> Some DATA
-  | "type" -> Some TYPE
-  | "unit" -> Some UNIT
-  | "primitive" -> Some PRIMITIVE
-  | "_" -> Some UNDERSCORE
-  | "class" -> Some CLASS
-  | "instance" -> Some INSTANCE
-  | "foreign" -> Some FOREIGN
-  | "param" -> Some PARAM
-  | ("deriving" | "newtype") as word -> Some (RESERVED word)
-  | _ -> None
+let words =
+  [
+    ("let", LET);
+    ("in", IN);
+    ("where", WHERE);
+    ("do", DO);
+    ("of", OF);
+    ("case", CASE);
+    ("if", IF);
+    ("then", THEN);
+    ("else", ELSE);
+    ("proc", PROC);
+    ("rec", REC);
+    ("module", MODULE);
+    ("import", IMPORT);
+    ("qualified", QUALIFIED);
+    ("as", AS);
+    ("data", DATA);
+    ("type", TYPE);
+    ("unit", UNIT);
+    ("primitive", PRIMITIVE);
+    ("_", UNDERSCORE);
+    ("class", CLASS);
+    ("instance", INSTANCE);
+    ("foreign", FOREIGN);
+    ("param", PARAM);
+    ("deriving", RESERVED "deriving");
+    ("newtype", RESERVED "newtype");
+  ]
+
+let keywords =
+  List.filter_map
+    (function _, (RESERVED _ | UNDERSCORE) -> None | word, _ -> Some word)
+    words
+
+let reserved =
+  let table = String_table.create 64 in
+  List.iter (fun (word, token) -> String_table.replace table word token) words;
+  String_table.find_opt table
 
 let take_name t =
   let start = t.at in
@@ -437,12 +449,12 @@ let punctuation = function
   | "^" -> CARET
   | operator -> OPERATOR operator
 
+let punctuation_symbols =
+  [ "("; ")"; "{"; "}"; "]"; ","; ";"; "`"; "@"; "\\"; "="; "|"; "->"; "<-"; "-<"; "=>"; "::" ]
+
 (* By their first character, the longest first. *)
 let symbols =
-  let all =
-    [ "("; ")"; "{"; "}"; "]"; ","; ";"; "`"; "@"; "\\"; "="; "|"; "->"; "<-"; "-<"; "=>"; "::" ]
-    @ Operators.symbols
-  in
+  let all = punctuation_symbols @ Operators.symbols in
   let longest_first a b = Int.compare (String.length b) (String.length a) in
   Array.init 256 (fun code ->
       List.filter (fun symbol -> Char.code symbol.[0] = code) all

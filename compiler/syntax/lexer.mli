@@ -28,3 +28,9 @@ val text_follows : t -> bool
 
 val next : t -> token
 (** The next token; at the end of the text, [END] again and again. *)
+
+val keywords : string list
+(** The words of the language, which cannot be names. *)
+
+val punctuation_symbols : string list
+(** That are no operators. *)

@@ -7,6 +7,7 @@ let symbol_at ws (doc : Document.t) params =
     let* seen in
     let* position = View.position seen offset in
     let* occurrence = Index.at (View.index seen.view) position in
+    let* _ = View.place seen occurrence.place in
     Some (seen, occurrence)
   in
   match of_version (Document.names doc) with
@@ -18,7 +19,7 @@ let answer ws (doc : Document.t) params : Json.t =
   | None -> Null
   | Some (seen, { symbol; _ }) -> (
       let a = View.analysis seen.view in
-      match (symbol.at.file, View.range seen symbol.at) with
+      match (symbol.at.file, View.place seen symbol.at) with
       | "", _ -> Null
       | file, Some range when String.equal file a.shown ->
           Object [ ("uri", String doc.uri); ("range", Workspace.range ws doc.text range) ]

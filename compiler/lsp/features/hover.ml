@@ -17,7 +17,7 @@ let of_symbol ws (doc : Document.t) offset (seen : View.seen) =
   let ( let* ) = Option.bind in
   let* position = View.position seen offset in
   let* occurrence = Index.at (View.index seen.view) position in
-  let* range = View.range seen occurrence.place in
+  let* range = View.place seen occurrence.place in
   let* description = Description.of_symbol seen.view occurrence.symbol in
   Some (hover ws doc range (content description))
 

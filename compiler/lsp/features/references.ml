@@ -66,7 +66,7 @@ let answer ws (doc : Document.t) params : Json.t =
                  (fun range ->
                    Json.Object
                      [ ("uri", String doc.uri); ("range", Workspace.range ws doc.text range) ])
-                 (Option.bind (Document.names doc) (fun seen -> View.range seen o.place))
+                 (Option.bind (Document.names doc) (fun seen -> View.place seen o.place))
              else Some (Workspace.location ws a.sources o.place))
            found)
 
@@ -82,6 +82,6 @@ let highlights ws (doc : Document.t) params : Json.t =
               Json.Object
                 [ ("range", Workspace.range ws doc.text range);
                   ("kind", Int (if declares o then 3 else 2)) ])
-            (View.range seen o.place)
+            (View.place seen o.place)
       in
       List (List.filter_map highlight (Index.all (View.index seen.view)))

@@ -11,7 +11,7 @@ let can_be_renamed ws (symbol : Index.symbol) =
 let prepare ws (doc : Document.t) params : Json.t =
   match Definition.symbol_at ws doc params with
   | Some (seen, { symbol; place; _ }) when can_be_renamed ws symbol = Ok () ->
-      Option.fold (View.range seen place) ~none:Json.Null ~some:(fun range : Json.t ->
+      Option.fold (View.place seen place) ~none:Json.Null ~some:(fun range : Json.t ->
           Object
             [ ("range", Workspace.range ws doc.text range); ("placeholder", String symbol.name) ])
   | Some _ | None -> Null

@@ -88,7 +88,7 @@ let of_document ws (doc : Document.t) : Json.t =
   | None -> List []
   | Some seen ->
       let rec json s =
-        match (View.range seen s.name.span, View.range seen s.whole) with
+        match (View.place seen s.name.span, View.range seen s.whole) with
         | Some name, Some ((start, stop) as whole) ->
             let whole = if start <= fst name && snd name <= stop then whole else name in
             Some

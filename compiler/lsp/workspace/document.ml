@@ -1,11 +1,13 @@
+type version = { view : View.t; mutable since : Shift.t }
+
 type t = {
   uri : string;
   path : string;
   mutable version : Basis.Json.t;
   mutable text : Text.t;
   mutable latest : Analysis.t option;
-  mutable named : View.t option;
-  mutable typed : View.t option;
+  mutable named : version option;
+  mutable typed : version option;
   mutable changed : bool;
 }
 
@@ -15,7 +17,21 @@ let opened ~uri ~version text =
     typed = None; changed = true;
   }
 
+(* So many one after the other are remembered; then all are taken for one. *)
+let most_steps = 200
+
 let change t text =
+  let step = Shift.between (Text.contents t.text) (Text.contents text) in
+  let changed version =
+    version.since <-
+      (if List.compare_length_with version.since most_steps < 0 then
+       Shift.and_then version.since step
+      else
+        let before = Text.contents (View.analysis version.view).text in
+        Shift.between before (Text.contents text))
+  in
+  Option.iter changed t.named;
+  Option.iter changed t.typed;
   t.text <- text;
   t.changed <- true
 
@@ -25,9 +41,9 @@ let looked_at t (a : Analysis.t) =
   match View.of_analysis a with
   | None -> ()
   | Some view ->
-      t.named <- Some view;
-      if a.typed <> None then t.typed <- Some view
+      t.named <- Some { view; since = Shift.none };
+      if a.typed <> None then t.typed <- Some { view; since = Shift.none }
 
-let seen t = Option.map (fun view -> View.seen view t.text)
+let seen t = Option.map (fun { view; since } -> View.seen view t.text since)
 let names t = seen t t.named
 let types t = seen t t.typed

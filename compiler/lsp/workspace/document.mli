@@ -1,13 +1,15 @@
 (** A text that is open in the editor. *)
 
+type version = { view : View.t; mutable since : Shift.t  (** to the text as it is *) }
+
 type t = {
   uri : string;
   path : string;
   mutable version : Basis.Json.t;
   mutable text : Text.t;
   mutable latest : Analysis.t option;  (** of the text as it is, or was when last looked at *)
-  mutable named : View.t option;  (** the last version in which names were right *)
-  mutable typed : View.t option;  (** the last one in which types were *)
+  mutable named : version option;  (** the last one in which names were right *)
+  mutable typed : version option;  (** the last one in which types were *)
   mutable changed : bool;  (** since it was looked at *)
 }
 

@@ -78,6 +78,11 @@ let type_at t p =
   in
   Array.fold_left smaller None t.types
 
+let spans_at t p =
+  Array.fold_left
+    (fun spans ((s : Span.t), _) -> if s.start <= p && p <= s.stop then s :: spans else spans)
+    [] t.types
+
 let local t (s : Span.t) = Option.map snd (Hashtbl.find_opt t.locals (s.start, s.stop))
 let global t g = Hashtbl.find_opt (Lazy.force t.globals) g
 let locals t = Hashtbl.fold (fun _ found all -> found :: all) t.locals []

@@ -15,6 +15,9 @@ val of_program : Typing.Ir.program -> main:string -> t
 val type_at : t -> Span.position -> (Span.t * Typing.Ir.ty) option
 (** Of the smallest expression or pattern around it. *)
 
+val spans_at : t -> Span.position -> Span.t list
+(** Of all of them. *)
+
 val local : t -> Span.t -> local option
 (** Of the variable or definition inside another whose name is declared there. *)
 

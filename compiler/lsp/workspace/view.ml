@@ -30,9 +30,7 @@ let program t = t.program
 
 type seen = { view : t; now : Text.t; shift : Shift.t; back : Shift.t }
 
-let seen view now =
-  let old = Text.contents view.analysis.text and new_ = Text.contents now in
-  { view; now; shift = Shift.between old new_; back = Shift.between new_ old }
+let seen view now shift = { view; now; shift; back = Shift.back shift }
 
 (* Spans count lines by [\n] and columns in bytes, whatever an editor does. *)
 let position s offset =
@@ -54,8 +52,21 @@ let offset (a : Analysis.t) position =
   | Some _ -> Source.offset sources a.shown position
   | None -> 0
 
-let range s (span : Span.t) =
+let shifted shift s (span : Span.t) =
   let a = s.view.analysis in
-  if String.equal span.file a.shown then
-    Shift.range s.shift (offset a span.start, offset a span.stop)
+  if String.equal span.file a.shown then shift s.shift (offset a span.start, offset a span.stop)
   else None
+
+let is_name = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false
+
+(* Still the same word: not one with more letters. *)
+let place s span =
+  let text = Text.contents s.now in
+  let is_name_at i = i >= 0 && i < String.length text && is_name text.[i] in
+  match shifted Shift.place s span with
+  | Some (start, stop)
+    when is_name_at start && (is_name_at (start - 1) || is_name_at stop) ->
+      None
+  | found -> found
+
+let range = shifted Shift.range

@@ -21,7 +21,12 @@ val program : t -> Resolve.Ir.program
 
 type seen = { view : t; now : Text.t; shift : Shift.t; back : Shift.t }
 
-val seen : t -> Text.t -> seen
+val seen : t -> Text.t -> Shift.t -> seen
+(** [shift]: from the version to this text. *)
+
 val position : seen -> int -> Span.position option
+val place : seen -> Span.t -> (int * int) option
+(** Where a word of the version is now. *)
+
 val range : seen -> Span.t -> (int * int) option
-(** Of a place in the version, where that is now. *)
+(** Likewise of something larger, which may have changed inside. *)

@@ -139,6 +139,15 @@ class Client:
         column = len(before[before.rfind("\n") + 1:].encode("utf-16-le")) // 2
         return {"textDocument": {"uri": uri}, "position": {"line": line, "character": column}}
 
+    def ask(self, method, uri, mark, inside=0, nth=1, **more):
+        """What a request at a place is answered: the result, or the error's message."""
+        answer = self.answer(self.send_request(
+            "textDocument/" + method, {**self.at(uri, mark, inside, nth), **more}))
+        return answer["error"]["message"] if "error" in answer else answer["result"]
+
+    def ask_all(self, method, uri, **more):
+        return self.request("textDocument/" + method, {"textDocument": {"uri": uri}, **more})
+
     def end(self):
         self.request("shutdown", None)
         self.notify("exit", None)
