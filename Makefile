@@ -74,7 +74,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test page site pictures seeds fuzz fuzz-format fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install clean rtamt
+.PHONY: all setup run test page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install clean rtamt
 
 all: setup
 	dune build @install
@@ -120,6 +120,12 @@ fuzz-format: N = 10000
 fuzz-format: setup
 	@dune build ./tests/users/format/of_random_programs.exe
 	@_build/default/tests/users/format/of_random_programs.exe $(N) $(SEED)
+
+# The language server on random edits of the examples.
+fuzz-lsp: N = 10000
+fuzz-lsp: all
+	@cd _build && PATH=$(CURDIR)/_build/install/default/bin:$$PATH PYTHONPATH=$(CURDIR)/tests/users/lsp \
+	  python3 $(CURDIR)/tests/users/lsp/random_edits.py $(SEED) $(N) $(CURDIR)/examples/*/*.frob
 
 # Deliberate faults in the compiler: the random programs must find each. With direct calls
 # between modules each fault would ask for all that depends on its module to be built again.

@@ -238,6 +238,16 @@ let rec receive t body =
   | Some (Object _ as message) -> Queue.add message t.waiting
   | Some _ -> answer Null (Error (invalid_request, "a message is an object"))
 
+(* While nobody asks, what the next question will need. *)
+let prepare t =
+  let one _ (doc : Document.t) =
+    Option.iter
+      (fun (v : Document.version) ->
+        ignore (Analysis.guarded (fun () -> View.prepare v.view)))
+      doc.typed
+  in
+  Hashtbl.iter one t.ws.documents
+
 let rec serve t =
   match (t.exit, Wire.next t.wire ~timeout:0.) with
   | Some status, _ -> status
@@ -251,6 +261,7 @@ let rec serve t =
   | None, End -> if t.shut_down then 0 else 1
   | None, Nothing ->
       if not (look_at_one t) then begin
+        prepare t;
         match Wire.next t.wire ~timeout:(-1.) with
         | Message body -> receive t body
         | Nothing | End -> ()
@@ -259,8 +270,8 @@ let rec serve t =
 
 (* A server runs for days, so what is free is used again, unlike in a compilation. *)
 let collect () =
-  Gc.set { (Gc.get ()) with space_overhead = 120; max_overhead = 500; allocation_policy = 2;
-    custom_major_ratio = 44; minor_heap_size = 1024 * 1024 }
+  Gc.set { (Gc.get ()) with space_overhead = 200; max_overhead = 500; allocation_policy = 2;
+    custom_major_ratio = 44; minor_heap_size = 4 * 1024 * 1024 }
 
 let run () =
   match Driver.Resources.find () with

@@ -7,7 +7,7 @@ let symbol_at ws (doc : Document.t) params =
     let* seen in
     let* position = View.position seen offset in
     let* occurrence = Index.at (View.index seen.view) position in
-    let* _ = View.place seen occurrence.place in
+    let* _ = View.place_at seen offset occurrence.place in
     Some (seen, occurrence)
   in
   match of_version (Document.names doc) with

@@ -17,7 +17,7 @@ let of_symbol ws (doc : Document.t) offset (seen : View.seen) =
   let ( let* ) = Option.bind in
   let* position = View.position seen offset in
   let* occurrence = Index.at (View.index seen.view) position in
-  let* range = View.place seen occurrence.place in
+  let* range = View.place_at seen offset occurrence.place in
   let* description = Description.of_symbol seen.view occurrence.symbol in
   Some (hover ws doc range (content description))
 
@@ -27,6 +27,7 @@ let of_expression ws (doc : Document.t) offset (seen : View.seen) =
   let* facts = View.facts seen.view in
   let* span, ty = Facts.type_at facts position in
   let* range = View.range seen span in
+  let* range = if fst range <= offset && offset <= snd range then Some range else None in
   Some (hover ws doc range (Printf.sprintf "```frob\n:: %s\n```" (Typing.Show.ty ty)))
 
 let answer ws (doc : Document.t) params =

@@ -4,6 +4,7 @@ type t = {
   path : string;
   text : Text.t;
   shown : string;
+  tree : Syntax.Ir.program option;
   diagnostics : Diagnostic.t list;
   sources : Source.t;
   resolved : Resolve.Ir.program option;
@@ -52,7 +53,19 @@ let check ~library ~read ~path text =
   let files = Driver.Program_file.files in
   let read other = if String.equal other path then Ok text else read other in
   let request = Driver.Request.make ~library path in
-  let request = { request with files = { files with read } } in
+  (* It is parsed here, once, unless it has to be parsed again for its mistakes. *)
+  let tree = ref None in
+  let parsed ~file other =
+    if not (String.equal other text) then files.parsed ~file other
+    else begin
+      (tree :=
+         match files.parsed ~file text with
+         | Some tree -> Some tree
+         | None -> Syntax.Parse.program (Diagnostic.sink ()) ~file text);
+      !tree
+    end
+  in
+  let request = { request with files = { files with read; parsed } } in
   let fault =
     match guarded (fun () -> Driver.Front_end.check ~seen sink sources request) with
     | Ok () -> None
@@ -67,6 +80,6 @@ let check ~library ~read ~path text =
     match Option.bind !resolved main with Some m -> m.file | None -> path
   in
   {
-    path; text = Text.of_string text; shown; diagnostics = Diagnostic.all sink; sources;
+    path; text = Text.of_string text; shown; tree = !tree; diagnostics = Diagnostic.all sink; sources;
     resolved = !resolved; typed = !typed; fault;
   }

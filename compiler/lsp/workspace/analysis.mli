@@ -6,6 +6,7 @@ type t = {
   path : string;  (** of the file, which may say something else or not be there *)
   text : Text.t;
   shown : string;  (** the name that spans in this text have *)
+  tree : Syntax.Ir.program option;  (** [None] if it cannot be parsed *)
   diagnostics : Diagnostic.t list;
   sources : Source.t;  (** all texts that were read *)
   resolved : Resolve.Ir.program option;  (** [None] if names are wrong *)

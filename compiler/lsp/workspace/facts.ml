@@ -7,18 +7,18 @@ type local = { scheme : scheme; level : level }
 type t = {
   program : Typing.Ir.program;
   types : (Span.t * ty) array;
-  locals : (Span.position * Span.position, Span.t * local) Hashtbl.t;
+  locals : (Span.t * local) Place_table.t;
   globals : (Resolve.Ir.Global.t, scheme) Hashtbl.t Lazy.t;
 }
 
 let plain ty : scheme = { types = []; representations = []; units = []; context = []; ty }
 
 let of_program (program : Typing.Ir.program) ~main =
-  let types = ref [] and locals = Hashtbl.create 64 in
+  let types = ref [] and locals = Place_table.create 256 in
   let rec pattern level (p : pattern) =
     types := (p.span, p.ty) :: !types;
     let bound (l : Resolve.Ir.Local.t) =
-      Hashtbl.replace locals (l.span.start, l.span.stop)
+      Place_table.replace locals (Place_table.place l.span)
         (l.span, { scheme = plain p.ty; level })
     in
     match p.desc with
@@ -33,7 +33,7 @@ let of_program (program : Typing.Ir.program) ~main =
     pattern (Level b.level) b.pattern;
     match b.pattern.desc with
     | Bound l ->
-        Hashtbl.replace locals (l.span.start, l.span.stop)
+        Place_table.replace locals (Place_table.place l.span)
           (l.span, { scheme = b.scheme; level = Level b.level })
     | _ -> ()
   in
@@ -83,7 +83,7 @@ let spans_at t p =
     (fun spans ((s : Span.t), _) -> if s.start <= p && p <= s.stop then s :: spans else spans)
     [] t.types
 
-let local t (s : Span.t) = Option.map snd (Hashtbl.find_opt t.locals (s.start, s.stop))
+let local t (s : Span.t) = Option.map snd (Place_table.find_opt t.locals (Place_table.place s))
 let global t g = Hashtbl.find_opt (Lazy.force t.globals) g
-let locals t = Hashtbl.fold (fun _ found all -> found :: all) t.locals []
+let locals t = Place_table.fold (fun _ found all -> found :: all) t.locals []
 let data t = t.program.data

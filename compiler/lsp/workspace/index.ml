@@ -54,23 +54,21 @@ let declared_in sources file =
 
 (* {1 What the resolver says of places} *)
 
-type place = Span.position * Span.position
-
 type meant = {
-  values : (place, [ `Local of Resolve.Ir.Local.t | `Global of Global.t ]) Hashtbl.t;
-  constructors : (place, Global.t) Hashtbl.t;
-  types : (place, Global.t) Hashtbl.t;
-  classes : (place, Global.t) Hashtbl.t;
-  candidates : (place, Global.t list) Hashtbl.t;  (** the types that a field may be of *)
+  values : [ `Local of Resolve.Ir.Local.t | `Global of Global.t ] Place_table.t;
+  constructors : Global.t Place_table.t;
+  types : Global.t Place_table.t;
+  classes : Global.t Place_table.t;
+  candidates : Global.t list Place_table.t;  (** the types that a field may be of *)
 }
 
-let place (s : Span.t) : place = (s.start, s.stop)
+let place = Place_table.place
 
 let rec ty meant (t : Resolve.Ir.ty) =
   match t.desc with
   | Type_variable _ | Representation _ | Size _ -> ()
   | Named { tycon; arguments; _ } ->
-      Hashtbl.replace meant.types (place t.span) tycon;
+      Place_table.replace meant.types (place t.span) tycon;
       List.iter (ty meant) arguments
   | Function (a, b) ->
       ty meant a;
@@ -80,7 +78,7 @@ let rec ty meant (t : Resolve.Ir.ty) =
 let scheme meant (s : Resolve.Ir.scheme) =
   List.iter
     (fun (c : Resolve.Ir.constraint_) ->
-      Hashtbl.replace meant.classes (c.span.start, c.span.start) c.class_;
+      Place_table.replace meant.classes (c.span.start, c.span.start) c.class_;
       ty meant c.argument)
     s.context;
   ty meant s.ty
@@ -94,17 +92,17 @@ let rec pattern meant (p : Resolve.Ir.pattern) =
   | As (_, p) -> pattern meant p
   | Tuple_of ps | Array_of ps -> List.iter (pattern meant) ps
   | Constructed (c, ps) ->
-      Hashtbl.replace meant.constructors (place p.span) c;
+      Place_table.replace meant.constructors (place p.span) c;
       List.iter (pattern meant) ps
 
 let rec expr meant (e : Resolve.Ir.expr) =
   (match e.desc with
-  | Local l -> Hashtbl.replace meant.values (place e.span) (`Local l)
-  | Global g -> Hashtbl.replace meant.values (place e.span) (`Global g)
+  | Local l -> Place_table.replace meant.values (place e.span) (`Local l)
+  | Global g -> Place_table.replace meant.values (place e.span) (`Global g)
   | Constructor c | Record { constructor = c; _ } ->
-      Hashtbl.replace meant.constructors (place e.span) c
+      Place_table.replace meant.constructors (place e.span) c
   | Field { candidates; _ } | Update { candidates; _ } ->
-      Hashtbl.replace meant.candidates (place e.span) candidates
+      Place_table.replace meant.candidates (place e.span) candidates
   | Annotated { scheme = s; _ } -> scheme meant s
   | Case { branches; _ } ->
       List.iter (fun (b : Resolve.Ir.branch) -> declarations meant b.right.where) branches
@@ -127,10 +125,10 @@ and visitor meant : Resolve.Walk.visitor =
   { expr = expr meant; pattern = pattern meant; binding = binding meant }
 
 let meant_by (program : Resolve.Ir.program) ~main =
-  let table () = Hashtbl.create 256 in
   let meant =
-    { values = table (); constructors = table (); types = table (); classes = table ();
-      candidates = table () }
+    { values = Place_table.create 1024; constructors = Place_table.create 256;
+      types = Place_table.create 256; classes = Place_table.create 64;
+      candidates = Place_table.create 64 }
   in
   let is_here (g : Global.t) = String.equal g.module_ main in
   List.iter (binding meant)
@@ -158,16 +156,16 @@ let meant_by (program : Resolve.Ir.program) ~main =
         List.iter (fun (m : Resolve.Ir.method_) -> scheme meant m.scheme) c.methods;
         List.iter
           (fun (class_, (at : Span.t)) ->
-            Hashtbl.replace meant.classes (at.start, at.start) class_)
+            Place_table.replace meant.classes (at.start, at.start) class_)
           c.superclasses
       end)
     program.classes;
   List.iter
     (fun (i : Resolve.Ir.instance) ->
-      Hashtbl.replace meant.classes (i.span.start, i.span.start) i.class_;
+      Place_table.replace meant.classes (i.span.start, i.span.start) i.class_;
       List.iter
         (fun (c : Resolve.Ir.constraint_) ->
-          Hashtbl.replace meant.classes (c.span.start, c.span.start) c.class_;
+          Place_table.replace meant.classes (c.span.start, c.span.start) c.class_;
           ty meant c.argument)
         i.context;
       ty meant i.head)
@@ -176,11 +174,11 @@ let meant_by (program : Resolve.Ir.program) ~main =
 
 (* The constructors of records whose fields are looked at, which types decide. *)
 let records (typed : Typing.Ir.program) ~main =
-  let table : (place, string) Hashtbl.t = Hashtbl.create 64 in
+  let table = Place_table.create 64 in
   let rec visit (e : Typing.Ir.expr) =
     (match e.desc with
     | Field (_, c, _) | Update (_, c, _) ->
-        Hashtbl.replace table (place e.span) c.constructor.name
+        Place_table.replace table (place e.span) c.constructor.name
     | _ -> ());
     Typing.Walk.parts visit e
   in
@@ -198,7 +196,7 @@ let of_analysis (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
       let main = program.main_module in
       let mentions = Mentions.of_program tree in
       let meant = meant_by program ~main in
-      let records = Option.fold typed ~none:(Hashtbl.create 1) ~some:(records ~main) in
+      let records = Option.fold typed ~none:(Place_table.create 1) ~some:(records ~main) in
       let own = declared_by mentions in
       let tables = Hashtbl.create 16 in
       let declared module_ =
@@ -264,12 +262,12 @@ let of_analysis (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
             List.find_map (fun (m : Resolve.Ir.module_) -> of_module m.name) program.modules
       in
       let constructor within =
-        Hashtbl.find_opt meant.constructors (place within)
+        Place_table.find_opt meant.constructors (place within)
       in
       let used space (name : Syntax.Ir.qualified) (within : Span.t) =
         match (space : Mentions.space) with
         | Value -> (
-            match Hashtbl.find_opt meant.values (place within) with
+            match Place_table.find_opt meant.values (place within) with
             | Some (`Local l) -> Some { name = l.name; what = Local; at = l.span }
             | Some (`Global g) -> Some (symbol Value (Value g) g)
             | None when Hashtbl.mem own (Value, name.name.text, None) ->
@@ -280,19 +278,19 @@ let of_analysis (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
             Option.map (fun g -> symbol Constructor (Constructor g) g) (constructor within)
         | Type ->
             Option.map (fun g -> symbol Type (Type g) g)
-              (Hashtbl.find_opt meant.types (place within))
+              (Place_table.find_opt meant.types (place within))
         | Class ->
             Option.map (fun g -> symbol Class (Class g) g)
-              (Hashtbl.find_opt meant.classes (within.start, within.start))
+              (Place_table.find_opt meant.classes (within.start, within.start))
         | Unit -> unit_ name.name.text
         | Field -> None
       in
       let record_of (name : Syntax.Ir.name) within =
-        match (constructor within, Hashtbl.find_opt records (place within)) with
+        match (constructor within, Place_table.find_opt records (place within)) with
         | Some g, _ -> Some g.name
         | None, Some record -> Some record
         | None, None -> (
-            match Hashtbl.find_opt meant.candidates (place within) with
+            match Place_table.find_opt meant.candidates (place within) with
             | Some [ only ] ->
                 let is_it (t : Resolve.Ir.type_declaration) = t.tycon = only in
                 let has (c : Resolve.Ir.constructor) =

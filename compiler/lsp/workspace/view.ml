@@ -9,13 +9,7 @@ type t = {
 }
 
 let of_analysis (a : Analysis.t) =
-  let text = Text.contents a.text in
-  let tree =
-    match Prepared.Library.tree ~file:a.shown text with
-    | Some tree -> Some tree
-    | None -> Syntax.Parse.program (Diagnostic.sink ()) ~file:a.shown text
-  in
-  match (a.resolved, tree) with
+  match (a.resolved, a.tree) with
   | Some program, Some tree ->
       let facts = lazy (Option.map (Facts.of_program ~main:program.main_module) a.typed) in
       let index = lazy (Index.of_analysis a ~typed:a.typed tree) in
@@ -27,6 +21,10 @@ let tree t = t.tree
 let index t = Lazy.force t.index
 let facts t = Lazy.force t.facts
 let program t = t.program
+
+let prepare t =
+  ignore (Lazy.force t.index);
+  ignore (Lazy.force t.facts)
 
 type seen = { view : t; now : Text.t; shift : Shift.t; back : Shift.t }
 
@@ -68,5 +66,10 @@ let place s span =
     when is_name_at start && (is_name_at (start - 1) || is_name_at stop) ->
       None
   | found -> found
+
+let place_at s offset span =
+  match place s span with
+  | Some (start, stop) when start <= offset && offset <= stop -> Some (start, stop)
+  | Some _ | None -> None
 
 let range = shifted Shift.range

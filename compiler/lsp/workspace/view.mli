@@ -15,6 +15,9 @@ val facts : t -> Facts.t option
 
 val program : t -> Resolve.Ir.program
 
+val prepare : t -> unit
+(** Computes what would else be computed when first asked for. *)
+
 (** {1 Places}
 
     Those of the present text are offsets, those of the version positions. *)
@@ -27,6 +30,9 @@ val seen : t -> Text.t -> Shift.t -> seen
 val position : seen -> int -> Span.position option
 val place : seen -> Span.t -> (int * int) option
 (** Where a word of the version is now. *)
+
+val place_at : seen -> int -> Span.t -> (int * int) option
+(** If this offset of the present text is in it. *)
 
 val range : seen -> Span.t -> (int * int) option
 (** Likewise of something larger, which may have changed inside. *)

@@ -1,0 +1,7 @@
+(** Tables by places of one text. *)
+
+open Basis
+
+include Hashtbl.S with type key = Span.position * Span.position
+
+val place : Span.t -> key
