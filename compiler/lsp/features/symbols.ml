@@ -78,7 +78,7 @@ let declaration (d : declaration) =
   | Primitive s -> List.map (fun n -> symbol n function_ d.span) s.names
   | Foreign (Foreign_value { name; _ }) -> [ symbol name function_ d.span ~detail:"foreign" ]
   | Foreign (Foreign_type { name; _ }) -> [ symbol name struct_ d.span ~detail:"foreign" ]
-  | Foreign (Foreign_include _) -> []
+  | Claim _ | Foreign (Foreign_include _) -> []
   | Parameter { name; _ } -> [ symbol name constant d.span ~detail:"param" ]
 
 let of_tree (tree : program) = List.concat_map declaration tree.declarations

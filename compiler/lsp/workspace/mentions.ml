@@ -214,6 +214,7 @@ and declarations add ds =
       match d.desc with
       | Signature s -> signature add (Lazy.force all) s
       | Binding b -> binding add ~name:(fun n -> add (Binds n)) b
+      | Claim { condition; _ } -> expr add condition
       | _ -> ())
     ds
 
@@ -280,6 +281,7 @@ let top add signed (d : declaration) =
       add (Declares (Value, name, None));
       qualified_type add ty;
       expr add value
+  | Claim { condition; _ } -> expr add condition
 
 let of_program (program : program) =
   let found = ref [] in
