@@ -95,6 +95,15 @@ void frob_sim_read_robot(frob_sim *sim, std::size_t robot, void *input) {
     sim->simulation.read(input, robot);
 }
 
+int frob_sim_look_through(frob_sim *sim, const char *camera) {
+    const auto number = sim->simulation.look_through(camera);
+    return number ? static_cast<int>(*number) : -1;
+}
+
+const frob_image *frob_sim_frame(frob_sim *sim, std::size_t robot, int camera, std::int64_t time_ns) {
+    return sim->simulation.newest_frame(time_ns, static_cast<std::size_t>(camera), robot);
+}
+
 void frob_sim_command(frob_sim *sim, std::int64_t time_ns, const void *output) {
     frob_sim_command_robot(sim, 0, time_ns, output);
 }

@@ -26,6 +26,7 @@ extern "C" {
 #endif
 
 struct frob_sim;
+struct frob_image; /* <frob/image.h> */
 struct frob_body; /* <frob/body.h> */
 
 struct frob_sim_settings {
@@ -62,6 +63,15 @@ void frob_sim_advance(struct frob_sim *sim, int64_t time_ns);
 /* The sensors, as the robot's input struct. An echo is an event of the first reading after it arrived. */
 void frob_sim_read(struct frob_sim *sim, void *input);
 void frob_sim_read_robot(struct frob_sim *sim, size_t robot, void *input);
+
+/* Begins to look through the camera that the world calls so, of all robots, before the physics
+ * runs. Its number, or -1 if there is none in the world. */
+int frob_sim_look_through(struct frob_sim *sim, const char *camera);
+
+/* The newest frame of a robot's camera that has arrived by this time, once; NULL if there is none
+ * that was not given before. It stays until the next call for the same camera. */
+const struct frob_image *frob_sim_frame(struct frob_sim *sim, size_t robot, int camera,
+                                        int64_t time_ns);
 
 /* What the robot does from now on, as its output struct: limited to what it can do, and rest if any
  * of it is NaN. `time_ns` is the controller's instant, for the record. */

@@ -1,6 +1,7 @@
 #include "simulation.h"
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -20,13 +21,14 @@ std::string called(std::size_t robot, std::size_t robots) {
 } // namespace
 
 Simulation::Simulation(Scene scene, std::uint64_t seed, bool keeps_samples, const RobotKind *own)
-    : scene_(std::move(scene)), kind_(own ? *own : kind_of(scene_)), world_(scene_, kind_.chassis()) {
+    : scene_(std::move(scene)), kind_(own ? *own : kind_of(scene_)), world_(scene_, kind_.chassis()),
+      seed_(seed) {
     for (std::size_t k = 0; k < scene_.starts.size(); ++k) {
         if (body(k).overlaps())
             throw WorldFileError(scene_.starts[k].place + ": " + called(k, scene_.starts.size()) +
                                  " would start inside a wall or another thing");
         members_.push_back({kind_.make(scene_, Noise::seed_of_robot(seed, k)),
-                            Recorder(keeps_samples), std::nullopt, std::nullopt});
+                            Recorder(keeps_samples), std::nullopt, std::nullopt, {}});
         if (!scene_.measure) continue;
         if (scene_.measure->what == MeasureSettings::What::tape)
             members_.back().tape_distance.emplace(scene_, *scene_.measure);
@@ -43,7 +45,41 @@ void Simulation::advance(std::int64_t time_ns) {
         world_.step();
         time_ns_ += step_ns;
         for (std::size_t k = 0; k < bodies.size(); ++k) members_[k].robot->sense(time_ns_, bodies[k]);
+        if (scenery_) take_frames();
     }
+}
+
+// Where everything is, for all frames that are taken at this step.
+void Simulation::take_frames() {
+    std::shared_ptr<const Moment> moment;
+    for (Member &member : members_) {
+        for (Camera &camera : member.cameras) {
+            if (!camera.is_due(time_ns_)) continue;
+            if (!moment) {
+                std::vector<Pose> poses;
+                for (const Body &body : world_.robots()) poses.push_back(body.pose());
+                moment = std::make_shared<const Moment>(
+                    Moment{std::move(poses), world_.box_poses(), world_.ball_places()});
+            }
+            camera.take(time_ns_, moment);
+        }
+    }
+}
+
+std::optional<std::size_t> Simulation::look_through(const std::string &name) {
+    for (std::size_t i = 0; i < scene_.cameras.size(); ++i) {
+        const CameraSettings &settings = scene_.cameras[i];
+        if (settings.name != name) continue;
+        if (!scenery_) scenery_ = std::make_unique<Scenery>(scene_, kind_.chassis());
+        // Each has noise of its own.
+        for (std::size_t k = 0; k < members_.size(); ++k)
+            members_[k].cameras.emplace_back(
+                settings, kind_.chassis(), *scenery_, k,
+                Noise(Noise::seed_of_robot(seed_, k), Robot::camera_stream + i).bits());
+        take_frames();
+        return members_.front().cameras.size() - 1;
+    }
+    return std::nullopt;
 }
 
 void Simulation::read(void *input, std::size_t robot) { members_[robot].robot->read(time_ns_, input); }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "camera.h"
 #include "recorder.h"
 #include "robot.h"
 #include "tape_distance.h"
@@ -18,6 +19,7 @@ struct Member {
     Recorder recorder;
     std::optional<WallDistance> wall_distance; // as the world says what to measure
     std::optional<TapeDistance> tape_distance;
+    std::vector<Camera> cameras; // those that are looked through
 };
 
 class Simulation {
@@ -39,6 +41,16 @@ class Simulation {
     // commands. The structs are those of the robot's header.
     void read(void *input, std::size_t robot = 0);
     void command(std::int64_t time_ns, const void *output, std::size_t robot = 0);
+
+    // Begins to look through the camera of this name, of all robots, before the physics runs.
+    // Its number; none if the world has no such camera.
+    std::optional<std::size_t> look_through(const std::string &name);
+
+    // The newest frame that has arrived by now, once, of a robot's camera of this number; nullptr
+    // if there is none. Good until the next call for the same camera.
+    const frob_image *newest_frame(std::int64_t now_ns, std::size_t camera, std::size_t robot = 0) {
+        return members_[robot].cameras[camera].newest(now_ns);
+    }
 
     std::int64_t time_ns() const { return time_ns_; }
     const Scene &scene() const { return scene_; }
@@ -67,7 +79,10 @@ class Simulation {
     World world_;
     // Of what the world says to measure; NaN if it says nothing.
     double measure(Member &member, std::int64_t time_ns, const Pose &pose);
+    void take_frames();
 
+    std::uint64_t seed_;
+    std::unique_ptr<Scenery> scenery_; // if a camera is looked through
     std::vector<Member> members_;
     std::int64_t time_ns_ = 0;
 };

@@ -43,6 +43,9 @@ struct Chassis {
     DriveLimits limits;
     Vec left, right;             // where the distances to the sides are measured from
     RangeFinders range_finders;
+    double height = 0.24;         // m, of the body, for cameras
+    Vec camera = {0.12, 0.0};     // where a camera sits,
+    double camera_height = 0.27;  // and how high, where the world file does not say
 };
 
 // The outline of a body, also of a round one, in the robot's frame.

@@ -46,13 +46,6 @@ class Robot {
     const Odometry &odometry() const { return odometry_; }
     const Contacts &contacts() const { return contacts_; }
 
-  protected:
-    // Sensors draw their noise from streams of `seed`.
-    Robot(const Chassis &chassis, const Scene &scene, std::uint64_t seed);
-
-    // The robot's own sensors.
-    virtual void look(std::int64_t time_ns, const Body &body) = 0;
-
     // Streams of noise, one for each thing that has some.
     enum Stream : std::uint64_t {
         drive_stream = 1,
@@ -60,8 +53,16 @@ class Robot {
         sonar_stream,
         light_stream,
         floor_stream,
-        photocell_stream
+        photocell_stream,
+        camera_stream = 1u << 12 // and those after it, of each camera
     };
+
+  protected:
+    // Sensors draw their noise from streams of `seed`.
+    Robot(const Chassis &chassis, const Scene &scene, std::uint64_t seed);
+
+    // The robot's own sensors.
+    virtual void look(std::int64_t time_ns, const Body &body) = 0;
 
     double battery_voltage(std::int64_t time_ns) const;
 

@@ -23,6 +23,9 @@ class Noise {
     // since libraries differ in the last bit of `log` and `cos`.
     double normal();
 
+    // 64 of them.
+    std::uint64_t bits() { return next(); }
+
   private:
     std::uint64_t next();
 

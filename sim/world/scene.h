@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "geometry.h"
+#include "look.h"
+#include "print.h"
 
 namespace frob::sim {
 
@@ -16,17 +18,20 @@ struct Wall {
     std::vector<Vec> points;
     bool closed = false; // the last point is joined to the first
     double thickness = 0.1;
+    Look look = {{0.78, 0.75, 0.69}, Texture::plaster, 2.5};
 };
 
 // A solid that cannot be moved. Simple (its edges do not cross), not
 // necessarily convex, counter-clockwise.
 struct Polygon {
     std::vector<Vec> points;
+    Look look = {{0.56, 0.60, 0.66}, Texture::plaster, 0.8};
 };
 
 struct Circle {
     Vec center;
     double radius = 0.0;
+    Look look = {{0.56, 0.60, 0.66}, Texture::plaster, 0.8};
 };
 
 // A rectangular box that the robot can push over the floor.
@@ -35,6 +40,55 @@ struct Box {
     Vec size;            // along its own x and y
     double mass = 2.0;   // kg
     double friction = 0.5; // coefficient between box and floor
+    Look look = {{0.70, 0.53, 0.30}, Texture::plaster, 0.3};
+};
+
+// A ball on the floor. It rolls along a way, or it lies where it is until it is pushed.
+struct Ball {
+    std::vector<Vec> way; // at least where it is at first; at its end it turns back
+    bool closed = false;  // round and round
+    double speed = 0.0;   // m/s
+    double radius = 0.1;
+    double mass = 0.2;    // kg
+    Tint tint = {0.95, 0.42, 0.06};
+};
+
+// A cone that stands fast, as at road works.
+struct Cone {
+    Vec center;
+    double radius = 0.15; // at the floor
+    Look look = {{0.95, 0.42, 0.06}, Texture::stripes, 0.45};
+};
+
+// A picture that hangs in the room, on a wall or free, and faces one way.
+struct Poster {
+    Pose pose;            // of its middle, and where it faces
+    double middle = 0.5;  // m above the floor
+    Vec size;             // width and height
+    Print print;
+};
+
+struct SkyLook {
+    Tint tint = {0.80, 0.85, 0.92};
+};
+
+// A camera on each robot of the world.
+struct CameraSettings {
+    std::string name = "camera"; // as programs ask for it
+    int width = 320, height = 240; // pixels
+    double field_of_view = radians(60.0); // across
+    double rate = 30.0;       // Hz
+    double latency = 0.0;     // s from a frame's exposure to the program
+    double jitter = 0.0;      // s: each frame is taken so much sooner or later at most
+    double dropout = 0.0;     // share of frames that are lost
+    double noise = 0.0;       // standard deviation of a pixel, of 255
+    double exposure = 1.0;    // brightness
+    double blur = 0.0;        // pixels, the radius in which light is spread evenly
+    double k1 = 0.0, k2 = 0.0; // radial distortion
+    bool grey = false;
+    // Where it sits and looks; without a value as the robot's is, see chassis.h.
+    std::optional<double> ahead, left, up; // m
+    double yaw = 0.0, pitch = 0.0, roll = 0.0; // rad: to the left, down, clockwise
 };
 
 // Where a robot starts.
@@ -92,17 +146,21 @@ struct Tape {
     bool closed = false;     // the last point is joined to the first
     double width = 0.05;
     double reflectance = 0.05;
+    std::optional<Tint> tint; // for cameras; without a value grey, as it reflects
 };
 
 // A part of the floor that is brighter or darker than the rest. Simple.
 struct Patch {
     std::vector<Vec> points;
     double reflectance = 0.5;
+    std::optional<Tint> tint; // likewise
 };
 
 struct FloorSettings {
     double reflectance = 1.0; // share of light that comes back from it
     double noise = 0.0;       // relative standard deviation of what a floor sensor reads
+    Tint tint = {0.66, 0.62, 0.56}; // for cameras
+    Texture texture = Texture::plaster;
 };
 
 // A lamp above the floor, which shines in all directions; it is in nobody's way.
@@ -130,6 +188,11 @@ struct Scene {
     std::vector<Polygon> polygons;
     std::vector<Circle> circles;
     std::vector<Box> boxes;
+    std::vector<Ball> balls;
+    std::vector<Cone> cones;
+    std::vector<Poster> posters;
+    std::vector<CameraSettings> cameras;
+    SkyLook sky;
     std::vector<Hole> holes;
     std::vector<Patch> patches;
     std::vector<Tape> tapes; // on the patches; of each the later ones lie on the earlier

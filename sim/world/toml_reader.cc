@@ -190,6 +190,10 @@ std::string TomlReader::string(std::string_view key) {
     return node->value_or(std::string());
 }
 
+std::string TomlReader::needed_string(std::string_view key) {
+    return need(key) == nullptr ? "" : string(key);
+}
+
 Vec TomlReader::needed_point(std::string_view key, Range range) {
     const toml::node *node = need(key);
     return node == nullptr ? Vec{1.0, 1.0} : as_point(*node, key, range).value_or(Vec{1.0, 1.0});

@@ -56,6 +56,7 @@ class TomlReader {
     double needed_number(std::string_view key, Range range);
     int integer(std::string_view key, int otherwise, int least, int most);
     std::string string(std::string_view key);
+    std::string needed_string(std::string_view key);
     Vec needed_point(std::string_view key, Range range);
     // Neighbours differ; so do the last and the first if `closed`.
     std::vector<Vec> needed_points(std::string_view key, std::size_t least, bool closed);

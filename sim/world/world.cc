@@ -109,7 +109,12 @@ World::World(const Scene &scene, const Chassis &chassis) : physics_(b2Vec2(0.0f,
     for (const Wall &wall : scene.walls) add_wall(*fixed_, wall);
     for (const Polygon &polygon : scene.polygons) add_solid(*fixed_, polygon);
     for (const Circle &circle : scene.circles) add_circle(*fixed_, circle.center, circle.radius);
+    for (const Cone &cone : scene.cones) add_circle(*fixed_, cone.center, cone.radius);
     for (const Box &box : scene.boxes) boxes_.push_back(&add_box(box));
+    for (const Ball &ball : scene.balls) {
+        balls_.push_back(&add_ball(ball));
+        rolling_.emplace_back(ball);
+    }
     for (const Start &start : scene.starts) robots_.emplace_back(*add_robot(physics_, start.pose, chassis));
 }
 
@@ -141,7 +146,33 @@ b2Body &World::add_box(const Box &box) {
     return *body;
 }
 
+// A ball that is pushed rolls on for a while: it loses half of its speed a second.
+b2Body &World::add_ball(const Ball &ball) {
+    b2BodyDef definition;
+    definition.type = ball.speed > 0.0 ? b2_kinematicBody : b2_dynamicBody;
+    definition.position = to_b2(ball.way.front());
+    definition.linearDamping = 0.7f;
+    b2Body *body = physics_.CreateBody(&definition);
+    add_circle(*body, {0.0, 0.0}, ball.radius);
+    b2Fixture &fixture = *body->GetFixtureList();
+    fixture.SetDensity(static_cast<float>(ball.mass / (pi * ball.radius * ball.radius)));
+    body->ResetMassData();
+    return *body;
+}
+
+// Each goes to where its way is at the end of this step.
+void World::roll_balls() {
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+        if (balls_[i]->GetType() != b2_kinematicBody) continue;
+        rolling_[i].advance(step_s);
+        const b2Vec2 to = to_b2(rolling_[i].place());
+        balls_[i]->SetLinearVelocity(static_cast<float>(1.0 / step_s) *
+                                     (to - balls_[i]->GetPosition()));
+    }
+}
+
 void World::step() {
+    roll_balls();
     physics_.Step(static_cast<float>(step_s), velocity_iterations, position_iterations);
 }
 
@@ -153,6 +184,15 @@ std::vector<Pose> World::box_poses() const {
                          static_cast<double>(body->GetAngle())});
     }
     return poses;
+}
+
+std::vector<Vec> World::ball_places() const {
+    std::vector<Vec> places;
+    for (const b2Body *body : balls_) {
+        const b2Vec2 at = body->GetPosition();
+        places.push_back({static_cast<double>(at.x), static_cast<double>(at.y)});
+    }
+    return places;
 }
 
 } // namespace frob::sim

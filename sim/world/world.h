@@ -7,6 +7,7 @@
 
 #include "body.h"
 #include "chassis.h"
+#include "rolling.h"
 #include "scene.h"
 
 namespace frob::sim {
@@ -28,16 +29,21 @@ class World {
 
     b2World &physics() { return physics_; }
 
-    // Poses of the scene's boxes, in the scene's order.
+    // Poses of the scene's boxes and places of its balls, in the scene's order.
     std::vector<Pose> box_poses() const;
+    std::vector<Vec> ball_places() const;
 
   private:
     b2Body &add_box(const Box &box);
+    b2Body &add_ball(const Ball &ball);
+    void roll_balls();
 
     b2World physics_;
     b2Body *fixed_;
     std::vector<Body> robots_;
     std::vector<b2Body *> boxes_;
+    std::vector<b2Body *> balls_;
+    std::vector<Rolling> rolling_; // of each ball
 };
 
 } // namespace frob::sim

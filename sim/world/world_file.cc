@@ -19,6 +19,7 @@ constexpr int most_robots = 10'000;
 // More than these are slower than the robot, or want a gigabyte.
 constexpr std::size_t most_bytes = 4 << 20; // of a file
 constexpr std::size_t most_boxes = 2'000, most_in_one_place = 16;
+constexpr int most_pixels = 2048; // of a camera's side
 
 // One robot, or a block of `count` in rows of `columns`, `spacing` apart: the
 // first row goes from (x, y) along x, the next stands beside it along y.
@@ -39,11 +40,44 @@ void read_start(TomlReader reader, std::vector<Start> &starts) {
     reader.finish();
 }
 
+Tint read_tint(TomlReader &reader, const char *key, Tint otherwise) {
+    const std::string text = reader.string(key);
+    if (text.empty()) return otherwise;
+    if (const std::optional<Tint> tint = tint_of(text)) return *tint;
+    reader.mistake_at(key, "there is no colour `" + text + "`; the colours: " + tint_names() +
+                               ", and `#rrggbb`");
+    return otherwise;
+}
+
+std::optional<Tint> read_optional_tint(TomlReader &reader) {
+    const Tint none = {-1.0, 0.0, 0.0};
+    const Tint tint = read_tint(reader, "colour", none);
+    return tint.red < 0.0 ? std::nullopt : std::optional(tint);
+}
+
+Texture read_texture(TomlReader &reader, Texture otherwise) {
+    const std::string name = reader.string("texture");
+    if (name.empty()) return otherwise;
+    if (const std::optional<Texture> texture = texture_of(name)) return *texture;
+    reader.mistake_at("texture",
+                      "there is no texture `" + name + "`; the textures: " + texture_names());
+    return otherwise;
+}
+
+// What it is for cameras.
+Look read_look(TomlReader &reader, Look look) {
+    look.tint = read_tint(reader, "colour", look.tint);
+    look.texture = read_texture(reader, look.texture);
+    look.height = reader.number("height", look.height, Range::size);
+    return look;
+}
+
 Wall read_wall(TomlReader reader) {
     Wall wall;
     wall.closed = reader.boolean("closed", wall.closed);
     wall.points = reader.needed_points("points", wall.closed ? 3 : 2, wall.closed);
     wall.thickness = reader.number("thickness", wall.thickness, Range::size);
+    wall.look = read_look(reader, wall.look);
     reader.finish();
     return wall;
 }
@@ -57,6 +91,7 @@ Polygon read_polygon(TomlReader reader) {
         else if (signed_area(polygon.points) < 0.0)
             polygon.points = {polygon.points.rbegin(), polygon.points.rend()};
     }
+    polygon.look = read_look(reader, polygon.look);
     reader.finish();
     return polygon;
 }
@@ -65,6 +100,7 @@ Circle read_circle(TomlReader reader) {
     Circle circle;
     circle.center = reader.needed_point("center", Range::any);
     circle.radius = reader.needed_number("radius", Range::size);
+    circle.look = read_look(reader, circle.look);
     reader.finish();
     return circle;
 }
@@ -76,8 +112,106 @@ Box read_box(TomlReader reader) {
     box.size = reader.needed_point("size", Range::size);
     box.mass = reader.number("mass", box.mass, Range::positive);
     box.friction = reader.number("friction", box.friction, Range::not_negative);
+    box.look = read_look(reader, box.look);
     reader.finish();
     return box;
+}
+
+// Where it lies, or the way that it goes.
+Ball read_ball(TomlReader reader, bool has_way) {
+    Ball ball;
+    if (has_way) {
+        ball.closed = reader.boolean("closed", ball.closed);
+        ball.way = reader.needed_points("way", ball.closed ? 3 : 2, ball.closed);
+        ball.speed = reader.needed_number("speed", Range::positive);
+    } else {
+        ball.way = {reader.needed_point("center", Range::any)};
+    }
+    ball.radius = reader.number("radius", ball.radius, Range::size);
+    ball.mass = reader.number("mass", ball.mass, Range::positive);
+    ball.tint = read_tint(reader, "colour", ball.tint);
+    reader.finish();
+    return ball;
+}
+
+Cone read_cone(TomlReader reader) {
+    Cone cone;
+    cone.center = reader.needed_point("center", Range::any);
+    cone.radius = reader.number("radius", cone.radius, Range::size);
+    cone.look = read_look(reader, cone.look);
+    reader.finish();
+    return cone;
+}
+
+void read_place(TomlReader &reader, Poster &poster) {
+    poster.pose.position = reader.needed_point("center", Range::any);
+    poster.pose.heading = radians(reader.needed_number("facing_deg", Range::any));
+    poster.middle = reader.number("middle", poster.middle, Range::any);
+}
+
+Poster read_poster(TomlReader reader, const std::string &folder) {
+    Poster poster;
+    read_place(reader, poster);
+    poster.size = reader.needed_point("size", Range::size);
+    const std::string picture = reader.needed_string("picture");
+    try {
+        if (!picture.empty())
+            poster.print = Print::of_file(picture[0] == '/' ? picture : folder + picture);
+    } catch (const std::runtime_error &error) {
+        reader.mistake_at("picture", picture + ": " + error.what());
+    }
+    reader.finish();
+    return poster;
+}
+
+// `size` is that of the black frame, which is eight cells of the ten.
+Poster read_tag(TomlReader reader) {
+    Poster tag;
+    read_place(reader, tag);
+    const double size = 10.0 / 8.0 * reader.needed_number("size", Range::size);
+    tag.size = {size, size};
+    tag.print = Print::tag(reader.integer("id", 0, 0, Print::tags - 1));
+    reader.finish();
+    return tag;
+}
+
+CameraSettings read_camera(TomlReader reader) {
+    CameraSettings camera;
+    if (const std::string name = reader.string("name"); !name.empty()) camera.name = name;
+    camera.width = reader.integer("width", camera.width, 8, most_pixels);
+    camera.height = reader.integer("height", camera.height, 8, most_pixels);
+    camera.field_of_view =
+        radians(reader.number("field_of_view_deg", degrees(camera.field_of_view), Range::positive));
+    if (camera.field_of_view > radians(150.0))
+        reader.mistake_at("field_of_view_deg", "`field_of_view_deg` must be at most 150");
+    camera.rate = reader.number("rate", camera.rate, Range::positive);
+    if (camera.rate > 200.0)
+        reader.mistake_at("rate", "`rate` must be at most 200, as often as the physics has a step");
+    camera.latency = reader.number("latency", camera.latency, Range::not_negative);
+    camera.jitter = reader.number("jitter", camera.jitter, Range::not_negative);
+    camera.dropout = reader.number("dropout", camera.dropout, Range::share);
+    camera.noise = reader.number("noise", camera.noise, Range::not_negative);
+    camera.exposure = reader.number("exposure", camera.exposure, Range::positive);
+    camera.blur = reader.integer("blur", 0, 0, 20);
+    camera.k1 = reader.number("k1", camera.k1, Range::error);
+    camera.k2 = reader.number("k2", camera.k2, Range::error);
+    camera.grey = reader.boolean("grey", camera.grey);
+    camera.ahead = reader.optional_number("ahead", Range::any);
+    camera.left = reader.optional_number("left", Range::any);
+    camera.up = reader.optional_number("up", Range::size);
+    camera.yaw = radians(reader.number("yaw_deg", 0.0, Range::turn));
+    camera.pitch = radians(reader.number("pitch_deg", 0.0, Range::turn));
+    camera.roll = radians(reader.number("roll_deg", 0.0, Range::turn));
+    reader.finish();
+    return camera;
+}
+
+void look_at_cameras(TomlReader &reader, const std::vector<CameraSettings> &cameras) {
+    for (std::size_t i = 0; i < cameras.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (cameras[i].name == cameras[j].name)
+                return reader.mistake("two cameras are called `" + cameras[i].name +
+                                      "`: give each a `name` of its own");
 }
 
 std::string shown(double x) {
@@ -175,6 +309,7 @@ Tape read_tape(TomlReader reader) {
     tape.points = reader.needed_points("points", tape.closed ? 3 : 2, tape.closed);
     tape.width = reader.number("width", tape.width, Range::size);
     tape.reflectance = reader.number("reflectance", tape.reflectance, Range::part);
+    tape.tint = read_optional_tint(reader);
     const double radius = reader.number("radius", 0.0, Range::not_negative);
     if (!tape.points.empty() && radius > 0.0) {
         if (const std::optional<Vec> corner = corner_without_room(tape.points, tape.closed, radius))
@@ -193,6 +328,7 @@ Patch read_patch(TomlReader reader) {
     if (!patch.points.empty() && !is_simple(patch.points))
         reader.mistake_at("points", "the edges of this patch cross or touch");
     patch.reflectance = reader.number("reflectance", patch.reflectance, Range::part);
+    patch.tint = read_optional_tint(reader);
     reader.finish();
     return patch;
 }
@@ -218,6 +354,8 @@ FloorSettings read_floor(TomlReader reader) {
     FloorSettings floor;
     floor.reflectance = reader.number("reflectance", floor.reflectance, Range::part);
     floor.noise = reader.number("noise", floor.noise, Range::not_negative);
+    floor.tint = read_tint(reader, "colour", floor.tint);
+    floor.texture = read_texture(reader, floor.texture);
     reader.finish();
     return floor;
 }
@@ -262,7 +400,7 @@ MeasureSettings read_measure(TomlReader reader) {
     return measure;
 }
 
-Scene read_scene(Mistakes &mistakes, const toml::table &root) {
+Scene read_scene(Mistakes &mistakes, const toml::table &root, const std::string &folder) {
     TomlReader reader(mistakes, root);
     const auto inside = [&](const toml::table *table) { return TomlReader(mistakes, *table); };
     Scene scene;
@@ -284,6 +422,22 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root) {
         scene.circles.push_back(read_circle(inside(table)));
     for (const toml::table *table : reader.tables("box"))
         scene.boxes.push_back(read_box(inside(table)));
+    for (const toml::table *table : reader.tables("ball"))
+        scene.balls.push_back(read_ball(inside(table), table->contains("way")));
+    for (const toml::table *table : reader.tables("cone"))
+        scene.cones.push_back(read_cone(inside(table)));
+    for (const toml::table *table : reader.tables("poster"))
+        scene.posters.push_back(read_poster(inside(table), folder));
+    for (const toml::table *table : reader.tables("tag"))
+        scene.posters.push_back(read_tag(inside(table)));
+    for (const toml::table *table : reader.table_or_tables("camera"))
+        scene.cameras.push_back(read_camera(inside(table)));
+    look_at_cameras(reader, scene.cameras);
+    if (const toml::table *table = reader.table("sky")) {
+        TomlReader sky = inside(table);
+        scene.sky.tint = read_tint(sky, "colour", scene.sky.tint);
+        sky.finish();
+    }
     for (const toml::table *table : reader.tables("hole"))
         scene.holes.push_back(read_hole(inside(table)));
     for (const toml::table *table : reader.tables("patch"))
@@ -318,7 +472,9 @@ Scene parse_world(const std::string &text, const std::string &path) {
     Mistakes mistakes(path);
     try {
         const toml::table root = toml::parse(text);
-        Scene scene = read_scene(mistakes, root);
+        const std::size_t slash = path.find_last_of('/');
+        const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
+        Scene scene = read_scene(mistakes, root, folder);
         if (!mistakes.any()) return scene;
     } catch (const toml::parse_error &error) {
         const toml::source_region &where = error.source();

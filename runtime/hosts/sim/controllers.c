@@ -1,5 +1,6 @@
 #include "controllers.h"
 
+#include <frob/camera.h>
 #include <frob/console.h>
 #include <frob/result.h>
 
@@ -47,6 +48,34 @@ static bool open_one(struct controllers *c, size_t robot, const char *record)
     return true;
 }
 
+/* The world's cameras, by the labels that the program asks for. */
+static bool open_cameras(struct controllers *c)
+{
+    const struct frob_program *program = c->program;
+    bool ok = true;
+    c->cameras = (int *)calloc(program->control_count + 1, sizeof *c->cameras);
+    if (c->cameras == NULL) {
+        fprintf(stderr, "error: not enough memory for the cameras\n");
+        return false;
+    }
+    for (size_t i = 0; i < program->control_count; i++) {
+        const char *label = program->console[i].label;
+        if (program->console[i].kind != FROB_CAMERA)
+            continue;
+        c->cameras[i] = frob_sim_look_through(c->sim, label);
+        if (c->cameras[i] < 0) {
+            fprintf(stderr,
+                    "error: the program looks through a camera, `%s`, and the robot of this world "
+                    "has none: add a table [camera]%s%s%s to the world file\n",
+                    label, strcmp(label, "camera") == 0 ? "" : " with name = \"",
+                    strcmp(label, "camera") == 0 ? "" : label,
+                    strcmp(label, "camera") == 0 ? "" : "\"");
+            ok = false;
+        }
+    }
+    return ok;
+}
+
 bool controllers_open(struct controllers *c, const struct params *params,
                       struct frob_sim *sim, const char *record)
 {
@@ -65,7 +94,15 @@ bool controllers_open(struct controllers *c, const struct params *params,
     for (size_t k = 0; k < c->count; k++)
         if (!open_one(c, k, record))
             return false;
-    return true;
+    return open_cameras(c);
+}
+
+static void look(struct controllers *c, size_t robot, int64_t now_ns)
+{
+    for (size_t i = 0; i < c->program->control_count; i++)
+        if (c->program->console[i].kind == FROB_CAMERA)
+            frob_camera_give(&c->program->console[i], c->each[robot].input,
+                             frob_sim_frame(c->sim, robot, c->cameras[i], now_ns), now_ns);
 }
 
 bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
@@ -77,6 +114,7 @@ bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
         struct controller *one = &c->each[k];
         frob_sim_read_robot(c->sim, k, one->input);
         frob_console_clear(program, one->input);
+        look(c, k, now_ns);
         touches_apply(touches, one->input);
         memset(one->output, 0, program->output_size);
         program->step(one->state, c->params, dt_s, one->input, one->output);
@@ -115,5 +153,6 @@ bool controllers_close(struct controllers *c)
         free(one->record_name);
     }
     free(c->each);
+    free(c->cameras);
     return ok;
 }

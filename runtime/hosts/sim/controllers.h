@@ -33,6 +33,7 @@ struct controllers {
     const struct frob_program *program;
     const void *params; /* the same for all */
     struct frob_sim *sim;
+    int *cameras; /* of each thing on the console that is one, its number in the world */
     size_t count;
     size_t running; /* those that have not ended */
     struct controller *each;
@@ -40,8 +41,9 @@ struct controllers {
 
 /* Makes a controller for each robot, of the program of these parameters, which must stay. `record` is the file for the rows of the
  * only robot; of several, robot k has NAME-k.csv for NAME.csv, from 1. NULL:
- * nothing is recorded. False when there is not enough memory or a file cannot
- * be written, with a line on standard error; close it then, too. */
+ * nothing is recorded. False when there is not enough memory, when a file cannot
+ * be written, or when the world lacks a camera that the program asks for, with a line on
+ * standard error; close it then, too. */
 bool controllers_open(struct controllers *c, const struct params *params,
                       struct frob_sim *sim, const char *record);
 

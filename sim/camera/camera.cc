@@ -1,0 +1,205 @@
+#include "camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace frob::sim {
+namespace {
+
+// Streams of noise, apart from those of the robot's other sensors.
+constexpr std::uint64_t timing_stream = 1u << 16, frame_stream = std::uint64_t{1} << 32;
+
+constexpr std::size_t most_waiting = 64; // frames on their way; the oldest are lost
+
+std::int64_t nanoseconds(double s) { return static_cast<std::int64_t>(std::floor(s * 1e9 + 0.5)); }
+
+// Sums of three numbers of seven bits: nearly normal, out to three deviations.
+struct PixelNoise {
+    explicit PixelNoise(std::uint64_t bits) : bits_(bits) {}
+
+    double next() {
+        int sum = 0;
+        for (int i = 0; i < 3; ++i, bits_ >>= 7) sum += static_cast<int>(bits_ & 127u);
+        return (sum - 190.5) * (1.0 / 63.998);
+    }
+
+    std::uint64_t bits_;
+};
+
+std::uint8_t level(double x) {
+    return static_cast<std::uint8_t>(x <= 0.0 ? 0 : x >= 255.0 ? 255 : static_cast<int>(x + 0.5));
+}
+
+} // namespace
+
+Camera::Camera(const CameraSettings &settings, const Chassis &chassis, const Scenery &scenery,
+               std::size_t robot, std::uint64_t seed)
+    : settings_(settings), scenery_(scenery), robot_(robot), seed_(seed),
+      timing_(seed, timing_stream) {
+    const Vec half = exact_direction(settings.field_of_view / 2);
+    geometry_.focal_x = geometry_.focal_y = settings.width / 2.0 * half.x / half.y;
+    geometry_.centre_x = (settings.width - 1) / 2.0;
+    geometry_.centre_y = (settings.height - 1) / 2.0;
+    geometry_.k1 = settings.k1;
+    geometry_.k2 = settings.k2;
+    geometry_.x_m = settings.ahead.value_or(chassis.camera.x);
+    geometry_.y_m = settings.left.value_or(chassis.camera.y);
+    geometry_.z_m = settings.up.value_or(chassis.camera_height);
+    geometry_.yaw_rad = settings.yaw;
+    geometry_.pitch_rad = settings.pitch;
+    geometry_.roll_rad = settings.roll;
+    make_lens_map();
+}
+
+// What the lens shows at a distorted place (a', b') is at (a, b) with a' = a (1 + k1 r^2 +
+// k2 r^4), and likewise b'. Solved by repetition, as OpenCV does it.
+void Camera::make_lens_map() {
+    if (settings_.k1 == 0.0 && settings_.k2 == 0.0) return;
+    Vec most = {};
+    for (int y = 0; y < settings_.height; ++y) {
+        for (int x = 0; x < settings_.width; ++x) {
+            const Vec seen = {(x - geometry_.centre_x) / geometry_.focal_x,
+                              (y - geometry_.centre_y) / geometry_.focal_y};
+            Vec p = seen;
+            for (int i = 0; i < 20; ++i) {
+                const double r2 = dot(p, p);
+                p = (1.0 / (1.0 + r2 * (settings_.k1 + r2 * settings_.k2))) * seen;
+            }
+            const Vec pixel = geometry_.focal_x * p;
+            most = {std::max(most.x, std::abs(pixel.x)), std::max(most.y, std::abs(pixel.y))};
+            lens_map_.push_back(pixel);
+        }
+    }
+    margin_x_ = std::max(0, static_cast<int>(std::ceil(most.x - geometry_.centre_x))) + 1;
+    margin_y_ = std::max(0, static_cast<int>(std::ceil(most.y - geometry_.centre_y))) + 1;
+    for (Vec &pixel : lens_map_)
+        pixel = pixel + Vec{geometry_.centre_x + margin_x_, geometry_.centre_y + margin_y_};
+}
+
+void Camera::take(std::int64_t time_ns, std::shared_ptr<const Moment> moment) {
+    const bool is_lost = timing_.uniform() < settings_.dropout;
+    if (!is_lost)
+        waiting_.push_back(
+            {next_, time_ns, time_ns + nanoseconds(settings_.latency), std::move(moment)});
+    if (waiting_.size() > most_waiting) waiting_.pop_front();
+    ++next_;
+    const double shift = settings_.jitter * (2.0 * timing_.uniform() - 1.0);
+    due_ns_ = std::max(time_ns + 1, nanoseconds(next_ / settings_.rate + shift));
+}
+
+const frob_image *Camera::newest(std::int64_t now_ns) {
+    std::size_t arrived = 0;
+    while (arrived < waiting_.size() && waiting_[arrived].arrives_ns <= now_ns) ++arrived;
+    if (arrived == 0) return nullptr;
+    const Exposure exposure = std::move(waiting_[arrived - 1]);
+    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(arrived));
+    draw(exposure);
+    develop(exposure);
+    return &image_;
+}
+
+// The rotation is Rz(heading + yaw) Ry(pitch) Rx(roll).
+Pinhole Camera::eye_of(const Pose &robot) const {
+    const Vec u = exact_direction(robot.heading);
+    const Vec yaw = exact_direction(robot.heading + geometry_.yaw_rad);
+    const Vec pitch = exact_direction(geometry_.pitch_rad), roll = exact_direction(geometry_.roll_rad);
+    const Vec seat = {geometry_.x_m, geometry_.y_m};
+    const Vec at = robot.position + Vec{u.x * seat.x - u.y * seat.y, u.y * seat.x + u.x * seat.y};
+    const auto turned = [&](Point p) {
+        const Point rolled = {p.x, roll.x * p.y - roll.y * p.z, roll.y * p.y + roll.x * p.z};
+        const Point tilted = {pitch.x * rolled.x + pitch.y * rolled.z, rolled.y,
+                              pitch.x * rolled.z - pitch.y * rolled.x};
+        return Point{yaw.x * tilted.x - yaw.y * tilted.y, yaw.y * tilted.x + yaw.x * tilted.y,
+                     tilted.z};
+    };
+    Pinhole eye;
+    eye.origin = at_height(at, geometry_.z_m);
+    eye.ahead = turned({1.0, 0.0, 0.0});
+    eye.right = turned({0.0, -1.0, 0.0});
+    eye.down = turned({0.0, 0.0, -1.0});
+    eye.focal = geometry_.focal_x;
+    eye.cx = geometry_.centre_x + margin_x_;
+    eye.cy = geometry_.centre_y + margin_y_;
+    eye.width = settings_.width + 2 * margin_x_;
+    eye.height = settings_.height + 2 * margin_y_;
+    return eye;
+}
+
+void Camera::draw(const Exposure &exposure) {
+    raster_.start(eye_of(exposure.moment->robots[robot_]));
+    scenery_.draw(raster_, *exposure.moment, robot_);
+    if (lens_map_.empty()) {
+        light_ = raster_.tints();
+        return blur();
+    }
+    light_.clear();
+    for (const Vec &p : lens_map_) {
+        const int x = static_cast<int>(p.x), y = static_cast<int>(p.y);
+        const float right = static_cast<float>(p.x - x), low = static_cast<float>(p.y - y);
+        const auto mean = [&](float Raster::Single::*part) {
+            const float top = raster_.tint(x, y).*part, bottom = raster_.tint(x, y + 1).*part;
+            const float above = top + right * (raster_.tint(x + 1, y).*part - top);
+            const float below = bottom + right * (raster_.tint(x + 1, y + 1).*part - bottom);
+            return above + low * (below - above);
+        };
+        light_.push_back({mean(&Raster::Single::red), mean(&Raster::Single::green),
+                          mean(&Raster::Single::blue)});
+    }
+    blur();
+}
+
+// Means over squares, along rows and then along columns; at the rim of what is there.
+void Camera::blur() {
+    const int radius = static_cast<int>(settings_.blur);
+    if (radius == 0) return;
+    std::vector<Raster::Single> from;
+    const auto along = [&](int count, int lines, std::size_t step, std::size_t line) {
+        from = light_;
+        for (int j = 0; j < lines; ++j) {
+            for (int i = 0; i < count; ++i) {
+                Raster::Single sum{0.0f, 0.0f, 0.0f};
+                const int first = std::max(0, i - radius), last = std::min(count - 1, i + radius);
+                for (int k = first; k <= last; ++k) {
+                    const auto &one = from[static_cast<std::size_t>(j) * line +
+                                           static_cast<std::size_t>(k) * step];
+                    sum = {sum.red + one.red, sum.green + one.green, sum.blue + one.blue};
+                }
+                const float share = 1.0f / static_cast<float>(last - first + 1);
+                light_[static_cast<std::size_t>(j) * line + static_cast<std::size_t>(i) * step] = {
+                    share * sum.red, share * sum.green, share * sum.blue};
+            }
+        }
+    };
+    const auto width = static_cast<std::size_t>(settings_.width);
+    along(settings_.width, settings_.height, 1, width);
+    along(settings_.height, settings_.width, width, 1);
+}
+
+// From light to numbers: value = 255 exposure light + noise n, n normal.
+void Camera::develop(const Exposure &exposure) {
+    const double gain = 255.0 * settings_.exposure, noise = settings_.noise;
+    Noise random(seed_, frame_stream + exposure.number);
+    const std::size_t count = settings_.grey ? 1 : 3;
+    pixels_.resize(count * light_.size());
+    std::uint8_t *to = pixels_.data();
+    for (const Raster::Single &light : light_) {
+        double parts[3] = {gain * static_cast<double>(light.red),
+                           gain * static_cast<double>(light.green),
+                           gain * static_cast<double>(light.blue)};
+        if (settings_.grey) parts[0] = (77 * parts[0] + 150 * parts[1] + 29 * parts[2]) / 256;
+        PixelNoise pixel(noise > 0.0 ? random.bits() : 0);
+        for (std::size_t i = 0; i < count; ++i)
+            *to++ = level(noise > 0.0 ? parts[i] + noise * pixel.next() : parts[i]);
+    }
+    image_.width = settings_.width;
+    image_.height = settings_.height;
+    image_.stride = settings_.width * (settings_.grey ? 1 : 3);
+    image_.format = settings_.grey ? FROB_GREY8 : FROB_RGB8;
+    image_.pixels = pixels_.data();
+    image_.captured_ns = exposure.taken_ns;
+    image_.number = exposure.number;
+    image_.camera = geometry_;
+}
+
+} // namespace frob::sim

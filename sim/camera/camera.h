@@ -1,0 +1,63 @@
+// A camera on a robot: when it takes frames, when they arrive, and what they show.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include <frob/image.h>
+
+#include "noise.h"
+#include "scenery.h"
+
+namespace frob::sim {
+
+class Camera {
+  public:
+    // Of robot number `robot`; the scenery, which cameras share, must stay.
+    Camera(const CameraSettings &settings, const Chassis &chassis, const Scenery &scenery,
+           std::size_t robot, std::uint64_t seed);
+
+    // Whether a frame is to be taken at this step of the physics.
+    bool is_due(std::int64_t time_ns) const { return time_ns >= due_ns_; }
+
+    // Takes it. What it shows is drawn if it is asked for.
+    void take(std::int64_t time_ns, std::shared_ptr<const Moment> moment);
+
+    // The newest frame that has arrived by now, once; those before it are gone. nullptr if there
+    // is none. Good until the next call.
+    const frob_image *newest(std::int64_t now_ns);
+
+  private:
+    struct Exposure {
+        std::uint32_t number;
+        std::int64_t taken_ns, arrives_ns;
+        std::shared_ptr<const Moment> moment;
+    };
+
+    void draw(const Exposure &exposure);
+    Pinhole eye_of(const Pose &robot) const;
+    void make_lens_map();
+    void blur();
+    void develop(const Exposure &exposure);
+
+    CameraSettings settings_;
+    const Scenery &scenery_;
+    std::size_t robot_;
+    std::uint64_t seed_;
+    Noise timing_;
+    frob_camera geometry_{};
+    std::int64_t due_ns_ = 0;
+    std::uint32_t next_ = 0; // the number of the next frame
+    std::deque<Exposure> waiting_;
+
+    Raster raster_;
+    int margin_x_ = 0, margin_y_ = 0;      // of the raster around the picture, with distortion
+    std::vector<Vec> lens_map_;            // for each pixel where it is in the raster, likewise
+    std::vector<Raster::Single> light_;    // what falls on each pixel
+    std::vector<std::uint8_t> pixels_;
+    frob_image image_{};
+};
+
+} // namespace frob::sim

@@ -1,0 +1,60 @@
+// The world as a camera sees it: walls, solids and boxes as high as they are, balls, cones,
+// posters, other robots, the floor with what lies on it, and the sky.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "chassis.h"
+#include "raster.h"
+#include "scene.h"
+
+namespace frob::sim {
+
+// Where things that move are, at the time of a frame.
+struct Moment {
+    std::vector<Pose> robots;
+    std::vector<Pose> boxes;
+    std::vector<Vec> balls;
+};
+
+class Scenery {
+  public:
+    // Both must stay.
+    Scenery(const Scene &scene, const Chassis &chassis);
+
+    // What robot number `robot`, which does not see itself, sees.
+    void draw(Raster &raster, const Moment &moment, std::size_t robot) const;
+
+  private:
+    // A flat side of something, and how it is lit. Its pattern begins at the world's origin, so
+    // that it goes on from side to side of a wall.
+    struct Side {
+        std::vector<Point> corners; // counter-clockwise, as it is seen
+        Point normal, along, across;
+        const Look *look;
+        double light;
+    };
+
+    static void draw(Raster &raster, const Side &side, bool lies_below);
+    static void add_side(std::vector<Side> &sides, std::vector<Point> corners, const Look &look);
+    static void add_prism(std::vector<Side> &sides, const std::vector<Vec> &outline,
+                          const Look &look);
+    static void add_cone(std::vector<Side> &sides, const Cone &cone);
+    void add_wall(const Wall &wall);
+    void add_tape(const Tape &tape);
+    void draw_moving(Raster &raster, const Moment &moment, std::size_t robot) const;
+
+    // Of a floor of its tint and pattern, where it gives back this share of the light.
+    const Look &floor_look(double reflectance, const std::optional<Tint> &tint);
+
+    const Scene &scene_;
+    const Chassis &chassis_;
+    Look robot_;
+    std::vector<Side> fixed_;
+    std::vector<Side> lying_; // on the floor, what lies on top first
+    std::vector<std::unique_ptr<Look>> looks_;
+};
+
+} // namespace frob::sim

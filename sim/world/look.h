@@ -1,0 +1,34 @@
+// What things look like to a camera.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace frob::sim {
+
+// Shares of red, green and blue, 0 to 1.
+struct Tint {
+    double red = 0.0;
+    double green = 0.0;
+    double blue = 0.0;
+};
+
+constexpr Tint operator*(double k, Tint t) { return {k * t.red, k * t.green, k * t.blue}; }
+
+enum class Texture { plain, plaster, bricks, stripes, checks };
+
+struct Look {
+    Tint tint;
+    Texture texture = Texture::plain;
+    double height = 0.0; // m, from the floor
+};
+
+// A colour by its name, or as "#rrggbb"; none if it is neither.
+std::optional<Tint> tint_of(const std::string &text);
+
+// The names of colours, and of textures, for messages.
+std::string tint_names();
+std::optional<Texture> texture_of(const std::string &name);
+std::string texture_names();
+
+} // namespace frob::sim

@@ -1,0 +1,121 @@
+#include "print.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace frob::sim {
+namespace {
+
+constexpr int most_pixels = 4096; // of a side
+constexpr int cell = 16;          // pixels of a tag's cell
+
+// The 6 by 6 cells inside the black frame, from the upper left one, 1 for white, as
+// AprilTag 3 prints them (Wang and Olson, AprilTag 2, 2016).
+constexpr std::array<std::uint64_t, Print::tags> codes = {
+    0xd5d628584, 0xd97f18b49, 0xdd280910e, 0xe479e9c98, 0xebcbca822, 0xf31dab3ac,
+    0x056a5d085, 0x10652e1d4, 0x22b1dfead, 0x265ad0472, 0x34fe91b86, 0x3ff962cd5,
+    0x43a25329a, 0x474b4385f, 0x4e9d243e9, 0x5246149ae, 0x5997f5538, 0x683bb6c4c,
+    0x6be4a7211, 0x7e3158eea, 0x81da494af, 0x858339a74, 0x8cd51a5fe, 0x9f21cc2d7,
+    0xa2cabc89c, 0xadc58d9eb, 0xb16e7dfb0, 0xb8c05eb3a, 0xd25ef139d, 0xd607e1962};
+
+bool is_white(std::uint64_t code, int x, int y) {
+    if (x == 0 || y == 0 || x == 9 || y == 9) return true;
+    if (x == 1 || y == 1 || x == 8 || y == 8) return false;
+    return (code >> (35 - 6 * (y - 2) - (x - 2)) & 1) != 0;
+}
+
+// A number of a netpbm file's head, behind blanks and comments.
+int next_number(const std::string &text, std::size_t &at) {
+    for (; at < text.size(); ++at) {
+        if (text[at] == '#')
+            at = std::min(text.find('\n', at), text.size() - 1);
+        else if (text[at] > ' ')
+            break;
+    }
+    int number = 0;
+    const std::size_t start = at;
+    for (; at < text.size() && text[at] >= '0' && text[at] <= '9' && number < 1'000'000; ++at)
+        number = 10 * number + (text[at] - '0');
+    return at > start ? number : -1;
+}
+
+Tint mean(Tint a, Tint b, double share) {
+    return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
+            a.blue + share * (b.blue - a.blue)};
+}
+
+} // namespace
+
+Print::Print(int width, int height, const std::vector<std::uint8_t> &pixels) {
+    Level first{width, height, {}};
+    for (std::size_t i = 0; i + 2 < pixels.size(); i += 3)
+        first.pixels.push_back({pixels[i] / 255.0, pixels[i + 1] / 255.0, pixels[i + 2] / 255.0});
+    levels_.push_back(std::move(first));
+    while (levels_.back().width > 1 && levels_.back().height > 1) {
+        const Level &finer = levels_.back();
+        Level level{finer.width / 2, finer.height / 2, {}};
+        for (int y = 0; y < level.height; ++y) {
+            for (int x = 0; x < level.width; ++x) {
+                const auto at = [&](int i, int j) {
+                    return finer.pixels[static_cast<std::size_t>((2 * y + j) * finer.width + 2 * x + i)];
+                };
+                level.pixels.push_back(
+                    mean(mean(at(0, 0), at(1, 0), 0.5), mean(at(0, 1), at(1, 1), 0.5), 0.5));
+            }
+        }
+        levels_.push_back(std::move(level));
+    }
+}
+
+Print Print::of_file(const std::string &path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (!file.is_open() || file.bad()) throw std::runtime_error("cannot read this picture");
+    const bool colours = text.compare(0, 2, "P6") == 0;
+    if (!colours && text.compare(0, 2, "P5") != 0)
+        throw std::runtime_error("a picture is a binary PGM or PPM file");
+    std::size_t at = 2;
+    const int width = next_number(text, at), height = next_number(text, at);
+    const int most = next_number(text, at);
+    if (width < 1 || height < 1 || width > most_pixels || height > most_pixels || most != 255)
+        throw std::runtime_error("a picture has sides of 1 to 4096 pixels, of values up to 255");
+    const std::size_t bytes = colours ? 3 : 1;
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    ++at; // the blank that ends the head
+    if (text.size() < at + bytes * pixels)
+        throw std::runtime_error("this picture is not as long as its head says");
+    std::vector<std::uint8_t> colour;
+    for (std::size_t i = 0; i < 3 * pixels; ++i)
+        colour.push_back(static_cast<std::uint8_t>(text[at + (colours ? i : i / 3)]));
+    return {width, height, colour};
+}
+
+Print Print::tag(int id) {
+    const std::uint64_t code = codes[static_cast<std::size_t>(id)];
+    std::vector<std::uint8_t> pixels;
+    for (int y = 0; y < 10 * cell; ++y)
+        for (int x = 0; x < 10 * cell; ++x)
+            pixels.insert(pixels.end(), 3, is_white(code, x / cell, y / cell) ? 235 : 16);
+    return {10 * cell, 10 * cell, pixels};
+}
+
+Tint Print::at(double x, double y, double grain) const {
+    std::size_t level = 0;
+    while (level + 1 < levels_.size() && grain * levels_[level].width > 1.5) ++level;
+    const Level &l = levels_[level];
+    const double px = std::clamp(x * l.width - 0.5, 0.0, l.width - 1.0);
+    const double py = std::clamp(y * l.height - 0.5, 0.0, l.height - 1.0);
+    const int i = static_cast<int>(px), j = static_cast<int>(py);
+    const auto pixel = [&](int a, int b) {
+        return l.pixels[static_cast<std::size_t>(std::min(b, l.height - 1) * l.width +
+                                                 std::min(a, l.width - 1))];
+    };
+    return mean(mean(pixel(i, j), pixel(i + 1, j), px - i),
+                mean(pixel(i, j + 1), pixel(i + 1, j + 1), px - i), py - j);
+}
+
+} // namespace frob::sim
