@@ -141,6 +141,12 @@ frob_sim_summary frob_sim_summarize_robot(const frob_sim *sim, std::size_t robot
         summary.largest_tape_m = measured->largest();
         summary.tape_way_m = measured->way();
     }
+    if (const auto &measured = simulation.ball_distance(robot)) {
+        summary.ball_measured = 1;
+        summary.ball_distance_m = simulation.scene().measure->distance;
+        summary.mean_ball_m = measured->mean_error();
+        summary.largest_ball_m = measured->largest_error();
+    }
     return summary;
 }
 

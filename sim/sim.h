@@ -101,6 +101,10 @@ struct frob_sim_summary {
     double mean_tape_m;       /* since it settled; NaN if it has not */
     double largest_tape_m;
     double tape_way_m;        /* come along the tape, in the order of its points */
+    int ball_measured;        /* or the distance from a ball: */
+    double ball_distance_m;   /* that the robot should keep */
+    double mean_ball_m;       /* error since it settled; NaN if it has not */
+    double largest_ball_m;
 };
 
 struct frob_sim_summary frob_sim_summarize(const struct frob_sim *sim);

@@ -28,10 +28,12 @@ Simulation::Simulation(Scene scene, std::uint64_t seed, bool keeps_samples, cons
             throw WorldFileError(scene_.starts[k].place + ": " + called(k, scene_.starts.size()) +
                                  " would start inside a wall or another thing");
         members_.push_back({kind_.make(scene_, Noise::seed_of_robot(seed, k)),
-                            Recorder(keeps_samples), std::nullopt, std::nullopt, {}});
+                            Recorder(keeps_samples), std::nullopt, std::nullopt, std::nullopt, {}});
         if (!scene_.measure) continue;
         if (scene_.measure->what == MeasureSettings::What::tape)
             members_.back().tape_distance.emplace(scene_, *scene_.measure);
+        else if (scene_.measure->what == MeasureSettings::What::ball)
+            members_.back().ball_distance.emplace(*scene_.measure);
         else
             members_.back().wall_distance.emplace(scene_, kind_.chassis(), *scene_.measure);
     }
@@ -91,6 +93,8 @@ Pose Simulation::believed(std::size_t robot) const {
 double Simulation::measure(Member &member, std::int64_t time_ns, const Pose &pose) {
     if (member.wall_distance) return member.wall_distance->observe(time_ns, pose);
     if (member.tape_distance) return member.tape_distance->observe(time_ns, pose);
+    if (member.ball_distance)
+        return member.ball_distance->observe(time_ns, pose, world_.ball_places());
     return std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "ball_distance.h"
 #include "camera.h"
 #include "recorder.h"
 #include "robot.h"
@@ -19,6 +20,7 @@ struct Member {
     Recorder recorder;
     std::optional<WallDistance> wall_distance; // as the world says what to measure
     std::optional<TapeDistance> tape_distance;
+    std::optional<BallDistance> ball_distance;
     std::vector<Camera> cameras; // those that are looked through
 };
 
@@ -68,6 +70,16 @@ class Simulation {
     }
     const std::optional<TapeDistance> &tape_distance(std::size_t robot = 0) const {
         return members_[robot].tape_distance;
+    }
+
+    const std::optional<BallDistance> &ball_distance(std::size_t robot = 0) const {
+        return members_[robot].ball_distance;
+    }
+
+    // The last frame of the first camera that a robot's program was given; nullptr without one.
+    const frob_image *last_frame(std::size_t robot = 0) const {
+        const std::vector<Camera> &cameras = members_[robot].cameras;
+        return cameras.empty() ? nullptr : cameras.front().last();
     }
 
     // Where a robot believes to be, by odometry that began at its true start.

@@ -29,6 +29,9 @@ class Camera {
     // is none. Good until the next call.
     const frob_image *newest(std::int64_t now_ns);
 
+    // That one once more; nullptr before the first.
+    const frob_image *last() const { return image_.pixels == nullptr ? nullptr : &image_; }
+
   private:
     struct Exposure {
         std::uint32_t number;

@@ -45,6 +45,10 @@ class Canvas {
     // At its baseline.
     virtual void text(Vec at, const std::string &text, const TextStyle &style) = 0;
 
+    // A picture of rows from the top, three bytes a pixel, at its upper left corner.
+    virtual void image(Vec corner, Vec size, int width, int height,
+                       const std::vector<unsigned char> &rgb) = 0;
+
     // Draws only inside this rectangle until unclip.
     virtual void clip(Vec corner, Vec size) = 0;
     virtual void unclip() = 0;

@@ -19,6 +19,7 @@ constexpr double width = 900.0;
 constexpr double left = 58.0, right = 24.0; // room beside what is drawn
 constexpr double head = 58.0;               // room for the title
 constexpr double most_scene_height = 640.0;
+constexpr double frame_height = 180.0, frame_room = 52.0; // of a camera's picture
 constexpr double plot_height = 96.0, plot_gap = 34.0, time_labels = 46.0;
 
 double seconds(std::int64_t time_ns) { return static_cast<double>(time_ns) * 1e-9; }
@@ -80,11 +81,23 @@ Plot tape_plot(const Simulation &simulation, double end_s) {
     return plot;
 }
 
+Plot ball_plot(const Simulation &simulation, double end_s) {
+    const double distance = simulation.scene().measure->distance;
+    Plot plot{"distance to the ball [m]", 0.0, 0.0, end_s,
+              {{"to be kept", palette::target, Series::Style::dashes,
+                {{0.0, distance}, {end_s, distance}}},
+               line(simulation, "truth", palette::truth, Series::Style::line,
+                    &Sample::measured_distance)}};
+    fit(plot, 0.0, 1.5 * distance);
+    return plot;
+}
+
 // Of what the world says to measure.
 Plot distance_plot(const Simulation &simulation, double end_s) {
     const std::optional<MeasureSettings> &measure = simulation.scene().measure;
-    return measure && measure->what == MeasureSettings::What::tape ? tape_plot(simulation, end_s)
-                                                                   : wall_plot(simulation, end_s);
+    if (measure && measure->what == MeasureSettings::What::tape) return tape_plot(simulation, end_s);
+    if (measure && measure->what == MeasureSettings::What::ball) return ball_plot(simulation, end_s);
+    return wall_plot(simulation, end_s);
 }
 
 Plot front_plot(const Simulation &simulation, double end_s) {
@@ -146,6 +159,21 @@ std::unique_ptr<Canvas> canvas_for(const std::string &file, double height) {
     throw std::runtime_error("the picture " + file + " must be named .svg or .png");
 }
 
+// What the first robot's camera saw last.
+void draw_frame(Canvas &canvas, const frob_image &frame, Vec corner) {
+    const int bytes = frob_image_pixel_size(frame.format);
+    std::vector<unsigned char> rgb;
+    for (int y = 0; y < frame.height; ++y)
+        for (int x = 0; x < frame.width; ++x)
+            for (int part = 0; part < 3; ++part)
+                rgb.push_back(frob_image_row(&frame, y)[bytes * x + (bytes == 3 ? part : 0)]);
+    canvas.image(corner, {frame_height * frame.width / frame.height, frame_height}, frame.width,
+                 frame.height, rgb);
+    char text[64];
+    std::snprintf(text, sizeof text, "what its camera saw at %.4g s", seconds(frame.captured_ns));
+    canvas.text(corner + Vec{0.0, -8.0}, text, {12.0, palette::ink, Anchor::start, true});
+}
+
 } // namespace
 
 void draw_picture(const Simulation &simulation, const std::string &file) {
@@ -159,7 +187,10 @@ void draw_picture(const Simulation &simulation, const std::string &file) {
     const std::vector<Plot> plots = {
         distance_plot(simulation, end_s), front_plot(simulation, end_s),
         speed_plot(simulation, end_s), turn_plot(simulation, end_s)};
-    const double plots_top = head + scene_size.y + 34.0;
+    const frob_image *frame = simulation.last_frame();
+    const double frame_top = head + scene_size.y + frame_room;
+    const double plots_top =
+        head + scene_size.y + 34.0 + (frame != nullptr ? frame_height + frame_room : 0.0);
     const double height = plots_top +
                           static_cast<double>(plots.size()) * (plot_gap + plot_height) +
                           time_labels;
@@ -173,6 +204,7 @@ void draw_picture(const Simulation &simulation, const std::string &file) {
     canvas->text({left, 46.0}, subtitle(simulation),
                  {12.0, palette::faint_ink, Anchor::start, false});
     draw_scene(*canvas, simulation, shown, scene_corner, scene_size);
+    if (frame != nullptr) draw_frame(*canvas, *frame, {left, frame_top});
     for (std::size_t i = 0; i < plots.size(); ++i)
         draw_plot(*canvas, plots[i],
                   {left, plots_top + static_cast<double>(i) * (plot_gap + plot_height) + plot_gap},

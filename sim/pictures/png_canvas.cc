@@ -1,6 +1,8 @@
 #include "png_canvas.h"
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <stdexcept>
 
 #include <cairo/cairo.h>
@@ -14,7 +16,39 @@ void set_colour(cairo_t *cairo, Colour c) {
     cairo_set_source_rgba(cairo, c.red / 255.0, c.green / 255.0, c.blue / 255.0, c.opacity);
 }
 
+// Cairo's pixels are 32-bit numbers, red above green above blue.
+cairo_surface_t *surface_of(int width, int height, const std::vector<unsigned char> &rgb) {
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
+    unsigned char *bytes = cairo_image_surface_get_data(surface);
+    const int stride = cairo_image_surface_get_stride(surface);
+    cairo_surface_flush(surface);
+    for (int y = 0; y < height && bytes != nullptr; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const auto at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                 static_cast<std::size_t>(x));
+            const std::uint32_t pixel = static_cast<std::uint32_t>(rgb[at]) << 16 |
+                                        static_cast<std::uint32_t>(rgb[at + 1]) << 8 | rgb[at + 2];
+            std::memcpy(bytes + y * stride + 4 * x, &pixel, sizeof pixel);
+        }
+    }
+    cairo_surface_mark_dirty(surface);
+    return surface;
+}
+
+cairo_status_t append(void *text, const unsigned char *bytes, unsigned count) {
+    static_cast<std::string *>(text)->append(bytes, bytes + count);
+    return CAIRO_STATUS_SUCCESS;
+}
+
 } // namespace
+
+std::string png_of(int width, int height, const std::vector<unsigned char> &rgb) {
+    cairo_surface_t *surface = surface_of(width, height, rgb);
+    std::string file;
+    cairo_surface_write_to_png_stream(surface, append, &file);
+    cairo_surface_destroy(surface);
+    return file;
+}
 
 PngCanvas::PngCanvas(double width, double height)
     : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
@@ -70,6 +104,18 @@ void PngCanvas::text(Vec at, const std::string &text, const TextStyle &style) {
     cairo_move_to(cairo_, at.x - share * extents.x_advance, at.y);
     cairo_show_text(cairo_, text.c_str());
     cairo_new_path(cairo_);
+}
+
+void PngCanvas::image(Vec corner, Vec size, int width, int height,
+                      const std::vector<unsigned char> &rgb) {
+    cairo_surface_t *surface = surface_of(width, height, rgb);
+    cairo_save(cairo_);
+    cairo_translate(cairo_, corner.x, corner.y);
+    cairo_scale(cairo_, size.x / width, size.y / height);
+    cairo_set_source_surface(cairo_, surface, 0.0, 0.0);
+    cairo_paint(cairo_);
+    cairo_restore(cairo_);
+    cairo_surface_destroy(surface);
 }
 
 void PngCanvas::clip(Vec corner, Vec size) {

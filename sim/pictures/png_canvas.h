@@ -19,6 +19,8 @@ class PngCanvas : public Canvas {
     void path(const std::vector<Vec> &points, bool closed, const Paint &paint) override;
     void circle(Vec center, double radius, const Paint &paint) override;
     void text(Vec at, const std::string &text, const TextStyle &style) override;
+    void image(Vec corner, Vec size, int width, int height,
+               const std::vector<unsigned char> &rgb) override;
     void clip(Vec corner, Vec size) override;
     void unclip() override;
     void save(const std::string &file) override;
@@ -29,5 +31,8 @@ class PngCanvas : public Canvas {
     cairo_surface_t *surface_;
     cairo_t *cairo_;
 };
+
+// A picture as a PNG file, in memory.
+std::string png_of(int width, int height, const std::vector<unsigned char> &rgb);
 
 } // namespace frob::sim

@@ -104,6 +104,39 @@ void draw_solids(View &view, const Scene &scene) {
         view.circle(circle.center, circle.radius, filled(palette::solid));
 }
 
+Colour colour_of(Tint tint) {
+    const auto level = [](double part) { return static_cast<int>(std::lround(255.0 * part)); };
+    return {level(tint.red), level(tint.green), level(tint.blue)};
+}
+
+// Balls are where they have come to; where one lay or began, and the way it goes, is dashed.
+void draw_balls(View &view, const Simulation &simulation) {
+    const std::vector<Vec> now = simulation.world().ball_places();
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const Ball &ball = simulation.scene().balls[i];
+        view.path(ball.way, ball.closed,
+                  stroked(palette::faded(palette::box_edge, 0.6), 1.0, {3.0, 4.0}));
+        view.circle(now[i], ball.radius, {colour_of(ball.tint), palette::box_edge, 1.2, {}});
+    }
+}
+
+void draw_cones(View &view, const Scene &scene) {
+    for (const Cone &cone : scene.cones) {
+        view.circle(cone.center, cone.radius, {colour_of(cone.look.tint), palette::box_edge, 1.2, {}});
+        view.circle(cone.center, 0.3 * cone.radius, filled(palette::paper));
+    }
+}
+
+// A stroke where it hangs, with a bristle to the side that it faces.
+void draw_posters(View &view, const Scene &scene) {
+    for (const Poster &poster : scene.posters) {
+        const Vec facing = direction(poster.pose.heading), side = {-facing.y, facing.x};
+        const Vec at = poster.pose.position, end = (poster.size.x / 2) * side;
+        view.path({at - end, at + end}, false, stroked(palette::believed, 3.0));
+        view.path({at, at + 0.08 * facing}, false, stroked(palette::believed, 1.6));
+    }
+}
+
 // A disc with rays, as on maps: a symbol, whose size says nothing.
 void draw_lamps(View &view, const Scene &scene) {
     for (const Lamp &lamp : scene.lamps) {
@@ -239,6 +272,9 @@ Extent extent(const Simulation &simulation) {
     for (const Hole &hole : scene.holes)
         for (const Vec &p : hole.points) include(result, p, margin);
     for (const Lamp &lamp : scene.lamps) include(result, lamp.position, margin);
+    for (const Ball &ball : scene.balls)
+        for (const Vec &p : ball.way) include(result, p, margin + ball.radius);
+    for (const Cone &cone : scene.cones) include(result, cone.center, margin + cone.radius);
     for (const Circle &circle : scene.circles)
         include(result, circle.center, margin + circle.radius);
     for (std::size_t i = 0; i < scene.boxes.size(); ++i)
@@ -263,7 +299,10 @@ void draw_scene(Canvas &canvas, const Simulation &simulation, const Extent &exte
     draw_floor(view, simulation.scene());
     for (std::size_t k = 0; k < robots; ++k) draw_rays(view, simulation, k);
     draw_solids(view, simulation.scene());
+    draw_cones(view, simulation.scene());
+    draw_posters(view, simulation.scene());
     draw_boxes(view, simulation);
+    draw_balls(view, simulation);
     for (const Start &start : simulation.scene().starts) draw_start(view, chassis, start.pose);
     for (std::size_t k = 0; k < robots; ++k) {
         const std::vector<Sample> &samples = simulation.recorder(k).samples();

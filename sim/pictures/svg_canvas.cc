@@ -4,6 +4,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "png_canvas.h"
+
 namespace frob::sim {
 namespace {
 
@@ -50,6 +52,20 @@ std::string escaped(const std::string &text) {
     return result;
 }
 
+std::string base64(const std::string &bytes) {
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        unsigned three = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            three = three << 8 |
+                    (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+            text += i + k > bytes.size() ? '=' : digits[three >> (18 - 6 * k) & 63u];
+    }
+    return text;
+}
+
 } // namespace
 
 SvgCanvas::SvgCanvas(double width, double height) {
@@ -81,6 +97,13 @@ void SvgCanvas::text(Vec at, const std::string &text, const TextStyle &style) {
     if (style.anchor == Anchor::end) out_ += " text-anchor=\"end\"";
     if (style.bold) out_ += " font-weight=\"bold\"";
     out_ += ">" + escaped(text) + "</text>\n";
+}
+
+void SvgCanvas::image(Vec corner, Vec size, int width, int height,
+                      const std::vector<unsigned char> &rgb) {
+    out_ += "<image x=\"" + number(corner.x) + "\" y=\"" + number(corner.y) + "\" width=\"" +
+            number(size.x) + "\" height=\"" + number(size.y) + "\" href=\"data:image/png;base64," +
+            base64(png_of(width, height, rgb)) + "\"/>\n";
 }
 
 void SvgCanvas::clip(Vec corner, Vec size) {

@@ -27,6 +27,10 @@ void print_summary(const frob_sim *sim) {
             std::printf("way along the tape: %.3f m\n", s.tape_way_m);
         }
     }
+    if (s.ball_measured && !std::isnan(s.mean_ball_m)) {
+        std::printf("mean ball distance error: %.4f m\n", s.mean_ball_m);
+        std::printf("largest ball distance error: %.4f m\n", s.largest_ball_m);
+    }
     std::printf("odometry error at the end: %.3f m\n", s.odometry_error_m);
     std::printf("collisions: %d\n", s.collisions);
 }

@@ -124,13 +124,13 @@ struct BatterySettings {
     double drain = 0.0;            // V/s
 };
 
-// What the summary says about following a wall, or tape on the floor.
+// What the summary says about following a wall, tape on the floor, or a ball.
 struct MeasureSettings {
-    enum class What { wall, tape };
+    enum class What { wall, tape, ball };
     enum class Side { left, right };
     What what = What::wall;
-    Side side = Side::left;      // of walls, this and the distance
-    double distance = 0.5; // m that the robot should keep
+    Side side = Side::left; // of walls
+    double distance = 0.5;  // m that the robot should keep, of walls and balls
     double settle = 10.0;  // s that are not counted
 };
 

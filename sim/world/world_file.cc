@@ -388,8 +388,15 @@ MeasureSettings read_measure(TomlReader reader) {
         reader.finish();
         return measure;
     }
+    if (what == "ball") {
+        measure.what = MeasureSettings::What::ball;
+        measure.distance = reader.needed_number("distance", Range::positive);
+        measure.settle = reader.number("settle", measure.settle, Range::not_negative);
+        reader.finish();
+        return measure;
+    }
     if (!what.empty() && what != "wall")
-        reader.mistake_at("what", "`what` is \"wall\" or \"tape\"");
+        reader.mistake_at("what", "`what` is \"wall\", \"tape\" or \"ball\"");
     const std::string side = reader.string("side");
     if (side == "right") measure.side = MeasureSettings::Side::right;
     else if (!side.empty() && side != "left")
@@ -460,6 +467,8 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root, const std::string 
         scene.measure = read_measure(inside(table));
     if (scene.measure && scene.measure->what == MeasureSettings::What::tape && scene.tapes.empty())
         reader.mistake_at("measure", "there is no [[tape]] in this world to be measured");
+    if (scene.measure && scene.measure->what == MeasureSettings::What::ball && scene.balls.empty())
+        reader.mistake_at("measure", "there is no [[ball]] in this world to be measured");
     look_at_boxes(reader, scene.boxes);
     look_at_points(reader, scene);
     reader.finish();

@@ -33,11 +33,25 @@ static void print_tape_distance(const char *who, const struct frob_sim_summary *
     }
 }
 
+static void print_ball_distance(const char *who, const struct frob_sim_summary *s)
+{
+    if (!s->ball_measured)
+        return;
+    printf("%sball distance to keep: %.3f m\n", who, s->ball_distance_m);
+    if (isnan(s->mean_ball_m)) {
+        printf("%sball distance error: not measured, the run ended while settling\n", who);
+    } else {
+        printf("%smean ball distance error: %.4f m\n", who, s->mean_ball_m);
+        printf("%slargest ball distance error: %.4f m\n", who, s->largest_ball_m);
+    }
+}
+
 static void print_robot(const char *who, const struct frob_sim_summary *s)
 {
     printf("%sdistance driven: %.3f m\n", who, s->distance_m);
     print_wall_distance(who, s);
     print_tape_distance(who, s);
+    print_ball_distance(who, s);
     printf("%sodometry error at the end: %.3f m\n", who, s->odometry_error_m);
     printf("%scollisions: %d\n", who, s->collisions);
 }
