@@ -4,6 +4,7 @@ type t = {
   host_table : string option;
   robot : string option;
   robot_header : (string * string) option;
+  cameras : string list;
   foreign : foreign;
 }
 
@@ -21,6 +22,10 @@ let program ?own ?batch (program : Step.Ir.program) =
       else None);
     robot = Option.map (fun (robot : Robot.t) -> robot.name) (Host_table.robot ?own program);
     robot_header = None;
+    cameras =
+      List.filter_map
+        (fun (c : Core.Ir.control) -> if c.kind = Camera then Some c.label else None)
+        program.console;
     foreign =
       {
         calls =

@@ -228,10 +228,16 @@ let host_table ~entry (files : Cgen.Emit.t) =
            entry)
 
 let for_robot ~name (files : Cgen.Emit.t) =
-  match files.robot with
-  | Some _ -> Ok ()
-  | None ->
+  match (files.robot, files.cameras) with
+  | None, _ ->
       Error (Printf.sprintf "%s is a program for no robot; `reactimateRobot` makes one" name)
+  | Some _, camera :: _ ->
+      Error
+        (Printf.sprintf
+           "%s looks through a camera, `%s`; there are cameras in the simulator only, where \
+            `frobc run` runs it"
+           name camera)
+  | Some _, [] -> Ok ()
 
 let own_driver general =
   match Robots.own_of general.robot with

@@ -158,7 +158,8 @@ type linked = {
 }
 
 val for_robot : name:string -> Cgen.Emit.t -> (unit, string) result
-(** Executables and boards drive a robot; an error of a program [name] for none. *)
+(** Executables and boards drive a robot, and have no camera yet; an error of a program [name]
+    for no robot, or with a camera. *)
 
 val built :
   general ->

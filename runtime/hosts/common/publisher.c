@@ -1,5 +1,9 @@
 #include "publisher.h"
 
+#include "frames.h"
+
+#include <frob/camera.h>
+
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -60,12 +64,37 @@ void publisher_start(struct publisher *p, const struct frob_program *program, si
     memset(p, 0, sizeof *p);
     if (viewer == NULL)
         return;
+    p->program = program;
+    if (frames_has_images(program->input) &&
+        (p->input = (unsigned char *)malloc(program->input_size)) == NULL) {
+        warn("its frames");
+        return;
+    }
     if (!ring_make(&p->ring, &sizes, permissions)) {
         warn("there is no shared memory");
     } else if (!start(&p->ring, viewer)) {
         warn("no process can be started");
         ring_close(&p->ring);
     }
+}
+
+static void to_key(void *context, const struct frob_image **image)
+{
+    const struct frob_frame_name name = frob_frame_name(*image);
+    const uintptr_t key = (uintptr_t)frames_key(&name);
+    (void)context;
+    memcpy(image, &key, sizeof key);
+}
+
+void publisher_put(struct publisher *p, int64_t time_ns, const void *input, const void *output,
+                   const void *truth)
+{
+    if (p->input != NULL) {
+        memcpy(p->input, input, p->program->input_size);
+        frob_camera_images(p->program->input, p->input, to_key, NULL);
+        input = p->input;
+    }
+    ring_publish(&p->ring, time_ns, input, output, truth);
 }
 
 bool publisher_is_heard(struct publisher *p, int64_t now_ns)
@@ -82,4 +111,6 @@ void publisher_end(struct publisher *p)
 {
     ring_end(&p->ring);
     ring_close(&p->ring);
+    free(p->input);
+    p->input = NULL;
 }

@@ -11,6 +11,9 @@
 
 struct publisher {
     struct ring ring;  /* without memory: nobody is to look */
+    const struct frob_program *program;
+    unsigned char *input; /* of a program with images, room for one that another process can
+                           * read; else NULL */
     uint32_t beats;    /* the last of the viewer's that was heard … */
     int64_t heard_ns;  /* … at this time */
 };
@@ -20,6 +23,11 @@ struct publisher {
  * started there is a warning, and the run goes on. */
 void publisher_start(struct publisher *p, const struct frob_program *program, size_t truth_size,
                      unsigned permissions, char *const *viewer);
+
+/* Publishes the next instant. An image is, in place of its address, the key of its frame
+ * (frames.h), which is in a file beside the recording by now. */
+void publisher_put(struct publisher *p, int64_t time_ns, const void *input, const void *output,
+                   const void *truth);
 
 /* Whether the viewer was heard of within the last seconds, so that what it has set still
  * counts. */

@@ -218,7 +218,7 @@ static void answered(struct supervisor *s)
         frob_robot_command(&s->robot, s->output);
     if (!record_row(&s->record, s->instant_ns, s->input, s->output))
         end(s, FAULT, "the record could not be written");
-    ring_publish(&s->publisher.ring, s->instant_ns, s->input, s->output, NULL);
+    publisher_put(&s->publisher, s->instant_ns, s->input, s->output, NULL);
     claims_see(&s->claims, s->instant_ns, s->output);
     if (s->options->stop_when_violated && s->claims.violated != NULL)
         end(s, FAULT, "\"%s\" (%s) was violated at %.3f s", s->claims.violated->label,

@@ -7,6 +7,7 @@
 #include "../common/console.h"
 #include "../common/load.h"
 #include "../common/params.h"
+#include "../common/frames.h"
 #include "../common/streams.h"
 #include "../common/touches.h"
 #include "../common/truth.h"
@@ -117,7 +118,7 @@ static void publish(struct publisher *publisher, const struct controllers *contr
                                      place.touches ? 1.0 : 0.0 };
         truths[i] = truth;
     }
-    ring_publish(&publisher->ring, now_ns, first->input, first->output, truths);
+    publisher_put(publisher, now_ns, first->input, first->output, truths);
 }
 
 /* Runs the controllers at their instants. Instant k is at the absolute time
@@ -157,6 +158,18 @@ static bool run(const struct options *options, struct controllers *controllers,
     return ok;
 }
 
+/* Who looks on finds the frames of a camera beside the recording. */
+static bool has_frames_for_viewer(const struct options *options,
+                                  const struct frob_program *program)
+{
+    if (options->viewer == NULL || options->record != NULL ||
+        !frames_has_images(program->input))
+        return true;
+    fprintf(stderr, "error: this program sees, and what it saw is shown from the frames beside a "
+                    "recording: `--view` needs `--record LOG.csv` too\n");
+    return false;
+}
+
 /* Better now than after the run. A file that was not there is not left behind. */
 static bool is_writable(const char *path)
 {
@@ -190,7 +203,8 @@ static int simulate(const struct options *options, const struct params *params,
     double wall_s;
     int collisions = 0;
     bool violated = false;
-    if (options->picture != NULL && !is_writable(options->picture)) {
+    if ((options->picture != NULL && !is_writable(options->picture)) ||
+        !has_frames_for_viewer(options, params->program)) {
         touches_end(&touches);
         free(truths);
         return WRONG_USE;

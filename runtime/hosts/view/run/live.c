@@ -1,5 +1,7 @@
 #include "live.h"
 
+#include <frob/camera.h>
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,9 +39,20 @@ void live_end(struct live *live)
     free(live->truth);
 }
 
+/* The host has written it before it published the instant. */
+static void from_key(void *context, const struct frob_image **image)
+{
+    struct frame_reader *frames = (struct frame_reader *)context;
+    uintptr_t key;
+    memcpy(&key, image, sizeof key);
+    *image = frame_reader_by_key(frames, key);
+}
+
 static void add(struct live *live, int64_t time_ns)
 {
     const struct ring_sizes *sizes = &live->ring->sizes;
+    frob_camera_images(live->recording->program->input, live->input, from_key,
+                       &live->recording->frames);
     if (recording_add(live->recording, time_ns, live->input, live->output, sizes->output,
                       sizes->truth > 0 ? live->truth : NULL))
         return;
