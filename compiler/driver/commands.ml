@@ -403,7 +403,8 @@ let trace general engine ~entry ~sources ~modes ~input ~output ~picture file =
           "error: modes are those of the compiled program: `--modes` needs `--engine c`";
         Exit_status.wrong_use
     | Interpreter when general.asserts = Stop ->
-        wrong_use "assertions are judged in the compiled program: `--asserts=stop` needs `--engine c`"
+        wrong_use
+          "assertions are judged in the compiled program: `--asserts=stop` needs `--engine c`"
     | Interpreter when List.exists (fun p -> p <> Drawing.probe) general.probes ->
         wrong_use "probes are put into the compiled program: `--probe` needs `--engine c`"
     | Interpreter -> interpreted_trace general ~params ~entry ~input ~output file

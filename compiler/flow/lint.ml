@@ -264,7 +264,8 @@ let foreign scope (f : Ir.foreign) =
     bug "`%s` is not as it is imported" node.name;
   check_all scope "an argument" (List.concat_map Shape.leaves f.import.arguments)
     (List.map (fun s -> Ir.Signal s) node.inputs);
-  check_all scope "a result" (Shape.leaves f.import.result) (List.map (fun s -> Ir.Signal s) f.results)
+  let results = List.map (fun s -> Ir.Signal s) f.results in
+  check_all scope "a result" (Shape.leaves f.import.result) results
 
 let node program owners names modes_of index (node : Ir.node) =
   if Hashtbl.mem names node.name then bug "there are two nodes `%s`" node.name;
@@ -299,8 +300,8 @@ let program (p : Ir.program) =
       if n.statics <> [] then bug "the root `%s` has statics" n.name;
       check_all scope "a root input" (Shape.leaves p.input)
         (List.map (fun s -> Ir.Signal s) n.inputs);
-      let outputs = p.output :: List.map snd p.probes in
-      check_all scope "a root output" (List.concat_map Shape.leaves outputs) (List.map snd n.outputs));
+      let leaves = List.concat_map Shape.leaves (p.output :: List.map snd p.probes) in
+      check_all scope "a root output" leaves (List.map snd n.outputs));
     (index, scope)
   in
   if Array.length p.nodes = 0 then bug "there is no node";

@@ -281,8 +281,8 @@ let trace =
   in
   command "trace" ~man ~doc:"run a signal function on recorded input"
     Term.(
-      const run $ judging (with_params probed) $ entry $ sources $ modes $ input $ output $ picture $ engine
-      $ file)
+      const run $ judging (with_params probed) $ entry $ sources $ modes $ input $ output $ picture
+      $ engine $ file)
 
 let run =
   let some_string names ~docv ~doc = Arg.(value & opt (some string) None & info names ~docv ~doc) in
@@ -435,10 +435,8 @@ let run =
   in
   command "run" ~doc:"run a robot program in the simulator, or on a robot"
     Term.(
-      const make $ judging (with_params probed) $ entry $ sources $ on_robot $ world $ duration $ rate $ seed
-        $ realtime
-        $ record
-      $ picture $ strict $ exit_when_done $ console $ look $ file)
+      const make $ judging (with_params probed) $ entry $ sources $ on_robot $ world $ duration
+      $ rate $ seed $ realtime $ record $ picture $ strict $ exit_when_done $ console $ look $ file)
 
 let view =
   let recording =

@@ -14,4 +14,5 @@ val part : t -> Typing.Ir.ty -> string list -> Typing.Ir.ty option
     column's name. *)
 
 val unit_ : Typing.Ir.ty -> string option
-(** Of a number, or of an event of one: [m/s], and [N], not [kg m/s^2]; [None] without a unit, and if it is open. *)
+(** Of a number, or of an event of one: [m/s], and [N], not [kg m/s^2]; [None] without a unit,
+    and if it is open. *)

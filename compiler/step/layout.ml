@@ -49,6 +49,7 @@ let rec leaf sums (ty : Flow.Ir.ty) =
 and sum sums k =
   List.fold_left
     (fun most constructor ->
-      let needs = List.fold_left (fun n ty -> add n (leaf sums ty)) none (Flow.Shape.payload constructor) in
+      let add_leaf n ty = add n (leaf sums ty) in
+      let needs = List.fold_left add_leaf none (Flow.Shape.payload constructor) in
       combine max most needs)
     none sums.(k).Flow.Ir.constructors

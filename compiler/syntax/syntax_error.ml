@@ -27,13 +27,11 @@ let describe found =
   | STRING _ -> "a text"
   | BACKTICK -> "a backtick"
   | NUMBER _ -> Printf.sprintf "the number `%s`" (shortened (written found))
-  | CLAIM _ | LOWER _ | QUALIFIED_LOWER _ | UPPER _ | QUALIFIED_UPPER _ | FIELD _ | OPERATOR _ | MINUS
-  | SLASH | STAR | CARET | LPAREN | RPAREN | LBRACE | RBRACE | UNIT_BRACKET | LBRACKET | RBRACKET
-  | COMMA
-  | UNDERSCORE | AT | BACKSLASH | EQUAL | BAR | ARROW | LEFT_ARROW | TAIL | DOUBLE_ARROW
-  | DOUBLE_COLON | LET | IN | WHERE | DO | OF | CASE | IF | THEN | ELSE | PROC | REC
-  | LAMBDA_CASE | MODULE
-  | IMPORT | QUALIFIED | AS | DATA | TYPE | UNIT | PRIMITIVE | FOREIGN | PARAM | CLASS | INSTANCE
+  | CLAIM _ | LOWER _ | QUALIFIED_LOWER _ | UPPER _ | QUALIFIED_UPPER _ | FIELD _ | OPERATOR _
+  | MINUS | SLASH | STAR | CARET | LPAREN | RPAREN | LBRACE | RBRACE | UNIT_BRACKET | LBRACKET
+  | RBRACKET | COMMA | UNDERSCORE | AT | BACKSLASH | EQUAL | BAR | ARROW | LEFT_ARROW | TAIL
+  | DOUBLE_ARROW | DOUBLE_COLON | LET | IN | WHERE | DO | OF | CASE | IF | THEN | ELSE | PROC | REC
+  | LAMBDA_CASE | MODULE | IMPORT | QUALIFIED | AS | DATA | TYPE | UNIT | PRIMITIVE | FOREIGN | PARAM | CLASS | INSTANCE
   | SEMICOLON | END | BAD
   | RESERVED _ ->
       Printf.sprintf "`%s`" (shortened (written found))
@@ -149,8 +147,8 @@ let unclosed found ((opener, closer), by) =
     | "{" -> Diagnostic.hint "a `;` ends a definition; there is a `,` between two fields"
     | "[" ->
         Diagnostic.hint
-          "a `;` ends a definition; there is a `,` between two elements, and rows are arrays: `[[1, \
-           2], [3, 4]]`"
+          "a `;` ends a definition; there is a `,` between two elements, and rows are arrays: \
+           `[[1, 2], [3, 4]]`"
     | _ -> Fun.id
   else Fun.id
 

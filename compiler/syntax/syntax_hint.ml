@@ -267,7 +267,8 @@ let rec end_of_line found i = if char_at found i = '\n' then i else end_of_line 
 let comprehension found =
   match found.context with
   | (Bracket, { by; _ }) :: _ -> (
-      let rest = between found found.token.stop.pos_cnum (end_of_line found found.token.start.pos_cnum) in
+      let end_ = end_of_line found found.token.start.pos_cnum in
+      let rest = between found found.token.stop.pos_cnum end_ in
       let element = between found by.stop.pos_cnum found.token.start.pos_cnum in
       match String.split_on_char '<' rest with
       | [ x; source ] when source <> "" && source.[0] = '-' -> (

@@ -115,5 +115,6 @@ let program (program : Ir.program) =
         rewrite nodes ~fresh index m sole
     | Some _ | None -> ()
   in
-  Array.iteri (fun index (node : Ir.node) -> Option.iter (machine index) node.machine) program.nodes;
+  let node index (node : Ir.node) = Option.iter (machine index) node.machine in
+  Array.iteri node program.nodes;
   if !next = program.next_id then program else { program with nodes; next_id = !next }

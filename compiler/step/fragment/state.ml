@@ -104,10 +104,8 @@ let equation t { defines = s; rhs; span } =
       let value = field ~name ~purpose:"derivative" in
       let input = field ~name:(name ^ "_input") ~purpose:"its last input" in
       remember t s (Differentiated { value; input })
-  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Param _ | Absent
-  | Fill _
-  | Index _
-  | At _ | Replace _ | Step_time -> ()
+  | Copy _ | Op _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Param _
+  | Absent | Fill _ | Index _ | At _ | Replace _ | Step_time -> ()
 
 let kept_name rhs =
   let after operator operand =
@@ -116,12 +114,7 @@ let kept_name rhs =
   match rhs with
   | Op (Elementary e, operand :: _) -> after (Core.Primitive.name (Elementary e)) operand
   | Op (Pow, operand :: _) -> after "pow" operand
-  | Op _ | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Param _ | Absent
-  | Fill _
-  | Index _
-  | At _ | Replace _ | Delay _ | Time _ | Step_time | Ticks _ | Integral _
-  | Derivative _ ->
-      "start_value"
+  | _ -> "start_value"
 
 (* A mode needs its parameters later if its step reads them. *)
 let mode t ~callee ~statics index : Ir.mode =

@@ -11,17 +11,7 @@ type cost = Cheap | Costly
 
 let is_expensive = function
   | Flow.Ir.Op ((Pow | Elementary _), _) -> true
-  | Op
-      ( ( Add | Subtract | Multiply | Negate | Absolute | Signum | Equal | Less | Less_equal
-        | Minimum | Maximum | Divide | Div | Mod | Bitwise _ | To_float | Round | Floor | Ceiling
-        | Truncate | Not | And | Or ),
-        _ )
-  | Copy _ | If _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Param _ | Absent
-  | Fill _
-  | Index _
-  | At _ | Replace _ | Delay _ | Time _ | Step_time | Ticks _ | Integral _
-  | Derivative _ ->
-      false
+  | _ -> false
 
 (* What is known of a node while it is being divided; tables by signal id. *)
 type work = {

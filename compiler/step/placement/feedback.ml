@@ -58,11 +58,6 @@ let of_node (node : F.node) : t =
               | Some a, Some b when component.(a) = component.(b) ->
                   Int_table.replace found eq.defines.id ()
               | _, _ -> ())
-          | If _ | Copy _ | Op _ | Construct _ | Is_constructor _ | Payload _ | Elements _ | Param _
-          | Absent
-          | Fill _ | Index _
-  | At _ | Replace _ | Delay _ | Time _ | Step_time | Ticks _
-          | Integral _ | Derivative _ ->
-              ())
+          | _ -> ())
         node.equations;
       found

@@ -30,7 +30,8 @@ let of_truths words subject =
     b b
 
 let matched_as ~value = function
-  | "Event" -> Printf.sprintf "%s is matched by `Event x` where it occurs, by `NoEvent` elsewhere" value
+  | "Event" ->
+      Printf.sprintf "%s is matched by `Event x` where it occurs, by `NoEvent` elsewhere" value
   | _ -> Printf.sprintf "%s is matched by `Just x` or `Nothing`" value
 
 (* A record as it is built, or what else such a value is called. *)
@@ -55,7 +56,8 @@ let hint words ~subject ~(expected : Expected.t) ~found =
     when (Environment.is_event wanted || is_maybe wanted)
          && not (Environment.is_event found || is_maybe found) -> (
       let constructor = if is_maybe wanted then "Just" else "Event" in
-      match (Show.quote words other.span, Option.bind subject (fun e -> Show.quote words e.span)) with
+      let text = Option.bind subject (fun e -> Show.quote words e.span) in
+      match (Show.quote words other.span, text) with
       | Some other, Some text ->
           Some
             (Printf.sprintf "what is in it is compared so: `%s %s %s %s`" other operator constructor

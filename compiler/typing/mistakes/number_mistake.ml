@@ -112,8 +112,9 @@ let conversion words ~subject (wanted, given) diagnostic =
   if Units.is_open wanted || Units.is_open given then diagnostic
   else if Units.equal given Units.one && plain then
     let digits = List.hd (numbers_without_units words subject) in
+    let unit_ = Show.measure words wanted in
     hint
-      (Printf.sprintf "give its numbers the unit, as in `%s[%s]`" digits (Show.measure words wanted))
+      (Printf.sprintf "give its numbers the unit, as in `%s[%s]`" digits unit_)
       diagnostic
   else if Units.equal given Units.one && String.equal factor "1/s" && diagnostic.hints = [] then
     hint

@@ -380,7 +380,8 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> hint
            (let output = Printf.sprintf "(roMake %s)" (written "(…)") in
             Printf.sprintf
-              "`sleepT 1[s] %s` is a task that does so for a second, `constT %s` one that never ends"
+              "`sleepT 1[s] %s` is a task that does so for a second, `constT %s` one that never \
+               ends"
               output output)
   | (Data _ | Rigid _), (Function _ | Data _), _
     when Option.is_some (Output_mistake.hint ~subject ~expected:expected.ty ~found) ->

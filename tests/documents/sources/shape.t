@@ -3,6 +3,6 @@ more than thirty files.
 
   $ cd ../../../compiler
   $ find . -name '*.ml*' | wc -l | grep -qE '^[0-9]{3}$' || echo "the sources are not here"
-  $ LC_ALL=C.UTF-8 grep -rnE '^.{101}' --include='*.ml*' .
+  $ LC_ALL=C.UTF-8 grep -RnE '^.{101}' --include='*.ml*' .
   [1]
-  $ find . -type f | sed 's|/[^/]*$||' | sort | uniq -c | awk '$1 > 30'
+  $ find -L . -type f | sed 's|/[^/]*$||' | sort | uniq -c | awk '$1 > 30'
