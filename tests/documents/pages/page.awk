@@ -22,7 +22,7 @@ function run(command, shown,    line, whole) {
             before[printed] ~ /^simulated seconds per second: /)
             line = before[printed]
         if (shown) print line
-        else fail("a hidden command printed: " line)
+        else fail("this should print nothing: " line)
     }
     close(whole)
 }
@@ -55,6 +55,7 @@ state == "" && /^```[a-z]+ title="[^"]+"$/ {
     file = $0
     sub(/^[^"]*"/, "", file); sub(/"$/, "", file)
     titles[file] = FNR
+    if (file ~ /\.frob$/) programs = programs " " quoted(file)
     target = folder "/" file
     printf "" > target
     state = "file"; print; next
@@ -101,5 +102,7 @@ END {
         sub(/\.[a-z]+$/, "", stem)
         if (index(said, stem) == 0) fail("no command or program of the page uses " file)
     }
+    # Readers copy the layout of what they read.
+    if (programs != "") run("frobc format --check" programs, 0)
     exit failed
 }
