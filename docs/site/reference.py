@@ -10,6 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+
 def entries(text):
     """The documented declarations of a module: (comment, declaration), in its order.
 
@@ -58,7 +59,10 @@ def entry(module, comment, declaration, depth):
         body, code = code[1:], code[:1]
     out = ["#" * depth + f" {heading} {{ #{module}-{names[0]} }}", "",
            "```haskell", "\n".join(code).rstrip(), "```", "", comment, ""]
-    for inner in entries("\n".join(line[4:] for line in body)):
+    methods = "\n".join(line[4:] for line in body)
+    # a method without a comment of its own is told of by that of its class
+    methods = re.sub(r"(?<!\S\n)^(?=\w+ :: )", f"-- | {comment}\n", methods, flags=re.M)
+    for inner in entries(methods):
         out += entry(module, *inner, depth + 1)
     return out
 
