@@ -40,7 +40,7 @@ AFL_PACKAGES = afl++
 
 # For `make matrix` and `make prove`: the examples, with a robot for those that leave it open.
 EXAMPLES = $(wildcard examples/*/[a-z]*.frob)
-FOR_A_ROBOT = sed 's|.*/light_seek.frob|&:examples/light_seek/Moth.frob|; s|.*/line_follow.frob|&:create|; s|.*/safe_stick.frob|&:pioneer|'
+FOR_A_ROBOT = sed 's|.*/light_seek.frob|&:examples/light_seek/Moth.frob|; s|.*/line_follow.frob|&:create|; s|.*/safe_stick.frob|&:pioneer|; s|.*/teleop/.*|&:pioneer|; s|.*/clicked.frob|&:pioneer|'
 
 # For `make prove`: which programs.
 PROGRAMS ?= $(shell printf '%s\n' $(EXAMPLES) | $(FOR_A_ROBOT))

@@ -5,6 +5,7 @@ button that is held is let go of when its page falls silent, whatever it does.""
 
 import asyncio
 import csv
+import math
 import os
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from viewer import check
 
 teleop = "../../../examples/teleop/teleop.frob"
 go_there = "../../../examples/teleop/go_there.frob"
+bug = "../../../examples/bug/clicked.frob"
 
 
 class Panel:
@@ -149,9 +151,39 @@ async def clicking(frobc):
     check("and replay", replays(run, "there.csv", go_there, "pioneer"))
 
 
+async def going_round(frobc):
+    """BUG to a clicked goal, behind what is in the way; and back, by another click."""
+    run = viewer.Run(frobc, ["--robot", "pioneer", "--record", path("bug.csv"), bug])
+    async with Page(run) as page:
+        panel = Panel(page)
+
+        def away(x, y):
+            return math.hypot(float(panel.value("in.odometry.position.x")) - x,
+                              float(panel.value("in.odometry.position.y")) - y)
+
+        await page.until(lambda p: p.live and p.live["instants"] > 5)
+        check("without a goal it stands", panel.value("out.forward") == "0")
+        await page.send("speed 100")
+        await panel.touch("map", 3.5, 0)
+        await page.until(lambda p: away(3.5, 0) < 0.25)
+        check("BUG comes to a goal that is clicked, round what is in the way",
+              panel.value("in.frontBumper") != "true")
+        await panel.touch("map", 3, 1)
+        await page.until(lambda p: away(3, 1) < 0.25)
+        check("and to the next one", True)
+        await page.send("stop")
+        await page.to_end()
+    run.process.wait(10)
+    passed = rows("bug.csv")
+    first = passed[:next(k for k, row in enumerate(passed) if row["in.console.map"] == "(3, 1)")]
+    check("it had to go round", max(abs(float(row["in.odometry.position.y"])) for row in first) > 0.3)
+    check("and all of it replays", replays(run, "bug.csv", bug, "pioneer"))
+
+
 async def main():
     frobc = sys.argv[1]
     await driving(frobc)
+    await going_round(frobc)
     await clicking(frobc)
 
 

@@ -390,20 +390,53 @@ async def nonsense(v, count):
                    for _ in range(count)]
         kinds = {answer["is"] for answer in answers}
         check("nonsense is refused, and harmless", "refused" in kinds)
-    for _ in range(100):
+
+
+def frame(chance, opcode, payload, is_last=True, lies=False):
+    """A WebSocket frame of a client, as it should be, or not quite."""
+    length = len(payload)
+    if lies:
+        length = chance.choice([0, length + 1, 125, 126, 65535, 65536, 2**31, 2**63 - 1, 2**64 - 1])
+    flags = (0x80 if is_last else 0) | opcode | (chance.choice([0x10, 0x40, 0x70]) if lies else 0)
+    form = chance.choice([7, 16, 64]) if lies else 7 if length < 126 else 16 if length < 65536 else 64
+    mask = chance.randbytes(4)
+    head = bytes([flags, 0x80 | {7: length & 127, 16: 126, 64: 127}[form]])
+    if form != 7:
+        head += (length % 2**form).to_bytes(form // 8, "big")
+    return head + mask + bytes(byte ^ mask[i % 4] for i, byte in enumerate(payload))
+
+
+def talk(v, chance):
+    """A connection of a stranger, who may know the token: frames of all kinds, torn anywhere."""
+    handshake = (f"GET / HTTP/1.1\r\nHost: {v.host}\r\nUpgrade: websocket\r\n"
+                 f"Connection: Upgrade\r\nOrigin: http://{v.host}\r\n"
+                 "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n"
+                 "Sec-WebSocket-Protocol: frob-view\r\n\r\n").encode()
+    yield handshake if chance.random() < 0.9 else handshake[:chance.randrange(len(handshake))]
+    if chance.random() < 0.5:
+        yield frame(chance, 1, f"hello {v.token}".encode())
+    for _ in range(chance.randrange(1, 20)):
+        if chance.random() < 0.1:
+            yield chance.randbytes(chance.randrange(1, 3000))
+            continue
+        text = chance.choice([b"instant 3", b"series 0 0 1 100", b"stop", b"program", b"\xff\xfe",
+                              b"", chance.randbytes(chance.randrange(200)), b"x" * 70000])
+        made = frame(chance, chance.choice([0, 1, 1, 1, 2, 3, 8, 9, 10, 15]), text,
+                     chance.random() < 0.7, chance.random() < 0.2)
+        yield made[:chance.randrange(len(made))] if chance.random() < 0.1 else made
+
+
+def frames(v, count):
+    chance = random.Random(11)
+    for _ in range(count):
         with socket.create_connection(("127.0.0.1", v.port), timeout=5) as line:
-            handshake = (f"GET / HTTP/1.1\r\nHost: {v.host}\r\nUpgrade: websocket\r\n"
-                         f"Connection: Upgrade\r\nOrigin: http://{v.host}\r\n"
-                         "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n"
-                         "Sec-WebSocket-Protocol: frob-view\r\n\r\n").encode()
-            whole = chance.random() < 0.7
-            line.sendall(handshake if whole else handshake[: chance.randrange(len(handshake))])
-            try:
-                if whole:
-                    line.recv(4096)
-                line.sendall(chance.randbytes(chance.randrange(1, 3000)))
-            except OSError:
-                pass  # it has closed, as well it may
+            line.settimeout(0.003)
+            for piece in talk(v, chance):
+                try:
+                    line.sendall(piece)
+                    line.recv(65536)
+                except OSError:
+                    pass  # it says nothing, or has closed, as well it may
 
 
 async def pages(v):
@@ -430,6 +463,7 @@ async def main():
     await strangers(v)
     await wrong_messages(v)
     await nonsense(v, 2000)
+    frames(v, 300)
     await asyncio.sleep(0.5)
     await pages(v)
     check("it has outlived all that", v.process.poll() is None)
