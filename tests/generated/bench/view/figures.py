@@ -31,6 +31,14 @@ def memory(pid, share="Private"):
     return sum(int(words[1]) for words in lines) / 1024
 
 
+def processor_time(pid):
+    """In seconds, so far, of a process and of those that it has waited for: other work on the
+    machine does not count."""
+    with open(f"/proc/{pid}/stat") as file:
+        fields = file.read().rsplit(")", 1)[1].split()
+    return sum(map(int, fields[11:15])) / os.sysconf("SC_CLK_TCK")
+
+
 class Clock:
     """The host of clock_host.c, which keeps time; with a viewer, or with none."""
 

@@ -9,6 +9,8 @@ import { difference, formatCell, formatNumber, formatPoint } from "../values";
 const lowHeight = 64;
 const highHeight = (plots: number) => (plots > 4 ? 92 : 124);
 const axisWidth = 72;
+/** With so few there is room for a word on how to add one. */
+const hinted = 3;
 /** As many as there are, of what has just come. */
 const mostPoints = 100_000;
 
@@ -319,7 +321,7 @@ export function startPlots(store: Store, host: HTMLElement): void {
   const strips = new Map<number, Strip>();
   const empty = document.createElement("p");
   empty.className = "empty";
-  empty.textContent = "Click a signal, here or in the source, to plot it.";
+  empty.textContent = "Click a value in the source, or a signal in the list, to plot it.";
   const arrange = () => {
     for (const [number, strip] of strips) {
       if (!store.plotted.includes(number)) {
@@ -336,7 +338,7 @@ export function startPlots(store: Store, host: HTMLElement): void {
       strip.load();
     });
     host.append(empty);
-    empty.hidden = strips.size > 0;
+    empty.hidden = strips.size > hinted;
   };
   const all = (act: (strip: Strip) => void) => () => strips.forEach(act);
   store.on("plotted", arrange);

@@ -26,6 +26,7 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
       name.textContent = side === "mode" ? machineName(signal)
         : signal.name.replace(/^(in|out|probe)\./, "");
       row.title = signal.name;
+      value.append("");
       row.append(name, value);
       row.onclick = () => store.pick(number);
       rows[number] = { row, value, signal, cell: null };
@@ -41,7 +42,8 @@ export function startSignals(store: Store, list: HTMLElement, filter: HTMLInputE
     const cell = store.instant?.cells[number] ?? "";
     if (cell === shown.cell) return;
     shown.cell = cell;
-    value.textContent = formatCell(signal, cell);
+    // In the node that is there: new ones many times a second would leave much behind.
+    (value.firstChild as Text).data = formatCell(signal, cell);
     value.title = cell;
     row.classList.toggle("nothing", isNothing(signal, cell));
   });

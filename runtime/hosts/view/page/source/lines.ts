@@ -54,6 +54,12 @@ export class Lines {
     return this.files.has(file);
   }
 
+  /** The first of a file; 1 if it has none. */
+  first(file: string): number {
+    const lines = [...(this.files.get(file)?.keys() ?? [])];
+    return lines.length === 0 ? 1 : Math.min(...lines);
+  }
+
   /** Those of a file, in order, from one line to another. */
   between(file: string, first: number, last: number): number[] {
     const lines = this.files.get(file);

@@ -134,6 +134,8 @@ const shown = StateField.define<DecorationSet>({
 });
 
 const tinted = EditorView.editorAttributes.of({ class: "editing" });
+/** A line that may not be seen while the first one is. */
+const farDown = 15;
 const idle = Decoration.line({ class: "idle" });
 const asked = Decoration.line({ class: "asked" });
 
@@ -208,6 +210,14 @@ export function startSource(store: Store, host: HTMLElement): WhyPanel {
     view.setState(stateOf(source));
     for (const tab of tabs.children) tab.ariaPressed = String(tab.textContent === source?.name);
     update();
+    showFirst();
+  };
+  /** Values are to be seen at first sight, with some of what is above them. */
+  const showFirst = () => {
+    const line = current ? lines.first(current.name) : 1;
+    if (store.isEditing || line < farDown || line > view.state.doc.lines) return;
+    view.dispatch({ effects: EditorView.scrollIntoView(view.state.doc.line(line).from,
+                                                       { y: "start", yMargin: 110 }) });
   };
   const bar = new WhatIfBar(store, {
     begin: () => {
