@@ -7,8 +7,10 @@ PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
   libcairo2-dev libmpfr-dev pkg-config gcc g++ clang libclang-rt-dev \
   libtcc-dev tcc libwebsockets-dev
 
-# What only `make test` needs: a browser, and another client, for the page of `frobc view`.
-TEST_PACKAGES = chromium chromium-driver fonts-dejavu-core python3-selenium python3-websockets
+# What only `make test` needs: a browser, and another client, for the page of `frobc view`;
+# editors for `frobc lsp`.
+TEST_PACKAGES = chromium chromium-driver fonts-dejavu-core python3-selenium python3-websockets \
+  neovim emacs-nox elpa-eglot
 
 # What only `make matrix` needs: compilers and emulators of other machines.
 MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \
@@ -74,7 +76,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install clean rtamt
+.PHONY: all setup run test vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install clean rtamt
 
 all: setup
 	dune build @install
@@ -91,6 +93,10 @@ run: all
 test: setup
 	@sh tests/setup.sh $(TEST_PACKAGES)
 	@sh tests/run.sh
+
+# The extension for Visual Studio Code, in _build/vsix; with npm, which users need not have.
+vsix:
+	@sh compiler/editors/vscode/build.sh _build/vsix
 
 # The page of `frobc view` anew from its sources; with npm, which users need not have.
 page:

@@ -109,6 +109,16 @@ let check ?seen sink sources r =
   | Some front -> List.iter (check_entry r sink front) (Typing.Entry.all front.typed)
   | None -> ()
 
+let partial sources (r : Request.t) =
+  let sink = Diagnostic.sink () in
+  Resolve.Program.load sink ~files:r.files ~library:r.library ~partial:true r.file
+    ~remember:(fun ~file text -> Source.add sources ~file text)
+  |> Option.map (fun resolved ->
+         let keep = Typing.Side_by_side.needs @ Specialize.Context.known_by_name in
+         ( resolved,
+           lazy (Typing.Of_resolved.partial ~real:r.real (Resolve.Reachable.program ~keep resolved))
+         ))
+
 type t = {
   typed : Typing.Ir.program;
   written : Typing.Ir.definition;

@@ -21,6 +21,9 @@ val check : ?seen:(tree -> unit) -> Diagnostic.sink -> Source.t -> Request.t -> 
 (** The same for the module's [main] or, where there is none, for each signal function that could
     be an entry. Each tree is [seen] as soon as it is there. *)
 
+val partial : Source.t -> Request.t -> (Resolve.Ir.program * Typing.Ir.program Lazy.t) option
+(** What can be understood of a program with mistakes, for editors. *)
+
 val params : Diagnostic.sink -> Source.t -> Request.t -> Params.set list option
 (** What the request sets parameters to. *)
 

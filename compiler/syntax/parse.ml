@@ -249,3 +249,10 @@ let program sink ~file text =
       match program with
       | Some program when not (Diagnostic.has_errors own) -> Some program
       | Some _ | None -> None)
+
+let readable ~file text =
+  let sink = Diagnostic.sink () in
+  let program = if Utf8.first_error text <> None then None else read sink ~file text in
+  (* What nests too deep is nothing to go through. *)
+  let is_too_deep (d : Diagnostic.t) = String.equal d.code "E0106" in
+  if List.exists is_too_deep (Diagnostic.all sink) then None else program

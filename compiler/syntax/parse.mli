@@ -5,6 +5,9 @@
 
 open Basis
 
+val readable : file:string -> string -> Ir.program option
+(** Of a text with mistakes the items without; [None] if even these are not to be told apart. *)
+
 val program : Diagnostic.sink -> file:string -> string -> Ir.program option
 (** [program sink ~file text]: [file] is the name to show. [None] if anything
     was reported as an error. Takes any bytes, in linear time. *)

@@ -9,3 +9,10 @@ let program ?sources sink ~real resolved =
       let typed = Levels.program ?sources sink typed in
       Patterns.check sink typed;
       sound sink typed)
+
+let partial ~real resolved =
+  let sink = Diagnostic.sink () in
+  let typed = Infer.program sink ~real resolved in
+  match Levels.program sink typed with
+  | leveled -> leveled
+  | exception Diagnostic.Bug _ -> typed

@@ -158,10 +158,15 @@ let of_snippet (label, text, detail) =
 let locals (doc : Document.t) tokens text offset known =
   let from, upto = Tokens.item text offset in
   let start = word_start text offset in
+  let in_unit = ref false in
   let add found (t : Tokens.token) =
+    (match t.token with
+    | UNIT_BRACKET -> in_unit := true
+    | RBRACKET -> in_unit := false
+    | _ -> ());
     match t.token with
     | LOWER name
-      when t.start >= from && t.stop <= upto && t.start <> start && not (List.mem name found)
+      when (not !in_unit) && t.start >= from && t.stop <= upto && t.start <> start && not (List.mem name found)
            && not (Hashtbl.mem known name) ->
         name :: found
     | _ -> found

@@ -43,6 +43,38 @@ let path_of ~library shown =
   if String.starts_with ~prefix:folder shown then Filename.concat (Filename.dirname library) shown
   else shown
 
+let name_in ~path (program : Resolve.Ir.program) =
+  let is_main (m : Resolve.Ir.module_) = String.equal m.name program.main_module in
+  Option.fold (List.find_opt is_main program.modules) ~none:path
+    ~some:(fun (m : Resolve.Ir.module_) -> m.file)
+
+(* The main module, as it is read: its text, and perhaps its tree. *)
+let request ~library ~read ~path text ~parse =
+  let files = Driver.Program_file.files in
+  let read other = if String.equal other path then Ok text else read other in
+  let parsed ~file other =
+    match files.parsed ~file other with
+    | Some tree -> Some tree
+    | None -> if String.equal other text then parse ~file text else None
+  in
+  { (Driver.Request.make ~library path) with files = { files with read; parsed } }
+
+let partial ~library ~read (a : t) =
+  let tree = ref None in
+  let parse ~file text =
+    tree := Syntax.Parse.readable ~file text;
+    !tree
+  in
+  let request = request ~library ~read ~path:a.path (Text.contents a.text) ~parse in
+  match guarded (fun () -> Driver.Front_end.partial a.sources request) with
+  | Ok (Some (resolved, typed)) when !tree <> None ->
+      let shown = name_in ~path:a.path resolved in
+      let is_it = Option.fold !tree ~none:false ~some:(fun (t : Syntax.Ir.program) ->
+          String.equal t.file shown) in
+      let typed = Result.to_option (guarded (fun () -> Lazy.force typed)) in
+      if is_it then { a with tree = !tree; shown; resolved = Some resolved; typed } else a
+  | Ok _ | Error _ -> a
+
 let check ~library ~read ~path text =
   let sink = Diagnostic.sink () and sources = Source.create () in
   let resolved = ref None and typed = ref None in
@@ -50,36 +82,24 @@ let check ~library ~read ~path text =
     | Resolved program -> resolved := Some program
     | Typed program -> typed := Some program
   in
-  let files = Driver.Program_file.files in
-  let read other = if String.equal other path then Ok text else read other in
-  let request = Driver.Request.make ~library path in
   (* It is parsed here, once, unless it has to be parsed again for its mistakes. *)
   let tree = ref None in
-  let parsed ~file other =
-    if not (String.equal other text) then files.parsed ~file other
-    else begin
-      (tree :=
-         match files.parsed ~file text with
-         | Some tree -> Some tree
-         | None -> Syntax.Parse.program (Diagnostic.sink ()) ~file text);
-      !tree
-    end
+  let parse ~file text =
+    tree := Syntax.Parse.program (Diagnostic.sink ()) ~file text;
+    !tree
   in
-  let request = { request with files = { files with read; parsed } } in
+  let request = request ~library ~read ~path text ~parse in
   let fault =
     match guarded (fun () -> Driver.Front_end.check ~seen sink sources request) with
     | Ok () -> None
     | Error fault -> Some fault
   in
-  let shown =
-    let main (program : Resolve.Ir.program) =
-      List.find_opt
-        (fun (m : Resolve.Ir.module_) -> String.equal m.name program.main_module)
-        program.modules
-    in
-    match Option.bind !resolved main with Some m -> m.file | None -> path
+  let shown = Option.fold !resolved ~none:path ~some:(name_in ~path) in
+  (* A module of the library as it is has its tree already. *)
+  let tree =
+    match !tree with Some tree -> Some tree | None -> Prepared.Library.tree ~file:shown text
   in
   {
-    path; text = Text.of_string text; shown; tree = !tree; diagnostics = Diagnostic.all sink; sources;
+    path; text = Text.of_string text; shown; tree; diagnostics = Diagnostic.all sink; sources;
     resolved = !resolved; typed = !typed; fault;
   }

@@ -18,6 +18,9 @@ val check : library:string -> read:(string -> (string, Resolve.Files.error) resu
   path:string -> string -> t
 (** [read] has the texts of other modules. Raises nothing. *)
 
+val partial : library:string -> read:(string -> (string, Resolve.Files.error) result) -> t -> t
+(** Of a text with mistakes what can be understood: with the trees of what is right in it. *)
+
 val path_of : library:string -> string -> string
 (** Where the file is that spans call so. *)
 

@@ -1,4 +1,4 @@
-type version = { view : View.t; mutable since : Shift.t }
+type version = { view : View.t; whole : bool; mutable since : Shift.t }
 
 type t = {
   uri : string;
@@ -35,14 +35,24 @@ let change t text =
   t.text <- text;
   t.changed <- true
 
-let looked_at t (a : Analysis.t) =
+let is_whole = function Some { whole; _ } -> whole | None -> false
+
+let looked_at t ~partial (a : Analysis.t) =
   t.latest <- Some a;
   t.changed <- false;
-  match View.of_analysis a with
-  | None -> ()
-  | Some view ->
-      t.named <- Some { view; since = Shift.none };
-      if a.typed <> None then t.typed <- Some { view; since = Shift.none }
+  let version ~whole a =
+    Option.map (fun view -> { view; whole; since = Shift.none }) (View.of_analysis a)
+  in
+  let or_before before version = if version = None then before else version in
+  if a.resolved <> None then t.named <- or_before t.named (version ~whole:true a);
+  if a.typed <> None then t.typed <- or_before t.typed (version ~whole:true a);
+  if not (is_whole t.named && is_whole t.typed) then begin
+    let understood = partial a in
+    let version = version ~whole:false understood in
+    if not (is_whole t.named) then t.named <- or_before t.named version;
+    if (not (is_whole t.typed)) && understood.typed <> None then
+      t.typed <- or_before t.typed version
+  end
 
 let seen t = Option.map (fun { view; since } -> View.seen view t.text since)
 let names t = seen t t.named

@@ -1,6 +1,10 @@
 (** A text that is open in the editor. *)
 
-type version = { view : View.t; mutable since : Shift.t  (** to the text as it is *) }
+type version = {
+  view : View.t;
+  whole : bool;  (** or only what was right in it *)
+  mutable since : Shift.t;  (** to the text as it is *)
+}
 
 type t = {
   uri : string;
@@ -15,7 +19,9 @@ type t = {
 
 val opened : uri:string -> version:Basis.Json.t -> string -> t
 val change : t -> Text.t -> unit
-val looked_at : t -> Analysis.t -> unit
+val looked_at : t -> partial:(Analysis.t -> Analysis.t) -> Analysis.t -> unit
+(** [partial] is asked if there never was a version without mistakes. *)
+
 
 val names : t -> View.seen option
 val types : t -> View.seen option

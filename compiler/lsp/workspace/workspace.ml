@@ -28,7 +28,8 @@ let read t path =
 let check t ~path text = Analysis.check ~library:t.library ~read:(read t) ~path text
 
 let look t (d : Document.t) =
-  if d.changed then Document.looked_at d (check t ~path:d.path (Text.contents d.text))
+  let partial = Analysis.partial ~library:t.library ~read:(read t) in
+  if d.changed then Document.looked_at d ~partial (check t ~path:d.path (Text.contents d.text))
 
 let analysis_of t path =
   let is_it _ (d : Document.t) found = if String.equal d.path path then Some d else found in

@@ -136,7 +136,7 @@ let assemble ~params modules : Ir.program option =
           params;
         }
 
-let load sink ~files ~remember ~library ?also ?(given = []) main =
+let load sink ~files ~remember ~library ?also ?(given = []) ?(partial = false) main =
   (* A sink of its own tells this run's errors from earlier ones. *)
   let mine = Diagnostic.sink () in
   let context = Context.create mine in
@@ -149,5 +149,5 @@ let load sink ~files ~remember ~library ?also ?(given = []) main =
   in
   let _, reversed = List.fold_left add (String_map.empty, []) modules in
   List.iter (Diagnostic.emit sink) (Diagnostic.all mine);
-  if Diagnostic.has_errors mine then None
+  if Diagnostic.has_errors mine && not partial then None
   else assemble ~params:(Parameters.of_modules modules) (List.rev reversed)

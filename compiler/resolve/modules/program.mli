@@ -7,6 +7,7 @@ val load :
   library:string ->
   ?also:string ->
   ?given:Parameters.setting list ->
+  ?partial:bool ->
   string ->
   Ir.program option
 (** [load sink ~files ~remember ~library ~also ~given main] reads the module in the file
@@ -15,4 +16,5 @@ val load :
     [library], and gives parameters values; each text read is also given to [remember] with the
     name that spans
     use, for rendering. [None] after any error; all errors of all modules are emitted
-    (E01xx by the parser, E02xx here). *)
+    (E01xx by the parser, E02xx here). With [partial] what is right of a program is given after
+    errors too, for editors; what is wrong has become [()]. *)

@@ -1,0 +1,3 @@
+setlocal commentstring=--\ %s comments=:-- expandtab shiftwidth=4 softtabstop=4
+setlocal iskeyword+='
+let b:undo_ftplugin = 'setlocal commentstring< comments< expandtab< shiftwidth< softtabstop< iskeyword<'
