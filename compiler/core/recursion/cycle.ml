@@ -1,13 +1,18 @@
 open Basis
 
-type vertex = { name : string; span : Span.t; task : bool }
+type vertex = { name : string; span : Span.t; task : bool; function_ : bool }
 
 let rec gives_task : Ir.ty -> bool = function
   | Data ({ module_ = "Prelude"; name = "Task" }, _) -> true
   | Function (_, result) -> gives_task result
   | _ -> false
 
-let vertex (d : Ir.definition) = { name = d.name.name; span = d.span; task = gives_task d.ty }
+let is_function : Ir.ty -> bool = function
+  | Function _ | Signal_function _ -> true
+  | _ -> false
+
+let vertex (d : Ir.definition) =
+  { name = d.name.name; span = d.span; task = gives_task d.ty; function_ = is_function d.ty }
 
 let steps ~first cycle = List.combine cycle (List.tl cycle @ [ first ])
 
@@ -27,7 +32,14 @@ let diagnostic ~vertex ~use cycle =
     | [] -> Diagnostic.bug ~stage:"Specialize.Cycle" "an empty cycle"
   in
   let steps = shorten (steps ~first cycle) in
-  let message = if List.length steps = 1 then "calls itself" else "calls itself through others" in
+  let is_value = not (vertex first).function_ in
+  let message =
+    match (is_value && not (vertex first).task, List.length steps = 1) with
+    | true, true -> "is made of itself"
+    | true, false -> "is made of itself through others"
+    | false, true -> "calls itself"
+    | false, false -> "calls itself through others"
+  in
   let path d =
     if List.compare_length_with cycle 1 = 0 then d
     else Diagnostic.here (Enumeration.circle (List.map (fun v -> (vertex v).name) cycle)) d
@@ -42,6 +54,8 @@ let diagnostic ~vertex ~use cycle =
        (if List.for_all (fun v -> (vertex v).task) cycle then
           "a task may start itself again only as the last statement of a `do`, after something \
            that takes time"
+        else if List.for_all (fun v -> not (vertex v).function_) cycle then
+          "nothing is assigned: a definition at the top level has one value, always the same"
         else
           "functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal \
            function may start itself again only in the continuation of a switch")

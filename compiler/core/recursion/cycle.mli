@@ -2,7 +2,12 @@
 
 open Basis
 
-type vertex = { name : string; span : Span.t; task : bool  (** or gives one *) }
+type vertex = {
+  name : string;
+  span : Span.t;
+  task : bool;  (** or gives one *)
+  function_ : bool;  (** or a signal function *)
+}
 
 val vertex : Ir.definition -> vertex
 

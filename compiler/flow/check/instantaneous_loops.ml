@@ -98,7 +98,7 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
     && Own_code.is_own ~entry node.span
   in
   let tasks = Array.to_list program.nodes in
-  (* Where a definition of the program's runs inside a combinator, it is that which may end. *)
+  (* A mode's name. Where a definition of the program's runs inside a combinator, it is that which may end. *)
   let mode (v, _, (t : Ir.transition), source) =
     let here = program.nodes.(modes.(v)) in
     let is_elsewhere origin (node : Ir.node) =
@@ -108,8 +108,15 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
       in
       task origin node && not is_within
     in
+    let is_combinator's =
+      let in_prelude (at : Span.t) = String.equal (Filename.basename at.file) "Prelude.frob" in
+      Option.fold source ~none:false ~some:(fun (_, at) ->
+          in_prelude at && not (Own_code.is_own ~entry at))
+    in
     match (t.by, source) with
     | Statement _, Some (origin, _) when List.exists (is_elsewhere origin) tasks -> (v, origin)
+    (* what ends in a combinator is named by who goes on after it *)
+    | Statement definition, _ when is_combinator's && Own_code.is_own ~entry t.span -> (v, definition)
     | (Statement _ | Continuation _), _ -> (v, here.origin)
   in
   let names = map mode hops in
@@ -144,7 +151,9 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
       | None -> d
     in
     label ~at:t.span
-      (Printf.sprintf "`%s` may start `%s` at its own first instant" (name v) (name w))
+      (if name v = name w then
+       Printf.sprintf "`%s` may go on to itself at its own first instant" (name v)
+      else Printf.sprintf "`%s` may start `%s` at its own first instant" (name v) (name w))
       d
   in
   let sources = List.filter_map (fun (_, _, _, source) -> source) hops in

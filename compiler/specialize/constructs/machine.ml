@@ -422,6 +422,15 @@ let refuse_nesting (c : Context.t) ~name ~is_task ~outside ~inside =
             else
               "a signal function may start itself again only as the whole result of a \
                continuation: then it takes no room")
+      |> Diagnostic.hint
+           (if is_task then
+              "what is done several times is `repeatT 4 t`, `whileT condition t` or `forever t`; \
+               what comes after all of it stands behind that"
+            else
+              Printf.sprintf
+                "what all modes go through (%s) stands around the first one, where it is started, \
+                 and not in the modes"
+                (String.concat ", " quoted))
       |> Diagnostic.emit c.sink;
       raise Context.Stopped
 

@@ -49,17 +49,26 @@ let report_circle (c : Context.t) ~span hops =
   let places = List.map (fun hop -> hop.place) hops in
   let at, others =
     match List.partition (Context.in_prelude c) places with
-    | of_the_prelude, [] -> (span, of_the_prelude)
+    | _, [] -> (span, [])
     | _, own -> (List.nth own (List.length own - 1), own)
   in
   let others = List.filteri (fun i _ -> i < 10) (List.sort_uniq Span.compare others) in
+  (* by what had ended before *)
+  let this_starts place =
+    match List.find_opt (fun hop -> Span.compare hop.place place = 0) (List.rev hops) with
+    | Some { ended; _ } -> Printf.sprintf "this starts when `%s` has ended at once" ended
+    | None -> (
+        match List.rev hops with
+        | { ended; by; _ } :: _ -> Printf.sprintf "`%s` may end at once, and `%s` goes on" ended by
+        | [] -> "this starts when the one before has ended at once")
+  in
   let label d place =
-    if Span.compare place at = 0 then d else Diagnostic.label ~at:place "then this, at once" d
+    if Span.compare place at = 0 then d else Diagnostic.label ~at:place (this_starts place) d
   in
   let names = List.concat_map (fun hop -> [ hop.ended; hop.by ]) hops in
   Diagnostic.error ~code:"E0402" ~at "%s may go round for ever within one instant"
     (Enumeration.circle names)
-  |> Diagnostic.here "this starts when the one before has ended at once"
+  |> Diagnostic.here (this_starts at)
   |> (fun d -> List.fold_left label d others)
   |> Diagnostic.note
        "what ends as soon as it starts takes no time, as `return` and `snapT`: nothing here waits \
@@ -69,6 +78,21 @@ let report_circle (c : Context.t) ~span hops =
         for one instant at least, `sleepT 10[ms] y` for 10 ms"
   |> Diagnostic.emit c.sink;
   raise Context.Stopped
+
+(* What ends at once in a definition of the program's ends by that, and not by what the
+   library made of it: for messages. *)
+let rec ended_by (c : Context.t) owner (task : Value.t) : Value.t =
+  let is_library's name =
+    Resolve.Global_table.mem c.definitions { Core.Ir.Global.module_ = "Prelude"; name }
+  in
+  match task with
+  | Primitive ({ primitive = Return; _ } as p) when is_library's p.owner && not (is_library's owner)
+    ->
+      Primitive { p with owner }
+  | Choice { condition; then_; else_ } ->
+      let then_ = ended_by c owner then_ in
+      Choice { condition; then_; else_ = ended_by c owner else_ }
+  | task -> task
 
 let sequence types owner at first rest : Value.t =
   Primitive { primitive = Sequence; types; arguments = [ rest; first ]; owner; at }
@@ -178,7 +202,7 @@ let reduced (p : Evaluator.position) (evaluator : Evaluator.t) ?input task =
         match enter ~span ~ended:owner ~by:(fst origin) chain rest value with
         | Some ((_, _, { place; _ }) :: _ as chain) ->
             let task = evaluator.apply { p with span = place } ~result rest.value [ value ] in
-            reduce ~span chain task
+            reduce ~span chain task |> ended_by c (fst origin)
         | Some [] | None -> sequence types (fst origin) (snd origin) first rest)
     | Choice { condition; then_; else_ } ->
         let branch value = follow ~span chain types origin rest { first with value } ~result in

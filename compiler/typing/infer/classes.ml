@@ -172,7 +172,11 @@ let is_no_robot t =
   ||
   match Type.expand t with
   | Function _ | Signal_function _ | Tuple _ | Number _ | Bool | String -> true
-  | Flexible _ | Rigid _ | Data _ | Size _ | Erroneous | Alias _ -> false
+  | Data { tycon; _ } ->
+      List.exists
+        (fun name -> tycon = Environment.built_in name)
+        [ "Event"; "Maybe"; "Either"; "Array" ]
+  | Flexible _ | Rigid _ | Size _ | Erroneous | Alias _ -> false
 
 (* The types that have the class. *)
 let those_with ctx class_ =
@@ -257,6 +261,13 @@ let report_lacking ctx required lack =
       | Declared { name = "RobotOutput"; _ } when by <> "`roMake`" ->
           let hint = Output_mistake.hint_without_instance lack.culprit in
           Option.fold hint ~none:Fun.id ~some:Diagnostic.hint diagnostic
+      | Declared { module_ = "Capability"; _ } when lack.through = [] && is_no_robot lack.culprit ->
+          Diagnostic.hint
+            (Printf.sprintf
+               "this is of a robot's input or output, and what it is given is %s: perhaps two \
+                things stand in the other order"
+               culprit)
+            diagnostic
       | Declared class_ -> (
           match those_with ctx class_ with
           | _ :: _ as types when lack.through = [] && List.compare_length_with types 6 <= 0 ->

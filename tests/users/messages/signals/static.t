@@ -52,7 +52,7 @@ A task that goes on as itself must take time.
     --> local_task.frob:6:9
      |
    6 |         go
-     |         ^^ `driveTo` may start `driveTo` at its own first instant
+     |         ^^ `driveTo` may go on to itself at its own first instant
      |
     ::: stdlib/Driving.frob:51:5
      |
