@@ -307,6 +307,24 @@ let number t =
   end
   else NUMBER (text, point || exponent > 0)
 
+(* Does the dot here touch what stands before it, as in `x.1` and `1..2`? *)
+let follows_a_value t =
+  t.at > 0
+  && match t.text.[t.at - 1] with ')' | ']' | '.' -> true | c -> is_name c
+
+(* `.5` *)
+let fraction t =
+  let start = position t in
+  let first = t.at in
+  t.at <- t.at + 1;
+  digits t;
+  let text = "0" ^ String.sub t.text first (t.at - first) in
+  report t ~code:"E0105" ~start ~write:text
+    ~hint:(Printf.sprintf "a number starts with a digit: `%s`" text)
+    (Printf.sprintf "the number `%s` has no digit before its point"
+       (String.sub t.text first (t.at - first)));
+  BAD
+
 let string t =
   let start = position t in
   let text = Buffer.create 16 in
@@ -520,6 +538,7 @@ let next t =
       | '.' when selects t ->
           t.at <- t.at + 1;
           FIELD (take_name t)
+      | '.' when is_digit (peek t 1) && not (follows_a_value t) -> fraction t
       | _ -> symbol t
   in
   { token; start; stop = position t; column; first; doc }

@@ -101,10 +101,11 @@ let close p robot =
 
 let quoted (robot : t) = Printf.sprintf "`%s`" robot.name
 
+let option (robot : t) = Printf.sprintf "`--robot %s`" robot.name
+
 let entry_span p = (typed_entry p).span
 
 let not_said p robots =
-  let option (robot : t) = Printf.sprintf "`--robot %s`" robot.name in
   Diagnostic.error ~code:"E0502" ~at:(entry_span p)
     "`%s` leaves open which robot it runs on" p.entry.name
   |> Diagnostic.hint
@@ -114,22 +115,33 @@ let not_said p robots =
           (Enumeration.one_of (List.map option robots)))
 
 (* Who has the class, of the robots that the program's type allows. *)
-let having p class_ =
+let having p class_ diagnostic =
   let has robot =
     match lacks p robot with
     | None -> false
     | Some found -> not (List.exists (fun (l : Fit.lack) -> l.class_ = class_) found)
   in
-  match List.filter has (all p) with
-  | [] -> "no robot of the library has it"
-  | [ robot ] -> Printf.sprintf "only %s has it" (quoted robot)
-  | robots -> Printf.sprintf "%s have it" (Enumeration.all (List.map quoted robots))
+  let robots = List.filter has (all p) in
+  let cure d =
+    if robots = [] then d
+    else
+      Diagnostic.hint
+        (Printf.sprintf "compile it with %s" (Enumeration.one_of (List.map option robots)))
+        d
+  in
+  Diagnostic.note
+    (match robots with
+    | [] -> "no robot of the library has it"
+    | [ robot ] -> Printf.sprintf "only %s has it" (quoted robot)
+    | robots -> Printf.sprintf "%s have it" (Enumeration.all (List.map quoted robots)))
+    diagnostic
+  |> cure
 
 let lacking p (robot : t) (lack : Fit.lack) =
   Diagnostic.error ~code:"E0503" ~at:lack.need.place "%s has no `%s`" (quoted robot)
     lack.class_.name
   |> Diagnostic.here (Printf.sprintf "%s needs it" lack.need.by)
-  |> Diagnostic.note (having p lack.class_)
+  |> having p lack.class_
   |> Diagnostic.note
        (Printf.sprintf "`%s` is compiled for %s: there is no instance `%s %s`" p.entry.name
           (quoted robot) lack.class_.name lack.of_.name)

@@ -60,6 +60,9 @@ let report_circle (scope : Scope.t) (circle : Ir.type_declaration list) =
     if is_data main then
       Diagnostic.error ~code:"E0218" ~at:main.span "data type `%s` contains itself" main.tycon.name
       |> Diagnostic.note "every value has a fixed size, so data types are not recursive"
+      |> Diagnostic.hint
+           "several things of one kind are an array, of a size that is known: `Array 8 Distance`; \
+            a record may tell with it how many of them count"
     else
       Diagnostic.error ~code:"E0217" ~at:main.span "type alias `%s` stands for itself"
         main.tycon.name

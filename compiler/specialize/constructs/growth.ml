@@ -139,7 +139,9 @@ let report_task (c : Context.t) (t : t) place =
     |> here "here it starts once more"
     |> label ~at:place "this still waits for it to end"
     |> note "more would wait each time, and memory is fixed"
-    |> hint "make the call the last statement, or put what waits into the branch that ends the task"
+    |> hint
+         "make the call the last statement, or put what waits into the branch that ends the task; \
+          what is done several times is `repeatT 4 t`, or `forever t`"
     |> emit c.sink);
   raise Context.Stopped
 

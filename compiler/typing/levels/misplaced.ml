@@ -113,7 +113,11 @@ let report sink sources position obstacle (e : expr) ~head ~input =
     emit
       (run "outside of a `proc`" "E0341"
       |> Diagnostic.here "an instance needs a `proc` around it"
-      |> Diagnostic.hint "write `proc x -> …`, and run it there")
+      |> Diagnostic.hint
+           (Printf.sprintf
+              "write `proc x -> …`, and run it there: what has the type `a -> b` becomes a signal \
+               function, `SF a b`, as in `f = proc x -> %s`"
+              (match quote sources head with Some h -> h ^ " x" | None -> "…")))
   | In_task ->
     emit
       (run "outside of a `proc`" "E0341"

@@ -79,8 +79,8 @@ let hint words ~subject ~(expected : Expected.t) ~found =
     when Environment.is_event wanted && is_plain found && Type.expand found <> Bool ->
       Some
         (Printf.sprintf
-           "`%s` keeps the value of an event, and this has a value at every instant: `tag e %s` \
-            is an event with the value that it has where `e` occurs"
+           "this has a value at every instant, and needs no `%s`, which keeps that of an event; \
+            `tag e %s` is an event with the value that it has where `e` occurs"
            hold (written words subject "x"))
   | (Parameter _ | Field _ | Signature _ | Output _ | Branch _ | Element _)
     when Environment.is_event wanted && is_plain found && Type.expand found <> Bool -> (

@@ -347,7 +347,13 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
                  hint
                    (Printf.sprintf "`arr` makes a signal function of a function: `%s`" text) d
                  |> instead subject text
-           | None -> hint "`arr` makes a signal function of a function")
+           | None -> (
+               match Show.quote words at with
+               | Some text when text.[0] = '\\' ->
+                   hint
+                     "a signal function is written `proc x -> …`, with `proc` in place of `\\`; \
+                      `arr` makes one of a function"
+               | _ -> hint "`arr` makes a signal function of a function"))
   | Function _, Signal_function _, _ -> (
       let diagnostic =
         error ~code:"E0304" ~at "expected a function, found a signal function: %s" (text found)
@@ -395,8 +401,13 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       let usual () =
         match Option.bind subject Plain_name.of_expr with
         | Some name when missing = 1 && of_nothing found -> Printf.sprintf "write `%s ()`" name
-        | Some name when missing = 1 && signal_of words found <> None ->
-            Printf.sprintf "write `%s %s`" name (Option.get (signal_of words found))
+        | Some name when missing = 1 && signal_of words found <> None -> (
+            let text = Printf.sprintf "%s %s" name (Option.get (signal_of words found)) in
+            match expected.because with
+            | Parameter { callee = Some f; position = 1; before = None; _ } ->
+                Printf.sprintf "write `%s (%s)`: what is applied stands in parentheses as an \
+                  argument" f text
+            | _ -> Printf.sprintf "write `%s`" text)
         | Some name ->
             Printf.sprintf "`%s` takes %d argument%s" name missing (if missing = 1 then "" else "s")
         | None when declared words subject <> None ->
@@ -435,6 +446,14 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
   | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint "`constant e` is the signal function that always gives `e`"
+  | Tuple (_ :: _ as wanted), (Number _ | Bool | Data _), _ when is_a_parameter expected ->
+      let name = match expected.because with Parameter { callee = Some f; _ } -> f | _ -> "f" in
+      let others = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type (i + 1))
+        (List.tl wanted) in
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint
+           (Printf.sprintf "`%s` takes one tuple of %d: `%s (%s)`" name (List.length wanted) name
+              (String.concat ", " (raw "a" :: others)))
   | Tuple (_ :: _ as wanted), Tuple (_ :: _ as given), _
     when List.compare_lengths wanted given <> 0 ->
       error ~code:"E0301" ~at "expected a tuple of %d, found one of %d" (List.length wanted)

@@ -1,12 +1,29 @@
 open Basis
 open Diagnostic
 
+let is_proc (e : Resolve.Ir.expr) = match e.desc with Proc _ -> true | _ -> false
+
+(* The input and the output of a [proc], if they are short. *)
+let parts words (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Proc { input; body = { output; _ } } ->
+      let quote at otherwise = Option.value (Show.quote words at) ~default:otherwise in
+      (quote input.span "x", quote output.span "output")
+  | _ -> ("x", "output")
+
 (* How a signal function becomes a task: it ends at its event, or never. *)
-let to_task subject output =
+let to_task words subject output =
   let name = match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "sf" in
   match Type.expand output with
   | Tuple [ _; last ] when Environment.is_event last ->
       hint (Printf.sprintf "`mkTask %s` is the task that ends when its event occurs" name)
+  | _ when Option.fold subject ~none:false ~some:is_proc ->
+      let input, output = parts words (Option.get subject) in
+      hint
+        (Printf.sprintf
+           "a task ends at an event, which its `proc` gives beside the output: `mkTask (proc %s -> \
+            (%s, after 1[s] ()))`; one with `never ()` in that place goes on for ever"
+           input output)
   | _ ->
       hint
         (Printf.sprintf
@@ -23,7 +40,7 @@ let task_and_signal_function words ~subject ~at ~(expected : Expected.t) ~found 
          | Parameter { callee = Some "reactimateTask"; _ } ->
              hint "`reactimateRobot` makes a program of a signal function"
          | _ -> Fun.id)
-      |> to_task subject output
+      |> to_task words subject output
   | _ ->
       let name =
         match Option.bind subject Plain_name.of_expr with Some name -> name | None -> "t"

@@ -151,6 +151,7 @@ The rules of tail position are those of the top level.
     |                                                            ^^^^^^^^^^^^^^^^^^^^^^^^^^ here, inside `>>>`
     |
     = note: a signal function may start itself again only as the whole result of a continuation: then it takes no room
+    = hint: what all modes go through (`>>>`) stands around the first one, where it is started, and not in the modes
   
   1 error
   [1]

@@ -13,6 +13,7 @@ itself; the message names what is around it.
     |                                                    ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, inside `>>>`, inside `first`
     |
     = note: a signal function may start itself again only as the whole result of a continuation: then it takes no room
+    = hint: what all modes go through (`>>>`, `first`) stands around the first one, where it is started, and not in the modes
   
   1 error
   [1]

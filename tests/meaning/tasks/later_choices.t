@@ -38,7 +38,7 @@ start; so it may if the time-out can be at once.
      |     ---------
   ...
   10 |         Nothing -> return ()
-     |         -------------------- `timeOut` may start `timeOut` at its own first instant
+     |         -------------------- `timeOut` may go on to itself at its own first instant
     ::: stdlib/Driving.frob:41:16
   41 | driveTo goal = mkTask (proc i ->
      |                -----------------
@@ -50,7 +50,7 @@ start; so it may if the time-out can be at once.
   1 error
   $ sed 's/20\[s\]/0[s]/' visit.frob > no_time.frob
   $ frobc check no_time.frob 2>&1 | grep -v '^ *|* *$'
-  error[E0402]: `timeOut → visit → timeOut` may go round for ever within one instant
+  error[E0402]: `visit → visit` may go round for ever within one instant
      --> no_time.frob:6:10
     6 |     r <- driveTo goal `timeOut` 0[s]
       |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^
@@ -58,11 +58,11 @@ start; so it may if the time-out can be at once.
       |     ---------
   ...
    10 |         Nothing -> return ()
-      |         -------------------- `timeOut` may start `timeOut` at its own first instant
+      |         -------------------- `visit` may go on to itself at its own first instant
      ::: stdlib/Prelude.frob:658:9
   658 |   where late = elapsed q ())
-      |         ------------------- `elapsed` may occur at the first instant of `timeOut`
-      = note: at an instant at which `elapsed` occurs as soon as `timeOut` starts, nothing waits for the next one
+      |         ------------------- `elapsed` may occur at the first instant of `visit`
+      = note: at an instant at which `elapsed` occurs as soon as `visit` starts, nothing waits for the next one
       = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
   1 error
 

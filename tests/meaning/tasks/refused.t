@@ -23,7 +23,7 @@ A call that is not the last statement, with what still waits for it.
     |     ------------- this still waits for it to end
     |
     = note: more would wait each time, and memory is fixed
-    = hint: make the call the last statement, or put what waits into the branch that ends the task
+    = hint: make the call the last statement, or put what waits into the branch that ends the task; what is done several times is `repeatT 4 t`, or `forever t`
   
   1 error
   [1]
@@ -47,6 +47,7 @@ A call that something around goes on watching.
     |          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, inside `timeOut`
     |
     = note: a task may start itself again only as the last statement of its `do`, with nothing around it that goes on: then it takes no room
+    = hint: what is done several times is `repeatT 4 t`, `whileT condition t` or `forever t`; what comes after all of it stands behind that
   
   1 error
   [1]
@@ -130,18 +131,13 @@ known to end at once …
   > EOF
   $ frobc check at_once.frob 2>&1 | without_lines
   error[E0402]: `snapT → forever → snapT` may go round for ever within one instant
-     --> at_once.frob:2:17
-      |
-    2 | main = runTask (forever snapT)
-      |                 ^^^^^^^^^^^^^ this starts when the one before has ended at once
-      |
-     ::: stdlib/Prelude.frob
-      |
-      |     forever t
-      |     --------- then this, at once
-      |
-      = note: what ends as soon as it starts takes no time, as `return` and `snapT`: nothing here waits for the next instant
-      = hint: put a task that takes time into the circle: `untilT (proc x -> (y, condition))` gives `y` for one instant at least, `sleepT 10[ms] y` for 10 ms
+   --> at_once.frob:2:17
+    |
+  2 | main = runTask (forever snapT)
+    |                 ^^^^^^^^^^^^^ `snapT` may end at once, and `forever` goes on
+    |
+    = note: what ends as soon as it starts takes no time, as `return` and `snapT`: nothing here waits for the next instant
+    = hint: put a task that takes time into the circle: `untilT (proc x -> (y, condition))` gives `y` for one instant at least, `sleepT 10[ms] y` for 10 ms
   
   1 error
 
@@ -167,7 +163,7 @@ known to end at once …
   3 |     m <- return (n + 1)
     |          ^^^^^^^^^^^^^^
   4 |     other m
-    |     ------- `go` may start `go` at its own first instant
+    |     ------- `go` may go on to itself at its own first instant
     |
     = note: at an instant at which `go` is left as soon as it starts, nothing waits for the next one
     = note: if it ends, then after more than 1000 steps
@@ -198,7 +194,7 @@ known to end at once …
       |                                       ------------ `elapsed` may occur at the first instant of `sleepT`
   ...
       |     forever t
-      |     --------- `sleepT` may start `sleepT` at its own first instant
+      |     --------- `sleepT` may go on to itself at its own first instant
       |
       = note: at an instant at which `elapsed` occurs as soon as `sleepT` starts, nothing waits for the next one
       = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`
@@ -229,7 +225,7 @@ and `untilT` is the cure that neither waits for a change nor stands still.
      ::: stdlib/Prelude.frob
       |
       |         forEachT (i + 1)
-      |         ---------------- `past` may start `past` at its own first instant
+      |         ---------------- `past` may go on to itself at its own first instant
       |
       = note: at an instant at which `when` occurs as soon as `past` starts, nothing waits for the next one
       = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
@@ -261,7 +257,7 @@ A task in a combinator of the library's is called by its own name.
      ::: stdlib/Prelude.frob
       |
       |     forever t
-      |     --------- `blink` may start `blink` at its own first instant
+      |     --------- `blink` may go on to itself at its own first instant
       |
       = note: at an instant at which `blink` is left as soon as it starts, nothing waits for the next one
       = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
@@ -289,7 +285,7 @@ One that is written in the combinator's argument is called as the definition aro
      ::: stdlib/Prelude.frob
       |
       |     forever t
-      |     --------- `blink` may start `blink` at its own first instant
+      |     --------- `blink` may go on to itself at its own first instant
       |
       = note: at an instant at which `blink` is left as soon as it starts, nothing waits for the next one
       = hint: `untilT (proc x -> (y, condition))` ends when the condition holds, and takes at least one instant; `edge` may wait for ever where it holds from the start
@@ -339,7 +335,7 @@ program asks for it, with what takes time there.
     --> tour.frob:N:5
     N |
     N |     tour (n - 1)
-    N |     ^^^^^^^^^^^^ `driveTo` may start `driveTo` at its own first instant
+    N |     ^^^^^^^^^^^^ `driveTo` may go on to itself at its own first instant
     N |
     ::: stdlib/Driving.frob:N:5
     N |
@@ -372,7 +368,7 @@ program asks for it, with what takes time there.
      ::: stdlib/Prelude.frob:N:9
     N |
     N |         forEachT (i + 1)
-    N |         ---------------- `driveTo` may start `driveTo` at its own first instant
+    N |         ---------------- `driveTo` may go on to itself at its own first instant
     N |
       = note: at an instant at which `atPlace` occurs as soon as `driveTo` starts, nothing waits for the next one
       = hint: let time pass between: `sleepT 10[ms] y` after the task takes some, where `y` is the output meanwhile

@@ -139,7 +139,7 @@ Too many and too few arguments.
     |          |
     |          this is `Float`
     |
-    = hint: an argument is missing
+    = hint: an argument is missing, the last of `hypot :: Float[u] -> Float[u] -> Float[u]`
   
   error[E0302]: `two` has more than the one parameter that its type allows
    --> arguments.frob:8:7

@@ -72,6 +72,7 @@ against its part of the signature.
     |                                 ^ this is `Velocity` (m/s)
     |
     = hint: times a time it is `m`, as in `1[s] * v`; `integral v` adds it up over time
+    = hint: if this is what comes out, the signature says `Float[m/s]`
   
   2 errors
   [1]

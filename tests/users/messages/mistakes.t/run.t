@@ -335,7 +335,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
     |        argument 1 of `reactimateTask` is `Task a b c`
     |
     = hint: `reactimateRobot` makes a program of a signal function
-    = hint: `mkTask (sf &&& event)` ends when the event occurs; `mkTask (sf &&& never)` never does
+    = hint: a task ends at an event, which its `proc` gives beside the output: `mkTask (proc i -> (roMake (setVelTR 0.2[m/s] 0), after 1[s] ()))`; one with `never ()` in that place goes on for ever
   
   1 error
   # 030_place_as_two_numbers.frob

@@ -5,13 +5,13 @@ Numbers and units written as elsewhere.
   > y = 5. + 2
   > FROB
   $ frobc check point.frob
-  error[E0110]: expected the value of the definition after `=`, found `.`
+  error[E0105]: the number `.5` has no digit before its point
    --> point.frob:1:5
     |
   1 | x = .5
-    |     ^
+    |     ^^
     |
-    = hint: a number starts with a digit: `0` before the point
+    = hint: a number starts with a digit: `0.5`
   
   error[E0110]: expected an operand after the operator, found `+`
    --> point.frob:2:8

@@ -165,7 +165,7 @@ Each event of `accum` brings a function:
     |         |    because this is a number of `m`
     |         argument 2 of `hold` is `Event n[m]`
     |
-    = hint: `hold` keeps the value of an event, and this has a value at every instant: `tag e (frontSonar i)` is an event with the value that it has where `e` occurs
+    = hint: this has a value at every instant, and needs no `hold`, which keeps that of an event; `tag e (frontSonar i)` is an event with the value that it has where `e` occurs
   
   1 error
   [1]
