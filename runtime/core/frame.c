@@ -113,7 +113,7 @@ static bool read_comment(const char *line, struct frob_image *image)
 
 const char *frob_frame_read(const void *file, size_t size, struct frob_image *image)
 {
-    static const char broken[] = "is no frame that frobc wrote";
+    static const char broken[] = "it is no frame that frobc wrote";
     struct head h = { (const char *)file, (const char *)file + size };
     char line[512];
     int most = 0;
@@ -135,6 +135,6 @@ const char *frob_frame_read(const void *file, size_t size, struct frob_image *im
     if (!frob_image_is_sound(image))
         return broken;
     if ((size_t)(h.end - h.at) != row_size(image) * (size_t)image->height)
-        return "is not as long as its head says";
+        return "it is not as long as its head says";
     return NULL;
 }

@@ -193,7 +193,7 @@ static bool grow(struct frame_reader *reader)
 static const struct frob_image *wrong(struct frame_reader *reader, const char *path,
                                       const char *what)
 {
-    snprintf(reader->expected, sizeof reader->expected, "a frame that is there (%s %s)", path,
+    snprintf(reader->expected, sizeof reader->expected, "a frame that is there (%s: %s)", path,
              what);
     return NULL;
 }
@@ -207,16 +207,16 @@ static const struct frob_image *add(struct frame_reader *reader, uint64_t key, c
     const char *fault;
     void *bytes;
     if (fstat(file, &status) != 0 || !grow(reader))
-        return wrong(reader, path, "cannot be read");
+        return wrong(reader, path, "it cannot be read");
     if (status.st_size <= 0)
-        return wrong(reader, path, "is empty");
+        return wrong(reader, path, "it is empty");
     bytes = mmap(NULL, (size_t)status.st_size, PROT_READ, MAP_PRIVATE, file, 0);
     frame = (struct frame *)calloc(1, sizeof *frame);
     if (bytes == MAP_FAILED || frame == NULL) {
         if (bytes != MAP_FAILED)
             munmap(bytes, (size_t)status.st_size);
         free(frame);
-        return wrong(reader, path, "is one too many for the memory");
+        return wrong(reader, path, "it is one too many for the memory");
     }
     frame->key = key;
     frame->file = bytes;
@@ -237,7 +237,7 @@ const struct frob_image *frame_reader_by_key(struct frame_reader *reader, uint64
     const struct frob_image *image = NULL;
     if (reader->capacity > 0 && reader->each[slot_of(reader, key)] != NULL)
         return &reader->each[slot_of(reader, key)]->image;
-    wrong(reader, reader->folder, "cannot be read");
+    wrong(reader, reader->folder, "it cannot be read");
     for (int grey = 0; grey < 2 && image == NULL; grey++) {
         char *path = path_of(reader->folder, key, grey);
         const int file = path == NULL ? -1 : open(path, O_RDONLY | O_CLOEXEC);

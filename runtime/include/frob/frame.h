@@ -43,7 +43,7 @@ struct frob_frame_name frob_frame_name(const struct frob_image *image);
 size_t frob_frame_head(const struct frob_image *image, char head[FROB_FRAME_HEAD_ROOM]);
 
 /* Fills in the image from a file of `size` bytes in memory, where its pixels stay. NULL, or
- * what is wrong with the file: a static text that goes on after its name. */
+ * what is wrong with the file: a static text about "it". */
 const char *frob_frame_read(const void *file, size_t size, struct frob_image *image);
 
 /* Who has frames, for cells that name them: an image that is good until the instant is over,

@@ -1,0 +1,92 @@
+An image is there for an instant. What would keep it longer is refused, and told what to keep.
+
+  $ cat > keeps.frob <<'FROB'
+  > import Vision
+  > 
+  > main :: SF (Event Frame) Float[px]
+  > main = proc frame -> case hold Nothing (mapE Just frame) of
+  >     Just f  -> (lens f.image).width
+  >     Nothing -> 0
+  > FROB
+  $ frobc check keeps.frob
+  error[E0430]: an image would be kept here
+   --> keeps.frob:4:27
+    |
+  4 | main = proc frame -> case hold Nothing (mapE Just frame) of
+    |                           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = note: a camera's memory is used again for its next frames
+    = hint: keep the numbers that you need, not the picture: look for them at the instant at which the frame comes, and `hold` what was found
+  
+  1 error
+  [1]
+
+What was found in it may be kept.
+
+  $ cat > finds.frob <<'FROB'
+  > import Vision
+  > 
+  > main :: SF (Event Frame) Float[px]
+  > main = hold 0 <<< arr (mapE (\f -> (lens f.image).width))
+  > FROB
+  $ frobc check finds.frob
+
+The report counts what a step calls of the kernels, and says what is asked of the host.
+
+  $ cat > sees.frob <<'FROB'
+  > import Robot
+  > import Vision
+  > 
+  > main = reactimateRobot sees
+  > 
+  > sees :: (HasCamera i, DiffDrive o) => SF i o
+  > sees = proc i -> roMake (setVelTR v 0) where
+  >     v = hold 0 (mapE wide (camera i))
+  >     wide f = 0.1[m/s] * ((findBlob f.image (everywhere f.image) all).cx / 1[px])
+  >     all = ColourRange
+  >         { hueFrom = 0, hueTo = 360[deg], saturationFrom = 0, saturationTo = 1
+  >         , valueFrom = 0, valueTo = 1 }
+  > FROB
+  $ frobc report sees.frob --robot pioneer | grep -E 'calls|camera'
+    calls of frob_find_blob   1
+    calls of frob_image_lens  1
+    camera  camera    sees.frob:8
+
+A robot's C struct has no camera, and a program that does not see has nothing of it.
+
+  $ frobc header pioneer | grep -ci -E 'camera|image|frame'
+  0
+  [1]
+  $ frobc compile sees.frob --robot pioneer && grep -A3 'struct sees_input {' sees.h
+  struct sees_input {
+      struct frob_pioneer_input robot;
+      struct sees_console console;
+  };
+
+The names of kernels are the library's: a program of one's own calls them through it.
+
+  $ cat > own.frob <<'FROB'
+  > foreign mine :: Float -> Float = "frob_image_lens"
+  > 
+  > main :: SF Float Float
+  > main = arr mine
+  > FROB
+  $ frobc check own.frob 2>&1 | head -1
+  error[E0232]: `frob_image_lens` cannot be a function of yours: it is one of those that generated C and its runtime have
+
+A world without a camera, and hosts that have none.
+
+  $ cat > dark.toml <<'TOML'
+  > [start]
+  > x = 0
+  > y = 0
+  > TOML
+  $ frobc run sees.frob --world dark.toml --for 1s
+  error: the program looks through a camera, `camera`, and the robot of this world has none: add a table [camera] to the world file
+  [2]
+  $ frobc build sees.frob --robot pioneer -o sees
+  error: sees looks through a camera, `camera`; there are cameras in the simulator only, where `frobc run` runs it
+  [2]
+  $ frobc run sees.frob --view --for 1s
+  error: this program sees, and what it saw is shown from the frames beside a recording: `--view` needs `--record LOG.csv` too
+  [2]

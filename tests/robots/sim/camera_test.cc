@@ -1,0 +1,238 @@
+// What a simulated camera sees, and when.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "check.h"
+#include "simulation.h"
+#include "world_file.h"
+
+using namespace frob::sim;
+
+namespace {
+
+constexpr std::int64_t millisecond = 1'000'000;
+
+// A Pioneer at the origin, whose camera is where the robot is, and sees straight ahead.
+class Seer {
+  public:
+    explicit Seer(const std::string &camera, const std::string &rest, double heading = 0.0,
+                  std::uint64_t seed = 1)
+        : simulation_(parse_world("[start]\nx = 0\ny = 0\nheading_deg = " + std::to_string(heading) +
+                                      "\n[camera]\nahead = 0\nup = 0.25\n" + camera + "\n" + rest,
+                                  "test"),
+                      seed, false) {
+        simulation_.look_through("camera");
+    }
+
+    // The newest frame at this time, or nullptr.
+    const frob_image *at(std::int64_t time_ns) {
+        simulation_.advance(time_ns);
+        return simulation_.newest_frame(time_ns, 0);
+    }
+
+  private:
+    Simulation simulation_;
+};
+
+const std::uint8_t *pixel(const frob_image &image, int x, int y) {
+    return frob_image_row(&image, y) + frob_image_pixel_size(image.format) * x;
+}
+
+bool is_reddish(const std::uint8_t *p) { return p[0] > 2 * p[1] && p[0] > 2 * p[2] && p[0] > 40; }
+
+struct Spot {
+    double x = 0.0, y = 0.0, pixels = 0.0;
+};
+
+// The middle of what is red.
+Spot red_spot(const frob_image &image) {
+    Spot spot;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            if (!is_reddish(pixel(image, x, y))) continue;
+            spot.x += x, spot.y += y, ++spot.pixels;
+        }
+    }
+    spot.x /= spot.pixels, spot.y /= spot.pixels;
+    return spot;
+}
+
+std::string red_ball(double x, double y, double radius) {
+    return "[[ball]]\ncolour = \"red\"\ncenter = [" + std::to_string(x) + ", " + std::to_string(y) +
+           "]\nradius = " + std::to_string(radius) + "\n";
+}
+
+// Where a pinhole shows the middle of a ball on the floor, by trigonometry.
+void balls_are_where_they_are() {
+    struct Case {
+        const char *camera;
+        double heading, x, y; // of the robot, in degrees; of the ball
+    };
+    const Case cases[] = {{"", 0, 2, 0},
+                          {"", 0, 2, 0.6},
+                          {"", 0, 3, -1.2},
+                          {"", 30, 2, 0.9},
+                          {"yaw_deg = 20", 0, 2, 0.9},
+                          {"pitch_deg = 15", 0, 1.5, 0.2},
+                          {"width = 640\nheight = 480\nfield_of_view_deg = 90", 0, 1.2, 0.4}};
+    for (const Case &c : cases) {
+        Seer seer(c.camera, red_ball(c.x, c.y, 0.08), c.heading);
+        const frob_image &image = *seer.at(0);
+        const frob_camera &lens = image.camera;
+        const double turn = radians(c.heading) + lens.yaw_rad;
+        const double ahead = std::cos(turn) * c.x + std::sin(turn) * c.y;
+        const double left = -std::sin(turn) * c.x + std::cos(turn) * c.y, up = 0.08 - lens.z_m;
+        const double along = std::cos(lens.pitch_rad) * ahead - std::sin(lens.pitch_rad) * up;
+        const double above = std::sin(lens.pitch_rad) * ahead + std::cos(lens.pitch_rad) * up;
+        const Spot seen = red_spot(image);
+        const double x = lens.centre_x - lens.focal_x * left / along;
+        const double y = lens.centre_y - lens.focal_y * above / along;
+        const bool is_there = std::hypot(seen.x - x, seen.y - y) < 1.0;
+        check::that(is_there, "a ball is seen where it is");
+        if (!is_there) std::printf("  %g %g, not %g %g\n", seen.x, seen.y, x, y);
+        // A disc of its angle: within a tenth, for it is a little wider off the axis.
+        const double radius = lens.focal_x * 0.08 / along;
+        check::near(seen.pixels / (pi * radius * radius), 1.0, 0.15, "and as large as it is");
+    }
+}
+
+void roll_is_clockwise() {
+    Seer seer("roll_deg = 90\nheight = 320", red_ball(2, 0.5, 0.08));
+    const Spot seen = red_spot(*seer.at(0));
+    check::that(seen.y > 200, "rolled clockwise, what is on the left is at the bottom");
+}
+
+// The cells of tag 0 as its family has them: the second row inside the frame is 110101 ….
+void tags_are_readable() {
+    Seer seer("width = 640\nheight = 480",
+              "[[tag]]\nid = 0\ncenter = [1, 0]\nfacing_deg = 180\nsize = 0.4\nmiddle = 0.25\n");
+    const frob_image &image = *seer.at(0);
+    const double scale = image.camera.focal_x / (1.0 - 0.004) * 0.05; // pixels of a cell
+    const auto is_white = [&](int column, int row) {
+        const double x = image.camera.centre_x + (column - 4.5) * scale;
+        const double y = image.camera.centre_y + (row - 4.5) * scale;
+        return pixel(image, static_cast<int>(x + 0.5), static_cast<int>(y + 0.5))[0] > 80;
+    };
+    const char *const rows[] = {"1111111111", "1000000001", "1011010101", "1001110101", "1001100001",
+                                "1010100001", "1001011001", "1000010001", "1000000001", "1111111111"};
+    bool all = true;
+    for (int row = 0; row < 10; ++row)
+        for (int column = 0; column < 10; ++column)
+            all = all && is_white(column, row) == (rows[row][column] == '1');
+    check::that(all, "a tag is the right way round");
+}
+
+void near_hides_far() {
+    Seer seer("", "[[box]]\ncenter = [1, 0]\nsize = [0.2, 0.2]\nheight = 0.5\ncolour = \"blue\"\n" +
+                      red_ball(2, 0, 0.1) + red_ball(2, 0.8, 0.1));
+    const frob_image &image = *seer.at(0);
+    const Spot seen = red_spot(image);
+    check::that(seen.x < 100 && seen.pixels > 100,
+                "a ball behind a box is hidden, one beside it is not");
+}
+
+void time_passes() {
+    Seer late("rate = 20\nlatency = 0.12", "");
+    check::that(late.at(115 * millisecond) == nullptr, "nothing comes before its time");
+    const frob_image *first = late.at(120 * millisecond);
+    check::that(first != nullptr && first->number == 0 && first->captured_ns == 0,
+                "then the first frame");
+    check::that(late.at(125 * millisecond) == nullptr, "once");
+    const frob_image *newest = late.at(330 * millisecond);
+    check::that(newest != nullptr && newest->number == 4 && newest->captured_ns == 200 * millisecond,
+                "of several the newest");
+    Seer lossy("dropout = 0.5\nrate = 100", "");
+    int came = 0;
+    std::uint32_t last = 0;
+    for (int k = 0; k < 200; ++k) {
+        if (const frob_image *frame = lossy.at(k * 10 * millisecond)) {
+            ++came;
+            last = frame->number;
+        }
+    }
+    check::that(came > 70 && came < 130 && last > 190, "lost frames do not come, and are counted");
+}
+
+std::uint64_t hash(const frob_image &image) {
+    std::uint64_t h = 0xcbf29ce484222325u;
+    const auto size = static_cast<std::size_t>(image.stride) * static_cast<std::size_t>(image.height);
+    for (std::size_t i = 0; i < size; ++i)
+        h = (h ^ static_cast<const std::uint8_t *>(image.pixels)[i]) * 0x100000001b3u;
+    return h;
+}
+
+// One of everything.
+const char *const all_things =
+    "[[wall]]\npoints = [[-3, -2], [5, -2], [5, 2], [-3, 2]]\nclosed = true\ntexture = \"bricks\"\n"
+    "[[circle]]\ncenter = [3, 1]\nradius = 0.2\ntexture = \"stripes\"\n"
+    "[[polygon]]\npoints = [[3, -1.5], [4, -1.5], [3.5, -0.8]]\ncolour = \"#336699\"\n"
+    "[[box]]\ncenter = [2, -0.6]\nsize = [0.3, 0.4]\nangle_deg = 30\ntexture = \"checks\"\n"
+    "[[ball]]\nway = [[1.5, 0.3], [2.5, 0.6]]\nspeed = 0.3\n"
+    "[[cone]]\ncenter = [2.4, 0.1]\n"
+    "[[tag]]\nid = 5\ncenter = [4.9, 0.5]\nfacing_deg = 180\nsize = 0.5\n"
+    "[[tape]]\npoints = [[0.5, -0.3], [4, -0.3], [4, 0.5]]\nradius = 0.3\n"
+    "[[patch]]\npoints = [[1, 0.5], [2, 0.5], [2, 1.5], [1, 1.5]]\ncolour = \"green\"\n"
+    "[[hole]]\npoints = [[2.5, 1.2], [2.9, 1.2], [2.9, 1.6], [2.5, 1.6]]\n"
+    "[sky]\ncolour = \"white\"\n";
+const char *const all_faults = "noise = 5\nblur = 1\nk1 = -0.2\nk2 = 0.03\npitch_deg = 8\nroll_deg = 2\n"
+                               "exposure = 1.1\njitter = 0.003\n";
+
+// The number is that of one machine: no other may have another.
+void pixels_are_the_same_everywhere() {
+    Seer seer(all_faults, all_things);
+    const std::uint64_t first = hash(*seer.at(0));
+    const std::uint64_t expected = 0x084d91dc03ba0184u;
+    check::that(first == expected, "the same pixels on every machine");
+    if (first != expected)
+        std::printf("  0x%016llx\n", static_cast<unsigned long long>(first));
+    Seer again(all_faults, all_things), other(all_faults, all_things, 0.0, 2);
+    check::that(hash(*again.at(0)) == first, "and in every run of a seed");
+    check::that(hash(*other.at(0)) != first, "and others of another");
+}
+
+void mistakes_are_told() {
+    const auto told = [](const char *world) {
+        try {
+            parse_world(std::string("[start]\nx = 0\ny = 0\n") + world, "w");
+        } catch (const WorldFileError &error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    check::that(told("[[ball]]\ncenter = [1, 1]\ncolour = \"mauve\"\n") ==
+                           "w:6:10: there is no colour `mauve`; the colours: white, grey, black, red, "
+                           "orange, yellow, green, blue, purple, pink, brown, and `#rrggbb`",
+                "no colour");
+    check::that(told("[[cone]]\ncenter = [1, 1]\ntexture = \"fur\"\n") ==
+                            "w:6:11: there is no texture `fur`; the textures: plain, plaster, bricks, "
+                            "stripes, checks",
+                "no texture");
+    check::that(told("[[tag]]\nid = 30\ncenter = [1, 1]\nfacing_deg = 0\nsize = 0.1\n") ==
+                        "w:5:6: `id` must be a whole number from 0 to 29",
+                "no tag");
+    check::that(told("[[poster]]\npicture = \"no.ppm\"\ncenter = [1, 1]\nfacing_deg = 0\nsize = [1, 1]\n") ==
+              "w:5:11: no.ppm: cannot read this picture",
+                "no picture");
+    check::that(told("[[camera]]\n[[camera]]\nwidth = 100\n") ==
+                               "w:1:1: two cameras are called `camera`: give each a `name` of its own",
+                "two of a name");
+    check::that(told("[[ball]]\nway = [[1, 1], [2, 2]]\n") ==
+                                       "w:4:1: this needs a key `speed`",
+                "a way without a speed");
+}
+
+} // namespace
+
+int main() {
+    balls_are_where_they_are();
+    roll_is_clockwise();
+    tags_are_readable();
+    near_hides_far();
+    time_passes();
+    pixels_are_the_same_everywhere();
+    mistakes_are_told();
+    return check::status();
+}
