@@ -40,11 +40,11 @@ def entries(text):
 
 def names_of(declaration):
     """What a declaration declares: one name or, of a signature, several."""
-    keyword = re.match(r"(?:(primitive|type|data|class) )?", declaration[0]).group(1)
+    keyword = re.match(r"(?:(primitive|foreign type|foreign|type|data|class) )?", declaration[0]).group(1)
     first = declaration[0].removeprefix(f"{keyword} ")
     if keyword == "class":
         first = re.sub(r"^.*=> ", "", first)
-    elif keyword in (None, "primitive"):
+    elif keyword in (None, "primitive", "foreign"):
         return [name.strip("()") for name in first.split(" :: ")[0].split(", ")]
     return [re.match(r"\w+", first).group(0)]
 
@@ -53,7 +53,9 @@ def entry(module, comment, declaration, depth):
     """An entry of the reference; those of a class's methods come after it."""
     names = names_of(declaration)
     heading = ", ".join(f"`{name}`" for name in names)
-    code = [re.sub(r"^primitive ", "", declaration[0]), *declaration[1:]]
+    # how it is in C is nobody's business who calls it
+    first = re.sub(r'^foreign (.*) = ".*"$', r"\1", declaration[0])
+    code = [re.sub(r"^primitive ", "", first), *declaration[1:]]
     body = []
     if code[0].startswith("class "):
         body, code = code[1:], code[:1]
