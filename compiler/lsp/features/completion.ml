@@ -166,7 +166,9 @@ let locals (doc : Document.t) tokens text offset known =
     | _ -> ());
     match t.token with
     | LOWER name
-      when (not !in_unit) && t.start >= from && t.stop <= upto && t.start <> start && not (List.mem name found)
+      when (not !in_unit) && t.start >= from && t.stop <= upto
+           && t.start <> start
+           && not (List.mem name found)
            && not (Hashtbl.mem known name) ->
         name :: found
     | _ -> found
