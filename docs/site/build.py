@@ -105,7 +105,7 @@ def main():
     site = Site(repository, out)
     for name, text in reference.pages(repository, frobc).items():
         site.made[Path("docs/reference") / name] = text
-    site.copy(Path("docs/site/style.css"))
+    site.write(Path("docs/site/style.css"), Path(__file__).with_name("style.css").read_text())
     for page in sorted(site.pages):
         site.write(page, site.page(page, (repository / page).read_text()))
     for page, text in site.made.items():
