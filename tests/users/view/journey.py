@@ -87,8 +87,8 @@ def visit(page, rows):
     before = len(page.all("#plots article"))
     page.press("/", "heading", Keys.ENTER)
     page.wait(lambda: len(page.all("#plots article")) == before + 1)
-    shown = page.all("#plots article:last-of-type canvas")
-    check("a signal that is found is plotted", len(shown) == 1)
+    page.wait(lambda: len(page.all("#plots article:last-of-type canvas")) == 1)
+    check("a signal that is found is plotted", True)
     page.press(Keys.ESCAPE)
 
     page.press("m", Keys.HOME)
@@ -138,8 +138,8 @@ def visit(page, rows):
     diagram = page.all(".modes")[2]
     check("the modes of a machine are drawn with what leads from one to the other",
           [b.text for b in diagram.find_elements(By.CSS_SELECTOR, "button")]
-          == ["driveTo", "robotPlace", "withSF", "circleTo", "ended"]
-          and len(diagram.find_elements(By.CSS_SELECTOR, "path.edge")) == 2 * 7
+          == ["driveTo", "withSF", "circleTo", "ended"]
+          and len(diagram.find_elements(By.CSS_SELECTOR, "path.edge")) == 2 * 6
           and "closestPlace" in diagram.text)
 
     line = page.driver.execute_script("""
@@ -164,7 +164,7 @@ def visit(page, rows):
     page.at(asked)
     origin(page, "bug.mode").click()
     page.wait(lambda: page.text(".why .name") == "bug.mode")
-    page.wait(lambda: page.text(".why .switch p").startswith("driveTo → robotPlace"))
+    page.wait(lambda: page.text(".why .switch p").startswith("driveTo → withSF"))
     origin(page, "driveTo.blocked").click()
     page.at(found - 1)
     page.wait(lambda: page.text(".why .name") == "driveTo.blocked")

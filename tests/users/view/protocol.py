@@ -84,9 +84,8 @@ async def diagrams(v):
         name = lambda k: modes["names"][k] if k >= 0 else {-2: "start", -1: "any"}[k]
         drawn = {(name(t["from"]), name(t["to"])) for t in modes["transitions"]}
         check("the modes of a machine, and what leads from one to the other", drawn == {
-            ("start", "driveTo"), ("driveTo", "robotPlace"), ("driveTo", "ended"),
-            ("robotPlace", "withSF"), ("withSF", "circleTo"), ("circleTo", "driveTo"),
-            ("circleTo", "ended")})
+            ("start", "driveTo"), ("driveTo", "withSF"), ("driveTo", "ended"),
+            ("withSF", "circleTo"), ("circleTo", "driveTo"), ("circleTo", "ended")})
 
 
 async def units(frobc):
@@ -146,7 +145,7 @@ async def origins(v, rows):
         check("a mode by what it came there, and when",
               answer["since"]["k"] == switch
               and [(s["from"], s["to"], s["k"]) for s in answer["switches"]] == [
-                  ("driveTo", "robotPlace", switch), ("robotPlace", "withSF", switch)]
+                  ("driveTo", "withSF", switch)]
               and named(answer["switches"][0]["sources"]) == [
                   ("probe.driveTo.arrived", switch - 1), ("probe.driveTo.blocked", switch - 1)])
         answer = await why(switch + 20, "probe.withSF.hit.x")
