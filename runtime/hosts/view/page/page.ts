@@ -59,12 +59,14 @@ function firstPlots(program: Program): number[] {
   return numbers.filter((number) => program.signals[number]?.side === "output").slice(0, 4);
 }
 
+/** Of the panels, the one that is seen where there is room for one. */
+function choose(panel: string): void {
+  document.body.dataset["panel"] = panel;
+  for (const button of element("panels").querySelectorAll("button"))
+    button.ariaPressed = String(button.dataset["panel"] === panel);
+}
+
 function startPanels(): void {
-  const choose = (panel: string) => {
-    document.body.dataset["panel"] = panel;
-    for (const button of element("panels").querySelectorAll("button"))
-      button.ariaPressed = String(button.dataset["panel"] === panel);
-  };
   for (const button of element("panels").querySelectorAll("button"))
     button.onclick = () => choose(button.dataset["panel"] ?? "plots");
   choose("plots");
@@ -87,6 +89,8 @@ function start(program: Program): Store {
   startLive(store);
   startConsole(store, element("console"));
   element("help").onclick = () => help.showModal();
+  // Who drives looks where the robot goes.
+  if (program.live && program.console.length > 0) choose("map");
   if (program.live) store.follow();
   else store.goTo(0);
   return store;
