@@ -220,7 +220,9 @@ let do_body location statements : Ir.proc_body =
     | Let declarations -> Let_equations declarations
     | Bare_expression { span; _ } ->
         Reject.at ~code:"E0116" span
-          ~hint:"bind its value with `x <- …`, or run it with `sf -< x`"
+          ~hint:
+            "nothing is done for its effect, such as printing: bind its value with `x <- …`, or run \
+             it with `sf -< x`"
           "this expression is not a statement of a `proc`"
     | Rec _ -> Diagnostic.bug ~stage:"Syntax.Build" "a `rec` that was not flattened"
   in

@@ -424,7 +424,7 @@ let unexpected t =
     | "~" -> Some "the opposite of `b` is `not b`"
     | "?" -> Some "a choice is written `if c then a else b`"
     | "'" -> Some "an infix name stands in backticks, as in ``x `mod` 2``"
-    | "%" -> Some "the remainder is ``x `mod` y``"
+    | "%" -> Some "the remainder is ``x `mod` y``; 20 percent of x are `0.2 * x`"
     | "\u{2212}" | "\u{2013}" -> Some "the minus sign is `-`"
     | "\u{2192}" -> Some "the arrow is `->`"
     | "\u{2264}" -> Some "write `<=`"

@@ -45,7 +45,9 @@ let shown (operator : Ir.qualified) = operator.name.text
 let literal_exponent (operator : Ir.qualified) (right : term) =
   let reject span =
     Reject.at ~code:"E0117" span
-      ~hint:"for other exponents there is `**`, on numbers without a unit"
+      ~hint:
+        "for other exponents there is `**`, on Floats without a unit; of an Int `n` it is `x ** \
+         toFloat n`"
       "the exponent of `%s` must be a whole number written out" (shown operator)
   in
   let rec read negative (t : term) =

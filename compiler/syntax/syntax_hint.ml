@@ -141,7 +141,10 @@ let foreign_operator found (before : Layout.token) =
         Some "an element of an array is written `xs ! 0`, and `at i default xs` takes any index"
     | "/*" -> Some "a comment is written `{- … -}`, or `--` up to the end of the line"
     | "//" -> Some "a comment starts with `--`; whole numbers are divided by `div`"
-    | ".." -> Some "there are no ranges; `generate (\\i -> …)` makes an array by the index"
+    | ".." -> 
+        Some
+          "there are no ranges: a few elements are written out, `[1, 2, 3]`; many are made by the \
+           index, `generate (\\i -> i + 1)`, as many as the type says"
     | _ -> None
 
 (* Where the word that starts at this offset starts and ends. *)
@@ -216,6 +219,10 @@ let no_procedures =
 
 let of_beginning = function
   | "end" | "endif" | "endfunction" -> Some by_equation
+  | "while" ->
+      Some
+        "a task is done again and again by `whileT condition t`, where the condition is a signal \
+         function, and by `forever t`"
   | "for" | "foreach" ->
       Some
         "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, \

@@ -7,7 +7,8 @@ let report sink (definitions : Ir.definition array) use cycle =
     if List.for_all (fun v -> (vertex v).task) cycle then Fun.id
     else
       Diagnostic.hint
-        "a value that depends on its own past is an equation of a `proc`, with `delay`"
+        "a value that depends on its own past is an equation of a `proc`, with `delay`, as in `n = \
+           delay 0 n + 1`"
   in
   Cycle.diagnostic ~vertex ~use cycle |> cure |> Diagnostic.emit sink
 

@@ -94,6 +94,8 @@ let check_arity (scope : Scope.t) at (tycon : tycon) ~units ~types =
     in
     (if String.equal tycon.global.name "Array" && is_builtin tycon then
      Diagnostic.hint "a size and a type, as in `Array 4 Float`" diagnostic
+    else if String.equal tycon.global.name "SF" && is_builtin tycon && found > 2 then
+      Diagnostic.hint "several inputs are one tuple, as in `SF (a, b) c`" diagnostic
     else if is_builtin tycon then diagnostic
     else Diagnostic.label ~at:tycon.span "declared here" diagnostic)
     |> Context.emit scope.context

@@ -62,6 +62,25 @@ let in_capitals (program : program) =
   in
   List.filter_map declared program.declarations
 
+let without_definition (program : program) =
+  let defined = Hashtbl.create 16 in
+  List.iter
+    (fun (d : declaration) ->
+      match d.desc with
+      | Binding { left = Name name | Function_name { name; _ }; _ } ->
+          Hashtbl.replace defined name.text ()
+      | _ -> ())
+    program.declarations;
+  List.concat_map
+    (fun (d : declaration) ->
+      match d.desc with
+      | Signature { names; _ } ->
+          List.filter_map
+            (fun (name : name) -> if Hashtbl.mem defined name.text then None else Some name.text)
+            names
+      | _ -> [])
+    program.declarations
+
 let is_c_type = function
   | "int" | "float" | "double" | "bool" | "char" | "long" | "unsigned" | "auto" | "var" | "let"
   | "uint8_t" | "uint16_t" | "int16_t" | "int32_t" | "byte" | "boolean" | "const" ->

@@ -18,6 +18,9 @@ val in_capitals : Syntax.Ir.program -> string list
 (** What is defined at the top level by a name with a capital, as in [Speed = 0.3]: which is a
     pattern, and an error already. *)
 
+val without_definition : Syntax.Ir.program -> string list
+(** What has a signature at the top level and no definition: an error already. *)
+
 val c_declarations : Syntax.Ir.program -> (Syntax.Ir.name * Syntax.Ir.name) list
 (** Definitions of functions whose names are types of C, with their last parameters: in
     [int m = n + 1] these are [int] and [m]. *)

@@ -26,6 +26,7 @@ type t = {
   signals : Proc_signals.t list Lazy.t;
   c_declarations : (Syntax.Ir.name * Syntax.Ir.name) list Lazy.t;
   in_capitals : string list Lazy.t;
+  without_definition : string list Lazy.t;
 }
 
 let same_global (a : Ir.Global.t) (b : Ir.Global.t) =
@@ -214,7 +215,10 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
   let hidden = List.exists is_it (Lazy.force signals) in
   (* its definition has been told already *)
   let told =
-    String.equal space.noun "constructor" && List.mem name.text (Lazy.force t.in_capitals)
+    match space.noun with
+    | "constructor" -> List.mem name.text (Lazy.force t.in_capitals)
+    | "name" -> List.mem name.text (Lazy.force t.without_definition)
+    | _ -> false
   in
   if told then ()
   else if with_it <> [] && not hidden then
@@ -329,4 +333,5 @@ let create context ~module_ ~library ~own ~imports ~complete ~elsewhere ~syntax 
   { context; syntax; module_; library; own; imports; complete; elsewhere; used; records; records_of;
     signals = lazy (Proc_signals.of_module syntax);
     c_declarations = lazy (Proc_signals.c_declarations syntax);
-    in_capitals = lazy (Proc_signals.in_capitals syntax) }
+    in_capitals = lazy (Proc_signals.in_capitals syntax);
+    without_definition = lazy (Proc_signals.without_definition syntax) }

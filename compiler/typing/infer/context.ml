@@ -127,13 +127,31 @@ let words t =
         | Data _ | Alias _ | Builtin | Foreign -> [])
     | _ -> []
   in
+  let makers ty ~of_ =
+    match (Type.expand ty, Type.expand of_) with
+    | Data { tycon; _ }, Data { tycon = part; _ } -> (
+        let is_part (_, (field : Ir.ty)) =
+          match field with Data { tycon = t; _ } -> t = part | _ -> false
+        in
+        match (Environment.type_ t.reader.environment tycon).definition with
+        | Data { constructors; _ } ->
+            List.filter (fun (c : Ir.constructor) -> List.exists is_part c.fields) constructors
+            |> List.map (fun (c : Ir.constructor) ->
+                   let shown (name, field) =
+                     if is_part (name, field) then "…" else String.uncapitalize_ascii (Show.ty field)
+                   in
+                   String.concat " " (c.constructor.name :: List.map shown c.fields))
+        | Alias _ | Builtin | Foreign -> [])
+    | _ -> []
+  in
   let declared g =
     Option.map
       (fun (entry : entry) -> entry.scheme.body)
       (Resolve.Global_table.find_opt t.globals g)
   in
   let place : Show.place =
-    { sources = t.sources; inputs = t.inputs; needs_class; definition; fields; choices; declared }
+    { sources = t.sources; inputs = t.inputs; needs_class; definition; fields; choices; declared;
+      makers }
   in
   Show.words ~place ~named_unit:(Environment.named_unit t.reader.environment) ()
 

@@ -20,7 +20,8 @@ let of_one_type words (expected : Expected.t) found diagnostic =
   | Parameter { callee = Some name; of_local = Some first; _ }
     when not (String.equal (shown expected.ty) (shown found)) ->
       let variable = if quantity expected.ty && quantity found then "Float[u]" else "a" in
-      label ~at:first (Printf.sprintf "because of this use of `%s`" name) diagnostic
+      label ~at:first (Printf.sprintf "because of this use of `%s`" name)
+        { diagnostic with hints = []; fixes = [] }
       |> hint
            (Printf.sprintf
               "a local function without a signature has one type: give `%s` a signature with a \

@@ -162,12 +162,34 @@ let by_time ~(expected : Expected.t) diagnostic =
         diagnostic
   | _ -> diagnostic
 
+(* Of no square roots. *)
+let is_whole u = List.for_all (fun (_, power) -> Rational.is_integer power) (Units.base_powers u)
+
+(* A number with a point among the factors, if there is one without a unit. *)
+let rec plain_factor (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Number { digits; unit_ = None; decimal = true } -> Some digits
+  | Apply { head; argument; style = Operator _ | Juxtaposed } -> (
+      match plain_factor argument with Some digits -> Some digits | None -> plain_factor head)
+  | Negate e -> plain_factor e
+  | _ -> None
+
+let factor_without_unit words ~subject (wanted, given) diagnostic =
+  match Option.bind subject plain_factor with
+  | Some digits when diagnostic.hints = [] && not (Units.is_open wanted || Units.is_open given) ->
+      hint
+        (Printf.sprintf "perhaps a number in it lacks its unit: with `%s` it is `%s`" digits
+           (Show.measure words given))
+        diagnostic
+  | _ -> diagnostic
+
 (* The result may be right, and the signature not. *)
 let signature_of_this words ~(expected : Expected.t) (wanted, given) diagnostic =
   match expected.because with
   | (Signature _ | Output (Signature _))
     when (not (Units.is_open wanted || Units.is_open given || Units.equal given Units.one))
-         && not (Units.equal (Units.multiply wanted wanted) given) ->
+         && (not (Units.equal (Units.multiply wanted wanted) given))
+         && is_whole given ->
       hint
         (Printf.sprintf "if this is what comes out, the signature says `Float[%s]`"
            (Show.measure words given))
@@ -193,7 +215,9 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   in
   if is_number expected.ty && is_number found then
     conversion words ~subject (wanted, given) diagnostic
-    |> by_time ~expected |> signature_of_this words ~expected (wanted, given)
+    |> by_time ~expected
+    |> factor_without_unit words ~subject (wanted, given)
+    |> signature_of_this words ~expected (wanted, given)
   else
     without_brackets words (wanted, given) diagnostic
     |> note

@@ -272,6 +272,9 @@ let is_array t =
   | Data { tycon; _ } -> tycon = Environment.array
   | _ -> false
 
+let unlike_sizes a b =
+  match (Type.expand a, Type.expand b) with Size a, Size b -> a <> b | _ -> false
+
 let arithmetic (expected : Expected.t) =
   match expected.because with
   | Parameter { callee = Some ("+" | "-" | "*" | "/" as operator); _ }
@@ -461,6 +464,23 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> (match subject with
          | Some { desc = Tuple _; _ } -> Fun.id
          | _ -> here (Printf.sprintf "this is %s" (text found)))
+      |> (match expected.because with
+         | Pattern _ ->
+             let parts = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) given in
+             hint (Printf.sprintf "a pattern for it is `(%s)`" (String.concat ", " parts))
+         | _ -> Fun.id)
+  | Data { arguments = [ n; _ ]; _ }, Data { arguments = [ n'; _ ]; _ }, _
+    when is_array expected.ty && is_array found && unlike_sizes n n' ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint
+           "the two have different numbers of elements; `take` and `drop` make an array of the \
+            size that its type says"
+  | Data _, Data _, _ when Show.makers words expected.ty ~of_:found <> [] ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint
+           (Printf.sprintf "%s makes one of such a value"
+              (String.concat " or "
+                 (List.map (Printf.sprintf "`%s`") (Show.makers words expected.ty ~of_:found))))
   | wanted, Number _, _ when is_a_parameter expected && vector words wanted <> None ->
       let elements = Option.to_list subject in
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)

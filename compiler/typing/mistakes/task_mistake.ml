@@ -37,6 +37,9 @@ let task_and_signal_function words ~subject ~at ~(expected : Expected.t) ~found 
       error ~code:"E0371" ~at "a signal function stands where a task is needed"
       |> here (Printf.sprintf "this is %s" (Show.described words found))
       |> (match expected.because with
+         | Statement _ when Option.bind subject Plain_name.of_expr <> None ->
+             let name = Option.get (Option.bind subject Plain_name.of_expr) in
+             hint (Printf.sprintf "to read it once: `ask %s`" name)
          | Parameter { callee = Some "reactimateTask"; _ } ->
              hint "`reactimateRobot` makes a program of a signal function"
          | _ -> Fun.id)

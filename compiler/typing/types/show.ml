@@ -118,6 +118,7 @@ type place = {
   fields : Type.t -> (string * string list) option;
   choices : Type.t -> string list;
   declared : Resolve.Ir.Global.t -> Type.t option;
+  makers : Type.t -> of_:Type.t -> string list;
 }
 
 let nowhere =
@@ -129,6 +130,7 @@ let nowhere =
     fields = (fun _ -> None);
     choices = (fun _ -> []);
     declared = (fun _ -> None);
+    makers = (fun _ ~of_:_ -> []);
   }
 
 type words = {
@@ -153,6 +155,7 @@ let needs_class words t = words.place.needs_class t
 let definition words x = words.place.definition x
 let fields words t = words.place.fields t
 let choices words t = words.place.choices t
+let makers words t ~of_ = words.place.makers t ~of_
 
 let signal words input =
   let same_kind t =

@@ -32,6 +32,8 @@ type place = {
   choices : Type.t -> string list;
       (** the constructors of a type, if it has a few, and none of them has parts *)
   declared : Resolve.Ir.Global.t -> Type.t option;  (** the type of a definition *)
+  makers : Type.t -> of_:Type.t -> string list;
+      (** constructors of the first type that have a part of the second, with their parts *)
 }
 
 val words : ?place:place -> named_unit:(Units.t -> string option) -> unit -> words
@@ -46,6 +48,8 @@ val definition : words -> Resolve.Ir.Local.t -> Resolve.Ir.expr option
 val fields : words -> Type.t -> (string * string list) option
 
 val choices : words -> Type.t -> string list
+
+val makers : words -> Type.t -> of_:Type.t -> string list
 
 val declared : words -> Resolve.Ir.Global.t -> string option
 (** The type as its signature has it. *)

@@ -211,6 +211,8 @@ Patterns, conditions, and a function given itself.
     |   ------   ^^^^^^^^^^^^^^^
     |   |
     |   the pattern takes `(a, b)`
+    |
+    = hint: a pattern for it is `(a, b, c)`
   
   error[E0305]: this would need an infinite type: expected `a -> b`, found `a`
     --> shapes.frob:10:12

@@ -228,7 +228,7 @@ Operators that only Haskell has, and its other ways to write a list, a branch an
   2 | xs = [1..4]
     |        ^^
     |
-    = hint: there are no ranges; `generate (\i -> …)` makes an array by the index
+    = hint: there are no ranges: a few elements are written out, `[1, 2, 3]`; many are made by the index, `generate (\i -> i + 1)`, as many as the type says
   
   1 error
   [1]

@@ -691,7 +691,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   2 | main = proc x -> foldl (+) x [1 .. 10]
     |                                 ^^
     |
-    = hint: there are no ranges; `generate (\i -> …)` makes an array by the index
+    = hint: there are no ranges: a few elements are written out, `[1, 2, 3]`; many are made by the index, `generate (\i -> i + 1)`, as many as the type says
   
   1 error
   # 060_where_after_do.frob
@@ -767,7 +767,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
     |                                         `factorial` uses `factorial` here
     |
     = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
-    = hint: a value that depends on its own past is an equation of a `proc`, with `delay`
+    = hint: a value that depends on its own past is an equation of a `proc`, with `delay`, as in `n = delay 0 n + 1`
   
   1 error
   # 067_if_between_commands.frob
@@ -1082,7 +1082,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   2 | main = proc n -> n % 2 == 0
     |                    ^
     |
-    = hint: the remainder is ``x `mod` y``
+    = hint: the remainder is ``x `mod` y``; 20 percent of x are `0.2 * x`
   
   1 error
   # 096_matlab_function.frob

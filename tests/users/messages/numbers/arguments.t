@@ -80,6 +80,8 @@ A minus with blanks on both sides, or on none, is a subtraction.
      |     ---------   ^^^^^^ this is `(Float, Float)`
      |     |
      |     the pattern takes `(a, b, c)`
+     |
+     = hint: a pattern for it is `(a, b)`
   
   2 errors
   [1]

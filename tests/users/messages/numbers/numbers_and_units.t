@@ -61,7 +61,7 @@ Numbers and units written as elsewhere.
   4 | f x = x ^ 9223372036854775807
     |           ^^^^^^^^^^^^^^^^^^^
     |
-    = hint: for other exponents there is `**`, on numbers without a unit
+    = hint: for other exponents there is `**`, on Floats without a unit; of an Int `n` it is `x ** toFloat n`
   
   4 errors
   [1]
