@@ -119,6 +119,10 @@ frob_sim_place frob_sim_place_robot(const frob_sim *sim, std::size_t robot) {
     return {pose.position.x, pose.position.y, pose.heading, touches ? 1 : 0};
 }
 
+double frob_sim_clearance_robot(const frob_sim *sim, std::size_t robot) {
+    return clearance(sim->simulation.scene(), sim->simulation.body(robot).pose().position);
+}
+
 frob_sim_summary frob_sim_summarize(const frob_sim *sim) { return frob_sim_summarize_robot(sim, 0); }
 
 frob_sim_summary frob_sim_summarize_robot(const frob_sim *sim, std::size_t robot) {

@@ -88,6 +88,10 @@ struct frob_sim_place {
 
 struct frob_sim_place frob_sim_place_robot(const struct frob_sim *sim, size_t robot);
 
+/* How far the middle of a robot is from the nearest wall, polygon or post; infinite in an
+ * empty world. */
+double frob_sim_clearance_robot(const struct frob_sim *sim, size_t robot);
+
 struct frob_sim_summary {
     double time_s;            /* simulated */
     double distance_m;        /* along the path */

@@ -120,13 +120,14 @@ let check general files =
   else List.fold_left max Exit_status.ok statuses
 
 (* Goes on with what a pipeline gives, or gives the status with which to end. *)
-let accepted pipeline general ?batch (resources : Resources.t) ~entry file continue =
+let accepted ?(quiet = false) pipeline general ?batch (resources : Resources.t) ~entry file
+    continue =
   let* robot = Robots.known general.robot in
   let* () = Program_file.check file in
   let sink = Diagnostic.sink () and sources = Source.create () in
   let request = request general ?robot ?batch ~entry ~library:resources.library file in
   let result = pipeline sink sources request in
-  print_diagnostics general.format sources sink;
+  if Option.is_none result || not quiet then print_diagnostics general.format sources sink;
   match result with Some result -> continue request result | None -> status sink
 
 (* Of the robot's types: those of any signal function from one to the other, such as
@@ -147,9 +148,9 @@ let robot_header resources (robot : Robots.t) =
           (Option.value robot.file ~default:robot.module_)
            (Render_text.diagnostics ~colour:(colour ()) sources (Diagnostic.all sink)))
 
-let compiled ?batch general resources ~entry file continue =
+let compiled ?quiet ?batch general resources ~entry file continue =
   let* () = C_file.check file in
-  accepted Pipeline.compile general ?batch resources ~entry file (fun request files ->
+  accepted ?quiet Pipeline.compile general ?batch resources ~entry file (fun request files ->
       match Request.own_robot request with
       | None -> continue files
       | Some robot ->
@@ -272,10 +273,10 @@ type linked = {
   generated : (string * string) list;
 }
 
-let built general kind ~entry ~sources ~linked file continue =
+let built ?quiet general kind ~entry ~sources ~linked file continue =
   let* resources = Resources.find () in
   let* () = all_exist sources in
-  compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
+  compiled ?quiet general resources ~entry file (fun (files : Cgen.Emit.t) ->
       let name = C_file.name file in
       let* () =
         match (kind : Toolchain.kind) with
@@ -318,14 +319,14 @@ let with_runtime general (resources : Resources.t) ~name:_ =
 let missing_host host =
   wrong_use (Printf.sprintf "the host %s is missing: install frobc again" host)
 
-let shared ?(generated = []) ?(options = []) general ~entry ~sources file continue =
+let shared ?quiet ?(generated = []) ?(options = []) general ~entry ~sources file continue =
   let linked resources ~name =
     let linked = with_runtime general resources ~name in
     let machine = Option.value linked.machine ~default:(Toolchain.this_machine ()) in
     let machine = { machine with options = machine.options @ options } in
     { linked with machine = Some machine; generated }
   in
-  built general Shared_object ~entry ~sources ~linked file continue
+  built ?quiet general Shared_object ~entry ~sources ~linked file continue
 
 (* The program as a shared object, and the host that is to run it. *)
 let hosted general ~entry ~sources file ~host ~arguments =

@@ -136,9 +136,9 @@ val wrong_use : string -> int
 (** Says what is wrong with the call, and not with the program. *)
 
 val compiled :
-  ?batch:bool -> general -> Resources.t -> entry:string -> string -> (Cgen.Emit.t -> int) -> int
+  ?quiet:bool -> ?batch:bool -> general -> Resources.t -> entry:string -> string -> (Cgen.Emit.t -> int) -> int
 (** Compiles a file to C and goes on with it; tells what is wrong with it
-    otherwise. *)
+    otherwise. [quiet]: only errors are told, no warnings. *)
 
 val host_table : entry:string -> Cgen.Emit.t -> (string, string) result
 (** The table by which hosts read and write the program's values. *)
@@ -162,6 +162,7 @@ val for_robot : name:string -> Cgen.Emit.t -> (unit, string) result
     for no robot, or with a camera. *)
 
 val built :
+  ?quiet:bool ->
   general ->
   Toolchain.kind ->
   entry:string ->
@@ -173,6 +174,37 @@ val built :
 (** Compiles a file, to C and by the C compiler with the user's own [sources],
     and goes on with the path of the result; tells what is wrong with it
     otherwise. [name] is that of the C files. *)
+
+val shared :
+  ?quiet:bool ->
+  ?generated:(string * string) list ->
+  ?options:string list ->
+  general ->
+  entry:string ->
+  sources:string list ->
+  string ->
+  (Resources.t -> string -> int) ->
+  int
+(** Likewise, of a shared object for a host. [quiet]: only errors are told, no warnings;
+    [generated]: more C files; [options]: for the C compiler. *)
+
+val accepted :
+  ?quiet:bool ->
+  (Basis.Diagnostic.sink -> Basis.Source.t -> Request.t -> 'result option) ->
+  general ->
+  ?batch:bool ->
+  Resources.t ->
+  entry:string ->
+  string ->
+  (Request.t -> 'result -> int) ->
+  int
+(** Goes on with what a pipeline gives, or gives the status with which to end. *)
+
+val world_of : string option -> Resources.t -> string -> string
+(** The world that is asked for, or that lies beside a program, or that comes with frobc. *)
+
+val for_world : general -> Resources.t -> string -> (general, string) result
+(** With the robot that the world names, if none is asked for. *)
 
 val print_diagnostics : format -> Basis.Source.t -> Basis.Diagnostic.sink -> unit
 

@@ -130,6 +130,14 @@ let params sink sources r =
   let* front = front r sink sources in
   param_values sink front.core Params.given
 
+let checks sink sources r =
+  let* front = front r sink sources in
+  Core.Recursion.check sink front.core;
+  if Diagnostic.has_errors sink then None
+  else
+    let checks = Checks.of_program sink front.core in
+    if Diagnostic.has_errors sink then None else Some checks
+
 let program sink sources (r : Request.t) =
   let* front = front r sink sources in
   let* written = Typing.Entry.find sink front.typed ~file:r.file r.entry in

@@ -27,5 +27,8 @@ val partial : Source.t -> Request.t -> (Resolve.Ir.program * Typing.Ir.program L
 val params : Diagnostic.sink -> Source.t -> Request.t -> Params.set list option
 (** What the request sets parameters to. *)
 
+val checks : Diagnostic.sink -> Source.t -> Request.t -> Checks.t list option
+(** The tests and trials in the file's module. *)
+
 val lint : Flow.Ir.program -> unit
 (** What is true of Flow between any two stages. *)

@@ -5,6 +5,7 @@ let stage = Request.stage
 
 let check sink sources r = Front_end.check sink sources r
 let params = Front_end.params
+let checks = Front_end.checks
 
 (* With what is to be seen beside its output, and with what hosts are to know of its assertions. *)
 let observed (r : Request.t) sink (p : Front_end.t) ~asserts names =

@@ -14,6 +14,9 @@ val check : unit t
 val params : Params.set list option t
 (** What the request sets parameters to. *)
 
+val checks : Checks.t list option t
+(** The tests and trials in the file's module. *)
+
 val flow : Flow.Ir.program option t
 (** One entry of the file's module, before there is a state struct and a step. *)
 

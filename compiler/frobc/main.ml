@@ -438,6 +438,68 @@ let run =
       const make $ judging (with_params probed) $ entry $ sources $ on_robot $ world $ duration
       $ rate $ seed $ realtime $ record $ picture $ strict $ exit_when_done $ console $ look $ file)
 
+let test =
+  let paths =
+    let doc =
+      "A $(b,.frob) file, or a folder: all files in it with tests. Without any: this folder."
+    in
+    Arg.(value & pos_all string [] & info [] ~docv:"FILE" ~doc)
+  in
+  let pattern =
+    let doc = "Run only tests whose label has this text in it." in
+    Arg.(value & opt (some string) None & info [ "k" ] ~docv:"TEXT" ~doc)
+  in
+  let seeds =
+    let doc = "Run each trial with so many seeds, from its first on, instead of as it says." in
+    Arg.(value & opt (some int) None & info [ "seeds" ] ~docv:"N" ~doc)
+  in
+  let jobs =
+    let doc = "So many processes at a time; without it, as many as there are processors." in
+    Arg.(value & opt (some int) None & info [ "j"; "jobs" ] ~docv:"N" ~doc)
+  in
+  let rate =
+    let doc = "Instants a second." in
+    Arg.(value & opt float 50. & info [ "rate" ] ~docv:"HZ" ~doc)
+  in
+  let json =
+    let doc = "Print an object a line, for tools, with each run of a trial." in
+    Arg.(value & flag & info [ "json" ] ~doc)
+  in
+  let junit =
+    let doc = "Write what became of the tests as a JUnit document, for a CI server." in
+    Arg.(value & opt (some string) None & info [ "junit" ] ~docv:"FILE.xml" ~doc)
+  in
+  let keep =
+    let doc = "The folder for a recording and a picture of each trial that fails." in
+    Arg.(value & opt string "failed" & info [ "keep" ] ~docv:"DIR" ~doc)
+  in
+  let run general sources pattern seeds jobs rate json junit keep paths =
+    let positive name = function
+      | Some n when n < 1 -> Error (Printf.sprintf "%s takes a number of at least 1" name)
+      | _ -> Ok ()
+    in
+    match (positive "--seeds" seeds, positive "--jobs" jobs) with
+    | Error text, _ | _, Error text -> Commands.wrong_use text
+    | Ok (), Ok () when not (rate >= 0.1 && rate <= 10000.) ->
+        Commands.wrong_use "--rate takes a number from 0.1 to 10000"
+    | Ok (), Ok () ->
+        Driver.Trials.run general ~sources { pattern; seeds; jobs; rate; json; junit; keep } paths
+  in
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Runs what programs say of themselves: $(b,test \"label\" = during 2[s] observer), and \
+         $(b,trial \"label\" = Trial { … }), which drives the program in the simulator with many \
+         seeds and judges what really happens. A line for each; of a trial that fails the seed, \
+         when, what was there, a picture, and the command that shows the run.";
+      `P "The exit status is 1 if a test fails.";
+    ]
+  in
+  command "test" ~man ~doc:"run the tests and trials that are written in programs"
+    Term.(
+      const run $ general $ sources $ pattern $ seeds $ jobs $ rate $ json $ junit $ keep $ paths)
+
 let view =
   let recording =
     let doc = "The recording: what $(b,frobc run --record) wrote." in
@@ -689,8 +751,8 @@ let main =
   in
   Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
     [
-      check; fix; format; compile; trace; run; view; serve; build; export; report; selftest; header;
-      explain; lsp;
+      check; fix; format; compile; trace; run; test; view; serve; build; export; report; selftest;
+      header; explain; lsp;
     ]
 
 (* A compilation is short, and what outlives the minor heap mostly lives to the

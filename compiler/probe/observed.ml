@@ -303,19 +303,19 @@ let program (before : Ir.program) probes =
 
 let claims ~shown probes =
   let claim (p : Catalogue.probe) : Ir.claim =
-    let label = Option.value (Resolve.Claims.label p.signal) ~default:p.signal in
-    { column = p.name; is_assumption = Resolve.Claims.is_assumption p.signal; label;
+    let label = Option.value (Resolve.Labels.label p.signal) ~default:p.signal in
+    { column = p.name; is_assumption = Resolve.Labels.is_assumption p.signal; label;
       shown = shown p; claimed_at = p.span }
   in
   List.map claim (List.filter Selection.is_claim probes)
 
 let has_claims (program : Ir.program) =
-  let defines (e : Ir.equation) = Resolve.Claims.is_name e.defines.name in
+  let defines (e : Ir.equation) = Resolve.Labels.is_name e.defines.name in
   let gives (i : Ir.instance) =
-    List.exists (fun (s : Ir.signal) -> Resolve.Claims.is_name s.name) i.outputs
+    List.exists (fun (s : Ir.signal) -> Resolve.Labels.is_name s.name) i.outputs
   in
   Array.exists
     (fun (node : Ir.node) ->
       List.exists defines node.equations || List.exists gives node.instances
-      || List.exists (fun (s : Ir.signal) -> Resolve.Claims.is_name s.name) node.statics)
+      || List.exists (fun (s : Ir.signal) -> Resolve.Labels.is_name s.name) node.statics)
     program.nodes

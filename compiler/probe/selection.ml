@@ -27,7 +27,7 @@ let candidates probes =
   List.sort_uniq String.compare (List.concat_map names probes)
 
 let claims = "assert"
-let is_claim (p : Catalogue.probe) = Resolve.Claims.is_name p.signal
+let is_claim (p : Catalogue.probe) = Resolve.Labels.is_name p.signal
 
 let prefix = "probe."
 

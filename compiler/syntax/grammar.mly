@@ -26,6 +26,7 @@ let expr = Term.to_expr
 %token <string> OPERATOR
 %token <string> DOC
 %token <Ir.claim> CLAIM "`assert` or `assume` at the start of a definition, with a text behind it"
+%token <Ir.check> CHECK "`test` or `trial` at the start of a definition, with a text behind it"
 %token MINUS SLASH STAR CARET
 %token LPAREN RPAREN LBRACE RBRACE
 %token UNIT_BRACKET "a `[` directly after a name or number"
@@ -146,6 +147,7 @@ declaration_desc:
 | CLASS head = class_head members = members { class_ (fst head) (snd head) members }
 | INSTANCE head = class_head members = members { instance (fst head) (snd head) members }
 | PRIMITIVE s = signature { Primitive s }
+| kind = CHECK label = text EQUAL value = chain { Check { kind; label; value = expr value } }
 | PARAM name = variable DOUBLE_COLON ty = qualified_type EQUAL value = chain
     { Parameter { name; ty; value = expr value } }
 | FOREIGN name = variable DOUBLE_COLON ty = qualified_type EQUAL symbol = text

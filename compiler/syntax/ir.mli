@@ -55,7 +55,11 @@ and declaration_desc =
   | Claim of { kind : claim; label : name; condition : expr }
       (** [assert "keeps off" (d > 0.1[m])], among definitions *)
 
+  | Check of { kind : check; label : name; value : expr }
+      (** [test "limits" = during 2[s] observer], only at the top level *)
+
 and claim = Assert | Assume
+and check = Test | Trial
 
 (** Texts in C keep their place. *)
 and foreign =

@@ -211,17 +211,24 @@ let opens t (token : Lexer.token) ~if_ =
   | REC -> t.opening <- Some (Rec, token)
   | _ -> ()
 
-(* Where a definition begins, no name is followed by a text: there `assert` is a word. *)
+(* Where a definition begins, no name is followed by a text: there these are words. *)
 let contextual t (token : Lexer.token) : Grammar.token =
-  let starts_definition =
+  let block =
     match t.stack with
-    | { opener = Block (Top | Let | Where); _ } :: _ -> t.item_start
-    | _ -> false
+    | { opener = Block ((Top | Let | Where) as block); _ } :: _ when t.item_start -> Some block
+    | _ -> None
   in
-  match token.token with
-  | LOWER "assert" when starts_definition && Lexer.text_follows t.lexer -> CLAIM Assert
-  | LOWER "assume" when starts_definition && Lexer.text_follows t.lexer -> CLAIM Assume
-  | other -> other
+  let word : Grammar.token =
+    match (token.token, block) with
+    | LOWER "assert", Some _ -> CLAIM Assert
+    | LOWER "assume", Some _ -> CLAIM Assume
+    | LOWER "test", Some Top -> CHECK Test
+    | LOWER "trial", Some Top -> CHECK Trial
+    | other, _ -> other
+  in
+  match word with
+  | (CLAIM _ | CHECK _) when Lexer.text_follows t.lexer -> word
+  | _ -> token.token
 
 (* The token to pass on, after those that were made. *)
 let ordinary t (token : Lexer.token) =

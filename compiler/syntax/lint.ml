@@ -16,7 +16,7 @@ let local (d : Ir.declaration) =
   match d.desc with
   | Signature _ | Binding _ | Claim _ -> ()
   | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _
-  | Foreign _ | Parameter _ ->
+  | Foreign _ | Parameter _ | Check _ ->
       broken d.span "a declaration that belongs to the top level"
 
 let at_least n what span list =

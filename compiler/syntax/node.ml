@@ -74,6 +74,7 @@ let declaration (desc : Ir.declaration_desc) =
   | Foreign (Foreign_include header) -> [ Name header ]
   | Parameter { name; ty; value } -> Name name :: qualified_type ty [ Expression value ]
   | Claim { kind = _; label; condition } -> [ Name label; Expression condition ]
+  | Check { kind = _; label; value } -> [ Name label; Expression value ]
 
 let of_right (r : Ir.right) =
   let rest = declarations r.where [] in

@@ -323,6 +323,11 @@ and declaration b column (d : declaration) =
       text b (string_literal label.text);
       text b " ";
       expr b column condition
+  | Check { kind; label; value } ->
+      text b (match kind with Test -> "test " | Trial -> "trial ");
+      text b (string_literal label.text);
+      text b " = ";
+      expr b column value
 
 and foreign b = function
   | Foreign_value { kind; name; ty; symbol } ->

@@ -27,7 +27,8 @@ let describe found =
   | STRING _ -> "a text"
   | BACKTICK -> "a backtick"
   | NUMBER _ -> Printf.sprintf "the number `%s`" (shortened (written found))
-  | CLAIM _ | LOWER _ | QUALIFIED_LOWER _ | UPPER _ | QUALIFIED_UPPER _ | FIELD _ | OPERATOR _
+  | CLAIM _ | CHECK _ | LOWER _ | QUALIFIED_LOWER _ | UPPER _ | QUALIFIED_UPPER _ | FIELD _
+  | OPERATOR _
   | MINUS | SLASH | STAR | CARET | LPAREN | RPAREN | LBRACE | RBRACE | UNIT_BRACKET | LBRACKET
   | RBRACKET | COMMA | UNDERSCORE | AT | BACKSLASH | EQUAL | BAR | ARROW | LEFT_ARROW | TAIL
   | DOUBLE_ARROW | DOUBLE_COLON | LET | IN | WHERE | DO | OF | CASE | IF | THEN | ELSE | PROC | REC

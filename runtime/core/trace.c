@@ -53,12 +53,22 @@ void frob_trace_columns(const struct frob_value *value, const char *root,
     visit_columns(value, &path, visit, context);
 }
 
+/* Quoted, if the label of an assertion asks for it. */
 static void add_name(void *context, const char *name, const struct frob_value *value)
 {
     struct frob_text *text = (struct frob_text *)context;
+    const bool quoted = strpbrk(name, ",\"") != NULL;
     (void)value;
     frob_text_add_char(text, ',');
-    frob_text_add(text, name);
+    if (quoted)
+        frob_text_add_char(text, '"');
+    for (const char *c = name; *c != '\0'; c++) {
+        if (*c == '"')
+            frob_text_add_char(text, '"');
+        frob_text_add_char(text, *c);
+    }
+    if (quoted)
+        frob_text_add_char(text, '"');
 }
 
 void frob_trace_header(struct frob_text *text, const struct frob_program *program,
@@ -178,7 +188,7 @@ static void add_room(void *context, const char *name, const struct frob_value *v
 {
     size_t *room = (size_t *)context;
     size_t cell = frob_cell_room(value);
-    size_t heading = strlen(name);
+    size_t heading = 2 * strlen(name);
     *room += (2 * cell > heading ? 2 * cell : heading) + 4;
 }
 

@@ -41,17 +41,24 @@ let items declarations =
     | Parameter { name; value; ty = _ } ->
         let right = Definition { body = Plain value; where = [] } in
         Some { left = Name name; right; doc = d.doc; span = d.span }
-    | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
-    | Primitive _ | Foreign _ | Claim _ ->
+    | Check _ | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _
+    | Instance _ | Primitive _ | Foreign _ | Claim _ ->
         None
   in
-  List.filter_map item declarations
+  let check (d : Syntax.Ir.declaration) =
+    let defined (name, value) =
+      let right = Definition { body = Plain value; where = [] } in
+      { left = Name name; right; doc = d.doc; span = d.span }
+    in
+    List.map defined (Labels.checked d)
+  in
+  List.filter_map item declarations @ List.concat_map check declarations
 
 let equations declarations =
   let claim (d : Syntax.Ir.declaration) =
     match d.desc with
     | Claim { kind; label; condition } ->
-        let name = { label with text = Claims.name kind label.text } in
+        let name = { label with text = Labels.name kind label.text } in
         Some { left = Name name; right = Judged condition; doc = d.doc; span = d.span }
     | _ -> None
   in
@@ -62,6 +69,7 @@ let signatures declarations =
     match d.desc with
     | Signature { names; ty } -> List.fold_left (fun all n -> (n, ty) :: all) reversed names
     | Parameter { name; ty; value = _ } -> (name, ty) :: reversed
+    | Check _ -> List.rev_append (Labels.check_signature d) reversed
     | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
     | Primitive _
     | Foreign _ | Claim _ ->
@@ -167,7 +175,7 @@ and binding env ~expr ~command ~name ~signature item : Ir.binding =
         { guards = [ value ]; where = { groups = []; signatures = [] } }
     | Judged condition ->
         let argument = expr env condition in
-        let head : Ir.expr = { desc = Global Claims.verdict; span = argument.span } in
+        let head : Ir.expr = { desc = Global Labels.verdict; span = argument.span } in
         let desc : Ir.expr_desc = Apply { head; argument; style = Juxtaposed } in
         let value : Ir.guarded = { condition = None; value = { desc; span = argument.span } } in
         { guards = [ value ]; where = { groups = []; signatures = [] } }

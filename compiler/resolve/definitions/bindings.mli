@@ -23,7 +23,7 @@ val items : Syntax.Ir.declaration list -> item list
 
 val equations : Syntax.Ir.declaration list -> item list
 (** Those of a proc: the assertions among them too, each an equation of a name that no source
-    can mention; see {!Claims}. *)
+    can mention; see {!Labels}. *)
 
 val signatures : Syntax.Ir.declaration list -> (Syntax.Ir.name * Syntax.Ir.qualified_type) list
 (** The signatures among them, one entry for each name. *)

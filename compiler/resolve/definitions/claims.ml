@@ -1,21 +1,10 @@
 open Basis
 
-let verdict : Ir.Global.t = { module_ = "Prelude"; name = "verdict" }
-let word : Syntax.Ir.claim -> string = function Assert -> "assert" | Assume -> "assume"
-let name kind label = word kind ^ " " ^ label
-let width = String.length (name Assert "")
-let is_kind kind text = String.starts_with ~prefix:(name kind "") text
-let is_assumption = is_kind Assume
-let is_name text = is_kind Assert text || is_assumption text
-
-let label text =
-  if is_name text then Some (String.sub text width (String.length text - width)) else None
-
 let report_place (scope : Scope.t) kind span =
   Diagnostic.error ~code:"E0234" ~at:span
-    "an `%s` stands among the equations of a `proc`, and nowhere else" (word kind)
+    "an `%s` stands among the equations of a `proc`, and nowhere else" (Labels.word kind)
   |> Diagnostic.hint
-       (Printf.sprintf "as in `proc x -> y where`, with `%s \"label\" (y > 0)` below" (word kind))
+       (Printf.sprintf "as in `proc x -> y where`, with `%s \"label\" (y > 0)` below" (Labels.word kind))
   |> Context.emit scope.context
 
 let check_label (scope : Scope.t) (label : Syntax.Ir.name) =
@@ -30,6 +19,7 @@ let check scope (program : Syntax.Ir.program) =
     (match node with
     | Declaration { desc = Claim { kind; label; _ }; span; _ } ->
         if in_proc then check_label scope label else report_place scope kind span
+    | Declaration { desc = Check { label; _ }; _ } -> check_label scope label
     | _ -> ());
     let in_proc =
       match node with Expression { desc = Proc _; _ } -> true | _ -> false

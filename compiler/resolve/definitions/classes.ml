@@ -75,7 +75,7 @@ let class_ env ~expr ~command (d : Syntax.Ir.declaration) : Ir.class_ option =
         match m.desc with
         | Signature { names; ty } -> Long_list.map (method_ (Types.scheme scope ty) m.doc) names
         | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
-        | Primitive _ | Foreign _ | Parameter _ | Claim _ ->
+        | Primitive _ | Foreign _ | Parameter _ | Claim _ | Check _ ->
             []
       in
       Some
@@ -88,7 +88,7 @@ let class_ env ~expr ~command (d : Syntax.Ir.declaration) : Ir.class_ option =
           span = name.span;
         }
   | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Instance _
-  | Primitive _ | Foreign _ | Parameter _ | Claim _ ->
+  | Primitive _ | Foreign _ | Parameter _ | Claim _ | Check _ ->
       None
 
 let report_circle (scope : Scope.t) (circle : Ir.class_ list) =
@@ -168,7 +168,7 @@ let instance env ~expr ~command taken (d : Syntax.Ir.declaration) : Ir.instance 
       in
       Option.map of_class (Scope.find scope Interface.classes class_)
   | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _
-  | Primitive _ | Foreign _ | Parameter _ | Claim _ ->
+  | Primitive _ | Foreign _ | Parameter _ | Claim _ | Check _ ->
       None
 
 let instances env ~expr ~command (program : Syntax.Ir.program) =

@@ -162,7 +162,7 @@ let declaration (scope : Scope.t) (d : Syntax.Ir.declaration) : Ir.type_declarat
           Ir.Foreign { c_type = c_type.text; copyable })
   | Signature _ | Binding _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _ | Primitive _
   | Foreign (Foreign_value _ | Foreign_include _)
-  | Parameter _ | Claim _ ->
+  | Parameter _ | Claim _ | Check _ ->
       None
 
 let builtin (_, (t : tycon)) : Ir.type_declaration =
@@ -211,7 +211,7 @@ let unit_declaration (scope : Scope.t) (d : Syntax.Ir.declaration) : Ir.unit_dec
   | Scaled_unit { name; scale; unit_ } ->
       declare name (Ir.Scaled (scale, Types.concrete_unit scope unit_))
   | Signature _ | Binding _ | Type_alias _ | Data _ | Class _ | Instance _ | Primitive _
-  | Foreign _ | Parameter _ | Claim _ ->
+  | Foreign _ | Parameter _ | Claim _ | Check _ ->
       None
 
 let units_used scope (d : Ir.unit_declaration) =

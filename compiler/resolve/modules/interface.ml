@@ -167,7 +167,7 @@ let signed_names declarations =
     match d.desc with
     | Signature { names; _ } -> List.iter sign names
     | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
-    | Primitive _ | Foreign _ | Parameter _ | Claim _ ->
+    | Primitive _ | Foreign _ | Parameter _ | Claim _ | Check _ ->
         ()
   in
   List.iter declaration declarations;
@@ -195,7 +195,7 @@ let method_names members =
     match d.desc with
     | Signature { names; _ } -> names
     | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _ | Instance _
-    | Primitive _ | Foreign _ | Parameter _ | Claim _ ->
+    | Primitive _ | Foreign _ | Parameter _ | Claim _ | Check _ ->
         []
   in
   List.concat_map names members
@@ -264,6 +264,8 @@ let declared context ~module_ (program : Syntax.Ir.program) =
         let class_ = global name.text in
         add context classes names name { global = class_; methods = texts; span = name.span };
         List.iter (fun name -> value ~class_ name ~signed:true) methods
+    | Check { kind; label; _ } ->
+        value { label with text = Labels.check_name kind label.text } ~signed:true
     | Instance _ | Claim _ -> ()
   in
   List.iter declaration program.declarations;

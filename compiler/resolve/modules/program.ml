@@ -59,7 +59,7 @@ let primitives (scope : Scope.t) (program : Syntax.Ir.program) =
         let foreign = Some { Ir.kind; symbol = symbol.text } in
         [ { Ir.name = global; scheme; foreign; doc = d.doc; span = name.span } ]
     | Signature _ | Binding _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Class _
-    | Instance _ | Parameter _ | Claim _
+    | Instance _ | Parameter _ | Claim _ | Check _
     | Foreign (Foreign_type _ | Foreign_include _) ->
         []
   in

@@ -31,7 +31,7 @@ let report_label_twice t (first : Ir.Local.t) (second : Ir.Local.t) =
   |> Context.emit (context t)
 
 let report_twice t ~is_equation (first : Ir.Local.t) (second : Ir.Local.t) =
-  if Claims.is_name second.name then report_label_twice t first second
+  if Labels.is_name second.name then report_label_twice t first second
   else
   Diagnostic.error ~code:"E0212" ~at:second.span "`%s` is bound twice in one group" second.name
   |> Diagnostic.label ~at:first.span "first bound here"

@@ -16,7 +16,7 @@ let add_declaration names (d : declaration) =
   | Binding { left = Pattern p; _ } -> add_pattern names p
   | Signature _ | Type_alias _ | Data _ | Base_unit _ | Scaled_unit _ | Primitive _ | Foreign _
   | Parameter _ | Class _
-  | Instance _ | Claim _ ->
+  | Instance _ | Claim _ | Check _ ->
       names
 
 let add_statement names = function

@@ -96,7 +96,7 @@ let of_definition sink ~is_labelled (b : Ir.binding) =
   let used = Array.make found.count false in
   let unused = Array.make found.count false in
   used.(0) <- true;
-  Array.iteri (fun k v -> if Claims.is_name v.name then used.(k) <- true) vertices;
+  Array.iteri (fun k v -> if Labels.is_name v.name then used.(k) <- true) vertices;
   let is_silent v = v.kind <> Equation && String.starts_with ~prefix:"_" v.name in
   (* Components come after what leads to them. What an unused variable of a pattern needs is not
      used by that, so that a pattern of which nothing is used is told as one. *)

@@ -15,6 +15,7 @@
 #include "options.h"
 #include "pace.h"
 #include "summary.h"
+#include "trial.h"
 
 #include <frob/console.h>
 #include <sim.h>
@@ -259,16 +260,38 @@ static int tell_robot(const char *world)
     return DONE;
 }
 
+/* Each run of a trial is of a simulation of its own. */
+static int try_seeds(const struct options *options, const struct params *params,
+                     const struct frob_program *judge)
+{
+    struct options one = *options;
+    struct trial trial;
+    bool ok = trial_open(&trial, judge);
+    for (; ok && one.seed <= options->last_seed; one.seed++) {
+        struct frob_sim *sim = open_world(&one, params->program);
+        ok = sim != NULL && trial_run(&trial, &one, params, sim);
+        if (sim != NULL)
+            frob_sim_close(sim);
+    }
+    trial_close(&trial);
+    return streams_flush() && ok ? DONE : WRONG_USE;
+}
+
 static int start(const struct options *options)
 {
+    /* Parts of a robot of the user's own are found in what was loaded last. */
+    const struct frob_program *judge = options->judge != NULL ? frob_load(options->judge) : NULL;
     const struct frob_program *program = load(options->program);
     struct params params;
     struct frob_sim *sim;
     struct sigaction action;
     int status = WRONG_USE;
-    if (program == NULL)
+    if (program == NULL || (options->judge != NULL && judge == NULL))
         return WRONG_USE;
-    if (params_open(&params, program, options->params, options->param_count) &&
+    if (options->judge != NULL) {
+        if (params_open(&params, program, options->params, options->param_count))
+            status = try_seeds(options, &params, judge);
+    } else if (params_open(&params, program, options->params, options->param_count) &&
         (sim = open_world(options, program)) != NULL) {
         memset(&action, 0, sizeof action);
         action.sa_handler = interrupt;

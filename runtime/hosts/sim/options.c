@@ -23,6 +23,8 @@ const char usage[] =
     "  --stop-when-violated\n"
     "                     end with status 4 when an assertion of the program is violated\n"
     "  --strict           exit with status 4 if the robot ran into something\n"
+    "  --judge JUDGE.so   judge each run, and print a line for it instead of a summary\n"
+    "  --last-seed N      with --judge: a run with each seed, from that of --seed on\n"
     "  --progress         show progress even where it is not a terminal\n"
     "  --viewer COMMAND...\n"
     "                     start what shows the run, and go on in real time, until it is\n"
@@ -93,6 +95,10 @@ static bool valued(struct options *o, const char *name, const char *value)
         return number(name, value, 0.001, 100.0, &o->wall_distance_m);
     else if (strcmp(name, "--seed") == 0)
         return whole(name, value, &o->seed);
+    else if (strcmp(name, "--judge") == 0)
+        o->judge = value;
+    else if (strcmp(name, "--last-seed") == 0)
+        return whole(name, value, &o->last_seed);
     else {
         fprintf(stderr, "error: unknown option `%s`; `frob-sim --help` lists them\n", name);
         return false;
@@ -144,6 +150,8 @@ bool read_options(int argc, char **argv, struct options *o)
             i++;
         }
     }
+    if (o->last_seed == 0)
+        o->last_seed = o->seed;
     if (isnan(o->duration_s))
         o->duration_s = o->viewer != NULL ? (double)INFINITY : 60.0;
     if (o->program == NULL || o->world == NULL) {

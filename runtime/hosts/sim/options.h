@@ -20,6 +20,8 @@ struct options {
     const char *record;        /* CSV; NULL: none */
     const char *picture;       /* NULL: none */
     char *const *viewer;       /* a command, which ends with NULL; NULL: none */
+    const char *judge;         /* JUDGE.so of a trial; NULL: an ordinary run */
+    uint64_t last_seed;        /* of a trial, from `seed` on */
     const char **params;       /* values of the program's parameters, NAME=VALUE each */
     size_t param_count;
 };

@@ -186,6 +186,7 @@ and declaration (d : declaration) : declaration =
         Parameter { name = name x; ty = qualified_type t; value = expr value }
     | Claim { kind; label; condition } ->
         Claim { kind; label = name label; condition = expr condition }
+    | Check { kind; label; value } -> Check { kind; label = name label; value = expr value }
   in
   { desc; span; doc = d.doc }
 

@@ -1,0 +1,19 @@
+(** The tests and trials of a module, with what is known of them before they run.
+
+    Code: [E0392] what a test or trial is to do makes no sense, or is not known. *)
+
+open Basis
+
+type plan =
+  | Alone  (** a signal function without input *)
+  | Simulated of { world : string; first : int; last : int  (** seeds *) }
+
+type t = {
+  name : string;  (** of the definition *)
+  label : string;
+  lasts : float;  (** seconds *)
+  plan : plan;
+}
+
+val of_program : Diagnostic.sink -> Core.Ir.program -> t list
+(** Of its main module, in the order of the text. *)

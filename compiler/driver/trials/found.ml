@@ -1,0 +1,125 @@
+open Outcome
+
+let rows text =
+  let at = ref 0 in
+  let next () =
+    if !at >= String.length text then None
+    else begin
+      incr at;
+      Some text.[!at - 1]
+    end
+  in
+  let reader = Interp.Csv.reader next in
+  let rec all found =
+    match Interp.Csv.next reader with
+    | Ok (Some row) ->
+        all (List.map (fun (c : Interp.Csv.cell) -> c.text) row.cells :: found)
+    | Ok None | Error _ -> List.rev found
+  in
+  List.filter (fun row -> not (String.starts_with ~prefix:"#" (List.hd row))) (all [])
+
+(* {1 Tests by themselves} *)
+
+type column = Judge | Asserted of string | Assumed of string | Other
+
+(* Behind the way to it, which has no blank before this word. *)
+let column name =
+  let after word =
+    let n = String.length word in
+    let rec from i =
+      if i + n > String.length name then None
+      else if String.sub name i n = word then
+        Some (String.sub name (i + n) (String.length name - i - n))
+      else from (i + 1)
+    in
+    from 0
+  in
+  if name = "out" then Judge
+  else
+    match (after ".assert ", after ".assume ") with
+    | Some label, _ -> Asserted label
+    | None, Some label -> Assumed label
+    | None, None -> Other
+
+let of_trace text =
+  match rows text with
+  | [] -> { seed = None; fate = Unasked; at = 0.; by = ""; truth = [] }
+  | header :: instants ->
+      let columns = List.map column header in
+      let ended fate at by = { seed = None; fate; at; by; truth = [] } in
+      let time row = float_of_string (List.hd row) in
+      let failed row =
+        let says test =
+          List.find_map
+            (fun (column, cell) -> if cell = "Fails" then test column else None)
+            (List.combine columns row)
+        in
+        let assumed = says (function Assumed l -> Some l | _ -> None) in
+        let asserted = says (function Asserted l -> Some l | _ -> None) in
+        let judged = says (function Judge -> Some "judge" | _ -> None) in
+        match (assumed, asserted, judged) with
+        | Some label, _, _ -> Some (ended Void (time row) label)
+        | None, Some label, _ -> Some (ended Violated (time row) label)
+        | None, None, Some judge -> Some (ended Violated (time row) judge)
+        | None, None, None -> None
+      in
+      let asked row =
+        List.exists2 (fun column cell -> column <> Other && cell <> "" && cell <> "NotAsked")
+          columns row
+      in
+      let is_open row =
+        List.exists2 (fun column cell -> column = Judge && cell = "Open") columns row
+      in
+      let last = List.nth instants (List.length instants - 1) in
+      (match List.find_map failed instants with
+      | Some run -> run
+      | None when is_open last -> ended Undecided (time last) "judge"
+      | None ->
+          let fate = if List.exists asked instants then Held else Unasked in
+          ended fate (time last) "")
+
+(* {1 Trials} *)
+
+let fate = function
+  | "held" -> Held
+  | "violated" -> Violated
+  | "undecided" -> Undecided
+  | "void" -> Void
+  | _ -> Unasked
+
+let of_trial text =
+  let run line =
+    match String.split_on_char '\t' line with
+    | seed :: what :: at :: by :: truth ->
+        Some
+          {
+            seed = int_of_string_opt seed;
+            fate = fate what;
+            at = float_of_string at;
+            by;
+            truth = List.map float_of_string truth;
+          }
+    | _ -> None
+  in
+  List.filter_map run (String.split_on_char '\n' text)
+
+let most_columns = 12
+
+let around text =
+  match rows text with
+  | header :: (_ :: _ as instants) ->
+      let last = List.rev instants in
+      let before = match last with _ :: row :: _ -> row | _ -> List.hd last in
+      let shown name =
+        List.exists (fun prefix -> String.starts_with ~prefix name) [ "out"; "probe." ]
+      in
+      let line name (was, is) =
+        if (not (shown name)) || (was = "" && is = "") then None
+        else Some (Printf.sprintf "%s: %s, then %s" name was is)
+      in
+      let lines =
+        List.filter_map Fun.id
+          (List.map2 line header (List.combine before (List.hd last)))
+      in
+      List.filteri (fun k _ -> k < most_columns) lines
+  | _ -> []

@@ -1,0 +1,160 @@
+type fate = Held | Violated | Undecided | Unasked | Void
+
+type run = {
+  seed : int option;
+  fate : fate;
+  at : float;
+  by : string;
+  truth : float list;
+}
+
+type evidence = { around : string list; picture : string; view : string }
+
+type t = {
+  file : string;
+  label : string;
+  lasts : float;
+  result : (run list, string) result;
+  evidence : evidence option;
+}
+
+let is_failure r =
+  match r.fate with Violated | Undecided -> true | Held | Unasked | Void -> false
+
+let runs t = Result.value t.result ~default:[]
+let failures t = List.filter is_failure (runs t)
+let has_failed t = Result.is_error t.result || failures t <> []
+let count fate t = List.length (List.filter (fun r -> r.fate = fate) (runs t))
+let plural n word = Printf.sprintf "%d %s%s" n word (if n = 1 then "" else "s")
+
+let why r =
+  match r.fate with
+  | Violated when r.by = "judge" -> Printf.sprintf "not so at %.3f s" r.at
+  | Violated -> Printf.sprintf "`%s` violated at %.3f s" r.by r.at
+  | Undecided -> Printf.sprintf "undecided at its end, after %g s" r.at
+  | Held | Unasked | Void -> ""
+
+let seed r = match r.seed with Some seed -> Printf.sprintf "seed %d: " seed | None -> ""
+
+let verdict t =
+  match (t.result, failures t) with
+  | Error reason, _ -> reason
+  | Ok [ { seed = None; _ } ], first :: _ -> why first
+  | Ok runs, first :: _ ->
+      Printf.sprintf "%d of %s; %s%s" (List.length (failures t))
+        (plural (List.length runs) "seed")
+        (seed first) (why first)
+  | Ok runs, [] ->
+      let total = List.length runs in
+      let seeds =
+        match runs with [ { seed = None; _ } ] -> "" | _ -> plural total "seed" ^ ", "
+      in
+      let some n what = if n = 0 then "" else Printf.sprintf "; %s %s" (plural n "run") what in
+      Printf.sprintf "%s%g s%s%s" seeds t.lasts
+        (some (count Void t) "void, since an assumption failed")
+        (if count Unasked t = total then "; never came to matter" else "")
+
+let truth_line = function
+  | [ x; y; heading; clearance; touches; driven; lost ] ->
+      [
+        Printf.sprintf
+          "x %.3f m, y %.3f m, heading %.3f rad, clearance %.3f m, %s, %.3f m driven, odometry off \
+           by %.3f m"
+          x y heading clearance
+          (if touches <> 0. then "touched" else "touched by nothing")
+          driven lost;
+      ]
+  | _ -> []
+
+let print t =
+  Printf.printf "%s  %s: %s\n" (if has_failed t then "FAIL" else "ok  ") t.label (verdict t);
+  let detail line = Printf.printf "      %s\n" line in
+  Option.iter
+    (fun e ->
+      (match failures t with first :: _ -> List.iter detail (truth_line first.truth) | [] -> ());
+      List.iter detail e.around;
+      if e.picture <> "" then detail ("picture: " ^ e.picture);
+      if e.view <> "" then detail e.view)
+    t.evidence;
+  flush stdout
+
+let print_total all =
+  let failed = List.length (List.filter has_failed all) in
+  Printf.printf "%s: %s\n"
+    (plural (List.length all) "test")
+    (if failed = 0 then "all hold" else Printf.sprintf "%d failed" failed)
+
+let fate_name = function
+  | Held -> "held"
+  | Violated -> "violated"
+  | Undecided -> "undecided"
+  | Unasked -> "unasked"
+  | Void -> "void"
+
+let json t =
+  let open Basis.Json in
+  let run r =
+    let seed = match r.seed with Some seed -> [ ("seed", Int seed) ] | None -> [] in
+    let truth =
+      match r.truth with
+      | [ x; y; heading; clearance; touches; driven; lost ] ->
+          [
+            ("x", Float x); ("y", Float y); ("heading", Float heading);
+            ("clearance", Float clearance); ("touches", Bool (touches <> 0.));
+            ("driven", Float driven); ("odometry_error", Float lost);
+          ]
+      | _ -> []
+    in
+    Object
+      (seed
+      @ [ ("fate", String (fate_name r.fate)); ("at", Float r.at); ("by", String r.by) ]
+      @ truth)
+  in
+  let evidence =
+    match t.evidence with
+    | Some e -> [ ("picture", String e.picture); ("view", String e.view) ]
+    | None -> []
+  in
+  let result =
+    match t.result with
+    | Ok runs -> [ ("runs", List (List.map run runs)) ]
+    | Error reason -> [ ("error", String reason) ]
+  in
+  to_string
+    (Object
+       ([
+          ("file", String t.file); ("label", String t.label); ("ok", Bool (not (has_failed t)));
+          ("lasts", Float t.lasts);
+        ]
+       @ result @ evidence))
+
+let escaped text =
+  let out = Buffer.create (String.length text) in
+  String.iter
+    (function
+      | '<' -> Buffer.add_string out "&lt;"
+      | '>' -> Buffer.add_string out "&gt;"
+      | '&' -> Buffer.add_string out "&amp;"
+      | '"' -> Buffer.add_string out "&quot;"
+      | c -> Buffer.add_char out c)
+    text;
+  Buffer.contents out
+
+let junit all =
+  let case t =
+    let name = Printf.sprintf "classname=\"%s\" name=\"%s\"" (escaped t.file) (escaped t.label) in
+    if not (has_failed t) then Printf.sprintf "  <testcase %s/>\n" name
+    else
+      let more = match t.evidence with Some e -> e.around @ [ e.view ] | None -> [] in
+      Printf.sprintf "  <testcase %s>\n    <failure message=\"%s\">%s</failure>\n  </testcase>\n"
+        name
+        (escaped (verdict t))
+        (escaped (String.concat "\n" more))
+  in
+  Printf.sprintf
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+     <testsuite name=\"frobc test\" tests=\"%d\" failures=\"%d\">\n\
+     %s</testsuite>\n"
+    (List.length all)
+    (List.length (List.filter has_failed all))
+    (String.concat "" (List.map case all))

@@ -1,0 +1,44 @@
+(** What became of tests: for people, for tools, for a CI server. *)
+
+type fate =
+  | Held
+  | Violated
+  | Undecided  (** something is still waited for at the end *)
+  | Unasked  (** nothing was to hold at any instant *)
+  | Void  (** an assumption failed, so it says nothing *)
+
+type run = {
+  seed : int option;
+  fate : fate;
+  at : float;  (** seconds *)
+  by : string;  (** the label of what failed; [judge] if the judge itself *)
+  truth : float list;  (** x, y, heading, clearance, touches, driven, odometry error *)
+}
+
+(** What can be looked at of a run that failed. *)
+type evidence = {
+  around : string list;  (** lines with what the program gave at the last two instants *)
+  picture : string;
+  view : string;  (** the command that shows it *)
+}
+
+type t = {
+  file : string;
+  label : string;
+  lasts : float;
+  result : (run list, string) result;  (** or why it could not be run *)
+  evidence : evidence option;
+}
+
+val failures : t -> run list
+val has_failed : t -> bool
+
+val print : t -> unit
+(** A line on standard output, and more below it if it has failed. *)
+
+val print_total : t list -> unit
+val json : t -> string
+(** An object in a line. *)
+
+val junit : t list -> string
+(** A document as CI servers read it. *)

@@ -1,0 +1,191 @@
+#include "trial.h"
+
+#include <frob/trace.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The judge's input, by the names of its columns. */
+struct truth_at {
+    const char *name;
+    double number; /* or whether it is true */
+};
+
+enum { TRUTHS = 8 };
+
+struct filling {
+    const struct truth_at *truths;
+    unsigned char *input;
+};
+
+static void fill(void *context, const char *name, const struct frob_value *value)
+{
+    const struct filling *filling = (const struct filling *)context;
+    unsigned char *place = filling->input + value->offset;
+    for (size_t i = 0; i < TRUTHS; i++) {
+        const double number = filling->truths[i].number;
+        if (strcmp(filling->truths[i].name, name) != 0)
+            continue;
+        if (value->kind == FROB_BOOL)
+            *(bool *)place = number != 0.0;
+        else if (value->kind == FROB_SINGLE)
+            *(float *)(void *)place = (float)number;
+        else
+            *(double *)(void *)place = number;
+    }
+}
+
+bool trial_open(struct trial *trial, const struct frob_program *judge)
+{
+    memset(trial, 0, sizeof *trial);
+    trial->judge = judge;
+    trial->state = calloc(1, trial->judge->state_size + 1);
+    trial->input = calloc(1, trial->judge->input_size + 1);
+    trial->output = calloc(1, trial->judge->output_size + 1);
+    if (trial->state != NULL && trial->input != NULL && trial->output != NULL)
+        return true;
+    fprintf(stderr, "error: not enough memory for the judge's state\n");
+    return false;
+}
+
+void trial_close(struct trial *trial)
+{
+    free(trial->state);
+    free(trial->input);
+    free(trial->output);
+}
+
+struct end {
+    const char *fate, *label;
+    int64_t time_ns;
+};
+
+static bool ends(struct end *end, const char *fate, const char *label, int64_t time_ns)
+{
+    end->fate = fate;
+    end->label = label;
+    end->time_ns = time_ns;
+    return true;
+}
+
+static const char *failed_assumption(const struct claims *claims)
+{
+    for (size_t i = 0; i < claims->program->claim_count; i++)
+        if (claims->program->claims[i].is_assumption && claims->each[i].failed > 0)
+            return claims->program->claims[i].label;
+    return NULL;
+}
+
+static bool was_asked(const struct claims *claims)
+{
+    for (size_t i = 0; i < claims->program->claim_count; i++)
+        if (claims->each[i].asked > 0)
+            return true;
+    return false;
+}
+
+/* Is this the last instant, since something has failed? */
+static bool has_failed(const struct controllers *controllers, const struct claims *judged,
+                       enum verdict said, int64_t now_ns, struct end *end)
+{
+    const struct claims *violated;
+    const char *assumption = failed_assumption(judged);
+    for (size_t k = 0; assumption == NULL && k < controllers->count; k++)
+        assumption = failed_assumption(&controllers->each[k].claims);
+    if (assumption != NULL)
+        return ends(end, "void", assumption, now_ns);
+    violated = controllers_violated(controllers);
+    if (violated == NULL && judged->violated != NULL)
+        violated = judged;
+    if (violated != NULL)
+        return ends(end, "violated", violated->violated->label, now_ns);
+    return said == VERDICT_FAILS && ends(end, "violated", "judge", now_ns);
+}
+
+static void see_truth(const struct controllers *controllers, struct truth_at *truths)
+{
+    const struct frob_sim_place place = frob_sim_place_robot(controllers->sim, 0);
+    const struct frob_sim_summary summary = frob_sim_summarize_robot(controllers->sim, 0);
+    const struct truth_at all[TRUTHS] = {
+        { "in.pose.position.x", place.x_m },
+        { "in.pose.position.y", place.y_m },
+        { "in.pose.heading", place.heading_rad },
+        { "in.clearance", frob_sim_clearance_robot(controllers->sim, 0) },
+        { "in.touches", place.touches ? 1.0 : 0.0 },
+        { "in.driven", summary.distance_m },
+        { "in.odometryError", summary.odometry_error_m },
+        { "in.ended", controllers->each[0].ended ? 1.0 : 0.0 },
+    };
+    memcpy(truths, all, sizeof all);
+}
+
+static bool run(struct trial *trial, const struct options *options,
+                struct controllers *controllers, struct claims *judged, struct truth_at *truths,
+                struct end *end)
+{
+    struct touches touches;
+    const int64_t end_ns = (int64_t)llround(options->duration_s * 1e9);
+    enum verdict said = VERDICT_NOT_ASKED;
+    bool asked = false, ok = touches_start(&touches, controllers->program);
+    int64_t before_ns = 0;
+    trial->judge->reset(trial->state, trial->judge->default_params);
+    for (int64_t k = 0; ok; k++) {
+        const int64_t now_ns = (int64_t)llround((double)k * 1e9 / options->rate_hz);
+        const double dt_s = (double)(now_ns - before_ns) / 1e9;
+        struct filling filling = { truths, (unsigned char *)trial->input };
+        if (now_ns > end_ns)
+            break;
+        frob_sim_advance(controllers->sim, now_ns);
+        ok = controllers_step(controllers, now_ns, dt_s, &touches);
+        see_truth(controllers, truths);
+        frob_trace_columns(trial->judge->input, "in", fill, &filling);
+        trial->judge->step(trial->state, trial->judge->default_params, dt_s, trial->input,
+                           trial->output);
+        claims_see(judged, now_ns, trial->output);
+        said = verdict_of(trial->judge->output, trial->output);
+        asked = asked || said != VERDICT_NOT_ASKED;
+        if (has_failed(controllers, judged, said, now_ns, end))
+            break;
+        before_ns = now_ns;
+    }
+    touches_end(&touches);
+    if (end->fate != NULL)
+        return ok;
+    for (size_t k = 0; k < controllers->count; k++)
+        asked = asked || was_asked(&controllers->each[k].claims);
+    asked = asked || was_asked(judged);
+    if (said == VERDICT_OPEN)
+        ends(end, "undecided", "judge", before_ns);
+    else
+        ends(end, asked ? "held" : "unasked", "", before_ns);
+    return ok;
+}
+
+bool trial_run(struct trial *trial, const struct options *options, const struct params *params,
+               struct frob_sim *sim)
+{
+    char message[1024];
+    struct controllers controllers;
+    struct claims judged;
+    struct truth_at truths[TRUTHS] = { { "", 0.0 } };
+    struct end end = { NULL, "", 0 };
+    bool ok = controllers_open(&controllers, params, sim, options->record);
+    ok = claims_open(&judged, trial->judge) && ok;
+    ok = ok && run(trial, options, &controllers, &judged, truths, &end);
+    if (ok && options->picture != NULL &&
+        !frob_sim_picture(sim, options->picture, message, sizeof message)) {
+        fprintf(stderr, "error: %s\n", message);
+        ok = false;
+    }
+    if (ok) {
+        printf("%llu\t%s\t%.9f\t%s", (unsigned long long)options->seed, end.fate,
+               (double)end.time_ns * 1e-9, end.label);
+        for (size_t i = 0; i + 1 < TRUTHS; i++)
+            printf("\t%.9g", truths[i].number);
+        putchar('\n');
+    }
+    claims_close(&judged);
+    return controllers_close(&controllers) && ok;
+}

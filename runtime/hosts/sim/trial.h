@@ -1,0 +1,28 @@
+/* trial.h -- runs of a program that are judged by another program, which sees what really
+ * happens: `trial` in the language, and the library's module Trial. */
+#ifndef FROB_SIM_TRIAL_H
+#define FROB_SIM_TRIAL_H
+
+#include "controllers.h"
+#include "options.h"
+
+struct trial {
+    const struct frob_program *judge; /* from a Truth to a Verdict */
+    void *state, *input, *output;
+};
+
+/* False without memory, with a line on standard error; close it then, too. */
+bool trial_open(struct trial *trial, const struct frob_program *judge);
+
+/* A run in an opened simulation, which ends at the first instant at which something fails.
+ * Prints a line with tabs between its cells: the seed; `held`, `violated`, `undecided` (the judge
+ * waits for something when the time is over), `unasked` (nothing was to hold at any instant) or
+ * `void` (an assumption failed); at what time; the label of what failed, or `judge`; and of the
+ * first robot at that time x, y, heading, clearance, whether something touches it, the way
+ * driven and the error of its odometry. False when a record or a picture cannot be written. */
+bool trial_run(struct trial *trial, const struct options *options, const struct params *params,
+               struct frob_sim *sim);
+
+void trial_close(struct trial *trial);
+
+#endif
