@@ -105,6 +105,12 @@ let of_trial text =
 
 let most_columns = 12
 
+(* Numbers to six digits. *)
+let short cell =
+  match float_of_string_opt cell with
+  | Some x -> Printf.sprintf "%.6g" x
+  | None -> if cell = "" then "nothing" else cell
+
 let around text =
   match rows text with
   | header :: (_ :: _ as instants) ->
@@ -115,7 +121,7 @@ let around text =
       in
       let line name (was, is) =
         if (not (shown name)) || (was = "" && is = "") then None
-        else Some (Printf.sprintf "%s: %s, then %s" name was is)
+        else Some (Printf.sprintf "%s: %s, then %s" name (short was) (short is))
       in
       let lines =
         List.filter_map Fun.id

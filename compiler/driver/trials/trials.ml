@@ -67,7 +67,10 @@ let compiled context general ~entry file =
 (* The first line of what a host complains of. *)
 let complaint (result : Workers.result) =
   match String.split_on_char '\n' (String.trim result.errors) with
-  | line :: _ when line <> "" -> line
+  | line :: _ when line <> "" ->
+      let prefix = "error: " in
+      let n = if String.starts_with ~prefix line then String.length prefix else 0 in
+      String.sub line n (String.length line - n)
   | _ -> Printf.sprintf "the host ended with status %d" result.status
 
 let slug text =
@@ -76,7 +79,16 @@ let slug text =
   in
   String.map letter text
 
-let quoted = Filename.quote
+(* For a shell, where it must be. *)
+let quoted text =
+  let is_plain = function
+    | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '-' | '.' | '/' | '+' -> true
+    | _ -> false
+  in
+  if String.for_all is_plain text then text else Filename.quote text
+
+let robot_option (general : Commands.general) =
+  match general.robot with Some robot -> " --robot " ^ quoted robot | None -> ""
 
 let instants context ~lasts path =
   let channel = open_out path in
@@ -116,8 +128,8 @@ let alone context file (check : Checks.t) : Outcome.t =
             | Ok () ->
                 instants context ~lasts:run.at input;
                 let view =
-                  Printf.sprintf "frobc trace %s --entry %s --input %s --probe all" (quoted file)
-                    (quoted entry) (quoted input)
+                  Printf.sprintf "frobc trace %s%s --entry %s --input %s --probe all" (quoted file)
+                    (robot_option context.general) (quoted entry) (quoted input)
                 in
                 Some { Outcome.around = []; picture = ""; view }
           in
@@ -195,8 +207,8 @@ let simulated context file (check : Checks.t) ~world:name ~first ~last : Outcome
               | _ -> Error "the run could not be recorded"
             in
             let view =
-              Printf.sprintf "frobc view %s %s --world %s --seed %d  # at %.3f s" (quoted record)
-                (quoted file) (quoted world) seed run.at
+              Printf.sprintf "frobc view %s %s%s --world %s --seed %d  # at %.3f s" (quoted record)
+                (quoted file) (robot_option context.general) (quoted world) seed run.at
             in
             match again with
             | Ok () -> { Outcome.around = Found.around (read record); picture; view }

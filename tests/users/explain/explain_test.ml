@@ -43,6 +43,7 @@ type stage =
   | Check
   | Compile
   | Interpret
+  | Test
   | Probe of string
   | Set of string
 
@@ -59,6 +60,7 @@ let codes_of stage files =
       let params = [ { Resolve.Parameters.name; text = "0.3[m/s]" } ] in
       ignore (Driver.Pipeline.params sink sources { request with params })
   | Compile -> ignore (Driver.Pipeline.compile sink sources request)
+  | Test -> ignore (Driver.Pipeline.checks sink sources request)
   | Interpret -> ignore (Driver.Pipeline.interpretable sink sources request)
   | Check -> Driver.Pipeline.check sink sources request);
   List.sort_uniq String.compare
@@ -72,6 +74,7 @@ let beside (info, text) =
 (* Codes of the last stages need an entry, so the program is compiled. *)
 let stage_of code =
   if String.equal code Driver.Interpreted.no_interpreter then Interpret
+  else if String.equal code "E0392" then Test
   else if String.equal code Driver.Probes.unknown then Probe "speed"
   else if String.equal code Resolve.Parameters.no_such then Set "speed"
   else if List.mem (String.sub code 0 3) [ "E04"; "E05" ] then Compile

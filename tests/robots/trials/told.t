@@ -1,0 +1,194 @@
+A test by itself runs for its time; a trial drives the program in the simulator, once with each
+seed. A line for each, and more of one that fails.
+
+  $ cat > around.frob << 'FROB'
+  > import Past
+  > import Robot
+  > import Sources
+  > import Trial
+  > import WallFollow
+  > 
+  > main :: (HasSonar i, DiffDrive o) => Program i o
+  > main = reactimateRobot (proc i -> wallFollow1 0.4[m] i where
+  >     assert "is slow, \"always\"" (velocity i < 1[m/s]))
+  > 
+  > test "the wave stays small" = during 2[s] (proc () -> abs (sine 1[Hz] ()) <= 1)
+  > 
+  > test "a metre takes a second" = during 2[s] (proc () -> x < 1[m] where
+  >     x = integral 1[m/s]
+  >     assert "half, at first" (implies (time () < 0.5[s]) (x < 0.6[m])))
+  > 
+  > test "waits for what never comes" = during 1[s] (proc () -> by 3[s] False)
+  > 
+  > test "nothing is asked" = during 1[s] (proc () -> implies False True)
+  > 
+  > trial "touches nothing" = Trial {
+  >     world = "room.toml",
+  >     lasts = 20[s],
+  >     seeds = 1 `to` 4,
+  >     judge = neverTouches
+  > }
+  > 
+  > trial "goes far in no time" = Trial {
+  >     world = "room.toml",
+  >     lasts = 20[s],
+  >     seeds = 3 `to` 4,
+  >     judge = comesFar 1[km] 1[s]
+  > }
+  > 
+  > trial "is never near the wall" = Trial {
+  >     world = "room.toml",
+  >     lasts = 60[s],
+  >     seeds = 1 `to` 2,
+  >     judge = proc t -> neverTouches t where
+  >         assert "far from all" (t.clearance > 0.5[m])
+  >         assume "goes" (by 10[s] (t.driven > 0.1[m]))
+  > }
+  > FROB
+  $ numbers () { sed -E 's/-?[0-9.]+(e-?[0-9]+)?, then -?[0-9.]+(e-?[0-9]+)?$/N, then N/; s/-?[0-9]+\.[0-9]{3}/N/g; s|world /[^ ]*/|world |'; }
+  $ frobc test around.frob --robot pioneer > told
+  [1]
+  $ numbers < told
+  ok    the wave stays small: 2 s
+  FAIL  a metre takes a second: not so at N s
+        frobc trace around.frob --robot pioneer --entry 'judge test a metre takes a second' --input failed/a-metre-takes-a-second.csv --probe all
+  FAIL  waits for what never comes: undecided at its end, after 1 s
+        frobc trace around.frob --robot pioneer --entry 'judge test waits for what never comes' --input failed/waits-for-what-never-comes.csv --probe all
+  ok    nothing is asked: 1 s; never came to matter
+  ok    touches nothing: 4 seeds, 20 s
+  FAIL  goes far in no time: 2 of 2 seeds; seed 3: not so at N s
+        x N m, y N m, heading N rad, clearance N m, touched by nothing, N m driven, odometry off by N m
+        out.forward: N, then N
+        out.turn: N, then N
+        probe.main.assert is slow, "always": Holds, then Holds
+        picture: failed/goes-far-in-no-time-3.png
+        frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world room.toml --seed 3  # at N s
+  FAIL  is never near the wall: 2 of 2 seeds; seed 1: `far from all` violated at N s
+        x N m, y N m, heading N rad, clearance N m, touched by nothing, N m driven, odometry off by N m
+        out.forward: N, then N
+        out.turn: N, then N
+        probe.main.assert is slow, "always": Holds, then Holds
+        picture: failed/is-never-near-the-wall-1.png
+        frobc view failed/is-never-near-the-wall-1.csv around.frob --robot pioneer --world room.toml --seed 1  # at N s
+  7 tests: 4 failed
+  $ ls failed
+  a-metre-takes-a-second.csv
+  goes-far-in-no-time-3.csv
+  goes-far-in-no-time-3.png
+  is-never-near-the-wall-1.csv
+  is-never-near-the-wall-1.png
+  waits-for-what-never-comes.csv
+
+The outcome does not depend on how many processes run, and tools can read it.
+
+  $ frobc test around.frob --robot pioneer --json -j 1 > one
+  [1]
+  $ frobc test around.frob --robot pioneer --json -j 5 | cmp - one
+  $ sed -n 1,4p one
+  {"file":"around.frob","label":"the wave stays small","ok":true,"lasts":2,"runs":[{"fate":"held","at":2,"by":""}]}
+  {"file":"around.frob","label":"a metre takes a second","ok":false,"lasts":2,"runs":[{"fate":"violated","at":1,"by":"judge"}],"picture":"","view":"frobc trace around.frob --robot pioneer --entry 'judge test a metre takes a second' --input failed/a-metre-takes-a-second.csv --probe all"}
+  {"file":"around.frob","label":"waits for what never comes","ok":false,"lasts":1,"runs":[{"fate":"undecided","at":1,"by":"judge"}],"picture":"","view":"frobc trace around.frob --robot pioneer --entry 'judge test waits for what never comes' --input failed/waits-for-what-never-comes.csv --probe all"}
+  {"file":"around.frob","label":"nothing is asked","ok":true,"lasts":1,"runs":[{"fate":"unasked","at":1,"by":""}]}
+  $ frobc test around.frob --robot pioneer -k takes --junit tests.xml
+  FAIL  a metre takes a second: not so at 1.000 s
+        frobc trace around.frob --robot pioneer --entry 'judge test a metre takes a second' --input failed/a-metre-takes-a-second.csv --probe all
+  1 test: 1 failed
+  [1]
+  $ cat tests.xml
+  <?xml version="1.0" encoding="UTF-8"?>
+  <testsuite name="frobc test" tests="1" failures="1">
+    <testcase classname="around.frob" name="a metre takes a second">
+      <failure message="not so at 1.000 s">frobc trace around.frob --robot pioneer --entry 'judge test a metre takes a second' --input failed/a-metre-takes-a-second.csv --probe all</failure>
+    </testcase>
+  </testsuite>
+  $ frobc test around.frob --robot pioneer -k 'touches' --seeds 2
+  ok    touches nothing: 2 seeds, 20 s
+  1 test: all hold
+
+The command that is told shows the run: it compiles, and the recording is the program's.
+
+  $ view=$(sed -n 's/^ *\(frobc view .*\)  #.*/\1/p' told | head -1)
+  $ echo "$view" | numbers
+  frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world room.toml --seed 3
+  $ frobc view --only-build $(echo "$view" | cut -d' ' -f3-) > built && test -s "$(cat built)"
+  $ frobc trace around.frob --robot pioneer --input failed/goes-far-in-no-time-3.csv --output again.csv
+  assert "is slow, "always"": held
+
+Compiled programs have nothing of it.
+
+  $ mkdir plain && sed '/^test/,$d; /Past/d; /Trial/d; /Sources/d' around.frob > plain/around.frob
+  $ frobc compile around.frob --robot pioneer -o with && frobc compile plain/around.frob --robot pioneer -o without
+  $ diff with/around.c without/around.c | grep '^[<>]' | sed 's/line [0-9]*//'
+  < /* main, around.frob:8 */
+  > /* main, around.frob:5 */
+  <     around_wallFollow1_reset(&self->wallFollow1);           /*  */
+  >     around_wallFollow1_reset(&self->wallFollow1);           /*  */
+  <     around_wallFollow1_step(&self->wallFollow1, dt, in, &i_sonar, &forward, &turn); /*  */
+  >     around_wallFollow1_step(&self->wallFollow1, dt, in, &i_sonar, &forward, &turn); /*  */
+
+What is wrong is told before anything runs, or in the place of a result.
+
+  $ cat > wrong.frob << 'FROB'
+  > import Trial
+  > param n :: Time = 3[s]
+  > main :: SF Float Float
+  > main = proc x -> x
+  > test "backwards" = during (0 - 1[s]) (proc () -> True)
+  > test "whatever is set" = during n (proc () -> True)
+  > trial "upside down" = Trial { world = "room.toml", lasts = 60[s], seeds = 20 `to` 2, judge = neverTouches }
+  > FROB
+  $ frobc test wrong.frob
+  error[E0392]: a test lasts for more than 0 s, and for 100,000 s at most; this one for -1 s
+   --> wrong.frob:5:1
+    |
+  5 | test "backwards" = during (0 - 1[s]) (proc () -> True)
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  
+  error[E0392]: what this test is to do is not known before it runs: it depends on the parameter `n`, which a run may set
+   --> wrong.frob:6:1
+    |
+  6 | test "whatever is set" = during n (proc () -> True)
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  
+  error[E0392]: the seeds are from a number of at least 1 to one that is not less, not from 20 to 2
+   --> wrong.frob:7:1
+    |
+  7 | trial "upside down" = Trial { world = "room.toml", lasts = 60[s], seeds = 20 `to` 2, judge = neverTouches }
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  
+  3 errors
+  [1]
+  $ sed -i '/^test/d; s/20 `to` 2/1 `to` 2/; /^param/d' wrong.frob
+  $ frobc test wrong.frob
+  FAIL  upside down: wrong is a program for no robot; `reactimateRobot` makes one
+  1 test: 1 failed
+  [1]
+  $ sed -i 's/room/no_such_room/' wrong.frob
+  $ frobc test wrong.frob
+  FAIL  upside down: there is no world `no_such_room.toml` beside the program
+  1 test: 1 failed
+  [1]
+  $ printf 'import Trial\ntest "a" = 3\ntest "a" = during 1[s] (proc () -> True)\n' > twice.frob
+  $ frobc test twice.frob
+  error[E0211]: the name `test a` is defined twice
+   --> twice.frob:3:6
+    |
+  2 | test "a" = 3
+    |      --- first defined here
+  3 | test "a" = during 1[s] (proc () -> True)
+    |      ^^^
+  
+  1 error
+  [1]
+  $ frobc test around.frob --robot pioneer -k nothing-like-it
+  error: no test has `nothing-like-it` in its label
+  [2]
+  $ mkdir empty && frobc test empty
+  error: there are no tests here: `test "…" = …` or `trial "…" = …`
+  [2]
+  $ frobc test no_such.frob
+  error: there is no file no_such.frob
+  [2]
+  $ frobc test around.frob --robot pioneer --seeds 0
+  error: --seeds takes a number of at least 1
+  [2]
