@@ -80,6 +80,8 @@ let declaration (d : declaration) =
   | Foreign (Foreign_type { name; _ }) -> [ symbol name struct_ d.span ~detail:"foreign" ]
   | Claim _ | Foreign (Foreign_include _) -> []
   | Parameter { name; _ } -> [ symbol name constant d.span ~detail:"param" ]
+  | Check { kind = Test; label; _ } -> [ symbol label constant d.span ~detail:"test" ]
+  | Check { kind = Trial; label; _ } -> [ symbol label constant d.span ~detail:"trial" ]
 
 let of_tree (tree : program) = List.concat_map declaration tree.declarations
 

@@ -56,7 +56,7 @@ let groups module_ (tree : Syntax.Ir.program) =
   in
   let declaration (d : Syntax.Ir.declaration) =
     match d.desc with
-    | Signature _ | Instance _ | Claim _ | Foreign (Foreign_include _) -> []
+    | Signature _ | Instance _ | Claim _ | Check _ | Foreign (Foreign_include _) -> []
     | Binding { left = Name n | Function_name { name = n; _ }; _ } -> [ value n ]
     | Binding { left = Pattern _; _ } -> []
     | Type_alias { name; _ } | Foreign (Foreign_type { name; _ }) ->

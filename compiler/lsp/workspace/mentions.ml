@@ -282,6 +282,7 @@ let top add signed (d : declaration) =
       qualified_type add ty;
       expr add value
   | Claim { condition; _ } -> expr add condition
+  | Check { value; _ } -> expr add value
 
 let of_program (program : program) =
   let found = ref [] in
