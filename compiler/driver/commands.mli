@@ -136,7 +136,14 @@ val wrong_use : string -> int
 (** Says what is wrong with the call, and not with the program. *)
 
 val compiled :
-  ?quiet:bool -> ?batch:bool -> general -> Resources.t -> entry:string -> string -> (Cgen.Emit.t -> int) -> int
+  ?quiet:bool ->
+  ?batch:bool ->
+  general ->
+  Resources.t ->
+  entry:string ->
+  string ->
+  (Cgen.Emit.t -> int) ->
+  int
 (** Compiles a file to C and goes on with it; tells what is wrong with it
     otherwise. [quiet]: only errors are told, no warnings. *)
 

@@ -4,7 +4,8 @@ let report_place (scope : Scope.t) kind span =
   Diagnostic.error ~code:"E0234" ~at:span
     "an `%s` stands among the equations of a `proc`, and nowhere else" (Labels.word kind)
   |> Diagnostic.hint
-       (Printf.sprintf "as in `proc x -> y where`, with `%s \"label\" (y > 0)` below" (Labels.word kind))
+       (Printf.sprintf "as in `proc x -> y where`, with `%s \"label\" (y > 0)` below"
+          (Labels.word kind))
   |> Context.emit scope.context
 
 let check_label (scope : Scope.t) (label : Syntax.Ir.name) =
