@@ -56,6 +56,11 @@ let look_at_one t =
   | None -> false
   | Some doc ->
       Workspace.look t.ws doc;
+      (* What the next question will need, so that it is answered at once. *)
+      let prepare (v : Document.version) =
+        ignore (Analysis.guarded (fun () -> View.prepare v.view))
+      in
+      Option.iter prepare doc.named;
       publish t doc;
       true
 
@@ -238,16 +243,6 @@ let rec receive t body =
   | Some (Object _ as message) -> Queue.add message t.waiting
   | Some _ -> answer Null (Error (invalid_request, "a message is an object"))
 
-(* While nobody asks, what the next question will need. *)
-let prepare t =
-  let one _ (doc : Document.t) =
-    Option.iter
-      (fun (v : Document.version) ->
-        ignore (Analysis.guarded (fun () -> View.prepare v.view)))
-      doc.typed
-  in
-  Hashtbl.iter one t.ws.documents
-
 let rec serve t =
   match (t.exit, Wire.next t.wire ~timeout:0.) with
   | Some status, _ -> status
@@ -261,7 +256,6 @@ let rec serve t =
   | None, End -> if t.shut_down then 0 else 1
   | None, Nothing ->
       if not (look_at_one t) then begin
-        prepare t;
         match Wire.next t.wire ~timeout:(-1.) with
         | Message body -> receive t body
         | Nothing | End -> ()

@@ -40,18 +40,18 @@ let is_whole = function Some { whole; _ } -> whole | None -> false
 let looked_at t ~partial (a : Analysis.t) =
   t.latest <- Some a;
   t.changed <- false;
-  let version ~whole a =
-    Option.map (fun view -> { view; whole; since = Shift.none }) (View.of_analysis a)
+  let version view ~whole before =
+    match view with Some view -> Some { view; whole; since = Shift.none } | None -> before
   in
-  let or_before before version = if version = None then before else version in
-  if a.resolved <> None then t.named <- or_before t.named (version ~whole:true a);
-  if a.typed <> None then t.typed <- or_before t.typed (version ~whole:true a);
+  let view = View.of_analysis a in
+  t.named <- version view ~whole:true t.named;
+  if a.typed <> None then t.typed <- version view ~whole:true t.typed;
   if not (is_whole t.named && is_whole t.typed) then begin
     let understood = partial a in
-    let version = version ~whole:false understood in
-    if not (is_whole t.named) then t.named <- or_before t.named version;
+    let view = View.of_analysis understood in
+    if not (is_whole t.named) then t.named <- version view ~whole:false t.named;
     if (not (is_whole t.typed)) && understood.typed <> None then
-      t.typed <- or_before t.typed version
+      t.typed <- version view ~whole:false t.typed
   end
 
 let seen t = Option.map (fun { view; since } -> View.seen view t.text since)

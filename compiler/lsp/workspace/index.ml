@@ -348,13 +348,24 @@ let of_analysis (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
         | Exports name -> here name (exported main name.text)
       in
       let all = Array.of_list (List.concat_map occurrences mentions) in
-      Array.sort (fun a b -> Span.compare a.place b.place) all;
+      (* All are in one file, and no name stands in another. *)
+      let by_place a b = Int.compare (a.place.start :> int) (b.place.start :> int) in
+      Array.stable_sort by_place all;
       all
 
 let all = Array.to_list
 
 let at (t : t) (p : Span.position) =
-  let holds o = o.place.start <= p && p < o.place.stop in
-  let ends o = o.place.stop = p && o.place.start < p in
-  let find test = List.find_opt test (Array.to_list t) in
-  match find holds with Some o -> Some o | None -> find ends
+  (* The first that ends there or behind. *)
+  let rec search low high =
+    if low >= high then low
+    else
+      let middle = (low + high) / 2 in
+      if t.(middle).place.stop < p then search (middle + 1) high else search low middle
+  in
+  let n = Array.length t in
+  let first = search 0 n in
+  let is_at i = i < n && t.(i).place.start <= p && p <= t.(i).place.stop in
+  (* Between two the second is meant. *)
+  let rec last i = if is_at (i + 1) && t.(i).place.stop <= p then last (i + 1) else i in
+  if is_at first then Some t.(last first) else None

@@ -23,21 +23,28 @@ def position(offset):
     return {"line": before.count("\n"), "character": offset - before.rfind("\n") - 1}
 
 
-changes, hovers = [], []
+def processor():
+    """What the server has taken of a processor, in seconds; on Linux."""
+    with open("/proc/%d/schedstat" % client.process.pid) as file:
+        return int(file.read().split()[0]) * 1e-9
+
+
+changes, hovers, work, hover_work = [], [], [], []
 for k in range(count):
     m = rng.choice(numbers)
     start, stop = position(m.start()), position(m.end())
     new = "1.5" if k % 2 else "1.5 +"  # every second change breaks the program
-    begin = time.perf_counter()
+    begin, before = time.perf_counter(), processor()
     client.edit(uri, {"start": start, "end": stop}, new)
     client.told(uri)
     changes.append(time.perf_counter() - begin)
+    work.append(processor() - before)
     stop = {"line": start["line"], "character": start["character"] + len(new)}
-    for _ in range(1):
-        at = position(rng.choice(numbers).start())
-        begin = time.perf_counter()
-        client.ask_all("hover", uri, position=at)
-        hovers.append(time.perf_counter() - begin)
+    at = position(rng.choice(numbers).start())
+    begin, before = time.perf_counter(), processor()
+    client.ask_all("hover", uri, position=at)
+    hovers.append(time.perf_counter() - begin)
+    hover_work.append(processor() - before)
     client.edit(uri, {"start": start, "end": stop}, m.group())
     client.told(uri)
 client.end()
@@ -51,4 +58,6 @@ def tell(measure, times, aim):
 
 
 tell("change to messages, 95 %", changes, 100)
+tell("of that processor, 95 %", work, 100)
 tell("hover, 95 %", hovers, 10)
+tell("of that processor, 95 %", hover_work, 10)

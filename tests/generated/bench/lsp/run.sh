@@ -1,7 +1,7 @@
 #!/bin/sh
 # The language server on a generated program of 2,000 lines: from a change to its messages, and
 # from a question for a type to the answer, of 200 each, in which 95 of 100 are done, beside the
-# aim. The argument is the folder to work in.
+# aim; and how long the server itself works for each, whatever else the machine does. The argument is the folder to work in.
 set -eu
 generate=_build/default/tests/generated/bench/generate/generate.exe
 mkdir -p "$1/lsp"
