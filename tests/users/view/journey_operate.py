@@ -10,6 +10,7 @@ from selenium.webdriver.common.keys import Keys
 
 import viewer
 from journey import Page, start
+from live import Robot
 from viewer import check
 
 teleop = "../../../examples/teleop/teleop.frob"
@@ -78,6 +79,14 @@ def finish(page):
         check(entry["message"], False)
 
 
+def look(page):
+    page.wait(lambda: page.text("#follow") == "Live")
+    page.wait(lambda: "--view=control" in page.text("#console"))
+    check("of a robot that is only looked at the page says so, and how to operate it",
+          not any(found.is_displayed() for found in page.all("#console button, #console input")))
+    finish(page)
+
+
 def main():
     frobc = sys.argv[1]
     for program, visit in (teleop, drive), (go_there, click):
@@ -88,6 +97,14 @@ def main():
         finally:
             driver.quit()
         check("and the run ends well", run.process.wait(20) == 0)
+    with Robot(frobc) as device:
+        run = viewer.Run(frobc, [*device, teleop])
+        driver = start(412, 915)
+        try:
+            look(Page(driver, run.address))
+        finally:
+            driver.quit()
+        run.process.wait(20)
 
 
 main()

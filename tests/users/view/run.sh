@@ -4,7 +4,7 @@ set -eu
 python=/usr/bin/python3 # Debian's, for its packages
 test -x $python || python=python3
 case $1 in
-journey*.py) needed=selenium; test -x /usr/bin/chromedriver || needed=chromium-driver ;;
+journey*.py) needed="selenium, websockets"; test -x /usr/bin/chromedriver || needed=chromium-driver ;;
 *) needed=websockets ;;
 esac
 if ! $python -c "import $needed" 2>/dev/null; then

@@ -143,9 +143,16 @@ export function startConsole(store: Store, host: HTMLElement): void {
     });
   };
   const cells: string[] = [];
+  const note = document.createElement("p");
+  note.textContent = "This robot is only looked at. --view=control lets a page operate it.";
   const show = () => {
-    host.hidden = shown.length === 0 || !store.operates;
-    if (host.hidden) releaseAll();
+    const { operates, program: { live }, run } = store;
+    const isLookedAt = live && run !== null && !run.sends;
+    for (const each of shown) each.host.hidden = !operates;
+    if (isLookedAt) host.prepend(note);
+    else note.remove();
+    host.hidden = shown.length === 0 || !(operates || isLookedAt);
+    if (!operates) releaseAll();
   };
   store.on("extent", follow);
   store.on("run", show);
