@@ -46,7 +46,8 @@ END
     same "bytes of state" "$(stated state_bytes)" "$("$work/size")"
 
     build -O0 -fno-builtin
-    library=$(sed 's/.*"library":\[\([^]]*\)\].*/\1/' "$work/report.json" | tr -d '"' | tr ',' ' ')
+    library=$(sed 's/.*"library":\[\([^]]*\)\].*/\1/' "$work/report.json" | tr -d '"' | tr ',' '\n' |
+        sed 's/^frob_//' | LC_ALL=C sort | xargs)
     # gcc copies large structs with memcpy.
     found=$(awk -v library=1 -f "$here/stack_used.awk" "$work"/*.ci | grep -v '^mem' | sed 's/^frob_//' |
         if [ "$real" = float ]; then sed 's/f$//'; else cat; fi |
