@@ -333,7 +333,8 @@ let string t =
     match peek t 0 with
     | '"' -> t.at <- t.at + 1; token
     | _ when at_end t || peek t 0 = '\n' ->
-        report t ~code:"E0104" ~start "this text is not closed on its line";
+        report t ~code:"E0104" ~start ~hint:"a text ends with another `\"`, in its line"
+          "this text is not closed on its line";
         BAD
     | '\\' ->
         let from = position t in
@@ -423,6 +424,8 @@ let unexpected t =
     | "~" when peek t 0 = '=' -> Some "`/=` says that two values differ"
     | "~" -> Some "the opposite of `b` is `not b`"
     | "?" -> Some "a choice is written `if c then a else b`"
+    | "'" when is_lower (peek t 0) || is_upper (peek t 0) -> 
+        Some "a text stands in `\"`, and an infix name in backticks, as in ``x `mod` 2``"
     | "'" -> Some "an infix name stands in backticks, as in ``x `mod` 2``"
     | "%" -> Some "the remainder is ``x `mod` y``; 20 percent of x are `0.2 * x`"
     | "\u{2212}" | "\u{2013}" -> Some "the minus sign is `-`"

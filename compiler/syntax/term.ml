@@ -97,7 +97,11 @@ and no_expression span (desc : Ir.expr_desc) =
   | Tuple_section _ -> no_pattern span "a tuple without some of its elements"
   | Proc _ -> no_pattern span "a `proc`"
   | Sequence _ -> no_pattern span "a `do`"
-  | Field _ -> no_pattern span "the selection of a field"
+  | Field _ ->
+      Reject.at ~code:"E0114" span
+        ~hint:
+          "nothing is assigned: a record with another field is `p { x = … }`, under a name of its own"
+        "the selection of a field cannot be part of a pattern"
   | Annotated _ ->
       Reject.at ~code:"E0114" span
         ~hint:"give the definition a signature of its own"

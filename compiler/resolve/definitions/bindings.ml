@@ -212,6 +212,11 @@ let report_pattern (scope : Scope.t) item =
   Diagnostic.error ~code:"E0226" ~at:item.span "a pattern cannot be defined at top level"
   |> Diagnostic.hint
        (match item.left with
+       | Pattern
+           { desc = Constructed ({ qualifier = None; name; _ }, [ { desc = Bound x; _ } ]); _ } ->
+           Printf.sprintf
+             "no type stands before a name: `%s = …`, and if wanted `%s :: %s` on a line of its own"
+             x.text x.text name.text
        | Pattern { desc = Constructed ({ qualifier = None; name; _ }, _); _ } ->
            Printf.sprintf "the name of a value starts with a small letter: `%s`"
              (String.uncapitalize_ascii name.text)

@@ -118,6 +118,8 @@ let robot = function
       Some
         "the distance ahead is `frontSonar i`, to the left `sideSonar i`, to the right `rightSonar \
          i`"
+  | "leftSonar" | "sonarLeft" | "left_sonar" -> Some "the distance to the left is `sideSonar i`"
+  | "sonarRight" | "right_sonar" -> Some "the distance to the right is `rightSonar i`"
   | "bump" | "bumper" | "isBumped" | "bumperPressed" ->
       Some "`bumped i` tells whether the robot touches something"
   | "setSpeed" | "setVelocity" | "set_velocity" | "setVel" | "setMotors" | "setMotorSpeed"

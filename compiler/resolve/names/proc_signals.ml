@@ -78,6 +78,8 @@ let without_definition (program : program) =
           List.filter_map
             (fun (name : name) -> if Hashtbl.mem defined name.text then None else Some name.text)
             names
+      | Binding { left = Pattern { desc = Constructed (_, [ { desc = Bound name; _ } ]); _ }; _ } ->
+          [ name.text ]
       | _ -> [])
     program.declarations
 

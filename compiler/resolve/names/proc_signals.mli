@@ -19,7 +19,8 @@ val in_capitals : Syntax.Ir.program -> string list
     pattern, and an error already. *)
 
 val without_definition : Syntax.Ir.program -> string list
-(** What has a signature at the top level and no definition: an error already. *)
+(** What has a signature at the top level and no definition, or a type before its name, as in
+    [Velocity v = 0]: an error already. *)
 
 val c_declarations : Syntax.Ir.program -> (Syntax.Ir.name * Syntax.Ir.name) list
 (** Definitions of functions whose names are types of C, with their last parameters: in

@@ -84,7 +84,15 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
               Diagnostic.note ("its fields: " ^ String.concat ", " fields) d
           | _ -> suggest name known d
           in
-          match as_a_function ctx name ~record d with Some d -> d | None -> usual ())
+          match (Type.expand ty, Show.quote words record.span) with
+          | Function (input, _), Some f when Show.signal words input <> None ->
+              Diagnostic.hint
+                (Printf.sprintf "`%s` is a function: `(%s %s).%s`" f f
+                   (Option.get (Show.signal words input))
+                   name.text)
+                d
+          | _ -> (
+              match as_a_function ctx name ~record d with Some d -> d | None -> usual ()))
       |> Diagnostic.label ~at:record.span ("this is " ^ described))
 
 (* Of a record whose type is not known, perhaps for another error. *)

@@ -42,6 +42,16 @@ let value words t =
         (String.concat ", " (List.map (Printf.sprintf "%s = …") fields))
   | _ -> "x"
 
+(* The second of a pair, which stands for the whole. *)
+let is_beside wanted found =
+  match Type.expand wanted with
+  | Tuple [ _; second ] -> (
+      match (Type.expand second, Type.expand found) with
+      | Bool, Bool -> true
+      | Data { tycon; _ }, Data { tycon = other; _ } -> tycon = other
+      | _ -> false)
+  | _ -> false
+
 let hint words ~subject ~(expected : Expected.t) ~found =
   let wanted = expected.ty in
   match expected.because with
@@ -92,7 +102,25 @@ let hint words ~subject ~(expected : Expected.t) ~found =
                 none at all in `NoEvent`"
                (value words x))
       | None -> None)
-  | Parameter _ | Operand _ | Condition | Branch _
+  | Condition when Type.expand found = Tuple [] ->
+      Some "`()` says no more than that something has happened, or has ended"
+  | Condition when is_maybe found && Option.map Type.expand (content found) = Some Bool ->
+      Some
+        (Printf.sprintf
+           "`fromMaybe False %s` is what is in it, and False in `Nothing`, as where a time has run \
+            out"
+           (written words subject "m"))
+  | Parameter { callee = Some f; _ }
+    when Type.expand wanted = Bool && Environment.is_event found
+         && not (List.mem f [ "&&"; "||"; "not" ]) ->
+      Some (Printf.sprintf "`isEvent %s` tells whether it occurs now" (written words subject "e"))
+  | Output (Parameter { position = 1; _ }) when is_beside wanted found ->
+      Some
+        (Printf.sprintf "the output stands beside it: `(output, %s)`"
+           (Option.value
+              (Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span))
+              ~default:"…"))
+  | Parameter _ | Operand _ | Branch _
     when Type.expand found = Tuple [] && not (Environment.is_event wanted) -> (
       match subject with
       | Some { desc = Local _; _ } ->

@@ -125,7 +125,7 @@ let conversion words ~subject (wanted, given) diagnostic =
     let digits, at = Option.get written in
     let text = Printf.sprintf "%s[%s]" digits (Show.measure words wanted) in
     hint (Printf.sprintf "write `%s` if that unit was meant" text) diagnostic |> write at text
-  else if Units.equal (Units.multiply wanted wanted) given then
+  else if Units.equal (Units.multiply wanted wanted) given && not (is_per_second words wanted) then
     hint (Printf.sprintf "`sqrt %s` has half the unit" e) diagnostic
   else if String.equal factor "1/s" || String.equal factor "Hz" then
     hint

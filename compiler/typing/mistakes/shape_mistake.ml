@@ -469,6 +469,24 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
              let parts = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type i) given in
              hint (Printf.sprintf "a pattern for it is `(%s)`" (String.concat ", " parts))
          | _ -> Fun.id)
+  | Data _, Tuple (_ :: _ as given), _ when is_array expected.ty ->
+      let elements =
+        match subject with
+        | Some { desc = Tuple es; _ } ->
+            List.map (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) es
+        | _ -> [ None ]
+      in
+      error ~code:"E0301" ~at "expected %s, found a tuple of %d" (text expected.ty)
+        (List.length given)
+      |> hint
+           (if List.mem None elements then "an array is written in brackets, as in `[a, b]`"
+           else
+             Printf.sprintf "an array is written in brackets: `[%s]`"
+               (String.concat ", " (List.map Option.get elements)))
+  | Data { tycon = { name = "Mark"; _ }; _ }, Number _, _ ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint
+           (Printf.sprintf "`number \"name\" %s` is the mark of a number" (written "x"))
   | Data { arguments = [ n; _ ]; _ }, Data { arguments = [ n'; _ ]; _ }, _
     when is_array expected.ty && is_array found && unlike_sizes n n' ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
@@ -533,6 +551,8 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
           | Value _ ->
               error ~code:"E0301" ~at "this pattern matches %s, but the value is %s" (text found)
                 (text expected.ty)
+          | Condition ->
+              error ~code:"E0301" ~at "a condition must be `Bool`, but this is %s" (text found)
           | _ -> error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found))
           |> hint (Option.get (Event_mistake.hint words ~subject ~expected ~found))
       | None, Condition when Environment.is_task found ->

@@ -122,6 +122,8 @@ Too many and too few arguments.
     |                   --------   ^ one too many
     |                   |
     |                   with one argument the result is `Float[u s]`
+    |
+    = hint: to start it afresh at each occurrence of an event: `resetOn integral (x, e)`
   
   error[E0302]: `max` takes 2 arguments, but is given more
    --> arguments.frob:3:23

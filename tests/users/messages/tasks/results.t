@@ -1,0 +1,100 @@
+What a task ends with, and what it is taken for.
+
+Nothing is no truth:
+
+  $ cat > nothing.frob <<'FROB'
+  > import Robot
+  > 
+  > patrol = do
+  >     ok <- turnBy 90[deg]
+  >     if ok then forward 1[m] else return False
+  > 
+  > main = reactimateTask patrol
+  > FROB
+  $ frobc check nothing.frob
+  error[E0301]: a condition must be `Bool`, but this is `()`
+   --> nothing.frob:5:8
+    |
+  4 |     ok <- turnBy 90[deg]
+    |     -- `ok` is bound here
+  5 |     if ok then forward 1[m] else return False
+    |        ^^
+    |
+    = hint: `()` says no more than that something has happened, or has ended
+  
+  1 error
+  [1]
+
+A task that may run out of time:
+
+  $ cat > late.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateTask (do
+  >     ok <- forward 3[m] `timeOut` 5[s]
+  >     if ok then turnBy 90[deg] else return ())
+  > FROB
+  $ frobc check late.frob
+  error[E0301]: a condition must be `Bool`, but this is `Maybe Bool`
+   --> late.frob:5:8
+    |
+  4 |     ok <- forward 3[m] `timeOut` 5[s]
+    |     -- `ok` is bound here
+  5 |     if ok then turnBy 90[deg] else return ())
+    |        ^^
+    |
+    = hint: `fromMaybe False ok` is what is in it, and False in `Nothing`, as where a time has run out
+  
+  1 error
+  [1]
+  $ sed 's/if ok/if fromMaybe False ok/' late.frob > cured.frob
+  $ frobc check cured.frob
+
+An event for a truth:
+
+  $ cat > event.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateTask (do
+  >     i <- snapT
+  >     whenT (keyPressed i) (turnBy 90[deg])
+  >     sleepT 1[s] restingOutput)
+  > FROB
+  $ frobc check event.frob
+  error[E0301]: expected `Bool`, found `Event Int`
+   --> event.frob:5:12
+    |
+  5 |     whenT (keyPressed i) (turnBy 90[deg])
+    |     -----  ^^^^^^^^^^^^
+    |     |
+    |     argument 1 of `whenT` is `Bool`
+    |
+    = hint: `isEvent (keyPressed i)` tells whether it occurs now
+  
+  1 error
+  [1]
+  $ sed 's/(keyPressed i)/(isEvent (keyPressed i))/' event.frob > cured.frob
+  $ frobc check cured.frob
+
+A condition without the output that stands beside it:
+
+  $ cat > until.frob <<'FROB'
+  > import Robot
+  > 
+  > main = reactimateTask (untilT (proc i -> bumped i))
+  > FROB
+  $ frobc check until.frob
+  error[E0301]: expected `(a, Bool)`, found `Bool`
+   --> until.frob:3:42
+    |
+  3 | main = reactimateTask (untilT (proc i -> bumped i))
+    |                        ------            ^^^^^^^^
+    |                        |
+    |                        argument 1 of `untilT` has the output `(a, Bool)`
+    |
+    = hint: the output stands beside it: `(output, bumped i)`
+  
+  1 error
+  [1]
+  $ sed 's/bumped i/(restingOutput, &)/' until.frob > cured.frob
+  $ frobc check cured.frob
