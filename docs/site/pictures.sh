@@ -1,6 +1,7 @@
 #!/bin/sh
 # pictures.sh PAGE.md…: does what the pages tell their readers to do (see
-# tests/documents/pages), and puts the pictures that they show beside them, smaller.
+# tests/documents/pages), and puts the pictures that they show beside them, smaller. One of
+# a run in real time (real-robot.md) is another each time.
 set -eu
 here=$(dirname "$0")
 out=$here/../../_build/pages
