@@ -36,7 +36,9 @@ let log message =
 
 let publish t (doc : Document.t) =
   Option.iter log (Option.bind doc.latest (fun (a : Analysis.t) -> a.fault));
-  notify "textDocument/publishDiagnostics" (Diagnostics.parameters t.ws doc)
+  match Analysis.guarded (fun () -> Diagnostics.parameters t.ws doc) with
+  | Ok parameters -> notify "textDocument/publishDiagnostics" parameters
+  | Error fault -> log fault
 
 (* A text is looked at again when a module that it reads may have changed. *)
 let touched t path =
@@ -55,7 +57,11 @@ let look_at_one t =
   match Hashtbl.fold changed t.ws.documents None with
   | None -> false
   | Some doc ->
-      Workspace.look t.ws doc;
+      (match Analysis.guarded (fun () -> Workspace.look t.ws doc) with
+      | Ok () -> ()
+      | Error fault ->
+          doc.changed <- false;
+          log fault);
       (* What the next question will need, so that it is answered at once. *)
       let prepare (v : Document.version) =
         ignore (Analysis.guarded (fun () -> View.prepare v.view))
