@@ -84,7 +84,8 @@ def fail(what, mirror, *more):
 def check_symbols(uri, mirror):
     for s in flat(client.ask_all("documentSymbol", uri)):
         found = mirror.at(s["selectionRange"])
-        if found != s["name"] and not s["name"].startswith("instance "):
+        # a trial is called by a text
+        if found.strip('"') != s["name"] and not s["name"].startswith("instance "):
             fail("a symbol is elsewhere", mirror, s, found)
 
 
