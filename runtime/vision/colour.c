@@ -100,7 +100,8 @@ static void match_colours(const uint8_t *restrict pixels, int32_t count,
     for (int32_t i = 0; i < count; i++) {
         const int16_t r = pixels[3 * i], g = pixels[3 * i + 1], b = pixels[3 * i + 2];
         const int16_t most = r > g ? r : g, least = r < g ? r : g;
-        const int16_t value = most > b ? most : b, chroma = (int16_t)(value - (least < b ? least : b));
+        const int16_t value = most > b ? most : b;
+        const int16_t chroma = (int16_t)(value - (least < b ? least : b));
         const int16_t parts = (int16_t)(chroma * 128);
         const int past = (int16_t)(fr * r + fg * g + fb * b) >= 0;
         const int before = (int16_t)(tr * r + tg * g + tb * b) >= 0;

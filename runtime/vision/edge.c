@@ -67,7 +67,9 @@ void frob_find_edges(const struct frob_image *image, const struct frob_segment *
                      struct frob_edges *result)
 {
     const double cosine = frob_cos(s->angle), sine = frob_sin(s->angle);
-    const int32_t half = s->length >= 2 * HALF ? HALF : s->length > 0 ? (int32_t)(s->length / 2) : 0;
+    const int32_t half = s->length >= 2 * HALF ? HALF
+                         : s->length > 0       ? (int32_t)(s->length / 2)
+                                               : 0;
     const int32_t across = s->width >= 32 ? 32 : s->width > 1 ? (int32_t)(s->width + 0.5) : 1;
     double profile[PLACES], gradients[PLACES];
     bool known[PLACES];

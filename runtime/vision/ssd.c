@@ -20,8 +20,10 @@ struct template {
     int32_t freedom;
     double values[FROB_PATCH_SIZE];  /* less their mean */
     double power;                    /* the sum of their squares */
-    double steps[FREEDOMS][FROB_PATCH_SIZE]; /* how the values change with x, y, angle, log of scale */
-    double factors[FREEDOMS][FREEDOMS];      /* of the matrix of the equations: Cholesky's, lower */
+    /* How the values change with x, y, angle and the logarithm of scale; Cholesky's lower
+     * factor of the matrix of the equations. */
+    double steps[FREEDOMS][FROB_PATCH_SIZE];
+    double factors[FREEDOMS][FREEDOMS];
 };
 
 /* Means of cell by cell samples, less the mean of all; gives the sum of their squares. */

@@ -69,7 +69,8 @@ static bool mean_of(const double *patch, double u, double v, double size, double
         for (int32_t i = 0; i < parts; i++) {
             const int32_t column = (int32_t)(left + (i + 0.5) * size / parts + 0.5);
             const int32_t row = (int32_t)(top + (j + 0.5) * size / parts + 0.5);
-            sum += patch[(row < SIDE ? row : SIDE - 1) * SIDE + (column < SIDE ? column : SIDE - 1)];
+            sum += patch[(row < SIDE ? row : SIDE - 1) * SIDE +
+                         (column < SIDE ? column : SIDE - 1)];
         }
     *mean = sum / (parts * parts);
     return true;
@@ -105,8 +106,8 @@ static int32_t parts_of(const double *patch, const struct frob_placement *like, 
     return count;
 }
 
-/* Of a row of cells, with each as the middle of the template: the sums of its brightness, of the squares,
- * and of the products with the template. */
+/* Of a row of cells, with each as the middle of the template: the sums of brightness, of the
+ * squares, and of the products with the template. */
 struct row_sums {
     int32_t sum[COLUMNS], squares[COLUMNS], products[COLUMNS];
 };

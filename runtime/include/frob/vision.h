@@ -80,8 +80,8 @@ void frob_find_blobs(const struct frob_image *image, const struct frob_region *r
 /* {1 Brightness and depth of a region} */
 
 /* Of brightness, or of an image of depths of the metres that are known: finite, above 0. Half
- * of the pixels are at most the median, a quarter at most lq, three at most uq, each of them the value
- * of a pixel. All 0 if there is none. */
+ * of the pixels are at most the median, a quarter at most lq, three at most uq, each of them
+ * the value of a pixel. All 0 if there is none. */
 #ifndef FROB_STATISTICS_DEFINED
 #define FROB_STATISTICS_DEFINED
 struct frob_statistics {
@@ -154,9 +154,9 @@ void frob_find_corner(const struct frob_image *image, const struct frob_region *
 
 enum { FROB_PATCH_SIDE = 32, FROB_PATCH_SIZE = FROB_PATCH_SIDE * FROB_PATCH_SIDE };
 
-/* Where a patch lies: the place of its middle, how it is turned, and the pixels from one sample to the
- * next. Row by row, sample i of row j is at scale (i - 15.5, j - 15.5), turned, from there.
- * Where samples are more than a pixel apart each is the mean of up to 4 by 4. */
+/* Where a patch lies: the place of its middle, how it is turned, and the pixels from one sample
+ * to the next. Row by row, sample i of row j is at scale (i - 15.5, j - 15.5), turned, from
+ * there. Where samples are more than a pixel apart each is the mean of up to 4 by 4. */
 #ifndef FROB_PLACEMENT_DEFINED
 #define FROB_PLACEMENT_DEFINED
 struct frob_placement {
@@ -196,9 +196,9 @@ struct frob_search {
 void frob_match_patch(const struct frob_image *image, const double patch[FROB_PATCH_SIZE],
                       const struct frob_search *search, struct frob_match *result);
 
-/* The place in a region that fits best, of those a few samples apart, for a patch with the angle and scale of
- * `like`: where to begin with frob_match_patch at level 2. Regions are looked at as 160 by
- * 120 cells at most. */
+/* The place in a region that fits best, of those a few samples apart, for a patch with the
+ * angle and scale of `like`: where to begin with frob_match_patch at level 2. Regions are
+ * looked at as 160 by 120 cells at most. */
 void frob_find_template(const struct frob_image *image, const struct frob_region *roi,
                         const double patch[FROB_PATCH_SIZE], const struct frob_placement *like,
                         struct frob_match *result);
@@ -216,11 +216,11 @@ void frob_distort_point(const struct frob_image *image, const struct frob_vec2 *
 /* {1 Stereo}
  *
  * Of a pair of images of the same size from cameras side by side, without distortion and
- * rectified: what is in a row of the left one is in the same row of the right one, farther to the left by its
- * disparity, which is the larger the nearer it is. */
+ * rectified: what is in a row of the left one is in the same row of the right one, farther to
+ * the left by its disparity, which is the larger the nearer it is. */
 
-/* The part of the left image; how many disparities are tried, from 0 (16 … 256, a multiple of 16);
- * and the side of the squares that are compared (5 … 21, odd). Others are rounded to the
+/* The part of the left image; how many disparities are tried, from 0 (16 … 256, a multiple of
+ * 16); and the side of the squares that are compared (5 … 21, odd). Others are rounded to the
  * nearest. */
 #ifndef FROB_STEREO_DEFINED
 #define FROB_STEREO_DEFINED

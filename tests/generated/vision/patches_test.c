@@ -196,8 +196,8 @@ static void found_where_they_were_drawn(void)
     check(all.scale < 0.005, "scale", all.scale, 0);
     check(sqrt(noisy.squares) < 0.1, "with noise, px (RMS)", sqrt(noisy.squares), 0);
     check(all.residual < 0.1, "residual", all.residual, 0);
-    printf("places to %.3f px; %.3f px turned; %.3f px grown; RMS %.3f px with noise\n", shift.place,
-           turn.place, all.place, sqrt(noisy.squares));
+    printf("places to %.3f px; %.3f px turned; %.3f px grown; RMS %.3f px with noise\n",
+           shift.place, turn.place, all.place, sqrt(noisy.squares));
 }
 
 static void what_is_not_there(void)

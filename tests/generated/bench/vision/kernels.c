@@ -3,7 +3,8 @@
  *
  *   kernels                 the table
  *   kernels W H DISPARITIES WINDOW LEFT RIGHT OUT
- *                           grey pixels of two files; prints the median, writes disparities */
+ *                           grey pixels of two files; prints the least time of 15, and
+ *                           writes disparities */
 #include <frob/vision.h>
 
 #include <math.h>
@@ -126,6 +127,28 @@ static void match(void)
     sink = found.residual;
 }
 
+static void cut(void)
+{
+    const struct frob_placement place = {163.3, 117.2, 0.15, 1.1};
+    double samples[FROB_PATCH_SIZE];
+    frob_get_patch(&grey, &place, samples);
+    sink = samples[0];
+}
+
+/* A thousand of them, through a lens of some distortion. */
+static void undistort(void)
+{
+    struct frob_image bent = grey;
+    bent.camera.k1 = -0.2;
+    bent.camera.focal_y = 300;
+    for (int k = 0; k < 1000; k++) {
+        const struct frob_vec2 point = {k % 320, k % 240};
+        struct frob_vec2 found;
+        frob_undistort_point(&bent, &point, &found);
+        sink = found.x;
+    }
+}
+
 static void find(void)
 {
     const struct frob_placement like = {0, 0, 0, 1};
@@ -207,7 +230,7 @@ static int stereo(char **arguments)
         times[k] = now_ms() - start;
     }
     qsort(times, 15, sizeof *times, ascending);
-    printf("%.3f\n", times[7]);
+    printf("%.3f\n", times[0]);
     return out == NULL || fwrite(disparities, 2, size, out) != size || fclose(out) != 0;
 }
 
@@ -225,7 +248,9 @@ int main(int count, char **arguments)
     row("edge 40 by 10", edges, 0);
     row("best corner 320x240", corner, 0);
     row("SSD 32x32, 10 steps", match, 0.15);
+    row("patch 32x32", cut, 0);
     row("template in 320x240", find, 0);
+    row("undistort 1000 points", undistort, 0);
     row("stereo 320x240x32", depths, 0);
     return 0;
 }

@@ -6,7 +6,8 @@ python=/usr/bin/python3
 work=$1
 mkdir -p "$work"
 if ! test -f "$work/skimage/data/motorcycle_disp.npz"; then
-    $python -m pip download --quiet --no-deps --only-binary :all: --dest "$work" scikit-image==0.25.2
+    $python -m pip download --quiet --no-deps --only-binary :all: --dest "$work" \
+        scikit-image==0.25.2
     $python - "$work" <<'END'
 import glob, sys, zipfile
 package = zipfile.ZipFile(glob.glob(sys.argv[1] + "/scikit_image-*.whl")[0])
