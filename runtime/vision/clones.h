@@ -7,6 +7,13 @@
 #ifndef FROB_VISION_CLONES_H
 #define FROB_VISION_CLONES_H
 
+/* Arrays that do not overlap: `restrict`, which C++ has under another name. */
+#ifdef __cplusplus
+#define FROB_APART __restrict
+#else
+#define FROB_APART restrict
+#endif
+
 #ifdef FROB_VISION_CLONES
 #define FROB_CLONES __attribute__((target_clones("avx2", "default")))
 #else

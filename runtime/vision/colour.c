@@ -32,7 +32,7 @@ static void pure_colour(double hue, int32_t colour[3])
 {
     const double side = within(0, 6, within_turn(hue) / turn * 6);
     const int32_t number = (int32_t)side;
-    const int32_t part = (int32_t)((side - number) * STEPS + 0.5);
+    const int32_t part = (int32_t)((side - number) * (double)STEPS + 0.5);
     const int32_t around[6] = {STEPS, STEPS - part, 0, 0, part, STEPS};
 
     for (int32_t i = 0; i < 3; i++)
@@ -89,8 +89,8 @@ struct frob_colours frob_colours_of(const struct frob_colour_range *range)
 }
 
 FROB_CLONES
-static void match_colours(const uint8_t *restrict pixels, int32_t count,
-                          const struct frob_colours *colours, uint8_t *restrict mask)
+static void match_colours(const uint8_t *FROB_APART pixels, int32_t count,
+                          const struct frob_colours *colours, uint8_t *FROB_APART mask)
 {
     const int16_t fr = colours->from[0], fg = colours->from[1], fb = colours->from[2];
     const int16_t tr = colours->to[0], tg = colours->to[1], tb = colours->to[2];
@@ -113,8 +113,8 @@ static void match_colours(const uint8_t *restrict pixels, int32_t count,
 }
 
 FROB_CLONES
-static void match_greys(const uint8_t *restrict pixels, int32_t count,
-                        const struct frob_colours *colours, uint8_t *restrict mask)
+static void match_greys(const uint8_t *FROB_APART pixels, int32_t count,
+                        const struct frob_colours *colours, uint8_t *FROB_APART mask)
 {
     const int16_t dark = colours->dark;
     const int16_t bright = colours->pale > 0 && colours->bright > 0 ? 0 : colours->bright;

@@ -15,7 +15,7 @@
 enum { SIDE = FROB_PATCH_SIDE, FREEDOMS = 4 };
 
 /* A patch as it is seen at a level, and what is made of it once. */
-struct template {
+struct model {
     int32_t side, cell;              /* samples a side; each the mean of cell by cell */
     int32_t freedom;
     double values[FROB_PATCH_SIZE];  /* less their mean */
@@ -67,7 +67,7 @@ static double slope(const double *values, int32_t stride, int32_t at, int32_t si
     return (values[after] - values[before]) / (cell * ((before < 0) + (after > 0)));
 }
 
-static void find_steps(struct template *t)
+static void find_steps(struct model *t)
 {
     const int32_t count = t->side * t->side;
 
@@ -95,7 +95,7 @@ static void find_steps(struct template *t)
 }
 
 /* Where a direction says next to nothing that others do not say, its factor is 0. */
-static void factorize(struct template *t)
+static void factorize(struct model *t)
 {
     for (int32_t k = 0; k < t->freedom; k++)
         for (int32_t m = 0; m <= k; m++) {
@@ -111,7 +111,7 @@ static void factorize(struct template *t)
 }
 
 /* False if the patch has no contrast. */
-static bool prepare(struct template *t, const double patch[FROB_PATCH_SIZE], int32_t level,
+static bool prepare(struct model *t, const double patch[FROB_PATCH_SIZE], int32_t level,
                     int32_t freedom)
 {
     t->cell = 1 << level;
@@ -127,7 +127,7 @@ static bool prepare(struct template *t, const double patch[FROB_PATCH_SIZE], int
 }
 
 /* The step that makes the template most like the values, whose contrast is `gain` times its. */
-static void solve(const struct template *t, const double *values, double gain,
+static void solve(const struct model *t, const double *values, double gain,
                   double step[FREEDOMS])
 {
     for (int32_t k = 0; k < FREEDOMS; k++) {
@@ -149,7 +149,7 @@ static void solve(const struct template *t, const double *values, double gain,
 static double limited(double most, double x) { return !(x > -most) ? -most : x > most ? most : x; }
 
 /* Moves the place against a step; gives how far, in samples. */
-static double move(const struct template *t, const double step[FREEDOMS],
+static double move(const struct model *t, const double step[FREEDOMS],
                    const struct frob_placement *from, struct frob_placement *place)
 {
     const double most = 2 * t->cell;
@@ -178,7 +178,7 @@ static double unlikeness(double power, double other, double both)
 }
 
 /* What fits best of all places that were looked at, at one level. */
-static void search_level(const struct frob_greys *greys, const struct template *t,
+static void search_level(const struct frob_greys *greys, const struct model *t,
                          int32_t iterations, struct frob_match *best)
 {
     const struct frob_placement from = best->place;
@@ -212,7 +212,7 @@ void frob_match_patch(const struct frob_image *image, const double patch[FROB_PA
     const int32_t iterations =
         search->iterations < 0 ? 0 : search->iterations > 30 ? 30 : search->iterations;
     struct frob_greys greys;
-    struct template t;
+    struct model t;
 
     result->place = search->from;
     result->residual = 1;

@@ -29,14 +29,16 @@ size_t frob_stereo_room(int32_t width, const struct frob_stereo *how)
 
 /* Sobel's operator along the row: of brightness in three rows, cut off, from 0. */
 FROB_CLONES
-static void changes_of(const uint8_t *restrict above, const uint8_t *restrict row,
-                       const uint8_t *restrict below, int32_t count, uint8_t *restrict changes)
+static void changes_of(const uint8_t *FROB_APART above, const uint8_t *FROB_APART row,
+                       const uint8_t *FROB_APART below, int32_t count, uint8_t *FROB_APART changes)
 {
+    const int16_t least = -CUT, most = CUT;
+
     for (int32_t i = 1; i < count - 1; i++) {
         const int16_t change =
             (int16_t)(above[i + 1] - above[i - 1] + 2 * (row[i + 1] - row[i - 1]) + below[i + 1] -
                       below[i - 1]);
-        const int16_t cut = change < -CUT ? -CUT : change > CUT ? CUT : change;
+        const int16_t cut = change < least ? least : change > most ? most : change;
         changes[i] = (uint8_t)(cut + CUT);
     }
     changes[0] = changes[count - 1] = CUT;
@@ -66,8 +68,8 @@ static void change_row(const struct frob_image *image, int32_t y, int32_t first,
 }
 
 FROB_CLONES
-static void add_differences(const uint8_t *restrict left, const uint8_t *restrict right,
-                            int32_t count, uint16_t *restrict sums)
+static void add_differences(const uint8_t *FROB_APART left, const uint8_t *FROB_APART right,
+                            int32_t count, uint16_t *FROB_APART sums)
 {
     for (int32_t i = 0; i < count; i++) {
         const uint8_t a = left[i], b = right[i];
@@ -76,8 +78,8 @@ static void add_differences(const uint8_t *restrict left, const uint8_t *restric
 }
 
 FROB_CLONES
-static void take_differences(const uint8_t *restrict left, const uint8_t *restrict right,
-                             int32_t count, uint16_t *restrict sums)
+static void take_differences(const uint8_t *FROB_APART left, const uint8_t *FROB_APART right,
+                             int32_t count, uint16_t *FROB_APART sums)
 {
     for (int32_t i = 0; i < count; i++) {
         const uint8_t a = left[i], b = right[i];
@@ -111,15 +113,15 @@ static void add_row(struct frob_stereo_rows *rows, int32_t y, bool take)
 
 /* Sums of `window` neighbours, by those of 1, 2, 4, 8 and 16: `part` is room. */
 FROB_CLONES
-static void add_doubles(const uint16_t *restrict from, int32_t step, int32_t count,
-                        uint16_t *restrict to)
+static void add_doubles(const uint16_t *FROB_APART from, int32_t step, int32_t count,
+                        uint16_t *FROB_APART to)
 {
     for (int32_t i = 0; i < count; i++)
         to[i] = (uint16_t)(from[i] + from[i + step]);
 }
 
 FROB_CLONES
-static void add_to(const uint16_t *restrict from, int32_t count, uint16_t *restrict to)
+static void add_to(const uint16_t *FROB_APART from, int32_t count, uint16_t *FROB_APART to)
 {
     for (int32_t i = 0; i < count; i++)
         to[i] = (uint16_t)(to[i] + from[i]);
@@ -153,8 +155,8 @@ static void sum_windows(const uint16_t *columns, int32_t window, int32_t wide, u
 /* {1 The best} */
 
 FROB_CLONES
-static void take_better(const uint16_t *restrict sums, uint16_t disparity, int32_t count,
-                        uint16_t *restrict best, uint16_t *restrict disparities)
+static void take_better(const uint16_t *FROB_APART sums, uint16_t disparity, int32_t count,
+                        uint16_t *FROB_APART best, uint16_t *FROB_APART disparities)
 {
     for (int32_t i = 0; i < count; i++) {
         const uint16_t sum = sums[i], before = best[i];
@@ -165,9 +167,9 @@ static void take_better(const uint16_t *restrict sums, uint16_t disparity, int32
 
 /* Whether another one, not next to the best, is nearly as good. */
 FROB_CLONES
-static void find_rivals(const uint16_t *restrict sums, uint16_t disparity, int32_t count,
-                        const uint16_t *restrict limits, const uint16_t *restrict disparities,
-                        uint16_t *restrict rivals)
+static void find_rivals(const uint16_t *FROB_APART sums, uint16_t disparity, int32_t count,
+                        const uint16_t *FROB_APART limits, const uint16_t *FROB_APART disparities,
+                        uint16_t *FROB_APART rivals)
 {
     for (int32_t i = 0; i < count; i++) {
         const uint16_t apart = (uint16_t)(disparities[i] - disparity + 1);

@@ -1,5 +1,6 @@
 /* template.c -- where in a region a patch may be: its correlation with every place, on an
  * image that has been reduced so far that the patch is 7 or 8 cells wide. */
+#include "clones.h"
 #include "view.h"
 
 #include <frob/elementary.h>
@@ -59,11 +60,11 @@ static void reduce(const struct frob_image *image, const struct frob_view *view,
 static bool mean_of(const double *patch, double u, double v, double size, double *mean)
 {
     const double left = u - size / 2, top = v - size / 2;
+    const double end = (double)SIDE - 0.49;
     const int32_t parts = 4;
     double sum = 0;
 
-    if (!(left >= -0.51 && top >= -0.51 && left + size <= SIDE - 0.49 &&
-          top + size <= SIDE - 0.49))
+    if (!(left >= -0.51 && top >= -0.51 && left + size <= end && top + size <= end))
         return false;
     for (int32_t j = 0; j < parts; j++)
         for (int32_t i = 0; i < parts; i++) {
@@ -112,8 +113,8 @@ struct row_sums {
     int32_t sum[COLUMNS], squares[COLUMNS], products[COLUMNS];
 };
 
-static void add_part(const uint8_t *restrict means, int32_t value, int32_t count,
-                     int32_t *restrict sum, int32_t *restrict squares, int32_t *restrict products)
+static void add_part(const uint8_t *FROB_APART means, int32_t value, int32_t count,
+                     int32_t *FROB_APART sum, int32_t *FROB_APART squares, int32_t *FROB_APART products)
 {
     for (int32_t i = 0; i < count; i++) {
         const int32_t mean = means[i];
@@ -122,6 +123,8 @@ static void add_part(const uint8_t *restrict means, int32_t value, int32_t count
         products[i] += mean * value;
     }
 }
+
+static double larger(double a, double b) { return a > b ? a : b; }
 
 void frob_find_template(const struct frob_image *image, const struct frob_region *roi,
                         const double patch[FROB_PATCH_SIZE], const struct frob_placement *like,
@@ -139,10 +142,8 @@ void frob_find_template(const struct frob_image *image, const struct frob_region
     if (!(like->scale > 1e-3 && like->scale < 1e4 && like->angle > -1e6 && like->angle < 1e6) ||
         image->format == FROB_DEPTH_M || view.left == view.right)
         return;
-    size = size > 1 ? size : 1;
-    size = (view.right - view.left) / size > COLUMNS ? (view.right - view.left) / (double)COLUMNS
-                                                     : size;
-    size = (view.bottom - view.top) / size > ROWS ? (view.bottom - view.top) / (double)ROWS : size;
+    size = larger(larger(size, 1), larger((view.right - view.left) / (double)COLUMNS,
+                                          (view.bottom - view.top) / (double)ROWS));
     count = parts_of(patch, like, size, parts, &power);
     reduce(image, &view, size, &cells);
     for (int32_t k = 0; k < count; k++) {

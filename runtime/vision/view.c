@@ -36,7 +36,7 @@ static uint8_t grey_of(const uint8_t *colour)
 }
 
 FROB_CLONES
-static void grey_of_row(const uint8_t *restrict colours, int32_t count, uint8_t *restrict greys)
+static void grey_of_row(const uint8_t *FROB_APART colours, int32_t count, uint8_t *FROB_APART greys)
 {
     for (int32_t i = 0; i < count; i++)
         greys[i] = grey_of(colours + 3 * i);
