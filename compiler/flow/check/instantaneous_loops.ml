@@ -117,7 +117,8 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
     match (t.by, source) with
     | Statement _, Some (origin, _) when List.exists (is_elsewhere origin) tasks -> (v, origin)
     (* what ends in a combinator is named by who goes on after it *)
-    | Statement definition, _ when is_combinator's && Own_code.is_own ~entry t.span -> (v, definition)
+    | Statement definition, _ when is_combinator's && Own_code.is_own ~entry t.span ->
+        (v, definition)
     | (Statement _ | Continuation _), _ -> (v, here.origin)
   in
   let names = map mode hops in
