@@ -8,6 +8,16 @@ Types before names, texts in other quotes, fields that are assigned.
   > main = reactimateRobot (proc _ -> roMake (setVelTR speed 0))
   > FROB
   $ frobc check typed.frob
+  error[E0226]: a pattern cannot be defined at top level
+   --> typed.frob:3:1
+    |
+  3 | Velocity speed = 0.3[m/s]
+    | ^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: no type stands before a name: `speed = …`, and if wanted `speed :: Velocity` on a line of its own
+  
+  1 error
+  [1]
   $ sed 's/Velocity speed/speed/' typed.frob > cured.frob
   $ frobc check cured.frob
 
@@ -17,7 +27,17 @@ Types before names, texts in other quotes, fields that are assigned.
   > main = reactimateRobot (proc i -> roMake (setVelTR (if buttonHeld 'drive' i then 0.3[m/s] else 0) 0))
   > FROB
   $ frobc check quotes.frob
-  $ sed "s/'/\\"/g" quotes.frob > cured.frob
+  error[E0103]: unexpected character `'`
+   --> quotes.frob:3:67
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR (if buttonHeld 'drive' i then 0.3[m/s] else 0) 0))
+    |                                                                   ^
+    |
+    = hint: a text stands in `"`, and an infix name in backticks, as in ``x `mod` 2``
+  
+  1 error
+  [1]
+  $ sed "s/'/\"/g" quotes.frob > cured.frob
   $ frobc check cured.frob
 
   $ cat > open.frob <<'FROB'
@@ -26,6 +46,16 @@ Types before names, texts in other quotes, fields that are assigned.
   > main = reactimateRobot (proc i -> roMake (setVelTR (if buttonHeld "drive i then 0.3[m/s] else 0) 0))
   > FROB
   $ frobc check open.frob
+  error[E0104]: this text is not closed on its line
+   --> open.frob:3:67
+    |
+  3 | main = reactimateRobot (proc i -> roMake (setVelTR (if buttonHeld "drive i then 0.3[m/s] else 0) 0))
+    |                                                                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: a text ends with another `"`, in its line
+  
+  1 error
+  [1]
   $ sed 's/"drive/"drive"/' open.frob > cured.frob
   $ frobc check cured.frob
 
@@ -39,5 +69,15 @@ Types before names, texts in other quotes, fields that are assigned.
   > main = reactimateTask (driveTo home)
   > FROB
   $ frobc check assigned.frob
+  error[E0114]: the selection of a field cannot be part of a pattern
+   --> assigned.frob:5:1
+    |
+  5 | home.x = 1[m]
+    | ^^^^^^
+    |
+    = hint: nothing is assigned: a record with another field is `p { x = … }`, under a name of its own
+  
+  1 error
+  [1]
   $ sed 's/^home = .*/home = zeroVec { x = 1[m] }/;/^home.x/d' assigned.frob > cured.frob
   $ frobc check cured.frob
