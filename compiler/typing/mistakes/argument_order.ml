@@ -39,8 +39,14 @@ let surely bound wanted given =
   | _ -> agree bound wanted given
 
 let exchanged ~parameters ~given ~position =
+  let alike a b =
+    match (Type.expand a, Type.expand b) with
+    | Number (_, u), Number (_, u') -> Units.equal u u'
+    | _ -> false
+  in
   let fit i =
     if i = position || i > List.length parameters then false
+    else if alike (List.nth given (i - 1)) (List.nth given (position - 1)) then false
     else
       let moved j = if j = i then position else if j = position then i else j in
       let bound = ref [] in

@@ -110,6 +110,9 @@ let hint words ~subject ~(expected : Expected.t) ~found =
            "`fromMaybe False %s` is what is in it, and False in `Nothing`, as where a time has run \
             out"
            (written words subject "m"))
+  | Parameter { callee = Some ("edge" | "when" | "falling" as f); _ }
+    when Environment.is_event found ->
+      Some (Printf.sprintf "this is an event already, and needs no `%s`" f)
   | Parameter { callee = Some f; _ }
     when Type.expand wanted = Bool && Environment.is_event found
          && not (List.mem f [ "&&"; "||"; "not" ]) ->

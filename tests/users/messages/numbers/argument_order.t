@@ -117,3 +117,14 @@ Two that are of one type whatever it is are not exchanged:
   
   1 error
   [1]
+
+Two of one unit do not change places: here it is the unit of the rate that is wrong.
+
+  $ cat > rate.frob <<'FROB'
+  > import Control
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = rateLimit 0.5[m/s] (0.5[1/s] * frontSonar i))
+  > FROB
+  $ frobc check rate.frob 2>&1 | grep -e "^error" -e order
+  error[E0320]: expected the unit `m`, found `m/s`
