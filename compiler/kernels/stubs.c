@@ -71,7 +71,7 @@ value frob_kernel_name(value image)
     CAMLparam1(image);
     CAMLlocal3(result, size, hash);
     const struct frob_frame_name name =
-        frob_frame_name((const struct frob_image *)Nativeint_val(image));
+        frob_frame_name_of((const struct frob_image *)Nativeint_val(image));
     size = caml_copy_int64((int64_t)name.size);
     hash = caml_copy_int64((int64_t)name.hash);
     result = caml_alloc_tuple(3);

@@ -134,7 +134,7 @@ static void add_image(struct frob_text *text, const struct frob_image *image, en
         frob_text_add(text, "?"); /* only foreign code can make one */
         return;
     }
-    frame = frob_frame_name(image);
+    frame = frob_frame_name_of(image);
     snprintf(name, sizeof name,
              place == ARGUMENT ? "(Image %" PRIu32 " %" PRIu64 " 0x%016" PRIx64 ")"
                                : "Image %" PRIu32 " %" PRIu64 " 0x%016" PRIx64,

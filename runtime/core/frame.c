@@ -52,7 +52,7 @@ static uint64_t hash_file(const char *head, size_t length, const struct frob_ima
     return hash;
 }
 
-struct frob_frame_name frob_frame_name(const struct frob_image *image)
+struct frob_frame_name frob_frame_name_of(const struct frob_image *image)
 {
     char head[FROB_FRAME_HEAD_ROOM];
     const size_t length = frob_frame_head(image, head);

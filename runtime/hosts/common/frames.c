@@ -138,7 +138,7 @@ bool frame_writer_put(struct frame_writer *writer, const struct frob_image *imag
     if (!writer->made && mkdir(writer->folder, 0777) != 0 && errno != EEXIST)
         return cannot("make the folder", writer->folder);
     writer->made = true;
-    name = frob_frame_name(image);
+    name = frob_frame_name_of(image);
     path = path_of(writer->folder, frames_key(&name), image->format == FROB_GREY8);
     ok = path != NULL ? write_file(path, image) : cannot("write", NULL);
     free(path);
@@ -261,7 +261,7 @@ static const struct frob_image *find(void *context, const struct frob_frame_name
     const struct frob_image *image = frame_reader_by_key(reader, frames_key(name));
     *expected = reader->expected;
     if (image != NULL && reader->verifies) {
-        const struct frob_frame_name found = frob_frame_name(image);
+        const struct frob_frame_name found = frob_frame_name_of(image);
         if (found.hash != name->hash || found.size != name->size) {
             *expected = "the frame that was recorded (its file has been changed)";
             return NULL;

@@ -80,7 +80,7 @@ void publisher_start(struct publisher *p, const struct frob_program *program, si
 
 static void to_key(void *context, const struct frob_image **image)
 {
-    const struct frob_frame_name name = frob_frame_name(*image);
+    const struct frob_frame_name name = frob_frame_name_of(*image);
     const uintptr_t key = (uintptr_t)frames_key(&name);
     (void)context;
     memcpy(image, &key, sizeof key);

@@ -33,7 +33,7 @@ struct frob_frame_name {
     uint64_t hash;
 };
 
-struct frob_frame_name frob_frame_name(const struct frob_image *image);
+struct frob_frame_name frob_frame_name_of(const struct frob_image *image);
 
 /* Room for the head of any file, with the NUL. */
 #define FROB_FRAME_HEAD_ROOM 1024

@@ -185,7 +185,7 @@ void mistakes() {
     rejects("tape has no side", "[[tape]]\npoints = [[1, 1], [2, 1]]\n[measure]\nwhat = \"tape\"\nside = \"left\"\n",
             "w.toml:9:1: unknown key `side`");
     rejects("something else to measure", "[measure]\nwhat = \"line\"\ndistance = 1\n",
-            "w.toml:6:8: `what` is \"wall\" or \"tape\"");
+            "w.toml:6:8: `what` is \"wall\", \"tape\" or \"ball\"");
 }
 
 } // namespace
