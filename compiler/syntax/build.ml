@@ -221,8 +221,8 @@ let do_body location statements : Ir.proc_body =
     | Bare_expression { span; _ } ->
         Reject.at ~code:"E0116" span
           ~hint:
-            "nothing is done for its effect, such as printing or waiting: bind its value with `x <- …`, \
-             or run it with `sf -< x`; tasks are statements of a `do` without `proc`"
+            "nothing is done for its effect, such as printing or waiting: bind its value with \
+             `x <- …`, or run it with `sf -< x`; tasks are statements of a `do` without `proc`"
           "this expression is not a statement of a `proc`"
     | Rec _ -> Diagnostic.bug ~stage:"Syntax.Build" "a `rec` that was not flattened"
   in

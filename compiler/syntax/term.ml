@@ -100,7 +100,8 @@ and no_expression span (desc : Ir.expr_desc) =
   | Field _ ->
       Reject.at ~code:"E0114" span
         ~hint:
-          "nothing is assigned: a record with another field is `p { x = … }`, under a name of its own"
+          "nothing is assigned: a record with another field is `p { x = … }`, under a name of its \
+           own"
         "the selection of a field cannot be part of a pattern"
   | Annotated _ ->
       Reject.at ~code:"E0114" span

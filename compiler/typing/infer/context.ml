@@ -138,7 +138,8 @@ let words t =
             List.filter (fun (c : Ir.constructor) -> List.exists is_part c.fields) constructors
             |> List.map (fun (c : Ir.constructor) ->
                    let shown (name, field) =
-                     if is_part (name, field) then "…" else String.uncapitalize_ascii (Show.ty field)
+                     if is_part (name, field) then "…"
+                     else String.uncapitalize_ascii (Show.ty field)
                    in
                    String.concat " " (c.constructor.name :: List.map shown c.fields))
         | Alias _ | Builtin | Foreign -> [])

@@ -122,7 +122,8 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
            (Option.value (Plain_name.of_expr head) ~default:"xs")
            (Option.value (Show.quote words at) ~default:"0"))
         diagnostic
-  | _, Global { name = "integral" | "derivative" | "delay" | "time" as name; _ } when position > 1 ->
+  | _, Global { name = ("integral" | "derivative" | "delay" | "time") as name; _ }
+    when position > 1 ->
       hint
         (Printf.sprintf "to start it afresh at each occurrence of an event: `resetOn %s (x, e)`"
            (if name = "delay" then "(delay x0)" else name))

@@ -145,7 +145,8 @@ let is_number t = match Type.expand t with Number _ -> true | _ -> false
 (* As in `f(x, y)`. *)
 let separated_by_commas (expected : Expected.t) =
   match expected.because with
-  | Parameter { position = 1; callee = Some name; _ } -> (match name.[0] with 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false)
+  | Parameter { position = 1; callee = Some name; _ } -> (
+      match name.[0] with 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false)
   | _ -> false
 
 (* How a vector is built, perhaps of these. *)

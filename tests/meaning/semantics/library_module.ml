@@ -39,6 +39,13 @@ let signature line =
       List.map (fun name -> (bare name, type_)) names
   | Some _ | None -> []
 
+(* Of what is in C: the type, without the symbol. *)
+let in_c names =
+  List.map
+    (fun (name, type_) ->
+      match find type_ " = " with Some i -> (name, before type_ i) | None -> (name, type_))
+    (signature names)
+
 let declared text =
   let keyword line word =
     let n = String.length word in
@@ -48,13 +55,12 @@ let declared text =
     let comment = String.length text >= 2 && before text 2 = "--" in
     if text = "" || comment then found
     else
-      match
-        (keyword text "unit ", keyword text "type ", keyword text "data ", keyword text "primitive ")
-      with
-      | Some name, _, _, _ | _, Some name, _, _ ->
-          { found with types = first_word name :: found.types }
-      | _, _, Some name, _ ->
+      let types = List.find_map (keyword text) [ "unit "; "type "; "foreign type " ] in
+      match (types, keyword text "data ", keyword text "foreign ", keyword text "primitive ") with
+      | Some name, _, _, _ -> { found with types = first_word name :: found.types }
+      | _, Some name, _, _ ->
           { found with types = (first_word name :: constructors name) @ found.types }
+      | _, _, Some names, _ -> { found with values = List.rev_append (in_c names) found.values }
       | _, _, _, Some names -> { found with values = List.rev_append (signature names) found.values }
       | None, None, None, None ->
           { found with values = List.rev_append (signature text) found.values }

@@ -10,7 +10,9 @@ let declared module_ = Library_module.declared (Page.read (root / "stdlib" / (mo
 let prelude = declared "Prelude"
 
 (* With a heading each in appendix B. *)
-let library = [ "Control"; "Geometry"; "Driving"; "Sources"; "Past"; "Trial"; "WallFollow"; "Display" ]
+let library =
+  [ "Control"; "Geometry"; "Driving"; "Sources"; "Past"; "Trial"; "WallFollow"; "Display"; "Vision" ]
+
 let modules = List.map (fun name -> (name, declared name)) library
 let frobc = Sys.argv.(1)
 
