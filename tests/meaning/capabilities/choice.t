@@ -91,6 +91,7 @@ not in the library.
     |
     = note: only `create` has it
     = note: `main` is compiled for `scout`: there is no instance `HasCliffs ScoutInput`
+    = hint: compile it with `--robot create`
   
   1 error
   [1]
@@ -149,6 +150,7 @@ What a signature promises and nothing needs is asked for too:
     |
     = note: only `create` has it
     = note: `main` is compiled for `pioneer`: there is no instance `HasBeacon PioneerInput`
+    = hint: compile it with `--robot create`
   
   1 error
   [1]

@@ -187,13 +187,12 @@ let json =
           ({|{"message":"something is wrong","code":{"code":"E0999","explanation":null},"level":"error",|}
           ^ {|"spans":[{"file_name":"main.frob","byte_start":95,"byte_end":105,"line_start":8,"line_end":8,|}
           ^ {|"column_start":5,"column_end":10,"is_primary":true,"text":[{"text":"s = \"é日本\" + |}
-          ^ "\xef\xbf\xbd"
-          ^ {|[31m + a","highlight_start":5,"highlight_end":10}],"label":"say \"x\""},|}
+          ^ {|\u001b[31m + a","highlight_start":5,"highlight_end":10}],"label":"say \"x\""},|}
           ^ {|{"file_name":"main.frob","byte_start":0,"byte_end":5,"line_start":1,"line_end":1,"column_start":1,|}
           ^ {|"column_end":6,"is_primary":false,"text":[{"text":"first = 1","highlight_start":1,"highlight_end":6}],|}
           ^ {|"label":"other"}],"children":[{"message":"n","code":null,"level":"note","spans":[],"children":[],|}
           ^ {|"rendered":null},{"message":"h","code":null,"level":"help","spans":[],"children":[],"rendered":null}],|}
-          )
+          ^ {|"fixes":[],|})
           (before_rendered (Render_json.diagnostics source [ d ])));
   ]
 
