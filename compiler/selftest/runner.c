@@ -80,7 +80,7 @@ static int is_right(void *state, void *input, void *output, const char *names,
         const struct recorded_row *row = &recorded_rows[i];
         for (int k = 0; k < column_count; k++) {
             struct frob_cell_error error;
-            if (!frob_cell_read(row->cells[k], columns[k], input, &error)) {
+            if (!frob_cell_read(row->cells[k], columns[k], input, NULL, &error)) {
                 printf("`%s` could not be read\n", row->cells[k]);
                 return 0;
             }
