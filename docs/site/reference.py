@@ -40,7 +40,7 @@ def entries(text):
 
 def names_of(declaration):
     """What a declaration declares: one name or, of a signature, several."""
-    keyword = re.match(r"(?:(primitive|foreign type|foreign|type|data|class) )?", declaration[0]).group(1)
+    keyword = re.match(r"(?:(primitive|foreign type|foreign|type|unit|data|class) )?", declaration[0]).group(1)
     first = declaration[0].removeprefix(f"{keyword} ")
     if keyword == "class":
         first = re.sub(r"^.*=> ", "", first)
