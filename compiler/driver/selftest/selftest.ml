@@ -147,7 +147,7 @@ let common t =
       (List.sort compare (Array.to_list (Sys.readdir t.resources.elementary)))
   in
   (t.resources.selftest / "runner.c")
-  :: core [ "text.c"; "cell_read.c"; "cell_write.c"; "trace.c" ]
+  :: core [ "text.c"; "cell_read.c"; "cell_write.c"; "frame.c"; "trace.c" ]
   @ List.map (fun file -> t.resources.elementary / file) elementary
 
 let objects t =

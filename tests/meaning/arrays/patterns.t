@@ -101,6 +101,8 @@ There are as many patterns as the array has elements:
     |      ------------------ the signature of `f` asks for `Array 3 Int`
   2 | f [a, b] = a + b
     |   ^^^^^^
+    |
+    = hint: the two have different numbers of elements; `take` and `drop` make an array of the size that its type says
   
   error[E0306]: the signature promises every size `n`, but the definition needs it to be `2`
    --> size.frob:5:3

@@ -76,6 +76,8 @@ no elements or too many are errors:
     |                  -------        ^^^^^^^^^
     |                  |
     |                  argument 3 of `zipWith` is `Array 2 Float`
+    |
+    = hint: the two have different numbers of elements; `take` and `drop` make an array of the size that its type says
   
   error[E0331]: nothing decides the size of an array where `generate` is used
    --> wrong.frob:5:31

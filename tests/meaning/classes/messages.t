@@ -228,6 +228,8 @@ What an instance may be, and what it must give.
   ...
   23 | instance Base (a, b)
      |          ^^^^^^^^^^^
+     |
+     = hint: the lines below the `where` of the instance define it: `base = …`
   
   error[E0362]: the head of an instance is a type constructor applied to distinct variables, not `a`
     --> declared.frob:24:15
@@ -382,6 +384,8 @@ The types of a method's definitions are the class's.
   ...
   9 |     area s = 4 * s.side
     |              ^^^^^^^^^^ this is `Float[m]`
+    |
+    = hint: if this is what comes out, the signature says `Float[m]`
   
   error[E0306]: the signature promises every type `b`, but the definition needs it to be `Square`
     --> bodies.frob:10:17
@@ -450,7 +454,7 @@ Methods that are signal functions run where any may.
   6 |     far i = frontDistance i > 0
     |             ^^^^^^^^^^^^^^^ an instance needs a `proc` around it
     |
-    = hint: write `proc x -> …`, and run it there
+    = hint: write `proc x -> …`, and run it there: what has the type `a -> b` becomes a signal function, `SF a b`, as in `f = proc x -> frontDistance x`
   
   error[E0342]: `derivative` is run in a branch
     --> levels.frob:11:19

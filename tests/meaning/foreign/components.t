@@ -130,7 +130,7 @@ What comes from C is unknown when a program starts, so it may switch at once:
   4 | main = switch filter (\_ -> main)
     | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     | |                           |
-    | |                           `main` may start `main` at its own first instant
+    | |                           `main` may go on to itself at its own first instant
     | `filter` may occur at the first instant of `main`
     |
     = note: at an instant at which `filter` occurs as soon as `main` starts, nothing waits for the next one

@@ -78,7 +78,7 @@ A signal function that calls itself other than in a continuation.
     |                `main` uses `main` here
     |
     = note: functions may not be recursive, but `foldl` and `scanl` go through arrays; a signal function may start itself again only in the continuation of a switch
-    = hint: a value that depends on its own past is an equation of a `proc`, with `delay`
+    = hint: a value that depends on its own past is an equation of a `proc`, with `delay`, as in `n = delay 0 n + 1`
   
   1 error
   [1]

@@ -55,6 +55,7 @@ What is no task, tasks that do not fit together, and tasks for signal functions.
   9 |     x <- derivative
     |          ^^^^^^^^^^ this is `SF Float[u] Float[u/s]`
     |
+    = hint: to read it once: `ask derivative`
     = hint: `mkTask (derivative &&& event)` ends when the event occurs; `mkTask (derivative &&& never)` never does
   
   error[E0301]: expected `Task Float Float a`, found the function `b -> Task c b ()`

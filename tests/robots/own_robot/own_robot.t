@@ -139,6 +139,7 @@ What is missing is said.
     |
     = note: `pioneer`, `scout` and `create` have it
     = note: `main` is compiled for `rover`: there is no instance `HasBumpers RoverInput`
+    = hint: compile it with `--robot pioneer`, `--robot scout` or `--robot create`
   
   1 error
   [1]
