@@ -40,14 +40,37 @@ let note written (w : Fragment.write) =
   | Own field -> Int_table.replace written field.id ()
   | Local _ | Result _ -> ()
 
+(* Those by one condition that follow each other, which share its [If]. *)
+let groups writes =
+  let condition (w : Fragment.write) =
+    match w.update with Branch { condition = Signal c; _ } -> Some c.id | _ -> None
+  in
+  let add groups (w : Fragment.write) =
+    match groups with
+    | (first :: _ as group) :: others
+      when condition w <> None && condition first = condition w ->
+        (w :: group) :: others
+    | _ -> [ w ] :: groups
+  in
+  List.rev_map List.rev (List.fold_left add [] writes)
+
 let of_usage usage =
   let written = Int_table.create 16 in
-  let order (write : Fragment.write) =
-    let early = overlap (reads usage (Usage.update_atoms write.update)) written in
-    note written write;
-    { write; early }
+  let needs_written writes =
+    let atoms (w : Fragment.write) = Usage.update_atoms w.update in
+    overlap (reads usage (List.concat_map atoms writes)) written
   in
-  Long_list.map order (Usage.writes usage)
+  (* What several writes of a group need is computed in their [If], before all of them. *)
+  let order group =
+    let all_early = List.compare_length_with group 1 > 0 && needs_written group in
+    let one (write : Fragment.write) =
+      let early = all_early || needs_written [ write ] in
+      note written write;
+      { write; early }
+    in
+    Long_list.map one group
+  in
+  List.concat_map order (groups (Usage.writes usage))
 
 let written writes value usage =
   let fields = Int_table.create 16 in

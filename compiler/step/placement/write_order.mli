@@ -3,7 +3,8 @@
     before it is [early].
 
     What it needs counts through all values that nothing else needs, because those are
-    computed as late as possible. *)
+    computed as late as possible; nothing but it, and the writes with which it shares an
+    [If]. *)
 
 type write = {
   write : Fragment.write;
