@@ -204,12 +204,9 @@ type node = {
   reset : code;  (** empty if there is no state, or nothing calls it *)
   step : code;
   outputs : (string * ty) list;  (** then what only transitions read *)
-  ends_early : (int * int) option;
+  ends_early : int option;
       (** a mode whose step, where one of its transitions occurs, gives only the outputs
-          from the first of these numbers on, and where its first transition occurs only
-          those of them before the second: see {!Early_end}. If the first is an output of
-          its own, not one for transitions, that tells that all is over, as a transition
-          would *)
+          from this number on: see {!Early_end} *)
   seconds : bool;  (** the step, or a callee's, reads [Dt] *)
   nanoseconds : bool;  (** likewise [Dt_nanoseconds] *)
   operations : int;  (** a rough count of the step's own, without callees *)

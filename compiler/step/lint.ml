@@ -382,10 +382,10 @@ let program (program : Ir.program) =
       let context () = { program; index; node; state; outputs; declared = Hashtbl.create 16 } in
       List.iter (lasting (context ())) node.state;
       let after_step = code (context ()) node.step in
-      let given, untold = Option.value node.ends_early ~default:(0, max_int) in
+      let given = Option.value node.ends_early ~default:0 in
       List.iteri
         (fun k _ ->
-          if k >= given && k < untold && not (Known.mem k after_step.results) then
+          if k >= given && not (Known.mem k after_step.results) then
             bug "`%s` does not write its result %d" node.name k)
         node.outputs;
       if node.reset.body <> [] || index = Array.length program.nodes - 1 then

@@ -93,20 +93,7 @@ let one_case c (run : M.run) ~again ~dropped k (case : M.case) =
     if run.drops then List.map (fun (_, name, _) -> Ir.Name name) own else List.map snd results
   in
   let others = List.map (fun v -> (v, Expression.variable c.names v)) case.others in
-  (* Nor can who analyses this C see that what only a later transition needs is read only
-     where the step gives it. *)
-  let untold = Option.fold c.v.program.nodes.(mode.node).ends_early ~none:max_int ~some:snd in
-  let told, untold =
-    List.partition_map Fun.id
-      (List.mapi
-         (fun k (v, name) ->
-           if List.length results + k < untold then Either.Left (v, name) else Right (v, name))
-         others)
-  in
-  let declarations =
-    declared c (List.map (fun (v, name, _) -> (v, name)) own @ told)
-    @ List.map (fun (v, name) -> zero c v name) untold
-  in
+  let declarations = declared c (List.map (fun (v, name, _) -> (v, name)) own @ others) in
   let call = step c mode case (targets @ List.map named others) in
   let keep =
     match own with

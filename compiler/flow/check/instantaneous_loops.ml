@@ -98,7 +98,8 @@ let report sink ~entry uses index (program : Ir.program) first (m : Ir.machine) 
     && Own_code.is_own ~entry node.span
   in
   let tasks = Array.to_list program.nodes in
-  (* A mode's name. Where a definition of the program's runs inside a combinator, it is that which may end. *)
+  (* A mode's name. Where a definition of the program's runs inside a combinator, it is that
+     which may end. *)
   let mode (v, _, (t : Ir.transition), source) =
     let here = program.nodes.(modes.(v)) in
     let is_elsewhere origin (node : Ir.node) =

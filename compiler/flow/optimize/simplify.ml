@@ -110,7 +110,7 @@ let has_constructor known add value constructor : Ir.rhs option =
   test 0 value
 
 (* The leaf of a payload. A value of another constructor has an unspecified
-   one there, so where only one branch has it, it is taken. *)
+   one there, so where only one branch has it, it is taken; where none has, a 0. *)
 let payload known add ty value constructor leaf : Ir.rhs option =
   let rec part depth value =
     match definition known value with
@@ -127,7 +127,12 @@ let payload known add ty value constructor leaf : Ir.rhs option =
         | `Unknown, _ | _, `Unknown -> `Unknown)
     | Some _ | None -> `Unknown
   in
-  match part 0 value with `Leaf rhs -> Some rhs | `Other_constructor | `Unknown -> None
+  match (part 0 value, (ty : Ir.ty)) with
+  | `Leaf rhs, _ -> Some rhs
+  | `Other_constructor, Bool -> Some (Copy (Bool false))
+  | `Other_constructor, Int -> Some (Copy (Int 0l))
+  | `Other_constructor, Float -> Some (Copy (Float 0.))
+  | (`Other_constructor | `Unknown), _ -> None
 
 let element known array k : Ir.rhs option =
   match definition known array with

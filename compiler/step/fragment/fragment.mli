@@ -64,12 +64,5 @@ type t = {
 and ending = {
   ends : atom;
   told : int;
-  first : first option;  (** [ends] is of the other transitions then *)
   span : Span.t;
-}
-
-(** The first transition, if much is computed only for those after it. *)
-and first = {
-  occurs : atom;
-  untold : int;  (** where it occurs, results from here on do not count *)
 }

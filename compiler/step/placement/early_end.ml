@@ -50,45 +50,26 @@ let needed_for ({ leaves; items; _ } : Fragment.t) (atoms : atom list) =
   done;
   needed
 
-let results_from told (fragment : Fragment.t) =
-  List.filteri (fun k _ -> k >= told) (List.map (fun (_, atom, _) -> atom) fragment.results)
-
 let needed (fragment : Fragment.t) ending =
-  let first = Option.to_list (Option.map (fun first -> first.occurs) ending.first) in
-  needed_for fragment ((ending.ends :: first) @ results_from ending.told fragment)
-
-let needed_first (fragment : Fragment.t) ~told first =
-  let results = List.filteri (fun k _ -> k < first.untold - told) (results_from told fragment) in
-  needed_for fragment (first.occurs :: results)
-
-let weight = function Computed c -> c.weight | Action a -> a.weight
-
-(* As much as is worth a branch: a division, say, or a call. *)
-let much = 12
-
-let is_much fragment ending first =
-  let by_first = needed_first fragment ~told:ending.told first in
-  let more = ref 0 in
-  Array.iteri
-    (fun k is_needed ->
-      if is_needed && not by_first.(k) then more := !more + weight fragment.items.(k))
-    (needed fragment ending);
-  !more >= much
+  let results = List.map (fun (_, atom, _) -> atom) fragment.results in
+  needed_for fragment (ending.ends :: List.filteri (fun k _ -> k >= ending.told) results)
 
 (* One that occurs only where another one of them does. *)
 let implies_other resolve (node : F.node) atoms atom =
-  let is_other a = (not (Flow.Operands.same a atom)) && List.exists (Flow.Operands.same a) atoms in
-  match (atom : F.atom) with
-  | Signal s ->
-      List.exists
-        (fun (e : F.equation) ->
-          e.defines.id = s.id
-          &&
-          match e.rhs with
-          | Op (And, both) -> List.exists (fun a -> is_other (resolve a)) both
-          | _ -> false)
-        node.equations
-  | Bool _ | Int _ | Float _ -> false
+  let definition = function
+    | F.Signal s -> List.find_opt (fun (e : F.equation) -> e.defines.id = s.id) node.equations
+    | Bool _ | Int _ | Float _ -> None
+  in
+  let is_part operator part whole =
+    match definition whole with
+    | Some { rhs = Op (o, both); _ } when o = operator ->
+        List.exists (fun a -> Flow.Operands.same (resolve a) part) both
+    | Some _ | None -> false
+  in
+  List.exists
+    (fun a ->
+      (not (Flow.Operands.same a atom)) && (is_part F.And a atom || is_part F.Or atom a))
+    atoms
 
 let either ~fresh (node : F.node) (a : atom) (b : atom) =
   let id = fresh () in
@@ -111,7 +92,7 @@ let find ~fresh ~resolve (node : F.node) (fragment : Fragment.t) =
   let is_signal = function F.Signal _ -> true | Bool _ | Int _ | Float _ -> false in
   let tries = List.exists (fun (i : F.instance) -> i.trials <> []) node.instances in
   match can_occur with
-  | first :: others
+  | _ :: _
     when List.for_all is_signal can_occur && (not tries)
          && Option.is_none fragment.returned && Option.is_none (Late.split fragment) ->
       let independent atom = not (implies_other resolve node can_occur atom) in
@@ -120,30 +101,8 @@ let find ~fresh ~resolve (node : F.node) (fragment : Fragment.t) =
         | [] -> broken "transitions that each need another to occur"
         | first :: others -> List.fold_left either first others
       in
-      let later =
-        match others with
-        | [] -> None
-        | second :: rest -> Some (List.fold_left either second rest)
-      in
       let items = Array.append fragment.items (Array.of_list (List.rev !more)) in
-      let fragment = { fragment with items } in
-      let whole = { ends; told; first = None; span = node.span } in
-      let ending =
-        match (later, node.transitions) with
-        | Some later, transition :: _ when resolve transition.occurs = first ->
-            let only_first = { node with transitions = [ transition ] } in
-            let untold = told + List.length (Modes.results_for_transitions only_first) in
-            let first = { occurs = first; untold } in
-            let apart = { whole with ends = later; first = Some first } in
-            if is_much fragment apart first then apart else whole
-        | _ -> whole
-      in
-      { fragment with ending = Some ending }
+      { fragment with items; ending = Some { ends; told; span = node.span } }
   | _ -> fragment
 
-let told (fragment : Fragment.t) =
-  let untold (first : Fragment.first) = first.untold in
-  let told (e : ending) =
-    (e.told, Option.fold e.first ~none:(List.length fragment.results) ~some:untold)
-  in
-  Option.map told fragment.ending
+let told (fragment : Fragment.t) = Option.map (fun ending -> ending.told) fragment.ending

@@ -10,10 +10,7 @@
     if (!arrived) {
         ...
     }
-    v}
-
-    Where much is computed only to know whether a later transition occurs, that is done
-    behind the first one's [if], and the other one inside. *)
+    v} *)
 
 val possible : Flow.Ir.program -> bool array
 (** The modes of machines in which that is so at any transition (none is delayed). None
@@ -21,9 +18,6 @@ val possible : Flow.Ir.program -> bool array
 
 val needed : Fragment.t -> Fragment.ending -> bool array
 (** The items that are needed where the mode ends. *)
-
-val needed_first : Fragment.t -> told:int -> Fragment.first -> bool array
-(** The items that are needed where its first transition occurs. *)
 
 val find :
   fresh:(unit -> int) ->
@@ -34,5 +28,5 @@ val find :
 (** The step of that node, a mode for which it is possible, with its [ending]. [resolve]
     looks through copies. *)
 
-val told : Fragment.t -> (int * int) option
+val told : Fragment.t -> int option
 (** The node's [ends_early]. *)

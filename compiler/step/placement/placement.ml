@@ -307,24 +307,14 @@ let statements_of feedback (fragment : Fragment.t) =
       store_results root (Usage.results usage);
       items (fun _ -> root)
   | Some ending ->
-      let results from until =
-        List.filteri (fun k _ -> k >= from && k < until) (Usage.results usage)
-      in
+      let results = List.mapi (fun k write -> (k, write)) (Usage.results usage) in
+      let dropped, told = List.partition (fun (k, _) -> k < ending.told) results in
       let needed = Early_end.needed fragment ending in
-      let outer, is_needed_first =
-        match ending.first with
-        | None -> (root, needed)
-        | Some first ->
-            ( (new_branch t root first.occurs ending.span).else_,
-              Early_end.needed_first fragment ~told:ending.told first )
-      in
-      let untold = Option.fold ending.first ~none:max_int ~some:(fun (f : first) -> f.untold) in
-      let goes_on = (new_branch t outer ending.ends ending.span).else_ in
+      let goes_on = (new_branch t root ending.ends ending.span).else_ in
       place_writes t ~into:goes_on writes;
-      store_results goes_on (results 0 ending.told);
-      store_results outer (results untold max_int);
-      store_results root (results ending.told untold);
-      items (fun k -> if is_needed_first.(k) then root else if needed.(k) then outer else goes_on));
+      store_results goes_on (List.map snd dropped);
+      store_results root (List.map snd told);
+      items (fun k -> if needed.(k) then root else goes_on));
   emit root
 
 let append a b = List.rev_append (List.rev a) b

@@ -102,18 +102,13 @@ let backwards t visit =
 
 let operands = function Computed c -> c.operands | Action a -> a.operands
 
-let conditions_of_ending t =
-  let first (ending : ending) = Option.map (fun (first : first) -> first.occurs) ending.first in
-  let all ending = ending.ends :: Option.to_list (first ending) in
-  Option.fold t.fragment.ending ~none:[] ~some:all
-
 let count_all t =
   Int_table.reset t.uses;
   let write w = List.iter (count t) (update_atoms w.update) in
   List.iter write t.results;
   List.iter write t.writes;
   Option.iter (fun (atom, _) -> count t atom) t.fragment.returned;
-  List.iter (count t) (conditions_of_ending t);
+  Option.iter (fun ending -> count t ending.ends) t.fragment.ending;
   backwards t (fun item -> List.iter (count t) (operands item))
 
 (* State that a choice may keep. *)
@@ -208,7 +203,7 @@ let find_branching t =
   List.iter (fun w -> write Anywhere w.update) t.results;
   List.iter (fun w -> write Anywhere w.update) t.writes;
   Option.iter (fun (atom, _) -> under Anywhere atom) t.fragment.returned;
-  List.iter (under Anywhere) (conditions_of_ending t);
+  Option.iter (fun ending -> under Anywhere ending.ends) t.fragment.ending;
   let charge_guard g weight =
     match g with Under (c, _) -> charge c weight | Nowhere | Anywhere -> ()
   in

@@ -38,8 +38,7 @@ is left out, the machine within it among that.
   8.000000000,2
   $ frobc trace duty.frob --input in.csv --engine interp | cmp - c.csv
 
-What is computed only to know whether a later way to end is taken waits for the first,
-where it is much; and it is not asked again that the first one is not taken.
+Of two ways to end of which one is also the other, only that is asked.
 
   $ cat > turn.frob <<'END'
   > import Geometry
@@ -61,24 +60,22 @@ where it is much; and it is not asked again that the first one is not taken.
   > END
   $ frobc compile turn.frob --lint
   $ sed -n '/^static.* turn_go_/,/^}/p' turn.c | sed "s, */\*.*,,"
-  static void turn_go_go(const struct turn_input *in, double *out_2, bool *out_3, double *out_p_x,
-          bool *out_4)
+  static inline void turn_go_go(const struct turn_input *in, double *out_2, bool *out_3,
+          double *out_p_x, bool *out_4)
   {
       const double p_x = in->f1.x;
       const double p_y = in->f1.y;
       const double a = in->f2;
       const bool t1 = p_x > 5.0;
+      const double t2 = frob_atan2(p_y, p_x) - a;
+      const double t3 = fabs(t2
+              - 6.283185307179586 * ceil((t2 - 3.141592653589793) / 6.283185307179586));
+      const bool t4 = t1 || t3 > 1.0;
       *out_3 = t1;
       *out_p_x = p_x;
-      if (!t1) {
-          const double t2 = frob_atan2(p_y, p_x) - a;
-          const double t3 = fabs(t2
-                  - 6.283185307179586 * ceil((t2 - 3.141592653589793) / 6.283185307179586));
-          const bool t4 = t1 || t3 > 1.0;
-          *out_4 = t4;
-          if (!t4) {
-              *out_2 = t3;
-          }
+      *out_4 = t4;
+      if (!t4) {
+          *out_2 = t3;
       }
   }
   static inline double turn_go_turned(double q_y)
