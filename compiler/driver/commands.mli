@@ -1,63 +1,19 @@
 (** What the commands of [frobc] do. Each gives the exit status; results go to
     standard output, everything else to standard error. *)
 
-type format = Text | Json
-
-(** What is done with the assertions of a program. *)
-type asserts =
-  | Off  (** nothing of them is compiled *)
-  | Count  (** they are judged, and what became of them is told *)
-  | Stop  (** and the first that is violated ends the run *)
-
-type general = {
-  format : format;  (** of diagnostics, and of a report *)
-  dump : Stage.t option;
-  stop_after : Stage.t option;
-  lint : bool;
-  specialization_limit : int;
-  real : Basis.Real.t;  (** the precision of [Float] *)
-  robot : string option;  (** the robot to compile for, where the program leaves it open *)
-  probes : string list;  (** inner signals to be seen, as {!Probe.Selection} takes them *)
-  asserts : asserts;
-  params : string list;  (** values of the program's parameters, [NAME=VALUE] each *)
-}
-
-val with_params :
-  general -> Resources.t -> entry:string -> string -> (Params.set list -> int) -> int
-(** Goes on with what the program's parameters are set to; a wrong setting is told. *)
-
-val param_options : Params.set list -> string list
-(** For a host. *)
-
-val with_claims : general -> general
+val with_claims : General.t -> General.t
 (** With the verdicts on assertions among what is recorded. *)
 
-val assert_options : general -> string list
-(** For a host. *)
-
-val request :
-  general ->
-  ?robot:Robots.t ->
-  ?entry:string ->
-  ?batch:bool ->
-  library:string ->
-  string ->
-  Request.t
-(** What these options ask of the compiler for a file. *)
-
-val status : Basis.Diagnostic.sink -> int
-(** The exit status of a command that went as far as it could. *)
-
-val check : general -> string list -> int
+val check : General.t -> string list -> int
 val compile :
-  general -> string -> batch:bool -> standalone:bool -> string -> string -> int
+  General.t -> string -> batch:bool -> standalone:bool -> string -> string -> int
 
 type engine =
   | C  (** the compiled program *)
   | Interpreter
 
 val trace :
-  general ->
+  General.t ->
   engine ->
   entry:string ->
   sources:string list ->
@@ -91,11 +47,11 @@ type run = {
 
 (** [sources]: the user's C files for a program that calls them. *)
 
-val run : general -> entry:string -> sources:string list -> run -> string -> int
+val run : General.t -> entry:string -> sources:string list -> run -> string -> int
 
 val shown :
   ?params:Params.set list ->
-  general ->
+  General.t ->
   entry:string ->
   sources:string list ->
   look option ->
@@ -117,10 +73,10 @@ type view = {
   only_build : bool;  (** print the path of what is to be run, and show nothing *)
 }
 
-val view : general -> entry:string -> sources:string list -> view -> string -> int
+val view : General.t -> entry:string -> sources:string list -> view -> string -> int
 (** Shows a recorded run on a page, until it is ended. *)
 
-val report : general -> entry:string -> states:bool -> string -> int
+val report : General.t -> entry:string -> states:bool -> string -> int
 (** Prints what the program needs, in the format of the diagnostics; or its state diagram,
     for Graphviz. *)
 
@@ -132,13 +88,10 @@ val robot_header : Resources.t -> Robots.t -> (string * string, string) result
 
 val explain : string -> int
 
-val wrong_use : string -> int
-(** Says what is wrong with the call, and not with the program. *)
-
 val compiled :
   ?quiet:bool ->
   ?batch:bool ->
-  general ->
+  General.t ->
   Resources.t ->
   entry:string ->
   string ->
@@ -170,7 +123,7 @@ val for_robot : name:string -> Cgen.Emit.t -> (unit, string) result
 
 val built :
   ?quiet:bool ->
-  general ->
+  General.t ->
   Toolchain.kind ->
   entry:string ->
   sources:string list ->
@@ -186,7 +139,7 @@ val shared :
   ?quiet:bool ->
   ?generated:(string * string) list ->
   ?options:string list ->
-  general ->
+  General.t ->
   entry:string ->
   sources:string list ->
   string ->
@@ -198,7 +151,7 @@ val shared :
 val accepted :
   ?quiet:bool ->
   (Basis.Diagnostic.sink -> Basis.Source.t -> Request.t -> 'result option) ->
-  general ->
+  General.t ->
   ?batch:bool ->
   Resources.t ->
   entry:string ->
@@ -210,14 +163,5 @@ val accepted :
 val world_of : string option -> Resources.t -> string -> string
 (** The world that is asked for, or that lies beside a program, or that comes with frobc. *)
 
-val for_world : general -> Resources.t -> string -> (general, string) result
+val for_world : General.t -> Resources.t -> string -> (General.t, string) result
 (** With the robot that the world names, if none is asked for. *)
-
-val print_diagnostics : format -> Basis.Source.t -> Basis.Diagnostic.sink -> unit
-
-val report_bug : string -> string -> int
-(** [report_bug stage message] says that it is a fault of the compiler's own. *)
-
-val report_exception : exn -> int
-(** Says what ended the command: what the system refused, which is {!Exit_status.wrong_use},
-    or a fault of the compiler's own, {!Exit_status.bug}. *)

@@ -275,7 +275,7 @@ let collect () =
 
 let run () =
   match Driver.Resources.find () with
-  | Error text -> Driver.Commands.wrong_use text
+  | Error text -> Driver.General.wrong_use text
   | Ok resources ->
       collect ();
       set_binary_mode_out stdout true;

@@ -1,5 +1,4 @@
-let ( let* ) result continue =
-  match result with Ok value -> continue value | Error text -> Commands.wrong_use text
+let ( let* ) = General.( let* )
 
 let option name value = match value with Some value -> [ name; value ] | None -> []
 let flag name value = if value then [ name ] else []
@@ -19,7 +18,7 @@ let missing host = Printf.sprintf "the host %s is missing: install frobc again" 
 
 let become host arguments =
   match Process.become host arguments with
-  | Not_found _ | Failed _ -> Commands.wrong_use (missing host)
+  | Not_found _ | Failed _ -> General.wrong_use (missing host)
 
 (* The name of a robot, and the shared object of the user's C files if it is their own. *)
 let served (resources : Resources.t) ~robot ~sources =
@@ -77,7 +76,7 @@ type run = {
   look : Commands.look option;
 }
 
-let executable (general : Commands.general) target ~entry ~sources file continue =
+let executable (general : General.t) target ~entry ~sources file continue =
   let own = Robots.own_of general.robot in
   Commands.built general Executable ~entry ~sources
     ~linked:(Target.linked ?own target ~real:general.real) file
@@ -95,7 +94,7 @@ let run general ~entry ~sources ~simulated run file =
   let outputs = List.map (Commands.as_output Table "--record") (Option.to_list run.record) in
   let* () = Output.check ~reads:(file :: sources) outputs in
   let* resources = Resources.find () in
-  Commands.with_params general resources ~entry file @@ fun params ->
+  General.with_params general resources ~entry file @@ fun params ->
   let control = match run.look with Some { control; _ } -> control | None -> false in
   Commands.shown general ~params ~entry ~sources run.look ~record:run.record ~world:None file
   @@ fun viewer ->
@@ -106,8 +105,8 @@ let run general ~entry ~sources ~simulated run file =
         @ option "--record" run.record
         @ option "--patience" (Option.map seconds run.patience)
         @ option "--reconnect" (Option.map seconds run.reconnect)
-        @ Commands.param_options params
-        @ Commands.assert_options general
+        @ General.param_options params
+        @ General.assert_options general
         @ List.concat_map (fun setting -> [ "--set"; setting ]) run.settings
         @ option "--priority" (Option.map string_of_int run.priority)
         @ flag "--lock-memory" run.lock_memory
@@ -119,7 +118,7 @@ let run general ~entry ~sources ~simulated run file =
 let build general ~entry ~sources ~target ~output file =
   match Target.of_name target with
   | None ->
-      Commands.wrong_use
+      General.wrong_use
         (Printf.sprintf "there is no target `%s`; the targets: %s; for Arduino there is \
                          `frobc export --platformio`" target
            (String.concat ", " Target.names))

@@ -30,7 +30,7 @@ type run = {
 }
 
 val run :
-  Commands.general ->
+  General.t ->
   entry:string ->
   sources:string list ->
   simulated:string list ->
@@ -41,7 +41,7 @@ val run :
     given but make sense in the simulator only. *)
 
 val build :
-  Commands.general ->
+  General.t ->
   entry:string ->
   sources:string list ->
   target:string ->

@@ -272,11 +272,11 @@ let verdict t = function
       prerr_endline ("error: " ^ text);
       line "verdict" "unfit";
       Exit_status.rejected
-  | Error (Untried text) -> Commands.wrong_use text
+  | Error (Untried text) -> General.wrong_use text
 
 let run compiler =
   match Resources.find () with
-  | Error text -> Commands.wrong_use text
+  | Error text -> General.wrong_use text
   | Ok resources ->
     let folder = Temporary.folder () in
     let cc = Option.value compiler.cc ~default:(Toolchain.this_machine ()).compiler in

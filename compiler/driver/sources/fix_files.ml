@@ -35,7 +35,7 @@ let applied sources ~file fixes =
 let check general ~library ~robot file text =
   let sink = Diagnostic.sink () and sources = Source.create () in
   let read path = if String.equal path file then Ok text else Program_file.files.read path in
-  let request = Commands.request general ?robot ~library file in
+  let request = General.request general ?robot ~library file in
   Pipeline.check sink sources { request with files = { Program_file.files with read } };
   (sink, sources)
 
@@ -68,8 +68,7 @@ let rec mended check choice file ~done_ rounds text =
 
 (* {1 The command} *)
 
-let ( let* ) result continue =
-  match result with Ok value -> continue value | Error text -> Commands.wrong_use text
+let ( let* ) = General.( let* )
 
 let write file ~before after =
   match Output.check ~reads:[] [ { path = file; content = Source; asked = "fix" } ] with
@@ -81,7 +80,7 @@ let write file ~before after =
 let one general ~diff choice ~library ~robot file =
   let* () = Program_file.check file in
   match Resolve.Files.on_disk.read file with
-  | Error (Missing | Unreadable _) -> Commands.wrong_use ("cannot read " ^ file)
+  | Error (Missing | Unreadable _) -> General.wrong_use ("cannot read " ^ file)
   | Ok before ->
       let check = check general ~library ~robot in
       let after, lines, sink, sources = mended check choice file ~done_:[] most_rounds before in
@@ -100,12 +99,12 @@ let one general ~diff choice ~library ~robot file =
           (List.length offers)
           (if List.compare_length_with offers 1 = 0 then "it" else "them");
       flush stdout;
-      Commands.print_diagnostics general.format sources sink;
-      Commands.status sink
+      General.print_diagnostics general.format sources sink;
+      General.status sink
 
 let run general ~diff choice files =
   let* resources = Resources.find () in
-  let* robot = Robots.known general.Commands.robot in
+  let* robot = Robots.known general.General.robot in
   let statuses =
     List.map (one general ~diff choice ~library:resources.library ~robot) files
   in

@@ -8,7 +8,7 @@ val applied : Source.t -> file:string -> Diagnostic.fix list -> string * Diagnos
 
 type choice = Safe | All
 
-val run : Commands.general -> diff:bool -> choice -> string list -> int
+val run : General.t -> diff:bool -> choice -> string list -> int
 (** Makes them, looks at the program again, and so on while there are some, and writes the
     files; with [diff] it shows what would change and writes nothing. What is left to do by hand is
     printed as [frobc check] does. Gives the exit status of what is left. *)

@@ -55,8 +55,7 @@ let write file text =
     | Error _ as error -> error
     | Ok () -> Output.rewrite file text
 
-let ( let* ) result continue =
-  match result with Ok value -> continue value | Error text -> Commands.wrong_use text
+let ( let* ) = General.( let* )
 
 let one ~check file =
   let* before = read file in
@@ -65,10 +64,10 @@ let one ~check file =
   Source.add sources ~file:name before;
   match Formatting.Formatter.text sink ~file:name before with
   | Broken ->
-      Commands.print_diagnostics Text sources sink;
+      General.print_diagnostics Text sources sink;
       Exit_status.rejected
   | Refused law ->
-      Commands.report_bug "format"
+      General.report_bug "format"
         (Printf.sprintf "%s stays as it is: formatted, %s" name (Formatting.Laws.name law))
   | Formatted after when check ->
       if String.equal before after then Exit_status.ok

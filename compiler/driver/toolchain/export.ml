@@ -98,9 +98,8 @@ let write_library (resources : Resources.t) ~folder ~name ~sources ~foreign_fold
   let* _ = all (List.map (fun (path, _) -> Output.folder (Filename.dirname path)) files) in
   Output.write files
 
-let platformio (general : Commands.general) ~entry ~sources ~folder file =
-  let ( let* ) result continue =
-    match result with Ok value -> continue value | Error text -> Commands.wrong_use text
+let platformio (general : General.t) ~entry ~sources ~folder file =
+  let ( let* ) = General.( let* )
   in
   let* resources = Resources.find () in
   let* () = Commands.all_exist sources in

@@ -44,7 +44,7 @@ let contains text part =
 (* {1 Running them} *)
 
 type context = {
-  general : Commands.general;
+  general : General.t;
   sources : string list;
   options : options;
   resources : Resources.t;
@@ -87,7 +87,7 @@ let quoted text =
   in
   if String.for_all is_plain text then text else Filename.quote text
 
-let robot_option (general : Commands.general) =
+let robot_option (general : General.t) =
   match general.robot with Some robot -> " --robot " ^ quoted robot | None -> ""
 
 let instants context ~lasts path =
@@ -263,27 +263,27 @@ let finish options all =
           Ok ()
       | exception Sys_error reason -> Error (Printf.sprintf "cannot write %s" reason))
 
-let run (general : Commands.general) ~sources (options : options) paths =
+let run (general : General.t) ~sources (options : options) paths =
   let paths = if paths = [] then [ "." ] else paths in
   match (Resources.find (), List.find_opt (fun path -> not (Sys.file_exists path)) paths) with
-  | Error reason, _ -> Commands.wrong_use reason
-  | _, Some path -> Commands.wrong_use (Printf.sprintf "there is no file %s" path)
+  | Error reason, _ -> General.wrong_use reason
+  | _, Some path -> General.wrong_use (Printf.sprintf "there is no file %s" path)
   | Ok resources, None -> (
       let jobs = match options.jobs with Some n -> n | None -> Workers.processors () in
-      let general = { general with Commands.asserts = Count } in
+      let general = { general with General.asserts = Count } in
       let context = { general; sources; options; resources; jobs } in
       let results = List.map (of_file context) (List.concat_map files paths) in
       let statuses = List.map fst results and all = List.concat_map snd results in
       match (List.find_opt (fun status -> status <> Exit_status.ok) statuses, all) with
       | None, [] ->
-          Commands.wrong_use
+          General.wrong_use
             (match options.pattern with
             | Some part -> Printf.sprintf "no test has `%s` in its label" part
             | None -> "there are no tests here: `test \"…\" = …` or `trial \"…\" = …`")
       | Some status, [] -> status
       | rejected, _ -> (
           match finish options all with
-          | Error reason -> Commands.wrong_use reason
+          | Error reason -> General.wrong_use reason
           | Ok () ->
               if List.exists Outcome.has_failed all then Exit_status.rejected
               else Option.value rejected ~default:Exit_status.ok))

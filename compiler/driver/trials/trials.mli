@@ -10,6 +10,6 @@ type options = {
   keep : string;  (** the folder for what can be looked at of runs that failed *)
 }
 
-val run : Commands.general -> sources:string list -> options -> string list -> int
+val run : General.t -> sources:string list -> options -> string list -> int
 (** Of files, and of all files with tests in folders. The outcome does not depend on [jobs]. Exit
     status 1 if one fails. *)

@@ -1,0 +1,9 @@
+(** The commands that run programs: their options and texts. *)
+
+open Cmdliner
+
+val trace : int Cmd.t
+val run : int Cmd.t
+val test : int Cmd.t
+val view : int Cmd.t
+val serve : int Cmd.t
