@@ -2,7 +2,7 @@
     signal function where its signal's value is wanted.
 
     Codes: [E0301] different types · [E0303] a signal function where its
-    signal's value is wanted · [E0304] a function where a signal function is
+    signal's value is wanted, by {!Unrun_mistake} · [E0304] a function where a signal function is
     wanted, or the reverse · those of {!Task_mistake}. *)
 
 open Basis

@@ -1,0 +1,101 @@
+open Basis
+open Diagnostic
+
+(* Signal functions of the prelude whose one argument before the signal is what they show first. *)
+let has_initial_value = function
+  | "delay" | "hold" | "dHold" | "accum" | "accumHold" | "dAccumHold" -> true
+  | _ -> false
+
+let count = function
+  | 1 -> "one argument"
+  | 2 -> "two arguments"
+  | n -> Printf.sprintf "%d arguments" n
+
+let rec arguments_of (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Apply { head; argument; style = Juxtaposed } -> arguments_of head @ [ argument ]
+  | _ -> []
+
+(* What it would be run on. *)
+let signal_for words input =
+  match Type.expand input with
+  | Tuple [] -> "()"
+  | Flexible _ when not (Show.needs_class words input) -> "()"
+  | _ -> Option.value (Show.signal words input) ~default:"x"
+
+(* Mentions a local name where it is applied to no number. *)
+let rec is_a_signal (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Local _ -> true
+  | Apply { head; argument; style = Juxtaposed } -> is_a_signal head || is_a_signal argument
+  | _ -> false
+
+let has_signal e =
+  match List.rev (arguments_of e) with last :: _ -> is_a_signal last | [] -> false
+
+(* [f 1 x], where [f 1 y x] was meant. *)
+let signal_in_place_of_an_argument words name arguments =
+  match List.rev_map (fun (e : Resolve.Ir.expr) -> (e, Show.quote words e.span)) arguments with
+  | (last, Some signal) :: before when before <> [] && is_a_signal last ->
+      let before =
+        List.rev_map (fun (_, text) -> Option.fold text ~none:"…" ~some:Source.grouped) before
+      in
+      Some
+        (Printf.sprintf
+           "`%s` takes %s before its signal: `%s`, where the signal is `%s`" name
+           (count (List.length arguments))
+           (String.concat " " ((name :: before) @ [ "…"; Source.grouped signal ]))
+           signal)
+  | _ -> None
+
+(* Such an application in the place of the expression; in parentheses, as it may be an argument. *)
+let instead (e : Resolve.Ir.expr option) text d =
+  match e with
+  | Some e -> fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ] d
+  | None -> d
+
+(* What is run, if a local name stands for it and it has arguments: as `far` of
+   `far = hysteresis 1 x`. *)
+let meant words (subject : Resolve.Ir.expr option) =
+  match subject with
+  | Some { desc = Local x; _ } -> (
+      match Show.definition words x with
+      | Some ({ desc = Apply { style = Juxtaposed; _ }; _ } as e)
+        when Plain_name.of_head e <> None && has_signal e ->
+          Some e
+      | _ -> subject)
+  | _ -> subject
+
+let hint_to_run words subject input d =
+  let subject = meant words subject in
+  let signal = signal_for words input in
+  let arguments = Option.fold subject ~none:[] ~some:arguments_of in
+  let argument = function
+    | ({ span; _ } : Resolve.Ir.expr) ->
+      Option.fold (Show.quote words span) ~none:"…" ~some:Source.grouped
+  in
+  hint
+    (match (Option.bind subject Plain_name.of_head, arguments) with
+    | Some name, [ only ] when has_initial_value name ->
+        Printf.sprintf "`%s` has an initial value before its signal: `%s x0 %s`" name name
+          (argument only)
+    | Some name, _ :: _ -> (
+        match signal_in_place_of_an_argument words name arguments with
+        | Some text -> text
+        | None ->
+            Printf.sprintf "run it on %s, its last argument: `%s %s`"
+              (if signal = "()" then "`()`" else "a signal")
+              (String.concat " " (name :: List.map argument arguments))
+              signal)
+    | Some name, [] -> Printf.sprintf "run it on `%s`: `%s %s`" signal name signal
+    | None, _ -> Printf.sprintf "run it on `%s`" signal)
+    d
+  |>
+  match (Option.bind subject Plain_name.of_head, arguments) with
+  | Some name, [] -> instead subject (Printf.sprintf "%s %s" name signal)
+  | _ -> Fun.id
+
+let unrun words ~subject ~at ~input ~found =
+  error ~code:"E0303" ~at "a signal function stands where the value of its signal is needed"
+  |> here (Printf.sprintf "this is %s" (Show.described words found))
+  |> hint_to_run words subject input
