@@ -13,18 +13,6 @@ let colours = [| "#0072b2"; "#d55e00"; "#009e73"; "#cc79a7"; "#e69f00"; "#56b4e9
 let dashes = [| ""; "7 3"; "2 2"; "9 3 2 3"; "4 4"; "1 3" |]
 let pick choices k = choices.(k mod Array.length choices)
 
-let escaped text =
-  let buffer = Buffer.create (String.length text) in
-  String.iter
-    (function
-      | '<' -> Buffer.add_string buffer "&lt;"
-      | '>' -> Buffer.add_string buffer "&gt;"
-      | '&' -> Buffer.add_string buffer "&amp;"
-      | '"' -> Buffer.add_string buffer "&quot;"
-      | c -> Buffer.add_char buffer c)
-    text;
-  Buffer.contents buffer
-
 (* {1 Scales} *)
 
 (* Round steps, about so many. *)
@@ -115,7 +103,7 @@ let line out ?(colour = "#dddddd") x1 y1 x2 y2 =
 
 let text out ?(anchor = "start") ?(colour = "#222222") x y words =
   Printf.bprintf out "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\">%s</text>\n" x y
-    anchor colour (escaped words)
+    anchor colour (Xml.escaped words)
 
 let curve out ~colour ~dash points =
   match points with
@@ -162,7 +150,7 @@ let panel out ~top ~across times columns =
       Printf.bprintf out
         "<text x=\"16\" y=\"%.1f\" text-anchor=\"middle\" \
          transform=\"rotate(-90 16 %.1f)\">%s</text>\n"
-        y y (escaped unit_));
+        y y (Xml.escaped unit_));
   List.iteri
     (fun k column ->
       let curve stretch =

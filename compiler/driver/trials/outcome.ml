@@ -128,28 +128,18 @@ let json t =
         ]
        @ result @ evidence))
 
-let escaped text =
-  let out = Buffer.create (String.length text) in
-  String.iter
-    (function
-      | '<' -> Buffer.add_string out "&lt;"
-      | '>' -> Buffer.add_string out "&gt;"
-      | '&' -> Buffer.add_string out "&amp;"
-      | '"' -> Buffer.add_string out "&quot;"
-      | c -> Buffer.add_char out c)
-    text;
-  Buffer.contents out
-
 let junit all =
   let case t =
-    let name = Printf.sprintf "classname=\"%s\" name=\"%s\"" (escaped t.file) (escaped t.label) in
+    let name =
+      Printf.sprintf "classname=\"%s\" name=\"%s\"" (Xml.escaped t.file) (Xml.escaped t.label)
+    in
     if not (has_failed t) then Printf.sprintf "  <testcase %s/>\n" name
     else
       let more = match t.evidence with Some e -> e.around @ [ e.view ] | None -> [] in
       Printf.sprintf "  <testcase %s>\n    <failure message=\"%s\">%s</failure>\n  </testcase>\n"
         name
-        (escaped (verdict t))
-        (escaped (String.concat "\n" more))
+        (Xml.escaped (verdict t))
+        (Xml.escaped (String.concat "\n" more))
   in
   Printf.sprintf
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
