@@ -193,6 +193,26 @@ let selftest =
       const (fun cc cflags runner real -> Driver.Selftest.run { cc; cflags; runner; real })
       $ cc $ cflags $ runner $ real)
 
+let new_project =
+  let folder =
+    let doc =
+      "The folder to make, as in $(b,rover) or $(b,robots/rover): letters, digits, $(b,_) and \
+       $(b,-). The program in it is called so too."
+    in
+    Arg.(required & pos 0 (some string) None & info [] ~docv:"NAME" ~doc)
+  in
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Makes a project to begin with: a program that drives about and touches nothing, with \
+         trials that say so; a world; a README with the commands that there are; and what \
+         editors are to know. A folder that is there already stays as it is.";
+    ]
+  in
+  command "new" ~man ~doc:"a folder with a program, its world and its trials, to begin with"
+    Term.(const Driver.New_project.run $ folder)
+
 let explain =
   let code =
     Arg.(
@@ -232,8 +252,8 @@ let main =
   in
   Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
     [
-      check; fix; format; compile; Running.trace; Running.run; Running.test; Running.view;
-      Running.serve; build; export; report; selftest; header; explain; lsp;
+      new_project; check; fix; format; compile; Running.trace; Running.run; Running.test;
+      Running.view; Running.serve; build; export; report; selftest; header; explain; lsp;
     ]
 
 (* A compilation is short, and what outlives the minor heap mostly lives to the

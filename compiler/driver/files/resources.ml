@@ -11,6 +11,7 @@ type t = {
   server : string;
   worlds : string;
   selftest : string;
+  template : string;
 }
 
 let ( / ) = Filename.concat
@@ -29,6 +30,7 @@ let under prefix =
     server = prefix / "lib" / "frobc" / "frob-serve";
     worlds = prefix / "share" / "frobc" / "worlds";
     selftest = prefix / "share" / "frobc" / "selftest";
+    template = prefix / "share" / "frobc" / "template";
   }
 
 let is_complete t = Sys.file_exists (t.library / "Prelude.frob")

@@ -15,6 +15,7 @@ type t = {
   server : string;  (** the executable [frob-serve], of simulated robots on a line *)
   worlds : string;  (** folder of the worlds that come with the simulator *)
   selftest : string;  (** folder of the programs and the C of {!Selftest} *)
+  template : string;  (** folder of the files of {!New_project} *)
 }
 
 val find : unit -> (t, string) result
