@@ -40,6 +40,10 @@ let probes sink =
 let columns sink =
   all_probes (fun (p : Front_end.t) -> Columns.of_program p.typed p.written p.flow) sink
 
+let measures sink =
+  let show (p : Front_end.t) = Measures.of_judge p.typed (fst p.closed) in
+  all_probes show sink
+
 let origins sink =
   let both (p : Front_end.t) probes =
     let equations = Probe.Equations.of_program (fst p.closed) in

@@ -39,6 +39,9 @@ val probes : string option t
 val columns : Columns.t list option t
 (** What is known of the columns of a trace with all probes. *)
 
+val measures : Measures.t list option t
+(** What a judge measures. *)
+
 val origins : (Columns.t list * Probe.Origin.t list) option t
 (** That, and where their values come from. *)
 

@@ -43,10 +43,10 @@ let column name =
 
 let of_trace text =
   match rows text with
-  | [] -> { seed = None; fate = Unasked; at = 0.; by = ""; truth = [] }
+  | [] -> { seed = None; fate = Unasked; at = 0.; by = ""; truth = []; measured = [] }
   | header :: instants ->
       let columns = List.map column header in
-      let ended fate at by = { seed = None; fate; at; by; truth = [] } in
+      let ended fate at by = { seed = None; fate; at; by; truth = []; measured = [] } in
       let time row = float_of_string (List.hd row) in
       let failed row =
         let says test =
@@ -87,6 +87,13 @@ let fate = function
   | "void" -> Void
   | _ -> Unasked
 
+let measured cell =
+  match String.rindex_opt cell '=' with
+  | None -> None
+  | Some at ->
+      let value = String.sub cell (at + 1) (String.length cell - at - 1) in
+      Some (String.sub cell 0 at, Option.value (float_of_string_opt value) ~default:Float.nan)
+
 let of_trial text =
   let run line =
     match String.split_on_char '\t' line with
@@ -97,7 +104,8 @@ let of_trial text =
             fate = fate what;
             at = float_of_string at;
             by;
-            truth = List.map float_of_string truth;
+            truth = List.filter_map float_of_string_opt truth;
+            measured = List.filter_map measured truth;
           }
     | _ -> None
   in

@@ -6,6 +6,7 @@ type run = {
   at : float;
   by : string;
   truth : float list;
+  measured : (string * float) list;
 }
 
 type evidence = { around : string list; picture : string; view : string }
@@ -14,6 +15,7 @@ type t = {
   file : string;
   label : string;
   lasts : float;
+  measures : Measures.t list;
   result : (run list, string) result;
   evidence : evidence option;
 }
@@ -66,9 +68,21 @@ let truth_line = function
       ]
   | _ -> []
 
+let of_measure (m : Measures.t) r =
+  Option.value (List.assoc_opt m.probe r.measured) ~default:Float.nan
+
+let spreads t =
+  let counted = List.filter (fun r -> r.fate <> Void) (runs t) in
+  let spread (m : Measures.t) =
+    Spread.text ~name:m.name ~unit_:m.unit_
+      (List.map (fun r -> (Option.value r.seed ~default:0, of_measure m r)) counted)
+  in
+  if counted = [] then [] else List.map spread t.measures
+
 let print t =
   Printf.printf "%s  %s: %s\n" (if has_failed t then "FAIL" else "ok  ") t.label (verdict t);
   let detail line = Printf.printf "      %s\n" line in
+  List.iter detail (spreads t);
   Option.iter
     (fun e ->
       (match failures t with first :: _ -> List.iter detail (truth_line first.truth) | [] -> ());
@@ -105,10 +119,19 @@ let json t =
           ]
       | _ -> []
     in
+    let measured =
+      let value (m : Measures.t) =
+        let x = of_measure m r in
+        if Float.is_finite x then Some (m.name, Float x) else None
+      in
+      match List.filter_map value t.measures with
+      | [] -> []
+      | values -> [ ("measured", Object values) ]
+    in
     Object
       (seed
       @ [ ("fate", String (fate_name r.fate)); ("at", Float r.at); ("by", String r.by) ]
-      @ truth)
+      @ truth @ measured)
   in
   let evidence =
     match t.evidence with

@@ -13,6 +13,7 @@ type run = {
   at : float;  (** seconds *)
   by : string;  (** the label of what failed; [judge] if the judge itself *)
   truth : float list;  (** x, y, heading, clearance, touches, driven, odometry error *)
+  measured : (string * float) list;  (** by {!Measures.t.probe}, at its end *)
 }
 
 (** What can be looked at of a run that failed. *)
@@ -26,6 +27,7 @@ type t = {
   file : string;
   label : string;
   lasts : float;
+  measures : Measures.t list;
   result : (run list, string) result;  (** or why it could not be run *)
   evidence : evidence option;
 }

@@ -64,6 +64,16 @@ let compiled context general ~entry file =
   | None when status = Exit_status.wrong_use -> Error "cannot be run"
   | None -> Error "does not compile"
 
+let measures context ~entry file =
+  let found = ref [] in
+  let status =
+    Commands.accepted ~quiet:true Pipeline.measures context.general context.resources ~entry file
+      (fun _ measures ->
+        found := measures;
+        Exit_status.ok)
+  in
+  if status = Exit_status.ok then Ok !found else Error "does not compile"
+
 (* The first line of what a host complains of. *)
 let complaint (result : Workers.result) =
   match String.split_on_char '\n' (String.trim result.errors) with
@@ -110,7 +120,7 @@ let kept context (check : Checks.t) ending = Filename.concat context.options.kee
 let alone context file (check : Checks.t) : Outcome.t =
   let entry = Resolve.Labels.judge check.name in
   let outcome result evidence =
-    { Outcome.file; label = check.label; lasts = check.lasts; result; evidence }
+    { Outcome.file; label = check.label; lasts = check.lasts; measures = []; result; evidence }
   in
   let general = { context.general with probes = [ Probes.claims ] } in
   match compiled context general ~entry file with
@@ -157,21 +167,24 @@ let chunks ~jobs first last =
   from first
 
 let simulated context file (check : Checks.t) ~world:name ~first ~last : Outcome.t =
-  let outcome result evidence =
-    { Outcome.file; label = check.label; lasts = check.lasts; result; evidence }
+  let outcome ?(measures = []) result evidence =
+    { Outcome.file; label = check.label; lasts = check.lasts; measures; result; evidence }
   in
   let prepared =
     let* world = world context file name in
     let* general = Commands.for_world context.general context.resources world in
-    let* judge = compiled context context.general ~entry:(Resolve.Labels.judge check.name) file in
+    let entry = Resolve.Labels.judge check.name in
+    let* measures = measures context ~entry file in
+    let probes = List.map (fun (m : Measures.t) -> m.probe) measures in
+    let* judge = compiled context { context.general with probes } ~entry file in
     let* program =
       compiled context { general with probes = [ Probes.claims ] } ~entry:"main" file
     in
-    Ok (world, program, judge)
+    Ok (world, program, judge, measures)
   in
   match prepared with
   | Error reason -> outcome (Error reason) None
-  | Ok (world, program, judge) -> (
+  | Ok (world, program, judge, measures) -> (
       let command (first, last) more =
         ( context.resources.simulator,
           [ program; "--world"; world; "--judge"; judge; "--for";
@@ -179,17 +192,22 @@ let simulated context file (check : Checks.t) ~world:name ~first ~last : Outcome
             "--seed"; string_of_int first; "--last-seed"; string_of_int last ]
           @ more )
       in
-      let commands =
-        List.map (fun part -> command part []) (chunks ~jobs:context.jobs first last)
+      let parts = Array.of_list (chunks ~jobs:context.jobs first last) in
+      let progress = Progress.start check.label ~total:(last - first + 1) in
+      let ended part =
+        let first, last = parts.(part) in
+        Progress.add progress (last - first + 1)
       in
-      let results = Workers.run ~jobs:context.jobs commands in
+      let commands = List.map (fun part -> command part []) (Array.to_list parts) in
+      let results = Workers.run ~ended ~jobs:context.jobs commands in
+      Progress.finish progress;
       match List.find_opt (fun (r : Workers.result) -> r.status <> 0) results with
       | Some result -> outcome (Error (complaint result)) None
       | None ->
           let runs =
             List.concat_map (fun (r : Workers.result) -> Found.of_trial r.output) results
           in
-          let t = outcome (Ok runs) None in
+          let t = outcome ~measures (Ok runs) None in
           let evidence (run : Outcome.run) seed =
             let ending extension = Printf.sprintf "-%d%s" seed extension in
             let record = kept context check (ending ".csv") in

@@ -29,7 +29,7 @@ let rec wait () =
   | pid, (WSIGNALED signal | WSTOPPED signal) -> (pid, 128 + signal)
   | exception Unix.Unix_error (EINTR, _, _) -> wait ()
 
-let run ~jobs commands =
+let run ?(ended = ignore) ~jobs commands =
   let folder = Temporary.folder () in
   let commands = Array.of_list commands in
   let statuses = Array.make (Array.length commands) 0 in
@@ -39,7 +39,8 @@ let run ~jobs commands =
     match Hashtbl.find_opt running pid with
     | Some number ->
         statuses.(number) <- status;
-        Hashtbl.remove running pid
+        Hashtbl.remove running pid;
+        ended number
     | None -> ()
   in
   Array.iteri

@@ -17,6 +17,9 @@ let check_name kind label = check_word kind ^ " " ^ label
 let judge_of = "judge "
 let judge name = judge_of ^ name
 
+let is_measuring (g : Ir.Global.t) =
+  g.module_ = "Trial" && List.mem g.name [ "meanOf"; "largestOf"; "smallestOf"; "lastOf" ]
+
 let kind_of_check text =
   let of_kind kind =
     let prefix = check_name kind "" in

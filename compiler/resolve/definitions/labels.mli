@@ -32,6 +32,10 @@ val check_name : Syntax.Ir.check -> string -> string
 val judge : string -> string
 (** Of the definition that is the judge in it, from its name. *)
 
+val is_measuring : Ir.Global.t -> bool
+(** Is it one of the library's functions whose values [frobc test] tells, where an equation names
+    them, as [error = meanOf x] does? *)
+
 val kind_of_check : string -> (Syntax.Ir.check * string) option
 (** Kind and label, if a definition of that name is a test. *)
 

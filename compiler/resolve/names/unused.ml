@@ -9,6 +9,7 @@ type found = {
   mutable vertices : vertex list;  (* the last one first *)
   mutable count : int;
   of_local : int Int_table.t;
+  mutable told : int list;  (* vertices that hosts tell of, whoever reads them *)
   mutable reads : (int * int) list;  (* who reads which local variable *)
 }
 
@@ -31,11 +32,20 @@ let rec expr found reader (e : Ir.expr) =
   | Local local -> found.reads <- (reader, local.id) :: found.reads
   | _ -> Walk.expr (visitor found reader) e
 
+(* [error = meanOf x], whose value a test tells. *)
+and is_measured (b : Ir.binding) =
+  match b.body.guards with
+  | [ { condition = None; value = { desc = Apply { head = { desc = Global g; _ }; _ }; _ } } ] ->
+      Labels.is_measuring g
+  | _ -> false
+
 and binding found (b : Ir.binding) =
   let number = found.count in
   (match b.name with
   | Top (g, at) -> ignore (add found { name = g.name; at; kind = Equation; needs = [] })
-  | Inner local -> add_local found Equation [] local
+  | Inner local ->
+      add_local found Equation [] local;
+      if is_measured b || Labels.is_name local.name then found.told <- number :: found.told
   | Destructure p ->
       (* A pattern without variables is there for nobody to use. *)
       let name = if Patterns.variables p = [] then "_" else "" in
@@ -84,7 +94,9 @@ let report_variables sink = function
 
 (* A definition's own: each vertex with what it needs, and what the definition needs itself. *)
 let of_definition sink ~is_labelled (b : Ir.binding) =
-  let found = { vertices = []; count = 0; of_local = Int_table.create 16; reads = [] } in
+  let found =
+    { vertices = []; count = 0; of_local = Int_table.create 16; told = []; reads = [] }
+  in
   binding found b;
   let vertices = Array.of_list (List.rev found.vertices) in
   let graph = Array.map (fun v -> v.needs) vertices in
@@ -96,7 +108,7 @@ let of_definition sink ~is_labelled (b : Ir.binding) =
   let used = Array.make found.count false in
   let unused = Array.make found.count false in
   used.(0) <- true;
-  Array.iteri (fun k v -> if Labels.is_name v.name then used.(k) <- true) vertices;
+  List.iter (fun k -> used.(k) <- true) found.told;
   let is_silent v = v.kind <> Equation && String.starts_with ~prefix:"_" v.name in
   (* Components come after what leads to them. What an unused variable of a pattern needs is not
      used by that, so that a pattern of which nothing is used is told as one. *)

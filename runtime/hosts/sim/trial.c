@@ -1,5 +1,6 @@
 #include "trial.h"
 
+#include <frob/cell.h>
 #include <frob/trace.h>
 
 #include <math.h>
@@ -163,6 +164,27 @@ static bool run(struct trial *trial, const struct options *options,
     return ok;
 }
 
+/* What the judge measures, behind a tab each: `name=value`. */
+static bool print_measures(const struct trial *trial)
+{
+    const struct frob_value *probes = trial->judge->probes;
+    for (size_t i = 0; probes != NULL && i < probes->constructors[0].count; i++) {
+        const struct frob_field *field = &probes->constructors[0].fields[i];
+        const size_t room = frob_cell_room(field->value) + 1;
+        char *buffer = (char *)malloc(room);
+        struct frob_text text;
+        if (buffer == NULL) {
+            fprintf(stderr, "error: not enough memory for what is measured\n");
+            return false;
+        }
+        text = frob_text_in(buffer, room);
+        frob_cell_write(&text, field->value, trial->output);
+        printf("\t%s=%s", field->name, text.data);
+        free(buffer);
+    }
+    return true;
+}
+
 bool trial_run(struct trial *trial, const struct options *options, const struct params *params,
                struct frob_sim *sim)
 {
@@ -184,6 +206,7 @@ bool trial_run(struct trial *trial, const struct options *options, const struct 
                (double)end.time_ns * 1e-9, end.label);
         for (size_t i = 0; i + 1 < TRUTHS; i++)
             printf("\t%.9g", truths[i].number);
+        ok = print_measures(trial);
         putchar('\n');
     }
     claims_close(&judged);

@@ -19,7 +19,7 @@ bool trial_open(struct trial *trial, const struct frob_program *judge);
  * waits for something when the time is over), `unasked` (nothing was to hold at any instant) or
  * `void` (an assumption failed); at what time; the label of what failed, or `judge`; and of the
  * first robot at that time x, y, heading, clearance, whether something touches it, the way
- * driven and the error of its odometry. False when a record or a picture cannot be written. */
+ * driven and the error of its odometry; and then each probe of the judge, `name=value`. False when a record or a picture cannot be written. */
 bool trial_run(struct trial *trial, const struct options *options, const struct params *params,
                struct frob_sim *sim);
 

@@ -114,6 +114,54 @@ The command that is told shows the run: it compiles, and the recording is the pr
   $ frobc trace around.frob --robot pioneer --input failed/goes-far-in-no-time-3.csv --output again.csv
   assert "is slow, "always"": held
 
+What a trial measures is told over its seeds, and in each run for tools.
+
+  $ cat > measures.frob << 'FROB'
+  > import Robot
+  > import Trial
+  > import WallFollow
+  > main :: (HasSonar i, DiffDrive o) => Program i o
+  > main = reactimateRobot (wallFollow1 0.4[m])
+  > trial "goes" = Trial {
+  >     world = "room.toml",
+  >     lasts = 3[s],
+  >     seeds = 4 `to` 6,
+  >     judge = bothOf neverTouches (proc t -> atEnd (way < 3[m]) where
+  >         way = lastOf t.driven
+  >         third = meanOf third1
+  >         third1 = if time () > 1.99[s] then 3[s] else 0
+  >         least = smallestOf (time () + 2[s])
+  >         most = largestOf (time ()))
+  > }
+  > trial "has come to its end" = Trial {
+  >     world = "room.toml",
+  >     lasts = 1[s],
+  >     seeds = 1 `to` 1,
+  >     judge = proc t -> atEnd (mean > 0.5[s]) where
+  >         mean = meanOf (time () + 0 * t.driven / 1[m/s])
+  >         none = meanOf (0[m] / 0)
+  > }
+  > FROB
+  $ frobc test measures.frob --robot pioneer > told
+  [1]
+  $ sed 's/way: .*/way/; /^  *[xop]/d; /frobc view/d' told
+  ok    goes: 3 seeds, 3 s
+        way
+        third: mean 1.013 s, deviation 0, from 1.013 (seed 4) to 1.013 (seed 4)
+        least: mean 2 s, deviation 0, from 2 (seed 4) to 2 (seed 4)
+        most: mean 3 s, deviation 0, from 3 (seed 4) to 3 (seed 4)
+  FAIL  has come to its end: 1 of 1 seed; seed 1: undecided at its end, after 1 s
+        mean: 0.5 s
+        none: no number
+  2 tests: 1 failed
+  $ frobc test measures.frob --robot pioneer --json -k end | sed -E 's/.*("measured":.*)\}\],.*/\1/'
+  "measured":{"mean":0.5}
+  $ sed 's/mean > /mean >= /; /none/d' measures.frob > ends.frob
+  $ frobc test ends.frob --robot pioneer -k end
+  ok    has come to its end: 1 seed, 1 s
+        mean: 0.5 s
+  1 test: all hold
+
 Compiled programs have nothing of it.
 
   $ mkdir plain && sed '/^test/,$d; /Past/d; /Trial/d; /Sources/d' around.frob > plain/around.frob

@@ -1,0 +1,34 @@
+type t = {
+  label : string;
+  total : int;
+  started : float;
+  mutable completed : int;
+  mutable shown : float;  (* when *)
+}
+
+let is_seen = lazy (Unix.isatty Unix.stderr)
+let between_looks = 0.1
+
+let start label ~total =
+  { label; total; started = Unix.gettimeofday (); completed = 0; shown = 0. }
+
+let span seconds =
+  if seconds < 60. then Printf.sprintf "%.0f s" seconds
+  else if seconds < 3600. then Printf.sprintf "%.0f min" (seconds /. 60.)
+  else Printf.sprintf "%.1f hours" (seconds /. 3600.)
+
+let left t now =
+  if t.completed = 0 then ""
+  else
+    let each = (now -. t.started) /. float_of_int t.completed in
+    Printf.sprintf ", %s left" (span (each *. float_of_int (t.total - t.completed)))
+
+let add t count =
+  t.completed <- t.completed + count;
+  let now = Unix.gettimeofday () in
+  if Lazy.force is_seen && now -. t.shown > between_looks then begin
+    t.shown <- now;
+    Printf.eprintf "\r\027[K%s: %d of %d runs%s%!" t.label t.completed t.total (left t now)
+  end
+
+let finish t = if t.shown > 0. then Printf.eprintf "\r\027[K%!"
