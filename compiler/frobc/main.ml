@@ -240,6 +240,30 @@ let lsp =
   command "lsp" ~man ~doc:"the compiler in an editor"
     Term.(const (fun (_ : bool) -> Language_server.Server.run ()) $ stdio)
 
+let help names =
+  let topic =
+    let doc = "The command; without it, frobc as a whole." in
+    Arg.(value & pos 0 (some string) None & info [] ~docv:"COMMAND" ~doc)
+  in
+  let show = function
+    | Some name when not (List.mem name names) ->
+        `Error
+          ( false,
+            Printf.sprintf "there is no command `%s`; the commands are %s" name
+              (String.concat ", " names) )
+    | topic -> `Help (`Auto, topic)
+  in
+  command "help" ~doc:"what a command does, and its options" Term.(ret (const show $ topic))
+
+let commands =
+  let all =
+    [
+      new_project; check; fix; format; compile; Running.trace; Running.run; Running.test;
+      Running.view; Running.serve; build; export; report; selftest; header; explain; lsp;
+    ]
+  in
+  all @ [ help ("help" :: List.map Cmd.name all) ]
+
 let main =
   let doc = "compiler for Frob, a language for programming mobile robots" in
   let man =
@@ -248,13 +272,15 @@ let main =
       `P
         "In Frob time is implicit and behaviour is written as equations. $(tname) type-checks a \
          program and turns it into C: no heap, no recursion, memory and time known in advance.";
+      `P
+        "$(b,frobc new rover) makes a project to begin with. $(b,frobc help COMMAND) tells more of \
+         a command, and $(b,frobc explain CODE) of a message.";
+      `S Manpage.s_see_also;
+      `P "The documentation: a tutorial, pages for single jobs, the language, in \
+          share/doc/frobc of an installation.";
     ]
   in
-  Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits)
-    [
-      new_project; check; fix; format; compile; Running.trace; Running.run; Running.test;
-      Running.view; Running.serve; build; export; report; selftest; header; explain; lsp;
-    ]
+  Cmd.group (Cmd.info "frobc" ~version:"0.1" ~doc ~man ~exits) commands
 
 (* A compilation is short, and what outlives the minor heap mostly lives to the
    end: marking finds little to free. Without it large programs take a tenth less
