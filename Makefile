@@ -8,9 +8,9 @@ PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
   libtcc-dev tcc libwebsockets-dev
 
 # What only `make test` needs: a browser, and another client, for the page of `frobc view`;
-# editors for `frobc lsp`.
+# editors for `frobc lsp`; what makes the Debian package, and judges it.
 TEST_PACKAGES = chromium chromium-driver fonts-dejavu-core python3-selenium python3-websockets \
-  neovim emacs-nox elpa-eglot
+  neovim emacs-nox elpa-eglot dpkg-dev lintian
 
 # What only `make matrix` needs: compilers and emulators of other machines.
 MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \
@@ -27,6 +27,9 @@ COMPARED_PACKAGES = ghc libghc-copilot-dev libghc-copilot-c99-dev
 # docs/site/requirements.txt.
 SITE_PACKAGES = python3-venv
 PICTURE_PACKAGES = imagemagick
+
+# What only `make deb` needs.
+DEB_PACKAGES = dpkg-dev lintian
 
 # What only `make stereo` needs.
 STEREO_PACKAGES = python3-opencv python3-numpy python3-pip
@@ -76,7 +79,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install clean rtamt
+.PHONY: all setup run test vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt
 
 all: setup
 	dune build @install
@@ -206,8 +209,15 @@ stereo: setup
 
 install: setup
 	dune build -p frobc @install
-	dune install -p frobc --prefix $(PREFIX) frobc
-	@echo "installed: $(PREFIX)/bin/frobc"
+	dune install -p frobc --prefix $(PREFIX) --mandir $(PREFIX)/share/man --docdir $(PREFIX)/share/doc frobc
+	sh compiler/package/documents.sh $(PREFIX)/share/doc/frobc
+	@echo "installed: $(PREFIX)/bin/frobc, with its documentation in $(PREFIX)/share/doc/frobc"
+
+# A Debian package of the same, in _build/deb.
+deb: all
+	@sh tests/setup.sh $(DEB_PACKAGES)
+	@sh compiler/package/deb.sh _build/install/default _build/deb
+	@lintian --fail-on error,warning _build/deb/frobc_*.deb
 
 clean:
 	dune clean

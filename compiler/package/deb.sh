@@ -1,0 +1,63 @@
+#!/bin/sh
+# deb.sh IMAGE FOLDER: a Debian package of what `dune build @install` has put into IMAGE,
+# frobc_VERSION_ARCHITECTURE.deb in FOLDER; prints its path. Equal images give equal packages,
+# byte for byte. The maintainer is who DEBFULLNAME and DEBEMAIL say. Needs dpkg-dev and binutils.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+image=$(cd "$1" && pwd)
+mkdir -p "$2"
+out=$(cd "$2" && pwd)
+umask 022
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+root=$work/root
+version=$("$image/bin/frobc" --version)
+architecture=$(dpkg --print-architecture)
+maintainer="${DEBFULLNAME:-The Frob developers} <${DEBEMAIL:-frob@packages.invalid}>"
+named() { sed "s|@MAINTAINER@|$maintainer|" "$here/$1"; }
+
+# Files, with the metadata of OCaml's package managers left out.
+mkdir -p "$root/usr/bin" "$root/usr/lib" "$root/usr/share/man" "$root/DEBIAN"
+cp -RL "$image/bin/frobc" "$root/usr/bin/"
+cp -RL "$image/lib/frobc" "$root/usr/lib/"
+cp -RL "$image/share/frobc" "$root/usr/share/"
+cp -RL "$image/man/man1" "$root/usr/share/man/"
+rm -f "$root/usr/lib/frobc/META" "$root/usr/lib/frobc/dune-package" "$root/usr/lib/frobc/opam"
+documents=$root/usr/share/doc/frobc
+sh "$here/documents.sh" "$documents"
+cp "$here/copyright" "$documents/copyright"
+named changelog | gzip -9n > "$documents/changelog.gz"
+gzip -9n "$root/usr/share/man/man1/"*
+mkdir -p "$root/usr/share/lintian/overrides"
+cp "$here/overrides" "$root/usr/share/lintian/overrides/frobc"
+
+# Permissions as policy wants them, and no debugging symbols.
+chmod -R u=rwX,go=rX "$root"
+find "$root/usr" -type f -exec chmod 644 {} +
+programs="$root/usr/bin/frobc $(find "$root/usr/lib/frobc" -name 'frob-*')"
+chmod 755 $programs
+strip --strip-unneeded --remove-section=.comment --remove-section=.note $programs
+strip --strip-debug --remove-section=.comment --enable-deterministic-archives "$root/usr/lib/frobc/"*.a
+
+# What it needs, by the libraries that its programs are linked with.
+mkdir "$work/debian"
+named control > "$work/debian/control"
+libraries=$(cd "$work" && dpkg-shlibdeps -O $programs 2> shlibdeps.log) || {
+    cat "$work/shlibdeps.log" >&2
+    exit 1
+}
+libraries=${libraries#shlibs:Depends=}
+size=$(du -k -s --apparent-size "$root/usr" | cut -f 1)
+{
+    named control | sed -n "1,/^\$/ { /^Section\|^Priority\|^Maintainer/p; }"
+    named control | sed "1,/^\$/d
+        s|\${shlibs:Depends}|$libraries|
+        s|^Architecture: .*|Version: $version\nArchitecture: $architecture\nInstalled-Size: $size|"
+} > "$root/DEBIAN/control"
+(cd "$root" && find usr -type f -print0 | sort -z | xargs -0 md5sum) > "$root/DEBIAN/md5sums"
+
+SOURCE_DATE_EPOCH=$(date -d "$(named changelog | sed -n 's/^ -- .*>  //p')" +%s)
+export SOURCE_DATE_EPOCH
+package=$out/frobc_${version}_$architecture.deb
+dpkg-deb --root-owner-group --build "$root" "$package" > /dev/null
+echo "$package"
