@@ -69,6 +69,7 @@ and elementary =
   | Sqrt
   | Floor_float
   | Ceiling_float
+  | Nanoseconds
   | Hypot
   | Exp
   | Log
@@ -130,6 +131,7 @@ let table =
     ("truncate", Truncate, 1);
     ("floorFloat", Elementary Floor_float, 1);
     ("ceilingFloat", Elementary Ceiling_float, 1);
+    ("nanoseconds", Elementary Nanoseconds, 1);
     ("==", Equal, 2);
     ("/=", Not_equal, 2);
     ("<", Less, 2);

@@ -85,12 +85,15 @@ type t =
   | Foreign of foreign  (** in C *)
 
 (** The runtime's elementary functions ([frob/elementary.h]), and those that IEEE 754
-    defines to the last bit and the C library has: [Sqrt], and the whole number
-    next below or above, as a Float (C's [floor] and [ceil]). *)
+    defines to the last bit: [Sqrt], the whole number next below or above, as a Float
+    (C's [floor] and [ceil]), and whole nanoseconds. *)
 and elementary =
   | Sqrt
   | Floor_float
   | Ceiling_float
+  | Nanoseconds
+      (** of seconds, of the precision of Float: 10⁹ times as many, rounded to a whole
+          number, halves to even; of negative ones 0, of NaN NaN *)
   | Hypot
   | Exp
   | Log

@@ -24,8 +24,8 @@ let of_primitive (p : Primitive.t) types =
   | (Equal | Not_equal | Less | Less_equal | Greater | Greater_equal), [ a ] ->
     Some (comparison a)
   | (Divide | Power | Elementary (Hypot | Atan2)), [] -> Some (binary Float)
-  | Elementary (Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos
-    | Atan), [] ->
+  | Elementary (Sqrt | Floor_float | Ceiling_float | Nanoseconds | Exp | Log | Sin | Cos | Tan
+    | Asin | Acos | Atan), [] ->
     Some (unary Float)
   | (Div | Mod | Bitwise _), [] -> Some (binary Int)
   | To_float, [] -> Some (Function (Int, Float))

@@ -108,12 +108,6 @@ type operator =
   | And
   | Or
 
-type time_unit =
-  | Seconds
-  | Nanoseconds
-      (** whole ones, as the library's [nanoseconds] makes them of the seconds:
-          adding and taking away 2^52; see {!Clock} *)
-
 type equation = { defines : signal; rhs : rhs; span : Span.t }
 
 and rhs =
@@ -138,9 +132,10 @@ and rhs =
       (** the same array with one other element; unchanged if outside *)
   | Param of int  (** of [program.params]: always the same in a run *)
   | Absent  (** a foreign value that is not there, which nothing looks at *)
-  | Time of { unit : time_unit; restart : atom }
-      (** local time, and 0 where [restart] holds and from then on the time since,
-          as a Float *)
+  | Time of { restart : atom }
+      (** local time, and 0 where [restart] holds and from then on the time since: seconds,
+          a Float. What is kept is nanoseconds, so a program that asks for
+          these ([Elementary Nanoseconds]) gets them without a way back *)
   | Step_time  (** seconds since the instant before, and 0 at the first *)
   | Ticks of atom
       (** of a static number of nanoseconds, a whole one (a fraction is dropped):

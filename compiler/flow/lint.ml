@@ -130,7 +130,7 @@ let equation scope (eq : Ir.equation) =
         lasting scope ty;
         expect scope "a delay's initial value" ty (type_of scope init);
         type_of scope next
-    | Time { restart; unit = _ } ->
+    | Time { restart } ->
         stateful scope "time";
         expect scope "when a time starts again" Bool (type_of scope restart);
         Float

@@ -120,11 +120,8 @@ let rhs sums names ppf ~(defines : Ir.signal) : Ir.rhs -> unit = function
   | Delay { init; next } -> fprintf ppf "delay %a %a" (atom names) init (atom names) next
   | Param k -> fprintf ppf "param %d" k
   | Absent -> pp_print_string ppf "absent"
-  | Time { unit; restart } -> (
-      let unit = match unit with Seconds -> "time" | Nanoseconds -> "nanoseconds" in
-      match restart with
-      | Bool false -> pp_print_string ppf unit
-      | Signal _ | Bool _ | Int _ | Float _ -> fprintf ppf "%s since %a" unit (atom names) restart)
+  | Time { restart = Bool false } -> pp_print_string ppf "time"
+  | Time { restart } -> fprintf ppf "time since %a" (atom names) restart
   | Step_time -> pp_print_string ppf "step time"
   | Ticks a -> fprintf ppf "ticks %a" (atom names) a
   | Integral a -> fprintf ppf "integral %a" (atom names) a

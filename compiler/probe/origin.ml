@@ -184,7 +184,7 @@ and right_side walk frame ~at ~part (rhs : Ir.rhs) =
   | (Op (_, atoms) | Construct { payload = atoms; _ }), _ -> all atoms
   | Is_constructor (a, _), _ -> atom walk frame ~at ~part:[ Tag ] a
   | Payload { value; constructor; leaf }, _ -> inner (Leaf (constructor, leaf)) value
-  | (Ticks a | Time { restart = a; _ }), _ -> all [ a ]
+  | (Ticks a | Time { restart = a }), _ -> all [ a ]
   | Delay { init; next }, _ ->
       atom walk frame ~at:(at_first at) ~part init;
       atom walk frame ~at:(earlier at) ~part next

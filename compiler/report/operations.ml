@@ -41,6 +41,8 @@ let operation (operator : Flow.Ir.operator) (ty : M.ty) =
   | Pow -> Cost.one (Calls "pow")
   | Elementary Floor_float -> Cost.one (Calls "floor")
   | Elementary Ceiling_float -> Cost.one (Calls "ceil")
+  | Elementary Nanoseconds ->
+      Cost.(sum [ one Multiplications; several 2 Choices; several 2 Additions ])
   | Elementary f -> Cost.one (Calls (Core.Primitive.name (Elementary f)))
 
 (* The largest of times; see the helpers of the generated C. *)

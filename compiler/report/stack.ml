@@ -49,7 +49,7 @@ let code_of (operator : Flow.Ir.operator) (ty : M.ty) =
   | Add | Subtract | Multiply | Negate -> if ty = Int then Helper else Operators
   | Absolute -> if ty = Int then Helper else Library
   | Signum | Minimum | Maximum | Div | Mod | Round | Floor | Ceiling | Truncate
-  | Bitwise _ ->
+  | Bitwise _ | Elementary Nanoseconds ->
       Helper
   | Pow | Elementary _ -> Library
   | Divide | Equal | Less | Less_equal | To_float | Not | And | Or -> Operators

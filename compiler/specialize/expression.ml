@@ -358,10 +358,10 @@ and run (c : Context.t) s target ~span ~result (signal_function : Value.t)
   | Primitive { primitive = Delay; arguments = [ initial ]; _ } ->
       delay c s target ~span initial input
   | Primitive { primitive = Time; _ } ->
-      Atom (Node.define s.node target ~span Float (Time { unit = Seconds; restart = Bool false }))
+      Atom (Node.define s.node target ~span Float (Time { restart = Bool false }))
   | Primitive { primitive = Time_since; _ } ->
       let restart = Leaves.atom c.types s.node ~span input.ty input.value in
-      Atom (Node.define s.node target ~span Float (Time { unit = Seconds; restart }))
+      Atom (Node.define s.node target ~span Float (Time { restart }))
   | Primitive { primitive = Step_time; _ } -> Atom (Node.define s.node target ~span Float Step_time)
   | Primitive { primitive = Ticks; arguments = [ period ]; _ } ->
       let period = Leaves.atom c.types s.node ~span period.ty period.value in

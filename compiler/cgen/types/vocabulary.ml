@@ -281,6 +281,7 @@ let elementary (f : Core.Primitive.elementary) =
   | Sqrt -> "sqrt"
   | Floor_float -> "floor"
   | Ceiling_float -> "ceil"
+  | Nanoseconds -> "frob_nanoseconds"
   | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2 ->
       "frob_" ^ Core.Primitive.name (Elementary f)
 

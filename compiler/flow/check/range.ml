@@ -264,6 +264,9 @@ let on_ranges real (operator : Ir.operator) arguments =
       Some (Floats { a with least = Float.floor a.least; most = Float.floor a.most })
   | Elementary Ceiling_float, [ Floats a ] when a.least <= a.most ->
       Some (Floats { a with least = Float.ceil a.least; most = Float.ceil a.most })
+  | Elementary Nanoseconds, [ Floats a ] when a.least <= a.most ->
+      let ns = Clock.nanoseconds real in
+      Some (Floats { a with least = ns a.least; most = ns a.most })
   | And, [ Bools a; Bools b ] ->
       Some (Bools { true_ = a.true_ && b.true_; false_ = a.false_ || b.false_ })
   | Or, [ Bools a; Bools b ] ->

@@ -46,6 +46,7 @@ let elementary_of_one real (f : Core.Primitive.elementary) a =
   | Sqrt -> Some (Basis.Real.round real (Float.sqrt a))
   | Floor_float -> Some (Float.floor a)
   | Ceiling_float -> Some (Float.ceil a)
+  | Nanoseconds -> Some (Clock.nanoseconds real a)
   | Exp -> Some (E.exp a)
   | Log -> Some (E.log a)
   | Sin -> Some (E.sin a)
@@ -61,7 +62,9 @@ let elementary_of_two real (f : Core.Primitive.elementary) a b =
   match f with
   | Hypot -> Some (E.hypot a b)
   | Atan2 -> Some (E.atan2 a b)
-  | Sqrt | Floor_float | Ceiling_float | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan -> None
+  | Sqrt | Floor_float | Ceiling_float | Nanoseconds | Exp | Log | Sin | Cos | Tan | Asin | Acos
+  | Atan ->
+      None
 
 let constant x = Ir.Float (if Float.is_nan x then nan else x)
 

@@ -8,7 +8,7 @@ let all = function
   | Index (a, _)
   | Integral a
   | Derivative a
-  | Time { restart = a; unit = _ }
+  | Time { restart = a }
   | Ticks a ->
       [ a ]
   | Op (_, arguments) -> arguments
@@ -45,7 +45,7 @@ let with_operands rhs (operands : atom list) =
   | Index (_, k), [ a ] -> Index (a, k)
   | Integral _, [ a ] -> Integral a
   | Derivative _, [ a ] -> Derivative a
-  | Time t, [ restart ] -> Time { t with restart }
+  | Time _, [ restart ] -> Time { restart }
   | Ticks _, [ a ] -> Ticks a
   | Op (operator, _), arguments -> Op (operator, arguments)
   | If _, [ condition; then_; else_ ] -> If { condition; then_; else_ }

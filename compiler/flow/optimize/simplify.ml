@@ -172,7 +172,7 @@ let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rh
       | Some _ | None -> rhs)
   | Ticks (Float period) when Float.is_nan period -> Copy (Bool false)
   | Ticks (Float period) when period < 1. -> Copy (Bool true)
-  | Time { restart = Bool true; unit = _ } -> Copy (Float 0.)
+  | Time { restart = Bool true } -> Copy (Float 0.)
   | Index (array, k) -> Option.value (element known array k) ~default:rhs
   | At { array; index = Int k; default } ->
       let k = Int32.to_int k in
@@ -226,7 +226,6 @@ let node real ~fresh (node : Ir.node) =
     | Equation e -> (
         let rhs = Operands.map (Substitution.atom substitution) e.rhs in
         let rhs = simplify real known written add e.defines rhs in
-        let rhs = Clock.recognize real (definition known) rhs in
         if rhs != e.rhs then changed := true;
         match rhs with
         | Copy a ->

@@ -45,16 +45,18 @@ let reached passed (node : Ir.node) restart =
     | Bool _ | Int _ | Float _ -> is_below limit
   in
   let is_time (atom : Ir.atom) =
-    match atom with
-    | Signal s ->
-        List.exists
-          (fun (e : Ir.equation) ->
-            e.defines.id = s.id
-            && match e.rhs with
-               | Time { unit = Nanoseconds; restart = other } -> Operands.same other restart
-               | _ -> false)
-          node.equations
-    | Bool _ | Int _ | Float _ -> false
+    let definition : Ir.atom -> Ir.rhs option = function
+      | Signal s ->
+          List.find_opt (fun (e : Ir.equation) -> e.defines.id = s.id) node.equations
+          |> Option.map (fun (e : Ir.equation) -> e.rhs)
+      | Bool _ | Int _ | Float _ -> None
+    in
+    match definition atom with
+    | Some (Op (Elementary Nanoseconds, [ time ])) -> (
+        match definition time with
+        | Some (Time { restart = other }) -> Operands.same other restart
+        | Some _ | None -> false)
+    | Some _ | None -> false
   in
   List.filter_map
     (fun (e : Ir.equation) ->

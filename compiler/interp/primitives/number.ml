@@ -59,12 +59,22 @@ module Float = struct
     let module Elementary = (val Elementary.of_precision real) in
     Elementary.pow x y
 
+  (* Halves go to even. *)
+  let nanoseconds real seconds =
+    let ns = multiply real seconds 1e9 in
+    let whole = Stdlib_float.floor ns in
+    let rest = ns -. whole in
+    if ns < 0. then 0.
+    else if rest > 0.5 || (rest = 0.5 && Stdlib_float.rem whole 2. = 1.) then whole +. 1.
+    else whole
+
   let elementary (real : Basis.Real.t) (f : Core.Primitive.elementary) arguments =
     let module Elementary = (val Elementary.of_precision real) in
     match (f, arguments) with
     | Sqrt, [ x ] -> Basis.Real.round real (sqrt x)
     | Floor_float, [ x ] -> Stdlib_float.floor x
     | Ceiling_float, [ x ] -> Stdlib_float.ceil x
+    | Nanoseconds, [ x ] -> nanoseconds real x
     | Hypot, [ x; y ] -> Elementary.hypot x y
     | Exp, [ x ] -> Elementary.exp x
     | Log, [ x ] -> Elementary.log x
@@ -75,8 +85,8 @@ module Float = struct
     | Acos, [ x ] -> Elementary.acos x
     | Atan, [ x ] -> Elementary.atan x
     | Atan2, [ y; x ] -> Elementary.atan2 y x
-    | (Sqrt | Floor_float | Ceiling_float | Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos
-      | Atan | Atan2), _ ->
+    | (Sqrt | Floor_float | Ceiling_float | Nanoseconds | Hypot | Exp | Log | Sin | Cos | Tan
+      | Asin | Acos | Atan | Atan2), _ ->
         Basis.Diagnostic.bug ~stage:"Interp" "an elementary function of %d arguments"
           (List.length arguments)
 end

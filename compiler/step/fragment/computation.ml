@@ -20,7 +20,7 @@ let operator_weight : F.operator -> int = function
   | Bitwise (Shift_left | Shift_right)
   | Elementary (Floor_float | Ceiling_float) ->
       2
-  | Divide -> 5
+  | Divide | Elementary Nanoseconds -> 5
   | Div | Mod -> 8
   | Elementary Sqrt -> 5
   | Elementary (Hypot | Exp | Log | Sin | Cos | Tan | Asin | Acos | Atan | Atan2) | Pow -> 20

@@ -35,9 +35,9 @@ let later ~limited (time : Ir.field) =
 
 let advance ~limited state (eq : F.equation) =
   match State.memory state eq.defines with
-  | Some (Elapsed { time; advances; restart = Bool false; unit = _ }) ->
-      let value = later ~limited:(limited (F.Bool false)) time in
-      if advances then Some (Ir.Assign { place = Own time; value; span = eq.span }) else None
+  | Some (Elapsed { time; restart = Bool false as restart }) ->
+      let value = later ~limited:(limited restart) time in
+      Some (Ir.Assign { place = Own time; value; span = eq.span })
   | Some (Integrated { value; input }) ->
       let step = operation F.Multiply Float [ Dt; input ] in
       let sum = operation F.Add Float [ Field value; step ] in
@@ -89,34 +89,35 @@ let tick fresh draft (s : F.signal) time period span =
     | _ -> broken "a choice with a wrong number of operands");
   Draft.keep_at_end draft time (Signal next) ~leaf:(Some before) span
 
+(* What is read of a time is made of its nanoseconds. *)
+let read_time fresh draft (eq : F.equation) time build =
+  let now = { eq.defines with id = fresh (); name = "" } in
+  Draft.count_nanoseconds draft now;
+  Draft.leaf draft now (Field time);
+  let operands = [ F.Signal now ] and build arguments = build (one arguments) in
+  Draft.add draft
+    (Computed { signal = eq.defines; operands; build; choice = None; weight = 5; span = eq.span })
+
 let step ~fresh ~limited draft state (eq : F.equation) =
   let s = eq.defines in
+  let memory_of (atom : F.atom) =
+    match atom with Signal s -> State.memory state s | Bool _ | Int _ | Float _ -> None
+  in
   match State.memory state s with
-  | None -> Draft.add_computed draft eq
+  | None -> (
+      match eq.rhs with
+      | Op (Elementary Nanoseconds, [ seconds ]) -> (
+          match memory_of (Draft.resolve draft seconds) with
+          | Some (Elapsed { time; _ }) ->
+              read_time fresh draft eq time (fun e -> In_nanoseconds e)
+          | Some _ | None -> Draft.add_computed draft eq)
+      | _ -> Draft.add_computed draft eq)
   | Some (Kept field | Delayed field) -> Draft.leaf draft s (Field field)
-  | Some (Elapsed { time; unit; restart; advances }) ->
+  | Some (Elapsed { time; restart }) ->
       (match Draft.resolve draft restart with
       | Bool false -> ()
-      | again ->
-          if advances then start_again ~limited:(limited restart) draft time again eq.span);
-      let now = { s with id = fresh (); name = "" } in
-      Draft.count_nanoseconds draft now;
-      Draft.leaf draft now (Field time);
-      let build arguments : Ir.expr =
-        match unit with
-        | Seconds -> Seconds (one arguments)
-        | Nanoseconds -> In_nanoseconds (one arguments)
-      in
-      Draft.add draft
-        (Computed
-           {
-             signal = s;
-             operands = [ Signal now ];
-             build;
-             choice = None;
-             weight = 5;
-             span = eq.span;
-           })
+      | again -> start_again ~limited:(limited restart) draft time again eq.span);
+      read_time fresh draft eq time (fun e -> Seconds e)
   | Some (Ticked { time; period }) -> tick fresh draft s time (Draft.resolve draft period) eq.span
   | Some (Integrated { value; _ }) -> Draft.leaf draft s (Field value)
   | Some (Differentiated { value; input }) ->
@@ -156,7 +157,6 @@ let reset draft state (eq : F.equation) =
   | Some (Delayed field), Delay { init; _ } ->
       let operands = [ Draft.resolve draft init ] in
       [ Draft.work ~operands span (fun e -> [ assign field (one e) span ]) ]
-  | Some (Elapsed { advances = false; _ }), _ -> []
   | Some (Elapsed { time; _ } | Ticked { time; _ }), _ -> [ constant span [ (time, Zero_time) ] ]
   | Some (Integrated { value; input = Field input } | Differentiated { value; input }), _ ->
       [ constant span [ (value, Float 0.); (input, Float 0.) ] ]

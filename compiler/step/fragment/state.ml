@@ -3,7 +3,7 @@ open Flow.Ir
 
 type memory =
   | Delayed of Ir.field
-  | Elapsed of { time : Ir.field; unit : time_unit; restart : atom; advances : bool }
+  | Elapsed of { time : Ir.field; restart : atom }
   | Ticked of { time : Ir.field; period : atom }
   | Integrated of { value : Ir.field; input : Ir.expr }
   | Differentiated of { value : Ir.field; input : Ir.field }
@@ -14,7 +14,6 @@ type t = {
   instances : (string, Ir.field) Hashtbl.t;
   mutable fields : Ir.field list;  (** last first *)
   mutable machine : machine option;
-  mutable elapsed : (int option * Ir.field) list;  (** by the signal that starts it again *)
   mutable count : int;
 }
 
@@ -68,23 +67,10 @@ let equation t { defines = s; rhs; span } =
   | Delay { next; _ } ->
       let name = derived s next ~suffix:"prev" ~otherwise:"delay" in
       remember t s (Delayed (new_field t ~name (value s.ty) ~purpose:"delay" span))
-  | Time { unit; restart } ->
-      let key =
-        match restart with
-        | Signal s -> Some s.id
-        | Bool true -> Some (-1)
-        | Bool false | Int _ | Float _ -> None
-      in
-      let time, advances =
-        match List.assoc_opt key t.elapsed with
-        | Some time -> (time, false)
-        | None ->
-            let name = if String.equal s.name "" then "time" else s.name in
-            let time = new_field t ~name (Value Nanoseconds) ~purpose:"time in ns" span in
-            t.elapsed <- (key, time) :: t.elapsed;
-            (time, true)
-      in
-      remember t s (Elapsed { time; unit; restart; advances })
+  | Time { restart } ->
+      let name = if String.equal s.name "" then "time" else s.name in
+      let time = new_field t ~name (Value Nanoseconds) ~purpose:"time in ns" span in
+      remember t s (Elapsed { time; restart })
   | Ticks period ->
       let name = derived s period ~suffix:"ticks" ~otherwise:"ticks" in
       let time = new_field t ~name (Value Nanoseconds) ~purpose:"ns since the last tick" span in
@@ -168,7 +154,6 @@ let of_node ~callee ~statics:(statics_of : int -> Ir.variable list) (statics : S
       instances = Hashtbl.create 16;
       fields = [];
       machine = None;
-      elapsed = [];
       count = 0;
     }
   in

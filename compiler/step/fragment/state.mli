@@ -8,14 +8,7 @@ val of_node :
 
 type memory =
   | Delayed of Ir.field
-  | Elapsed of {
-      time : Ir.field;
-      unit : Flow.Ir.time_unit;
-      restart : Flow.Ir.atom;
-      advances : bool;
-    }
-      (** a time, which a node keeps once for all equations that start it again at
-          the same instants: only one of them [advances] it *)
+  | Elapsed of { time : Ir.field; restart : Flow.Ir.atom }
   | Ticked of { time : Ir.field; period : Flow.Ir.atom }  (** since the last tick *)
   | Integrated of { value : Ir.field; input : Ir.expr }
       (** [input]: the last one, which is a field, or a number for ever *)

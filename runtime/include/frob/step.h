@@ -332,16 +332,19 @@ static inline double frob_whole_dt(double dt)
     return (double)frob_whole_ns(dt) / 1e9;
 }
 
-/* A local time in nanoseconds, as they are made of its seconds; for the first
+/* Whole nanoseconds in seconds, halves to even; of negative ones 0, of NaN NaN. */
+static inline double frob_nanoseconds(double seconds)
+{
+    const double ns = seconds < 0.0 ? 0.0 : seconds * 1e9;
+    return ns < 4503599627370496.0 ? (ns + 4503599627370496.0) - 4503599627370496.0 : ns;
+}
+
+/* Of the seconds of a local time, which is kept in nanoseconds; for the first
  * 13 days the roundings leave no trace. */
 static inline double frob_time_in_ns(int64_t time)
 {
-    double ns = (double)time;
-    if (FROB_BRANCH(time >= INT64_C(0x4000000000000))) {
-        ns = ns / 1e9 * 1e9;
-        return ns < 4503599627370496.0 ? (ns + 4503599627370496.0) - 4503599627370496.0 : ns;
-    }
-    return ns;
+    const double ns = (double)time;
+    return FROB_BRANCH(time >= INT64_C(0x4000000000000)) ? frob_nanoseconds(ns / 1e9) : ns;
 }
 
 /* Has a time in nanoseconds come to so many? Not if that is NaN. */
@@ -470,12 +473,17 @@ static inline int64_t frob_whole_nsf(float dt)
     return (int64_t)s * 1000000000 + (int32_t)ns;
 }
 
-/* A local time in nanoseconds, as they are made of its seconds: adding 2^23 leaves
- * no bits for a fraction. */
+/* Whole nanoseconds in seconds, halves to even; of negative ones 0, of NaN NaN. */
+static inline float frob_nanosecondsf(float seconds)
+{
+    const float ns = seconds < 0.0f ? 0.0f : seconds * 1e9f;
+    return ns < 8388608.0f ? (ns + 8388608.0f) - 8388608.0f : ns;
+}
+
+/* Of the seconds of a local time, which is kept in nanoseconds. */
 static inline float frob_time_in_nsf(int64_t time)
 {
-    const float ns = (float)time / 1e9f * 1e9f;
-    return ns < 8388608.0f ? (ns + 8388608.0f) - 8388608.0f : ns;
+    return frob_nanosecondsf((float)time / 1e9f);
 }
 
 /* Has a time in nanoseconds come to so many? Not if that is NaN. */

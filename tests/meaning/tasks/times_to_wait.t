@@ -16,8 +16,10 @@ starts, not at each step.
   > turn a = mkTask (proc x -> (x * sin a, when (delay 0 x > 5)))
   > EOF
   $ frobc compile errand.frob --lint
-  $ grep -E 'parameter at|_ns = INT|_ns <=|sin_a' errand.h errand.c
+  $ grep -E 'parameter at|nanoseconds_q|sin_a' errand.h errand.c
   errand.h:    double sin_a;  /* known at the start at errand.frob:12 */
-  errand.h:            double q;                                 /* parameter at errand.frob:9 */
+  errand.h:    double nanoseconds_q; /* known at the start at Prelude.frob:351 */
   errand.c:    self->sin_a = frob_sin(a);
   errand.c:        *out_1 = x * self->sin_a;
+  errand.c:    self->nanoseconds_q = frob_nanoseconds(q);
+  errand.c:    const bool t1 = self->nanoseconds_q <= frob_time_in_ns(self->time);

@@ -170,7 +170,7 @@ let instances =
         call ~line:6 ~statics:[ float 0.5; float 0.1 ] n pi [ Signal r ] [ forward ];
         let gain = op n (Elementary Exp) [ float (-1.) ] in
         call ~line:7 ~statics:[ gain; float 0. ] n pi [ Signal phi ] [ turn ];
-        let t = let_ ~line:8 n "t" (Time { unit = Seconds; restart = Bool false }) in
+        let t = let_ ~line:8 n "t" (Time { restart = Bool false }) in
         let started = op ~ty:Bool n Less_equal [ float 1.; t ] in
         let forward' = let_ ~line:9 n "forward'" (If { condition = started; then_ = Signal forward; else_ = float 0. }) in
         [ ("forward", forward'); ("turn", Signal turn) ])
@@ -272,7 +272,7 @@ let clock =
   let _ =
     node b "clock" (fun n ->
         let x = input n "x" in
-        let t = let_ n "t" (Time { unit = Seconds; restart = Bool false }) in
+        let t = let_ n "t" (Time { restart = Bool false }) in
         let sum = let_ n "sum" (Integral x) in
         let slope = let_ n "slope" (Derivative x) in
         [ ("t", t); ("sum", sum); ("slope", slope) ])

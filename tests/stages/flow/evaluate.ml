@@ -47,6 +47,7 @@ let elementary (f : Core.Primitive.elementary) arguments =
   | Sqrt, [ x ] -> sqrt x
   | Floor_float, [ x ] -> Float.floor x
   | Ceiling_float, [ x ] -> Float.ceil x
+  | Nanoseconds, [ x ] -> Clock.nanoseconds Double x
   | Hypot, [ x; y ] -> Elementary.hypot x y
   | Exp, [ x ] -> Elementary.exp x
   | Log, [ x ] -> Elementary.log x
@@ -175,9 +176,7 @@ let value clock read memory (e : Ir.equation) =
   | Replace { array; index; value } ->
       let k = position (read index) in
       Array (List.mapi (fun i x -> if i = k then read value else x) (elements (read array)))
-  | Time { unit; restart } -> (
-      let time = time clock read memory e restart in
-      match unit with Seconds -> Float time | Nanoseconds -> Float (Clock.nanoseconds Double time))
+  | Time { restart } -> Float (time clock read memory e restart)
   | Step_time -> Float (if clock.first then 0. else clock.dt)
   | Ticks period -> Bool (is_due (number (read period)) (since_tick clock memory e))
   | Delay { init; _ } -> if clock.first then read init else (memory e).past
@@ -198,7 +197,7 @@ let advance clock read memory now (e : Ir.equation) =
   match e.rhs with
   | Delay { next; _ } -> Some { past = read next; total = 0. }
   | Integral a | Derivative a -> Some { past = read a; total = number now }
-  | Time { restart; unit = _ } -> Some { past = now; total = time clock read memory e restart }
+  | Time { restart } -> Some { past = now; total = time clock read memory e restart }
   | Ticks period ->
       let period = number (read period) and time = since_tick clock memory e in
       let rest = if period < 1. then 0. else Float.rem time (Float.trunc period) in

@@ -82,7 +82,7 @@ let binary : (Ir.operator * Ir.ty * Ir.ty) list =
 let unary : (Ir.operator * Ir.ty * Ir.ty) list =
   [ (Negate, Float, Float); (Absolute, Float, Float); (Signum, Float, Float);
     (Elementary Sqrt, Float, Float); (Elementary Floor_float, Float, Float);
-    (Elementary Ceiling_float, Float, Float); (Elementary Sin, Float, Float); (Elementary Cos, Float, Float);
+    (Elementary Ceiling_float, Float, Float); (Elementary Nanoseconds, Float, Float); (Elementary Sin, Float, Float); (Elementary Cos, Float, Float);
     (Round, Float, Int); (Floor, Float, Int); (Ceiling, Float, Int); (Truncate, Float, Int); (Negate, Int, Int);
     (Absolute, Int, Int); (Signum, Int, Int); (To_float, Int, Float); (Not, Bool, Bool) ]
 
@@ -134,14 +134,18 @@ let operation scope ~static =
 
 let stateful scope =
   let pick ty = choose scope ~static:false ty in
+  let time restart =
+    let t = Build.let_ scope.node "" (Time { restart }) in
+    ignore (define scope Float (if chance scope.rng 50 then Copy t else Op (Elementary Nanoseconds, [ t ])))
+  in
   match Random.State.int scope.rng 7 with
   | 0 ->
       let ty = any scope.rng types in
       let init = choose scope ~static:true ty in
       ignore (define scope ty (Delay { init; next = pick ty }))
-  | 1 -> ignore (define scope Float (Time { unit = Seconds; restart = Bool false }))
+  | 1 -> time (Bool false)
   | 2 -> ignore (define scope Float (Integral (pick Float)))
-  | 3 -> ignore (define scope Float (Time { unit = Seconds; restart = pick Bool }))
+  | 3 -> time (pick Bool)
   | 4 -> ignore (define scope Bool (Ticks (choose scope ~static:true Float)))
   | 5 -> ignore (define scope Float Step_time)
   | _ -> ignore (define scope Float (Derivative (pick Float)))

@@ -60,7 +60,11 @@ let operators : (string * Ir.operator * Ir.ty list * Ir.ty) list =
   of_numbers Float @ of_numbers Int
   @ [ ("/", Divide, two Float, Float); ("div", Div, two Int, Int); ("mod", Mod, two Int, Int);
       ("fromInt", To_float, [ Int ], Float); ("round", Round, [ Float ], Int);
-      ("floor", Floor, [ Float ], Int); ("**", Pow, two Float, Float);
+      ("floor", Floor, [ Float ], Int); ("floorFloat", Elementary Floor_float, [ Float ], Float);
+      ("ceilingFloat", Elementary Ceiling_float, [ Float ], Float);
+      ("nanoseconds", Elementary Nanoseconds, [ Float ], Float);
+      ("sqrt", Elementary Sqrt, [ Float ], Float); ("hypot", Elementary Hypot, two Float, Float);
+      ("**", Pow, two Float, Float);
       ("&&", And, two Bool, Bool); ("||", Or, two Bool, Bool); ("not", Not, [ Bool ], Bool);
       ("==", Equal, two Bool, Bool) ]
 
