@@ -105,6 +105,12 @@ let in_prelude (c : t) (at : Span.t) =
   | Some { core; _ } -> String.equal core.span.file at.file
   | None -> false
 
+let in_library (c : t) (at : Span.t) =
+  match Global_table.find_opt c.definitions identity with
+  | Some { core; _ } ->
+      String.equal (Filename.dirname core.span.file) (Filename.dirname at.file)
+  | None -> false
+
 exception Stopped
 exception Postponed of (unit -> unit)
 
@@ -174,12 +180,7 @@ let own_call trail ~span =
   if is_own span then None else own trail.calls
 
 let own_place t trail ~span =
-  let library =
-    match Global_table.find_opt t.definitions identity with
-    | Some { core; _ } -> Filename.dirname core.span.file
-    | None -> ""
-  in
-  let is_own (_, (at : Span.t)) = not (String.equal (Filename.dirname at.file) library) in
+  let is_own (_, at) = not (in_library t at) in
   Option.fold (List.find_opt is_own (("", span) :: trail.calls)) ~none:span ~some:snd
 
 let report_once t ~code ~at diagnostic =

@@ -84,6 +84,8 @@ val known_by_name : Core.Ir.Global.t list
 val in_prelude : t -> Span.t -> bool
 (** Not in the program's own modules, nor in the rest of the library. *)
 
+val in_library : t -> Span.t -> bool
+
 exception Stopped
 (** An error was reported that leaves nothing to go on with. *)
 

@@ -356,35 +356,6 @@ let string t =
 
 (* {1 Symbols} *)
 
-(* [f x y] of `def f(x, y)`. *)
-let of_def words =
-  let text = String.concat " " (List.tl words) in
-  let blank = function '(' | ')' | ',' | ':' -> ' ' | c -> c in
-  let names = List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank text)) in
-  let is_name w = String.for_all (fun c -> is_name c) w in
-  if names <> [] && List.for_all is_name names then String.concat " " names else "f x"
-
-let of_block = "a block is made by indentation alone; a choice is written `if c then a else b`"
-
-(* The character just read; what Python writes before it. *)
-let colon t =
-  let start =
-    match String.rindex_from_opt t.text (max 0 (t.at - 1)) '\n' with Some i -> i + 1 | None -> 0
-  in
-  let words = String.split_on_char ' ' (String.trim (String.sub t.text start (t.at - start))) in
-  let ends_line = t.at >= String.length t.text || t.text.[t.at] = '\n' in
-  match words with
-  | "def" :: _ -> Printf.sprintf "a function is defined by an equation: `%s = …`" (of_def words)
-  | _ when List.exists (fun word -> word = "lambda" || word = "(lambda") words ->
-      "a function without a name is written `\\x -> …`"
-  | ("for" | "while") :: _ ->
-      "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, \
-       `forever t` and `forEachT xs f` repeat tasks"
-  | _ when ends_line && List.mem "case" words -> "the line of a `case` ends with `of`: `case x of`"
-  | _ when ends_line -> of_block
-  | _ when List.mem "if" words -> "`then` follows the condition: `if c then a else b`"
-  | _ -> "a type follows `::`"
-
 let unexpected t =
   let start = position t in
   let length = max 1 (fst (Utf8.decode t.text t.at)) in
@@ -393,56 +364,15 @@ let unexpected t =
     if character >= " " && character <> "\x7f" then Printf.sprintf "`%s`" character
     else Printf.sprintf "with code %d" (Char.code character.[0])
   in
-  let at = t.at in
-  let starts word =
-    let n = String.length word in
-    at + n <= String.length t.text && String.equal (String.sub t.text at n) word
+  let { Character_hint.hint; instead } =
+    Character_hint.of_character ~text:t.text ~at:t.at character
   in
   for _ = 1 to length do step t done;
-  let instead =
-    match character with
-    | "\u{2212}" | "\u{2013}" -> Some "-"
-    | "\u{2192}" -> Some "->"
-    | "\u{2264}" -> Some "<="
-    | "\u{2265}" -> Some ">="
-    | "\u{2260}" -> Some "/="
-    | "&" when peek t 0 <> '&' -> Some "&&"
-    | "#" when not (starts "#define" || starts "#include") -> Some "--"
-    | "~" when peek t 0 <> '=' -> Some "not "
-    | "\u{2018}" | "\u{2019}" -> Some "'"
-    | _ -> None
-  in
-  let hint =
-    match character with
-    | "'" when peek t 1 = '\'' -> Some "a text stands in `\"`"
-    | ":" when peek t 0 = '=' -> Some "an equation is written with `=`"
-    | ":" -> Some (colon t)
-    | "&" -> Some "write `&&`, or `.&.` of bits"
-    | "#" when starts "#define" -> Some "a constant is an equation: `vMax = 0.4[m/s]`"
-    | "#" when starts "#include" -> Some "a module is imported: `import Control`"
-    | "#" -> Some "a comment starts with `--`"
-    | "~" when peek t 0 = '=' -> Some "`/=` says that two values differ"
-    | "~" -> Some "the opposite of `b` is `not b`"
-    | "?" -> Some "a choice is written `if c then a else b`"
-    | "'" when is_lower (peek t 0) || is_upper (peek t 0) -> 
-        Some "a text stands in `\"`, and an infix name in backticks, as in ``x `mod` 2``"
-    | "'" -> Some "an infix name stands in backticks, as in ``x `mod` 2``"
-    | "%" -> Some "the remainder is ``x `mod` y``; 20 percent of x are `0.2 * x`"
-    | "\u{2212}" | "\u{2013}" -> Some "the minus sign is `-`"
-    | "\u{2192}" -> Some "the arrow is `->`"
-    | "\u{2264}" -> Some "write `<=`"
-    | "\u{2265}" -> Some "write `>=`"
-    | "\u{2260}" -> Some "write `/=`"
-    | "\u{201c}" | "\u{201d}" -> Some "a text stands in `\"`"
-    | "\u{2018}" | "\u{2019}" -> Some "a prime is `'`, and an infix name stands in backticks"
-    | _ when length > 1 -> Some "names are made of `a`–`z`, `A`–`Z`, digits, `_` and primes"
-    | _ -> None
-  in
   (* one a line: the rest of the line is likely to be of the same kind *)
   if t.bad_line <> t.line && not (character = ":" && List.mem hint t.colons) then
     report t ~code:"E0103" ~start ?hint ?write:instead
       (Printf.sprintf "unexpected character %s" shown);
-  if character = ":" && hint = Some of_block then t.colons <- hint :: t.colons;
+  if character = ":" && hint = Some Character_hint.of_block then t.colons <- hint :: t.colons;
   t.bad_line <- t.line;
   BAD
 

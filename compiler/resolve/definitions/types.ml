@@ -36,8 +36,28 @@ let may_be_variable text =
   (match text.[0] with 'a' .. 'z' -> true | _ -> false)
   && String.for_all (function '0' .. '9' | '\'' -> true | _ -> false) rest
 
+(* `s^2`, of `s2`. *)
+let power_without_caret (scope : Scope.t) (name : Syntax.Ir.name) =
+  let text = name.text in
+  let last = String.length text - 1 in
+  if last < 1 || text.[last] < '2' || text.[last] > '9' then None
+  else
+    let stem = String.sub text 0 last in
+    if Option.is_some (Scope.look scope units { name with text = stem }) then
+      Some (Printf.sprintf "%s^%c" stem text.[last])
+    else None
+
+let unknown (name : Syntax.Ir.name) =
+  Diagnostic.error ~code:"E0208" ~at:name.span "unknown unit `%s`" name.text
+
+let with_power (name : Syntax.Ir.name) power d =
+  Diagnostic.hint (Printf.sprintf "a power is written `%s`" power) d
+  |> Diagnostic.write name.span power
+
 let unknown_unit (scope : Scope.t) (name : Syntax.Ir.name) =
-  ignore (Scope.find scope units { qualifier = None; name; span = name.span })
+  match power_without_caret scope name with
+  | Some power -> unknown name |> with_power name power |> Context.emit scope.context
+  | None -> ignore (Scope.find scope units { qualifier = None; name; span = name.span })
 
 let factor (scope : Scope.t) ~variable (name, power) =
   match Scope.look scope units name with
@@ -54,11 +74,13 @@ let unit_with scope ~variable (u : Syntax.Ir.unit_) : Ir.unit_ =
 
 let concrete_unit (scope : Scope.t) u =
   let variable (name : Syntax.Ir.name) =
-    Diagnostic.error ~code:"E0208" ~at:name.span "unknown unit `%s`" name.text
+    unknown name
     |> (match Unit_word.symbol name.text with
        | Some symbol -> fun d ->
            Diagnostic.hint (Printf.sprintf "`%s` is the unit" symbol) d
            |> Diagnostic.write name.span symbol
+       | None when power_without_caret scope name <> None -> fun d ->
+           with_power name (Option.get (power_without_caret scope name)) d
        | None -> Diagnostic.note "a unit variable can stand only in a type")
     |> Context.emit scope.context
   in

@@ -79,7 +79,11 @@ let activity = function
   | "analogWrite" | "digitalWrite" -> Some "what is written is a part of the program's output"
   | "sleep" | "usleep" | "wait" | "delayMicroseconds" -> Some "a task that waits is `sleepT q out`"
   | "while" ->
-      Some "a task again and again is `whileT condition t`; until something happens, `abortWhen`"
+      Some
+        "a task again and again is `forever t`, and `whileT condition t` while a signal function \
+         gives True; until something happens, `abortWhen`"
+  | "end" | "endif" | "fi" | "done" | "begin" ->
+      Some "a block ends where its indentation does, and needs no word for it"
   | "for" | "foreach" | "forEach" ->
       Some "`map f xs` is each element's; tasks one after the other are `forEachT xs f`"
   | "millis" | "micros" -> Some "`time ()` is the time since the start, in seconds"
@@ -91,6 +95,8 @@ let activity = function
 
 let signal_function = function
   | "iPre" | "pre" -> Some "it is `delay x0`"
+  | "prev" | "previousValue" | "lastValue" | "old" | "last" | "unitDelay" | "memory" ->
+      Some "the value of the instant before is `delay x0 x`; at the first instant it is `x0`"
   | "integrate" | "cumtrapz" -> Some "it is `integral`"
   | "deriv" | "differentiate" -> Some "it is `derivative`"
   | "repeatedly" -> Some "it is `every q`, whose events are `()`"

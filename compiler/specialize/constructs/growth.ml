@@ -9,6 +9,7 @@ type t = {
   from : t option;
   steps : int;  (* how often in a row it has grown *)
   waiting : Span.t option;  (* of a task: what most often waits for its end *)
+  task : string option;  (* whose `do` goes on after what runs, if it is a task *)
 }
 
 let deepest nests =
@@ -54,7 +55,8 @@ let rec nest_of_mode known (value : Value.t) =
   | Unspecified ->
       (0, "")
 
-let name_of : Value.t -> string = function
+let rec name_of : Value.t -> string = function
+  | Primitive { primitive = Run_task; arguments = [ task ]; _ } -> name_of task.value
   | Function closure | Signal_function closure -> closure.name
   | Primitive { owner; _ } -> owner
   | Atom _ | Text _ | Product _ | Constructed _ | Array _ | Elements _ | Choice _ | Program _
@@ -114,7 +116,11 @@ let of_value value ~at ~from =
     | Some _ | None -> 0
   in
   let waiting = if steps > most_steps then waiting value else None in
-  { head; depth; added; name = name_of value; at; from; steps; waiting }
+  let name = name_of value in
+  let task =
+    match value with Primitive { primitive = Run_task; _ } -> Some name | _ -> None
+  in
+  { head; depth; added; name; at; from; steps; waiting; task }
 
 let is_endless t = t.steps > most_steps
 
@@ -129,7 +135,7 @@ let since t =
 (* The nearest place of the program itself. *)
 let rec in_program c (t : t) =
   match t.from with
-  | Some before when Context.in_prelude c t.at -> in_program c before
+  | Some before when Context.in_library c t.at -> in_program c before
   | Some _ | None -> t.at
 
 let report_task (c : Context.t) (t : t) place =
@@ -146,18 +152,26 @@ let report_task (c : Context.t) (t : t) place =
   raise Context.Stopped
 
 let report_growth (c : Context.t) ~name (t : t) =
-  let on_the_way diagnostic hop =
-    if Span.compare hop.at t.at = 0 || String.equal hop.name "" then diagnostic
+  let at = in_program c t in
+  (* The library's places say nothing, and each of the program's says it once. *)
+  let on_the_way (diagnostic, shown) hop =
+    if List.mem hop.at shown || Context.in_library c hop.at || String.equal hop.name "" then
+      (diagnostic, shown)
     else
       let text = Printf.sprintf "on the way `%s` starts here" hop.name in
-      Diagnostic.label ~at:hop.at text diagnostic
+      (Diagnostic.label ~at:hop.at text diagnostic, hop.at :: shown)
+  in
+  let name, what =
+    match t.task with
+    | Some own -> (own, "tasks")
+    | None -> (name, "signal functions")
   in
   Diagnostic.(
-    error ~code:"E0416" ~at:(in_program c t) "`%s` grows each time it starts itself again" name
+    error ~code:"E0416" ~at "`%s` grows each time it starts itself again" name
     |> here (Printf.sprintf "here, with one more `%s`" t.added)
-    |> (fun diagnostic -> List.fold_left on_the_way diagnostic (since t))
-    |> note "which signal functions can run must be known, and be finitely many"
-    |> hint "start it with the same signal functions each time; numbers may change"
+    |> (fun diagnostic -> fst (List.fold_left on_the_way (diagnostic, [ at ]) (since t)))
+    |> note (Printf.sprintf "which %s can run must be known, and be finitely many" what)
+    |> hint (Printf.sprintf "start it with the same %s each time; numbers may change" what)
     |> emit c.sink);
   raise Context.Stopped
 

@@ -395,7 +395,7 @@ let body ({ context = c; trail; node; span; _ } : Evaluator.position) evaluator 
 
 (* A machine that would be part of its own state. The outermost of the calls
    that lead to it is that of one of its modes. *)
-let refuse_nesting (c : Context.t) ~name ~is_task ~outside ~inside =
+let refuse_nesting (c : Context.t) ~name ~is_task ~goes_on ~span ~outside ~inside =
   let calls = match Context.since outside inside with [] -> [] | _ :: calls -> List.rev calls in
   match calls with
   | [] -> bug "a machine is made while it is made"
@@ -406,15 +406,25 @@ let refuse_nesting (c : Context.t) ~name ~is_task ~outside ~inside =
           [] calls
       in
       let quoted = List.rev_map (Printf.sprintf "`%s`") wrappers in
-      let own (_, (place : Span.t)) = String.equal place.file at.file && place <> at in
-      let label d (wrapper, at) =
-        Diagnostic.label ~at (Printf.sprintf "`%s` runs here" wrapper) d
+      let own (place : Span.t) = String.equal place.file at.file in
+      (* It goes on by itself, and not for what is around the call of it. *)
+      let by_itself = List.for_all (String.equal name) wrappers && own span && span <> at in
+      let place = if by_itself then span else at in
+      let label d (text, where) =
+        if own where && where <> place then Diagnostic.label ~at:where text d else d
       in
+      let runs_here (wrapper, where) = (Printf.sprintf "`%s` runs here" wrapper, where) in
       let error =
-        Diagnostic.error ~code:"E0415" ~at "`%s` would run inside itself" name
-        |> Diagnostic.here ("here, inside " ^ String.concat ", inside " quoted)
+        Diagnostic.error ~code:"E0415" ~at:place "`%s` would run inside itself" name
+        |> Diagnostic.here
+             (if by_itself then Printf.sprintf "`%s` goes on around what runs here" name
+             else "here, inside " ^ String.concat ", inside " quoted)
       in
-      List.fold_left label error (List.filter own inner)
+      let labels =
+        if by_itself then [ (Printf.sprintf "here `%s` starts again" name, at) ]
+        else List.map runs_here inner
+      in
+      List.fold_left label error labels
       |> Diagnostic.note
            (if is_task then
               "a task may start itself again only as the last statement of its `do`, with nothing \
@@ -426,6 +436,14 @@ let refuse_nesting (c : Context.t) ~name ~is_task ~outside ~inside =
            (if is_task then
               "what is done several times is `repeatT 4 t`, `whileT condition t` or `forever t`; \
                what comes after all of it stands behind that"
+            else if by_itself && goes_on then
+              "`rSwitch` goes on for ever; `switch` ends, and what its continuation gives takes \
+               its place"
+            else if by_itself then
+              Printf.sprintf
+                "let `%s` end in a `switch`, whose continuation starts the other; or keep which of \
+                 the two runs in a signal"
+                name
             else
               Printf.sprintf
                 "what all modes go through (%s) stands around the first one, where it is started, \
@@ -435,6 +453,10 @@ let refuse_nesting (c : Context.t) ~name ~is_task ~outside ~inside =
       raise Context.Stopped
 
 let is_task : Value.t -> bool = function Primitive { primitive = Run_task; _ } -> true | _ -> false
+
+let goes_on : Value.t -> bool = function
+  | Primitive { primitive = Recurring_switch | Delayed_recurring_switch; _ } -> true
+  | _ -> false
 
 let run (p : Evaluator.position) evaluator target ~result value (input : Value.argument) =
   let { Evaluator.context = c; trail; node; span; _ } = p in
@@ -468,7 +490,9 @@ let run (p : Evaluator.position) evaluator target ~result value (input : Value.a
   let inputs = Skeleton.take_holes walk in
   let key = Skeleton.key walk in
   Option.iter
-    (fun outside -> refuse_nesting c ~name ~is_task:(is_task value) ~outside ~inside:trail)
+    (fun outside ->
+      refuse_nesting c ~name ~is_task:(is_task value) ~goes_on:(goes_on value) ~span ~outside
+        ~inside:trail)
     (Variables.Table.find_opt c.building key);
   let make trail node atoms =
     let copy = Skeleton.copy c.keys Holes atoms in

@@ -171,6 +171,15 @@ let expect t ?subject ~at (expected : Expected.t) found =
 
 let require t required = t.group.required <- required :: t.group.required
 
+let lacks_class t ~wanted given =
+  let lacks (r : required) =
+    match (r.class_, Head.of_type wanted) with
+    | Declared class_, Some (head, _) when Type.expand r.argument == Type.expand given ->
+        Option.is_none (Environment.instance t.reader.environment class_ head)
+    | _ -> false
+  in
+  match Type.expand given with Flexible _ -> List.exists lacks t.group.required | _ -> false
+
 (* What the scheme's context demands of the types of this instance. *)
 let require_context t ~at ~name ~said (scheme : Type.scheme) (instance : Type.instance) =
   let demand (class_, argument) (_, parameter) =

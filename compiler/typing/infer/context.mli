@@ -112,6 +112,10 @@ val use :
 
 val require : t -> required -> unit
 
+val lacks_class : t -> wanted:Type.t -> Type.t -> bool
+(** Something asks for a class of the second type, which is a variable, that the first one has no
+    instance of. *)
+
 val with_variables : t -> by:string -> Resolve.Ir.scheme -> Type.scheme * t
 (** The scheme and the context of what is below it: its variables in scope,
     one signature deeper. [by]: what names the variables, in messages. Each

@@ -230,6 +230,52 @@ let tell_order expressions ctx (e : Resolve.Ir.expr) ~(head : Resolve.Ir.expr) a
               |> Diagnostic.revise_last sink))
   | _ -> ()
 
+(* How many arguments such a function takes. *)
+let rec arity t = match Type.expand t with Type.Function (_, result) -> 1 + arity result | _ -> 0
+
+(* `forever forward 1[m]`, where a function among the arguments was to be applied to those that
+   come after it. *)
+let tell_parentheses expressions ctx ~(head : Resolve.Ir.expr) arguments ~given ~parameters ~failed
+    =
+  let sink = ctx.reader.Written.sink in
+  let failing = List.nth arguments (failed - 1) in
+  let all = List.length arguments in
+  let type_at i =
+    if i = failed then (expressions.infer ctx (List.nth arguments (i - 1)).value).ty
+    else List.nth given (i - 1)
+  in
+  let is_reported (d : Diagnostic.t) = Span.compare d.at failing.value.span = 0 in
+  (* below each other stand statements that lack their `do` *)
+  let in_one_line =
+    let ends = (List.nth arguments (all - 1)).value.span.stop in
+    Span.line head.span.start = Span.line ends
+  in
+  let rec applied i =
+    if i = 0 then None
+    else
+      let n = arity (type_at i) in
+      if n > 0 && i < all then Some (i, min n (all - i)) else applied (i - 1)
+  in
+  match Diagnostic.last sink with
+  | Some d
+    when all > List.length parameters && in_one_line && is_reported d
+         && List.for_all (fun a -> a.style = Juxtaposed) arguments -> (
+      let words = words ctx in
+      let quote (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
+      let texts = List.map (fun a -> quote a.value) arguments in
+      match (applied failed, quote head) with
+      | Some (i, n), Some name when not (List.mem None texts) ->
+          let texts = List.map Option.get texts in
+          let within = List.filteri (fun j _ -> j + 1 >= i && j + 1 <= i + n) texts in
+          let inner = String.concat " " within in
+          let before = List.filteri (fun j _ -> j + 1 < i) texts in
+          let after = List.filteri (fun j _ -> j + 1 > i + n) texts in
+          let whole = String.concat " " ((name :: before) @ (("(" ^ inner ^ ")") :: after)) in
+          Diagnostic.revise_last sink (Mistake.applied_without_parentheses ~name ~inner ~whole);
+          true
+      | _ -> false)
+  | _ -> false
+
 let infer expressions ctx e =
   let head, arguments = spine e in
   let negative = looks_negative head arguments in
@@ -288,6 +334,8 @@ let infer expressions ctx e =
       in
       (match failed with
       | Some failed when errors ctx = before + 1 ->
-          tell_order expressions ctx e ~head arguments ~given:(List.rev types) ~failed
+          let given = List.rev types in
+          if not (tell_parentheses expressions ctx ~head arguments ~given ~parameters ~failed) then
+            tell_order expressions ctx e ~head arguments ~given ~failed
       | _ -> ());
       result)

@@ -15,7 +15,28 @@ let beside ~undecided (expected : Expected.t) at : Expected.t =
 
 (* {1 Functions} *)
 
-let too_many_parameters ctx ~name ~at (expected : Expected.t) ~left allowed =
+(* How many parameters such a function has, as far as that is known. *)
+let rec parameters_allowed t =
+  match Type.expand t with
+  | Function (_, result) -> Option.map succ (parameters_allowed result)
+  | Flexible _ | Erroneous -> None
+  | _ -> Some 0
+
+(* `mix (x, y) = …`, where the parameters stand one after the other. *)
+let as_one_tuple words ~name parameters (expected : Expected.t) =
+  match (name, Type.expand expected.ty) with
+  | Some name, Function (first, _) -> (
+      let quote (p : Resolve.Ir.pattern) = Show.quote words p.span in
+      let all = List.filter_map quote parameters in
+      match Type.expand first with
+      | Tuple elements
+        when List.compare_lengths elements parameters = 0
+             && List.compare_lengths all parameters = 0 ->
+          Some (Printf.sprintf "%s (%s) = …" name (String.concat ", " all))
+      | _ -> None)
+  | _ -> None
+
+let too_many_parameters ctx ~name ~at ~parameters (expected : Expected.t) ~left allowed =
   report ctx (fun words ->
       let what = match name with Some name -> "`" ^ name ^ "`" | None -> "this function" in
       let diagnostic =
@@ -31,12 +52,69 @@ let too_many_parameters ctx ~name ~at (expected : Expected.t) ~left allowed =
       in
       let diagnostic = Expected.explain words expected diagnostic in
       match Type.expand left with
+      | _ when as_one_tuple words ~name parameters expected <> None ->
+          Diagnostic.hint
+            (Printf.sprintf
+               "the signature says one parameter, a tuple: `%s`; parameters one after the other \
+                have an `->` between their types"
+               (Option.get (as_one_tuple words ~name parameters expected)))
+            diagnostic
       | Signal_function _ ->
           Diagnostic.hint "a signal function takes its signal in a `proc`: `proc x -> …`" diagnostic
       | _ -> diagnostic)
 
+(* `f (x, y) = …`, where the signature says parameters one after the other. *)
+let as_several parameters allowed (expected : Expected.t) =
+  match ((parameters : Resolve.Ir.pattern list), Type.expand expected.ty) with
+  | [ { desc = Tuple_of ((_ :: _ :: _) as parts); span } ], Function (first, _)
+    when allowed = Some (List.length parts) -> (
+      match Type.expand first with
+      | Tuple _ | Flexible _ | Erroneous -> None
+      | _ -> Some (span, parts))
+  | _ -> None
+
+let report_one_tuple ctx ~name ~at (parts : Resolve.Ir.pattern list) expected =
+  report ctx (fun words ->
+      let quote (p : Resolve.Ir.pattern) = Option.map Source.grouped (Show.quote words p.span) in
+      let texts = List.filter_map quote parts in
+      Diagnostic.error ~code:"E0301" ~at
+        "`%s` takes its %d arguments one after the other, and not as a tuple" name
+        (List.length parts)
+      |> Expected.explain words expected
+      |>
+      if List.compare_lengths texts parts <> 0 then Fun.id
+      else
+        let text = String.concat " " texts in
+        fun d ->
+          Diagnostic.hint (Printf.sprintf "write `%s %s = …`" name text) d
+          |> Diagnostic.write at text)
+
 let abstraction ctx ~at ~name parameters (expected : Expected.t) body =
-  let parameter (patterns, rest, position) (p : Resolve.Ir.pattern) =
+  let allowed = parameters_allowed expected.ty in
+  let is_refused =
+    match allowed with
+    | Some n -> List.compare_length_with parameters n > 0 && (name <> None || n > 0)
+    | None -> false
+  in
+  (* what such parameters are used as is no other mistake *)
+  let kept =
+    match (name, as_several parameters allowed expected) with
+    | Some name, Some (at, parts) ->
+        report_one_tuple ctx ~name ~at parts expected;
+        Type.Erroneous
+    | _ when not is_refused -> expected.ty
+    | _ ->
+        let n = Option.get allowed in
+        let rec result k t =
+          match Type.expand t with
+          | Function (_, t) when k > 0 -> result (k - 1) t
+          | _ -> t
+        in
+        too_many_parameters ctx ~name ~at:(List.nth parameters n : Resolve.Ir.pattern).span
+          ~parameters expected ~left:(result n expected.ty) n;
+        Type.Erroneous
+  in
+  let parameter (patterns, rest) (p : Resolve.Ir.pattern) =
     let from, into =
       match Type.expand rest with
       | Function (a, b) -> (a, b)
@@ -46,17 +124,14 @@ let abstraction ctx ~at ~name parameters (expected : Expected.t) body =
           expect ctx ~at { expected with ty = rest } (Function (a, b));
           (a, b)
       | _ ->
-          (match name with
-          | None when position = 0 ->
-              let a = Context.fresh ctx and b = Context.fresh ctx in
-              expect ctx ~at { expected with ty = rest } (Function (a, b))
-          | None | Some _ -> too_many_parameters ctx ~name ~at:p.span expected ~left:rest position);
+          let a = Context.fresh ctx and b = Context.fresh ctx in
+          expect ctx ~at { expected with ty = rest } (Function (a, b));
           (Type.Erroneous, Type.Erroneous)
     in
     let pattern = Infer_pattern.check ctx p { expected with ty = from } in
-    (pattern :: patterns, into, position + 1)
+    (pattern :: patterns, into)
   in
-  let patterns, rest, _ = List.fold_left parameter ([], expected.ty, 0) parameters in
+  let patterns, rest = List.fold_left parameter ([], kept) parameters in
   let body = body { expected with ty = rest } in
   match patterns with
   | [] -> body

@@ -131,6 +131,8 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
   | Proc { input; body }, _ -> proc ctx e input body expected
   | Sequence { statements; result }, _ ->
       Infer_sequence.check expressions ctx e statements result expected
+  | Tuple [ a; b ], Tuple [ wanted_a; wanted_b ] ->
+      pair ctx e (a, wanted_a) (b, wanted_b) expected
   | Tuple elements, Tuple types when List.compare_lengths elements types = 0 ->
       let elements =
         List.rev
@@ -154,6 +156,63 @@ and check ctx (e : Resolve.Ir.expr) (expected : Expected.t) : Ir.expr later =
       let typed = infer ctx e in
       expect ctx ~subject:e ~at:e.span expected typed.ty;
       typed.build
+
+(* The types of both first, as the two may stand in the other order: so do an output and its
+   event, where each of them alone would be a riddle. *)
+and pair ctx (e : Resolve.Ir.expr) (a, wanted_a) (b, wanted_b) (expected : Expected.t) =
+  let inferred x = if is_inferred x then Some (infer ctx x) else None in
+  let first = inferred a in
+  let second = inferred b in
+  let unfit ~wanted given = lacks_class ctx ~wanted given in
+  let are_exchanged first second =
+    Argument_order.pair_exchanged ~unfit ~wanted:(wanted_a, wanted_b) (first, second)
+  in
+  (* of one of which the type is not known yet *)
+  let anything = Type.Erroneous in
+  let exchanged =
+    match (first, second) with
+    | None, None -> None
+    | Some x, Some y -> if are_exchanged x.ty y.ty then Some (x, y) else None
+    | Some x, None ->
+        if not (are_exchanged x.ty anything) then None
+        else
+          let y = infer ctx b in
+          if are_exchanged x.ty y.ty then Some (x, y) else None
+    | None, Some y ->
+        if not (are_exchanged anything y.ty) then None
+        else
+          let x = infer ctx a in
+          if are_exchanged x.ty y.ty then Some (x, y) else None
+  in
+  match exchanged with
+  | Some (x, y) ->
+      report ctx (fun words ->
+          Mistake.exchanged_pair words ~at:e.span expected (a, x.ty) (b, y.ty));
+      (* what comes of them is no other mistake *)
+      List.iter
+        (fun (wanted, given) -> ignore (Unify.types wanted given))
+        [ (wanted_a, y.ty); (wanted_b, x.ty) ];
+      fun () -> node e.span expected.ty (Tuple [ x.build (); y.build () ])
+  | None ->
+      let fit x typed ty =
+        match typed with
+        | Some (typed : typed) ->
+            Degrees.warn ctx x (Expected.make Unknown ty);
+            expect ctx ~subject:x ~at:x.span { expected with ty } typed.ty;
+            typed.build
+        | None -> check ctx x { expected with ty }
+      in
+      let first = fit a first wanted_a in
+      let second = fit b second wanted_b in
+      fun () ->
+        let first = first () in
+        node e.span expected.ty (Tuple [ first; second () ])
+
+(* What is checked by inferring its type first. *)
+and is_inferred (e : Resolve.Ir.expr) =
+  match e.desc with
+  | If _ | Case _ | Let _ | Lambda _ | Proc _ | Sequence _ | Tuple _ | Array _ | Record _ -> false
+  | _ -> true
 
 (* As in [[1 2]], which is said of the number. *)
 and lacks_a_comma (e : Resolve.Ir.expr) =

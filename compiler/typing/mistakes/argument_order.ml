@@ -60,6 +60,15 @@ let exchanged ~parameters ~given ~position =
   if List.compare_lengths given parameters > 0 then None
   else List.find_opt fit (List.mapi (fun i _ -> i + 1) given)
 
+let pair_exchanged ~unfit ~wanted:(a, b) (a', b') =
+  let fits wanted given = agree (ref []) wanted given && not (unfit ~wanted given) in
+  let is_open t = match Type.expand t with Type.Flexible _ | Erroneous -> true | _ -> false in
+  (not (fits a a' && fits b b'))
+  && fits a b' && fits b a'
+  (* not because nothing is known of them *)
+  && (not (is_open a' && is_open b'))
+  && not (is_open a && is_open b)
+
 let cure words ~name ~at ~(arguments : Resolve.Ir.expr list) (a, b) (d : Diagnostic.t) =
   let moved i = if i = a then b else if i = b then a else i in
   let texts =

@@ -5,6 +5,14 @@
 
 open Basis
 
+val pair_exchanged :
+  unfit:(wanted:Type.t -> Type.t -> bool) ->
+  wanted:Type.t * Type.t ->
+  Type.t * Type.t ->
+  bool
+(** The two of a pair do not fit where they stand, and would if they changed places. [unfit]:
+    this type fits only as long as nobody asks for its classes. *)
+
 val exchanged : parameters:Type.t list -> given:Type.t list -> position:int -> int option
 (** [given] are the types of the arguments, of which that at [position], from 1, does not fit
     [parameters], the function's as its scheme has them. The position of another argument with

@@ -52,6 +52,47 @@ let is_beside wanted found =
       | _ -> false)
   | _ -> false
 
+let of_numbers found =
+  Environment.is_event found
+  && Option.fold (content found) ~none:false ~some:(fun t ->
+         match Type.expand t with Number _ -> true | _ -> false)
+
+(* What each event adds, for `accumHold 0 (tag e 1)`. *)
+let added_up words (subject : Resolve.Ir.expr option) =
+  let quoted (e : Resolve.Ir.expr) = Option.map Source.grouped (Show.quote words e.span) in
+  let event =
+    match subject with
+    | Some
+        {
+          desc =
+            Apply
+              {
+                head = { desc = Apply { head = { desc = Global { name = "tag"; _ }; _ };
+                  argument = e; _ }; _ };
+                argument = x;
+                _;
+              };
+          _;
+        } -> (
+        match (quoted e, quoted x) with
+        | Some e, Some x -> Some (Printf.sprintf "tag %s (\\n -> n + %s)" e x)
+        | _ -> None)
+    | Some e ->
+        Option.map (fun e -> Printf.sprintf "mapE (\\x n -> n + x) %s" e) (quoted e)
+    | None -> None
+  in
+  Printf.sprintf
+    "each event brings a function of what was before; to add up the numbers it is `%s`"
+    (Option.value event ~default:"mapE (\\x n -> n + x) e")
+
+(* `hold 2[s] b`, of a truth that is to last for a time. *)
+let for_a_time words wanted found =
+  Type.expand found = Bool
+  &&
+  match Option.map Type.expand (content wanted) with
+  | Some (Number (_, u)) -> String.equal (Show.measure words u) "s"
+  | _ -> false
+
 let hint words ~subject ~(expected : Expected.t) ~found =
   let wanted = expected.ty in
   match expected.because with
@@ -77,7 +118,8 @@ let hint words ~subject ~(expected : Expected.t) ~found =
     when Environment.is_event wanted
          && Option.fold (content wanted) ~none:false ~some:is_function ->
       Some
-        (if Environment.is_event found then
+        (if of_numbers found then added_up words subject
+         else if Environment.is_event found then
          Printf.sprintf
            "each event brings a function of what was before: `tag %s (\\n -> n + 1)`; `count` \
             counts events"
@@ -85,6 +127,13 @@ let hint words ~subject ~(expected : Expected.t) ~found =
         else
           "after the initial value comes an event with a function of what was before: `tag e (\\n \
            -> n + 1)`")
+  | Parameter { callee = Some ("hold" | "dHold"); position = 2; _ }
+    when Environment.is_event wanted && for_a_time words wanted found ->
+      Some
+        (Printf.sprintf
+           "`hold x0 e` keeps the value of an event; that a condition was True at some instant of \
+            the last seconds is `within 2[s] %s`: `import Past`"
+           (written words subject "b"))
   | Parameter { callee = Some ("hold" | "dHold" as hold); _ }
     when Environment.is_event wanted && is_plain found && Type.expand found <> Bool ->
       Some

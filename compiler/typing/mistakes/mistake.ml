@@ -72,6 +72,30 @@ let mismatch words owner ~subject ~at ~(expected : Expected.t) ~found (clash : U
   | Out_of_range ->
       error ~code:"E0323" ~at "the exponent of a unit is too large"
 
+let exchanged_pair words ~at (expected : Expected.t) ((a : Resolve.Ir.expr), first)
+    ((b : Resolve.Ir.expr), second) =
+  (* names of signatures first *)
+  ignore (Show.type_ words expected.ty);
+  let found = Type.Tuple [ first; second ] in
+  let d =
+    error ~code:"E0301" ~at "the two of this pair stand in the other order"
+    |> Expected.explain words expected
+  in
+  let of_signature =
+    match expected.because with
+    | Signature _ | Output (Signature _) -> ", or the signature has their types in the other order"
+    | _ -> ""
+  in
+  match (Show.quote words a.span, Show.quote words b.span) with
+  | Some a, Some b ->
+      let text = Printf.sprintf "(%s, %s)" b a in
+      hint (Printf.sprintf "write `%s`%s" text of_signature) d |> write at text
+  | _ ->
+      hint
+        (Printf.sprintf "expected %s, found %s" (Show.described words expected.ty)
+           (Show.described words found))
+        d
+
 (* {1 Heads} *)
 
 let negative_argument words ~(minus : Span.t) ~operand (function_ : Resolve.Ir.expr) ty =
@@ -133,6 +157,17 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
   | _ when Environment.is_task left ->
       hint "a task is run by `runTask`: `runTask t` is a signal function" diagnostic
   | _ -> diagnostic
+
+let applied_without_parentheses ~name ~inner ~whole (d : Diagnostic.t) =
+  hint
+    (if String.equal name "return" then
+       Printf.sprintf
+         "`return x` does nothing and ends with `x`: a task that is to be done stands there \
+          without it, `%s`"
+         inner
+     else
+       Printf.sprintf "what is applied stands in parentheses as an argument: `%s`" whole)
+    { d with hints = []; fixes = [] }
 
 let not_a_signal_function words ~(head : Resolve.Ir.expr) found =
   let diagnostic =

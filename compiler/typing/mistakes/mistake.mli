@@ -22,6 +22,15 @@ val mismatch :
 (** [subject] is the expression at fault, if it is one. The clash is that of
     [Unify.types expected found]. *)
 
+val exchanged_pair :
+  Show.words ->
+  at:Span.t ->
+  Expected.t ->
+  Resolve.Ir.expr * Type.t ->
+  Resolve.Ir.expr * Type.t ->
+  Diagnostic.t
+(** E0301: the two of a pair stand in the other order. *)
+
 val not_a_function :
   Show.words ->
   head:Resolve.Ir.expr ->
@@ -30,6 +39,11 @@ val not_a_function :
   Type.t ->
   Diagnostic.t
 (** What is left of the head's type cannot take the argument of that number. *)
+
+val applied_without_parentheses :
+  name:string -> inner:string -> whole:string -> Diagnostic.t -> Diagnostic.t
+(** The diagnostic of an application that has too many arguments, as a function among them was to
+    be applied to others: [inner], so that it should be [whole]. *)
 
 val negative_argument :
   Show.words ->

@@ -36,13 +36,33 @@ let with_unit words ~ty ~at digits unit_ =
       [ "ms"; "s" ]
   else cure (Printf.sprintf "write `%s[%s]` if that is its unit" digits text) [ text ]
 
+(* The numbers that an expression may be, but for 0, which has every unit. *)
+let rec chosen (e : Resolve.Ir.expr) =
+  match e.desc with
+  | Number { digits; _ } when float_of_string_opt digits = Some 0. -> []
+  | Number { digits; unit_; _ } -> [ (digits, unit_, e.span) ]
+  | Negate e -> chosen e
+  | If { then_; else_; _ } -> chosen then_ @ chosen else_
+  | _ -> []
+
+(* Of a signal that is chosen among several numbers, all of one unit. *)
+let chosen_by_name words (e : Resolve.Ir.expr option) =
+  match e with
+  | Some { desc = Local x; _ } -> (
+      match Option.fold (Show.definition words x) ~none:[] ~some:chosen with
+      | (_, unit_, _) :: _ :: _ as all
+        when List.for_all (fun (_, u, _) -> angle u = angle unit_) all ->
+          all
+      | _ -> [])
+  | _ -> []
+
 (* The number that an expression is, or that it stands for. *)
 let literal words (e : Resolve.Ir.expr) =
   match e.desc with
   | Number { digits; unit_; _ } -> Some (digits, unit_, e.span, None)
   | Local x -> (
-      match Show.definition words x with
-      | Some { desc = Number { digits; unit_; _ }; span } -> Some (digits, unit_, span, Some x)
+      match Option.fold (Show.definition words x) ~none:[] ~some:chosen with
+      | [ (digits, unit_, span) ] -> Some (digits, unit_, span, Some x)
       | _ -> None)
   | _ -> None
 
@@ -72,7 +92,27 @@ let unit_of_literal words ~subject ~(expected : Expected.t) ~found (wanted, give
     else if is_one wanted then write other ~ty:found given
     else None
   in
+  let several = chosen_by_name words subject in
   match cure with
+  | None when is_one given && several <> [] && not (Units.is_open wanted) ->
+      let unit_ =
+        match several with
+        | (_, written, _) :: _ when is_per_second words wanted ->
+            Option.fold (angle written) ~none:"deg/s" ~some:(fun angle -> angle ^ "/s")
+        | _ -> Show.measure words wanted
+      in
+      let cure (digits, _, at) = (at, Printf.sprintf "%s[%s]" digits unit_) in
+      let cures = List.map cure several in
+      let texts = List.map (fun (_, text) -> Printf.sprintf "`%s`" text) cures in
+      let diagnostic =
+        List.fold_left
+          (fun d (at, _) -> label ~at "a number without that unit" d)
+          diagnostic cures
+      in
+      hint
+        (Printf.sprintf "write %s if that is the unit" (String.concat ", " texts))
+        diagnostic
+      |> fix (Printf.sprintf "give the numbers the unit `%s`" unit_) cures
   | None -> diagnostic
   | Some (cure, _, None) -> cure diagnostic
   | Some (cure, at, Some (x : Resolve.Ir.Local.t)) ->

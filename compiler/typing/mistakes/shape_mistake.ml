@@ -203,6 +203,16 @@ let hint_to_group name operator =
     (Printf.sprintf "application binds tighter than `%s`: write `%s (… %s …)`"
        operator name operator)
 
+(* A function of the program's own that is applied to one thing. *)
+let of_a_local_function (e : Resolve.Ir.expr option) =
+  match e with
+  | Some { desc = Apply { head; argument; style = Juxtaposed }; _ } -> (
+      match head.desc with
+      | Local x -> Some (x.name, argument.span)
+      | Global g when not (String.equal g.module_ "Prelude") -> Some (g.name, argument.span)
+      | _ -> None)
+  | _ -> None
+
 let shapes words ~subject ~at ~(expected : Expected.t) ~found =
   let text t = Show.described words t in
   let quote = Option.bind subject (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
@@ -351,6 +361,16 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
               "`map (\\x -> x %s y) xs` computes with each element, `zipWith (%s) xs ys` with \
                those of two arrays"
               operator operator)
+  | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None
+    when ends_a_mode expected && of_a_local_function subject <> None ->
+      let name, argument = Option.get (of_a_local_function subject) in
+      let argument = Option.value (Show.quote words argument) ~default:"x" in
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint
+           (Printf.sprintf
+              "what is switched are signal functions, which get their signal from the `switch`: \
+               `%s = proc %s -> …`, and the whole runs as `switch %s … %s`"
+              name argument name argument)
   | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint "`constant e` is the signal function that always gives `e`"

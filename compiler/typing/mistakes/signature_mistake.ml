@@ -38,9 +38,19 @@ let general_type words owner ~at (r : Type.rigid) t =
   let kind = match r.kind with Of_types -> "type" | Of_sizes -> "size" in
   too_general owner ~at ~kind r.variable (Printf.sprintf "it to be %s" (Show.described words t))
 
+(* `s2` in brackets, which is a variable. *)
+let power_meant (variable : Ir.variable) =
+  match variable.name with
+  | "m2" | "m3" | "s2" | "s3" | "g2" ->
+      Some (Printf.sprintf "%c^%c" variable.name.[0] variable.name.[1])
+  | _ -> None
+
 let general_unit words owner ~at (r : Units.rigid) u =
   too_general owner ~at ~kind:"unit" r.variable
     (Printf.sprintf "it to be `%s`" (Show.measure words u))
+  |> Option.fold (power_meant r.variable) ~none:Fun.id ~some:(fun power ->
+         hint (Printf.sprintf "`%s` is a variable here; a power is written `%s`" r.variable.name
+                 power))
 
 let general_representation words owner ~at (r : Units.rigid) n =
   too_general owner ~at ~kind:"representation" r.variable

@@ -5,7 +5,12 @@ type value = Float of float | Int of int
 type t = {
   definitions : expr Resolve.Global_table.t;
   found : value Resolve.Global_table.t;
+  of_ints : value Resolve.Global_table.t;  (* of a definition of any numbers, where it is an Int *)
+  as_int : bool;  (* this is such a definition *)
+  given : (int * value) list;  (* parameters, by the local's id *)
 }
+
+let is_int (e : expr) = match e.ty with Ir.Number (Int, _) -> true | _ -> false
 
 let spine (e : expr) =
   let rec go (e : expr) arguments =
@@ -54,19 +59,48 @@ let rec all_known = function
 let rec at depth t (e : expr) =
   let value e = if depth = 0 then None else at (depth - 1) t e in
   match e.desc with
-  | Number exact -> literal e.ty exact
+  | Number exact -> literal t e.ty exact
   | Negate a -> Option.bind (value a) (fun a -> compute "negate" [ a ])
   | Power (a, n) -> (
       match value a with Some (Float a) -> Some (Float (a ** float_of_int n)) | _ -> None)
-  | Global (g, _) -> Resolve.Global_table.find_opt t.found g
+  | Global (g, _) -> (
+      match Resolve.Global_table.find_opt t.found g with
+      | Some found -> Some found
+      | None when is_int e || t.as_int -> Resolve.Global_table.find_opt t.of_ints g
+      | None -> None)
+  | Local (x, _) -> List.assoc_opt x.id t.given
   | Field (record, constructor, index) -> Option.bind (field t record constructor index) value
   | Apply _ ->
       Option.bind (operation e) (fun (name, arguments) ->
           Option.bind (all_known (List.map value arguments)) (compute name))
+      |> (function
+           | None when is_int e -> call depth t e
+           | found -> found)
   | _ -> None
 
-and literal ty exact =
+(* A function of the program's own, of numbers that are known. *)
+and call depth t (e : expr) =
+  match spine e with
+  | { desc = Global (g, _); _ }, arguments -> (
+      match Resolve.Global_table.find_opt t.definitions g with
+      | Some { desc = Lambda (parameters, body); _ }
+        when List.compare_lengths parameters arguments = 0 ->
+          let parameter (p : pattern) = match p.desc with Bound x -> Some x.id | _ -> None in
+          let ids = List.filter_map parameter parameters in
+          if List.compare_lengths ids parameters <> 0 then None
+          else
+            Option.bind (all_known (List.map (at (depth - 1) t) arguments)) (fun values ->
+                (* so that calls in calls stay few *)
+                at (min (depth - 1) 8)
+                  { t with as_int = true; given = List.combine ids values }
+                  body)
+      | _ -> None)
+  | _ -> None
+
+and literal t ty exact =
   match ty with
+  | Ir.Number (Representation_variable _, _) when t.as_int ->
+      Option.map (fun n -> Int (Int32.to_int n)) (Basis.Exact.to_int32 exact)
   | Ir.Number (Float, _) -> Some (Float (Basis.Exact.to_float exact))
   | Number (Int, _) -> Option.map (fun n -> Int (Int32.to_int n)) (Basis.Exact.to_int32 exact)
   | _ -> None
@@ -85,16 +119,26 @@ let value = at 32
 
 let of_program (p : program) =
   let table () = Resolve.Global_table.create 64 in
-  let t = { definitions = table (); found = table () } in
+  let t =
+    { definitions = table (); found = table (); of_ints = table (); as_int = false; given = [] }
+  in
   let params = table () in
   List.iter (fun (p : param) -> Resolve.Global_table.replace params p.param ()) p.params;
   (* In the order of dependency: what a definition uses is known before it. *)
   let add (d : definition) =
     if not (Resolve.Global_table.mem params d.name) then (
       Resolve.Global_table.replace t.definitions d.name d.value;
-      Option.iter (Resolve.Global_table.replace t.found d.name) (value t d.value))
+      match value t d.value with
+      | Some found -> Resolve.Global_table.replace t.found d.name found
+      | None when d.scheme.representations <> [] ->
+          value { t with as_int = true } d.value
+          |> Option.iter (Resolve.Global_table.replace t.of_ints d.name)
+      | None -> ())
   in
   List.iter add p.definitions;
   t
+
+let is_of_any_numbers t (e : expr) =
+  match e.desc with Global (g, _) -> Resolve.Global_table.mem t.of_ints g | _ -> false
 
 let float t e = match value t e with Some (Float x) -> Some x | Some (Int _) | None -> None

@@ -15,6 +15,9 @@ val spine : Ir.expr -> Ir.expr * Ir.expr list
 
 val value : t -> Ir.expr -> value option
 
+val is_of_any_numbers : t -> Ir.expr -> bool
+(** A name of a definition whose numbers are Ints only where it is used. *)
+
 val float : t -> Ir.expr -> float option
 (** Of a [Float] only. *)
 

@@ -26,7 +26,11 @@ let number w (e : expr) =
           warning ~code:"W0307" ~at:e.span "this is never a number: it is NaN"
           |> note "every comparison with NaN is False, and what is computed with it is NaN too"
           |> emit w.sink)
-  | (Apply _ | Negate _), Some (Int n) when Int32.to_int (Int32.of_int n) <> n ->
+  | (Apply _ | Negate _ | Global _), Some (Int n)
+    when Int32.to_int (Int32.of_int n) <> n
+         && (match e.desc with
+            | Global _ -> Constant.is_of_any_numbers w.constants e
+            | _ -> true) ->
       Diagnostic.(
         warning ~code:"W0308" ~at:e.span "this is %d, which no Int can be: it wraps around to %ld" n
           (Int32.of_int n)

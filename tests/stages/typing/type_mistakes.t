@@ -155,23 +155,17 @@ A signature that promises more than the definition keeps.
   5 | half x = x / 2.0
     |          ^
   
-  error[E0306]: the signature promises every type `a`, but the definition needs it to be `b`
-   --> promises.frob:8:16
+  error[E0301]: the two of this pair stand in the other order
+   --> promises.frob:8:15
     |
   7 | swap :: (a, b) -> (a, b)
-    |         ---------------- `a` is any type in the signature of `swap`
+    |         ---------------- the signature of `swap` asks for `(a, b)`
   8 | swap (x, y) = (y, x)
-    |                ^
-  
-  error[E0306]: the signature promises every type `b`, but the definition needs it to be `a`
-   --> promises.frob:8:19
+    |               ^^^^^^
     |
-  7 | swap :: (a, b) -> (a, b)
-    |         ---------------- `b` is any type in the signature of `swap`
-  8 | swap (x, y) = (y, x)
-    |                   ^
+    = hint: write `(x, y)`, or the signature has their types in the other order
   
-  4 errors
+  3 errors
   [1]
 
 Patterns, conditions, and a function given itself.

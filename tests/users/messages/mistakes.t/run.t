@@ -998,7 +998,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   4 |     while (not (bumped i))
     |     ^^^^^
     |
-    = hint: a task again and again is `whileT condition t`; until something happens, `abortWhen`
+    = hint: a task again and again is `forever t`, and `whileT condition t` while a signal function gives True; until something happens, `abortWhen`
   
   1 error
   # 089_milliseconds.frob

@@ -18,7 +18,7 @@ What is applied, as an argument:
     |           |
     |           argument 1 of `edge` is `Bool`
     |
-    = hint: write `edge (bumped i)`: what is applied stands in parentheses as an argument
+    = hint: what is applied stands in parentheses as an argument: `edge (bumped i)`
   
   1 error
   [1]

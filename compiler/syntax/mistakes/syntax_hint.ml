@@ -28,6 +28,10 @@ let is_blank = function ' ' | '\t' | '\n' | '\r' -> true | _ -> false
 let is_symbol c = String.contains "+-*/^=<>&|!.@:$" c
 let is_digit c = c >= '0' && c <= '9'
 
+let in_brackets : Layout.context -> bool = function
+  | ((Paren | Bracket | Brace), _) :: _ -> true
+  | _ -> false
+
 let expects_more : Layout.token option -> bool = function
   | Some
       { token =
@@ -160,6 +164,8 @@ let part found (first, last) = String.sub found.text first (last - first)
 (* The word at the left edge of the line: what other languages begin it with. *)
 let first_word found = part found (word_from found found.token.start.pos_bol)
 
+let first_word_of_line found = part found (first_word_from found found.token.start.pos_bol)
+
 (* The word that ends before this offset, with only blanks between. *)
 let word_before found offset =
   let rec blanks i = if i > 0 && is_blank (char_at found (i - 1)) then blanks (i - 1) else i in
@@ -229,6 +235,16 @@ let of_beginning = function
          `forEachT xs f` does a task for each"
   | "print" | "println" | "printf" | "disp" | "fprintf" | "Serial" | "cout" | "puts" ->
       Some "nothing is printed: what is to be seen is an output, and `--record` writes all of them"
+  | "struct" | "typedef" ->
+      Some
+        "a record is declared by `data`, and built by its constructor: `data Config = Config { \
+         speed :: Velocity }`"
+  | "enum" -> Some "a choice of names is `data Side = LeftSide | RightSide`"
+  | "extern" ->
+      Some
+        "a function that is in C is declared with its type here, and its name there: `foreign \
+         cubeRoot :: Float -> Float = \"cbrt\"`"
+  | "using" | "namespace" -> Some "names come from a module by `import Control`"
   | _ -> None
 
 (* The line of the definition or this one, if it begins as in other languages, and what is
@@ -306,6 +322,39 @@ let lacks_of found =
 let no_equation_before_guards =
   "leave out the `=` before the guards: each of them has its own, as in `| x > 0 = 1`"
 
+(* `Robot (setVelTR)`, of `from Robot import setVelTR`. *)
+let python_import found =
+  let bol = found.token.start.pos_bol in
+  let module_ = between found bol found.token.start.pos_cnum in
+  let module_ = String.trim (String.sub module_ 4 (String.length module_ - 4)) in
+  let names =
+    between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum)
+  in
+  let is_name = String.for_all (function
+    | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | ',' | ' ' -> true
+    | _ -> false)
+  in
+  if module_ = "" || not (is_name module_) then "Control (limit)"
+  else
+    let module_ = String.capitalize_ascii module_ in
+    if names = "" || not (is_name names) then module_ else Printf.sprintf "%s (%s)" module_ names
+
+(* The name before `.speed`. *)
+let record_before found (field : Layout.token) =
+  match word_before found field.start.pos_cnum with "" -> "r" | name -> name
+
+let is_a_unit : Layout.context -> bool = function
+  | (Bracket, { by = { token = UNIT_BRACKET; _ }; _ }) :: _ -> true
+  | _ -> false
+
+(* The `do` around is that of a `proc`, of which the statements are no tasks. *)
+let of_a_proc found =
+  match innermost found.context with
+  | Some (Do, { by; _ }) ->
+      let line = between found by.start.pos_bol by.start.pos_cnum in
+      List.mem "proc" (String.split_on_char ' ' (String.concat " " (String.split_on_char '(' line)))
+  | _ -> false
+
 let of_token found =
   match (found.token.token, found.before) with
   | _ when beginning found <> None -> Option.map snd (beginning found)
@@ -314,7 +363,8 @@ let of_token found =
   | QUALIFIED_UPPER _, Some { token = IMPORT | QUALIFIED; _ } ->
       Some "the name of a module has no points: its file stands beside this one, or in the library"
   | IMPORT, Some _ when first_word found = "from" ->
-      Some "names are imported from a module by `import Control (limit)`"
+      Some
+        (Printf.sprintf "names are imported from a module by `import %s`" (python_import found))
   | LOWER _, Some _ when first_word found = "import" && written found found.token = "hiding" ->
       Some "nothing needs hiding: a module's own definitions hide imported ones, and two imports \
             of one name clash only where it is used"
@@ -340,6 +390,24 @@ let of_token found =
   | EQUAL, Some ({ token = LOWER _; _ } as name)
     when stands_after found "then" name || stands_after found "else" name ->
       Some "nothing is assigned: one equation chooses the value, as in `x = if c then a else b`"
+  | EQUAL, Some ({ token = FIELD field; _ } as before) ->
+      Some
+        (Printf.sprintf "no record is changed: `%s { %s = … }` is one with another `%s`"
+           (record_before found before) field field)
+  | EQUAL, Some ({ token = LOWER _; _ } as name)
+    when innermost_block found.context = Do
+         && (not (in_brackets found.context))
+         && not (of_a_proc found) ->
+      let name = written found name in
+      Some
+        (Printf.sprintf
+           "`%s <- t` does the task `t` and names what it ends with; `let %s = e` names a value"
+           name name)
+  | (NUMBER _ | MINUS | STRING _ | LPAREN), Some { token = LBRACE | COMMA; _ }
+    when opens_with Layout.Brace found.context ->
+      Some "each value stands behind the name of its field: `Pose { heading = 0 }`"
+  | FIELD _, Some _ when is_a_unit found.context ->
+      Some "a blank or `*` multiplies units, as in `kg m^2`"
   | EQUAL, _ when compares found.context -> Some "`=` defines; to compare write `==`"
   | DOUBLE_COLON, Some { token = UPPER _; _ } ->
       Some "the name of a value starts with a small letter"

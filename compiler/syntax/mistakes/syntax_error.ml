@@ -66,6 +66,15 @@ let compares_instead found =
       Some (Printf.sprintf "`==` compares; a definition is written with one `=`: `%s = …`" name)
   | _ -> None
 
+(* `assert (x > 0)` *)
+let claim_without_text found =
+  match first_word_of_line found with
+  | ("assert" | "assume") as word ->
+      Some
+        (Printf.sprintf "what holds has a name, in quotes: `%s \"keeps off the wall\" (x > 0)`"
+           word)
+  | _ -> None
+
 let no_effect =
   "nothing is called for its effect: an equation gives a value a name, as in `v = 0.3[m/s]`"
 
@@ -92,7 +101,11 @@ let plain found =
   let hints =
     match hint found ~state_hints with
     | [] when String.equal expected called_for_its_effect ->
-        [ Option.value (compares_instead found) ~default:no_effect ]
+        [
+          (match compares_instead found with
+          | Some hint -> hint
+          | None -> Option.value (claim_without_text found) ~default:no_effect);
+        ]
     | _ :: _ when found.token.token = EQUAL && awaits_arrow expected && state_hints = [] ->
         [ "`->` leads from the input to what comes out; an equation has `=`" ]
     | hints when lacks_else found && innermost_block found.context <> Do ->
@@ -309,4 +322,7 @@ let report sink ~text ~state ~before token =
   (* What is said of the whole program is said once. *)
   let told (other : Diagnostic.t) = other.code = d.code && other.hints = d.hints in
   let once = List.exists (fun hint -> List.mem hint said_once) d.hints in
-  if not (once && List.exists told (Diagnostic.all sink)) then Diagnostic.emit sink d
+  (* a block in braces, of which the lines are no definitions *)
+  let in_braces (other : Diagnostic.t) = List.mem by_indentation other.hints in
+  let of_block = List.mem no_effect d.hints && List.exists in_braces (Diagnostic.all sink) in
+  if not (of_block || (once && List.exists told (Diagnostic.all sink))) then Diagnostic.emit sink d

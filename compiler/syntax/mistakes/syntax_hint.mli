@@ -21,6 +21,12 @@ val innermost_block : Layout.context -> Layout.block
 val expects_more : Layout.token option -> bool
 (** Can no expression, type or definition end after this token? *)
 
+val by_indentation : string
+(** Hint for who writes blocks in braces. *)
+
+val first_word_of_line : found -> string
+(** Of the token's line, behind its blanks. *)
+
 val first_line_of_definition : found -> string
 (** Of the definition at the left edge that the token is in. *)
 

@@ -1,0 +1,165 @@
+type t = { hint : string option; instead : string option }
+
+let is_lower c = (c >= 'a' && c <= 'z') || c = '_'
+let is_upper c = c >= 'A' && c <= 'Z'
+let is_digit c = c >= '0' && c <= '9'
+let is_name c = is_lower c || is_upper c || is_digit c || c = '\''
+let char_at text i = if i >= 0 && i < String.length text then text.[i] else '\000'
+
+(* What ends directly before this place, of such characters. *)
+let ending text at is_part =
+  let rec start i = if i > 0 && is_part text.[i - 1] then start (i - 1) else i in
+  let first = start at in
+  String.sub text first (at - first)
+
+let line_start text at =
+  match String.rindex_from_opt text (max 0 (at - 1)) '\n' with
+  | Some i when i < at -> i + 1
+  | Some _ | None -> 0
+
+(* {1 The colon} *)
+
+(* [f x y] of `def f(x, y)`. *)
+let of_def words =
+  let text = String.concat " " (List.tl words) in
+  let blank = function '(' | ')' | ',' | ':' -> ' ' | c -> c in
+  let names = List.filter (( <> ) "") (String.split_on_char ' ' (String.map blank text)) in
+  let is_name w = String.for_all is_name w in
+  if names <> [] && List.for_all is_name names then String.concat " " names else "f x"
+
+let of_block = "a block is made by indentation alone; a choice is written `if c then a else b`"
+
+(* How other languages begin to declare a record. *)
+let declares_a_record line =
+  List.mem
+    (List.hd (String.split_on_char ' ' (String.trim line)))
+    [ "struct"; "typedef"; "class"; "record"; "interface" ]
+
+(* The line, up to there, of the brace that is open here; not that of another definition. *)
+let line_of_brace text at =
+  let rec back i closed =
+    if i < 0 then None
+    else
+      match text.[i] with
+      | '}' -> back (i - 1) (closed + 1)
+      | '{' when closed = 0 ->
+          let start = line_start text i in
+          Some (String.sub text start (i - start))
+      | '{' -> back (i - 1) (closed - 1)
+      | '\n' when is_lower (char_at text (i + 1)) && line_start text at <> i + 1 -> None
+      | _ -> back (i - 1) closed
+  in
+  back (at - 1) 0
+
+(* Of a colon after a name in braces. *)
+let of_field text at =
+  match (line_of_brace text at, ending text at is_name) with
+  | Some line, _ when declares_a_record line ->
+      {
+        hint =
+          Some
+            "a record is declared by `data`, and built by its constructor: `data Config = Config \
+             { speed :: Velocity }`";
+        instead = None;
+      }
+  | Some line, name when name <> "" && not (String.starts_with ~prefix:"data " line) ->
+      {
+        hint = Some (Printf.sprintf "a field gets its value with `=`: `%s = …`" name);
+        instead = Some " =";
+      }
+  | _ -> { hint = Some "a type follows `::`"; instead = None }
+
+let of_colon text at =
+  let start = line_start text at in
+  let words = String.split_on_char ' ' (String.trim (String.sub text start (at - start))) in
+  let ends_line = match char_at text (at + 1) with '\n' | '\000' -> true | _ -> false in
+  let hint hint = { hint = Some hint; instead = None } in
+  match words with
+  | "def" :: _ ->
+      hint (Printf.sprintf "a function is defined by an equation: `%s = …`" (of_def words))
+  | _ when List.exists (fun word -> word = "lambda" || word = "(lambda") words ->
+      hint "a function without a name is written `\\x -> …`"
+  | ("for" | "while") :: _ ->
+      hint
+        "nothing is repeated by a block: `map f xs` and `foldl (+) 0 xs` go through an array, \
+         `forever t` and `forEachT xs f` repeat tasks"
+  | _ when ends_line && List.mem "case" words ->
+      hint "the line of a `case` ends with `of`: `case x of`"
+  | _ when ends_line -> hint of_block
+  | _ when List.mem "if" words -> hint "`then` follows the condition: `if c then a else b`"
+  | _ -> of_field text at
+
+(* {1 Other characters} *)
+
+(* What other alphabets have for what is written here, and what is said of it. *)
+let symbol text at = function
+  | "\u{00b0}" | "\u{00ba}" ->
+      let is_part c = is_digit c || c = '.' in
+      let digits = match ending text at is_part with "" -> "90" | digits -> digits in
+      Some ("[deg]", Printf.sprintf "degrees are a unit: `%s[deg]`" digits)
+  | "\u{00b2}" -> Some ("^2", "a power is written `^2`")
+  | "\u{00b3}" -> Some ("^3", "a power is written `^3`")
+  | "\u{00d7}" | "\u{00b7}" | "\u{22c5}" -> Some ("*", "the product is `*`")
+  | "\u{00f7}" -> Some ("/", "the quotient is `/`")
+  | "\u{03c0}" -> Some ("pi", "it is `pi`")
+  | "\u{03a9}" | "\u{2126}" -> Some ("Ohm", "the unit is `Ohm`")
+  | "\u{00b5}" | "\u{03bc}" -> Some ("u", "micro is `u`, as in `us` for microseconds")
+  | "\u{03bb}" -> Some ("\\", "a function without a name is written `\\x -> …`")
+  | "\u{2192}" -> Some ("->", "the arrow is `->`")
+  | "\u{2190}" -> Some ("<-", "the arrow is `<-`")
+  | "\u{2227}" -> Some ("&&", "write `&&`")
+  | "\u{2228}" -> Some ("||", "write `||`")
+  | "\u{00ac}" -> Some ("not ", "the opposite of `b` is `not b`")
+  | "\u{2212}" | "\u{2013}" -> Some ("-", "the minus sign is `-`")
+  | "\u{2264}" -> Some ("<=", "write `<=`")
+  | "\u{2265}" -> Some (">=", "write `>=`")
+  | "\u{2260}" -> Some ("/=", "write `/=`")
+  | "\u{2018}" | "\u{2019}" ->
+      Some ("'", "a prime is `'`, and an infix name stands in backticks")
+  | _ -> None
+
+(* `Robot`, of `#include "Robot.h"`. *)
+let included text at =
+  let stop =
+    Option.value (String.index_from_opt text at '\n') ~default:(String.length text)
+  in
+  let line = String.sub text at (stop - at) in
+  match String.split_on_char ' ' line with
+  | [ _; file ] when String.length file > 2 ->
+      let inner = String.sub file 1 (String.length file - 2) in
+      let stem = String.capitalize_ascii (Filename.remove_extension inner) in
+      if stem <> "" && String.for_all is_name stem then stem else "Control"
+  | _ -> "Control"
+
+let of_character ~text ~at character =
+  let next = char_at text (at + String.length character) in
+  let starts word =
+    let n = String.length word in
+    at + n <= String.length text && String.equal (String.sub text at n) word
+  in
+  let only hint = { hint = Some hint; instead = None } in
+  let both hint instead = { hint = Some hint; instead = Some instead } in
+  match (character, symbol text at character) with
+  | _, Some (instead, hint) -> both hint instead
+  | "'", None when char_at text (at + 2) = '\'' -> only "a text stands in `\"`"
+  | "'", None when is_lower next || is_upper next ->
+      only "a text stands in `\"`, and an infix name in backticks, as in ``x `mod` 2``"
+  | "'", None -> only "an infix name stands in backticks, as in ``x `mod` 2``"
+  | ":", None when next = '=' -> only "an equation is written with `=`"
+  | ":", None -> of_colon text at
+  | "&", None when next <> '&' -> both "write `&&`, or `.&.` of bits" "&&"
+  | "&", None -> only "write `&&`, or `.&.` of bits"
+  | "#", None when starts "#define" -> only "a constant is an equation: `vMax = 0.4[m/s]`"
+  | "#", None when starts "#include" ->
+      only (Printf.sprintf "a module is imported: `import %s`" (included text at))
+  | "#", None -> both "a comment starts with `--`" "--"
+  | "~", None when next = '=' -> only "`/=` says that two values differ"
+  | "~", None -> both "the opposite of `b` is `not b`" "not "
+  | "?", None -> only "a choice is written `if c then a else b`"
+  | "%", None when char_at text (at - 1) = '[' ->
+      only "percent is no unit: 20 percent of x are `0.2 * x`"
+  | "%", None -> only "the remainder is ``x `mod` y``; 20 percent of x are `0.2 * x`"
+  | ("\u{201c}" | "\u{201d}"), None -> only "a text stands in `\"`"
+  | _, None when String.length character > 1 ->
+      only "names are made of `a`–`z`, `A`–`Z`, digits, `_` and primes"
+  | _, None -> { hint = None; instead = None }

@@ -1,0 +1,142 @@
+Words and blocks of other languages.
+
+A block in braces is one mistake, whatever is in it:
+
+  $ cat > braces.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> {
+  >     v = 0.2[m/s];
+  >     return roMake (setVelTR v 0);
+  > })
+  > FROB
+  $ frobc check braces.frob
+  error[E0110]: expected the output of this `proc`, or `do`, after `->`, found `{`
+   --> braces.frob:2:35
+    |
+  2 | main = reactimateRobot (proc i -> {
+    |                                   ^
+    |
+    = hint: blocks are made by indentation; braces write records only
+  
+  1 error
+  [1]
+
+  $ cat > end_word.frob <<'FROB'
+  > clamp' x = if x > 1 then 1 else x end
+  > main :: SF Float Float
+  > main = proc x -> clamp' x
+  > FROB
+  $ frobc check end_word.frob
+  error[E0205]: unknown name `end`
+   --> end_word.frob:1:35
+    |
+  1 | clamp' x = if x > 1 then 1 else x end
+    |                                   ^^^
+    |
+    = hint: a block ends where its indentation does, and needs no word for it
+  
+  1 error
+  [1]
+
+  $ cat > from.frob <<'FROB'
+  > from Robot import setVelTR
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0))
+  > FROB
+  $ frobc check from.frob
+  error[E0110]: expected an operator, an argument, or the end of the expression, found `import`
+   --> from.frob:1:12
+    |
+  1 | from Robot import setVelTR
+    |            ^^^^^^
+    |
+    = hint: names are imported from a module by `import Robot (setVelTR)`
+  
+  1 error
+  [1]
+
+  $ cat > include.frob <<'FROB'
+  > #include "Robot.h"
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0))
+  > FROB
+  $ frobc check include.frob
+  error[E0103]: unexpected character `#`
+   --> include.frob:1:1
+    |
+  1 | #include "Robot.h"
+    | ^
+    |
+    = hint: a module is imported: `import Robot`
+  
+  1 error
+  [1]
+
+  $ cat > extern.frob <<'FROB'
+  > extern "C" double filter(double x);
+  > main :: SF Float Float
+  > main = proc x -> filter x
+  > FROB
+  $ frobc check extern.frob
+  error[E0110]: Frob has no `extern`
+   --> extern.frob:1:1
+    |
+  1 | extern "C" double filter(double x);
+    | ^^^^^^
+    |
+    = hint: a function that is in C is declared with its type here, and its name there: `foreign cubeRoot :: Float -> Float = "cbrt"`
+  
+  1 error
+  [1]
+
+An equation where a task is done:
+
+  $ cat > equation.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (do
+  >     ok = forward 1[m]
+  >     if ok then turnBy 90[deg] else return ())
+  > FROB
+  $ frobc check equation.frob
+  error[E0110]: expected `<-`, `-<`, or the end of this statement, found `=`
+   --> equation.frob:3:8
+    |
+  3 |     ok = forward 1[m]
+    |        ^
+    |
+    = hint: `ok <- t` does the task `t` and names what it ends with; `let ok = e` names a value
+  
+  1 error
+  [1]
+
+  $ cat > previous.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> y where
+  >     y = 0.9 * prev y + 0.1 * x
+  > FROB
+  $ frobc check previous.frob
+  error[E0205]: unknown name `prev`
+   --> previous.frob:3:15
+    |
+  3 |     y = 0.9 * prev y + 0.1 * x
+    |               ^^^^
+    |
+    = hint: the value of the instant before is `delay x0 x`; at the first instant it is `x0`
+  
+  1 error
+  [1]
+
+  $ cat > no_text.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0) where
+  >     assert (frontSonar i > 0.1[m]))
+  > FROB
+  $ frobc check no_text.frob
+  error[E0110]: expected `=` after the left side of a definition, found the end of the block
+   --> no_text.frob:3:35
+    |
+  3 |     assert (frontSonar i > 0.1[m]))
+    |                                   ^
+    |
+    = hint: what holds has a name, in quotes: `assert "keeps off the wall" (x > 0)`
+  
+  1 error
+  [1]

@@ -1,0 +1,73 @@
+A function among the arguments that was to be applied to those behind it.
+
+  $ cat > tasks.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (do
+  >     forward 1[m]
+  >     sleepT 2[s] roMake (setVelTR 0 0)
+  >     forever turnBy 90[deg])
+  > FROB
+  $ frobc check tasks.frob
+  error[E0302]: `sleepT` takes 2 arguments, but is given more
+   --> tasks.frob:4:25
+    |
+  4 |     sleepT 2[s] roMake (setVelTR 0 0)
+    |     ------              ^^^^^^^^^^^^ one too many
+    |     |
+    |     with 2 arguments the result is `Task a ((b -> b) -> b) ()`
+    |
+    = hint: what is applied stands in parentheses as an argument: `sleepT 2[s] (roMake (setVelTR 0 0))`
+  
+  error[E0301]: expected `Task a b c`, found the function `Angle -> Task d e ()`
+   --> tasks.frob:5:13
+    |
+  5 |     forever turnBy 90[deg])
+    |     ------- ^^^^^^
+    |     |
+    |     argument 1 of `forever` is `Task a b c`
+    |
+    = hint: what is applied stands in parentheses as an argument: `forever (turnBy 90[deg])`
+  
+  2 errors
+  [1]
+
+  $ cat > forever.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (forever forward 1[m])
+  > FROB
+  $ frobc check forever.frob
+  error[E0301]: expected `Task a b c`, found the function `Distance -> Task d e Bool`
+   --> forever.frob:2:32
+    |
+  2 | main = reactimateTask (forever forward 1[m])
+    |                        ------- ^^^^^^^
+    |                        |
+    |                        argument 1 of `forever` is `Task a b c`
+    |
+    = hint: what is applied stands in parentheses as an argument: `forever (forward 1[m])`
+  
+  1 error
+  [1]
+
+What `return` is given is not done:
+
+  $ cat > turn.frob <<'FROB'
+  > import Robot
+  > t :: (HasOdometry i, DiffDrive o) => Task i o ()
+  > t = do
+  >     return turnBy 90[deg]
+  > main = reactimateTask t
+  > FROB
+  $ frobc check turn.frob
+  error[E0302]: `return` takes 1 argument, but is given more
+   --> turn.frob:4:19
+    |
+  4 |     return turnBy 90[deg]
+    |     ------        ^^^^^^^ one too many
+    |     |
+    |     with one argument the result is `Task a b (Angle -> Task c d ())`
+    |
+    = hint: `return x` does nothing and ends with `x`: a task that is to be done stands there without it, `turnBy 90[deg]`
+  
+  1 error
+  [1]

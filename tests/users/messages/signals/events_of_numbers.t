@@ -1,0 +1,80 @@
+Events, as far as they are held or added up.
+
+  $ cat > for_a_time.frob <<'FROB'
+  > main :: SF Bool Bool
+  > main = proc b -> hold 2[s] b
+  > FROB
+  $ frobc check for_a_time.frob
+  error[E0301]: expected `Event n[s]`, found `Bool`
+   --> for_a_time.frob:2:28
+    |
+  2 | main = proc b -> hold 2[s] b
+    |                  ---- ---- ^
+    |                  |    |
+    |                  |    because this is a number of `s`
+    |                  argument 2 of `hold` is `Event n[s]`
+    |
+    = hint: `hold x0 e` keeps the value of an event; that a condition was True at some instant of the last seconds is `within 2[s] b`: `import Past`
+  
+  1 error
+  [1]
+
+  $ cat > added_up.frob <<'FROB'
+  > main :: SF Bool Int
+  > main = proc b -> accumHold 0 (tag (edge b) 1)
+  > FROB
+  $ frobc check added_up.frob
+  error[E0301]: expected `Event (n[u] -> n[u])`, found `Event n1[1]`
+   --> added_up.frob:2:31
+    |
+  2 | main = proc b -> accumHold 0 (tag (edge b) 1)
+    |                  --------- -  ^^^^^^^^^^^^^^
+    |                  |         |
+    |                  |         because this is a number
+    |                  argument 2 of `accumHold` is `Event (n[u] -> n[u])`
+    |
+    = hint: each event brings a function of what was before; to add up the numbers it is `tag (edge b) (\n -> n + 1)`
+  
+  1 error
+  [1]
+
+A function of the input where a switch has signal functions:
+
+  $ cat > functions.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> o where
+  >     o = switch (drive i) (\_ -> turn i)
+  >     drive i = (roMake (setVelTR 0.2[m/s] 0), edge (frontSonar i < 0.5[m]))
+  >     turn i = roMake (setVelTR 0 0.5[rad/s]))
+  > FROB
+  $ frobc check functions.frob
+  error[E0301]: expected `SF a (b, Event c)`, found `(d, Event ())`
+   --> functions.frob:3:17
+    |
+  3 |     o = switch (drive i) (\_ -> turn i)
+    |         ------  ^^^^^^^
+    |         |
+    |         argument 1 of `switch` is `SF a (b, Event c)`
+    |
+    = hint: what is switched are signal functions, which get their signal from the `switch`: `drive = proc i -> …`, and the whole runs as `switch drive … i`
+  
+  warning[W0201]: `i` hides a local variable of that name
+   --> functions.frob:4:11
+    |
+  2 | main = reactimateRobot (proc i -> o where
+    |                              - hidden from here on
+  3 |     o = switch (drive i) (\_ -> turn i)
+  4 |     drive i = (roMake (setVelTR 0.2[m/s] 0), edge (frontSonar i < 0.5[m]))
+    |           ^
+  
+  warning[W0201]: `i` hides a local variable of that name
+   --> functions.frob:5:10
+    |
+  2 | main = reactimateRobot (proc i -> o where
+    |                              - hidden from here on
+  ...
+  5 |     turn i = roMake (setVelTR 0 0.5[rad/s]))
+    |          ^
+  
+  1 error, 2 warnings
+  [1]
