@@ -303,14 +303,14 @@ Parameters that grow.
   > main = runTask (pingpong (sleepT 1[s] 3))
   > EOF
   $ frobc check grows.frob
-  error[E0416]: `withSF` grows each time it starts itself again
+  error[E0416]: `pingpong` grows each time it starts itself again
    --> grows.frob:4:4
     |
   4 |    pingpong (t `withSF` time `mapTo` ())
     |    ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ here, with one more `withSF`
     |
-    = note: which signal functions can run must be known, and be finitely many
-    = hint: start it with the same signal functions each time; numbers may change
+    = note: which tasks can run must be known, and be finitely many
+    = hint: start it with the same tasks each time; numbers may change
   
   1 error
   [1]
