@@ -255,7 +255,7 @@ let test =
     | Ok (), Ok () when not (rate >= 0.1 && rate <= 10000.) ->
         General.wrong_use "--rate takes a number from 0.1 to 10000"
     | Ok (), Ok () ->
-        Driver.Trials.run general ~sources { pattern; seeds; jobs; rate; json; junit; keep } paths
+        Driver.Trials.run general ~sources { Driver.Checking.pattern; seeds; jobs; rate; json; junit; keep } paths
   in
   let man =
     [

@@ -1,6 +1,8 @@
 open Basis
 
-type plan = Alone | Simulated of { world : string; first : int; last : int }
+type trial = { world : string; first : int; last : int; chance : Chance.t option }
+
+type plan = Alone | Simulated of trial
 type t = { name : string; label : string; lasts : float; plan : plan }
 
 let refuse sink at format =
@@ -21,10 +23,32 @@ let check_seeds sink at first last =
     refuse sink at "the seeds are from a number of at least 1 to one that is not less, not from %d \
                     to %d" first last
 
+let check_chance sink at ({ share; confidence } as chance : Chance.t) =
+  let is_within low x = x > low && x < 1. in
+  if is_within 0. share && is_within 0.5 confidence then Some chance
+  else
+    refuse sink at
+      "`holdsWith` takes a share between 0 and 1, and a confidence between 0.5 and 1, not %g and %g"
+      share confidence
+
 let demand = Interp.Thunk.demand
 let bug () = Diagnostic.bug ~stage:"Driver.Checks" "a test that is none"
 
 (* As the library's types have their fields. *)
+let seeds_of sink at (arguments : Interp.Value.t list) =
+  let ( let* ) = Option.bind in
+  let seeds first last chance =
+    let first = Int32.to_int first and last = Int32.to_int last in
+    let* () = check_seeds sink at first last in
+    Some (first, last, chance)
+  in
+  match arguments with
+  | [ Int first; Int last ] -> seeds first last None
+  | [ Float share; Float confidence; Int first; Int last ] ->
+      let* chance = check_chance sink at { share; confidence } in
+      seeds first last (Some chance)
+  | _ -> bug ()
+
 let of_value sink at ~name ~label (value : Interp.Value.t) =
   let ( let* ) = Option.bind in
   let arguments =
@@ -37,14 +61,10 @@ let of_value sink at ~name ~label (value : Interp.Value.t) =
       Some { name; label; lasts; plan = Alone }
   | [ world; lasts; seeds; _ ] -> (
       match (demand world, demand seeds) with
-      | Text world, Data { arguments = [| first; last |]; _ } -> (
+      | Text world, Data { arguments; _ } ->
           let* lasts = check_time sink at (time lasts) in
-          match (demand first, demand last) with
-          | Int first, Int last ->
-              let first = Int32.to_int first and last = Int32.to_int last in
-              let* () = check_seeds sink at first last in
-              Some { name; label; lasts; plan = Simulated { world; first; last } }
-          | _, _ -> bug ())
+          let* first, last, chance = seeds_of sink at (List.map demand (Array.to_list arguments)) in
+          Some { name; label; lasts; plan = Simulated { world; first; last; chance } }
       | _, _ -> bug ())
   | _ -> bug ()
 

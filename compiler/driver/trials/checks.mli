@@ -4,9 +4,16 @@
 
 open Basis
 
+type trial = {
+  world : string;  (** as it is written *)
+  first : int;
+  last : int;  (** seeds *)
+  chance : Chance.t option;
+}
+
 type plan =
   | Alone  (** a signal function without input *)
-  | Simulated of { world : string; first : int; last : int  (** seeds *) }
+  | Simulated of trial
 
 type t = {
   name : string;  (** of the definition *)

@@ -9,13 +9,20 @@ type run = {
   measured : (string * float) list;
 }
 
-type evidence = { around : string list; picture : string; view : string }
+type evidence = {
+  run : run;
+  around : string list;
+  shrunk : string;
+  picture : string;
+  view : string;
+}
 
 type t = {
   file : string;
   label : string;
   lasts : float;
   measures : Measures.t list;
+  chance : Chance.t option;
   result : (run list, string) result;
   evidence : evidence option;
 }
@@ -25,7 +32,32 @@ let is_failure r =
 
 let runs t = Result.value t.result ~default:[]
 let failures t = List.filter is_failure (runs t)
-let has_failed t = Result.is_error t.result || failures t <> []
+
+let counted t = List.filter (fun r -> r.fate <> Void) (runs t)
+
+(* What can be said of chance, and after how many runs. *)
+let decision t chance = Chance.decide chance (List.map (fun r -> not (is_failure r)) (counted t))
+
+let decided t =
+  let after chance =
+    match decision t chance with
+    | Chance.Open, _ -> None
+    | (Holds | Fails), count ->
+        let rec number k counted = function
+          | _ when counted = 0 -> k
+          | run :: rest -> number (k + 1) (if run.fate = Void then counted else counted - 1) rest
+          | [] -> k
+        in
+        Some (number 0 count (runs t))
+  in
+  Option.bind t.chance after
+
+let has_failed t =
+  Result.is_error t.result
+  ||
+  match t.chance with
+  | None -> failures t <> []
+  | Some chance -> fst (decision t chance) <> Chance.Holds
 let count fate t = List.length (List.filter (fun r -> r.fate = fate) (runs t))
 let plural n word = Printf.sprintf "%d %s%s" n word (if n = 1 then "" else "s")
 
@@ -38,9 +70,33 @@ let why r =
 
 let seed r = match r.seed with Some seed -> Printf.sprintf "seed %d: " seed | None -> ""
 
+let of_chance t (chance : Chance.t) =
+  let total = List.length (counted t) in
+  let held = total - List.length (failures t) in
+  let least, most = Chance.bounds ~confidence:chance.confidence ~held (max 1 total) in
+  let said =
+    match fst (decision t chance) with
+    | Holds -> "holds in at least"
+    | Fails -> "does not hold in"
+    | Open -> "not decided whether it holds in"
+  in
+  Printf.sprintf "%s %g of runs, with confidence %g: held in %d of %s, so in %.4f to %.4f of all" said
+    chance.share chance.confidence held (plural total "run") least most
+
+(* The failed run that is told of: the one that can be looked at. *)
+let told t =
+  match (t.evidence, failures t) with
+  | Some e, _ :: others -> e.run :: others
+  | _, failures -> failures
+
 let verdict t =
-  match (t.result, failures t) with
+  match (t.result, told t) with
   | Error reason, _ -> reason
+  | Ok _, failures when t.chance <> None ->
+      let said = of_chance t (Option.get t.chance) in
+      (match failures with
+      | first :: _ when has_failed t -> Printf.sprintf "%s; %s%s" said (seed first) (why first)
+      | _ -> said)
   | Ok [ { seed = None; _ } ], first :: _ -> why first
   | Ok runs, first :: _ ->
       Printf.sprintf "%d of %s; %s%s" (List.length (failures t))
@@ -72,7 +128,7 @@ let of_measure (m : Measures.t) r =
   Option.value (List.assoc_opt m.probe r.measured) ~default:Float.nan
 
 let spreads t =
-  let counted = List.filter (fun r -> r.fate <> Void) (runs t) in
+  let counted = counted t in
   let spread (m : Measures.t) =
     Spread.text ~name:m.name ~unit_:m.unit_
       (List.map (fun r -> (Option.value r.seed ~default:0, of_measure m r)) counted)
@@ -85,8 +141,9 @@ let print t =
   List.iter detail (spreads t);
   Option.iter
     (fun e ->
-      (match failures t with first :: _ -> List.iter detail (truth_line first.truth) | [] -> ());
+      List.iter detail (truth_line e.run.truth);
       List.iter detail e.around;
+      if e.shrunk <> "" then detail e.shrunk;
       if e.picture <> "" then detail ("picture: " ^ e.picture);
       if e.view <> "" then detail e.view)
     t.evidence;
@@ -135,8 +192,27 @@ let json t =
   in
   let evidence =
     match t.evidence with
-    | Some e -> [ ("picture", String e.picture); ("view", String e.view) ]
+    | Some e ->
+        [ ("shrunk", String e.shrunk); ("picture", String e.picture); ("view", String e.view) ]
     | None -> []
+  in
+  let chance =
+    match t.chance with
+    | None -> []
+    | Some chance ->
+        let total = List.length (counted t) in
+        let held = total - List.length (failures t) in
+        let least, most = Chance.bounds ~confidence:chance.confidence ~held (max 1 total) in
+        let decision =
+          match fst (decision t chance) with Holds -> "holds" | Fails -> "fails" | Open -> "open"
+        in
+        let fields =
+          [
+            ("share", Float chance.share); ("confidence", Float chance.confidence);
+            ("decision", String decision); ("least", Float least); ("most", Float most);
+          ]
+        in
+        [ ("chance", Object fields) ]
   in
   let result =
     match t.result with
@@ -149,7 +225,7 @@ let json t =
           ("file", String t.file); ("label", String t.label); ("ok", Bool (not (has_failed t)));
           ("lasts", Float t.lasts);
         ]
-       @ result @ evidence))
+       @ chance @ result @ evidence))
 
 let junit all =
   let case t =

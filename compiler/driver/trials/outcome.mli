@@ -18,7 +18,9 @@ type run = {
 
 (** What can be looked at of a run that failed. *)
 type evidence = {
+  run : run;  (** it *)
   around : string list;  (** lines with what the program gave at the last two instants *)
+  shrunk : string;  (** what it needs of the world's disturbances to fail so, if not all *)
   picture : string;
   view : string;  (** the command that shows it *)
 }
@@ -28,12 +30,17 @@ type t = {
   label : string;
   lasts : float;
   measures : Measures.t list;
+  chance : Chance.t option;
   result : (run list, string) result;  (** or why it could not be run *)
   evidence : evidence option;
 }
 
 val failures : t -> run list
 val has_failed : t -> bool
+
+val decided : t -> int option
+(** After how many of its runs it could be said whether it holds with the chance that is asked
+    for; nothing if it cannot be, or if none is. *)
 
 val print : t -> unit
 (** A line on standard output, and more below it if it has failed. *)

@@ -1,0 +1,46 @@
+open Checking
+
+let instants context ~lasts path =
+  let channel = open_out path in
+  output_string channel "time\n";
+  let rec write k =
+    let time = float_of_int k /. context.options.rate in
+    if time <= lasts +. 1e-9 then begin
+      Printf.fprintf channel "%.9f\n" time;
+      write (k + 1)
+    end
+  in
+  write 0;
+  close_out channel
+
+let run context file (check : Checks.t) : Outcome.t =
+  let entry = Resolve.Labels.judge check.name in
+  let outcome result evidence =
+    { Outcome.file; label = check.label; lasts = check.lasts; measures = []; chance = None; result; evidence }
+  in
+  let general = { context.general with probes = [ Probes.claims ] } in
+  match compiled context general ~entry file with
+  | Error reason -> outcome (Error reason) None
+  | Ok program -> (
+      let times = Filename.concat (Temporary.folder ()) "times.csv" in
+      instants context ~lasts:check.lasts times;
+      match Workers.run ~jobs:1 [ (context.resources.trace_host, [ program; times ]) ] with
+      | [ ({ status = 0; _ } as result) ] ->
+          let run = Found.of_trace result.output in
+          let evidence () =
+            let input = kept context check ".csv" in
+            match Output.folder context.options.keep with
+            | Error _ -> None
+            | Ok () ->
+                instants context ~lasts:run.at input;
+                let view =
+                  Printf.sprintf "frobc trace %s%s --entry %s --input %s --probe all" (quoted file)
+                    (robot_option context.general) (quoted entry) (quoted input)
+                in
+                Some { Outcome.run; around = []; shrunk = ""; picture = ""; view }
+          in
+          let failed = run.fate = Violated || run.fate = Undecided in
+          outcome (Ok [ run ]) (if failed then evidence () else None)
+      | [ result ] -> outcome (Error (complaint result)) None
+      | _ -> outcome (Error "cannot be run") None)
+
