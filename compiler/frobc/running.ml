@@ -245,7 +245,11 @@ let test =
     let doc = "The folder for a recording and a picture of each trial that fails." in
     Arg.(value & opt string "failed" & info [ "keep" ] ~docv:"DIR" ~doc)
   in
-  let run general sources pattern seeds jobs rate json junit keep paths =
+  let update =
+    let doc = "Write the output files of golden traces anew, where they have changed." in
+    Arg.(value & flag & info [ "update" ] ~doc)
+  in
+  let run general sources pattern seeds jobs rate json junit update keep paths =
     let positive name = function
       | Some n when n < 1 -> Error (Printf.sprintf "%s takes a number of at least 1" name)
       | _ -> Ok ()
@@ -255,13 +259,16 @@ let test =
     | Ok (), Ok () when not (rate >= 0.1 && rate <= 10000.) ->
         General.wrong_use "--rate takes a number from 0.1 to 10000"
     | Ok (), Ok () ->
-        Driver.Trials.run general ~sources { Driver.Checking.pattern; seeds; jobs; rate; json; junit; keep } paths
+        Driver.Trials.run general ~sources
+          { Driver.Checking.pattern; seeds; jobs; rate; json; junit; update; keep }
+          paths
   in
   let man =
     [
       `S Manpage.s_description;
       `P
-        "Runs what programs say of themselves: $(b,test \"label\" = during 2[s] observer), and \
+        "Runs what programs say of themselves: $(b,test \"label\" = during 2[s] observer), \
+         $(b,test \"label\" = trace \"in.csv\" \"out.csv\"), and \
          $(b,trial \"label\" = Trial { … }), which drives the program in the simulator with many \
          seeds and judges what really happens. A line for each; of a trial that fails the seed, \
          when, what was there, a picture, and the command that shows the run.";
@@ -270,7 +277,8 @@ let test =
   in
   command "test" ~man ~doc:"run the tests and trials that are written in programs"
     Term.(
-      const run $ general $ sources $ pattern $ seeds $ jobs $ rate $ json $ junit $ keep $ paths)
+      const run $ general $ sources $ pattern $ seeds $ jobs $ rate $ json $ junit $ update $ keep
+      $ paths)
 
 let view =
   let recording =

@@ -16,7 +16,8 @@ let instants context ~lasts path =
 let run context file (check : Checks.t) : Outcome.t =
   let entry = Resolve.Labels.judge check.name in
   let outcome result evidence =
-    { Outcome.file; label = check.label; lasts = check.lasts; measures = []; chance = None; result; evidence }
+    { Outcome.file; label = check.label; lasts = check.lasts; measures = []; chance = None;
+      note = ""; result; evidence }
   in
   let general = { context.general with probes = [ Probes.claims ] } in
   match compiled context general ~entry file with
@@ -37,7 +38,7 @@ let run context file (check : Checks.t) : Outcome.t =
                   Printf.sprintf "frobc trace %s%s --entry %s --input %s --probe all" (quoted file)
                     (robot_option context.general) (quoted entry) (quoted input)
                 in
-                Some { Outcome.run; around = []; shrunk = ""; picture = ""; view }
+                Some { Outcome.run; truth = []; around = []; shrunk = ""; picture = ""; view }
           in
           let failed = run.fate = Violated || run.fate = Undecided in
           outcome (Ok [ run ]) (if failed then evidence () else None)

@@ -4,7 +4,7 @@
     Hypotheses, 1945), once for each side, against a share of failures that is a quarter, or four
     times, the one that is allowed. Where less than the share hold, it is said to hold with a
     probability of at most 1 - confidence, however long one looks (Ville's inequality); and the
-    other way round. *)
+    other way round. Between a half and twice the failures that are allowed it may take long. *)
 
 type t = { share : float; confidence : float  (** both between 0 and 1 *) }
 

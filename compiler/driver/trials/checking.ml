@@ -5,6 +5,7 @@ type options = {
   rate : float;
   json : bool;
   junit : string option;
+  update : bool;
   keep : string;
 }
 

@@ -7,6 +7,7 @@ type options = {
   rate : float;  (** Hz *)
   json : bool;  (** an object a line instead of text *)
   junit : string option;  (** a file for a CI server *)
+  update : bool;  (** write golden traces anew *)
   keep : string;  (** the folder for what can be looked at of runs that failed *)
 }
 

@@ -2,7 +2,7 @@ open Basis
 
 type trial = { world : string; first : int; last : int; chance : Chance.t option }
 
-type plan = Alone | Simulated of trial
+type plan = Alone | Traced of { input : string; output : string } | Simulated of trial
 type t = { name : string; label : string; lasts : float; plan : plan }
 
 let refuse sink at format =
@@ -56,9 +56,16 @@ let of_value sink at ~name ~label (value : Interp.Value.t) =
   in
   let time thunk = match demand thunk with Interp.Value.Float x -> x | _ -> bug () in
   match arguments with
-  | [ lasts; _ ] ->
-      let* lasts = check_time sink at (time lasts) in
-      Some { name; label; lasts; plan = Alone }
+  | [ lasts; _; golden ] -> (
+      match demand golden with
+      | Data { arguments = [| input; output |]; _ } -> (
+          match (demand input, demand output) with
+          | Text input, Text output ->
+              Some { name; label; lasts = 0.; plan = Traced { input; output } }
+          | _, _ -> bug ())
+      | _ ->
+          let* lasts = check_time sink at (time lasts) in
+          Some { name; label; lasts; plan = Alone })
   | [ world; lasts; seeds; _ ] -> (
       match (demand world, demand seeds) with
       | Text world, Data { arguments; _ } ->

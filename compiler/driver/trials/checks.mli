@@ -13,6 +13,7 @@ type trial = {
 
 type plan =
   | Alone  (** a signal function without input *)
+  | Traced of { input : string; output : string }  (** files, as they are written *)
   | Simulated of trial
 
 type t = {

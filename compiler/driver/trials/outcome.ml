@@ -11,6 +11,7 @@ type run = {
 
 type evidence = {
   run : run;
+  truth : float list;
   around : string list;
   shrunk : string;
   picture : string;
@@ -23,6 +24,7 @@ type t = {
   lasts : float;
   measures : Measures.t list;
   chance : Chance.t option;
+  note : string;
   result : (run list, string) result;
   evidence : evidence option;
 }
@@ -80,8 +82,8 @@ let of_chance t (chance : Chance.t) =
     | Fails -> "does not hold in"
     | Open -> "not decided whether it holds in"
   in
-  Printf.sprintf "%s %g of runs, with confidence %g: held in %d of %s, so in %.4f to %.4f of all" said
-    chance.share chance.confidence held (plural total "run") least most
+  Printf.sprintf "%s %g of runs, with confidence %g: held in %d of %s, so in %.4f to %.4f of all"
+    said chance.share chance.confidence held (plural total "run") least most
 
 (* The failed run that is told of: the one that can be looked at. *)
 let told t =
@@ -108,7 +110,8 @@ let verdict t =
         match runs with [ { seed = None; _ } ] -> "" | _ -> plural total "seed" ^ ", "
       in
       let some n what = if n = 0 then "" else Printf.sprintf "; %s %s" (plural n "run") what in
-      Printf.sprintf "%s%g s%s%s" seeds t.lasts
+      Printf.sprintf "%s%g s%s%s%s" seeds t.lasts
+        (if t.note = "" then "" else "; " ^ t.note)
         (some (count Void t) "void, since an assumption failed")
         (if count Unasked t = total then "; never came to matter" else "")
 
@@ -141,7 +144,7 @@ let print t =
   List.iter detail (spreads t);
   Option.iter
     (fun e ->
-      List.iter detail (truth_line e.run.truth);
+      List.iter detail (truth_line e.truth);
       List.iter detail e.around;
       if e.shrunk <> "" then detail e.shrunk;
       if e.picture <> "" then detail ("picture: " ^ e.picture);

@@ -19,6 +19,7 @@ type run = {
 (** What can be looked at of a run that failed. *)
 type evidence = {
   run : run;  (** it *)
+  truth : float list;  (** as in a run, of the one that can be looked at, which is shrunk *)
   around : string list;  (** lines with what the program gave at the last two instants *)
   shrunk : string;  (** what it needs of the world's disturbances to fail so, if not all *)
   picture : string;
@@ -31,6 +32,7 @@ type t = {
   lasts : float;
   measures : Measures.t list;
   chance : Chance.t option;
+  note : string;  (** that is told beside it; or empty *)
   result : (run list, string) result;  (** or why it could not be run *)
   evidence : evidence option;
 }

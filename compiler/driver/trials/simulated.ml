@@ -139,18 +139,19 @@ let evidence p (run : Outcome.run) seed : Outcome.evidence =
     match Workers.run ~jobs:1 [ command p ~world (seed, seed) more ] with
     | [ { status = 0; output; _ } ] -> (
         match Found.of_trial output with
-        | [ again ] -> Ok again.at
+        | [ again ] -> Ok again
         | _ -> Error "the run could not be recorded")
     | _ -> Error "the run could not be recorded"
   in
   match again with
-  | Ok at ->
+  | Ok again ->
       let view =
         Printf.sprintf "frobc view %s %s%s --world %s --seed %d  # at %.3f s" (quoted record)
-          (quoted p.file) (robot_option p.context.general) (quoted world) seed at
+          (quoted p.file) (robot_option p.context.general) (quoted world) seed again.at
       in
-      { run; around = Found.around (read record); shrunk; picture; view }
-  | Error reason -> { run; around = [ reason ]; shrunk; picture = ""; view = "" }
+      let around = Found.around (read record) in
+      { run; truth = again.truth; around; shrunk; picture; view }
+  | Error reason -> { run; truth = []; around = [ reason ]; shrunk; picture = ""; view = "" }
 
 (* {1 All of it} *)
 
@@ -163,7 +164,8 @@ let shortest = function
 
 let run context file (check : Checks.t) { Checks.world; first; last; chance } : Outcome.t =
   let outcome ?(measures = []) result evidence =
-    { Outcome.file; label = check.label; lasts = check.lasts; measures; chance; result; evidence }
+    { Outcome.file; label = check.label; lasts = check.lasts; measures; chance; note = ""; result;
+      evidence }
   in
   match prepared context file check world with
   | Error reason -> outcome (Error reason) None

@@ -14,8 +14,11 @@ let rec files path =
     |> List.map (Filename.concat path)
     |> List.concat_map (fun inner ->
            if Sys.is_directory inner then files inner
-           else if Filename.check_suffix inner ".frob" && mentions_tests (Checking.read inner) then [ inner ]
-           else [])
+           else
+             let is_one =
+               Filename.check_suffix inner ".frob" && mentions_tests (Checking.read inner)
+             in
+             if is_one then [ inner ] else [])
   else [ path ]
 
 let contains text part =
@@ -28,6 +31,7 @@ let contains text part =
 let one (context : Checking.t) file (check : Checks.t) =
   match check.plan with
   | Alone -> Alone.run context file check
+  | Traced { input; output } -> Golden.run context file check ~input ~output
   | Simulated trial ->
       let last =
         match context.options.seeds with

@@ -61,22 +61,26 @@ seed. A line for each, and more of one that fails.
         out.forward: N, then N
         out.turn: N, then N
         probe.main.assert is slow, "always": Holds, then Holds
+        fails so without any of the world's disturbances: failed/goes-far-in-no-time-3.toml
         picture: failed/goes-far-in-no-time-3.png
-        frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world room.toml --seed 3  # at N s
+        frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world failed/goes-far-in-no-time-3.toml --seed 3  # at N s
   FAIL  is never near the wall: 2 of 2 seeds; seed 1: `far from all` violated at N s
         x N m, y N m, heading N rad, clearance N m, touched by nothing, N m driven, odometry off by N m
         out.forward: N, then N
         out.turn: N, then N
         probe.main.assert is slow, "always": Holds, then Holds
+        fails so without any of the world's disturbances: failed/is-never-near-the-wall-1.toml
         picture: failed/is-never-near-the-wall-1.png
-        frobc view failed/is-never-near-the-wall-1.csv around.frob --robot pioneer --world room.toml --seed 1  # at N s
+        frobc view failed/is-never-near-the-wall-1.csv around.frob --robot pioneer --world failed/is-never-near-the-wall-1.toml --seed 1  # at N s
   7 tests: 4 failed
   $ ls failed
   a-metre-takes-a-second.csv
   goes-far-in-no-time-3.csv
   goes-far-in-no-time-3.png
+  goes-far-in-no-time-3.toml
   is-never-near-the-wall-1.csv
   is-never-near-the-wall-1.png
+  is-never-near-the-wall-1.toml
   waits-for-what-never-comes.csv
 
 The outcome does not depend on how many processes run, and tools can read it.
@@ -86,8 +90,8 @@ The outcome does not depend on how many processes run, and tools can read it.
   $ frobc test around.frob --robot pioneer --json -j 5 | cmp - one
   $ sed -n 1,4p one
   {"file":"around.frob","label":"the wave stays small","ok":true,"lasts":2,"runs":[{"fate":"held","at":2,"by":""}]}
-  {"file":"around.frob","label":"a metre takes a second","ok":false,"lasts":2,"runs":[{"fate":"violated","at":1,"by":"judge"}],"picture":"","view":"frobc trace around.frob --robot pioneer --entry 'judge test a metre takes a second' --input failed/a-metre-takes-a-second.csv --probe all"}
-  {"file":"around.frob","label":"waits for what never comes","ok":false,"lasts":1,"runs":[{"fate":"undecided","at":1,"by":"judge"}],"picture":"","view":"frobc trace around.frob --robot pioneer --entry 'judge test waits for what never comes' --input failed/waits-for-what-never-comes.csv --probe all"}
+  {"file":"around.frob","label":"a metre takes a second","ok":false,"lasts":2,"runs":[{"fate":"violated","at":1,"by":"judge"}],"shrunk":"","picture":"","view":"frobc trace around.frob --robot pioneer --entry 'judge test a metre takes a second' --input failed/a-metre-takes-a-second.csv --probe all"}
+  {"file":"around.frob","label":"waits for what never comes","ok":false,"lasts":1,"runs":[{"fate":"undecided","at":1,"by":"judge"}],"shrunk":"","picture":"","view":"frobc trace around.frob --robot pioneer --entry 'judge test waits for what never comes' --input failed/waits-for-what-never-comes.csv --probe all"}
   {"file":"around.frob","label":"nothing is asked","ok":true,"lasts":1,"runs":[{"fate":"unasked","at":1,"by":""}]}
   $ frobc test around.frob --robot pioneer -k takes --junit tests.xml
   FAIL  a metre takes a second: not so at 1.000 s
@@ -109,7 +113,7 @@ The command that is told shows the run: it compiles, and the recording is the pr
 
   $ view=$(sed -n 's/^ *\(frobc view .*\)  #.*/\1/p' told | head -1)
   $ echo "$view" | numbers
-  frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world room.toml --seed 3
+  frobc view failed/goes-far-in-no-time-3.csv around.frob --robot pioneer --world failed/goes-far-in-no-time-3.toml --seed 3
   $ frobc view --only-build $(echo "$view" | cut -d' ' -f3-) > built && test -s "$(cat built)"
   $ frobc trace around.frob --robot pioneer --input failed/goes-far-in-no-time-3.csv --output again.csv
   assert "is slow, "always"": held
@@ -153,6 +157,7 @@ What a trial measures is told over its seeds, and in each run for tools.
   FAIL  has come to its end: 1 of 1 seed; seed 1: undecided at its end, after 1 s
         mean: 0.5 s
         none: no number
+        fails so without any of the world's disturbances: failed/has-come-to-its-end-1.toml
   2 tests: 1 failed
   $ frobc test measures.frob --robot pioneer --json -k end | sed -E 's/.*("measured":.*)\}\],.*/\1/'
   "measured":{"mean":0.5}

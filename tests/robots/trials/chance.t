@@ -1,0 +1,61 @@
+A trial may be asked to hold in a share of its runs. They go on until that can be said, or until
+there are no more seeds; the outcome does not depend on how many run at a time.
+
+  $ cat > chance.frob << 'FROB'
+  > import Robot
+  > import Trial
+  > import WallFollow
+  > main :: (HasSonar i, DiffDrive o) => Program i o
+  > main = reactimateRobot (wallFollow1 0.4[m])
+  > trial "never touches" = Trial { world = "room.toml", lasts = 1[s], seeds = holdsWith 0.9 0.95 (1 `to` 1000), judge = neverTouches }
+  > trial "is there at once" = Trial { world = "room.toml", lasts = 1[s], seeds = holdsWith 0.9 0.95 (1 `to` 1000), judge = proc t -> verdict (t.driven > 1[m]) }
+  > trial "is soon decided" = Trial { world = "room.toml", lasts = 1[s], seeds = holdsWith 0.99 0.95 (5 `to` 24), judge = neverTouches }
+  > FROB
+  $ frobc test chance.frob --robot pioneer | grep '^[okFA0-9]'
+  ok    never touches: holds in at least 0.9 of runs, with confidence 0.95: held in 38 of 38 runs, so in 0.9075 to 1.0000 of all
+  FAIL  is there at once: does not hold in 0.9 of runs, with confidence 0.95: held in 0 of 3 runs, so in 0.0000 to 0.7076 of all; seed 1: not so at 0.000 s
+  FAIL  is soon decided: not decided whether it holds in 0.99 of runs, with confidence 0.95: held in 20 of 20 runs, so in 0.8316 to 1.0000 of all
+  3 tests: 2 failed
+  $ frobc test chance.frob --robot pioneer --json -j 1 > one
+  [1]
+  $ frobc test chance.frob --robot pioneer --json -j 3 | cmp - one
+  $ sed -n 's/.*\("chance":{[^}]*}\).*/\1/p' one | sed 's/\(0\.[0-9]\{6\}\)[0-9]*/\1/g'
+  "chance":{"share":0.9,"confidence":0.95,"decision":"holds","least":0.907487,"most":1}
+  "chance":{"share":0.9,"confidence":0.95,"decision":"fails","least":0,"most":0.707598}
+  "chance":{"share":0.99,"confidence":0.95,"decision":"open","least":0.831566,"most":1}
+  $ frobc test chance.frob --robot pioneer -k touches --seeds 10 | grep touches
+  FAIL  never touches: not decided whether it holds in 0.9 of runs, with confidence 0.95: held in 10 of 10 runs, so in 0.6915 to 1.0000 of all
+  $ sed 's/0.9 0.95/1.5 0.95/' chance.frob > wrong.frob
+  $ frobc test wrong.frob 2>&1 | grep error
+  error[E0392]: `holdsWith` takes a share between 0 and 1, and a confidence between 0.5 and 1, not 1.5 and 0.95
+  error[E0392]: `holdsWith` takes a share between 0 and 1, and a confidence between 0.5 and 1, not 1.5 and 0.95
+  2 errors
+
+Of a trial that fails the run that fails first is looked at, and the disturbances of the world are
+left out that it fails without.
+
+  $ installed=$(dirname $(dirname $(command -v frobc)))
+  $ cp $installed/share/frobc/worlds/room.toml noisy.toml
+  $ printf '\n[drive]\nslip = 0.1\n[light]\nnoise = 0.1 # of light\n' >> noisy.toml
+  $ cat > shrinks.frob << 'FROB'
+  > import Robot
+  > import Trial
+  > import WallFollow
+  > main :: (HasSonar i, DiffDrive o) => Program i o
+  > main = reactimateRobot (wallFollow1 0.3[m])
+  > trial "knows where it is" = Trial { world = "noisy.toml", lasts = 20[s], seeds = 1 `to` 3, judge = proc t -> verdict (t.odometryError < 0.2[m]) }
+  > trial "keeps half a metre" = Trial { world = "noisy.toml", lasts = 20[s], seeds = 1 `to` 3, judge = keepsOff 0.5[m] }
+  > FROB
+  $ frobc test shrinks.frob --robot pioneer | grep 'disturbances\|view\|FAIL' | sed -E 's/[0-9]+\.[0-9]{3}/N/g; s/seed [0-9]/seed N/; s/-[0-9]\./-N./g; s/--seed [0-9]/--seed N/'
+  FAIL  knows where it is: 3 of 3 seeds; seed N: not so at N s
+        of the world's disturbances it needs [drive] slip: failed/knows-where-it-is-N.toml
+        frobc view failed/knows-where-it-is-N.csv shrinks.frob --robot pioneer --world failed/knows-where-it-is-N.toml --seed N  # at N s
+  FAIL  keeps half a metre: 3 of 3 seeds; seed N: not so at N s
+        fails so without any of the world's disturbances: failed/keeps-half-a-metre-N.toml
+        frobc view failed/keeps-half-a-metre-N.csv shrinks.frob --robot pioneer --world failed/keeps-half-a-metre-N.toml --seed N  # at N s
+  $ grep -n '#.*noise\|slip\|written' failed/knows-where-it-is-*.toml | sed 's/.*toml://'
+  1:# written by frobc: noisy.toml, without what a run does not need to fail
+  3:# pillar and a crate; ideal wheels, and sonars with a little noise.
+  30:# noise = 0.005
+  35:slip = 0.1
+  37:# noise = 0.1 # of light

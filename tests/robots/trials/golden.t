@@ -1,0 +1,72 @@
+A golden trace is what a program once gave on an input, and gives still.
+
+  $ mkdir here
+  $ cat > here/speed.frob << 'FROB'
+  > import Trial
+  > 
+  > main :: SF Float[m/s] (Float[m], Bool)
+  > main = proc v -> (x, x >= 10[m]) where
+  >     x = integral v
+  > 
+  > test "drives on" = trace "drive.csv" "driven.csv"
+  > FROB
+  $ printf 'time,in\n0,2\n1,2\n2,3\n6,0\n' > here/drive.csv
+
+The first time there is nothing to compare with; `--update` writes it.
+
+  $ frobc test here
+  FAIL  drives on: there is no file here/driven.csv, with the output of the trace; `--update` writes it
+  1 test: 1 failed
+  [1]
+  $ frobc test here --update
+  ok    drives on: 6 s; wrote here/driven.csv
+  1 test: all hold
+  $ cat here/driven.csv
+  time,out.1,out.2
+  0.000000000,0,false
+  1.000000000,2,false
+  2.000000000,4,false
+  6.000000000,16,true
+  $ frobc test here
+  ok    drives on: 6 s
+  1 test: all hold
+
+A program that gives something else fails, and says what.
+
+  $ sed -i 's/>= 10/> 16/' here/speed.frob
+  $ (cd here && frobc test)
+  FAIL  drives on: line 5 of driven.csv is `6.000000000,16,true`, and the program gives `6.000000000,16,false`; if it is to, `--update` writes that
+  1 test: 1 failed
+  [1]
+  $ echo '9.000000000,16,true' >> here/driven.csv
+  $ frobc test here --json
+  {"file":"here/speed.frob","label":"drives on","ok":false,"lasts":0,"error":"line 5 of here/driven.csv is `6.000000000,16,true`, and the program gives `6.000000000,16,false`; if it is to, `--update` writes that"}
+  [1]
+  $ frobc test here --update && frobc test here --update
+  ok    drives on: 6 s; wrote here/driven.csv
+  1 test: all hold
+  ok    drives on: 6 s
+  1 test: all hold
+
+Only a trace is overwritten, and never the input; an input that is none is told.
+
+  $ echo "# my notes" > here/driven.csv
+  $ frobc test here --update
+  FAIL  drives on: --update would overwrite here/driven.csv, which is there already and not a trace or a recording: move it away, or name another file
+  1 test: 1 failed
+  [1]
+  $ sed -i 's/driven.csv/drive.csv/' here/speed.frob
+  $ frobc test here --update
+  FAIL  drives on: --update would overwrite here/drive.csv, which is read: name another file
+  1 test: 1 failed
+  [1]
+  $ printf 'time,in\n0,2\n1,x\n' > here/drive.csv
+  $ frobc test here
+  FAIL  drives on: here/drive.csv:3:3: column `in`: expected a number, found `x`
+  1 test: 1 failed
+  [1]
+  $ rm here/drive.csv
+  $ frobc test here
+  FAIL  drives on: there is no file here/drive.csv, with the input of the trace
+  1 test: 1 failed
+  [1]
