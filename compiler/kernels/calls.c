@@ -3,11 +3,19 @@
 #include <frob/lens.h>
 #include <frob/vision.h>
 
+#include <string.h>
+
 #define IMAGE(k) ((const struct frob_image *)arguments[k])
 
 static void image_lens(const void *const *arguments, void *result)
 {
     frob_image_lens(IMAGE(0), (struct frob_lens *)result);
+}
+
+static void image_key(const void *const *arguments, void *result)
+{
+    const int32_t key = frob_image_key(IMAGE(0));
+    memcpy(result, &key, sizeof key);
 }
 
 #define REGION(k) ((const struct frob_region *)arguments[k])
@@ -89,6 +97,7 @@ const struct kernel frob_kernels[] = {
     { "frob_get_histogram", get_histogram },
     { "frob_get_patch", get_patch },
     { "frob_get_statistics", get_statistics },
+    { "frob_image_key", image_key },
     { "frob_image_lens", image_lens },
     { "frob_match_patch", match_patch },
     { "frob_stereo_depths", stereo_depths },

@@ -1,5 +1,7 @@
 #include <frob/lens.h>
 
+#include <string.h>
+
 void frob_image_lens(const struct frob_image *image, struct frob_lens *result)
 {
     const struct frob_camera *c = &image->camera;
@@ -20,4 +22,32 @@ void frob_image_lens(const struct frob_image *image, struct frob_lens *result)
     result->yaw = c->yaw_rad;
     result->pitch = c->pitch_rad;
     result->roll = c->roll_rad;
+}
+
+/* A step of FNV-1a, on words, folded so that high bits come down too. */
+static uint64_t stirred(uint64_t hash, uint64_t word)
+{
+    hash = (hash ^ word) * UINT64_C(0x100000001b3);
+    return hash ^ hash >> 29;
+}
+
+int32_t frob_image_key(const struct frob_image *image)
+{
+    const struct frob_camera *c = &image->camera;
+    const double seat[] = { c->focal_x, c->focal_y, c->centre_x,  c->centre_y, c->k1,
+                            c->k2,      c->k3,      c->p1,        c->p2,       c->x_m,
+                            c->y_m,     c->z_m,     c->yaw_rad, c->pitch_rad, c->roll_rad };
+    uint64_t hash = stirred(UINT64_C(0xcbf29ce484222325), (uint64_t)image->captured_ns);
+    uint32_t low;
+    int32_t key;
+    hash = stirred(hash, image->number);
+    hash = stirred(hash, (uint64_t)(uint32_t)image->width << 32 | (uint32_t)image->height);
+    for (size_t i = 0; i < sizeof seat / sizeof seat[0]; i++) {
+        uint64_t bits;
+        memcpy(&bits, &seat[i], sizeof bits);
+        hash = stirred(hash, bits);
+    }
+    low = (uint32_t)hash;
+    memcpy(&key, &low, sizeof key);
+    return key;
 }

@@ -129,9 +129,12 @@ let words t =
   in
   let makers ty ~of_ =
     match (Type.expand ty, Type.expand of_) with
-    | Data { tycon; _ }, Data { tycon = part; _ } -> (
+    | Data { tycon; _ }, Data { tycon = part; units; _ } -> (
+        let same u unit_ = Units.is_open u || Units.to_ir u = unit_ in
         let is_part (_, (field : Ir.ty)) =
-          match field with Data { tycon = t; _ } -> t = part | _ -> false
+          match field with
+          | Data { tycon = t; units = declared; _ } -> t = part && List.for_all2 same units declared
+          | _ -> false
         in
         match (Environment.type_ t.reader.environment tycon).definition with
         | Data { constructors; _ } ->

@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,6 +30,11 @@ bool frames_has_images(const struct frob_value *value)
 uint64_t frames_key(const struct frob_frame_name *name)
 {
     return (uint64_t)name->number << (64 - KEY_NUMBER_BITS) | name->hash >> KEY_NUMBER_BITS;
+}
+
+uint32_t frames_number(uint64_t key)
+{
+    return (uint32_t)(key >> (64 - KEY_NUMBER_BITS));
 }
 
 /* LOG.frames of LOG.csv; NULL without memory. */
@@ -158,7 +164,20 @@ struct frame {
     struct frob_image image; /* its pixels are in the file */
     void *file;
     size_t size;
+    bool is_checked, is_unchanged;
 };
+
+bool frame_reader_is_unchanged(const struct frob_image *image)
+{
+    struct frame *frame =
+        (struct frame *)(void *)((char *)(uintptr_t)image - offsetof(struct frame, image));
+    if (!frame->is_checked) {
+        const struct frob_frame_name name = frob_frame_name_of(image);
+        frame->is_checked = true;
+        frame->is_unchanged = frames_key(&name) == frame->key;
+    }
+    return frame->is_unchanged;
+}
 
 /* Where it is, or where it would be. */
 static size_t slot_of(const struct frame_reader *reader, uint64_t key)

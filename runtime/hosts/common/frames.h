@@ -15,6 +15,7 @@
 bool frames_has_images(const struct frob_value *value);
 
 uint64_t frames_key(const struct frob_frame_name *name);
+uint32_t frames_number(uint64_t key);
 
 /* {1 Writing} */
 
@@ -46,6 +47,10 @@ bool frame_reader_open(struct frame_reader *reader, const char *record, bool ver
 
 /* By its key; NULL if it is not there. */
 const struct frob_image *frame_reader_by_key(struct frame_reader *reader, uint64_t key);
+
+/* Whether the file of an image that was found has the contents that its name says; its pixels are
+ * looked at once. */
+bool frame_reader_is_unchanged(const struct frob_image *image);
 
 void frame_reader_forget(struct frame_reader *reader);
 void frame_reader_close(struct frame_reader *reader);

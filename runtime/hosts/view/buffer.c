@@ -10,7 +10,7 @@
 void buffer_clear(struct buffer *b)
 {
     b->length = 0;
-    b->failed = false;
+    b->failed = b->is_binary = false;
     if (b->data != NULL)
         b->data[0] = '\0';
 }

@@ -11,6 +11,7 @@ struct buffer {
     char *data; /* ends in a NUL; NULL while nothing was added */
     size_t length, capacity;
     bool failed;
+    bool is_binary; /* of a message: it is not all text */
 };
 
 void buffer_clear(struct buffer *b);

@@ -1,5 +1,5 @@
-/* frob/lens.h -- how an image's camera sees, as numbers for a program: the record Lens of the
- * library's module Vision. */
+/* frob/lens.h -- what an image says besides its pixels, as numbers for a program: how its camera
+ * sees, the record Lens of the library's module Vision, and a key. */
 #ifndef FROB_LENS_H
 #define FROB_LENS_H
 
@@ -24,6 +24,11 @@ struct frob_lens {
 #endif
 
 void frob_image_lens(const struct frob_image *image, struct frob_lens *result);
+
+/* Tells the images that are there at about the same time from each other: those of one camera by
+ * their number and when they were taken, those of several by how these see and where they sit. It
+ * looks at no pixel, and is the same on every machine. */
+int32_t frob_image_key(const struct frob_image *image);
 
 #ifdef __cplusplus
 }

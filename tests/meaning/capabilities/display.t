@@ -47,15 +47,15 @@ language, and a number has the unit that it has there.
   >     p = Vec2 { x = 1[m], y = 2[m] }
   >     below = draw (InWorld Red (Line p zeroVec)) . draw (OnRobot Grey (Arrow zeroVec p))
   >         . draw (InWorld Blue (Circle p 0.5[m])) . draw (InWorld Purple (Cross p))
-  >         . draw (InWorld Green (Box Pose { position = p, heading = 90[deg] } 2[m] 1[m]))
+  >         . draw (InWorld Green (Box p 90[deg] 2[m] 1[m]))
   >     above = if x > 0 then draw (OnRobot Orange (label p "an \"x\", \\ über")) else id
   > EOF
   $ sh both.sh kinds.frob in.csv
   time,out.ahead,probe.draw[0],probe.draw[1],probe.draw[2],probe.draw[3],probe.draw[4],probe.draw[5],probe.draw[6]
-  0.000000000,0,"InWorld Green (Box Pose {position = Vec2 {x = 1, y = 2}, heading = 1.5707963267948966} 2 1)","InWorld Purple (Cross Vec2 {x = 1, y = 2})","InWorld Blue (Circle Vec2 {x = 1, y = 2} 0.5)","OnRobot Grey (Arrow Vec2 {x = 0, y = 0} Vec2 {x = 1, y = 2})","InWorld Red (Line Vec2 {x = 1, y = 2} Vec2 {x = 0, y = 0})","Reading ""speed"" 0 ""m/s""",
-  1.000000000,0,"InWorld Green (Box Pose {position = Vec2 {x = 1, y = 2}, heading = 1.5707963267948966} 2 1)","InWorld Purple (Cross Vec2 {x = 1, y = 2})","InWorld Blue (Circle Vec2 {x = 1, y = 2} 0.5)","OnRobot Grey (Arrow Vec2 {x = 0, y = 0} Vec2 {x = 1, y = 2})","InWorld Red (Line Vec2 {x = 1, y = 2} Vec2 {x = 0, y = 0})","Reading ""speed"" 0.27777777777777779 ""m/s""","OnRobot Orange (Label Vec2 {x = 1, y = 2} ""an \""x\"", \\ über"")"
-  2.000000000,0,"InWorld Green (Box Pose {position = Vec2 {x = 1, y = 2}, heading = 1.5707963267948966} 2 1)","InWorld Purple (Cross Vec2 {x = 1, y = 2})","InWorld Blue (Circle Vec2 {x = 1, y = 2} 0.5)","OnRobot Grey (Arrow Vec2 {x = 0, y = 0} Vec2 {x = 1, y = 2})","InWorld Red (Line Vec2 {x = 1, y = 2} Vec2 {x = 0, y = 0})","Reading ""speed"" (-0.55555555555555558) ""m/s""",
-  3.000000000,0,"InWorld Green (Box Pose {position = Vec2 {x = 1, y = 2}, heading = 1.5707963267948966} 2 1)","InWorld Purple (Cross Vec2 {x = 1, y = 2})","InWorld Blue (Circle Vec2 {x = 1, y = 2} 0.5)","OnRobot Grey (Arrow Vec2 {x = 0, y = 0} Vec2 {x = 1, y = 2})","InWorld Red (Line Vec2 {x = 1, y = 2} Vec2 {x = 0, y = 0})","Reading ""speed"" nan ""m/s""",
+  0.000000000,0,"InWorld Green (Box Vec2 {x = 1, y = 2} 1.5707963267948966 2 1)","InWorld Purple (Cross Vec2 {x = 1, y = 2})","InWorld Blue (Circle Vec2 {x = 1, y = 2} 0.5)","OnRobot Grey (Arrow Vec2 {x = 0, y = 0} Vec2 {x = 1, y = 2})","InWorld Red (Line Vec2 {x = 1, y = 2} Vec2 {x = 0, y = 0})","Reading ""speed"" 0 ""m/s""",
+  1.000000000,0,"InWorld Green (Box Vec2 {x = 1, y = 2} 1.5707963267948966 2 1)","InWorld Purple (Cross Vec2 {x = 1, y = 2})","InWorld Blue (Circle Vec2 {x = 1, y = 2} 0.5)","OnRobot Grey (Arrow Vec2 {x = 0, y = 0} Vec2 {x = 1, y = 2})","InWorld Red (Line Vec2 {x = 1, y = 2} Vec2 {x = 0, y = 0})","Reading ""speed"" 0.27777777777777779 ""m/s""","OnRobot Orange (Label Vec2 {x = 1, y = 2} ""an \""x\"", \\ über"")"
+  2.000000000,0,"InWorld Green (Box Vec2 {x = 1, y = 2} 1.5707963267948966 2 1)","InWorld Purple (Cross Vec2 {x = 1, y = 2})","InWorld Blue (Circle Vec2 {x = 1, y = 2} 0.5)","OnRobot Grey (Arrow Vec2 {x = 0, y = 0} Vec2 {x = 1, y = 2})","InWorld Red (Line Vec2 {x = 1, y = 2} Vec2 {x = 0, y = 0})","Reading ""speed"" (-0.55555555555555558) ""m/s""",
+  3.000000000,0,"InWorld Green (Box Vec2 {x = 1, y = 2} 1.5707963267948966 2 1)","InWorld Purple (Cross Vec2 {x = 1, y = 2})","InWorld Blue (Circle Vec2 {x = 1, y = 2} 0.5)","OnRobot Grey (Arrow Vec2 {x = 0, y = 0} Vec2 {x = 1, y = 2})","InWorld Red (Line Vec2 {x = 1, y = 2} Vec2 {x = 0, y = 0})","Reading ""speed"" nan ""m/s""",
   $ frobc report kinds.frob | tail -1
   marks drawn in an instant, at most: 7; none of them in the C
   $ frobc trace kinds.frob --probe list | head -2

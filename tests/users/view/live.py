@@ -52,7 +52,11 @@ class Page:
         await self.socket.close()
 
     async def hear(self):
-        message = json.loads(await asyncio.wait_for(self.socket.recv(), 20))
+        received = await asyncio.wait_for(self.socket.recv(), 20)
+        if isinstance(received, bytes):
+            head, _, pixels = received.partition(b"\n")
+            return dict(json.loads(head), pixels=pixels)
+        message = json.loads(received)
         if message["is"] == "live":
             self.live = message
             await self.socket.send("more")

@@ -34,6 +34,11 @@ void answer_extent(const struct view *view, struct buffer *message);
 
 void answer_instant(struct view *view, size_t k, struct buffer *answer);
 
+/* {1 In picture.c} */
+
+/* `had`: 0, or one more than the instant of the image that the page has. */
+void answer_picture(struct view *view, size_t k, size_t width, size_t had, struct buffer *answer);
+
 /* {1 In points.c} */
 
 void answer_series(struct view *view, size_t number, double from, double to, size_t width,

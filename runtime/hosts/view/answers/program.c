@@ -147,7 +147,7 @@ static bool has_outputs(const struct view *view)
 /* What the operator is asked for, in the order of its numbers, each with its signal. */
 static void add_console(const struct view *view, struct buffer *answer)
 {
-    static const char *const kinds[] = { "button", "hold", "knob", "toggle", "map" };
+    static const char *const kinds[] = { "button", "hold", "knob", "toggle", "map", "camera" };
     buffer_text(answer, ",\"console\":[");
     for (size_t i = 0; i < view->program->control_count; i++) {
         const struct frob_control *control = &view->program->console[i];
@@ -210,6 +210,7 @@ void answer_program(struct view *view, struct buffer *answer)
     buffer_format(answer, ",\"runs\":%s,\"compared\":%s", view->replay.runs ? "true" : "false",
                   has_outputs(view) ? "true" : "false");
     answer_progress(view, answer);
+    buffer_format(answer, ",\"sees\":%s", view->recording.eye_count > 0 ? "true" : "false");
     add_signals(view, answer);
     add_console(view, answer);
     add_params(view, answer);

@@ -300,6 +300,16 @@ static bool take_word(const char **at, const char *word)
     return true;
 }
 
+static bool take_newest(const char **at, size_t count, size_t *k)
+{
+    static const char word[] = " newest";
+    if (strncmp(*at, word, sizeof word - 1) != 0)
+        return false;
+    *at += sizeof word - 1;
+    *k = count - 1;
+    return true;
+}
+
 static bool take_seconds(const char **at, double *result)
 {
     char *end;
@@ -365,6 +375,10 @@ void view_answer(struct view *view, const char *request, struct buffer *answer)
              take_number(&at, view->signals.count, &signal) && *at == '\0' &&
              view_knows(view, &view->signals.all[signal]))
         answer_why(view, k, signal, answer);
+    else if (take_word(&at, "picture") && (take_newest(&at, count, &k) || take_number(&at, count, &k)) &&
+             take_number(&at, FROB_IMAGE_SIDE + 1, &width) && width > 0 &&
+             take_number(&at, SIZE_MAX, &other) && *at == '\0')
+        answer_picture(view, k, width, other, answer);
     else if (take_word(&at, "find") && take_number(&at, count, &k) && *at == ' ')
         answer_find(view, k, at + 1, answer);
     else if (take_edit(request, &edit))

@@ -1,6 +1,6 @@
 /* view.h -- what a page asks of a run, recorded or going on, and the answers.
  *
- * A request is a line of words, an answer JSON:
+ * A request is a line of words, an answer JSON, of a picture with a line feed and its pixels after it:
  *
  *   program                    what there is: signals, sources, notes
  *   instant K                  all signals at instant K
@@ -22,6 +22,11 @@
  *
  *   way ROBOT COUNT            where robot number ROBOT of a simulator really was, at up to
  *                              COUNT instants, evenly over the run
+ *
+ *   picture K WIDTH HAS        what is shown of an image at instant K, or what the camera saw
+ *                              last; with up to WIDTH columns; K `newest`: the newest one. HAS:
+ *                              0, or one more than the instant of the image that the page has, so
+ *                              that it is not sent again
  *
  *   more                       the last news was drawn: there may be other
  *

@@ -1,4 +1,5 @@
 // The page: what there is, and the panels that show it.
+import { startCamera } from "./camera/camera";
 import { Connection } from "./connection";
 import { startConsole } from "./operate/console";
 import { startKeys } from "./keys";
@@ -82,6 +83,7 @@ function start(program: Program): Store {
   startPlots(store, element("plots"));
   startSignals(store, element("list"), filter);
   startMap(store, element("map"));
+  startCamera(store, element("camera"));
   startSearch(store, element<HTMLInputElement>("find"), element("found"),
               element<HTMLButtonElement>("before"), element<HTMLButtonElement>("after"));
   startTimeline(store, element("timeline"));
@@ -120,6 +122,7 @@ function answered(answer: Answer): void {
       store?.runsOn(run);
       break;
     case "way": store?.wayReceived(answer); break;
+    case "picture": store?.pictureReceived(answer); break;
     case "instant": store?.arrived(answer); break;
     case "series": store?.received(answer); break;
     case "path": store?.pathReceived(answer); break;

@@ -30,7 +30,7 @@ export interface Transition {
 
 /** What the program asks its operator for; requests know it by its place in the list. */
 export interface Control {
-  readonly kind: "button" | "hold" | "knob" | "toggle" | "map";
+  readonly kind: "button" | "hold" | "knob" | "toggle" | "map" | "camera";
   readonly label: string;
   /** Of a knob. */
   readonly unit: string;
@@ -75,6 +75,8 @@ export interface Program {
   /** How many instants it has been run over. */
   readonly replayed: number;
   readonly notes: string;
+  /** Whether frames of cameras are among its inputs. */
+  readonly sees: boolean;
   readonly signals: readonly Signal[];
   readonly console: readonly Control[];
   readonly params: readonly Param[];
@@ -217,10 +219,36 @@ export interface WhatIf {
   readonly signal?: string;
 }
 
+/** What is shown of an image, or what the camera saw last. */
+export interface Picture {
+  readonly is: "picture";
+  /** The instant of which it is. */
+  readonly k: number;
+  /** Whether the program shows it, or else just its camera has seen it. */
+  readonly chosen: boolean;
+  /** A frame that the recording names, and does not have; then there is nothing else. */
+  readonly lost?: { readonly number: number; readonly k: number; readonly changed: boolean };
+  /** The instant at which the program was given the image; nothing if there is none yet. */
+  readonly at?: number;
+  readonly number?: number;
+  readonly width?: number;
+  readonly height?: number;
+  /** Seconds. */
+  readonly age?: number;
+  readonly marks?: readonly string[];
+  /** The pixels, each the mean of `by` times `by` of the image's; nothing if the page has them. */
+  readonly by?: number;
+  readonly columns?: number;
+  readonly rows?: number;
+  readonly grey?: boolean;
+  /** Red, green, blue, 255 in turn. */
+  readonly data?: Uint8ClampedArray<ArrayBuffer>;
+}
+
 export interface Refused {
   readonly is: "refused";
   readonly why: string;
 }
 
-export type Answer = Program | Progress | Live | Run | Instant | Series | Path | Way | Why |
+export type Answer = Picture | Program | Progress | Live | Run | Instant | Series | Path | Way | Why |
   Found | WhatIf | Refused;

@@ -1,6 +1,6 @@
 // What the page shows at the moment, and who wants to know when that changes.
 import type { Connection } from "./connection";
-import type { Found, Instant, Live, Path, Place, Program, Run, Series, Way, WhatIf, Why } from
+import type { Found, Instant, Live, Path, Picture, Place, Program, Run, Series, Way, WhatIf, Why } from
   "./protocol";
 
 type Listener = () => void;
@@ -53,6 +53,12 @@ export class Store {
   /** How many seconds plots show meanwhile. */
   private recent = recently;
 
+  private shownIn: { width: number; then: (picture: Picture) => void } =
+    { width: 1, then: () => undefined };
+  private pictureIsAsked = false;
+  private pictureIsWanted = false;
+  /** Of the pixels that are here: how wide they were asked for, and their instant. */
+  private readonly picture: { width: number; at?: number | undefined } = { width: 0 };
   private finding: ((found: Found) => void)[] = [];
   private readonly paths = new Map<string, (path: Path) => void>();
   private readonly ways = new Map<number, (way: Way) => void>();
@@ -273,6 +279,34 @@ export class Store {
 
   pathReceived(path: Path): void {
     this.paths.get(`${path.x} ${path.y}`)?.(this.whatIf?.there ? path : withoutOthers(path));
+  }
+
+  // What is seen. One request at a time is on its way, of what is shown when it is made.
+
+  askPicture(width: number, then: (picture: Picture) => void): void {
+    this.shownIn = { width, then };
+    if (!this.pictureIsAsked) this.askNextPicture();
+    else this.pictureIsWanted = true;
+  }
+
+  private askNextPicture(): void {
+    const { width } = this.shownIn;
+    // Of a run that is followed what it shows by now.
+    const k = this.following ? "newest" : this.instant?.k;
+    if (k === undefined) return;
+    const has = this.picture.width === width ? (this.picture.at ?? -1) + 1 : 0;
+    this.pictureIsWanted = false;
+    this.pictureIsAsked = true;
+    this.picture.width = width;
+    this.connection.ask(`picture ${k} ${width} ${has}`);
+  }
+
+  pictureReceived(picture: Picture): void {
+    this.pictureIsAsked = false;
+    if (picture.lost || picture.at === undefined) this.picture.at = undefined;
+    else if (picture.data) this.picture.at = picture.at;
+    this.shownIn.then(picture);
+    if (this.pictureIsWanted) this.askNextPicture();
   }
 
   // Looking for a condition. Answers come in the order of the questions.

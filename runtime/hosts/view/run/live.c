@@ -1,5 +1,7 @@
 #include "live.h"
 
+#include "seen.h"
+
 #include <frob/camera.h>
 
 #include <stdio.h>
@@ -39,20 +41,41 @@ void live_end(struct live *live)
     free(live->truth);
 }
 
+struct frames_of_event {
+    struct frame_reader *frames;
+    bool is_missing;
+    uint32_t number;
+};
+
 /* The host has written it before it published the instant. */
 static void from_key(void *context, const struct frob_image **image)
 {
-    struct frame_reader *frames = (struct frame_reader *)context;
+    struct frames_of_event *of = (struct frames_of_event *)context;
     uintptr_t key;
     memcpy(&key, image, sizeof key);
-    *image = frame_reader_by_key(frames, key);
+    *image = frame_reader_by_key(of->frames, key);
+    if (*image == NULL && !of->is_missing) {
+        of->is_missing = true;
+        of->number = frames_number(key);
+    }
+}
+
+static void find_frames(struct live *live)
+{
+    struct recording *recording = live->recording;
+    for (size_t i = 0; i < recording->eye_count; i++) {
+        struct frames_of_event of = { &recording->frames, false, 0 };
+        frob_camera_images(recording->eyes[i], live->input, from_key, &of);
+        if (of.is_missing)
+            seen_lose(recording, recording->count, live->input, recording->eyes[i], of.number,
+                      false);
+    }
 }
 
 static void add(struct live *live, int64_t time_ns)
 {
     const struct ring_sizes *sizes = &live->ring->sizes;
-    frob_camera_images(live->recording->program->input, live->input, from_key,
-                       &live->recording->frames);
+    find_frames(live);
     if (recording_add(live->recording, time_ns, live->input, live->output, sizes->output,
                       sizes->truth > 0 ? live->truth : NULL))
         return;

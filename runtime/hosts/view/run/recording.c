@@ -1,5 +1,7 @@
 #include "recording.h"
 
+#include "seen.h"
+
 #include "../../common/csv.h"
 #include "../../common/params.h"
 #include "../../common/seconds.h"
@@ -189,6 +191,19 @@ static void remember(struct reader *r)
     r->before.next = r->recording->count;
 }
 
+/* Whether the value that could not be read names a frame that is not there; then it is noted. */
+static bool lost_frame(struct reader *r, const struct signal *signal, const char *cell,
+                       unsigned char *input)
+{
+    const char *name = strstr(cell, "Image ");
+    if (signal->side != INPUT || !seen_is_eye(signal->value) || name == NULL ||
+        r->frames->expected[0] == '\0')
+        return false;
+    seen_lose(r->recording, r->recording->count, input, signal->value,
+                   (uint32_t)strtoul(name + strlen("Image "), NULL, 10), false);
+    return true;
+}
+
 /* The current row as the next instant. False if it is none, with the reason noted. */
 static bool read_row(struct reader *r)
 {
@@ -223,9 +238,11 @@ static bool read_row(struct reader *r)
         struct frob_cell_error error;
         if (signal == NULL || (is_next && is_as_before(r, i)))
             continue;
+        r->frames->expected[0] = '\0';
         if (!frob_cell_read(csv_cell(&r->csv, i), signal->value,
                             signal->side == INPUT ? input : output, &r->frames->finder,
-                            &error)) {
+                            &error) &&
+            !lost_frame(r, signal, csv_cell(&r->csv, i), input)) {
             note(r, "column `%s`: `%s` is no value of it", signal->name, csv_cell(&r->csv, i));
             return false;
         }
@@ -306,7 +323,8 @@ bool recording_read(struct recording *recording, const struct signals *signals,
     recording->name = name;
     recording->gap = NO_GAP;
     recording->output_size = signals_output_size(signals);
-    if (file == NULL || reader == NULL || !frame_reader_open(&recording->frames, name, false)) {
+    if (file == NULL || reader == NULL || !seen_start(recording) ||
+        !frame_reader_open(&recording->frames, name, false)) {
         const char *reason = file == NULL ? strerror(errno) : "not enough memory";
         free(reader);
         if (file != NULL)
@@ -339,7 +357,8 @@ bool recording_begin(struct recording *recording, const struct signals *signals,
     recording->truth_size = truth_size;
     recording->has_all_inputs = true;
     recording->recorded = (bool *)calloc(signals->count + 1, sizeof *recording->recorded);
-    if (recording->recorded == NULL || !frame_reader_open(&recording->frames, name, false))
+    if (recording->recorded == NULL || !seen_start(recording) ||
+        !frame_reader_open(&recording->frames, name, false))
         return give_up(recording, "not enough memory");
     for (size_t i = 0; i < signals->count; i++)
         recording->recorded[i] =
@@ -450,6 +469,8 @@ void recording_free(struct recording *recording)
     free(recording->inputs);
     free(recording->outputs);
     free(recording->recorded);
+    free(recording->eyes);
+    free(recording->lost);
     frame_reader_close(&recording->frames);
     buffer_free(&recording->notes);
     buffer_free(&recording->params);

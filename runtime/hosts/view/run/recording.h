@@ -23,14 +23,26 @@ struct recording {
     struct frame_reader frames; /* beside it: what inputs point to stays while it does */
     struct buffer notes;    /* what was wrong, a line each: what is shown is all the rest */
     size_t capacity;
-    size_t gap;             /* of a run that goes on: before this instant some were missed, so
-                             * the program cannot be run further; or NO_GAP */
+    size_t gap;             /* before this instant some were missed, of a run that goes on, or
+                             * here a frame is: the program cannot be run further; or NO_GAP */
+    const struct frob_value **eyes; /* the events of frames in the program's input */
+    size_t eye_count;
+    struct lost_frame *lost; /* of a frame that is not there the event does not occur */
+    size_t lost_count;
+    size_t checked;         /* frames of the instants before this one are those recorded */
     unsigned char *truths;  /* count times what a simulator knows, or NULL … */
     size_t truth_size;      /* … of so many bytes */
     struct reader *reader;  /* of a file of which there is more; NULL: it has been read */
 };
 
 #define NO_GAP SIZE_MAX
+
+/* A frame that the recording names, and whose file is missing, or is not what it was. */
+struct lost_frame {
+    size_t k;
+    uint32_t number;
+    bool is_there; /* but changed */
+};
 
 /* Begins to read a file, as far as its first rows, which is all of most. What does not fit the
  * program is left out, with a line in `notes`: columns that it does not have, and all from the

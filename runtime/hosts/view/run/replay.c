@@ -1,5 +1,7 @@
 #include "replay.h"
 
+#include "seen.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,6 +16,7 @@ static void step(struct replay *replay)
     replay->signals->program->step(replay->state, replay->params.values,
                              recording_dt(recording, replay->next),
                              recording_input(recording, replay->next), replay->output);
+    display_see(&replay->display, replay->next, replay->output);
     replay->next++;
 }
 
@@ -39,15 +42,21 @@ static bool keep(struct replay *replay, size_t k)
     if (number >= replay->room) {
         size_t wanted = replay->recording->count / REPLAY_EVERY + 1;
         unsigned char *kept;
+        struct shown *shown;
         if (wanted < 2 * replay->room)
             wanted = 2 * replay->room;
         kept = (unsigned char *)realloc(replay->kept, wanted * size + 1);
         if (kept == NULL)
             return false;
         replay->kept = kept;
+        shown = (struct shown *)realloc(replay->shown, wanted * sizeof *shown);
+        if (shown == NULL)
+            return false;
+        replay->shown = shown;
         replay->room = wanted;
     }
     memcpy(kept_at(replay, k), replay->state, size);
+    replay->shown[number] = replay->display.shown;
     return true;
 }
 
@@ -60,7 +69,7 @@ static void set_params(struct replay *replay, const struct buffer *settings)
 }
 
 bool replay_start(struct replay *replay, const struct signals *signals,
-                  const struct recording *recording, const struct buffer *settings)
+                  struct recording *recording, const struct buffer *settings)
 {
     const struct frob_program *program = signals->program;
     memset(replay, 0, sizeof *replay);
@@ -74,7 +83,8 @@ bool replay_start(struct replay *replay, const struct signals *signals,
     set_params(replay, settings);
     replay->state = (unsigned char *)calloc(1, program->state_size + 1);
     replay->output = (unsigned char *)calloc(1, program->output_size + 1);
-    if (replay->state == NULL || replay->output == NULL)
+    if (replay->state == NULL || replay->output == NULL ||
+        !display_start(&replay->display, signals))
         return false;
     program->reset(replay->state, replay->params.values);
     return keep(replay, 0);
@@ -97,13 +107,15 @@ static void go_back(struct replay *replay, size_t k)
 {
     memcpy(replay->state, kept_at(replay, k), replay->signals->program->state_size);
     replay->next = k / REPLAY_EVERY * REPLAY_EVERY;
+    replay->display.shown = replay->shown[k / REPLAY_EVERY];
 }
 
 void replay_advance(struct replay *replay)
 {
-    const size_t last = last_of(replay);
     const size_t full = (replay->reached / REPLAY_EVERY + 1) * REPLAY_EVERY;
-    const size_t end = full < last ? full : last;
+    size_t end = full < last_of(replay) ? full : last_of(replay);
+    seen_check(replay->recording, end);
+    end = end < last_of(replay) ? end : last_of(replay);
     if (replay->next != replay->reached)
         go_back(replay, replay->reached);
     while (replay->next < end) {
@@ -119,6 +131,8 @@ void replay_advance(struct replay *replay)
 void replay_end(struct replay *replay)
 {
     params_close(&replay->params);
+    display_end(&replay->display);
+    free(replay->shown);
     free(replay->state);
     free(replay->output);
     free(replay->kept);
@@ -139,4 +153,20 @@ struct moment replay_at(struct replay *replay, size_t k)
     moment.output = replay->output;
     moment.state = replay->state;
     return moment;
+}
+
+struct shown replay_shown(struct replay *replay, size_t k, const void **marks)
+{
+    const struct shown nothing = { NO_INSTANT, 0, NO_INSTANT };
+    struct shown shown;
+    *marks = NULL;
+    if (replay_at(replay, k).state == NULL)
+        return nothing;
+    shown = replay->display.shown;
+    if (shown.marks == NO_INSTANT)
+        return shown;
+    if (replay->display.output_of != shown.marks)
+        replay_at(replay, shown.marks);
+    *marks = replay->display.output;
+    return shown;
 }

@@ -4,6 +4,7 @@
 #define FROB_VIEW_REPLAY_H
 
 #include "../../common/params.h"
+#include "display.h"
 #include "recording.h"
 
 /* Of how many instants one has its state kept, so that the program can be set to any
@@ -11,7 +12,7 @@
 #define REPLAY_EVERY 64
 
 struct replay {
-    const struct recording *recording;
+    struct recording *recording;   /* its frames are looked at before the program sees them */
     const struct signals *signals;
     struct params params;          /* as they were set, or else by default */
     bool runs;                     /* the recording has all that the program needs */
@@ -24,13 +25,15 @@ struct replay {
     bool diverged;                 /* an output is not the recorded one … */
     size_t diverged_at;            /* … first at this instant */
     const struct signal *diverged_in;
+    struct display display;        /* after instant `next - 1` … */
+    struct shown *shown;           /* … and before the instants whose states are kept */
 };
 
 /* Nothing is run yet. The program of the signals need not be the one that the recording was
  * read for, but must have the same input and output. Of its parameters those are set that
  * `settings` has (see recording.h). False without memory. */
 bool replay_start(struct replay *replay, const struct signals *signals,
-                  const struct recording *recording, const struct buffer *settings);
+                  struct recording *recording, const struct buffer *settings);
 void replay_end(struct replay *replay);
 
 /* Has the whole recording been run over, up to where it has a gap? */
@@ -43,5 +46,9 @@ void replay_advance(struct replay *replay);
  * run, or not so far, outputs are those recorded, and `state` is NULL. Runs on as far as is
  * needed. */
 struct moment replay_at(struct replay *replay, size_t k);
+
+/* What is shown of images at instant `k`, and the output that has the marks on it, if there are
+ * any, or else NULL; good until the next call. */
+struct shown replay_shown(struct replay *replay, size_t k, const void **marks);
 
 #endif

@@ -422,7 +422,7 @@ static bool settle(struct what_if *what_if, const struct frob_program *recorded,
     return ok && !what_if->settings.failed;
 }
 
-static bool run_over(struct what_if *what_if, const struct recording *recording,
+static bool run_over(struct what_if *what_if, struct recording *recording,
                      struct buffer *why)
 {
     if (!replay_start(&what_if->replay, &what_if->signals, recording, &what_if->settings)) {
@@ -447,7 +447,7 @@ static void find_difference(struct what_if *what_if, const struct recording *rec
 }
 
 bool what_if_start(struct what_if *what_if, const struct signals *recorded,
-                   const struct recording *recording, const struct what_if_commands *commands,
+                   struct recording *recording, const struct what_if_commands *commands,
                    const char *file, const struct what_if_edit *edit, struct buffer *why)
 {
     const bool drives = edit->drives;

@@ -41,7 +41,7 @@ struct what_if_edit {
  * simulator repeats the recording. False if it cannot be, with the reason appended, as the
  * compiler says it. What was there before is gone in any case. */
 bool what_if_start(struct what_if *what_if, const struct signals *recorded,
-                   const struct recording *recording, const struct what_if_commands *commands,
+                   struct recording *recording, const struct what_if_commands *commands,
                    const char *file, const struct what_if_edit *edit, struct buffer *why);
 void what_if_end(struct what_if *what_if);
 

@@ -18,11 +18,16 @@ static bool is_for_instant(const char *request)
     return strncmp(request, "instant ", 8) == 0 || strncmp(request, "time ", 5) == 0;
 }
 
-/* Of requests for an instant only the newest is of use: the cursor has moved on. */
-static void drop_older(struct client *client)
+static bool is_for_picture(const char *request)
+{
+    return strncmp(request, "picture ", 8) == 0;
+}
+
+/* Of requests for an instant, or a picture, only the newest is of use: the cursor has moved on. */
+static void drop_older(struct client *client, bool (*is_such)(const char *request))
 {
     for (size_t i = client->count; i-- > 0;) {
-        if (is_for_instant(client->pending[i])) {
+        if (is_such(client->pending[i])) {
             free(client->pending[i]);
             forget(client, i);
         }
@@ -56,7 +61,9 @@ static enum verdict take(struct client *client, const char *token, const char *m
         return COMMANDS;
     }
     if (is_for_instant(message))
-        drop_older(client);
+        drop_older(client, is_for_instant);
+    if (is_for_picture(message))
+        drop_older(client, is_for_picture);
     if (client->count == SERVER_PENDING) {
         free(copy);
         return TOO_MANY;

@@ -259,6 +259,7 @@ static bool next_message(struct server *server, struct client *client, struct bu
         client->refusal = NULL;
     } else if (client->answer.length > 0) {
         buffer_bytes(text, client->answer.data, client->answer.length);
+        text->is_binary = client->answer.is_binary;
         buffer_clear(&client->answer);
         client->is_waiting = false;
     } else if (client->is_to_be_told_news && !client->is_behind) {
@@ -286,7 +287,8 @@ static int write_message(struct lws *wsi, struct connection *connection)
     }
     length = text.length - sizeof room;
     if (text.failed ||
-        lws_write(wsi, (unsigned char *)text.data + LWS_PRE, length, LWS_WRITE_TEXT) < (int)length)
+        lws_write(wsi, (unsigned char *)text.data + LWS_PRE, length,
+                  text.is_binary ? LWS_WRITE_BINARY : LWS_WRITE_TEXT) < (int)length)
         status = -1;
     buffer_free(&text);
     ask(server);

@@ -57,13 +57,13 @@ A place and its label:
   > main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0 . draw (InWorld Red (label "here" (place i)))))
   > FROB
   $ frobc check label.frob
-  error[E0301]: expected `Point2`, found `String`
+  error[E0301]: expected `Vec2[u]`, found `String`
    --> label.frob:4:90
     |
   4 | main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0 . draw (InWorld Red (label "here" (place i)))))
     |                                                                                    ----- ^^^^^^
     |                                                                                    |
-    |                                                                                    argument 1 of `label` is `Point2`
+    |                                                                                    argument 1 of `label` is `Vec2[u]`
     |
     = hint: the arguments of `label` belong in the other order: `label (place i) "here"`
   

@@ -8,7 +8,7 @@ A part of what is wanted: what makes one of it.
   > main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0 . draw (Circle (place i) 0.1[m])))
   > FROB
   $ frobc check mark.frob
-  error[E0301]: expected `Mark`, found `Shape`
+  error[E0301]: expected `Mark`, found `Shape[m]`
    --> mark.frob:5:71
     |
   5 | main = reactimateRobot (proc i -> roMake (setVelTR 0.1[m/s] 0 . draw (Circle (place i) 0.1[m])))

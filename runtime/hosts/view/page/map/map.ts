@@ -178,7 +178,7 @@ export function startMap(store: Store, host: HTMLElement): void {
   /** What the program draws, around where it is by odometry or, on the robot, where that is. */
   const marksOf = (instant: Instant, robotIs: Pose) => {
     const { marks: drawn, readings } = readMarks(marks.map((i) => instant.cells[i] ?? ""));
-    const placed = drawn.map(({ frame, colour, shape }) => {
+    const placed = drawn.filter(({ frame }) => frame !== "image").map(({ frame, colour, shape }) => {
       const place = (p: Point): Point => {
         const at = within(frame === "robot" ? robotIs : start, { x: p[0], y: p[1], heading: 0 });
         return [at.x, at.y];

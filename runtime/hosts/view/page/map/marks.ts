@@ -13,7 +13,7 @@ export type Shape =
   | { readonly is: "label"; readonly at: Point; readonly text: string };
 
 export interface Mark {
-  readonly frame: "world" | "robot";
+  readonly frame: "world" | "robot" | "image";
   readonly colour: string;
   readonly shape: Shape;
 }
@@ -94,10 +94,8 @@ function point(value: Value | undefined): Point {
   return [real(x), real(y)];
 }
 
-function box(pose: Value | undefined, length: number, width: number): Point[] {
-  const [position, heading] = parts(pose);
-  const [x, y] = point(position);
-  const cos = Math.cos(real(heading)), sin = Math.sin(real(heading));
+function box([x, y]: Point, heading: number, length: number, width: number): Point[] {
+  const cos = Math.cos(heading), sin = Math.sin(heading);
   const corner = (along: number, across: number): Point => [
     x + along * length * cos - across * width * sin,
     y + along * length * sin + across * width * cos,
@@ -107,12 +105,12 @@ function box(pose: Value | undefined, length: number, width: number): Point[] {
 
 function shape(value: Value | undefined): Shape | null {
   if (typeof value !== "object") return null;
-  const [a, b, c] = value.parts;
+  const [a, b, c, d] = value.parts;
   switch (value.name) {
     case "Line": return { is: "line", from: point(a), to: point(b) };
     case "Arrow": return { is: "arrow", from: point(a), to: point(b) };
     case "Circle": return { is: "circle", middle: point(a), radius: real(b) };
-    case "Box": return { is: "box", corners: box(a, real(b), real(c)) };
+    case "Box": return { is: "box", corners: box(point(a), real(b), real(c), real(d)) };
     case "Cross": return { is: "cross", at: point(a) };
     case "Label": return { is: "label", at: point(a), text: typeof b === "string" ? b : "" };
     default: return null;
@@ -145,6 +143,9 @@ export function markSignals(signals: readonly Signal[]): number[] {
   return signals.flatMap((signal, i) => (/^probe\.draw(\.\d+)?\[\d+\]$/.test(signal.name) ? [i] : []));
 }
 
+const frames: Readonly<Record<string, Mark["frame"]>> =
+  { InWorld: "world", OnRobot: "robot", InImage: "image" };
+
 /** What the cells say; what is no place in the plane is left out. */
 export function readMarks(cells: readonly string[]): { marks: Mark[]; readings: Reading[] } {
   const marks: Mark[] = [], readings: Reading[] = [];
@@ -160,8 +161,7 @@ export function readMarks(cells: readonly string[]): { marks: Mark[]; readings: 
     }
     const drawn = shape(b);
     if (drawn && typeof a === "object" && points(drawn).flat().every(Number.isFinite))
-      marks.push({ frame: value.name === "OnRobot" ? "robot" : "world", colour: a.name,
-                   shape: drawn });
+      marks.push({ frame: frames[value.name] ?? "world", colour: a.name, shape: drawn });
   }
   return { marks, readings };
 }
@@ -173,13 +173,23 @@ const colours: Readonly<Record<string, readonly [string, string]>> = {
   Grey: ["#6b7280", "#9aa3af"],
 };
 
-/** On the map, in pixels. */
+/** In pixels: on the map, or on an image, where each has dark edges, whatever is behind it. */
 export function drawShape(context: CanvasRenderingContext2D, shape: Shape, name: string,
-                          toPixel: (p: Point) => Point, scale: number): void {
-  const tint = colours[name]?.[isDark() ? 1 : 0] ?? "gray";
-  context.strokeStyle = tint;
+                          toPixel: (p: Point) => Point, scale: number,
+                          on: "map" | "image" = "map"): void {
+  const isOnImage = on === "image";
+  const tint = colours[name]?.[isDark() || isOnImage ? 1 : 0] ?? "gray";
+  const stroke = (width: number) => {
+    if (isOnImage) {
+      context.strokeStyle = "#000a";
+      context.lineWidth = width + 2.5;
+      context.stroke();
+    }
+    context.strokeStyle = tint;
+    context.lineWidth = width;
+    context.stroke();
+  };
   context.fillStyle = tint;
-  context.lineWidth = 2;
   context.beginPath();
   const [first, second] = points(shape).map(toPixel);
   if (!first) return;
@@ -213,11 +223,16 @@ export function drawShape(context: CanvasRenderingContext2D, shape: Shape, name:
       context.lineTo(x + 5, y - 5);
       break;
     case "label":
-      context.font = "12px system-ui, sans-serif";
+      context.font = `${isOnImage ? "600 13px" : "12px"} system-ui, sans-serif`;
+      if (isOnImage) {
+        context.strokeStyle = "#000a";
+        context.lineWidth = 3;
+        context.strokeText(shape.text, x + 6, y - 6);
+      }
       context.fillText(shape.text, x + 6, y - 6);
       return;
   }
-  context.stroke();
+  stroke(2);
 }
 
 /** A list of numbers, on top of the map. */

@@ -126,9 +126,10 @@ export function startConsole(store: Store, host: HTMLElement): void {
       case "hold": return holdButton(control, (x) => store.command(`hold ${number} ${x}`));
       case "knob": return knob(control, touch);
       case "toggle": return toggle(control, touch);
-      case "map": return text(control);
+      case "map": case "camera": return text(control);
     }
   });
+  const isAsked = store.program.console.some(({ kind }) => kind !== "camera");
   const releaseAll = () => { for (const each of shown) each.release(); };
   host.append(...shown.map((each) => each.host));
 
@@ -148,10 +149,11 @@ export function startConsole(store: Store, host: HTMLElement): void {
   const show = () => {
     const { operates, program: { live }, run } = store;
     const isLookedAt = live && run !== null && !run.sends;
-    for (const each of shown) each.host.hidden = !operates;
+    shown.forEach((each, i) =>
+      { each.host.hidden = !operates || store.program.console[i]?.kind === "camera"; });
     if (isLookedAt) host.prepend(note);
     else note.remove();
-    host.hidden = shown.length === 0 || !(operates || isLookedAt);
+    host.hidden = !isAsked || !(operates || isLookedAt);
     if (!operates) releaseAll();
   };
   store.on("extent", follow);
