@@ -26,7 +26,7 @@ COMPARED_PACKAGES = ghc libghc-copilot-dev libghc-copilot-c99-dev
 # What only `make site` and `make pictures` need; mkdocs itself comes from PyPI, see
 # docs/site/requirements.txt.
 SITE_PACKAGES = python3-venv
-PICTURE_PACKAGES = imagemagick
+PICTURE_PACKAGES = imagemagick chromium chromium-driver fonts-dejavu-core python3-selenium
 
 # What only `make deb` needs.
 DEB_PACKAGES = dpkg-dev lintian
@@ -115,10 +115,12 @@ site: all
 	@_build/site-tools/bin/mkdocs build --quiet --config-file docs/site/mkdocs.yml
 	@echo "the site: _build/site/index.html"
 
-# The pictures that the pages of docs/ show of their programs' runs, anew.
+# The pictures that the pages of docs/ show of their programs' runs, anew; and those of the page
+# of `frobc view` for programs that see.
 pictures: all
 	@sh tests/setup.sh $(PICTURE_PACKAGES)
 	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh docs/site/pictures.sh docs/tutorial/*.md $(wildcard docs/how-to/*.md)
+	@/usr/bin/python3 -B docs/site/page_pictures.py $(FROBC) .
 
 fuzz: all
 	@dune build tests/meaning/fuzz/main.exe
