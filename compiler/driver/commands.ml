@@ -172,10 +172,10 @@ type linked = {
   generated : (string * string) list;
 }
 
-let built ?quiet general kind ~entry ~sources ~linked file continue =
+let built ?quiet ?batch general kind ~entry ~sources ~linked file continue =
   let* resources = Resources.find () in
   let* () = all_exist sources in
-  compiled ?quiet general resources ~entry file (fun (files : Cgen.Emit.t) ->
+  compiled ?quiet ?batch general resources ~entry file (fun (files : Cgen.Emit.t) ->
       let name = C_file.name file in
       let* () =
         match (kind : Toolchain.kind) with
@@ -218,14 +218,14 @@ let with_runtime general (resources : Resources.t) ~name:_ =
 let missing_host host =
   wrong_use (Printf.sprintf "the host %s is missing: install frobc again" host)
 
-let shared ?quiet ?(generated = []) ?(options = []) general ~entry ~sources file continue =
+let shared ?quiet ?batch ?(generated = []) ?(options = []) general ~entry ~sources file continue =
   let linked resources ~name =
     let linked = with_runtime general resources ~name in
     let machine = Option.value linked.machine ~default:(Toolchain.this_machine ()) in
     let machine = { machine with options = machine.options @ options } in
     { linked with machine = Some machine; generated }
   in
-  built ?quiet general Shared_object ~entry ~sources ~linked file continue
+  built ?quiet ?batch general Shared_object ~entry ~sources ~linked file continue
 
 (* The program as a shared object, and the host that is to run it. *)
 let hosted general ~entry ~sources file ~host ~arguments =

@@ -123,6 +123,7 @@ val for_robot : name:string -> Cgen.Emit.t -> (unit, string) result
 
 val built :
   ?quiet:bool ->
+  ?batch:bool ->
   General.t ->
   Toolchain.kind ->
   entry:string ->
@@ -137,6 +138,7 @@ val built :
 
 val shared :
   ?quiet:bool ->
+  ?batch:bool ->
   ?generated:(string * string) list ->
   ?options:string list ->
   General.t ->

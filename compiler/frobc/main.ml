@@ -94,6 +94,13 @@ let build =
     let doc = "Where to write it; without it, the program's name." in
     Arg.(value & opt (some string) None & info [ "o"; "output" ] ~docv:"EXE" ~doc)
   in
+  let shared =
+    let doc =
+      "Make a shared object instead, for hosts of this machine that load programs: with the \
+       program's table, and a function NAME_steps that takes many steps in one call."
+    in
+    Arg.(value & flag & info [ "shared" ] ~doc)
+  in
   let target =
     let describe name =
       let meaning = Option.fold ~none:"" ~some:Driver.Target.meaning (Driver.Target.of_name name) in
@@ -107,9 +114,12 @@ let build =
   in
   command "build" ~doc:"the executable that $(b,run --device) would start"
     Term.(
-      const (fun general entry sources target output file ->
-          Driver.Real_robot.build general ~entry ~sources ~target ~output file)
-      $ not_judging general $ entry $ sources $ target $ output $ file)
+      const (fun general entry sources target shared output file ->
+          if shared && target <> "host" then
+            Driver.General.wrong_use "--shared is for this machine, without --target"
+          else if shared then Driver.Real_robot.library general ~entry ~sources ~output file
+          else Driver.Real_robot.build general ~entry ~sources ~target ~output file)
+      $ not_judging general $ entry $ sources $ target $ shared $ output $ file)
 
 let export =
   let folder =

@@ -115,6 +115,16 @@ let run general ~entry ~sources ~simulated run file =
         @ flag "--control" control
         @ if viewer = [] then [] else "--viewer" :: viewer))
 
+(* Calls within the object are direct: nobody puts another step in the place of its own. *)
+let library general ~entry ~sources ~output file =
+  let path = Option.value output ~default:(C_file.name file ^ ".so") in
+  let asked = if output = None then "the library" else "-o" in
+  let* () = Output.check ~reads:(file :: sources) [ Commands.as_output Program asked path ] in
+  Commands.shared ~batch:true ~options:[ "-fno-semantic-interposition" ] general ~entry ~sources
+    file (fun _ library ->
+      let* () = Output.copy library path in
+      Exit_status.ok)
+
 let build general ~entry ~sources ~target ~output file =
   match Target.of_name target with
   | None ->

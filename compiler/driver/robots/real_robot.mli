@@ -49,3 +49,8 @@ val build :
   string ->
   int
 (** Writes that program, for a {!Target}. [sources] are the user's own C files. *)
+
+val library :
+  General.t -> entry:string -> sources:string list -> output:string option -> string -> int
+(** Writes the program, for a robot or not, as a shared object for hosts of this machine, which
+    find its table there ([frob/program.h]), and the function that takes many steps. *)

@@ -14,8 +14,12 @@
 function quoted(text) { gsub(/'/, "'\\''", text); return "'" text "'" }
 
 # Runs a command in the page's folder, by a shell, and gives what it printed, by lines.
-function run(command, shown,    line, whole) {
-    whole = "cd " quoted(folder) " && { " command "\n} 2>&1 </dev/null"
+function run(command, shown,    line, whole, python) {
+    # Python as a reader has it, with the package; Debian's, for what is installed there.
+    python = "PYTHONPATH=$PWD/../../../runtime/python; export PYTHONPATH; " \
+        "python3() { if test -x /usr/bin/python3; then /usr/bin/python3 -B \"$@\"; " \
+        "else command python3 -B \"$@\"; fi; }; "
+    whole = python "cd " quoted(folder) " && { " command "\n} 2>&1 </dev/null"
     while ((whole | getline line) > 0) {
         printed++
         if (line ~ /^simulated seconds per second: / && printed in before &&
@@ -62,7 +66,7 @@ state == "" && /^```[a-z]+ title="[^"]+"$/ {
 }
 state == "file" && /^```$/ { close(target); state = ""; print; next }
 state == "file" {
-    if (/^import /) said = said "\n" $0
+    if (/^import / || file ~ /\.py$/) said = said "\n" $0
     print > target; print; next
 }
 
@@ -96,7 +100,7 @@ state == "other" && /^```$/ { state = ""; print; next }
 
 END {
     if (state != "") fail("the page ends within a block")
-    # What is shown is tried: a command of the page mentions it, or a program imports it.
+    # What is shown is tried: a command or a script mentions it, or a program imports it.
     for (file in titles) {
         stem = file
         sub(/\.[a-z]+$/, "", stem)

@@ -6,6 +6,11 @@ for page in "$@"; do
     case $page in *.md) ;; *) continue ;; esac
     from_docs=${page#*/docs/}
     name=$(echo "${from_docs%.md}" | tr / .)
+    package=
+    if grep -q '^```python' "$page"; then
+        package="
+  (source_tree %{project_root}/runtime/python)"
+    fi
     cat <<END
 
 (rule
@@ -15,7 +20,7 @@ for page in "$@"; do
    (run awk -v pages=$name.d -f %{dep:page.awk} %{project_root}/docs/$from_docs)))
  (deps
   %{project_root}/docs/$from_docs
-  (package frobc)))
+  (package frobc)$package))
 
 (rule
  (alias runtest)

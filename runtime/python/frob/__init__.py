@@ -1,0 +1,19 @@
+"""Programs of the language Frob in Python: compile, step, run, simulate, read recordings."""
+
+from .data import Data
+from .errors import CompileError, Error, FrobWarning, InputError
+from .program import Program, compile
+from .recording import Assertion, Columns, read
+
+__all__ = [
+    "Assertion",
+    "Columns",
+    "CompileError",
+    "Data",
+    "Error",
+    "FrobWarning",
+    "InputError",
+    "Program",
+    "compile",
+    "read",
+]

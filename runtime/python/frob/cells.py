@@ -1,0 +1,146 @@
+"""Reads the text of a cell of a recording: `At 0.5`, `Pose {x = 1, heading = -2}`, `(1, true)`."""
+
+from __future__ import annotations
+
+import re
+from typing import Any, Dict, List
+
+from .data import Data, is_missing
+
+NUMBER = re.compile(r"[-+]?(?:(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|nan|inf)(?![\w'.])")
+WORD = re.compile(r"[A-Za-z_][\w'.]*")
+HEX = re.compile(r"0x[0-9a-fA-F]+")
+MARKS = "()[]{},="
+
+
+class CellError(ValueError):
+    """The text is no value."""
+
+
+def words(cell: str) -> List[str]:
+    """The cell's words; with a quoted label as one, quotes and all."""
+    found: List[str] = []
+    at = 0
+    while at < len(cell):
+        if cell[at] in " \t":
+            at += 1
+            continue
+        if cell[at] == '"':
+            end = cell.find('"', at + 1) + 1
+            if end == 0:
+                raise CellError("a quote that is not closed")
+        elif cell[at] in MARKS:
+            end = at + 1
+        else:
+            match = HEX.match(cell, at) or NUMBER.match(cell, at) or WORD.match(cell, at)
+            if match is None:
+                raise CellError(f"`{cell[at:]}` is neither a number nor a word")
+            end = match.end()
+        found.append(cell[at:end])
+        at = end
+    return found
+
+
+def value(cell: str) -> Any:
+    """The value that a cell's text stands for, whatever its type is."""
+    rest = words(cell)
+    rest.reverse()
+    result = _value(rest)
+    if rest:
+        raise CellError(f"`{rest[-1]}` comes after the value")
+    return result
+
+
+def _take(rest: List[str]) -> str:
+    if not rest:
+        raise CellError("the value ends too early")
+    return rest.pop()
+
+
+def _expect(rest: List[str], mark: str) -> None:
+    word = _take(rest)
+    if word != mark:
+        raise CellError(f"expected `{mark}`, found `{word}`")
+
+
+def _value(rest: List[str]) -> Any:
+    """An application, or what may stand alone."""
+    word = rest[-1] if rest else ""
+    if word[:1].isalpha() and word[:1].isupper():
+        rest.pop()
+        if rest and rest[-1] == "{":
+            return Data(word, **_fields(rest))
+        args: List[Any] = []
+        while rest and rest[-1] not in (")", "]", "}", ",", "="):
+            args.append(_alone(rest))
+        return _plain(word, args)
+    return _alone(rest)
+
+
+def _alone(rest: List[str]) -> Any:
+    word = _take(rest)
+    if word == "(":
+        parts = _list(rest, ")")
+        return parts[0] if len(parts) == 1 else tuple(parts)
+    if word == "[":
+        return _list(rest, "]")
+    if word in ("true", "false"):
+        return word == "true"
+    if word.startswith('"'):
+        return word[1:-1]
+    if word[0] in "0123456789+-." or word in ("nan", "inf"):
+        return _number(word)
+    if word[:1].isalpha() and word[:1].isupper():
+        return _plain(word, [])
+    raise CellError(f"`{word}` is no value")
+
+
+def _plain(word: str, args: List[Any]) -> Any:
+    """As `Data` says: what is there or not needs no constructor, if no other has its place."""
+    if word in ("True", "False") and not args:
+        return word == "True"
+    if word in ("Nothing", "NoEvent") and not args:
+        return None
+    if word in ("Just", "Event") and len(args) == 1 and not is_missing(args[0]):
+        return args[0]
+    return Data(word, *args)
+
+
+def _number(word: str) -> Any:
+    if word.startswith("0x"):
+        return int(word, 16)
+    try:
+        whole = int(word)
+    except ValueError:
+        return float(word)
+    return -0.0 if whole == 0 and word.startswith("-") else whole
+
+
+def _list(rest: List[str], end: str) -> List[Any]:
+    parts: List[Any] = []
+    if rest and rest[-1] == end:
+        rest.pop()
+        return parts
+    while True:
+        parts.append(_value(rest))
+        word = _take(rest)
+        if word == end:
+            return parts
+        if word != ",":
+            raise CellError(f"expected `,` or `{end}`, found `{word}`")
+
+
+def _fields(rest: List[str]) -> Dict[str, Any]:
+    _expect(rest, "{")
+    fields: Dict[str, Any] = {}
+    while True:
+        name = _take(rest)
+        if name == "}" and not fields:
+            return fields
+        _expect(rest, "=")
+        fields[name] = _value(rest)
+        word = _take(rest)
+        if word == "}":
+            return fields
+        if word != ",":
+            raise CellError(f"expected `,` or `}}`, found `{word}`")

@@ -1,0 +1,260 @@
+"""A compiled program that can be run: step by step, or many instants at once."""
+
+from __future__ import annotations
+
+import ctypes
+import threading
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, overload
+
+from . import columns, library, shapes, tools
+from .errors import InputError
+
+if TYPE_CHECKING:
+    import pandas as pd
+    from numpy.typing import NDArray
+
+CHUNK = 1 << 24
+"""How many instants go to C at once: it counts in 32 bits, and an interrupt waits so long."""
+
+
+class Program:
+    """A program and its state, as `frob.compile` makes one."""
+
+    def __init__(self, code: library.Library, params: Mapping[str, Any]) -> None:
+        self._code = code
+        self._lock = threading.RLock()
+        self._state = code.new_state()
+        self._input = ctypes.create_string_buffer(code.table.input_size + 1)
+        self._output = ctypes.create_string_buffer(code.table.output_size + 1)
+        self._params = code.params_with(params)
+        self._values = {name: p.default for name, p in code.params.items()}
+        self._note(params)
+        code.table.reset(self._state, self._params)
+
+    def _note(self, params: Mapping[str, Any]) -> None:
+        self._values.update(
+            {name: self._code.params[name].value(value) for name, value in params.items()}
+        )
+
+    def __repr__(self) -> str:
+        return f"<frob program {self.name}>"
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a compiled program does not go to another process: compile it there")
+
+    @property
+    def name(self) -> str:
+        return self._code.name
+
+    @property
+    def robot(self) -> str:
+        """The robot that it is a program for; empty for a plain signal function."""
+        return self._code.robot
+
+    @property
+    def params(self) -> "Dict[str, library.Number]":
+        """The values of its parameters, in their units."""
+        return dict(self._values)
+
+    @property
+    def units(self) -> Dict[str, str]:
+        """Of its parameters."""
+        return {name: p.unit for name, p in self._code.params.items()}
+
+    @property
+    def inputs(self) -> List[str]:
+        """The columns that it takes, as in a trace."""
+        return [name for name, _ in self._code.input_columns]
+
+    @property
+    def outputs(self) -> List[str]:
+        """The columns that it gives."""
+        return [name for name, _ in self._code.output_columns]
+
+    def reset(self, params: Optional[Mapping[str, Any]] = None) -> None:
+        """Starts anew. Parameters that are not named keep their values."""
+        with self._lock:
+            values: Dict[str, Any] = dict(self._values)
+            values.update(params or {})
+            self._params = self._code.params_with(values)
+            self._note(params or {})
+            self._code.table.reset(self._state, self._params)
+
+    def copy(self) -> "Program":
+        """Another one, in the same state, which goes its own way from here."""
+        with self._lock:
+            other = Program(self._code, self._values)
+            ctypes.memmove(other._state, self._state, self._code.table.state_size)
+            return other
+
+    def step(self, dt: float, inputs: Any) -> Any:
+        """One instant, `dt` seconds after the one before; the first `dt` is not looked at."""
+        seconds = columns.step(dt, "dt")
+        code = self._code
+        with self._lock:
+            code.input.write(self._input, 0, inputs, "in")
+            code.table.step(self._state, self._params, seconds, self._input, self._output)
+            return code.output.read(self._output, 0)
+
+    @overload
+    def run(self, inputs: "NDArray[Any]", *, dt: Any = None, time: Any = None) -> "NDArray[Any]": ...
+
+    @overload
+    def run(self, inputs: List[Any], *, dt: Any = None, time: Any = None) -> List[Any]: ...
+
+    @overload
+    def run(
+        self, inputs: "Mapping[str, Any]", *, dt: Any = None, time: Any = None
+    ) -> "Dict[str, NDArray[Any]]": ...
+
+    @overload
+    def run(self, inputs: "pd.DataFrame", *, dt: Any = None, time: Any = None) -> "pd.DataFrame": ...
+
+    def run(self, inputs: Any, *, dt: Any = None, time: Any = None) -> Any:
+        """Many instants, from the start; the state that `step` has come to stays as it is.
+
+        Of inputs as an array, a column each, outputs are an array; of a mapping of columns
+        named as in a trace they are a dict of arrays, of a DataFrame a DataFrame, and of a
+        list of what `step` takes a list. `dt` is the seconds of a step, of all or of each;
+        or `time` has the seconds of each instant, where the inputs have no column `time`.
+        """
+        if isinstance(inputs, list):
+            return self._run_list(inputs, dt, time)
+        np = columns.numpy()
+        if isinstance(inputs, np.ndarray):
+            return self._run_array(inputs, dt, time)
+        return self._run_columns(inputs, dt, time)
+
+    def _run_list(self, inputs: List[Any], dt: Any, time: Any) -> List[Any]:
+        fresh = Program(self._code, self._values)
+        seconds = _listed_steps(len(inputs), dt, time)
+        return [fresh.step(one, value) for one, value in zip(seconds, inputs)]
+
+    def _run_array(self, inputs: "NDArray[Any]", dt: Any, time: Any) -> "NDArray[Any]":
+        np = columns.numpy()
+        code = self._code
+        leaves = columns.numbers(code.input_columns, self.name)
+        outs = columns.numbers(code.output_columns, self.name)
+        wanted = f"expected an array of {len(leaves)} columns ({', '.join(self.inputs)})"
+        columns.unmasked("the array", inputs)
+        table = inputs.reshape(-1, 1) if inputs.ndim == 1 else inputs
+        if table.ndim != 2 or table.shape[1] != len(leaves):
+            raise InputError(f"{wanted}, found the shape {inputs.shape}")
+        count = len(table)
+        seconds = _array_steps(count, dt, time)
+        size = code.table.input_size
+        if shapes.only_floats(code.input_columns, size) and table.dtype.kind in "iuf":
+            memory = np.ascontiguousarray(table, dtype=np.float64)
+        else:
+            memory = np.zeros(count * size, dtype=np.uint8)
+            given = {name: _truths(leaf, table[:, k]) for k, (name, leaf) in enumerate(leaves)}
+            columns.write(memory, size, leaves, given, count)
+        output = self._steps(count, seconds, memory)
+        if shapes.only_floats(code.output_columns, code.table.output_size):
+            result = output.view(np.float64)
+            return result if len(outs) == 1 else result.reshape(count, len(outs))  # type: ignore
+        parts = columns.read(output, code.table.output_size, outs, count)
+        stacked = [parts[name].astype(np.float64) for name, _ in outs]
+        return stacked[0] if len(outs) == 1 else np.column_stack(stacked)  # type: ignore
+
+    def _run_columns(self, inputs: Any, dt: Any, time: Any) -> Any:
+        np = columns.numpy()
+        code = self._code
+        if not isinstance(inputs, Mapping) and not hasattr(inputs, "columns"):
+            raise InputError(
+                f"expected an array, a mapping of columns, a DataFrame or a list, found "
+                f"{shapes.shown(inputs)}"
+            )
+        names = list(inputs.keys())
+        columns.check(code.input_columns, names, self.name)
+        if time is None and dt is None and "time" in names:
+            time = inputs["time"]
+        lengths = {n: len(inputs[n]) for n, _ in code.input_columns if n in names}
+        some = next(iter(lengths.items()), ("time", 0 if time is None else len(time)))
+        for name, length in lengths.items():
+            if length != some[1]:
+                raise InputError(f"`{name}` has {length} rows, and `{some[0]}` {some[1]}")
+        count = some[1]
+        seconds = _array_steps(count, dt, time)
+        size = code.table.input_size
+        memory = np.zeros(count * size, dtype=np.uint8)
+        columns.write(memory, size, code.input_columns, inputs, count)
+        output = self._steps(count, seconds, memory)
+        parts = columns.read(output, code.table.output_size, code.output_columns, count)
+        if isinstance(inputs, Mapping):
+            return parts
+        framed = {"time": inputs["time"]} if "time" in names else {}
+        return type(inputs)({**framed, **parts}, index=inputs.index)
+
+    def _steps(self, count: int, seconds: "NDArray[Any]", memory: "NDArray[Any]") -> Any:
+        """The outputs, as bytes; all arrays are contiguous, and of `count` elements."""
+        np = columns.numpy()
+        code = self._code
+        steps, has_params = code.steps()
+        state = code.new_state()
+        with self._lock:
+            params = self._params
+        output = np.empty(count * code.table.output_size, dtype=np.uint8)
+        code.table.reset(state, params)
+        places = [array.ctypes.data for array in (seconds, memory, output)]
+        sizes = [8, code.table.input_size, code.table.output_size]
+        for first in range(0, count, CHUNK):
+            at = [place + first * size for place, size in zip(places, sizes)]
+            some = min(CHUNK, count - first)
+            steps(state, *([params] if has_params else []), some, *at)
+        return output
+
+
+def _truths(leaf: shapes.Scalar, column: "NDArray[Any]") -> "NDArray[Any]":
+    """In an array of numbers a truth value is 0 or 1."""
+    if not isinstance(leaf, shapes.Bool) or column.dtype.kind not in "iuf":
+        return column
+    if not bool(((column == 0) | (column == 1)).all()):
+        row = int((~((column == 0) | (column == 1))).argmax())
+        raise InputError(f"row {row}: expected 0 or 1 for a truth value, found {column[row]}")
+    return column != 0  # type: ignore[no-any-return]
+
+
+def _array_steps(count: int, dt: Any, time: Any) -> "NDArray[Any]":
+    _one_of(dt, time)
+    if time is None:
+        return columns.steps(dt, count)
+    seconds = columns.dt_of_time(time)
+    if len(seconds) != count:
+        raise InputError(f"time has {len(seconds)} rows, and the input {count}")
+    return seconds
+
+
+def _listed_steps(count: int, dt: Any, time: Any) -> Sequence[float]:
+    _one_of(dt, time)
+    if time is None and isinstance(dt, (int, float)):
+        return [columns.step(dt, "dt")] * count
+    given = list(dt if time is None else time)
+    what = "dt" if time is None else "time"
+    if len(given) != count:
+        raise InputError(f"{what} has {len(given)} rows, and the input {count}")
+    if time is None:
+        return given
+    ns = [round(float(t) * 1e9) for t in given]
+    return [0.0, *((b - a) / 1e9 for a, b in zip(ns, ns[1:]))][:count]
+
+
+def _one_of(dt: Any, time: Any) -> None:
+    if (dt is None) == (time is None):
+        raise InputError(
+            "how much time passes from instant to instant? Give `dt`, in seconds, or the `time` "
+            "of each instant" + ("" if dt is None else ", and not both")
+        )
+
+
+def compile(
+    file: tools.PathLike,
+    *,
+    entry: str = "main",
+    robot: Optional[tools.PathLike] = None,
+    params: Optional[Mapping[str, Any]] = None,
+    sources: Sequence[tools.PathLike] = (),
+) -> Program:
+    """Compiles a program. `params` are the values of its parameters, in their units; `sources`
+    the C files of a program that calls C; `robot` for one that leaves its robot open."""
+    return Program(library.build(file, entry, robot, sources), params or {})

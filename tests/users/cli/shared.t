@@ -1,0 +1,21 @@
+A program as a shared object, for hosts that load it: with a table, and a function of many steps.
+
+  $ echo 'main :: SF Float Float
+  > main = proc x -> 2 * integral x / 1[s]' > twice.frob
+  $ frobc build --shared twice.frob
+  $ nm -D --defined-only twice.so | cut -d ' ' -f 3
+  frob_program
+  twice_reset
+  twice_step
+  twice_steps
+  $ frobc build --shared twice.frob -o other.so && cmp twice.so other.so
+
+It is for this machine, and overwrites nothing that frobc has not made.
+
+  $ frobc build --shared twice.frob --target cortex-m
+  error: --shared is for this machine, without --target
+  [2]
+  $ echo precious > mine.so
+  $ frobc build --shared twice.frob -o mine.so
+  error: -o would overwrite mine.so, which is there already and not a program that frobc has built: move it away, or name another file
+  [2]
