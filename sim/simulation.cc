@@ -74,10 +74,13 @@ std::optional<std::size_t> Simulation::look_through(const std::string &name) {
         if (settings.name != name) continue;
         if (!scenery_) scenery_ = std::make_unique<Scenery>(scene_, kind_.chassis());
         // Each has noise of its own.
-        for (std::size_t k = 0; k < members_.size(); ++k)
-            members_[k].cameras.emplace_back(
-                settings, kind_.chassis(), *scenery_, k,
-                Noise(Noise::seed_of_robot(seed_, k), Robot::camera_stream + i).bits());
+        for (std::size_t k = 0; k < members_.size(); ++k) {
+            const auto seed_of = [&](std::size_t camera) {
+                return Noise(Noise::seed_of_robot(seed_, k), Robot::camera_stream + camera).bits();
+            };
+            members_[k].cameras.emplace_back(settings, kind_.chassis(), *scenery_, k, seed_of(i),
+                                             seed_of(settings.partner.value_or(i)));
+        }
         take_frames();
         return members_.front().cameras.size() - 1;
     }

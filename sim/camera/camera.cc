@@ -34,9 +34,9 @@ std::uint8_t level(double x) {
 } // namespace
 
 Camera::Camera(const CameraSettings &settings, const Chassis &chassis, const Scenery &scenery,
-               std::size_t robot, std::uint64_t seed)
+               std::size_t robot, std::uint64_t seed, std::uint64_t trigger)
     : settings_(settings), scenery_(scenery), robot_(robot), seed_(seed),
-      timing_(seed, timing_stream) {
+      timing_(trigger, timing_stream) {
     const Vec half = exact_direction(settings.field_of_view / 2);
     geometry_.focal_x = geometry_.focal_y = settings.width / 2.0 * half.x / half.y;
     geometry_.centre_x = (settings.width - 1) / 2.0;
@@ -49,7 +49,18 @@ Camera::Camera(const CameraSettings &settings, const Chassis &chassis, const Sce
     geometry_.yaw_rad = settings.yaw;
     geometry_.pitch_rad = settings.pitch;
     geometry_.roll_rad = settings.roll;
+    shift(settings.aside);
     make_lens_map();
+}
+
+// Along its rows, to the left: (0, 1, 0) turned by Rz(yaw) Ry(pitch) Rx(roll).
+void Camera::shift(double aside) {
+    const Vec yaw = exact_direction(geometry_.yaw_rad), pitch = exact_direction(geometry_.pitch_rad);
+    const Vec roll = exact_direction(geometry_.roll_rad);
+    const Vec left = {pitch.y * roll.y, roll.x};
+    geometry_.x_m += aside * (yaw.x * left.x - yaw.y * left.y);
+    geometry_.y_m += aside * (yaw.y * left.x + yaw.x * left.y);
+    geometry_.z_m += aside * pitch.x * roll.y;
 }
 
 // What the lens shows at a distorted place (a', b') is at (a, b) with a' = a (1 + k1 r^2 +
@@ -99,11 +110,12 @@ const frob_image *Camera::newest(std::int64_t now_ns) {
     return &image_;
 }
 
-// The rotation is Rz(heading + yaw) Ry(pitch) Rx(roll).
+// The rotation is Rz(heading + yaw) Ry(pitch) Rx(roll), of angles as they really are.
 Pinhole Camera::eye_of(const Pose &robot) const {
     const Vec u = exact_direction(robot.heading);
-    const Vec yaw = exact_direction(robot.heading + geometry_.yaw_rad);
-    const Vec pitch = exact_direction(geometry_.pitch_rad), roll = exact_direction(geometry_.roll_rad);
+    const Vec yaw = exact_direction(robot.heading + geometry_.yaw_rad + settings_.askew_yaw);
+    const Vec pitch = exact_direction(geometry_.pitch_rad + settings_.askew_pitch);
+    const Vec roll = exact_direction(geometry_.roll_rad + settings_.askew_roll);
     const Vec seat = {geometry_.x_m, geometry_.y_m};
     const Vec at = robot.position + Vec{u.x * seat.x - u.y * seat.y, u.y * seat.x + u.x * seat.y};
     const auto turned = [&](Point p) {

@@ -15,9 +15,10 @@ namespace frob::sim {
 
 class Camera {
   public:
-    // Of robot number `robot`; the scenery, which cameras share, must stay.
+    // Of robot number `robot`; the scenery, which cameras share, must stay. Cameras with the same
+    // `trigger`, a seed, take their frames at the same times.
     Camera(const CameraSettings &settings, const Chassis &chassis, const Scenery &scenery,
-           std::size_t robot, std::uint64_t seed);
+           std::size_t robot, std::uint64_t seed, std::uint64_t trigger);
 
     // Whether a frame is to be taken at this step of the physics.
     bool is_due(std::int64_t time_ns) const { return time_ns >= due_ns_; }
@@ -41,6 +42,7 @@ class Camera {
 
     void draw(const Exposure &exposure);
     Pinhole eye_of(const Pose &robot) const;
+    void shift(double aside);
     void make_lens_map();
     void blur();
     void develop(const Exposure &exposure);

@@ -89,6 +89,12 @@ struct CameraSettings {
     // Where it sits and looks; without a value as the robot's is, see chassis.h.
     std::optional<double> ahead, left, up; // m
     double yaw = 0.0, pitch = 0.0, roll = 0.0; // rad: to the left, down, clockwise
+    // Of a pair: m along its rows, to the left of where it would sit otherwise; by how much it is
+    // turned without anybody knowing; and the camera, by its number, that takes its frames at the
+    // same times.
+    double aside = 0.0;
+    double askew_yaw = 0.0, askew_pitch = 0.0, askew_roll = 0.0; // rad
+    std::optional<std::size_t> partner;
 };
 
 // Where a robot starts.

@@ -175,9 +175,9 @@ Poster read_tag(TomlReader reader) {
     return tag;
 }
 
-CameraSettings read_camera(TomlReader reader) {
+// What cameras and pairs of them have in common.
+CameraSettings read_any_camera(TomlReader &reader) {
     CameraSettings camera;
-    if (const std::string name = reader.string("name"); !name.empty()) camera.name = name;
     camera.width = reader.integer("width", camera.width, 8, most_pixels);
     camera.height = reader.integer("height", camera.height, 8, most_pixels);
     camera.field_of_view =
@@ -202,8 +202,32 @@ CameraSettings read_camera(TomlReader reader) {
     camera.yaw = radians(reader.number("yaw_deg", 0.0, Range::turn));
     camera.pitch = radians(reader.number("pitch_deg", 0.0, Range::turn));
     camera.roll = radians(reader.number("roll_deg", 0.0, Range::turn));
+    return camera;
+}
+
+CameraSettings read_camera(TomlReader reader) {
+    CameraSettings camera = read_any_camera(reader);
+    if (const std::string name = reader.string("name"); !name.empty()) camera.name = name;
     reader.finish();
     return camera;
+}
+
+// Two cameras side by side, of which the right one is a little askew.
+void read_stereo(TomlReader reader, std::vector<CameraSettings> &cameras) {
+    CameraSettings left = read_any_camera(reader);
+    const double baseline = reader.number("baseline", 0.12, Range::positive);
+    left.name = "left";
+    left.aside = baseline / 2;
+    CameraSettings right = left;
+    right.name = "right";
+    right.aside = -baseline / 2;
+    right.partner = cameras.size();
+    right.askew_yaw = radians(reader.number("askew_yaw_deg", 0.0, Range::turn));
+    right.askew_pitch = radians(reader.number("askew_pitch_deg", 0.0, Range::turn));
+    right.askew_roll = radians(reader.number("askew_roll_deg", 0.0, Range::turn));
+    reader.finish();
+    cameras.push_back(left);
+    cameras.push_back(right);
 }
 
 void look_at_cameras(TomlReader &reader, const std::vector<CameraSettings> &cameras) {
@@ -439,6 +463,8 @@ Scene read_scene(Mistakes &mistakes, const toml::table &root, const std::string 
         scene.posters.push_back(read_tag(inside(table)));
     for (const toml::table *table : reader.table_or_tables("camera"))
         scene.cameras.push_back(read_camera(inside(table)));
+    if (const toml::table *table = reader.table("stereo"))
+        read_stereo(inside(table), scene.cameras);
     look_at_cameras(reader, scene.cameras);
     if (const toml::table *table = reader.table("sky")) {
         TomlReader sky = inside(table);
