@@ -176,7 +176,7 @@ matrix: all
 	@sh tests/setup.sh $(MATRIX_PACKAGES)
 	@dune build tests/generated/matrix/emit.exe
 	@sh tests/generated/matrix/run.sh _build/default/tests/generated/matrix/emit.exe stdlib runtime $(N) $(SEED) all \
-	  $$(grep -L -e '^foreign' -e '^import Vision' -e '^import Tracking' $(EXAMPLES) | $(FOR_A_ROBOT)) \
+	  $$(grep -L -e '^foreign' -e '^import Vision' -e '^import Tracking' -e '^import Stereo' $(EXAMPLES) | $(FOR_A_ROBOT)) \
 	  tests/meaning/interp/*.frob
 	@sh tests/generated/matrix/selftest.sh $(FROBC)
 	@sh tests/generated/matrix/shared_stack.sh

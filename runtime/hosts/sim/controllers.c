@@ -48,6 +48,18 @@ static bool open_one(struct controllers *c, size_t robot, const char *record)
     return true;
 }
 
+/* What is missing in the world file. The cameras of a stereo head are one table. */
+static void tell_missing_camera(const char *label)
+{
+    const bool is_pair = strcmp(label, "left") == 0 || strcmp(label, "right") == 0;
+    const bool is_usual = strcmp(label, "camera") == 0;
+    fprintf(stderr,
+            "error: the program looks through a camera, `%s`, and the robot of this world has "
+            "none: add a table %s%s%s%s to the world file\n",
+            label, is_pair ? "[stereo]" : "[camera]", is_pair || is_usual ? "" : " with name = \"",
+            is_pair || is_usual ? "" : label, is_pair || is_usual ? "" : "\"");
+}
+
 /* The world's cameras, by the labels that the program asks for. */
 static bool open_cameras(struct controllers *c)
 {
@@ -59,17 +71,11 @@ static bool open_cameras(struct controllers *c)
         return false;
     }
     for (size_t i = 0; i < program->control_count; i++) {
-        const char *label = program->console[i].label;
         if (program->console[i].kind != FROB_CAMERA)
             continue;
-        c->cameras[i] = frob_sim_look_through(c->sim, label);
+        c->cameras[i] = frob_sim_look_through(c->sim, program->console[i].label);
         if (c->cameras[i] < 0) {
-            fprintf(stderr,
-                    "error: the program looks through a camera, `%s`, and the robot of this world "
-                    "has none: add a table [camera]%s%s%s to the world file\n",
-                    label, strcmp(label, "camera") == 0 ? "" : " with name = \"",
-                    strcmp(label, "camera") == 0 ? "" : label,
-                    strcmp(label, "camera") == 0 ? "" : "\"");
+            tell_missing_camera(program->console[i].label);
             ok = false;
         }
     }

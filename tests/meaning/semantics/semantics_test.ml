@@ -11,7 +11,8 @@ let prelude = declared "Prelude"
 
 (* With a heading each in appendix B. *)
 let library =
-  [ "Control"; "Geometry"; "Driving"; "Sources"; "Past"; "Trial"; "WallFollow"; "Display"; "Vision" ]
+  [ "Control"; "Geometry"; "Driving"; "Sources"; "Past"; "Trial"; "WallFollow"; "Display"; "Vision";
+    "Stereo" ]
 
 let modules = List.map (fun name -> (name, declared name)) library
 let frobc = Sys.argv.(1)

@@ -84,6 +84,33 @@ A world without a camera, and hosts that have none.
   $ frobc run sees.frob --world dark.toml --for 1s
   error: the program looks through a camera, `camera`, and the robot of this world has none: add a table [camera] to the world file
   [2]
+  $ cat > deep.frob <<'FROB'
+  > import Robot
+  > import Stereo
+  > import Vision
+  > 
+  > main :: (HasStereo i, DiffDrive o) => Program i o
+  > main = reactimateRobot (proc i -> roMake (setVelTR (speed i) 0)) where
+  >     speed = proc i -> 0.1[1/s] * hold 0 (mapE (fromMaybe 0) (nearestSeen middle i))
+  >     middle = Region { x = 100[px], y = 60[px], width = 120[px], height = 60[px] }
+  > FROB
+  $ frobc run deep.frob --world dark.toml --robot pioneer --for 1s
+  error: the program looks through a camera, `left`, and the robot of this world has none: add a table [stereo] to the world file
+  error: the program looks through a camera, `right`, and the robot of this world has none: add a table [stereo] to the world file
+  [2]
+  $ frobc check deep.frob --robot create
+  error[E0503]: `create` has no `HasStereo`
+   --> deep.frob:7:62
+    |
+  7 |     speed = proc i -> 0.1[1/s] * hold 0 (mapE (fromMaybe 0) (nearestSeen middle i))
+    |                                                              ^^^^^^^^^^^ `nearestSeen` needs it
+    |
+    = note: only `pioneer` has it
+    = note: `main` is compiled for `create`: there is no instance `HasStereo CreateInput`
+    = hint: compile it with `--robot pioneer`
+  
+  1 error
+  [1]
   $ frobc build sees.frob --robot pioneer -o sees
   error: sees looks through a camera, `camera`; there are cameras in the simulator only, where `frobc run` runs it
   [2]

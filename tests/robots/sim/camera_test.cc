@@ -156,6 +156,69 @@ void time_passes() {
     check::that(came > 70 && came < 130 && last > 190, "lost frames do not come, and are counted");
 }
 
+// The column of a red ball 2 m ahead of both cameras of a stereo head, and what else is known.
+struct Pair {
+    explicit Pair(const std::string &stereo, std::int64_t time_ns = 0)
+        : simulation(parse_world("[start]\nx = 0\ny = 0\nheading_deg = 30\n[stereo]\nahead = 0.1\n"
+                                 "left = 0.03\nup = 0.1\n" + stereo + "\n" +
+                                     red_ball(2.1 * 0.8660254 - 0.03 * 0.5,
+                                              2.1 * 0.5 + 0.03 * 0.8660254, 0.1),
+                                 "test"),
+                     1, false) {
+        const auto left_number = simulation.look_through("left");
+        const auto right_number = simulation.look_through("right");
+        simulation.advance(time_ns);
+        left = simulation.newest_frame(time_ns, *left_number);
+        right = simulation.newest_frame(time_ns, *right_number);
+    }
+
+    double disparity() const { return red_spot(*left).x - red_spot(*right).x; }
+    double rise() const { return red_spot(*left).y - red_spot(*right).y; }
+
+    Simulation simulation;
+    const frob_image *left = nullptr, *right = nullptr;
+};
+
+bool is_near(double x, double y, double off) { return std::abs(x - y) < off; }
+
+void pairs_have_disparities() {
+    const Pair straight("baseline = 0.2");
+    const double focal = straight.left->camera.focal_x;
+    check::that(is_near(straight.disparity(), focal * 0.2 / 2.0, 0.3) &&
+                    is_near(straight.rise(), 0.0, 0.1),
+                "focal length times baseline over distance, in the same rows");
+    check::that(is_near(straight.left->camera.y_m, 0.13, 1e-9) &&
+                    is_near(straight.right->camera.y_m, -0.07, 1e-9),
+                "the cameras are on both sides of where the head sits");
+    const Pair yawed("baseline = 0.2\naskew_yaw_deg = 1");
+    check::that(is_near(yawed.disparity() - straight.disparity(), -focal * 0.0174533, 0.3) &&
+                    yawed.right->camera.yaw_rad == 0.0,
+                "a right camera that looks to the left has larger columns, and nobody is told");
+    const Pair pitched("baseline = 0.2\naskew_pitch_deg = 1");
+    check::that(is_near(pitched.rise() - straight.rise(), focal * 0.0174533, 0.3),
+                "one that looks down has smaller rows");
+    const Pair turned("baseline = 0.2\nyaw_deg = 10\nroll_deg = 90");
+    check::that(is_near(turned.left->camera.z_m, 0.2, 1e-9) &&
+                    is_near(turned.right->camera.z_m, 0.0, 1e-9) &&
+                    is_near(turned.left->camera.y_m, 0.03, 1e-9),
+                "with the head on its side one camera is above the other");
+}
+
+void pairs_are_of_one_time() {
+    bool same = true;
+    int lost = 0;
+    for (int k = 1; k < 60; ++k) {
+        const Pair pair("rate = 50\njitter = 0.008\ndropout = 0.3\nnoise = 5", k * 20 * millisecond);
+        same = same && (pair.left == nullptr) == (pair.right == nullptr);
+        if (pair.left == nullptr) continue;
+        same = same && pair.left->captured_ns == pair.right->captured_ns &&
+               pair.left->number == pair.right->number;
+        lost += pair.left->captured_ns < (k - 1) * 20 * millisecond - 8 * millisecond;
+    }
+    check::that(same, "both cameras of a head take and lose their frames together");
+    check::that(lost > 5, "and some are lost");
+}
+
 std::uint64_t hash(const frob_image &image) {
     std::uint64_t h = 0xcbf29ce484222325u;
     const auto size = static_cast<std::size_t>(image.stride) * static_cast<std::size_t>(image.height);
@@ -219,6 +282,9 @@ void mistakes_are_told() {
     check::that(told("[[camera]]\n[[camera]]\nwidth = 100\n") ==
                                "w:1:1: two cameras are called `camera`: give each a `name` of its own",
                 "two of a name");
+    check::that(told("[stereo]\nbaseline = 0\nname = \"head\"\n") ==
+                    "w:5:12: `baseline` must be positive\nw:6:1: there is no key `name` here",
+                "a head of one camera");
     check::that(told("[[ball]]\nway = [[1, 1], [2, 2]]\n") ==
                                        "w:4:1: this needs a key `speed`",
                 "a way without a speed");
@@ -232,6 +298,8 @@ int main() {
     tags_are_readable();
     near_hides_far();
     time_passes();
+    pairs_have_disparities();
+    pairs_are_of_one_time();
     pixels_are_the_same_everywhere();
     mistakes_are_told();
     return check::status();
