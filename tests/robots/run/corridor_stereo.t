@@ -11,5 +11,5 @@ In the dark it stays where it is, and says that it has ended.
 
   $ sed 's/^\[stereo\]/&\nexposure = 0.001/' ../../../examples/corridor_stereo/world.toml > dark.toml
   $ frobc run $program --world dark.toml --for 2s --exit-when-done | grep -E 'driven|finished'
-  distance driven: 0.056 m
-  finished after: 0.740 s
+  distance driven: 0.000 m
+  finished after: 0.520 s
