@@ -7,7 +7,7 @@ let sound sink typed = if Diagnostic.has_errors sink then None else Some typed
 let program ?sources sink ~real resolved =
   Option.bind (sound sink (Infer.program ?sources sink ~real resolved)) (fun typed ->
       let typed = Levels.program ?sources sink typed in
-      Patterns.check sink typed;
+      Patterns.check ?sources sink typed;
       sound sink typed)
 
 let partial ~real resolved =

@@ -1,14 +1,17 @@
 open Basis
 open Ir
 
-type t = constructor array Resolve.Global_table.t
+type t = {
+  constructors : constructor array Resolve.Global_table.t;
+  most : int;  (* values named *)
+}
 
 let create data =
   let table = Resolve.Global_table.create 64 in
   List.iter
     (fun (d : data) -> Resolve.Global_table.replace table d.tycon (Array.of_list d.constructors))
     data;
-  table
+  { constructors = table; most = 3 }
 
 type row = { pattern : pattern; guarded : bool }
 
@@ -117,30 +120,28 @@ let rebuild head parts =
 (* The first ones of many, and how many there are besides. *)
 type 'a some = { first : 'a list; besides : int }
 
-let most_named = 3
-
 (* There may be more than a number can count. *)
 let limited n = min n 1_000_000
 
-let some_of all =
-  let first = List.filteri (fun i _ -> i < most_named) all in
+let some_of t all =
+  let first = List.filteri (fun i _ -> i < t.most) all in
   { first; besides = limited (List.length all - List.length first) }
 
 let none = { first = []; besides = 0 }
 let count some = List.length some.first + some.besides
 
-let append a b =
+let append t a b =
   if count a = 0 then b
   else if count b = 0 then a
   else
-    let { first; besides } = some_of (a.first @ b.first) in
+    let { first; besides } = some_of t (a.first @ b.first) in
     { first; besides = limited (besides + a.besides + b.besides) }
 
 let map f some = { some with first = List.map f some.first }
 
 (* Each of the first with each of the second. *)
-let pairs f a b =
-  let { first; _ } = some_of (List.concat_map (fun x -> List.map (f x) b.first) a.first) in
+let pairs t f a b =
+  let { first; _ } = some_of t (List.concat_map (fun x -> List.map (f x) b.first) a.first) in
   { first; besides = limited (count a * count b) - List.length first }
 
 (* Values of the type with heads not among these, together all that there are. *)
@@ -159,20 +160,21 @@ let others t (ty : ty) heads =
         let name, arity = names.(index) in
         Constructed (name, List.init arity (fun _ -> Anything)) :: go (index + 1) (wanted - 1)
     in
-    let first = go 0 (min missing most_named) in
+    let first = go 0 (min missing t.most) in
     { first; besides = limited (missing - List.length first) }
   in
   match ty with
   | Bool -> all_but_given [| ("False", 0); ("True", 0) |]
   | Data { tycon; _ } when tycon = Environment.array -> none
   | Data { tycon; _ } -> (
-    match Resolve.Global_table.find_opt t tycon with
+    match Resolve.Global_table.find_opt t.constructors tycon with
     | Some constructors ->
       all_but_given
         (Array.map (fun c -> (c.constructor.name, List.length c.fields)) constructors)
     | None -> Diagnostic.bug ~stage:"Typing.Coverage" "no data type `%s`" tycon.name)
-  | Number (_, { base = []; variables = [] }) -> some_of [ Constructed (smallest 0, []) ]
-  | Number _ | Variable _ | String | Function _ | Signal_function _ | Size _ -> some_of [ Anything ]
+  | Number (_, { base = []; variables = [] }) -> some_of t [ Constructed (smallest 0, []) ]
+  | Number _ | Variable _ | String | Function _ | Signal_function _ | Size _ ->
+    some_of t [ Anything ]
   | Tuple _ -> none
 
 (* {1 The walk} *)
@@ -241,8 +243,8 @@ let rec take n values taken =
 
 let rec gaps t used width lines =
   match lines with
-  | [] -> some_of [ { values = List.init width (fun _ -> Anything); passed = None } ]
-  | _ when width = 0 -> reached used lines
+  | [] -> some_of t [ { values = List.init width (fun _ -> Anything); passed = None } ]
+  | _ when width = 0 -> reached t used lines
   | _ ->
     let { ty; groups; others = rest } = split lines in
     let below (h, lines) =
@@ -252,26 +254,27 @@ let rec gaps t used width lines =
       in
       map rebuilt (gaps t used (arity h + width - 1) lines)
     in
-    let below = List.fold_left (fun found group -> append found (below group)) none groups in
+    let below = List.fold_left (fun found group -> append t found (below group)) none groups in
     let heads =
       match ty with
-      | None -> some_of [ Anything ]
+      | None -> some_of t [ Anything ]
       | Some ty -> others t ty (List.map fst groups)
     in
     if count heads = 0 then below
     else
       let beside value gap = { gap with values = value :: gap.values } in
-      append (pairs beside heads (gaps t used (width - 1) rest)) below
+      append t (pairs t beside heads (gaps t used (width - 1) rest)) below
 
 (* All that was to be looked at has been: the first line whose guards hold. *)
-and reached used = function
-  | [] -> some_of [ { values = []; passed = None } ]
+and reached t used = function
+  | [] -> some_of t [ { values = []; passed = None } ]
   | line :: rest ->
     used.(line.index) <- true;
-    if line.guards then map (fun gap -> { gap with passed = Some line.index }) (reached used rest)
+    if line.guards then map (fun gap -> { gap with passed = Some line.index }) (reached t used rest)
     else none
 
-let check t rows =
+let check ?most t rows =
+  let t = { t with most = Option.value most ~default:t.most } in
   let used = Array.make (List.length rows) false in
   let line index (row : row) = { index; guards = row.guarded; rest = [ row.pattern ] } in
   let gaps = gaps t used 1 (List.mapi line rows) in

@@ -26,4 +26,5 @@ type result = {
   useless : int list;  (** rows never reached, in order *)
 }
 
-val check : t -> row list -> result
+val check : ?most:int -> t -> row list -> result
+(** [most]: how many values are named, if there are so many; else 3. *)

@@ -1,7 +1,12 @@
 open Basis
 open Ir
 
-type walk = { sink : Diagnostic.sink; data : data list; coverage : Coverage.t }
+type walk = {
+  sink : Diagnostic.sink;
+  sources : Source.t;
+  data : data list;
+  coverage : Coverage.t;
+}
 
 (* Whether the guards that end a right side may all fail. *)
 let rec falls (e : expr) =
@@ -37,9 +42,53 @@ let has_number text =
   String.split_on_char ' ' (String.map (function '(' | '[' | ',' | '-' -> ' ' | c -> c) text)
   |> List.exists (fun word -> word <> "" && is_digit word.[0])
 
-let case w (scrutinee : expr) branches =
+(* {1 What is missing, written} *)
+
+(* The end of what is there, or of a comment beside it. *)
+let end_of_line w (at : Span.t) =
+  let line = Span.line at.stop and column = Span.column at.stop in
+  match Source.line w.sources at.file line with
+  | Some text when column <= String.length text + 1 ->
+    let rest = String.sub text (column - 1) (String.length text - column + 1) in
+    if String.starts_with ~prefix:"--" (String.trim rest) then
+      Span.position ~line ~column:(String.length text + 1)
+    else at.stop
+  | Some _ | None -> at.stop
+
+(* Below what is there, from this column on; for the value stands `_`, which is none. *)
+let written w ~below:(at : Span.t) ~column lines d =
+  let line text = Printf.sprintf "\n%s%s" (String.make (max 0 (column - 1)) ' ') text in
+  let stop = end_of_line w at in
+  let at = { at with start = stop; stop } in
+  Diagnostic.fix "name the missing cases" [ (at, String.concat "" (List.map line lines)) ] d
+
+let most_written = 20
+
+(* Of a case of this span; where not all can be named, the rest too. *)
+let with_branches w rows (branches : branch list) (at : Span.t) d =
+  match ((Coverage.check ~most:most_written w.coverage rows).missing, branches) with
+  | Some { named; more }, first :: _ ->
+    let numbers, others = List.partition has_number named in
+    let patterns = if numbers = [] && more = 0 then others else others @ [ "_" ] in
+    written w ~below:at ~column:(Span.column first.pattern.span.start)
+      (List.map (fun p -> p ^ " -> _") patterns)
+      d
+  | Some _, [] | None, _ -> d
+
+let with_otherwise w ~arrow guarded d =
+  match (guarded, List.rev guarded) with
+  | ((first : expr), _) :: _, (_, (last : expr)) :: _ ->
+    let column = Span.column first.span.start - String.length "| " in
+    written w ~below:last.span ~column [ Printf.sprintf "| otherwise %s _" arrow ] d
+  | _ -> d
+
+let rec guards_of (e : expr) =
+  match e.desc with Guards (guarded, _) -> guarded | Let (_, body) -> guards_of body | _ -> []
+
+let case w (at : Span.t) (scrutinee : expr) branches =
   let row (b : branch) : Coverage.row = { pattern = b.pattern; guarded = falls b.value } in
-  let result = Coverage.check w.coverage (Long_list.map row branches) in
+  let rows = Long_list.map row branches in
+  let result = Coverage.check w.coverage rows in
   (match result.missing with
   | None -> ()
   | Some missing ->
@@ -52,16 +101,19 @@ let case w (scrutinee : expr) branches =
       match (result.guarded_only, missing) with
       | None, { named = [ one ]; more = 0 } when not (has_number one) ->
         Diagnostic.hint (Printf.sprintf "add a branch `%s -> …`" one) d
+        |> with_branches w rows branches at
       | None, { named = one :: _; _ } ->
         Diagnostic.hint
           (Printf.sprintf "add branches such as `%s -> …`, or `_ -> …` for all that is left" one)
           d
+        |> with_branches w rows branches at
       | None, { named = []; _ } -> d
       | Some index, _ ->
         let b : branch = List.nth branches index in
         d
         |> Diagnostic.label ~at:b.pattern.span "the guards of this branch may all fail"
         |> Diagnostic.hint "end the guards with `otherwise`"
+        |> with_otherwise w ~arrow:"->" (guards_of b.value)
     in
     Diagnostic.emit w.sink d);
   let for_a_constructor = lazy (taken_for_a_constructor w branches) in
@@ -121,7 +173,7 @@ let rec expr w (e : expr) =
     expr w c
   | Case (scrutinee, branches) ->
     expr w scrutinee;
-    case w scrutinee branches;
+    case w e.span scrutinee branches;
     List.iter (fun (b : branch) -> right w b.value) branches
   | Let (bindings, body) ->
     List.iter (binding w) bindings;
@@ -135,6 +187,7 @@ let rec expr w (e : expr) =
         error ~code:"E0352" ~at:e.span "these guards may all fail"
         |> here "no value where they do"
         |> hint "end them with `otherwise`"
+        |> with_otherwise w ~arrow:"=" guarded
         |> emit w.sink);
     guards w guarded last
   | Proc { input; equations; output } ->
@@ -167,6 +220,6 @@ and binding w (b : binding) =
   always_matches w "an equation" b.pattern;
   expr w b.value
 
-let check sink (p : program) =
-  let w = { sink; data = p.data; coverage = Coverage.create p.data } in
+let check ?(sources = Source.create ()) sink (p : program) =
+  let w = { sink; sources; data = p.data; coverage = Coverage.create p.data } in
   List.iter (fun (d : definition) -> expr w d.value) p.definitions

@@ -5,4 +5,4 @@
     cases that may all fail ([E0352]); warns of branches that are never taken
     ([W0301]). *)
 
-val check : Basis.Diagnostic.sink -> Ir.program -> unit
+val check : ?sources:Basis.Source.t -> Basis.Diagnostic.sink -> Ir.program -> unit

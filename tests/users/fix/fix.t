@@ -88,6 +88,69 @@ With `--all` those too that may not be what was meant, of several for one place 
   import Robot
   main = reactimateRobot (proc _ -> roMake (setVelTR 0 30[deg/s]))
 
+Where a case or guards lack something, it is named, below what is there; for the value stands `_`,
+which is none, so that it is not forgotten.
+
+  $ cat > cases.frob <<'END'
+  > data Side = LeftSide | RightSide | Ahead Float
+  > 
+  > sign :: Maybe Side -> Float
+  > sign s = case s of
+  >     Just LeftSide -> 1  -- to the left
+  > 
+  > steps :: Int -> Float
+  > steps = \case
+  >     1 -> 0.5
+  >     2 | False -> 1
+  >         where unused = 3
+  >     n | n > 2 -> 3
+  > 
+  > limited :: Float -> Float
+  > limited x
+  >     | x < 0 = 0  -- never below
+  >     | x > 1 = 1  -- nor above
+  > 
+  > both :: Maybe Float -> Float
+  > both m = 1 + (case m of Just x | x > 0 -> x)
+  > END
+  $ frobc fix --all --diff cases.frob 2> left
+  --- cases.frob
+  +++ cases.frob
+  @@ -3,6 +3,9 @@
+   sign :: Maybe Side -> Float
+   sign s = case s of
+       Just LeftSide -> 1  -- to the left
+  +    Nothing -> _
+  +    Just RightSide -> _
+  +    Just (Ahead _) -> _
+   
+   steps :: Int -> Float
+   steps = \case
+  @@ -10,11 +13,15 @@
+       2 | False -> 1
+           where unused = 3
+       n | n > 2 -> 3
+  +      | otherwise -> _
+   
+   limited :: Float -> Float
+   limited x
+       | x < 0 = 0  -- never below
+       | x > 1 = 1  -- nor above
+  +    | otherwise = _
+   
+   both :: Maybe Float -> Float
+  -both m = 1 + (case m of Just x | x > 0 -> x)
+  +both m = 1 + (case m of Just x | x > 0 -> x
+  +                        Nothing -> _
+  +                        Just _ -> _)
+  [1]
+  $ frobc fix --all cases.frob 2> left; frobc check cases.frob 2>&1 | grep -c E0114
+  cases.frob:4:15: name the missing cases (E0350)
+  cases.frob:8:9: name the missing cases (E0350)
+  cases.frob:16:7: name the missing cases (E0352)
+  cases.frob:20:20: name the missing cases (E0350)
+  4
+
 In JSON each fix stands beside its diagnostic.
 
   $ cat > unused.frob <<'END'
