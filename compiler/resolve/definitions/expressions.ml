@@ -259,10 +259,19 @@ and record env span constructor fields : Ir.expr_desc =
       | None -> missing
       | Some given ->
           (* A field that is wrong is probably the one that is missing. *)
-          if List.length given = List.length fields then check_complete scope found span given;
+          if List.length given = List.length fields then check_complete scope found span given fields;
           Record { constructor = found.global; fields = given })
 
-and check_complete (scope : Scope.t) (constructor : Interface.constructor) span given =
+(* Behind the last one; for the value stands `_`, which is none. *)
+and name_fields absent fields diagnostic =
+  match List.rev fields with
+  | (_, (last : Ir.expr)) :: _ ->
+      let at = { last.span with start = last.span.stop } in
+      let text = String.concat "" (List.map (Printf.sprintf ", %s = _") absent) in
+      Diagnostic.fix "name the missing fields" [ (at, text) ] diagnostic
+  | [] -> diagnostic
+
+and check_complete (scope : Scope.t) (constructor : Interface.constructor) span given fields =
   let has =
     Interface.String_set.of_list (Long_list.map (fun ((n : Syntax.Ir.name), _) -> n.text) given)
   in
@@ -283,4 +292,5 @@ and check_complete (scope : Scope.t) (constructor : Interface.constructor) span 
       |> Diagnostic.hint
            (Printf.sprintf "a record has all its fields: add %s"
               (Enumeration.all (List.map (Printf.sprintf "`%s = …`") absent)))
+      |> name_fields absent fields
       |> Context.emit scope.context

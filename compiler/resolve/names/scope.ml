@@ -126,6 +126,13 @@ let operator_word space name =
   | "name", "xor" -> Some "a /= b"
   | _ -> None
 
+(* Of a hint such as "it is `return`", which is for nothing but another name. *)
+let only_a_name hint =
+  let is_inner = function 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' -> true | _ -> false in
+  match String.split_on_char '`' hint with
+  | [ "it is "; name; "" ] when String.for_all is_inner name -> Some name
+  | _ -> None
+
 let from_elsewhere space name =
   match space.noun with
   | "name" -> Other_languages.value name
@@ -182,7 +189,9 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
           (Printf.sprintf "write `%s`" (Option.get (operator_word space name.text)))
           diagnostic
     | [], None when Option.is_some (from_elsewhere space name.text) ->
-        Diagnostic.hint (Option.get (from_elsewhere space name.text)) diagnostic
+        let text = Option.get (from_elsewhere space name.text) in
+        Diagnostic.hint text diagnostic
+        |> Option.fold (only_a_name text) ~none:Fun.id ~some:(Diagnostic.write name.span)
     | [], None when c_type_before t name <> None ->
         let c_type = Option.get (c_type_before t name) in
         Diagnostic.label ~at:c_type.span

@@ -86,11 +86,10 @@ let no_field ctx (name : Syntax.Ir.name) ~(record : Resolve.Ir.expr) ty known =
           in
           match (Type.expand ty, Show.quote words record.span) with
           | Function (input, _), Some f when Show.signal words input <> None ->
-              Diagnostic.hint
-                (Printf.sprintf "`%s` is a function: `(%s %s).%s`" f f
-                   (Option.get (Show.signal words input))
-                   name.text)
-                d
+              let applied = Printf.sprintf "(%s %s)" f (Option.get (Show.signal words input)) in
+              let text = Printf.sprintf "%s.%s" applied name.text in
+              Diagnostic.hint (Printf.sprintf "`%s` is a function: `%s`" f text) d
+              |> Diagnostic.fix (Printf.sprintf "write `%s`" text) [ (record.span, applied) ]
           | _ -> (
               match as_a_function ctx name ~record d with Some d -> d | None -> usual ()))
       |> Diagnostic.label ~at:record.span ("this is " ^ described))

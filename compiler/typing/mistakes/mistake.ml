@@ -141,11 +141,17 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
            digits)
         diagnostic
   | Data { tycon; _ }, _ when tycon = Environment.array ->
+      let array = Plain_name.of_expr head and index = Show.quote words at in
+      let written array index = Printf.sprintf "%s ! %s" array index in
       hint
-        (Printf.sprintf "an element is `%s ! %s`, counted from 0"
-           (Option.value (Plain_name.of_expr head) ~default:"xs")
-           (Option.value (Show.quote words at) ~default:"0"))
+        (Printf.sprintf "an element is `%s`, counted from 0"
+           (written (Option.value array ~default:"xs") (Option.value index ~default:"0")))
         diagnostic
+      |> (match (array, index) with
+         | Some array, Some index ->
+             let text = written array index in
+             fix (Printf.sprintf "write `%s`" text) [ (Span.merge head.span at, "(" ^ text ^ ")") ]
+         | _ -> Fun.id)
   | _, Global { name = ("integral" | "derivative" | "delay" | "time") as name; _ }
     when position > 1 ->
       hint

@@ -316,26 +316,40 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       let d =
         error ~code:"E0301" ~at "expected %s, found the function %s" (text expected.ty) (text found)
       in
-      let usual () =
+      let applied text d =
+        let instead (e : Resolve.Ir.expr) =
+          fix (Printf.sprintf "write `%s`" text) [ (e.span, "(" ^ text ^ ")") ] d
+        in
+        hint (Printf.sprintf "write `%s`" text) (Option.fold subject ~none:d ~some:instead)
+      in
+      let usual d =
         match Option.bind subject Plain_name.of_expr with
-        | Some name when missing = 1 && of_nothing found -> Printf.sprintf "write `%s ()`" name
+        | Some name when missing = 1 && of_nothing found -> applied (name ^ " ()") d
         | Some name when missing = 1 && signal_of words found <> None -> (
             let text = Printf.sprintf "%s %s" name (Option.get (signal_of words found)) in
             match expected.because with
             | Parameter { callee = Some f; position = 1; before = None; _ } ->
-                Printf.sprintf "write `%s (%s)`: what is applied stands in parentheses as an \
-                  argument" f text
-            | _ -> Printf.sprintf "write `%s`" text)
+                hint
+                  (Printf.sprintf "write `%s (%s)`: what is applied stands in parentheses as an \
+                    argument" f text)
+                  d
+            | _ -> applied text d)
         | Some name ->
-            Printf.sprintf "`%s` takes %d argument%s" name missing (if missing = 1 then "" else "s")
+            hint
+              (Printf.sprintf "`%s` takes %d argument%s" name missing
+                 (if missing = 1 then "" else "s"))
+              d
         | None when declared words subject <> None ->
             let name, ty = Option.get (declared words subject) in
-            Printf.sprintf "%s missing, the last of `%s :: %s`"
-              (if missing = 1 then "an argument is" else count missing ^ " are")
-              name ty
-        | None -> if missing = 1 then "an argument is missing" else "some arguments are missing"
+            hint
+              (Printf.sprintf "%s missing, the last of `%s :: %s`"
+                 (if missing = 1 then "an argument is" else count missing ^ " are")
+                 name ty)
+              d
+        | None when missing = 1 -> hint "an argument is missing" d
+        | None -> hint "some arguments are missing" d
       in
-      Option.value (lacking_arguments words ~subject missing d) ~default:(hint (usual ()) d)
+      Option.value (lacking_arguments words ~subject missing d) ~default:(usual d)
   | Function _, Function _, _
     when missing_arguments found > missing_arguments expected.ty
          && Option.is_some (Option.bind subject Plain_name.of_head) ->
