@@ -372,7 +372,7 @@ let unexpected t =
   if t.bad_line <> t.line && not (character = ":" && List.mem hint t.colons) then
     report t ~code:"E0103" ~start ?hint ?write:instead
       (Printf.sprintf "unexpected character %s" shown);
-  if character = ":" && hint = Some Character_hint.of_block then t.colons <- hint :: t.colons;
+  if character = ":" && Character_hint.is_of_each_line hint then t.colons <- hint :: t.colons;
   t.bad_line <- t.line;
   BAD
 

@@ -56,6 +56,14 @@ let with_power (name : Syntax.Ir.name) power d =
 
 let unknown_unit (scope : Scope.t) (name : Syntax.Ir.name) =
   match power_without_caret scope name with
+  | None when name.text = "C" || name.text = "F" ->
+      unknown name
+      |> Diagnostic.hint
+           (if name.text = "C" then
+            "a temperature is in kelvin, `K`, where 0 degrees Celsius are `273.15[K]`; a coulomb \
+             is `A s`"
+           else "there is no farad: it is `A s/V`")
+      |> Context.emit scope.context
   | Some power -> unknown name |> with_power name power |> Context.emit scope.context
   | None -> ignore (Scope.find scope units { qualifier = None; name; span = name.span })
 

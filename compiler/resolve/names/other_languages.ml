@@ -99,6 +99,10 @@ let signal_function = function
       Some "the value of the instant before is `delay x0 x`; at the first instant it is `x0`"
   | "integrate" | "cumtrapz" -> Some "it is `integral`"
   | "deriv" | "differentiate" -> Some "it is `derivative`"
+  | "until" | "untilB" ->
+      Some
+        "one signal function until an event, and then another, is `switch`; a task until an event \
+         is ``t `abortWhen` sf``"
   | "repeatedly" -> Some "it is `every q`, whose events are `()`"
   | "filterE" -> Some "it is `filterEvent`"
   | "lMerge" -> Some "it is `mergeE`"

@@ -141,6 +141,10 @@ let from_elsewhere space name =
   | _ -> None
 
 (* As in `int m = n + 1`, the definition of a function `int`. *)
+let no_input =
+  "what a robot senses has a name in a `proc` only, as in `proc i -> …`; a task reads it once by \
+   `d <- ask frontSonar`"
+
 let c_type_before t (name : Syntax.Ir.name) =
   let is_it ((_ : Syntax.Ir.name), (parameter : Syntax.Ir.name)) =
     String.equal parameter.text name.text
@@ -199,9 +203,13 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
           diagnostic
         |> Diagnostic.hint
              (Printf.sprintf
-                "no type stands before a name: `%s = …`, and if wanted `%s :: Int` on a line of \
+                "no type stands before a name: `%s = …`, and if wanted `%s :: %s` on a line of \
                  its own"
-                name.text name.text)
+                name.text name.text
+                (match c_type.text with
+                | "bool" | "boolean" -> "Bool"
+                | "float" | "double" | "const" | "auto" | "var" | "let" -> "Float"
+                | _ -> "Int"))
     | [], None when Lazy.force elsewhere_in_module <> None ->
         let signal = Option.get (Lazy.force elsewhere_in_module) in
         Diagnostic.label ~at:signal.name.span
@@ -216,7 +224,11 @@ let report_unknown t space ~locals ~signals (name : Syntax.Ir.name) =
         let suggested =
           Context.suggest t.context name.text (lazy (visible_names t space locals)) diagnostic
         in
-        match Other_languages.robot name.text with
+        match
+          match name.text with
+          | "i" | "input" | "sensors" when suggested.hints = [] -> Some no_input
+          | word -> Other_languages.robot word
+        with
         | Some hint when String.equal space.noun "name" && suggested.hints = [] ->
             Diagnostic.hint hint suggested
         | Some _ | None -> suggested)

@@ -51,6 +51,16 @@ let line_of_brace text at =
   in
   back (at - 1) 0
 
+(* `case 1:` and `default:`, of C's `switch`. *)
+let starts_a_case text at =
+  let start = line_start text at in
+  let line = String.trim (String.sub text start (at - start)) in
+  String.starts_with ~prefix:"case " line || String.equal line "default"
+
+let of_switch =
+  "a choice by values is `case n of`, and below it a branch in each line: `1 -> …`, the last one \
+   `_ -> …`"
+
 (* Of a colon after a name in braces. *)
 let of_field text at =
   match (line_of_brace text at, ending text at is_name) with
@@ -62,6 +72,7 @@ let of_field text at =
              { speed :: Velocity }`";
         instead = None;
       }
+  | Some _, _ when starts_a_case text at -> { hint = Some of_switch; instead = None }
   | Some line, name when name <> "" && not (String.starts_with ~prefix:"data " line) ->
       {
         hint = Some (Printf.sprintf "a field gets its value with `=`: `%s = …`" name);
@@ -163,3 +174,5 @@ let of_character ~text ~at character =
   | _, None when String.length character > 1 ->
       only "names are made of `a`–`z`, `A`–`Z`, digits, `_` and primes"
   | _, None -> { hint = None; instead = None }
+
+let is_of_each_line hint = hint = Some of_block || hint = Some of_switch

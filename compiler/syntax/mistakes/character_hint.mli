@@ -11,5 +11,5 @@ type t = {
 val of_character : text:string -> at:int -> string -> t
 (** Of this character, which the text has at that place. *)
 
-val of_block : string
-(** What is said of a colon that ends a line, as Python's blocks have it. *)
+val is_of_each_line : string option -> bool
+(** Of a colon that other lines are likely to have as well: it is told once. *)

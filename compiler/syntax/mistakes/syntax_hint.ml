@@ -123,6 +123,12 @@ let is_adjacent found (before : Layout.token) = before.stop.pos_cnum = found.tok
 let own_operator =
   "programs define no operators; a function stands between in backticks: ``a `f` b``"
 
+(* The line up to here has this word. *)
+let names_before found word =
+  let start = found.token.start.pos_bol in
+  let line = String.sub found.text start (found.token.start.pos_cnum - start) in
+  List.mem word (String.split_on_char ' ' line)
+
 (* An operator of other languages, of which the first characters are one of Frob's. *)
 let foreign_operator found (before : Layout.token) =
   if not (is_adjacent found before) then None
@@ -145,7 +151,8 @@ let foreign_operator found (before : Layout.token) =
         Some "an element of an array is written `xs ! 0`, and `at i default xs` takes any index"
     | "/*" -> Some "a comment is written `{- … -}`, or `--` up to the end of the line"
     | "//" -> Some "a comment starts with `--`; whole numbers are divided by `div`"
-    | ".." -> 
+    | ".." when names_before found "seeds" -> Some "they are ``1 `to` 20``, both included"
+    | ".." ->
         Some
           "there are no ranges: a few elements are written out, `[1, 2, 3]`; many are made by the \
            index, `generate (\\i -> i + 1)`, as many as the type says"
@@ -355,6 +362,32 @@ let of_a_proc found =
       List.mem "proc" (String.split_on_char ' ' (String.concat " " (String.split_on_char '(' line)))
   | _ -> false
 
+(* Another bar follows, and this one touches what is between them. *)
+let encloses found =
+  (not (is_blank (after found) || is_symbol (after found)))
+  && String.contains
+       (between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum))
+       '|'
+
+let opens_block : Layout.token option -> bool = function
+  | Some { token = OPEN; _ } -> true
+  | Some _ | None -> false
+
+let is_local : Layout.block -> bool = function
+  | Where | Let | Do | Rec -> true
+  | Top | Of -> false
+
+(* The line is a signature up to here, and an array is the last in it. *)
+let is_in_a_size found =
+  let line = between found found.token.start.pos_bol found.token.start.pos_cnum in
+  let words = String.split_on_char ' ' (String.concat " " (String.split_on_char '(' line)) in
+  List.mem "::" words
+  && (not (List.mem "=" words))
+  &&
+  match List.filter (( <> ) "") (List.rev words) with
+  | _ :: "Array" :: _ -> true
+  | _ -> false
+
 let of_token found =
   match (found.token.token, found.before) with
   | _ when beginning found <> None -> Option.map snd (beginning found)
@@ -435,6 +468,20 @@ let of_token found =
   | THEN, _ when opens_with Layout.Then found.context ->
       Some "a chain of choices is written `if a then x else if b then y else z`"
   | BAR, _ when comprehension found <> None -> comprehension found
+  | BAR, before when encloses found && expects_more before ->
+      Some "the absolute value of `x` is `abs x`"
+  | (PARAM | DATA | TYPE | IMPORT | CLASS | INSTANCE | UNIT | FOREIGN), before
+    when between found found.token.start.pos_bol found.token.start.pos_cnum = ""
+         && (is_local (innermost_block found.context) || opens_block before) ->
+      Some
+        (Printf.sprintf "a `%s` stands at the left edge, among the program's definitions"
+           (written found found.token))
+  | STAR, Some _ when first_word found = "foreign" ->
+      Some "C is given the address of an array or a record anyway: leave out the `*`"
+  | (STAR | SLASH | MINUS | OPERATOR ("+" | "-")), Some _ when is_in_a_size found ->
+      Some
+        "sizes are not computed: a name of its own, as `m` in `Array m Float`, is any size, and \
+         `type Twice = 16` names one"
   | BAR, Some { token = EQUAL; _ } -> Some no_equation_before_guards
   | UPPER _, Some { token = LBRACE | COMMA; _ } when opens_with Layout.Brace found.context ->
       Some

@@ -29,6 +29,11 @@ let rec obstacle environment (ty : Ir.ty) =
   | Number (Representation_variable _, _) ->
       here "C has different functions for Int and Float" ~cure:"write `Float[…]` or `Int[…]`"
   | String | Function _ | Signal_function _ -> here compile_time
+  | Variable { name = ("double" | "float" | "int" | "bool") as name; _ } ->
+      let cure =
+        match name with "int" -> "`Int`" | "bool" -> "`Bool`" | _ -> "`Float`, which is a `double`"
+      in
+      here "a name in lower case is any type" ~cure:("C's type is written " ^ cure)
   | Variable _ ->
       here "C functions are of one type"
         ~cure:"import it once for each type, and each size, that is needed"

@@ -9,6 +9,8 @@ type reason =
       at : Span.t;
       position : int;
       decided_by : (Span.t * Type.t) option;
+      takes : int;
+      given : Resolve.Ir.expr list;
       later : Type.t list;
       before : string option;
       of_local : Span.t option;

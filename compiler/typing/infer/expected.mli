@@ -13,6 +13,8 @@ type reason =
       position : int;
       decided_by : (Span.t * Type.t) option;
           (** an earlier argument, where the parameter's type has that argument's type in it *)
+      takes : int;  (** how many parameters the callee has *)
+      given : Resolve.Ir.expr list;  (** all its arguments *)
       later : Type.t list;  (** of the parameters of the arguments that come after it *)
       before : string option;  (** the operator behind the argument, if it is the last one *)
       of_local : Span.t option;

@@ -113,10 +113,26 @@ let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
       |> List.iter (Diagnostic.emit ctx.reader.sink)
   | Some _ | None -> ()
 
+(* A signal function of which the signature says a function, or the other way round: which
+   of them is wrong nobody knows, so that uses are not judged by the signature. *)
+let distrust ctx declared (b : Resolve.Ir.binding) =
+  let name, _ = top b in
+  match (Global_table.find_opt declared name, Diagnostic.last ctx.reader.sink) with
+  | Some { at; _ }, Some { code = "E0304"; labels; _ }
+    when List.exists (fun (l : Diagnostic.label) -> Span.compare l.at at = 0) labels ->
+      let scheme = Type.monomorphic Erroneous in
+      Global_table.replace ctx.globals name { scheme; kind = Defined; at = Some at }
+  | _ -> ()
+
 let group ctx declared (g : Resolve.Ir.binding_group) =
   let ctx = in_group ctx in
   let expectations = List.map (expectation ctx declared ~recursive:g.recursive) g.bindings in
-  let check (b : Resolve.Ir.binding) = check ~name:(fst (top b)).name b in
+  let check (b : Resolve.Ir.binding) expectation =
+    let before = errors ctx in
+    let value = check ~name:(fst (top b)).name b expectation in
+    if errors ctx > before then distrust ctx declared b;
+    value
+  in
   let values = List.map2 check g.bindings expectations in
   settle ctx;
   generalize ctx declared g.bindings expectations;

@@ -60,7 +60,7 @@ let rec without_first n = function
 let later given argument = without_first argument.position given
 
 (* Why the argument must have the parameter's type. *)
-let reason ctx ~(head : Resolve.Ir.expr) ~decided_by ~later ~before ~previous
+let reason ctx ~(head : Resolve.Ir.expr) ~takes ~arguments ~decided_by ~later ~before ~previous
   argument : Expected.reason =
   match (argument.style, previous) with
   | Operator operator, Some ((other : Resolve.Ir.expr), other_type) ->
@@ -72,6 +72,8 @@ let reason ctx ~(head : Resolve.Ir.expr) ~decided_by ~later ~before ~previous
           at = head.span;
           position = argument.position;
           decided_by;
+          takes;
+          given = List.map (fun a -> a.value) arguments;
           later;
           before;
           of_local = (match head.desc with Local x -> first_use ctx x ~at:head.span | _ -> None);
@@ -285,7 +287,7 @@ let infer expressions ctx e =
     | Some (operand, operator) when operand == e && argument.span = e.span -> Some operator
     | Some _ | None -> None
   in
-  let apply given (function_, previous) argument decided_by =
+  let apply ~takes given (function_, previous) argument decided_by =
     match previous with
     | Some (_, left) when negative && is_function left ->
         (* what follows the minus was meant otherwise *)
@@ -293,7 +295,8 @@ let infer expressions ctx e =
     | _ ->
         let later = later given argument in
         let because =
-          reason ctx ~head ~decided_by ~later ~before:(before argument) ~previous argument
+          reason ctx ~head ~takes ~arguments ~decided_by ~later
+            ~before:(before argument) ~previous argument
         in
         let next, ty =
           step expressions ctx ~operand ~head ~negative ~because ~previous function_ argument
@@ -320,7 +323,9 @@ let infer expressions ctx e =
       in
       let before = errors ctx in
       let apply (state, types, failed) argument decided_by =
-        let next, previous = apply given state argument decided_by in
+        let next, previous =
+          apply ~takes:(List.length parameters) given state argument decided_by
+        in
         let ty = Option.fold previous ~none:Type.Erroneous ~some:snd in
         let failed =
           match failed with

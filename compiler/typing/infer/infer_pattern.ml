@@ -29,7 +29,11 @@ let rec check ctx (p : Resolve.Ir.pattern) (expected : Expected.t) : Ir.pattern 
         | Erroneous -> List.map (fun _ -> Type.Erroneous) elements
         | _ ->
             let types = List.map (fun _ -> Context.fresh ctx) elements in
+            let before = errors ctx in
             expect ctx ~at:p.span expected (Tuple types);
+            if types = [] && errors ctx > before then
+              Basis.Diagnostic.revise_last ctx.reader.sink
+                (Basis.Diagnostic.hint "`_` takes every value, and looks at none");
             types
       in
       let elements =

@@ -44,8 +44,24 @@ let exchanged ~parameters ~given ~position =
     | Number (_, u), Number (_, u') -> Units.equal u u'
     | _ -> false
   in
+  (* a `0` goes everywhere: that the other number is none for its place says more *)
+  let is_open_number t =
+    match Type.expand t with
+    | Number (r, _) -> (
+        match Type.representation r with Flexible_representation _ -> true | _ -> false)
+    | _ -> false
+  in
+  let of_numbers =
+    match (List.nth_opt parameters (position - 1), List.nth_opt given (position - 1)) with
+    | Some wanted, Some given -> (
+        match (Type.expand wanted, Type.expand given) with
+        | Number (r, _), Number (r', _) -> not (representations_agree r r')
+        | _ -> false)
+    | _ -> false
+  in
   let fit i =
     if i = position || i > List.length parameters then false
+    else if is_open_number (List.nth given (i - 1)) && of_numbers then false
     else if alike (List.nth given (i - 1)) (List.nth given (position - 1)) then false
     else
       let moved j = if j = i then position else if j = position then i else j in

@@ -52,6 +52,19 @@ let is_beside wanted found =
       | _ -> false)
   | _ -> false
 
+(* The time of `after 5[s] ()`. *)
+let after words (subject : Resolve.Ir.expr option) =
+  match subject with
+  | Some
+      {
+        desc =
+          Apply { head = { desc = Apply { head = { desc = Global { name = "after"; _ }; _ };
+            argument = time; _ }; _ }; _ };
+        _;
+      } ->
+      Option.map Source.grouped (Show.quote words time.span)
+  | _ -> None
+
 let of_numbers found =
   Environment.is_event found
   && Option.fold (content found) ~none:false ~some:(fun t ->
@@ -151,6 +164,11 @@ let hint words ~subject ~(expected : Expected.t) ~found =
                 none at all in `NoEvent`"
                (value words x))
       | None -> None)
+  | Condition when Environment.is_event found && after words subject <> None ->
+      Some
+        (Printf.sprintf
+           "this occurs once, at one instant; `elapsed %s ()` is True from then on"
+           (Option.get (after words subject)))
   | Condition when Type.expand found = Tuple [] ->
       Some "`()` says no more than that something has happened, or has ended"
   | Condition when is_maybe found && Option.map Type.expand (content found) = Some Bool ->

@@ -140,6 +140,10 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
           "the elements of an array are separated by commas, factors by `*`: `[%s, …]`"
            digits)
         diagnostic
+  | Data _, Global { name = ("when" | "edge"); _ } when Environment.is_event left ->
+      hint
+        "it makes an event of a truth; a choice between two values is `if c then a else b`"
+        diagnostic
   | Data { tycon; _ }, _ when tycon = Environment.array ->
       let array = Plain_name.of_expr head and index = Show.quote words at in
       let written array index = Printf.sprintf "%s ! %s" array index in

@@ -223,9 +223,60 @@ let factor_without_unit words ~subject (wanted, given) diagnostic =
         diagnostic
   | _ -> diagnostic
 
+(* `2 * e`, of which the factor is a gain. *)
+let gain words ~(subject : Resolve.Ir.expr option) (wanted, given) diagnostic =
+  let is_one u = Units.equal u Units.one in
+  match subject with
+  | Some
+      {
+        desc =
+          Apply
+            {
+              head =
+                {
+                  desc =
+                    Apply
+                      {
+                        head = { desc = Global { name = "*"; _ }; _ };
+                        argument = { desc = Number { digits; unit_ = None; _ }; span };
+                        _;
+                      };
+                  _;
+                };
+              _;
+            };
+        _;
+      }
+    when diagnostic.hints = []
+         && not (Units.is_open wanted || Units.is_open given || is_one given || is_one wanted) ->
+      let text =
+        Printf.sprintf "%s[%s]" digits (Show.measure words (Units.divide wanted given))
+      in
+      hint (Printf.sprintf "if the factor is a gain, it has a unit: `%s`" text) diagnostic
+      |> write span text
+  | _ -> diagnostic
+
+(* A signal function that is run by what is the whole value of a definition. *)
+let rec runs words (e : Resolve.Ir.expr option) =
+  match e with
+  | Some { desc = Apply { head; style = Juxtaposed; _ }; _ } -> runs words (Some head)
+  | Some { desc = Global g; _ } -> (
+      match Show.declared words g with
+      | Some ty when List.mem "SF" (String.split_on_char ' ' ty) -> Some g.name
+      | _ -> None)
+  | _ -> None
+
 (* The result may be right, and the signature not. *)
-let signature_of_this words ~(expected : Expected.t) (wanted, given) diagnostic =
+let signature_of_this words ~subject ~(expected : Expected.t) (wanted, given) diagnostic =
   match expected.because with
+  | Signature { name; _ } when runs words subject <> None ->
+      hint
+        (Printf.sprintf
+           "`%s` is a signal function, and runs in a `proc`: `%s = proc x -> …`, of the type `SF … \
+            …`"
+           (Option.get (runs words subject))
+           name)
+        diagnostic
   | (Signature _ | Output (Signature _))
     when (not (Units.is_open wanted || Units.is_open given || Units.equal given Units.one))
          && (not (Units.equal (Units.multiply wanted wanted) given))
@@ -256,8 +307,9 @@ let units words ~subject ~at ~(expected : Expected.t) ~found (wanted, given) =
   if is_number expected.ty && is_number found then
     conversion words ~subject (wanted, given) diagnostic
     |> by_time ~expected
+    |> gain words ~subject (wanted, given)
     |> factor_without_unit words ~subject (wanted, given)
-    |> signature_of_this words ~expected (wanted, given)
+    |> signature_of_this words ~subject ~expected (wanted, given)
   else
     without_brackets words (wanted, given) diagnostic
     |> note

@@ -96,7 +96,11 @@ let lacking_arguments words ~subject missing d =
       | Some (({ desc = Apply _; _ } as e), Some head) ->
           let all = missing + List.length (arguments_of e) in
           label ~at:e.span (Printf.sprintf "`%s` is this, and lacks %s" x.name (count missing)) d
-          |> hint (Printf.sprintf "`%s` takes %s" head (count all))
+          |> hint
+               (match declared words (Some e) with
+               | Some (_, ty) when List.compare_length_with (arguments_of e) 0 > 0 ->
+                   Printf.sprintf "`%s` takes %s: `%s :: %s`" head (count all) head ty
+               | _ -> Printf.sprintf "`%s` takes %s" head (count all))
           |> Option.some
       | _ -> None)
   | _ -> None
@@ -202,6 +206,9 @@ let hint_to_group name operator =
   hint
     (Printf.sprintf "application binds tighter than `%s`: write `%s (… %s …)`"
        operator name operator)
+
+let takes (expected : Expected.t) =
+  match expected.because with Parameter { takes; _ } -> takes | _ -> 0
 
 (* A function of the program's own that is applied to one thing. *)
 let of_a_local_function (e : Resolve.Ir.expr option) =
@@ -390,8 +397,18 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       |> hint "`constant e` is the signal function that always gives `e`"
   | Tuple (_ :: _ as wanted), (Number _ | Bool | Data _), _ when is_a_parameter expected ->
       let name = match expected.because with Parameter { callee = Some f; _ } -> f | _ -> "f" in
-      let others = List.mapi (fun i _ -> Variable_name.nth Variable_name.Type (i + 1))
-        (List.tl wanted) in
+      let written =
+        match expected.because with
+        | Parameter { given; _ } when List.compare_lengths given wanted = 0 ->
+            List.map (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) (List.tl given)
+        | _ -> []
+      in
+      let other i _ =
+        match List.nth_opt written i with
+        | Some (Some text) -> text
+        | Some None | None -> Variable_name.nth Variable_name.Type (i + 1)
+      in
+      let others = List.mapi other (List.tl wanted) in
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint
            (Printf.sprintf "`%s` takes one tuple of %d: `%s (%s)`" name (List.length wanted) name
@@ -475,8 +492,13 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
       error ~code:"E0301" ~at "expected %s, found a tuple of %d" (text expected.ty)
         (List.length elements)
       |> hint
-           (Printf.sprintf "several arguments stand side by side: `%s %s`" name
-              (String.concat " " arguments))
+           (match (takes expected, name) with
+           | 1, "atan" ->
+               Printf.sprintf "of two numbers it is `atan2 %s`" (String.concat " " arguments)
+           | 1, _ -> Printf.sprintf "`%s` takes one argument, and no tuple" name
+           | _ ->
+               Printf.sprintf "several arguments stand side by side: `%s %s`" name
+                 (String.concat " " arguments))
   | _ -> (
       let tasks =
         match (Environment.as_task expected.ty, Environment.as_task found) with

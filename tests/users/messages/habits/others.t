@@ -335,15 +335,7 @@ a colon after a condition.
     |
     = hint: a `;` ends a definition; there is a `,` between two elements, and rows are arrays: `[[1, 2], [3, 4]]`
   
-  error[E0110]: expected `=` after the left side of a definition, found `,`
-   --> writings.frob:1:17
-    |
-  1 | table = [1, 2; 3, 4]
-    |                 ^
-    |
-    = hint: nothing is called for its effect: an equation gives a value a name, as in `v = 0.3[m/s]`
-  
-  2 errors
+  1 error
   [1]
   $ cat > writings.frob <<'EOF'
   > sign :: Float -> Float

@@ -533,7 +533,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   5 |     v = limit (0.5[1/s] * frontSonar i))
     |         ------------------------------- `v` is this, and lacks one argument
     |
-    = hint: `limit` takes two arguments
+    = hint: `limit` takes two arguments: `limit :: n[u] -> n[u] -> n[u]`
   
   1 error
   # 046_argument_too_many.frob

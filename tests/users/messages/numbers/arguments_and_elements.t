@@ -58,7 +58,7 @@ Arguments:
   5 |     v = limit (0.5[1/s] * frontSonar i))
     |         ------------------------------- `v` is this, and lacks one argument
     |
-    = hint: `limit` takes two arguments
+    = hint: `limit` takes two arguments: `limit :: n[u] -> n[u] -> n[u]`
   
   1 error
   [1]

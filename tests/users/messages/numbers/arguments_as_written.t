@@ -65,7 +65,7 @@ Two arguments for one pair:
     |                                                     |
     |                                                     argument 1 of `steer` is `(Distance, Distance)`
     |
-    = hint: `steer` takes one tuple of 2: `steer (frontSonar i, b)`
+    = hint: `steer` takes one tuple of 2: `steer (frontSonar i, sideSonar i)`
   
   1 error
   [1]

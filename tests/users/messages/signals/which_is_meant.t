@@ -1,0 +1,135 @@
+What a truth, an event, a function and a signal function are taken for.
+
+  $ cat > after.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = if after 5[s] () then 0 else 0.2[m/s])
+  > FROB
+  $ frobc check after.frob
+  error[E0301]: a condition must be `Bool`, but this is `Event ()`
+   --> after.frob:3:12
+    |
+  3 |     v = if after 5[s] () then 0 else 0.2[m/s])
+    |            ^^^^^^^^^^^^^
+    |
+    = hint: this occurs once, at one instant; `elapsed 5[s] ()` is True from then on
+  
+  1 error
+  [1]
+
+  $ cat > when.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = when (frontSonar i < 0.5[m]) 0 0.2[m/s])
+  > FROB
+  $ frobc check when.frob
+  error[E0302]: `when` takes 1 argument, but is given more
+   --> when.frob:3:38
+    |
+  3 |     v = when (frontSonar i < 0.5[m]) 0 0.2[m/s])
+    |         ----                         ^ one too many
+    |         |
+    |         with one argument the result is `Event ()`
+    |
+    = hint: it makes an event of a truth; a choice between two values is `if c then a else b`
+  
+  1 error
+  [1]
+
+  $ cat > function.frob <<'FROB'
+  > speedUp :: Float -> Float
+  > speedUp x = integral x
+  > main :: SF Float Float
+  > main = proc x -> speedUp x
+  > FROB
+  $ frobc check function.frob
+  error[E0320]: expected no unit, found `s`
+   --> function.frob:2:13
+    |
+  1 | speedUp :: Float -> Float
+    |            -------------- the signature of `speedUp` asks for `Float`
+  2 | speedUp x = integral x
+    |             ^^^^^^^^^^ this is `Float[s]`
+    |
+    = hint: `integral` is a signal function, and runs in a `proc`: `speedUp = proc x -> …`, of the type `SF … …`
+  
+  1 error
+  [1]
+
+A signature that says a function: it is told of the definition, and not again where that is used.
+
+  $ cat > signature.frob <<'FROB'
+  > import Robot
+  > go :: RobotInput -> RobotOutput
+  > go = switch (proc i -> (roMake (setVelTR 0.2[m/s] 0), edge (frontSonar i < 0.5[m]))) (\_ -> rest)
+  > rest :: SF RobotInput RobotOutput
+  > rest = proc _ -> roMake (setVelTR 0 0)
+  > main = reactimateRobot go
+  > FROB
+  $ frobc check signature.frob
+  error[E0304]: expected a function, found a signal function: `SF RobotInput RobotOutput`
+   --> signature.frob:3:6
+    |
+  2 | go :: RobotInput -> RobotOutput
+    |       ------------------------- the signature of `go` asks for `RobotInput -> RobotOutput`
+  3 | go = switch (proc i -> (roMake (setVelTR 0.2[m/s] 0), edge (frontSonar i < 0.5[m]))) (\_ -> rest)
+    |      ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+    |
+    = hint: the type of such a signal function is `SF RobotInput RobotOutput`
+  
+  1 error
+  [1]
+
+  $ cat > unit_pattern.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (switch (proc i -> (roMake (setVelTR 0.2[m/s] 0), tag (edge (bumped i)) (frontSonar i))) (\() -> proc _ -> roMake (setVelTR 0 0)))
+  > FROB
+  $ frobc check unit_pattern.frob
+  error[E0301]: expected `Distance` (m), found `()`
+   --> unit_pattern.frob:2:115
+    |
+  2 | main = reactimateRobot (switch (proc i -> (roMake (setVelTR 0.2[m/s] 0), tag (edge (bumped i)) (frontSonar i))) (\() -> …
+    |                         ------                                                                                    ^^
+    |                         |
+    |                         argument 2 of `switch` is `Distance` (m)
+    |
+    = hint: `_` takes every value, and looks at none
+  
+  1 error
+  [1]
+
+  $ cat > until.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (go `until` edge bumped)
+  > go = proc i -> roMake (setVelTR 0.2[m/s] 0)
+  > FROB
+  $ frobc check until.frob
+  error[E0205]: unknown name `until`
+   --> until.frob:2:29
+    |
+  2 | main = reactimateRobot (go `until` edge bumped)
+    |                             ^^^^^
+    |
+    = hint: one signal function until an event, and then another, is `switch`; a task until an event is ``t `abortWhen` sf``
+  
+  1 error
+  [1]
+
+  $ cat > input_of_a_task.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (do
+  >     let d = frontSonar i
+  >     if d < 0.5[m] then turnBy 90[deg] else forwardT)
+  > forwardT = forward 1[m]
+  > FROB
+  $ frobc check input_of_a_task.frob
+  error[E0205]: unknown name `i`
+   --> input_of_a_task.frob:3:24
+    |
+  3 |     let d = frontSonar i
+    |                        ^
+    |
+    = hint: what a robot senses has a name in a `proc` only, as in `proc i -> …`; a task reads it once by `d <- ask frontSonar`
+  
+  1 error
+  [1]
