@@ -38,6 +38,9 @@ STEREO_PACKAGES = python3-opencv python3-numpy python3-pip
 # What only `make prove` needs.
 PROVE_PACKAGES = frama-c-base cppcheck
 
+# What only `make wheel` and `make python` need; they take the rest from PyPI.
+WHEEL_PACKAGES = python3 python3-venv
+
 # What only `make rtamt` needs; it takes RTAMT from PyPI besides.
 RTAMT_PACKAGES = python3 python3-venv
 
@@ -80,7 +83,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt
+.PHONY: all setup run test vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt wheel python
 
 all: setup
 	dune build @install
@@ -171,6 +174,15 @@ rtamt: all
 	@sh tests/setup.sh $(RTAMT_PACKAGES)
 	@test -x _build/rtamt/bin/python || { python3 -m venv _build/rtamt && _build/rtamt/bin/pip install --quiet rtamt==0.4.10; }
 	@_build/rtamt/bin/python tests/meaning/rtamt/agree.py $(CURDIR)/$(FROBC) $(N) $(SEED)
+
+# The Python package with frobc and its hosts, in _build/wheel; and that wheel tried in
+# virtual environments, with what it works with. Both take tools from PyPI.
+wheel: all
+	@sh tests/setup.sh $(WHEEL_PACKAGES)
+	@sh runtime/python/wheel.sh $(CURDIR)/_build
+
+python: wheel
+	@sh tests/users/python/venv.sh $(CURDIR)/_build
 
 matrix: all
 	@sh tests/setup.sh $(MATRIX_PACKAGES)

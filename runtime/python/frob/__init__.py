@@ -4,6 +4,7 @@ from .data import Data
 from .errors import CompileError, Error, FrobWarning, InputError
 from .program import Program, compile
 from .recording import Assertion, Columns, read
+from .simulation import Picture, simulate
 
 __all__ = [
     "Assertion",
@@ -13,7 +14,9 @@ __all__ = [
     "Error",
     "FrobWarning",
     "InputError",
+    "Picture",
     "Program",
     "compile",
     "read",
+    "simulate",
 ]

@@ -155,7 +155,7 @@ class Program:
             return result if len(outs) == 1 else result.reshape(count, len(outs))  # type: ignore
         parts = columns.read(output, code.table.output_size, outs, count)
         stacked = [parts[name].astype(np.float64) for name, _ in outs]
-        return stacked[0] if len(outs) == 1 else np.column_stack(stacked)  # type: ignore
+        return stacked[0] if len(outs) == 1 else np.column_stack(stacked)
 
     def _run_columns(self, inputs: Any, dt: Any, time: Any) -> Any:
         np = columns.numpy()

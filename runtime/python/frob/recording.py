@@ -59,10 +59,11 @@ def read(file: PathLike) -> "Table":
         raise Error(f"cannot read {path}: {reason}") from None
     except UnicodeDecodeError:
         raise Error(f"{path} is not a recording: it is not text") from None
-    return parsed(path, text)
+    table: "Table" = parsed(path, text)
+    return table
 
 
-def parsed(path: str, text: str) -> "Table":
+def parsed(path: str, text: str) -> Any:
     head, rest, lines = _head(text)
     try:
         rows = [row for row in csv.reader(io.StringIO(rest, newline=""), strict=True) if row]

@@ -12,6 +12,7 @@ import pandas as pd
 
 import checks
 import frob
+from frob import tools
 
 
 def program(text, name="it.frob", **options):
@@ -104,7 +105,7 @@ class Mistakes(unittest.TestCase):
         text = "main :: SF Float Float\nmain = proc x -> y\n"
         with self.assertRaises(frob.CompileError) as caught:
             program(text)
-        checked = subprocess.run(["frobc", "check", "it.frob"], capture_output=True, text=True)
+        checked = subprocess.run([tools.frobc(), "check", "it.frob"], capture_output=True, text=True)
         self.assertEqual(str(caught.exception), checked.stderr.rstrip("\n"))
         with self.assertWarnsRegex(frob.FrobWarning, "nothing uses it"):
             program("main :: SF Float Float\nmain = proc x -> x where\n    spare = 2 * x\n")

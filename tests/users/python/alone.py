@@ -1,0 +1,23 @@
+"""The package with nothing but Python."""
+
+import sys
+
+import frob
+
+with open("half.frob", "w") as file:
+    file.write("main :: SF Float Float\nmain = proc x -> sin x / 2\n")
+half = frob.compile("half.frob")
+assert half.step(0.1, 0) == 0
+assert half.run([0, 0], time=[0, 1]) == [0, 0]
+try:
+    half.run({"in": [1.0]}, dt=1)
+except frob.Error as error:
+    assert str(error).startswith("columns and arrays need numpy, which is not installed"), error
+else:
+    sys.exit("columns without numpy")
+with open("go.frob", "w") as file:
+    file.write("import Robot\nmain :: Program RobotInput RobotOutput\n")
+    file.write("main = reactimateRobot (proc _ -> roMake (setVelTR 0.1[m/s] 0))\n")
+run = frob.simulate("go.frob", duration=1)
+assert isinstance(run, frob.Columns) and len(run["time"]) == 51 and run.attrs["params"] == {}
+print("ok   the package with nothing but Python")
