@@ -100,6 +100,11 @@ int frob_sim_look_through(frob_sim *sim, const char *camera) {
     return number ? static_cast<int>(*number) : -1;
 }
 
+const char *frob_sim_camera_name(const frob_sim *sim, std::size_t number) {
+    const auto &cameras = sim->simulation.scene().cameras;
+    return number < cameras.size() ? cameras[number].name.c_str() : nullptr;
+}
+
 const frob_image *frob_sim_frame(frob_sim *sim, std::size_t robot, int camera, std::int64_t time_ns) {
     return sim->simulation.newest_frame(time_ns, static_cast<std::size_t>(camera), robot);
 }

@@ -68,6 +68,9 @@ void frob_sim_read_robot(struct frob_sim *sim, size_t robot, void *input);
  * runs. Its number, or -1 if there is none in the world. */
 int frob_sim_look_through(struct frob_sim *sim, const char *camera);
 
+/* The name of the world's camera of this number, from 0; NULL if there are not so many. */
+const char *frob_sim_camera_name(const struct frob_sim *sim, size_t number);
+
 /* The newest frame of a robot's camera that has arrived by this time, once; NULL if there is none
  * that was not given before. It stays until the next call for the same camera. */
 const struct frob_image *frob_sim_frame(struct frob_sim *sim, size_t robot, int camera,

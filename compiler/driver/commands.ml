@@ -127,17 +127,17 @@ let host_table ~entry (files : Cgen.Emit.t) =
             compile it, and call it from C"
            entry)
 
-let for_robot ~name (files : Cgen.Emit.t) =
+let for_robot ~name ~sees (files : Cgen.Emit.t) =
   match (files.robot, files.cameras) with
   | None, _ ->
       Error (Printf.sprintf "%s is a program for no robot; `reactimateRobot` makes one" name)
-  | Some _, camera :: _ ->
+  | Some _, camera :: _ when not sees ->
       Error
         (Printf.sprintf
-           "%s looks through a camera, `%s`; there are cameras in the simulator only, where \
-            `frobc run` runs it"
+           "%s looks through a camera, `%s`; there are cameras in the simulator, and where Linux \
+            runs, but not on a board"
            name camera)
-  | Some _, [] -> Ok ()
+  | Some _, _ -> Ok ()
 
 let own_driver general =
   match Robots.own_of general.robot with
@@ -170,6 +170,7 @@ type linked = {
   inputs : string list;
   includes : string list;
   generated : (string * string) list;
+  sees : bool;
 }
 
 let built ?quiet ?batch general kind ~entry ~sources ~linked file continue =
@@ -177,9 +178,10 @@ let built ?quiet ?batch general kind ~entry ~sources ~linked file continue =
   let* () = all_exist sources in
   compiled ?quiet ?batch general resources ~entry file (fun (files : Cgen.Emit.t) ->
       let name = C_file.name file in
+      let linked = linked resources ~name in
       let* () =
         match (kind : Toolchain.kind) with
-        | Executable -> for_robot ~name files
+        | Executable -> for_robot ~name ~sees:linked.sees files
         | Shared_object -> Ok ()
       in
       let* host_table = host_table ~entry files in
@@ -193,7 +195,6 @@ let built ?quiet ?batch general kind ~entry ~sources ~linked file continue =
         else Some { Toolchain.sources; folders = files.foreign.folders }
       in
       let* program =
-        let linked = linked resources ~name in
         Toolchain.build ?machine:linked.machine kind ~headers:resources.headers
           ~inputs:linked.inputs ~includes:linked.includes ~foreign ~name
           ([
@@ -213,7 +214,7 @@ let with_runtime general (resources : Resources.t) ~name:_ =
         { (Toolchain.this_machine ()) with options = [ "-I"; resources.runtime_sources ] })
       (Robots.own_of general.robot)
   in
-  { machine; inputs = [ resources.runtime ]; includes = []; generated = [] }
+  { machine; inputs = [ resources.runtime ]; includes = []; generated = []; sees = true }
 
 let missing_host host =
   wrong_use (Printf.sprintf "the host %s is missing: install frobc again" host)

@@ -115,11 +115,12 @@ type linked = {
   inputs : string list;
   includes : string list;
   generated : (string * string) list;  (** more files, name and content *)
+  sees : bool;  (** it has hosts for programs with cameras *)
 }
 
-val for_robot : name:string -> Cgen.Emit.t -> (unit, string) result
-(** Executables and boards drive a robot, and have no camera yet; an error of a program [name]
-    for no robot, or with a camera. *)
+val for_robot : name:string -> sees:bool -> Cgen.Emit.t -> (unit, string) result
+(** Executables and boards drive a robot, and boards have no camera; an error of a program [name]
+    for no robot, or with a camera where the host has none. *)
 
 val built :
   ?quiet:bool ->

@@ -142,9 +142,20 @@ let run =
   in
   let settings =
     let doc =
-      "With $(b,--device): change a setting of the robot's driver; a wrong one lists them all."
+      "With $(b,--device): change a setting of the robot's driver, or of a camera, as \
+       $(b,camera.up=0.3); a wrong one lists them all."
     in
     Arg.(value & opt_all string [] & info [ "set" ] ~docv:"NAME=VALUE" ~doc)
+  in
+  let cameras =
+    let doc =
+      "With $(b,--device): where the frames of the program's camera come from. A device \
+       ($(b,/dev/video0)); a stream of MJPEG ($(b,http://HOST:PORT/PATH)); a folder of pictures; a \
+       pipe or a file of pictures (PPM, PGM, JPEG), or of raw frames whose $(b,camera.width) and \
+       $(b,camera.height) are set by $(b,--set). Of a program with several cameras: \
+       $(b,LABEL=SOURCE), for each."
+    in
+    Arg.(value & opt_all string [] & info [ "camera" ] ~docv:"SOURCE" ~doc)
   in
   let priority =
     let doc = "With $(b,--device): run with this real-time priority, 1 to 99." in
@@ -154,14 +165,14 @@ let run =
     let doc = "With $(b,--device): keep the program's memory from being swapped out." in
     Arg.(value & flag & info [ "lock-memory" ] ~doc)
   in
-  let on_robot device duration rate record patience reconnect settings priority lock_memory
-      exit_when_done console look =
+  let on_robot device duration rate record patience reconnect settings cameras priority
+      lock_memory exit_when_done console look =
     match device with
     | Some device ->
         Ok
           {
             Driver.Real_robot.device; duration; rate; record; patience; reconnect; settings;
-            priority; lock_memory; exit_when_done; console; look;
+            cameras; priority; lock_memory; exit_when_done; console; look;
           }
     | None ->
         let given name option = if option then Some name else None in
@@ -169,14 +180,14 @@ let run =
           (List.filter_map Fun.id
              [
                given "--patience" (patience <> None); given "--reconnect" (reconnect <> None);
-               given "--set" (settings <> []); given "--priority" (priority <> None);
+               given "--set" (settings <> []); given "--camera" (cameras <> []); given "--priority" (priority <> None);
                given "--lock-memory" lock_memory;
              ])
   in
   let on_robot =
     Term.(
       const on_robot $ device $ duration $ rate $ record $ patience $ reconnect $ settings
-      $ priority $ lock_memory $ exit_when_done $ console $ look)
+      $ cameras $ priority $ lock_memory $ exit_when_done $ console $ look)
   in
   let make general entry sources on_robot world duration rate seed realtime record picture strict
     exit_when_done console look file =
@@ -353,6 +364,13 @@ let serve =
     some Arg.int [ "tcp" ] ~docv:"PORT"
       ~doc:"Listen on this port of 127.0.0.1 instead of a pseudo-terminal; 0 takes a free one."
   in
+  let camera =
+    some Arg.int [ "camera" ] ~docv:"PORT"
+      ~doc:
+        "Give what the cameras of the world see as MJPEG over HTTP, on this port of 127.0.0.1; 0 \
+         takes a free one. A line $(b,camera:) for each tells its address, for $(b,frobc run \
+         --camera) or a browser."
+  in
   let duration =
     some time_span [ "for" ] ~docv:"TIME" ~doc:"How long to run. Without it: until it is ended."
   in
@@ -372,8 +390,8 @@ let serve =
     in
     Arg.(value & opt_all string [] & info [ "with" ] ~docv:"FILE.c" ~doc)
   in
-  let make robot sources world seed tcp duration model log link =
-    Driver.Real_robot.serve ~robot ~sources { world; seed; tcp; duration; model; log; link }
+  let make robot sources world seed tcp camera duration model log link =
+    Driver.Real_robot.serve ~robot ~sources { world; seed; tcp; camera; duration; model; log; link }
   in
   let man =
     [
@@ -386,4 +404,4 @@ let serve =
     ]
   in
   command "serve" ~man ~doc:"a simulated robot behind a serial line"
-    Term.(const make $ robot $ sources $ world $ seed $ tcp $ duration $ model $ log $ link)
+    Term.(const make $ robot $ sources $ world $ seed $ tcp $ camera $ duration $ model $ log $ link)

@@ -17,6 +17,7 @@
 
 #include <unistd.h>
 
+#include "camera_port.h"
 #include "options.h"
 #include "own_firmware.h"
 #include "robots.h"
@@ -104,11 +105,16 @@ bool plug(Server &server, const Options &options, const Log &tell) {
     return std::fflush(stdout) == 0;
 }
 
-void run(Server &server, const Options &options, std::int64_t started_ns, const Log &tell) {
+void run(Server &server, CameraPort *cameras, const Options &options, std::int64_t started_ns,
+         const Log &tell) {
     const auto end_ns = static_cast<std::int64_t>(options.duration_s * 1e9);
     // Without it nobody would know the device.
     if (!plug(server, options, tell) && options.link.empty())
         throw WrongUse(std::string("cannot write standard output: ") + std::strerror(errno));
+    if (cameras != nullptr)
+        for (const std::string &address : cameras->addresses())
+            std::printf("camera: %s\n", address.c_str());
+    std::fflush(stdout);
     while (!ended) {
         const std::int64_t time_ns = clock_ns() - started_ns;
         if (end_ns > 0 && time_ns >= end_ns) break;
@@ -122,6 +128,7 @@ void run(Server &server, const Options &options, std::int64_t started_ns, const 
             plug(server, options, tell);
         }
         server.advance(time_ns);
+        if (cameras != nullptr) cameras->advance(time_ns);
         server.wait(time_ns);
     }
     unlink_own(options, server);
@@ -132,6 +139,9 @@ int serve(const Options &options) {
     const OwnRobot own = options.own.empty() ? OwnRobot{} : load_own_robot(options.own, options.robot);
     const Simulation sim = open_simulation(options, own);
     if (!sim) return 2;
+    const std::unique_ptr<CameraPort> cameras =
+        options.camera_port < 0 ? nullptr
+                                : std::make_unique<CameraPort>(sim.get(), options.camera_port);
     const std::unique_ptr<Firmware> firmware =
         own.board ? std::make_unique<OwnFirmware>(*own.board, sim.get(),
                                                   options.rate != 0 ? options.rate : own.board->rate)
@@ -152,7 +162,7 @@ int serve(const Options &options) {
     }
     Server server(*firmware, options.paced);
     catch_signals();
-    run(server, options, started_ns, [&](const std::string &text) {
+    run(server, cameras.get(), options, started_ns, [&](const std::string &text) {
         std::fprintf(stderr, "%s\n", text.c_str());
         if (log.is_open()) write_log(clock_ns() - started_ns, text);
     });

@@ -19,6 +19,7 @@ const char usage[] =
     "  --world FILE       the world the robot is in\n"
     "  --seed N           of all noise (1)\n"
     "  --tcp PORT         listen on 127.0.0.1 instead of a pseudo-terminal; 0: any free port\n"
+    "  --camera PORT      the world's cameras as MJPEG over HTTP, on 127.0.0.1; 0: any free port\n"
     "  --for SECONDS      how long to run (until it is ended)\n"
     "  --rate BITS        per second, of the line at first (what is usual)\n"
     "  --unpaced          bytes take no time\n"
@@ -54,6 +55,7 @@ void set(Options &o, const std::string &option, const std::string &value) {
     else if (option == "--world") o.world = value;
     else if (option == "--seed") o.seed = whole(option, value, UINT64_MAX);
     else if (option == "--tcp") o.tcp_port = static_cast<int>(whole(option, value, 65535));
+    else if (option == "--camera") o.camera_port = static_cast<int>(whole(option, value, 65535));
     else if (option == "--for") o.duration_s = number(option, value, 0.0, 1e6);
     else if (option == "--rate")
         o.rate = static_cast<std::uint32_t>(whole(option, value, 4000000));

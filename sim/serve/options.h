@@ -13,6 +13,7 @@ struct Options {
     std::string world;
     std::uint64_t seed = 1;
     int tcp_port = -1;       // a pseudo-terminal instead if negative
+    int camera_port = -1;    // for the world's cameras; none if negative
     double duration_s = 0.0; // 0: until it is ended
     std::uint32_t rate = 0;        // of the line at first; 0: what is usual for the robot
     bool paced = true;       // bytes take their time

@@ -8,6 +8,7 @@ type serve = {
   world : string option;
   seed : int;
   tcp : int option;
+  camera : int option;
   duration : float option;
   model : string option;
   log : string option;
@@ -56,6 +57,7 @@ let serve ~robot ~sources serve =
     @ option "--robot" robot
     @ option "--own" own
     @ option "--tcp" (Option.map string_of_int serve.tcp)
+    @ option "--camera" (Option.map string_of_int serve.camera)
     @ option "--for" (Option.map seconds serve.duration)
     @ option "--model" serve.model
     @ option "--log" serve.log
@@ -69,6 +71,7 @@ type run = {
   patience : float option;
   reconnect : float option;
   settings : string list;
+  cameras : string list;
   priority : int option;
   lock_memory : bool;
   exit_when_done : bool;
@@ -108,6 +111,7 @@ let run general ~entry ~sources ~simulated run file =
         @ General.param_options params
         @ General.assert_options general
         @ List.concat_map (fun setting -> [ "--set"; setting ]) run.settings
+        @ List.concat_map (fun source -> [ "--camera"; source ]) run.cameras
         @ option "--priority" (Option.map string_of_int run.priority)
         @ flag "--lock-memory" run.lock_memory
         @ flag "--exit-when-done" run.exit_when_done

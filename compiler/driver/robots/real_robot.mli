@@ -5,6 +5,7 @@ type serve = {
   world : string option;
   seed : int;
   tcp : int option;  (** a port of this machine, instead of a pseudo-terminal *)
+  camera : int option;  (** a port of this machine, for the cameras of the world *)
   duration : float option;  (** s; until it is ended otherwise *)
   model : string option;  (** of the robot *)
   log : string option;  (** file for the commands that arrive *)
@@ -21,7 +22,8 @@ type run = {
   record : string option;
   patience : float option;  (** s *)
   reconnect : float option;  (** s *)
-  settings : string list;  (** of the driver, [NAME=VALUE] *)
+  settings : string list;  (** of the driver, [NAME=VALUE], or of a camera, [LABEL.NAME=VALUE] *)
+  cameras : string list;  (** where their frames come from: [SOURCE], or [LABEL=SOURCE] *)
   priority : int option;
   lock_memory : bool;
   exit_when_done : bool;  (** when the program's task has ended *)

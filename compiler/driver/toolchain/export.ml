@@ -105,7 +105,7 @@ let platformio (general : General.t) ~entry ~sources ~folder file =
   let* () = Commands.all_exist sources in
   Commands.compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
       let name = C_file.name file in
-      let* () = Commands.for_robot ~name files in
+      let* () = Commands.for_robot ~name ~sees:false files in
       let* table = Commands.host_table ~entry files in
       let generated =
         [

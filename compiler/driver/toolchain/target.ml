@@ -123,16 +123,18 @@ let linked ?own t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
         inputs = [ resources.robot_host; resources.runtime ];
         includes = [];
         generated = [ driver ];
+        sees = true;
       }
   | Linux options ->
       let inputs, includes =
-        from_sources resources [ "core"; "hal/posix"; "hosts/common"; "hosts/robot" ]
+        from_sources resources [ "core"; "hal/posix"; "hosts/common"; "hosts/camera"; "hosts/robot" ]
       in
       {
         machine = Some (machine t (options @ ("-D_GNU_SOURCE" :: include_)));
         inputs;
         includes;
         generated = [ driver ];
+        sees = true;
       }
   | Board { port; script; options; single } ->
       let inputs, includes =
@@ -150,6 +152,7 @@ let linked ?own t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
         inputs;
         includes = script :: includes;
         generated = [ state_of name; driver ];
+        sees = false;
       }
 
 let size_tool t =

@@ -17,6 +17,10 @@ static const char usage[] =
     "                     before the robot is stopped (0.2)\n"
     "  --reconnect SECONDS\n"
     "                     how long to wait for a robot that was lost (30)\n"
+    "  --camera SOURCE    where the frames of the program's camera come from: a device, as\n"
+    "                     /dev/video0; http://HOST:PORT/PATH, a stream of MJPEG; a folder of\n"
+    "                     pictures; a pipe or file of pictures, or of raw frames.\n"
+    "                     LABEL=SOURCE for one of several cameras\n"
     "  --param NAME=VALUE the value of a parameter of the program, in its unit\n"
     "  --set NAME=VALUE   change a setting of the driver, see below\n"
     "  --priority N       run with real-time priority N, 1 to 99\n"
@@ -47,6 +51,23 @@ static void show_params(const struct frob_program *program)
     }
 }
 
+/* What is set of each, behind its label and a point. */
+static void show_cameras(const struct frob_program *program)
+{
+    struct camera_options cameras[CAMERAS_MOST];
+    size_t count = 0;
+    if (!cameras_options(cameras, &count, program) || count == 0)
+        return;
+    printf("\nSettings of a camera, as `--set %s.up=0.5`:\n", cameras[0].label);
+    for (size_t i = 0; i < CAMERA_SETTING_COUNT; i++) {
+        const struct frob_setting *s = &camera_settings[i];
+        printf("  %-18s %s", s->name, s->meaning);
+        if (!isnan(s->initial))
+            printf(" (%g)", s->initial);
+        printf("\n");
+    }
+}
+
 static void show_usage(const struct frob_program *program, const struct frob_driver *driver)
 {
     const char *name = program->name;
@@ -60,6 +81,7 @@ static void show_usage(const struct frob_program *program, const struct frob_dri
         else
             printf(" (%g)\n", s->initial);
     }
+    show_cameras(program);
     show_params(program);
 }
 
@@ -76,8 +98,83 @@ static bool number(const char *option, const char *text, double low, double high
     return true;
 }
 
+/* The camera of the label that the text begins with, before `mark`; NULL if there is none. */
+static struct camera_options *camera_of(struct options *o, const char *text, char mark)
+{
+    for (size_t i = 0; i < o->camera_count; i++) {
+        const size_t length = strlen(o->cameras[i].label);
+        if (strncmp(text, o->cameras[i].label, length) == 0 && text[length] == mark)
+            return &o->cameras[i];
+    }
+    return NULL;
+}
+
+/* NAME=VALUE, of a camera. */
+static bool set_camera(struct camera_options *camera, const char *text)
+{
+    const char *equals = strchr(text, '=');
+    const size_t length = equals != NULL ? (size_t)(equals - text) : strlen(text);
+    for (size_t i = 0; i < CAMERA_SETTING_COUNT; i++) {
+        const struct frob_setting *s = &camera_settings[i];
+        if (strlen(s->name) == length && strncmp(s->name, text, length) == 0 && equals != NULL)
+            return number(s->name, equals + 1, s->least, s->greatest, &camera->settings[i]);
+    }
+    fprintf(stderr, "error: `%s` is no setting of a camera; write %s.NAME=VALUE with one of:", text,
+            camera->label);
+    for (size_t i = 0; i < CAMERA_SETTING_COUNT; i++)
+        fprintf(stderr, "%s %s", i == 0 ? "" : ",", camera_settings[i].name);
+    fprintf(stderr, "\n");
+    return false;
+}
+
+/* SOURCE, or LABEL=SOURCE. */
+static bool set_source(struct options *o, const char *program, const char *text)
+{
+    struct camera_options *camera = camera_of(o, text, '=');
+    const char *source = camera != NULL ? text + strlen(camera->label) + 1 : text;
+    if (camera == NULL && o->camera_count == 1)
+        camera = &o->cameras[0];
+    if (camera == NULL) {
+        fprintf(stderr, o->camera_count == 0
+                            ? "error: %s looks through no camera: --camera is nothing for it\n"
+                            : "error: %s looks through several cameras: say which one it is, as "
+                              "--camera %s=%s\n",
+                program, o->camera_count == 0 ? "" : o->cameras[0].label, text);
+        return false;
+    }
+    camera->source = source;
+    return true;
+}
+
+/* Each camera needs a source; raw frames have both sides or none. */
+static bool check_cameras(const struct options *o, const char *program)
+{
+    for (size_t i = 0; i < o->camera_count; i++) {
+        const struct camera_options *c = &o->cameras[i];
+        const double width = c->settings[CAMERA_WIDTH], height = c->settings[CAMERA_HEIGHT];
+        if (c->source == NULL || c->source[0] == '\0') {
+            fprintf(stderr,
+                    "error: %s looks through a camera, `%s`: name its source with --camera "
+                    "%s%sSOURCE, as /dev/video0 or http://HOST:PORT/PATH\n",
+                    program, c->label, o->camera_count > 1 ? c->label : "",
+                    o->camera_count > 1 ? "=" : "");
+            return false;
+        }
+        if ((width > 0.0) != (height > 0.0)) {
+            fprintf(stderr, "error: of camera `%s` set both width and height, or none\n", c->label);
+            return false;
+        }
+        if (width * height * 3.0 > (double)BUFFERS_ROOM) {
+            fprintf(stderr, "error: camera `%s`: there is room for frames of 1920 x 1200 pixels, "
+                            "and not %g x %g\n", c->label, width, height);
+            return false;
+        }
+    }
+    return true;
+}
+
 /* NAME=VALUE */
-static bool set(const struct frob_driver *driver, const char *text, double *settings)
+static bool set_driver(const struct frob_driver *driver, const char *text, double *settings)
 {
     const char *equals = strchr(text, '=');
     size_t length = equals != NULL ? (size_t)(equals - text) : strlen(text);
@@ -92,6 +189,13 @@ static bool set(const struct frob_driver *driver, const char *text, double *sett
         fprintf(stderr, "%s %s", i == 0 ? "" : ",", driver->settings[i].name);
     fprintf(stderr, "\n");
     return false;
+}
+
+static bool set(const struct frob_driver *driver, const char *text, struct options *o)
+{
+    struct camera_options *camera = camera_of(o, text, '.');
+    return camera != NULL ? set_camera(camera, text + strlen(camera->label) + 1)
+                          : set_driver(driver, text, o->settings);
 }
 
 /* With no patience nothing would ever stop the robot, or everything would. */
@@ -109,8 +213,8 @@ static bool patience(const char *text, double *result)
     return true;
 }
 
-static bool valued(const struct frob_driver *driver, struct options *o, const char *name,
-                   const char *value)
+static bool valued(const struct frob_driver *driver, const struct frob_program *program,
+                   struct options *o, const char *name, const char *value)
 {
     double x;
     if (strcmp(name, "--device") == 0)
@@ -128,7 +232,9 @@ static bool valued(const struct frob_driver *driver, struct options *o, const ch
     else if (strcmp(name, "--param") == 0)
         o->params[o->param_count++] = value;
     else if (strcmp(name, "--set") == 0)
-        return set(driver, value, o->settings);
+        return set(driver, value, o);
+    else if (strcmp(name, "--camera") == 0)
+        return set_source(o, program->name, value);
     else if (strcmp(name, "--priority") == 0) {
         if (!number(name, value, 1.0, 99.0, &x))
             return false;
@@ -148,7 +254,7 @@ enum options_result read_options(int argc, char **argv, const struct frob_progra
     o->patience_s = 0.2;
     o->reconnect_s = 30.0;
     o->params = (const char **)calloc((size_t)argc, sizeof *o->params);
-    if (o->params == NULL)
+    if (o->params == NULL || !cameras_options(o->cameras, &o->camera_count, program))
         return OPTIONS_WRONG;
     for (size_t i = 0; i < driver->setting_count && i < SETTINGS_MOST; i++)
         o->settings[i] = driver->settings[i].initial;
@@ -175,7 +281,7 @@ enum options_result read_options(int argc, char **argv, const struct frob_progra
         } else if (i + 1 == argc) {
             fprintf(stderr, "error: `%s` is unknown, or needs a value\n", argv[i]);
             return OPTIONS_WRONG;
-        } else if (!valued(driver, o, argv[i], argv[i + 1])) {
+        } else if (!valued(driver, program, o, argv[i], argv[i + 1])) {
             return OPTIONS_WRONG;
         } else {
             i++;
@@ -185,6 +291,13 @@ enum options_result read_options(int argc, char **argv, const struct frob_progra
         fprintf(stderr, "error: --device is missing: the serial line of the %s; --help says how to "
                         "use this\n",
                 driver->robot);
+        return OPTIONS_WRONG;
+    }
+    if (!check_cameras(o, program->name))
+        return OPTIONS_WRONG;
+    if (o->viewer != NULL && o->record == NULL && o->camera_count > 0) {
+        fprintf(stderr, "error: this program sees, and what it saw is shown from the frames beside a "
+                        "recording: `--view` needs `--record LOG.csv` too\n");
         return OPTIONS_WRONG;
     }
     return OPTIONS_RUN;

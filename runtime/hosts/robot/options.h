@@ -9,6 +9,7 @@
 #include <frob/program.h>
 
 #include "drivers/driver.h"
+#include "hosts/camera/cameras.h"
 
 enum { SETTINGS_MOST = 64 };
 
@@ -30,6 +31,8 @@ struct options {
     const char **params;  /* values of the program's parameters, NAME=VALUE each */
     size_t param_count;
     double settings[SETTINGS_MOST]; /* of the driver, in its order */
+    struct camera_options cameras[CAMERAS_MOST]; /* that the program looks through */
+    size_t camera_count;
 };
 
 enum options_result { OPTIONS_RUN, OPTIONS_SHOWN, OPTIONS_WRONG };

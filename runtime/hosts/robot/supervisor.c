@@ -55,6 +55,7 @@ struct supervisor {
     struct console console;
     struct touches touches;
     struct publisher publisher;
+    struct cameras cameras;
     sigset_t waiting_mask; /* signals come only while waiting */
     bool tells;
 
@@ -283,6 +284,7 @@ static void next_instant(struct supervisor *s)
     s->instant_ns = now - s->first_ns;
     frob_robot_sense(&s->robot, s->input);
     frob_console_clear(s->program, s->input);
+    cameras_look(&s->cameras, s->input, s->first_ns, s->instant_ns);
     touches_take(&s->touches, &s->console, &s->publisher.ring);
     touches_apply(&s->touches, s->input);
     s->stepping = true;
@@ -324,6 +326,7 @@ static void run(struct supervisor *s)
         if (!s->over)
             look_after_robot(s);
         next_instant(s);
+        cameras_hear(&s->cameras);
         if (s->options->duration_s > 0.0 && s->first_ns != 0 &&
             (double)(now_ns() - s->first_ns) >= s->options->duration_s * 1e9 && !s->stepping)
             end(s, DONE, "%s", "");
@@ -382,6 +385,7 @@ static bool print_summary(const struct supervisor *s)
     printf("longest step: %.3f ms\n", (double)s->longest_ns * 1e-6);
     printf("stale readings: %lu\n", (unsigned long)s->robot.stale);
     printf("connections: %lu\n", (unsigned long)s->robot.connections);
+    cameras_print(&s->cameras);
     if (s->options->record != NULL)
         printf("log: %s\n", s->options->record);
     if (s->ended)
@@ -459,9 +463,13 @@ int supervise(const struct params *params, const struct frob_driver *driver,
     publisher_start(&s.publisher, s.program, 0, options->control ? RING_SENDS : 0,
                     options->viewer);
     catch_signals(&s);
-    /* Before the line is open: the controller must not hold it. */
-    if (!controller_start(&s.controller, params, options))
+    /* Before the line is open: neither cameras nor the controller must hold it. Frames are in
+     * memory that the controller has too. */
+    if (!cameras_start(&s.cameras, s.program, options->cameras, s.tells) ||
+        !controller_start(&s.controller, params, options)) {
+        cameras_end(&s.cameras);
         return WRONG_USE;
+    }
     s.status = WRONG_USE;
     if (set_up(&s)) {
         realtime_apply(options, REALTIME_SUPERVISOR);
@@ -480,6 +488,7 @@ int supervise(const struct params *params, const struct frob_driver *driver,
                                                 : "was told to stop");
     }
     controller_end(&s.controller, 0);
+    cameras_end(&s.cameras);
     if (!record_close(&s.record) && s.status == DONE)
         s.status = WRONG_USE;
     touches_end(&s.touches);

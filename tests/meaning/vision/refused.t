@@ -111,8 +111,8 @@ A world without a camera, and hosts that have none.
   
   1 error
   [1]
-  $ frobc build sees.frob --robot pioneer -o sees
-  error: sees looks through a camera, `camera`; there are cameras in the simulator only, where `frobc run` runs it
+  $ frobc build sees.frob --robot pioneer --target cortex-m -o sees
+  error: sees looks through a camera, `camera`; there are cameras in the simulator, and where Linux runs, but not on a board
   [2]
   $ frobc run sees.frob --view --for 1s
   error: this program sees, and what it saw is shown from the frames beside a recording: `--view` needs `--record LOG.csv` too

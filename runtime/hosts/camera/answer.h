@@ -1,0 +1,30 @@
+/* answer.h -- addresses, and the head of a server's answer (RFC 9112). No I/O. */
+#ifndef FROB_HOST_CAMERA_ANSWER_H
+#define FROB_HOST_CAMERA_ANSWER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct address {
+    char host[256], port[8];
+    const char *path; /* in the text it was read from; "" for "/" */
+};
+
+/* Of http://HOST[:PORT][/PATH]; HOST may be an IPv6 address in brackets. */
+bool address_read(struct address *address, const char *text);
+
+enum { ANSWER_ROOM = 16384 }; /* a longer head is none */
+
+struct answer {
+    int status;
+    bool is_chunked;
+    char type[64]; /* of its content, in small letters, without parameters; "" if it is not said */
+};
+
+enum answer_result { ANSWER_MORE, ANSWER_GOOD, ANSWER_WRONG };
+
+/* The head, and its length. */
+enum answer_result answer_read(struct answer *answer, const char *bytes, size_t size,
+                               size_t *length);
+
+#endif

@@ -1,0 +1,318 @@
+#include "capture.h"
+
+#include "source.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#define RETRY_NS INT64_C(500000000)
+#define SILENT_NS INT64_C(1000000000) /* without a frame, at least */
+#define BEGIN_NS INT64_C(5000000) /* how soon recorded frames begin after the program */
+enum { WAIT_MS = 100, HANGS_MS = 4000 };
+
+struct capture {
+    const struct camera_options *options;
+    struct buffers *buffers;
+    int socket;
+    struct source source;
+    bool is_open;
+    int64_t opened_ns, frame_ns; /* when it was opened; the last good frame; 0: none */
+    int64_t period_ns;           /* between the last two */
+    int64_t same_ns;             /* since when frames have been the same */
+    int32_t width, height;       /* of all frames; 0: of the first one yet to come */
+    enum frob_image_format format;
+    uint32_t number; /* of good frames */
+    struct capture_report told;
+    bool has_told;
+};
+
+static void report(struct capture *c, enum capture_state state, const char *text)
+{
+    if (c->has_told && c->told.state == state &&
+        (state == CAPTURE_WORKS || strcmp(c->told.text, text) == 0))
+        return;
+    memset(&c->told, 0, sizeof c->told);
+    c->told.state = state;
+    snprintf(c->told.text, sizeof c->told.text, "%s", text);
+    c->has_told = true;
+    while (send(c->socket, &c->told, sizeof c->told, MSG_NOSIGNAL) < 0)
+        if (errno != EINTR)
+            _exit(0);
+}
+
+/* How long frames may stay away: three periods, at least a second. */
+static int64_t patience_ns(const struct capture *c)
+{
+    return 3 * c->period_ns > SILENT_NS ? 3 * c->period_ns : SILENT_NS;
+}
+
+/* Tells of it once no frame has come for a while: a frame or two may be missing. */
+static void complain(struct capture *c, const char *text)
+{
+    if (c->frame_ns == 0 || source_now_ns() - c->frame_ns > patience_ns(c))
+        report(c, CAPTURE_FAILS, text);
+}
+
+static bool is_silent(const struct capture *c)
+{
+    const int64_t since = c->frame_ns > c->opened_ns ? c->frame_ns : c->opened_ns;
+    return source_now_ns() - since > patience_ns(c);
+}
+
+static void leave(struct capture *c)
+{
+    if (c->is_open)
+        c->source.kind->close(&c->source);
+    c->is_open = false;
+}
+
+/* The source may turn into another kind: what was not there may be a pipe now. */
+static bool enter(struct capture *c)
+{
+    c->source.kind = source_kind_of(c->options->source);
+    c->source.fault[0] = c->source.what[0] = '\0';
+    c->source.is_recorded = false;
+    c->is_open = c->source.kind->open(&c->source);
+    c->opened_ns = source_now_ns();
+    return c->is_open;
+}
+
+/* {1 Frames} */
+
+static bool is_same(const struct captured *a, const struct captured *b)
+{
+    return b != NULL && a->width == b->width && a->height == b->height &&
+           a->format == b->format &&
+           memcmp(a->pixels, b->pixels,
+                  (size_t)a->width * (size_t)a->height *
+                      (size_t)frob_image_pixel_size(a->format)) == 0;
+}
+
+/* A camera whose frames are the same to the last bit for so long has stopped to see: each real
+ * one has noise. */
+static bool is_frozen(struct capture *c, const struct captured *frame)
+{
+    const double limit_s = c->options->settings[CAMERA_FROZEN];
+    const int64_t now = source_now_ns();
+    if (limit_s <= 0.0 || !is_same(frame, buffers_published(c->buffers))) {
+        c->same_ns = now;
+        return false;
+    }
+    return (double)(now - c->same_ns) > limit_s * 1e9;
+}
+
+static bool is_right_size(struct capture *c, const struct captured *frame)
+{
+    if (c->width == 0 || c->height == 0) {
+        c->width = frame->width;
+        c->height = frame->height;
+    }
+    if (c->number == 0)
+        c->format = frame->format;
+    return frame->width == c->width && frame->height == c->height && frame->format == c->format;
+}
+
+static const char *name_of(enum frob_image_format format)
+{
+    return format == FROB_GREY8 ? "grey" : "colours";
+}
+
+static void describe(const struct capture *c, const struct captured *frame, char text[640])
+{
+    const double *s = c->options->settings;
+    const struct frob_camera seen = frame->has_camera
+                                        ? frame->camera
+                                        : camera_geometry(c->options, frame->width, frame->height);
+    snprintf(text, 640,
+             "%d x %d, %s%s%s; focal length %.0f px%s, %.2f m ahead, %.2f m to the left, %.2f m "
+             "up, tilted down by %.0f degrees",
+             (int)frame->width, (int)frame->height, name_of(frame->format),
+             c->source.what[0] != '\0' ? ", " : "", c->source.what, seen.focal_x,
+             frame->has_camera ? " as the frame says"
+             : s[CAMERA_FOCAL_X] > 0.0 ? ""
+                                       : " by its field of view",
+             seen.x_m, seen.y_m, seen.z_m, seen.pitch_rad * 57.295779513082323);
+}
+
+/* A frame that the program is not given; why is remembered until one is good. */
+static void refuse(struct capture *c)
+{
+    c->source.lost++;
+    complain(c, c->source.fault);
+}
+
+static void got_frame(struct capture *c, struct captured *frame)
+{
+    char text[640];
+    const int64_t now = source_now_ns();
+    frame->number = c->number + c->source.lost;
+    if (!is_right_size(c, frame)) {
+        source_fail(&c->source, SOURCE_BROKEN,
+                    "a frame is %d x %d, %s, and not %d x %d, %s as it should be: set width, height "
+                    "and grey to what the camera gives, or the camera to these",
+                    (int)frame->width, (int)frame->height, name_of(frame->format), (int)c->width,
+                    (int)c->height, name_of(c->format));
+        refuse(c);
+        return;
+    }
+    if (is_frozen(c, frame)) {
+        source_fail(&c->source, SOURCE_BROKEN,
+                    "it has frozen: it gives the same frame again and again, to the last bit; plug "
+                    "it out and in again, or set frozen=0 if such frames are right");
+        refuse(c);
+        return;
+    }
+    frame->captured_ns -= (int64_t)(c->options->settings[CAMERA_LATENCY] * 1e9);
+    describe(c, frame, text);
+    c->number++;
+    buffers_publish(c->buffers);
+    c->period_ns = c->frame_ns != 0 && now - c->frame_ns < 10 * SILENT_NS ? now - c->frame_ns : 0;
+    c->frame_ns = now;
+    c->source.fault[0] = '\0';
+    report(c, CAPTURE_WORKS, text);
+}
+
+/* Without a frame for too long: tells why, and begins anew if that may help. */
+static void got_nothing(struct capture *c)
+{
+    if (!is_silent(c))
+        return;
+    complain(c, c->source.fault[0] != '\0' ? c->source.fault : c->source.kind->silence);
+    if (c->source.kind->reopens)
+        leave(c);
+}
+
+static void pause_until_ns(struct capture *c, int64_t until)
+{
+    while (source_now_ns() < until) {
+        buffers_beat(c->buffers);
+        source_sleep_until_ns(source_now_ns() + WAIT_MS * INT64_C(1000000));
+    }
+}
+
+static void step(struct capture *c)
+{
+    buffers_beat(c->buffers);
+    if (!c->is_open && !enter(c)) {
+        complain(c, c->source.fault);
+        pause_until_ns(c, source_now_ns() + RETRY_NS);
+        return;
+    }
+    if (c->source.is_recorded && !buffers_have_begun(c->buffers)) {
+        source_sleep_until_ns(source_now_ns() + BEGIN_NS);
+        return;
+    }
+    switch (c->source.kind->next(&c->source, buffers_back(c->buffers), WAIT_MS)) {
+    case SOURCE_FRAME:
+        got_frame(c, buffers_back(c->buffers));
+        break;
+    case SOURCE_BROKEN:
+        c->source.lost++;
+        /* fall through */
+    case SOURCE_NOTHING:
+        got_nothing(c);
+        break;
+    case SOURCE_FAULT:
+        leave(c);
+        complain(c, c->source.fault);
+        pause_until_ns(c, source_now_ns() + RETRY_NS);
+        break;
+    case SOURCE_OVER:
+        report(c, CAPTURE_ENDED, c->source.fault);
+        for (;;)
+            pause_until_ns(c, source_now_ns() + RETRY_NS);
+    }
+}
+
+/* {1 Processes} */
+
+/* Signals from the terminal are the supervisor's to answer; who started it must not outlast it. */
+static void belong_to(pid_t parent)
+{
+    sigset_t none;
+    signal(SIGINT, SIG_IGN);
+    signal(SIGHUP, SIG_IGN);
+    signal(SIGTSTP, SIG_IGN);
+    signal(SIGPIPE, SIG_IGN);
+    signal(SIGTERM, SIG_DFL);
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, NULL);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent)
+        _exit(0);
+}
+
+/* Frames that come after it has begun anew go on with its numbers and its size. */
+static void work(struct capture *c, pid_t keeper) __attribute__((noreturn));
+
+static void work(struct capture *c, pid_t keeper)
+{
+    const struct captured *before = buffers_published(c->buffers);
+    belong_to(keeper);
+    if (before != NULL) {
+        c->number = before->number + 1;
+        c->width = before->width;
+        c->height = before->height;
+        c->format = before->format;
+    }
+    for (;;)
+        step(c);
+}
+
+/* Until the worker ends; it is ended if it hangs. */
+static void watch(struct capture *c, pid_t worker)
+{
+    char text[640];
+    int status = 0;
+    int hangs_ms = 0;
+    uint32_t beats = buffers_beats(c->buffers);
+    while (waitpid(worker, &status, WNOHANG) == 0) {
+        struct pollfd gone = { c->socket, POLLIN, 0 };
+        if (poll(&gone, 1, WAIT_MS) > 0)
+            _exit(0);
+        hangs_ms = buffers_beats(c->buffers) == beats ? hangs_ms + WAIT_MS : 0;
+        beats = buffers_beats(c->buffers);
+        if (hangs_ms == HANGS_MS)
+            kill(worker, SIGKILL);
+    }
+    if (hangs_ms >= HANGS_MS)
+        snprintf(text, sizeof text, "its source does not come back from a call of the system: it "
+                                    "begins anew");
+    else if (WIFSIGNALED(status))
+        snprintf(text, sizeof text, "what captures it was ended by signal %d (%s); it begins anew",
+                 WTERMSIG(status), strsignal(WTERMSIG(status)));
+    else
+        snprintf(text, sizeof text, "what captures it has ended; it begins anew");
+    c->has_told = false;
+    report(c, CAPTURE_FAILS, text);
+}
+
+void capture_run(const struct camera_options *options, struct buffers *buffers, int socket)
+{
+    struct capture c;
+    const pid_t supervisor = getppid();
+    belong_to(supervisor);
+    memset(&c, 0, sizeof c);
+    c.options = c.source.options = options;
+    c.buffers = buffers;
+    c.socket = socket;
+    c.width = (int32_t)options->settings[CAMERA_WIDTH];
+    c.height = (int32_t)options->settings[CAMERA_HEIGHT];
+    for (;;) {
+        const pid_t keeper = getpid();
+        const pid_t worker = fork();
+        if (worker == 0)
+            work(&c, keeper);
+        if (worker > 0)
+            watch(&c, worker);
+        source_sleep_until_ns(source_now_ns() + RETRY_NS);
+    }
+}

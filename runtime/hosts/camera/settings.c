@@ -1,0 +1,71 @@
+#include "settings.h"
+
+#include <math.h>
+#include <stddef.h>
+
+const struct frob_setting camera_settings[CAMERA_SETTING_COUNT] = {
+    { "width", 0, 0, FROB_IMAGE_SIDE, "pixels; 0: as the source has it" },
+    { "height", 0, 0, FROB_IMAGE_SIDE, "pixels; 0: as the source has it" },
+    { "grey", 0, 0, 1, "1: frames without colours; of raw frames, a byte a pixel" },
+    { "rate", 30, 0.1, 200, "Hz, of pictures in files; what a device is asked for" },
+    { "latency", 0, 0, 10, "s from a frame's exposure until it comes here" },
+    { "frozen", 1, 0, 3600, "s with the same frame after which it is none any more; 0: never" },
+    { "field_of_view_deg", 60, 1, 175, "from side to side" },
+    { "focal_x", NAN, 1, 1e6, "pixels, as calibration has it, instead of the field of view" },
+    { "focal_y", NAN, 1, 1e6, "pixels; as focal_x if not given" },
+    { "centre_x", NAN, -1e4, 1e4, "pixels, where the axis meets the picture; its middle" },
+    { "centre_y", NAN, -1e4, 1e4, "pixels; its middle" },
+    { "k1", 0, -100, 100, "distortion, as OpenCV has it" },
+    { "k2", 0, -100, 100, "" },
+    { "k3", 0, -100, 100, "" },
+    { "p1", 0, -100, 100, "" },
+    { "p2", 0, -100, 100, "" },
+    { "ahead", 0.12, -10, 10, "m from the point on the floor between the wheels" },
+    { "left", 0, -10, 10, "m" },
+    { "up", 0.27, 0, 10, "m" },
+    { "yaw_deg", 0, -360, 360, "turned to the left" },
+    { "pitch_deg", 0, -90, 90, "tilted down" },
+    { "roll_deg", 0, -360, 360, "clockwise as seen from behind" },
+};
+
+void camera_options_init(struct camera_options *o, const char *label)
+{
+    o->label = label;
+    o->source = NULL;
+    for (size_t i = 0; i < CAMERA_SETTING_COUNT; i++)
+        o->settings[i] = camera_settings[i].initial;
+}
+
+static double radians(double degrees)
+{
+    return degrees * 0.017453292519943295;
+}
+
+static double given_or(double x, double otherwise)
+{
+    return isnan(x) ? otherwise : x;
+}
+
+struct frob_camera camera_geometry(const struct camera_options *o, int32_t width, int32_t height)
+{
+    const double *s = o->settings;
+    struct frob_camera c;
+    /* A pinhole that sees so much across. */
+    c.focal_x = given_or(s[CAMERA_FOCAL_X],
+                         0.5 * width / tan(0.5 * radians(s[CAMERA_FIELD_OF_VIEW])));
+    c.focal_y = given_or(s[CAMERA_FOCAL_Y], c.focal_x);
+    c.centre_x = given_or(s[CAMERA_CENTRE_X], 0.5 * (width - 1));
+    c.centre_y = given_or(s[CAMERA_CENTRE_Y], 0.5 * (height - 1));
+    c.k1 = s[CAMERA_K1];
+    c.k2 = s[CAMERA_K2];
+    c.k3 = s[CAMERA_K3];
+    c.p1 = s[CAMERA_P1];
+    c.p2 = s[CAMERA_P2];
+    c.x_m = s[CAMERA_AHEAD];
+    c.y_m = s[CAMERA_LEFT];
+    c.z_m = s[CAMERA_UP];
+    c.yaw_rad = radians(s[CAMERA_YAW]);
+    c.pitch_rad = radians(s[CAMERA_PITCH]);
+    c.roll_rad = radians(s[CAMERA_ROLL]);
+    return c;
+}

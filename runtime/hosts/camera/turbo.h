@@ -1,0 +1,41 @@
+/* turbo.h -- libjpeg-turbo, looked for when a JPEG is there to be read or made: so a host is
+ * linked with nothing more, and only who has a camera that sends JPEG needs the library. */
+#ifndef FROB_HOST_CAMERA_TURBO_H
+#define FROB_HOST_CAMERA_TURBO_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    TURBO_RGB = 0,  /* TJPF_RGB */
+    TURBO_GREY = 6, /* TJPF_GRAY */
+    TURBO_SAMPLES_422 = 1,
+    TURBO_SAMPLES_GREY = 3,
+    TURBO_ACCURATE = 4096 /* TJFLAG_ACCURATEDCT: the same pixels, however fast it is here */
+};
+
+/* The functions that are used here, as <turbojpeg.h> declares them. */
+struct turbo {
+    void *(*init_decompress)(void);
+    void *(*init_compress)(void);
+    int (*header)(void *handle, const unsigned char *jpeg, unsigned long size, int *width,
+                  int *height, int *samples, int *space);
+    int (*decompress)(void *handle, const unsigned char *jpeg, unsigned long size,
+                      unsigned char *pixels, int width, int pitch, int height, int format,
+                      int flags);
+    int (*compress)(void *handle, const unsigned char *pixels, int width, int pitch, int height,
+                    int format, unsigned char **jpeg, unsigned long *size, int samples,
+                    int quality, int flags);
+    void (*release)(unsigned char *jpeg);
+    char *(*error)(void *handle);
+    int (*destroy)(void *handle);
+};
+
+/* Once it has been found it stays. NULL, and what is missing. */
+const struct turbo *turbo_find(const char **fault);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
