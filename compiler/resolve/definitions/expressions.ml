@@ -259,7 +259,8 @@ and record env span constructor fields : Ir.expr_desc =
       | None -> missing
       | Some given ->
           (* A field that is wrong is probably the one that is missing. *)
-          if List.length given = List.length fields then check_complete scope found span given fields;
+          if List.length given = List.length fields then
+            check_complete scope found span given fields;
           Record { constructor = found.global; fields = given })
 
 (* Behind the last one; for the value stands `_`, which is none. *)
