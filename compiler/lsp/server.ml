@@ -273,13 +273,13 @@ let collect () =
   Gc.set { (Gc.get ()) with space_overhead = 200; max_overhead = 500; allocation_policy = 2;
     custom_major_ratio = 44; minor_heap_size = 4 * 1024 * 1024 }
 
-let run () =
+let run ?disk () =
   match Driver.Resources.find () with
   | Error text -> Driver.General.wrong_use text
   | Ok resources ->
       collect ();
       set_binary_mode_out stdout true;
-      let ws = Workspace.create ~library:resources.library in
+      let ws = Workspace.create ?disk ~library:resources.library () in
       serve
         {
           ws; wire = Wire.create Unix.stdin; waiting = Queue.create (); cancelled = [];

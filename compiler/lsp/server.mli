@@ -5,5 +5,5 @@
     only the last is. A request that was cancelled before its turn is not answered otherwise.
     Nothing that is sent ends the server but [exit] and the end of input. *)
 
-val run : unit -> int
-(** The exit status: 0 after [shutdown], else 1. *)
+val run : ?disk:(string -> (string, Resolve.Files.error) result) -> unit -> int
+(** The exit status: 0 after [shutdown], else 1. [disk]: how files are read that are not open. *)

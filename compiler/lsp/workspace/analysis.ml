@@ -14,15 +14,14 @@ type t = {
 
 exception Too_long
 
-(* s *)
-let longest = 30.
+let patience = ref 30.
 
 let with_timer f =
   let set seconds =
     ignore (Unix.setitimer ITIMER_REAL { it_interval = 0.; it_value = seconds })
   in
   let before = Sys.signal Sys.sigalrm (Signal_handle (fun _ -> raise Too_long)) in
-  set longest;
+  set !patience;
   Fun.protect f ~finally:(fun () ->
       set 0.;
       Sys.set_signal Sys.sigalrm before)
@@ -33,7 +32,7 @@ let guarded f =
   | value -> Ok value
   | exception Diagnostic.Bug { stage; message } -> broken stage message
   | exception (Too_long | Fun.Finally_raised Too_long) ->
-      Error (Printf.sprintf "this takes longer than %.0f s, and was given up" longest)
+      Error (Printf.sprintf "this takes longer than %.0f s, and was given up" !patience)
   | exception Stack_overflow -> broken "frobc" "the stack overflowed"
   | exception Out_of_memory -> broken "frobc" "there is no more memory"
   | exception exn -> broken "frobc" (Printexc.to_string exn)

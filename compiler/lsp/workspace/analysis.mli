@@ -25,5 +25,8 @@ val path_of : library:string -> string -> string
 (** Where the file is that spans call so. *)
 
 val guarded : (unit -> 'a) -> ('a, string) result
-(** Whatever the compiler does, this ends, with a value or with what went wrong; after half a
-    minute it is given up. *)
+(** Whatever the compiler does, this ends, with a value or with what went wrong; after some time
+    it is given up. *)
+
+val patience : float ref
+(** That time, in seconds: half a minute. *)

@@ -2,6 +2,7 @@ open Basis
 
 type t = {
   library : string;
+  disk : string -> (string, Resolve.Files.error) result;
   documents : (string, Document.t) Hashtbl.t;
   mutable encoding : Text.encoding;
   mutable roots : string list;
@@ -9,9 +10,9 @@ type t = {
   mutable snippets : bool;
 }
 
-let create ~library =
+let create ?(disk = Driver.Program_file.files.read) ~library () =
   {
-    library; documents = Hashtbl.create 16; encoding = Utf16; roots = []; inlay_hints = false;
+    library; disk; documents = Hashtbl.create 16; encoding = Utf16; roots = []; inlay_hints = false;
     snippets = false;
   }
 
@@ -23,7 +24,7 @@ let read t path =
   in
   match Hashtbl.fold is_it t.documents None with
   | Some text -> Ok text
-  | None -> Driver.Program_file.files.read path
+  | None -> t.disk path
 
 let check t ~path text = Analysis.check ~library:t.library ~read:(read t) ~path text
 
@@ -38,7 +39,7 @@ let analysis_of t path =
       look t d;
       d.latest
   | None -> (
-      match Driver.Program_file.files.read path with
+      match t.disk path with
       | Ok text -> Some (check t ~path text)
       | Error _ -> None)
 

@@ -4,6 +4,7 @@ open Basis
 
 type t = {
   library : string;  (** the folder of the standard library *)
+  disk : string -> (string, Resolve.Files.error) result;  (** files that are not open *)
   documents : (string, Document.t) Hashtbl.t;  (** by URI *)
   mutable encoding : Text.encoding;
   mutable roots : string list;
@@ -11,7 +12,8 @@ type t = {
   mutable snippets : bool;  (** the editor knows them *)
 }
 
-val create : library:string -> t
+val create :
+  ?disk:(string -> (string, Resolve.Files.error) result) -> library:string -> unit -> t
 val read : t -> string -> (string, Resolve.Files.error) result
 (** The text of a file, as it is in the editor if it is open there. *)
 

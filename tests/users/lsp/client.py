@@ -8,9 +8,9 @@ import time
 
 
 class Client:
-    def __init__(self, folder, encodings=None, options=None, start=True):
+    def __init__(self, folder, encodings=None, options=None, start=True, command=("frobc", "lsp")):
         self.process = subprocess.Popen(
-            ["frobc", "lsp"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+            list(command), stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         self.buffer = b""
         self.last_id = 0
         self.diagnostics = {}  # by URI, the latest
