@@ -10,25 +10,66 @@ namespace {
 // Streams of noise, apart from those of the robot's other sensors.
 constexpr std::uint64_t timing_stream = 1u << 16, frame_stream = std::uint64_t{1} << 32;
 
+constexpr double strongest = 1e6; // exposure and noise: all is white then, or as likely black
+
 constexpr std::size_t most_waiting = 64; // frames on their way; the oldest are lost
 
 std::int64_t nanoseconds(double s) { return static_cast<std::int64_t>(std::floor(s * 1e9 + 0.5)); }
 
-// Sums of three numbers of seven bits: nearly normal, out to three deviations.
-struct PixelNoise {
-    explicit PixelNoise(std::uint64_t bits) : bits_(bits) {}
+// The steps from light to numbers, of a row each: simple loops, of which compilers make wide ones.
 
-    double next() {
-        int sum = 0;
-        for (int i = 0; i < 3; ++i, bits_ >>= 7) sum += static_cast<int>(bits_ & 127u);
-        return (sum - 190.5) * (1.0 / 63.998);
+void take_colours(const Raster::Single *light, double gain, double *__restrict to,
+                  std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        to[3 * i] = gain * static_cast<double>(light[i].red);
+        to[3 * i + 1] = gain * static_cast<double>(light[i].green);
+        to[3 * i + 2] = gain * static_cast<double>(light[i].blue);
     }
+}
 
-    std::uint64_t bits_;
-};
+void take_grey(const Raster::Single *light, double gain, double *__restrict to,
+               std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+        to[i] = (77 * (gain * static_cast<double>(light[i].red)) +
+                 150 * (gain * static_cast<double>(light[i].green)) +
+                 29 * (gain * static_cast<double>(light[i].blue))) /
+                256;
+}
 
-std::uint8_t level(double x) {
-    return static_cast<std::uint8_t>(x <= 0.0 ? 0 : x >= 255.0 ? 255 : static_cast<int>(x + 0.5));
+// Of each part of a pixel the sum of three numbers of seven bits: mean 190.5, standard deviation
+// 63.998, nearly normal, out to three deviations. All parts are summed at once, as none has a sum
+// that reaches into the next one's 21 bits.
+void take_grains(std::uint64_t bits, std::int32_t *to, std::size_t parts) {
+    constexpr std::uint64_t sevens = 127u | std::uint64_t{127} << 21 | std::uint64_t{127} << 42;
+    std::uint64_t sums = (bits & sevens) + (bits >> 7 & sevens) + (bits >> 14 & sevens);
+    for (std::size_t i = 0; i < parts; ++i, sums >>= 21) to[i] = static_cast<int>(sums & 511u);
+}
+
+void add_noise(const std::int32_t *grains, double noise, double *__restrict to, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+        to[i] += noise * ((grains[i] - 190.5) * (1.0 / 63.998));
+}
+
+// What is too bright, or darker than black, is as far as a number goes; no light is so strong
+// that an int has no room for it (strongest).
+void round(const double *from, std::uint8_t *__restrict to, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const int level = static_cast<int>(from[i] + 0.5);
+        to[i] = static_cast<std::uint8_t>(level < 0 ? 0 : level > 255 ? 255 : level);
+    }
+}
+
+// A mean's share of each pixel up to `radius` away of which there are `count`, around number i.
+float share_of(int i, int count, int radius) {
+    const int first = std::max(0, i - radius), last = std::min(count - 1, i + radius);
+    return 1.0f / static_cast<float>(last - first + 1);
+}
+
+Raster::Single operator*(float k, Raster::Single s) { return {k * s.red, k * s.green, k * s.blue}; }
+
+void add(const Raster::Single *from, Raster::Single *__restrict to, int count) {
+    for (int i = 0; i < count; ++i)
+        to[i] = {to[i].red + from[i].red, to[i].green + from[i].green, to[i].blue + from[i].blue};
 }
 
 } // namespace
@@ -161,48 +202,58 @@ void Camera::draw(const Exposure &exposure) {
     blur();
 }
 
-// Means over squares, along rows and then along columns; at the rim of what is there.
+// Means over squares, along rows and then along columns; at the rim of what is there. Sums go from
+// one end to the other, of many pixels side by side.
 void Camera::blur() {
     const int radius = static_cast<int>(settings_.blur);
     if (radius == 0) return;
-    std::vector<Raster::Single> from;
-    const auto along = [&](int count, int lines, std::size_t step, std::size_t line) {
-        from = light_;
-        for (int j = 0; j < lines; ++j) {
-            for (int i = 0; i < count; ++i) {
-                Raster::Single sum{0.0f, 0.0f, 0.0f};
-                const int first = std::max(0, i - radius), last = std::min(count - 1, i + radius);
-                for (int k = first; k <= last; ++k) {
-                    const auto &one = from[static_cast<std::size_t>(j) * line +
-                                           static_cast<std::size_t>(k) * step];
-                    sum = {sum.red + one.red, sum.green + one.green, sum.blue + one.blue};
-                }
-                const float share = 1.0f / static_cast<float>(last - first + 1);
-                light_[static_cast<std::size_t>(j) * line + static_cast<std::size_t>(i) * step] = {
-                    share * sum.red, share * sum.green, share * sum.blue};
-            }
-        }
-    };
     const auto width = static_cast<std::size_t>(settings_.width);
-    along(settings_.width, settings_.height, 1, width);
-    along(settings_.height, settings_.width, width, 1);
+    std::vector<Raster::Single> sums(width);
+    blurred_.resize(light_.size());
+    for (int y = 0; y < settings_.height; ++y) {
+        const Raster::Single *from = &light_[static_cast<std::size_t>(y) * width];
+        std::fill(sums.begin(), sums.end(), Raster::Single{0.0f, 0.0f, 0.0f});
+        for (int by = -radius; by <= radius; ++by)
+            add(from + std::max(0, by), sums.data() + std::max(0, -by),
+                settings_.width - std::abs(by));
+        for (int x = 0; x < settings_.width; ++x)
+            blurred_[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] =
+                share_of(x, settings_.width, radius) * sums[static_cast<std::size_t>(x)];
+    }
+    for (int y = 0; y < settings_.height; ++y) {
+        std::fill(sums.begin(), sums.end(), Raster::Single{0.0f, 0.0f, 0.0f});
+        const int first = std::max(0, y - radius);
+        const int last = std::min(settings_.height - 1, y + radius);
+        for (int k = first; k <= last; ++k)
+            add(&blurred_[static_cast<std::size_t>(k) * width], sums.data(), settings_.width);
+        const float share = share_of(y, settings_.height, radius);
+        for (std::size_t x = 0; x < width; ++x)
+            light_[static_cast<std::size_t>(y) * width + x] = share * sums[x];
+    }
 }
 
 // From light to numbers: value = 255 exposure light + noise n, n normal.
 void Camera::develop(const Exposure &exposure) {
-    const double gain = 255.0 * settings_.exposure, noise = settings_.noise;
+    const double gain = 255.0 * std::min(settings_.exposure, strongest);
+    const double noise = std::min(settings_.noise, strongest);
+    const std::size_t parts = settings_.grey ? 1 : 3;
+    const auto width = static_cast<std::size_t>(settings_.width), row = parts * width;
     Noise random(seed_, frame_stream + exposure.number);
-    const std::size_t count = settings_.grey ? 1 : 3;
-    pixels_.resize(count * light_.size());
-    std::uint8_t *to = pixels_.data();
-    for (const Raster::Single &light : light_) {
-        double parts[3] = {gain * static_cast<double>(light.red),
-                           gain * static_cast<double>(light.green),
-                           gain * static_cast<double>(light.blue)};
-        if (settings_.grey) parts[0] = (77 * parts[0] + 150 * parts[1] + 29 * parts[2]) / 256;
-        PixelNoise pixel(noise > 0.0 ? random.bits() : 0);
-        for (std::size_t i = 0; i < count; ++i)
-            *to++ = level(noise > 0.0 ? parts[i] + noise * pixel.next() : parts[i]);
+    std::vector<double> values(row);
+    std::vector<std::int32_t> grains(row);
+    pixels_.resize(parts * light_.size());
+    for (std::size_t y = 0; y * width < light_.size(); ++y) {
+        const Raster::Single *light = &light_[y * width];
+        if (settings_.grey)
+            take_grey(light, gain, values.data(), width);
+        else
+            take_colours(light, gain, values.data(), width);
+        if (noise > 0.0) {
+            for (std::size_t x = 0; x < width; ++x)
+                take_grains(random.bits(), &grains[parts * x], parts);
+            add_noise(grains.data(), noise, values.data(), row);
+        }
+        round(values.data(), &pixels_[y * row], row);
     }
     image_.width = settings_.width;
     image_.height = settings_.height;

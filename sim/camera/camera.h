@@ -61,6 +61,7 @@ class Camera {
     int margin_x_ = 0, margin_y_ = 0;      // of the raster around the picture, with distortion
     std::vector<Vec> lens_map_;            // for each pixel where it is in the raster, likewise
     std::vector<Raster::Single> light_;    // what falls on each pixel
+    std::vector<Raster::Single> blurred_;  // that, on its way
     std::vector<std::uint8_t> pixels_;
     frob_image image_{};
 };

@@ -8,6 +8,11 @@ void Raster::start(const Pinhole &eye) {
     eye_ = eye;
     const std::size_t pixels =
         static_cast<std::size_t>(eye.width) * static_cast<std::size_t>(eye.height);
+    columns_.clear();
+    rows_.clear();
+    for (int x = 0; x < eye.width; ++x)
+        columns_.push_back(eye.ahead + ((x - eye.cx) / eye.focal) * eye.right);
+    for (int y = 0; y < eye.height; ++y) rows_.push_back(((y - eye.cy) / eye.focal) * eye.down);
     tints_.resize(pixels);
     depths_.assign(pixels, nothing);
 }

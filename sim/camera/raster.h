@@ -32,6 +32,11 @@ class Raster {
 
     const Pinhole &eye() const { return eye_; }
 
+    // As Pinhole's, of a pixel.
+    Point ray(int x, int y) const {
+        return columns_[static_cast<std::size_t>(x)] + rows_[static_cast<std::size_t>(y)];
+    }
+
     // A flat convex polygon. `tint(place, depth)` is its colour at a place of it. With
     // `lies_below` it does not hide what was drawn before it in the same plane.
     template <typename Shade>
@@ -60,7 +65,7 @@ class Raster {
         const double c = dot(way, way) - radius * radius;
         for (int y = from_y; y <= to_y; ++y) {
             for (int x = from_x; x <= to_x; ++x) {
-                const Point ray = eye_.ray(x, y);
+                const Point ray = this->ray(x, y);
                 const double a = dot(ray, ray), b = dot(ray, way), squared = b * b - a * c;
                 if (squared < 0.0) continue;
                 put(x, y, (-b - std::sqrt(squared)) / a, 1.0f, [&](Point place, double) {
@@ -110,7 +115,7 @@ class Raster {
         const float rounded = static_cast<float>(depth);
         if (!(depth >= nearest && rounded < share * depths_[at])) return;
         depths_[at] = rounded;
-        tints_[at] = single(tint(eye_.origin + depth * eye_.ray(x, y), depth));
+        tints_[at] = single(tint(eye_.origin + depth * ray(x, y), depth));
     }
 
     // In pixels, of what of it is ahead of the camera; empty if nothing is.
@@ -145,6 +150,7 @@ class Raster {
     }
 
     Pinhole eye_;
+    std::vector<Point> columns_, rows_; // of rays, the parts that pixels of one share
     std::vector<Single> tints_;
     std::vector<float> depths_;
 };

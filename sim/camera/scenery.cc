@@ -138,14 +138,18 @@ void Scenery::draw(Raster &raster, const Side &side, bool lies_below) {
     const Patterns &patterns = Patterns::all();
     const double grain = 1.0 / raster.eye().focal;
     const Look &look = *side.look;
-    const auto tint = [&](Point place, double depth) {
-        return side.light * patterns.brightness(look.texture, dot(place, side.along),
-                                                dot(place, side.across), grain * depth) *
-               look.tint;
-    };
     // Only what faces the camera is seen.
-    if (dot(side.normal, raster.eye().origin - side.corners[0]) > 0.0)
-        raster.polygon(side.corners, tint, lies_below);
+    if (dot(side.normal, raster.eye().origin - side.corners[0]) <= 0.0) return;
+    patterns.with(look.texture, [&](const auto &brightness) {
+        raster.polygon(
+            side.corners,
+            [&](Point place, double depth) {
+                return side.light * brightness(dot(place, side.along), dot(place, side.across),
+                                               grain * depth) *
+                       look.tint;
+            },
+            lies_below);
+    });
 }
 
 void Scenery::draw_moving(Raster &raster, const Moment &moment, std::size_t robot) const {
@@ -192,13 +196,14 @@ void Scenery::draw(Raster &raster, const Moment &moment, std::size_t robot) cons
     for (const Side &side : lying_) draw(raster, side, true);
     const Patterns &patterns = Patterns::all();
     const Tint floor = light_on({0.0, 0.0, 1.0}) * (scene_.floor.reflectance * scene_.floor.tint);
-    raster.background([&](int x, int y) {
-        const Point ray = eye.ray(x, y);
-        if (ray.z >= 0.0) return scene_.sky.tint;
-        const double depth = -eye.origin.z / ray.z;
-        const Point place = eye.origin + depth * ray;
-        return patterns.brightness(scene_.floor.texture, place.x, place.y, depth / eye.focal) *
-               floor;
+    patterns.with(scene_.floor.texture, [&](const auto &brightness) {
+        raster.background([&](int x, int y) {
+            const Point ray = raster.ray(x, y);
+            if (ray.z >= 0.0) return scene_.sky.tint;
+            const double depth = -eye.origin.z / ray.z;
+            const Point place = eye.origin + depth * ray;
+            return brightness(place.x, place.y, depth / eye.focal) * floor;
+        });
     });
 }
 

@@ -16,16 +16,6 @@ std::uint64_t Noise::seed_of_robot(std::uint64_t seed, std::uint64_t robot) {
     return robot == 0 ? seed : Noise(seed, streams_of_robots + robot).next();
 }
 
-// splitmix64: a counter, and a mixing of its bits.
-// Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014.
-std::uint64_t Noise::next() {
-    state_ += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
 double Noise::uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
 
 // The sum of eight uniform numbers is close to a normal distribution out to 3

@@ -27,7 +27,15 @@ class Noise {
     std::uint64_t bits() { return next(); }
 
   private:
-    std::uint64_t next();
+    // splitmix64: a counter, and a mixing of its bits.
+    // Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014.
+    std::uint64_t next() {
+        state_ += 0x9e3779b97f4a7c15u;
+        std::uint64_t z = state_;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+        return z ^ (z >> 31);
+    }
 
     std::uint64_t state_;
 };
