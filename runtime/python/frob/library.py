@@ -63,6 +63,13 @@ class Library:
         self.output_columns = list(shapes.columns(self.output, "out"))
         self.params = _params(found)
 
+    def part(self, name: str) -> Optional[int]:
+        """The address of something of the user's own in the object; None if it is not there."""
+        try:
+            return ctypes.addressof(ctypes.c_char.in_dll(self._object, name))
+        except ValueError:
+            return None
+
     def steps(self) -> Tuple[Any, bool]:
         """The C function of many steps, and whether it takes parameters."""
         name = self.name + "_steps"

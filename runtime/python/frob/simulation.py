@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 class Picture(str):
     """A picture as the text of an SVG; a notebook shows it."""
 
+    def __repr__(self) -> str:
+        return f"<a picture: SVG of {len(self)} characters>"
+
     def _repr_svg_(self) -> str:
         return str(self)
 

@@ -32,6 +32,17 @@ def frobc() -> str:
     return os.path.abspath(found)
 
 
+def prefix() -> str:
+    """The folder with lib/frobc and share/frobc: FROB_HOME, or that of frobc."""
+    named = os.environ.get("FROB_HOME")
+    found = frobc()
+    folders = [os.path.dirname(os.path.dirname(path)) for path in (found, os.path.realpath(found))]
+    for folder in ([named] if named else []) + folders:
+        if os.path.isdir(os.path.join(folder, "lib", "frobc")):
+            return folder
+    raise Error(f"lib/frobc is not beside {found}: install frobc, or set FROB_HOME to where it is")
+
+
 def run(arguments: Sequence[str]) -> str:
     """What frobc writes to standard output; its messages are an exception, or a warning."""
     command = [frobc(), *arguments]

@@ -4,6 +4,7 @@
 # Run at the top of the project.
 set -eu
 build=$1
+here=$PWD
 clean() { env -u FROBC -u FROB_HOME -u PYTHONPATH PATH=/usr/bin:/bin PYTHONDONTWRITEBYTECODE=1 "$@"; }
 pip() { "$environment/bin/pip" install --quiet --disable-pip-version-check "$@"; }
 work=$build/python-work
@@ -18,12 +19,13 @@ pip "$build"/wheel/frob-*.whl
 
 environment=$build/python-test
 test -x "$environment/bin/python" || /usr/bin/python3 -m venv "$environment"
-echo "Installing in $environment, from PyPI: numpy, pandas, pandas-stubs, mypy"
-pip numpy pandas pandas-stubs mypy
+echo "Installing in $environment, from PyPI: numpy, pandas, pandas-stubs, gymnasium, mypy, nbclient"
+pip numpy pandas pandas-stubs gymnasium mypy nbclient ipykernel
 pip --force-reinstall --no-deps "$build"/wheel/frob-*.whl
-for test in test_program.py test_simulation.py; do
+for test in test_program.py test_simulation.py test_gym.py; do
     (cd "$work" && clean "$environment/bin/python" -W error "$test")
 done
+(cd "$work" && FROB_ROOT=$here clean "$environment/bin/python" test_notebook.py)
 "$environment/bin/mypy" --config-file runtime/python/pyproject.toml --cache-dir "$work/mypy" \
     runtime/python/frob && echo "ok   the package's types, by mypy"
 grep -n '# wrong$' "$work/typed.py" | sed 's/^/typed.py:/; s/:[^:]*$/: error/' >"$work/typed.wrong"
