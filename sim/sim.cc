@@ -1,12 +1,15 @@
 #include "sim.h"
 
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <memory>
 #include <string>
 
 #include "own_robot.h"
 #include "picture.h"
+#include "plan_file.h"
 #include "simulation.h"
 #include "world_file.h"
 
@@ -83,6 +86,20 @@ const char *frob_sim_world_robot(const char *world_file, char *message, std::siz
         say(message, room, error.what());
         return nullptr;
     }
+}
+
+int frob_sim_read_plan(const char *plan_file, char **text) {
+    std::string said;
+    bool ok = true;
+    try {
+        said = read_plan_file(plan_file);
+    } catch (const std::exception &error) {
+        said = error.what();
+        ok = false;
+    }
+    *text = static_cast<char *>(std::malloc(said.size() + 1));
+    if (*text != nullptr) std::memcpy(*text, said.c_str(), said.size() + 1);
+    return ok ? 1 : 0;
 }
 
 std::size_t frob_sim_robots(const frob_sim *sim) { return sim->simulation.robots(); }

@@ -52,6 +52,10 @@ size_t frob_sim_output_size(const struct frob_sim *sim);
  * on failure, with a `message` as above. */
 const char *frob_sim_world_robot(const char *world_file, char *message, size_t room);
 
+/* What a plan of a sweep says, in lines (plan/plan_file.h); or 0, and a line for each mistake.
+ * The text is to be freed; NULL without memory. */
+int frob_sim_read_plan(const char *plan_file, char **text);
+
 /* How many robots there are, all of that kind, numbered from 0 in the order of
  * the world file. What takes no number is about robot 0, in a world of several too. */
 size_t frob_sim_robots(const struct frob_sim *sim);

@@ -130,6 +130,10 @@ let params sink sources r =
   let* front = front r sink sources in
   param_values sink front.core Params.given
 
+let units_of_params sink sources r =
+  let* front = front r sink sources in
+  Some (List.map (fun (p : Core.Ir.param) -> (p.label, p.unit_)) front.core.params)
+
 let checks sink sources r =
   let* front = front r sink sources in
   Core.Recursion.check sink front.core;

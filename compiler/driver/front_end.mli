@@ -27,6 +27,9 @@ val partial : Source.t -> Request.t -> (Resolve.Ir.program * Typing.Ir.program L
 val params : Diagnostic.sink -> Source.t -> Request.t -> Params.set list option
 (** What the request sets parameters to. *)
 
+val units_of_params : Diagnostic.sink -> Source.t -> Request.t -> (string * string) list option
+(** Of each parameter of the program, by its label. *)
+
 val checks : Diagnostic.sink -> Source.t -> Request.t -> Checks.t list option
 (** The tests and trials in the file's module. *)
 

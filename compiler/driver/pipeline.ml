@@ -5,6 +5,7 @@ let stage = Request.stage
 
 let check sink sources r = Front_end.check sink sources r
 let params = Front_end.params
+let units_of_params = Front_end.units_of_params
 let checks = Front_end.checks
 
 (* With what is to be seen beside its output, and with what hosts are to know of its assertions. *)

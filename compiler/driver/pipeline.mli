@@ -14,6 +14,9 @@ val check : unit t
 val params : Params.set list option t
 (** What the request sets parameters to. *)
 
+val units_of_params : (string * string) list option t
+(** Of each parameter, by its label. *)
+
 val checks : Checks.t list option t
 (** The tests and trials in the file's module. *)
 

@@ -269,7 +269,8 @@ let commands =
   let all =
     [
       new_project; check; fix; format; compile; Running.trace; Running.run; Running.test;
-      Running.view; Running.serve; build; export; report; selftest; header; explain; lsp;
+      Running.sweep; Running.view; Running.serve; build; export; report; selftest; header; explain;
+      lsp;
     ]
   in
   all @ [ help ("help" :: List.map Cmd.name all) ]

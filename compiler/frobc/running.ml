@@ -291,6 +291,81 @@ let test =
       const run $ general $ sources $ pattern $ seeds $ jobs $ rate $ json $ junit $ update $ keep
       $ paths)
 
+let sweep =
+  let plan =
+    let doc = "The plan: what is varied, in TOML." in
+    Arg.(required & pos 0 (some string) None & info [] ~docv:"PLAN.toml" ~doc)
+  in
+  let jobs =
+    let doc = "So many processes at a time; without it, as many as there are processors." in
+    Arg.(value & opt (some int) None & info [ "j"; "jobs" ] ~docv:"N" ~doc)
+  in
+  let shard =
+    let doc =
+      "Make only the K-th of N parts of the runs, as $(b,3/100): for a batch system, each part on \
+       a machine. $(b,--merge) makes the table then."
+    in
+    let parse text =
+      match List.map int_of_string_opt (String.split_on_char '/' text) with
+      | [ Some number; Some of_ ] when number >= 1 && number <= of_ ->
+          Ok { Driver.Runs.number; of_ }
+      | _ -> Error (`Msg (Printf.sprintf "`%s` is no shard; the third of a hundred is 3/100" text))
+    in
+    let print out { Driver.Runs.number; of_ } = Format.fprintf out "%d/%d" number of_ in
+    Arg.(
+      value
+      & opt (conv (parse, print)) { Driver.Runs.number = 1; of_ = 1 }
+      & info [ "shard" ] ~docv:"K/N" ~doc)
+  in
+  let merge =
+    let doc = "Make no runs, but the table of the rows that are there." in
+    Arg.(value & flag & info [ "merge" ] ~doc)
+  in
+  let rows =
+    let doc = "The folder where rows are kept; without it, $(b,PLAN.rows) beside the plan." in
+    Arg.(value & opt (some string) None & info [ "rows" ] ~docv:"DIR" ~doc)
+  in
+  let also =
+    let doc = "One more folder with rows, of another machine; may be given several times." in
+    Arg.(value & opt_all string [] & info [ "also" ] ~docv:"DIR" ~doc)
+  in
+  let table =
+    let doc = "Where the table goes; without it, $(b,PLAN.csv) beside the plan." in
+    Arg.(value & opt (some string) None & info [ "table" ] ~docv:"T.csv" ~doc)
+  in
+  let picture =
+    let doc = "Draw a heat map over two parameters, a line over one, or else histograms." in
+    Arg.(value & opt (some string) None & info [ "picture" ] ~docv:"P.svg" ~doc)
+  in
+  let run general sources jobs shard merge rows also table picture plan =
+    match (jobs, List.find_opt (fun folder -> not (Sys.file_exists folder)) also) with
+    | Some n, _ when n < 1 -> General.wrong_use "--jobs takes a number of at least 1"
+    | _, Some folder -> General.wrong_use (Printf.sprintf "there is no folder %s" folder)
+    | _, None ->
+        Driver.Sweep.run general ~sources
+          { Driver.Sweep.jobs; shard; merge; rows; also; table; picture }
+          plan
+  in
+  let man =
+    [
+      `S Manpage.s_description;
+      `P
+        "Makes many runs of a trial, over worlds, robots, values of parameters and seeds, and a \
+         table with a row for each: what became of it, and what the trial measures.";
+      `Pre
+        "program = \"wall_follow.frob\"\n\
+         seeds = [1, 20]\n\n\
+         [params]\n\
+         gap = \"0.2[m] to 0.6[m], 9 steps\"";
+      `P
+        "Each row is kept as soon as its run is done. Whatever ends a sweep, the same command goes \
+         on where it ended; a plan with more runs makes only those that are new.";
+    ]
+  in
+  command "sweep" ~man ~doc:"make many runs of a trial, and a table of them"
+    Term.(
+      const run $ general $ sources $ jobs $ shard $ merge $ rows $ also $ table $ picture $ plan)
+
 let view =
   let recording =
     let doc = "The recording: what $(b,frobc run --record) wrote." in

@@ -61,6 +61,9 @@ class TomlReader {
     // Neighbours differ; so do the last and the first if `closed`.
     std::vector<Vec> needed_points(std::string_view key, std::size_t least, bool closed);
 
+    // Whatever is at a key, or nullptr.
+    const toml::node *any(std::string_view key) { return find(key); }
+
     // The table at a key, or nullptr.
     const toml::table *table(std::string_view key);
     // The tables of `[[key]]`; none if it does not occur.

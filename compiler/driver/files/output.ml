@@ -1,4 +1,4 @@
-type content = C | Table | Picture | World | Program | Link | Log | Source
+type content = C | Table | Picture | Rows | World | Program | Link | Log | Source
 type t = { path : string; content : content; asked : string }
 
 let ( let* ) = Result.bind
@@ -54,6 +54,7 @@ let is_ours content text =
   | Table -> List.exists starts [ "# param "; "time,"; "time\n"; "time\r" ]
   | Picture ->
     starts "\137PNG\r\n\026\n" || starts "<svg xmlns=\"http://www.w3.org/2000/svg\" width="
+  | Rows -> starts "run,world,robot,"
   | World -> contains first_line "written by frobc"
   | Program -> contains text "frob_program"
   | Log -> text.[0] >= '0' && text.[0] <= '9'
@@ -63,6 +64,7 @@ let kind = function
   | C -> "C that frobc has generated"
   | Table -> "a trace or a recording"
   | Picture -> "a picture that frobc has drawn"
+  | Rows -> "the table of a sweep"
   | World -> "a world that frobc has written"
   | Program -> "a program that frobc has built"
   | Link -> "a link"

@@ -7,6 +7,7 @@ type content =
   | C  (** generated C and headers: the first line says so *)
   | Table  (** a trace or a recording: its first column is [time] *)
   | Picture  (** PNG, or SVG as frobc draws it *)
+  | Rows  (** the table of a sweep: its first columns are [run,world,robot] *)
   | World  (** the first line says so *)
   | Program  (** an executable with a table for hosts *)
   | Link  (** a symbolic link *)

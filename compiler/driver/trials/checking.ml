@@ -18,6 +18,13 @@ type t = {
   jobs : int;
 }
 
+let alone general ~sources resources =
+  let jobs = None and pattern = None and seeds = None and junit = None in
+  let options =
+    { pattern; seeds; jobs; rate = 50.; json = false; junit; update = false; keep = "failed" }
+  in
+  { general; sources; options; resources; jobs = 1 }
+
 let read path =
   let channel = open_in_bin path in
   Fun.protect

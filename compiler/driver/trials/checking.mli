@@ -19,6 +19,9 @@ type t = {
   jobs : int;
 }
 
+val alone : General.t -> sources:string list -> Resources.t -> t
+(** For what runs no tests, and needs what they have in common. *)
+
 val read : string -> string
 (** The text of a file that is there. *)
 

@@ -11,8 +11,8 @@ let least is_better = function
       List.fold_left (fun best x -> if is_better (snd x) (snd best) then x else best) first rest
   | [] -> invalid_arg "Spread.least"
 
-let text ~name ~unit_ all =
-  let known = List.filter (fun (_, x) -> not (Float.is_nan x)) all in
+let text ?(each = "seed") ~name ~unit_ all =
+  let known = List.filter (fun (_, x) -> Float.is_finite x) all in
   let unit_ = if unit_ = "" || unit_ = "1" then "" else " " ^ unit_ in
   let lacking =
     match List.length all - List.length known with
@@ -25,5 +25,5 @@ let text ~name ~unit_ all =
   | _ ->
       let values = List.map snd known in
       let low_seed, low = least ( < ) known and high_seed, high = least ( > ) known in
-      Printf.sprintf "%s: mean %.4g%s, deviation %.3g, from %.4g (seed %d) to %.4g (seed %d)%s" name
-        (mean values) unit_ (deviation values) low low_seed high high_seed lacking
+      Printf.sprintf "%s: mean %.4g%s, deviation %.3g, from %.4g (%s %d) to %.4g (%s %d)%s" name
+        (mean values) unit_ (deviation values) low each low_seed high each high_seed lacking

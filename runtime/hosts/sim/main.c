@@ -12,6 +12,7 @@
 #include "../common/touches.h"
 #include "../common/truth.h"
 #include "controllers.h"
+#include "many.h"
 #include "options.h"
 #include "pace.h"
 #include "summary.h"
@@ -269,12 +270,35 @@ static int try_seeds(const struct options *options, const struct params *params,
     bool ok = trial_open(&trial, judge);
     for (; ok && one.seed <= options->last_seed; one.seed++) {
         struct frob_sim *sim = open_world(&one, params->program);
-        ok = sim != NULL && trial_run(&trial, &one, params, sim);
+        ok = sim != NULL && trial_run(&trial, &one, params, sim, stdout);
         if (sim != NULL)
             frob_sim_close(sim);
     }
     trial_close(&trial);
     return streams_flush() && ok ? DONE : WRONG_USE;
+}
+
+static int try_runs(const struct options *options, const struct frob_program *program,
+                    const struct frob_program *judge)
+{
+    struct trial trial;
+    const bool ok = trial_open(&trial, judge) && many_runs(&trial, options, program, open_world);
+    trial_close(&trial);
+    return streams_flush() && ok ? DONE : WRONG_USE;
+}
+
+static int tell_plan(const char *plan)
+{
+    char *text;
+    const int ok = frob_sim_read_plan(plan, &text);
+    if (text == NULL)
+        fprintf(stderr, "error: not enough memory for the plan\n");
+    else if (ok)
+        fputs(text, stdout);
+    else
+        tell_faults(text);
+    free(text);
+    return ok && streams_flush() ? DONE : WRONG_USE;
 }
 
 static int start(const struct options *options)
@@ -288,6 +312,8 @@ static int start(const struct options *options)
     int status = WRONG_USE;
     if (program == NULL || (options->judge != NULL && judge == NULL))
         return WRONG_USE;
+    if (options->judge != NULL && options->runs != NULL)
+        return try_runs(options, program, judge);
     if (options->judge != NULL) {
         if (params_open(&params, program, options->params, options->param_count))
             status = try_seeds(options, &params, judge);
@@ -314,6 +340,8 @@ int main(int argc, char **argv)
     }
     if (argc == 3 && strcmp(argv[1], "--robot-of") == 0)
         return tell_robot(argv[2]);
+    if (argc == 3 && strcmp(argv[1], "--plan") == 0)
+        return tell_plan(argv[2]);
     if (read_options(argc, argv, &options))
         status = start(&options);
     free(options.params);

@@ -25,6 +25,7 @@ const char usage[] =
     "  --strict           exit with status 4 if the robot ran into something\n"
     "  --judge JUDGE.so   judge each run, and print a line for it instead of a summary\n"
     "  --last-seed N      with --judge: a run with each seed, from that of --seed on\n"
+    "  --runs LIST        with --judge: the runs of a list, each with its seed and parameters\n"
     "  --progress         show progress even where it is not a terminal\n"
     "  --viewer COMMAND...\n"
     "                     start what shows the run, and go on in real time, until it is\n"
@@ -32,7 +33,11 @@ const char usage[] =
     "\n"
     "       frob-sim --robot-of WORLD.toml\n"
     "\n"
-    "                     tells the robot that a world names, if it does\n";
+    "                     tells the robot that a world names, if it does\n"
+    "\n"
+    "       frob-sim --plan PLAN.toml\n"
+    "\n"
+    "                     tells what the plan of a sweep says\n";
 
 static bool number(const char *option, const char *text, double low, double high, double *result)
 {
@@ -97,6 +102,8 @@ static bool valued(struct options *o, const char *name, const char *value)
         return whole(name, value, &o->seed);
     else if (strcmp(name, "--judge") == 0)
         o->judge = value;
+    else if (strcmp(name, "--runs") == 0)
+        o->runs = value;
     else if (strcmp(name, "--last-seed") == 0)
         return whole(name, value, &o->last_seed);
     else {

@@ -21,6 +21,7 @@ struct options {
     const char *picture;       /* NULL: none */
     char *const *viewer;       /* a command, which ends with NULL; NULL: none */
     const char *judge;         /* JUDGE.so of a trial; NULL: an ordinary run */
+    const char *runs;          /* of a trial, a file with runs instead of seeds; NULL: none */
     uint64_t last_seed;        /* of a trial, from `seed` on */
     const char **params;       /* values of the program's parameters, NAME=VALUE each */
     size_t param_count;

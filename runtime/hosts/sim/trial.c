@@ -8,33 +8,37 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The judge's input, by the names of its columns. */
-struct truth_at {
-    const char *name;
-    double number; /* or whether it is true */
+/* What is true, by the names of the judge's columns, in the order in which it is seen. */
+enum { TRUTHS = TRIAL_TRUTHS };
+
+static const char *const truth_names[TRUTHS] = {
+    "in.pose.position.x", "in.pose.position.y", "in.pose.heading",   "in.clearance",
+    "in.touches",         "in.driven",          "in.odometryError", "in.ended",
 };
 
-enum { TRUTHS = 8 };
-
-struct filling {
-    const struct truth_at *truths;
-    unsigned char *input;
-};
-
-static void fill(void *context, const char *name, const struct frob_value *value)
+/* Remembers where a column is. */
+static void find(void *context, const char *name, const struct frob_value *value)
 {
-    const struct filling *filling = (const struct filling *)context;
-    unsigned char *place = filling->input + value->offset;
+    struct trial *trial = (struct trial *)context;
+    for (size_t i = 0; i < TRUTHS; i++)
+        if (strcmp(truth_names[i], name) == 0)
+            trial->truths[i] = value;
+}
+
+static void fill(const struct trial *trial, const double *truths)
+{
     for (size_t i = 0; i < TRUTHS; i++) {
-        const double number = filling->truths[i].number;
-        if (strcmp(filling->truths[i].name, name) != 0)
+        const struct frob_value *value = trial->truths[i];
+        unsigned char *place;
+        if (value == NULL)
             continue;
+        place = (unsigned char *)trial->input + value->offset;
         if (value->kind == FROB_BOOL)
-            *(bool *)place = number != 0.0;
+            *(bool *)place = truths[i] != 0.0;
         else if (value->kind == FROB_SINGLE)
-            *(float *)(void *)place = (float)number;
+            *(float *)(void *)place = (float)truths[i];
         else
-            *(double *)(void *)place = number;
+            *(double *)(void *)place = truths[i];
     }
 }
 
@@ -42,6 +46,8 @@ bool trial_open(struct trial *trial, const struct frob_program *judge)
 {
     memset(trial, 0, sizeof *trial);
     trial->judge = judge;
+    trial->params = judge->default_params;
+    frob_trace_columns(judge->input, "in", find, trial);
     trial->state = calloc(1, trial->judge->state_size + 1);
     trial->input = calloc(1, trial->judge->input_size + 1);
     trial->output = calloc(1, trial->judge->output_size + 1);
@@ -105,25 +111,25 @@ static bool has_failed(const struct controllers *controllers, const struct claim
     return said == VERDICT_FAILS && ends(end, "violated", "judge", now_ns);
 }
 
-static void see_truth(const struct controllers *controllers, struct truth_at *truths)
+static void see_truth(const struct controllers *controllers, double *truths)
 {
     const struct frob_sim_place place = frob_sim_place_robot(controllers->sim, 0);
     const struct frob_sim_summary summary = frob_sim_summarize_robot(controllers->sim, 0);
-    const struct truth_at all[TRUTHS] = {
-        { "in.pose.position.x", place.x_m },
-        { "in.pose.position.y", place.y_m },
-        { "in.pose.heading", place.heading_rad },
-        { "in.clearance", frob_sim_clearance_robot(controllers->sim, 0) },
-        { "in.touches", place.touches ? 1.0 : 0.0 },
-        { "in.driven", summary.distance_m },
-        { "in.odometryError", summary.odometry_error_m },
-        { "in.ended", controllers->each[0].ended ? 1.0 : 0.0 },
+    const double all[TRUTHS] = {
+        place.x_m,
+        place.y_m,
+        place.heading_rad,
+        frob_sim_clearance_robot(controllers->sim, 0),
+        place.touches ? 1.0 : 0.0,
+        summary.distance_m,
+        summary.odometry_error_m,
+        controllers->each[0].ended ? 1.0 : 0.0,
     };
     memcpy(truths, all, sizeof all);
 }
 
 static bool run(struct trial *trial, const struct options *options,
-                struct controllers *controllers, struct claims *judged, struct truth_at *truths,
+                struct controllers *controllers, struct claims *judged, double *truths,
                 struct end *end)
 {
     struct touches touches;
@@ -131,18 +137,17 @@ static bool run(struct trial *trial, const struct options *options,
     enum verdict said = VERDICT_NOT_ASKED;
     bool asked = false, ok = touches_start(&touches, controllers->program);
     int64_t before_ns = 0;
-    trial->judge->reset(trial->state, trial->judge->default_params);
+    trial->judge->reset(trial->state, trial->params);
     for (int64_t k = 0; ok; k++) {
         const int64_t now_ns = (int64_t)llround((double)k * 1e9 / options->rate_hz);
         const double dt_s = (double)(now_ns - before_ns) / 1e9;
-        struct filling filling = { truths, (unsigned char *)trial->input };
         if (now_ns > end_ns)
             break;
         frob_sim_advance(controllers->sim, now_ns);
         ok = controllers_step(controllers, now_ns, dt_s, &touches);
         see_truth(controllers, truths);
-        frob_trace_columns(trial->judge->input, "in", fill, &filling);
-        trial->judge->step(trial->state, trial->judge->default_params, dt_s, trial->input,
+        fill(trial, truths);
+        trial->judge->step(trial->state, trial->params, dt_s, trial->input,
                            trial->output);
         claims_see(judged, now_ns, trial->output);
         said = verdict_of(trial->judge->output, trial->output);
@@ -165,7 +170,7 @@ static bool run(struct trial *trial, const struct options *options,
 }
 
 /* What the judge measures, behind a tab each: `name=value`. */
-static bool print_measures(const struct trial *trial)
+static bool print_measures(const struct trial *trial, FILE *file)
 {
     const struct frob_value *probes = trial->judge->probes;
     for (size_t i = 0; probes != NULL && i < probes->constructors[0].count; i++) {
@@ -179,19 +184,19 @@ static bool print_measures(const struct trial *trial)
         }
         text = frob_text_in(buffer, room);
         frob_cell_write(&text, field->value, trial->output);
-        printf("\t%s=%s", field->name, text.data);
+        fprintf(file, "\t%s=%s", field->name, text.data);
         free(buffer);
     }
     return true;
 }
 
 bool trial_run(struct trial *trial, const struct options *options, const struct params *params,
-               struct frob_sim *sim)
+               struct frob_sim *sim, FILE *file)
 {
     char message[1024];
     struct controllers controllers;
     struct claims judged;
-    struct truth_at truths[TRUTHS] = { { "", 0.0 } };
+    double truths[TRUTHS] = { 0.0 };
     struct end end = { NULL, "", 0 };
     bool ok = controllers_open(&controllers, params, sim, options->record);
     ok = claims_open(&judged, trial->judge) && ok;
@@ -202,12 +207,12 @@ bool trial_run(struct trial *trial, const struct options *options, const struct 
         ok = false;
     }
     if (ok) {
-        printf("%llu\t%s\t%.9f\t%s", (unsigned long long)options->seed, end.fate,
-               (double)end.time_ns * 1e-9, end.label);
+        fprintf(file, "%llu\t%s\t%.9f\t%s", (unsigned long long)options->seed, end.fate,
+                (double)end.time_ns * 1e-9, end.label);
         for (size_t i = 0; i + 1 < TRUTHS; i++)
-            printf("\t%.9g", truths[i].number);
-        ok = print_measures(trial);
-        putchar('\n');
+            fprintf(file, "\t%.9g", truths[i]);
+        ok = print_measures(trial, file);
+        putc('\n', file);
     }
     claims_close(&judged);
     return controllers_close(&controllers) && ok;

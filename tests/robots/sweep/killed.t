@@ -1,0 +1,52 @@
+Whoever is killed, and whenever, the same command goes on, and the table is the same.
+
+  $ cat > follow.frob << 'FROB'
+  > import Robot
+  > import Trial
+  > import WallFollow
+  > param gap :: Distance = 0.3[m]
+  > main :: (HasSonar i, DiffDrive o) => Program i o
+  > main = reactimateRobot (wallFollow1 gap)
+  > trial "keeps off" = Trial { world = "room.toml", lasts = 5[s], seeds = 1 `to` 60, judge = proc t -> neverTouches t where
+  >     error = meanOf (t.clearance - gap)
+  > }
+  > FROB
+  $ cat > gaps.toml << 'PLAN'
+  > program = "follow.frob"
+  > robots = ["pioneer"]
+  > [params]
+  > gap = ["0.2[m]", "0.3[m]", "0.4[m]"]
+  > PLAN
+  $ frobc sweep gaps.toml --rows whole --table whole.csv > /dev/null
+
+The command itself, again and again; its processes may go on for a while.
+
+  $ for pause in 0.15 0.3 0.2 0.4 0.25; do
+  >   frobc sweep gaps.toml -j 3 > told 2>&1 & sweep=$!
+  >   sleep $pause; kill -9 $sweep 2> killed; wait $sweep 2> killed
+  > done
+  > frobc sweep gaps.toml > told && cmp gaps.csv whole.csv
+
+Its processes, while it runs: their runs are made by others.
+
+  $ rm -r gaps.rows
+  $ frobc sweep gaps.toml -j 2 > told 2>&1 & sweep=$!
+  $ for time in 1 2 3; do
+  >   for look in $(seq 100); do
+  >     child=$(ps -o pid=,args= --ppid $sweep 2> no_child | awk '/--for 5/ { print $1; exit }')
+  >     test -n "$child" && break; sleep 0.05
+  >   done; test -n "$child" && kill -9 $child 2> no_child
+  > done; wait $sweep && cmp gaps.csv whole.csv
+
+A row that is not whole, or has been changed, is made again.
+
+  $ for file in gaps.rows/*.rows; do sed -i '1s/held/hell/; $s/.$//' "$file"; done
+  $ frobc sweep gaps.toml > told && cmp gaps.csv whole.csv
+
+Where the disk is full what is done is kept.
+
+  $ rm -r gaps.rows && mkdir small
+  $ (ulimit -f 8; frobc sweep gaps.toml -j 1 --rows small) 2>&1 | sed 's/[0-9][0-9]*/N/g'
+  error: cannot write what a run came to: File too large
+  N runs done, N left; the same command goes on where this one ended
+  $ test $(cat small/*.rows | wc -l) -gt 10 && frobc sweep gaps.toml --rows small > told && cmp gaps.csv whole.csv
