@@ -76,7 +76,7 @@ let explained reader =
         in
         if ended && is_semicolon reader !token then reader.split <- true;
         let of_last = (reader.cut && ended && not reader.defines) || rest_of_last in
-        reader.cut <- ended && Syntax_hint.expects_more before;
+        reader.cut <- ended && Found.expects_more before;
         let found = !token in
         let told, last = skip_line reader ~bad:false found found in
         if not (of_last || told) then

@@ -51,6 +51,11 @@ let unqualified (x : Ir.qualified) =
 let is_operator (x : Ir.name) =
   match x.text.[0] with 'a' .. 'z' | 'A' .. 'Z' | '_' -> false | _ -> true
 
+let of_comparison = function
+  | "<" | ">" | "<=" | ">=" | "==" | "/=" | "&&" | "||" ->
+      Some "a condition stands behind the pattern, as a guard: `x | x > 0 -> 1`"
+  | _ -> None
+
 let rec to_pattern (t : term) : Ir.pattern =
   let make desc : Ir.pattern = { desc; span = t.span } in
   match t.desc with
@@ -86,7 +91,8 @@ let rec to_pattern (t : term) : Ir.pattern =
 and no_expression span (desc : Ir.expr_desc) =
   match desc with
   | Binary { operator; _ } ->
-      Reject.at ~code:"E0114" operator.span "the operator `%s` cannot be part of a pattern"
+      Reject.at ~code:"E0114" operator.span ?hint:(of_comparison operator.name.text)
+        "the operator `%s` cannot be part of a pattern"
         operator.name.text
   | Power _ -> no_pattern span "a power"
   | String _ -> no_pattern span "a text"

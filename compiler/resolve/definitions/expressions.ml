@@ -26,6 +26,9 @@ and desc env (e : Syntax.Ir.expr) : Ir.expr_desc =
   | Apply (head, { desc = Array [ unit_ ]; span }) when is_unit_of env head unit_ ->
       report_apart env head unit_ span;
       missing
+  | Apply (head, { desc = Parenthesized unit_; span }) when is_unit_of env head unit_ ->
+      report_apart env head unit_ span;
+      missing
   | Apply (head, argument) ->
       let resolved = expr env head in
       if resolved.desc == missing && is_statement_elsewhere head then missing
@@ -108,8 +111,8 @@ and report_apart env (head : Syntax.Ir.expr) unit_ span =
   let digits = match number.desc with Number { digits; _ } -> digits | _ -> "3" in
   Diagnostic.error ~code:"E0205" ~at:span "this unit stands apart from its number"
   |> Diagnostic.hint
-       (Printf.sprintf "no blank stands between them: `%s[%s]`" digits
-         (Unit_word.of_expression unit_))
+       (Printf.sprintf "a unit stands in square brackets, without a blank before them: `%s[%s]`"
+         digits (Unit_word.of_expression unit_))
   |> (match number.desc with
      | Number { digits; _ } ->
          Diagnostic.write

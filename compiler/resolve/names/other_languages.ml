@@ -151,6 +151,7 @@ let is_statement = function
 let constructor = function
   | "None" | "Null" | "NULL" -> Some "it is `Nothing`"
   | "Some" -> Some "it is `Just`"
+  | "Twist" -> Some "a robot's speed and turn are told by `setVelTR v omega`"
   | "TRUE" -> Some "it is `True`"
   | "FALSE" -> Some "it is `False`"
   | "PI" | "M_PI" -> Some "it is `pi`"
@@ -162,6 +163,21 @@ let constructor = function
 
 let module_ = function
   | "Math" -> Some no_module
+  | _ -> None
+
+let type_ = function
+  | "IO" -> Some "a program's `main` is a `Program RobotInput RobotOutput`, or a signal function"
+  | "Str" | "Char" | "Text" | "CString" -> Some "a text is a `String`, and only a label"
+  | "List" | "Vector" | "Vec" -> Some "several of one type are an array: `Array 4 Float`"
+  | "Number" | "Real" | "Num" | "Decimal" | "Rational" -> Some "numbers are `Float` or `Int`"
+  | "Optional" | "Option" -> Some "what may be missing is a `Maybe`"
+  | "Duration" | "Seconds" -> Some "it is `Time`"
+  | "Speed" -> Some "it is `Velocity`"
+  | "Length" -> Some "it is `Distance`"
+  | "Twist" -> Some "a robot's speed and turn are told by `setVelTR v omega`"
+  | "Signal" | "Behavior" | "Behaviour" ->
+      Some
+        "a variable of a `proc` is a signal by itself: its type is that of its values, as `Float`"
   | _ -> None
 
 let class_ = function

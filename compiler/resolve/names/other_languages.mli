@@ -16,6 +16,9 @@ val is_statement : string -> bool
 val constructor : string -> string option
 (** Likewise of a constructor, as in an expression or a pattern. *)
 
+val type_ : string -> string option
+(** Likewise of a type. *)
+
 val class_ : string -> string option
 (** Likewise of a type class. *)
 

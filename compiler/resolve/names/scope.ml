@@ -138,13 +138,14 @@ let from_elsewhere space name =
   | "name" -> Other_languages.value name
   | "constructor" -> Other_languages.constructor name
   | "type class" -> Other_languages.class_ name
+  | "type" -> Other_languages.type_ name
   | _ -> None
 
-(* As in `int m = n + 1`, the definition of a function `int`. *)
 let no_input =
   "what a robot senses has a name in a `proc` only, as in `proc i -> …`; a task reads it once by \
    `d <- ask frontSonar`"
 
+(* As in `int m = n + 1`, the definition of a function `int`. *)
 let c_type_before t (name : Syntax.Ir.name) =
   let is_it ((_ : Syntax.Ir.name), (parameter : Syntax.Ir.name)) =
     String.equal parameter.text name.text

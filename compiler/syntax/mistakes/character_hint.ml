@@ -80,12 +80,32 @@ let of_field text at =
       }
   | _ -> { hint = Some "a type follows `::`"; instead = None }
 
+let of_class =
+  "there are no objects: `data` declares a record, and functions of it stand at the left edge, \
+   each an equation"
+
+(* An indented `def`, below a `class`. *)
+let is_a_method text start =
+  char_at text start = ' '
+  && List.exists (String.starts_with ~prefix:"class ")
+       (String.split_on_char '\n' (String.sub text 0 start))
+
+(* `x : xs`, as a value. *)
+let joins text start at =
+  let line = String.sub text start (at - start) in
+  char_at text (at - 1) = ' '
+  && char_at text (at + 1) = ' '
+  && (String.contains line '=' || String.contains line '>')
+  && line_of_brace text at = None
+
 let of_colon text at =
   let start = line_start text at in
   let words = String.split_on_char ' ' (String.trim (String.sub text start (at - start))) in
   let ends_line = match char_at text (at + 1) with '\n' | '\000' -> true | _ -> false in
   let hint hint = { hint = Some hint; instead = None } in
   match words with
+  | "class" :: _ -> hint of_class
+  | "def" :: _ when is_a_method text start -> hint of_class
   | "def" :: _ ->
       hint (Printf.sprintf "a function is defined by an equation: `%s = …`" (of_def words))
   | _ when List.exists (fun word -> word = "lambda" || word = "(lambda") words ->
@@ -97,6 +117,9 @@ let of_colon text at =
   | _ when ends_line && List.mem "case" words ->
       hint "the line of a `case` ends with `of`: `case x of`"
   | _ when ends_line -> hint of_block
+  | _ when joins text start at && not (List.mem "if" words) ->
+      hint
+        "nothing is joined: an array keeps its size, and all its elements are written, `[x, 0, 0]`"
   | _ when List.mem "if" words -> hint "`then` follows the condition: `if c then a else b`"
   | _ -> of_field text at
 
@@ -142,6 +165,14 @@ let included text at =
       if stem <> "" && String.for_all is_name stem then stem else "Control"
   | _ -> "Control"
 
+(* `speed = 0.3`, of `#define SPEED 0.3`. *)
+let defined text at =
+  let stop = Option.value (String.index_from_opt text at '\n') ~default:(String.length text) in
+  match String.split_on_char ' ' (String.trim (String.sub text at (stop - at))) with
+  | [ _; name; value ] when name <> "" && String.for_all is_name name ->
+      Printf.sprintf "%s = %s" (String.lowercase_ascii name) value
+  | _ -> "vMax = 0.4[m/s]"
+
 let of_character ~text ~at character =
   let next = char_at text (at + String.length character) in
   let starts word =
@@ -160,7 +191,8 @@ let of_character ~text ~at character =
   | ":", None -> of_colon text at
   | "&", None when next <> '&' -> both "write `&&`, or `.&.` of bits" "&&"
   | "&", None -> only "write `&&`, or `.&.` of bits"
-  | "#", None when starts "#define" -> only "a constant is an equation: `vMax = 0.4[m/s]`"
+  | "#", None when starts "#define" ->
+      only (Printf.sprintf "a constant is an equation: `%s`" (defined text at))
   | "#", None when starts "#include" ->
       only (Printf.sprintf "a module is imported: `import %s`" (included text at))
   | "#", None -> both "a comment starts with `--`" "--"
@@ -175,4 +207,4 @@ let of_character ~text ~at character =
       only "names are made of `a`–`z`, `A`–`Z`, digits, `_` and primes"
   | _, None -> { hint = None; instead = None }
 
-let is_of_each_line hint = hint = Some of_block || hint = Some of_switch
+let is_of_each_line hint = List.mem hint [ Some of_block; Some of_switch; Some of_class ]

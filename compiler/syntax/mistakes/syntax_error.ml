@@ -1,5 +1,6 @@
 open Basis
 open Grammar
+open Found
 open Syntax_hint
 
 let span (t : Layout.token) = Build.span (t.start, t.stop)
@@ -66,6 +67,10 @@ let compares_instead found =
       Some (Printf.sprintf "`==` compares; a definition is written with one `=`: `%s = …`" name)
   | _ -> None
 
+let starts_with_a_text found =
+  let bol = found.token.start.pos_bol in
+  bol < String.length found.text && found.text.[bol] = '"'
+
 (* `assert (x > 0)` *)
 let claim_without_text found =
   match first_word_of_line found with
@@ -73,6 +78,8 @@ let claim_without_text found =
       Some
         (Printf.sprintf "what holds has a name, in quotes: `%s \"keeps off the wall\" (x > 0)`"
            word)
+  | _ when starts_with_a_text found ->
+      Some "a comment is `-- …`, and `-- | …` before a definition describes it"
   | _ -> None
 
 let no_effect =

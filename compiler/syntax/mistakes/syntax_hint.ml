@@ -1,54 +1,6 @@
 open Basis
 open Grammar
-
-type found = {
-  text : string;
-  state : int;
-  before : Layout.token option;
-  token : Layout.token;
-  context : Layout.context;
-}
-
-let rec innermost : Layout.context -> (Layout.block * Layout.origin) option = function
-  | (Block block, origin) :: _ -> Some (block, origin)
-  | ((Paren | Bracket | Brace | If | Then | Case), _) :: rest -> innermost rest
-  | [] -> None
-
-let innermost_block context = match innermost context with Some (block, _) -> block | None -> Top
-
-let written found (t : Layout.token) =
-  String.sub found.text t.start.pos_cnum (t.stop.pos_cnum - t.start.pos_cnum)
-
-let char_at found offset =
-  if offset >= 0 && offset < String.length found.text then found.text.[offset] else '\n'
-
-let after found = char_at found found.token.stop.pos_cnum
-
-let is_blank = function ' ' | '\t' | '\n' | '\r' -> true | _ -> false
-let is_symbol c = String.contains "+-*/^=<>&|!.@:$" c
-let is_digit c = c >= '0' && c <= '9'
-
-let in_brackets : Layout.context -> bool = function
-  | ((Paren | Bracket | Brace), _) :: _ -> true
-  | _ -> false
-
-let expects_more : Layout.token option -> bool = function
-  | Some
-      { token =
-          ( EQUAL | ARROW | DOUBLE_COLON | DOUBLE_ARROW | OPERATOR _ | MINUS | STAR | SLASH | CARET
-          | BAR | IF | THEN | ELSE | IN | CASE | COMMA | TAIL );
-        _ } ->
-      true
-  | Some _ | None -> false
-
-let opens_with opener : Layout.context -> bool = function
-  | (innermost, _) :: _ -> innermost = opener
-  | [] -> false
-
-(* A place where a value stands and no definition can. *)
-let compares : Layout.context -> bool = function
-  | ((Paren | If | Then | Case), _) :: _ -> true
-  | ((Bracket | Brace | Block _), _) :: _ | [] -> false
+open Found
 
 let reserved_word = Printf.sprintf "`%s` is a word of the language and cannot be a name"
 
@@ -118,8 +70,6 @@ let field_of_a_value found (field : Layout.token) =
   let rec back i = if is_blank (char_at found i) && i >= 0 then back (i - 1) else char_at found i in
   match back (field.start.pos_cnum - 1) with '{' | ',' -> true | _ -> false
 
-let is_adjacent found (before : Layout.token) = before.stop.pos_cnum = found.token.start.pos_cnum
-
 let own_operator =
   "programs define no operators; a function stands between in backticks: ``a `f` b``"
 
@@ -158,36 +108,6 @@ let foreign_operator found (before : Layout.token) =
            index, `generate (\\i -> i + 1)`, as many as the type says"
     | _ -> None
 
-(* Where the word that starts at this offset starts and ends. *)
-let word_from found first =
-  let rec stop i = match char_at found i with 'a' .. 'z' | 'A' .. 'Z' -> stop (i + 1) | _ -> i in
-  (first, stop first)
-
-let rec first_word_from found i =
-  if char_at found i = ' ' then first_word_from found (i + 1) else word_from found i
-
-let part found (first, last) = String.sub found.text first (last - first)
-
-(* The word at the left edge of the line: what other languages begin it with. *)
-let first_word found = part found (word_from found found.token.start.pos_bol)
-
-let first_word_of_line found = part found (first_word_from found found.token.start.pos_bol)
-
-(* The word that ends before this offset, with only blanks between. *)
-let word_before found offset =
-  let rec blanks i = if i > 0 && is_blank (char_at found (i - 1)) then blanks (i - 1) else i in
-  let stop = blanks offset in
-  let rec start i =
-    match char_at found (i - 1) with
-    | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> start (i - 1)
-    | _ -> i
-  in
-  let start = start stop in
-  String.sub found.text start (stop - start)
-
-let stands_after found word (t : Layout.token) =
-  String.equal (word_before found t.start.pos_cnum) word
-
 (* What follows an opening brace in its line: `name =`, as in a value, or `name ::`, as in
    a type. *)
 let opens_fields found sign =
@@ -201,22 +121,6 @@ let opens_fields found sign =
   stop > name
   && at + String.length sign <= String.length found.text
   && String.equal (String.sub found.text at (String.length sign)) sign
-
-(* Where the definition at the left edge starts that the found token is in. *)
-let start_of_definition found =
-  let rec start i =
-    if i = 0 then 0
-    else if found.text.[i - 1] = '\n' && not (is_blank (char_at found i)) then i
-    else start (i - 1)
-  in
-  start found.token.start.pos_bol
-
-let first_line_of_definition found =
-  let first = start_of_definition found in
-  let last =
-    Option.value (String.index_from_opt found.text first '\n') ~default:(String.length found.text)
-  in
-  String.sub found.text first (last - first)
 
 let lacks_where found =
   match String.split_on_char ' ' (first_line_of_definition found) with
@@ -287,11 +191,6 @@ let capital found =
       name)
 
 (* {1 In the program's own words} *)
-
-let between found first last = String.trim (String.sub found.text first (max 0 (last - first)))
-
-(* Where the line that this offset is in ends. *)
-let rec end_of_line found i = if char_at found i = '\n' then i else end_of_line found (i + 1)
 
 (* [2 * x | x <- xs] *)
 let comprehension found =
@@ -369,6 +268,20 @@ let encloses found =
        (between found found.token.stop.pos_cnum (end_of_line found found.token.stop.pos_cnum))
        '|'
 
+(* `f (v = 1)` *)
+let is_a_keyword_argument found (name : Layout.token) =
+  opens_with Layout.Paren found.context
+  &&
+  let rec back i = if i >= 0 && char_at found i = ' ' then back (i - 1) else i in
+  let opener = back (name.start.pos_cnum - 1) in
+  match char_at found opener with
+  | '(' -> (
+      match char_at found (back (opener - 1)) with
+      | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true
+      | _ -> false)
+  | ',' -> true
+  | _ -> false
+
 let opens_block : Layout.token option -> bool = function
   | Some { token = OPEN; _ } -> true
   | Some _ | None -> false
@@ -423,6 +336,8 @@ let of_token found =
   | EQUAL, Some ({ token = LOWER _; _ } as name)
     when stands_after found "then" name || stands_after found "else" name ->
       Some "nothing is assigned: one equation chooses the value, as in `x = if c then a else b`"
+  | EQUAL, Some ({ token = LOWER _; _ } as name) when is_a_keyword_argument found name ->
+      Some "arguments have no names: they stand side by side in their order, as in `f 1 2`"
   | EQUAL, Some ({ token = FIELD field; _ } as before) ->
       Some
         (Printf.sprintf "no record is changed: `%s { %s = … }` is one with another `%s`"
@@ -468,6 +383,13 @@ let of_token found =
   | THEN, _ when opens_with Layout.Then found.context ->
       Some "a chain of choices is written `if a then x else if b then y else z`"
   | BAR, _ when comprehension found <> None -> comprehension found
+  | ARROW, Some ({ token = LOWER _; _ } as name)
+    when is_adjacent found name && not (is_blank (after found)) ->
+      Some
+        "nothing is reached by `->`: a field is `r.speed`, and what a robot senses is a signal \
+         function, `frontSonar i`"
+  | OPERATOR "!", _ when first_word found = "data" ->
+      Some "a field always has its value: leave out the `!`"
   | BAR, before when encloses found && expects_more before ->
       Some "the absolute value of `x` is `abs x`"
   | (PARAM | DATA | TYPE | IMPORT | CLASS | INSTANCE | UNIT | FOREIGN), before

@@ -188,6 +188,11 @@ let for_any_robot =
     "a `main` whose signature asks for this class in place of a robot's type is for each robot \
      that has it"
 
+let is_function t = match Type.expand t with Function _ -> true | _ -> false
+
+let is_with_an_event t =
+  match Type.expand t with Tuple [ _; event ] -> Environment.is_event event | _ -> false
+
 let is_pair t = match Type.expand t with Tuple [ _; _ ] -> true | _ -> false
 
 let about_foreign ctx t diagnostic =
@@ -242,6 +247,11 @@ let report_lacking ctx required lack =
           |> through_instances words lack |> explain words required
       in
       match lack.lacking with
+      | Declared { name = "RobotOutput"; _ } when is_with_an_event lack.culprit ->
+          Diagnostic.hint
+            "besides its output it gives the event that ends it, which is lacking here: `(roMake \
+             (…), after 1[s] ())`"
+            diagnostic
       | Declared { name = "RobotOutput"; _ } when is_pair lack.culprit ->
           Diagnostic.hint
             "tasks side by side put out both their outputs, of which `mapOutput` makes one; \
@@ -261,6 +271,11 @@ let report_lacking ctx required lack =
       | Declared { name = "RobotOutput"; _ } when by <> "`roMake`" ->
           let hint = Output_mistake.hint_without_instance lack.culprit in
           Option.fold hint ~none:Fun.id ~some:Diagnostic.hint diagnostic
+      | Declared { name = "DiffDrive"; _ } when is_function lack.culprit ->
+          Diagnostic.hint
+            "`.` composes functions; what one is applied to stands in parentheses: `roMake \
+             (setVelTR v omega)`"
+            diagnostic
       | Declared { module_ = "Capability"; _ } when lack.through = [] && is_no_robot lack.culprit ->
           Diagnostic.hint
             (Printf.sprintf
@@ -295,6 +310,12 @@ let smallest environment classes =
       classes
   in
   List.filter (fun class_ -> not (implied class_)) classes
+
+(* Of numbers, which are made anew, what they are. *)
+let is_same a b =
+  match (a, b) with
+  | Type.Number (Float, u), Type.Number (Float, u') -> Units.equal u u'
+  | _ -> a == b
 
 let solve ctx (generalized : Generalize.t) =
   let environment = ctx.reader.environment in
@@ -332,7 +353,7 @@ let solve ctx (generalized : Generalize.t) =
       | exception Lacking lack -> (
           (* One that should be something else is one mistake, whatever it lacks. *)
           match Type.expand lack.culprit with
-          | culprit when is_no_robot culprit && List.memq culprit !functions -> ()
+          | culprit when is_no_robot culprit && List.exists (is_same culprit) !functions -> ()
           | culprit when is_no_robot culprit ->
               functions := culprit :: !functions;
               report_lacking ctx required lack

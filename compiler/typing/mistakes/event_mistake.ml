@@ -52,6 +52,10 @@ let is_beside wanted found =
       | _ -> false)
   | _ -> false
 
+let is_of_nothing t =
+  Environment.is_event t
+  && Option.fold (content t) ~none:false ~some:(fun t -> Type.expand t = Tuple [])
+
 (* The time of `after 5[s] ()`. *)
 let after words (subject : Resolve.Ir.expr option) =
   match subject with
@@ -164,6 +168,13 @@ let hint words ~subject ~(expected : Expected.t) ~found =
                 none at all in `NoEvent`"
                (value words x))
       | None -> None)
+  | (Parameter _ | Signature _ | Output _ | Branch _)
+    when is_of_nothing found && Environment.is_event wanted
+         && Option.fold (content wanted) ~none:false ~some:is_plain ->
+      Some
+        (Printf.sprintf
+           "the value of such an event is `()`: `tag %s x` is one with the value of `x`"
+           (written words subject "e"))
   | Condition when Environment.is_event found && after words subject <> None ->
       Some
         (Printf.sprintf

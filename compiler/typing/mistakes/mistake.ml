@@ -140,6 +140,8 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
           "the elements of an array are separated by commas, factors by `*`: `[%s, …]`"
            digits)
         diagnostic
+  | _, Global { name = ("mergeE" | "mergeR" | "min" | "max") as name; _ } when position = 3 ->
+      hint (Printf.sprintf "of three it is `%s a (%s b c)`" name name) diagnostic
   | Data _, Global { name = ("when" | "edge"); _ } when Environment.is_event left ->
       hint
         "it makes an event of a truth; a choice between two values is `if c then a else b`"
@@ -166,6 +168,8 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
       hint "several tasks, one below the other, stand in a `do`, which opens their block" diagnostic
   | _ when Environment.is_task left ->
       hint "a task is run by `runTask`: `runTask t` is a signal function" diagnostic
+  | _, Local x when position = 1 ->
+      label ~at:x.span (Printf.sprintf "this local `%s` is meant here" x.name) diagnostic
   | _ -> diagnostic
 
 let applied_without_parentheses ~name ~inner ~whole (d : Diagnostic.t) =

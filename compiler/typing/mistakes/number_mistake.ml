@@ -150,6 +150,11 @@ let conversion words ~subject (wanted, given) diagnostic =
   in
   let plain = written = None && numbers_without_units words subject <> [] in
   if Units.is_open wanted || Units.is_open given then diagnostic
+  else if
+    List.mem (Show.measure words wanted, Show.measure words given)
+      [ ("s", "1/s"); ("s", "Hz"); ("Hz", "s") ]
+  then hint (Printf.sprintf "a rate and the time between are each other's inverse: `1 / %s`" e)
+    diagnostic
   else if Units.equal given Units.one && plain then
     let digits = List.hd (numbers_without_units words subject) in
     let unit_ = Show.measure words wanted in

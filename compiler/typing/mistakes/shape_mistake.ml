@@ -207,6 +207,15 @@ let hint_to_group name operator =
     (Printf.sprintf "application binds tighter than `%s`: write `%s (… %s …)`"
        operator name operator)
 
+(* Of a lambda that is an argument: what is expected is said of the whole of it. *)
+let is_a_body ~(at : Span.t) (expected : Expected.t) =
+  match expected.because with
+  | Parameter { given; position; _ } -> (
+      match List.nth_opt given (position - 1) with
+      | Some { desc = Lambda _; span } -> Span.compare span at <> 0
+      | _ -> false)
+  | _ -> false
+
 let takes (expected : Expected.t) =
   match expected.because with Parameter { takes; _ } -> takes | _ -> 0
 
@@ -395,6 +404,11 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
   | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint "`constant e` is the signal function that always gives `e`"
+  | Function _, (Number _ | Bool | String | Data _), _ when is_a_body ~at expected ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint
+           "the function is given one argument more: `_` behind its parameters leaves it unused, \
+            as in `\\n _ -> …`"
   | Tuple (_ :: _ as wanted), (Number _ | Bool | Data _), _ when is_a_parameter expected ->
       let name = match expected.because with Parameter { callee = Some f; _ } -> f | _ -> "f" in
       let written =

@@ -132,6 +132,8 @@ Too many and too few arguments.
     |           ---         ^^^ one too many
     |           |
     |           with 2 arguments the result is `Float`
+    |
+    = hint: of three it is `max a (max b c)`
   
   error[E0301]: expected `Float`, found the function `Float[u] -> Float[u]`
    --> arguments.frob:5:16

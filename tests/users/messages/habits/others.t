@@ -85,7 +85,7 @@ C and Arduino:
   1 | #define V_MAX 0.4
     | ^
     |
-    = hint: a constant is an equation: `vMax = 0.4[m/s]`
+    = hint: a constant is an equation: `v_max = 0.4`
   
   1 error
   [1]

@@ -464,7 +464,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3 [m/s] 0))
     |                                                        ^^^^^
     |
-    = hint: no blank stands between them: `0.3[m/s]`
+    = hint: a unit stands in square brackets, without a blank before them: `0.3[m/s]`
   
   1 error
   # 040_truth_in_small_letters.frob
@@ -1072,7 +1072,7 @@ A hundred mistakes, and what is said of each; INDEX.md tells what its author mea
   1 | #define V_MAX 0.4
     | ^
     |
-    = hint: a constant is an equation: `vMax = 0.4[m/s]`
+    = hint: a constant is an equation: `v_max = 0.4`
   
   1 error
   # 095_remainder.frob

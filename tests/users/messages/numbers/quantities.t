@@ -62,7 +62,7 @@ A turn, a pause, and a unit that stands apart:
   3 | main = reactimateRobot (proc i -> roMake (setVelTR 0.3 [m/s] 0))
     |                                                        ^^^^^
     |
-    = hint: no blank stands between them: `0.3[m/s]`
+    = hint: a unit stands in square brackets, without a blank before them: `0.3[m/s]`
   
   1 error
   [1]

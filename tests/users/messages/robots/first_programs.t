@@ -110,7 +110,7 @@ Blocks in braces, and a lambda, a field or a unit as elsewhere:
   2 | bell = after 3 [s]
     |                ^^^
     |
-    = hint: no blank stands between them: `3[s]`
+    = hint: a unit stands in square brackets, without a blank before them: `3[s]`
   
   1 error
   [1]

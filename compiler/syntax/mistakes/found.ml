@@ -1,0 +1,103 @@
+open Grammar
+
+type t = {
+  text : string;
+  state : int;
+  before : Layout.token option;
+  token : Layout.token;
+  context : Layout.context;
+}
+
+let rec innermost : Layout.context -> (Layout.block * Layout.origin) option = function
+  | (Block block, origin) :: _ -> Some (block, origin)
+  | ((Paren | Bracket | Brace | If | Then | Case), _) :: rest -> innermost rest
+  | [] -> None
+
+let innermost_block context = match innermost context with Some (block, _) -> block | None -> Top
+
+let written found (t : Layout.token) =
+  String.sub found.text t.start.pos_cnum (t.stop.pos_cnum - t.start.pos_cnum)
+
+let char_at found offset =
+  if offset >= 0 && offset < String.length found.text then found.text.[offset] else '\n'
+
+let after found = char_at found found.token.stop.pos_cnum
+
+let is_blank = function ' ' | '\t' | '\n' | '\r' -> true | _ -> false
+let is_symbol c = String.contains "+-*/^=<>&|!.@:$" c
+let is_digit c = c >= '0' && c <= '9'
+
+let in_brackets : Layout.context -> bool = function
+  | ((Paren | Bracket | Brace), _) :: _ -> true
+  | _ -> false
+
+let expects_more : Layout.token option -> bool = function
+  | Some
+      { token =
+          ( EQUAL | ARROW | DOUBLE_COLON | DOUBLE_ARROW | OPERATOR _ | MINUS | STAR | SLASH | CARET
+          | BAR | IF | THEN | ELSE | IN | CASE | COMMA | TAIL );
+        _ } ->
+      true
+  | Some _ | None -> false
+
+let opens_with opener : Layout.context -> bool = function
+  | (innermost, _) :: _ -> innermost = opener
+  | [] -> false
+
+(* A place where a value stands and no definition can. *)
+let compares : Layout.context -> bool = function
+  | ((Paren | If | Then | Case), _) :: _ -> true
+  | ((Bracket | Brace | Block _), _) :: _ | [] -> false
+
+let is_adjacent found (before : Layout.token) = before.stop.pos_cnum = found.token.start.pos_cnum
+
+(* Where the word that starts at this offset starts and ends. *)
+let word_from found first =
+  let rec stop i = match char_at found i with 'a' .. 'z' | 'A' .. 'Z' -> stop (i + 1) | _ -> i in
+  (first, stop first)
+
+let rec first_word_from found i =
+  if char_at found i = ' ' then first_word_from found (i + 1) else word_from found i
+
+let part found (first, last) = String.sub found.text first (last - first)
+
+(* The word at the left edge of the line: what other languages begin it with. *)
+let first_word found = part found (word_from found found.token.start.pos_bol)
+
+let first_word_of_line found = part found (first_word_from found found.token.start.pos_bol)
+
+(* The word that ends before this offset, with only blanks between. *)
+let word_before found offset =
+  let rec blanks i = if i > 0 && is_blank (char_at found (i - 1)) then blanks (i - 1) else i in
+  let stop = blanks offset in
+  let rec start i =
+    match char_at found (i - 1) with
+    | 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> start (i - 1)
+    | _ -> i
+  in
+  let start = start stop in
+  String.sub found.text start (stop - start)
+
+let stands_after found word (t : Layout.token) =
+  String.equal (word_before found t.start.pos_cnum) word
+
+(* Where the definition at the left edge starts that the found token is in. *)
+let start_of_definition found =
+  let rec start i =
+    if i = 0 then 0
+    else if found.text.[i - 1] = '\n' && not (is_blank (char_at found i)) then i
+    else start (i - 1)
+  in
+  start found.token.start.pos_bol
+
+let first_line_of_definition found =
+  let first = start_of_definition found in
+  let last =
+    Option.value (String.index_from_opt found.text first '\n') ~default:(String.length found.text)
+  in
+  String.sub found.text first (last - first)
+
+let between found first last = String.trim (String.sub found.text first (max 0 (last - first)))
+
+(* Where the line that this offset is in ends. *)
+let rec end_of_line found i = if char_at found i = '\n' then i else end_of_line found (i + 1)

@@ -1,0 +1,173 @@
+More of Python, Haskell and C: objects, comments, lists, named arguments.
+
+  $ cat > named.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR (v=0.2, omega=0)))
+  > FROB
+  $ frobc check named.frob
+  error[E0110]: expected an operator, `,` or `)`, found `=`
+   --> named.frob:2:54
+    |
+  2 | main = reactimateRobot (proc i -> roMake (setVelTR (v=0.2, omega=0)))
+    |                                                      ^
+    |
+    = hint: arguments have no names: they stand side by side in their order, as in `f 1 2`
+  
+  1 error
+  [1]
+
+A class with a method: told once.
+
+  $ cat > objects.frob <<'FROB'
+  > class Wall:
+  >     def __init__(self):
+  >         self.d = 0.5
+  > main :: SF Float Float
+  > main = proc x -> x
+  > FROB
+  $ frobc check objects.frob
+  error[E0103]: unexpected character `:`
+   --> objects.frob:1:11
+    |
+  1 | class Wall:
+    |           ^
+    |
+    = hint: there are no objects: `data` declares a record, and functions of it stand at the left edge, each an equation
+  
+  1 error
+  [1]
+
+  $ cat > docstring.frob <<'FROB'
+  > """Wall follower."""
+  > import Robot
+  > main = reactimateRobot (proc _ -> roMake (setVelTR 0 0))
+  > FROB
+  $ frobc check docstring.frob
+  error[E0110]: expected `=` after the left side of a definition, found the end of the definition
+   --> docstring.frob:1:21
+    |
+  1 | """Wall follower."""
+    |                     ^
+    |
+    = hint: a comment is `-- …`, and `-- | …` before a definition describes it
+  
+  1 error
+  [1]
+
+  $ cat > macro.frob <<'FROB'
+  > #define SPEED 0.3
+  > import Robot
+  > main = reactimateRobot (proc _ -> roMake (setVelTR 0 0))
+  > FROB
+  $ frobc check macro.frob
+  error[E0103]: unexpected character `#`
+   --> macro.frob:1:1
+    |
+  1 | #define SPEED 0.3
+    | ^
+    |
+    = hint: a constant is an equation: `speed = 0.3`
+  
+  1 error
+  [1]
+
+  $ cat > arrow.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = if i->frontSonar < 0.5[m] then 0 else 0.2[m/s])
+  > FROB
+  $ frobc check arrow.frob
+  error[E0110]: expected `then` after the condition, found `->`
+   --> arrow.frob:3:13
+    |
+  3 |     v = if i->frontSonar < 0.5[m] then 0 else 0.2[m/s])
+    |             ^^
+    |
+    = hint: nothing is reached by `->`: a field is `r.speed`, and what a robot senses is a signal function, `frontSonar i`
+  
+  1 error
+  [1]
+
+  $ cat > cons.frob <<'FROB'
+  > main :: SF Float (Array 3 Float)
+  > main = proc x -> x : [0, 0]
+  > FROB
+  $ frobc check cons.frob
+  error[E0103]: unexpected character `:`
+   --> cons.frob:2:20
+    |
+  2 | main = proc x -> x : [0, 0]
+    |                    ^
+    |
+    = hint: nothing is joined: an array keeps its size, and all its elements are written, `[x, 0, 0]`
+  
+  1 error
+  [1]
+
+  $ cat > io.frob <<'FROB'
+  > import Robot
+  > main :: IO ()
+  > main = reactimateRobot (proc _ -> roMake (setVelTR 0 0))
+  > FROB
+  $ frobc check io.frob
+  error[E0207]: unknown type `IO`
+   --> io.frob:2:9
+    |
+  2 | main :: IO ()
+    |         ^^
+    |
+    = hint: a program's `main` is a `Program RobotInput RobotOutput`, or a signal function
+  
+  1 error
+  [1]
+
+  $ cat > strict.frob <<'FROB'
+  > data P = P !Float !Float
+  > main :: SF Float Float
+  > main = proc x -> x
+  > FROB
+  $ frobc check strict.frob
+  error[E0110]: expected a type, `|` and one more constructor, or the end of the declaration, found `!`
+   --> strict.frob:1:12
+    |
+  1 | data P = P !Float !Float
+    |            ^
+    |
+    = hint: a field always has its value: leave out the `!`
+  
+  1 error
+  [1]
+
+  $ cat > condition.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> case x of
+  >     x > 0 -> 1
+  >     _ -> 0
+  > FROB
+  $ frobc check condition.frob
+  error[E0114]: the operator `>` cannot be part of a pattern
+   --> condition.frob:3:7
+    |
+  3 |     x > 0 -> 1
+    |       ^
+    |
+    = hint: a condition stands behind the pattern, as a guard: `x | x > 0 -> 1`
+  
+  1 error
+  [1]
+
+  $ cat > parentheses.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc _ -> roMake (setVelTR 0.3(m/s) 0))
+  > FROB
+  $ frobc check parentheses.frob
+  error[E0205]: this unit stands apart from its number
+   --> parentheses.frob:2:55
+    |
+  2 | main = reactimateRobot (proc _ -> roMake (setVelTR 0.3(m/s) 0))
+    |                                                       ^^^^^
+    |
+    = hint: a unit stands in square brackets, without a blank before them: `0.3[m/s]`
+  
+  1 error
+  [1]

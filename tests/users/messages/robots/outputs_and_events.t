@@ -1,0 +1,82 @@
+Outputs of robots where something else stands: said once, with what is lacking.
+
+  $ cat > composed.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot $ proc i -> roMake . setVelTR 0.2[m/s] 0
+  > FROB
+  $ frobc check composed.frob
+  error[E0360]: there is no instance `DiffDrive (b -> b)`
+     --> composed.frob:2:45
+      |
+    2 | main = reactimateRobot $ proc i -> roMake . setVelTR 0.2[m/s] 0
+      |                                             ^^^^^^^^ `setVelTR` needs it
+      |
+     ::: stdlib/Capability.frob:209:17
+      |
+  209 |     setVelTR :: Velocity -> AngularVelocity -> o -> o
+      |                 ------------------------------------- `setVelTR` asks for `DiffDrive o` here
+      |
+      = hint: `.` composes functions; what one is applied to stands in parentheses: `roMake (setVelTR v omega)`
+  
+  1 error
+  [1]
+
+  $ cat > speeds.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (switch (proc i -> (0.2[m/s], edge (bumped i))) (\_ -> proc _ -> roMake (setVelTR 0 0)))
+  > FROB
+  $ frobc check speeds.frob
+  error[E0360]: there is no instance `RobotOutput Float[m/s]`
+     --> speeds.frob:2:89
+      |
+    2 | main = reactimateRobot (switch (proc i -> (0.2[m/s], edge (bumped i))) (\_ -> proc _ -> roMake (setVelTR 0 0)))
+      |                                                                                         ^^^^^^ `roMake` needs it
+      |
+     ::: stdlib/Capability.frob:202:11
+      |
+  202 | roMake :: RobotOutput o => (o -> o) -> o
+      |           ------------------------------ `roMake` asks for `RobotOutput o` here
+      |
+      = hint: this is of a robot's input or output, and what it is given is `Float[m/s]`: perhaps two things stand in the other order
+  
+  1 error
+  [1]
+
+  $ cat > no_event.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (mkTask (proc i -> roMake (setVelTR 0.2[m/s] 0)))
+  > FROB
+  $ frobc check no_event.frob
+  error[E0360]: there is no instance `RobotOutput (b, Event a)`
+     --> no_event.frob:2:42
+      |
+    2 | main = reactimateTask (mkTask (proc i -> roMake (setVelTR 0.2[m/s] 0)))
+      |                                          ^^^^^^ `roMake` needs it
+      |
+     ::: stdlib/Capability.frob:202:11
+      |
+  202 | roMake :: RobotOutput o => (o -> o) -> o
+      |           ------------------------------ `roMake` asks for `RobotOutput o` here
+      |
+      = hint: besides its output it gives the event that ends it, which is lacking here: `(roMake (…), after 1[s] ())`
+  
+  1 error
+  [1]
+
+  $ cat > hidden.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (do
+  >     forward <- ask frontSonar
+  >     forward 1[m])
+  > FROB
+  $ frobc check hidden.frob
+  error[E0302]: `forward` is `Float[m]`, not a function
+   --> hidden.frob:4:5
+    |
+  3 |     forward <- ask frontSonar
+    |     ------- this local `forward` is meant here
+  4 |     forward 1[m])
+    |     ^^^^^^^ ---- it is given an argument here
+  
+  1 error
+  [1]
