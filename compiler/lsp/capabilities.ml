@@ -16,7 +16,8 @@ let all ~encoding : Json.t =
       ("renameProvider", Object [ ("prepareProvider", Bool true) ]);
       ( "codeActionProvider",
         Object
-          [ ("codeActionKinds", List [ String "quickfix"; String "refactor.rewrite" ]) ] );
+          [ ( "codeActionKinds",
+              List [ String "quickfix"; String "refactor.rewrite"; String "refactor.extract" ] ) ] );
       ( "completionProvider",
         Object
           [ ("triggerCharacters", List [ String "."; String "[" ]); ("resolveProvider", Bool true) ]

@@ -65,6 +65,17 @@ let signature ws (doc : Document.t) view facts (a : Analysis.t) (start, stop) =
   in
   List.filter_map of_declaration tree.declarations
 
+(* {1 Lifting} *)
+
+let lift ws (doc : Document.t) view range =
+  let of_lift (l : Lift.t) =
+    let edits = List.map (fun (at, text) -> edit (Workspace.range ws doc.text at) text) l.edits in
+    action ~kind:"refactor.extract"
+      ~title:(Printf.sprintf "lift `%s` to the top level" l.name)
+      [ (doc.uri, List edits) ]
+  in
+  Option.to_list (Option.map of_lift (Lift.at ws doc view range))
+
 let answer ws (doc : Document.t) params : Json.t =
   let range = Workspace.offsets ws doc.text (Json_reader.member "range" params) in
   let wanted =
@@ -77,13 +88,16 @@ let answer ws (doc : Document.t) params : Json.t =
   match doc.latest with
   | None -> List []
   | Some a ->
-      let signatures =
+      let of_types kind actions =
         match (doc.typed, a.typed) with
-        | Some { view; _ }, Some _ ->
-            Option.fold (View.facts view) ~none:[] ~some:(fun facts ->
-                signature ws doc view facts a range)
+        | Some { view; _ }, Some _ when is_wanted kind -> actions view
         | _ -> []
+      in
+      let signatures view =
+        Option.fold (View.facts view) ~none:[] ~some:(fun facts ->
+            signature ws doc view facts a range)
       in
       List
         ((if is_wanted "quickfix" then fixes ws a range else [])
-        @ if is_wanted "refactor.rewrite" then signatures else [])
+        @ of_types "refactor.rewrite" signatures
+        @ of_types "refactor.extract" (fun view -> lift ws doc view range))

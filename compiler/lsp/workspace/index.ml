@@ -25,7 +25,7 @@ let declared_by (mentions : Mentions.mention list) : declared =
   let table = Hashtbl.create 64 in
   let add : Mentions.mention -> unit = function
     | Declares (space, name, record) -> Hashtbl.replace table (space, name.text, record) name.span
-    | Binds _ | Signs _ | Uses _ | Selects _ | Imports _ | Exports _ -> ()
+    | Binds _ | Signs _ | Uses _ | Selects _ | Imports _ | Exports _ | Local _ -> ()
   in
   List.iter add mentions;
   table
@@ -346,6 +346,7 @@ let of_analysis (a : Analysis.t) ~typed (tree : Syntax.Ir.program) : t =
                 (fun (item : Syntax.Ir.name) -> here item (exported module_.text item.text))
                 items
         | Exports name -> here name (exported main name.text)
+        | Local _ -> []
       in
       let all = Array.of_list (List.concat_map occurrences mentions) in
       (* All are in one file, and no name stands in another. *)

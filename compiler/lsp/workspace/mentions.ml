@@ -11,6 +11,7 @@ type mention =
   | Selects of { field : name; within : Span.t }
   | Imports of { module_ : name; items : name list }
   | Exports of name
+  | Local of { declaration : declaration; block : declaration list }
 
 let rec patterns (p : pattern) =
   match p.desc with
@@ -211,6 +212,7 @@ and declarations add ds =
   let all = lazy (binders ds) in
   List.iter
     (fun (d : declaration) ->
+      add (Local { declaration = d; block = ds });
       match d.desc with
       | Signature s -> signature add (Lazy.force all) s
       | Binding b -> binding add ~name:(fun n -> add (Binds n)) b

@@ -16,6 +16,8 @@ type mention =
   | Selects of { field : name; within : Basis.Span.t }  (** of a record there *)
   | Imports of { module_ : name; items : name list }
   | Exports of name
+  | Local of { declaration : declaration; block : declaration list }
+      (** a declaration inside another, with all that stand in its block *)
 
 val of_program : program -> mention list
 (** In no order. *)
