@@ -31,10 +31,14 @@ let headers_digest folder =
 let is_cpp file = List.mem (Filename.extension file) [ ".cc"; ".cpp"; ".cxx" ]
 let include_flags folders = List.concat_map (fun folder -> [ "-I"; folder ]) folders
 
+(* Anything else, an object or a library, is linked as it is. *)
+let is_source file = Filename.extension file = ".c" || is_cpp file
+
 (* The user's files are compiled as copies beside the generated headers: compilers look
    first where the file is that includes, and there may be a header of an older program. *)
 let copy_of ~folder number file =
-  folder / Printf.sprintf "own_%d%s" number (Filename.extension file)
+  if is_source file then folder / Printf.sprintf "own_%d%s" number (Filename.extension file)
+  else file
 
 let copy ~folder number file =
   let name = String.concat "\\\\" (String.split_on_char '\\' file) in
@@ -45,7 +49,9 @@ let copy ~folder number file =
 
 let copies ~folder { sources; _ } =
   List.fold_left
-    (fun result (number, file) -> Result.bind result (fun () -> copy ~folder number file))
+    (fun result (number, file) ->
+      Result.bind result (fun () ->
+          if is_source file then copy ~folder number file else Ok ()))
     (Ok ())
     (List.mapi (fun number file -> (number, file)) sources)
 

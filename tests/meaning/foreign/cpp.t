@@ -40,3 +40,21 @@ A component in C++ is C for those who call it.
   2.000000000,2
   3.000000000,3
   4.000000000,4
+
+What is neither C nor C++ is linked as it is: an object, or a library.
+
+  $ cat > doubled.frob <<'EOF'
+  > foreign twice :: Int -> Int = "twice"
+  > 
+  > main :: SF Int Int
+  > main = proc n -> twice n
+  > EOF
+  $ echo 'int twice(int n) { return 2 * n; }' > twice.c
+  $ gcc -fPIC -c twice.c && gcc -shared -o libtwice.so twice.o && rm twice.c
+  $ printf 'time,in\n0,21\n' > in.csv
+  $ frobc trace doubled.frob --with twice.o --input in.csv
+  time,out
+  0.000000000,42
+  $ LD_LIBRARY_PATH=. frobc trace doubled.frob --with ./libtwice.so --input in.csv
+  time,out
+  0.000000000,42

@@ -7,7 +7,7 @@ A camera on a network, which gives MJPEG over HTTP: parts with their lengths, JP
   $ until_true '[ -e port ]'
   $ address=http://127.0.0.1:$(cat port)
   $ for kind in good bare chunked; do
-  >   see 1.5 $address/$kind; sed -n 's/^camera: \(.*\);.*/\1/p' summary; at_least 'camera frames' 10; warnings
+  >   see 3 $address/$kind; sed -n 's/^camera: \(.*\);.*/\1/p' summary; at_least 'camera frames' 10
   > done
   320 x 240, colours, JPEG
   camera frames: enough
@@ -36,9 +36,9 @@ goes on in its time, and a message says why.
   warning: camera `camera` (http://HOST/forbidden) gives no frames: the server answers with 401: it lets only those in whom it knows; have it give its stream without a password
   late steps: 0
   warning: camera `camera` (http://HOST/missing) gives no frames: the server answers with 404: it has nothing of this path; the camera's manual says which its stream has
-  $ see 1.5 http://127.0.0.1:1/stream; warnings | sed 's|(http[^)]*)|(ADDRESS)|'
+  $ see 2 http://127.0.0.1:1/stream; warnings | sed 's|(http[^)]*)|(ADDRESS)|'
   warning: camera `camera` (ADDRESS) gives no frames: there is no connection to port 1 of 127.0.0.1: Connection refused; is the camera turned on, and are address and port right?
-  $ see 1.5 http://nowhere.invalid/stream; warnings | sed 's|(http[^)]*)|(ADDRESS)|; s|: [^:;]*;|: REASON;|'
+  $ see 2 http://nowhere.invalid/stream; warnings | sed 's|(http[^)]*)|(ADDRESS)|; s|: [^:;]*;|: REASON;|'
   warning: camera `camera` (ADDRESS) gives no frames: there is no address of nowhere.invalid: REASON; is its name right, and is this machine on its network?
 
 JPEGs that are cut short are no frames; the whole ones between them are.
