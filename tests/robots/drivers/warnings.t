@@ -6,7 +6,7 @@ it), in C99; its headers can be included alone, also from C++.
   $ for source in $(find $runtime/core $runtime/elementary $runtime/hal/fake $runtime/hal/template $runtime/drivers $runtime/hosts/board -name '*.c'); do
   >   clang -std=c99 $strict -fsyntax-only $source || echo $source
   > done
-  $ for source in $(find $runtime/hal/posix $runtime/hosts/robot $runtime/hosts/common -name '*.c'); do
+  $ for source in $(find $runtime/hal/posix $runtime/hosts/robot $runtime/hosts/camera $runtime/hosts/common -name '*.c'); do
   >   clang -std=c99 -D_GNU_SOURCE $strict -fsyntax-only $source || echo $source
   > done
   $ for header in $(cd $runtime; find core hal drivers hosts/board -name '*.h' ! -path 'hal/posix/*' ! -path 'hal/cortex_m/*') ; do

@@ -6,10 +6,11 @@ What the examples promise of themselves holds, on each robot that they are for.
   ok    drives to the end of the corridor: 10 seeds, 35 s
   ok    keeps to the middle, to the end: 3 seeds, 28 s
   ok    drives into the dock: 10 seeds, 40 s
+  ok    follows the tape round: 2 seeds, 60 s
   ok    follows the tape three times round: 3 seeds, 220 s
   ok    goes to and fro and touches nothing: 3 seeds, 180 s
   ok    goes round the room and touches nothing: 10 seeds, 60 s
-  7 tests: all hold
+  8 tests: all hold
   $ for robot in pioneer scout create; do
   >   for name in bug corridor dock; do frobc test $examples/$name/$name.frob --robot $robot --seeds 2 | head -1; done
   > done
