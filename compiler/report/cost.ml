@@ -5,6 +5,8 @@ type kind =
   | Choices
   | Conversions
   | Calls of string
+  | Pixels of string
+  | Images of string
   | Loads
   | Stores
 
@@ -32,5 +34,6 @@ let calls t =
     (fun (kind, n) ->
       match kind with
       | Calls name -> Some (name, n)
-      | Additions | Multiplications | Divisions | Choices | Conversions | Loads | Stores -> None)
+      | Pixels _ | Images _ | Additions | Multiplications | Divisions | Choices | Conversions
+      | Loads | Stores -> None)
     (Kinds.bindings t)

@@ -6,7 +6,9 @@ type kind =
   | Divisions  (** remainders too *)
   | Choices  (** comparisons, logic, and everything that takes one of two ways *)
   | Conversions  (** between integers, floats and nanoseconds *)
-  | Calls of string  (** of this elementary function, or [fabs] *)
+  | Calls of string  (** of this elementary function, kernel or function of the user's, or [fabs] *)
+  | Pixels of string  (** that this kernel looks at, as far as that is known *)
+  | Images of string  (** calls of this kernel that may look at all of an image *)
   | Loads  (** of a scalar of the state *)
   | Stores
 

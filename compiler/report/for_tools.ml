@@ -51,9 +51,22 @@ let key name = String.map (fun c -> if c = ' ' then '_' else c) name
 let operations cost =
   let kind (name, kind) = (key name, Json.Int (Cost.count cost kind)) in
   let call (name, n) = (name, Json.Int n) in
+  let kernel (name, _) =
+    let count what = Json.Int (Cost.count cost what) in
+    match Kernels.find name with
+    | None -> None
+    | Some _ ->
+        let looks = [ ("pixels", count (Pixels name)); ("whole_images", count (Images name)) ] in
+        Some (name, Json.Object looks)
+  in
+  let kernels =
+    match List.filter_map kernel (Cost.calls cost) with
+    | [] -> []
+    | kernels -> [ ("kernels", Json.Object kernels) ]
+  in
   Json.Object
     (List.map kind Bounds.operations
-    @ [ ("calls", Json.Object (List.map call (Cost.calls cost))) ])
+    @ (("calls", Json.Object (List.map call (Cost.calls cost))) :: kernels))
 
 let transition (t : Hops.transition) =
   let at_entry =

@@ -53,6 +53,18 @@ let in_nanoseconds =
         one Conversions; one Divisions; one Multiplications; several 2 Choices; several 2 Additions;
       ])
 
+(* What a kernel looks at, besides being called. *)
+let looks c node arguments =
+  match c.program.nodes.(node).foreign with
+  | None -> Cost.none
+  | Some { import = { symbol; _ }; _ } -> (
+      match Kernels.find symbol with
+      | None -> Cost.none
+      | Some kernel -> (
+          match Kernels.pixels kernel.looks arguments with
+          | Some n -> Cost.several n (Pixels symbol)
+          | None -> Cost.one (Images symbol)))
+
 let rec expression c (e : M.expr) =
   match e with
   | Bool _ | Int _ | Float _ | Zero_time | Absent _ | Variable _ | Dt | Dt_nanoseconds ->
@@ -80,7 +92,8 @@ let rec expression c (e : M.expr) =
       Cost.sum [ Cost.several 3 Choices; expressions c [ array; index; default ] ]
   | Replace { array; index; value; _ } ->
       Cost.sum [ Cost.several 3 Choices; expressions c [ array; index; value ] ]
-  | Call { node; arguments } -> Cost.add c.done_.(node).step (expressions c arguments)
+  | Call { node; arguments } ->
+      Cost.sum [ c.done_.(node).step; looks c node arguments; expressions c arguments ]
   | Seconds e -> Cost.sum [ Cost.one Conversions; Cost.one Divisions; expression c e ]
   | In_nanoseconds e -> Cost.sum [ in_nanoseconds; expression c e ]
   | Soon (a, b) -> Cost.sum [ Cost.one Additions; expression c a; expression c b ]
@@ -193,7 +206,8 @@ let rec statement c (s : M.statement) =
       Cost.sum [ Cost.one Choices; expression c condition; branches ]
   | Step { node; arguments; on_trial; _ } ->
       let copy = if on_trial then Cost.several c.scalars.(node) Loads else Cost.none in
-      Cost.sum [ copy; expressions c arguments; c.done_.(node).step ]
+      Cost.sum
+        [ copy; expressions c arguments; c.done_.(node).step; looks c node arguments ]
   | Loop l ->
       let argument : M.argument -> Cost.t = function
         | Accumulated _ -> Cost.none

@@ -281,15 +281,16 @@ let function_ c k ~results (code : M.code) =
   { bytes = Amount.add frame.bytes deepest.bytes; chain = k :: deepest.chain }
 
 (* The user's C is given structs of the leaves, and gives others, of doubles; what it
-   needs itself we do not know. *)
+   needs itself we know only of the library's kernels. *)
 let foreign_step c ({ import; _ } : Flow.Ir.foreign) =
+  let own = Option.fold (Kernels.find import.symbol) ~none:0 ~some:(fun k -> k.Kernels.stack) in
   let leaves =
     List.concat_map Flow.Shape.leaves (import.result :: import.arguments)
     |> List.map Step.Layout.ty
   in
   let rooms = List.fold_left (fun sum ty -> Amount.add sum (room_as Double c ty)) 0 leaves in
   let calls = Amount.times word (2 + List.length leaves) in
-  Amount.add (2 * fixed) (Amount.add (Amount.times 3 rooms) calls)
+  List.fold_left Amount.add (2 * fixed) [ Amount.times 3 rooms; calls; own ]
 
 (* The root is given the state, dt, its input and its output by address, and its
    step calls the helpers of the clock. *)

@@ -90,9 +90,22 @@ let state_rows (t : State.t) =
 
 let plain label amount note = { depth = 1; label; amount; note; place = "" }
 
+(* What a kernel looks at in its calls. *)
+let looks cost name calls =
+  let whole = Cost.count cost (Images name) and pixels = Cost.count cost (Pixels name) in
+  let images =
+    match whole with
+    | 0 -> []
+    | _ when calls = 1 -> [ "at most the whole image" ]
+    | _ when whole = calls -> [ "each at most the whole image" ]
+    | n -> [ Printf.sprintf "%s of them at most the whole image" (number n) ]
+  in
+  let known = if pixels = 0 then [] else [ Printf.sprintf "%s pixels" (number pixels) ] in
+  String.concat ", " (known @ images)
+
 let operation_rows cost =
   let kind (name, kind) = plain name (number (Cost.count cost kind)) "" in
-  let call (name, n) = plain ("calls of " ^ name) (number n) "" in
+  let call (name, n) = plain ("calls of " ^ name) (number n) (looks cost name n) in
   List.map kind Bounds.operations @ List.map call (Cost.calls cost)
 
 (* Of a long chain the ends. *)

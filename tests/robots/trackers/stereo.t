@@ -49,7 +49,7 @@ A bare wall has no depth, and a pair is none where one of its frames is missing.
   > FROB
   $ frobc run bare.frob --world bare.toml --for 0.2s --record bare.csv > summary
   $ frobc trace bare.frob --entry seen --input bare.csv | cut -d, -f2 | sort | uniq -c | sed 's/^ *//'
-  4 
+  5 
   6 Nothing
   1 out
   $ sed 's/"Frame [^"]*"\(,[^,]*,[^,]*\)$/\1/' bare.csv > half.csv
