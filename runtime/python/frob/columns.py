@@ -158,11 +158,15 @@ def _time(value: Any, row: int) -> float:
     raise InputError(f"time, row {row}: {shapes.shown(value)} is not a time in seconds")
 
 
+SOME = 8192
+"""Instants whose steps stay in the processor's cache."""
+
+
 def steps(dt: Any, count: int) -> "NDArray[np.float64]":
-    """One dt for all instants, or one for each."""
+    """One dt for each instant; or, of one for all, as many as there are at once."""
     np = numpy()
     if getattr(dt, "ndim", None) == 0 or isinstance(dt, (int, float)):
-        return np.full(count, step(dt, "dt"))  # type: ignore[no-any-return]
+        return np.full(min(count, SOME), step(dt, "dt"))  # type: ignore[no-any-return]
     column = as_column("dt", dt)
     if column.dtype.kind not in "iuf" or not bool(np.all(column >= 0)):
         for row, value in enumerate(column.tolist()):

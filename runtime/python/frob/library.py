@@ -76,7 +76,8 @@ class Library:
         try:
             function = getattr(self._object, name)
         except AttributeError:
-            raise Error(f"{self.name} has a definition `{name}` itself: give it another name") from None
+            text = f"{self.name} has a definition `{name}` itself: give it another name"
+            raise Error(text) from None
         has_params = bool(self.table.default_params)
         params = [ctypes.c_void_p] if has_params else []
         memory = ctypes.c_void_p

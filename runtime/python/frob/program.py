@@ -97,7 +97,9 @@ class Program:
             return code.output.read(self._output, 0)
 
     @overload
-    def run(self, inputs: "NDArray[Any]", *, dt: Any = None, time: Any = None) -> "NDArray[Any]": ...
+    def run(
+        self, inputs: "NDArray[Any]", *, dt: Any = None, time: Any = None
+    ) -> "NDArray[Any]": ...
 
     @overload
     def run(self, inputs: List[Any], *, dt: Any = None, time: Any = None) -> List[Any]: ...
@@ -108,7 +110,9 @@ class Program:
     ) -> "Dict[str, NDArray[Any]]": ...
 
     @overload
-    def run(self, inputs: "pd.DataFrame", *, dt: Any = None, time: Any = None) -> "pd.DataFrame": ...
+    def run(
+        self, inputs: "pd.DataFrame", *, dt: Any = None, time: Any = None
+    ) -> "pd.DataFrame": ...
 
     def run(self, inputs: Any, *, dt: Any = None, time: Any = None) -> Any:
         """Many instants, from the start; the state that `step` has come to stays as it is.
@@ -187,7 +191,8 @@ class Program:
         return type(inputs)({**framed, **parts}, index=inputs.index)
 
     def _steps(self, count: int, seconds: "NDArray[Any]", memory: "NDArray[Any]") -> Any:
-        """The outputs, as bytes; all arrays are contiguous, and of `count` elements."""
+        """The outputs, as bytes. All arrays are contiguous, and of `count` elements; of `seconds`
+        there may be fewer, which are all the same and serve again and again."""
         np = columns.numpy()
         code = self._code
         steps, has_params = code.steps()
@@ -197,10 +202,12 @@ class Program:
         output = np.empty(count * code.table.output_size, dtype=np.uint8)
         code.table.reset(state, params)
         places = [array.ctypes.data for array in (seconds, memory, output)]
-        sizes = [8, code.table.input_size, code.table.output_size]
-        for first in range(0, count, CHUNK):
+        is_shared = len(seconds) < count
+        sizes = [0 if is_shared else 8, code.table.input_size, code.table.output_size]
+        chunk = len(seconds) if is_shared else CHUNK
+        for first in range(0, count, chunk):
             at = [place + first * size for place, size in zip(places, sizes)]
-            some = min(CHUNK, count - first)
+            some = min(chunk, count - first)
             steps(state, *([params] if has_params else []), some, *at)
         return output
 

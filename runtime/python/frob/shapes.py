@@ -159,7 +159,8 @@ class Parts(Shape):
         if isinstance(value, (str, bytes, Mapping)) or not hasattr(value, "__len__"):
             raise wrong(place, self.meaning, value)
         if len(value) != len(self.parts):
-            raise InputError(f"{place}: expected {self.meaning}, found {len(value)}: {shown(value)}")
+            found = f"{len(value)}: {shown(value)}"
+            raise InputError(f"{place}: expected {self.meaning}, found {found}")
         return value  # type: ignore[no-any-return]
 
     def _write_fields(self, memory: Buffer, base: int, value: Any, place: str) -> None:

@@ -98,7 +98,7 @@ def _run(options: Sequence[str], duration: float, folder: str) -> Dict[str, str]
 
 
 def _recorded(folder: str) -> List[Any]:
-    names = glob.glob(os.path.join(folder, "run.csv")) or glob.glob(os.path.join(folder, "run-*.csv"))
+    names = glob.glob(os.path.join(folder, "run*.csv"))
     names.sort(key=lambda name: (len(name), name))
     return [recording.read(name) for name in names]
 

@@ -1,6 +1,7 @@
 """The environment of Gymnasium: the same run as `frob.simulate`, in whose place whoever acts.
 Without gymnasium there is the drive below it."""
 
+import os
 import threading
 import unittest
 import warnings
@@ -63,6 +64,18 @@ class Driven(unittest.TestCase):
                 driven.step({}, {})
                 self.assertEqual(driven.values(["out.forward", "out.turn"]),
                                  table[["out.forward", "out.turn"]].iloc[row].tolist())
+
+    def test_a_robot_of_ones_own(self):
+        example = os.path.abspath(f"{os.environ['FROB_ROOT']}/examples/light_seek")
+        moth, body = f"{example}/Moth.frob", f"{example}/moth_body.c"
+        file = f"{example}/light_seek.frob"
+        table = frob.simulate(file, robot=moth, sources=[body], duration=1, seed=2)
+        driven = drive(file, robot=moth, sources=[body])
+        driven.start(2, {})
+        for row in range(len(table)):
+            driven.step({}, {})
+            self.assertEqual(driven.values(["out.forward", "out.turn"]),
+                             table[["out.forward", "out.turn"]].iloc[row].tolist())
 
     def test_another_acts(self):
         driven = drive(self.file)

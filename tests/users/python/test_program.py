@@ -86,6 +86,22 @@ class Values(unittest.TestCase):
         p.reset()
         self.assertEqual(p.step(1, 1), 0)
 
+    def test_code_in_c(self):
+        with open("twice.c", "w") as file:
+            file.write("double twice(double x) { return 2 * x; }\n")
+        text = 'foreign twice :: Float -> Float = "twice"\n\nmain :: SF Float Float\nmain = proc x -> twice x\n'
+        self.assertEqual(program(text, sources=["twice.c"]).step(0.1, 1.5), 3)
+        with self.assertRaisesRegex(frob.Error, "there is no C file nowhere.c"):
+            program(text, sources=["nowhere.c"])
+
+    def test_long_runs(self):
+        """In many calls of C, with one dt or many: no other outputs."""
+        p = program("main :: SF Float Float\nmain = proc x -> integral x / 1[s]\n")
+        inputs = np.random.default_rng(1).random(20_000)
+        told = p.run(inputs, dt=0.5)
+        self.assertTrue((told == p.run(inputs, dt=np.full(20_000, 0.5))).all())
+        self.assertTrue((told[:9000] == p.run(inputs[:9000].tolist(), dt=0.5)).all())
+
     def test_parameters(self):
         p = program(GAIN, params={"gain": 3})
         self.assertEqual((p.params, p.units), ({"gain": 3, "turbo": False}, {"gain": "1/s", "turbo": ""}))

@@ -23,7 +23,7 @@ echo "Installing in $environment, from PyPI: numpy, pandas, pandas-stubs, gymnas
 pip numpy pandas pandas-stubs gymnasium mypy nbclient ipykernel
 pip --force-reinstall --no-deps "$build"/wheel/frob-*.whl
 for test in test_program.py test_simulation.py test_gym.py; do
-    (cd "$work" && clean "$environment/bin/python" -W error "$test")
+    (cd "$work" && FROB_ROOT=$here clean "$environment/bin/python" -W error "$test")
 done
 (cd "$work" && FROB_ROOT=$here clean "$environment/bin/python" test_notebook.py)
 "$environment/bin/mypy" --config-file runtime/python/pyproject.toml --cache-dir "$work/mypy" \

@@ -1,0 +1,10 @@
+#!/bin/sh
+# Programs that Python runs on arrays, beside a loop in C; where there is numpy.
+set -eu
+here=tests/generated/bench/python
+python=/usr/bin/python3
+if test -x $python && $python -c 'import numpy' 2>/dev/null; then
+    FROBC=$PWD/_build/install/default/bin/frobc PYTHONPATH=runtime/python \
+        $python -B $here/speed.py \
+        tests/generated/bench/step/pid/pid.frob tests/generated/bench/step/kalman/kalman.frob
+fi
