@@ -29,6 +29,8 @@ def numpy() -> Any:
 def _seen(leaf: shapes.Scalar, memory: Any, count: int, size: int) -> "NDArray[Any]":
     """The numbers of a column where they lie in the structs."""
     np = numpy()
+    if count == 0:
+        return np.empty(0, dtype=leaf.numpy_name)  # type: ignore[no-any-return]
     array: "NDArray[Any]" = np.ndarray(
         (count,), dtype=leaf.numpy_name, buffer=memory, offset=leaf.offset, strides=(size,)
     )
@@ -77,6 +79,13 @@ def as_column(name: str, given: Any) -> "NDArray[Any]":
     if array.ndim != 1:
         raise InputError(f"{name}: expected a column, found {shapes.shown(given)}")
     return array
+
+
+def length(name: str, given: Any) -> int:
+    """How many rows a column has."""
+    if isinstance(given, (str, bytes)) or not hasattr(given, "__len__"):
+        raise InputError(f"{name}: expected a column, found {shapes.shown(given)}")
+    return len(given)
 
 
 def unmasked(name: str, given: Any) -> Any:
@@ -152,8 +161,21 @@ def dt_of_time(time: Any) -> "NDArray[np.float64]":
     return dt  # type: ignore[no-any-return]
 
 
+def listed_dt_of_time(times: Sequence[Any]) -> List[float]:
+    """Likewise, without numpy."""
+    ns: List[int] = []
+    for row, value in enumerate(times):
+        seconds = _time(value, row)
+        if not abs(seconds) < 1e9:
+            raise InputError(f"time, row {row}: {seconds} is not a time in seconds")
+        ns.append(round(seconds * 1e9))
+        if row > 0 and ns[row] < ns[row - 1]:
+            raise InputError(f"time, row {row}: time goes back: {seconds} comes after a later time")
+    return [0.0, *((b - a) / 1e9 for a, b in zip(ns, ns[1:]))][: len(ns)]
+
+
 def _time(value: Any, row: int) -> float:
-    if isinstance(value, (int, float)) and not isinstance(value, bool):
+    if hasattr(value, "__float__") and not shapes.is_truth(value):
         return float(value)
     raise InputError(f"time, row {row}: {shapes.shown(value)} is not a time in seconds")
 

@@ -91,6 +91,8 @@ class Library:
         memory = ctypes.create_string_buffer(max(size, 1))
         if size > 0:
             ctypes.memmove(memory, self.table.default_params, size)
+        if not isinstance(given, Mapping):
+            raise InputError(f"params: expected a mapping of names, found {shapes.shown(given)}")
         for name, value in given.items():
             param = self.params.get(name)
             if param is None:

@@ -87,6 +87,12 @@ class Program:
             ctypes.memmove(other._state, self._state, self._code.table.state_size)
             return other
 
+    def __copy__(self) -> "Program":
+        return self.copy()
+
+    def __deepcopy__(self, memo: Any) -> "Program":
+        return self.copy()
+
     def step(self, dt: float, inputs: Any) -> Any:
         """One instant, `dt` seconds after the one before; the first `dt` is not looked at."""
         seconds = columns.step(dt, "dt")
@@ -173,8 +179,9 @@ class Program:
         columns.check(code.input_columns, names, self.name)
         if time is None and dt is None and "time" in names:
             time = inputs["time"]
-        lengths = {n: len(inputs[n]) for n, _ in code.input_columns if n in names}
-        some = next(iter(lengths.items()), ("time", 0 if time is None else len(time)))
+        lengths = {n: columns.length(n, inputs[n]) for n, _ in code.input_columns if n in names}
+        of_time = 0 if time is None else columns.length("time", time)
+        some = next(iter(lengths.items()), ("time", of_time))
         for name, length in lengths.items():
             if length != some[1]:
                 raise InputError(f"`{name}` has {length} rows, and `{some[0]}` {some[1]}")
@@ -236,14 +243,14 @@ def _listed_steps(count: int, dt: Any, time: Any) -> Sequence[float]:
     _one_of(dt, time)
     if time is None and isinstance(dt, (int, float)):
         return [columns.step(dt, "dt")] * count
-    given = list(dt if time is None else time)
     what = "dt" if time is None else "time"
+    columns.length(what, dt if time is None else time)
+    given = list(dt if time is None else time)
     if len(given) != count:
         raise InputError(f"{what} has {len(given)} rows, and the input {count}")
     if time is None:
         return given
-    ns = [round(float(t) * 1e9) for t in given]
-    return [0.0, *((b - a) / 1e9 for a, b in zip(ns, ns[1:]))][:count]
+    return columns.listed_dt_of_time(given)
 
 
 def _one_of(dt: Any, time: Any) -> None:

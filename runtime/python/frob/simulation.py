@@ -5,7 +5,7 @@ from __future__ import annotations
 import glob
 import os
 import tempfile
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Union
 
 from . import data, recording, tools
 from .errors import InputError
@@ -34,7 +34,7 @@ def simulate(
     rate: float = 50.0,
     robot: Optional[tools.PathLike] = None,
     entry: str = "main",
-    probe: Sequence[str] = (),
+    probe: Union[str, Sequence[str]] = (),
     until_done: bool = False,
     picture: bool = False,
     sources: Sequence[tools.PathLike] = (),
@@ -65,7 +65,7 @@ def simulate(
     with tempfile.TemporaryDirectory(prefix="frob-") as folder:
         settings = _settings(params or {}, [*options, path], folder)
         if probe:
-            options += ["--probe", ",".join(probe)]
+            options += ["--probe", probe if isinstance(probe, str) else ",".join(probe)]
         if until_done:
             options.append("--exit-when-done")
         drawn = os.path.join(folder, "run.svg")

@@ -1,5 +1,6 @@
 """What a program takes and gives in Python, and what is told of what it cannot take."""
 
+import copy
 import os
 import pickle
 import subprocess
@@ -81,7 +82,7 @@ class Values(unittest.TestCase):
         p = program("main :: SF Float Float\nmain = proc x -> integral x / 1[s]\n")
         p.step(0, 1)
         self.assertEqual(p.run([1, 1, 1], dt=1), [0, 1, 2])
-        other = p.copy()
+        other = copy.deepcopy(p)
         self.assertEqual([p.step(1, 1), p.step(1, 1), other.step(1, 1)], [1, 2, 1])
         p.reset()
         self.assertEqual(p.step(1, 1), 0)
@@ -172,6 +173,12 @@ class Mistakes(unittest.TestCase):
         self.told("in, row 1: expected a number, found None", lambda: half.run({"in": [1, None]}, dt=1))
         self.told("`in.2` has 1 rows, and `in.1` 2",
                   lambda: odd.run({"in.1": [1, 2], "in.2": [True]}, dt=1))
+        self.told("in.1: expected a column, found 5",
+                  lambda: odd.run({"in.1": 5, "in.2": [True]}, dt=1))
+        self.assertEqual(odd.run({"in.1": [], "in.2": []}, dt=1)["out.2"].tolist(), [])
+        self.told("time, row 1: 'a' is not a time in seconds", lambda: half.run([1, 2], time=[0, "a"]))
+        self.told("time, row 1: time goes back: 0.0 comes after a later time",
+                  lambda: half.run([1, 2], time=[1, 0]))
         self.told("how much time passes from instant to instant? Give `dt`, in seconds, or the "
                   "`time` of each instant", lambda: half.run(np.zeros(3)))
         self.told("time, row 2: time goes back: 0.5 comes after a later time",
@@ -202,6 +209,8 @@ class Mistakes(unittest.TestCase):
     def test_parameters(self):
         self.told("it has no parameter `gian`; it has: gain, turbo",
                   lambda: program(GAIN, params={"gian": 1}))
+        self.told("params: expected a mapping of names, found [1]",
+                  lambda: program(GAIN, params=[1]))
         self.told("param gain: its unit is [1/s], and not [1/m]",
                   lambda: program(GAIN, params={"gain": "1[1/m]"}))
         self.told("param turbo: expected True or False, found 1",
