@@ -68,9 +68,8 @@ let explained reader =
         let rest_of_last =
           match (before, !token.token) with
           | None, (RPAREN | RBRACKET | RBRACE) -> reader.failed
-          | Some _, (RBRACE | RBRACKET | COMMA)
-            when reader.split && start.pos_cnum > start.pos_bol ->
-              reader.split <- false;
+          | Some _, token when reader.split && start.pos_cnum > start.pos_bol ->
+              if token = RBRACE then reader.split <- false;
               true
           | _ -> false
         in

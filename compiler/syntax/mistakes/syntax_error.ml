@@ -62,10 +62,16 @@ let called_for_its_effect = "expected `=` after the left side of a definition"
 
 (* `speed == 0.3[m/s]`, alone on its lines. *)
 let compares_instead found =
-  match String.split_on_char ' ' (first_line_of_definition found) with
-  | name :: "==" :: _ :: _ ->
-      Some (Printf.sprintf "`==` compares; a definition is written with one `=`: `%s = …`" name)
-  | _ -> None
+  let of_line line =
+    match String.split_on_char ' ' (String.trim line) with
+    | name :: "==" :: _ :: _ ->
+        Some (Printf.sprintf "`==` compares; a definition is written with one `=`: `%s = …`" name)
+    | _ -> None
+  in
+  let bol = found.token.start.pos_bol in
+  match of_line (first_line_of_definition found) with
+  | Some hint -> Some hint
+  | None -> of_line (between found bol (end_of_line found bol))
 
 let starts_with_a_text found =
   let bol = found.token.start.pos_bol in
@@ -166,6 +172,10 @@ let unclosed found ((opener, closer), by) =
   let at = found.token.start.pos_cnum in
   if at < String.length found.text && found.text.[at] = ';' then
     match opener with
+    | "(" ->
+        Diagnostic.hint
+          "a `;` ends a definition; tasks one after the other stand in a `do`, each on a line of \
+           its own"
     | "{" -> Diagnostic.hint "a `;` ends a definition; there is a `,` between two fields"
     | "[" ->
         Diagnostic.hint
@@ -301,7 +311,8 @@ let missing found =
         (Diagnostic.error ~code:"E0110" ~at:(span found.token)
            "a `[` directly after a name starts no index and no array"
         |> Diagnostic.hint
-          "an element of an array is written `xs ! 0`; an argument needs a blank before it")
+          "an element of an array is written `xs ! 0`, a tuple is taken apart by an equation, \
+           `(a, b) = p`; an argument needs a blank before it")
   | LBRACKET, Some { token = DOUBLE_COLON | ARROW; _ } ->
       Some
         (Diagnostic.error ~code:"E0110" ~at:(span found.token)

@@ -388,6 +388,12 @@ let of_token found =
       Some
         "nothing is reached by `->`: a field is `r.speed`, and what a robot senses is a signal \
          function, `frontSonar i`"
+  | (OPERATOR _ | MINUS | STAR | SLASH | CARET), Some ({ token = LOWER _; _ } as field)
+    when opens_with Layout.Brace found.context && field_of_a_value found field ->
+      let name = written found field in
+      Some
+        (Printf.sprintf "a field gets its value with `=`, also from its own: `r { %s = r.%s + 1 }`"
+           name name)
   | OPERATOR "!", _ when first_word found = "data" ->
       Some "a field always has its value: leave out the `!`"
   | BAR, before when encloses found && expects_more before ->

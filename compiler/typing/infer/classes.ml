@@ -247,6 +247,10 @@ let report_lacking ctx required lack =
           |> through_instances words lack |> explain words required
       in
       match lack.lacking with
+      | Declared { name = "RobotOutput"; _ } when by = "`roMake`" && is_function lack.culprit ->
+          Diagnostic.hint
+            "several commands are put together by a dot: `roMake (setVelTR v omega . setLight On)`"
+            diagnostic
       | Declared { name = "RobotOutput"; _ } when is_with_an_event lack.culprit ->
           Diagnostic.hint
             "besides its output it gives the event that ends it, which is lacking here: `(roMake \
@@ -267,6 +271,11 @@ let report_lacking ctx required lack =
       | (Eq | Ord) when (not direct) && lack.through = [] ->
           Diagnostic.note (Printf.sprintf "it contains %s" culprit) diagnostic
           |> about_foreign ctx lack.culprit
+      | Eq | Ord when Type.expand lack.culprit = String ->
+          Diagnostic.hint
+            "a text is a label, and no value; what is one of several has a type of its own: `data \
+             Mode = Go | Stop`"
+            diagnostic
       | Eq | Ord -> about_foreign ctx lack.culprit diagnostic
       | Declared { name = "RobotOutput"; _ } when by <> "`roMake`" ->
           let hint = Output_mistake.hint_without_instance lack.culprit in

@@ -113,12 +113,12 @@ let warn_of_variables_like_types ctx declared (b : Resolve.Ir.binding) =
       |> List.iter (Diagnostic.emit ctx.reader.sink)
   | Some _ | None -> ()
 
-(* A signal function of which the signature says a function, or the other way round: which
-   of them is wrong nobody knows, so that uses are not judged by the signature. *)
+(* A signal function of which the signature says a function, or one of more parameters than
+   it says: which of them is wrong nobody knows, so that uses are not judged by the signature. *)
 let distrust ctx declared (b : Resolve.Ir.binding) =
   let name, _ = top b in
   match (Global_table.find_opt declared name, Diagnostic.last ctx.reader.sink) with
-  | Some { at; _ }, Some { code = "E0304"; labels; _ }
+  | Some { at; _ }, Some { code = "E0302" | "E0304"; labels; _ }
     when List.exists (fun (l : Diagnostic.label) -> Span.compare l.at at = 0) labels ->
       let scheme = Type.monomorphic Erroneous in
       Global_table.replace ctx.globals name { scheme; kind = Defined; at = Some at }

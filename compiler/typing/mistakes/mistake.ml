@@ -158,6 +158,11 @@ let not_a_function words ~(head : Resolve.Ir.expr) ~position ~at left =
              let text = written array index in
              fix (Printf.sprintf "write `%s`" text) [ (Span.merge head.span at, "(" ^ text ^ ")") ]
          | _ -> Fun.id)
+  | _, Global { name = "integral"; _ } when position = 2 ->
+      hint
+        "it begins at 0: with another beginning it is `x0 + integral v`; to start it afresh at \
+         each occurrence of an event, `resetOn integral (v, e)`"
+        diagnostic
   | _, Global { name = ("integral" | "derivative" | "delay" | "time") as name; _ }
     when position > 1 ->
       hint

@@ -1,6 +1,7 @@
 open Basis
 open Diagnostic
 open Unrun_mistake
+open Vector_mistake
 
 (* As a foreign function without arguments. *)
 let of_nothing t =
@@ -50,34 +51,6 @@ let separated_by_commas (expected : Expected.t) =
   | Parameter { position = 1; callee = Some name; _ } -> (
       match name.[0] with 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false)
   | _ -> false
-
-(* How a vector is built, perhaps of these. *)
-let vector words ?(elements = []) wanted =
-  let built name fields =
-    let value i field =
-      let element = List.nth_opt elements i in
-      let text = Option.bind element (fun (e : Resolve.Ir.expr) -> Show.quote words e.span) in
-      Printf.sprintf "%s = %s" field (Option.value text ~default:"…")
-    in
-    Some
-      (Printf.sprintf "`%s { %s }`, with `import Geometry`" name
-         (String.concat ", " (List.mapi value fields)))
-  in
-  match wanted with
-  | Type.Data { tycon = { name = "Vec2"; _ }; _ } -> built "Vec2" [ "x"; "y" ]
-  | Type.Data { tycon = { name = "Vec3"; _ }; _ } -> built "Vec3" [ "x"; "y"; "z" ]
-  | _ -> None
-
-(* Of a place, written as a pair. *)
-let vector_fields words ~subject wanted types =
-  let elements =
-    match subject with Some ({ desc = Tuple es; _ } : Resolve.Ir.expr) -> es | _ -> []
-  in
-  match (wanted, List.length types) with
-  | Type.Data { tycon = { name = "Vec2"; _ }; _ }, 2
-  | Type.Data { tycon = { name = "Vec3"; _ }; _ }, 3 ->
-      vector words ~elements wanted
-  | _ -> None
 
 (* How a record is built that is wanted as an argument. *)
 let record words (expected : Expected.t) =
@@ -139,16 +112,6 @@ let is_a_parameter (expected : Expected.t) =
   | Parameter { callee = Some name; _ } ->
       not (List.mem name [ "+"; "-"; "*"; "/"; "^+^"; "^-^"; "*^" ])
   | _ -> false
-
-let vector_operator (expected : Expected.t) =
-  match expected.because with
-  | Parameter { callee = Some operator; _ } | Operand { operator; _ } -> (
-      match operator with
-      | "+" -> Some "`^+^`"
-      | "-" -> Some "`^-^`"
-      | "*" -> Some "`*^` with the number first, and `dot`"
-      | _ -> None)
-  | _ -> None
 
 let ends_a_mode (expected : Expected.t) =
   match expected.because with
@@ -214,6 +177,12 @@ let is_a_body ~(at : Span.t) (expected : Expected.t) =
       match List.nth_opt given (position - 1) with
       | Some { desc = Lambda _; span } -> Span.compare span at <> 0
       | _ -> false)
+  | _ -> false
+
+(* As `p.1`, which composes functions. *)
+let is_selected (expected : Expected.t) =
+  match expected.because with
+  | Parameter { callee = Some "."; _ } | Operand { operator = "."; _ } -> true
   | _ -> false
 
 let takes (expected : Expected.t) =
@@ -404,6 +373,18 @@ let shapes words ~subject ~at ~(expected : Expected.t) ~found =
   | Signal_function _, (Number _ | Bool | String | Tuple _ | Data _), None ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint "`constant e` is the signal function that always gives `e`"
+  | Function _, Tuple (_ :: _), _ when is_selected expected ->
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint
+           "a tuple is taken apart by an equation, `(a, b) = p`; of a pair there are `fst p` and \
+            `snd p`"
+  | Data _, Number _, Some _ when Show.fields words expected.ty <> None ->
+      let _, fields = Option.get (Show.fields words expected.ty) in
+      error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
+      |> hint
+           (Printf.sprintf "the other one is a record, with the fields %s: `r.%s`"
+              (String.concat ", " (List.map (Printf.sprintf "`%s`") fields))
+              (List.hd fields))
   | Function _, (Number _ | Bool | String | Data _), _ when is_a_body ~at expected ->
       error ~code:"E0301" ~at "expected %s, found %s" (text expected.ty) (text found)
       |> hint

@@ -123,7 +123,7 @@ Too many and too few arguments.
     |                   |
     |                   with one argument the result is `Float[u s]`
     |
-    = hint: to start it afresh at each occurrence of an event: `resetOn integral (x, e)`
+    = hint: it begins at 0: with another beginning it is `x0 + integral v`; to start it afresh at each occurrence of an event, `resetOn integral (v, e)`
   
   error[E0302]: `max` takes 2 arguments, but is given more
    --> arguments.frob:3:23

@@ -59,7 +59,7 @@ A tuple for an array, a number for a mark, an integral with a reset.
     |           |
     |           with one argument the result is `Float[m]`
     |
-    = hint: to start it afresh at each occurrence of an event: `resetOn integral (x, e)`
+    = hint: it begins at 0: with another beginning it is `x0 + integral v`; to start it afresh at each occurrence of an event, `resetOn integral (v, e)`
   
   1 error
   [1]

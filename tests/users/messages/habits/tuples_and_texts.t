@@ -1,0 +1,106 @@
+Tuples, records and texts as other languages treat them.
+
+  $ cat > index.frob <<'FROB'
+  > main :: SF (Float, Float) Float
+  > main = proc p -> p[0] + p[1]
+  > FROB
+  $ frobc check index.frob
+  error[E0110]: a `[` directly after a name starts no index and no array
+   --> index.frob:2:19
+    |
+  2 | main = proc p -> p[0] + p[1]
+    |                   ^
+    |
+    = hint: an element of an array is written `xs ! 0`, a tuple is taken apart by an equation, `(a, b) = p`; an argument needs a blank before it
+  
+  1 error
+  [1]
+
+  $ cat > selected.frob <<'FROB'
+  > main :: SF (Float, Float) Float
+  > main = proc p -> p.1
+  > FROB
+  $ frobc check selected.frob
+  error[E0301]: expected `a -> b`, found `(Float, Float)`
+   --> selected.frob:2:18
+    |
+  2 | main = proc p -> p.1
+    |                  ^- argument 1 of `.` is `a -> b`
+    |
+    = hint: a tuple is taken apart by an equation, `(a, b) = p`; of a pair there are `fst p` and `snd p`
+  
+  1 error
+  [1]
+
+  $ cat > record.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     v = if (sonars i) ! 3 < 0.5[m] then 0 else 0.2[m/s])
+  > FROB
+  $ frobc check record.frob
+  error[E0301]: expected `Sonar`, found `Float[m]`
+   --> record.frob:3:29
+    |
+  3 |     v = if (sonars i) ! 3 < 0.5[m] then 0 else 0.2[m/s])
+    |            --------------   ^^^^^^
+    |            |
+    |            this is `Sonar`
+    |
+    = hint: the other one is a record, with the fields `seat`, `halfAngle`, `echo`: `r.seat`
+  
+  1 error
+  [1]
+
+  $ cat > update.frob <<'FROB'
+  > import Robot
+  > data C = C { a :: Float }
+  > f :: C -> C
+  > f c = c { a + 1 }
+  > main = reactimateRobot (proc _ -> roMake (setVelTR 0 0))
+  > FROB
+  $ frobc check update.frob
+  error[E0110]: expected `=`, `,` or `}` after the name of a field, found `+`
+   --> update.frob:4:13
+    |
+  4 | f c = c { a + 1 }
+    |             ^
+    |
+    = hint: a field gets its value with `=`, also from its own: `r { a = r.a + 1 }`
+  
+  1 error
+  [1]
+
+  $ cat > text.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR v 0) where
+  >     mode = "go"
+  >     v = if mode == "go" then 0.2[m/s] else 0)
+  > FROB
+  $ frobc check text.frob
+  error[E0307]: `String` has no equality
+   --> text.frob:4:17
+    |
+  4 |     v = if mode == "go" then 0.2[m/s] else 0)
+    |                 ^^ `==` needs it
+    |
+    = hint: a text is a label, and no value; what is one of several has a type of its own: `data Mode = Go | Stop`
+  
+  1 error
+  [1]
+
+  $ cat > defined.frob <<'FROB'
+  > main :: SF Float Float
+  > main = proc x -> y where
+  >     y == x + 1
+  > FROB
+  $ frobc check defined.frob
+  error[E0110]: expected `=` after the left side of a definition, found the end of the block
+   --> defined.frob:3:15
+    |
+  3 |     y == x + 1
+    |               ^
+    |
+    = hint: `==` compares; a definition is written with one `=`: `y = …`
+  
+  1 error
+  [1]

@@ -1,0 +1,91 @@
+Semicolons, several commands, and a signature of too few parameters: one message each.
+
+  $ cat > tasks.frob <<'FROB'
+  > import Robot
+  > main = reactimateTask (forward 1[m]; turnBy 90[deg])
+  > FROB
+  $ frobc check tasks.frob
+  error[E0111]: this `(` is never closed
+   --> tasks.frob:2:23
+    |
+  2 | main = reactimateTask (forward 1[m]; turnBy 90[deg])
+    |                       ^            - a `)` belongs before this
+    |
+    = hint: each `)` closes the last bracket that is still open: if this one was to be closed where it is, then a bracket in it is not
+    = hint: a `;` ends a definition; tasks one after the other stand in a `do`, each on a line of its own
+  
+  1 error
+  [1]
+
+  $ cat > elements.frob <<'FROB'
+  > main :: SF Float (Array 3 Float)
+  > main = proc x -> [x; x; x]
+  > FROB
+  $ frobc check elements.frob
+  error[E0111]: this `[` is never closed
+   --> elements.frob:2:18
+    |
+  2 | main = proc x -> [x; x; x]
+    |                  ^ - a `]` belongs before this
+    |
+    = hint: a `;` ends a definition; there is a `,` between two elements, and rows are arrays: `[[1, 2], [3, 4]]`
+  
+  1 error
+  [1]
+
+  $ cat > commands.frob <<'FROB'
+  > import Robot
+  > main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0) (setLight On))
+  > FROB
+  $ frobc check commands.frob
+  error[E0360]: there is no instance `RobotOutput ((a -> a) -> b)`
+     --> commands.frob:2:35
+      |
+    2 | main = reactimateRobot (proc i -> roMake (setVelTR 0.2[m/s] 0) (setLight On))
+      |                                   ^^^^^^ `roMake` needs it
+      |
+     ::: stdlib/Capability.frob:202:11
+      |
+  202 | roMake :: RobotOutput o => (o -> o) -> o
+      |           ------------------------------ `roMake` asks for `RobotOutput o` here
+      |
+      = hint: several commands are put together by a dot: `roMake (setVelTR v omega . setLight On)`
+  
+  1 error
+  [1]
+
+  $ cat > parameters.frob <<'FROB'
+  > steer :: Float -> Float
+  > steer a b = a - b
+  > main :: SF Float Float
+  > main = proc x -> steer x 1
+  > FROB
+  $ frobc check parameters.frob
+  error[E0302]: `steer` has more than the one parameter that its type allows
+   --> parameters.frob:2:9
+    |
+  1 | steer :: Float -> Float
+    |          -------------- the signature of `steer` asks for `Float -> Float`
+  2 | steer a b = a - b
+    |         ^
+  
+  1 error
+  [1]
+
+  $ cat > beginning.frob <<'FROB'
+  > main :: SF Velocity Distance
+  > main = proc v -> integral 5[m] v
+  > FROB
+  $ frobc check beginning.frob
+  error[E0302]: `integral` takes 1 argument, but is given more
+   --> beginning.frob:2:32
+    |
+  2 | main = proc v -> integral 5[m] v
+    |                  --------      ^ one too many
+    |                  |
+    |                  with one argument the result is `Float[m s]`
+    |
+    = hint: it begins at 0: with another beginning it is `x0 + integral v`; to start it afresh at each occurrence of an event, `resetOn integral (v, e)`
+  
+  1 error
+  [1]
