@@ -83,7 +83,7 @@ soak: SECONDS ?= 3600
 # For `make fuzz-drivers`: how many bytes for each wire format.
 BYTES ?= 1000000000
 
-.PHONY: all setup run test vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt wheel python
+.PHONY: all setup run test test-clients vsix page site pictures seeds fuzz fuzz-format fuzz-lsp fuzz-frontend mutants fuzz-drivers soak elementary matrix prove bench stereo install deb clean rtamt wheel python
 
 all: setup
 	dune build @install
@@ -100,6 +100,12 @@ run: all
 test: setup
 	@sh tests/setup.sh $(TEST_PACKAGES)
 	@sh tests/run.sh
+
+# The language server, the grammar and the extension under clients and tools of others, from PyPI
+# and npm; what cannot be had is left out, with a word.
+test-clients: all
+	@sh tests/setup.sh $(SITE_PACKAGES)
+	@PATH=$(CURDIR)/_build/install/default/bin:$$PATH sh tests/users/editors/clients/run.sh _build/clients
 
 # The extension for Visual Studio Code, in _build/vsix; with npm, which users need not have.
 vsix:
