@@ -66,6 +66,7 @@ It brings along what there is to read. Links within lead somewhere, but for some
   frobc-run.1.gz
   frobc-selftest.1.gz
   frobc-serve.1.gz
+  frobc-sweep.1.gz
   frobc-test.1.gz
   frobc-trace.1.gz
   frobc-view.1.gz
