@@ -180,7 +180,8 @@ let run =
           (List.filter_map Fun.id
              [
                given "--patience" (patience <> None); given "--reconnect" (reconnect <> None);
-               given "--set" (settings <> []); given "--camera" (cameras <> []); given "--priority" (priority <> None);
+               given "--set" (settings <> []); given "--camera" (cameras <> []);
+               given "--priority" (priority <> None);
                given "--lock-memory" lock_memory;
              ])
   in
@@ -479,4 +480,5 @@ let serve =
     ]
   in
   command "serve" ~man ~doc:"a simulated robot behind a serial line"
-    Term.(const make $ robot $ sources $ world $ seed $ tcp $ camera $ duration $ model $ log $ link)
+    Term.(
+      const make $ robot $ sources $ world $ seed $ tcp $ camera $ duration $ model $ log $ link)

@@ -127,7 +127,8 @@ let linked ?own t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
       }
   | Linux options ->
       let inputs, includes =
-        from_sources resources [ "core"; "hal/posix"; "hosts/common"; "hosts/camera"; "hosts/robot" ]
+        from_sources resources
+          [ "core"; "hal/posix"; "hosts/common"; "hosts/camera"; "hosts/robot" ]
       in
       {
         machine = Some (machine t (options @ ("-D_GNU_SOURCE" :: include_)));
