@@ -247,9 +247,8 @@ let root_clock (program : M.program) (root : M.node) =
   let first =
     match program.started with
     | None -> []
-    | Some { own; _ } ->
-        (if own then [ Cost.one Stores ] else [])
-        @ if times = [] then [] else Cost.[ one Loads; one Choices ]
+    | Some _ ->
+        Cost.one Stores :: (if times = [] then [] else Cost.[ one Loads; one Choices ])
   in
   Cost.sum (first @ times)
 
