@@ -53,8 +53,7 @@ let causal entry flow probes =
     | [ _ ] -> shown
     | _ ->
         let half = List.length probes / 2 in
-        let first = List.filteri (fun k _ -> k < half) probes in
-        let rest = List.filteri (fun k _ -> k >= half) probes in
+        let first, rest = Long_list.split_at half probes in
         add (add shown first) rest
   in
   let shown = add [] probes in

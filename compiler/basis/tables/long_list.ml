@@ -22,3 +22,10 @@ let rec map_short_sharing left f list =
       if y == x && mapped == rest then list else y :: mapped
 
 let map_sharing f list = map_short_sharing short f list
+
+let split_at count list =
+  let rec go before count = function
+    | x :: rest when count > 0 -> go (x :: before) (count - 1) rest
+    | rest -> (List.rev before, rest)
+  in
+  go [] count list

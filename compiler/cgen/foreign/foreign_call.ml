@@ -6,15 +6,6 @@ let plain desc : Ir.statement = { desc; comment = "" }
 let bug format = Basis.Diagnostic.bug ~stage:"Cgen.Foreign_call" format
 let address name = Ir.Unary (Address, Name name)
 
-(* Splits the leaves of several shapes, given in a row. *)
-let by_shape shapes leaves =
-  let take (parts, leaves) shape =
-    let count = List.length (Flow.Shape.leaves shape) in
-    let own = List.filteri (fun k _ -> k < count) leaves in
-    (own :: parts, List.filteri (fun k _ -> k >= count) leaves)
-  in
-  List.rev (fst (List.fold_left take ([], leaves) shapes))
-
 (* {1 What goes in} *)
 
 (* Values are leaves with their types. *)
@@ -194,7 +185,7 @@ let step (v : V.t) k (interface : Foreign_interface.t) : Ir.function_ =
   let names = Expression.names v ~node:k in
   let given = Expression.parameters names node.step.parameters in
   let values =
-    by_shape foreign.import.arguments
+    Flow.Shape.split foreign.import.arguments
       (List.map
          (fun (p : M.variable) -> (p.ty, Expression.of_step names (Variable p)))
          node.step.parameters)

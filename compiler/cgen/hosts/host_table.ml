@@ -33,16 +33,16 @@ let next c =
   c.count <- c.count + 1;
   c.count
 
-let table c kind name rows =
+let table out kind name rows =
   match rows with
   | [] -> "NULL"
   | rows ->
-      bprintf c.out "static const struct frob_%s %s[] = {\n" kind name;
-      List.iter (fun row -> bprintf c.out "    {%s},\n" row) rows;
-      bprintf c.out "};\n";
+      bprintf out "static const struct frob_%s %s[] = {\n" kind name;
+      List.iter (fun row -> bprintf out "    {%s},\n" row) rows;
+      bprintf out "};\n";
       name
 
-let constructor_table c = table c "constructor" (sprintf "%s_constructors_%d" c.prefix (next c))
+let numbered_table c kind = table c.out kind (sprintf "%s_%ss_%d" c.prefix kind (next c))
 let offset c path = sprintf "offsetof(struct %s, %s)" c.struct_name path
 
 (* Writes a value's table and returns its name. *)
@@ -90,7 +90,7 @@ let rec shape c locations (whole : F.shape) =
         constructor c locations ~note ~name:product.constructor ~record:product.record
           product.parts
       in
-      let constructors = constructor_table c [ row ] in
+      let constructors = numbered_table c "constructor" [ row ] in
       value c ~kind:"FROB_PRODUCT" ~offset:"0" ~is_event:false ~count:1 constructors
   | Repeated (n, element) ->
       (* As a product of its elements. *)
@@ -99,10 +99,9 @@ let rec shape c locations (whole : F.shape) =
         let locations = ref (List.map (element_of i) arrays) in
         sprintf "NULL, &%s" (shape c locations element)
       in
-      let rows = List.rev (List.fold_left (fun rows i -> row i :: rows) [] (List.init n Fun.id)) in
-      let fields = table c "field" (sprintf "%s_fields_%d" c.prefix (next c)) rows in
+      let fields = numbered_table c "field" (Basis.Long_list.map row (List.init n Fun.id)) in
       let row = sprintf "NULL, 0, %d, %s" n fields in
-      let constructors = constructor_table c [ row ] in
+      let constructors = numbered_table c "constructor" [ row ] in
       value c ~kind:"FROB_ARRAY" ~offset:"0" ~is_event:false ~count:1 constructors
 
 and constructor ?(note = ignore) c locations ~name ~record parts =
@@ -112,8 +111,7 @@ and constructor ?(note = ignore) c locations ~name ~record parts =
     sprintf "%s, &%s" (name_or_null name) value
   in
   (* From the first to the last: the locations are in that order. *)
-  let fields = List.rev (List.fold_left (fun rows part -> field part :: rows) [] parts) in
-  let fields = table c "field" (sprintf "%s_fields_%d" c.prefix (next c)) fields in
+  let fields = numbered_table c "field" (Basis.Long_list.map field parts) in
   sprintf "%s, %d, %d, %s" (name_or_null name) (if record then 1 else 0) (List.length parts) fields
 
 and leaf c (ty : F.ty) location =
@@ -141,8 +139,8 @@ and sum c k ~tag ~base ~first ~number =
     let record = List.exists (fun (name, _) -> not (String.equal name "")) ctor.fields in
     constructor c locations ~name:ctor.constructor ~record ctor.fields
   in
-  let rows = List.rev (List.fold_left (fun rows ctor -> row ctor :: rows) [] sum.constructors) in
-  let constructors = constructor_table c rows in
+  let rows = Basis.Long_list.map row sum.constructors in
+  let constructors = numbered_table c "constructor" rows in
   let is_event =
     String.equal sum.module_ "Prelude"
     && match String.split_on_char ' ' sum.name with "Event" :: _ -> true | _ -> false
@@ -199,10 +197,9 @@ let controls out (program : Step.Ir.program) values =
       most first value
   in
   (* More than one console has the same things on it; hosts know the first. *)
-  let values = List.filteri (fun k _ -> k < List.length program.console) values in
+  let values, _ = Basis.Long_list.split_at (List.length program.console) values in
   let rows = if values = [] then [] else List.map2 row program.console values in
-  let c = { out; sums = [||]; struct_name = ""; prefix = ""; count = 0; console = [] } in
-  (table c "control" "controls" rows, List.length rows)
+  (table out "control" "controls" rows, List.length rows)
 
 (* The output; its last leaf once more, by itself, where it is what the program ends with;
    the probes that are shown; and the verdicts on assertions. *)
@@ -213,7 +210,7 @@ let outputs out (program : Step.Ir.program) (side : Border.side) =
     locations program side pair
   in
   let count = List.length (Flow.Shape.leaves program.output) in
-  let own = List.filteri (fun k _ -> k < count) all in
+  let own, others = Basis.Long_list.split_at count all in
   let output, _ = table_of out program ~prefix:"out" side own program.output in
   let result =
     if not program.ends then "NULL"
@@ -223,14 +220,9 @@ let outputs out (program : Step.Ir.program) (side : Border.side) =
           "&" ^ fst (table_of out program ~prefix:"result" side [ last ] ended)
       | _, _ -> Basis.Diagnostic.bug ~stage:"Cgen.Host_table" "a program that ends without a result"
   in
-  let others = List.filteri (fun k _ -> k >= count) all in
   let claim_of name = List.find_opt (fun (c : F.claim) -> c.column = name) program.claims in
-  let with_places (places, rest) (name, shape) =
-    let n = List.length (Flow.Shape.leaves shape) in
-    let own = List.filteri (fun k _ -> k < n) rest in
-    (((name, shape), own) :: places, List.filteri (fun k _ -> k >= n) rest)
-  in
-  let placed = List.rev (fst (List.fold_left with_places ([], others) program.probes)) in
+  let shapes = List.map snd program.probes in
+  let placed = List.combine program.probes (Flow.Shape.split shapes others) in
   let is_shown ((name, _), _) =
     match claim_of name with Some claim -> claim.shown | None -> true
   in
@@ -255,8 +247,8 @@ let outputs out (program : Step.Ir.program) (side : Border.side) =
     Option.map row (claim_of name)
   in
   let claims = List.filter_map Fun.id (List.mapi claim placed) in
-  let c = { out; sums = [||]; struct_name = ""; prefix = ""; count = 0; console = [] } in
-  (output, result, probes, sprintf "%s, %d" (table c "claim" "claims" claims) (List.length claims))
+  let claims = sprintf "%s, %d" (table out "claim" "claims" claims) (List.length claims) in
+  (output, result, probes, claims)
 
 (* The table of machines, and how many rows it has. *)
 let machines out ~state (list : Machine_table.t list) =
@@ -275,8 +267,7 @@ let machines out ~state (list : Machine_table.t list) =
       (List.length m.modes) (names number m) within mode
   in
   let rows = List.mapi row list in
-  let c = { out; sums = [||]; struct_name = state; prefix = ""; count = 0; console = [] } in
-  (table c "machine" "machines" rows, List.length rows)
+  (table out "machine" "machines" rows, List.length rows)
 
 let robot ?own (program : Step.Ir.program) =
   match (Robot.of_shape ?own program.input, Robot.of_shape ?own program.output) with
@@ -304,7 +295,7 @@ let params out (program : Step.Ir.program) params =
         sprintf "%s, %s, &%s" (c_string p.label) (c_string p.unit_) value
       in
       let rows = List.mapi row program.params in
-      let rows = table c "param" "param_rows" rows in
+      let rows = table out "param" "param_rows" rows in
       sprintf "&%s, sizeof(struct %s), %s, %d" (Param_struct.defaults t) name rows
         (List.length program.params)
 

@@ -147,10 +147,8 @@ let with_others types ~name ~first:first_name command (others : (string * F.shap
   }
 
 let with_leaves ~at count t =
-  let others = List.length t.leaves - count in
-  let moved = List.filteri (fun k _ -> k >= others) t.leaves in
-  let before = List.filteri (fun k _ -> k < at) t.leaves in
-  let after = List.filteri (fun k _ -> k >= at && k < others) t.leaves in
+  let others, moved = Basis.Long_list.split_at (List.length t.leaves - count) t.leaves in
+  let before, after = Basis.Long_list.split_at at others in
   { t with leaves = before @ moved @ after }
 
 let of_shape types ~name (shape : F.shape) =

@@ -62,8 +62,7 @@ let rec panels = function
   | [] -> []
   | first :: _ as columns ->
       let same, others = List.partition (fun c -> c.unit_ = first.unit_) columns in
-      let here = List.filteri (fun k _ -> k < most_in_panel) same in
-      let later = List.filteri (fun k _ -> k >= most_in_panel) same in
+      let here, later = Basis.Long_list.split_at most_in_panel same in
       here :: panels (later @ others)
 
 (* Stretches of instants with a value. *)

@@ -48,28 +48,18 @@ let needed_by_machine (passages : passage array) (machine : Ir.machine) =
 
 (* Every signal that the node defines with its definition, in source order. *)
 let definitions passages (node : Ir.node) =
-  let parameter all s = (s, Parameter) :: all in
-  let parameters = List.fold_left parameter [] (node.statics @ node.inputs) in
-  let equations =
-    List.fold_left
-      (fun all (e : Ir.equation) -> (e.defines, Equation e) :: all)
-      parameters node.equations
-  in
-  let outputs all (instance : Ir.instance) =
-    let add (all, k) s = ((s, Output (instance, k)) :: all, k + 1) in
-    fst (List.fold_left add (all, 0) instance.outputs)
-  in
-  let outputs = List.fold_left outputs equations node.instances in
-  let of_machine outputs (machine : Ir.machine) =
-    let definition = Box (needed_by_machine passages machine) in
-    List.rev_append (List.map (fun s -> (s, definition)) machine.outputs) outputs
-  in
-  let outputs = Option.fold node.machine ~none:outputs ~some:(of_machine outputs) in
-  let of_foreign (f : Ir.foreign) =
-    let definition = Box (List.map (fun s -> Ir.Signal s) node.inputs) in
-    List.rev_append (List.map (fun s -> (s, definition)) f.results) outputs
-  in
-  List.rev (Option.fold node.foreign ~none:outputs ~some:of_foreign)
+  let all = ref [] in
+  let add definition s = all := (s, definition) :: !all in
+  let outputs (i : Ir.instance) = List.iteri (fun k -> add (Output (i, k))) i.outputs in
+  let machine (m : Ir.machine) = List.iter (add (Box (needed_by_machine passages m))) m.outputs in
+  let inputs = lazy (Box (List.map (fun s -> Ir.Signal s) node.inputs)) in
+  let foreign (f : Ir.foreign) = List.iter (add (Lazy.force inputs)) f.results in
+  List.iter (add Parameter) (node.statics @ node.inputs);
+  List.iter (fun (e : Ir.equation) -> add (Equation e) e.defines) node.equations;
+  List.iter outputs node.instances;
+  Option.iter machine node.machine;
+  Option.iter foreign node.foreign;
+  List.rev !all
 
 let of_node passages (node : Ir.node) =
   let all = definitions passages node in

@@ -53,6 +53,11 @@ let read a (values : values) (atom : Ir.atom) =
 let bind (values : values) signals ranges =
   List.iter2 (fun (s : Ir.signal) range -> Hashtbl.replace values s.id range) signals ranges
 
+let joined before ranges =
+  match before with
+  | None -> ranges
+  | Some before -> List.rev (List.rev_map2 Range.join before ranges)
+
 let anything_of a signals = map (fun (s : Ir.signal) -> Range.anything a.program s.ty) signals
 
 (* {1 One node} *)
@@ -248,13 +253,7 @@ and machine a instant index values (m : Ir.machine) =
       let inputs = map (read a values) m.inputs in
       let seen = Array.make (Array.length modes) false in
       let results = ref None in
-      let add found =
-        results :=
-          Some
-            (match !results with
-            | None -> found
-            | Some before -> List.rev (List.rev_map2 Range.join before found))
-      in
+      let add found = results := Some (joined !results found) in
       let rec visit target =
         if not seen.(target) then (
           seen.(target) <- true;
@@ -357,12 +356,7 @@ let with_trials a (i : Ir.instance) ranges =
     known a.program.nodes.(i.node).inputs
 
 let pass_inputs a index ranges =
-  let joined =
-    match a.arguments.(index) with
-    | None -> ranges
-    | Some before -> List.rev (List.rev_map2 Range.join before ranges)
-  in
-  a.arguments.(index) <- Some joined
+  a.arguments.(index) <- Some (joined a.arguments.(index) ranges)
 
 (* The nodes with a machine in them, for which it matters what they are given. *)
 let with_machines (program : Ir.program) =
@@ -450,8 +444,7 @@ let from_state a index state =
   if node.transitions = [] then []
   else
     let count = List.length node.statics in
-    let statics = List.filteri (fun i _ -> i < count) state.known in
-    let inputs = List.filteri (fun i _ -> i >= count) state.known in
+    let statics, inputs = Long_list.split_at count state.known in
     let inside = evaluate a First index ~statics ~inputs ~pattern:state.pattern in
     map (entered a (signals node.inputs)) (possible a First index inside node.transitions)
 

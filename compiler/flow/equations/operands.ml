@@ -88,3 +88,15 @@ let same (a : Ir.atom) (b : Ir.atom) =
   match (a, b) with
   | Signal a, Signal b -> a.id = b.id
   | (Signal _ | Bool _ | Int _ | Float _), _ -> key a = key b
+
+let of_instance atom signal (i : instance) =
+  let trial (t : trial) : trial =
+    { gives = List.map signal t.gives; given = List.map (Option.map atom) t.given }
+  in
+  {
+    i with
+    statics = Basis.Long_list.map atom i.statics;
+    inputs = Basis.Long_list.map atom i.inputs;
+    outputs = Basis.Long_list.map signal i.outputs;
+    trials = List.map trial i.trials;
+  }

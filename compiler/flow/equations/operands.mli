@@ -1,5 +1,8 @@
 (** What an equation's right side reads. *)
 
+val of_instance : (Ir.atom -> Ir.atom) -> (Ir.signal -> Ir.signal) -> Ir.instance -> Ir.instance
+(** With other atoms read, and other signals defined. *)
+
 val all : Ir.rhs -> Ir.atom list
 (** All of them, in the order written in {!Ir}; of a [Delay], [init] comes
     first. *)

@@ -11,6 +11,13 @@ let leaves shape =
   in
   prepend shape []
 
+let split shapes all =
+  let take rest shape =
+    let own, rest = Basis.Long_list.split_at (List.length (leaves shape)) rest in
+    (rest, own)
+  in
+  snd (List.fold_left_map take all shapes)
+
 let payload (c : Ir.sum_constructor) = List.concat_map (fun (_, shape) -> leaves shape) c.fields
 
 let rec foreign (sums : Ir.sum array) (ty : Ir.ty) =

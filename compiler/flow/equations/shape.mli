@@ -2,6 +2,9 @@
 
 val leaves : Ir.shape -> Ir.ty list
 
+val split : Ir.shape list -> 'a list -> 'a list list
+(** What belongs to the leaves of several shapes, given in a row, by shape. *)
+
 val payload : Ir.sum_constructor -> Ir.ty list
 (** All leaves of a constructor's fields, in order. *)
 

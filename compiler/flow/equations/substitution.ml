@@ -59,22 +59,7 @@ let apply t (node : Ir.node) =
       let defines = renamed t e.defines and rhs = Operands.map (atom t) e.rhs in
       Some (if defines == e.defines && rhs == e.rhs then e else { e with defines; rhs })
   in
-  let instance (i : Ir.instance) =
-    {
-      i with
-      statics = Long_list.map (atom t) i.statics;
-      inputs = Long_list.map (atom t) i.inputs;
-      outputs = Long_list.map (renamed t) i.outputs;
-      trials =
-        List.map
-          (fun (trial : Ir.trial) ->
-            {
-              Ir.gives = List.map (renamed t) trial.gives;
-              given = List.map (Option.map (atom t)) trial.given;
-            })
-          i.trials;
-    }
-  in
+  let instance = Operands.of_instance (atom t) (renamed t) in
   {
     node with
     statics = Long_list.map (renamed t) node.statics;

@@ -113,21 +113,8 @@ let expand context ~signals ~instances (instance : Ir.instance) =
   let inner =
     Long_list.map
       (fun (i : Ir.instance) ->
-        {
-          i with
-          name = unique instances ~prefix:instance.name i.name;
-          statics = Long_list.map atom i.statics;
-          inputs = Long_list.map atom i.inputs;
-          outputs = Long_list.map copy i.outputs;
-          trials =
-            List.map
-              (fun (trial : Ir.trial) ->
-                {
-                  Ir.gives = List.map copy trial.gives;
-                  given = List.map (Option.map atom) trial.given;
-                })
-              i.trials;
-        })
+        let name = unique instances ~prefix:instance.name i.name in
+        { (Operands.of_instance atom copy i) with name })
       callee.instances
   in
   let results =

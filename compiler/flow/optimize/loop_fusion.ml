@@ -120,21 +120,14 @@ let join context (program : Ir.program) (caller : Ir.node) group : Ir.instance =
       statics := (atom, parameter) :: !statics;
       Ir.Signal parameter
     in
-    let input argument (atom : Ir.atom) like =
+    let input (argument, (atom : Ir.atom)) like =
       match (argument, atom) with
       | Ir.Element, Signal s when Hashtbl.mem elements s.id ->
           Ir.Signal (Hashtbl.find elements s.id)
       | _, _ -> pass argument atom like
     in
     let own_statics = List.map2 static i.statics callee.statics in
-    let rec inputs arguments atoms parameters =
-      match (arguments, atoms, parameters) with
-      | argument :: arguments, atom :: atoms, like :: parameters ->
-          let first = input argument atom like in
-          first :: inputs arguments atoms parameters
-      | _, _, _ -> []
-    in
-    let own_inputs = inputs l.arguments i.inputs callee.inputs in
+    let own_inputs = List.map2 input (List.combine l.arguments i.inputs) callee.inputs in
     let accumulated = accumulators l in
     let output k (s : Ir.signal) (_, atom) =
       let inside = signal context ~name:s.name (Operands.ty atom) s.span in

@@ -81,8 +81,7 @@ let rewrite (nodes : Ir.node array) ~fresh index (m : Ir.machine) { mode; argume
   let rec choose ends others =
     match (ends, others) with
     | ((t : Ir.transition), node) :: ends, condition :: others ->
-        let given = List.filteri (fun k _ -> k < List.length t.arguments) others in
-        let others = List.filteri (fun k _ -> k >= List.length t.arguments) others in
+        let given, others = Long_list.split_at (List.length t.arguments) others in
         let at_end = run node (List.map (fun s -> Ir.Signal s) given) [] in
         nodes.(node) <- { (nodes.(node)) with kind = Function };
         let either then_ else_ : Ir.atom =

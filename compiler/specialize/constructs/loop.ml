@@ -45,8 +45,7 @@ let unnamed span : Core.Ir.Local.t = { id = 0; name = ""; span }
 let split (c : Context.t) tys atoms =
   let take (values, atoms) ty =
     let count = List.length (Types.layout c.types ty).leaves in
-    let own = List.filteri (fun i _ -> i < count) atoms in
-    let others = List.filteri (fun i _ -> i >= count) atoms in
+    let own, others = Basis.Long_list.split_at count atoms in
     (Leaves.value c.types ty own :: values, others)
   in
   let values, _ = List.fold_left take ([], atoms) tys in

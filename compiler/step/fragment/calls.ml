@@ -53,18 +53,15 @@ let rec zero context (ty : F.ty) : Ir.expr =
 let try_out context resolve (i : F.instance) (trial : F.trial) state =
   let node = context.callee i.node in
   let given = List.combine context.program.nodes.(i.node).inputs trial.given in
-  let missing =
-    List.filter_map (fun ((s : F.signal), a) -> if Option.is_none a then Some s.id else None) given
-  in
-  let atoms = List.combine node.step.parameters (arguments context i node.step) in
-  let is_given ((v : Ir.variable), _) = not (List.mem v.id missing) in
-  let operands = List.map (fun (_, atom) -> resolve atom) (List.filter is_given atoms) in
-  let results = results context i trial.gives in
   let zeros =
     List.filter_map
       (fun ((s : F.signal), a) -> if Option.is_none a then Some (s.id, zero context s.ty) else None)
       given
   in
+  let atoms = List.combine node.step.parameters (arguments context i node.step) in
+  let is_given ((v : Ir.variable), _) = not (List.mem_assoc v.id zeros) in
+  let operands = List.map (fun (_, atom) -> resolve atom) (List.filter is_given atoms) in
+  let results = results context i trial.gives in
   (* Arrays are passed by address, so they need variables. *)
   let declare (id, (value : Ir.expr)) =
     match value with
@@ -108,9 +105,7 @@ let loop context resolve (i : F.instance) (l : F.loop) state =
     Option.value (Int_table.find_opt forms p.id) ~default:(0, F.Same)
   in
   let statements exprs =
-    let accumulators = List.length initial in
-    let first = List.filteri (fun k _ -> k < accumulators) exprs in
-    let others = List.filteri (fun k _ -> k >= accumulators) exprs in
+    let first, others = Long_list.split_at (List.length initial) exprs in
     let argument p e : Ir.argument =
       match form p with
       | k, Accumulator -> Accumulated k

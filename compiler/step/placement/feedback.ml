@@ -6,38 +6,28 @@ type t = unit Int_table.t
 let none : t = Int_table.create 1
 let mem (t : t) (s : F.signal) = Int_table.mem t s.id
 
-(* An edge means "is computed from", at this instant or an earlier one. An
-   instance is a vertex between its outputs and its inputs. *)
+(* An edge means "is computed from", at this instant or an earlier one. An instance's first
+   output stands between the others and the inputs. *)
 let graph (node : F.node) =
   let vertices = Int_table.create 64 in
-  let count = ref 0 in
-  let add () =
-    incr count;
-    !count - 1
-  in
-  let define (s : F.signal) = Int_table.replace vertices s.id (add ()) in
+  let define (s : F.signal) = Int_table.replace vertices s.id (Int_table.length vertices) in
   List.iter (fun (eq : F.equation) -> define eq.defines) node.equations;
-  let instances =
-    List.rev_map
-      (fun (i : F.instance) ->
-        List.iter define i.outputs;
-        (add (), i))
-      node.instances
-  in
+  List.iter (fun (i : F.instance) -> List.iter define i.outputs) node.instances;
   let vertex (s : F.signal) = Int_table.find_opt vertices s.id in
-  let graph = Array.make !count [] in
-  let define (s : F.signal) successors =
-    Option.iter (fun v -> graph.(v) <- successors) (vertex s)
+  let graph = Array.make (Int_table.length vertices) [] in
+  let reads (s : F.signal) atoms =
+    let read = List.filter_map vertex (Flow.Operands.signals atoms) in
+    Option.iter (fun v -> graph.(v) <- read) (vertex s)
   in
-  let own atoms = List.filter_map vertex (Flow.Operands.signals atoms) in
-  List.iter
-    (fun (eq : F.equation) -> define eq.defines (own (Flow.Operands.all eq.rhs)))
-    node.equations;
-  List.iter
-    (fun (v, (i : F.instance)) ->
-      graph.(v) <- own i.inputs;
-      List.iter (fun s -> define s [ v ]) i.outputs)
-    instances;
+  let instance (i : F.instance) =
+    match i.outputs with
+    | [] -> ()
+    | first :: others ->
+        reads first i.inputs;
+        List.iter (fun s -> reads s [ F.Signal first ]) others
+  in
+  List.iter (fun (eq : F.equation) -> reads eq.defines (Flow.Operands.all eq.rhs)) node.equations;
+  List.iter instance node.instances;
   (graph, vertex)
 
 let of_node (node : F.node) : t =
