@@ -247,8 +247,9 @@ let root_clock (program : M.program) (root : M.node) =
   let first =
     match program.started with
     | None -> []
-    | Some _ ->
-        Cost.one Stores :: (if times = [] then [] else Cost.[ one Loads; one Choices ])
+    | Some { own; _ } ->
+        (if own then [ Cost.one Stores ] else [])
+        @ if times = [] then [] else Cost.[ one Loads; one Choices ]
   in
   Cost.sum (first @ times)
 

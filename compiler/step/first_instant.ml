@@ -1,9 +1,18 @@
 open Ir
 
+(* Of a field: what was before. *)
+let is_integral = function
+  | Assign { place = Own value; value = Operation { operator = Add; arguments; _ }; _ } -> (
+      match arguments with
+      | [ Field before; Operation { operator = Multiply; arguments = [ Dt; Field _ ]; _ } ] ->
+          before.id = value.id
+      | _ -> false)
+  | _ -> false
+
 let reads_dt body =
   let found = ref false in
   let note = function Dt | Dt_nanoseconds -> found := true | _ -> () in
-  Walk.expressions note body;
+  Walk.expressions note (List.filter (fun s -> not (is_integral s)) body);
   !found
 
 (* The modes that the step's dt comes to at the node's first instant. *)
@@ -25,11 +34,32 @@ let shows_in shows (node : node) =
   Walk.statements statement node.step.body;
   !found
 
-let started (node : node) =
+(* A delay of the programmer's that is false in the first instant, then true. *)
+let delayed (node : node) =
+  let becomes value body (field : field) =
+    List.exists
+      (function
+        | Assign { place = Own f; value = Bool b; _ } -> f.id = field.id && Bool.equal b value
+        | _ -> false)
+      body
+  in
+  let is_mark field = becomes false node.reset.body field && becomes true node.step.body field in
+  List.find_opt is_mark node.state
+
+let own (node : node) =
   let fields = node.state @ List.concat_map State.fields_of_mode node.modes in
   let id = List.fold_left (fun most (field : field) -> max most (field.id + 1)) 0 fields in
   let content = Value Bool and purpose = State.past_first in
   { id; name = "started"; content; purpose; span = node.span }
+
+let mark (root : node) =
+  match delayed root with
+  | Some field -> (root, { field; own = false })
+  | None ->
+      let field = own root in
+      let unset = Assign { place = Own field; value = Bool false; span = root.span } in
+      let reset = { root.reset with body = root.reset.body @ [ unset ] } in
+      ({ root with state = root.state @ [ field ]; reset }, { field; own = true })
 
 let program (program : program) =
   let last = Array.length program.nodes - 1 in
@@ -41,10 +71,6 @@ let program (program : program) =
     program.nodes;
   if not shows.(last) then program
   else
-    let root = program.nodes.(last) in
-    let field = started root in
-    let unset = Assign { place = Own field; value = Bool false; span = root.span } in
-    let reset = { root.reset with body = root.reset.body @ [ unset ] } in
-    let root = { root with state = root.state @ [ field ]; reset } in
+    let root, started = mark program.nodes.(last) in
     let nodes = Array.mapi (fun k node -> if k = last then root else node) program.nodes in
-    { program with nodes; started = Some field }
+    { program with nodes; started = Some started }

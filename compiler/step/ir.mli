@@ -212,6 +212,12 @@ type node = {
   operations : int;  (** a rough count of the step's own, without callees *)
 }
 
+(** A Bool of the root, false up to the first step. *)
+type mark = {
+  field : field;
+  own : bool;  (** the step sets it at once; else it does so last, as any delay *)
+}
+
 type program = {
   name : string;  (** of the C files *)
   real : Real.t;  (** the precision of [Float] *)
@@ -227,7 +233,6 @@ type program = {
   claims : Flow.Ir.claim list;  (** likewise *)
   marks : int;  (** likewise *)
   params : Flow.Ir.param list;
-  started : field option;
-      (** a Bool of the root, false up to the first step; there if the dt of the first instant
-          can be seen, and so must be made 0 *)
+  started : mark option;
+      (** there if the dt of the first instant can be seen, and so must be made 0 *)
 }

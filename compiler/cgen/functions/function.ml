@@ -293,7 +293,7 @@ let own_step (v : V.t) k : Ir.function_ =
 let at_first c zero value =
   match c.v.program.started with
   | None -> value
-  | Some field -> Ir.Conditional (Expression.field c.names field, value, zero)
+  | Some { field; own = _ } -> Ir.Conditional (Expression.field c.names field, value, zero)
 
 (* dt becomes whole nanoseconds, and 0 where the step cannot know it. *)
 let double_clock c (node : M.node) =
@@ -327,8 +327,10 @@ let clock c node =
     match c.v.program.real with Double -> double_clock c node | Single -> single_clock c node
   in
   let mark =
-    let set field = plain (Ir.Assign (Expression.field c.names field, Boolean true)) in
-    Option.to_list (Option.map set c.v.program.started)
+    match c.v.program.started with
+    | None | Some { own = false; _ } -> []
+    | Some { field; own = true } ->
+        [ plain (Ir.Assign (Expression.field c.names field, Boolean true)) ]
   in
   times @ mark
 
