@@ -10,14 +10,14 @@ a time is compared as it is kept, in nanoseconds.
   > pause = switch (proc x -> (-x, after 2[s] ())) (\_ -> go)
   > EOF
   $ frobc compile pause.frob --lint --dump=flow | grep -A3 "nanoseconds"
-    _2 : Float = nanoseconds
-    _3 : Bool = 1500000000.0 <= _2
-    when _3 -> main.go
+    _3 : Float = nanoseconds(_2)
+    _4 : Bool = 1500000000.0 <= _3
+    when _4 -> main.go
     -> (out = 0.0)
   --
-    _2 : Float = nanoseconds
-    _3 : Bool = 2000000000.0 <= _2
-    when _3 -> main.go
+    _3 : Float = nanoseconds(_2)
+    _4 : Bool = 2000000000.0 <= _3
+    when _4 -> main.go
     -> (out = _1)
   $ frobc compile pause.frob
   $ grep "INT64_C" pause.c | sed "s, */.*,,"

@@ -3,7 +3,7 @@ that, its time is added up without a thought of it.
 
   $ export CPATH=$(dirname "$(command -v frobc)")/../share/frobc/include
   $ both () { frobc trace "$1" --input "$2" > c.csv && frobc trace "$1" --input "$2" --engine interp | diff c.csv - && cat c.csv; }
-  $ advances () { frobc compile "$1".frob --lint && grep "time = .*frob_" "$1".c | sed "s, */\*.*,,"; }
+  $ advances () { frobc compile "$1".frob --lint && grep -E "(time|since) = .*frob_" "$1".c | sed "s, */\*.*,,"; }
   $ cat > ends.frob <<'EOF'
   > main :: SF Float Float
   > main = switch (proc x -> (x, mergeE (after 2[s] ()) (edge (x > 3)))) (\_ -> switch (proc _ -> (5, after 3[s] ())) (\_ -> main))
@@ -37,7 +37,7 @@ of `debounce`, which counts while the input differs; not where only the input sa
   > main = proc b -> debounce 30[ms] b
   > EOF
   $ advances settles
-      self->time = differs && self->waiting ? frob_soon(self->time, dt_ns) : 0;
+      self->since = differs && self->waiting ? frob_soon(self->since, dt_ns) : 0;
   $ cat > held.frob <<'EOF'
   > main :: SF Bool Bool
   > main = proc b -> nanoseconds (timeSince b) >= nanoseconds 2[s]
@@ -54,6 +54,7 @@ event comes for 380 years, which a recording cannot say: its times are below 10^
   > EOF
   $ advances seldom
       self->time = frob_later(self->time, dt_ns);
+          self->since = frob_later(self->since, dt_ns);
   $ cat > drive.c <<'EOF'
   > #include "seldom.h"
   > #include <stdio.h>

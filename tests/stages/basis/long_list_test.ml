@@ -15,6 +15,10 @@ let shares (list, k) =
   let is_changed = List.exists (fun x -> !x = k) list in
   Long_list.map_sharing f list != list = is_changed
 
+let in_two (list, k) =
+  let before, after = Long_list.split_at k list in
+  before @ after = list && List.length before = min k (List.length list)
+
 let very_long () =
   let list = List.init 1_000_000 Fun.id in
   Alcotest.(check bool) "stays" true (Long_list.map_sharing Fun.id list == list);
@@ -32,6 +36,7 @@ let () =
         [
           case "as the standard library's" like_the_standard_one;
           case "the same list if nothing changes" shares;
+          case "in two" in_two;
           Alcotest.test_case "a million elements" `Quick very_long;
         ] );
     ]
