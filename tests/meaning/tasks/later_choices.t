@@ -59,8 +59,8 @@ start; so it may if the time-out can be at once.
   ...
    10 |         Nothing -> return ()
       |         -------------------- `visit` may go on to itself at its own first instant
-     ::: stdlib/Prelude.frob:669:9
-  669 |   where late = elapsed q ())
+     ::: stdlib/Prelude.frob:673:9
+  673 |   where late = elapsed q ())
       |         ------------------- `elapsed` may occur at the first instant of `visit`
       = note: at an instant at which `elapsed` occurs as soon as `visit` starts, nothing waits for the next one
       = hint: a time of at least 1 ns makes it wait: `max 1[ms] q`

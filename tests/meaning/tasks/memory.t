@@ -61,5 +61,5 @@ time and one for the state, as by hand.
           } sleepT_2;
       } modes;      /* what they keep at blink.frob:2 */
       uint8_t mode; /* the mode that runs at blink.frob:2 */
-      bool started; /* past the first instant at Prelude.frob:247 */
+      bool started; /* past the first instant at Prelude.frob:251 */
   };
