@@ -11,7 +11,8 @@ PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
 # editors for `frobc lsp`; what makes the Debian package, and judges it; numpy and pandas for
 # the Python package; JPEG for cameras.
 TEST_PACKAGES = chromium chromium-driver fonts-dejavu-core python3-selenium python3-websockets \
-  neovim emacs-nox elpa-eglot dpkg-dev lintian python3-numpy python3-pandas libturbojpeg0
+  neovim emacs-nox elpa-eglot libapriltag-dev dpkg-dev lintian python3-numpy python3-pandas \
+  libturbojpeg0
 
 # What only `make matrix` needs: compilers and emulators of other machines.
 MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \

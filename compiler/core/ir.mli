@@ -70,6 +70,7 @@ and control_kind =
   | Toggle of { first : bool }
   | Map  (** a click there: an event of a place, in metres *)
   | Camera  (** an event of a frame *)
+  | Tags  (** an event of the tags in a frame *)
 
 (** What is C code of the user's. *)
 and foreign = {

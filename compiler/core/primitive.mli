@@ -107,7 +107,7 @@ and elementary =
 
 (** What it takes: a label, but for [Map], of which there is one; the limits and the first
     position of a knob, the first of a toggle; and the console. *)
-and console = Button | Hold | Knob | Toggle | Map | Camera
+and console = Button | Hold | Knob | Toggle | Map | Camera | Tags
 
 (** A shift by a negative number goes the other way; one by 32 or more is what as many
     by one are. To the right the sign stays. *)

@@ -10,6 +10,7 @@ let event a = prelude "Event" [ a ]
 let either a b = prelude "Either" [ a; b ]
 let console = Data (({ module_ = "Capability"; name = "Console" } : Global.t), [])
 let frame = Data (({ module_ = "Vision"; name = "Frame" } : Global.t), [])
+let tag_frame = Data (({ module_ = "Tags"; name = "TagFrame" } : Global.t), [])
 let task a b c = prelude "Task" [ a; b; c ]
 let display name = Data (({ module_ = "Display"; name } : Global.t), [])
 let drawing = display "Drawing"
@@ -83,6 +84,7 @@ let of_primitive (p : Primitive.t) types =
   | Console Toggle, [] -> Some (function_ [ String; Bool; console ] Bool)
   | Console Map, [] -> Some (function_ [ console ] (event (Tuple [ Float; Float ])))
   | Console Camera, [] -> Some (function_ [ String; console ] (event frame))
+  | Console Tags, [] -> Some (function_ [ String; console ] (event tag_frame))
   | Ending, [ i; o; c ] ->
     Some (Function (Signal_function (i, Tuple [ o; event c ]), Signal_function (i, o)))
   | Text_of, [] -> Some (Function (String, text))

@@ -12,6 +12,9 @@ val either : Ir.ty -> Ir.ty -> Ir.ty
 val frame : Ir.ty
 (** [Frame], of the library's module Vision *)
 
+val tag_frame : Ir.ty
+(** [TagFrame], of the library's module Tags *)
+
 (** {1 Of the library's module Display} *)
 
 val mark : Ir.ty

@@ -87,12 +87,21 @@ static void stereo_depths(const void *const *arguments, void *result)
                        (struct frob_depths *)result);
 }
 
+static void find_tag_place(const void *const *arguments, void *result)
+{
+    double size;
+    memcpy(&size, arguments[1], sizeof size);
+    frob_find_tag_place((const struct frob_lens *)arguments[0], size,
+                        (const struct frob_tag *)arguments[2], (struct frob_tag_place *)result);
+}
+
 const struct kernel frob_kernels[] = {
     { "frob_distort_point", distort_point },
     { "frob_find_blob", find_blob },
     { "frob_find_blobs", find_blobs },
     { "frob_find_corner", find_corner },
     { "frob_find_edges", find_edges },
+    { "frob_find_tag_place", find_tag_place },
     { "frob_find_template", find_template },
     { "frob_get_histogram", get_histogram },
     { "frob_get_patch", get_patch },

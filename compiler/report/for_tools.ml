@@ -98,6 +98,7 @@ let control (c : Core.Ir.control) =
     | Hold -> [ ("kind", string "hold") ]
     | Map -> [ ("kind", string "map") ]
     | Camera -> [ ("kind", string "camera") ]
+    | Tags -> [ ("kind", string "tags") ]
     | Toggle { first } -> [ ("kind", string "toggle"); ("first", Json.Bool first) ]
     | Knob { least; most; first } ->
         [

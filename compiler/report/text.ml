@@ -164,6 +164,7 @@ let control_row (c : Core.Ir.control) =
     | Hold -> ("button held", "")
     | Map -> ("map", "")
     | Camera -> ("camera", "")
+    | Tags -> ("tags", "")
     | Toggle { first } -> ("toggle", if first then "at first on" else "at first off")
     | Knob { least; most; first } ->
         let unit_ = if c.unit_ = "" then "" else " " ^ c.unit_ in

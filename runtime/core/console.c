@@ -112,6 +112,7 @@ bool frob_console_touch(const struct frob_program *program, void *input, size_t 
         set_number(input, place[1].value, y);
         break;
     case FROB_CAMERA:
+    case FROB_TAGS:
         return false;
     }
     return true;

@@ -190,6 +190,7 @@ let controls out (program : Step.Ir.program) values =
     | Toggle { first } -> ("FROB_TOGGLE", 0., 1., if first then 1. else 0.)
     | Map -> ("FROB_MAP", 0., 0., 0.)
     | Camera -> ("FROB_CAMERA", 0., 0., 0.)
+    | Tags -> ("FROB_TAGS", 0., 0., 0.)
   in
   let row (c : Core.Ir.control) value =
     let kind, least, most, first = bounds c.kind in

@@ -17,6 +17,7 @@ let type_of = function
   | Knob _ -> Float
   | Map -> Signature.event (Tuple [ Float; Float ])
   | Camera -> Signature.event Signature.frame
+  | Tags -> Signature.event Signature.tag_frame
 
 let declare controls program =
   let fields = List.map (fun c -> (c.label, type_of c.kind)) controls in
@@ -26,10 +27,12 @@ let declare controls program =
   in
   let own = List.map data program.data in
   let data =
-    if not (List.exists (fun c -> c.kind = Camera) controls) then own
+    if not (List.exists (fun c -> c.kind = Camera || c.kind = Tags) controls) then own
     else
       (* What a field is made of comes before the console. *)
-      let is_seen (d : data) = String.equal d.tycon.module_ "Vision" in
+      let is_seen (d : data) =
+        List.mem d.tycon.module_ [ "Prelude"; "Geometry"; "Vision"; "Tags" ]
+      in
       let seen, others = List.partition is_seen own in
       seen @ others
   in
@@ -45,12 +48,13 @@ let field controls label =
 type rest = No_event | Off of bool | At of float
 
 let at_rest = function
-  | Button | Map | Camera -> No_event
+  | Button | Map | Camera | Tags -> No_event
   | Hold -> Off false
   | Toggle { first } -> Off first
   | Knob { first; _ } -> At first
 
 let map_label = "map"
+let tags_label camera = camera ^ " tags"
 
 let describe = function
   | Button -> "a button"
@@ -58,5 +62,6 @@ let describe = function
   | Toggle { first } -> Printf.sprintf "a toggle, at first %s" (if first then "on" else "off")
   | Map -> "clicks on the map"
   | Camera -> "a camera"
+  | Tags -> "the tags that a camera sees"
   | Knob { least; most; first } ->
       Printf.sprintf "a knob from %g to %g, at first %g" least most first

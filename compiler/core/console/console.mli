@@ -34,5 +34,8 @@ val at_rest : Ir.control_kind -> rest
 val map_label : string
 (** The map has no label of its own. *)
 
+val tags_label : string -> string
+(** Of the tags that the camera of this label sees; hosts find the camera by it. *)
+
 val describe : Ir.control_kind -> string
 (** For messages: "a knob from 0 to 1, at first 0.5" *)

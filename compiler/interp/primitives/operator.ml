@@ -8,11 +8,12 @@ let rec last = function
 let label (kind : Core.Primitive.console) (arguments : Value.thunk list) =
   match (kind, arguments) with
   | Map, _ -> Core.Console.map_label
-  | (Button | Hold | Knob | Toggle | Camera), first :: _ -> (
+  | (Button | Hold | Knob | Toggle | Camera | Tags), first :: _ -> (
       match (Thunk.force first : Value.t) with
+      | Text camera when kind = Tags -> Core.Console.tags_label camera
       | Text text -> text
       | _ -> bug "a label that is no text")
-  | (Button | Hold | Knob | Toggle | Camera), [] -> bug "a console without a label"
+  | (Button | Hold | Knob | Toggle | Camera | Tags), [] -> bug "a console without a label"
 
 let apply controls kind arguments =
   match (last arguments : Value.t) with

@@ -108,8 +108,11 @@ let control p (kind : Core.Primitive.console) (arguments : Value.argument list) 
   | Camera, text :: _ ->
       let* label = label p text in
       Some (label, Ir.Camera)
+  | Tags, text :: _ ->
+      let* camera = label p text in
+      Some (Core.Console.tags_label camera, Ir.Tags)
   | Map, _ -> Some (Core.Console.map_label, Ir.Map)
-  | (Button | Hold | Knob | Toggle | Camera), _ ->
+  | (Button | Hold | Knob | Toggle | Camera | Tags), _ ->
       Diagnostic.bug ~stage:"Specialize.Operator" "a console without a label"
 
 let note (p : position) (found : Ir.control list) (label, kind) =

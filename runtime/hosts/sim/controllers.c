@@ -3,6 +3,7 @@
 #include <frob/camera.h>
 #include <frob/console.h>
 #include <frob/result.h>
+#include <frob/tags.h>
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -60,24 +61,57 @@ static void tell_missing_camera(const char *label)
             is_pair || is_usual ? "" : label, is_pair || is_usual ? "" : "\"");
 }
 
-/* The world's cameras, by the labels that the program asks for. */
+/* How much of a control's label is that of a camera; 0 if it has none. */
+static size_t camera_length(const struct frob_control *control)
+{
+    return control->kind == FROB_CAMERA ? strlen(control->label)
+           : control->kind == FROB_TAGS ? frob_tags_camera(control)
+                                        : 0;
+}
+
+/* Through which camera this one looks: that of a control before it, or a new one of the world. */
+static int look_through(struct controllers *c, size_t i)
+{
+    const struct frob_control *console = c->program->console;
+    const size_t length = camera_length(&console[i]);
+    char *label;
+    int number;
+    for (size_t k = 0; k < i; k++)
+        if (camera_length(&console[k]) == length && c->cameras[k] >= 0 &&
+            strncmp(console[k].label, console[i].label, length) == 0)
+            return c->cameras[k];
+    label = (char *)calloc(1, length + 1);
+    if (label == NULL) {
+        fprintf(stderr, "error: not enough memory for the cameras\n");
+        return -1;
+    }
+    memcpy(label, console[i].label, length);
+    number = frob_sim_look_through(c->sim, label);
+    if (number < 0)
+        tell_missing_camera(label);
+    free(label);
+    return number;
+}
+
+/* The world's cameras, by the labels that the program asks for; and what finds tags. */
 static bool open_cameras(struct controllers *c)
 {
     const struct frob_program *program = c->program;
     bool ok = true;
     c->cameras = (int *)calloc(program->control_count + 1, sizeof *c->cameras);
-    if (c->cameras == NULL) {
+    c->frames = (const struct frob_image **)calloc(program->control_count + 1, sizeof *c->frames);
+    if (c->cameras == NULL || c->frames == NULL) {
         fprintf(stderr, "error: not enough memory for the cameras\n");
         return false;
     }
     for (size_t i = 0; i < program->control_count; i++) {
-        if (program->console[i].kind != FROB_CAMERA)
+        c->cameras[i] = -1;
+        if (camera_length(&program->console[i]) == 0)
             continue;
-        c->cameras[i] = frob_sim_look_through(c->sim, program->console[i].label);
-        if (c->cameras[i] < 0) {
-            tell_missing_camera(program->console[i].label);
-            ok = false;
-        }
+        c->cameras[i] = look_through(c, i);
+        ok = ok && c->cameras[i] >= 0;
+        if (ok && program->console[i].kind == FROB_TAGS && c->finder.detector == NULL)
+            ok = tag_finder_open(&c->finder);
     }
     return ok;
 }
@@ -103,12 +137,31 @@ bool controllers_open(struct controllers *c, const struct params *params,
     return open_cameras(c);
 }
 
-static void look(struct controllers *c, size_t robot, int64_t now_ns)
+/* A frame comes once, for all that ask for it. */
+static bool look(struct controllers *c, size_t robot, int64_t now_ns)
 {
-    for (size_t i = 0; i < c->program->control_count; i++)
-        if (c->program->console[i].kind == FROB_CAMERA)
-            frob_camera_give(&c->program->console[i], c->each[robot].input,
-                             frob_sim_frame(c->sim, robot, c->cameras[i], now_ns), now_ns);
+    const struct frob_program *program = c->program;
+    void *input = c->each[robot].input;
+    bool ok = true;
+    for (size_t i = 0; i < program->control_count; i++) {
+        const struct frob_control *control = &program->console[i];
+        struct frob_tags tags;
+        size_t first = 0;
+        if (c->cameras[i] < 0)
+            continue;
+        while (c->cameras[first] != c->cameras[i])
+            first++;
+        c->frames[i] = first < i ? c->frames[first]
+                                 : frob_sim_frame(c->sim, robot, c->cameras[i], now_ns);
+        if (control->kind == FROB_CAMERA) {
+            frob_camera_give(control, input, c->frames[i], now_ns);
+            continue;
+        }
+        if (c->frames[i] != NULL)
+            ok = tag_finder_find(&c->finder, c->frames[i], &tags) && ok;
+        frob_tags_give(control, input, c->frames[i], c->frames[i] != NULL ? &tags : NULL, now_ns);
+    }
+    return ok;
 }
 
 bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
@@ -120,7 +173,7 @@ bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
         struct controller *one = &c->each[k];
         frob_sim_read_robot(c->sim, k, one->input);
         frob_console_clear(program, one->input);
-        look(c, k, now_ns);
+        ok = look(c, k, now_ns) && ok;
         touches_apply(touches, one->input);
         memset(one->output, 0, program->output_size);
         program->step(one->state, c->params, dt_s, one->input, one->output);
@@ -160,5 +213,7 @@ bool controllers_close(struct controllers *c)
     }
     free(c->each);
     free(c->cameras);
+    free(c->frames);
+    tag_finder_close(&c->finder);
     return ok;
 }

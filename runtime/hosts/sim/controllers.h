@@ -8,6 +8,7 @@
 #include "../common/claims.h"
 #include "../common/params.h"
 #include "../common/record.h"
+#include "../common/tag_finder.h"
 #include "../common/touches.h"
 
 #include <frob/program.h>
@@ -33,7 +34,9 @@ struct controllers {
     const struct frob_program *program;
     const void *params; /* the same for all */
     struct frob_sim *sim;
-    int *cameras; /* of each thing on the console that is one, its number in the world */
+    int *cameras; /* of each thing on the console that is one's, its number in the world */
+    const struct frob_image **frames; /* of each of these, at the instant; else NULL */
+    struct tag_finder finder; /* if tags are asked for */
     size_t count;
     size_t running; /* those that have not ended */
     struct controller *each;
@@ -42,13 +45,14 @@ struct controllers {
 /* Makes a controller for each robot, of the program of these parameters, which must stay. `record` is the file for the rows of the
  * only robot; of several, robot k has NAME-k.csv for NAME.csv, from 1. NULL:
  * nothing is recorded. False when there is not enough memory, when a file cannot
- * be written, or when the world lacks a camera that the program asks for, with a line on
- * standard error; close it then, too. */
+ * be written, when the world lacks a camera that the program asks for, or what finds tags is not
+ * there, with a line on standard error; close it then, too. */
 bool controllers_open(struct controllers *c, const struct params *params,
                       struct frob_sim *sim, const char *record);
 
 /* An instant of all of them, `dt_s` after the one before: each reads its sensors,
- * steps and commands. The touches are for all. False when a record cannot be written. */
+ * steps and commands. The touches are for all. False when a record cannot be written, or
+ * there is not enough memory. */
 bool controllers_step(struct controllers *c, int64_t now_ns, double dt_s,
                       const struct touches *touches);
 

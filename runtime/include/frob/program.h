@@ -70,7 +70,9 @@ enum frob_control_kind {
     FROB_KNOB,   /* a number, from least to most */
     FROB_TOGGLE, /* a bool */
     FROB_MAP,    /* an event of a place: two numbers, in metres, in the frame of odometry */
-    FROB_CAMERA  /* an event of a frame (frob/camera.h): not the operator's, but the host's */
+    FROB_CAMERA, /* an event of a frame (frob/camera.h): not the operator's, but the host's */
+    FROB_TAGS    /* an event of the tags in a frame (frob/tags.h), likewise; its label is that
+                  * of the camera, and " tags" */
 };
 
 /* Something on the operator's console; see frob/console.h. */

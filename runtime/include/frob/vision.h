@@ -257,6 +257,49 @@ struct frob_depths {
 void frob_stereo_depths(const struct frob_image *left, const struct frob_image *right,
                         const struct frob_stereo *how, struct frob_depths *result);
 
+/* {1 Tags} */
+
+/* An AprilTag as it was found in an image: its number, its middle, and the corners of its black
+ * frame, counter-clockwise as one looks at it, from the lower left one of an upright tag. `margin`
+ * is by how much brightness tells its cells apart, 0 … 255. */
+#ifndef FROB_TAG_DEFINED
+#define FROB_TAG_DEFINED
+struct frob_tag {
+    int32_t id;
+    struct frob_vec2 middle;
+    struct frob_vec2 corners[4];
+    double margin;
+};
+#endif
+
+#ifndef FROB_VEC3_DEFINED
+#define FROB_VEC3_DEFINED
+struct frob_vec3 {
+    double x, y, z;
+};
+#endif
+
+/* Where a tag is in space, seen from the camera: x to the right, y down, z ahead. Its middle, in
+ * metres; the direction in which it looks, which is towards the camera; how far the corners of
+ * such a tag are from those that were found, in pixels (the root of the mean square); and how
+ * much the other of the two poses in which it looks nearly alike is to be thought of: that one's
+ * residual divides this one's, so 0 is certain and 1 is a guess. */
+#ifndef FROB_TAG_PLACE_DEFINED
+#define FROB_TAG_PLACE_DEFINED
+struct frob_tag_place {
+    struct frob_vec3 middle, facing;
+    double residual, ambiguity;
+};
+#endif
+
+struct frob_lens;
+
+/* Of a tag whose black frame is `size` wide and high, by least squares of the corners' distances,
+ * without the lens's distortion. All NaN if there is no such tag: corners that are in a line or
+ * the wrong way round, a size that is not above 0. */
+void frob_find_tag_place(const struct frob_lens *lens, double size, const struct frob_tag *tag,
+                         struct frob_tag_place *result);
+
 #ifdef __cplusplus
 }
 #endif

@@ -2,6 +2,8 @@
  * that keep what is promised of them. Sanitizers look on. */
 #include "picture.h"
 
+#include <frob/lens.h>
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -76,6 +78,32 @@ static struct frob_placement any_placement(const struct frob_image *image)
     return p;
 }
 
+/* A place is before the camera and looks towards it, or is no place. */
+static void tags(void)
+{
+    struct frob_lens lens = {0};
+    struct frob_tag tag = {0};
+    struct frob_tag_place place;
+    const double size = random_number();
+    lens.focalX = random_number();
+    lens.focalY = random_below(2) ? lens.focalX : random_number();
+    lens.centreX = random_number();
+    lens.k1 = random_below(2) ? 0 : random_number();
+    for (int i = 0; i < 4; i++) {
+        tag.corners[i].x = random_below(4) ? random_below(40) : random_number();
+        tag.corners[i].y = random_below(4) ? random_below(40) : random_number();
+    }
+    frob_find_tag_place(&lens, size, &tag, &place);
+    if (isnan(place.residual)) {
+        check(isnan(place.middle.z) && isnan(place.facing.x), "no place", place.middle.z, NAN);
+        return;
+    }
+    check(place.middle.z > 0 && place.residual >= 0, "a place", place.middle.z, place.residual);
+    check_share(place.ambiguity, "ambiguity");
+    check(fabs(place.facing.x * place.facing.x + place.facing.y * place.facing.y +
+               place.facing.z * place.facing.z - 1) < 1e-9, "a direction", place.facing.z, 1);
+}
+
 static void kernels(const struct frob_image *image, bool is_sound)
 {
     const struct frob_region roi = {random_number(), random_number(), random_number(),
@@ -137,6 +165,7 @@ static void kernels(const struct frob_image *image, bool is_sound)
     check_share(match.residual, "residual");
     if (match.residual < 1)
         check_in_image(image, match.place.x, match.place.y, "template");
+    tags();
     frob_undistort_point(image, &point, &moved);
     frob_distort_point(image, &point, &moved);
 }
