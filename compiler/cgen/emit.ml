@@ -5,6 +5,7 @@ type t = {
   robot : string option;
   robot_header : (string * string) option;
   cameras : string list;
+  looks_for_tags : bool;
   foreign : foreign;
 }
 
@@ -26,6 +27,8 @@ let program ?own ?batch (program : Step.Ir.program) =
       List.filter_map
         (fun (c : Core.Ir.control) -> if c.kind = Camera then Some c.label else None)
         program.console;
+    looks_for_tags =
+      List.exists (fun (c : Core.Ir.control) -> c.kind = Tags) program.console;
     foreign =
       {
         calls =

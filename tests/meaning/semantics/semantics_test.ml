@@ -12,7 +12,7 @@ let prelude = declared "Prelude"
 (* With a heading each in appendix B. *)
 let library =
   [ "Control"; "Geometry"; "Driving"; "Sources"; "Past"; "Trial"; "WallFollow"; "Display"; "Vision";
-    "Stereo" ]
+    "Stereo"; "Tags" ]
 
 let modules = List.map (fun name -> (name, declared name)) library
 let frobc = Sys.argv.(1)

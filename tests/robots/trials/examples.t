@@ -6,6 +6,7 @@ What the examples promise of themselves holds, on each robot that they are for.
   ok    drives to the end of the corridor: 10 seeds, 35 s
   ok    keeps to the middle, to the end: 3 seeds, 28 s
   ok    drives into the dock: 10 seeds, 40 s
+  ok    docks within 2 cm and 2 degrees: 20 seeds, 20 s
   ok    follows the tape round: 2 seeds, 60 s
   ok    goes on and on: 3 seeds, 300 s
   ok    goes after the ball and touches nothing: 2 seeds, 45 s
@@ -14,7 +15,7 @@ What the examples promise of themselves holds, on each robot that they are for.
   ok    goes to and fro and touches nothing: 3 seeds, 180 s
   ok    drives up to the poster: 2 seeds, 16 s
   ok    goes round the room and touches nothing: 10 seeds, 60 s
-  12 tests: all hold
+  13 tests: all hold
   $ for robot in pioneer scout create; do
   >   for name in bug corridor dock explore; do frobc test $examples/$name/$name.frob --robot $robot --seeds 2 | head -1; done
   > done

@@ -1,0 +1,15 @@
+Before a tag: on each robot, and not before the other tag; a recording replays bit for bit, on both
+engines, with nothing that finds tags.
+
+  $ program=../../../examples/dock_tag/dock_tag.frob
+  $ for robot in scout create; do frobc test $program --robot $robot --seeds 2 | head -1; done
+  $ frobc run $program --for 20s --exit-when-done --record run.csv | grep -E 'collisions|result'
+  $ grep -v '^#' run.csv | sed 's/"[^"]*"//g' | cut -d, -f1,31,32 > recorded.csv
+  $ frobc trace $program --robot pioneer --input run.csv | cut -d, -f1-3 > replayed.csv
+  $ cmp recorded.csv replayed.csv
+  $ frobc trace $program --robot pioneer --input run.csv --engine interp | cut -d, -f1-3 | cmp - replayed.csv
+
+Without its tag it turns, and looks for it.
+
+  $ sed 's/^id = 5/id = 4/' ../../../examples/dock_tag/world.toml > lost.toml
+  $ frobc run $program --world lost.toml --for 5s --exit-when-done | grep -E 'driven|finished'
