@@ -15,7 +15,9 @@ let unit_of (typed : Typing.Ir.program) (place : Span.t) =
   !found
 
 let unit_of_control typed (c : Core.Ir.control) =
-  match c.kind with Knob _ -> unit_of typed c.span | Button | Hold | Toggle _ | Map | Camera | Tags -> None
+  match c.kind with
+  | Knob _ -> unit_of typed c.span
+  | Button | Hold | Toggle _ | Map | Camera | Tags -> None
 
 let in_unit unit_ = if String.equal unit_ "" then "without a unit" else "in " ^ unit_
 
