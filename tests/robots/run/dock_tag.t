@@ -3,7 +3,11 @@ engines, with nothing that finds tags.
 
   $ program=../../../examples/dock_tag/dock_tag.frob
   $ for robot in scout create; do frobc test $program --robot $robot --seeds 2 | head -1; done
+  ok    docks within 2 cm and 2 degrees: 2 seeds, 20 s
+  ok    docks within 2 cm and 2 degrees: 2 seeds, 20 s
   $ frobc run $program --for 20s --exit-when-done --record run.csv | grep -E 'collisions|result'
+  collisions: 0
+  result: ()
   $ grep -v '^#' run.csv | sed 's/"[^"]*"//g' | cut -d, -f1,31,32 > recorded.csv
   $ frobc trace $program --robot pioneer --input run.csv | cut -d, -f1-3 > replayed.csv
   $ cmp recorded.csv replayed.csv
@@ -13,3 +17,4 @@ Without its tag it turns, and looks for it.
 
   $ sed 's/^id = 5/id = 4/' ../../../examples/dock_tag/world.toml > lost.toml
   $ frobc run $program --world lost.toml --for 5s --exit-when-done | grep -E 'driven|finished'
+  distance driven: 0.000 m
