@@ -48,7 +48,7 @@ The report counts what a step calls of the kernels, and says what is asked of th
   >         , valueFrom = 0, valueTo = 1 }
   > FROB
   $ frobc report sees.frob --robot pioneer | grep -E 'calls|camera'
-    calls of frob_find_blob   1
+    calls of frob_find_blob   1  at most the whole image
     calls of frob_image_lens  1
     camera  camera    sees.frob:8
 
