@@ -104,7 +104,12 @@ class Program:
 
     @overload
     def run(
-        self, inputs: "NDArray[Any]", *, dt: Any = None, time: Any = None
+        self,
+        inputs: "NDArray[Any]",
+        *,
+        dt: Any = None,
+        time: Any = None,
+        out: "Optional[NDArray[Any]]" = None,
     ) -> "NDArray[Any]": ...
 
     @overload
@@ -120,19 +125,22 @@ class Program:
         self, inputs: "pd.DataFrame", *, dt: Any = None, time: Any = None
     ) -> "pd.DataFrame": ...
 
-    def run(self, inputs: Any, *, dt: Any = None, time: Any = None) -> Any:
+    def run(self, inputs: Any, *, dt: Any = None, time: Any = None, out: Any = None) -> Any:
         """Many instants, from the start; the state that `step` has come to stays as it is.
 
         Of inputs as an array, a column each, outputs are an array; of a mapping of columns
         named as in a trace they are a dict of arrays, of a DataFrame a DataFrame, and of a
         list of what `step` takes a list. `dt` is the seconds of a step, of all or of each;
         or `time` has the seconds of each instant, where the inputs have no column `time`.
+        Outputs of an array are put into the array `out`, if there is one.
         """
+        if out is not None and (isinstance(inputs, list) or not hasattr(inputs, "dtype")):
+            raise InputError("out: is for inputs that are an array")
         if isinstance(inputs, list):
             return self._run_list(inputs, dt, time)
         np = columns.numpy()
         if isinstance(inputs, np.ndarray):
-            return self._run_array(inputs, dt, time)
+            return self._run_array(inputs, dt, time, out)
         return self._run_columns(inputs, dt, time)
 
     def _run_list(self, inputs: List[Any], dt: Any, time: Any) -> List[Any]:
@@ -140,7 +148,9 @@ class Program:
         seconds = _listed_steps(len(inputs), dt, time)
         return [fresh.step(one, value) for one, value in zip(seconds, inputs)]
 
-    def _run_array(self, inputs: "NDArray[Any]", dt: Any, time: Any) -> "NDArray[Any]":
+    def _run_array(
+        self, inputs: "NDArray[Any]", dt: Any, time: Any, out: "Optional[NDArray[Any]]"
+    ) -> "NDArray[Any]":
         np = columns.numpy()
         code = self._code
         leaves = columns.numbers(code.input_columns, self.name)
@@ -154,13 +164,23 @@ class Program:
         seconds = _array_steps(count, dt, time)
         size = code.table.input_size
         if shapes.only_floats(code.input_columns, size) and table.dtype.kind in "iuf":
-            memory = np.ascontiguousarray(table, dtype=np.float64)
+            memory = np.require(table, np.float64, ["C", "A"])
         else:
             memory = np.zeros(count * size, dtype=np.uint8)
             given = {name: _truths(leaf, table[:, k]) for k, (name, leaf) in enumerate(leaves)}
             columns.write(memory, size, leaves, given, count)
+        are_floats = shapes.only_floats(code.output_columns, code.table.output_size)
+        if out is not None:
+            shape = (count,) if len(outs) == 1 else (count, len(outs))
+            if not are_floats or not _takes(out, shape) or np.may_share_memory(out, memory):
+                raise InputError(
+                    f"out: expected an array of float64 of shape {shape}, row by row, writable, "
+                    "and apart from the inputs, for a program that gives nothing but Float"
+                )
+            self._steps(count, seconds, memory, out)
+            return out
         output = self._steps(count, seconds, memory)
-        if shapes.only_floats(code.output_columns, code.table.output_size):
+        if are_floats:
             result = output.view(np.float64)
             return result if len(outs) == 1 else result.reshape(count, len(outs))  # type: ignore
         parts = columns.read(output, code.table.output_size, outs, count)
@@ -197,7 +217,7 @@ class Program:
         framed = {"time": inputs["time"]} if "time" in names else {}
         return type(inputs)({**framed, **parts}, index=inputs.index)
 
-    def _steps(self, count: int, seconds: "NDArray[Any]", memory: "NDArray[Any]") -> Any:
+    def _steps(self, count: int, seconds: Any, memory: Any, output: Any = None) -> Any:
         """The outputs, as bytes. All arrays are contiguous, and of `count` elements; of `seconds`
         there may be fewer, which are all the same and serve again and again."""
         np = columns.numpy()
@@ -206,7 +226,8 @@ class Program:
         state = code.new_state()
         with self._lock:
             params = self._params
-        output = np.empty(count * code.table.output_size, dtype=np.uint8)
+        if output is None:
+            output = np.empty(count * code.table.output_size, dtype=np.uint8)
         code.table.reset(state, params)
         places = [array.ctypes.data for array in (seconds, memory, output)]
         is_shared = len(seconds) < count
@@ -217,6 +238,13 @@ class Program:
             some = min(chunk, count - first)
             steps(state, *([params] if has_params else []), some, *at)
         return output
+
+
+def _takes(out: Any, shape: Any) -> bool:
+    """May C write an output of that shape there?"""
+    np = columns.numpy()
+    is_such = isinstance(out, np.ndarray) and out.dtype == np.float64 and out.shape == shape
+    return is_such and bool(out.flags.c_contiguous and out.flags.aligned and out.flags.writeable)
 
 
 def _truths(leaf: shapes.Scalar, column: "NDArray[Any]") -> "NDArray[Any]":

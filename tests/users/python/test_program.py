@@ -95,6 +95,22 @@ class Values(unittest.TestCase):
         with self.assertRaisesRegex(frob.Error, "there is no C file nowhere.c"):
             program(text, sources=["nowhere.c"])
 
+    def test_outputs_into_an_array(self):
+        half = program(HALF)
+        inputs, out = np.array([2.0, 4.0]), np.zeros(2)
+        self.assertIs(half.run(inputs, dt=1, out=out), out)
+        self.assertEqual(out.tolist(), [1, 2])
+        fixed = np.zeros(2)
+        fixed.flags.writeable = False
+        for wrong in (np.zeros(3), np.zeros((2, 1)), np.zeros(2, np.float32), np.zeros(4)[::2],
+                      np.zeros(2, ">f8"), fixed, inputs, [0, 0]):
+            with self.assertRaisesRegex(frob.InputError, "out: expected an array of float64"):
+                half.run(inputs, dt=1, out=wrong)
+        with self.assertRaisesRegex(frob.InputError, "out: expected an array of float64"):
+            program(ODD).run(np.zeros((2, 2)), dt=1, out=np.zeros((2, 2)))
+        with self.assertRaisesRegex(frob.InputError, "out: is for inputs that are an array"):
+            half.run([1], dt=1, out=out)
+
     def test_long_runs(self):
         """In many calls of C, with one dt or many: no other outputs."""
         p = program("main :: SF Float Float\nmain = proc x -> integral x / 1[s]\n")
