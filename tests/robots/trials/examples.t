@@ -7,10 +7,10 @@ What the examples promise of themselves holds, on each robot that they are for.
   ok    keeps to the middle, to the end: 3 seeds, 28 s
   ok    drives into the dock: 10 seeds, 40 s
   ok    docks within 2 cm and 2 degrees: 20 seeds, 20 s
-  ok    follows the tape round: 2 seeds, 60 s
   ok    goes on and on: 3 seeds, 300 s
   ok    goes after the ball and touches nothing: 2 seeds, 45 s
   ok    holds its course, and stops before the wall: 10 seeds, 25 s
+  ok    follows the tape round: 2 seeds, 60 s
   ok    follows the tape three times round: 3 seeds, 220 s
   ok    goes to and fro and touches nothing: 3 seeds, 180 s
   ok    drives up to the poster: 2 seeds, 16 s
