@@ -163,8 +163,5 @@ val accepted :
   int
 (** Goes on with what a pipeline gives, or gives the status with which to end. *)
 
-val world_of : string option -> Resources.t -> string -> string
-(** The world that is asked for, or that lies beside a program, or that comes with frobc. *)
-
 val for_world : General.t -> Resources.t -> string -> (General.t, string) result
 (** With the robot that the world names, if none is asked for. *)

@@ -2,6 +2,3 @@
 
 val set : Word.t array -> unit
 (** Sets [gap] of all words, as if no line began with any of them. *)
-
-val within : Word.t -> int
-(** The blanks between a bracket, which is the word, and what it encloses. *)

@@ -84,7 +84,3 @@ let part t ~from ~width =
       column := !column + glyph.columns)
     t.glyphs;
   Buffer.contents text
-
-let sanitize text =
-  let t = of_line text in
-  part t ~from:0 ~width:(width t)

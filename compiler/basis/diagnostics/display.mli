@@ -18,6 +18,3 @@ val characters_before : string -> int -> int
 
 val part : t -> from:int -> width:int -> string
 (** What is shown in [width] columns from column [from] on. *)
-
-val sanitize : string -> string
-(** The whole line, shown. *)

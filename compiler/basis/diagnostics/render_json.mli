@@ -8,8 +8,5 @@
     [safe] to make unasked, and [edits]: a [span] ([file_name] to [column_end] as above) and the
     [text] that it becomes. *)
 
-val diagnostic : Source.t -> Diagnostic.t -> string
-(** One object, without a line end. *)
-
 val diagnostics : Source.t -> Diagnostic.t list -> string
 (** One object a line. *)

@@ -32,7 +32,6 @@ val divide : t -> t -> t
 val power : t -> int -> t
 val compare : t -> t -> int
 val equal : t -> t -> bool
-val is_integer : t -> bool
 
 val to_int32 : t -> int32 option
 (** [None] unless an integer in range. *)

@@ -36,9 +36,6 @@ val foreign_type : Flow.Ir.foreign_type -> Ir.ty
 val array_name : t -> Step.Ir.ty -> string
 (** Of an array's struct. *)
 
-val arrays : t -> (Step.Ir.ty * string) list
-(** Those that were asked for, with their structs: first ones first. *)
-
 val differ : t -> Step.Ir.ty -> bool
 (** Has the user's C other values of this type than the program's own table? *)
 

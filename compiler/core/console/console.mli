@@ -17,9 +17,6 @@ val is_console : Ir.Global.t -> bool
 val has_name : module_:string -> string -> bool
 (** Likewise. *)
 
-val type_of : Ir.control_kind -> Ir.ty
-(** Of its field. *)
-
 val declare : Ir.control list -> Ir.program -> Ir.program
 (** With these fields in the type [Console], in this order. *)
 

@@ -6,7 +6,6 @@
 
 type t
 
-val none : t
 val of_program : Ir.program -> t
 (** All of them, through functions and definitions, whatever their order. *)
 

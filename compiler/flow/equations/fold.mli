@@ -7,6 +7,3 @@
 val operation : Basis.Real.t -> Ir.operator -> Ir.atom list -> Ir.atom option
 (** The constant that the operation gives, if all its arguments are constants
     and it can be known. *)
-
-val nan : float
-(** A quiet one, on every version of OCaml. *)

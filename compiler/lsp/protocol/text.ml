@@ -14,7 +14,6 @@ let line_starts text =
 
 let of_string contents = { contents; starts = lazy (line_starts contents) }
 let contents t = t.contents
-let lines t = Array.length (Lazy.force t.starts)
 
 type encoding = Utf8 | Utf16 | Utf32
 type position = { line : int; character : int }

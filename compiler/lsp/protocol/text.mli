@@ -19,5 +19,3 @@ val offset : encoding -> t -> position -> int
 
 val replace : t -> int -> int -> string -> t
 (** [replace t start stop text]: what is between two offsets becomes the text. *)
-
-val lines : t -> int
