@@ -144,7 +144,7 @@ let size : Ir.atom -> int = function
   | Signal { ty = Array (n, _); _ } -> n
   | Signal _ | Bool _ | Int _ | Float _ -> 0
 
-let simplify real known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
+let simplify real known written add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   match rhs with
   | Op (operator, arguments) -> (
       match Fold.operation real operator arguments with
@@ -164,6 +164,12 @@ let simplify real known add (defines : Ir.signal) (rhs : Ir.rhs) : Ir.rhs =
   | Delay { init; next } when same next init || same next (Signal defines) ->
       (* [init] is static: it is the same at every instant. *)
       Copy init
+  | Delay { init = Bool first; next } -> (
+      (* What it is a negation of is there anyway, and may be kept by another one too. *)
+      match definition (Lazy.force written) next with
+      | Some (Op (Not, [ next ])) ->
+          Op (Not, [ add defines Bool (Delay { init = Bool (not first); next }) ])
+      | Some _ | None -> rhs)
   | Ticks (Float period) when Float.is_nan period -> Copy (Bool false)
   | Ticks (Float period) when period < 1. -> Copy (Bool true)
   | Time { restart = Bool true } -> Copy (Float 0.)
@@ -198,6 +204,14 @@ let of_loop known (i : Ir.instance) =
 
 let node real ~fresh (node : Ir.node) =
   let known : known = Int_table.create 64 in
+  (* Few ask for it. *)
+  let written : known Lazy.t =
+    lazy
+      (let written = Int_table.create 64 in
+       let write (e : Ir.equation) = Int_table.replace written e.defines.id e.rhs in
+       List.iter write node.equations;
+       written)
+  in
   let substitution = Substitution.create () in
   let added = ref [] and changed = ref false in
   let add (like : Ir.signal) ty rhs : Ir.atom =
@@ -211,7 +225,7 @@ let node real ~fresh (node : Ir.node) =
     | Schedule.Instance _ | Trial _ | Machine _ -> ()
     | Equation e -> (
         let rhs = Operands.map (Substitution.atom substitution) e.rhs in
-        let rhs = simplify real known add e.defines rhs in
+        let rhs = simplify real known written add e.defines rhs in
         if rhs != e.rhs then changed := true;
         match rhs with
         | Copy a ->

@@ -16,13 +16,12 @@ is left out, the machine within it among that.
   static inline void duty_rest_work_step(struct duty_rest_work_state *self, double dt, bool i_1,
           double i_2, double *out_2, bool *out_3)
   {
-      const bool t1 = !i_1;
-      const bool t2 = t1 && !self->delay;
-      *out_3 = t2;
-      if (!t2) {
-          const double t3 = duty_up_step(&self->up, dt, i_2);
-          *out_2 = t3;
-          self->delay = t1;
+      const bool t1 = !i_1 && self->i_1_prev;
+      *out_3 = t1;
+      if (!t1) {
+          const double t2 = duty_up_step(&self->up, dt, i_2);
+          *out_2 = t2;
+          self->i_1_prev = i_1;
       }
   }
   $ printf 'time,in.1,in.2\n0,false,1\n1,true,1\n2,true,2\n3,true,-1\n4,true,3\n5,true,3\n6,false,-1\n7,true,2\n8,true,2\n' > in.csv

@@ -115,6 +115,21 @@ let names_of_copies () =
             let t = Build.op b Negate [ x ] in
             [ ("", Build.let_ b "speed" (Copy t)) ])))
 
+let negations_are_not_kept () =
+  check
+    [
+      "signal function main (x : Bool)";
+      "_1 : Bool = delay False x";
+      "d : Bool = not(_1)";
+      "-> ( = d)";
+    ]
+    (Dead_code.program @@ Simplify.program
+       (build (fun n ->
+            let ty : Ir.ty = Bool in
+            let x = Build.input ~ty n "x" in
+            let off = Build.let_ ~ty n "off" (Op (Not, [ x ])) in
+            [ ("", Build.let_ ~ty n "d" (Delay { init = Bool true; next = off })) ])))
+
 (* Whether one of two events occurs, said by cases. *)
 let conditions_in_cases () =
   check
@@ -288,6 +303,7 @@ let example_tests =
     case "simplify: only identities of every float" float_identities;
     case "simplify: elementary functions of constants" elementary_functions;
     case "simplify: a copy's name goes on" names_of_copies;
+    case "simplify: of a negation what it negates is kept" negations_are_not_kept;
     case "simplify: known constructors need no tag" known_constructors;
     case "boolean simplification: one that is said by cases" conditions_in_cases;
     case "boolean simplification: one for which another one does not matter" conditions_anyhow;
