@@ -17,7 +17,8 @@ let all ~encoding : Json.t =
       ( "codeActionProvider",
         Object
           [ ( "codeActionKinds",
-              List [ String "quickfix"; String "refactor.rewrite"; String "refactor.extract" ] ) ] );
+              List
+                [ String "quickfix"; String "refactor.rewrite"; String "refactor.extract" ] ) ] );
       ( "completionProvider",
         Object
           [ ("triggerCharacters", List [ String "."; String "[" ]); ("resolveProvider", Bool true) ]

@@ -283,7 +283,8 @@ void mistakes_are_told() {
                                "w:1:1: two cameras are called `camera`: give each a `name` of its own",
                 "two of a name");
     check::that(told("[stereo]\nbaseline = 0\nname = \"head\"\n") ==
-                    "w:5:12: `baseline` must be positive\nw:6:1: there is no key `name` here",
+                    "w:5:12: `baseline` must be more than zero\n"
+                    "w:6:1: unknown key `name`; did you mean `rate`?",
                 "a head of one camera");
     check::that(told("[[ball]]\nway = [[1, 1], [2, 2]]\n") ==
                                        "w:4:1: this needs a key `speed`",

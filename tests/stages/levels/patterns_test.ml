@@ -3,7 +3,8 @@
 open Trees
 
 let check expected definitions =
-  Alcotest.(check string) "messages" expected (messages Typing.Patterns.check definitions)
+  let checked sink program = Typing.Patterns.check sink program in
+  Alcotest.(check string) "messages" expected (messages checked definitions)
 
 let m = local 1 "m"
 let x = local 2 "x"
