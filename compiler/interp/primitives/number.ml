@@ -64,7 +64,7 @@ module Float = struct
     let ns = multiply real seconds 1e9 in
     let whole = Stdlib_float.floor ns in
     let rest = ns -. whole in
-    if ns < 0. then 0.
+    if ns <= 0. then 0.
     else if rest > 0.5 || (rest = 0.5 && Stdlib_float.rem whole 2. = 1.) then whole +. 1.
     else whole
 

@@ -385,6 +385,7 @@ The types of a method's definitions are the class's.
   9 |     area s = 4 * s.side
     |              ^^^^^^^^^^ this is `Float[m]`
     |
+    = hint: if the factor is a gain, it has a unit: `4[m]`
     = hint: if this is what comes out, the signature says `Float[m]`
   
   error[E0306]: the signature promises every type `b`, but the definition needs it to be `Square`
