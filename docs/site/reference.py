@@ -102,7 +102,8 @@ def help_of(frobc, *command):
 def commands(frobc):
     """frobc's help, of the whole and of each command."""
     whole = help_of(frobc)
-    names = re.findall(r"^       ([a-z]+) .*(?:FILE|CODE|ROBOT|OPTION|NAME)", whole, flags=re.M)
+    listed = whole[whole.index("\nCOMMANDS"):whole.index("\nCOMMON")]
+    names = re.findall(r"^       ([a-z]+) ", listed, flags=re.M)
     out = ["# The command line", "", "What `frobc --help` and `frobc COMMAND --help` print.", "",
            "## frobc", "", "```text", whole.strip("\n"), "```", ""]
     for name in names:

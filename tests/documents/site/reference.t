@@ -26,6 +26,3 @@ Each message is there, and each command:
   $ grep -c '^## [EW]0[0-9]*: .* { #[EW]' messages.md | diff - pages
   $ frobc --help=plain | sed -n '/^COMMANDS/,/^COMMON/p' | grep '^       [a-z]' | awk '{ print "## frobc " $1 }' > commands
   $ grep '^## frobc ' commands.md | diff - commands
-  1d0
-  < ## frobc tells
-  [1]

@@ -146,6 +146,12 @@ let tables =
 
 let names row = Page.code (List.hd row)
 
+(* Where the second column has them: `Name Type Type`. *)
+let constructors = function
+  | _ :: second :: _ ->
+      List.map (fun code -> List.hd (String.split_on_char ' ' code)) (Page.code second)
+  | _ -> []
+
 let in_appendix =
   let of_part = function
     | Page.Text { text; _ } -> Page.code text
@@ -164,7 +170,8 @@ let every_name () =
 
 let every_name_of (module_, (declared : Library_module.t)) () =
   let of_table (heading, (table : Page.table)) =
-    if String.equal heading module_ then List.concat_map names (List.tl table.rows) else []
+    if not (String.equal heading module_) then []
+    else List.concat_map (fun row -> names row @ constructors row) (List.tl table.rows)
   in
   let described = List.concat_map of_table tables in
   nothing "not in the appendix"
