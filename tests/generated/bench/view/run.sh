@@ -11,7 +11,8 @@ build() {
 }
 build $here/publish.c $common/ring.c -o "$1/publish"
 "$1/publish"
-build $here/clock_host.c $common/load.c $common/publisher.c $common/ring.c -ldl -o "$1/clock_host"
+build $here/clock_host.c $common/load.c $common/publisher.c $common/ring.c $common/frames.c \
+    runtime/core/camera.c runtime/core/frame.c -ldl -o "$1/clock_host"
 python=/usr/bin/python3
 frobc=$PWD/_build/install/default/bin/frobc
 if test -x $python && test -x /usr/bin/chromedriver &&
