@@ -268,8 +268,8 @@ let help names =
 let commands =
   let all =
     [
-      new_project; check; fix; format; compile; Running.trace; Running.run; Running.test;
-      Running.sweep; Running.view; Running.serve; build; export; report; selftest; header; explain;
+      new_project; check; fix; format; compile; Running.trace; Running.run; Trying.test;
+      Trying.sweep; Running.view; Running.serve; build; export; report; selftest; header; explain;
       lsp;
     ]
   in

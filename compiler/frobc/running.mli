@@ -4,7 +4,5 @@ open Cmdliner
 
 val trace : int Cmd.t
 val run : int Cmd.t
-val test : int Cmd.t
-val sweep : int Cmd.t
 val view : int Cmd.t
 val serve : int Cmd.t
