@@ -148,17 +148,15 @@ let digest_of (context : Checking.t) general ~entry file =
          Exit_status.ok));
   Digest.string (String.concat "" (!text :: List.map Digest.file context.sources))
 
-(* The pictures that a world names lie beside it. *)
+(* Files that a world names lie beside it: whatever stands in quotes and is one. *)
 let digest_of_world path =
   let text = Checking.read path in
-  let picture line =
-    match String.split_on_char '"' line with
-    | before :: name :: _ when String.starts_with ~prefix:"picture" (String.trim before) ->
-        let path = Filename.concat (Filename.dirname path) name in
-        if Sys.file_exists path then Digest.file path else ""
-    | _ -> ""
+  let quoted = List.concat_map (String.split_on_char '\'') (String.split_on_char '"' text) in
+  let contents name =
+    let file = Filename.concat (Filename.dirname path) name in
+    if Sys.file_exists file && not (Sys.is_directory file) then Some (Digest.file file) else None
   in
-  Digest.string (text ^ String.concat "" (List.map picture (String.split_on_char '\n' text)))
+  Digest.string (String.concat "" (text :: List.filter_map contents quoted))
 
 type subject = { file : string; check : Checks.t; measures : Measures.t list }
 

@@ -81,7 +81,8 @@ Shards, on machines of their own or not, make the same table together.
   $ frobc sweep gaps.toml --shard 3/3 --rows second > /dev/null
   $ frobc sweep gaps.toml --merge --rows first --also second --table shards.csv > /dev/null && cmp gaps.csv shards.csv
 
-What has changed is made anew, and nothing else: another world, or another program.
+What has changed is made anew, and nothing else: another world, a picture that hangs in it, or
+another program.
 
   $ count () { cat gaps.rows/*.rows | wc -l; }
   $ count
@@ -90,8 +91,14 @@ What has changed is made anew, and nothing else: another world, or another progr
   48
   $ echo '# nothing new' >> empty.toml; frobc sweep gaps.toml > /dev/null; count
   72
-  $ sed -i 's/min speed v/min speed (0.9 * v)/' follow.frob; frobc sweep gaps.toml > /dev/null; count
+  $ printf 'P6 1 1 255\nabc' > p.ppm
+  $ sed -i '1i poster = [{ picture = "p.ppm", center = [1, 1], facing_deg = 0, size = [1, 1] }]' empty.toml
+  $ frobc sweep gaps.toml > /dev/null; count
+  96
+  $ printf 'P6 1 1 255\nxyz' > p.ppm; frobc sweep gaps.toml > /dev/null; count
   120
+  $ sed -i 's/min speed v/min speed (0.9 * v)/' follow.frob; frobc sweep gaps.toml > /dev/null; count
+  168
   $ cmp -s gaps.csv one.csv
   [1]
 
