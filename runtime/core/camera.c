@@ -7,7 +7,7 @@ static unsigned char *place(void *base, const struct frob_value *value)
     return (unsigned char *)base + value->offset;
 }
 
-static void set_number(void *input, const struct frob_value *value, double x)
+void frob_camera_set_number(void *input, const struct frob_value *value, double x)
 {
     const float single = (float)x;
     const int32_t whole = value->kind == FROB_INT ? (int32_t)x : 0;
@@ -19,6 +19,17 @@ static void set_number(void *input, const struct frob_value *value, double x)
         memcpy(place(input, value), &x, sizeof x);
 }
 
+void frob_camera_give_number(const struct frob_field *field, void *input,
+                             const struct frob_image *image, int64_t now_ns)
+{
+    double x = 0.0;
+    if (image != NULL && strcmp(field->name, "age") == 0)
+        x = (double)(now_ns - image->captured_ns) / 1e9;
+    else if (image != NULL)
+        x = (double)(image->number & INT32_MAX);
+    frob_camera_set_number(input, field->value, x);
+}
+
 void frob_camera_give(const struct frob_control *camera, void *input,
                       const struct frob_image *image, int64_t now_ns)
 {
@@ -27,16 +38,11 @@ void frob_camera_give(const struct frob_control *camera, void *input,
     const unsigned char occurs = image != NULL;
     memcpy(place(input, camera->value), &occurs, sizeof occurs);
     for (size_t i = 0; i < frame->count; i++) {
-        const struct frob_value *value = frame->fields[i].value;
-        const char *name = frame->fields[i].name;
-        if (value->kind == FROB_IMAGE)
-            memcpy(place(input, value), &image, sizeof image);
-        else if (image == NULL)
-            set_number(input, value, 0.0);
-        else if (strcmp(name, "age") == 0)
-            set_number(input, value, (double)(now_ns - image->captured_ns) / 1e9);
-        else if (strcmp(name, "number") == 0)
-            set_number(input, value, (double)(image->number & INT32_MAX));
+        const struct frob_field *field = &frame->fields[i];
+        if (field->value->kind == FROB_IMAGE)
+            memcpy(place(input, field->value), &image, sizeof image);
+        else
+            frob_camera_give_number(field, input, image, now_ns);
     }
 }
 

@@ -18,6 +18,14 @@ extern "C" {
 void frob_camera_give(const struct frob_control *camera, void *input,
                       const struct frob_image *image, int64_t now_ns);
 
+/* A number of a frame that is no image: `age` or `number`, by the field's name; 0 without an image.
+ * For all that comes with frames, as tags do (frob/tags.h). */
+void frob_camera_give_number(const struct frob_field *field, void *input,
+                             const struct frob_image *image, int64_t now_ns);
+
+/* Puts a number where the value is, which is an Int or a Float of either precision. */
+void frob_camera_set_number(void *input, const struct frob_value *value, double x);
+
 /* Called for each image that is there in a value, and for the place of its address. */
 typedef void frob_image_visitor(void *context, const struct frob_image **image);
 
