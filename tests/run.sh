@@ -14,11 +14,11 @@ status=$?
 cat "$log"
 
 cram=$(find tests -name '*.t' | wc -l)
-golden=$(find tests -name 'dune*' -exec cat {} + | grep -c '(diff ')
+golden=$(find tests compiler -name 'dune*' -exec cat {} + | grep -c '(diff ')
 awk -v files=$((cram + golden)) -v status="$status" '
     /^ok /   { passed++ }
     /^FAIL / { failed++; bad[++bads] = $0 }
-    /\[FAIL\] |^Error: |^Fatal error: |^File "tests\/[^"]*dune", line / { bad[++bads] = $0 }
+    /\[FAIL\] |^Error: |^Fatal error: |^File "[^"]*dune", line / { bad[++bads] = $0 }
     # "Test Successful in 0.002s. 14 tests run." or "2 failures! in 0.004s. 14 tests run."
     / tests? run\.$/ {
         run = $(NF - 2)
@@ -27,7 +27,7 @@ awk -v files=$((cram + golden)) -v status="$status" '
         failed += wrong
     }
     # A golden or cram file that differs.
-    /^File "tests\/[^"]*", line 1, characters 0-0:$/ {
+    /^File "[^"]*", line 1, characters 0-0:$/ {
         if (!($2 in differs)) { differs[$2] = 1; broken++; bad[++bads] = $2 " differs" }
     }
     END {
