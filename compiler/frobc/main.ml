@@ -1,4 +1,4 @@
-(* The command line of frobc. What the commands do is in {!Driver.Commands};
+(* The command line of frobc. What the commands do is in {!Driver};
    here are only their options and texts. *)
 
 open Cmdliner

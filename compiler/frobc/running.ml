@@ -1,6 +1,8 @@
 open Cmdliner
 open Options
-module Commands = Driver.Commands
+module Simulating = Driver.Simulating
+module Tracing = Driver.Tracing
+module Viewing = Driver.Viewing
 module General = Driver.General
 
 let trace =
@@ -17,8 +19,8 @@ let trace =
       "What runs the program: $(b,c), the compiled C, or $(b,interp), the reference interpreter. \
        Both give the same output."
     in
-    let engines = [ ("c", Commands.C); ("interp", Commands.Interpreter) ] in
-    Arg.(value & opt (enum engines) Commands.C & info [ "engine" ] ~docv:"ENGINE" ~doc)
+    let engines = [ ("c", Tracing.C); ("interp", Tracing.Interpreter) ] in
+    Arg.(value & opt (enum engines) Tracing.C & info [ "engine" ] ~docv:"ENGINE" ~doc)
   in
   let modes =
     let doc =
@@ -34,7 +36,7 @@ let trace =
     Arg.(value & opt (some string) None & info [ "picture" ] ~docv:"P.svg" ~doc)
   in
   let run general entry sources modes input output picture engine file =
-    Commands.trace general engine ~entry ~sources ~modes ~input ~output ~picture file
+    Tracing.trace general engine ~entry ~sources ~modes ~input ~output ~picture file
   in
   let man =
     [
@@ -115,7 +117,7 @@ let run =
     let make = function
       | None -> None
       | Some parts ->
-          Some { Commands.browser = not (List.mem `Print parts); control = List.mem `Control parts }
+          Some { Viewing.browser = not (List.mem `Print parts); control = List.mem `Control parts }
     in
     Term.(
       const make
@@ -212,8 +214,8 @@ let run =
         Driver.Real_robot.run general ~entry ~sources ~simulated run file
     | Error [] ->
         let seed = Option.value seed ~default:1 in
-        Commands.run general ~entry ~sources
-          { Commands.world; duration; rate; seed; realtime; record; picture; strict; exit_when_done;
+        Simulating.run general ~entry ~sources
+          { Simulating.world; duration; rate; seed; realtime; record; picture; strict; exit_when_done;
             console; look }
           file
   in
@@ -255,7 +257,7 @@ let view =
   in
   let run general entry sources print port world seed only_build recording file =
     let recording = if only_build && recording = "-" then None else Some recording in
-    Commands.view general ~entry ~sources
+    Viewing.view general ~entry ~sources
       { recording; browser = not print; port; world; seed; only_build }
       file
   in

@@ -1,6 +1,8 @@
 type content = C | Table | Picture | Rows | World | Program | Link | Log | Source
 type t = { path : string; content : content; asked : string }
 
+let asked content asked path = { path; content; asked }
+
 let ( let* ) = Result.bind
 
 let rec each f = function

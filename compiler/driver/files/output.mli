@@ -20,6 +20,9 @@ type t = {
   asked : string;  (** by what option, for messages: ["--record"] *)
 }
 
+val asked : content -> string -> string -> t
+(** [asked content option path] *)
+
 val check : reads:string list -> t list -> (unit, string) result
 (** Whether all may be written by a command that reads these files; the error says
     which one not, why, and what to do. *)

@@ -60,3 +60,8 @@ let check file =
   | Ok text, None when is_binary text && not (Filename.check_suffix file ".frob") ->
       Error (Printf.sprintf "%s is no Frob program: it is no text" file)
   | Ok _, None -> Ok ()
+
+let rec all_exist = function
+  | [] -> Ok ()
+  | file :: _ when not (Sys.file_exists file) -> Error (Printf.sprintf "there is no file %s" file)
+  | _ :: others -> all_exist others

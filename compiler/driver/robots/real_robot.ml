@@ -27,8 +27,8 @@ let served (resources : Resources.t) ~robot ~sources =
   let* known = Robots.known robot in
   match known with
   | Some own when Cgen.Robot.is_own own ->
-      let* () = Commands.all_exist sources in
-      let* header = Commands.robot_header resources own in
+      let* () = Program_file.all_exist sources in
+      let* header = Compiled.robot_header resources own in
       let* object_ =
         Toolchain.build
           ~machine:{ (Toolchain.this_machine ()) with options = [ "-I";
@@ -48,8 +48,8 @@ let serve ~robot ~sources serve =
     Option.value serve.world ~default:(Filename.concat resources.worlds "room.toml")
   in
   let outputs =
-    List.map (Commands.as_output Link "--link") (Option.to_list serve.link)
-    @ List.map (Commands.as_output Log "--log") (Option.to_list serve.log)
+    List.map (Output.asked Link "--link") (Option.to_list serve.link)
+    @ List.map (Output.asked Log "--log") (Option.to_list serve.log)
   in
   let* () = Output.check ~reads:(world :: Option.to_list robot @ sources) outputs in
   become resources.server
@@ -76,30 +76,30 @@ type run = {
   lock_memory : bool;
   exit_when_done : bool;
   console : bool;
-  look : Commands.look option;
+  look : Viewing.look option;
 }
 
 let executable (general : General.t) target ~entry ~sources file continue =
   let own = Robots.own_of general.robot in
-  Commands.built general Executable ~entry ~sources
+  Built.built general Executable ~entry ~sources
     ~linked:(Target.linked ?own target ~real:general.real) file
     (fun _ program -> continue program)
 
 let this_machine = Option.get (Target.of_name "host")
 
 let run general ~entry ~sources ~simulated run file =
-  let general = Commands.with_claims general in
+  let general = Probed.with_claims general in
   let* () =
     match simulated with
     | [] -> Ok ()
     | option :: _ -> Error (Printf.sprintf "%s is for the simulator, and not for a robot" option)
   in
-  let outputs = List.map (Commands.as_output Table "--record") (Option.to_list run.record) in
+  let outputs = List.map (Output.asked Table "--record") (Option.to_list run.record) in
   let* () = Output.check ~reads:(file :: sources) outputs in
   let* resources = Resources.find () in
   General.with_params general resources ~entry file @@ fun params ->
   let control = match run.look with Some { control; _ } -> control | None -> false in
-  Commands.shown general ~params ~entry ~sources run.look ~record:run.record ~world:None file
+  Viewing.shown general ~params ~entry ~sources run.look ~record:run.record ~world:None file
   @@ fun viewer ->
   executable general this_machine ~entry ~sources file (fun program ->
       become program
@@ -123,8 +123,8 @@ let run general ~entry ~sources ~simulated run file =
 let library general ~entry ~sources ~output file =
   let path = Option.value output ~default:(C_file.name file ^ ".so") in
   let asked = if output = None then "the library" else "-o" in
-  let* () = Output.check ~reads:(file :: sources) [ Commands.as_output Program asked path ] in
-  Commands.shared ~batch:true ~options:[ "-fno-semantic-interposition" ] general ~entry ~sources
+  let* () = Output.check ~reads:(file :: sources) [ Output.asked Program asked path ] in
+  Built.shared ~batch:true ~options:[ "-fno-semantic-interposition" ] general ~entry ~sources
     file (fun _ library ->
       let* () = Output.copy library path in
       Exit_status.ok)
@@ -139,7 +139,7 @@ let build general ~entry ~sources ~target ~output file =
   | Some target ->
       let path = Option.value output ~default:(C_file.name file) in
       let asked = if output = None then "the program" else "-o" in
-      let* () = Output.check ~reads:(file :: sources) [ Commands.as_output Program asked path ] in
+      let* () = Output.check ~reads:(file :: sources) [ Output.asked Program asked path ] in
       executable general target ~entry ~sources file (fun program ->
           let* () = Output.copy program path in
           match Target.size_tool target with

@@ -28,7 +28,7 @@ type run = {
   lock_memory : bool;
   exit_when_done : bool;  (** when the program's task has ended *)
   console : bool;
-  look : Commands.look option;  (** how it is shown while it goes on *)
+  look : Viewing.look option;  (** how it is shown while it goes on *)
 }
 
 val run :

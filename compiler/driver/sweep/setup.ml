@@ -46,7 +46,7 @@ let beside plan name =
 let trials (context : Checking.t) file =
   let found = ref [] in
   let status =
-    Commands.accepted ~quiet:true Pipeline.checks context.general context.resources ~entry:"main"
+    Compiled.accepted ~quiet:true Pipeline.checks context.general context.resources ~entry:"main"
       file (fun _ checks ->
         found := checks;
         Exit_status.ok)
@@ -143,7 +143,7 @@ let worlds context (plan : Plan.t) file (trial : Checks.trial) =
 let digest_of (context : Checking.t) general ~entry file =
   let text = ref "" in
   ignore
-    (Commands.compiled ~quiet:true general context.resources ~entry file (fun files ->
+    (Compiled.to_c ~quiet:true general context.resources ~entry file (fun files ->
          text := files.source ^ files.header ^ Option.value files.host_table ~default:"";
          Exit_status.ok));
   Digest.string (String.concat "" (!text :: List.map Digest.file context.sources))
@@ -165,7 +165,7 @@ let place (context : Checking.t) subject (world, path) robot =
   let general = context.general in
   let general = if robot = "" then general else { general with robot = Some robot } in
   let* general =
-    match Commands.for_world general context.resources path with
+    match Where.for_world general context.resources path with
     | Ok general -> Ok general
     | Error text -> refuse text
   in

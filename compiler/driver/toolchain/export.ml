@@ -102,11 +102,11 @@ let platformio (general : General.t) ~entry ~sources ~folder file =
   let ( let* ) = General.( let* )
   in
   let* resources = Resources.find () in
-  let* () = Commands.all_exist sources in
-  Commands.compiled general resources ~entry file (fun (files : Cgen.Emit.t) ->
+  let* () = Program_file.all_exist sources in
+  Compiled.to_c general resources ~entry file (fun (files : Cgen.Emit.t) ->
       let name = C_file.name file in
-      let* () = Commands.for_robot ~name ~sees:false files in
-      let* table = Commands.host_table ~entry files in
+      let* () = Built.for_robot ~name ~sees:false files in
+      let* table = Built.host_table ~entry files in
       let generated =
         [
           (name ^ ".h", files.header); (name ^ ".c", files.source); (name ^ "_host.c", table);

@@ -118,7 +118,7 @@ let linked ?own t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
   | Prebuilt ->
       {
         (* a driver of the user's own includes the runtime's headers *)
-        Commands.machine =
+        Built.machine =
           (if own = None then None else Some (machine t include_));
         inputs = [ resources.robot_host; resources.runtime ];
         includes = [];

@@ -13,7 +13,7 @@ val own_driver : name:string -> Cgen.Robot.t option -> string * string
     the robot [rover] it is [const struct frob_driver frob_rover_driver]. *)
 
 val linked :
-  ?own:Cgen.Robot.t -> t -> real:Basis.Real.t -> Resources.t -> name:string -> Commands.linked
+  ?own:Cgen.Robot.t -> t -> real:Basis.Real.t -> Resources.t -> name:string -> Built.linked
 (** [own]: the user's own robot, whose driver is among the user's C files. *)
 
 val size_tool : t -> string option

@@ -35,7 +35,7 @@ let read path =
 let compiled context general ~entry file =
   let path = ref None in
   let status =
-    Commands.shared ~quiet:true general ~entry ~sources:context.sources file (fun _ program ->
+    Built.shared ~quiet:true general ~entry ~sources:context.sources file (fun _ program ->
         path := Some program;
         Exit_status.ok)
   in
@@ -47,7 +47,7 @@ let compiled context general ~entry file =
 let measures context ~entry file =
   let found = ref [] in
   let status =
-    Commands.accepted ~quiet:true Pipeline.measures context.general context.resources ~entry file
+    Compiled.accepted ~quiet:true Pipeline.measures context.general context.resources ~entry file
       (fun _ measures ->
         found := measures;
         Exit_status.ok)

@@ -33,7 +33,7 @@ type prepared = {
 
 let prepared context file (check : Checks.t) world =
   let* world = world_of context file world in
-  let* general = Commands.for_world context.general context.resources world in
+  let* general = Where.for_world context.general context.resources world in
   let entry = Resolve.Labels.judge check.name in
   let* measures = measures context ~entry file in
   let probes = List.map (fun (m : Measures.t) -> m.probe) measures in

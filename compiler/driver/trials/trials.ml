@@ -47,7 +47,7 @@ let tell (options : Checking.options) outcome =
 let of_file (context : Checking.t) file =
   let found = ref [] in
   let status =
-    Commands.accepted Pipeline.checks context.general context.resources ~entry:"main" file
+    Compiled.accepted Pipeline.checks context.general context.resources ~entry:"main" file
       (fun _ checks ->
         found := checks;
         Exit_status.ok)

@@ -1,0 +1,126 @@
+open General
+
+let host_table ~entry (files : Cgen.Emit.t) =
+  match files.host_table with
+  | Some table -> Ok table
+  | None ->
+      Error
+        (Printf.sprintf
+           "`%s` takes or gives a value of a foreign type, and a table has no column for one; \
+            compile it, and call it from C"
+           entry)
+
+let for_robot ~name ~sees (files : Cgen.Emit.t) =
+  match (files.robot, files.cameras) with
+  | None, _ ->
+      Error (Printf.sprintf "%s is a program for no robot; `reactimateRobot` makes one" name)
+  | Some _, _ when files.looks_for_tags ->
+      Error
+        (Printf.sprintf
+           "%s looks for tags (`tags`); so far it is the simulator that finds them, where `frobc \
+            run` runs it"
+           name)
+  | Some _, camera :: _ when not sees ->
+      Error
+        (Printf.sprintf
+           "%s looks through a camera, `%s`; there are cameras in the simulator, and where Linux \
+            runs, but not on a board"
+           name camera)
+  | Some _, _ -> Ok ()
+
+let own_driver general =
+  match Robots.own_of general.robot with
+  | Some robot -> Printf.sprintf "frob_%s_driver" robot.name
+  | None -> ""
+
+(* The linker's words are of the machine's language; that it names the driver and no
+   line of C is enough. *)
+let is_driver_missing general ~sources text =
+  let driver = own_driver general in
+  let has word =
+    let n = String.length word in
+    let rec within i =
+      i + n <= String.length text && (String.sub text i n = word || within (i + 1))
+    in
+    within 0
+  in
+  driver <> "" && has driver && not (List.exists has sources)
+
+let about_driver general ~sources text =
+  if is_driver_missing general ~sources text then
+    Printf.sprintf
+      "%s is a robot of your own: name the C files of its driver, which define `%s`, with `--with \
+       FILE.c`"
+      (Option.value general.robot ~default:"this") (own_driver general)
+  else text
+
+type linked = {
+  machine : Toolchain.machine option;
+  inputs : string list;
+  includes : string list;
+  generated : (string * string) list;
+  sees : bool;
+}
+
+let built ?quiet ?batch general kind ~entry ~sources ~linked file continue =
+  let* resources = Resources.find () in
+  let* () = Program_file.all_exist sources in
+  Compiled.to_c ?quiet ?batch general resources ~entry file (fun (files : Cgen.Emit.t) ->
+      let name = C_file.name file in
+      let linked = linked resources ~name in
+      let* () =
+        match (kind : Toolchain.kind) with
+        | Executable -> for_robot ~name ~sees:linked.sees files
+        | Shared_object -> Ok ()
+      in
+      let* host_table = host_table ~entry files in
+      let* () = C_file.check ~beside_c:(sources <> []) file in
+      let* () =
+        Foreign_symbols.check ~calls:files.foreign.calls ~sources ~header:files.header
+          ~folders:files.foreign.folders
+      in
+      let foreign =
+        if files.foreign.folders = [] && files.foreign.calls = [] && sources = [] then None
+        else Some { Toolchain.sources; folders = files.foreign.folders }
+      in
+      let* program =
+        Toolchain.build ?machine:linked.machine kind ~headers:resources.headers
+          ~inputs:linked.inputs ~includes:linked.includes ~foreign ~name
+          ([
+             (name ^ ".h", files.header); (name ^ ".c", files.source);
+               (name ^ "_host.c", host_table);
+           ]
+          @ Option.to_list files.robot_header @ linked.generated)
+        |> Result.map_error (about_driver general ~sources)
+      in
+      continue resources program)
+
+(* The C files of a user's own robot may be given all at once, its driver's too. *)
+let with_runtime general (resources : Resources.t) ~name:_ =
+  let machine =
+    Option.map
+      (fun _ ->
+        { (Toolchain.this_machine ()) with options = [ "-I"; resources.runtime_sources ] })
+      (Robots.own_of general.robot)
+  in
+  { machine; inputs = [ resources.runtime ]; includes = []; generated = []; sees = true }
+
+let missing_host host =
+  wrong_use (Printf.sprintf "the host %s is missing: install frobc again" host)
+
+let shared ?quiet ?batch ?(generated = []) ?(options = []) general ~entry ~sources file continue =
+  let linked resources ~name =
+    let linked = with_runtime general resources ~name in
+    let machine = Option.value linked.machine ~default:(Toolchain.this_machine ()) in
+    let machine = { machine with options = machine.options @ options } in
+    { linked with machine = Some machine; generated }
+  in
+  built ?quiet ?batch general Shared_object ~entry ~sources ~linked file continue
+
+(* The program as a shared object, and the host that is to run it. *)
+let hosted general ~entry ~sources file ~host ~arguments =
+  shared general ~entry ~sources file (fun resources program ->
+      let host = host resources in
+      match Process.hand_over host (arguments resources program) with
+      | Ok status -> status
+      | Error (Not_found _ | Failed _) -> missing_host host)
