@@ -1,7 +1,8 @@
 #!/bin/sh
 # documents.sh FOLDER: what there is to read, and the examples, into FOLDER, laid out as here, so
 # that the links from page to page lead where they should. The library and the runtime are
-# linked to where an installation has them: FOLDER is share/doc/frobc.
+# linked to where an installation has them: FOLDER is share/doc/frobc. A link to what an
+# installation does not have, as a source of the compiler, becomes plain text with its path.
 set -eu
 mkdir -p "$1"
 to=$(cd "$1" && pwd)
@@ -17,3 +18,32 @@ copy docs/*.* docs/tutorial/*.* docs/how-to/*.* docs/explanation/*.*
 copy $(find -L examples -type f ! -name 'dune*')
 ln -sfn ../../frobc/stdlib "$to/stdlib"
 ln -sfn ../../frobc/runtime "$to/runtime"
+
+cd "$to"
+find . -name '*.md' | while read -r page; do
+    awk -v folder="$(dirname "$page")" '
+        /^ *```/ { code = !code }
+        code { print; next }
+        {
+            done = ""
+            while (match($0, /\[[^]]*\]\([^):# ]+[^): ]*\)/)) {
+                link = substr($0, RSTART, RLENGTH)
+                done = done substr($0, 1, RSTART - 1) checked(link)
+                $0 = substr($0, RSTART + RLENGTH)
+            }
+            print done $0
+        }
+        function checked(link,    text, path) {
+            text = path = link
+            sub(/\]\(.*/, "", text)
+            sub(/^\[/, "", text)
+            sub(/.*\]\(/, "", path)
+            sub(/[#)].*/, "", path)
+            path = folder "/" path
+            if (system("test -e \047" path "\047") == 0) return link
+            while (sub(/[^\/.]+\/\.\.\//, "", path)) { }
+            sub(/^\.\//, "", path)
+            return index(text, path) ? text : text " (`" path "` of the sources)"
+        }' "$page" > "$page.new"
+    mv "$page.new" "$page"
+done
