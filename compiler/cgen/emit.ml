@@ -5,7 +5,6 @@ type t = {
   robot : string option;
   robot_header : (string * string) option;
   cameras : string list;
-  looks_for_tags : bool;
   foreign : foreign;
 }
 
@@ -24,11 +23,7 @@ let program ?own ?batch (program : Step.Ir.program) =
     robot = Option.map (fun (robot : Robot.t) -> robot.name) (Host_table.robot ?own program);
     robot_header = None;
     cameras =
-      List.filter_map
-        (fun (c : Core.Ir.control) -> if c.kind = Camera then Some c.label else None)
-        program.console;
-    looks_for_tags =
-      List.exists (fun (c : Core.Ir.control) -> c.kind = Tags) program.console;
+      List.sort_uniq String.compare (List.filter_map Core.Console.camera program.console);
     foreign =
       {
         calls =

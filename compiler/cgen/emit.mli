@@ -10,8 +10,7 @@ type t = {
   robot_header : (string * string) option;
       (** name and text of the header of a user's own robot, which [header] includes;
           made from the robot's module ({!Interface_header}) and so not here *)
-  cameras : string list;  (** the labels of those that it looks through *)
-  looks_for_tags : bool;
+  cameras : string list;  (** the labels of those through which it looks *)
   foreign : foreign;
 }
 

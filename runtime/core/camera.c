@@ -7,6 +7,15 @@ static unsigned char *place(void *base, const struct frob_value *value)
     return (unsigned char *)base + value->offset;
 }
 
+size_t frob_camera_label(const struct frob_control *control)
+{
+    static const char ending[] = " tags";
+    const size_t length = strlen(control->label);
+    return control->kind == FROB_CAMERA ? length
+           : control->kind == FROB_TAGS ? length - (sizeof ending - 1)
+                                        : 0;
+}
+
 void frob_camera_set_number(void *input, const struct frob_value *value, double x)
 {
     const float single = (float)x;

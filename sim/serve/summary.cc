@@ -7,8 +7,11 @@ namespace frob::serve {
 
 void print_summary(const frob_sim *sim) {
     const frob_sim_summary s = frob_sim_summarize(sim);
+    const frob_sim_place place = frob_sim_place_robot(sim, 0);
     std::printf("time simulated: %.3f s\n", s.time_s);
     std::printf("distance driven: %.3f m\n", s.distance_m);
+    std::printf("stands at: %.3f m, %.3f m, heading %.1f degrees\n", place.x_m, place.y_m,
+                place.heading_rad * 180.0 / 3.14159265358979323846);
     if (s.measured) {
         std::printf("wall distance to keep: %.3f m\n", s.wall_distance_m);
         if (std::isnan(s.mean_error_m)) {

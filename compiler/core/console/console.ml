@@ -54,7 +54,14 @@ let at_rest = function
   | Knob { first; _ } -> At first
 
 let map_label = "map"
-let tags_label camera = camera ^ " tags"
+let tags_ending = " tags"
+let tags_label camera = camera ^ tags_ending
+
+let camera c =
+  match c.kind with
+  | Camera -> Some c.label
+  | Tags -> Some (String.sub c.label 0 (String.length c.label - String.length tags_ending))
+  | Button | Hold | Knob _ | Toggle _ | Map -> None
 
 let describe = function
   | Button -> "a button"

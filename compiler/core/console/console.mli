@@ -34,5 +34,8 @@ val map_label : string
 val tags_label : string -> string
 (** Of the tags that the camera of this label sees; hosts find the camera by it. *)
 
+val camera : Ir.control -> string option
+(** The label of the camera through which it looks. *)
+
 val describe : Ir.control_kind -> string
 (** For messages: "a knob from 0 to 1, at first 0.5" *)

@@ -14,12 +14,6 @@ let for_robot ~name ~sees (files : Cgen.Emit.t) =
   match (files.robot, files.cameras) with
   | None, _ ->
       Error (Printf.sprintf "%s is a program for no robot; `reactimateRobot` makes one" name)
-  | Some _, _ when files.looks_for_tags ->
-      Error
-        (Printf.sprintf
-           "%s looks for tags (`tags`); so far it is the simulator that finds them, where `frobc \
-            run` runs it"
-           name)
   | Some _, camera :: _ when not sees ->
       Error
         (Printf.sprintf

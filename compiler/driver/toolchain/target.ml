@@ -128,10 +128,11 @@ let linked ?own t ~(real : Basis.Real.t) (resources : Resources.t) ~name =
   | Linux options ->
       let inputs, includes =
         from_sources resources
-          [ "core"; "hal/posix"; "hosts/common"; "hosts/camera"; "hosts/robot" ]
+          [ "core"; "hal/posix"; "hosts/common"; "hosts/camera"; "hosts/robot"; "vision" ]
       in
       {
-        machine = Some (machine t (options @ ("-D_GNU_SOURCE" :: include_)));
+        (* -O3: the kernels of vision are loops over pixels *)
+        machine = Some (machine t (options @ ("-O3" :: "-D_GNU_SOURCE" :: include_)));
         inputs;
         includes;
         generated = [ driver ];

@@ -1,6 +1,10 @@
 #include "buffers.h"
 
+#include <linux/futex.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
 
 enum { COUNT = 3, FRESH = 0x40, ANY = 0x80 };
 
@@ -74,6 +78,7 @@ void buffers_publish(struct buffers *b)
         next.back = now.middle;
         next.middle = now.back;
     } while (!change(b, &seen, state_of(next, FRESH | ANY)));
+    syscall(SYS_futex, &b->state, FUTEX_WAKE, 1, NULL, NULL, 0);
 }
 
 const struct captured *buffers_published(const struct buffers *b)
@@ -94,6 +99,14 @@ const struct captured *buffers_take(struct buffers *b)
         next.middle = now.front;
     } while (!change(b, &seen, state_of(next, ANY)));
     return &b->frames[next.front];
+}
+
+void buffers_wait(struct buffers *b, int wait_ms)
+{
+    const struct timespec wait = { wait_ms / 1000, (long)(wait_ms % 1000) * 1000000 };
+    const uint32_t seen = read_state(b);
+    if ((seen & FRESH) == 0)
+        syscall(SYS_futex, &b->state, FUTEX_WAIT, seen, &wait, NULL, 0);
 }
 
 struct frob_image *buffers_image(struct buffers *b)

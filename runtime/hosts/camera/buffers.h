@@ -14,6 +14,7 @@
 #include <stdint.h>
 
 #include <frob/image.h>
+#include <frob/tags.h>
 
 /* Bytes of the largest frame: 1920 x 1200 in colours. */
 #define BUFFERS_ROOM ((size_t)1920 * 1200 * 3)
@@ -26,6 +27,7 @@ struct captured {
     uint32_t number;
     bool has_camera;               /* it says itself how its camera sees */
     struct frob_camera camera;
+    struct frob_tags tags;         /* in it, where they are looked for */
     uint8_t *pixels;
 };
 
@@ -46,6 +48,9 @@ const struct captured *buffers_published(const struct buffers *b);
 /* The reader's: the newest frame, once; NULL if there is none that was not taken before. It stays
  * as it is until the next call that gives one. */
 const struct captured *buffers_take(struct buffers *b);
+
+/* Waits for so long for a frame to take; whoever drives does not. */
+void buffers_wait(struct buffers *b, int wait_ms);
 
 /* Of the reader, for who it hands the address of a frame on to in another process. */
 struct frob_image *buffers_image(struct buffers *b);

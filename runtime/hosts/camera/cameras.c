@@ -10,35 +10,53 @@
 #include <unistd.h>
 
 #include <frob/camera.h>
+#include <frob/tags.h>
 
-#include "capture.h"
+static size_t find(const struct camera_options *options, size_t count, const char *label,
+                   size_t length)
+{
+    size_t i = 0;
+    while (i < count && (strlen(options[i].label) != length ||
+                         strncmp(options[i].label, label, length) != 0))
+        i++;
+    return i;
+}
 
 bool cameras_options(struct camera_options options[CAMERAS_MOST], size_t *count,
                      const struct frob_program *program)
 {
     *count = 0;
     for (size_t i = 0; i < program->control_count; i++) {
-        if (program->console[i].kind != FROB_CAMERA)
+        const struct frob_control *control = &program->console[i];
+        const size_t length = frob_camera_label(control);
+        const size_t at = find(options, *count, control->label, length);
+        if (length == 0)
             continue;
-        if (*count == CAMERAS_MOST) {
+        if (at == CAMERAS_MOST) {
             fprintf(stderr, "error: %s asks for more than %d cameras, which is as many as a robot "
                             "may have\n", program->name, CAMERAS_MOST);
             return false;
         }
-        camera_options_init(&options[(*count)++], program->console[i].label);
+        if (at == *count && !camera_options_init(&options[(*count)++], control->label, length))
+            return false;
+        options[at].has_tags = options[at].has_tags || control->kind == FROB_TAGS;
     }
     return true;
 }
 
 /* {1 Starting and ending} */
 
-static bool start(struct camera *c)
+static bool start(struct cameras *all, struct camera *c)
 {
     int sockets[2];
     c->socket = -1;
     c->last_number = -1;
-    c->buffers = buffers_make();
-    if (c->buffers == NULL ||
+    c->way.seen = c->way.given = buffers_make();
+    if (c->options->has_tags) {
+        c->way.finder = &all->finder;
+        c->way.given = buffers_make();
+    }
+    if (c->way.seen == NULL || c->way.given == NULL ||
         socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, sockets) != 0) {
         fprintf(stderr, "error: cannot start a camera: %s\n", strerror(errno));
         return false;
@@ -47,7 +65,7 @@ static bool start(struct camera *c)
     c->process = fork();
     if (c->process == 0) {
         close(sockets[0]);
-        capture_run(c->options, c->buffers, sockets[1]);
+        capture_run(c->options, &c->way, sockets[1]);
     }
     close(sockets[1]);
     c->socket = sockets[0];
@@ -57,17 +75,17 @@ static bool start(struct camera *c)
 }
 
 bool cameras_start(struct cameras *c, const struct frob_program *program,
-                   const struct camera_options *options, bool tells)
+                   const struct camera_options *options, size_t count, bool tells)
 {
     memset(c, 0, sizeof *c);
+    c->program = program;
     c->tells = tells;
-    for (size_t i = 0; i < program->control_count; i++) {
-        struct camera *camera = &c->each[c->count];
-        if (program->console[i].kind != FROB_CAMERA)
-            continue;
-        camera->control = &program->console[i];
-        camera->options = &options[c->count++];
-        if (!start(camera))
+    for (size_t i = 0; i < count; i++) {
+        c->each[i].options = &options[i];
+        if (options[i].has_tags && c->finder.detector == NULL && !tag_finder_open(&c->finder))
+            return false;
+        c->count++;
+        if (!start(c, &c->each[i]))
             return false;
     }
     return true;
@@ -84,8 +102,10 @@ static void end(struct camera *c)
     }
     if (c->socket >= 0)
         close(c->socket);
-    if (c->buffers != NULL)
-        buffers_free(c->buffers);
+    if (c->way.given != NULL && c->way.given != c->way.seen)
+        buffers_free(c->way.given);
+    if (c->way.seen != NULL)
+        buffers_free(c->way.seen);
 }
 
 void cameras_end(struct cameras *c)
@@ -93,15 +113,15 @@ void cameras_end(struct cameras *c)
     for (size_t i = 0; i < c->count; i++)
         end(&c->each[i]);
     c->count = 0;
+    tag_finder_close(&c->finder);
 }
 
 /* {1 Frames} */
 
 /* The process may have gone mad: what it says of a frame is looked at before anybody uses it. */
-static const struct frob_image *take(struct camera *c, int64_t first_ns)
+static const struct captured *take(struct camera *c, struct frob_image *image, int64_t first_ns)
 {
-    struct frob_image *image = buffers_image(c->buffers);
-    const struct captured *frame = buffers_take(c->buffers);
+    const struct captured *frame = buffers_take(c->way.given);
     if (frame == NULL)
         return NULL;
     image->width = frame->width;
@@ -121,14 +141,31 @@ static const struct frob_image *take(struct camera *c, int64_t first_ns)
         image->camera = frame->camera;
     c->given++;
     c->last_number = frame->number;
-    return image;
+    return frame;
 }
 
 void cameras_look(struct cameras *c, void *input, int64_t first_ns, int64_t now_ns)
 {
-    for (size_t i = 0; i < c->count; i++) {
-        buffers_begin(c->each[i].buffers);
-        frob_camera_give(c->each[i].control, input, take(&c->each[i], first_ns), now_ns);
+    const struct frob_program *program = c->program;
+    for (size_t k = 0; k < c->count; k++) {
+        struct camera *camera = &c->each[k];
+        const char *label = camera->options->label;
+        struct frob_image *image = buffers_image(camera->way.given);
+        const struct captured *frame;
+        buffers_begin(camera->way.given);
+        frame = take(camera, image, first_ns);
+        for (size_t i = 0; i < program->control_count; i++) {
+            const struct frob_control *control = &program->console[i];
+            const size_t length = frob_camera_label(control);
+            if (length == 0 || length != strlen(label) ||
+                strncmp(control->label, label, length) != 0)
+                continue;
+            if (control->kind == FROB_CAMERA)
+                frob_camera_give(control, input, frame != NULL ? image : NULL, now_ns);
+            else
+                frob_tags_give(control, input, frame != NULL ? image : NULL,
+                               frame != NULL ? &frame->tags : NULL, now_ns);
+        }
     }
 }
 

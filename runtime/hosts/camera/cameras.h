@@ -8,15 +8,14 @@
 
 #include <frob/program.h>
 
-#include "buffers.h"
+#include "capture.h"
 #include "settings.h"
 
 enum { CAMERAS_MOST = 4 };
 
 struct camera {
-    const struct frob_control *control;
     const struct camera_options *options;
-    struct buffers *buffers;
+    struct capture_way way;
     pid_t process; /* 0: none */
     int socket;
     bool works, has_failed;
@@ -27,23 +26,25 @@ struct camera {
 };
 
 struct cameras {
+    const struct frob_program *program;
     struct camera each[CAMERAS_MOST];
     size_t count;
+    struct tag_finder finder; /* if tags are asked for: each process that looks for them has a copy */
     bool tells; /* also of what is as it should be */
 };
 
-/* How many cameras the program asks for; sets the options up, by their labels. False with a line
- * on standard error if they are too many. */
+/* How many cameras the program asks for, for frames or for tags in them; sets the options up, by
+ * their labels. False with a line on standard error if they are too many. */
 bool cameras_options(struct camera_options options[CAMERAS_MOST], size_t *count,
                      const struct frob_program *program);
 
 /* Starts the processes, which get nothing that is opened later. False with a line on standard
- * error. */
+ * error, also where what finds tags is not here. */
 bool cameras_start(struct cameras *c, const struct frob_program *program,
-                   const struct camera_options *options, bool tells);
+                   const struct camera_options *options, size_t count, bool tells);
 
 /* What the program sees at this instant, `now_ns` after `first_ns` on the monotonic clock: the
- * newest frames that it has not been given. They stay as they are until the next call. */
+ * newest frames that it has not been given, and their tags. They stay as they are until the next call. */
 void cameras_look(struct cameras *c, void *input, int64_t first_ns, int64_t now_ns);
 
 /* Passes on to standard error what the processes say. */

@@ -1,6 +1,7 @@
 #include "capture.h"
 
 #include "source.h"
+#include "tagger.h"
 
 #include <errno.h>
 #include <poll.h>
@@ -20,7 +21,8 @@ enum { WAIT_MS = 100, HANGS_MS = 4000 };
 
 struct capture {
     const struct camera_options *options;
-    struct buffers *buffers;
+    const struct capture_way *way;
+    struct buffers *buffers; /* way->seen */
     int socket;
     struct source source;
     bool is_open;
@@ -206,7 +208,7 @@ static void step(struct capture *c)
         pause_until_ns(c, source_now_ns() + RETRY_NS);
         return;
     }
-    if (c->source.is_recorded && !buffers_have_begun(c->buffers)) {
+    if (c->source.is_recorded && !buffers_have_begun(c->way->given)) {
         source_sleep_until_ns(source_now_ns() + BEGIN_NS);
         return;
     }
@@ -267,52 +269,104 @@ static void work(struct capture *c, pid_t keeper)
         step(c);
 }
 
-/* Until the worker ends; it is ended if it hangs. */
-static void watch(struct capture *c, pid_t worker)
+/* One of the processes that are watched. */
+struct watched {
+    pid_t process;
+    const struct buffers *beats_for;
+    const char *what, *hanging;
+    uint32_t beats;
+    int hangs_ms;
+};
+
+/* True in the process. */
+static bool start(struct watched *w)
+{
+    w->process = fork();
+    return w->process == 0;
+}
+
+static void end_all(struct watched *each, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (each[i].process > 0) {
+            kill(each[i].process, SIGKILL);
+            waitpid(each[i].process, NULL, 0);
+        }
+}
+
+/* Ends it if it hangs. */
+static void look_after(struct watched *w)
+{
+    const uint32_t beats = buffers_beats(w->beats_for);
+    w->hangs_ms = beats == w->beats ? w->hangs_ms + WAIT_MS : 0;
+    w->beats = beats;
+    if (w->hangs_ms == HANGS_MS)
+        kill(w->process, SIGKILL);
+}
+
+static void tell_end(struct capture *c, const struct watched *w, int status)
 {
     char text[640];
-    int status = 0;
-    int hangs_ms = 0;
-    uint32_t beats = buffers_beats(c->buffers);
-    while (waitpid(worker, &status, WNOHANG) == 0) {
-        struct pollfd gone = { c->socket, POLLIN, 0 };
-        if (poll(&gone, 1, WAIT_MS) > 0)
-            _exit(0);
-        hangs_ms = buffers_beats(c->buffers) == beats ? hangs_ms + WAIT_MS : 0;
-        beats = buffers_beats(c->buffers);
-        if (hangs_ms == HANGS_MS)
-            kill(worker, SIGKILL);
-    }
-    if (hangs_ms >= HANGS_MS)
-        snprintf(text, sizeof text, "its source does not come back from a call of the system: it "
-                                    "begins anew");
+    if (w->hangs_ms >= HANGS_MS)
+        snprintf(text, sizeof text, "%s: it begins anew", w->hanging);
     else if (WIFSIGNALED(status))
-        snprintf(text, sizeof text, "what captures it was ended by signal %d (%s); it begins anew",
+        snprintf(text, sizeof text, "%s was ended by signal %d (%s); it begins anew", w->what,
                  WTERMSIG(status), strsignal(WTERMSIG(status)));
     else
-        snprintf(text, sizeof text, "what captures it has ended; it begins anew");
+        snprintf(text, sizeof text, "%s has ended; it begins anew", w->what);
     c->has_told = false;
     report(c, CAPTURE_FAILS, text);
 }
 
-void capture_run(const struct camera_options *options, struct buffers *buffers, int socket)
+/* Until one of them ends. */
+static void watch(struct capture *c, struct watched *each, size_t count)
+{
+    for (;;) {
+        struct pollfd gone = { c->socket, POLLIN, 0 };
+        for (size_t i = 0; i < count; i++) {
+            int status = 0;
+            if (waitpid(each[i].process, &status, WNOHANG) != 0) {
+                each[i].process = 0;
+                tell_end(c, &each[i], status);
+                return;
+            }
+        }
+        if (poll(&gone, 1, WAIT_MS) > 0)
+            _exit(0);
+        for (size_t i = 0; i < count; i++)
+            look_after(&each[i]);
+    }
+}
+
+void capture_run(const struct camera_options *options, const struct capture_way *way, int socket)
 {
     struct capture c;
     const pid_t supervisor = getppid();
+    const pid_t keeper = getpid();
     belong_to(supervisor);
     memset(&c, 0, sizeof c);
     c.options = c.source.options = options;
-    c.buffers = buffers;
+    c.way = way;
+    c.buffers = way->seen;
     c.socket = socket;
     c.width = (int32_t)options->settings[CAMERA_WIDTH];
     c.height = (int32_t)options->settings[CAMERA_HEIGHT];
     for (;;) {
-        const pid_t keeper = getpid();
-        const pid_t worker = fork();
-        if (worker == 0)
+        struct watched each[2] = {
+            { 0, way->seen, "what captures it",
+              "its source does not come back from a call of the system", 0, 0 },
+            { 0, way->given, "what looks for tags", "what looks for tags does not come back", 0, 0 }
+        };
+        const size_t count = way->finder != NULL ? 2 : 1;
+        if (start(&each[0]))
             work(&c, keeper);
-        if (worker > 0)
-            watch(&c, worker);
+        if (count == 2 && start(&each[1])) {
+            belong_to(keeper);
+            tagger_run(way->finder, way->seen, way->given);
+        }
+        if (each[0].process > 0 && (count == 1 || each[1].process > 0))
+            watch(&c, each, count);
+        end_all(each, count);
         source_sleep_until_ns(source_now_ns() + RETRY_NS);
     }
 }

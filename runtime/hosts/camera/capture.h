@@ -2,6 +2,7 @@
 #ifndef FROB_HOST_CAMERA_CAPTURE_H
 #define FROB_HOST_CAMERA_CAPTURE_H
 
+#include "../common/tag_finder.h"
 #include "buffers.h"
 #include "settings.h"
 
@@ -17,9 +18,16 @@ struct capture_report {
     char text[640];
 };
 
-/* The process: frames into the buffers, until the other end of the socket is gone. Whatever
- * happens to it while it decodes, it begins anew. */
-void capture_run(const struct camera_options *options, struct buffers *buffers, int socket)
+/* The way of a camera's frames to the program. */
+struct capture_way {
+    struct buffers *seen;      /* as they were captured */
+    struct buffers *given;     /* what the program takes: the same, but where … */
+    struct tag_finder *finder; /* … this one looks for tags on the way; NULL: nobody does */
+};
+
+/* The process: frames on their way, until the other end of the socket is gone. Whatever happens to
+ * those who capture, decode and look for tags, they begin anew. */
+void capture_run(const struct camera_options *options, const struct capture_way *way, int socket)
     __attribute__((noreturn));
 
 #endif

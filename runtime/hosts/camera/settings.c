@@ -1,7 +1,8 @@
 #include "settings.h"
 
 #include <math.h>
-#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
 
 const struct frob_setting camera_settings[CAMERA_SETTING_COUNT] = {
     { "width", 0, 0, FROB_IMAGE_SIDE, "pixels; 0: as the source has it" },
@@ -28,12 +29,19 @@ const struct frob_setting camera_settings[CAMERA_SETTING_COUNT] = {
     { "roll_deg", 0, -360, 360, "clockwise as seen from behind" },
 };
 
-void camera_options_init(struct camera_options *o, const char *label)
+bool camera_options_init(struct camera_options *o, const char *label, size_t length)
 {
-    o->label = label;
-    o->source = NULL;
+    if (length >= sizeof o->label) {
+        fprintf(stderr, "error: the label of a camera, `%.*s`, is longer than %d bytes, which is as "
+                        "long as one of a robot's may be\n", (int)length, label,
+                CAMERA_LABEL_ROOM - 1);
+        return false;
+    }
+    memset(o, 0, sizeof *o);
+    memcpy(o->label, label, length);
     for (size_t i = 0; i < CAMERA_SETTING_COUNT; i++)
         o->settings[i] = camera_settings[i].initial;
+    return true;
 }
 
 static double radians(double degrees)

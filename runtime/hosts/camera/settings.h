@@ -3,6 +3,9 @@
 #ifndef FROB_HOST_CAMERA_SETTINGS_H
 #define FROB_HOST_CAMERA_SETTINGS_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include <frob/image.h>
 
 #include "drivers/driver.h"
@@ -36,14 +39,18 @@ enum camera_setting {
 /* In that order; their names come behind the camera's label and a point. */
 extern const struct frob_setting camera_settings[CAMERA_SETTING_COUNT];
 
+enum { CAMERA_LABEL_ROOM = 64 };
+
 struct camera_options {
-    const char *label;  /* as the program asks for it */
+    char label[CAMERA_LABEL_ROOM]; /* as the program asks for it */
+    bool has_tags;                 /* that are looked for in its frames */
     const char *source; /* a device, an address, a folder, a pipe or file; NULL: not said */
     double settings[CAMERA_SETTING_COUNT];
 };
 
-/* All as they are where nothing is said. */
-void camera_options_init(struct camera_options *o, const char *label);
+/* All as they are where nothing is said, of the camera whose label is so much of this one. False,
+ * with a line on standard error, if there is no room for it. */
+bool camera_options_init(struct camera_options *o, const char *label, size_t length);
 
 /* How it sees, in frames of this size, and where it sits. */
 struct frob_camera camera_geometry(const struct camera_options *o, int32_t width, int32_t height);

@@ -59,12 +59,6 @@ static void set_tag(void *input, const struct frob_value *value, const struct fr
     }
 }
 
-size_t frob_tags_camera(const struct frob_control *control)
-{
-    static const char ending[] = " tags";
-    return strlen(control->label) - (sizeof ending - 1);
-}
-
 void frob_tags_give(const struct frob_control *control, void *input,
                     const struct frob_image *image, const struct frob_tags *tags, int64_t now_ns)
 {

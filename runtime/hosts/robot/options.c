@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include "../common/frames.h"
 #include "../common/params.h"
 
 #include <math.h>
@@ -295,7 +296,7 @@ enum options_result read_options(int argc, char **argv, const struct frob_progra
     }
     if (!check_cameras(o, program->name))
         return OPTIONS_WRONG;
-    if (o->viewer != NULL && o->record == NULL && o->camera_count > 0) {
+    if (o->viewer != NULL && o->record == NULL && frames_has_images(program->input)) {
         fprintf(stderr, "error: this program sees, and what it saw is shown from the frames beside a "
                         "recording: `--view` needs `--record LOG.csv` too\n");
         return OPTIONS_WRONG;

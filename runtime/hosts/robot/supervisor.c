@@ -465,7 +465,8 @@ int supervise(const struct params *params, const struct frob_driver *driver,
     catch_signals(&s);
     /* Before the line is open: neither cameras nor the controller must hold it. Frames are in
      * memory that the controller has too. */
-    if (!cameras_start(&s.cameras, s.program, options->cameras, s.tells) ||
+    if (!cameras_start(&s.cameras, s.program, options->cameras, options->camera_count,
+                       s.tells) ||
         !controller_start(&s.controller, params, options)) {
         cameras_end(&s.cameras);
         return WRONG_USE;

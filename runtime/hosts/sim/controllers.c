@@ -61,23 +61,15 @@ static void tell_missing_camera(const char *label)
             is_pair || is_usual ? "" : label, is_pair || is_usual ? "" : "\"");
 }
 
-/* How much of a control's label is that of a camera; 0 if it has none. */
-static size_t camera_length(const struct frob_control *control)
-{
-    return control->kind == FROB_CAMERA ? strlen(control->label)
-           : control->kind == FROB_TAGS ? frob_tags_camera(control)
-                                        : 0;
-}
-
 /* Through which camera this one looks: that of a control before it, or a new one of the world. */
 static int look_through(struct controllers *c, size_t i)
 {
     const struct frob_control *console = c->program->console;
-    const size_t length = camera_length(&console[i]);
+    const size_t length = frob_camera_label(&console[i]);
     char *label;
     int number;
     for (size_t k = 0; k < i; k++)
-        if (camera_length(&console[k]) == length && c->cameras[k] >= 0 &&
+        if (frob_camera_label(&console[k]) == length && c->cameras[k] >= 0 &&
             strncmp(console[k].label, console[i].label, length) == 0)
             return c->cameras[k];
     label = (char *)calloc(1, length + 1);
@@ -106,7 +98,7 @@ static bool open_cameras(struct controllers *c)
     }
     for (size_t i = 0; i < program->control_count; i++) {
         c->cameras[i] = -1;
-        if (camera_length(&program->console[i]) == 0)
+        if (frob_camera_label(&program->console[i]) == 0)
             continue;
         c->cameras[i] = look_through(c, i);
         ok = ok && c->cameras[i] >= 0;

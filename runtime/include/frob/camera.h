@@ -13,6 +13,10 @@
 extern "C" {
 #endif
 
+/* How much of the label of something on the console is that of a camera: all of it, or for tags
+ * (frob/tags.h) what stands before " tags"; 0 if it has no camera. */
+size_t frob_camera_label(const struct frob_control *control);
+
 /* The event of this instant: the frame, with its age at the time `now_ns`; NULL for none. The
  * image and its pixels stay until the instant is over. */
 void frob_camera_give(const struct frob_control *camera, void *input,

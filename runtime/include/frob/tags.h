@@ -22,10 +22,6 @@ struct frob_tags {
     struct frob_tag each[FROB_MOST_TAGS];
 };
 
-/* The label of the camera whose tags a control of the kind FROB_TAGS is about: its length, in the
- * control's label. */
-size_t frob_tags_camera(const struct frob_control *control);
-
 /* The event of this instant: what is in the frame, with its age at the time `now_ns`; NULL for
  * both if there is none. */
 void frob_tags_give(const struct frob_control *control, void *input,

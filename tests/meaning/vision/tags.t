@@ -122,7 +122,8 @@ A program may look at the same frames itself. A world without a camera; a robot;
   error: the program looks through a camera, `camera`, and the robot of this world has none: add a table [camera] to the world file
   [2]
   $ frobc build sees.frob --robot pioneer -o sees
-  error: sees looks for tags (`tags`); so far it is the simulator that finds them, where `frobc run` runs it
+  $ frobc build sees.frob --robot pioneer --target cortex-m -o sees
+  error: sees looks through a camera, `camera`; there are cameras in the simulator, and where Linux runs, but not on a board
   [2]
 
 Two things of a console with one label, of which one is a camera's tags.

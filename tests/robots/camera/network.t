@@ -64,8 +64,9 @@ none any more: the program's camera is not alive, and it stops.
 
 Where the server goes and comes back, so do the frames; the program goes on where it was.
 
+  $ rm log.csv
   $ ./sees --device $device --for 30 --camera $address/good --record log.csv > summary 2> messages & run=$!
-  $ until_true 'grep -q "number = 5" log.csv'
+  $ until_true 'grep -q "number = 5" log.csv 2> /dev/null'
   $ end $server
   $ until_true 'grep -q "gives no frames" messages'
   $ python3 server.py film.mjpeg port & server=$!
@@ -79,8 +80,9 @@ Where the server goes and comes back, so do the frames; the program goes on wher
 
 The process that captures may be killed: another one begins.
 
+  $ rm log.csv
   $ ./sees --device $device --for 30 --camera $address/good --record log.csv > summary 2> messages & run=$!
-  $ until_true 'grep -q "number = 5" log.csv'
+  $ until_true 'grep -q "number = 5" log.csv 2> /dev/null'
   $ keeper=$(cut -d ' ' -f 1 /proc/$run/task/$run/children)
   $ kill -SEGV $(cat /proc/$keeper/task/$keeper/children)
   $ until_true 'grep -q "frames again" messages'

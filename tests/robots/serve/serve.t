@@ -4,6 +4,7 @@
   device: PTY
   time simulated: 0.2 s
   distance driven: 0.000 m
+  stands at: 1.000 m, 1.000 m, heading 0.0 degrees
   odometry error at the end: 0.000 m
   collisions: 0
 
