@@ -9,10 +9,10 @@ PACKAGES = ocaml ocaml-dune menhir libmenhir-ocaml-dev libcmdliner-ocaml-dev \
 
 # What only `make test` needs: a browser, and another client, for the page of `frobc view`;
 # editors for `frobc lsp`; what makes the Debian package, and judges it; numpy and pandas for
-# the Python package; JPEG for cameras.
+# the Python package; JPEG for cameras; compressed recordings.
 TEST_PACKAGES = chromium chromium-driver fonts-dejavu-core python3-selenium python3-websockets \
   neovim emacs-nox elpa-eglot libapriltag-dev dpkg-dev lintian python3-numpy python3-pandas \
-  libturbojpeg0
+  libturbojpeg0 zstd
 
 # What only `make matrix` needs: compilers and emulators of other machines.
 MATRIX_PACKAGES = gcc-aarch64-linux-gnu libc6-dev-arm64-cross \

@@ -7,7 +7,10 @@ module General = Driver.General
 
 let trace =
   let input =
-    let doc = "The recorded input, CSV with a header; $(b,-) is standard input." in
+    let doc =
+      "The recorded input, CSV with a header, perhaps compressed ($(b,.csv.gz), $(b,.csv.zst)); \
+       $(b,-) is standard input."
+    in
     Arg.(value & opt (some string) None & info [ "input" ] ~docv:"IN.csv" ~doc)
   in
   let output =
@@ -87,7 +90,9 @@ let run =
   in
   let record =
     some_string [ "record" ] ~docv:"LOG.csv"
-      ~doc:"Write every instant's input and output, in the format of $(b,frobc trace)."
+      ~doc:
+        "Write every instant's input and output, in the format of $(b,frobc trace); compressed, if \
+         the name ends in $(b,.gz) or $(b,.zst)."
   in
   let picture =
     some_string [ "picture" ] ~docv:"P.svg|P.png"

@@ -84,6 +84,17 @@ let may_be_written path =
   | exception Unix.Unix_error (reason, _, _) ->
     Error (Printf.sprintf "cannot write %s: %s" path (Unix.error_message reason))
 
+(* What is to tell whose it is. *)
+let beginning content path =
+  match content with
+  | Table when (Unix.stat path).st_size > 0 ->
+    Packed.with_input path (fun channel ->
+        let text = Bytes.create 16 in
+        let n = input channel text 0 (Bytes.length text) in
+        Ok (Bytes.sub_string text 0 n))
+    |> Result.map_error (String.concat "\n")
+  | _ -> Ok (read_file path)
+
 let may_be_replaced { path; content; asked } =
   let refuse reason =
     Error (Printf.sprintf "%s would overwrite %s, which is %s: move it away, or name another file"
@@ -99,9 +110,10 @@ let may_be_replaced { path; content; asked } =
     | Source -> may_be_written path
     | _ when not (is_regular path) -> Ok ()
     | _ -> (
-      match read_file path with
-      | text when is_ours content text -> Ok ()
-      | _ -> refuse (Printf.sprintf "there already and not %s" (kind content))
+      match beginning content path with
+      | Ok text when is_ours content text -> Ok ()
+      | Ok _ -> refuse (Printf.sprintf "there already and not %s" (kind content))
+      | Error reason -> refuse ("there already; and " ^ reason)
       | exception Sys_error reason -> Error (Printf.sprintf "cannot replace %s" reason))
 
 let check ~reads outputs =

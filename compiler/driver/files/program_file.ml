@@ -11,7 +11,7 @@ let modules ~library file =
 
 (* What takes files of another kind, by the ending of their names. *)
 let of_another_kind file =
-  match String.lowercase_ascii (Filename.extension file) with
+  match String.lowercase_ascii (Filename.extension (Packed.stem file)) with
   | ".toml" ->
       Some ("a world", Printf.sprintf
         "it goes beside a program: `frobc run PROGRAM.frob --world %s`" file)

@@ -1,8 +1,5 @@
 let rows path =
-  let channel = open_in_bin path in
-  Fun.protect
-    ~finally:(fun () -> close_in_noerr channel)
-    (fun () ->
+  Packed.with_input path (fun channel ->
       let read () = match input_char channel with c -> Some c | exception End_of_file -> None in
       let csv = Interp.Csv.reader read in
       let rec all found =
@@ -11,7 +8,7 @@ let rows path =
             all (Array.of_list (List.map (fun (c : Interp.Csv.cell) -> c.text) row.cells) :: found)
         | Ok None | Error _ -> List.rev found
       in
-      all [])
+      Ok (all []))
 
 (* [probe.follow.seats[2].x] is a part of [probe.follow.seats.x]. *)
 let without_numbers name =
@@ -26,9 +23,9 @@ let without_numbers name =
 
 let picture ~units path =
   match rows path with
-  | exception Sys_error reason -> Error ("cannot read " ^ reason)
-  | [] -> Error (path ^ " is empty")
-  | header :: rows ->
+  | Error reasons -> Error (String.concat "\n" reasons)
+  | Ok [] -> Error (path ^ " is empty")
+  | Ok (header :: rows) ->
       let rows = Array.of_list (List.filter (fun r -> Array.length r = Array.length header) rows) in
       let column k name =
         {

@@ -1,39 +1,35 @@
-let ( let* ) = Result.bind
-
-(* [Sys_error] says the file and the reason. *)
-let opened how what path =
-  match how path with
-  | channel -> Ok channel
-  | exception Sys_error reason -> Error [ Printf.sprintf "cannot %s %s" what reason ]
-
 let with_input path run =
   if String.equal path "-" then run ~name:"standard input" stdin
-  else
-    let* channel = opened open_in_bin "read" path in
-    Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> run ~name:path channel)
+  else Packed.with_input path (run ~name:path)
 
 (* A wrong header must not cost the output of a run before: the file is opened
    when there is something to write. What cannot be written is not tried again
    at the end of the process. *)
 let with_output path run =
   let name = Option.value path ~default:"standard output" in
-  let channel =
+  let writer =
     lazy
-      (match path with None -> Ok stdout | Some path -> opened open_out_bin "write" path)
+      (match path with
+      | None -> Ok { Packed.channel = stdout; close = (fun () -> flush stdout) }
+      | Some path -> (
+          match Packed.writer path with
+          | writer -> Ok writer
+          (* It says the file and the reason. *)
+          | exception Sys_error reason -> Error [ "cannot write " ^ reason ]))
   in
   let exception Unwritable of string list in
   let using act =
-    match Lazy.force channel with
+    match Lazy.force writer with
     | Error errors -> raise_notrace (Unwritable errors)
-    | Ok channel -> (
-        try act channel
+    | Ok writer -> (
+        try act writer
         with Sys_error reason ->
-          close_out_noerr channel;
+          close_out_noerr writer.channel;
           raise_notrace (Unwritable [ Printf.sprintf "cannot write %s: %s" name reason ]))
   in
   match
-    let result = run (fun text -> using (fun channel -> output_string channel text)) in
-    if Lazy.is_val channel then using (if Option.is_none path then flush else close_out);
+    let result = run (fun text -> using (fun writer -> output_string writer.channel text)) in
+    if Lazy.is_val writer then using (fun writer -> writer.close ());
     result
   with
   | result -> result

@@ -46,12 +46,15 @@ let there path =
 let written ~input ~golden is =
   let output = { Output.path = golden; content = Table; asked = "--update" } in
   let* () = Output.check ~reads:[ input ] [ output ] in
-  Result.map (fun () -> "wrote " ^ golden) (Output.write [ (golden, is) ])
+  let* packed = Packed.packed ~named:golden is in
+  Result.map (fun () -> "wrote " ^ golden) (Output.write [ (golden, packed) ])
 
 let compared context file ~input ~golden =
   let* () = there input in
   let* is = traced context file input in
-  let was = if Sys.file_exists golden then Some (read golden) else None in
+  let* was =
+    if Sys.file_exists golden then Result.map Option.some (Packed.read golden) else Ok None
+  in
   let* note =
     match was with
     | Some was when String.equal was is -> Ok ""

@@ -1,5 +1,7 @@
 #include "frames.h"
 
+#include "packed.h"
+
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -37,15 +39,15 @@ uint32_t frames_number(uint64_t key)
     return (uint32_t)(key >> (64 - KEY_NUMBER_BITS));
 }
 
-/* LOG.frames of LOG.csv; NULL without memory. */
+/* LOG.frames of LOG.csv, and of LOG.csv.gz too; NULL without memory. */
 static char *folder_of(const char *record)
 {
     static const char suffix[] = ".frames";
-    size_t length = strlen(record);
+    size_t length = packed_stem(record);
     char *folder = (char *)malloc(length + sizeof suffix);
     if (folder == NULL)
         return NULL;
-    if (length > 4 && strcmp(record + length - 4, ".csv") == 0)
+    if (length > 4 && strncmp(record + length - 4, ".csv", 4) == 0)
         length -= 4;
     memcpy(folder, record, length);
     memcpy(folder + length, suffix, sizeof suffix);

@@ -1,4 +1,5 @@
-/* frames.h -- the frames of a recording, in a folder beside it: LOG.frames for LOG.csv.
+/* frames.h -- the frames of a recording, in a folder beside it: LOG.frames for LOG.csv
+ * (and for LOG.csv.gz: it may be compressed later).
  *
  * Each is a file of its own (<frob/frame.h>), named by its number and by a part of its hash, so
  * that frames of several cameras have room beside each other: 000012-6c62272e07.ppm. Number and

@@ -5,31 +5,20 @@
 #include <frob/camera.h>
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 static bool complain(const struct record *r)
 {
-    fprintf(stderr, "error: cannot write %s: %s\n", r->name, strerror(errno));
+    fprintf(stderr, "error: cannot write %s: %s\n", r->name, packed_reason(r->name, errno));
     return false;
 }
 
 static bool write_text(struct record *r)
 {
-    const char *at = r->text.data;
-    size_t left = r->text.length;
-    while (left > 0) {
-        ssize_t written = write(r->file, at, left);
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written < 0)
-            return complain(r);
-        at += written;
-        left -= (size_t)written;
-    }
+    if (!packer_put(&r->file, r->text.data, r->text.length))
+        return complain(r);
     frob_text_clear(&r->text);
     return true;
 }
@@ -39,15 +28,14 @@ bool record_open(struct record *r, const struct frob_program *program, const voi
 {
     size_t room;
     memset(r, 0, sizeof *r);
-    r->file = -1;
+    r->file.file = -1;
     if (name == NULL)
         return true;
     room = params_room(program) + frob_trace_room(program, FROB_TRACE_IN | FROB_TRACE_OUT);
     r->program = program;
     r->name = name;
-    r->file = open(name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     r->buffer = (char *)malloc(room);
-    if (r->file < 0 || r->buffer == NULL)
+    if (!packer_open(&r->file, name) || r->buffer == NULL)
         return complain(r);
     if (frames_has_images(program->input) && !frame_writer_open(&r->frames, name))
         return false;
@@ -76,7 +64,7 @@ static bool put_frames(struct record *r, void *in)
 
 bool record_row(struct record *r, int64_t time_ns, void *in, const void *out)
 {
-    if (r->file < 0)
+    if (r->file.file < 0)
         return true;
     if (!put_frames(r, in))
         return false;
@@ -86,8 +74,8 @@ bool record_row(struct record *r, int64_t time_ns, void *in, const void *out)
 
 bool record_close(struct record *r)
 {
-    bool ok = r->file < 0 || close(r->file) == 0;
+    const bool ok = packer_close(&r->file) || complain(r);
     free(r->buffer);
     frame_writer_close(&r->frames);
-    return ok || complain(r);
+    return ok;
 }

@@ -1,12 +1,13 @@
 /* record.h -- writes a run as a CSV trace, with inputs and outputs.
  *
  * Each row goes to the file as a whole, at once: a host that is killed loses
- * no row that was complete. Frames of cameras are written before the row that names them
+ * no row that was complete, nor does one whose recording is compressed (packed.h). Frames of cameras are written before the row that names them
  * (frames.h). */
 #ifndef FROB_HOST_RECORD_H
 #define FROB_HOST_RECORD_H
 
 #include "frames.h"
+#include "packed.h"
 
 #include <frob/trace.h>
 
@@ -16,7 +17,7 @@
 struct record {
     const struct frob_program *program;
     const char *name;
-    int file; /* -1: nothing is recorded */
+    struct packer file; /* none: nothing is recorded */
     char *buffer;
     struct frob_text text;
     struct frame_writer frames;

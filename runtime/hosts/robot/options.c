@@ -13,7 +13,7 @@ static const char usage[] =
     "                     /dev/serial/by-id; or tcp:HOST:PORT\n"
     "  --for SECONDS      how long to run (until it is ended)\n"
     "  --rate HZ          how often the controller runs (50)\n"
-    "  --record FILE.csv  write what the program read and commanded\n"
+    "  --record FILE.csv  write what the program read and commanded (FILE.csv.gz: compressed)\n"
     "  --patience SECONDS how old a reading may be, and how long a step may take,\n"
     "                     before the robot is stopped (0.2)\n"
     "  --reconnect SECONDS\n"

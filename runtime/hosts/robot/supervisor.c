@@ -457,7 +457,7 @@ int supervise(const struct params *params, const struct frob_driver *driver,
     s.patience_ns = (int64_t)llround(options->patience_s * 1e9);
     s.period_ns = (int64_t)llround(1e9 / options->rate_hz);
     s.tells = options->progress || isatty(STDERR_FILENO) != 0;
-    s.record.file = -1;
+    s.record.file.file = -1;
     line_init(&s.line, options->device, driver->rate);
     /* With signals as they were, and without the robot's line. */
     publisher_start(&s.publisher, s.program, 0, options->control ? RING_SENDS : 0,

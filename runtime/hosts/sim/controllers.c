@@ -9,14 +9,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* LOG.csv, or LOG-3.csv for the third of several. NULL without memory. */
+/* LOG.csv, or LOG-3.csv for the third of several, and LOG-3.csv.gz. NULL without memory. */
 static char *name_of_record(const char *name, size_t robot, size_t count)
 {
-    const char *slash = strrchr(name, '/'), *dot = strrchr(name, '.');
-    size_t stem = strlen(name), room = stem + 32;
+    const char *slash = strrchr(name, '/');
+    const size_t room = strlen(name) + 32, begin = slash == NULL ? 0 : (size_t)(slash - name) + 1;
+    size_t stem = packed_stem(name);
     char *result = (char *)malloc(room);
-    if (dot != NULL && dot != name && (slash == NULL || dot > slash + 1))
-        stem = (size_t)(dot - name);
+    for (size_t dot = stem; dot > begin + 1; dot--)
+        if (name[dot - 1] == '.') {
+            stem = dot - 1;
+            break;
+        }
     if (result != NULL && count == 1)
         snprintf(result, room, "%s", name);
     else if (result != NULL)
@@ -28,7 +32,7 @@ static bool open_one(struct controllers *c, size_t robot, const char *record)
 {
     const struct frob_program *program = c->program;
     struct controller *one = &c->each[robot];
-    one->record.file = -1;
+    one->record.file.file = -1;
     one->state = calloc(1, program->state_size + 1);
     one->input = calloc(1, program->input_size);
     one->output = calloc(1, program->output_size);
@@ -122,7 +126,7 @@ bool controllers_open(struct controllers *c, const struct params *params,
     }
     c->running = c->count = frob_sim_robots(sim);
     for (size_t k = 0; k < c->count; k++)
-        c->each[k].record.file = -1;
+        c->each[k].record.file.file = -1;
     for (size_t k = 0; k < c->count; k++)
         if (!open_one(c, k, record))
             return false;

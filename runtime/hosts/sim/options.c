@@ -16,7 +16,7 @@ const char usage[] =
     "  --param NAME=VALUE the value of a parameter of the program, in its unit\n"
     "  --target METRES    the distance to the wall that is measured against\n"
     "  --realtime         as fast as the clock, not as fast as possible\n"
-    "  --record FILE.csv  write what the program read and commanded\n"
+    "  --record FILE.csv  write what the program read and commanded (FILE.csv.gz: compressed)\n"
     "  --picture FILE     draw the run, as .svg or .png\n"
     "  --console          the program reads the keys that are typed, one each instant\n"
     "  --exit-when-done   end when the program has ended, not after the time that is set\n"

@@ -14,6 +14,7 @@
 #include "../common/csv.h"
 #include "../common/frames.h"
 #include "../common/load.h"
+#include "../common/packed.h"
 #include "../common/params.h"
 #include "../common/seconds.h"
 
@@ -102,7 +103,7 @@ static bool readable(const struct trace *t, enum csv_status status)
     case CSV_END:
         return true;
     case CSV_UNREADABLE:
-        complain(t, 0, "cannot read the file: %s", strerror(errno));
+        complain(t, 0, "cannot read the file: %s", packed_reason(t->input_name, errno));
         break;
     case CSV_UNCLOSED_QUOTE:
         complain(t, 0, "a quoted cell that starts in this row is never closed");
@@ -279,11 +280,17 @@ static bool read_row(struct trace *t, void *input, int64_t *time)
     return true;
 }
 
+static bool cannot_write(const char *output_name)
+{
+    fprintf(stderr, "error: cannot write %s: %s\n", output_name,
+            packed_reason(output_name, errno));
+    return false;
+}
+
 static bool flush(const struct trace *t, struct frob_text *text, const char *output_name)
 {
     if (fwrite(text->data, 1, text->length, t->output) != text->length) {
-        fprintf(stderr, "error: cannot write %s: %s\n", output_name, strerror(errno));
-        return false;
+        return cannot_write(output_name);
     }
     frob_text_clear(text);
     return true;
@@ -375,6 +382,16 @@ static bool read_arguments(int argc, char **argv, struct arguments *a)
     return true;
 }
 
+/* What was wrong may be so because the archive is damaged, which shows at its end. */
+static void tell_damage(const char *name, FILE *input)
+{
+    char some[4096];
+    while (fread(some, 1, sizeof some, input) > 0)
+        continue;
+    if (ferror(input))
+        fprintf(stderr, "error: cannot read %s: %s\n", name, packed_reason(name, errno));
+}
+
 static int trace(struct trace *t, const struct arguments *a)
 {
     const char *output_name = a->output != NULL ? a->output : "standard output";
@@ -388,9 +405,9 @@ static int trace(struct trace *t, const struct arguments *a)
         !claims_open(&t->claims, t->program))
         return WRONG_USE;
     t->input_name = standard ? "standard input" : a->input;
-    input = standard ? stdin : fopen(a->input, "rb");
+    input = standard ? stdin : packed_read(a->input);
     if (input == NULL) {
-        fprintf(stderr, "error: cannot read %s: %s\n", a->input, strerror(errno));
+        fprintf(stderr, "error: cannot read %s: %s\n", a->input, packed_reason(a->input, errno));
         return WRONG_USE;
     }
     csv_start(&t->csv, input);
@@ -398,13 +415,13 @@ static int trace(struct trace *t, const struct arguments *a)
     if (!frame_reader_open(&t->frames, a->input, true) || t->no_memory) {
         fprintf(stderr, "error: not enough memory for the columns\n");
     } else if (read_header(t)) {
-        t->output = a->output != NULL ? fopen(a->output, "wb") : stdout;
+        t->output = a->output != NULL ? packed_write(a->output) : stdout;
         if (t->output == NULL) {
-            fprintf(stderr, "error: cannot write %s: %s\n", output_name, strerror(errno));
+            cannot_write(output_name);
         } else {
             status = run(t, output_name);
             if (fflush(t->output) != 0 && status == DONE) {
-                fprintf(stderr, "error: cannot write %s: %s\n", output_name, strerror(errno));
+                cannot_write(output_name);
                 status = WRONG_USE;
             }
             if (status != WRONG_USE)
@@ -413,8 +430,13 @@ static int trace(struct trace *t, const struct arguments *a)
                 claims_complain(&t->claims);
         }
     }
-    if (t->output != NULL && t->output != stdout && fclose(t->output) != 0)
+    if (t->output != NULL && t->output != stdout && fclose(t->output) != 0) {
+        if (status != WRONG_USE)
+            cannot_write(output_name);
         status = WRONG_USE;
+    }
+    if (status == WRONG_USE && packed_by(t->input_name) != NULL && !ferror(input))
+        tell_damage(t->input_name, input);
     frame_reader_close(&t->frames);
     csv_end(&t->csv);
     fclose(input);

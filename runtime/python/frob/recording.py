@@ -6,6 +6,8 @@ import csv
 import gzip
 import io
 import os
+import subprocess
+import zlib
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Optional, Tuple
 
@@ -46,21 +48,44 @@ def read(file: PathLike) -> "Table":
 
     Numbers are numbers, truth values are bool; what a program's data is in Python, `frob.Data`
     tells. Where an event does not occur there is None. `attrs` has `params`, the values that
-    the program ran with, `units`, theirs, and `assertions`, what became of each. A name that
-    ends in .gz is decompressed.
+    the program ran with, `units`, theirs, and `assertions`, what became of each. Names that
+    end in .gz and .zst are decompressed, the latter by the program zstd.
     """
     path = os.fspath(file)
     try:
         with open(path, "rb") as raw:
             data = raw.read()
-        text = (gzip.decompress(data) if path.endswith(".gz") else data).decode("utf-8-sig")
-    except (OSError, EOFError) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise Error(f"cannot read {path}: {reason}") from None
+        text = _unpacked(path, data).decode("utf-8-sig")
+    except OSError as error:
+        raise Error(f"cannot read {path}: {error.strerror or error}") from None
     except UnicodeDecodeError:
         raise Error(f"{path} is not a recording: it is not text") from None
     table: "Table" = parsed(path, text)
     return table
+
+
+_TOOLS = {".gz": ("gzip", b"\x1f\x8b"), ".zst": ("zstd", b"\x28\xb5\x2f\xfd")}
+
+
+def _unpacked(path: str, data: bytes) -> bytes:
+    tool, magic = _TOOLS.get(os.path.splitext(path)[1], (None, b""))
+    if tool is None:
+        return data
+    reason = "the archive is cut off or damaged"
+    try:
+        if not data.startswith(magic):
+            reason = f"it is not compressed by {tool}, as its name says"
+        elif tool == "gzip":
+            return gzip.decompress(data)
+        else:
+            done = subprocess.run([tool, "-dcq"], input=data, capture_output=True)
+            if done.returncode == 0:
+                return done.stdout
+    except FileNotFoundError:
+        reason = f"the program {tool}, by which it goes, is not installed (`apt install {tool}`)"
+    except (EOFError, OSError, zlib.error):
+        pass
+    raise Error(f"cannot read {path}: {reason}")
 
 
 def parsed(path: str, text: str) -> Any:

@@ -2,7 +2,10 @@
 
 import csv
 import gzip
+import os
+import subprocess
 import unittest
+import unittest.mock
 import xml.etree.ElementTree
 
 
@@ -108,6 +111,28 @@ class Read(unittest.TestCase):
         pose = frob.Data("Pose", x=-2)
         self.assertEqual(table["out"].tolist(), [frob.Data("Left", (1, True)), frob.Data("Right", pose)])
         self.assertEqual((table["time"].dtype, table.attrs["params"]), (float, {"n": 3}))
+
+    def test_compressed(self):
+        with open("log.csv", "w") as file:
+            file.write("time,in\n0,1\n1,2\n")
+        subprocess.run(["zstd", "-qf", "log.csv"], check=True)
+        self.assertEqual(list(frob.read("log.csv.zst")["in"]), [1, 2])
+        with open("log.csv", "rb") as file:
+            packed = gzip.compress(file.read())
+        for ending, content, reason in (
+            ("gz", packed[:-9], "the archive is cut off or damaged"),
+            ("gz", packed[:12] + b"x" + packed[13:], "the archive is cut off or damaged"),
+            ("gz", b"time,in\n0,1\n", "it is not compressed by gzip, as its name says"),
+            ("zst", b"time,in\n0,1\n", "it is not compressed by zstd, as its name says"),
+        ):
+            with open(f"bad.csv.{ending}", "wb") as file:
+                file.write(content)
+            with self.assertRaises(frob.Error) as caught:
+                frob.read(f"bad.csv.{ending}")
+            self.assertEqual(str(caught.exception), f"cannot read bad.csv.{ending}: {reason}")
+        with unittest.mock.patch.dict(os.environ, {"PATH": os.getcwd()}):
+            with self.assertRaisesRegex(frob.Error, "zstd, by which it goes, is not installed"):
+                frob.read("log.csv.zst")
 
     def test_mistakes(self):
         with self.assertRaisesRegex(frob.Error, "cannot read nowhere.csv: No such file"):

@@ -53,6 +53,22 @@ A torn last line is left out:
   view: http://127.0.0.1:PORT/#TOKEN (ends with Ctrl-C)
   [0]
 
+One that is compressed, and one of which the end is missing:
+
+  $ gzip -k run.csv
+  $ view run.csv.gz way.frob
+  view: http://127.0.0.1:PORT/#TOKEN (ends with Ctrl-C)
+  [0]
+  $ head -c -8 run.csv.gz > cut.csv.gz
+  $ view cut.csv.gz way.frob
+  cut.csv.gz:5: the archive is cut off or damaged; that row and what comes after it is left out
+  view: http://127.0.0.1:PORT/#TOKEN (ends with Ctrl-C)
+  [0]
+  $ cp run.csv plain.csv.gz
+  $ view plain.csv.gz way.frob
+  error: cannot view plain.csv.gz: it is not compressed by gzip, as its name says
+  [2]
+
 A recording of another program, or of another version of it, is shown as far as it fits:
 
   $ sed 's/in.2/in.stop/' run.csv > other.csv

@@ -2,6 +2,8 @@
 
 #include "seen.h"
 
+#include "../../common/packed.h"
+
 #include <frob/camera.h>
 
 #include <stdio.h>
@@ -109,7 +111,10 @@ static void make_up(struct live *live, size_t most)
                   "nothing of the inside%s\n",
                   (unsigned long long)missed, (unsigned long long)newest - 1,
                   (unsigned long)recording->gap,
-                  live->file == NULL ? " (a run with --record has no such gaps)" : "");
+                  live->file == NULL ? " (a run with --record has no such gaps)"
+                  : packed_by(live->file) != NULL
+                      ? " (a recording that is not compressed while it is made fills such gaps)"
+                      : "");
 }
 
 bool live_take(struct live *live, size_t most)

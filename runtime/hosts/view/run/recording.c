@@ -3,6 +3,7 @@
 #include "seen.h"
 
 #include "../../common/csv.h"
+#include "../../common/packed.h"
 #include "../../common/params.h"
 #include "../../common/seconds.h"
 
@@ -272,7 +273,7 @@ static bool read_rows(struct reader *r)
         }
         if (status != CSV_ROW) {
             note(r, "%s%s",
-                 status == CSV_UNREADABLE  ? strerror(errno)
+                 status == CSV_UNREADABLE  ? packed_reason(r->recording->name, errno)
                  : status == CSV_NO_MEMORY ? "not enough memory"
                                            : "this is not CSV",
                  and_after);
@@ -316,7 +317,7 @@ bool recording_read(struct recording *recording, const struct signals *signals,
                     const char *name)
 {
     struct reader *reader = (struct reader *)calloc(1, sizeof *reader);
-    FILE *file = fopen(name, "rb");
+    FILE *file = packed_read(name);
     bool ok;
     memset(recording, 0, sizeof *recording);
     recording->program = signals->program;
@@ -325,7 +326,7 @@ bool recording_read(struct recording *recording, const struct signals *signals,
     recording->output_size = signals_output_size(signals);
     if (file == NULL || reader == NULL || !seen_start(recording) ||
         !frame_reader_open(&recording->frames, name, false)) {
-        const char *reason = file == NULL ? strerror(errno) : "not enough memory";
+        const char *reason = file == NULL ? packed_reason(name, errno) : "not enough memory";
         free(reader);
         if (file != NULL)
             fclose(file);
@@ -399,7 +400,7 @@ struct catching {
 struct catching *catching_start(const struct signals *signals, const char *name)
 {
     struct catching *catching = (struct catching *)calloc(1, sizeof *catching);
-    FILE *file = fopen(name, "rb");
+    FILE *file = packed_by(name) == NULL ? fopen(name, "rb") : NULL;
     if (catching == NULL || file == NULL) {
         free(catching);
         if (file != NULL)

@@ -71,7 +71,8 @@ bool recording_add(struct recording *recording, int64_t time_ns, const void *inp
 /* A file that a run is being recorded in, from which what was missed can be added. */
 struct catching;
 
-/* Opens it, at its first row. NULL if it is not such a file. */
+/* Opens it, at its first row. NULL if it is not such a file, or is compressed: of that the last
+ * rows are in no file yet. */
 struct catching *catching_start(const struct signals *signals, const char *name);
 
 /* Adds the rows from instant `count` to before instant `end`, which have been written. False

@@ -19,6 +19,7 @@ let host_sources runtime =
     [
       "hosts/trace/main.c"; "hosts/common/csv.c"; "hosts/common/load.c";
       "hosts/common/params.c"; "hosts/common/claims.c"; "hosts/common/frames.c";
+      "hosts/common/packed.c";
       "hosts/common/seconds.c"; "core/text.c";
       "core/cell_read.c"; "core/cell_write.c"; "core/frame.c"; "core/trace.c"; "core/console.c";
     ]
